@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geometry/rigid_motion.h"
+#include "geometry/vec2.h"
+
+namespace seamwise {
+
+/// One outline edge: a straight line, a Bezier curve of degree 2 or 3, or a circular arc. [cm]
+class Curve {
+ public:
+  static Curve line(const Vec2& a, const Vec2& b);
+  static Curve quadratic(const Vec2& a, const Vec2& control, const Vec2& b);
+  static Curve cubic(const Vec2& a, const Vec2& c1, const Vec2& c2, const Vec2& b);
+  /// Arc from a to b with SVG semantics in y-up coordinates (sweep: counter-clockwise). A radius
+  /// smaller than half the chord is enlarged to it, as SVG does; radius 0 gives the straight line.
+  static Curve arc(const Vec2& a, const Vec2& b, double radius, bool large, bool sweep);
+
+  Vec2 start() const { return p_[0]; }
+  Vec2 end() const { return p_[3]; }
+  /// Point at the curve's own parameter t in [0, 1].
+  Vec2 at(double t) const;
+  /// Derivative of at(t). [cm]
+  Vec2 derivative(double t) const;
+  /// Arc length, to 1e-10 relative. [cm]
+  double length() const { return length_; }
+  /// The curve's own parameter at fraction s in [0, 1] of the arc length.
+  double parameterAt(double s) const;
+  /// Point at fraction s in [0, 1] of the arc length; a mirrored or reversed curve gives the
+  /// mirrored point at s or 1 - s, to 1e-9 cm.
+  Vec2 atFraction(double s) const;
+  /// How far the tangent turns between two fractions of the arc length, bends to either side added
+  /// up (sampled: exact for lines and arcs). [rad]
+  double turning(double s0, double s1) const;
+  /// Points that leave the true curve by at most `tolerance` cm; first and last are the ends
+  /// exactly.
+  Polyline flattened(double tolerance) const;
+  Curve transformed(const RigidMotion& motion) const;
+  Curve reversed() const;
+  bool straight() const { return kind_ == Kind::kLine; }
+
+ private:
+  enum class Kind : std::uint8_t { kLine, kQuadratic, kCubic, kArc };
+  /// Up to parameter t the curve is s cm long. Between two marks one Gauss rule is exact enough.
+  struct Mark {
+    double t, s;
+  };
+
+  static Curve bezier(Kind kind, const Vec2& a, const Vec2& c1, const Vec2& c2, const Vec2& b);
+  double gaussLength(double t0, double t1) const;
+  void measure(double t0, double t1, double length, int depth);
+
+  Kind kind_ = Kind::kLine;
+  Vec2 p_[4] = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  ///< p_[0] start, p_[3] end; Bezier: p_[1], p_[2] control points; kArc: p_[1] centre
+  double radius_ = 0, angle0_ = 0,
+         sweep_ = 0;  ///< kArc: p(t) = centre + r (cos, sin)(a0 + t sweep)
+  double length_ = 0;
+  std::vector<Mark> marks_;  ///< Bezier curves only
+};
+
+}  // namespace seamwise
