@@ -1,0 +1,19 @@
+import js from '@eslint/js';
+import {defineConfig, globalIgnores} from 'eslint/config';
+import globals from 'globals';
+import ts from 'typescript-eslint';
+
+export default defineConfig(
+  globalIgnores(['build/', 'dist/', 'out/', 'web/src/solver/module/seamwise.mjs']),
+  js.configs.recommended,
+  {files: ['**/*.{js,mjs}'], languageOptions: {globals: globals.node}},
+  {
+    files: ['**/*.ts', '**/*.mts'],
+    extends: [ts.configs.strictTypeChecked, ts.configs.stylisticTypeChecked],
+    languageOptions: {parserOptions: {projectService: true}},
+    rules: {
+      '@typescript-eslint/restrict-template-expressions': ['error', {allowNumber: true}],
+      '@typescript-eslint/consistent-type-definitions': 'off',
+    },
+  },
+);

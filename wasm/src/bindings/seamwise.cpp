@@ -1,0 +1,193 @@
+// The WebAssembly module's face to JavaScript; web/src/solver/module/seamwise.d.mts describes it.
+// Nothing but plain values crosses, and no exception does: what goes wrong is kept as a failure
+// that JavaScript asks for.
+#include <emscripten/bind.h>
+#include <emscripten/heap.h>
+#include <emscripten/val.h>
+#include <malloc.h>
+
+#include <exception>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/garment_json.h"
+#include "io/problem_json.h"
+#include "io/result_json.h"
+#include "solve/solver.h"
+
+namespace seamwise {
+namespace {
+
+using emscripten::val;
+
+val failureValue(const std::optional<Error>& error) {
+  if (!error) return val::null();
+  val failure = val::object();
+  failure.set("code", static_cast<int>(error->code));
+  failure.set("message", error->message);
+  failure.set("piece", error->piece);
+  failure.set("seam", error->seam);
+  return failure;
+}
+
+/// Runs `work`; what it throws becomes the error it returns.
+template <class Work>
+std::optional<Error> attempt(Work work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return Error{Failure::kInternal, "There is not enough memory for this problem."};
+  } catch (const std::exception& broken) {
+    return Error{Failure::kInternal, std::string("The solver broke: ") + broken.what() + "."};
+  } catch (...) {
+    return Error{Failure::kInternal, "The solver broke."};
+  }
+}
+
+/// `make` gives an Outcome<std::string>; the text, or why there is none.
+template <class Make>
+val textValue(Make make) {
+  val answer = val::object();
+  std::string text;
+  const std::optional<Error> error = attempt([&]() -> std::optional<Error> {
+    Outcome<std::string> made = make();
+    if (!made.ok()) return made.error();
+    text = std::move(made).value();
+    return std::nullopt;
+  });
+  answer.set("text", text);
+  answer.set("failure", failureValue(error));
+  return answer;
+}
+
+ProblemTexts problemTexts(const val& problem) {
+  const auto text = [&](const char* field) { return problem[field].as<std::string>(); };
+  ProblemTexts texts;
+  texts.garment = text("garment");
+  texts.garment_name = text("garmentName");
+  texts.print = text("print");
+  texts.print_name = text("printName");
+  texts.symmetry = text("symmetry");
+  texts.symmetry_name = text("symmetryName");
+  texts.options = text("options");
+  texts.options_name = text("optionsName");
+  const std::string method = text("method");
+  texts.method = method == "paper"  ? Method::kPaper
+                 : method == "ws19" ? Method::kWs19
+                                    : Method::kBest;
+  texts.seed = problem["seed"].as<std::uint32_t>();
+  return texts;
+}
+
+/// A solve as JavaScript holds it. After a failure every call is harmless and does nothing.
+class SolverHandle {
+ public:
+  explicit SolverHandle(const val& problem) {
+    error_ = attempt([&]() -> std::optional<Error> {
+      Outcome<Problem> made = makeProblem(problemTexts(problem));
+      if (!made.ok()) return made.error();
+      Outcome<Solver> solver = Solver::make(std::move(made).value());
+      if (!solver.ok()) return solver.error();
+      solver_.emplace(std::move(solver).value());
+      return std::nullopt;
+    });
+    if (error_) solver_.reset();
+  }
+
+  val failure() const { return failureValue(error_); }
+
+  bool advance(int steps) {
+    bool more = false;
+    guard([&]() -> std::optional<Error> {
+      more = solver_->advance(steps);
+      return std::nullopt;
+    });
+    return more;
+  }
+
+  std::string phase() const {
+    const bool deforming = solver_ && solver_->phase() >= Phase::kDeformation;
+    return deforming ? "deformation" : "alignment";
+  }
+
+  double fraction() const { return solver_ ? solver_->fraction() : 0; }
+
+  val partial() {
+    std::vector<double> flat;
+    guard([&]() -> std::optional<Error> {
+      for (const Alignment& alignment : solver_->partial()) {
+        flat.push_back(alignment.angle);
+        flat.push_back(alignment.translation.x());
+        flat.push_back(alignment.translation.y());
+      }
+      return std::nullopt;
+    });
+    // A view of the heap dies when memory grows, so JavaScript gets a copy.
+    return val(emscripten::typed_memory_view(flat.size(), flat.data())).call<val>("slice");
+  }
+
+  val notes() const { return solver_ ? val::array(solver_->notes()) : val::array(); }
+
+  std::string result() {
+    std::string text;
+    guard([&]() -> std::optional<Error> {
+      const Outcome<Result> finished = solver_->finish();
+      if (!finished.ok()) return finished.error();
+      text = writeResult(finished.value());
+      return std::nullopt;
+    });
+    return text;
+  }
+
+ private:
+  template <class Work>
+  void guard(Work work) {
+    if (solver_) error_ = attempt(std::move(work));
+    if (error_) solver_.reset();
+  }
+
+  std::optional<Solver> solver_;
+  std::optional<Error> error_;
+};
+
+val detectedSymmetries(const std::string& text, const std::string& name) {
+  return textValue([&]() -> Outcome<std::string> {
+    const Outcome<GarmentFile> file = readGarment(text, name);
+    if (!file.ok()) return file.error();
+    const Garment& garment = file.value().garment;
+    return writeSymmetries(garment, detectSymmetries(garment));
+  });
+}
+
+val convertedGarment(const std::string& text, const std::string& name) {
+  return textValue([&]() -> Outcome<std::string> {
+    const Outcome<GarmentFile> file = readGarment(text, name);
+    if (!file.ok()) return file.error();
+    return writeGarment(file.value());
+  });
+}
+
+double liveBytes() { return static_cast<double>(static_cast<unsigned>(mallinfo().uordblks)); }
+double heapBytes() { return static_cast<double>(emscripten_get_heap_size()); }
+
+EMSCRIPTEN_BINDINGS(seamwise) {
+  emscripten::class_<SolverHandle>("Solver")
+      .constructor<const val&>()
+      .function("failure", &SolverHandle::failure)
+      .function("advance", &SolverHandle::advance)
+      .function("phase", &SolverHandle::phase)
+      .function("fraction", &SolverHandle::fraction)
+      .function("partial", &SolverHandle::partial)
+      .function("notes", &SolverHandle::notes)
+      .function("result", &SolverHandle::result);
+  emscripten::function("detectSymmetries", &detectedSymmetries);
+  emscripten::function("convertGarment", &convertedGarment);
+  emscripten::function("heapBytes", &heapBytes);
+  emscripten::function("liveBytes", &liveBytes);
+}
+
+}  // namespace
+}  // namespace seamwise

@@ -1,0 +1,126 @@
+import {createHash} from 'node:crypto';
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
+import {join} from 'node:path';
+import {setTimeout as sleep} from 'node:timers/promises';
+import {pathToFileURL} from 'node:url';
+
+import {ensurePackages} from './packages.mjs';
+import {main, must, root, say, tool} from './shell.mjs';
+import {ensureSystem, forModule} from './system.mjs';
+
+const moduleFolder = 'web/src/solver/module';
+const at = (...parts) => join(root, ...parts);
+
+/** Builds what is missing or out of date: the module first, then everything in TypeScript. */
+export async function build() {
+  const module = signature(['CMakeLists.txt', 'CMakePresets.json', 'wasm']);
+  const scripts = signature(
+    ['package.json', 'tsconfig.json', 'tsconfig.build.json', 'web/src'],
+    module,
+  );
+  if (isFresh('module', module) && isFresh('scripts', scripts)) return;
+  const unlock = await lock();
+  try {
+    if (!isFresh('module', module)) await buildModule();
+    stamp('module', module);
+    if (!isFresh('scripts', scripts)) await buildScripts();
+    stamp('scripts', scripts);
+  } finally {
+    unlock();
+  }
+}
+
+async function buildModule() {
+  await ensureSystem(forModule);
+  say('Building the solver; the first time takes a minute or two ...');
+  await must('cmake', ['--preset', 'wasm']);
+  await must('cmake', ['--build', '--preset', 'wasm']);
+  for (const file of ['seamwise.mjs', 'seamwise.wasm']) {
+    copyFileSync(at('build/wasm', file), at(moduleFolder, file));
+  }
+}
+
+async function buildScripts() {
+  await ensurePackages();
+  say('Compiling TypeScript ...');
+  rmSync(at('dist'), {recursive: true, force: true});
+  const [node, tsc] = tool('typescript', 'tsc');
+  await must(node, [tsc, '-p', 'tsconfig.build.json']);
+  mkdirSync(at('dist/solver/module'), {recursive: true});
+  for (const file of ['seamwise.mjs', 'seamwise.wasm', 'seamwise.d.mts']) {
+    copyFileSync(at(moduleFolder, file), at('dist/solver/module', file));
+  }
+}
+
+/** Stands for the state of files and folders: their names, sizes and times of change. */
+function signature(paths, ...more) {
+  const hash = createHash('sha256');
+  const visit = (path) => {
+    if (products.module.includes(path)) return;
+    const state = statSync(at(path));
+    if (state.isDirectory()) {
+      for (const name of readdirSync(at(path)).sort()) visit(`${path}/${name}`);
+    } else {
+      hash.update(`${path} ${state.size} ${state.mtimeMs}\n`);
+    }
+  };
+  paths.forEach(visit);
+  return hash.update(more.join()).digest('hex');
+}
+
+const products = {
+  module: [`${moduleFolder}/seamwise.mjs`, `${moduleFolder}/seamwise.wasm`],
+  scripts: ['dist/cli/main.js', 'dist/solver/module/seamwise.wasm'],
+};
+
+function isFresh(part, state) {
+  const file = at('build', `${part}.stamp`);
+  return (
+    [...products[part].map((path) => at(path)), file].every((path) => existsSync(path)) &&
+    readFileSync(file, 'utf8') === state
+  );
+}
+
+function stamp(part, state) {
+  writeFileSync(at('build', `${part}.stamp`), state);
+}
+
+/** Keeps two builds in one folder apart. @returns what ends the exclusion */
+async function lock() {
+  const file = at('build/lock');
+  mkdirSync(at('build'), {recursive: true});
+  for (let waited = false; ; waited = true) {
+    try {
+      writeFileSync(file, String(process.pid), {flag: 'wx'});
+      return () => rmSync(file, {force: true});
+    } catch (error) {
+      if (error.code !== 'EEXIST') throw error;
+    }
+    if (!waited) say('Waiting for another build of this folder ...');
+    await sleep(250);
+    if (isAbandoned(file)) rmSync(file, {force: true});
+  }
+}
+
+/** Whether the process that made the lock has ended without removing it. */
+function isAbandoned(file) {
+  try {
+    const owner = Number(readFileSync(file, 'utf8'));
+    if (owner === 0) return false; // about to be written
+    process.kill(owner, 0);
+    return false;
+  } catch (error) {
+    return error.code === 'ESRCH';
+  }
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await main(build);

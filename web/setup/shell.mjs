@@ -1,0 +1,71 @@
+import {spawn, spawnSync} from 'node:child_process';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+/** The project's folder. */
+export const root = fileURLToPath(new URL('../..', import.meta.url));
+
+/** A failed step: its message is all there is to say, no stack. */
+export class SetupError extends Error {
+  name = 'SetupError';
+}
+
+/** Says what is going on, on standard error: standard output belongs to results. */
+export function say(text) {
+  process.stderr.write(`${text}\n`);
+}
+
+/** Whether a command can be found on the PATH. */
+export function has(command) {
+  const finder = process.platform === 'win32' ? 'where' : 'which';
+  return spawnSync(finder, [command], {stdio: 'ignore'}).status === 0;
+}
+
+/**
+ * Runs a command in the project's folder.
+ * @param output  whether to show what it says: always, only when it fails, or never
+ * @returns whether it succeeded
+ */
+export function run(command, args, {output = 'always', env = {}} = {}) {
+  return new Promise((resolve, reject) => {
+    const said = [];
+    const stream = output === 'always' ? 2 : 'pipe';
+    const child = spawn(command, args, {
+      cwd: root,
+      env: {...process.env, ...env},
+      stdio: ['ignore', stream, stream],
+    });
+    child.stdout?.on('data', (chunk) => said.push(chunk));
+    child.stderr?.on('data', (chunk) => said.push(chunk));
+    child.on('error', (error) => reject(new SetupError(`${command}: ${error.message}`)));
+    child.on('close', (code) => {
+      if (code !== 0 && output === 'on failure') process.stderr.write(Buffer.concat(said));
+      resolve(code === 0);
+    });
+  });
+}
+
+/** Runs a command that has to succeed, quietly. @throws {SetupError} when it fails */
+export async function must(command, args) {
+  if (!(await run(command, args, {output: 'on failure'}))) {
+    throw new SetupError(`failed: ${[command, ...args].join(' ')}`);
+  }
+}
+
+/** The words that run a program of an installed npm package, on every platform. */
+export function tool(name, program = name) {
+  const folder = join(root, 'node_modules', name);
+  const {bin} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  return [process.execPath, join(folder, typeof bin === 'string' ? bin : bin[program])];
+}
+
+/** Runs a script's main function; a failure ends it with exit code 1. */
+export async function main(script) {
+  try {
+    await script();
+  } catch (error) {
+    say(error instanceof SetupError ? error.message : (error.stack ?? String(error)));
+    process.exitCode = 1;
+  }
+}

@@ -1,0 +1,129 @@
+import {existsSync} from 'node:fs';
+import {join} from 'node:path';
+
+import {has, run, say, SetupError} from './shell.mjs';
+
+// The same folders as in CMakeLists.txt.
+const includes = [
+  '/usr/include',
+  '/usr/local/include',
+  '/opt/homebrew/include',
+  '/opt/local/include',
+];
+const header = (file) => includes.some((folder) => existsSync(join(folder, file)));
+
+/** Emscripten from an activated emsdk, the PATH, or Arch's folder, which is not on it. */
+function hasEmscripten() {
+  const folders = [
+    join(process.env.EMSDK ?? '/nowhere', 'upstream/emscripten'),
+    '/usr/lib/emscripten',
+  ];
+  return has('em-config') || folders.some((folder) => existsSync(join(folder, 'em-config')));
+}
+
+// What is needed, how to see that it is there, and its package on every platform.
+const cmake = {
+  found: () => has('cmake'),
+  apt: 'cmake',
+  dnf: 'cmake',
+  pacman: 'cmake',
+  brew: 'cmake',
+};
+const ninja = {
+  found: () => has('ninja') || has('ninja-build'),
+  apt: 'ninja-build',
+  dnf: 'ninja-build',
+  pacman: 'ninja',
+  brew: 'ninja',
+};
+const eigen = {
+  found: () => header('eigen3/Eigen/Core') || header('Eigen/Core'),
+  apt: 'libeigen3-dev',
+  dnf: 'eigen3-devel',
+  pacman: 'eigen',
+  brew: 'eigen',
+};
+const json = {
+  found: () => header('nlohmann/json.hpp'),
+  apt: 'nlohmann-json3-dev',
+  dnf: 'json-devel',
+  pacman: 'nlohmann-json',
+  brew: 'nlohmann-json',
+};
+const emscripten = {
+  found: hasEmscripten,
+  apt: 'emscripten',
+  dnf: 'emscripten',
+  pacman: 'emscripten',
+  brew: 'emscripten',
+};
+const compiler = {
+  found: () => has('c++'),
+  apt: 'g++',
+  dnf: 'gcc-c++ libasan libubsan',
+  pacman: 'gcc',
+  brew: '', // comes with the command line tools that Homebrew itself needs
+};
+const googletest = {
+  found: () => header('gtest/gtest.h'),
+  apt: 'libgtest-dev',
+  dnf: 'gtest-devel',
+  pacman: 'gtest',
+  brew: 'googletest',
+};
+
+/** What it takes to build the module, and to run the native tests. */
+export const forModule = [cmake, ninja, eigen, json, emscripten];
+export const forNativeTests = [cmake, ninja, eigen, json, compiler, googletest];
+
+/** Installs what is missing where that is allowed. @throws {SetupError} saying what to install */
+export async function ensureSystem(needs) {
+  const missing = needs.filter((need) => !need.found());
+  if (missing.length === 0) return;
+  const names = missing.map((need) => need.apt).join(' ');
+  const administrator = await asAdministrator();
+  if (has('apt-get') && administrator) {
+    say(`Installing ${names} ...`);
+    await aptInstall(administrator, names.split(' '));
+  }
+  if (missing.some((need) => !need.found())) throw new SetupError(advice(missing));
+}
+
+/** The words to put before a command that needs root; null where that is not to be had. */
+async function asAdministrator() {
+  if (process.getuid?.() === 0) return [];
+  const allowed = has('sudo') && (await run('sudo', ['-n', 'true'], {output: 'never'}));
+  return allowed ? ['sudo', '-n'] : null;
+}
+
+async function aptInstall(administrator, packages) {
+  const apt = (output, ...args) => {
+    const settings = ['env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', '-qy'];
+    const [command, ...rest] = [
+      ...administrator,
+      ...settings,
+      ...['-o', 'DPkg::Lock::Timeout=600'],
+      ...args,
+    ];
+    return run(command, rest, {output});
+  };
+  const install = ['install', '--no-install-recommends', ...packages];
+  if (await apt('never', ...install)) return;
+  say('Trying once more with fresh package lists ...');
+  await apt('on failure', 'update');
+  await apt('on failure', ...install);
+}
+
+function advice(missing) {
+  const list = (platform) =>
+    missing
+      .map((need) => need[platform])
+      .filter(Boolean)
+      .join(' ');
+  return `Some programs and libraries are missing. Install them, then run this command again:
+  Debian, Ubuntu   sudo apt-get install --no-install-recommends ${list('apt')}
+  Fedora           sudo dnf install ${list('dnf')}
+  Arch             sudo pacman -S --needed ${list('pacman')}
+  macOS            brew install ${list('brew')}
+Instead of the package emscripten, an activated emsdk does as well (https://emscripten.org).`;
+}

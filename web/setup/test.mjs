@@ -1,0 +1,64 @@
+// `npm test`: installs and builds what is missing, then runs every check; all of them, even when one
+// fails. `npm test -- native web` runs only the checks named.
+import {availableParallelism} from 'node:os';
+
+import {build} from './build.mjs';
+import {ensurePackages} from './packages.mjs';
+import {main, run, say, SetupError, tool} from './shell.mjs';
+import {ensureSystem, forNativeTests} from './system.mjs';
+
+/** Runs a program of an npm package. */
+function runTool(name, ...args) {
+  const [node, program] = tool(name, name === 'typescript' ? 'tsc' : name);
+  return run(node, [program, ...args]);
+}
+
+/** The same on the compiled package, which is what its users and its tests see. */
+async function runToolOnBuild(name, ...args) {
+  await build();
+  return runTool(name, ...args);
+}
+
+/** Builds one of the presets and runs the native tests in it. */
+async function native(preset) {
+  await ensureSystem(forNativeTests);
+  const strict = process.env.CI ? ['-DSEAMWISE_WARNINGS_ARE_ERRORS=ON'] : [];
+  const built =
+    (await run('cmake', ['--preset', preset, ...strict], {output: 'on failure'})) &&
+    (await run('cmake', ['--build', '--preset', preset], {output: 'on failure'}));
+  return built && run('ctest', ['--preset', preset, '-j', String(availableParallelism())]);
+}
+
+const checks = {
+  native: () => native('native'),
+  sanitize: () => native('sanitize'),
+  format: () => runTool('prettier', '--check', '--log-level=warn', '.'),
+  types: () => runToolOnBuild('typescript', '-p', 'tsconfig.json'),
+  lint: () => runToolOnBuild('eslint', '.', '--max-warnings=0'),
+  web: () => runToolOnBuild('vitest', 'run'),
+};
+
+await main(async () => {
+  const asked = process.argv.slice(2);
+  const unknown = asked.find((name) => !Object.hasOwn(checks, name));
+  if (unknown)
+    throw new SetupError(`no check '${unknown}'; there are ${Object.keys(checks).join(', ')}`);
+  await ensurePackages();
+  const failed = [];
+  for (const name of asked.length > 0 ? asked : Object.keys(checks)) {
+    say(`\n== ${name}`);
+    const started = performance.now();
+    let passed = false;
+    try {
+      passed = await checks[name]();
+    } catch (error) {
+      if (!(error instanceof SetupError)) throw error;
+      say(error.message);
+    }
+    const seconds = ((performance.now() - started) / 1000).toFixed(1);
+    say(`== ${name} ${passed ? 'passed' : 'FAILED'} in ${seconds} s`);
+    if (!passed) failed.push(name);
+  }
+  if (failed.length > 0) throw new SetupError(`\nfailed: ${failed.join(', ')}`);
+  say('\nAll checks passed.');
+});

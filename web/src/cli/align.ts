@@ -1,0 +1,75 @@
+import {methods} from '../model/problem.js';
+import type {SolveResult} from '../model/result.js';
+import {solve} from '../node/index.js';
+import {choice, parseArguments, UsageError, wholeNumber} from './arguments.js';
+import {figuresLine} from './figures.js';
+import {checkWritable, readText, writeText} from './files.js';
+import {print, ProgressLine, remark} from './terminal.js';
+
+const grammar = {
+  files: ['the garment file'],
+  valued: ['--print', '--symmetry', '--method', '--options', '--seed', '--out'],
+  switches: ['--json', '--no-times'],
+};
+
+/** `align`: solves a garment and prints its figures. */
+export async function align(words: readonly string[]): Promise<void> {
+  const args = parseArguments(words, grammar);
+  const [garmentFile = ''] = args.files;
+  const printFile = args.value('--print');
+  if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
+  const method = choice(args, '--method', methods) ?? 'best';
+  const seed = wholeNumber(args, '--seed') ?? 1;
+  const symmetryFile = args.value('--symmetry') ?? 'auto';
+  const optionsFile = args.value('--options');
+  const outFile = args.value('--out');
+  const named = symmetryFile === 'auto' || symmetryFile === 'none';
+
+  const problem = {
+    garment: await readText(garmentFile),
+    print: await readText(printFile),
+    symmetry: named ? symmetryFile : await readText(symmetryFile),
+    options: optionsFile === undefined ? '' : await readText(optionsFile),
+    method,
+    seed,
+  };
+  if (outFile !== undefined) await checkWritable(outFile);
+
+  const progress = new ProgressLine();
+  let notes: readonly string[] = [];
+  let result: SolveResult;
+  try {
+    result = await solve(problem, {
+      onProgress: (step) => {
+        progress.show(step);
+      },
+      onNotes: (found) => {
+        notes = found;
+      },
+      names: {
+        garment: garmentFile,
+        print: printFile,
+        symmetry: symmetryFile,
+        options: optionsFile ?? 'options',
+      },
+    });
+  } finally {
+    progress.clear();
+  }
+  if (args.has('--no-times')) result = withoutTimes(result);
+  if (outFile !== undefined) await writeText(outFile, `${JSON.stringify(result)}\n`);
+  if (args.has('--json')) {
+    print(
+      JSON.stringify({garment: garmentFile, group: result.print.group, ...result.metrics, notes}),
+    );
+  } else {
+    notes.forEach(remark);
+    print(figuresLine(garmentFile, result));
+  }
+}
+
+/** Times are the one part of a result that differs from run to run. */
+function withoutTimes(result: SolveResult): SolveResult {
+  const milliseconds = {alignment: 0, deformation: 0, total: 0};
+  return {...result, metrics: {...result.metrics, milliseconds}};
+}

@@ -1,0 +1,88 @@
+/** A mistake of the person at the keyboard: one sentence, exit code 2. */
+export class UsageError extends Error {
+  override readonly name = 'UsageError';
+}
+
+/** What a subcommand accepts: flags with a value, flags without, and its files in order. */
+export interface Grammar {
+  readonly valued: readonly string[];
+  readonly switches: readonly string[];
+  readonly files: readonly string[];
+}
+
+export interface Arguments {
+  readonly files: readonly string[];
+  /** The value of a flag, or undefined. */
+  value(flag: string): string | undefined;
+  has(flag: string): boolean;
+}
+
+/** Reads `--flag value`, `--flag=value` and files. @throws {UsageError} naming what is wrong */
+export function parseArguments(words: readonly string[], grammar: Grammar): Arguments {
+  const values = new Map<string, string>();
+  const files: string[] = [];
+  const rest = [...words];
+  for (let word = rest.shift(); word !== undefined; word = rest.shift()) {
+    if (word === '--') {
+      files.push(...rest.splice(0));
+    } else if (word.startsWith('-') && word !== '-') {
+      readFlag(word, rest, grammar, values);
+    } else {
+      files.push(word);
+    }
+  }
+  const missing = grammar.files[files.length];
+  if (missing !== undefined) throw new UsageError(`${missing} is missing.`);
+  const extra = files[grammar.files.length];
+  if (extra !== undefined) throw new UsageError(`'${extra}' is one argument too many.`);
+  return {files, value: (flag) => values.get(flag), has: (flag) => values.has(flag)};
+}
+
+function readFlag(
+  word: string,
+  rest: string[],
+  {valued, switches}: Grammar,
+  values: Map<string, string>,
+): void {
+  const equals = word.indexOf('=');
+  const flag = equals < 0 ? word : word.slice(0, equals);
+  if (values.has(flag)) throw new UsageError(`${flag} is given twice.`);
+  if (switches.includes(flag)) {
+    if (equals >= 0) throw new UsageError(`${flag} takes no value.`);
+    values.set(flag, '');
+  } else if (valued.includes(flag)) {
+    const value = equals < 0 ? rest.shift() : word.slice(equals + 1);
+    if (value === undefined || value === '' || value.startsWith('--')) {
+      throw new UsageError(`${flag} needs a value.`);
+    }
+    values.set(flag, value);
+  } else {
+    const known = [...valued, ...switches].join(', ');
+    throw new UsageError(`unknown flag '${flag}'; there are ${known}.`);
+  }
+}
+
+/** The flag's value, if it is one of `choices`. @throws {UsageError} */
+export function choice<T extends string>(
+  args: Arguments,
+  flag: string,
+  choices: readonly T[],
+): T | undefined {
+  const value = args.value(flag);
+  if (value === undefined) return undefined;
+  const found = choices.find((known) => known === value);
+  if (found === undefined) {
+    throw new UsageError(`${flag} is '${value}', but must be one of ${choices.join(', ')}.`);
+  }
+  return found;
+}
+
+/** The flag's value as a whole number from 0 to 4294967295. @throws {UsageError} */
+export function wholeNumber(args: Arguments, flag: string): number | undefined {
+  const value = args.value(flag);
+  if (value === undefined) return undefined;
+  if (!/^\d{1,10}$/.test(value) || Number(value) > 0xffffffff) {
+    throw new UsageError(`${flag} is '${value}', but must be a whole number from 0 to 4294967295.`);
+  }
+  return Number(value);
+}

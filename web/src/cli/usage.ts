@@ -1,0 +1,21 @@
+export const usage = `seamwise fits a repeating print to a sewing pattern.
+
+seamwise align GARMENT.json --print PRINT.json [flags]
+  Aligns the print with every piece, deforms the pieces so that it matches at the seams,
+  and prints one line of figures.
+    --symmetry FILE|auto|none   mirror symmetries to keep; auto, the default, finds them
+    --method best|paper|ws19    best, the default; the others are published methods to compare with
+    --options FILE              weights, grain, pins and limits, as JSON
+    --seed N                    same seed, same input, same result; default 1
+    --out RESULT.json           writes the solved pattern
+    --json                      prints the figures as JSON
+    --no-times                  writes 0 for times, so that equal runs give equal bytes
+
+seamwise symmetries GARMENT.json [--out FILE.json]
+  Lists the symmetries that the garment shows by itself, in the format of a symmetry file.
+
+seamwise convert GARMENT.json [--out FILE.json]
+  Rewrites a garment in the project's own format, seamwise-garment/1.
+
+Exit code: 0 done; 2 bad input, with one sentence that says what is wrong; 1 anything else.
+`;

@@ -1,0 +1,52 @@
+import type {Point} from './geometry.js';
+
+/** One end of a stitch: an outline edge of a panel, by its number in the panel's loop. */
+export interface StitchEnd {
+  readonly panel: string;
+  readonly edge: number;
+}
+
+/** Two edges sewn to each other: the start of one meets the end of the other, unless "right_wrong". */
+export type Stitch =
+  readonly [StitchEnd, StitchEnd] | readonly [StitchEnd, StitchEnd, 'right_wrong' | null];
+
+/** A control point (an older spelling of a quadratic curve), or a curve by its kind. */
+export type Curvature =
+  | Point
+  | {readonly type: 'quadratic'; readonly params: readonly [Point]}
+  | {readonly type: 'cubic'; readonly params: readonly [Point, Point]}
+  | {readonly type: 'circle'; readonly params: readonly [number, number, number]};
+
+export interface PanelEdge {
+  readonly endpoints: readonly [number, number];
+  readonly curvature?: Curvature;
+  readonly label?: string;
+}
+
+export interface Panel {
+  readonly vertices: readonly Point[];
+  readonly edges: readonly PanelEdge[];
+  readonly translation?: readonly [number, number, number];
+  /** XYZ Euler angles in degrees. */
+  readonly rotation?: readonly [number, number, number];
+}
+
+/** A sewing pattern in the GarmentCode specification format, as it is in the wild. */
+export interface GarmentCodeSpecification {
+  readonly pattern: {
+    readonly panels: Readonly<Record<string, Panel>>;
+    readonly stitches?: readonly Stitch[];
+  };
+  readonly properties?: {
+    readonly curvature_coords?: 'relative' | 'absolute';
+    readonly units_in_meter?: number;
+  };
+}
+
+/** The project's own format. Its fields are described by its JSON Schema; unknown ones are kept. */
+export interface SeamwiseGarment {
+  readonly format: `seamwise-garment/${number}`;
+  readonly [field: string]: unknown;
+}
+
+export type Garment = GarmentCodeSpecification | SeamwiseGarment;

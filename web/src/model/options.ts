@@ -1,0 +1,43 @@
+import type {Alignment, Point} from './geometry.js';
+
+/** `free`: any angle; `on`: grain line along the cloth; `bias`: at 45 degrees to it. */
+export type GrainLock = 'free' | 'on' | 'bias';
+
+/** A lock, or a lock with a tolerance of its own. */
+export type GrainRule = GrainLock | {readonly lock: GrainLock; readonly toleranceDeg?: number};
+
+/** A solver option left out has the default given here. */
+export interface SolveOptions {
+  readonly format?: 'seamwise-options/1';
+  /** No outline vertex moves further than this from its rest position. [cm] Default 1. */
+  readonly maxChangeCm?: number;
+  /** Weight of the conformal energy. Default: the method's own choice. */
+  readonly alpha?: number;
+  /** Greatest distance of outline vertices, at most 1.05. [cm] Default 1. */
+  readonly edgeLengthCm?: number;
+  /** Forbid seams at which the print is mirrored. Default false. */
+  readonly continuousOnly?: boolean;
+  /** Seam lines that share the turning angles of both sides. Default: the method's own choice. */
+  readonly averageSeamShapes?: boolean;
+  readonly grain?: {
+    readonly default?: GrainLock;
+    readonly toleranceDeg?: number;
+    readonly pieces?: Readonly<Record<string, GrainRule>>;
+  };
+  /** Pieces, by name, whose alignment is given. */
+  readonly pins?: Readonly<Record<string, Alignment>>;
+  /** Weight of a seam, by its number in the garment file. */
+  readonly weights?: Readonly<Record<string, number>>;
+  /** Seams, by number, at which the print need not match. */
+  readonly unmatched?: readonly number[];
+  /** Pieces, by name, that are cut from unprinted cloth. */
+  readonly plain?: readonly string[];
+  readonly matches?: readonly MatchedLines[];
+}
+
+/** Two marked lines that lie on each other without being sewn (a button front, a patch pocket). */
+export interface MatchedLines {
+  readonly a: {readonly piece: string; readonly line: readonly Point[]};
+  readonly b: {readonly piece: string; readonly line: readonly Point[]};
+  readonly weight?: number;
+}

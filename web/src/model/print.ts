@@ -1,0 +1,39 @@
+import type {Point} from './geometry.js';
+
+/** The 17 wallpaper groups by their usual short names. */
+export const groupNames = [
+  'p1',
+  'p2',
+  'pm',
+  'pg',
+  'cm',
+  'pmm',
+  'pmg',
+  'pgg',
+  'cmm',
+  'p4',
+  'p4m',
+  'p4g',
+  'p3',
+  'p3m1',
+  'p31m',
+  'p6',
+  'p6m',
+] as const;
+
+export type GroupName = (typeof groupNames)[number];
+
+/** A repeating print. `w1`, `w2` in cm, right-handed; +y of the print is the length of the cloth. */
+export interface Print {
+  readonly format?: 'seamwise-print/1';
+  readonly group: GroupName;
+  readonly w1: Point;
+  readonly w2: Point;
+  /** One cell of the print; its lower left corner is the group's origin. */
+  readonly image?: string;
+  /** What `image` shows: the cell spanned by w1 and w2, or the conventional rectangular cell. */
+  readonly cell?: 'primitive' | 'rectangular';
+  /** The print has an upside: a piece on grain may not be turned by 180 degrees. */
+  readonly oneWay?: boolean;
+  readonly fabric?: {readonly usableWidthCm?: number};
+}

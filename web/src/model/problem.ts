@@ -1,0 +1,37 @@
+import type {Garment} from './garment.js';
+import type {SolveOptions} from './options.js';
+import type {Print} from './print.js';
+import type {Symmetries} from './symmetries.js';
+
+/** `best`: the default; `paper`: Wolff et al., VMV 2019; `ws19`: the method that paper extends. */
+export const methods = ['best', 'paper', 'ws19'] as const;
+
+export type Method = (typeof methods)[number];
+
+/** Everything a solve needs. An object, or the JSON text of one. */
+export interface Problem {
+  readonly garment: Garment | string;
+  readonly print: Print | string;
+  /** `'auto'`, the default: what the garment shows by itself; `'none'`; or a symmetry file. */
+  readonly symmetry?: Symmetries | string;
+  readonly method?: Method;
+  readonly options?: SolveOptions | string;
+  /** A whole number from 0 to 4294967295. Same seed, same input, same result. Default 1. */
+  readonly seed?: number;
+}
+
+export type Phase = 'alignment' | 'deformation';
+
+export interface Progress {
+  readonly phase: Phase;
+  /** Of the whole solve, from 0 to 1; never falls. */
+  readonly fraction: number;
+}
+
+/** How to follow a solve and how to end it early. */
+export interface SolveHooks {
+  readonly signal?: AbortSignal;
+  readonly onProgress?: (progress: Progress) => void;
+  /** The best alignments so far: angle, x, y per piece. [rad, cm] The array is the listener's own. */
+  readonly onPartial?: (alignments: Float64Array) => void;
+}

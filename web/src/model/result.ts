@@ -1,0 +1,95 @@
+import type {Alignment, Point} from './geometry.js';
+import type {GroupName} from './print.js';
+import type {Method} from './problem.js';
+
+/** A piece before and after: `rest` and `shape` share vertices, triangles and outline. [cm] */
+export interface ResultPiece {
+  readonly name: string;
+  readonly rest: readonly Point[];
+  readonly shape: readonly Point[];
+  readonly triangles: readonly (readonly [number, number, number])[];
+  /** Vertex numbers, counter-clockwise. */
+  readonly outline: readonly number[];
+  /** Cut-outs as vertex numbers, clockwise. */
+  readonly holes: readonly (readonly number[])[];
+  readonly alignment: Alignment;
+  /** The file showed the back of the panel: x was negated. */
+  readonly mirroredFromInput: boolean;
+}
+
+/** Vertices of one piece in sewing order. */
+export interface SeamSide {
+  readonly piece: number;
+  readonly vertices: readonly number[];
+}
+
+/** Vertex i of side a is sewn to vertex i of side b. */
+export interface ResultSeam {
+  readonly a: SeamSide;
+  readonly b: SeamSide;
+  readonly weight: number;
+  /** False: sewn, but the user switched the match off. */
+  readonly matched: boolean;
+  /** Rest length of side a / rest length of side b. */
+  readonly lengthRatio: number;
+  /** Whether the print continues across the seam or is mirrored at it. */
+  readonly kind: 'continuous' | 'mirrored';
+  /** Print mismatch per seam edge. [cm] */
+  readonly mismatch: readonly number[];
+}
+
+/** An imposed symmetry, p' = R F p + t with F = diag(-1, 1); `pairs` cover every outline vertex. */
+export type ResultSymmetry =
+  | {
+      readonly kind: 'piece';
+      readonly piece: number;
+      readonly map: Alignment;
+      readonly pairs: readonly (readonly [number, number])[];
+    }
+  | {
+      readonly kind: 'pair';
+      readonly pieces: readonly [number, number];
+      readonly map: Alignment;
+      readonly pairs: readonly (readonly [number, number])[];
+    };
+
+/** Time spent computing, without the pauses between slices. [ms] */
+export interface Milliseconds {
+  readonly alignment: number;
+  readonly deformation: number;
+  readonly total: number;
+}
+
+/** Fits are sums of edge length times print mismatch over the seams that count. [cm2] */
+export interface Metrics {
+  /** Mean over random alignments of `rest`. */
+  readonly fitRandom: number;
+  /** What the alignment search reached on `rest`. */
+  readonly fitSearch: number;
+  /** Fit of `rest` under the final alignment. */
+  readonly fitAligned: number;
+  /** Fit of `shape` under the final alignment. */
+  readonly fit: number;
+  /** As `fit`, but only with symmetries of the print that bring the edges' directions together. */
+  readonly fitStrict: number;
+  /** As `fit`, but with one symmetry of the print for the whole seam. */
+  readonly fitSeam: number;
+  readonly maxMovedCm: number;
+  readonly iterations: number;
+  readonly milliseconds: Milliseconds;
+  readonly method: Method;
+  readonly seed: number;
+}
+
+/** A solved pattern, as `seamwise-result/1`. Lengths in cm, angles in radians. */
+export interface SolveResult {
+  readonly format: 'seamwise-result/1';
+  readonly units: 'cm';
+  readonly print: {readonly group: GroupName; readonly w1: Point; readonly w2: Point};
+  readonly pieces: readonly ResultPiece[];
+  readonly seams: readonly ResultSeam[];
+  readonly symmetries: readonly ResultSymmetry[];
+  /** Each piece's alignment when the alignment search ended. */
+  readonly search: readonly Alignment[];
+  readonly metrics: Metrics;
+}

@@ -1,0 +1,156 @@
+/** The 17 wallpaper groups: their symmetries on a given lattice, and the distance between points modulo them. */
+import type {Point} from './geometry.js';
+import type {GroupName, Print} from './print.js';
+
+/** What a group asks of w1, w2: nothing, a right angle, equal lengths, both, or equal lengths at 60 degrees. */
+export type LatticeType = 'oblique' | 'rectangular' | 'rhombic' | 'square' | 'hexagonal';
+
+/** x -> A x + a, with A = [[xx, xy], [yx, yy]]. */
+export interface PlaneMap {
+  readonly xx: number;
+  readonly xy: number;
+  readonly yx: number;
+  readonly yy: number;
+  readonly shift: Point;
+}
+
+/** A print's lattice and group, which is all that the geometry depends on. */
+export type Repeat = Pick<Print, 'group' | 'w1' | 'w2'>;
+
+const map = (xx: number, xy: number, yx: number, yy: number, x = 0, y = 0): PlaneMap => ({
+  xx,
+  xy,
+  yx,
+  yy,
+  shift: [x, y],
+});
+
+const half = 1 / 2;
+const turn2 = map(-1, 0, 0, -1);
+const turn3 = map(-1, -1, 1, 0);
+const turn4 = map(0, -1, 1, 0);
+const turn6 = map(0, -1, 1, 1);
+/** Mirrors along w1 (glides, when shifted), along w1 + w2, and along w1 of a hexagonal lattice. */
+const along1 = (u = 0, v = 0): PlaneMap => map(1, 0, 0, -1, u, v);
+const swap = map(0, 1, 1, 0);
+const hexagonal1 = map(1, 1, 0, -1);
+
+/** Lattice type, number of symmetries modulo translations, and generators in lattice coordinates (u, v). */
+const groups: Readonly<Record<GroupName, readonly [LatticeType, number, ...PlaneMap[]]>> = {
+  p1: ['oblique', 1],
+  p2: ['oblique', 2, turn2],
+  pm: ['rectangular', 2, along1()],
+  pg: ['rectangular', 2, along1(half)],
+  cm: ['rhombic', 2, swap],
+  pmm: ['rectangular', 4, turn2, along1()],
+  pmg: ['rectangular', 4, turn2, along1(0, half)],
+  pgg: ['rectangular', 4, turn2, along1(half, half)],
+  cmm: ['rhombic', 4, turn2, swap],
+  p4: ['square', 4, turn4],
+  p4m: ['square', 8, turn4, along1()],
+  p4g: ['square', 8, turn4, along1(half, half)],
+  p3: ['hexagonal', 3, turn3],
+  p3m1: ['hexagonal', 6, turn3, swap],
+  p31m: ['hexagonal', 6, turn3, hexagonal1],
+  p6: ['hexagonal', 6, turn6],
+  p6m: ['hexagonal', 12, turn6, hexagonal1],
+};
+
+export const latticeType = (group: GroupName): LatticeType => groups[group][0];
+
+/** First `inner`, then `outer`. */
+function after(outer: PlaneMap, inner: PlaneMap): PlaneMap {
+  const [x, y] = apply(outer, inner.shift);
+  return map(
+    outer.xx * inner.xx + outer.xy * inner.yx,
+    outer.xx * inner.xy + outer.xy * inner.yy,
+    outer.yx * inner.xx + outer.yy * inner.yx,
+    outer.yx * inner.xy + outer.yy * inner.yy,
+    x,
+    y,
+  );
+}
+
+export const apply = ({xx, xy, yx, yy, shift}: PlaneMap, [x, y]: Point): Point => [
+  xx * x + xy * y + shift[0],
+  yx * x + yy * y + shift[1],
+];
+
+export const determinant = ({xx, xy, yx, yy}: PlaneMap): number => xx * yy - xy * yx;
+
+/** One symmetry per linear part, in lattice coordinates; the first is the identity. */
+function latticeElements(group: GroupName): readonly PlaneMap[] {
+  const [, order, ...generators] = groups[group];
+  const elements = [map(1, 0, 0, 1)];
+  const same = (a: PlaneMap, b: PlaneMap): boolean =>
+    a.xx === b.xx && a.xy === b.xy && a.yx === b.yx && a.yy === b.yy;
+  for (let i = 0; i < elements.length && elements.length < order; i++) {
+    for (const generator of generators) {
+      const known = elements[i];
+      if (!known) continue;
+      const next = after(generator, known);
+      if (!elements.some((element) => same(element, next))) elements.push(next);
+    }
+  }
+  return elements;
+}
+
+/** One symmetry of the print per linear part, in centimetres; the first is the identity. */
+export function printElements({group, w1, w2}: Repeat): readonly PlaneMap[] {
+  const basis = map(w1[0], w2[0], w1[1], w2[1]);
+  const d = determinant(basis);
+  const inverse = map(w2[1] / d, -w2[0] / d, -w1[1] / d, w1[0] / d);
+  return latticeElements(group).map((element) => after(basis, after(element, inverse)));
+}
+
+/** The cell an image of the print shows, from its lower left corner: to the right, and up. [cm] */
+export function imageCell({
+  group,
+  w1,
+  w2,
+  cell,
+}: Repeat & Pick<Print, 'cell'>): readonly [Point, Point] {
+  if (cell !== 'rectangular') return [w1, w2];
+  if (latticeType(group) === 'hexagonal') return [w1, [2 * w2[0] - w1[0], 2 * w2[1] - w1[1]]];
+  if (latticeType(group) !== 'rhombic') return [w1, w2];
+  const sum: Point = [w1[0] + w2[0], w1[1] + w2[1]];
+  // w1 - w2 lies to the right of w1 + w2 when w1, w2 are right-handed
+  return [sum, [w2[0] - w1[0], w2[1] - w1[1]]];
+}
+
+/** A basis of the same lattice with the shortest vectors (Lagrange). */
+function reducedBasis(w1: Point, w2: Point): readonly [Point, Point] {
+  let a = w1;
+  let b = w2;
+  for (;;) {
+    if (Math.hypot(...a) > Math.hypot(...b)) [a, b] = [b, a];
+    const q = Math.round((a[0] * b[0] + a[1] * b[1]) / (a[0] * a[0] + a[1] * a[1]));
+    if (q === 0) return [a, b];
+    b = [b[0] - q * a[0], b[1] - q * a[1]];
+  }
+}
+
+/** The print mismatch of two points of the print: how far apart they lie modulo its symmetries. [cm] */
+export function printDistance(repeat: Repeat): (x: Point, y: Point) => number {
+  const elements = printElements(repeat);
+  const [a, b] = reducedBasis(repeat.w1, repeat.w2);
+  const d = a[0] * b[1] - a[1] * b[0];
+  return (x, y) => {
+    let least = Infinity;
+    for (const element of elements) {
+      const image = apply(element, y);
+      const vx = x[0] - image[0];
+      const vy = x[1] - image[1];
+      const s = Math.round((vx * b[1] - vy * b[0]) / d);
+      const t = Math.round((a[0] * vy - a[1] * vx) / d);
+      for (let i = s - 1; i <= s + 1; i++) {
+        for (let j = t - 1; j <= t + 1; j++) {
+          const dx = vx - i * a[0] - j * b[0];
+          const dy = vy - i * a[1] - j * b[1];
+          least = Math.min(least, dx * dx + dy * dy);
+        }
+      }
+    }
+    return Math.sqrt(least);
+  };
+}

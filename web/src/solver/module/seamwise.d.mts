@@ -1,0 +1,74 @@
+/**
+ * The WebAssembly module as Embind shows it. Everything of type EmbindObject lives on the module's
+ * heap until `delete()`; nothing outside this folder's neighbours should have to know that.
+ */
+
+/** What could not be done; piece and seam are -1 when none is to blame. */
+export interface ModuleFailure {
+  readonly code: number;
+  readonly message: string;
+  readonly piece: number;
+  readonly seam: number;
+}
+
+/** Texts of the problem's files, and the names to call them by in messages. */
+export interface ModuleProblem {
+  readonly garment: string;
+  readonly garmentName: string;
+  readonly print: string;
+  readonly printName: string;
+  /** `auto`, `none` or JSON. */
+  readonly symmetry: string;
+  readonly symmetryName: string;
+  /** JSON, or empty. */
+  readonly options: string;
+  readonly optionsName: string;
+  readonly method: string;
+  readonly seed: number;
+}
+
+export interface EmbindObject {
+  delete(): void;
+}
+
+/** A solve that is advanced step by step. After any call, `failure()` says whether it went wrong. */
+export interface ModuleSolver extends EmbindObject {
+  failure(): ModuleFailure | null;
+  /** Runs some steps; false when there is nothing left to do. */
+  advance(steps: number): boolean;
+  phase(): 'alignment' | 'deformation';
+  fraction(): number;
+  /** Angle, x, y per piece; a copy. */
+  partial(): Float64Array;
+  notes(): string[];
+  /** The result as JSON; empty after a failure. */
+  result(): string;
+}
+
+/** A text, or why there is none. */
+export interface ModuleText {
+  readonly text: string;
+  readonly failure: ModuleFailure | null;
+}
+
+export interface SeamwiseModule {
+  readonly Solver: new (problem: ModuleProblem) => ModuleSolver;
+  /** Symmetries the garment shows by itself, as JSON. */
+  detectSymmetries(garment: string, name: string): ModuleText;
+  /** The garment as seamwise-garment/1. */
+  convertGarment(garment: string, name: string): ModuleText;
+  /** Size of the module's memory. [bytes] */
+  heapBytes(): number;
+  /** Of that, what is in use. [bytes] */
+  liveBytes(): number;
+}
+
+export interface ModuleSettings {
+  /** The .wasm file; without it the module fetches its neighbour. */
+  readonly wasmBinary?: ArrayBufferView | ArrayBuffer;
+  /** Where to find a file of the module. */
+  readonly locateFile?: (file: string, folder: string) => string;
+}
+
+declare const createSeamwise: (settings?: ModuleSettings) => Promise<SeamwiseModule>;
+export default createSeamwise;

@@ -1,0 +1,118 @@
+import {failureCode, SolverError} from '../model/failure.js';
+import type {Phase} from '../model/problem.js';
+import type {Milliseconds, SolveResult} from '../model/result.js';
+import type {ProblemTexts} from './texts.js';
+import type {ModuleFailure, ModuleSolver, ModuleText, SeamwiseModule} from './module/seamwise.mjs';
+
+/**
+ * A solve that is advanced slice by slice. It owns memory of the module: dispose of it, whatever
+ * happens. Every method may throw a SolverError.
+ */
+export class Solver implements Disposable {
+  readonly #solver: ModuleSolver;
+  readonly #spent = {alignment: 0, deformation: 0, total: 0};
+
+  /** @throws {SolverError} for bad input */
+  constructor(module: SeamwiseModule, problem: ProblemTexts) {
+    const started = performance.now();
+    this.#solver = new module.Solver(problem);
+    this.#spent.total += performance.now() - started;
+    try {
+      this.#check();
+    } catch (error) {
+      this.#solver.delete();
+      throw error;
+    }
+  }
+
+  /** Works for about `milliseconds`; false when there is nothing left to do. */
+  advance(milliseconds: number): boolean {
+    const started = performance.now();
+    let before = started;
+    for (;;) {
+      const phase = this.phase;
+      const more = this.#solver.advance(1);
+      this.#check();
+      const now = performance.now();
+      this.#spent[phase] += now - before;
+      before = now;
+      if (!more || now - started >= milliseconds) {
+        this.#spent.total += now - started;
+        return more;
+      }
+    }
+  }
+
+  get phase(): Phase {
+    return this.#solver.phase();
+  }
+
+  /** Of the whole solve, from 0 to 1; never falls. */
+  get fraction(): number {
+    return this.#solver.fraction();
+  }
+
+  /** What was dropped or assumed, one sentence each. */
+  get notes(): readonly string[] {
+    return this.#solver.notes();
+  }
+
+  /** The best alignments so far: angle, x, y per piece. A copy. */
+  partial(): Float64Array {
+    return this.#solver.partial();
+  }
+
+  /** The result, once `advance` has returned false. */
+  result(): SolveResult {
+    const started = performance.now();
+    const text = this.#solver.result();
+    this.#check();
+    this.#spent.total += performance.now() - started;
+    const result = JSON.parse(text) as SolveResult;
+    return {...result, metrics: {...result.metrics, milliseconds: this.milliseconds}};
+  }
+
+  /** Time spent computing so far, in whole milliseconds. */
+  get milliseconds(): Milliseconds {
+    const {alignment, deformation, total} = this.#spent;
+    return {
+      alignment: Math.round(alignment),
+      deformation: Math.round(deformation),
+      total: Math.round(total),
+    };
+  }
+
+  /** Frees the solver's memory; it cannot be used afterwards. */
+  [Symbol.dispose](): void {
+    this.#solver.delete();
+  }
+
+  #check(): void {
+    const failure = this.#solver.failure();
+    if (failure) throw toError(failure);
+  }
+}
+
+/** The symmetries a garment shows by itself, as JSON text. @throws {SolverError} */
+export function detectSymmetries(module: SeamwiseModule, garment: string, name: string): string {
+  return textOf(module.detectSymmetries(garment, name));
+}
+
+/** The garment in the project's own format, as JSON text. @throws {SolverError} */
+export function convertGarment(module: SeamwiseModule, garment: string, name: string): string {
+  return textOf(module.convertGarment(garment, name));
+}
+
+function textOf({text, failure}: ModuleText): string {
+  if (failure) throw toError(failure);
+  return text;
+}
+
+function toError({code, message, piece, seam}: ModuleFailure): SolverError {
+  return new SolverError({
+    code: failureCode(code),
+    message,
+    piece: piece < 0 ? null : piece,
+    seam: seam < 0 ? null : seam,
+  });
+}

@@ -1,0 +1,69 @@
+import {SolverError} from '../model/failure.js';
+import {methods, type Problem} from '../model/problem.js';
+import type {ModuleProblem} from './module/seamwise.mjs';
+
+/** A problem as the core takes it: the texts of its files, and what to call them in messages. */
+export type ProblemTexts = ModuleProblem;
+
+/** How to call the parts of a problem in messages: file names, where there are any. */
+export interface ProblemNames {
+  readonly garment: string;
+  readonly print: string;
+  readonly symmetry: string;
+  readonly options: string;
+}
+
+export const plainNames: ProblemNames = {
+  garment: 'garment',
+  print: 'print',
+  symmetry: 'symmetry',
+  options: 'options',
+};
+
+/** @throws {SolverError} for what cannot be handed to the core at all */
+export function problemTexts(problem: Problem, names: ProblemNames = plainNames): ProblemTexts {
+  const {method = 'best', seed = 1} = problem;
+  if (!methods.includes(method)) {
+    throw new SolverError({
+      code: 'options',
+      message: `method is ${JSON.stringify(method)}, but must be one of ${methods.join(', ')}.`,
+    });
+  }
+  if (!Number.isInteger(seed) || seed < 0 || seed > 0xffffffff) {
+    throw new SolverError({
+      code: 'options',
+      message: `seed is ${String(seed)}, but must be a whole number from 0 to 4294967295.`,
+    });
+  }
+  return {
+    garment: jsonText(problem.garment, names.garment),
+    garmentName: names.garment,
+    print: jsonText(problem.print, names.print),
+    printName: names.print,
+    symmetry: jsonText(problem.symmetry ?? 'auto', names.symmetry),
+    symmetryName: names.symmetry,
+    options: jsonText(problem.options ?? '', names.options),
+    optionsName: names.options,
+    method,
+    seed,
+  };
+}
+
+/** A value as JSON text; a string is taken to be JSON text already. @throws {SolverError} */
+export function jsonText(value: unknown, name: string): string {
+  if (typeof value === 'string') return value;
+  let text: string | undefined;
+  try {
+    text = JSON.stringify(value);
+  } catch (error) {
+    throw new SolverError({
+      code: 'notJson',
+      message: `${name} cannot be written as JSON: ${error instanceof Error ? error.message : String(error)}.`,
+    });
+  }
+  // JSON.stringify(undefined) is undefined, whatever its declaration says.
+  if (typeof text !== 'string') {
+    throw new SolverError({code: 'notJson', message: `${name} is missing.`});
+  }
+  return text;
+}
