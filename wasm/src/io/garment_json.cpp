@@ -1,0 +1,162 @@
+#include "io/garment_json.h"
+
+#include <algorithm>
+
+#include "io/match_json.h"
+#include "io/panel_json.h"
+#include "io/stitch_json.h"
+#include "io/symmetry_json.h"
+
+namespace seamwise {
+namespace {
+
+constexpr std::size_t kMaxPanels = 2000;
+constexpr double kSmallestPieceCm = 1, kLargestPieceCm = 1000;
+
+struct Units {
+  PanelUnits panel;
+  double per_metre = 100;
+  bool stated = false;
+};
+
+Units readUnits(const Json& document, const Place& place) {
+  Units units;
+  const Json* properties = find(document, "properties");
+  if (properties) object(*properties, place, "'properties'");
+  if (const Json* stated = properties ? find(*properties, "units_in_meter") : nullptr) {
+    Place here = place;
+    here.number = Failure::kUnits;
+    units.stated = true;
+    units.per_metre = number(*stated, here, "properties.units_in_meter", 1e9);
+    if (!(units.per_metre >= 1e-6))
+      place.fail(Failure::kUnits, "has " + shown(units.per_metre) +
+                                      " as properties.units_in_meter; write how many units make a "
+                                      "metre (100 for cm, 1000 for mm)");
+  }
+  units.panel.cm = 100 / units.per_metre;
+  if (const Json* coords = properties ? find(*properties, "curvature_coords") : nullptr) {
+    const std::string word = text(*coords, place, "properties.curvature_coords");
+    if (word != "relative" && word != "absolute")
+      place.fail(
+          Failure::kCurvature,
+          "has " + inQuotes(word) + " as properties.curvature_coords; write relative or absolute");
+    units.panel.absolute_controls = word == "absolute";
+  }
+  return units;
+}
+
+/// The greatest width or height of a panel of the file. [cm]
+double largestExtent(const Json& panels, double cm) {
+  double largest = 0;
+  for (const Json& panel : panels) {
+    const Json* vertices = panel.is_object() ? find(panel, "vertices") : nullptr;
+    if (!vertices || !vertices->is_array()) continue;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (const Json& v : *vertices) {
+        if (!v.is_array() || v.size() != 2 || !v[axis].is_number()) continue;
+        low = std::min(low, v[axis].get<double>());
+        high = std::max(high, v[axis].get<double>());
+      }
+      largest = std::max(largest, (high - low) * cm);
+    }
+  }
+  return largest;
+}
+
+/// Wrong units are the likeliest cause of a garment for ants or giants. Judged before the panels
+/// are read, whose own limits would report it less plainly.
+void checkSize(const Json& panels, const Units& units, const Place& place) {
+  const double extent = largestExtent(panels, units.panel.cm);
+  if (extent <= 0 || (extent >= kSmallestPieceCm && extent <= kLargestPieceCm)) return;
+  std::string likely;
+  for (const auto& [per_metre, name] : {std::pair(100.0, "cm"), std::pair(1000.0, "mm"),
+                                        std::pair(39.3701, "inches"), std::pair(1.0, "m")}) {
+    const double then = extent * units.per_metre / per_metre;
+    if (then >= 20 && then <= 300)
+      likely += (likely.empty() ? "" : " or ") + shown(per_metre) + " (" + name + ")";
+  }
+  place.fail(Failure::kUnits,
+             "has a largest panel of " + shown(extent) + " cm with " +
+                 (units.stated ? "properties.units_in_meter " + shown(units.per_metre)
+                               : "the 100 units per metre assumed because it states none") +
+                 "; set properties.units_in_meter" +
+                 (likely.empty() ? " to what makes a metre" : ", probably to " + likely));
+}
+
+bool anyCurve(const Json& panels) {
+  for (const Json& panel : panels)
+    for (const Json& edge : panel["edges"])
+      if (find(edge, "curvature")) return true;
+  return false;
+}
+
+void noteAssumptions(const Json& document, const Units& units, const Json& panels,
+                     const std::string& file, std::vector<std::string>* notes) {
+  if (!units.stated)
+    notes->push_back(file + " states no units, so 100 units per metre (cm) are assumed.");
+  const Json* properties = find(document, "properties");
+  if ((!properties || !find(*properties, "curvature_coords")) && anyCurve(panels))
+    notes->push_back(file +
+                     " does not say how curves are written, so relative control points are "
+                     "assumed.");
+}
+
+const Json& panelsOf(const Json& document, const Place& place) {
+  if (!document.is_object())
+    place.fail(Failure::kNotAGarment, "holds no JSON object; choose a garment file");
+  checkFormat(document, place, "seamwise-garment", 1);
+  const Json* pattern = find(document, "pattern");
+  const Json* panels = pattern && pattern->is_object() ? find(*pattern, "panels") : nullptr;
+  if (!panels)
+    place.fail(
+        Failure::kNotAGarment,
+        "has no 'pattern' with 'panels'; choose a GarmentCode specification or a seamwise garment");
+  if (!panels->is_object())
+    place.fail(
+        Failure::kNotAGarment,
+        "has 'panels' that are no object; write {\"name\": {\"vertices\": ..., \"edges\": ...}}");
+  if (panels->empty()) place.fail(Failure::kNoPanels, "has no panels; choose a file with some");
+  if (panels->size() > kMaxPanels)
+    place.fail(Failure::kTooLarge,
+               "has more than " + std::to_string(kMaxPanels) + " panels; split it");
+  return *panels;
+}
+
+GarmentFile read(std::string_view content, const Place& place) {
+  GarmentFile result;
+  result.document = parseDocument(content, place);
+  const Json& document = result.document;
+  const Json& panels = panelsOf(document, place);
+  const Units units = readUnits(document, place);
+  checkSize(panels, units, place);
+
+  Garment& garment = result.garment;
+  for (const auto& [name, panel] : panels.items()) {
+    Place here = place.in("panel " + inQuotes(name));
+    here.piece = static_cast<int>(garment.panels.size());
+    garment.panels.push_back(readPanel(name, panel, units.panel, here));
+  }
+  if (const Json* stitches = find(document["pattern"], "stitches"))
+    readStitches(*stitches, place, &garment);
+  if (const Json* seams = find(document, "seams"))
+    readSeams(*seams, place, &garment, &result.notes);
+  if (const Json* matches = find(document, "matches"))
+    garment.matches = readMatches(*matches, place, garment);
+  if (const Json* symmetries = find(document, "symmetries")) {
+    Place here = place;
+    here.shape = here.number = Failure::kSymmetryMalformed;
+    result.symmetries = readSymmetryList(*symmetries, here);
+  }
+  noteAssumptions(document, units, panels, place.name, &result.notes);
+  return result;
+}
+
+}  // namespace
+
+Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file) {
+  const Place place{file, Failure::kNotAGarment, Failure::kNumber};
+  return guarded<GarmentFile>(place, [&] { return read(text, place); });
+}
+
+}  // namespace seamwise

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/outcome.h"
+#include "io/json_input.h"
+#include "pattern/garment.h"
+#include "symmetry/symmetry.h"
+
+namespace seamwise {
+
+/// A garment as it came from a file, with everything the file holds.
+struct GarmentFile {
+  Garment garment;
+  std::vector<SymmetryRequest> symmetries;  ///< of the file itself; points in input coordinates, cm
+  std::vector<std::string> notes;           ///< what was assumed, one sentence each
+  Json document;                            ///< the whole file, unknown fields included
+};
+
+/// Reads a GarmentCode / Garment-Pattern-Generator specification or the project's own superset of
+/// it, seamwise-garment/1, from a file called `file`. Panels keep the order of the file; a panel
+/// whose loop runs clockwise shows its back and is turned face up (x negated, curves included).
+/// Errors: those of Failure's garment file section; each names the file and the panel, edge or
+/// stitch.
+Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file);
+
+}  // namespace seamwise

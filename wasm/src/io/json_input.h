@@ -1,0 +1,92 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "geometry/outcome.h"
+#include "geometry/vec2.h"
+
+namespace seamwise {
+
+/// Reading JSON files: parsing with limits, and typed access whose errors say where and what to do.
+/// Everything here throws InputError; the public readers catch it and return it as an Outcome.
+
+using Json = nlohmann::ordered_json;
+
+inline constexpr std::size_t kMaxFileBytes = 20'000'000;
+inline constexpr double kMaxCoordinateCm = 1e4;
+
+/// Carries an Error to the reader's boundary; never leaves io.
+struct InputError {
+  Error error;
+};
+
+/// What is being read, as the subject of a sentence ("tee.json: panel 'front', edge 3"), and the
+/// codes under which its defects are reported.
+struct Place {
+  std::string name;
+  Failure shape = Failure::kNotAGarment;  ///< wrong structure
+  Failure number = Failure::kNumber;      ///< something that is not a usable number
+  int piece = -1;
+  int seam = -1;
+
+  Place in(const std::string& part) const;
+  /// Throws "<name> <text>."
+  [[noreturn]] void fail(Failure code, const std::string& text) const;
+};
+
+/// `place`, numbered: "panel 'front', edge 3".
+Place numbered(const Place& place, const char* what, std::size_t number);
+
+/// The name in quotes, shortened when it is absurdly long.
+std::string inQuotes(const std::string& name);
+
+/// A number as people write it: at most 6 significant digits.
+std::string shown(double value);
+/// A point in centimetres: "(12.4, 3.1) cm".
+std::string shown(const Vec2& point);
+
+/// The document. Errors: kTooLarge; kNotJson with line and column; `place.shape` for a name that
+/// occurs twice in one object.
+Json parseDocument(std::string_view text, const Place& place);
+
+/// Throws unless `json` is an object (an array).
+const Json& object(const Json& json, const Place& place, const std::string& what);
+const Json& array(const Json& json, const Place& place, const std::string& what);
+/// The member, or nullptr when it is missing or null.
+const Json* find(const Json& object, const char* key);
+/// The member; throws when it is missing.
+const Json& need(const Json& object, const char* key, const Place& place);
+
+/// A finite number of magnitude at most `limit`.
+double number(const Json& json, const Place& place, const std::string& what, double limit);
+/// A whole number (3 or 3.0) of magnitude at most 1e9.
+int integer(const Json& json, const Place& place, const std::string& what);
+bool boolean(const Json& json, const Place& place, const std::string& what);
+std::string text(const Json& json, const Place& place, const std::string& what);
+/// [x, y], each of magnitude at most `limit`, times `scale`.
+Vec2 point(const Json& json, const Place& place, const std::string& what, double scale = 1,
+           double limit = kMaxCoordinateCm);
+/// [[x, y], ...], at least two points.
+Polyline polyline(const Json& json, const Place& place, const std::string& what, double scale = 1);
+
+/// Throws when `object` has a member that is not among `known`, naming it.
+void onlyKnown(const Json& object, const Place& place, std::initializer_list<const char*> known);
+
+/// Checks a `format` member, if there is one: `name`/`version`. Returns the version found, or
+/// `version` when the file names none.
+int checkFormat(const Json& document, const Place& place, const std::string& name, int version);
+
+/// Runs a reader and turns what it throws into an Outcome.
+template <class T, class Read>
+Outcome<T> guarded(const Place& place, Read read) {
+  try {
+    return Outcome<T>(read());
+  } catch (const InputError& bad) {
+    return bad.error;
+  } catch (const std::exception& broken) {
+    return Error{Failure::kInternal, place.name + " could not be read (" + broken.what() + ")."};
+  }
+}
+
+}  // namespace seamwise

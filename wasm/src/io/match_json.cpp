@@ -1,0 +1,91 @@
+#include "io/match_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seamwise {
+namespace {
+
+constexpr double kSpacingCm = 1.0;
+constexpr double kShortestLineCm = 0.1;
+
+struct Side {
+  int piece;
+  Polyline line;
+  double length;
+};
+
+double lengthOf(const Polyline& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+  return length;
+}
+
+Side readSide(const Json& match, const char* key, const Place& outer, const Garment& garment) {
+  const Place place = outer.in(std::string("side ") + key);
+  const Json& json = object(need(match, key, outer), place, "side");
+  onlyKnown(json, place, {"piece", "line"});
+  const std::string name = text(need(json, "piece", place), place, "'piece'");
+  Side side;
+  side.piece = garment.find(name);
+  if (side.piece < 0)
+    place.fail(place.shape,
+               "names piece " + inQuotes(name) + ", which the garment has not; correct the name");
+  side.line = polyline(need(json, "line", place), place, "'line'");
+  if (garment.panels[static_cast<std::size_t>(side.piece)].mirrored_from_input)
+    for (Vec2& p : side.line) p.x() = -p.x();
+  side.length = lengthOf(side.line);
+  if (!(side.length >= kShortestLineCm))
+    place.fail(place.shape,
+               "has a line shorter than " + shown(kShortestLineCm) + " cm; draw it longer");
+  return side;
+}
+
+/// `line` at `count` points evenly spaced by arc length; first and last are its ends.
+Polyline resampled(const Polyline& line, double length, std::size_t count) {
+  Polyline points{line.front()};
+  std::size_t i = 1;
+  double before = 0;  // arc length at line[i - 1]
+  for (std::size_t k = 1; k + 1 < count; ++k) {
+    const double target = length * static_cast<double>(k) / static_cast<double>(count - 1);
+    double step = (line[i] - line[i - 1]).norm();
+    while (i + 1 < line.size() && before + step < target) {
+      before += step;
+      ++i;
+      step = (line[i] - line[i - 1]).norm();
+    }
+    const double t = step > 0 ? std::min(1.0, (target - before) / step) : 0;
+    points.push_back(line[i - 1] + t * (line[i] - line[i - 1]));
+  }
+  points.push_back(line.back());
+  return points;
+}
+
+}  // namespace
+
+std::vector<MatchLine> readMatches(const Json& json, const Place& outer, const Garment& garment) {
+  array(json, outer, "'matches'");
+  std::vector<MatchLine> matches;
+  for (std::size_t n = 0; n < json.size(); ++n) {
+    const Place place = numbered(outer, "match", n);
+    object(json[n], place, "match");
+    onlyKnown(json[n], place, {"a", "b", "weight", "name"});
+    const Side a = readSide(json[n], "a", place, garment),
+               b = readSide(json[n], "b", place, garment);
+    MatchLine match;
+    match.piece_a = a.piece;
+    match.piece_b = b.piece;
+    const double longest = std::max(a.length, b.length);
+    const auto count = 1 + static_cast<std::size_t>(std::ceil(longest / kSpacingCm - 1e-9));
+    match.a = resampled(a.line, a.length, count);
+    match.b = resampled(b.line, b.length, count);
+    if (const Json* weight = find(json[n], "weight")) {
+      match.weight = number(*weight, place, "'weight'", 1e6);
+      if (match.weight < 0) place.fail(place.number, "has a negative weight; write 0 or more");
+    }
+    matches.push_back(std::move(match));
+  }
+  return matches;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "io/json_input.h"
+#include "pattern/garment.h"
+
+namespace seamwise {
+
+/// Marked lines: [{"a": {"piece": "left_front", "line": [[x, y], ...]}, "b": {...}, "weight": 1}],
+/// in input panel coordinates, cm. Both lines come back with the same number of points, evenly
+/// spaced by arc length at most 1 cm apart, face side up. Throws InputError with place.shape or
+/// place.number.
+std::vector<MatchLine> readMatches(const Json& json, const Place& place, const Garment& garment);
+
+}  // namespace seamwise

@@ -1,0 +1,122 @@
+#include "io/options_json.h"
+
+#include <algorithm>
+
+#include "io/json_input.h"
+#include "io/match_json.h"
+#include "io/panel_extras_json.h"
+
+namespace seamwise {
+namespace {
+
+int pieceNamed(const std::string& name, const Garment& garment, const Place& place,
+               const std::string& field) {
+  const int piece = garment.find(name);
+  if (piece < 0)
+    place.fail(place.shape, "names piece " + inQuotes(name) + " in " + field +
+                                ", which the garment has not; correct the name");
+  return piece;
+}
+
+int checkedSeam(int seam, const Garment& garment, const Place& place, const std::string& field) {
+  if (seam < 0 || static_cast<std::size_t>(seam) >= garment.stitches.size())
+    place.fail(place.shape, "names seam " + std::to_string(seam) + " in " + field +
+                                ", the garment has " + std::to_string(garment.stitches.size()) +
+                                " (counted from 0); correct the number");
+  return seam;
+}
+
+int seamNumber(const std::string& key, const Garment& garment, const Place& place) {
+  const bool digits =
+      !key.empty() && key.size() <= 9 &&
+      std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!digits)
+    place.fail(place.shape, "has the key " + inQuotes(key) + " in 'weights'; write a seam number");
+  return checkedSeam(std::stoi(key), garment, place, "'weights'");
+}
+
+void readGrain(const Json& json, const Garment& garment, const Place& place,
+               SolveOptions* options) {
+  object(json, place, "'grain'");
+  onlyKnown(json, place.in("'grain'"), {"default", "toleranceDeg", "pieces"});
+  if (const Json* degrees = find(json, "toleranceDeg"))
+    options->grain.tolerance = readGrainTolerance(*degrees, place);
+  if (const Json* lock = find(json, "default")) options->grain.lock = readGrainLock(*lock, place);
+  const Json* pieces = find(json, "pieces");
+  if (!pieces) return;
+  for (const auto& [name, rule_json] : object(*pieces, place, "grain.pieces").items()) {
+    const int piece = pieceNamed(name, garment, place, "grain.pieces");
+    const Place here = place.in("grain of " + inQuotes(name));
+    GrainRule rule{GrainLock::kFree, options->grain.tolerance};
+    if (rule_json.is_object()) {
+      onlyKnown(rule_json, here, {"lock", "toleranceDeg"});
+      rule.lock = readGrainLock(need(rule_json, "lock", here), here);
+      if (const Json* degrees = find(rule_json, "toleranceDeg"))
+        rule.tolerance = readGrainTolerance(*degrees, here);
+    } else {
+      rule.lock = readGrainLock(rule_json, here);
+    }
+    options->piece_grain[piece] = rule;
+  }
+}
+
+void readPins(const Json& json, const Garment& garment, const Place& place, SolveOptions* options) {
+  for (const auto& [name, pin] : object(json, place, "'pins'").items()) {
+    const int piece = pieceNamed(name, garment, place, "'pins'");
+    const Place here = place.in("pin of " + inQuotes(name));
+    object(pin, here, "pin");
+    onlyKnown(pin, here, {"angle", "translation"});
+    Alignment alignment;
+    alignment.angle = number(need(pin, "angle", here), here, "'angle'", 1e3);
+    alignment.translation = point(need(pin, "translation", here), here, "'translation'");
+    options->pins[piece] = alignment;
+  }
+}
+
+SolveOptions read(std::string_view content, const Garment& garment, const Place& place) {
+  const Json document = parseDocument(content, place);
+  object(document, place, "content");
+  onlyKnown(document, place,
+            {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
+             "averageSeamShapes", "grain", "pins", "weights", "unmatched", "plain", "matches"});
+  checkFormat(document, place, "seamwise-options", 1);
+  SolveOptions options;
+  const auto real = [&](const char* key) {
+    return number(document[key], place, inQuotes(key), 1e9);
+  };
+  const auto flag = [&](const char* key) { return boolean(document[key], place, inQuotes(key)); };
+  if (find(document, "maxChangeCm")) options.max_change_cm = real("maxChangeCm");
+  if (find(document, "edgeLengthCm")) options.edge_length_cm = real("edgeLengthCm");
+  if (find(document, "alpha")) options.alpha = real("alpha");
+  if (find(document, "continuousOnly")) options.continuous_only = flag("continuousOnly");
+  if (find(document, "averageSeamShapes")) options.average_seam_shapes = flag("averageSeamShapes");
+  if (const Json* grain = find(document, "grain")) readGrain(*grain, garment, place, &options);
+  if (const Json* pins = find(document, "pins")) readPins(*pins, garment, place, &options);
+  if (const Json* weights = find(document, "weights"))
+    for (const auto& [key, weight] : object(*weights, place, "'weights'").items())
+      options.weights[seamNumber(key, garment, place)] =
+          number(weight, place, "weight of seam " + key, 1e6);
+  if (const Json* unmatched = find(document, "unmatched"))
+    for (const Json& seam : array(*unmatched, place, "'unmatched'"))
+      options.unmatched.push_back(checkedSeam(integer(seam, place, "a seam of 'unmatched'"),
+                                              garment, place, "'unmatched'"));
+  if (const Json* plain = find(document, "plain"))
+    for (const Json& name : array(*plain, place, "'plain'"))
+      options.plain.push_back(
+          pieceNamed(text(name, place, "a piece of 'plain'"), garment, place, "'plain'"));
+  if (const Json* matches = find(document, "matches"))
+    options.matches = readMatches(*matches, place, garment);
+  const std::string problem = options.problem();
+  if (!problem.empty()) throw InputError{Error{Failure::kOptions, place.name + ": " + problem}};
+  return options;
+}
+
+}  // namespace
+
+Outcome<SolveOptions> readOptions(std::string_view text, const std::string& file,
+                                  const Garment& garment) {
+  const Place place{file, Failure::kOptions, Failure::kOptions};
+  return guarded<SolveOptions>(place, [&] { return read(text, garment, place); });
+}
+
+}  // namespace seamwise

@@ -1,0 +1,167 @@
+#include "io/panel_json.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/outline_check.h"
+#include "io/panel_extras_json.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kShortestEdgeCm = 1e-3;
+constexpr double kLargestRadiusCm = 1e7;
+constexpr std::size_t kMaxEdges = 10'000;
+
+const RigidMotion kTurnOver{0.0, Vec2::Zero(), true};  // (x, y) -> (-x, y)
+
+std::array<int, 2> readEndpoints(const Json& edge, const Place& place, std::size_t vertices) {
+  const Json* ends = find(edge, "endpoints");
+  if (!ends || !ends->is_array() || ends->size() != 2)
+    place.fail(Failure::kEdgeIndex, "has no pair of 'endpoints'; write two vertex numbers");
+  std::array<int, 2> numbers{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    numbers[i] = integer((*ends)[i], place, "an endpoint");
+    if (numbers[i] < 0 || static_cast<std::size_t>(numbers[i]) >= vertices)
+      place.fail(Failure::kEdgeIndex,
+                 "ends at vertex " + std::to_string(numbers[i]) + ", the panel has " +
+                     std::to_string(vertices) + " (0 to " +
+                     std::to_string(static_cast<long>(vertices) - 1) + "); correct its endpoints");
+  }
+  return numbers;
+}
+
+Vec2 readControl(const Json& json, const Place& place, const PanelUnits& units, const Vec2& a,
+                 const Vec2& b) {
+  Place here = place;
+  here.number = Failure::kCurvature;
+  if (units.absolute_controls) return point(json, here, "a control point", units.cm);
+  const Vec2 c = point(json, here, "a control point", 1, 1e300);
+  const Vec2 p = a + c.x() * (b - a) + c.y() * perp(b - a);
+  if (!(p.cwiseAbs().maxCoeff() <= kMaxCoordinateCm))
+    here.fail(Failure::kCurvature, "has a control point more than 100 m away; correct it");
+  return p;
+}
+
+/// Radius in units of the file, never of the chord; flags as true/false or 0/1.
+Curve readArc(const Json& params, const Place& place, const PanelUnits& units, const Vec2& a,
+              const Vec2& b) {
+  Place here = place;
+  here.number = Failure::kCurvature;
+  const double radius = units.cm * number(params[0], here, "radius", 1e300);
+  if (!(radius > 0) || radius > kLargestRadiusCm)
+    here.fail(Failure::kCurvature, "is an arc of radius " + shown(radius) +
+                                       " cm; write a positive radius of usual size");
+  const auto flag = [&](const Json& json, const char* what) {
+    return json.is_boolean() ? json.get<bool>() : number(json, here, what, 1e300) != 0;
+  };
+  return Curve::arc(a, b, radius, flag(params[1], "'large arc'"), flag(params[2], "'right'"));
+}
+
+Curve readCurve(const Json& edge, const Place& place, const PanelUnits& units, const Vec2& a,
+                const Vec2& b) {
+  const Json* curvature = find(edge, "curvature");
+  if (!curvature) return Curve::line(a, b);
+  const auto control = [&](const Json& json) { return readControl(json, place, units, a, b); };
+  if (curvature->is_array()) return Curve::quadratic(a, control(*curvature), b);
+
+  const Json* type = curvature->is_object() ? find(*curvature, "type") : nullptr;
+  const Json* params = curvature->is_object() ? find(*curvature, "params") : nullptr;
+  if (!type || !type->is_string() || !params || !params->is_array())
+    place.fail(Failure::kCurvature,
+               "has a malformed 'curvature'; write {\"type\": ..., \"params\": [...]}");
+  const auto expect = [&](std::size_t count, const char* what) {
+    if (params->size() != count)
+      place.fail(Failure::kCurvature, "has " + std::to_string(params->size()) + " params in its " +
+                                          what + ", which needs " + std::to_string(count) +
+                                          "; correct them");
+  };
+  const std::string name = type->get<std::string>();
+  if (name == "quadratic") {
+    expect(1, "quadratic curve");
+    return Curve::quadratic(a, control((*params)[0]), b);
+  }
+  if (name == "cubic") {
+    expect(2, "cubic curve");
+    return Curve::cubic(a, control((*params)[0]), control((*params)[1]), b);
+  }
+  if (name == "circle") {
+    expect(3, "circle arc");
+    return readArc(*params, place, units, a, b);
+  }
+  place.fail(Failure::kCurvature, "has a curvature of unknown type " + inQuotes(name) +
+                                      "; known are quadratic, cubic, circle");
+}
+
+Vec3 readTriple(const Json& panel, const char* key, const Place& place, double scale) {
+  const Json* json = find(panel, key);
+  if (!json) return Vec3::Zero();
+  const std::string what = "'" + std::string(key) + "'";
+  if (!json->is_array() || json->size() != 3)
+    place.fail(place.number, "has a malformed " + what + "; write three numbers");
+  Vec3 triple;
+  for (int i = 0; i < 3; ++i)
+    triple[i] = scale * number((*json)[static_cast<std::size_t>(i)], place, what, 1e7);
+  return triple;
+}
+
+}  // namespace
+
+std::vector<Curve> readLoop(const Json& edges, const std::vector<Vec2>& vertices,
+                            const PanelUnits& units, const Place& place) {
+  array(edges, place, "'edges'");
+  if (edges.size() < 2)
+    place.fail(Failure::kOutlineOpen,
+               "has " + std::to_string(edges.size()) + " edges; an outline needs at least two");
+  if (edges.size() > kMaxEdges)
+    place.fail(Failure::kTooLarge, "has more than " + std::to_string(kMaxEdges) +
+                                       " edges; draw it with fewer, curved ones");
+  std::vector<std::array<int, 2>> ends;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const Place here = numbered(place, "edge", k);
+    ends.push_back(readEndpoints(object(edges[k], here, "edge"), here, vertices.size()));
+  }
+  const auto vertex = [&](int i) { return vertices[static_cast<std::size_t>(i)]; };
+  std::vector<Curve> loop;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const std::size_t next = (k + 1) % edges.size();
+    const Vec2 a = vertex(ends[k][0]), b = vertex(ends[next][0]);
+    const double gap = (vertex(ends[k][1]) - b).norm();
+    if (gap >= kShortestEdgeCm)  // corners that are stored twice, but at the same point, are fine
+      place.fail(Failure::kOutlineOpen, "has an open outline: edge " + std::to_string(next) +
+                                            " starts " + shown(gap) + " cm from where edge " +
+                                            std::to_string(k) +
+                                            " ends; list the edges head to tail");
+    const Place here = numbered(place, "edge", k);
+    const bool arc_on_a_point = (b - a).norm() < kShortestEdgeCm && !units.absolute_controls;
+    const Curve curve = arc_on_a_point ? Curve::line(a, b) : readCurve(edges[k], here, units, a, b);
+    if (curve.length() < kShortestEdgeCm)
+      here.fail(Failure::kEdgeZeroLength,
+                "is shorter than 0.001 cm; remove it or move its ends apart");
+    loop.push_back(curve);
+  }
+  return loop;
+}
+
+Panel readPanel(const std::string& name, const Json& json, const PanelUnits& units,
+                const Place& place) {
+  object(json, place, "panel");
+  std::vector<Vec2> vertices;
+  const Json& points = array(need(json, "vertices", place), place, "'vertices'");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    vertices.push_back(point(points[i], place, "vertex " + std::to_string(i), units.cm));
+
+  Panel panel;
+  panel.name = name;
+  panel.edges = readLoop(need(json, "edges", place), vertices, units, place);
+  checkOutline(panel.edges, place);
+  panel.mirrored_from_input = signedArea(panel.edges) < 0;
+  if (panel.mirrored_from_input)
+    for (Curve& edge : panel.edges) edge = edge.transformed(kTurnOver);
+  panel.placement_shift = readTriple(json, "translation", place, units.cm);
+  panel.placement_turn = readTriple(json, "rotation", place, kPi / 180);
+  readExtras(json, vertices, units, place, &panel);
+  return panel;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,51 @@
+#include "io/print_json.h"
+
+#include "io/json_input.h"
+
+namespace seamwise {
+namespace {
+
+void checkPresentation(const Json& document, const Place& place) {
+  if (const Json* image = find(document, "image")) text(*image, place, "'image'");
+  if (const Json* cell = find(document, "cell")) {
+    const std::string word = text(*cell, place, "'cell'");
+    if (word != "primitive" && word != "rectangular")
+      place.fail(place.shape,
+                 "has the unknown cell " + inQuotes(word) + "; write primitive or rectangular");
+  }
+  if (const Json* fabric = find(document, "fabric")) {
+    object(*fabric, place, "'fabric'");
+    if (const Json* width = find(*fabric, "usableWidthCm"))
+      if (!(number(*width, place, "fabric.usableWidthCm", kMaxCoordinateCm) > 0))
+        place.fail(place.number, "has no positive fabric.usableWidthCm; correct it");
+  }
+}
+
+Print read(std::string_view content, const Place& place) {
+  const Json document = parseDocument(content, place);
+  object(document, place, "content");
+  checkFormat(document, place, "seamwise-print", 1);
+  const std::string group_name = text(need(document, "group", place), place, "'group'");
+  const Vec2 w1 = point(need(document, "w1", place), place, "'w1'");
+  const Vec2 w2 = point(need(document, "w2", place), place, "'w2'");
+  Outcome<WallpaperGroup> group = WallpaperGroup::make(group_name, w1, w2);
+  if (!group.ok()) {
+    Error error = group.error();
+    error.message = place.name + ": " + error.message;
+    throw InputError{error};
+  }
+  Print print{std::move(group).value()};
+  if (const Json* one_way = find(document, "oneWay"))
+    print.one_way = boolean(*one_way, place, "'oneWay'");
+  checkPresentation(document, place);
+  return print;
+}
+
+}  // namespace
+
+Outcome<Print> readPrint(std::string_view text, const std::string& file) {
+  const Place place{file, Failure::kNotAPrint, Failure::kNotAPrint};
+  return guarded<Print>(place, [&] { return read(text, place); });
+}
+
+}  // namespace seamwise

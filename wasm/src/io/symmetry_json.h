@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/outcome.h"
+#include "io/json_input.h"
+#include "symmetry/symmetry.h"
+
+namespace seamwise {
+
+/// Reads {"symmetries": [{"kind": "piece" | "pair", ...}]} from a file called `file`. Points in cm,
+/// in the input panel's coordinates; names are resolved when the requests are registered. Errors:
+/// kSymmetryMalformed naming the entry, kNotJson, kTooLarge.
+Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
+                                                     const std::string& file);
+
+/// The list itself. Throws InputError.
+std::vector<SymmetryRequest> readSymmetryList(const Json& json, const Place& place);
+
+}  // namespace seamwise
