@@ -22,10 +22,19 @@ std::string vector(const Vec2& v) {
 
 Error latticeError(std::string message) { return {Failure::kLattice, std::move(message), -1, -1}; }
 
+/// What a remedy must add where two conventions are about and the lattice cannot tell which was
+/// meant.
+std::string convention(const GroupData& group) {
+  if (group.name != "pmg") return "";
+  return " (the mirrors of pmg run along w1 here, its glides along w2; in the International Tables "
+         "it "
+         "is the other way round)";
+}
+
 Error notOfType(const GroupData& group, const std::string& needs, const std::string& given,
                 const std::string& remedy) {
   return latticeError("print group " + std::string(group.name) + " needs " + needs + ", but " +
-                      given + ": " + remedy);
+                      given + ": " + remedy + convention(group));
 }
 
 Vec2 turned60(const Vec2& v) { return 0.5 * v + kSin60 * perp(v); }
@@ -140,7 +149,7 @@ Outcome<std::array<Vec2, 2>> checkedLattice(const GroupData& group, const Vec2& 
   if (area < 0) {
     return latticeError(
         "print lattice: w1 to w2 turns clockwise, but must turn counter-clockwise: " +
-        rightHandedRemedy(group, w1, w2));
+        rightHandedRemedy(group, w1, w2) + convention(group));
   }
   const double shortest = lagrangeReduced(w1, w2)[0].norm();
   if (shortest < kShortestRepeat * (1 - 1e-9)) {
