@@ -1,0 +1,271 @@
+#include "alignment/matching.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+#include "alignment/symmetric.h"
+
+namespace seamwise {
+namespace {
+
+/// Nearest integer for |x| < 2^51, in the form that every compiler vectorises.
+inline double nearestInteger(double x) {
+  constexpr double kMagic = 6755399441055744.0;  // 1.5 * 2^52
+  return (x + kMagic) - kMagic;
+}
+
+constexpr int kChunk = 16;
+
+const Element& anyMirroredElement(const WallpaperGroup& group) {
+  return *std::find_if(group.elements().begin(), group.elements().end(),
+                       [](const Element& e) { return e.mirrored; });
+}
+
+}  // namespace
+
+MatchProblem::MatchProblem(WallpaperGroup wallpaper) : group(std::move(wallpaper)) {
+  const auto& [u1, u2] = group.reducedBasis();
+  const Mat2 basis = (Mat2() << u1, u2).finished();
+  to_reduced_ = basis.inverse();
+  g11_ = u1.squaredNorm(), g12_ = u1.dot(u2), g22_ = u2.squaredNorm();
+  if (std::abs(g12_) < 1e-12 * g11_) g12_ = 0;
+  for (const Element& e : group.elements()) {
+    Eigen::Matrix<double, 2, 3> m;
+    m << to_reduced_ * e.A * basis, to_reduced_ * e.a;
+    reduced_elements_.push_back(m);
+  }
+}
+
+double MatchProblem::seamCost(const MatchSeam& seam, const Alignment& at_a, const Alignment& at_b,
+                              double slack) const {
+  const Mat2 ka = to_reduced_ * rotation(-at_a.angle), kb = to_reduced_ * rotation(-at_b.angle);
+  const Vec2 ta = ka * at_a.translation, tb = kb * at_b.translation;
+  double total = 0;
+  const int n = static_cast<int>(seam.w.size());
+  double xs[kChunk], xt[kChunk], ys[kChunk], yt[kChunk], best[kChunk];
+  for (int from = 0; from < n; from += kChunk) {
+    const int m = std::min(kChunk, n - from);
+    for (int i = 0; i < kChunk; ++i) {
+      const Vec2& a = seam.pa[from + std::min(i, m - 1)];
+      const Vec2& b = seam.pb[from + std::min(i, m - 1)];
+      xs[i] = ka(0, 0) * a.x() + ka(0, 1) * a.y() - ta.x();
+      xt[i] = ka(1, 0) * a.x() + ka(1, 1) * a.y() - ta.y();
+      ys[i] = kb(0, 0) * b.x() + kb(0, 1) * b.y() - tb.x();
+      yt[i] = kb(1, 0) * b.x() + kb(1, 1) * b.y() - tb.y();
+      best[i] = std::numeric_limits<double>::max();
+    }
+    for (std::size_t k = 0; k < reduced_elements_.size(); ++k) {
+      if (!allows(seam, group.elements()[k])) continue;
+      const auto& e = reduced_elements_[k];
+      const double m00 = e(0, 0), m01 = e(0, 1), a0 = e(0, 2);
+      const double m10 = e(1, 0), m11 = e(1, 1), a1 = e(1, 2);
+      if (g12_ == 0) {
+        for (int i = 0; i < kChunk; ++i) {
+          double s = xs[i] - (m00 * ys[i] + m01 * yt[i] + a0);
+          double t = xt[i] - (m10 * ys[i] + m11 * yt[i] + a1);
+          s -= nearestInteger(s), t -= nearestInteger(t);
+          best[i] = std::min(best[i], g11_ * s * s + g22_ * t * t);
+        }
+      } else {
+        // the nearest lattice point is a corner of the cell that holds the point
+        for (int i = 0; i < kChunk; ++i) {
+          double s = xs[i] - (m00 * ys[i] + m01 * yt[i] + a0);
+          double t = xt[i] - (m10 * ys[i] + m11 * yt[i] + a1);
+          s -= nearestInteger(s), t -= nearestInteger(t);
+          const double s2 = s - std::copysign(1.0, s), t2 = t - std::copysign(1.0, t);
+          const double q0 = g11_ * s * s, q1 = g11_ * s2 * s2;
+          const double p0 = g22_ * t * t, p1 = g22_ * t2 * t2, c = 2 * g12_;
+          best[i] = std::min(best[i], std::min(std::min(q0 + c * s * t + p0, q1 + c * s2 * t + p0),
+                                               std::min(q0 + c * s * t2 + p1, q1 + c * s2 * t2 + p1)));
+        }
+      }
+    }
+    for (int i = 0; i < m; ++i) {
+      const double d = std::sqrt(std::max(0.0, best[i]));
+      total += seam.w[from + i] * (slack > 0 ? std::max(0.0, d - slack) + kLeak * d : d);
+    }
+  }
+  return total;
+}
+
+double MatchProblem::cost(const Alignments& at, double slack) const {
+  double total = 0;
+  for (const MatchSeam& seam : seams) total += seamCost(seam, at[seam.a], at[seam.b], slack);
+  return total;
+}
+
+MatchProblem::Nearest MatchProblem::nearest(const MatchSeam& seam, const Vec2& x,
+                                            const Vec2& y) const {
+  Nearest best;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t k = 0; k < group.elements().size(); ++k) {
+    const Element& e = group.elements()[k];
+    if (!allows(seam, e)) continue;
+    const Vec2 r = group.reduce(x - e(y));
+    if (r.squaredNorm() < least) {
+      least = r.squaredNorm();
+      best = {static_cast<int>(k), r};
+    }
+  }
+  return best;
+}
+
+MatchProblem MatchProblem::coarsened(int most) const {
+  MatchProblem coarse = *this;
+  for (MatchSeam& seam : coarse.seams) {
+    const int n = static_cast<int>(seam.w.size());
+    if (n <= most) continue;
+    MatchSeam few = seam;
+    few.pa.clear(), few.pb.clear(), few.w.clear();
+    for (int k = 0; k < most; ++k) {
+      const int from = k * n / most, to = (k + 1) * n / most;
+      double w = 0;
+      for (int i = from; i < to; ++i) w += seam.w[i];
+      few.pa.push_back(seam.pa[(from + to) / 2]);
+      few.pb.push_back(seam.pb[(from + to) / 2]);
+      few.w.push_back(w);
+    }
+    seam = std::move(few);
+  }
+  return coarse;
+}
+
+Alignments MatchProblem::expanded(const Alignments& of_leaders) const {
+  Alignments all(pieces.size());
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const Follow& f = pieces[p];
+    all[p] = f.mirrored ? mirrorImage(of_leaders[f.leader], f.map, anyMirroredElement(group))
+                        : of_leaders[f.leader];
+  }
+  return all;
+}
+
+Alignments MatchProblem::ofLeaders(const Alignments& of_pieces) const {
+  Alignments at(leaders.size());
+  for (std::size_t l = 0; l < leaders.size(); ++l)
+    at[l] = leaders[l].freedom.nearest(of_pieces[leaders[l].piece], leaders[l].centre);
+  return at;
+}
+
+namespace {
+
+/// Whether `seam` lists the pairs of `listed`, in either direction; then its weights are added there.
+bool mergedInto(MatchSeam& listed, const MatchSeam& seam, bool swapped) {
+  const auto& pa = swapped ? seam.pb : seam.pa;
+  const auto& pb = swapped ? seam.pa : seam.pb;
+  const std::size_t n = seam.w.size();
+  if (listed.w.size() != n || listed.reversing != seam.reversing) return false;
+  if (listed.a != (swapped ? seam.b : seam.a) || listed.b != (swapped ? seam.a : seam.b)) return false;
+  for (bool reverse : {false, true}) {
+    bool equal = true;
+    for (std::size_t i = 0; i < n && equal; ++i) {
+      const std::size_t k = reverse ? n - 1 - i : i;
+      equal = (listed.pa[i] - pa[k]).norm() < 1e-6 && (listed.pb[i] - pb[k]).norm() < 1e-6;
+    }
+    if (!equal) continue;
+    for (std::size_t i = 0; i < n; ++i) listed.w[i] += seam.w[reverse ? n - 1 - i : i];
+    listed.weight += seam.weight;
+    return true;
+  }
+  return false;
+}
+
+void reflect(std::vector<Vec2>& points, const RigidMotion& map) {
+  for (Vec2& p : points) p = map(p);
+}
+
+/// Adds a seam given on pieces. The mirror image of one already listed carries the same condition and
+/// only adds its weight: under a pair the images coincide on the leader; on a piece symmetric in itself
+/// they are `own` reflections of each other.
+void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
+             const std::vector<const Mirror*>& own, MatchSeam seam) {
+  const auto &fa = problem.pieces[seam.a], &fb = problem.pieces[seam.b];
+  const Mirror *own_a = own[seam.a], *own_b = own[seam.b];
+  if (fa.mirrored) reflect(seam.pa, back[seam.a]);
+  if (fb.mirrored) reflect(seam.pb, back[seam.b]);
+  for (double w : seam.w) seam.weight += w;
+  seam.a = fa.leader, seam.b = fb.leader;
+  seam.reversing = fa.mirrored != fb.mirrored;
+  if (seam.weight <= 0) return;
+  for (bool turn_a : {false, true}) {
+    for (bool turn_b : {false, true}) {
+      if ((turn_a && !own_a) || (turn_b && !own_b)) continue;
+      MatchSeam image = seam;
+      if (turn_a) reflect(image.pa, own_a->map);
+      if (turn_b) reflect(image.pb, own_b->map);
+      image.reversing = seam.reversing != (turn_a != turn_b);
+      for (MatchSeam& listed : problem.seams)
+        if (mergedInto(listed, image, false) || mergedInto(listed, image, true)) return;
+    }
+  }
+  problem.seams.push_back(std::move(seam));
+}
+
+}  // namespace
+
+MatchProblem makeMatchProblem(const Pattern& pattern, const std::vector<Mirror>& mirrors,
+                              const std::vector<PieceRule>& rules, const WallpaperGroup& group,
+                              bool continuous_only, std::vector<std::string>* notes) {
+  MatchProblem problem(group);
+  problem.continuous_only = continuous_only;
+  problem.pieces.resize(pattern.pieces.size());
+  std::vector<RigidMotion> back(pattern.pieces.size());
+  std::vector<const Mirror*> own(pattern.pieces.size(), nullptr);
+  for (const Mirror& m : mirrors) {
+    if (m.single()) {
+      own[m.pieces[0]] = &m;
+    } else {
+      // a pinned twin leads
+      const bool second_leads = rules[m.pieces[1]].pin && !rules[m.pieces[0]].pin;
+      const int follower = m.pieces[second_leads ? 0 : 1], leader = m.pieces[second_leads ? 1 : 0];
+      const RigidMotion map = second_leads ? m.map.inverse() : m.map;
+      problem.pieces[follower] = {leader, true, map};
+      back[follower] = map.inverse();
+    }
+  }
+  std::vector<int> leader_of(pattern.pieces.size(), -1);
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
+    if (problem.pieces[p].mirrored) continue;
+    leader_of[p] = static_cast<int>(problem.leaders.size());
+    problem.pieces[p].leader = leader_of[p];
+    Leader leader;
+    leader.piece = static_cast<int>(p);
+    for (int v : pattern.pieces[p].outline) leader.centre += pattern.pieces[p].rest[v];
+    leader.centre /= static_cast<double>(pattern.pieces[p].outline.size());
+    const PieceRule& rule = rules[p];
+    if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
+    if (!rule.angles.empty() && !leader.freedom.restrictAngles(rule.angles, rule.tolerance) && notes)
+      notes->push_back("piece '" + pattern.pieces[p].name +
+                       "' leaves its grain: with its axis on a mirror line of " +
+                       std::string(group.data().name) + " it cannot lie on it");
+    if (rule.pin) leader.freedom = Freedom::pinned(leader.freedom.nearest(*rule.pin, leader.centre));
+    problem.leaders.push_back(std::move(leader));
+  }
+  for (auto& follow : problem.pieces)
+    if (follow.mirrored) follow.leader = leader_of[follow.leader];
+
+  for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
+    const Seam& seam = pattern.seams[s];
+    if (!seam.matched || seam.twin) continue;
+    MatchSeam m;
+    m.a = seam.a.piece, m.b = seam.b.piece, m.seam = static_cast<int>(s);
+    const auto& A = pattern.pieces[m.a].rest;
+    const auto& B = pattern.pieces[m.b].rest;
+    for (std::size_t i = 0; i + 1 < seam.a.vertices.size(); ++i) {
+      const Vec2 &a0 = A[seam.a.vertices[i]], &a1 = A[seam.a.vertices[i + 1]];
+      const Vec2 &b0 = B[seam.b.vertices[i]], &b1 = B[seam.b.vertices[i + 1]];
+      m.pa.push_back((a0 + a1) / 2), m.pb.push_back((b0 + b1) / 2);
+      m.w.push_back(seam.weight * ((a1 - a0).norm() + (b1 - b0).norm()) / 2);
+    }
+    addSeam(problem, back, own, std::move(m));
+  }
+  for (std::size_t s = 0; s < problem.seams.size(); ++s) {
+    problem.leaders[problem.seams[s].a].seams.push_back(static_cast<int>(s));
+    if (problem.seams[s].b != problem.seams[s].a)
+      problem.leaders[problem.seams[s].b].seams.push_back(static_cast<int>(s));
+  }
+  return problem;
+}
+
+}  // namespace seamwise

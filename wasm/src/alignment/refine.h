@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "alignment/matching.h"
+
+namespace seamwise {
+
+/// Improves the alignments of the `active` leaders together, the others held: Gauss-Newton on all turns
+/// and shifts with the nearest element of each sample frozen, weights 1/d so that the sum of distances
+/// (not of squares) falls, elements chosen anew after each step. Never makes the cost worse.
+/// @param slack   as in MatchProblem::seamCost
+/// @return   the cost of the seams that touch an active leader, cm2
+double refine(const MatchProblem& problem, Alignments& at, const std::vector<int>& active,
+              int iterations, double slack = 0);
+
+}  // namespace seamwise

@@ -1,0 +1,243 @@
+#include "deform/cloth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seamwise {
+namespace {
+
+constexpr double kLengthPenalty = 2e4;  ///< per cm2
+constexpr double kReachPenalty = 2e3;   ///< per cm2
+constexpr double kUpright = 0.33;       ///< least area of a triangle, as a share of its rest area
+constexpr double kLongestStep = 0.4;    ///< cm: beyond it the linearised lengths are worthless
+
+}  // namespace
+
+Cloth::Cloth(const Part& part, const ClothWeights& weights)
+    : part_(&part), weights_(weights), shape_(part.rest), reach_(part.reach),
+      target_weight_(part.rest.size(), 0), target_pull_(part.rest.size(), Vec2::Zero()),
+      length_force_(part.edges.size(), 0), reach_force_(part.rest.size(), 0),
+      bend_factor_(part.bends.size(), 1) {
+  std::vector<std::pair<int, int>> pairs;
+  auto couple = [&](std::initializer_list<int> vertices) {
+    for (int a : vertices)
+      for (int b : vertices)
+        for (int i = 0; i < 2; ++i)
+          for (int j = 0; j < 2; ++j)
+            pairs.emplace_back(part.unknown[2 * a + i], part.unknown[2 * b + j]);
+  };
+  for (const auto& t : part.triangles) couple({t[0], t[1], t[2]});
+  for (const auto& b : part.bends) {
+    if (b.h >= 0) couple({b.h, b.i, b.j});
+    else couple({b.i, b.j});
+  }
+  hessian_ = SparseHessian(part.unknowns, pairs);
+  u_ = VectorX::Zero(part.unknowns);
+  gradient_ = VectorX::Zero(part.unknowns);
+  rest_area_.resize(part.triangles.size());
+  for (std::size_t t = 0; t < part.triangles.size(); ++t)
+    rest_area_[t] = triangleArea(part.rest, static_cast<int>(t));
+  buildConstantTerms();
+}
+
+double Cloth::triangleArea(const std::vector<Vec2>& x, int t) const {
+  const auto& [i, j, k] = part_->triangles[t];
+  return cross(x[j] - x[i], x[k] - x[i]) / 2;
+}
+
+void Cloth::buildConstantTerms() {
+  hessian_.setZero();
+  addConformal();
+  for (std::size_t b = 0; b < part_->bends.size(); ++b)
+    addBend(part_->bends[b], weights_.bend * bend_factor_[b]);
+  for (std::size_t i = 0; i < part_->rest.size(); ++i) {
+    const double pull = part_->reach[i] > 0 ? weights_.rest : 1e-4 * weights_.rest;
+    for (int c = 0; c < 2; ++c)
+      hessian_.add(part_->unknown[2 * i + c], part_->unknown[2 * i + c], 2 * pull);
+  }
+  constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
+}
+
+/// Levy et al. 2002: A/2 |grad u - cof grad u|^2 = A [(u_x - v_y)^2 + (u_y + v_x)^2], zero for rest.
+void Cloth::addConformal() {
+  for (std::size_t t = 0; t < part_->triangles.size(); ++t) {
+    const auto& v = part_->triangles[t];
+    const double area = rest_area_[t];
+    double row[2][6];
+    int unknown[6];
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 opposite = part_->rest[v[(k + 2) % 3]] - part_->rest[v[(k + 1) % 3]];
+      const Vec2 grad = perp(opposite) / (2 * area);  // of the hat function of corner k
+      row[0][2 * k] = grad.x(), row[0][2 * k + 1] = -grad.y();
+      row[1][2 * k] = grad.y(), row[1][2 * k + 1] = grad.x();
+      unknown[2 * k] = part_->unknown[2 * v[k]];
+      unknown[2 * k + 1] = part_->unknown[2 * v[k] + 1];
+    }
+    const double w = 2 * weights_.conformal * area;
+    for (int a = 0; a < 6; ++a)
+      for (int b = 0; b <= a; ++b)
+        hessian_.add(unknown[a], unknown[b], w * (row[0][a] * row[0][b] + row[1][a] * row[1][b]));
+  }
+}
+
+/// w |(u_j - u_i) / after - (u_i - u_h) / before|^2: the outline's direction keeps turning as at rest.
+void Cloth::addBend(const Part::Bend& b, double weight) {
+  const auto& unknown = part_->unknown;
+  const double w = 2 * weight;
+  if (b.h < 0) {  // u_h is u_j with x negated: only the y part is left, 2 (u_j - u_i) / after
+    const double c = 2 / b.after;
+    const int i = unknown[2 * b.i + 1], j = unknown[2 * b.j + 1];
+    hessian_.add(i, i, w * c * c), hessian_.add(j, j, w * c * c), hessian_.add(i, j, -w * c * c);
+    return;
+  }
+  const int vertex[3] = {b.h, b.i, b.j};
+  const double c[3] = {1 / b.before, -1 / b.before - 1 / b.after, 1 / b.after};
+  for (int p = 0; p < 3; ++p)
+    for (int q = 0; q <= p; ++q)
+      for (int k = 0; k < 2; ++k)
+        hessian_.add(unknown[2 * vertex[p] + k], unknown[2 * vertex[q] + k], w * c[p] * c[q]);
+}
+
+void Cloth::clearTargets() {
+  std::fill(target_weight_.begin(), target_weight_.end(), 0.0);
+  std::fill(target_pull_.begin(), target_pull_.end(), Vec2::Zero());
+}
+
+void Cloth::addTarget(int vertex, const Vec2& position, double weight) {
+  target_weight_[vertex] += weight;
+  target_pull_[vertex] += weight * position;
+}
+
+void Cloth::step() {
+  const Part& part = *part_;
+  std::copy(constant_.begin(), constant_.end(), hessian_.values());
+  gradient_ = hessian_.timesSymmetric(u_);
+  auto addGradient = [&](int vertex, const Vec2& g) {
+    for (int c = 0; c < 2; ++c)
+      if (part.unknown[2 * vertex + c] >= 0) gradient_[part.unknown[2 * vertex + c]] += g[c];
+  };
+  /// weight n n^T on one vertex, or on the difference of two
+  auto addRankOne = [&](int i, int j, const Vec2& n, double weight) {
+    for (int c = 0; c < 2; ++c) {
+      for (int d = 0; d <= c; ++d) {
+        const double v = weight * n[c] * n[d];
+        hessian_.add(part.unknown[2 * i + c], part.unknown[2 * i + d], v);
+        if (j >= 0) hessian_.add(part.unknown[2 * j + c], part.unknown[2 * j + d], v);
+      }
+      if (j < 0) continue;
+      for (int d = 0; d < 2; ++d)
+        hessian_.add(part.unknown[2 * i + c], part.unknown[2 * j + d], -weight * n[c] * n[d]);
+    }
+  };
+  for (std::size_t i = 0; i < part.rest.size(); ++i) {
+    const int v = static_cast<int>(i);
+    if (target_weight_[i] > 0) {
+      const double w = 2 * target_weight_[i];
+      for (int c = 0; c < 2; ++c) hessian_.add(part.unknown[2 * i + c], part.unknown[2 * i + c], w);
+      addGradient(v, w * shape_[i] - 2 * target_pull_[i]);
+    }
+    if (part.reach[i] <= 0) continue;
+    const Vec2 move = shape_[i] - part.rest[i];
+    const double length = move.norm();
+    const double force = reach_force_[i] + kReachPenalty * (length - reach_[i]);
+    if (force <= 0 || length < 1e-9) continue;
+    addRankOne(v, -1, move / length, kReachPenalty);
+    addGradient(v, force * move / length);
+  }
+  for (std::size_t e = 0; e < part.edges.size(); ++e) {
+    const Part::Edge& edge = part.edges[e];
+    const Vec2 d = shape_[edge.i] - shape_[edge.j];
+    const double length = d.norm();
+    const double stiffness = edge.sewn ? kLengthPenalty : weights_.unsewn;
+    const double force = length_force_[e] + stiffness * (length - edge.length);
+    addRankOne(edge.i, edge.j, d / length, stiffness);
+    addGradient(edge.i, force * d / length);
+    addGradient(edge.j, -force * d / length);
+  }
+  ++factorisations_;
+  if (!hessian_.factorise()) return;
+  const VectorX full = -hessian_.solve(gradient_);
+
+  double longest = 0;
+  auto moveOf = [&](std::size_t i, int c) {
+    const int k = part.unknown[2 * i + c];
+    return k < 0 ? 0.0 : full[k];
+  };
+  for (std::size_t i = 0; i < part.rest.size(); ++i)
+    longest = std::max(longest, std::hypot(moveOf(i, 0), moveOf(i, 1)));
+  double scale = std::min(1.0, kLongestStep / std::max(longest, 1e-12));
+  std::vector<Vec2> trial(shape_.size());
+  for (int halving = 0; halving < 12; ++halving, scale /= 2) {
+    for (std::size_t i = 0; i < trial.size(); ++i)
+      trial[i] = shape_[i] + scale * Vec2(moveOf(i, 0), moveOf(i, 1));
+    bool upright = true;
+    for (std::size_t t = 0; t < part.triangles.size() && upright; ++t)
+      upright = triangleArea(trial, static_cast<int>(t)) > kUpright * rest_area_[t];
+    if (!upright) continue;
+    shape_.swap(trial);
+    u_ += scale * full;
+    last_move_ = scale * longest;
+    break;
+  }
+  for (std::size_t e = 0; e < part.edges.size(); ++e) {
+    const Part::Edge& edge = part.edges[e];
+    if (!edge.sewn) continue;
+    const double length = (shape_[edge.i] - shape_[edge.j]).norm();
+    length_force_[e] += scale * kLengthPenalty * (length - edge.length);
+  }
+  for (std::size_t i = 0; i < part.rest.size(); ++i) {
+    if (part.reach[i] <= 0) continue;
+    const double excess = (shape_[i] - part.rest[i]).norm() - reach_[i];
+    reach_force_[i] = std::max(0.0, reach_force_[i] + kReachPenalty * excess);
+  }
+}
+
+Cloth::Violations Cloth::violations() const {
+  const Part& part = *part_;
+  Violations v;
+  v.moved = last_move_;
+  for (const Part::Edge& e : part.edges) {
+    const double length = (shape_[e.i] - shape_[e.j]).norm();
+    if (e.sewn) v.length = std::max(v.length, std::abs(length - e.length));
+    const double rest = (part.rest[e.i] - part.rest[e.j]).norm();
+    v.stretch = std::max(v.stretch, std::abs(length / rest - 1));
+  }
+  for (std::size_t i = 0; i < part.rest.size(); ++i)
+    if (part.reach[i] > 0)
+      v.reach = std::max(v.reach, (shape_[i] - part.rest[i]).norm() - part.reach[i]);
+  for (const Part::Bend& b : part.bends) v.kink = std::max(v.kink, std::abs(kink(b)));
+  for (std::size_t t = 0; t < part.triangles.size(); ++t)
+    v.area = std::min(v.area, triangleArea(shape_, static_cast<int>(t)) / rest_area_[t]);
+  return v;
+}
+
+double Cloth::kink(const Part::Bend& b) const {
+  auto turn = [&](const std::vector<Vec2>& x) {
+    const Vec2 h = b.h >= 0 ? x[b.h] : Vec2(-x[b.j].x(), x[b.j].y());
+    const Vec2 in = x[b.i] - h, out = x[b.j] - x[b.i];
+    return std::atan2(cross(in, out), in.dot(out));
+  };
+  return turn(shape_) - turn(part_->rest);
+}
+
+bool Cloth::stiffenKinks(double limit) {
+  bool any = false;
+  for (std::size_t b = 0; b < part_->bends.size(); ++b) {
+    const double excess = std::abs(kink(part_->bends[b])) / limit;
+    if (excess <= 1) continue;
+    bend_factor_[b] *= 1.5 * excess * excess;
+    any = true;
+  }
+  if (any) buildConstantTerms();
+  return any;
+}
+
+void Cloth::restart(double reach_factor) {
+  for (double& r : reach_) r *= reach_factor;
+  shape_ = part_->rest;
+  u_.setZero();
+  std::fill(length_force_.begin(), length_force_.end(), 0.0);
+  std::fill(reach_force_.begin(), reach_force_.end(), 0.0);
+}
+
+}  // namespace seamwise

@@ -1,0 +1,76 @@
+#pragma once
+#include <vector>
+
+#include "deform/part.h"
+#include "deform/sparse.h"
+
+namespace seamwise {
+
+/// Weights of the terms that keep a part a part. Lengths in cm, energies per cm of outline.
+struct ClothWeights {
+  double conformal = 0.3;  ///< LSCM energy of the map from rest to shape, per cm2 of cloth
+  double bend = 4.0;       ///< change of the outline's direction, per rad2 at a vertex
+  double rest = 0.01;      ///< pull of the outline to its rest position, per cm2
+  double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
+};
+
+/// Deforms one part towards targets with a safeguarded Newton iteration: conformal, bending and target
+/// terms are quadratic; sewn edges keep their length and vertices their reach by an augmented
+/// Lagrangian; a step is shortened until every triangle stays upright.
+///
+/// E(u) = sum w |x - x*|^2 + conformal + bend + rest + unsewn + AL(lengths) + AL(reach), x = rest + u
+class Cloth {
+ public:
+  Cloth(const Part& part, const ClothWeights& weights);
+
+  const Part& part() const { return *part_; }
+  const std::vector<Vec2>& shape() const { return shape_; }
+
+  void clearTargets();
+  /// @param weight   per cm2; several targets of a vertex add up
+  void addTarget(int vertex, const Vec2& position, double weight);
+
+  /// One Newton step and one update of the multipliers.
+  void step();
+  int factorisations() const { return factorisations_; }
+
+  /// What a shape must keep; each is 0 or less when kept.
+  struct Violations {
+    double length = 0;  ///< greatest |edge - kept length| of a sewn edge, cm
+    double reach = 0;   ///< greatest excess over the reach, cm
+    double kink = 0;    ///< greatest change of direction at a smooth vertex, rad
+    double stretch = 0; ///< greatest relative change of an outline edge
+    double area = 1;    ///< least ratio of a triangle's area to its rest area
+    double moved = 0;   ///< greatest movement in the last step, cm
+  };
+  Violations violations() const;
+
+  /// Stiffens the outline where it bends by more than `limit` rad. Returns whether it did anything.
+  bool stiffenKinks(double limit);
+  /// Scales what every vertex may move, and starts again from rest.
+  void restart(double reach_factor);
+
+ private:
+  void buildConstantTerms();
+  void addConformal();
+  void addBend(const Part::Bend& bend, double weight);
+  double kink(const Part::Bend& bend) const;  ///< change of the turn at a smooth vertex, rad
+  double triangleArea(const std::vector<Vec2>& x, int t) const;
+
+  const Part* part_;
+  ClothWeights weights_;
+  std::vector<Vec2> shape_;
+  std::vector<double> reach_;
+  std::vector<double> rest_area_;
+  SparseHessian hessian_;
+  std::vector<double> constant_;        ///< values of the quadratic terms, in the hessian's pattern
+  std::vector<double> target_weight_;   ///< per vertex
+  std::vector<Vec2> target_pull_;       ///< per vertex: sum of w x*
+  std::vector<double> length_force_, reach_force_;  ///< multipliers
+  std::vector<double> bend_factor_;     ///< per bend, 1 at first
+  VectorX u_, gradient_;
+  double last_move_ = 0;
+  int factorisations_ = 0;
+};
+
+}  // namespace seamwise

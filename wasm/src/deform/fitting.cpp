@@ -1,0 +1,95 @@
+#include "deform/fitting.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace seamwise {
+namespace {
+
+constexpr double kFloor = 0.05;  ///< cm: mismatch below it pulls no harder than this
+
+}  // namespace
+
+SeamFitting::SeamFitting(const Pattern& pattern, const WallpaperGroup& group,
+                         const ClothWeights& weights, double max_change, bool continuous_only)
+    : pattern_(pattern), group_(group), continuous_only_(continuous_only),
+      parts_(splitIntoParts(pattern, max_change)), joins_(pattern.seams.size()) {
+  cloths_.reserve(parts_.parts.size());
+  for (const Part& part : parts_.parts) cloths_.emplace_back(part, weights);
+  for (const Follower& f : parts_.pieces) {
+    to_part_direct_.push_back(f.direct.inverse());
+    to_part_mirror_.push_back(f.mirror.inverse());
+  }
+  shapes_.resize(pattern.pieces.size());
+  for (std::size_t p = 0; p < shapes_.size(); ++p) shapes_[p] = pattern.pieces[p].rest;
+  collectShapes();
+  vertex_length_.resize(pattern.seams.size());
+  for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
+    const SeamSide& a = pattern.seams[s].a;
+    const auto& rest = pattern.pieces[a.piece].rest;
+    vertex_length_[s].assign(a.vertices.size(), 0);
+    for (std::size_t i = 0; i + 1 < a.vertices.size(); ++i) {
+      const double l = (rest[a.vertices[i + 1]] - rest[a.vertices[i]]).norm();
+      vertex_length_[s][i] += l / 2, vertex_length_[s][i + 1] += l / 2;
+    }
+  }
+}
+
+void SeamFitting::collectShapes() {
+  for (std::size_t p = 0; p < shapes_.size(); ++p) {
+    const Follower& f = parts_.pieces[p];
+    const auto& local = cloths_[f.part].shape();
+    for (std::size_t v = 0; v < shapes_[p].size(); ++v)
+      shapes_[p][v] = f.at(static_cast<int>(v), local[f.source[v]]);
+  }
+}
+
+void SeamFitting::chooseJoins(const std::vector<Alignment>& at) {
+  for (std::size_t s = 0; s < joins_.size(); ++s)
+    joins_[s] = bestJoin(group_, pattern_.seams[s], shapes_, at, continuous_only_);
+}
+
+void SeamFitting::addTarget(int piece, int vertex, const Vec2& position, double weight) {
+  const Follower& f = parts_.pieces[piece];
+  const RigidMotion& back = f.reflected[vertex] ? to_part_mirror_[piece] : to_part_direct_[piece];
+  cloths_[f.part].addTarget(f.source[vertex], back(position), weight);
+}
+
+void SeamFitting::step(const std::vector<Alignment>& at) {
+  clearTargets();
+  for (std::size_t s = 0; s < joins_.size(); ++s) {
+    const Seam& seam = pattern_.seams[s];
+    if (!seam.matched || seam.twin) continue;
+    const Alignment &wa = at[seam.a.piece], &wb = at[seam.b.piece];
+    const Element& g = joins_[s].element;
+    const Mat2 back = g.A.inverse();
+    for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
+      const int va = seam.a.vertices[k], vb = seam.b.vertices[k];
+      const Vec2 x = wa.toPrint(shapes_[seam.a.piece][va]);
+      const Vec2 y = g(wb.toPrint(shapes_[seam.b.piece][vb]));
+      const Vec2 middle = (x + y) / 2;
+      const double weight =
+          seam.weight * vertex_length_[s][k] / std::max((x - y).norm(), kFloor);
+      addTarget(seam.a.piece, va, wa.toPiece(middle), weight);
+      addTarget(seam.b.piece, vb, wb.toPiece(back * (middle - g.a)), weight);
+    }
+  }
+  settle();
+}
+
+void SeamFitting::settle() {
+  for (Cloth& cloth : cloths_) cloth.step();
+  collectShapes();
+}
+
+void SeamFitting::clearTargets() {
+  for (Cloth& cloth : cloths_) cloth.clearTargets();
+}
+
+int SeamFitting::factorisations() const {
+  int total = 0;
+  for (const Cloth& cloth : cloths_) total += cloth.factorisations();
+  return total;
+}
+
+}  // namespace seamwise

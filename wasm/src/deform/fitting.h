@@ -1,0 +1,47 @@
+#pragma once
+#include <vector>
+
+#include "deform/cloth.h"
+#include "seam/join.h"
+
+namespace seamwise {
+
+/// Deforms all parts together so that the print meets at the seams: in turns, the two sides of every
+/// seam get their common middle (in print space, through the seam's join) as target, and every part
+/// takes a Newton step towards its targets. Weights 1/d make the sum of distances fall, not of squares.
+class SeamFitting {
+ public:
+  SeamFitting(const Pattern& pattern, const WallpaperGroup& group, const ClothWeights& weights,
+              double max_change, bool continuous_only);
+
+  /// Chooses each seam's join for the present shapes.
+  void chooseJoins(const std::vector<Alignment>& at);
+  /// New targets, then one step of every part.
+  void step(const std::vector<Alignment>& at);
+  /// One step of every part under the targets it has, for lengths and reach to converge.
+  void settle();
+
+  std::vector<Cloth>& cloths() { return cloths_; }
+  const Shapes& shapes() const { return shapes_; }
+  const std::vector<Join>& joins() const { return joins_; }
+  int factorisations() const;
+
+  /// No target any more: parts go back to the nearest shape that can be sewn.
+  void clearTargets();
+  void collectShapes();
+
+ private:
+  void addTarget(int piece, int vertex, const Vec2& position, double weight);
+
+  const Pattern& pattern_;
+  const WallpaperGroup& group_;
+  bool continuous_only_;
+  Parts parts_;
+  std::vector<Cloth> cloths_;
+  std::vector<RigidMotion> to_part_direct_, to_part_mirror_;  ///< per piece
+  std::vector<std::vector<double>> vertex_length_;  ///< per seam and vertex: cm of seam it stands for
+  std::vector<Join> joins_;
+  Shapes shapes_;
+};
+
+}  // namespace seamwise

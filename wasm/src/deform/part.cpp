@@ -1,0 +1,166 @@
+#include "deform/part.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "deform/lengths.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kSmooth = 30 * kPi / 180;  ///< corners turn by more and may bend freely
+
+double turnAt(const Vec2& h, const Vec2& i, const Vec2& j) {
+  const Vec2 a = i - h, b = j - i;
+  return std::atan2(cross(a, b), a.dot(b));
+}
+
+/// Part frame in which the axis of the reflection `map` is x = 0.
+RigidMotion axisFrame(const RigidMotion& map) {
+  const double axis = (map.angle - kPi) / 2;
+  RigidMotion frame{kPi / 2 - axis, Vec2::Zero(), false};
+  frame.shift = -(frame.linear() * (map.shift / 2));
+  return frame;
+}
+
+std::vector<std::vector<int>> loops(const Piece& piece) {
+  std::vector<std::vector<int>> all{piece.outline};
+  all.insert(all.end(), piece.holes.begin(), piece.holes.end());
+  return all;
+}
+
+/// Fills edges and bends; on a half, what lies across the axis is left to the images.
+void addOutline(Part& part, const Piece& piece, const std::vector<double>& kept,
+                const std::vector<char>& sewn) {
+  const int outer = static_cast<int>(piece.outline.size());
+  for (const std::vector<int>& loop : loops(piece)) {
+    const int n = static_cast<int>(loop.size());
+    for (int k = 0; k < n; ++k) {
+      const int u = loop[(k + n - 1) % n], v = loop[k], w = loop[(k + 1) % n];
+      const int h = part.local[u], i = part.local[v], j = part.local[w];
+      if (i >= 0 && j >= 0) {
+        const bool rim = v < outer;
+        const double length =
+            rim ? kept[v] : (piece.rest[w] - piece.rest[v]).norm();
+        part.edges.push_back({i, j, length, rim && sewn[v]});
+      }
+      if (i < 0 || std::abs(turnAt(piece.rest[u], piece.rest[v], piece.rest[w])) >= kSmooth) continue;
+      const double before = (piece.rest[v] - piece.rest[u]).norm();
+      const double after = (piece.rest[w] - piece.rest[v]).norm();
+      if (h >= 0 && j >= 0) part.bends.push_back({h, i, j, before, after});
+      else if (j >= 0) part.bends.push_back({-1, i, j, after, after});
+      else if (h >= 0) part.bends.push_back({-1, i, h, before, before});
+    }
+  }
+}
+
+/// Triangles wholly inside, unknowns and movement bounds.
+void finish(Part& part, const Piece& piece) {
+  for (const auto& t : piece.triangles) {
+    const std::array<int, 3> l{part.local[t[0]], part.local[t[1]], part.local[t[2]]};
+    if (l[0] >= 0 && l[1] >= 0 && l[2] >= 0) part.triangles.push_back(l);
+  }
+  part.unknown.assign(2 * part.vertices.size(), 0);
+  for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+    const bool on_axis = part.half && part.rest[i].x() == 0;
+    part.unknown[2 * i] = on_axis ? -1 : part.unknowns++;
+    part.unknown[2 * i + 1] = part.unknowns++;
+  }
+}
+
+}  // namespace
+
+Parts splitIntoParts(const Pattern& pattern, double max_change) {
+  Parts result;
+  const std::size_t count = pattern.pieces.size();
+  result.pieces.resize(count);
+  const auto kept = keptLengths(pattern);
+  std::vector<std::vector<char>> sewn(count);
+  for (std::size_t p = 0; p < count; ++p) sewn[p].assign(pattern.pieces[p].outline.size(), 0);
+  for (const Seam& s : pattern.seams) {
+    for (const SeamSide* side : {&s.a, &s.b}) {
+      const int n = static_cast<int>(sewn[side->piece].size());
+      for (std::size_t i = 0; i + 1 < side->vertices.size(); ++i) {
+        const int u = side->vertices[i], v = side->vertices[i + 1];
+        sewn[side->piece][(u + 1) % n == v ? u : v] = 1;
+      }
+    }
+  }
+  std::vector<const Mirror*> leads(count, nullptr), follows(count, nullptr);
+  for (const Mirror& m : pattern.mirrors) {
+    leads[m.pieces[0]] = &m;
+    if (!m.single()) follows[m.pieces[1]] = &m;
+  }
+
+  for (std::size_t p = 0; p < count; ++p) {
+    if (follows[p]) continue;
+    const Piece& piece = pattern.pieces[p];
+    const Mirror* mirror = leads[p];
+    const int n = static_cast<int>(piece.rest.size());
+    Part part;
+    part.piece = static_cast<int>(p);
+    part.half = mirror && mirror->single();
+    if (part.half) part.frame = axisFrame(mirror->map);
+    Follower self;
+    self.part = static_cast<int>(result.parts.size());
+    self.source.assign(n, -1), self.reflected.assign(n, 0);
+    part.local.assign(n, -1);
+
+    // Rest positions, evened out between mirror images so that the problem is exactly symmetric.
+    std::vector<Vec2> rest(n);
+    for (int v = 0; v < n; ++v) {
+      rest[v] = part.frame(piece.rest[v]);
+      if (!mirror) continue;
+      const Vec2& image = pattern.pieces[mirror->pieces[1]].rest[mirror->image[v]];
+      rest[v] = (rest[v] + part.frame(mirror->map.inverse()(image))) / 2;
+      if (part.half && mirror->image[v] == v) rest[v].x() = 0;
+    }
+    for (int v = 0; v < n; ++v) {
+      if (part.half && mirror->image[v] != v && rest[v].x() < 0) continue;
+      part.local[v] = self.source[v] = static_cast<int>(part.vertices.size());
+      part.vertices.push_back(v);
+      part.rest.push_back(rest[v]);
+    }
+    self.direct = part.frame.inverse();
+    self.mirror = mirror ? mirror->map.after(self.direct) : self.direct;
+    if (part.half) {
+      for (int v = 0; v < n; ++v) {
+        if (self.source[v] >= 0) continue;
+        self.source[v] = part.local[mirror->image[v]];
+        self.reflected[v] = 1;
+      }
+    }
+    addOutline(part, piece, kept[p], sewn[p]);
+    finish(part, piece);
+    result.pieces[p] = self;
+
+    // Half of the true rest may lie up to the mirror tolerance away from the evened one.
+    part.reach.assign(part.vertices.size(), 0);
+    std::vector<char> rim(n, 0);
+    for (const auto& loop : loops(piece))
+      for (int v : loop) rim[v] = 1;
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+      const int v = part.vertices[i];
+      if (!rim[v]) continue;
+      double off = (part.frame(piece.rest[v]) - part.rest[i]).norm();
+      if (mirror) {
+        const Vec2& image = pattern.pieces[mirror->pieces[1]].rest[mirror->image[v]];
+        off = std::max(off, (part.frame(mirror->map.inverse()(image)) - part.rest[i]).norm());
+      }
+      part.reach[i] = std::max(0.0, max_change - off);
+    }
+    if (mirror && !mirror->single()) {
+      Follower twin;
+      twin.part = self.part;
+      twin.source.assign(n, -1), twin.reflected.assign(n, 1);
+      for (int v = 0; v < n; ++v) twin.source[mirror->image[v]] = v;
+      twin.direct = self.direct;
+      twin.mirror = mirror->map.after(self.direct);
+      result.pieces[mirror->pieces[1]] = twin;
+    }
+    result.parts.push_back(std::move(part));
+  }
+  return result;
+}
+
+}  // namespace seamwise

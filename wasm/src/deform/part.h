@@ -1,0 +1,55 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "pattern/pattern.h"
+
+namespace seamwise {
+
+/// The cloth that deforms by itself once the seams' targets are known: a piece, the first piece of a
+/// mirrored pair, or one half of a piece that is symmetric in itself. What mirrors it follows exactly.
+struct Part {
+  struct Edge {
+    int i, j;        ///< local vertices
+    double length;   ///< kept length, cm
+    bool sewn;
+  };
+  /// Neighbours h, j of an outline vertex i that is smooth at rest (turn below 30 degrees). On the axis
+  /// of a half, h is -1 and stands for the mirror image of j.
+  struct Bend {
+    int h, i, j;
+    double before, after;  ///< rest lengths h-i and i-j, cm
+  };
+
+  int piece = -1;
+  bool half = false;
+  RigidMotion frame;                          ///< piece -> part; the axis of a half is x = 0
+  std::vector<int> vertices;                  ///< local -> piece vertex
+  std::vector<int> local;                     ///< piece vertex -> local, -1 in the other half
+  std::vector<Vec2> rest;                     ///< part frame; evened out between mirror images
+  std::vector<std::array<int, 3>> triangles;  ///< local
+  std::vector<Edge> edges;                    ///< of outline and holes
+  std::vector<Bend> bends;
+  std::vector<double> reach;  ///< how far an outline vertex may move from `rest`, cm; interior: 0
+  std::vector<int> unknown;   ///< 2 per vertex; -1 where the axis holds the coordinate
+  int unknowns = 0;
+};
+
+/// How the vertices of every piece follow from the parts.
+struct Follower {
+  int part = -1;
+  std::vector<int> source;          ///< piece vertex -> local vertex of the part
+  std::vector<char> reflected;      ///< whether the vertex is the mirror image of its source
+  RigidMotion direct, mirror;       ///< part frame -> piece, for plain and for reflected vertices
+  Vec2 at(int v, const Vec2& local) const { return reflected[v] ? mirror(local) : direct(local); }
+};
+
+struct Parts {
+  std::vector<Part> parts;
+  std::vector<Follower> pieces;  ///< per piece of the pattern
+};
+
+/// @param max_change   greatest movement of an outline vertex of any piece, cm
+Parts splitIntoParts(const Pattern& pattern, double max_change);
+
+}  // namespace seamwise

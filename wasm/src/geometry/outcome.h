@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace seamwise {
+
+/// Why a stage could not deliver. The values are part of the JavaScript API: append only.
+enum class Failure : std::uint8_t {
+  kNone = 0,
+  kCancelled = 1,
+  kInternal = 2,
+  // garment file
+  kNotJson = 10,
+  kTooLarge = 11,
+  kNotAGarment = 12,
+  kNoPanels = 13,
+  kUnits = 14,
+  kNumber = 15,
+  kEdgeIndex = 16,
+  kEdgeZeroLength = 17,
+  kCurvature = 18,
+  kOutlineOpen = 19,
+  kOutlineSelfIntersects = 20,
+  kSeamUnknownPiece = 21,
+  kSeamUnknownEdge = 22,
+  kSeamEdgeTwice = 23,
+  kSeamMalformed = 24,
+  kMesh = 25,
+  // print file
+  kNotAPrint = 40,
+  kGroupUnknown = 41,
+  kLattice = 42,
+  // symmetries
+  kSymmetryMalformed = 60,
+  kSymmetryUnknownPiece = 61,
+  kSymmetryDoesNotMirror = 62,
+  kSymmetryGroup = 63,
+  kSymmetryConflict = 64,
+  // options
+  kOptions = 80,
+};
+
+/// One sentence for people: it names the piece or seam and the remedy.
+struct Error {
+  Failure code = Failure::kNone;
+  std::string message;
+  int piece = -1;  ///< index in the garment, -1: none
+  int seam = -1;   ///< stitch number in the garment file, -1: none
+};
+
+/// A value, or the error that kept it from being made.
+template <class T>
+class Outcome {
+ public:
+  Outcome(T value) : state_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Outcome(Error error) : state_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
+  bool ok() const { return state_.index() == 0; }
+  const T& value() const& { return std::get<0>(state_); }
+  T& value() & { return std::get<0>(state_); }
+  T&& value() && { return std::get<0>(std::move(state_)); }
+  const Error& error() const { return std::get<1>(state_); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+}  // namespace seamwise

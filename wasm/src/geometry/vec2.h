@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace seamwise {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat2 = Eigen::Matrix2d;
+using Polyline = std::vector<Vec2>;
+
+inline constexpr double kPi = std::numbers::pi;
+
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// v turned a quarter counter-clockwise.
+inline Vec2 perp(const Vec2& v) { return {-v.y(), v.x()}; }
+
+inline Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+inline Mat2 rotation(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return (Mat2() << c, -s, s, c).finished();
+}
+
+/// The same direction in (-pi, pi].
+inline double wrapAngle(double angle) {
+  const double a = std::remainder(angle, 2 * kPi);
+  return a <= -kPi ? a + 2 * kPi : a;
+}
+
+}  // namespace seamwise

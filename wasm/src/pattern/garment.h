@@ -1,0 +1,72 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/curve.h"
+#include "geometry/rigid_motion.h"
+
+namespace seamwise {
+
+enum class GrainLock : std::uint8_t { kFree, kOn, kBias };
+
+/// A cut piece as drafted: its outline as exact curves. Face side up (the printed side towards the
+/// viewer), counter-clockwise, cm. `edges` keep the numbering of the file; edge k ends where edge
+/// k + 1 starts.
+struct Panel {
+  std::string name;
+  std::vector<Curve> edges;
+  std::vector<std::vector<Curve>> holes;  ///< cut-outs, each a closed clockwise loop; never sewn
+  bool mirrored_from_input = false;       ///< the file showed the back: x was negated
+  double grain_angle = kPi / 2;           ///< direction of the grain line in this (face-up) frame
+  std::optional<GrainLock> grain_lock;    ///< set by the file; options may override
+  double grain_tolerance = 0;             ///< rad
+  Vec3 placement_shift = Vec3::Zero();    ///< cm, of the input panel
+  Vec3 placement_turn = Vec3::Zero();     ///< XYZ Euler angles, rad
+};
+
+struct EdgeRef {
+  int piece = -1;
+  int edge = -1;
+  bool operator==(const EdgeRef&) const = default;
+};
+
+/// Two edges sewn to each other. The start of `a` meets the end of `b`, unless `same_direction`.
+struct Stitch {
+  EdgeRef a, b;
+  bool same_direction = false;  ///< "right_wrong" in GarmentCode
+  double weight = 1.0;
+  bool matched = true;  ///< false: sewn, but the print need not match
+};
+
+/// Two lines drawn on pieces that lie on each other without being sewn (a button front, a patch
+/// pocket). Each is a polyline of the same point count, in face-up piece coordinates, in order.
+struct MatchLine {
+  int piece_a = -1, piece_b = -1;
+  Polyline a, b;
+  double weight = 1.0;
+};
+
+/// A mirror symmetry of the body: maps points of pieces[0] to points of pieces[1] (the same piece
+/// for a piece that is symmetric in itself). `map.mirrored` is always true.
+struct BodySymmetry {
+  int pieces[2] = {-1, -1};
+  RigidMotion map;      ///< face-up coordinates, p' = R F p + t (Wolff et al. 2019, Eq. 3)
+  double residual = 0;  ///< greatest distance between the mapped outline and its image. [cm]
+  bool single() const { return pieces[0] == pieces[1]; }
+};
+
+/// A sewing pattern as read: panels and stitches, in the order of the file.
+struct Garment {
+  std::vector<Panel> panels;
+  std::vector<Stitch> stitches;
+  std::vector<MatchLine> matches;
+
+  int find(const std::string& name) const {
+    for (std::size_t i = 0; i < panels.size(); ++i)
+      if (panels[i].name == name) return static_cast<int>(i);
+    return -1;
+  }
+};
+
+}  // namespace seamwise

@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "geometry/rigid_motion.h"
+
+namespace seamwise {
+
+/// A piece as the solver sees it: the sampled outline and, once meshed, its triangles. [cm]
+struct Piece {
+  std::string name;
+  std::vector<Vec2> rest;               ///< outline vertices, then hole vertices, then interior
+  std::vector<int> outline;             ///< counter-clockwise; vertices 0 .. n-1 in order
+  std::vector<std::vector<int>> holes;  ///< clockwise
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise
+  std::vector<int> edge_start;  ///< outline position at which edge k of the panel starts
+  bool mirrored_from_input = false;
+};
+
+/// Vertices along one edge of a piece, in the seam's sewing order.
+struct SeamSide {
+  int piece = -1;
+  std::vector<int> vertices;
+};
+
+/// Vertex i of side a is sewn to vertex i of side b.
+struct Seam {
+  SeamSide a, b;
+  double weight = 1.0;
+  bool matched = true;        ///< false: sewn, but does not count in the fit
+  double length_ratio = 1.0;  ///< rho: rest length of a / rest length of b
+  bool twin = false;  ///< joins a piece to its own mirror twin along corresponding points: any
+                      ///< symmetric alignment matches it, so it counts in no fit
+};
+
+/// A symmetry imposed on the pattern.
+struct Mirror {
+  int pieces[2] = {-1, -1};  ///< equal for a piece symmetric in itself
+  RigidMotion map;           ///< point of pieces[0] -> point of pieces[1]; map.mirrored is true
+  std::vector<int>
+      image;  ///< vertex of pieces[0] -> vertex of pieces[1], every vertex (interior too)
+  bool single() const { return pieces[0] == pieces[1]; }
+};
+
+/// Two marked lines that lie on each other without being sewn; points in rest coordinates. They
+/// count in the fit and carry no length constraint.
+struct Pattern {
+  std::vector<Piece> pieces;
+  std::vector<Seam> seams;  ///< one per stitch, in the order of the file
+  std::vector<Mirror> mirrors;
+};
+
+}  // namespace seamwise

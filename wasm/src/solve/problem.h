@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pattern/garment.h"
+#include "solve/options.h"
+#include "wallpaper/print.h"
+
+namespace seamwise {
+
+/// Everything a solve needs, checked: numbers are finite, references resolve, the print's group carries
+/// the imposed symmetries.
+struct Problem {
+  Garment garment;
+  Print print;
+  std::vector<BodySymmetry> imposed;  ///< obeyed by print and shape
+  std::vector<BodySymmetry> known;    ///< all that the sampling follows; contains `imposed`
+  SolveOptions options;
+  std::vector<std::string> notes;  ///< sentences for the user: what was dropped or assumed
+};
+
+}  // namespace seamwise
