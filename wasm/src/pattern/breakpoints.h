@@ -1,0 +1,52 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pattern/correspondence.h"
+#include "pattern/garment.h"
+
+namespace seamwise {
+
+/// The outline (index 0) or a cut-out (index h + 1: hole h) of a panel.
+struct PanelLoop {
+  int panel = 0;
+  int index = 0;
+  Loop loop;
+};
+
+/// Two loops tied by a body symmetry; they may be the same one.
+struct LoopTie {
+  int from = 0, to = 0;  ///< indices into the list of loops
+  int symmetry = 0;
+  Correspondence map;
+};
+
+/// What the sampling has to respect.
+struct Outlines {
+  std::vector<PanelLoop> loops;  ///< the panels' outlines and cut-outs, in order
+  std::vector<int> first;        ///< index of each panel's outline in `loops`
+  std::vector<Stitch> stitches;
+  std::vector<LoopTie> ties;
+};
+
+/// All places where outlines must have a vertex, and which stretches between them belong together.
+struct Breakpoints {
+  std::vector<std::vector<double>> nodes;  ///< per loop, ascending positions; corners included
+  std::vector<int> first_interval;         ///< per loop: number of the interval after node 0
+  std::vector<int> group;  ///< per interval: the least interval tied to it by seams and mirrors
+  /// Per tie: the node of loop `to` that is the image of node 0 of loop `from`; node i goes to
+  /// image_of_first - i, cyclically.
+  std::vector<int> image_of_first;
+  std::string trouble;  ///< why the outlines cannot be tied one-to-one; empty when they can
+  int troubled_panel = -1;
+
+  /// Number of the node of a loop at a position that is one, e.g. a corner.
+  int nodeAt(int loop, double position) const;
+};
+
+/// Carries corners and axis crossings along seams and mirrors until nothing new arises. Breakpoints
+/// of an edge closer than `tolerance` cm (on the longer side of a seam; at most a quarter of the
+/// edge) are one.
+Breakpoints findBreakpoints(const Outlines& outlines, double tolerance);
+
+}  // namespace seamwise
