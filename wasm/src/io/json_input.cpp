@@ -164,4 +164,10 @@ int checkFormat(const Json& document, const Place& place, const std::string& nam
   return found;
 }
 
+Error inFile(Error error, const std::string& file) {
+  const bool ends = !error.message.empty() && error.message.back() == '.';
+  error.message = file + ": " + error.message + (ends ? "" : ".");
+  return error;
+}
+
 }  // namespace seamwise

@@ -77,6 +77,9 @@ void onlyKnown(const Json& object, const Place& place, std::initializer_list<con
 /// `version` when the file names none.
 int checkFormat(const Json& document, const Place& place, const std::string& name, int version);
 
+/// The error of another layer, as one sentence that starts with the file's name.
+Error inFile(Error error, const std::string& file);
+
 /// Runs a reader and turns what it throws into an Outcome.
 template <class T, class Read>
 Outcome<T> guarded(const Place& place, Read read) {

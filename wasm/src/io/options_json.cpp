@@ -107,7 +107,7 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
   if (const Json* matches = find(document, "matches"))
     options.matches = readMatches(*matches, place, garment);
   const std::string problem = options.problem();
-  if (!problem.empty()) throw InputError{Error{Failure::kOptions, place.name + ": " + problem}};
+  if (!problem.empty()) throw InputError{inFile({Failure::kOptions, problem}, place.name)};
   return options;
 }
 

@@ -29,11 +29,7 @@ Print read(std::string_view content, const Place& place) {
   const Vec2 w1 = point(need(document, "w1", place), place, "'w1'");
   const Vec2 w2 = point(need(document, "w2", place), place, "'w2'");
   Outcome<WallpaperGroup> group = WallpaperGroup::make(group_name, w1, w2);
-  if (!group.ok()) {
-    Error error = group.error();
-    error.message = place.name + ": " + error.message;
-    throw InputError{error};
-  }
+  if (!group.ok()) throw InputError{inFile(group.error(), place.name)};
   Print print{std::move(group).value()};
   if (const Json* one_way = find(document, "oneWay"))
     print.one_way = boolean(*one_way, place, "'oneWay'");

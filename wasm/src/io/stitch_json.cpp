@@ -43,7 +43,7 @@ void readStitches(const Json& stitches, const Place& outer, Garment* garment) {
       place.fail(Failure::kSeamMalformed,
                  "is not a list of two sides (and \"right_wrong\"); correct it");
     Stitch stitch{readSide(sides[0], place, *garment), readSide(sides[1], place, *garment)};
-    if (sides.size() == 3) {
+    if (sides.size() == 3 && !sides[2].is_null()) {
       if (sides[2] != "right_wrong")
         place.fail(Failure::kSeamMalformed,
                    "has an unknown third element; write \"right_wrong\" or leave it out");

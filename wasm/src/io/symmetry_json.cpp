@@ -1,10 +1,14 @@
 #include "io/symmetry_json.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace seamwise {
 namespace {
 
 SymmetryRequest readPair(const Json& json, const Place& place) {
-  onlyKnown(json, place, {"kind", "pieces"});
+  onlyKnown(json, place, {"kind", "pieces", "residual"});
   const Json& pieces = need(json, "pieces", place);
   if (!pieces.is_array() || pieces.size() != 2)
     place.fail(place.shape, "has no two 'pieces'; write [\"one\", \"other\"]");
@@ -16,7 +20,7 @@ SymmetryRequest readPair(const Json& json, const Place& place) {
 }
 
 SymmetryRequest readSingle(const Json& json, const Place& place) {
-  onlyKnown(json, place, {"kind", "piece", "axis", "seams"});
+  onlyKnown(json, place, {"kind", "piece", "axis", "seams", "residual"});
   const std::string piece = text(need(json, "piece", place), place, "'piece'");
   const Json* axis = find(json, "axis");
   const Json* edges = find(json, "seams");
@@ -37,6 +41,29 @@ SymmetryRequest readSingle(const Json& json, const Place& place) {
     return request;
   }
   return PieceRequest{piece};
+}
+
+/// To 1e-6 cm, far finer than the tolerance of a mirror; never "-0".
+double shortened(double cm) { return std::round(cm * 1e6) / 1e6 + 0.0; }
+
+/// Where the axis of the panel's own reflection enters and leaves the panel, in input coordinates.
+/// [cm]
+std::array<Vec2, 2> axisThrough(const Panel& panel, const RigidMotion& map) {
+  // R(2 psi + pi) F reflects across the direction psi; p and its image have their middle on the
+  // axis.
+  const Vec2 along = unit((map.angle - kPi) / 2);
+  const Vec2 start = panel.edges.front().start();
+  const Vec2 foot = (start + map(start)) / 2;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Curve& edge : panel.edges)
+    for (const Vec2& p : edge.flattened(0.1)) {
+      low = std::min(low, along.dot(p - foot));
+      high = std::max(high, along.dot(p - foot));
+    }
+  std::array<Vec2, 2> ends{foot + low * along, foot + high * along};
+  if (panel.mirrored_from_input)
+    for (Vec2& p : ends) p.x() = -p.x();
+  return ends;
 }
 
 }  // namespace
@@ -68,6 +95,27 @@ Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
     checkFormat(document, place, "seamwise-symmetries", 1);
     return readSymmetryList(need(document, "symmetries", place), place);
   });
+}
+
+std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmetry>& symmetries) {
+  Json list = Json::array();
+  for (const BodySymmetry& symmetry : symmetries) {
+    const Panel& first = garment.panels[static_cast<std::size_t>(symmetry.pieces[0])];
+    const Panel& second = garment.panels[static_cast<std::size_t>(symmetry.pieces[1])];
+    Json entry = Json::object();
+    entry["kind"] = symmetry.single() ? "piece" : "pair";
+    if (symmetry.single()) {
+      entry["piece"] = first.name;
+      entry["axis"] = Json::array();
+      for (const Vec2& p : axisThrough(first, symmetry.map))
+        entry["axis"].push_back({shortened(p.x()), shortened(p.y())});
+    } else {
+      entry["pieces"] = {first.name, second.name};
+    }
+    entry["residual"] = shortened(symmetry.residual);
+    list.push_back(std::move(entry));
+  }
+  return Json{{"symmetries", std::move(list)}}.dump();
 }
 
 }  // namespace seamwise

@@ -15,6 +15,9 @@ namespace seamwise {
 Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
                                                      const std::string& file);
 
+/// Symmetries found on a garment, in the form that readSymmetries reads; `residual` in cm.
+std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmetry>& symmetries);
+
 /// The list itself. Throws InputError.
 std::vector<SymmetryRequest> readSymmetryList(const Json& json, const Place& place);
 

@@ -1,0 +1,156 @@
+#include "io/problem_json.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "io/garment_json.h"
+#include "io/options_json.h"
+#include "io/print_json.h"
+#include "io/symmetry_json.h"
+
+namespace seamwise {
+namespace {
+
+using Symmetries = std::vector<BodySymmetry>;
+
+bool carries(const WallpaperGroup& group, const BodySymmetry& symmetry) {
+  return symmetry.single() ? group.carriesSingle() : group.carriesPair();
+}
+
+std::string namesOf(const Garment& garment, const BodySymmetry& symmetry) {
+  const auto name = [&](int piece) {
+    return inQuotes(garment.panels[static_cast<std::size_t>(piece)].name);
+  };
+  return symmetry.single() ? name(symmetry.pieces[0])
+                           : name(symmetry.pieces[0]) + " and " + name(symmetry.pieces[1]);
+}
+
+bool concerns(const BodySymmetry& symmetry, const BodySymmetry& other) {
+  for (const int piece : symmetry.pieces)
+    if (piece == other.pieces[0] || piece == other.pieces[1]) return true;
+  return false;
+}
+
+/// `first` and those of `more` that concern none of its pieces.
+Symmetries joined(Symmetries first, const Symmetries& more) {
+  const std::size_t treated = first.size();
+  for (const BodySymmetry& symmetry : more) {
+    const auto end = first.begin() + static_cast<std::ptrdiff_t>(treated);
+    if (std::none_of(first.begin(), end,
+                     [&](const BodySymmetry& given) { return concerns(symmetry, given); }))
+      first.push_back(symmetry);
+  }
+  return first;
+}
+
+/// Drops what the group cannot carry and says so, once for single pieces and once for pairs.
+Symmetries carried(const Symmetries& wanted, const Garment& garment, const WallpaperGroup& group,
+                   std::vector<std::string>* notes) {
+  Symmetries kept;
+  std::string singles, pairs;
+  for (const BodySymmetry& symmetry : wanted) {
+    if (carries(group, symmetry)) {
+      kept.push_back(symmetry);
+      continue;
+    }
+    std::string& list = symmetry.single() ? singles : pairs;
+    list += (list.empty() ? "" : ", ") + namesOf(garment, symmetry);
+  }
+  const std::string name(group.data().name);
+  if (!singles.empty())
+    notes->push_back("Print group " + name +
+                     " has no mirrors, so these pieces are not kept symmetric: " + singles + "; " +
+                     groupsForSingle() + " could.");
+  if (!pairs.empty())
+    notes->push_back("Print group " + name +
+                     " has neither mirrors nor glides, so these pairs are not kept symmetric: " +
+                     pairs + "; " + groupsForPair() + " could.");
+  return kept;
+}
+
+/// Registered on the garment; errors name the file.
+Symmetries registered(const Garment& garment, const std::vector<SymmetryRequest>& requests,
+                      const std::string& file) {
+  Outcome<Symmetries> found = registerSymmetries(garment, requests);
+  if (!found.ok()) throw InputError{inFile(found.error(), file)};
+  return std::move(found).value();
+}
+
+void requireCarried(const Symmetries& wanted, const Garment& garment, const WallpaperGroup& group,
+                    const Place& place) {
+  for (const BodySymmetry& symmetry : wanted) {
+    if (carries(group, symmetry)) continue;
+    const std::string what =
+        symmetry.single() ? "makes piece " + namesOf(garment, symmetry) + " symmetric in itself"
+                          : "makes " + namesOf(garment, symmetry) + " a mirrored pair";
+    Place here = place;
+    here.piece = symmetry.pieces[0];
+    here.fail(Failure::kSymmetryGroup,
+              what + ", which print group " + std::string(group.data().name) +
+                  " cannot carry; take a print of group " +
+                  (symmetry.single() ? groupsForSingle() : groupsForPair()) + ", or leave it out");
+  }
+}
+
+template <class T>
+T valueOf(Outcome<T> outcome) {
+  if (!outcome.ok()) throw InputError{outcome.error()};
+  return std::move(outcome).value();
+}
+
+void readOptionsInto(const ProblemTexts& texts, Problem* problem) {
+  SolveOptions& options = problem->options;
+  if (!texts.options.empty())
+    options = valueOf(readOptions(texts.options, texts.options_name, problem->garment));
+  options.method = texts.method;
+  options.seed = texts.seed;
+  auto& matches = problem->garment.matches;
+  options.matches.insert(options.matches.end(), matches.begin(), matches.end());
+  matches.clear();
+}
+
+void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryRequest>& of_garment,
+                        Problem* problem) {
+  const Garment& garment = problem->garment;
+  const WallpaperGroup& group = problem->print.group;
+  const Symmetries detected = detectSymmetries(garment);
+  Symmetries treated = detected;
+  if (texts.symmetry == "auto") {
+    if (!of_garment.empty()) {
+      treated = registered(garment, of_garment, texts.garment_name);
+      problem->notes.push_back("The symmetries are those that " + texts.garment_name + " states.");
+    }
+    problem->imposed = carried(treated, garment, group, &problem->notes);
+  } else if (texts.symmetry != "none") {
+    const Place place{texts.symmetry_name, Failure::kSymmetryMalformed,
+                      Failure::kSymmetryMalformed};
+    const auto requests = valueOf(readSymmetries(texts.symmetry, texts.symmetry_name));
+    treated = registered(garment, requests, texts.symmetry_name);
+    requireCarried(treated, garment, group, place);
+    problem->imposed = treated;
+  }
+  problem->known = joined(std::move(treated), detected);
+  if (texts.method == Method::kWs19 && !problem->imposed.empty()) {
+    problem->imposed.clear();
+    problem->notes.push_back("Method ws19 knows no global symmetries, so none is imposed.");
+  }
+}
+
+Problem read(const ProblemTexts& texts) {
+  GarmentFile file = valueOf(readGarment(texts.garment, texts.garment_name));
+  Problem problem{
+      std::move(file.garment), valueOf(readPrint(texts.print, texts.print_name)), {}, {}, {},
+      std::move(file.notes)};
+  readOptionsInto(texts, &problem);
+  readSymmetriesInto(texts, file.symmetries, &problem);
+  return problem;
+}
+
+}  // namespace
+
+Outcome<Problem> makeProblem(const ProblemTexts& texts) {
+  return guarded<Problem>(Place{texts.garment_name}, [&] { return read(texts); });
+}
+
+}  // namespace seamwise
