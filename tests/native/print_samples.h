@@ -2,11 +2,19 @@
 // Lattices, random points and membership tests that the tests of prints and alignments share.
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <ostream>
 #include <random>
-#include <string>
 
 #include "alignment/alignment.h"
 #include "wallpaper/group.h"
+
+namespace seamwise {
+
+/// How a failing test names its group.
+inline void PrintTo(const GroupData& data, std::ostream* out) { *out << data.name; }
+
+}  // namespace seamwise
 
 namespace seamwise::testing {
 
