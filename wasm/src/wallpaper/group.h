@@ -120,12 +120,12 @@ inline Vec2 WallpaperGroup::reduce(const Vec2& v) const {
   const Vec2 c = to_reduced_ * v;
   const double i = internal::roundNear(c.x()), j = internal::roundNear(c.y());
   const double x = c.x() - i, y = c.y() - j;
-  const Vec2 near = v - i * reduced_[0] - j * reduced_[1];
+  Vec2 shortest = v - i * reduced_[0] - j * reduced_[1];
   const double g1 = x * gram11_ + y * gram12_, g2 = x * gram12_ + y * gram22_;
   const double gain1 = 2 * std::abs(g1) - gram11_, gain2 = 2 * std::abs(g2) - gram22_;
-  if (gain1 <= 0 && gain2 <= 0) return near;
-  if (gain1 >= gain2) return near - std::copysign(1.0, g1) * reduced_[0];
-  return near - std::copysign(1.0, g2) * reduced_[1];
+  if (gain1 <= 0 && gain2 <= 0) return shortest;
+  if (gain1 >= gain2) return shortest - std::copysign(1.0, g1) * reduced_[0];
+  return shortest - std::copysign(1.0, g2) * reduced_[1];
 }
 
 inline double WallpaperGroup::distance(const Vec2& x, const Vec2& y) const {
