@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "geometry/vec2.h"
+
+namespace seamwise {
+
+/// A constrained Delaunay triangulation that grows point by point (Lawson flips) inside a large
+/// frame triangle. Orientation tests are exact, so it stays valid for any simple outline, however
+/// thin or collinear. [cm]
+class Triangulation {
+ public:
+  /// Triangulates the loops (outlines counter-clockwise, cut-outs clockwise, indices into
+  /// `points`). Empty when the loops touch or cross themselves or each other.
+  static std::optional<Triangulation> make(std::vector<Vec2> points,
+                                           const std::vector<std::vector<int>>& loops);
+
+  /// Adds an interior vertex; false (and no change) when p does not lie strictly inside the loops.
+  bool insert(const Vec2& p);
+  /// Moves free vertices to the middle of their neighbours, `passes` times, wherever that keeps
+  /// every triangle's quality from dropping below what it was or a fair value; restores Delaunay
+  /// each time.
+  void smooth(int passes);
+
+  /// The vertices that were given, then the inserted ones.
+  std::vector<Vec2> points() const;
+  /// Triangles inside the loops, counter-clockwise.
+  std::vector<std::array<int, 3>> triangles() const;
+
+ private:
+  static constexpr int kFrame = 3;  ///< vertices 0..2 are the frame
+  struct Triangle {
+    std::array<int, 3> vertex;  // counter-clockwise
+    std::array<int, 3> across;  // triangle opposite vertex i, -1: none
+    std::array<bool, 3> fixed;  // the edge opposite vertex i belongs to a loop
+    bool inside = false;
+  };
+  struct Spot {
+    int triangle = -1;
+    int edge = -1;       // the point lies on this edge of the triangle
+    bool taken = false;  // the point is a vertex already
+  };
+
+  int side(int a, int b, int c) const;
+  int indexIn(int triangle, int vertex) const;
+  int indexOfNeighbour(int triangle, int neighbour) const;
+  Spot locate(const Vec2& p);
+  bool addVertex(int v);
+  void link(int triangle, int edge, int neighbour);
+  void splitTriangle(int t, int v);
+  void splitEdge(int t, int edge, int v);
+  bool flippable(int t, int edge) const;
+  void flip(int t, int edge);
+  void restore();
+  bool fixEdge(int a, int b);
+  bool fixExisting(int a, int b);
+  std::vector<std::pair<int, int>> edgesAcross(int a, int b, bool* blocked) const;
+  void fillInside();
+  double quality(int a, int b, int c) const;
+
+  std::vector<Vec2> points_;
+  std::vector<Triangle> triangles_;
+  std::vector<int> triangle_of_;            // per vertex: one of its triangles
+  std::vector<std::pair<int, int>> stack_;  // edges (triangle, edge) that may need a flip
+  int last_ = 0;                            // where the next walk starts
+  std::uint32_t state_ = 1;                 // picks the walk's first turn
+  int given_ = 0;                           // vertices before the inserted ones, frame included
+};
+
+}  // namespace seamwise
