@@ -1,0 +1,146 @@
+/** Plane geometry for drafting: cubic Bezier edges, their length, and truing one length to another. Lengths in cm. */
+
+export type Point = readonly [x: number, y: number];
+
+/** A straight edge, or a cubic Bezier curve when it has controls. */
+export interface Curve {
+  readonly from: Point;
+  readonly to: Point;
+  readonly controls?: readonly [Point, Point];
+}
+
+export const plus = (a: Point, b: Point, factor = 1): Point => [
+  a[0] + factor * b[0],
+  a[1] + factor * b[1],
+];
+export const minus = (a: Point, b: Point): Point => plus(a, b, -1);
+export const norm = (a: Point): number => Math.hypot(a[0], a[1]);
+export const middle = (a: Point, b: Point): Point => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+export const degrees = (angle: number): number => (angle * Math.PI) / 180;
+
+/** Turned counter-clockwise by `angle` (radians). */
+export function turned(a: Point, angle: number): Point {
+  const c = Math.cos(angle);
+  const s = Math.sin(angle);
+  return [c * a[0] - s * a[1], s * a[0] + c * a[1]];
+}
+
+/** A quarter turn to the left: what leaves a line at a right angle. Exact. */
+export const left = (a: Point): Point => [-a[1], a[0]];
+
+/** The unit vector that leans from straight up towards +x by `angle` (radians). */
+export const leaning = (angle: number): Point => [Math.sin(angle), Math.cos(angle)];
+
+/** x -> -x, which is how the two sides of a body relate. Exact. */
+export const mirror = (a: Point): Point => [-a[0], a[1]];
+
+export const line = (from: Point, to: Point): Curve => ({from, to});
+
+/**
+ * A curve that leaves `from` along `out` and arrives at `to` along `into` (unit vectors, both in the direction of travel),
+ * with handles of the given lengths in cm; by default a third of the chord, which gives the fairest curve.
+ */
+export function curve(
+  from: Point,
+  out: Point,
+  to: Point,
+  into: Point,
+  handleFrom?: number,
+  handleTo?: number,
+): Curve {
+  const third = norm(minus(to, from)) / 3;
+  return {
+    from,
+    to,
+    controls: [plus(from, out, handleFrom ?? third), plus(to, into, -(handleTo ?? third))],
+  };
+}
+
+/** A curve from (-x, y) to (x, y), its own mirror image, arriving along `into`. */
+export function across(to: Point, into: Point, handle = (2 * to[0]) / 3): Curve {
+  const control = plus(to, into, -handle);
+  return {from: mirror(to), to, controls: [mirror(control), control]};
+}
+
+export function reversed({from, to, controls}: Curve): Curve {
+  return controls
+    ? {from: to, to: from, controls: [controls[1], controls[0]]}
+    : {from: to, to: from};
+}
+
+export function mirrored({from, to, controls}: Curve): Curve {
+  const ends = {from: mirror(from), to: mirror(to)};
+  return controls ? {...ends, controls: [mirror(controls[0]), mirror(controls[1])]} : ends;
+}
+
+export function moved({from, to, controls}: Curve, by: Point): Curve {
+  const ends = {from: plus(from, by), to: plus(to, by)};
+  return controls ? {...ends, controls: [plus(controls[0], by), plus(controls[1], by)]} : ends;
+}
+
+export function pointAt({from, to, controls}: Curve, t: number): Point {
+  const s = 1 - t;
+  if (!controls) return [s * from[0] + t * to[0], s * from[1] + t * to[1]];
+  const [c, d] = controls;
+  const at = (i: 0 | 1): number =>
+    s * s * s * from[i] + 3 * s * s * t * c[i] + 3 * s * t * t * d[i] + t * t * t * to[i];
+  return [at(0), at(1)];
+}
+
+/** The derivative at parameter t; its direction is the direction of travel. */
+export function velocity({from, to, controls}: Curve, t: number): Point {
+  if (!controls) return minus(to, from);
+  const [c, d] = controls;
+  const s = 1 - t;
+  const at = (i: 0 | 1): number =>
+    3 * (s * s * (c[i] - from[i]) + 2 * s * t * (d[i] - c[i]) + t * t * (to[i] - d[i]));
+  return [at(0), at(1)];
+}
+
+const gaussNodes = [
+  -0.906179845938664, -0.5384693101056831, 0, 0.5384693101056831, 0.906179845938664,
+];
+const gaussWeights = [
+  0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
+  0.2369268850561891,
+];
+const spans = 12;
+
+/** Arc length by Gauss-Legendre quadrature; exact to 1e-9 cm for the curves of a garment. */
+export function length(curve: Curve): number {
+  if (!curve.controls) return norm(minus(curve.to, curve.from));
+  let sum = 0;
+  for (let span = 0; span < spans; span++) {
+    gaussNodes.forEach((node, k) => {
+      sum += (gaussWeights[k] ?? 0) * norm(velocity(curve, (span + (node + 1) / 2) / spans));
+    });
+  }
+  return sum / (2 * spans);
+}
+
+/**
+ * The argument between `low` and `high` at which `measure` takes the value `target`: how a pattern is trued.
+ * @throws {RangeError} if the target lies outside: the measurements ask for something that cannot be drafted.
+ */
+export function trueTo(
+  what: string,
+  target: number,
+  measure: (x: number) => number,
+  low: number,
+  high: number,
+): number {
+  let a = low;
+  let b = high;
+  const rising = measure(b) > measure(a);
+  if (
+    rising ? measure(a) > target || measure(b) < target : measure(a) < target || measure(b) > target
+  ) {
+    throw new RangeError(`${what} cannot be made ${target.toFixed(1)} cm with these measurements`);
+  }
+  for (let i = 0; i < 60; i++) {
+    const x = (a + b) / 2;
+    if (measure(x) > target === rising) b = x;
+    else a = x;
+  }
+  return (a + b) / 2;
+}

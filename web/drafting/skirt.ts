@@ -1,0 +1,92 @@
+/** An A-line skirt gathered into a waistband. Origin of each skirt panel: the height of its side waist, in the middle. */
+import {radiusOf, type Body} from './body.js';
+import {
+  across,
+  degrees,
+  leaning,
+  left,
+  length,
+  line,
+  mirror,
+  plus,
+  reversed,
+  trueTo,
+  type Curve,
+  type Point,
+} from './geometry.js';
+import {edge, onBothSides, symmetricPanel, type Garment, type Panel} from './panel.js';
+
+export const waistGathers = 1.6;
+const waistEase = 2;
+const bandHeight = 4;
+const sideLength = 58;
+const flare = degrees(9);
+/** The front is cut this much wider than the back, at each side seam. */
+const forward = 0.75;
+
+type Half = 'front' | 'back';
+const bandLength = (body: Body, half: Half): number =>
+  (body.waist + waistEase) / 2 + (half === 'front' ? forward : -forward);
+
+/** Curves that meet both side seams at right angles. */
+const waistline = (halfWidth: number): Curve =>
+  across([halfWidth, 0], leaning(Math.PI / 2 - flare));
+
+function skirtPanel(body: Body, half: Half): Panel {
+  const gathered = waistGathers * bandLength(body, half);
+  const waist: Point = [
+    trueTo(`the ${half} waist`, gathered, (w) => length(waistline(w)), gathered / 4, gathered / 2),
+    0,
+  ];
+  const hem = plus(waist, leaning(-flare), -sideLength);
+  const away = radiusOf(body.hip) + 10;
+  return symmetricPanel(
+    half,
+    {
+      bottom: edge('hem', across(hem, plus([0, 0], left(leaning(-flare)), -1))),
+      half: [edge('side', line(hem, waist))],
+      top: edge('waist', reversed(waistline(waist[0]))),
+      side: half === 'front' ? 'left' : 'right',
+    },
+    half === 'front'
+      ? {translation: [0, body.waistHeight - bandHeight, away], rotation: [0, 0, 0]}
+      : {translation: [0, body.waistHeight - bandHeight, -away], rotation: [0, 180, 0]},
+  );
+}
+
+/** A straight strip. Origin: the middle of its lower edge. */
+function bandPanel(body: Body, half: Half): Panel {
+  const low: Point = [bandLength(body, half) / 2, 0];
+  const high: Point = [low[0], bandHeight];
+  const away = radiusOf(body.waist) + 8;
+  return symmetricPanel(
+    `waistband_${half}`,
+    {
+      bottom: edge('lower', line(mirror(low), low)),
+      half: [edge('end', line(low, high))],
+      top: edge('upper', line(high, mirror(high))),
+      side: half === 'front' ? 'left' : 'right',
+    },
+    half === 'front'
+      ? {translation: [0, body.waistHeight, away], rotation: [0, 0, 0]}
+      : {translation: [0, body.waistHeight, -away], rotation: [0, 180, 0]},
+  );
+}
+
+export function draftSkirt(body: Body): Garment {
+  return {
+    name: 'skirt',
+    panels: [
+      skirtPanel(body, 'front'),
+      skirtPanel(body, 'back'),
+      bandPanel(body, 'front'),
+      bandPanel(body, 'back'),
+    ],
+    seams: [
+      ...onBothSides(['front', 'side *'], ['back', 'side *']),
+      ...onBothSides(['waistband_front', 'end *'], ['waistband_back', 'end *']),
+      {a: ['front', 'waist'], b: ['waistband_front', 'lower'], gathers: waistGathers},
+      {a: ['back', 'waist'], b: ['waistband_back', 'lower'], gathers: waistGathers},
+    ],
+  };
+}

@@ -1,0 +1,200 @@
+/** Draws the pieces of a result, filled with the print as it lies on them. */
+import type {Alignment, Point} from '../model/geometry.js';
+import type {Print} from '../model/print.js';
+import type {ResultPiece, SeamSide, SolveResult} from '../model/result.js';
+import {imageCell} from '../model/wallpaper.js';
+import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
+import {onPrint, type Fit} from './fit.js';
+import type {Layout} from './layout.js';
+import {escaped, polyline, short, text} from './svg.js';
+
+/** One of the two states that are shown, and where on the page. */
+export interface Scene {
+  readonly result: SolveResult;
+  readonly print: Print;
+  readonly outline: 'rest' | 'shape';
+  readonly alignments: readonly Alignment[];
+  readonly fit: Fit;
+  readonly layout: Layout;
+  /** Upper left corner. [px] */
+  readonly corner: Point;
+  /** [px per cm] */
+  readonly scale: number;
+  /** Starts every id of this scene; `cloth` is the id of the pattern with the tile. */
+  readonly id: string;
+  readonly cloth: string;
+}
+
+const outlineColour = '#4a4d52';
+const quiet = '#8d9096';
+/** Mismatch is drawn in steps, so that a seam is a few long strokes. [cm] */
+const step = 0.1;
+
+/** Piece coordinates -> page. */
+function toPage(scene: Scene, piece: number): (p: Point) => Point {
+  const [ox, oy] = scene.layout.offsets[piece] ?? [0, 0];
+  const {corner, scale, layout} = scene;
+  return ([x, y]) => [corner[0] + scale * (x + ox), corner[1] + scale * (layout.height - y - oy)];
+}
+
+const pick = (points: readonly Point[], vertices: readonly number[]): Point[] =>
+  vertices.flatMap((v) => points.slice(v, v + 1));
+
+/** The size of the tile on the page, the same for every piece. [px] */
+export function tileSize(print: Print, scale: number): readonly [number, number] {
+  const [a, b] = imageCell(print);
+  return [scale * Math.hypot(...a), scale * Math.hypot(...b)];
+}
+
+/** The print under one piece: p = R w + t, then the page. The image's y runs down, against the cell's second edge. */
+function clothUnder(scene: Scene, piece: number): string {
+  const {angle, translation} = scene.alignments[piece] ?? {angle: 0, translation: [0, 0]};
+  const [a, b] = imageCell(scene.print);
+  const page = toPage(scene, piece);
+  const origin = page(translation);
+  const along = ([x, y]: Point, sign: 1 | -1): Point => {
+    const n = sign / Math.hypot(x, y);
+    const turned = onPrint({angle: -angle, translation: [0, 0]}, [x * n, y * n]);
+    return [turned[0], -turned[1]];
+  };
+  const matrix = [...along(a, 1), ...along(b, -1)].map((v) => v.toFixed(6));
+  return `<pattern id="${scene.id}-${piece}" href="#${scene.cloth}" patternTransform="matrix(${matrix.join(' ')} ${origin.map(short).join(' ')})"/>`;
+}
+
+function body(scene: Scene, piece: ResultPiece, index: number): string {
+  const page = toPage(scene, index);
+  const path = [piece.outline, ...piece.holes]
+    .map((loop) => `${polyline(pick(piece[scene.outline], loop).map(page))}Z`)
+    .join('');
+  return `<path d="${path}" fill="url(#${scene.id}-${index})" fill-rule="evenodd" stroke="${outlineColour}" stroke-width="1" stroke-linejoin="round"/>`;
+}
+
+/** One side of a seam, as strokes of equal mismatch over a light casing. */
+function seamSide(scene: Scene, side: SeamSide, mismatch: readonly number[]): string {
+  const line = pick(scene.result.pieces[side.piece]?.[scene.outline] ?? [], side.vertices).map(
+    toPage(scene, side.piece),
+  );
+  const level = (k: number): number =>
+    Math.min(worstMismatch, Math.round((mismatch[k] ?? 0) / step) * step);
+  const strokes: string[] = [];
+  for (let from = 0; from < mismatch.length;) {
+    let to = from + 1;
+    while (to < mismatch.length && level(to) === level(from)) to++;
+    const d = level(from);
+    strokes.push(
+      `<path d="${polyline(line.slice(from, to + 1))}" stroke="${mismatchColour(d)}" stroke-width="${short(mismatchWidth(d))}"/>`,
+    );
+    from = to;
+  }
+  return `<path d="${polyline(line)}" stroke="#fff" stroke-opacity="0.9" stroke-width="6"/>${strokes.join('')}`;
+}
+
+function seams(scene: Scene): string {
+  const sides = scene.result.seams.flatMap((seam, k) => {
+    const {mismatch = [], counts = false} = scene.fit.seams[k] ?? {};
+    if (counts) return [seam.a, seam.b].map((side) => seamSide(scene, side, mismatch));
+    return [seam.a, seam.b].map((side) => {
+      const line = pick(scene.result.pieces[side.piece]?.[scene.outline] ?? [], side.vertices).map(
+        toPage(scene, side.piece),
+      );
+      return `<path d="${polyline(line)}" stroke="#fff" stroke-width="5"/><path d="${polyline(line)}" stroke="${quiet}" stroke-width="2" stroke-dasharray="1 5"/>`;
+    });
+  });
+  return `<g fill="none" stroke-linecap="round" stroke-linejoin="round">${sides.join('')}</g>`;
+}
+
+/** The mirror axis of a symmetric piece, a little longer than the piece. p' = R F p + t mirrors in a line through t / 2. */
+function axis(scene: Scene, piece: number, {angle, translation}: Alignment): string {
+  const direction: Point = [-Math.sin(angle / 2), Math.cos(angle / 2)];
+  const [mx, my] = [translation[0] / 2, translation[1] / 2];
+  const {outline = [], [scene.outline]: points = []} = scene.result.pieces[piece] ?? {};
+  const along = pick(points, outline).map(
+    ([x, y]) => (x - mx) * direction[0] + (y - my) * direction[1],
+  );
+  const at = (s: number): Point => [mx + s * direction[0], my + s * direction[1]];
+  const overhang = 10 / scene.scale;
+  const line = polyline(
+    [at(Math.min(...along) - overhang), at(Math.max(...along) + overhang)].map(
+      toPage(scene, piece),
+    ),
+  );
+  return `<path d="${line}" fill="none" stroke="#fff" stroke-opacity="0.6" stroke-width="3"/><path d="${line}" fill="none" stroke="#2b2d31" stroke-width="1.2" stroke-dasharray="7 4"/>`;
+}
+
+/** The point of a piece that lies furthest from its outline, on a coarse grid. */
+function innermost(points: readonly Point[]): Point {
+  const xs = points.map(([x]) => x);
+  const ys = points.map(([, y]) => y);
+  const [left, right, low, high] = [
+    Math.min(...xs),
+    Math.max(...xs),
+    Math.min(...ys),
+    Math.max(...ys),
+  ];
+  const inside = ([x, y]: Point): boolean =>
+    points.reduce((odd, [ax, ay], k) => {
+      const [bx, by] = points[(k + 1) % points.length] ?? [ax, ay];
+      return ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax) ? !odd : odd;
+    }, false);
+  let best: Point = [(left + right) / 2, (low + high) / 2];
+  let room = -1;
+  const n = 24;
+  for (let i = 1; i < n; i++) {
+    for (let j = 1; j < n; j++) {
+      const p: Point = [left + ((right - left) * i) / n, low + ((high - low) * j) / n];
+      const free = inside(p)
+        ? Math.min(...points.map(([x, y]) => Math.hypot(x - p[0], y - p[1])))
+        : -1;
+      if (free > room + 1e-6) [best, room] = [p, free];
+    }
+  }
+  return best;
+}
+
+function letter([x, y]: Point, content: string): string {
+  return `<circle cx="${short(x)}" cy="${short(y)}" r="12" fill="#fff" stroke="#2b2d31" stroke-width="1"/>${text([x, y + 5], content, {size: 14, weight: 600, anchor: 'middle', fill: '#2b2d31'})}`;
+}
+
+function symmetries(scene: Scene): string {
+  let pairs = 0;
+  return scene.result.symmetries
+    .map((symmetry) => {
+      if (symmetry.kind === 'piece') return axis(scene, symmetry.piece, symmetry.map);
+      const name = String.fromCharCode(65 + (pairs++ % 26));
+      const [first, second] = symmetry.pieces;
+      const {outline = [], rest = []} = scene.result.pieces[first] ?? {};
+      const here = innermost(pick(rest, outline));
+      // the same place on the other piece
+      const {angle, translation} = symmetry.map;
+      const turned = onPrint({angle: -angle, translation: [0, 0]}, [-here[0], here[1]]);
+      const there: Point = [turned[0] + translation[0], turned[1] + translation[1]];
+      return letter(toPage(scene, first)(here), name) + letter(toPage(scene, second)(there), name);
+    })
+    .join('');
+}
+
+function names(scene: Scene, size: number): string {
+  return scene.result.pieces
+    .map(({name, outline, rest}, k) => {
+      const points = pick(rest, outline).map(toPage(scene, k));
+      const xs = points.map(([x]) => x);
+      const foot = Math.max(...points.map(([, y]) => y));
+      const at: Point = [(Math.min(...xs) + Math.max(...xs)) / 2, foot + 12 + size];
+      return text(at, name.replaceAll('_', ' '), {size, anchor: 'middle', fill: '#5d6066'});
+    })
+    .join('');
+}
+
+/** All pieces of a scene: cloth, outline, seams by mismatch, symmetries, names. */
+export function drawPieces(scene: Scene, nameSize: number): string {
+  const {pieces} = scene.result;
+  return [
+    `<defs>${pieces.map((_, k) => clothUnder(scene, k)).join('')}</defs>`,
+    ...pieces.map(
+      (piece, k) => `<g aria-label="${escaped(piece.name)}">${body(scene, piece, k)}</g>`,
+    ),
+    seams(scene),
+    symmetries(scene),
+    names(scene, nameSize),
+  ].join('\n');
+}

@@ -1,0 +1,187 @@
+/** One picture of a result: the pattern on the print before and after, with its figures and a key. */
+import type {Alignment, Point} from '../model/geometry.js';
+import type {Print} from '../model/print.js';
+import type {SolveResult} from '../model/result.js';
+import {imageCell, latticeType} from '../model/wallpaper.js';
+import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
+import {drawPieces, tileSize, type Scene} from './draw-pieces.js';
+import {fitOf, type Fit} from './fit.js';
+import {layOut} from './layout.js';
+import {escaped, imageHref, short, text} from './svg.js';
+
+/** A print with the picture of its cell: SVG text, or a URL. Without one, only the cell is drawn. */
+export type PrintWithTile = Print & {readonly tile?: string};
+
+export interface PictureOptions {
+  /** Headline; the print's group and repeat by default. */
+  readonly title?: string;
+  /** Where the pieces lie before; by default on grain on one length of cloth, just as they are laid out in the picture. */
+  readonly before?: readonly Alignment[];
+  /** Starts every id in the picture, for pages that hold several. */
+  readonly id?: string;
+}
+
+const width = 1200;
+const margin = 56;
+const nameSize = 13;
+const ink = '#26282c';
+const soft = '#6a6d73';
+
+const millimetres = (cm: number): string => `${(cm * 10).toFixed(1)} mm`;
+const squared = (cm2: number): string => `${cm2.toFixed(cm2 < 10 ? 1 : 0)} cm²`;
+/** The sides of the cell a maker would name: of the centred cell when the lattice is rhombic. */
+function repeatOf(print: Print): string {
+  const cell =
+    latticeType(print.group) === 'rhombic'
+      ? imageCell({...print, cell: 'rectangular'})
+      : [print.w1, print.w2];
+  return `${cell.map((side) => Number(Math.hypot(...side).toFixed(1))).join(' × ')} cm`;
+}
+
+function figure(x: number, y: number, label: string, value: string): string {
+  return (
+    text([x, y], label, {size: 13, fill: soft}) +
+    text([x, y + 30], value, {size: 21, fill: ink, weight: 500})
+  );
+}
+
+/** A rule with a heading on it and the section's own figures at its end. */
+function heading(y: number, title: string, note: string, fit: Fit): string {
+  return [
+    `<path d="M${margin} ${y}H${width - margin}" stroke="#d5d3cd"/>`,
+    text([margin, y + 26], title, {size: 16, weight: 600, fill: ink}),
+    text([margin + title.length * 9 + 14, y + 26], note, {size: 13, fill: soft}),
+    text([width - margin, y + 26], `mean mismatch ${millimetres(fit.mean)}`, {
+      size: 13,
+      anchor: 'end',
+      fill: soft,
+    }),
+  ].join('');
+}
+
+/** What the lines mean, and how long 10 cm are. */
+function legend(y: number, scale: number, result: SolveResult, fit: Fit): string {
+  const length = 180;
+  const parts: string[] = [text([margin, y], 'Print mismatch along seams', {size: 13, fill: soft})];
+  for (let k = 0; k < 20; k++) {
+    const d = (worstMismatch * (k + 0.5)) / 20;
+    const h = mismatchWidth(d) * 1.6;
+    parts.push(
+      `<rect x="${short(margin + (k * length) / 20)}" y="${short(y + 16 - h / 2)}" width="${short(length / 20 + 0.4)}" height="${short(h)}" fill="${mismatchColour(d)}"/>`,
+    );
+  }
+  ['0', '1', '2 cm'].forEach((label, k) => {
+    const anchor = (['start', 'middle', 'end'] as const)[k] ?? 'end';
+    parts.push(text([margin + (k * length) / 2, y + 38], label, {size: 12, fill: soft, anchor}));
+  });
+
+  let x = margin + length + 64;
+  const entry = (drawing: string, label: string): void => {
+    parts.push(
+      `<g transform="translate(${x} ${y + 16})">${drawing}</g>`,
+      text([x + 44, y + 20], label, {size: 13, fill: soft}),
+    );
+    x += 44 + label.length * 7 + 40;
+  };
+  if (result.symmetries.some(({kind}) => kind === 'piece'))
+    entry(
+      `<path d="M0 0H34" stroke="#2b2d31" stroke-width="1.2" stroke-dasharray="7 4"/>`,
+      'symmetry axis',
+    );
+  if (result.symmetries.some(({kind}) => kind === 'pair')) {
+    entry(
+      `<circle cx="17" cy="0" r="11" fill="#fff" stroke="#2b2d31"/>${text([17, 5], 'A', {size: 13, weight: 600, anchor: 'middle'})}`,
+      'mirrored pair',
+    );
+  }
+  if (fit.seams.some(({counts}) => !counts))
+    entry(
+      `<path d="M0 0H34" stroke="#8d9096" stroke-width="2" stroke-linecap="round" stroke-dasharray="1 5"/>`,
+      'not counted',
+    );
+
+  const bar = 10 * scale;
+  const right = width - margin;
+  parts.push(
+    `<path d="M${short(right - bar)} ${y + 11}v10m0-5H${right}m0-5v10" fill="none" stroke="${ink}" stroke-width="1.2"/>`,
+    text([right - bar / 2, y + 38], '10 cm', {size: 12, fill: soft, anchor: 'middle'}),
+  );
+  return parts.join('');
+}
+
+/** The tile as a pattern that every piece's own pattern refers to. */
+function cloth(id: string, print: PrintWithTile, scale: number): string {
+  const [w, h] = tileSize(print, scale).map(short);
+  const content = print.tile
+    ? `<image href="${escaped(imageHref(print.tile))}" width="${w}" height="${h}" preserveAspectRatio="none"/>`
+    : `<rect width="${w}" height="${h}" fill="#f1ede3" stroke="#c9c1ae" stroke-width="1"/>`;
+  return `<pattern id="${id}" patternUnits="userSpaceOnUse" width="${w}" height="${h}">${content}</pattern>`;
+}
+
+/** The whole picture as the text of an SVG file. `print.tile` is shown at true scale, as it lies on every piece. */
+export function drawResult(
+  result: SolveResult,
+  print: PrintWithTile,
+  options: PictureOptions = {},
+): string {
+  const id = options.id ?? 'seamwise';
+  // one centimetre of the page is not known before the layout is, so names are given room for a common scale
+  const layout = layOut(result, 2.3, {gap: 5, below: 6, least: (name) => name.length * 1.15});
+  const scale = Math.min((width - 2 * margin) / layout.width, 14);
+  const left = (width - layout.width * scale) / 2;
+  const tall = layout.height * scale;
+
+  const asLaidOut = layout.offsets.map(([x, y]): Alignment => ({
+    angle: 0,
+    translation: [0 - x, 0 - y],
+  }));
+  const before = options.before ?? asLaidOut;
+  const after = result.pieces.map(({alignment}) => alignment);
+  const fits = {before: fitOf(result, 'rest', before), after: fitOf(result, 'shape', after)};
+
+  const title = options.title ?? `Print ${print.group}`;
+  const top = {before: 140, after: 140 + 52 + tall + 20};
+  const foot = top.after + 52 + tall + 24;
+  const height = foot + 72;
+  const scene = (name: 'before' | 'after', corner: Point): Scene => ({
+    result,
+    print,
+    layout,
+    corner,
+    scale,
+    cloth: `${id}-cloth`,
+    id: `${id}-${name}`,
+    fit: fits[name],
+    outline: name === 'before' ? 'rest' : 'shape',
+    alignments: name === 'before' ? before : after,
+  });
+  const summary = `Mean print mismatch along seams ${millimetres(fits.before.mean)} before, ${millimetres(fits.after.mean)} after; fit ${squared(fits.before.total)} before, ${squared(fits.after.total)} after.`;
+
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" role="img" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif" style="font-variant-numeric: tabular-nums">`,
+    `<title>${escaped(title)}</title><desc>${escaped(summary)}</desc>`,
+    `<defs>${cloth(`${id}-cloth`, print, scale)}</defs>`,
+    `<rect width="100%" height="100%" fill="#fbfaf8"/>`,
+    text([margin, 66], title, {size: 28, weight: 600, fill: ink}),
+    text([margin, 94], `${print.group}, repeat ${repeatOf(print)}`, {size: 15, fill: soft}),
+    figure(
+      width - margin - 580,
+      64,
+      'Mean mismatch',
+      `${(fits.before.mean * 10).toFixed(1)} → ${millimetres(fits.after.mean)}`,
+    ),
+    figure(
+      width - margin - 350,
+      64,
+      'Fit',
+      `${fits.before.total.toFixed(0)} → ${squared(fits.after.total)}`,
+    ),
+    figure(width - margin - 110, 64, 'Largest change', millimetres(result.metrics.maxMovedCm)),
+    heading(top.before, 'Before', 'cut on grain, as it comes', fits.before),
+    drawPieces(scene('before', [left, top.before + 52]), nameSize),
+    heading(top.after, 'After', 'aligned and reshaped', fits.after),
+    drawPieces(scene('after', [left, top.after + 52]), nameSize),
+    legend(foot + 12, scale, result, fits.after),
+    '</svg>\n',
+  ].join('\n');
+}
