@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "symmetry/seam_maps.h"
+
+namespace seamwise {
+
+/// Of several maps, the index (into SeamMaps::maps()) of the one that carries most seams to seams,
+/// then agrees best with the 3D placement; -1 when there are none.
+int likeliestMap(const SeamMaps& maps, const std::vector<int>& candidates);
+
+/// The symmetry that a map describes, its residual measured on the exact curves where possible.
+BodySymmetry bodySymmetry(const Garment& garment, int from, int to, const MirrorFit& fit);
+
+}  // namespace seamwise

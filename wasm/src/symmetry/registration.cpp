@@ -1,0 +1,264 @@
+#include "symmetry/registration.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "symmetry/symmetry.h"
+
+namespace seamwise {
+namespace {
+
+constexpr int kMaxIterations = 60;
+constexpr double kSettled = 1e-9;  // cm; ICP stops when no point moves further
+constexpr double kStalled = 0.99;
+constexpr double kUpright = 1e-9;      // rad
+constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
+constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
+constexpr double kReported = 1e3;      // cm; residuals beyond are all the same to a reader
+
+struct CornerPairs {
+  std::vector<Vec2> from, to;
+  std::vector<double> distance;
+};
+
+int nearestOf(const Polyline& points, const Vec2& p) {
+  int best = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if ((points[i] - p).squaredNorm() < (points[best] - p).squaredNorm())
+      best = static_cast<int>(i);
+  return best;
+}
+
+// Corners that are each other's nearest under the map.
+CornerPairs pairCorners(const Outline& a, const Outline& b, const RigidMotion& map, double gate) {
+  const RigidMotion back = map.inverse();
+  CornerPairs pairs;
+  for (std::size_t i = 0; i < a.corners().size(); ++i) {
+    const Vec2 image = map(a.corners()[i]);
+    const Vec2& corner = b.corners()[nearestOf(b.corners(), image)];
+    const double d = (corner - image).norm();
+    if (d > gate || nearestOf(a.corners(), back(corner)) != static_cast<int>(i)) continue;
+    pairs.from.push_back(a.corners()[i]);
+    pairs.to.push_back(corner);
+    pairs.distance.push_back(d);
+  }
+  return pairs;
+}
+
+// The closed form is only as good as its lever arm.
+bool spread(const std::vector<Vec2>& points) {
+  Vec2 low = points.front(), high = points.front();
+  for (const Vec2& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).norm() > 1.0;
+}
+
+// Closed form on corresponding corners, the gate closing in. A corner that exists on one side only
+// (an edge split on the left, whole on the right) must not spoil a map that is exact everywhere
+// else, so pairs far beyond the median are dropped when what remains agrees exactly.
+RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map, double gate) {
+  const bool single = &a == &b;
+  for (; gate > kMirrorTolerance; gate /= 3) {
+    const CornerPairs pairs = pairCorners(a, b, map, gate);
+    if (pairs.from.size() < 2 || !spread(pairs.from)) return map;
+    map = fitMirror(pairs.from, pairs.to, single);
+  }
+  RigidMotion trimmed = map;
+  for (int round = 0; round < 12; ++round) {
+    const CornerPairs pairs = pairCorners(a, b, trimmed, 2 * kMirrorTolerance);
+    if (pairs.from.size() < 2) return map;
+    std::vector<double> sorted = pairs.distance;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double limit = std::max(kExactCorner, 1.5 * *middle);
+    std::vector<Vec2> from, to;
+    for (std::size_t i = 0; i < pairs.from.size(); ++i)
+      if (pairs.distance[i] <= limit) {
+        from.push_back(pairs.from[i]);
+        to.push_back(pairs.to[i]);
+      }
+    if (from.size() < 2 || !spread(from)) return map;
+    trimmed = fitMirror(from, to, single);
+    if (limit == kExactCorner) return 2 * from.size() >= a.corners().size() ? trimmed : map;
+  }
+  return map;
+}
+
+RigidMotion closestPoints(const Outline& a, const Outline& b, RigidMotion map) {
+  const bool single = &a == &b;
+  std::vector<Vec2> to(a.samples().size());
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kMaxIterations; ++k) {
+    double sum = 0;
+    const Mat2 linear = map.linear();
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      const OutlinePoint foot = b.nearest(linear * a.samples()[i] + map.shift);
+      to[i] = foot.point;
+      sum += foot.distance * foot.distance;
+    }
+    // The mean only falls; where it stalls above the limit, the greatest distance stays above it
+    // too.
+    const double rms = std::sqrt(sum / static_cast<double>(to.size()));
+    if (rms > kMirrorTolerance && rms > kStalled * before) break;
+    before = rms;
+    const RigidMotion next = fitMirror(a.samples(), to, single);
+    const double moved = std::abs(wrapAngle(next.angle - map.angle)) * a.length() +
+                         (next(a.corners()[0]) - map(a.corners()[0])).norm();
+    map = next;
+    if (moved < kSettled) break;
+  }
+  return map;
+}
+
+struct Start {
+  RigidMotion map;
+  double rms;
+};
+
+using EvenPoints = std::array<Vec2, Outline::kEven>;
+
+// Moves the outline's even points to their centre, which is returned.
+Vec2 centred(const Outline& outline, EvenPoints& points) {
+  Vec2 centre = Vec2::Zero();
+  for (const Vec2& p : outline.even()) centre += p / Outline::kEven;
+  for (int k = 0; k < Outline::kEven; ++k) points[k] = outline.even()[k] - centre;
+  return centre;
+}
+
+// Every cyclic shift of the reversed arc-length correspondence, solved in closed form; the local
+// minima.
+std::vector<Start> startMaps(const Outline& a, const Outline& b) {
+  constexpr int n = Outline::kEven;
+  EvenPoints p, q;
+  const Vec2 from = centred(a, p), to = centred(b, q);
+  double energy = 0;
+  for (int k = 0; k < n; ++k) energy += p[k].squaredNorm() + q[k].squaredNorm();
+  EvenPoints product;
+  std::array<double, n> square;
+  for (int shift = 0; shift < n; ++shift) {
+    double re = 0, im = 0;
+    for (int k = 0; k < n; ++k) {
+      const Vec2 &u = p[k], &v = q[(shift - k + n) % n];
+      re += u.x() * v.x() - u.y() * v.y();
+      im += u.x() * v.y() + u.y() * v.x();
+    }
+    product[shift] = {re, im};
+    square[shift] = (energy - 2 * product[shift].norm()) / n;
+  }
+  std::vector<Start> starts;
+  for (int shift = 0; shift < n; ++shift) {
+    if (square[shift] > square[(shift + n - 1) % n] || square[shift] > square[(shift + 1) % n])
+      continue;
+    RigidMotion map{std::atan2(-product[shift].y(), -product[shift].x()), Vec2::Zero(), true};
+    map.shift = to - map(from);
+    starts.push_back({map, std::sqrt(std::max(0.0, square[shift]))});
+  }
+  std::sort(starts.begin(), starts.end(),
+            [](const Start& x, const Start& y) { return x.rms < y.rms; });
+  if (starts.size() > kMaxStarts) starts.resize(kMaxStarts);
+  return starts;
+}
+
+bool sameMap(const Outline& a, const RigidMotion& x, const RigidMotion& y) {
+  for (const Vec2& p :
+       {a.even()[0], a.even()[Outline::kEven / 3], a.even()[2 * Outline::kEven / 3]})
+    if ((x(p) - y(p)).norm() > 2 * kMirrorTolerance) return false;
+  return true;
+}
+
+}  // namespace
+
+RigidMotion fitMirror(const std::vector<Vec2>& p, const std::vector<Vec2>& q, bool single) {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    from += p[i];
+    to += q[i];
+  }
+  from /= static_cast<double>(p.size());
+  to /= static_cast<double>(p.size());
+  // A reflection is the least-squares answer once every pair is also taken the other way round.
+  if (single) from = to = (from + to) / 2;
+  double re = 0, im = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vec2 u = p[i] - from, v = q[i] - to;
+    re += u.x() * v.x() - u.y() * v.y();
+    im += u.x() * v.y() + u.y() * v.x();
+  }
+  double angle = std::atan2(-im, -re);
+  const double quarters = std::round(angle / (kPi / 2));
+  if (std::abs(angle - quarters * kPi / 2) < kUpright) angle = wrapAngle(quarters * kPi / 2);
+  RigidMotion map{angle, Vec2::Zero(), true};
+  map.shift = to - map(from);
+  return single ? withoutGlide(map) : map;
+}
+
+RigidMotion withoutGlide(RigidMotion motion) {
+  // R(a) F leaves the direction (a - pi) / 2 alone and reverses the one at a / 2.
+  const Vec2 normal = unit(motion.angle / 2);
+  motion.shift = normal * normal.dot(motion.shift);
+  return motion;
+}
+
+double mirrorResidual(const Outline& a, const Outline& b, const RigidMotion& map, double enough) {
+  double worst = 0;
+  const auto measure = [&](const Outline& from, const Outline& to, const RigidMotion& motion) {
+    const Mat2 linear = motion.linear();
+    for (const Vec2& p : from.samples()) {
+      worst = std::max(worst, to.nearest(linear * p + motion.shift).distance);
+      if (worst > enough) return;
+    }
+  };
+  measure(a, b, map);
+  if (&a != &b && worst <= enough) measure(b, a, map.inverse());
+  return worst;
+}
+
+MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& start) {
+  const double gate = a.length() / Outline::kEven;
+  const RigidMotion begin = &a == &b ? withoutGlide(start) : start;
+  const auto measured = [&](const RigidMotion& map) {
+    return MirrorFit{map, mirrorResidual(a, b, map, kReported)};
+  };
+  MirrorFit direct = measured(polishOnCorners(a, b, begin, gate));
+  if (direct.residual <= 2 * Outline::kFlatness) return direct;
+  MirrorFit settled = measured(closestPoints(a, b, direct.residual < gate ? direct.map : begin));
+  MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
+  // Corners win when they fit as well as flattening can tell.
+  if (polished.residual <= settled.residual + Outline::kFlatness &&
+      polished.residual <= direct.residual)
+    return polished;
+  return direct.residual <= settled.residual + Outline::kFlatness ? direct : settled;
+}
+
+std::vector<MirrorFit> findMirrors(const Outline& a, const Outline& b) {
+  std::vector<MirrorFit> found;
+  if (std::abs(a.length() - b.length()) > 2 + 0.02 * a.length() ||
+      std::abs(a.area() - b.area()) > 2 * kMirrorTolerance * a.length())
+    return found;
+  const double limit = 0.75 * a.length() / Outline::kEven + 2 * kMirrorTolerance;
+  for (const Start& start : startMaps(a, b)) {
+    if (start.rms > limit) break;
+    const MirrorFit fit = refineMirror(a, b, start.map);
+    if (fit.residual > kMirrorTolerance) continue;
+    const bool known = std::any_of(found.begin(), found.end(), [&](const MirrorFit& other) {
+      return sameMap(a, fit.map, other.map);
+    });
+    if (!known) found.push_back(fit);
+  }
+  std::sort(found.begin(), found.end(),
+            [](const MirrorFit& x, const MirrorFit& y) { return x.residual < y.residual; });
+  return found;
+}
+
+MirrorFit bestMirror(const Outline& a, const Outline& b) {
+  MirrorFit best{{}, std::numeric_limits<double>::infinity()};
+  for (const Start& start : startMaps(a, b)) {
+    const MirrorFit fit = refineMirror(a, b, start.map);
+    if (fit.residual < best.residual) best = fit;
+  }
+  return best;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,91 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "symmetry/outline.h"
+#include "symmetry/placement.h"
+#include "symmetry/registration.h"
+
+namespace seamwise {
+
+/// The image of a point on a sewn edge.
+struct Probe {
+  Vec2 image = Vec2::Zero();  ///< on the outline of the piece mapped to
+  int sewn_piece = -1;        ///< piece that is sewn to the image; -1: none
+  Vec2 sewn = Vec2::Zero();   ///< the point of that piece
+};
+
+/// A mirror map of a piece onto a piece, with the images of probe points on its edges.
+struct PieceMap {
+  static constexpr int kProbes = 4;  ///< at 1/8, 3/8, 5/8, 7/8 of the arc length
+
+  int from = -1, to = -1;
+  int inverse = -1;  ///< index of the map back; its own for a reflection
+  MirrorFit fit;
+  double disagreement = 0;  ///< with the 3D placement, then with the grain. [cm]
+  std::vector<std::array<Probe, kProbes>> probes;  ///< per edge of `from`
+};
+
+/// Which piece maps to which: an index into SeamMaps::maps() per piece, -1 while free.
+using Assignment = std::vector<int>;
+
+/// How much of a garment an assignment maps onto itself.
+struct Coverage {
+  double seams = 0;         ///< length of the seams that map to seams. [cm]
+  double outline = 0;       ///< length of the outlines that map to outlines. [cm]
+  double disagreement = 0;  ///< with the placement, weighted by outline. [cm2]
+  int paired = 0;           ///< pieces whose image is another piece
+
+  Coverage operator+(const Coverage& other) const;
+  /// More seams, then more outline (either by more than one per cent), then closer to the
+  /// placement, then fewer pairs.
+  bool betterThan(const Coverage& other) const;
+};
+
+/// All mirror maps between the pieces of a garment and what they do to its seams.
+class SeamMaps {
+ public:
+  explicit SeamMaps(const Garment& garment);
+
+  const std::vector<PieceMap>& maps() const { return maps_; }
+  const std::vector<int>& mapsFrom(int piece) const { return from_[piece]; }
+  const Outline& outline(int piece) const { return outlines_[piece]; }
+  const Placement& placement() const { return placement_; }
+  const Garment& garment() const { return garment_; }
+  int pieces() const { return static_cast<int>(outlines_.size()); }
+
+  /// Takes a map, and every map that the seams of mapped pieces leave no choice about: where a
+  /// seam's image is a seam, the neighbour across it must go to the neighbour across its image.
+  /// Returns the pieces that were newly mapped; none when an end of `map` is taken.
+  std::vector<int> propagate(int map, Assignment& assignment) const;
+  /// What the given newly mapped pieces add.
+  Coverage coverage(const Assignment& assignment, const std::vector<int>& added) const;
+  /// Pieces joined by seams carry the same number. [per piece]
+  std::vector<int> components() const;
+  bool sewn(int piece) const { return !seams_[piece].empty(); }
+
+ private:
+  struct Partner {
+    EdgeRef edge;
+    bool same_direction = false;
+  };
+
+  void connect();
+  void addMaps(int from, int to);
+  void probe(PieceMap& map) const;
+  Probe probed(int piece, const OutlinePoint& image) const;
+  int agreeing(const Stitch& stitch, bool swapped, const PieceMap& near, const PieceMap& far) const;
+  int forced(const Stitch& stitch, bool swapped, const PieceMap& near) const;
+  bool assign(int map, Assignment& assignment, std::vector<int>& added) const;
+
+  const Garment& garment_;
+  Placement placement_;
+  std::vector<Outline> outlines_;
+  std::vector<PieceMap> maps_;
+  std::vector<std::vector<int>> from_;          ///< maps by piece
+  std::vector<std::vector<int>> seams_;         ///< stitches by piece, longest first
+  std::vector<std::vector<Partner>> partners_;  ///< by piece and edge; edge.piece -1 when unsewn
+  std::vector<double> lengths_;                 ///< of stitches, mean of both sides
+};
+
+}  // namespace seamwise
