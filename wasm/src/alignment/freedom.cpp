@@ -1,5 +1,6 @@
 #include "alignment/freedom.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 

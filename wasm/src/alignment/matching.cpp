@@ -117,13 +117,15 @@ MatchProblem MatchProblem::coarsened(int most) const {
     const int n = static_cast<int>(seam.w.size());
     if (n <= most) continue;
     MatchSeam few = seam;
-    few.pa.clear(), few.pb.clear(), few.w.clear();
+    few.pa.clear(), few.pb.clear(), few.da.clear(), few.db.clear(), few.w.clear();
     for (int k = 0; k < most; ++k) {
       const int from = k * n / most, to = (k + 1) * n / most;
       double w = 0;
       for (int i = from; i < to; ++i) w += seam.w[i];
       few.pa.push_back(seam.pa[(from + to) / 2]);
       few.pb.push_back(seam.pb[(from + to) / 2]);
+      few.da.push_back(seam.da[(from + to) / 2]);
+      few.db.push_back(seam.db[(from + to) / 2]);
       few.w.push_back(w);
     }
     seam = std::move(few);
@@ -182,8 +184,12 @@ void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
              const std::vector<const Mirror*>& own, MatchSeam seam) {
   const auto &fa = problem.pieces[seam.a], &fb = problem.pieces[seam.b];
   const Mirror *own_a = own[seam.a], *own_b = own[seam.b];
-  if (fa.mirrored) reflect(seam.pa, back[seam.a]);
-  if (fb.mirrored) reflect(seam.pb, back[seam.b]);
+  auto follow = [](const RigidMotion& map, std::vector<Vec2>& points, std::vector<Vec2>& directions) {
+    reflect(points, map);
+    for (Vec2& d : directions) d = map.linear() * d;
+  };
+  if (fa.mirrored) follow(back[seam.a], seam.pa, seam.da);
+  if (fb.mirrored) follow(back[seam.b], seam.pb, seam.db);
   for (double w : seam.w) seam.weight += w;
   seam.a = fa.leader, seam.b = fb.leader;
   seam.reversing = fa.mirrored != fb.mirrored;
@@ -204,7 +210,9 @@ void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
 
 }  // namespace
 
-MatchProblem makeMatchProblem(const Pattern& pattern, const std::vector<Mirror>& mirrors,
+MatchProblem makeMatchProblem(const Pattern& pattern,
+                              const Shapes& shapes,
+                              const std::vector<Mirror>& mirrors,
                               const std::vector<PieceRule>& rules, const WallpaperGroup& group,
                               bool continuous_only, std::vector<std::string>* notes) {
   MatchProblem problem(group);
@@ -231,7 +239,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const std::vector<Mirror>&
     problem.pieces[p].leader = leader_of[p];
     Leader leader;
     leader.piece = static_cast<int>(p);
-    for (int v : pattern.pieces[p].outline) leader.centre += pattern.pieces[p].rest[v];
+    for (int v : pattern.pieces[p].outline) leader.centre += shapes[p][v];
     leader.centre /= static_cast<double>(pattern.pieces[p].outline.size());
     const PieceRule& rule = rules[p];
     if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
@@ -250,12 +258,13 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const std::vector<Mirror>&
     if (!seam.matched || seam.twin) continue;
     MatchSeam m;
     m.a = seam.a.piece, m.b = seam.b.piece, m.seam = static_cast<int>(s);
-    const auto& A = pattern.pieces[m.a].rest;
-    const auto& B = pattern.pieces[m.b].rest;
+    const auto& A = shapes[m.a];
+    const auto& B = shapes[m.b];
     for (std::size_t i = 0; i + 1 < seam.a.vertices.size(); ++i) {
       const Vec2 &a0 = A[seam.a.vertices[i]], &a1 = A[seam.a.vertices[i + 1]];
       const Vec2 &b0 = B[seam.b.vertices[i]], &b1 = B[seam.b.vertices[i + 1]];
       m.pa.push_back((a0 + a1) / 2), m.pb.push_back((b0 + b1) / 2);
+      m.da.push_back(a1 - a0), m.db.push_back(b1 - b0);
       m.w.push_back(seam.weight * ((a1 - a0).norm() + (b1 - b0).norm()) / 2);
     }
     addSeam(problem, back, own, std::move(m));

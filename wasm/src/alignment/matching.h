@@ -17,6 +17,7 @@ struct MatchSeam {
   int a = -1, b = -1;         ///< leaders; may be equal
   bool reversing = false;     ///< exactly one side was mapped: continuous needs a mirrored element
   std::vector<Vec2> pa, pb;   ///< edge midpoints, cm
+  std::vector<Vec2> da, db;   ///< directions of those edges in sewing order
   std::vector<double> w;      ///< seam weight x mean edge length, cm
   double weight = 0;          ///< sum of w
   int seam = -1;              ///< index in Pattern::seams, -1: a match line
@@ -91,12 +92,14 @@ class MatchProblem {
   std::vector<Eigen::Matrix<double, 2, 3>> reduced_elements_;
 };
 
-/// Makes the problem for a pattern.
+/// Makes the problem for a pattern in the given shapes (per piece, per vertex, cm).
 /// @param mirrors    pairs merge into one leader, single pieces must lie on a mirror line; the group
 ///                   must carry them
 /// @param rules      per piece: pins and grain
 /// @param notes      gets a sentence for each grain rule that a mirrored piece cannot keep
-MatchProblem makeMatchProblem(const Pattern& pattern, const std::vector<Mirror>& mirrors,
+MatchProblem makeMatchProblem(const Pattern& pattern,
+                              const Shapes& shapes,
+                              const std::vector<Mirror>& mirrors,
                               const std::vector<PieceRule>& rules, const WallpaperGroup& group,
                               bool continuous_only, std::vector<std::string>* notes);
 

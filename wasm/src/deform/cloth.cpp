@@ -7,7 +7,7 @@ namespace seamwise {
 namespace {
 
 constexpr double kLengthPenalty = 2e4;  ///< per cm2
-constexpr double kReachPenalty = 2e3;   ///< per cm2
+constexpr double kReachPenalty = 4e3;   ///< per cm2; pulls are of order 1 a cm, so the excess is slight
 constexpr double kUpright = 0.33;       ///< least area of a triangle, as a share of its rest area
 constexpr double kLongestStep = 0.4;    ///< cm: beyond it the linearised lengths are worthless
 
@@ -16,7 +16,7 @@ constexpr double kLongestStep = 0.4;    ///< cm: beyond it the linearised length
 Cloth::Cloth(const Part& part, const ClothWeights& weights)
     : part_(&part), weights_(weights), shape_(part.rest), reach_(part.reach),
       target_weight_(part.rest.size(), 0), target_pull_(part.rest.size(), Vec2::Zero()),
-      length_force_(part.edges.size(), 0), reach_force_(part.rest.size(), 0),
+      length_force_(part.edges.size(), 0),
       bend_factor_(part.bends.size(), 1) {
   std::vector<std::pair<int, int>> pairs;
   auto couple = [&](std::initializer_list<int> vertices) {
@@ -108,15 +108,41 @@ void Cloth::addTarget(int vertex, const Vec2& position, double weight) {
   target_pull_[vertex] += weight * position;
 }
 
-void Cloth::step() {
+VectorX Cloth::quadraticForce(const VectorX& u) const { return hessian_.times(constant_, u); }
+
+/// The energy as a function of the shape, targets and multipliers held.
+double Cloth::energy(const std::vector<Vec2>& shape, const VectorX& u) const {
+  const Part& part = *part_;
+  double e = u.dot(quadraticForce(u)) / 2;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    if (target_weight_[i] > 0)
+      e += target_weight_[i] * shape[i].squaredNorm() - 2 * target_pull_[i].dot(shape[i]);
+    if (part.reach[i] <= 0) continue;
+    const double excess = (shape[i] - part.rest[i]).norm() - reach_[i];
+    if (excess > 0) e += kReachPenalty * excess * excess / 2;
+  }
+  for (std::size_t k = 0; k < part.edges.size(); ++k) {
+    const Part::Edge& edge = part.edges[k];
+    const double c = (shape[edge.i] - shape[edge.j]).norm() - edge.length;
+    e += length_force_[k] * c + stiffness(edge) * c * c / 2;
+  }
+  return e;
+}
+
+double Cloth::stiffness(const Part::Edge& edge) const {
+  return edge.sewn ? kLengthPenalty : weights_.unsewn;
+}
+
+/// Gradient and Gauss-Newton Hessian at the present shape.
+void Cloth::assemble() {
   const Part& part = *part_;
   std::copy(constant_.begin(), constant_.end(), hessian_.values());
-  gradient_ = hessian_.timesSymmetric(u_);
+  gradient_ = quadraticForce(u_);
   auto addGradient = [&](int vertex, const Vec2& g) {
     for (int c = 0; c < 2; ++c)
       if (part.unknown[2 * vertex + c] >= 0) gradient_[part.unknown[2 * vertex + c]] += g[c];
   };
-  /// weight n n^T on one vertex, or on the difference of two
+  // weight n n^T on one vertex, or on the difference of two
   auto addRankOne = [&](int i, int j, const Vec2& n, double weight) {
     for (int c = 0; c < 2; ++c) {
       for (int d = 0; d <= c; ++d) {
@@ -138,34 +164,38 @@ void Cloth::step() {
     }
     if (part.reach[i] <= 0) continue;
     const Vec2 move = shape_[i] - part.rest[i];
-    const double length = move.norm();
-    const double force = reach_force_[i] + kReachPenalty * (length - reach_[i]);
-    if (force <= 0 || length < 1e-9) continue;
+    const double length = move.norm(), excess = length - reach_[i];
+    if (excess <= 0 || length < 1e-9) continue;
     addRankOne(v, -1, move / length, kReachPenalty);
-    addGradient(v, force * move / length);
+    addGradient(v, kReachPenalty * excess * move / length);
   }
   for (std::size_t e = 0; e < part.edges.size(); ++e) {
     const Part::Edge& edge = part.edges[e];
     const Vec2 d = shape_[edge.i] - shape_[edge.j];
     const double length = d.norm();
-    const double stiffness = edge.sewn ? kLengthPenalty : weights_.unsewn;
-    const double force = length_force_[e] + stiffness * (length - edge.length);
-    addRankOne(edge.i, edge.j, d / length, stiffness);
+    const double force = length_force_[e] + stiffness(edge) * (length - edge.length);
+    addRankOne(edge.i, edge.j, d / length, stiffness(edge));
     addGradient(edge.i, force * d / length);
     addGradient(edge.j, -force * d / length);
   }
+}
+
+void Cloth::step() {
+  const Part& part = *part_;
+  assemble();
   ++factorisations_;
+  last_move_ = 0;
   if (!hessian_.factorise()) return;
   const VectorX full = -hessian_.solve(gradient_);
-
-  double longest = 0;
   auto moveOf = [&](std::size_t i, int c) {
     const int k = part.unknown[2 * i + c];
     return k < 0 ? 0.0 : full[k];
   };
+  double longest = 0;
   for (std::size_t i = 0; i < part.rest.size(); ++i)
     longest = std::max(longest, std::hypot(moveOf(i, 0), moveOf(i, 1)));
   double scale = std::min(1.0, kLongestStep / std::max(longest, 1e-12));
+  const double before = energy(shape_, u_), slope = gradient_.dot(full);
   std::vector<Vec2> trial(shape_.size());
   for (int halving = 0; halving < 12; ++halving, scale /= 2) {
     for (std::size_t i = 0; i < trial.size(); ++i)
@@ -174,8 +204,12 @@ void Cloth::step() {
     for (std::size_t t = 0; t < part.triangles.size() && upright; ++t)
       upright = triangleArea(trial, static_cast<int>(t)) > kUpright * rest_area_[t];
     if (!upright) continue;
+    const VectorX moved_u = u_ + scale * full;
+    // below rounding there is nothing left to compare
+    const double slack = 1e-12 * (std::abs(before) + 1);
+    if (energy(trial, moved_u) > before + 1e-4 * scale * slope + slack) continue;
     shape_.swap(trial);
-    u_ += scale * full;
+    u_ = moved_u;
     last_move_ = scale * longest;
     break;
   }
@@ -183,12 +217,7 @@ void Cloth::step() {
     const Part::Edge& edge = part.edges[e];
     if (!edge.sewn) continue;
     const double length = (shape_[edge.i] - shape_[edge.j]).norm();
-    length_force_[e] += scale * kLengthPenalty * (length - edge.length);
-  }
-  for (std::size_t i = 0; i < part.rest.size(); ++i) {
-    if (part.reach[i] <= 0) continue;
-    const double excess = (shape_[i] - part.rest[i]).norm() - reach_[i];
-    reach_force_[i] = std::max(0.0, reach_force_[i] + kReachPenalty * excess);
+    length_force_[e] += kLengthPenalty * (length - edge.length);
   }
 }
 
@@ -237,7 +266,6 @@ void Cloth::restart(double reach_factor) {
   shape_ = part_->rest;
   u_.setZero();
   std::fill(length_force_.begin(), length_force_.end(), 0.0);
-  std::fill(reach_force_.begin(), reach_force_.end(), 0.0);
 }
 
 }  // namespace seamwise

@@ -51,6 +51,10 @@ class Cloth {
   void restart(double reach_factor);
 
  private:
+  VectorX quadraticForce(const VectorX& u) const;
+  double energy(const std::vector<Vec2>& shape, const VectorX& u) const;
+  double stiffness(const Part::Edge& edge) const;
+  void assemble();
   void buildConstantTerms();
   void addConformal();
   void addBend(const Part::Bend& bend, double weight);
@@ -66,7 +70,7 @@ class Cloth {
   std::vector<double> constant_;        ///< values of the quadratic terms, in the hessian's pattern
   std::vector<double> target_weight_;   ///< per vertex
   std::vector<Vec2> target_pull_;       ///< per vertex: sum of w x*
-  std::vector<double> length_force_, reach_force_;  ///< multipliers
+  std::vector<double> length_force_;    ///< multipliers of the kept lengths
   std::vector<double> bend_factor_;     ///< per bend, 1 at first
   VectorX u_, gradient_;
   double last_move_ = 0;

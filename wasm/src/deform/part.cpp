@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deform/clearance.h"
 #include "deform/lengths.h"
 
 namespace seamwise {
 namespace {
 
 constexpr double kSmooth = 30 * kPi / 180;  ///< corners turn by more and may bend freely
+
+constexpr double kGapShare = 0.45;    ///< of a gap, that one side may take
+constexpr double kLeastReach = 1e-3;  ///< cm
 
 double turnAt(const Vec2& h, const Vec2& i, const Vec2& j) {
   const Vec2 a = i - h, b = j - i;
@@ -134,7 +138,9 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
     finish(part, piece);
     result.pieces[p] = self;
 
-    // Half of the true rest may lie up to the mirror tolerance away from the evened one.
+    // The true rest may lie up to the mirror tolerance away from the evened one. And two sides of a
+    // gap must not meet.
+    const std::vector<double> clear = outsideClearance(piece, 2 * max_change / kGapShare);
     part.reach.assign(part.vertices.size(), 0);
     std::vector<char> rim(n, 0);
     for (const auto& loop : loops(piece))
@@ -147,7 +153,8 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
         const Vec2& image = pattern.pieces[mirror->pieces[1]].rest[mirror->image[v]];
         off = std::max(off, (part.frame(mirror->map.inverse()(image)) - part.rest[i]).norm());
       }
-      part.reach[i] = std::max(0.0, max_change - off);
+      const double gap = v < static_cast<int>(clear.size()) ? kGapShare * clear[v] : max_change;
+      part.reach[i] = std::max(kLeastReach, std::min(max_change - off, gap));
     }
     if (mirror && !mirror->single()) {
       Follower twin;

@@ -25,6 +25,13 @@ void SparseHessian::add(int i, int j, double v) {
   matrix_.valuePtr()[std::lower_bound(from, to, row) - inner] += v;
 }
 
+VectorX SparseHessian::times(const std::vector<double>& values, const VectorX& x) const {
+  const Eigen::Map<const Matrix> given(matrix_.rows(), matrix_.cols(), matrix_.nonZeros(),
+                                       matrix_.outerIndexPtr(), matrix_.innerIndexPtr(),
+                                       values.data());
+  return given.selfadjointView<Eigen::Lower>() * x;
+}
+
 bool SparseHessian::factorise() {
   ldlt_->factorize(matrix_);
   return ldlt_->info() == Eigen::Success && ldlt_->vectorD().minCoeff() > 0;

@@ -28,9 +28,8 @@ class SparseHessian {
   const double* values() const { return matrix_.valuePtr(); }
   Eigen::Index nonZeros() const { return matrix_.nonZeros(); }
 
-  VectorX timesSymmetric(const VectorX& x) const {
-    return matrix_.selfadjointView<Eigen::Lower>() * x;
-  }
+  /// The product of a symmetric matrix of this pattern, given by its lower values, with x.
+  VectorX times(const std::vector<double>& values, const VectorX& x) const;
 
   /// False when the matrix is not positive definite.
   bool factorise();

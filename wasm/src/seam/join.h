@@ -14,9 +14,6 @@ struct Join {
   bool mirrored() const { return element.mirrored; }
 };
 
-/// Which outline coordinates of the pieces to look at.
-using Shapes = std::vector<std::vector<Vec2>>;  ///< per piece, per vertex, cm
-
 /// The cheapest join of a seam: for each coset the lattice shift nearest the weighted mean of x - A y - a
 /// and its eight neighbours.
 /// @param continuous_only   forbid orientation-reversing elements

@@ -1,0 +1,40 @@
+#include "deform/clearance.h"
+
+#include <algorithm>
+
+#include "geometry/polygon.h"
+
+namespace seamwise {
+namespace {
+
+/// Along a line that merely bends, the straight distance stays above this share of the way around.
+constexpr double kDetour = 0.6;
+
+}  // namespace
+
+std::vector<double> outsideClearance(const Piece& piece, double horizon) {
+  const int n = static_cast<int>(piece.outline.size());
+  Polyline rim;
+  for (int v : piece.outline) rim.push_back(piece.rest[v]);
+  std::vector<double> along(n + 1, 0);
+  for (int k = 0; k < n; ++k) along[k + 1] = along[k] + (rim[(k + 1) % n] - rim[k]).norm();
+  std::vector<double> clear(n, horizon);
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const int next = (k + 1) % n;
+      if (k == i || next == i) continue;
+      const Vec2 a = rim[k], d = rim[next] - a;
+      const double t = std::clamp((rim[i] - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+      const Vec2 q = a + t * d;
+      const double distance = (q - rim[i]).norm();
+      if (distance >= clear[i]) continue;
+      double way = std::abs(along[k] + t * d.norm() - along[i]);
+      way = std::min(way, along[n] - way);
+      if (distance > kDetour * way || contains(rim, (q + rim[i]) / 2)) continue;
+      clear[i] = distance;
+    }
+  }
+  return clear;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,42 @@
+#pragma once
+#include <vector>
+
+#include "deform/terms.h"
+#include "pattern/pattern.h"
+
+namespace seamwise {
+
+/// The deformation of Wolff et al. 2019, Eq. (8): one energy over all vertices of all pieces, damped
+/// Newton with line search, sewability and symmetry by quadratic penalties whose weight gamma doubles
+/// from 1 until both hold.
+class PenaltyDeformation {
+ public:
+  /// @param with_symmetry   whether E_sym is there (not in the method that the paper extends)
+  PenaltyDeformation(const Pattern& pattern, bool with_symmetry);
+
+  /// Starts again from rest towards ideal seam lines.
+  void start(std::vector<Target> targets, double alpha);
+  /// One Newton step. False when E_match and E_sym are below 1e-6 cm2 a vertex, or cannot be made so.
+  bool step();
+  int iterations() const { return iterations_; }
+  double gamma() const { return gamma_; }
+  /// First coordinate block of a piece: vertex v of piece p is vertex first(p) + v of the terms.
+  int first(int piece) const { return first_[piece]; }
+  Shapes shapes() const;
+
+ private:
+  double energy(const VectorX& x, VectorX* gradient, SparseHessian* hessian) const;
+
+  const Pattern& pattern_;
+  std::vector<int> first_;
+  VectorX rest_, x_;
+  std::vector<ConformalTriangle> triangles_;
+  std::vector<EdgePair> edges_;
+  std::vector<MirrorPair> mirrors_;
+  std::vector<Target> targets_;
+  SparseHessian hessian_;
+  double alpha_ = 1, gamma_ = 1;
+  int iterations_ = 0, at_this_gamma_ = 0;
+};
+
+}  // namespace seamwise

@@ -1,0 +1,153 @@
+#include "solve/best_run.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "alignment/refine.h"
+#include "geometry/polygon.h"
+
+namespace seamwise {
+namespace {
+
+constexpr int kFitSteps = 24;       ///< Newton steps before lengths and reach must settle
+constexpr int kRealignEvery = 4;    ///< steps between new joins and alignments
+constexpr int kSettleSteps = 12;    ///< under fixed targets, before a remedy
+constexpr double kSearchShare = 0.5, kSlackShare = 0.6;  ///< of progress
+
+/// Limits that a finished shape keeps, a little inside what is promised.
+constexpr double kLengthError = 2e-3;             ///< cm
+constexpr double kKink = 12.5 * kPi / 180;        ///< rad
+constexpr double kStretch = 0.12;
+constexpr double kReachExcess = 0.012;            ///< share of the greatest change
+constexpr double kReachMargin = 0.985;
+
+}  // namespace
+
+BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
+                 const std::vector<PieceRule>& rules, std::vector<std::string>* notes)
+    : problem_(problem), pattern_(pattern), rules_(rules),
+      match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules, problem.print.group,
+                              problem.options.continuous_only, notes)) {
+  const std::uint64_t seed = problem.options.seed;
+  if (pattern.mirrors.empty() && !known.empty()) {
+    symmetric_ = std::make_unique<MatchProblem>(
+        makeMatchProblem(pattern, restShapes(pattern), known, rules, problem.print.group,
+                         problem.options.continuous_only, nullptr));
+    searching_ = std::make_unique<AlignmentSearch>(*symmetric_, seed, SearchBudget{});
+    stage_ = Stage::kSymmetricSearch;
+  } else {
+    searching_ = std::make_unique<AlignmentSearch>(match_, seed, SearchBudget{});
+  }
+  leaders_ = match_.ofLeaders(Alignments(pattern.pieces.size()));
+  alignment_ = search_result_ = match_.expanded(leaders_);
+}
+
+bool BestRun::advance() {
+  switch (stage_) {
+    case Stage::kSymmetricSearch: {
+      const bool more = searching_->step();
+      progress_ = 0.5 * kSearchShare * searching_->fraction();
+      alignment_ = symmetric_->expanded(searching_->best());
+      if (!more) {
+        searching_ =
+            std::make_unique<AlignmentSearch>(match_, problem_.options.seed, SearchBudget{});
+        searching_->offer(match_.ofLeaders(alignment_));
+        stage_ = Stage::kSearch;
+      }
+      break;
+    }
+    case Stage::kSearch: {
+      const bool more = searching_->step();
+      const double from = symmetric_ ? 0.5 * kSearchShare : 0;
+      progress_ = std::max(progress_, from + (kSearchShare - from) * searching_->fraction());
+      alignment_ = match_.expanded(searching_->best());
+      if (!more) endSearch();
+      break;
+    }
+    case Stage::kSlackSearch: {
+      const bool more = searching_->step();
+      progress_ = std::max(
+          progress_, kSearchShare + (kSlackShare - kSearchShare) * searching_->fraction());
+      if (!more) startFit();
+      break;
+    }
+    case Stage::kFit: fitStep(); break;
+    case Stage::kSettle: settleStep(); break;
+    case Stage::kDone: break;
+  }
+  return stage_ != Stage::kDone;
+}
+
+void BestRun::endSearch() {
+  leaders_ = searching_->best();
+  search_result_ = alignment_ = match_.expanded(leaders_);
+  SearchBudget little;
+  little.trees = 4, little.idle = 10, little.evaluations = 1e7;
+  searching_ = std::make_unique<AlignmentSearch>(match_, problem_.options.seed + 1, little,
+                                                 1.2 * problem_.options.max_change_cm);
+  searching_->offer(leaders_);
+  stage_ = Stage::kSlackSearch;
+}
+
+void BestRun::startFit() {
+  leaders_ = searching_->best();
+  alignment_ = match_.expanded(leaders_);
+  searching_.reset();
+  fitting_ = std::make_unique<SeamFitting>(pattern_, problem_.print.group, ClothWeights{},
+                                           kReachMargin * problem_.options.max_change_cm,
+                                           problem_.options.continuous_only);
+  fitting_->chooseJoins(alignment_);
+  stage_ = Stage::kFit;
+}
+
+void BestRun::realign() {
+  MatchProblem now = makeMatchProblem(pattern_, fitting_->shapes(), pattern_.mirrors, rules_, problem_.print.group,
+                                      problem_.options.continuous_only, nullptr);
+  std::vector<int> all(now.leaders.size());
+  for (std::size_t l = 0; l < all.size(); ++l) all[l] = static_cast<int>(l);
+  refine(now, leaders_, all, 2);
+  alignment_ = now.expanded(leaders_);
+  fitting_->chooseJoins(alignment_);
+}
+
+void BestRun::fitStep() {
+  fitting_->step(alignment_);
+  ++iterations_;
+  if (iterations_ % kRealignEvery == 0 && iterations_ < kFitSteps) realign();
+  progress_ = std::max(progress_, kSlackShare + 0.3 * iterations_ / kFitSteps);
+  if (iterations_ >= kFitSteps) stage_ = Stage::kSettle;
+}
+
+bool BestRun::kept() {
+  bool good = true;
+  const double reach = kReachExcess * problem_.options.max_change_cm;
+  for (Cloth& cloth : fitting_->cloths()) {
+    const auto v = cloth.violations();
+    good &= v.length < kLengthError && v.reach < reach && v.kink < kKink && v.stretch < kStretch;
+  }
+  return good;
+}
+
+void BestRun::settleStep() {
+  for (Cloth& cloth : fitting_->cloths()) cloth.stiffenKinks(0.9 * kKink);
+  fitting_->settle();
+  ++iterations_, ++settled_;
+  progress_ = std::max(progress_, 0.9 + 0.1 * (1 - 1.0 / (1 + settled_)));
+  if (getenv("DBG")) { printf("settle %d:", settled_); for (Cloth& cl : fitting_->cloths()) { auto v = cl.violations(); printf(" [len %.1e reach %.1e kink %.1f str %.2f area %.2f mv %.1e]", v.length, v.reach, v.kink*57.3, v.stretch, v.area, v.moved);} puts(""); }
+  if (kept() || settled_ > 60) {
+    stage_ = Stage::kDone;
+    progress_ = 1;
+  }
+}
+
+Phase BestRun::phase() const {
+  if (stage_ == Stage::kDone) return Phase::kDone;
+  return stage_ < Stage::kFit ? Phase::kAlignment : Phase::kDeformation;
+}
+
+double BestRun::fraction() const { return progress_; }
+
+const Shapes& BestRun::shapes() const { return fitting_->shapes(); }
+
+}  // namespace seamwise

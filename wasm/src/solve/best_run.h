@@ -1,0 +1,53 @@
+#pragma once
+#include <memory>
+
+#include "alignment/search.h"
+#include "deform/fitting.h"
+#include "solve/problem.h"
+#include "solve/run.h"
+
+namespace seamwise {
+
+/// The default method: a search over spanning trees of the seam graph with symmetry built in, then shape
+/// and alignment improved in turns, never beyond the greatest change, then whatever it takes to keep
+/// seams sewable and outlines smooth.
+class BestRun : public Run {
+ public:
+  /// @param known   mirrors of the pattern's known symmetries that the group carries; with none imposed
+  ///                the symmetric answer is one of the starts
+  BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
+          const std::vector<PieceRule>& rules, std::vector<std::string>* notes);
+
+  bool advance() override;
+  Phase phase() const override;
+  double fraction() const override;
+  const Alignments& alignment() const override { return alignment_; }
+  const Alignments& search() const override { return search_result_; }
+  const Shapes& shapes() const override;
+  int iterations() const override { return iterations_; }
+  int factorisations() const override { return fitting_ ? fitting_->factorisations() : 0; }
+
+ private:
+  enum class Stage : std::uint8_t { kSymmetricSearch, kSearch, kSlackSearch, kFit, kSettle, kDone };
+  void endSearch();
+  void startFit();
+  void fitStep();
+  void settleStep();
+  void realign();
+  bool kept();
+
+  const Problem& problem_;
+  const Pattern& pattern_;
+  std::vector<PieceRule> rules_;
+  MatchProblem match_;
+  std::unique_ptr<MatchProblem> symmetric_;
+  std::unique_ptr<AlignmentSearch> searching_;
+  std::unique_ptr<SeamFitting> fitting_;
+  Stage stage_ = Stage::kSearch;
+  Alignments leaders_;     ///< present alignment of the leaders
+  Alignments alignment_, search_result_;
+  int iterations_ = 0, settled_ = 0, remedies_ = 0;
+  double progress_ = 0;
+};
+
+}  // namespace seamwise

@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "pattern/pattern.h"
+#include "seam/join.h"
+
+namespace seamwise {
+
+/// The figures by which results are compared; all sums of edge length times distance, cm2, over the seams
+/// that count (matched and not joining a piece to its own mirror twin).
+struct Fit {
+  double any = 0;     ///< E_fit of Wolff et al. 2019, Sec. 4: each edge with its nearest element
+  double strict = 0;  ///< only elements that also bring the edges' directions within 0.1 rad of the best
+  double seam = 0;    ///< one element for the whole seam: what the eye sees
+};
+
+double fitAny(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
+              const std::vector<Alignment>& at);
+Fit measureFit(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
+               const std::vector<Alignment>& at);
+
+/// The mean of fitAny over sixty random alignments of the shapes. The alignments come from one fixed
+/// sequence, so that the figures of two runs compare.
+double fitRandom(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes);
+
+/// Greatest movement of an outline vertex of any piece, as it lies or after the piece's best rigid
+/// motion, whichever is less. [cm]
+double greatestMovement(const Pattern& pattern, const Shapes& shapes);
+
+}  // namespace seamwise

@@ -1,0 +1,87 @@
+#include "solve/paper_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solve/metrics.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kMostAlpha = 65536;
+
+}  // namespace
+
+PaperRun::PaperRun(const Problem& problem, const Pattern& pattern,
+                   const std::vector<PieceRule>& rules, std::vector<std::string>* notes)
+    : problem_(problem), pattern_(pattern),
+      match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
+                              problem.print.group, problem.options.continuous_only, notes)),
+      sweeps_(match_, problem.options.seed),
+      deformation_(pattern, problem.options.method == Method::kPaper),
+      alignment_(match_.expanded(sweeps_.at())), shapes_(restShapes(pattern)),
+      alpha_(problem.options.alpha.value_or(1)), notes_(notes) {}
+
+bool PaperRun::advance() {
+  if (phase_ == Phase::kAlignment) {
+    const bool more = sweeps_.step();
+    alignment_ = match_.expanded(sweeps_.at());
+    progress_ = 0.1 * sweeps_.fraction();
+    if (!more) startDeformation();
+    return true;
+  }
+  if (phase_ == Phase::kDone) return false;
+  const bool more = deformation_.step();
+  // gamma ends at about 2^20; later attempts tell nothing new
+  const double within = std::min(1.0, std::log2(deformation_.gamma()) / 22);
+  progress_ = std::max(progress_, 0.1 + 0.85 * within);
+  if (!more && endAttempt()) phase_ = Phase::kDone;
+  return phase_ != Phase::kDone;
+}
+
+void PaperRun::startDeformation() {
+  phase_ = Phase::kDeformation;
+  const bool average = problem_.options.average_seam_shapes.value_or(
+      problem_.options.method == Method::kPaper);
+  const IdealShape shape = average ? IdealShape::kAveraged : IdealShape::kTransported;
+  const Shapes rest = restShapes(pattern_);
+  for (const Seam& seam : pattern_.seams) {
+    if (!seam.matched) continue;
+    const Join join = bestJoin(problem_.print.group, seam, rest, alignment_,
+                               problem_.options.continuous_only);
+    const IdealLines ideal = idealLines(seam, join, rest, alignment_, shape);
+    for (const auto& [side, line] : {std::pair{&seam.a, &ideal.a}, std::pair{&seam.b, &ideal.b}}) {
+      const auto& p = rest[side->piece];
+      const std::size_t n = line->size();
+      for (std::size_t i = 0; i < n; ++i) {
+        double length = 0;
+        if (i > 0) length += (p[side->vertices[i]] - p[side->vertices[i - 1]]).norm() / 2;
+        if (i + 1 < n) length += (p[side->vertices[i + 1]] - p[side->vertices[i]]).norm() / 2;
+        targets_.push_back({deformation_.first(side->piece) + side->vertices[i], (*line)[i],
+                            seam.weight * length});
+      }
+    }
+  }
+  deformation_.start(targets_, alpha_);
+}
+
+bool PaperRun::endAttempt() {
+  shapes_ = deformation_.shapes();
+  const double moved = greatestMovement(pattern_, shapes_);
+  if (moved <= problem_.options.max_change_cm || problem_.options.alpha) return true;
+  if (alpha_ >= kMostAlpha) {
+    if (notes_)
+      notes_->push_back("no weight of the conformal term keeps the outlines within the greatest "
+                        "change; the stiffest is shown");
+    return true;
+  }
+  alpha_ *= 2;
+  ++attempt_;
+  deformation_.start(targets_, alpha_);
+  return false;
+}
+
+Phase PaperRun::phase() const { return phase_; }
+double PaperRun::fraction() const { return phase_ == Phase::kDone ? 1 : progress_; }
+
+}  // namespace seamwise

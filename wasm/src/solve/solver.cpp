@@ -1,0 +1,152 @@
+#include "solve/solver.h"
+
+#include <algorithm>
+
+#include "deform/mesh.h"
+#include "pattern/discretise.h"
+#include "solve/best_run.h"
+#include "solve/paper_run.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kCoarsest = 6.0;  ///< cm: greatest triangles inside; the interior is smooth
+
+/// Pins and grain of every piece.
+std::vector<PieceRule> pieceRules(const Problem& problem) {
+  const SolveOptions& options = problem.options;
+  std::vector<PieceRule> rules(problem.garment.panels.size());
+  for (std::size_t p = 0; p < rules.size(); ++p) {
+    const Panel& panel = problem.garment.panels[p];
+    const int index = static_cast<int>(p);
+    GrainRule grain = options.grain;
+    if (panel.grain_lock) grain = {*panel.grain_lock, panel.grain_tolerance};
+    if (const auto own = options.piece_grain.find(index); own != options.piece_grain.end())
+      grain = own->second;
+    // the grain line runs along +y of the print, the warp
+    const double straight = panel.grain_angle - kPi / 2;
+    std::vector<double> angles;
+    if (grain.lock == GrainLock::kOn) angles = {straight};
+    if (grain.lock == GrainLock::kBias) angles = {straight - kPi / 4, straight + kPi / 4};
+    const std::size_t upright = angles.size();
+    if (!problem.print.one_way)
+      for (std::size_t k = 0; k < upright; ++k) angles.push_back(angles[k] + kPi);
+    rules[p].angles = std::move(angles);
+    rules[p].tolerance = grain.tolerance;
+    if (const auto pin = options.pins.find(index); pin != options.pins.end())
+      rules[p].pin = pin->second;
+  }
+  return rules;
+}
+
+void applySeamOptions(const SolveOptions& options, Pattern& pattern) {
+  for (const auto& [seam, weight] : options.weights) pattern.seams[seam].weight = weight;
+  for (int seam : options.unmatched) pattern.seams[seam].matched = false;
+  for (Seam& seam : pattern.seams)
+    for (int piece : options.plain)
+      if (seam.a.piece == piece || seam.b.piece == piece) seam.matched = false;
+}
+
+std::vector<Mirror> carriedMirrors(const Problem& problem) {
+  std::vector<Mirror> mirrors;
+  for (const BodySymmetry& s : problem.known) {
+    const WallpaperGroup& group = problem.print.group;
+    if (!(s.single() ? group.carriesSingle() : group.carriesPair())) continue;
+    mirrors.push_back({{s.pieces[0], s.pieces[1]}, s.map, {}});
+  }
+  return mirrors;
+}
+
+}  // namespace
+
+struct Solver::State {
+  explicit State(Problem p) : problem(std::move(p)) {}
+  Problem problem;
+  Pattern pattern;
+  std::vector<PieceRule> rules;
+  std::unique_ptr<Run> run;
+  double reported = 0;
+};
+
+Solver::Solver(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Solver::Solver(Solver&&) noexcept = default;
+Solver& Solver::operator=(Solver&&) noexcept = default;
+Solver::~Solver() = default;
+
+Outcome<Solver> Solver::make(Problem problem) {
+  auto state = std::make_unique<State>(std::move(problem));
+  Problem& p = state->problem;
+  if (p.options.method == Method::kWs19) p.imposed.clear();  // it knows no symmetry of the body
+  Outcome<Pattern> sampled =
+      discretise(p.garment, p.known, p.imposed, p.options.edge_length_cm);
+  if (!sampled.ok()) return sampled.error();
+  Outcome<Pattern> mesh = meshed(std::move(sampled).value(), kCoarsest);
+  if (!mesh.ok()) return mesh.error();
+  state->pattern = std::move(mesh).value();
+  applySeamOptions(p.options, state->pattern);
+  state->rules = pieceRules(p);
+  std::vector<std::string>* const notes = &state->problem.notes;
+  if (p.options.method == Method::kBest)
+    state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules, notes);
+  else
+    state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, notes);
+  return Solver(std::move(state));
+}
+
+bool Solver::advance(int steps) {
+  for (int k = 0; k < steps; ++k)
+    if (!state_->run->advance()) return false;
+  return true;
+}
+
+Phase Solver::phase() const { return state_->run->phase(); }
+
+double Solver::fraction() const {
+  state_->reported = std::max(state_->reported, state_->run->fraction());
+  return state_->reported;
+}
+
+int Solver::attempt() const { return state_->run->attempt(); }
+const Alignments& Solver::partial() const { return state_->run->alignment(); }
+const std::vector<std::string>& Solver::notes() const { return state_->problem.notes; }
+const Pattern& Solver::pattern() const { return state_->pattern; }
+
+Outcome<Result> Solver::finish() {
+  Run& run = *state_->run;
+  while (run.advance()) {
+  }
+  const Problem& problem = state_->problem;
+  const WallpaperGroup& group = problem.print.group;
+  Result result;
+  result.pattern = state_->pattern;
+  result.shapes = run.shapes();
+  result.alignment = run.alignment();
+  result.search = run.search();
+  for (const Seam& seam : result.pattern.seams) {
+    result.joins.push_back(bestJoin(group, seam, result.shapes, result.alignment));
+    result.mismatch.push_back(
+        joinMismatch(result.joins.back(), seam, result.shapes, result.alignment));
+  }
+  result.group = group.data().name;
+  result.w1 = group.w1(), result.w2 = group.w2();
+  const Shapes rest = restShapes(result.pattern);
+  result.fit_random = fitRandom(group, result.pattern, rest);
+  result.fit_search = fitAny(group, result.pattern, rest, result.search);
+  result.fit_aligned = fitAny(group, result.pattern, rest, result.alignment);
+  result.fit = measureFit(group, result.pattern, result.shapes, result.alignment);
+  result.max_moved_cm = greatestMovement(result.pattern, result.shapes);
+  result.iterations = run.iterations();
+  result.factorisations = run.factorisations();
+  result.method = problem.options.method;
+  result.seed = problem.options.seed;
+  result.notes = problem.notes;
+  return result;
+}
+
+Outcome<Result> solve(Problem problem) {
+  Outcome<Solver> solver = Solver::make(std::move(problem));
+  if (!solver.ok()) return solver.error();
+  return solver.value().finish();
+}
+
+}  // namespace seamwise

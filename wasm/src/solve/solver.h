@@ -1,0 +1,43 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solve/problem.h"
+#include "solve/result.h"
+#include "solve/run.h"
+
+namespace seamwise {
+
+/// A solve in small steps, so that progress is honest and cancelling needs no threads.
+class Solver {
+ public:
+  /// Samples and meshes the garment. Errors: kMesh.
+  static Outcome<Solver> make(Problem problem);
+  Solver(Solver&&) noexcept;
+  Solver& operator=(Solver&&) noexcept;
+  ~Solver();
+
+  /// At most `steps` steps of a few milliseconds. False when finished.
+  bool advance(int steps);
+  Phase phase() const;
+  double fraction() const;                 ///< 0..1, monotone
+  /// Grows when the deformation starts over; the time of earlier attempts does not count.
+  int attempt() const;
+  const Alignments& partial() const;       ///< best alignment so far, of every piece
+  const std::vector<std::string>& notes() const;
+  const Pattern& pattern() const;
+
+  /// The finished result; finishes first when steps are left.
+  Outcome<Result> finish();
+
+ private:
+  struct State;
+  explicit Solver(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// One-off: tests, batch jobs.
+Outcome<Result> solve(Problem problem);
+
+}  // namespace seamwise
