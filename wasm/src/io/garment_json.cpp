@@ -155,7 +155,8 @@ GarmentFile read(std::string_view content, const Place& place) {
 }  // namespace
 
 Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file) {
-  const Place place{file, Failure::kNotAGarment, Failure::kNumber};
+  Place place{file, Failure::kNotAGarment, Failure::kNumber};
+  place.keeps_unknown = true;
   return guarded<GarmentFile>(place, [&] { return read(text, place); });
 }
 

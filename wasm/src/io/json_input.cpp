@@ -139,6 +139,7 @@ Polyline polyline(const Json& json, const Place& place, const std::string& what,
 }
 
 void onlyKnown(const Json& object, const Place& place, std::initializer_list<const char*> known) {
+  if (place.keeps_unknown) return;
   for (const auto& [key, value] : object.items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     std::string names;

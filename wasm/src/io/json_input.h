@@ -29,6 +29,7 @@ struct Place {
   Failure number = Failure::kNumber;      ///< something that is not a usable number
   int piece = -1;
   int seam = -1;
+  bool keeps_unknown = false;  ///< unknown fields are left alone, not refused
 
   Place in(const std::string& part) const;
   /// Throws "<name> <text>."
@@ -70,7 +71,8 @@ Vec2 point(const Json& json, const Place& place, const std::string& what, double
 /// [[x, y], ...], at least two points.
 Polyline polyline(const Json& json, const Place& place, const std::string& what, double scale = 1);
 
-/// Throws when `object` has a member that is not among `known`, naming it.
+/// Throws when `object` has a member that is not among `known`, naming it, unless the place keeps
+/// such.
 void onlyKnown(const Json& object, const Place& place, std::initializer_list<const char*> known);
 
 /// Checks a `format` member, if there is one: `name`/`version`. Returns the version found, or
