@@ -14,7 +14,7 @@ constexpr double kVertexClear = 0.65;  // of the local spacing that no other ver
 constexpr double kEdgeClear = 0.6;
 constexpr double kRowClear = 0.72;
 constexpr int kMostCells = 1 << 20;
-constexpr int kMostLevels = 12;
+constexpr int kMostLevels = 16;
 
 }  // namespace
 
@@ -23,7 +23,8 @@ struct Grading::Grid {
   Vec2 low;
   double cell;
   int columns, rows;
-  std::vector<int> source;
+  std::vector<int> source;              // the one that rules the spacing at the cell's middle
+  std::vector<std::vector<int>> local;  // those in the cell and in those around it
   std::vector<std::vector<std::pair<Vec2, double>>> clear;
 
   int column(double x) const {
@@ -88,6 +89,59 @@ std::vector<Vec2> Grading::spaced(const Vec2& a, const Vec2& b) const {
   return points;
 }
 
+/// A hexagonal pattern of points: origin + i b1 + j b2.
+struct Grading::Pattern {
+  Vec2 b1, b2, origin;
+  bool thirds;  // without the points of the next coarser pattern
+
+  double spacing() const { return b1.norm(); }
+  Pattern finer() const { return {(b1 + b2) / 3, (2 * b2 - b1) / 3, origin, true}; }
+};
+
+double Grading::leastSpacing(const Grid& grid, const Vec2& p, double radius) const {
+  const std::size_t cell = grid.index(grid.column(p.x()), grid.row(p.y()));
+  double least = coarsest_;
+  const auto ask = [&](int source) {
+    const Source& s = sources_[source];
+    const double distance = std::max(0.0, (p - s.at).norm() - radius);
+    least = std::min(least, s.spacing + kGrowth * distance);
+  };
+  ask(grid.source[cell]);
+  for (const int source : grid.local[cell]) ask(source);
+  return least;
+}
+
+bool Grading::scatter(const Grid& grid, const Pattern& pattern, const Vec2& low, double size,
+                      double widest, std::vector<Vec2>& found) const {
+  const Vec2 middle = low + Vec2::Constant(size / 2);
+  if (leastSpacing(grid, middle, size * std::sqrt(0.5)) > widest) return false;
+  if (size > 6 * pattern.spacing()) {
+    bool used = false;
+    for (const Vec2& corner : {Vec2(0, 0), Vec2(0.5, 0), Vec2(0, 0.5), Vec2(0.5, 0.5)})
+      used |= scatter(grid, pattern, low + size * corner, size / 2, widest, found);
+    return used;
+  }
+  // The lattice coordinates of the square's corners bound those of its points.
+  const Vec2 from = low - pattern.origin;
+  const double det = cross(pattern.b1, pattern.b2);
+  Vec2 least = Vec2::Constant(std::numeric_limits<double>::max()), most = -least;
+  for (const Vec2& corner : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)}) {
+    const Vec2 q = from + size * corner;
+    const Vec2 ij = Vec2(cross(q, pattern.b2), cross(pattern.b1, q)) / det;
+    least = least.cwiseMin(ij);
+    most = most.cwiseMax(ij);
+  }
+  for (int i = static_cast<int>(std::ceil(least.x())); i <= most.x(); ++i)
+    for (int j = static_cast<int>(std::ceil(least.y())); j <= most.y(); ++j) {
+      if (pattern.thirds && (i - j) % 3 == 0) continue;
+      const Vec2 q = i * pattern.b1 + j * pattern.b2 - from;
+      if (q.minCoeff() < 0 || q.maxCoeff() >= size) continue;
+      const Vec2 p = low + q;
+      if (grid.isClear(p) && leastSpacing(grid, p, 0) <= widest) found.push_back(p);
+    }
+  return true;
+}
+
 Grading::Grid Grading::makeGrid() const {
   Grid g;
   Vec2 high = corners_.front();
@@ -117,8 +171,15 @@ Grading::Grid Grading::makeGrid() const {
     const Vec2 p = g.middle(x, y);
     if (source != own && spacing(source, p) < spacing(own, p)) own = source;
   };
-  for (std::size_t i = 0; i < sources_.size(); ++i)
-    offer(g.column(sources_[i].at.x()), g.row(sources_[i].at.y()), static_cast<int>(i));
+  g.local.resize(g.source.size());
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const int x = g.column(sources_[i].at.x()), y = g.row(sources_[i].at.y());
+    for (int v = std::max(0, y - 1); v <= std::min(g.rows - 1, y + 1); ++v)
+      for (int u = std::max(0, x - 1); u <= std::min(g.columns - 1, x + 1); ++u) {
+        offer(u, v, static_cast<int>(i));
+        g.local[g.index(u, v)].push_back(static_cast<int>(i));
+      }
+  }
   const auto take = [&](int x, int y, int dx, int dy) {
     const int u = x + dx, v = y + dy;
     if (u >= 0 && u < g.columns && v >= 0 && v < g.rows) offer(x, y, g.source[g.index(u, v)]);
@@ -152,49 +213,18 @@ std::vector<Vec2> Grading::candidates() const {
   // Hexagonal patterns, each the thirds of the one before (spacing / sqrt 3), so that every coarser
   // one is part of every finer one. A point of pattern k stays where the spacing asks for k or
   // finer.
-  Vec2 b1(coarsest_, 0), b2 = coarsest_ * unit(kPi / 3);
-  const Vec2 origin = grid.low + Vec2(grid.columns, grid.rows) * (grid.cell / 2);
-  const double log3 = std::log(3.0) / 2;
-  std::vector<double> level(grid.source.size());
-  double finest = 0;
-  for (int y = 0; y < grid.rows; ++y)
-    for (int x = 0; x < grid.columns; ++x) {
-      const Source& s = sources_[grid.source[grid.index(x, y)]];
-      const double nearest = std::max(0.0, (grid.middle(x, y) - s.at).norm() - grid.cell);
-      double& l = level[grid.index(x, y)];
-      l = std::log(coarsest_ / std::min(coarsest_, s.spacing + kGrowth * nearest)) / log3 + 0.5;
-      finest = std::max(finest, l);
-    }
-  const int levels = std::min(kMostLevels, static_cast<int>(finest));
-  for (int k = 0; k <= levels; ++k) {
-    const double det = cross(b1, b2);
+  Pattern pattern{Vec2(coarsest_, 0), coarsest_ * unit(kPi / 3),
+                  grid.low + Vec2(grid.columns, grid.rows) * (grid.cell / 2), false};
+  for (int k = 0; k < kMostLevels; ++k) {
+    // The k-th pattern serves spacings up to 3^(1/4) times its own.
+    const double widest =
+        k == 0 ? std::numeric_limits<double>::infinity() : pattern.spacing() * std::pow(3.0, 0.25);
+    bool used = false;
     for (int y = 0; y < grid.rows; ++y)
-      for (int x = 0; x < grid.columns; ++x) {
-        if (level[grid.index(x, y)] < k) continue;
-        const Source& source = sources_[grid.source[grid.index(x, y)]];
-        const Vec2 low = grid.low + grid.cell * Vec2(x, y) - origin;
-        // The lattice coordinates of the cell's corners bound those of its points.
-        double i0 = 1e300, i1 = -1e300, j0 = 1e300, j1 = -1e300;
-        for (const Vec2& corner : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)}) {
-          const Vec2 q = low + grid.cell * corner;
-          const double i = cross(q, b2) / det, j = cross(b1, q) / det;
-          i0 = std::min(i0, i), i1 = std::max(i1, i), j0 = std::min(j0, j), j1 = std::max(j1, j);
-        }
-        for (int i = static_cast<int>(std::ceil(i0)); i <= i1; ++i)
-          for (int j = static_cast<int>(std::ceil(j0)); j <= j1; ++j) {
-            if (k > 0 && (i - j) % 3 == 0) continue;  // part of a coarser pattern
-            const Vec2 q = i * b1 + j * b2 - low;
-            if (q.x() < 0 || q.y() < 0 || q.x() >= grid.cell || q.y() >= grid.cell) continue;
-            const Vec2 p = q + low + origin;
-            const double spacing =
-                std::min(coarsest_, source.spacing + kGrowth * (p - source.at).norm());
-            if (std::log(coarsest_ / spacing) / log3 + 0.5 < k) continue;
-            if (grid.isClear(p)) found.push_back(p);
-          }
-      }
-    const Vec2 finer = (b1 + b2) / 3;
-    b2 = (2 * b2 - b1) / 3;
-    b1 = finer;
+      for (int x = 0; x < grid.columns; ++x)
+        used |= scatter(grid, pattern, grid.low + grid.cell * Vec2(x, y), grid.cell, widest, found);
+    if (!used) break;
+    pattern = pattern.finer();
   }
   return found;
 }

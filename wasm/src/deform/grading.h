@@ -28,7 +28,14 @@ class Grading {
     double spacing;  // its length
   };
   struct Grid;
+  struct Pattern;
   Grid makeGrid() const;
+  /// Least spacing within `radius` of p, as far as the grid knows.
+  double leastSpacing(const Grid& grid, const Vec2& p, double radius) const;
+  /// Adds a pattern's points in a square where the spacing is at most `widest`; false when that is
+  /// nowhere so.
+  bool scatter(const Grid& grid, const Pattern& pattern, const Vec2& low, double size,
+               double widest, std::vector<Vec2>& found) const;
 
   std::vector<Source> sources_;
   std::vector<Vec2> corners_;  // all loop vertices, with ...

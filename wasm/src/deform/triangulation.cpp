@@ -271,8 +271,9 @@ bool Triangulation::fixEdge(int a, int b) {
   const std::size_t most = 1000 + 4 * crossed.size() * crossed.size();
   for (std::size_t step = 0; !open.empty(); ++step) {
     if (step > most) return false;
-    const auto [p, q] = open.front();
+    auto [p, q] = open.front();
     open.pop_front();
+    if (p < kFrame) std::swap(p, q);  // there is no way round a corner of the frame
     int t = triangle_of_[p];
     while (triangles_[t].vertex[next(indexIn(t, p))] != q)
       t = triangles_[t].across[next(indexIn(t, p))];
