@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "garment_texts.h"
 #include "io/options_json.h"
 #include "io/print_json.h"
