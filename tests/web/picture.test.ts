@@ -57,10 +57,12 @@ function twoSquares(second: Alignment, symmetries: readonly ResultSymmetry[] = [
       fitSeam: 1,
       maxMovedCm: 0.25,
       iterations: 1,
+      factorisations: 1,
       milliseconds: {alignment: 1, deformation: 1, total: 2},
       method: 'best',
       seed: 1,
     },
+    notes: [],
   };
 }
 /** The print runs on when the second square lies 4 cm further along it. */

@@ -43,7 +43,7 @@ async function buildModule() {
   await ensureSystem(forModule);
   say('Building the solver; the first time takes a minute or two ...');
   await must('cmake', ['--preset', 'wasm']);
-  await must('cmake', ['--build', '--preset', 'wasm']);
+  await must('cmake', ['--build', '--preset', 'wasm', '--', '--quiet']);
   for (const file of ['seamwise.mjs', 'seamwise.wasm']) {
     copyFileSync(at('build/wasm', file), at(moduleFolder, file));
   }

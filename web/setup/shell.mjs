@@ -24,13 +24,14 @@ export function has(command) {
 
 /**
  * Runs a command in the project's folder.
- * @param output  whether to show what it says: always, only when it fails, or never
+ * @param output  whether to show what it says: 'always' (on standard error), only 'on failure', 'never',
+ *   or as it comes ('inherit')
  * @returns whether it succeeded
  */
 export function run(command, args, {output = 'always', env = {}} = {}) {
   return new Promise((resolve, reject) => {
     const said = [];
-    const stream = output === 'always' ? 2 : 'pipe';
+    const stream = {always: 2, inherit: 'inherit'}[output] ?? 'pipe';
     const child = spawn(command, args, {
       cwd: root,
       env: {...process.env, ...env},

@@ -25,7 +25,7 @@ async function native(preset) {
   const strict = process.env.CI ? ['-DSEAMWISE_WARNINGS_ARE_ERRORS=ON'] : [];
   const built =
     (await run('cmake', ['--preset', preset, ...strict], {output: 'on failure'})) &&
-    (await run('cmake', ['--build', '--preset', preset], {output: 'on failure'}));
+    (await run('cmake', ['--build', '--preset', preset, '--', '--quiet'], {output: 'on failure'}));
   return built && run('ctest', ['--preset', preset, '-j', String(availableParallelism())]);
 }
 

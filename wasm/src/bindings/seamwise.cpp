@@ -16,6 +16,7 @@
 #include "io/garment_json.h"
 #include "io/problem_json.h"
 #include "io/result_json.h"
+#include "io/symmetry_json.h"
 #include "solve/solver.h"
 
 namespace seamwise {
@@ -35,7 +36,7 @@ val failureValue(const std::optional<Error>& error) {
 
 /// Runs `work`; what it throws becomes the error it returns.
 template <class Work>
-std::optional<Error> attempt(Work work) {
+std::optional<Error> caught(Work work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
@@ -52,7 +53,7 @@ template <class Make>
 val textValue(Make make) {
   val answer = val::object();
   std::string text;
-  const std::optional<Error> error = attempt([&]() -> std::optional<Error> {
+  const std::optional<Error> error = caught([&]() -> std::optional<Error> {
     Outcome<std::string> made = make();
     if (!made.ok()) return made.error();
     text = std::move(made).value();
@@ -86,7 +87,7 @@ ProblemTexts problemTexts(const val& problem) {
 class SolverHandle {
  public:
   explicit SolverHandle(const val& problem) {
-    error_ = attempt([&]() -> std::optional<Error> {
+    error_ = caught([&]() -> std::optional<Error> {
       Outcome<Problem> made = makeProblem(problemTexts(problem));
       if (!made.ok()) return made.error();
       Outcome<Solver> solver = Solver::make(std::move(made).value());
@@ -113,6 +114,8 @@ class SolverHandle {
     return deforming ? "deformation" : "alignment";
   }
 
+  int attempt() const { return solver_ ? solver_->attempt() : 0; }
+
   double fraction() const { return solver_ ? solver_->fraction() : 0; }
 
   val partial() {
@@ -129,8 +132,6 @@ class SolverHandle {
     return val(emscripten::typed_memory_view(flat.size(), flat.data())).call<val>("slice");
   }
 
-  val notes() const { return solver_ ? val::array(solver_->notes()) : val::array(); }
-
   std::string result() {
     std::string text;
     guard([&]() -> std::optional<Error> {
@@ -145,7 +146,7 @@ class SolverHandle {
  private:
   template <class Work>
   void guard(Work work) {
-    if (solver_) error_ = attempt(std::move(work));
+    if (solver_) error_ = caught(std::move(work));
     if (error_) solver_.reset();
   }
 
@@ -179,9 +180,9 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("failure", &SolverHandle::failure)
       .function("advance", &SolverHandle::advance)
       .function("phase", &SolverHandle::phase)
+      .function("attempt", &SolverHandle::attempt)
       .function("fraction", &SolverHandle::fraction)
       .function("partial", &SolverHandle::partial)
-      .function("notes", &SolverHandle::notes)
       .function("result", &SolverHandle::result);
   emscripten::function("detectSymmetries", &detectedSymmetries);
   emscripten::function("convertGarment", &convertedGarment);

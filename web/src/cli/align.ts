@@ -29,22 +29,18 @@ export async function align(words: readonly string[]): Promise<void> {
     garment: await readText(garmentFile),
     print: await readText(printFile),
     symmetry: named ? symmetryFile : await readText(symmetryFile),
-    options: optionsFile === undefined ? '' : await readText(optionsFile),
+    ...(optionsFile === undefined ? {} : {options: await readText(optionsFile)}),
     method,
     seed,
   };
   if (outFile !== undefined) await checkWritable(outFile);
 
   const progress = new ProgressLine();
-  let notes: readonly string[] = [];
   let result: SolveResult;
   try {
     result = await solve(problem, {
       onProgress: (step) => {
         progress.show(step);
-      },
-      onNotes: (found) => {
-        notes = found;
       },
       names: {
         garment: garmentFile,
@@ -60,10 +56,15 @@ export async function align(words: readonly string[]): Promise<void> {
   if (outFile !== undefined) await writeText(outFile, `${JSON.stringify(result)}\n`);
   if (args.has('--json')) {
     print(
-      JSON.stringify({garment: garmentFile, group: result.print.group, ...result.metrics, notes}),
+      JSON.stringify({
+        garment: garmentFile,
+        group: result.print.group,
+        ...result.metrics,
+        notes: result.notes,
+      }),
     );
   } else {
-    notes.forEach(remark);
+    result.notes.forEach(remark);
     print(figuresLine(garmentFile, result));
   }
 }

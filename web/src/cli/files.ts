@@ -11,7 +11,12 @@ export const inputLimit = 20_000_000;
 export const resultLimit = 200_000_000;
 
 /** The text of a file, which may be a pipe. @throws {UsageError} naming the file and what is wrong */
-export async function readText(path: string, limit: number = inputLimit): Promise<string> {
+export async function readText(path: string, limit?: number): Promise<string> {
+  return (await readBytes(path, limit)).toString('utf8');
+}
+
+/** The bytes of a file, which may be a pipe. @throws {UsageError} naming the file and what is wrong */
+export async function readBytes(path: string, limit: number = inputLimit): Promise<Buffer> {
   const tooLarge = () =>
     new UsageError(`${path} is larger than ${String(limit / 1e6)} MB, the limit for such a file.`);
   let file: FileHandle | undefined;
@@ -26,7 +31,7 @@ export async function readText(path: string, limit: number = inputLimit): Promis
       if (length > limit) throw tooLarge();
       chunks.push(chunk);
     }
-    return Buffer.concat(chunks).toString('utf8');
+    return Buffer.concat(chunks);
   } catch (error) {
     throw fileError(error, path, 'read');
   } finally {

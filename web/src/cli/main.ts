@@ -2,6 +2,7 @@
 import {SolverError} from '../model/failure.js';
 import {align} from './align.js';
 import {UsageError} from './arguments.js';
+import {draw} from './draw.js';
 import {convertFile, listSymmetries} from './garments.js';
 import {print} from './terminal.js';
 import {usage} from './usage.js';
@@ -10,6 +11,7 @@ const commands: Readonly<Record<string, (words: readonly string[]) => Promise<vo
   align,
   symmetries: listSymmetries,
   convert: convertFile,
+  draw,
 };
 
 async function main([command, ...words]: readonly string[]): Promise<void> {

@@ -17,5 +17,8 @@ seamwise symmetries GARMENT.json [--out FILE.json]
 seamwise convert GARMENT.json [--out FILE.json]
   Rewrites a garment in the project's own format, seamwise-garment/1.
 
+seamwise draw RESULT.json --print PRINT.json [--out PICTURE.svg] [--title TEXT]
+  Draws the pieces on their print, before and after, with the mismatch along the seams.
+
 Exit code: 0 done; 2 bad input, with one sentence that says what is wrong; 1 anything else.
 `;

@@ -56,7 +56,9 @@ export type ResultSymmetry =
 /** Time spent computing, without the pauses between slices. [ms] */
 export interface Milliseconds {
   readonly alignment: number;
+  /** Of the last attempt, where a method makes several with growing weights. */
   readonly deformation: number;
+  /** Both phases, and reading, meshing and measuring around them. */
   readonly total: number;
 }
 
@@ -75,7 +77,10 @@ export interface Metrics {
   /** As `fit`, but with one symmetry of the print for the whole seam. */
   readonly fitSeam: number;
   readonly maxMovedCm: number;
+  /** Of the deformation. */
   readonly iterations: number;
+  /** Of sparse matrices, the costly part. */
+  readonly factorisations: number;
   readonly milliseconds: Milliseconds;
   readonly method: Method;
   readonly seed: number;
@@ -92,4 +97,6 @@ export interface SolveResult {
   /** Each piece's alignment when the alignment search ended. */
   readonly search: readonly Alignment[];
   readonly metrics: Metrics;
+  /** What was dropped or assumed, one sentence each. */
+  readonly notes: readonly string[];
 }

@@ -24,11 +24,9 @@ const shared = new SharedModule(async () => ({
   wasmBinary: await readFile(new URL('../solver/module/seamwise.wasm', import.meta.url)),
 }));
 
-/** Hooks of the command line, which names its files and passes the solver's notes on. */
+/** Hooks for programs that read files. */
 export interface NodeSolveHooks extends SolveHooks {
-  /** What was dropped or assumed, one sentence each; called once, before anything is solved. */
-  readonly onNotes?: (notes: readonly string[]) => void;
-  /** What to call the problem's parts in error messages. */
+  /** What to call the problem's parts in error messages: the names of their files. */
   readonly names?: ProblemNames;
 }
 
@@ -44,7 +42,6 @@ export async function solve(problem: Problem, hooks: NodeSolveHooks = {}): Promi
     hooks.signal?.throwIfAborted();
     const solver = new Solver(module, texts);
     try {
-      hooks.onNotes?.(solver.notes);
       return await run(solver, hooks);
     } finally {
       solver[Symbol.dispose]();

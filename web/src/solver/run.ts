@@ -10,16 +10,18 @@ const sliceMilliseconds = 40;
  * @throws {SolverError}; the signal's reason, an `AbortError` by default, as soon as it fires
  */
 export async function run(solver: Solver, hooks: SolveHooks): Promise<SolveResult> {
-  const {signal, onProgress, onPartial} = hooks;
-  await pause(signal);
-  while (solver.advance(sliceMilliseconds)) {
-    onProgress?.({phase: solver.phase, fraction: solver.fraction});
-    onPartial?.(solver.partial());
-    await pause(signal);
+  const report = () => {
+    hooks.onProgress?.({phase: solver.phase, fraction: solver.fraction});
+    hooks.onPartial?.(solver.partial());
+  };
+  report();
+  let more = true;
+  while (more) {
+    await pause(hooks.signal);
+    more = solver.advance(sliceMilliseconds);
+    report();
   }
-  const result = solver.result();
-  onProgress?.({phase: 'deformation', fraction: 1});
-  return result;
+  return solver.result();
 }
 
 /** Lets pending events run; setTimeout, because a MessageChannel would starve them in Node. */

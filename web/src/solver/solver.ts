@@ -10,13 +10,16 @@ import type {ModuleFailure, ModuleSolver, ModuleText, SeamwiseModule} from './mo
  */
 export class Solver implements Disposable {
   readonly #solver: ModuleSolver;
-  readonly #spent = {alignment: 0, deformation: 0, total: 0};
+  /** Outside the phases: reading, meshing, measuring. [ms] */
+  #around = 0;
+  readonly #spent: Record<Phase, number> = {alignment: 0, deformation: 0};
+  #attempt = 0;
 
   /** @throws {SolverError} for bad input */
   constructor(module: SeamwiseModule, problem: ProblemTexts) {
     const started = performance.now();
     this.#solver = new module.Solver(problem);
-    this.#spent.total += performance.now() - started;
+    this.#around += performance.now() - started;
     try {
       this.#check();
     } catch (error) {
@@ -25,22 +28,28 @@ export class Solver implements Disposable {
     }
   }
 
-  /** Works for about `milliseconds`; false when there is nothing left to do. */
+  /** Works for about `milliseconds`, within one phase; false when there is nothing left to do. */
   advance(milliseconds: number): boolean {
     const started = performance.now();
-    let before = started;
-    for (;;) {
-      const phase = this.phase;
-      const more = this.#solver.advance(1);
+    const phase = this.phase;
+    let more = true;
+    let now = started;
+    while (more && now - started < milliseconds && this.phase === phase) {
+      const before = now;
+      more = this.#solver.advance(1);
       this.#check();
-      const now = performance.now();
-      this.#spent[phase] += now - before;
-      before = now;
-      if (!more || now - started >= milliseconds) {
-        this.#spent.total += now - started;
-        return more;
-      }
+      now = performance.now();
+      this.#count(phase, now - before);
     }
+    return more;
+  }
+
+  /** Only the last attempt at the deformation counts. */
+  #count(phase: Phase, milliseconds: number): void {
+    const attempt = this.#solver.attempt();
+    if (attempt !== this.#attempt) this.#spent.deformation = 0;
+    this.#attempt = attempt;
+    this.#spent[phase] += milliseconds;
   }
 
   get phase(): Phase {
@@ -50,11 +59,6 @@ export class Solver implements Disposable {
   /** Of the whole solve, from 0 to 1; never falls. */
   get fraction(): number {
     return this.#solver.fraction();
-  }
-
-  /** What was dropped or assumed, one sentence each. */
-  get notes(): readonly string[] {
-    return this.#solver.notes();
   }
 
   /** The best alignments so far: angle, x, y per piece. A copy. */
@@ -67,18 +71,18 @@ export class Solver implements Disposable {
     const started = performance.now();
     const text = this.#solver.result();
     this.#check();
-    this.#spent.total += performance.now() - started;
+    this.#around += performance.now() - started;
     const result = JSON.parse(text) as SolveResult;
     return {...result, metrics: {...result.metrics, milliseconds: this.milliseconds}};
   }
 
   /** Time spent computing so far, in whole milliseconds. */
   get milliseconds(): Milliseconds {
-    const {alignment, deformation, total} = this.#spent;
+    const {alignment, deformation} = this.#spent;
     return {
       alignment: Math.round(alignment),
       deformation: Math.round(deformation),
-      total: Math.round(total),
+      total: Math.round(this.#around + alignment + deformation),
     };
   }
 

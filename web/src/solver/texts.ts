@@ -42,7 +42,7 @@ export function problemTexts(problem: Problem, names: ProblemNames = plainNames)
     printName: names.print,
     symmetry: jsonText(problem.symmetry ?? 'auto', names.symmetry),
     symmetryName: names.symmetry,
-    options: jsonText(problem.options ?? '', names.options),
+    options: problem.options === undefined ? '' : jsonText(problem.options, names.options),
     optionsName: names.options,
     method,
     seed,
@@ -51,6 +51,7 @@ export function problemTexts(problem: Problem, names: ProblemNames = plainNames)
 
 /** A value as JSON text; a string is taken to be JSON text already. @throws {SolverError} */
 export function jsonText(value: unknown, name: string): string {
+  if (value === '') throw new SolverError({code: 'notJson', message: `${name} is empty.`});
   if (typeof value === 'string') return value;
   let text: string | undefined;
   try {

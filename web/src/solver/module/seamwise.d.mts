@@ -37,10 +37,11 @@ export interface ModuleSolver extends EmbindObject {
   /** Runs some steps; false when there is nothing left to do. */
   advance(steps: number): boolean;
   phase(): 'alignment' | 'deformation';
+  /** Grows when the deformation starts over; the time of earlier attempts does not count. */
+  attempt(): number;
   fraction(): number;
   /** Angle, x, y per piece; a copy. */
   partial(): Float64Array;
-  notes(): string[];
   /** The result as JSON; empty after a failure. */
   result(): string;
 }

@@ -1,0 +1,172 @@
+import {spawn} from 'node:child_process';
+import {
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  truncateSync,
+  writeFileSync,
+} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+import {afterAll, beforeAll, describe, expect, it} from 'vitest';
+
+import {checks, twoStrips} from './garments.js';
+
+const program = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
+let folder = '';
+const file = (name: string) => join(folder, name);
+
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
+  writeFileSync(file('strips.json'), JSON.stringify(twoStrips()));
+  writeFileSync(file('checks.json'), JSON.stringify(checks));
+  writeFileSync(file('broken.json'), '{"pattern":');
+  writeFileSync(file('huge.json'), '');
+  truncateSync(file('huge.json'), 200_000_000);
+  writeFileSync(file('empty.json'), '');
+  mkdirSync(file('folder'));
+});
+
+afterAll(() => {
+  rmSync(folder, {recursive: true});
+});
+
+interface Outcome {
+  readonly code: number | null;
+  readonly out: string;
+  readonly err: string;
+}
+
+function seamwise(...words: string[]): Promise<Outcome> {
+  return new Promise((resolve, reject) => {
+    const child = spawn(process.execPath, [program, ...words]);
+    let [out, err] = ['', ''];
+    child.stdout.on('data', (chunk: Buffer) => (out += chunk.toString()));
+    child.stderr.on('data', (chunk: Buffer) => (err += chunk.toString()));
+    child.on('error', reject);
+    child.on('close', (code) => {
+      resolve({code, out, err});
+    });
+  });
+}
+
+const align = (...words: string[]) =>
+  seamwise('align', file('strips.json'), '--print', file('checks.json'), ...words);
+
+describe('align', () => {
+  it('prints one line of figures, and no progress where nobody watches', async () => {
+    const {code, out, err} = await align();
+    expect({code, err}).toEqual({code: 0, err: ''});
+    expect(out.trimEnd().split('\n')).toHaveLength(1);
+    expect(out).toContain('strips.json: 2 pieces, 1 seams, p4m, best, seed 1');
+  });
+
+  it('prints the figures as JSON', async () => {
+    const {out} = await align('--json', '--seed', '5', '--method', 'ws19');
+    expect(JSON.parse(out)).toMatchObject({group: 'p4m', method: 'ws19', seed: 5});
+  });
+
+  it('writes the result, byte for byte the same when it leaves out times', async () => {
+    for (const name of ['a.json', 'b.json']) await align('--no-times', '--out', file(name));
+    const [a, b] = [readFileSync(file('a.json'), 'utf8'), readFileSync(file('b.json'), 'utf8')];
+    expect(a).toBe(b);
+    expect(JSON.parse(a)).toMatchObject({format: 'seamwise-result/1', metrics: {method: 'best'}});
+  });
+
+  it('leaves no drafts behind', async () => {
+    await align('--out', file('c.json'));
+    expect(readdirSync(folder).filter((name) => name.endsWith('.tmp'))).toEqual([]);
+  });
+});
+
+describe('bad input exits with 2 and one sentence that names it', () => {
+  const cases: Record<string, () => [words: string[], named: string]> = {
+    'no command': () => [[], 'command'],
+    'an unknown command': () => [['alling'], 'alling'],
+    'no garment': () => [['align', '--print', file('checks.json')], 'garment'],
+    'no print': () => [['align', file('strips.json')], '--print'],
+    'a missing file': () => [
+      ['align', file('none.json'), '--print', file('checks.json')],
+      'none.json',
+    ],
+    'a directory': () => [['align', file('folder'), '--print', file('checks.json')], 'folder'],
+    'a huge file': () => [
+      ['align', file('huge.json'), '--print', file('checks.json')],
+      'huge.json',
+    ],
+    'a broken file': () => [
+      ['align', file('broken.json'), '--print', file('checks.json')],
+      'broken.json',
+    ],
+    'an empty options file': () => [
+      [
+        'align',
+        file('strips.json'),
+        '--print',
+        file('checks.json'),
+        '--options',
+        file('empty.json'),
+      ],
+      'empty.json',
+    ],
+    'a print that is none': () => [
+      ['align', file('strips.json'), '--print', file('strips.json')],
+      'strips.json',
+    ],
+    'an unknown flag': () => [['align', 'a', '--print', 'b', '--fast'], '--fast'],
+    'an unknown method': () => [['align', 'a', '--print', 'b', '--method', 'x'], '--method'],
+    'a negative seed': () => [['align', 'a', '--print', 'b', '--seed', '-1'], '--seed'],
+    'a missing symmetry file': () => [
+      ['align', file('strips.json'), '--print', file('checks.json'), '--symmetry', file('s.json')],
+      's.json',
+    ],
+    'a result in a folder that is not there': () => [
+      ['align', file('strips.json'), '--print', file('checks.json'), '--out', file('no/r.json')],
+      'r.json',
+    ],
+    'a result on top of a directory': () => [
+      ['align', file('strips.json'), '--print', file('checks.json'), '--out', file('folder')],
+      'folder',
+    ],
+  };
+
+  it.each(Object.keys(cases))('%s', async (name) => {
+    const [words, named] = cases[name]?.() ?? [[], ''];
+    const {code, out, err} = await seamwise(...words);
+    expect({code, out}).toEqual({code: 2, out: ''});
+    expect(err.trimEnd().split('\n')).toHaveLength(1);
+    expect(err).toContain(named);
+  });
+});
+
+it('explains itself', async () => {
+  const {code, out} = await seamwise('--help');
+  expect(code).toBe(0);
+  expect(out).toContain('seamwise align GARMENT.json --print PRINT.json');
+});
+
+it('lists the symmetries of a garment in a form that align takes', async () => {
+  const {code} = await seamwise('symmetries', file('strips.json'), '--out', file('found.json'));
+  expect(code).toBe(0);
+  expect((await align('--symmetry', file('found.json'))).code).toBe(0);
+});
+
+it("converts a garment to the project's own format", async () => {
+  const {out} = await seamwise('convert', file('strips.json'));
+  expect(JSON.parse(out)).toMatchObject({format: 'seamwise-garment/1'});
+});
+
+it('draws a result on its print, and on no other', async () => {
+  await align('--out', file('drawn.json'));
+  const picture = await seamwise('draw', file('drawn.json'), '--print', file('checks.json'));
+  expect(picture).toMatchObject({code: 0, err: ''});
+  expect(picture.out).toMatch(/^<svg[\s\S]*<\/svg>\s*$/);
+
+  writeFileSync(file('wide.json'), JSON.stringify({...checks, w1: [5, 0], w2: [0, 5]}));
+  const other = await seamwise('draw', file('drawn.json'), '--print', file('wide.json'));
+  expect(other).toMatchObject({code: 2, out: ''});
+});
