@@ -59,7 +59,7 @@ Grading::Grading(const std::vector<Vec2>& points, const std::vector<std::vector<
       const double length = (b - a).norm();
       sources_.push_back({(a + b) / 2, perp(b - a) / length, length});
       corners_.push_back(a);
-      reach_.push_back((length + (a - before).norm()) / 2);
+      reach_.push_back(std::min(length, (a - before).norm()));
     }
   }
 }
@@ -98,13 +98,12 @@ struct Grading::Pattern {
   Pattern finer() const { return {(b1 + b2) / 3, (2 * b2 - b1) / 3, origin, true}; }
 };
 
-double Grading::leastSpacing(const Grid& grid, const Vec2& p, double radius) const {
+double Grading::gridSpacing(const Grid& grid, const Vec2& p) const {
   const std::size_t cell = grid.index(grid.column(p.x()), grid.row(p.y()));
   double least = coarsest_;
   const auto ask = [&](int source) {
     const Source& s = sources_[source];
-    const double distance = std::max(0.0, (p - s.at).norm() - radius);
-    least = std::min(least, s.spacing + kGrowth * distance);
+    least = std::min(least, s.spacing + kGrowth * (p - s.at).norm());
   };
   ask(grid.source[cell]);
   for (const int source : grid.local[cell]) ask(source);
@@ -114,7 +113,7 @@ double Grading::leastSpacing(const Grid& grid, const Vec2& p, double radius) con
 bool Grading::scatter(const Grid& grid, const Pattern& pattern, const Vec2& low, double size,
                       double widest, std::vector<Vec2>& found) const {
   const Vec2 middle = low + Vec2::Constant(size / 2);
-  if (leastSpacing(grid, middle, size * std::sqrt(0.5)) > widest) return false;
+  if (gridSpacing(grid, middle) - kGrowth * size * std::sqrt(0.5) > widest) return false;
   if (size > 6 * pattern.spacing()) {
     bool used = false;
     for (const Vec2& corner : {Vec2(0, 0), Vec2(0.5, 0), Vec2(0, 0.5), Vec2(0.5, 0.5)})
@@ -137,7 +136,7 @@ bool Grading::scatter(const Grid& grid, const Pattern& pattern, const Vec2& low,
       const Vec2 q = i * pattern.b1 + j * pattern.b2 - from;
       if (q.minCoeff() < 0 || q.maxCoeff() >= size) continue;
       const Vec2 p = low + q;
-      if (grid.isClear(p) && leastSpacing(grid, p, 0) <= widest) found.push_back(p);
+      if (grid.isClear(p) && gridSpacing(grid, p) <= widest) found.push_back(p);
     }
   return true;
 }
@@ -219,11 +218,8 @@ std::vector<Vec2> Grading::candidates() const {
     // The k-th pattern serves spacings up to 3^(1/4) times its own.
     const double widest =
         k == 0 ? std::numeric_limits<double>::infinity() : pattern.spacing() * std::pow(3.0, 0.25);
-    bool used = false;
-    for (int y = 0; y < grid.rows; ++y)
-      for (int x = 0; x < grid.columns; ++x)
-        used |= scatter(grid, pattern, grid.low + grid.cell * Vec2(x, y), grid.cell, widest, found);
-    if (!used) break;
+    const double size = grid.cell * std::max(grid.columns, grid.rows);
+    if (!scatter(grid, pattern, grid.low, size, widest, found)) break;
     pattern = pattern.finer();
   }
   return found;

@@ -30,8 +30,8 @@ class Grading {
   struct Grid;
   struct Pattern;
   Grid makeGrid() const;
-  /// Least spacing within `radius` of p, as far as the grid knows.
-  double leastSpacing(const Grid& grid, const Vec2& p, double radius) const;
+  /// spacingAt() as far as the grid knows, much faster.
+  double gridSpacing(const Grid& grid, const Vec2& p) const;
   /// Adds a pattern's points in a square where the spacing is at most `widest`; false when that is
   /// nowhere so.
   bool scatter(const Grid& grid, const Pattern& pattern, const Vec2& low, double size,
@@ -39,7 +39,7 @@ class Grading {
 
   std::vector<Source> sources_;
   std::vector<Vec2> corners_;  // all loop vertices, with ...
-  std::vector<double> reach_;  // ... the mean length of their two edges
+  std::vector<double> reach_;  // ... the shorter of their two edges
   double coarsest_;
 };
 

@@ -46,8 +46,15 @@ std::optional<Triangulation> Triangulation::make(std::vector<Vec2> points,
   t.given_ = static_cast<int>(t.points_.size());
   t.triangle_of_.assign(t.points_.size(), 0);
   t.triangles_.push_back({{0, 1, 2}, {-1, -1, -1}, {false, false, false}, false});
-  for (int v = kFrame; v < t.given_; ++v)
-    if (!t.addVertex(v)) return {};
+  // Every second vertex of what is missing, the coarsest first: neighbours follow each other, so walks
+  // are short, and yet no vertex meets a fan of all its predecessors.
+  const int count = t.given_ - kFrame;
+  int stride = 1;
+  while (stride < count) stride *= 2;
+  if (!t.addVertex(kFrame)) return {};
+  for (; stride >= 1; stride /= 2)
+    for (int i = stride; i < count; i += 2 * stride)
+      if (!t.addVertex(kFrame + i)) return {};
   for (const auto& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i)
       if (!t.fixEdge(loop[i] + kFrame, loop[(i + 1) % loop.size()] + kFrame)) return {};
