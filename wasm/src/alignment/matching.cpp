@@ -9,13 +9,7 @@
 namespace seamwise {
 namespace {
 
-/// Nearest integer for |x| < 2^51, in the form that every compiler vectorises.
-inline double nearestInteger(double x) {
-  constexpr double kMagic = 6755399441055744.0;  // 1.5 * 2^52
-  return (x + kMagic) - kMagic;
-}
-
-constexpr int kChunk = 16;
+constexpr int kChunk = 8;
 
 const Element& anyMirroredElement(const WallpaperGroup& group) {
   return *std::find_if(group.elements().begin(), group.elements().end(),
@@ -29,60 +23,53 @@ MatchProblem::MatchProblem(WallpaperGroup wallpaper) : group(std::move(wallpaper
   const Mat2 basis = (Mat2() << u1, u2).finished();
   to_reduced_ = basis.inverse();
   g11_ = u1.squaredNorm(), g12_ = u1.dot(u2), g22_ = u2.squaredNorm();
-  if (std::abs(g12_) < 1e-12 * g11_) g12_ = 0;
   for (const Element& e : group.elements()) {
-    Eigen::Matrix<double, 2, 3> m;
-    m << to_reduced_ * e.A * basis, to_reduced_ * e.a;
-    reduced_elements_.push_back(m);
+    const Mat2 m = to_reduced_ * e.A * basis;
+    const Vec2 a = to_reduced_ * e.a;
+    reduced_elements_.push_back({std::round(m(0, 0)), std::round(m(0, 1)), std::round(m(1, 0)),
+                                 std::round(m(1, 1)), a.x(), a.y()});
   }
 }
 
-double MatchProblem::seamCost(const MatchSeam& seam, const Alignment& at_a, const Alignment& at_b,
+MatchProblem::Pose MatchProblem::pose(const Alignment& at) const {
+  const Mat2 m = to_reduced_ * rotation(-at.angle);
+  const Vec2 t = m * at.translation;
+  return {m(0, 0), m(0, 1), m(1, 0), m(1, 1), -t.x(), -t.y()};
+}
+
+double MatchProblem::seamCost(const MatchSeam& seam, const Pose& a, const Pose& b,
                               double slack) const {
-  const Mat2 ka = to_reduced_ * rotation(-at_a.angle), kb = to_reduced_ * rotation(-at_b.angle);
-  const Vec2 ta = ka * at_a.translation, tb = kb * at_b.translation;
   double total = 0;
   const int n = static_cast<int>(seam.w.size());
   double xs[kChunk], xt[kChunk], ys[kChunk], yt[kChunk], best[kChunk];
   for (int from = 0; from < n; from += kChunk) {
     const int m = std::min(kChunk, n - from);
     for (int i = 0; i < kChunk; ++i) {
-      const Vec2& a = seam.pa[from + std::min(i, m - 1)];
-      const Vec2& b = seam.pb[from + std::min(i, m - 1)];
-      xs[i] = ka(0, 0) * a.x() + ka(0, 1) * a.y() - ta.x();
-      xt[i] = ka(1, 0) * a.x() + ka(1, 1) * a.y() - ta.y();
-      ys[i] = kb(0, 0) * b.x() + kb(0, 1) * b.y() - tb.x();
-      yt[i] = kb(1, 0) * b.x() + kb(1, 1) * b.y() - tb.y();
+      const Vec2& p = seam.pa[from + std::min(i, m - 1)];
+      const Vec2& q = seam.pb[from + std::min(i, m - 1)];
+      xs[i] = a.m00 * p.x() + a.m01 * p.y() + a.t0;
+      xt[i] = a.m10 * p.x() + a.m11 * p.y() + a.t1;
+      ys[i] = b.m00 * q.x() + b.m01 * q.y() + b.t0;
+      yt[i] = b.m10 * q.x() + b.m11 * q.y() + b.t1;
       best[i] = std::numeric_limits<double>::max();
     }
     for (std::size_t k = 0; k < reduced_elements_.size(); ++k) {
       if (!allows(seam, group.elements()[k])) continue;
-      const auto& e = reduced_elements_[k];
-      const double m00 = e(0, 0), m01 = e(0, 1), a0 = e(0, 2);
-      const double m10 = e(1, 0), m11 = e(1, 1), a1 = e(1, 2);
-      if (g12_ == 0) {
-        for (int i = 0; i < kChunk; ++i) {
-          double s = xs[i] - (m00 * ys[i] + m01 * yt[i] + a0);
-          double t = xt[i] - (m10 * ys[i] + m11 * yt[i] + a1);
-          s -= nearestInteger(s), t -= nearestInteger(t);
-          best[i] = std::min(best[i], g11_ * s * s + g22_ * t * t);
-        }
-      } else {
-        // the nearest lattice point is a corner of the cell that holds the point
-        for (int i = 0; i < kChunk; ++i) {
-          double s = xs[i] - (m00 * ys[i] + m01 * yt[i] + a0);
-          double t = xt[i] - (m10 * ys[i] + m11 * yt[i] + a1);
-          s -= nearestInteger(s), t -= nearestInteger(t);
-          const double s2 = s - std::copysign(1.0, s), t2 = t - std::copysign(1.0, t);
-          const double q0 = g11_ * s * s, q1 = g11_ * s2 * s2;
-          const double p0 = g22_ * t * t, p1 = g22_ * t2 * t2, c = 2 * g12_;
-          best[i] = std::min(best[i], std::min(std::min(q0 + c * s * t + p0, q1 + c * s2 * t + p0),
-                                               std::min(q0 + c * s * t2 + p1, q1 + c * s2 * t2 + p1)));
-        }
+      const Pose& e = reduced_elements_[k];
+      // as in WallpaperGroup::reduce: after rounding, two comparisons find the nearest lattice point
+      for (int i = 0; i < kChunk; ++i) {
+        double s = xs[i] - (e.m00 * ys[i] + e.m01 * yt[i] + e.t0);
+        double t = xt[i] - (e.m10 * ys[i] + e.m11 * yt[i] + e.t1);
+        s -= internal::roundNear(s), t -= internal::roundNear(t);
+        const double g1 = s * g11_ + t * g12_, g2 = s * g12_ + t * g22_;
+        const double n1 = g11_ - 2 * std::abs(g1), n2 = g22_ - 2 * std::abs(g2);
+        const double nearer = n1 < n2 ? n1 : n2;
+        const double d2 = s * g1 + t * g2 + (nearer < 0 ? nearer : 0);
+        best[i] = d2 < best[i] ? d2 : best[i];
       }
     }
     for (int i = 0; i < m; ++i) {
-      const double d = std::sqrt(std::max(0.0, best[i]));
+      const double d = best[i] > 0 ? std::sqrt(best[i]) : 0;
       total += seam.w[from + i] * (slack > 0 ? std::max(0.0, d - slack) + kLeak * d : d);
     }
   }
@@ -90,8 +77,10 @@ double MatchProblem::seamCost(const MatchSeam& seam, const Alignment& at_a, cons
 }
 
 double MatchProblem::cost(const Alignments& at, double slack) const {
+  std::vector<Pose> poses;
+  for (const Alignment& a : at) poses.push_back(pose(a));
   double total = 0;
-  for (const MatchSeam& seam : seams) total += seamCost(seam, at[seam.a], at[seam.b], slack);
+  for (const MatchSeam& seam : seams) total += seamCost(seam, poses[seam.a], poses[seam.b], slack);
   return total;
 }
 

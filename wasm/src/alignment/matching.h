@@ -57,9 +57,14 @@ class MatchProblem {
 
   explicit MatchProblem(WallpaperGroup wallpaper);
 
+  /// Where a piece lies, as a map from its coordinates to reduced lattice coordinates.
+  struct Pose {
+    double m00, m01, m10, m11, t0, t1;
+  };
+  Pose pose(const Alignment& at) const;
+
   /// Sum of w max(0, d - slack) + leak d over one seam (leak only when slack > 0). [cm2]
-  double seamCost(const MatchSeam& seam, const Alignment& a, const Alignment& b,
-                  double slack = 0) const;
+  double seamCost(const MatchSeam& seam, const Pose& a, const Pose& b, double slack = 0) const;
   /// Over all seams.
   double cost(const Alignments& at, double slack = 0) const;
 
@@ -88,8 +93,8 @@ class MatchProblem {
 
  private:
   Mat2 to_reduced_;                ///< print -> reduced lattice coordinates
-  double g11_, g12_, g22_;         ///< metric in reduced coordinates
-  std::vector<Eigen::Matrix<double, 2, 3>> reduced_elements_;
+  double g11_, g12_, g22_;         ///< metric in reduced coordinates, 0 <= 2 g12 <= g11 <= g22
+  std::vector<Pose> reduced_elements_;
 };
 
 /// Makes the problem for a pattern in the given shapes (per piece, per vertex, cm).

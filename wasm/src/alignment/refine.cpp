@@ -11,7 +11,8 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kFloor = 0.02;  ///< cm: distances below it are weighted as if they were it
 
-/// Normal equations of one seam in (turn, shift) of both sides.
+/// Normal equations of one seam in (turn, shift) of both sides: for the residual r = x - (A y + a + T),
+/// the columns of its Jacobian are -perp(x - ca), I, A perp(y - cb), -A.
 void accumulate(const MatchProblem& problem, const MatchSeam& seam, const Alignments& at,
                 double slack, Matrix6& hessian, Vector6& gradient) {
   const Alignment &a = at[seam.a], &b = at[seam.b];
@@ -22,18 +23,28 @@ void accumulate(const MatchProblem& problem, const MatchSeam& seam, const Alignm
     const Vec2 x = ra * (seam.pa[i] - a.translation), y = rb * (seam.pb[i] - b.translation);
     const auto nearest = problem.nearest(seam, x, y);
     const Mat2& A = problem.group.elements()[nearest.element].A;
-    const double d = nearest.residual.norm();
+    const Vec2& r = nearest.residual;
+    const double d = r.norm();
     double pull = 1;
     if (slack > 0) pull = (d > slack ? 1 : 0) + MatchProblem::kLeak;
-    const double omega = seam.w[i] * pull / std::max(d, kFloor);
-    Eigen::Matrix<double, 2, 6> j;
-    j.col(0) = -perp(x - ca);
-    j.middleCols<2>(1).setIdentity();
-    j.col(3) = A * perp(y - cb);
-    j.middleCols<2>(4) = -A;
-    hessian.noalias() += omega * j.transpose() * j;
-    gradient.noalias() += omega * j.transpose() * nearest.residual;
+    const double w = seam.w[i] * pull / std::max(d, kFloor);
+    const Vec2 ja = -perp(x - ca), jb = A * perp(y - cb);
+    gradient[0] += w * ja.dot(r);
+    gradient.segment<2>(1) += w * r;
+    gradient[3] += w * jb.dot(r);
+    gradient.segment<2>(4) -= w * (A.transpose() * r);
+    hessian(0, 0) += w * ja.squaredNorm();
+    hessian.block<2, 1>(1, 0) += w * ja;
+    hessian(1, 1) += w, hessian(2, 2) += w;
+    hessian(3, 0) += w * ja.dot(jb);
+    hessian.block<1, 2>(3, 1) += w * jb.transpose();
+    hessian(3, 3) += w * jb.squaredNorm();
+    hessian.block<2, 1>(4, 0) -= w * (A.transpose() * ja);
+    hessian.block<2, 2>(4, 1) -= w * A.transpose();
+    hessian.block<2, 1>(4, 3) -= w * (A.transpose() * jb);
+    hessian(4, 4) += w, hessian(5, 5) += w;
   }
+  hessian.template triangularView<Eigen::StrictlyUpper>() = hessian.transpose();
 }
 
 }  // namespace
@@ -52,11 +63,15 @@ double refine(const MatchProblem& problem, Alignments& at, const std::vector<int
   }
   std::sort(seams.begin(), seams.end());
   seams.erase(std::unique(seams.begin(), seams.end()), seams.end());
+  std::vector<MatchProblem::Pose> poses(problem.leaders.size());
+  for (int s : seams)
+    for (int l : {problem.seams[s].a, problem.seams[s].b}) poses[l] = problem.pose(at[l]);
   auto costOf = [&](const Alignments& x) {
+    for (int l : active) poses[l] = problem.pose(x[l]);
     double total = 0;
     for (int s : seams) {
       const MatchSeam& seam = problem.seams[s];
-      total += problem.seamCost(seam, x[seam.a], x[seam.b], slack);
+      total += problem.seamCost(seam, poses[seam.a], poses[seam.b], slack);
     }
     return total;
   };

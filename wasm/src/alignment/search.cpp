@@ -10,18 +10,25 @@
 namespace seamwise {
 namespace {
 
-constexpr double kPerfect = 1e-6;  ///< cm2: nothing left to find
+constexpr double kPerfect = 1e-6;      ///< cm2: nothing left to find
+constexpr double kWorthRefining = 1.5;  ///< a raw candidate this much worse may still win when refined
+constexpr double kHopeless = 2.0;       ///< a start this much worse than the best is dropped
+constexpr double kSecondBest = 0.2;     ///< share of pieces placed at their second best candidate
+constexpr double kFresh = 0.3;          ///< share of starts from nothing once the first trees are grown
 
 }  // namespace
 
 AlignmentSearch::AlignmentSearch(const MatchProblem& problem, std::uint64_t seed,
                                  SearchBudget budget, double slack)
     : full_(problem), coarse_(problem.coarsened(budget.samples)), budget_(budget), slack_(slack),
-      random_(seed), best_(problem.leaders.size()) {
+      // placing a sample on the print costs about as much as four elements
+      sample_cost_(4.0 + static_cast<double>(problem.group.elements().size())), random_(seed),
+      best_(problem.leaders.size()) {
   for (std::size_t l = 0; l < problem.leaders.size(); ++l) {
     const Leader& leader = problem.leaders[l];
     best_[l] = leader.freedom.nearest({0, leader.centre}, leader.centre);
   }
+  watched_ = best_;
   findComponents();
   done_ = components_.empty();
 }
@@ -52,52 +59,53 @@ void AlignmentSearch::findComponents() {
     c.allowed = budget_.evaluations * static_cast<double>(c.leaders.size()) / total;
 }
 
-double AlignmentSearch::costAround(int leader, const Alignments& at,
-                                   const std::vector<char>* placed) {
-  double total = 0;
+/// Every candidate's cost towards the placed neighbours (all of them when `placed` is null).
+std::vector<double> AlignmentSearch::costsOf(const std::vector<Alignment>& choices, int leader,
+                                             const Alignments& at,
+                                             const std::vector<char>* placed) {
+  std::vector<double> costs(choices.size(), 0);
+  std::vector<MatchProblem::Pose> poses;
+  for (const Alignment& choice : choices) poses.push_back(coarse_.pose(choice));
   for (int s : coarse_.leaders[leader].seams) {
     const MatchSeam& seam = coarse_.seams[s];
     const int other = seam.a == leader ? seam.b : seam.a;
     if (placed && other != leader && !(*placed)[other]) continue;
-    total += coarse_.seamCost(seam, at[seam.a], at[seam.b], slack_);
-    spent_ += static_cast<double>(seam.w.size() * coarse_.group.elements().size());
+    const MatchProblem::Pose fixed = coarse_.pose(at[other]);
+    for (std::size_t k = 0; k < choices.size(); ++k) {
+      const MatchProblem::Pose& mine = poses[k];
+      costs[k] += coarse_.seamCost(seam, seam.a == leader ? mine : fixed,
+                                   seam.b == leader ? mine : fixed, slack_);
+    }
+    spent_ += static_cast<double>(choices.size() * seam.w.size()) * sample_cost_;
   }
+  return costs;
+}
+
+double AlignmentSearch::componentCost(const Component& c, const Alignments& at,
+                                      double slack) const {
+  std::vector<char> inside(full_.leaders.size(), 0);
+  for (int l : c.leaders) inside[l] = 1;
+  double total = 0;
+  for (const MatchSeam& seam : coarse_.seams)
+    if (inside[seam.a] || inside[seam.b])
+      total += coarse_.seamCost(seam, coarse_.pose(at[seam.a]), coarse_.pose(at[seam.b]), slack);
   return total;
 }
 
-double AlignmentSearch::componentCost(const Component& c, const Alignments& at) const {
-  double twice = 0, own = 0;  // seams inside are met from both ends
-  std::vector<char> inside(full_.leaders.size(), 0);
-  for (int l : c.leaders) inside[l] = 1;
-  for (int l : c.leaders) {
-    for (int s : coarse_.leaders[l].seams) {
-      const MatchSeam& seam = coarse_.seams[s];
-      const double cost = coarse_.seamCost(seam, at[seam.a], at[seam.b], slack_);
-      if (seam.a != seam.b && inside[seam.a] && inside[seam.b]) twice += cost;
-      else own += cost;
-    }
-  }
-  return own + twice / 2;
-}
-
 void AlignmentSearch::place(int leader, Alignments& at, std::vector<char>& placed) {
-  const std::vector<Alignment> choices = candidates(coarse_, leader, at, placed);
-  double best = std::numeric_limits<double>::infinity(), second = best;
-  Alignment first_choice, second_choice;
-  for (const Alignment& choice : choices) {
-    at[leader] = choice;
-    const double cost = costAround(leader, at, &placed);
-    if (cost < best) {
-      second = best, second_choice = first_choice;
-      best = cost, first_choice = choice;
-    } else if (cost < second) {
-      second = cost, second_choice = choice;
-    }
-  }
-  if (choices.empty()) first_choice = randomAlignment(coarse_, leader, random_);
-  const bool take_second = choices.size() > 1 && std::isfinite(second) && random_.uniform() < 0.2;
-  at[leader] = take_second ? second_choice : first_choice;
   placed[leader] = 1;
+  const std::vector<Alignment> choices = candidates(coarse_, leader, at, placed);
+  if (choices.empty()) {
+    at[leader] = randomAlignment(coarse_, leader, random_);
+    return;
+  }
+  const std::vector<double> costs = costsOf(choices, leader, at, &placed);
+  std::size_t first = 0, second = 0;
+  for (std::size_t k = 1; k < choices.size(); ++k) {
+    if (costs[k] < costs[first]) second = first, first = k;
+    else if (second == first || costs[k] < costs[second]) second = k;
+  }
+  at[leader] = choices[random_.uniform() < kSecondBest ? second : first];
 }
 
 void AlignmentSearch::grow(const Component& c, Alignments& at, std::vector<char>& placed) {
@@ -144,40 +152,47 @@ bool AlignmentSearch::moveSingles(const Component& c, Alignments& at) {
   const int offset = random_.below(n);
   for (int k = 0; k < n; ++k) {
     const int l = c.leaders[(k + offset) % n];
-    const double before = costAround(l, at, nullptr);
+    const Alignment present = at[l];
+    const double before = costsOf({present}, l, at, nullptr)[0];
     if (before < kPerfect) continue;
-    Alignments trial = at;
-    double best = before;
-    Alignment choice = at[l];
-    for (const Alignment& a : candidates(coarse_, l, at, all)) {
-      trial[l] = a;
-      const double cost = costAround(l, trial, nullptr);
-      if (cost < best) best = cost, choice = a;
-    }
-    if (best < before - 1e-9) {
-      at[l] = choice;
-      improved = true;
-    }
+    const std::vector<Alignment> choices = candidates(coarse_, l, at, all);
+    if (choices.empty()) continue;
+    const std::vector<double> costs = costsOf(choices, l, at, nullptr);
+    const auto least = std::min_element(costs.begin(), costs.end());
+    at[l] = choices[static_cast<std::size_t>(least - costs.begin())];
+    double best = *least;
+    if (best < kWorthRefining * before) best = refined(at, {l}, 2);
+    if (best < before - 1e-6 * before) improved = true;
+    else at[l] = present;
   }
   return improved;
 }
 
-double AlignmentSearch::improve(const Component& c, Alignments& at) {
+double AlignmentSearch::refined(Alignments& at, const std::vector<int>& leaders, int iterations) {
   double samples = 0;
-  for (int l : c.leaders)
+  for (int l : leaders)
     for (int s : coarse_.leaders[l].seams) samples += static_cast<double>(coarse_.seams[s].w.size());
-  // argmin and assembly cost about as much as twenty plain distances a sample and element
-  const double each = samples * static_cast<double>(coarse_.group.elements().size()) * 6;
-  double cost = refine(coarse_, at, c.leaders, 6, slack_);
-  spent_ += 6 * each;
-  for (int round = 0; round < 3 && cost > kPerfect && moveSingles(c, at); ++round) {
-    cost = refine(coarse_, at, c.leaders, 6, slack_);
-    spent_ += 6 * each;
-  }
+  // finding the nearest element and assembling cost a few plain distances a sample and element
+  spent_ += iterations * samples * sample_cost_ * 4;
+  return refine(coarse_, at, leaders, iterations, slack_);
+}
+
+double AlignmentSearch::improve(const Component& c, Alignments& at) {
+  double cost = refined(at, c.leaders, 3);
+  if (c.cost >= 0 && cost > kHopeless * c.cost) return cost;
+  for (int round = 0; round < 4 && cost > kPerfect && moveSingles(c, at); ++round)
+    cost = refined(at, c.leaders, 4);
   return cost;
 }
 
 void AlignmentSearch::keep(Component& c, const Alignments& at, double cost) {
+  if (watch_slack_ > 0) {
+    const double watched = componentCost(c, at, watch_slack_);
+    if (c.watched_cost < 0 || watched < c.watched_cost) {
+      c.watched_cost = watched;
+      for (int l : c.leaders) watched_[l] = at[l];
+    }
+  }
   if (c.cost >= 0 && cost > c.cost - 1e-7 * c.cost - 1e-10) {
     ++c.idle;
     return;
@@ -194,7 +209,7 @@ void AlignmentSearch::offer(const Alignments& at) {
     admissible[l] = leader.freedom.nearest(at[l], leader.centre);
   }
   for (Component& c : components_) {
-    const double cost = componentCost(c, admissible);
+    const double cost = componentCost(c, admissible, slack_);
     if (c.cost < 0 || cost < c.cost) keep(c, admissible, cost);
     Alignments better = admissible;
     keep(c, better, improve(c, better));
@@ -208,7 +223,7 @@ bool AlignmentSearch::step() {
   const int n = static_cast<int>(c.leaders.size());
   Alignments at = best_;
   std::vector<char> placed(full_.leaders.size(), 1);
-  if (c.starts < budget_.trees || c.cost < 0) {
+  if (c.starts < budget_.trees || c.cost < 0 || random_.uniform() < kFresh) {
     for (int l : c.leaders) placed[l] = 0;
     ++c.starts;
   } else {

@@ -32,6 +32,7 @@ class Cloth {
 
   /// One Newton step and one update of the multipliers.
   void step();
+  int settling = 0;  ///< steps since the targets were fixed; for the caller's use
   int factorisations() const { return factorisations_; }
 
   /// What a shape must keep; each is 0 or less when kept.
@@ -47,7 +48,7 @@ class Cloth {
 
   /// Stiffens the outline where it bends by more than `limit` rad. Returns whether it did anything.
   bool stiffenKinks(double limit);
-  /// Scales what every vertex may move, and starts again from rest.
+  /// Scales what every vertex may move, and starts again from rest with the same targets.
   void restart(double reach_factor);
 
  private:

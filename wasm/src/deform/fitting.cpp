@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "geometry/polygon.h"
+
 namespace seamwise {
 namespace {
 
@@ -56,7 +58,7 @@ void SeamFitting::addTarget(int piece, int vertex, const Vec2& position, double 
 }
 
 void SeamFitting::step(const std::vector<Alignment>& at) {
-  clearTargets();
+  for (Cloth& cloth : cloths_) cloth.clearTargets();
   for (std::size_t s = 0; s < joins_.size(); ++s) {
     const Seam& seam = pattern_.seams[s];
     if (!seam.matched || seam.twin) continue;
@@ -74,16 +76,20 @@ void SeamFitting::step(const std::vector<Alignment>& at) {
       addTarget(seam.b.piece, vb, wb.toPiece(back * (middle - g.a)), weight);
     }
   }
-  settle();
-}
-
-void SeamFitting::settle() {
   for (Cloth& cloth : cloths_) cloth.step();
   collectShapes();
 }
 
-void SeamFitting::clearTargets() {
-  for (Cloth& cloth : cloths_) cloth.clearTargets();
+bool SeamFitting::crosses(int piece) const {
+  std::vector<Polyline> loops;
+  auto add = [&](const std::vector<int>& loop) {
+    Polyline line;
+    for (int v : loop) line.push_back(shapes_[piece][v]);
+    loops.push_back(std::move(line));
+  };
+  add(pattern_.pieces[piece].outline);
+  for (const auto& hole : pattern_.pieces[piece].holes) add(hole);
+  return findCrossing(loops).has_value();
 }
 
 int SeamFitting::factorisations() const {

@@ -18,17 +18,16 @@ class SeamFitting {
   void chooseJoins(const std::vector<Alignment>& at);
   /// New targets, then one step of every part.
   void step(const std::vector<Alignment>& at);
-  /// One step of every part under the targets it has, for lengths and reach to converge.
-  void settle();
 
   std::vector<Cloth>& cloths() { return cloths_; }
   const Shapes& shapes() const { return shapes_; }
   const std::vector<Join>& joins() const { return joins_; }
   int factorisations() const;
 
-  /// No target any more: parts go back to the nearest shape that can be sewn.
-  void clearTargets();
+  /// Takes over the parts' shapes.
   void collectShapes();
+  /// Whether a piece's outline crosses itself.
+  bool crosses(int piece) const;
 
  private:
   void addTarget(int piece, int vertex, const Vec2& position, double weight);

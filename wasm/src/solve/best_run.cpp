@@ -1,23 +1,25 @@
 #include "solve/best_run.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 #include "alignment/refine.h"
-#include "geometry/polygon.h"
 
 namespace seamwise {
 namespace {
 
-constexpr int kFitSteps = 24;       ///< Newton steps before lengths and reach must settle
+constexpr int kFitSteps = 10;       ///< Newton steps before lengths and reach must settle
 constexpr int kRealignEvery = 4;    ///< steps between new joins and alignments
-constexpr int kSettleSteps = 12;    ///< under fixed targets, before a remedy
+constexpr int kSettleSteps = 15;    ///< under fixed targets, before a remedy
+constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
+constexpr int kMostSettling = 200;  ///< steps in all
+constexpr double kRemedyReach = 0.6;
+constexpr double kSlack = 1.3;
 constexpr double kSearchShare = 0.5, kSlackShare = 0.6;  ///< of progress
 
 /// Limits that a finished shape keeps, a little inside what is promised.
-constexpr double kLengthError = 2e-3;             ///< cm
+constexpr double kLengthError = 5e-5;             ///< cm an edge; a seam has up to a hundred
 constexpr double kKink = 12.5 * kPi / 180;        ///< rad
+constexpr double kStiffenFrom = 0.9;              ///< share of kKink
 constexpr double kStretch = 0.12;
 constexpr double kReachExcess = 0.012;            ///< share of the greatest change
 constexpr double kReachMargin = 0.985;
@@ -29,6 +31,8 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
     : problem_(problem), pattern_(pattern), rules_(rules),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules, problem.print.group,
                               problem.options.continuous_only, notes)) {
+  // two sides that may each move by the greatest change meet across somewhat less than twice that
+  slack_ = kSlack * problem.options.max_change_cm;
   const std::uint64_t seed = problem.options.seed;
   if (pattern.mirrors.empty() && !known.empty()) {
     symmetric_ = std::make_unique<MatchProblem>(
@@ -38,6 +42,7 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
     stage_ = Stage::kSymmetricSearch;
   } else {
     searching_ = std::make_unique<AlignmentSearch>(match_, seed, SearchBudget{});
+    searching_->watch(slack_);
   }
   leaders_ = match_.ofLeaders(Alignments(pattern.pieces.size()));
   alignment_ = search_result_ = match_.expanded(leaders_);
@@ -52,6 +57,7 @@ bool BestRun::advance() {
       if (!more) {
         searching_ =
             std::make_unique<AlignmentSearch>(match_, problem_.options.seed, SearchBudget{});
+        searching_->watch(slack_);
         searching_->offer(match_.ofLeaders(alignment_));
         stage_ = Stage::kSearch;
       }
@@ -82,11 +88,13 @@ bool BestRun::advance() {
 void BestRun::endSearch() {
   leaders_ = searching_->best();
   search_result_ = alignment_ = match_.expanded(leaders_);
+  const Alignments watched = searching_->watched();
   SearchBudget little;
-  little.trees = 4, little.idle = 10, little.evaluations = 1e7;
+  little.trees = 2, little.idle = 15, little.evaluations = 6e6;
   searching_ = std::make_unique<AlignmentSearch>(match_, problem_.options.seed + 1, little,
-                                                 1.2 * problem_.options.max_change_cm);
+                                                 slack_);
   searching_->offer(leaders_);
+  searching_->offer(watched);
   stage_ = Stage::kSlackSearch;
 }
 
@@ -119,23 +127,32 @@ void BestRun::fitStep() {
   if (iterations_ >= kFitSteps) stage_ = Stage::kSettle;
 }
 
-bool BestRun::kept() {
-  bool good = true;
-  const double reach = kReachExcess * problem_.options.max_change_cm;
-  for (Cloth& cloth : fitting_->cloths()) {
-    const auto v = cloth.violations();
-    good &= v.length < kLengthError && v.reach < reach && v.kink < kKink && v.stretch < kStretch;
-  }
-  return good;
+/// Whether the part keeps everything that is promised of a finished shape.
+bool BestRun::kept(const Cloth& cloth) const {
+  const Cloth::Violations v = cloth.violations();
+  return v.length < kLengthError && v.reach < kReachExcess * problem_.options.max_change_cm &&
+         v.kink < kKink && v.stretch < kStretch && !fitting_->crosses(cloth.part().piece);
 }
 
+/// Parts that keep their limits rest; the others go on, stiffer where they bend too much. A part that
+/// will not settle starts again from rest and may move less, at last without targets.
 void BestRun::settleStep() {
-  for (Cloth& cloth : fitting_->cloths()) cloth.stiffenKinks(0.9 * kKink);
-  fitting_->settle();
-  ++iterations_, ++settled_;
+  bool all_kept = true;
+  for (Cloth& cloth : fitting_->cloths()) {
+    if (kept(cloth)) continue;
+    all_kept = false;
+    cloth.stiffenKinks(kStiffenFrom * kKink);
+    cloth.step();
+    if (++cloth.settling % kSettleSteps != 0) continue;
+    const int remedies = cloth.settling / kSettleSteps;
+    if (remedies > kMostRemedies) cloth.clearTargets();
+    cloth.restart(kRemedyReach);
+  }
+  fitting_->collectShapes();
+  ++settled_;
   progress_ = std::max(progress_, 0.9 + 0.1 * (1 - 1.0 / (1 + settled_)));
-  if (getenv("DBG")) { printf("settle %d:", settled_); for (Cloth& cl : fitting_->cloths()) { auto v = cl.violations(); printf(" [len %.1e reach %.1e kink %.1f str %.2f area %.2f mv %.1e]", v.length, v.reach, v.kink*57.3, v.stretch, v.area, v.moved);} puts(""); }
-  if (kept() || settled_ > 60) {
+  if (!all_kept) ++iterations_;
+  if (all_kept || settled_ > kMostSettling) {
     stage_ = Stage::kDone;
     progress_ = 1;
   }

@@ -34,7 +34,7 @@ class BestRun : public Run {
   void fitStep();
   void settleStep();
   void realign();
-  bool kept();
+  bool kept(const Cloth& cloth) const;
 
   const Problem& problem_;
   const Pattern& pattern_;
@@ -46,8 +46,8 @@ class BestRun : public Run {
   Stage stage_ = Stage::kSearch;
   Alignments leaders_;     ///< present alignment of the leaders
   Alignments alignment_, search_result_;
-  int iterations_ = 0, settled_ = 0, remedies_ = 0;
-  double progress_ = 0;
+  int iterations_ = 0, settled_ = 0;
+  double slack_ = 0, progress_ = 0;
 };
 
 }  // namespace seamwise
