@@ -199,13 +199,11 @@ void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
 
 }  // namespace
 
-MatchProblem makeMatchProblem(const Pattern& pattern,
-                              const Shapes& shapes,
-                              const std::vector<Mirror>& mirrors,
-                              const std::vector<PieceRule>& rules, const WallpaperGroup& group,
-                              bool continuous_only, std::vector<std::string>* notes) {
+MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
+                              const std::vector<Mirror>& mirrors, const MatchRules& rules,
+                              const WallpaperGroup& group, std::vector<std::string>* notes) {
   MatchProblem problem(group);
-  problem.continuous_only = continuous_only;
+  problem.continuous_only = rules.continuous_only;
   problem.pieces.resize(pattern.pieces.size());
   std::vector<RigidMotion> back(pattern.pieces.size());
   std::vector<const Mirror*> own(pattern.pieces.size(), nullptr);
@@ -214,7 +212,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern,
       own[m.pieces[0]] = &m;
     } else {
       // a pinned twin leads
-      const bool second_leads = rules[m.pieces[1]].pin && !rules[m.pieces[0]].pin;
+      const bool second_leads = rules.pieces[m.pieces[1]].pin && !rules.pieces[m.pieces[0]].pin;
       const int follower = m.pieces[second_leads ? 0 : 1], leader = m.pieces[second_leads ? 1 : 0];
       const RigidMotion map = second_leads ? m.map.inverse() : m.map;
       problem.pieces[follower] = {leader, true, map};
@@ -230,7 +228,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern,
     leader.piece = static_cast<int>(p);
     for (int v : pattern.pieces[p].outline) leader.centre += shapes[p][v];
     leader.centre /= static_cast<double>(pattern.pieces[p].outline.size());
-    const PieceRule& rule = rules[p];
+    const PieceRule& rule = rules.pieces[p];
     if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
     if (!rule.angles.empty() && !leader.freedom.restrictAngles(rule.angles, rule.tolerance) && notes)
       notes->push_back("piece '" + pattern.pieces[p].name +
@@ -255,6 +253,17 @@ MatchProblem makeMatchProblem(const Pattern& pattern,
       m.pa.push_back((a0 + a1) / 2), m.pb.push_back((b0 + b1) / 2);
       m.da.push_back(a1 - a0), m.db.push_back(b1 - b0);
       m.w.push_back(seam.weight * ((a1 - a0).norm() + (b1 - b0).norm()) / 2);
+    }
+    addSeam(problem, back, own, std::move(m));
+  }
+  for (const MatchLine& line : rules.lines) {
+    MatchSeam m;
+    m.a = line.piece_a, m.b = line.piece_b;
+    for (std::size_t i = 0; i + 1 < line.a.size(); ++i) {
+      m.pa.push_back((line.a[i] + line.a[i + 1]) / 2);
+      m.pb.push_back((line.b[i] + line.b[i + 1]) / 2);
+      m.da.push_back(line.a[i + 1] - line.a[i]), m.db.push_back(line.b[i + 1] - line.b[i]);
+      m.w.push_back(line.weight * (m.da.back().norm() + m.db.back().norm()) / 2);
     }
     addSeam(problem, back, own, std::move(m));
   }

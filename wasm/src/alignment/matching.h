@@ -5,6 +5,7 @@
 
 #include "alignment/alignment.h"
 #include "alignment/freedom.h"
+#include "pattern/garment.h"
 #include "pattern/pattern.h"
 #include "wallpaper/group.h"
 
@@ -36,6 +37,13 @@ struct PieceRule {
   std::optional<Alignment> pin;
   std::vector<double> angles;  ///< admissible angles, rad; empty: any
   double tolerance = 0;        ///< rad
+};
+
+/// What the alignment must heed besides the seams.
+struct MatchRules {
+  std::vector<PieceRule> pieces;  ///< per piece: pin and grain
+  std::vector<MatchLine> lines;   ///< lines that lie on each other unsewn, in rest coordinates
+  bool continuous_only = false;   ///< forbid mirrored seams
 };
 
 using Alignments = std::vector<Alignment>;
@@ -100,12 +108,9 @@ class MatchProblem {
 /// Makes the problem for a pattern in the given shapes (per piece, per vertex, cm).
 /// @param mirrors    pairs merge into one leader, single pieces must lie on a mirror line; the group
 ///                   must carry them
-/// @param rules      per piece: pins and grain
-/// @param notes      gets a sentence for each grain rule that a mirrored piece cannot keep
-MatchProblem makeMatchProblem(const Pattern& pattern,
-                              const Shapes& shapes,
-                              const std::vector<Mirror>& mirrors,
-                              const std::vector<PieceRule>& rules, const WallpaperGroup& group,
-                              bool continuous_only, std::vector<std::string>* notes);
+/// @param notes      gets a sentence for each rule that a mirrored piece cannot keep; may be null
+MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
+                              const std::vector<Mirror>& mirrors, const MatchRules& rules,
+                              const WallpaperGroup& group, std::vector<std::string>* notes);
 
 }  // namespace seamwise

@@ -53,10 +53,8 @@ void AlignmentSearch::findComponents() {
     }
     components_[at].leaders.push_back(static_cast<int>(l));
   }
-  double total = 0;
-  for (const Component& c : components_) total += static_cast<double>(c.leaders.size());
   for (Component& c : components_)
-    c.allowed = budget_.evaluations * static_cast<double>(c.leaders.size()) / total;
+    c.allowed = budget_.evaluations * static_cast<double>(c.leaders.size());
 }
 
 /// Every candidate's cost towards the placed neighbours (all of them when `placed` is null).

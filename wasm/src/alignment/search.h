@@ -10,8 +10,8 @@ namespace seamwise {
 /// the machine.
 struct SearchBudget {
   int trees = 6;          ///< spanning-tree starts for each free piece's component, at least
-  int idle = 20;           ///< stop after so many regrowths without gain, for each free piece
-  double evaluations = 1.2e7;  ///< stop after so many element distances, shared by the components
+  int idle = 12;           ///< stop after so many regrowths without gain, for each free piece
+  double evaluations = 1.6e6;  ///< stop after so many element distances for each free piece
   int samples = 8;        ///< points a seam while searching; the end is polished on all
 };
 

@@ -10,6 +10,7 @@ namespace {
 constexpr double kFlipWeight = 0.01;       ///< beta
 constexpr double kSatisfied = 1e-6;        ///< cm2 a vertex, for E_match and for E_sym
 constexpr int kMostNewton = 60;            ///< steps under one gamma
+constexpr double kStill = 1e-5;            ///< cm: a step that moves nothing further ends a gamma
 constexpr double kMostGamma = 1e12;
 
 }  // namespace
@@ -74,7 +75,7 @@ void PenaltyDeformation::start(std::vector<Target> targets, double alpha) {
   alpha_ = alpha;
   gamma_ = 1;
   x_ = rest_;
-  iterations_ = at_this_gamma_ = 0;
+  iterations_ = at_this_gamma_ = gammas_ = 0;
 }
 
 double PenaltyDeformation::energy(const VectorX& x, VectorX* gradient,
@@ -103,12 +104,13 @@ bool PenaltyDeformation::step() {
       const double after = energy(trial, nullptr, nullptr);
       if (!(after <= before + 1e-4 * scale * slope)) continue;
       x_ = trial;
-      converged = before - after <= 1e-7 * (before + 1e-12);
+      converged = scale * direction.lpNorm<Eigen::Infinity>() < kStill;
       break;
     }
   }
   if (!converged && at_this_gamma_ < kMostNewton) return true;
   at_this_gamma_ = 0;
+  ++gammas_;
   const double vertices = static_cast<double>(x_.size()) / 2;
   const double match = matchEnergy(edges_, x_, 1, nullptr, nullptr) / vertices;
   const double symmetry = symmetryEnergy(mirrors_, x_, 1, nullptr, nullptr) / vertices;

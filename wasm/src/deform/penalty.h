@@ -20,6 +20,8 @@ class PenaltyDeformation {
   bool step();
   int iterations() const { return iterations_; }
   double gamma() const { return gamma_; }
+  /// How many values of gamma have been solved.
+  int gammas() const { return gammas_; }
   /// First coordinate block of a piece: vertex v of piece p is vertex first(p) + v of the terms.
   int first(int piece) const { return first_[piece]; }
   Shapes shapes() const;
@@ -36,7 +38,7 @@ class PenaltyDeformation {
   std::vector<Target> targets_;
   SparseHessian hessian_;
   double alpha_ = 1, gamma_ = 1;
-  int iterations_ = 0, at_this_gamma_ = 0;
+  int iterations_ = 0, at_this_gamma_ = 0, gammas_ = 0;
 };
 
 }  // namespace seamwise

@@ -43,12 +43,20 @@ struct Mirror {
   bool single() const { return pieces[0] == pieces[1]; }
 };
 
-/// Two marked lines that lie on each other without being sewn; points in rest coordinates. They
-/// count in the fit and carry no length constraint.
+/// A garment sampled and, once meshed, ready to solve.
 struct Pattern {
   std::vector<Piece> pieces;
   std::vector<Seam> seams;  ///< one per stitch, in the order of the file
   std::vector<Mirror> mirrors;
 };
+
+/// Where the vertices of the pieces are: per piece, per vertex, cm.
+using Shapes = std::vector<std::vector<Vec2>>;
+
+inline Shapes restShapes(const Pattern& pattern) {
+  Shapes rest;
+  for (const Piece& piece : pattern.pieces) rest.push_back(piece.rest);
+  return rest;
+}
 
 }  // namespace seamwise

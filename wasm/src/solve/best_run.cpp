@@ -14,6 +14,7 @@ constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
 constexpr int kMostSettling = 200;  ///< steps in all
 constexpr double kRemedyReach = 0.6;
 constexpr double kSlack = 1.3;
+constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies, nothing needs to move
 constexpr double kSearchShare = 0.5, kSlackShare = 0.6;  ///< of progress
 
 /// Limits that a finished shape keeps, a little inside what is promised.
@@ -27,17 +28,16 @@ constexpr double kReachMargin = 0.985;
 }  // namespace
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-                 const std::vector<PieceRule>& rules, std::vector<std::string>* notes)
+                 const MatchRules& rules, std::vector<std::string>* notes)
     : problem_(problem), pattern_(pattern), rules_(rules),
-      match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules, problem.print.group,
-                              problem.options.continuous_only, notes)) {
+      match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
+                              problem.print.group, notes)) {
   // two sides that may each move by the greatest change meet across somewhat less than twice that
   slack_ = kSlack * problem.options.max_change_cm;
   const std::uint64_t seed = problem.options.seed;
   if (pattern.mirrors.empty() && !known.empty()) {
     symmetric_ = std::make_unique<MatchProblem>(
-        makeMatchProblem(pattern, restShapes(pattern), known, rules, problem.print.group,
-                         problem.options.continuous_only, nullptr));
+        makeMatchProblem(pattern, restShapes(pattern), known, rules, problem.print.group, nullptr));
     searching_ = std::make_unique<AlignmentSearch>(*symmetric_, seed, SearchBudget{});
     stage_ = Stage::kSymmetricSearch;
   } else {
@@ -90,7 +90,7 @@ void BestRun::endSearch() {
   search_result_ = alignment_ = match_.expanded(leaders_);
   const Alignments watched = searching_->watched();
   SearchBudget little;
-  little.trees = 2, little.idle = 15, little.evaluations = 6e6;
+  little.trees = 2, little.idle = 15, little.evaluations = 8e5;
   searching_ = std::make_unique<AlignmentSearch>(match_, problem_.options.seed + 1, little,
                                                  slack_);
   searching_->offer(leaders_);
@@ -106,12 +106,15 @@ void BestRun::startFit() {
                                            kReachMargin * problem_.options.max_change_cm,
                                            problem_.options.continuous_only);
   fitting_->chooseJoins(alignment_);
-  stage_ = Stage::kFit;
+  double mismatch = 0;
+  for (std::size_t s = 0; s < pattern_.seams.size(); ++s)
+    if (pattern_.seams[s].matched && !pattern_.seams[s].twin) mismatch += fitting_->joins()[s].cost;
+  stage_ = mismatch > kPerfect ? Stage::kFit : Stage::kSettle;
 }
 
 void BestRun::realign() {
-  MatchProblem now = makeMatchProblem(pattern_, fitting_->shapes(), pattern_.mirrors, rules_, problem_.print.group,
-                                      problem_.options.continuous_only, nullptr);
+  MatchProblem now = makeMatchProblem(pattern_, fitting_->shapes(), pattern_.mirrors, rules_,
+                                      problem_.print.group, nullptr);
   std::vector<int> all(now.leaders.size());
   for (std::size_t l = 0; l < all.size(); ++l) all[l] = static_cast<int>(l);
   refine(now, leaders_, all, 2);

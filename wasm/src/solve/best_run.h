@@ -16,7 +16,7 @@ class BestRun : public Run {
   /// @param known   mirrors of the pattern's known symmetries that the group carries; with none imposed
   ///                the symmetric answer is one of the starts
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-          const std::vector<PieceRule>& rules, std::vector<std::string>* notes);
+          const MatchRules& rules, std::vector<std::string>* notes);
 
   bool advance() override;
   Phase phase() const override;
@@ -38,7 +38,7 @@ class BestRun : public Run {
 
   const Problem& problem_;
   const Pattern& pattern_;
-  std::vector<PieceRule> rules_;
+  MatchRules rules_;
   MatchProblem match_;
   std::unique_ptr<MatchProblem> symmetric_;
   std::unique_ptr<AlignmentSearch> searching_;

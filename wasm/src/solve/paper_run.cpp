@@ -9,14 +9,15 @@ namespace seamwise {
 namespace {
 
 constexpr double kMostAlpha = 65536;
+constexpr double kLost = 3;  ///< times the greatest change
 
 }  // namespace
 
 PaperRun::PaperRun(const Problem& problem, const Pattern& pattern,
-                   const std::vector<PieceRule>& rules, std::vector<std::string>* notes)
+                   const MatchRules& rules, std::vector<std::string>* notes)
     : problem_(problem), pattern_(pattern),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
-                              problem.print.group, problem.options.continuous_only, notes)),
+                              problem.print.group, notes)),
       sweeps_(match_, problem.options.seed),
       deformation_(pattern, problem.options.method == Method::kPaper),
       alignment_(match_.expanded(sweeps_.at())), shapes_(restShapes(pattern)),
@@ -31,7 +32,12 @@ bool PaperRun::advance() {
     return true;
   }
   if (phase_ == Phase::kDone) return false;
-  const bool more = deformation_.step();
+  const int before = deformation_.gammas();
+  bool more = deformation_.step();
+  // A growing gamma hardly takes movement back: an attempt far beyond the bound has failed.
+  if (more && deformation_.gammas() > before && !problem_.options.alpha && alpha_ < kMostAlpha &&
+      greatestMovement(pattern_, deformation_.shapes()) > kLost * problem_.options.max_change_cm)
+    more = false;
   // gamma ends at about 2^20; later attempts tell nothing new
   const double within = std::min(1.0, std::log2(deformation_.gamma()) / 22);
   progress_ = std::max(progress_, 0.1 + 0.85 * within);

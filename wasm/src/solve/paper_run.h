@@ -13,7 +13,7 @@ namespace seamwise {
 /// holds.
 class PaperRun : public Run {
  public:
-  PaperRun(const Problem& problem, const Pattern& pattern, const std::vector<PieceRule>& rules,
+  PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,
            std::vector<std::string>* notes);
 
   bool advance() override;

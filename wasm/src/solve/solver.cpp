@@ -63,7 +63,7 @@ struct Solver::State {
   explicit State(Problem p) : problem(std::move(p)) {}
   Problem problem;
   Pattern pattern;
-  std::vector<PieceRule> rules;
+  MatchRules rules;
   std::unique_ptr<Run> run;
   double reported = 0;
 };
@@ -84,7 +84,7 @@ Outcome<Solver> Solver::make(Problem problem) {
   if (!mesh.ok()) return mesh.error();
   state->pattern = std::move(mesh).value();
   applySeamOptions(p.options, state->pattern);
-  state->rules = pieceRules(p);
+  state->rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
   std::vector<std::string>* const notes = &state->problem.notes;
   if (p.options.method == Method::kBest)
     state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules, notes);
