@@ -44,9 +44,11 @@ struct Breakpoints {
   int nodeAt(int loop, double position) const;
 };
 
-/// Carries corners and axis crossings along seams and mirrors until nothing new arises. Breakpoints
-/// of an edge closer than `tolerance` cm (on the longer side of a seam; at most a quarter of the
-/// edge) are one.
-Breakpoints findBreakpoints(const Outlines& outlines, double tolerance);
+/// Carries corners and axis crossings along seams and mirrors until nothing new arises. A
+/// breakpoint that arrives within `tolerance` cm of one that has no counterpart yet is taken for
+/// it, so seams and symmetries that disagree a little do not chase each other round the garment;
+/// the difference is then spread over the neighbouring intervals.
+/// More than `per_corner` breakpoints for every corner are trouble.
+Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, int per_corner);
 
 }  // namespace seamwise

@@ -63,7 +63,7 @@ void matchCorners(const Loop& a, const std::vector<double>& us, const Loop& b,
   for (std::size_t i = 0, j = 0; i < m && j < n;) {
     const double g = gain(i, j);
     if (g > 0 && best[i][j] == g + best[i + 1][j + 1])
-      anchors->push_back({us[i++], vs[j++]});
+      anchors->push_back({us[i++], vs[j++], true});
     else if (best[i][j] == best[i + 1][j])
       ++i;
     else
@@ -78,9 +78,9 @@ std::vector<Anchor> matchStretch(const Loop& a, double u0, double u1, const Loop
   const std::vector<double> us = cornersBetween(a, u0, u1);
   std::vector<double> vs = cornersBetween(b, v1, v0);
   std::reverse(vs.begin(), vs.end());
-  std::vector<Anchor> anchors{{u0, v0}};
+  std::vector<Anchor> anchors{{u0, v0, true}};
   matchCorners(a, us, b, vs, map, tolerance, &anchors);
-  anchors.push_back({u1, v1});
+  anchors.push_back({u1, v1, true});
 
   // A corner without partner takes the nearest point between its neighbours' images. The margin
   // keeps different corners apart.
@@ -94,7 +94,7 @@ std::vector<Anchor> matchStretch(const Loop& a, double u0, double u1, const Loop
                          [](const Anchor& x, double value) { return x.from < value; });
     if (next->from == u) continue;
     const auto [low, high] = free_range(next->to, (next - 1)->to);
-    anchors.insert(next, {u, b.nearest(map(a.at(u)), low, high)});
+    anchors.insert(next, {u, b.nearest(map(a.at(u)), low, high), false});
   }
   const RigidMotion back = map.inverse();
   for (const double v : vs) {
@@ -102,7 +102,7 @@ std::vector<Anchor> matchStretch(const Loop& a, double u0, double u1, const Loop
                                        [](const Anchor& x, double value) { return x.to > value; });
     if (next->to == v) continue;
     const auto [low, high] = free_range((next - 1)->from, next->from);
-    anchors.insert(next, {a.nearest(back(b.at(v)), low, high), v});
+    anchors.insert(next, {a.nearest(back(b.at(v)), low, high), v, false});
   }
   return anchors;
 }
@@ -161,30 +161,7 @@ std::vector<double> axisCrossings(const Loop& a, const RigidMotion& map, double 
   return found;
 }
 
-/// Carries a position from one column of the anchors to the other.
-double carried(const std::vector<Anchor>& anchors, double position, double Anchor::*key,
-               double Anchor::*value) {
-  const double first = anchors.front().*key, turn = std::abs(anchors.back().*key - first);
-  const double sense = anchors.back().*key > first ? 1 : -1;
-  double x = std::fmod(sense * (position - first), turn);
-  if (x < 0) x += turn;
-  const auto next =
-      std::upper_bound(anchors.begin() + 1, anchors.end() - 1, x,
-                       [&](double at, const Anchor& a) { return at < sense * (a.*key - first); });
-  const Anchor &a = *(next - 1), &b = *next;
-  const double x0 = sense * (a.*key - first), x1 = sense * (b.*key - first);
-  return a.*value + (x1 > x0 ? (x - x0) / (x1 - x0) : 0) * (b.*value - a.*value);
-}
-
 }  // namespace
-
-double Correspondence::image(double position) const {
-  return carried(anchors, position, &Anchor::from, &Anchor::to);
-}
-
-double Correspondence::preimage(double position) const {
-  return carried(anchors, position, &Anchor::to, &Anchor::from);
-}
 
 std::optional<Correspondence> correspond(const Loop& a, const Loop& b, const RigidMotion& map,
                                          double greatest) {
@@ -200,6 +177,7 @@ std::optional<Correspondence> correspond(const Loop& a, const Loop& b, const Rig
     }
   if (least > c.tolerance) v = b.nearest(map(a.at(u)), 0, b.length());
   c.anchors = matchStretch(a, u, u + a.length(), b, v, v - b.length(), map, c.tolerance);
+  c.anchors.pop_back();  // the first one again
   return c;
 }
 
@@ -221,8 +199,6 @@ std::optional<Correspondence> correspondToItself(const Loop& a, const RigidMotio
       if (uneven < least) least = uneven, p = fixed[i], q = fixed[j];
     }
   c.anchors = matchStretch(a, p, q, a, p + a.length(), q, map, c.tolerance);
-  for (std::size_t i = c.anchors.size() - 1; i-- > 0;)
-    c.anchors.push_back({c.anchors[i].to, c.anchors[i].from});
   return c;
 }
 

@@ -6,19 +6,17 @@
 
 namespace seamwise {
 
-/// A one-to-one map between two loops that reverses their direction: piecewise linear in arc length
-/// between anchors. It inverts exactly, so points carried to and fro do not drift, however
-/// imperfect the symmetry of the drafted outlines.
+/// Places of two loops that are images of each other under a mirror.
 struct Correspondence {
   struct Anchor {
     double from, to;  ///< cm along the first and the second loop, not wrapped
+    bool certain;  ///< two corners, or an axis crossing; else one is the foot of the other's image
   };
-  /// `from` ascends by the first loop's length in all, `to` descends by the second's.
+  /// `from` ascends and `to` descends, within one turn. For a loop that is symmetric in itself:
+  /// from one axis crossing to the other, both included, so one half; the other half is the
+  /// reverse.
   std::vector<Anchor> anchors;
   double tolerance = 0;  ///< corners closer than this were taken for images of each other. [cm]
-
-  double image(double position) const;
-  double preimage(double position) const;
 };
 
 /// Matches two loops under a mirrored motion: corners that meet within a tolerance, measured from
@@ -27,8 +25,7 @@ struct Correspondence {
 std::optional<Correspondence> correspond(const Loop& a, const Loop& b, const RigidMotion& map,
                                          double greatest);
 
-/// The same for a loop that is symmetric in itself: an involution whose two fixed points are where
-/// the axis crosses the loop. Empty also when the axis does not cross it.
+/// The same for a loop that is symmetric in itself. Empty also when the axis does not cross it.
 std::optional<Correspondence> correspondToItself(const Loop& a, const RigidMotion& map,
                                                  double greatest);
 

@@ -13,6 +13,8 @@ namespace {
 constexpr double kLongestEdge = 1.05;       // cm; coarser sampling of a seam would hide mismatch
 constexpr double kGreatestDeviation = 0.5;  // cm; beyond it outlines are not mirror images at all
 constexpr double kLeastTolerance = 1e-3;    // cm
+constexpr int kFewPerCorner = 6;
+constexpr int kManyPerCorner = 24;
 
 std::string quoted(const Panel& panel) { return "piece '" + panel.name + "'"; }
 
@@ -190,25 +192,29 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
       std::move(ties->begin(), ties->end(), std::back_inserter(wishes.ties));
   }
 
-  double generous = kLeastTolerance;
-  for (const LoopTie& t : wishes.ties) generous = std::max(generous, t.map.tolerance);
+  // Exact patterns need no tolerance. Where symmetries and seams disagree, the least that ends the
+  // chase is best; if none does with few vertices, many are better than failing.
+  edge_length = std::min(edge_length, kLongestEdge);
+  double measured = kLeastTolerance;
+  for (const LoopTie& t : wishes.ties) measured = std::max(measured, t.map.tolerance);
   Breakpoints breakpoints;
   for (const Outlines* attempt : {&wishes, &outlines}) {
-    for (const double tolerance : {generous, kLeastTolerance}) {
-      breakpoints = findBreakpoints(*attempt, tolerance);
-      if (!breakpoints.trouble.empty()) continue;
-      auto loops = sampleLoops(*attempt, breakpoints, std::min(edge_length, kLongestEdge));
-      if (!loops.ok()) {
+    for (const int per_corner : {kFewPerCorner, kManyPerCorner}) {
+      for (const double tolerance : {kLeastTolerance, measured, 0.03 * edge_length,
+                                     0.1 * edge_length, 0.3 * edge_length, 0.5 * edge_length}) {
+        breakpoints = findBreakpoints(*attempt, tolerance, per_corner);
+        if (!breakpoints.trouble.empty()) continue;
+        auto loops = sampleLoops(*attempt, breakpoints, edge_length);
+        if (loops.ok()) return assembled(garment, *attempt, breakpoints, loops.value(), imposed);
         Error error = loops.error();
         error.message = quoted(garment.panels[error.piece]) + ": " + error.message;
         return error;
       }
-      return assembled(garment, *attempt, breakpoints, loops.value(), imposed);
     }
   }
   return Error{Failure::kMesh,
                quoted(garment.panels[breakpoints.troubled_panel]) + ": " + breakpoints.trouble +
-                   "; check the symmetries it takes part in",
+                   "; leave out one of the symmetries it takes part in",
                breakpoints.troubled_panel};
 }
 

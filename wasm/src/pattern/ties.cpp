@@ -1,0 +1,217 @@
+#include "pattern/ties.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace seamwise {
+namespace {
+
+constexpr double kSame = 1e-9;     // cm
+constexpr double kApart = 1e-3;    // cm; different nodes keep this distance where there is room
+constexpr double kSettled = 1e-7;  // cm
+constexpr int kMostSweeps = 2000;
+
+}  // namespace
+
+TiedNodes::TiedNodes(const Outlines& outlines)
+    : outlines_(&outlines), order_(outlines.loops.size()), ties_of_(outlines.loops.size()) {
+  for (std::size_t l = 0; l < outlines.loops.size(); ++l)
+    for (int k = 0; k < loopOf(static_cast<int>(l)).edges(); ++k)
+      add(static_cast<int>(l), loopOf(static_cast<int>(l)).corner(k), true);
+  for (const Stitch& s : outlines.stitches) addSeam(s);
+  for (const LoopTie& t : outlines.ties) addMirror(t);
+  for (std::size_t t = 0; t < ties_.size(); ++t)
+    for (const int side : {0, 1})
+      if (!ties_[t].self || side == 0)
+        ties_of_[ties_[t].side[side].loop].emplace_back(static_cast<int>(t), side);
+}
+
+int TiedNodes::add(int loop, double position, bool pinned) {
+  auto& order = order_[loop];
+  const double p = loopOf(loop).wrapped(position);
+  const auto next = std::lower_bound(order.begin(), order.end(), p, [&](int node, double value) {
+    return nodes_[node].position < value;
+  });
+  for (const auto at : {next, next == order.begin() ? order.end() : next - 1})
+    if (at != order.end() && std::abs(nodes_[*at].position - p) <= kSame) {
+      nodes_[*at].pinned = nodes_[*at].pinned || pinned;
+      return *at;
+    }
+  if (!order.empty() && loopOf(loop).length() - p <= kSame) return order.front();
+  const int node = static_cast<int>(nodes_.size());
+  nodes_.push_back({loop, p, pinned});
+  order.insert(next, node);
+  open_.push_back(node);
+  return node;
+}
+
+double TiedNodes::coordinate(const Tie::Side& side, int node) const {
+  return loopOf(side.loop).wrapped(side.sense * (nodes_[node].position - side.origin));
+}
+
+bool TiedNodes::holds(const Tie::Side& side, int node) const {
+  if (nodes_[node].loop != side.loop || node == side.first || node == side.last) return false;
+  return coordinate(side, node) < side.length;
+}
+
+int TiedNodes::counterpart(const Tie& tie, int side, int node) const {
+  const auto found = tie.counterpart[tie.self ? 0 : side].find(node);
+  return found == tie.counterpart[tie.self ? 0 : side].end() ? -1 : found->second;
+}
+
+void TiedNodes::match(Tie& tie, int side, int node, int other) {
+  tie.counterpart[tie.self ? 0 : side][node] = other;
+  tie.counterpart[tie.self ? 0 : 1 - side][other] = node;
+}
+
+void TiedNodes::addSeam(const Stitch& s) {
+  Tie tie;
+  const EdgeRef refs[2] = {s.a, s.b};
+  for (const int k : {0, 1}) {
+    const int l = outlines_->first[refs[k].piece], e = refs[k].edge;
+    const bool ahead = k == 0 || s.same_direction;
+    const int start = add(l, loopOf(l).corner(e), true),
+              end = add(l, loopOf(l).corner(e + 1), true);
+    tie.side[k] = {l,
+                   nodes_[ahead ? start : end].position,
+                   ahead ? 1.0 : -1.0,
+                   loopOf(l).edge(e).length(),
+                   ahead ? start : end,
+                   ahead ? end : start};
+  }
+  ties_.push_back(std::move(tie));
+}
+
+void TiedNodes::addMirror(const LoopTie& mirror) {
+  Tie tie;
+  tie.mirror = true;
+  tie.self = mirror.from == mirror.to;
+  const auto& anchors = mirror.map.anchors;
+  // Both ends are the first pair of anchors; the sides run in opposite senses.
+  const int a = add(mirror.from, anchors.front().from, tie.self);
+  const int b = add(mirror.to, anchors.front().to, tie.self);
+  tie.side[0] = {mirror.from, nodes_[a].position, 1, loopOf(mirror.from).length(), a, a};
+  tie.side[1] = {mirror.to, nodes_[b].position, -1, loopOf(mirror.to).length(), b, b};
+  match(tie, 0, a, b);
+  ties_.push_back(std::move(tie));
+}
+
+TiedNodes::Bracket TiedNodes::bracketOf(const Tie& tie, int side, double at) const {
+  const Tie::Side &own = tie.side[side], &other = tie.side[1 - side];
+  Bracket b{0, own.length, 0, other.length};
+  for (const int node : order_[own.loop]) {
+    const int match = counterpart(tie, side, node);
+    if (match < 0 || !holds(own, node)) continue;
+    const double x = coordinate(own, node);
+    if (x < at && x > b.low) b.low = x, b.other_low = coordinate(other, match);
+    if (x > at && x < b.high) b.high = x, b.other_high = coordinate(other, match);
+  }
+  return b;
+}
+
+void TiedNodes::place(Tie& tie, int side, int node, double tolerance, const double* wanted) {
+  const Tie::Side &own = tie.side[side], &other = tie.side[1 - side];
+  const double at = coordinate(own, node);
+  const Bracket b = bracketOf(tie, side, at);
+  const double gap = b.other_high - b.other_low, margin = std::min(0.05 * gap, kApart);
+  double x = b.other_low + gap * (at - b.low) / (b.high - b.low);
+  if (wanted) x = loopOf(other.loop).wrapped(other.sense * (*wanted - other.origin));
+  x = std::clamp(x, b.other_low + margin, b.other_high - margin);
+  // The same fraction of a seam on both sides, so that what is one here is one there.
+  double nearest = tolerance * (tie.mirror ? 1 : other.length / std::max(own.length, other.length));
+  int found = -1;
+  for (const int m : order_[other.loop]) {
+    if (!holds(other, m)) continue;
+    const double y = coordinate(other, m);
+    if (y <= b.other_low || y >= b.other_high || std::abs(y - x) > nearest) continue;
+    nearest = std::abs(y - x);
+    found = m;
+  }
+  if (found < 0) found = add(other.loop, other.origin + other.sense * x, false);
+  match(tie, side, node, found);
+}
+
+void TiedNodes::anchor(Tie& tie, const Correspondence& map, double tolerance) {
+  const int a = tie.side[0].loop, b = tie.side[1].loop;
+  const auto same = [&](const Correspondence::Anchor& x) {
+    return tie.self && std::abs(std::remainder(x.from - x.to, loopOf(a).length())) <= kSame;
+  };
+  for (const Correspondence::Anchor& x : map.anchors) {
+    if (!x.certain) continue;
+    const int node = add(a, x.from, same(x));
+    if (counterpart(tie, 0, node) < 0) match(tie, 0, node, same(x) ? node : add(b, x.to, false));
+  }
+  // A corner without partner finds its place between those.
+  for (const Correspondence::Anchor& x : map.anchors) {
+    if (x.certain) continue;
+    const int edge = loopOf(a).edgeAt(x.from);
+    const bool corner = std::abs(loopOf(a).wrapped(x.from) - loopOf(a).corner(edge)) <= kSame;
+    const int side = corner ? 0 : 1;
+    const int node = corner ? add(a, x.from, true) : add(b, x.to, true);
+    const double wanted = corner ? x.to : x.from;
+    if (counterpart(tie, side, node) < 0) place(tie, side, node, tolerance, &wanted);
+  }
+}
+
+bool TiedNodes::close(double tolerance, std::size_t most) {
+  for (std::size_t t = 0; t < outlines_->ties.size(); ++t)
+    anchor(ties_[outlines_->stitches.size() + t], outlines_->ties[t].map, tolerance);
+  while (!open_.empty()) {
+    if (nodes_.size() > most) return false;
+    const int node = open_.front();
+    open_.pop_front();
+    for (const auto& [t, side] : ties_of_[nodes_[node].loop])
+      if (holds(ties_[t].side[side], node) && counterpart(ties_[t], side, node) < 0)
+        place(ties_[t], side, node, tolerance, nullptr);
+  }
+  return true;
+}
+
+double TiedNodes::proportion(const Tie& tie, int side, int before, int node, int after) const {
+  const Tie::Side &own = tie.side[side], &other = tie.side[1 - side];
+  const bool ahead = own.sense > 0;
+  // Seen along the loop, `before` can only be the low end of a side that runs ahead, and so on.
+  const auto image = [&](int n, bool low) {
+    if (low && n == own.first) return other.first;
+    if (!low && n == own.last) return other.last;
+    return counterpart(tie, side, n);
+  };
+  const double sense = own.sense * other.sense;
+  const double a = nodes_[image(before, ahead)].position, x = nodes_[image(node, ahead)].position;
+  const double b = nodes_[image(after, !ahead)].position;
+  const double part = loopOf(other.loop).wrapped(sense * (x - a));
+  return part / (part + loopOf(other.loop).wrapped(sense * (b - x)));
+}
+
+void TiedNodes::settle() {
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    double moved = 0;
+    for (std::size_t l = 0; l < order_.size(); ++l) {
+      const Loop& loop = loopOf(static_cast<int>(l));
+      const auto& order = order_[l];
+      const std::size_t n = order.size();
+      for (std::size_t i = 1; i < n; ++i) {  // node 0 is a corner
+        Node& node = nodes_[order[i]];
+        if (node.pinned) continue;
+        const int before = order[i - 1], after = order[(i + 1) % n];
+        const double low = nodes_[before].position;
+        const double gap = loop.wrapped(nodes_[after].position - low);
+        double sum = 0;
+        int count = 0;
+        for (const auto& [t, side] : ties_of_[l]) {
+          if (!holds(ties_[t].side[side], order[i])) continue;
+          sum += proportion(ties_[t], side, before, order[i], after);
+          ++count;
+        }
+        if (count == 0) continue;
+        const double position = low + gap * sum / count;
+        moved = std::max(moved, std::abs(position - node.position));
+        node.position = position;
+      }
+    }
+    if (moved < kSettled) return;
+  }
+}
+
+}  // namespace seamwise
