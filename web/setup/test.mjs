@@ -13,9 +13,11 @@ function runTool(name, ...args) {
   return run(node, [program, ...args]);
 }
 
+let building = null;
+
 /** The same on the compiled package, which is what its users and its tests see. */
 async function runToolOnBuild(name, ...args) {
-  await build();
+  await (building ??= build());
   return runTool(name, ...args);
 }
 
