@@ -90,6 +90,15 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
       }
     }
   }
+  // an edge whose mirror image is sewn must keep its length, too
+  for (const Mirror& m : pattern.mirrors) {
+    const int n = static_cast<int>(sewn[m.pieces[0]].size());
+    for (int v = 0; v < n; ++v) {
+      const int image = m.image[(v + 1) % n];  // images run the other way round
+      char &here = sewn[m.pieces[0]][v], &there = sewn[m.pieces[1]][image];
+      here = there = here || there;
+    }
+  }
   std::vector<const Mirror*> leads(count, nullptr), follows(count, nullptr);
   for (const Mirror& m : pattern.mirrors) {
     leads[m.pieces[0]] = &m;

@@ -115,6 +115,7 @@ void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryReq
   const Garment& garment = problem->garment;
   const WallpaperGroup& group = problem->print.group;
   const Symmetries detected = detectSymmetries(garment);
+  problem->symmetries_optional = texts.symmetry == "auto";
   Symmetries treated = detected;
   if (texts.symmetry == "auto") {
     if (!of_garment.empty()) {
@@ -140,7 +141,7 @@ void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryReq
 Problem read(const ProblemTexts& texts) {
   GarmentFile file = valueOf(readGarment(texts.garment, texts.garment_name));
   Problem problem{
-      std::move(file.garment), valueOf(readPrint(texts.print, texts.print_name)), {}, {}, {},
+      std::move(file.garment), valueOf(readPrint(texts.print, texts.print_name)), {}, {}, false, {},
       std::move(file.notes)};
   readOptionsInto(texts, &problem);
   readSymmetriesInto(texts, file.symmetries, &problem);

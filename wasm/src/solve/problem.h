@@ -15,6 +15,7 @@ struct Problem {
   Print print;
   std::vector<BodySymmetry> imposed;  ///< obeyed by print and shape
   std::vector<BodySymmetry> known;    ///< all that the sampling follows; contains `imposed`
+  bool symmetries_optional = false;   ///< found by the program: one that cannot hold may be dropped
   SolveOptions options;
   std::vector<std::string> notes;  ///< sentences for the user: what was dropped or assumed
 };

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
-#include "deform/mesh.h"
-#include "pattern/discretise.h"
 #include "solve/best_run.h"
 #include "solve/paper_run.h"
+#include "solve/prepare.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kCoarsest = 6.0;  ///< cm: greatest triangles inside; the interior is smooth
 
 /// Pins and grain of every piece.
 std::vector<PieceRule> pieceRules(const Problem& problem) {
@@ -77,10 +74,7 @@ Outcome<Solver> Solver::make(Problem problem) {
   auto state = std::make_unique<State>(std::move(problem));
   Problem& p = state->problem;
   if (p.options.method == Method::kWs19) p.imposed.clear();  // it knows no symmetry of the body
-  Outcome<Pattern> sampled =
-      discretise(p.garment, p.known, p.imposed, p.options.edge_length_cm);
-  if (!sampled.ok()) return sampled.error();
-  Outcome<Pattern> mesh = meshed(std::move(sampled).value(), kCoarsest);
+  Outcome<Pattern> mesh = preparedPattern(p);
   if (!mesh.ok()) return mesh.error();
   state->pattern = std::move(mesh).value();
   applySeamOptions(p.options, state->pattern);
