@@ -43,7 +43,7 @@ Vec2 Loop::at(double position) const {
 
 double Loop::nearest(const Vec2& p, double from, double to) const {
   double best = from, least = std::numeric_limits<double>::infinity();
-  double low = from, high = to;
+  double low = from, high = from;  // where a better place than `best` may lie: on a curve
   const auto consider = [&](double position, const Vec2& q, double a, double b) {
     const double distance = (q - p).squaredNorm();
     if (distance >= least) return;
@@ -54,8 +54,8 @@ double Loop::nearest(const Vec2& p, double from, double to) const {
   };
   consider(from, at(from), from, from);
   consider(to, at(to), to, to);
-  const double turn = length(), base = std::floor(from / turn) * turn;
-  for (double offset = base; offset < to; offset += turn) {
+  const double turn = length();
+  for (double offset = std::floor(from / turn) * turn; offset < to; offset += turn) {
     for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
       const double a = samples_[i].position + offset, b = samples_[i + 1].position + offset;
       if (b < from || a > to || b <= a) continue;
@@ -65,10 +65,11 @@ double Loop::nearest(const Vec2& p, double from, double to) const {
       const double x =
           std::clamp(along, (std::max(a, from) - a) / (b - a), (std::min(b, to) - a) / (b - a));
       // On a curve the true foot may lie one chord further.
-      consider(a + x * (b - a), samples_[i].point + x * d, 2 * a - b, 2 * b - a);
+      const bool straight = edge(edgeAt((a + b) / 2)).straight();
+      consider(a + x * (b - a), samples_[i].point + x * d, straight ? a : 2 * a - b,
+               straight ? a : 2 * b - a);
     }
   }
-  if (edge(edgeAt((low + high) / 2)).straight() && edge(edgeAt(best)).straight()) return best;
   // Golden section on the squared distance.
   const double ratio = (std::sqrt(5.0) - 1) / 2;
   const auto cost = [&](double position) { return (at(position) - p).squaredNorm(); };
@@ -85,7 +86,8 @@ double Loop::nearest(const Vec2& p, double from, double to) const {
       f2 = cost(x2);
     }
   }
-  return (low + high) / 2;
+  const double refined = (low + high) / 2;
+  return cost(refined) < cost(best) ? refined : best;
 }
 
 Vec2 Loop::middle() const {

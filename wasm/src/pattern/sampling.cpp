@@ -11,7 +11,7 @@ namespace {
 constexpr double kChordTurn = kPi / 10;
 constexpr double kShortestChord =
     0.02;  // cm: a cusp is a corner, not a reason for ever more vertices
-constexpr int kRefinements = 8;
+constexpr int kRefinements = 40;
 
 /// A stretch of one edge between neighbouring breakpoints.
 struct Interval {
@@ -75,13 +75,11 @@ class Sampler {
       for (int p = 0; p < panels; ++p) {
         const auto crossing = crossingOf(p);
         if (!crossing) continue;
-        if (round == kRefinements)
+        if (round == kRefinements || !refine(p, *crossing))
           return Error{Failure::kMesh,
                        "the outline crosses or touches itself near (" + shown(crossing->at.x()) +
                            ", " + shown(crossing->at.y()) + ") cm; redraw it there",
                        p};
-        refine(outlines_.first[p] + crossing->first_loop, crossing->first_edge);
-        refine(outlines_.first[p] + crossing->second_loop, crossing->second_edge);
         refined = true;
       }
       if (!refined) return sampled_;
@@ -147,13 +145,35 @@ class Sampler {
     return findCrossing(loops);
   }
 
-  void refine(int l, int edge) {
+  /// A chord that crosses another one, and how far it leaves its curve.
+  struct Offender {
+    int loop;
+    std::size_t interval;
+    double bulge;
+  };
+
+  Offender offender(int l, int edge) {
     const auto& starts = sampled_[l].node_vertex;
     const auto after = std::upper_bound(starts.begin(), starts.end(), edge);
     const std::size_t i = after - starts.begin() - 1;
     const Interval& it = intervals_[breakpoints_.first_interval[l] + i];
-    int& n = count(l, i);
-    if (!it.curve->straight() && it.length() / n > kShortestChord) n += (n + 1) / 2;
+    const int n = count(l, i), k = edge - starts[i];
+    if (it.curve->straight() || it.length() / n < kShortestChord) return {l, i, 0};
+    const auto at = [&](int half) { return it.curve->atFraction(it.fraction(half, 2 * n)); };
+    return {l, i, ((at(2 * k) + at(2 * k + 2)) / 2 - at(2 * k + 1)).norm()};
+  }
+
+  /// Refines the chord that leaves its curve further; where arcs meet without an angle, refining
+  /// both alike would let them cross for ever. False when both are straight or short.
+  bool refine(int panel, const Crossing& crossing) {
+    const int base = outlines_.first[panel];
+    const Offender a = offender(base + crossing.first_loop, crossing.first_edge);
+    const Offender b = offender(base + crossing.second_loop, crossing.second_edge);
+    const Offender& worse = a.bulge >= b.bulge ? a : b;
+    if (worse.bulge == 0) return false;
+    int& n = count(worse.loop, worse.interval);
+    n += (n + 1) / 2;
+    return true;
   }
 
   const Outlines& outlines_;
