@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deform/terms.h"
+
 namespace seamwise {
 namespace {
 
@@ -58,25 +60,17 @@ void Cloth::buildConstantTerms() {
   constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
 }
 
-/// Levy et al. 2002: A/2 |grad u - cof grad u|^2 = A [(u_x - v_y)^2 + (u_y + v_x)^2], zero for rest.
+/// The conformal energy is quadratic and rest is its minimum, so it needs no more than its Hessian.
 void Cloth::addConformal() {
-  for (std::size_t t = 0; t < part_->triangles.size(); ++t) {
-    const auto& v = part_->triangles[t];
-    const double area = rest_area_[t];
-    double row[2][6];
-    int unknown[6];
-    for (int k = 0; k < 3; ++k) {
-      const Vec2 opposite = part_->rest[v[(k + 2) % 3]] - part_->rest[v[(k + 1) % 3]];
-      const Vec2 grad = perp(opposite) / (2 * area);  // of the hat function of corner k
-      row[0][2 * k] = grad.x(), row[0][2 * k + 1] = -grad.y();
-      row[1][2 * k] = grad.y(), row[1][2 * k + 1] = grad.x();
-      unknown[2 * k] = part_->unknown[2 * v[k]];
-      unknown[2 * k + 1] = part_->unknown[2 * v[k] + 1];
-    }
-    const double w = 2 * weights_.conformal * area;
-    for (int a = 0; a < 6; ++a)
-      for (int b = 0; b <= a; ++b)
-        hessian_.add(unknown[a], unknown[b], w * (row[0][a] * row[0][b] + row[1][a] * row[1][b]));
+  for (const auto& v : part_->triangles) {
+    const ConformalTriangle t =
+        conformalTriangle(v, part_->rest[v[0]], part_->rest[v[1]], part_->rest[v[2]]);
+    const double w = 2 * weights_.conformal * t.area;
+    for (const auto& row : t.rows)
+      for (int a = 0; a < 6; ++a)
+        for (int b = 0; b <= a; ++b)
+          hessian_.add(part_->unknown[2 * v[a / 2] + a % 2], part_->unknown[2 * v[b / 2] + b % 2],
+                       w * row[a] * row[b]);
   }
 }
 

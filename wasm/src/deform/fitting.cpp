@@ -82,13 +82,10 @@ void SeamFitting::step(const std::vector<Alignment>& at) {
 
 bool SeamFitting::crosses(int piece) const {
   std::vector<Polyline> loops;
-  auto add = [&](const std::vector<int>& loop) {
-    Polyline line;
-    for (int v : loop) line.push_back(shapes_[piece][v]);
-    loops.push_back(std::move(line));
-  };
-  add(pattern_.pieces[piece].outline);
-  for (const auto& hole : pattern_.pieces[piece].holes) add(hole);
+  for (const std::vector<int>& loop : loopsOf(pattern_.pieces[piece])) {
+    loops.emplace_back();
+    for (int v : loop) loops.back().push_back(shapes_[piece][v]);
+  }
   return findCrossing(loops).has_value();
 }
 

@@ -43,10 +43,8 @@ std::vector<std::vector<double>> keptLengths(const Pattern& pattern) {
   std::vector<int> first(pattern.pieces.size() + 1, 0);
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
     first[p + 1] = first[p] + static_cast<int>(pattern.pieces[p].outline.size());
-  // Outline vertices are 0 .. n-1 in order, so an edge is named by its first vertex.
   auto edge = [&](int piece, int u, int v) {
-    const int n = static_cast<int>(pattern.pieces[piece].outline.size());
-    return first[piece] + ((u + 1) % n == v ? u : v);
+    return first[piece] + outlineEdge(pattern.pieces[piece], u, v);
   };
   Ties ties(first.back());
   for (const Mirror& m : pattern.mirrors) {

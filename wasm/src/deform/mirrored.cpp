@@ -26,11 +26,6 @@ std::vector<Vec2> meanBoundary(const Pattern& pattern, const Mirror& mirror) {
   return mean;
 }
 
-std::vector<Ring> loopsOf(const Piece& piece) {
-  std::vector<Ring> loops{piece.outline};
-  loops.insert(loops.end(), piece.holes.begin(), piece.holes.end());
-  return loops;
-}
 
 /// One half of a piece that is symmetric in itself, cut along the axis.
 struct Half {

@@ -27,17 +27,11 @@ RigidMotion axisFrame(const RigidMotion& map) {
   return frame;
 }
 
-std::vector<std::vector<int>> loops(const Piece& piece) {
-  std::vector<std::vector<int>> all{piece.outline};
-  all.insert(all.end(), piece.holes.begin(), piece.holes.end());
-  return all;
-}
-
 /// Fills edges and bends; on a half, what lies across the axis is left to the images.
 void addOutline(Part& part, const Piece& piece, const std::vector<double>& kept,
                 const std::vector<char>& sewn) {
   const int outer = static_cast<int>(piece.outline.size());
-  for (const std::vector<int>& loop : loops(piece)) {
+  for (const std::vector<int>& loop : loopsOf(piece)) {
     const int n = static_cast<int>(loop.size());
     for (int k = 0; k < n; ++k) {
       const int u = loop[(k + n - 1) % n], v = loop[k], w = loop[(k + 1) % n];
@@ -83,11 +77,9 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
   for (std::size_t p = 0; p < count; ++p) sewn[p].assign(pattern.pieces[p].outline.size(), 0);
   for (const Seam& s : pattern.seams) {
     for (const SeamSide* side : {&s.a, &s.b}) {
-      const int n = static_cast<int>(sewn[side->piece].size());
-      for (std::size_t i = 0; i + 1 < side->vertices.size(); ++i) {
-        const int u = side->vertices[i], v = side->vertices[i + 1];
-        sewn[side->piece][(u + 1) % n == v ? u : v] = 1;
-      }
+      const Piece& piece = pattern.pieces[side->piece];
+      for (std::size_t i = 0; i + 1 < side->vertices.size(); ++i)
+        sewn[side->piece][outlineEdge(piece, side->vertices[i], side->vertices[i + 1])] = 1;
     }
   }
   // an edge whose mirror image is sewn must keep its length, too
@@ -152,7 +144,7 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
     const std::vector<double> clear = outsideClearance(piece, 2 * max_change / kGapShare);
     part.reach.assign(part.vertices.size(), 0);
     std::vector<char> rim(n, 0);
-    for (const auto& loop : loops(piece))
+    for (const auto& loop : loopsOf(piece))
       for (int v : loop) rim[v] = 1;
     for (std::size_t i = 0; i < part.vertices.size(); ++i) {
       const int v = part.vertices[i];

@@ -54,16 +54,14 @@ PenaltyDeformation::PenaltyDeformation(const Pattern& pattern, bool with_symmetr
   if (with_symmetry) {
     for (const Mirror& m : pattern.mirrors) {
       const Piece& piece = pattern.pieces[m.pieces[0]];
-      auto add = [&](const std::vector<int>& loop) {
+      for (const std::vector<int>& loop : loopsOf(piece)) {
         for (int v : loop) {
           if (m.single() && m.image[v] < v) continue;
           mirrors_.push_back({first_[m.pieces[0]] + v, first_[m.pieces[1]] + m.image[v],
                               m.map.linear(), m.map.shift});
           couple(std::array<int, 2>{mirrors_.back().source, mirrors_.back().image});
         }
-      };
-      add(piece.outline);
-      for (const auto& hole : piece.holes) add(hole);
+      }
     }
   }
   hessian_ = SparseHessian(2 * count, pairs);

@@ -53,11 +53,8 @@ Json mirrorJson(const Result& r, const Mirror& m) {
   out["map"] = {{"angle", m.map.angle}, {"translation", point(m.map.shift)}};
   Json pairs = Json::array();
   const Piece& piece = r.pattern.pieces[m.pieces[0]];
-  auto add = [&](const std::vector<int>& loop) {
+  for (const auto& loop : loopsOf(piece))
     for (int v : loop) pairs.push_back(Json::array({v, m.image[v]}));
-  };
-  add(piece.outline);
-  for (const auto& hole : piece.holes) add(hole);
   out["pairs"] = std::move(pairs);
   return out;
 }

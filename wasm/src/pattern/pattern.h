@@ -18,6 +18,19 @@ struct Piece {
   bool mirrored_from_input = false;
 };
 
+/// The outline position k of the edge between neighbouring outline vertices u and v, in either order: it
+/// joins outline[k] and outline[k + 1]. Outline vertices are 0 .. n-1 in order.
+inline int outlineEdge(const Piece& piece, int u, int v) {
+  return (u + 1) % static_cast<int>(piece.outline.size()) == v ? u : v;
+}
+
+/// The outline and the cut-outs.
+inline std::vector<std::vector<int>> loopsOf(const Piece& piece) {
+  std::vector<std::vector<int>> loops{piece.outline};
+  loops.insert(loops.end(), piece.holes.begin(), piece.holes.end());
+  return loops;
+}
+
 /// Vertices along one edge of a piece, in the seam's sewing order.
 struct SeamSide {
   int piece = -1;

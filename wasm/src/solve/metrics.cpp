@@ -88,8 +88,8 @@ double greatestMovement(const Pattern& pattern, const Shapes& shapes) {
   double greatest = 0;
   for (std::size_t p = 0; p < shapes.size(); ++p) {
     const Piece& piece = pattern.pieces[p];
-    std::vector<int> rim = piece.outline;
-    for (const auto& hole : piece.holes) rim.insert(rim.end(), hole.begin(), hole.end());
+    std::vector<int> rim;
+    for (const auto& loop : loopsOf(piece)) rim.insert(rim.end(), loop.begin(), loop.end());
     Vec2 c0 = Vec2::Zero(), c1 = Vec2::Zero();
     for (int v : rim) c0 += piece.rest[v], c1 += shapes[p][v];
     c0 /= static_cast<double>(rim.size()), c1 /= static_cast<double>(rim.size());

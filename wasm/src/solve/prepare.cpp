@@ -27,12 +27,11 @@ double conflict(const Pattern& pattern) {
   double worst = 0;
   auto side = [&](const SeamSide& s, std::vector<double>* lengths) {
     const Piece& piece = pattern.pieces[s.piece];
-    const int n = static_cast<int>(piece.outline.size());
     double rest_sum = 0, kept_sum = 0;
     for (std::size_t i = 0; i + 1 < s.vertices.size(); ++i) {
       const int u = s.vertices[i], v = s.vertices[i + 1];
       const double rest = (piece.rest[v] - piece.rest[u]).norm();
-      lengths->push_back(kept[s.piece][(u + 1) % n == v ? u : v]);
+      lengths->push_back(kept[s.piece][outlineEdge(piece, u, v)]);
       worst = std::max(worst, std::abs(lengths->back() / rest - 1) / kEdgeChange);
       rest_sum += rest, kept_sum += lengths->back();
     }
@@ -67,14 +66,55 @@ bool contains(const Symmetries& list, const BodySymmetry& s) {
   });
 }
 
-Symmetries without(Symmetries list, const BodySymmetry& s) {
-  list.erase(std::remove_if(list.begin(), list.end(),
-                            [&](const BodySymmetry& other) {
-                              return other.pieces[0] == s.pieces[0] &&
-                                     other.pieces[1] == s.pieces[1];
-                            }),
-             list.end());
-  return list;
+/// Length of the seams at a symmetry's pieces that the known symmetries do not map to seams. [cm]
+double unmappedSeams(const Garment& garment, const Symmetries& known, const BodySymmetry& s) {
+  // the edge onto which an edge falls, by its ends
+  auto image = [&](const EdgeRef& e) -> EdgeRef {
+    for (const BodySymmetry& k : known) {
+      for (int from : {0, 1}) {
+        if (k.pieces[from] != e.piece || (k.single() && from == 1)) continue;
+        const RigidMotion map = from == 0 ? k.map : k.map.inverse();
+        const Curve& curve = garment.panels[e.piece].edges[e.edge];
+        const auto& edges = garment.panels[k.pieces[1 - from]].edges;
+        for (std::size_t i = 0; i < edges.size(); ++i)
+          if ((map(curve.start()) - edges[i].end()).norm() < kImageOffset &&
+              (map(curve.end()) - edges[i].start()).norm() < kImageOffset)
+            return {k.pieces[1 - from], static_cast<int>(i)};
+      }
+    }
+    return {};
+  };
+  double unmapped = 0;
+  for (const Stitch& stitch : garment.stitches) {
+    bool touches = false;
+    for (int piece : s.pieces) touches |= stitch.a.piece == piece || stitch.b.piece == piece;
+    if (!touches) continue;
+    const EdgeRef a = image(stitch.a), b = image(stitch.b);
+    const bool mapped =
+        std::any_of(garment.stitches.begin(), garment.stitches.end(), [&](const Stitch& other) {
+          return (other.a == a && other.b == b) || (other.a == b && other.b == a);
+        });
+    if (!mapped) unmapped += garment.panels[stitch.a.piece].edges[stitch.a.edge].length();
+  }
+  return unmapped;
+}
+
+/// As many of the known symmetries as hold together: the fixed ones, then those first that fit the
+/// seams best.
+Symmetries consistent(const Problem& problem, const Symmetries& fixed) {
+  Symmetries rest;
+  for (const BodySymmetry& s : problem.known)
+    if (!contains(fixed, s)) rest.push_back(s);
+  std::stable_sort(rest.begin(), rest.end(), [&](const BodySymmetry& a, const BodySymmetry& b) {
+    return unmappedSeams(problem.garment, problem.known, a) <
+           unmappedSeams(problem.garment, problem.known, b);
+  });
+  Symmetries kept = fixed;
+  for (const BodySymmetry& s : rest) {
+    kept.push_back(s);
+    if (conflictOf(problem, kept) >= 1) kept.pop_back();
+  }
+  return kept;
 }
 
 std::string namesOf(const Garment& garment, const BodySymmetry& s) {
@@ -86,37 +126,32 @@ std::string namesOf(const Garment& garment, const BodySymmetry& s) {
 }  // namespace
 
 Outcome<Pattern> preparedPattern(Problem& problem) {
-  Symmetries& known = problem.known;
-  double worst = conflictOf(problem, known);
-  while (worst >= 1 && !known.empty()) {
-    // leave out the one without which the rest contradict each other least
-    const BodySymmetry* dropped = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (const BodySymmetry& s : known) {
-      if (!problem.symmetries_optional && contains(problem.imposed, s)) continue;
-      const double rest = conflictOf(problem, without(known, s));
-      if (!dropped || rest < least) dropped = &s, least = rest;
-    }
-    if (!dropped) {
+  if (conflictOf(problem, problem.known) >= 1) {
+    const Symmetries fixed = problem.symmetries_optional ? Symmetries{} : problem.imposed;
+    if (!fixed.empty() && conflictOf(problem, fixed) >= 1) {
       std::string names;
-      for (const BodySymmetry& s : problem.imposed)
+      for (const BodySymmetry& s : fixed)
         names += (names.empty() ? "" : ", ") + namesOf(problem.garment, s);
       return Error{Failure::kSymmetryConflict,
                    "The symmetries of " + names +
                        " cannot all hold: mirrored edges are sewn to edges that do not mirror. "
                        "Leave one of them out.",
-                   problem.imposed.empty() ? -1 : problem.imposed.front().pieces[0]};
+                   fixed.front().pieces[0]};
     }
-    const BodySymmetry gone = *dropped;
-    if (contains(problem.imposed, gone))
-      problem.notes.push_back("The symmetry of " + namesOf(problem.garment, gone) +
-                              " is dropped: its mirrored edges are sewn to edges that do not mirror.");
-    problem.imposed = without(problem.imposed, gone);
-    known = without(known, gone);
-    worst = least;
+    const Symmetries kept = consistent(problem, fixed);
+    Symmetries imposed;
+    for (const BodySymmetry& s : problem.imposed) {
+      if (contains(kept, s)) imposed.push_back(s);
+      else
+        problem.notes.push_back("The symmetry of " + namesOf(problem.garment, s) +
+                                " is dropped: its mirrored edges are sewn to edges that do not "
+                                "mirror.");
+    }
+    problem.imposed = std::move(imposed);
+    problem.known = kept;
   }
   Outcome<Pattern> sampled =
-      discretise(problem.garment, known, problem.imposed, problem.options.edge_length_cm);
+      discretise(problem.garment, problem.known, problem.imposed, problem.options.edge_length_cm);
   if (!sampled.ok()) return sampled.error();
   return meshed(std::move(sampled).value(), kCoarsest);
 }
