@@ -14,7 +14,7 @@ constexpr double kLongestEdge = 1.05;       // cm; coarser sampling of a seam wo
 constexpr double kGreatestDeviation = 0.5;  // cm; beyond it outlines are not mirror images at all
 constexpr double kLeastTolerance = 1e-3;    // cm
 constexpr int kFewPerCorner = 6;
-constexpr int kManyPerCorner = 24;
+constexpr int kManyPerCorner = 12;
 
 std::string quoted(const Panel& panel) { return "piece '" + panel.name + "'"; }
 
