@@ -1,0 +1,65 @@
+// What `npm run compare` solves: garments and prints.
+import {existsSync, readdirSync, readFileSync} from 'node:fs';
+import {basename, join, resolve} from 'node:path';
+
+import {root, SetupError} from '../../web/setup/shell.mjs';
+
+/** More garments, where a developer keeps some next to the project; most have no such folder. */
+const moreGarments = join(root, '../shared/data');
+
+/** Groups of all kinds: with and without mirrors, glides and turns by 60, 90 and 180 degrees. */
+export const usualGroups = ['pmm', 'p4m', 'cm', 'pmg', 'pgg', 'p31m', 'p3m1', 'p1'];
+
+/**
+ * The sample garments, and every sewing pattern below the given folders.
+ * @param folders  relative to the caller's folder; none: the usual one, if it exists
+ * @param only  a part of the name that the garments must have
+ * @throws {SetupError} when a folder does not exist, or no garment is left
+ */
+export function findGarments(folders, only = '') {
+  for (const folder of folders) {
+    if (!existsSync(folder)) throw new SetupError(`there is no folder '${folder}'`);
+  }
+  const more = folders.length > 0 ? folders.map((folder) => resolve(folder)) : [moreGarments];
+  const files = [join(root, 'public/garments'), ...more]
+    .filter((folder) => existsSync(folder))
+    .flatMap(jsonBelow)
+    .filter((file) => isGarment(file));
+  const garments = files
+    .map((file) => ({file, name: nameOf(file, files)}))
+    .filter(({name}) => name.includes(only));
+  if (garments.length === 0) throw new SetupError(`there is no garment '${only}'`);
+  return garments;
+}
+
+const jsonBelow = (folder) =>
+  readdirSync(folder, {recursive: true})
+    .filter((name) => name.endsWith('.json'))
+    .sort()
+    .map((name) => join(folder, name));
+
+function isGarment(file) {
+  try {
+    return typeof JSON.parse(readFileSync(file, 'utf8')).pattern?.panels === 'object';
+  } catch {
+    return false;
+  }
+}
+
+const short = (file) => basename(file, '.json').replace(/_specification$/, '');
+
+/** The name of the file; with its folder, where two files have the same name. */
+function nameOf(file, files) {
+  const name = short(file);
+  const isUnique = files.filter((other) => short(other) === name).length === 1;
+  return isUnique ? name : `${basename(join(file, '..'))}/${name}`;
+}
+
+/** The sample prints of the groups. @throws {SetupError} for a group without one */
+export function findPrints(groups) {
+  return groups.map((group) => {
+    const file = join(root, `public/prints/${group}.json`);
+    if (!existsSync(file)) throw new SetupError(`there is no print of group '${group}'`);
+    return {group, file};
+  });
+}
