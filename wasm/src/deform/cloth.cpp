@@ -11,6 +11,10 @@ namespace {
 constexpr double kLengthPenalty = 2e4;  ///< per cm2
 constexpr double kReachPenalty = 4e3;   ///< per cm2; pulls are of order 1 a cm, so the excess is slight
 constexpr double kUpright = 0.33;       ///< least area of a triangle, as a share of its rest area
+constexpr double kHold = 5.0;           ///< weight that holds a shape in place, per cm2
+constexpr double kSqueezed = 0.45;      ///< share of its rest area below which a triangle is in trouble
+constexpr double kMissedLength = 2e-3;  ///< cm
+constexpr double kNearTrouble = 6.0;    ///< cm
 constexpr double kLongestStep = 0.4;    ///< cm: beyond it the linearised lengths are worthless
 
 }  // namespace
@@ -255,8 +259,30 @@ bool Cloth::stiffenKinks(double limit) {
   return any;
 }
 
+void Cloth::holdShape() {
+  clearTargets();
+  for (std::size_t i = 0; i < part_->rest.size(); ++i)
+    if (part_->reach[i] > 0) addTarget(static_cast<int>(i), shape_[i], kHold);
+  std::fill(length_force_.begin(), length_force_.end(), 0.0);
+}
+
 void Cloth::restart(double reach_factor) {
-  for (double& r : reach_) r *= reach_factor;
+  // where it went wrong: squeezed triangles, lengths that are not kept
+  std::vector<char> trouble(part_->rest.size(), 0);
+  bool any = false;
+  auto mark = [&](int v) { any = trouble[v] = 1; };
+  for (std::size_t t = 0; t < part_->triangles.size(); ++t)
+    if (triangleArea(shape_, static_cast<int>(t)) < kSqueezed * rest_area_[t])
+      for (int v : part_->triangles[t]) mark(v);
+  for (const Part::Edge& e : part_->edges)
+    if (e.sewn && std::abs((shape_[e.i] - shape_[e.j]).norm() - e.length) > kMissedLength)
+      mark(e.i), mark(e.j);
+  for (std::size_t i = 0; i < reach_.size(); ++i) {
+    bool near = !any;
+    for (std::size_t k = 0; k < trouble.size() && !near; ++k)
+      near = trouble[k] && (part_->rest[i] - part_->rest[k]).norm() < kNearTrouble;
+    if (near) reach_[i] *= reach_factor;
+  }
   shape_ = part_->rest;
   u_.setZero();
   std::fill(length_force_.begin(), length_force_.end(), 0.0);

@@ -48,7 +48,9 @@ class Cloth {
 
   /// Stiffens the outline where it bends by more than `limit` rad. Returns whether it did anything.
   bool stiffenKinks(double limit);
-  /// Scales what every vertex may move, and starts again from rest with the same targets.
+  /// Makes the present shape the target, so that lengths can settle.
+  void holdShape();
+  /// Starts again from rest with the targets it has, allowed to move less around what went wrong.
   void restart(double reach_factor);
 
  private:

@@ -51,14 +51,28 @@ void SeamFitting::chooseJoins(const std::vector<Alignment>& at) {
     joins_[s] = bestJoin(group_, pattern_.seams[s], shapes_, at, continuous_only_);
 }
 
-void SeamFitting::addTarget(int piece, int vertex, const Vec2& position, double weight) {
+void SeamFitting::addTarget(int piece, int vertex, const Vec2& position, double weight,
+                            const Cloth* only) {
   const Follower& f = parts_.pieces[piece];
+  if (only && only != &cloths_[f.part]) return;
   const RigidMotion& back = f.reflected[vertex] ? to_part_mirror_[piece] : to_part_direct_[piece];
   cloths_[f.part].addTarget(f.source[vertex], back(position), weight);
 }
 
 void SeamFitting::step(const std::vector<Alignment>& at) {
-  for (Cloth& cloth : cloths_) cloth.clearTargets();
+  aim(at, nullptr);
+  for (Cloth& cloth : cloths_) cloth.step();
+  collectShapes();
+}
+
+void SeamFitting::aimAtPartners(const Cloth& cloth, const std::vector<Alignment>& at) {
+  aim(at, &cloth);
+}
+
+/// Targets of all parts, or of only one: for both sides of a seam their common middle.
+void SeamFitting::aim(const std::vector<Alignment>& at, const Cloth* only) {
+  for (Cloth& cloth : cloths_)
+    if (!only || only == &cloth) cloth.clearTargets();
   for (std::size_t s = 0; s < joins_.size(); ++s) {
     const Seam& seam = pattern_.seams[s];
     if (!seam.matched || seam.twin) continue;
@@ -72,12 +86,10 @@ void SeamFitting::step(const std::vector<Alignment>& at) {
       const Vec2 middle = (x + y) / 2;
       const double weight =
           seam.weight * vertex_length_[s][k] / std::max((x - y).norm(), kFloor);
-      addTarget(seam.a.piece, va, wa.toPiece(middle), weight);
-      addTarget(seam.b.piece, vb, wb.toPiece(back * (middle - g.a)), weight);
+      addTarget(seam.a.piece, va, wa.toPiece(middle), weight, only);
+      addTarget(seam.b.piece, vb, wb.toPiece(back * (middle - g.a)), weight, only);
     }
   }
-  for (Cloth& cloth : cloths_) cloth.step();
-  collectShapes();
 }
 
 bool SeamFitting::crosses(int piece) const {

@@ -19,6 +19,9 @@ class SeamFitting {
   /// New targets, then one step of every part.
   void step(const std::vector<Alignment>& at);
 
+  /// New targets for one part: the partners' present seam lines, half way.
+  void aimAtPartners(const Cloth& cloth, const std::vector<Alignment>& at);
+
   std::vector<Cloth>& cloths() { return cloths_; }
   const Shapes& shapes() const { return shapes_; }
   const std::vector<Join>& joins() const { return joins_; }
@@ -30,7 +33,8 @@ class SeamFitting {
   bool crosses(int piece) const;
 
  private:
-  void addTarget(int piece, int vertex, const Vec2& position, double weight);
+  void addTarget(int piece, int vertex, const Vec2& position, double weight, const Cloth* only);
+  void aim(const std::vector<Alignment>& at, const Cloth* only);
 
   const Pattern& pattern_;
   const WallpaperGroup& group_;

@@ -10,6 +10,7 @@ namespace {
 constexpr int kFitSteps = 10;       ///< Newton steps before lengths and reach must settle
 constexpr int kRealignEvery = 4;    ///< steps between new joins and alignments
 constexpr int kSettleSteps = 15;    ///< under fixed targets, before a remedy
+constexpr int kHoldAfter = 10;      ///< of them, towards the targets; then the shape is held
 constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
 constexpr int kMostSettling = 200;  ///< steps in all
 constexpr double kRemedyReach = 0.6;
@@ -137,19 +138,24 @@ bool BestRun::kept(const Cloth& cloth) const {
          v.kink < kKink && v.stretch < kStretch && !fitting_->crosses(cloth.part().piece);
 }
 
-/// Parts that keep their limits rest; the others go on, stiffer where they bend too much. A part that
-/// will not settle starts again from rest and may move less, at last without targets.
+/// Parts that keep their limits rest; the others go on, stiffer where they bend too much, at last
+/// holding their shape. A part that will not settle starts again from rest and may move less where it
+/// went wrong; the last time without targets.
 void BestRun::settleStep() {
   bool all_kept = true;
   for (Cloth& cloth : fitting_->cloths()) {
     if (kept(cloth)) continue;
     all_kept = false;
+    const int remedies = cloth.settling / kSettleSteps, step = cloth.settling % kSettleSteps;
+    if (step == 0 && remedies > 0) {
+      if (remedies > kMostRemedies) cloth.clearTargets();
+      else fitting_->aimAtPartners(cloth, alignment_);
+      cloth.restart(kRemedyReach);
+    }
     cloth.stiffenKinks(kStiffenFrom * kKink);
+    if (step == kHoldAfter) cloth.holdShape();
     cloth.step();
-    if (++cloth.settling % kSettleSteps != 0) continue;
-    const int remedies = cloth.settling / kSettleSteps;
-    if (remedies > kMostRemedies) cloth.clearTargets();
-    cloth.restart(kRemedyReach);
+    ++cloth.settling;
   }
   fitting_->collectShapes();
   ++settled_;
