@@ -183,6 +183,11 @@ void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
   seam.a = fa.leader, seam.b = fb.leader;
   seam.reversing = fa.mirrored != fb.mirrored;
   if (seam.weight <= 0) return;
+  // a seam of a piece to its own mirror twin meets under any alignment
+  bool twin = seam.a == seam.b;
+  for (std::size_t i = 0; i < seam.w.size() && twin; ++i)
+    twin = (seam.pa[i] - seam.pb[i]).norm() < 1e-6;
+  if (twin) return;
   for (bool turn_a : {false, true}) {
     for (bool turn_b : {false, true}) {
       if ((turn_a && !own_a) || (turn_b && !own_b)) continue;

@@ -56,10 +56,11 @@ bool BestRun::advance() {
       progress_ = 0.5 * kSearchShare * searching_->fraction();
       alignment_ = symmetric_->expanded(searching_->best());
       if (!more) {
+        symmetric_answer_ = match_.ofLeaders(alignment_);
         searching_ =
             std::make_unique<AlignmentSearch>(match_, problem_.options.seed, SearchBudget{});
         searching_->watch(slack_);
-        searching_->offer(match_.ofLeaders(alignment_));
+        searching_->offer(symmetric_answer_);
         stage_ = Stage::kSearch;
       }
       break;
@@ -88,6 +89,9 @@ bool BestRun::advance() {
 
 void BestRun::endSearch() {
   leaders_ = searching_->best();
+  // the search compares on few samples: on all of them the symmetric answer may still be the best
+  if (!symmetric_answer_.empty() && match_.cost(symmetric_answer_) < match_.cost(leaders_))
+    leaders_ = symmetric_answer_;
   search_result_ = alignment_ = match_.expanded(leaders_);
   const Alignments watched = searching_->watched();
   SearchBudget little;

@@ -44,7 +44,8 @@ class BestRun : public Run {
   std::unique_ptr<AlignmentSearch> searching_;
   std::unique_ptr<SeamFitting> fitting_;
   Stage stage_ = Stage::kSearch;
-  Alignments leaders_;     ///< present alignment of the leaders
+  Alignments leaders_;           ///< present alignment of the leaders
+  Alignments symmetric_answer_;  ///< of the leaders; empty unless it was searched for
   Alignments alignment_, search_result_;
   int iterations_ = 0, settled_ = 0;
   double slack_ = 0, progress_ = 0;
