@@ -33,12 +33,10 @@ int Breakpoints::nodeAt(int loop, double position) const {
   return static_cast<int>(std::lower_bound(all.begin(), all.end(), position) - all.begin());
 }
 
-Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, int per_corner) {
+Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::size_t most) {
   Breakpoints result;
-  std::size_t corners = 0;
-  for (const PanelLoop& l : outlines.loops) corners += l.loop.edges();
   TiedNodes tied(outlines);
-  if (!tied.close(tolerance, corners * static_cast<std::size_t>(per_corner))) {
+  if (!tied.close(tolerance, most)) {
     result.trouble = "seams and symmetries demand ever more vertices of its outline";
     result.troubled_panel = outlines.loops[tied.nodes().back().loop].panel;
     return result;

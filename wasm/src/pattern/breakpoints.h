@@ -48,7 +48,7 @@ struct Breakpoints {
 /// breakpoint that arrives within `tolerance` cm of one that has no counterpart yet is taken for
 /// it, so seams and symmetries that disagree a little do not chase each other round the garment;
 /// the difference is then spread over the neighbouring intervals.
-/// More than `per_corner` breakpoints for every corner are trouble.
-Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, int per_corner);
+/// More than `most` breakpoints are trouble.
+Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::size_t most);
 
 }  // namespace seamwise

@@ -13,8 +13,7 @@ namespace {
 constexpr double kLongestEdge = 1.05;       // cm; coarser sampling of a seam would hide mismatch
 constexpr double kGreatestDeviation = 0.5;  // cm; beyond it outlines are not mirror images at all
 constexpr double kLeastTolerance = 1e-3;    // cm
-constexpr int kFewPerCorner = 6;
-constexpr int kManyPerCorner = 12;
+constexpr std::size_t kFewPerCorner = 6;
 
 std::string quoted(const Panel& panel) { return "piece '" + panel.name + "'"; }
 
@@ -195,14 +194,22 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
   // Exact patterns need no tolerance. Where symmetries and seams disagree, the least that ends the
   // chase is best; if none does with few vertices, many are better than failing.
   edge_length = std::min(edge_length, kLongestEdge);
+  std::size_t corners = 0;
+  double length = 0;
+  for (const PanelLoop& l : outlines.loops) {
+    corners += l.loop.edges();
+    length += l.loop.length();
+  }
+  const std::size_t few = kFewPerCorner * corners;
+  const std::size_t many = 2 * few + static_cast<std::size_t>(length / edge_length);
   double measured = kLeastTolerance;
   for (const LoopTie& t : wishes.ties) measured = std::max(measured, t.map.tolerance);
   Breakpoints breakpoints;
   for (const Outlines* attempt : {&wishes, &outlines}) {
-    for (const int per_corner : {kFewPerCorner, kManyPerCorner}) {
+    for (const std::size_t most : {few, many}) {
       for (const double tolerance : {kLeastTolerance, measured, 0.03 * edge_length,
                                      0.1 * edge_length, 0.3 * edge_length, 0.5 * edge_length}) {
-        breakpoints = findBreakpoints(*attempt, tolerance, per_corner);
+        breakpoints = findBreakpoints(*attempt, tolerance, most);
         if (!breakpoints.trouble.empty()) continue;
         auto loops = sampleLoops(*attempt, breakpoints, edge_length);
         if (loops.ok()) return assembled(garment, *attempt, breakpoints, loops.value(), imposed);

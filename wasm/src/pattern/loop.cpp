@@ -24,6 +24,7 @@ Loop::Loop(const std::vector<Curve>* edges) : edges_(edges), corner_{0} {
 }
 
 double Loop::wrapped(double position) const {
+  if (position >= 0 && position < length()) return position;
   double p = std::fmod(position, length());
   if (p < 0) p += length();
   return p < length() ? p : 0;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSame = 1e-9;     // cm
 constexpr double kApart = 1e-3;    // cm; different nodes keep this distance where there is room
-constexpr double kSettled = 1e-7;  // cm
+constexpr double kSettled = 1e-6;  // cm
 constexpr int kMostSweeps = 2000;
 
 }  // namespace
@@ -168,7 +168,7 @@ bool TiedNodes::close(double tolerance, std::size_t most) {
   return true;
 }
 
-double TiedNodes::proportion(const Tie& tie, int side, int before, int node, int after) const {
+TiedNodes::Wish TiedNodes::wishOf(const Tie& tie, int side, int before, int node, int after) const {
   const Tie::Side &own = tie.side[side], &other = tie.side[1 - side];
   const bool ahead = own.sense > 0;
   // Seen along the loop, `before` can only be the low end of a side that runs ahead, and so on.
@@ -177,38 +177,41 @@ double TiedNodes::proportion(const Tie& tie, int side, int before, int node, int
     if (!low && n == own.last) return other.last;
     return counterpart(tie, side, n);
   };
-  const double sense = own.sense * other.sense;
-  const double a = nodes_[image(before, ahead)].position, x = nodes_[image(node, ahead)].position;
-  const double b = nodes_[image(after, !ahead)].position;
-  const double part = loopOf(other.loop).wrapped(sense * (x - a));
-  return part / (part + loopOf(other.loop).wrapped(sense * (b - x)));
+  return {image(before, ahead), image(node, ahead), image(after, !ahead), own.sense * other.sense};
 }
 
 void TiedNodes::settle() {
+  struct Free {
+    int before, node, after;
+    std::vector<Wish> wishes;
+  };
+  std::vector<Free> free;
+  for (std::size_t l = 0; l < order_.size(); ++l) {
+    const auto& order = order_[l];
+    for (std::size_t i = 1; i < order.size(); ++i) {  // node 0 is a corner
+      if (nodes_[order[i]].pinned) continue;
+      Free f{order[i - 1], order[i], order[(i + 1) % order.size()], {}};
+      for (const auto& [t, side] : ties_of_[l])
+        if (holds(ties_[t].side[side], f.node))
+          f.wishes.push_back(wishOf(ties_[t], side, f.before, f.node, f.after));
+      if (!f.wishes.empty()) free.push_back(std::move(f));
+    }
+  }
+  const auto distance = [&](int from, int to, double sense) {
+    return loopOf(nodes_[from].loop).wrapped(sense * (nodes_[to].position - nodes_[from].position));
+  };
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     double moved = 0;
-    for (std::size_t l = 0; l < order_.size(); ++l) {
-      const Loop& loop = loopOf(static_cast<int>(l));
-      const auto& order = order_[l];
-      const std::size_t n = order.size();
-      for (std::size_t i = 1; i < n; ++i) {  // node 0 is a corner
-        Node& node = nodes_[order[i]];
-        if (node.pinned) continue;
-        const int before = order[i - 1], after = order[(i + 1) % n];
-        const double low = nodes_[before].position;
-        const double gap = loop.wrapped(nodes_[after].position - low);
-        double sum = 0;
-        int count = 0;
-        for (const auto& [t, side] : ties_of_[l]) {
-          if (!holds(ties_[t].side[side], order[i])) continue;
-          sum += proportion(ties_[t], side, before, order[i], after);
-          ++count;
-        }
-        if (count == 0) continue;
-        const double position = low + gap * sum / count;
-        moved = std::max(moved, std::abs(position - node.position));
-        node.position = position;
+    for (const Free& f : free) {
+      double sum = 0;
+      for (const Wish& w : f.wishes) {
+        const double part = distance(w.before, w.at, w.sense);
+        sum += part / (part + distance(w.at, w.after, w.sense));
       }
+      const double share = sum / static_cast<double>(f.wishes.size());
+      const double position = nodes_[f.before].position + share * distance(f.before, f.after, 1);
+      moved = std::max(moved, std::abs(position - nodes_[f.node].position));
+      nodes_[f.node].position = position;
     }
     if (moved < kSettled) return;
   }

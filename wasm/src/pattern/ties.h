@@ -50,6 +50,12 @@ class TiedNodes {
     double low = 0, high = 0, other_low = 0, other_high = 0;
   };
 
+  /// Where a tie wants a node between its neighbours: as the counterparts lie, seen in `sense`.
+  struct Wish {
+    int before, at, after;
+    double sense;
+  };
+
   const Loop& loopOf(int loop) const { return outlines_->loops[loop].loop; }
   int add(int loop, double position, bool pinned);
   double coordinate(const Tie::Side& side, int node) const;
@@ -61,7 +67,7 @@ class TiedNodes {
   void addSeam(const Stitch& stitch);
   void addMirror(const LoopTie& mirror);
   void anchor(Tie& tie, const Correspondence& map, double tolerance);
-  double proportion(const Tie& tie, int side, int before, int node, int after) const;
+  Wish wishOf(const Tie& tie, int side, int before, int node, int after) const;
 
   const Outlines* outlines_;
   std::vector<Node> nodes_;
