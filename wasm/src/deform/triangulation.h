@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/vec2.h"
@@ -31,6 +33,8 @@ class Triangulation {
 
  private:
   static constexpr int kFrame = 3;  ///< vertices 0..2 are the frame
+  static constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
+  static constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
   struct Triangle {
     std::array<int, 3> vertex;  // counter-clockwise
     std::array<int, 3> across;  // triangle opposite vertex i, -1: none

@@ -62,7 +62,7 @@ std::optional<Vec2> collide(const Segment& s, const Segment& t, int loop_size) {
 double signedArea(const Polyline& closed) {
   if (closed.empty()) return 0;
   double twice = 0;
-  const Vec2 o = closed.front();  // nearby origin: less cancellation
+  const Vec2& o = closed.front();  // nearby origin: less cancellation
   for (std::size_t i = 0; i < closed.size(); ++i)
     twice += cross(closed[i] - o, closed[(i + 1) % closed.size()] - o);
   return twice / 2;
