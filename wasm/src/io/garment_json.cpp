@@ -123,7 +123,7 @@ const Json& panelsOf(const Json& document, const Place& place) {
   return *panels;
 }
 
-GarmentFile read(std::string_view content, const Place& place) {
+GarmentFile garmentFile(std::string_view content, const Place& place) {
   GarmentFile result;
   result.document = parseDocument(content, place);
   const Json& document = result.document;
@@ -157,7 +157,7 @@ GarmentFile read(std::string_view content, const Place& place) {
 Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file) {
   Place place{file, Failure::kNotAGarment, Failure::kNumber};
   place.keeps_unknown = true;
-  return guarded<GarmentFile>(place, [&] { return read(text, place); });
+  return guarded<GarmentFile>(place, [&] { return garmentFile(text, place); });
 }
 
 }  // namespace seamwise

@@ -21,7 +21,7 @@ void checkPresentation(const Json& document, const Place& place) {
   }
 }
 
-Print read(std::string_view content, const Place& place) {
+Print printOf(std::string_view content, const Place& place) {
   const Json document = parseDocument(content, place);
   object(document, place, "content");
   checkFormat(document, place, "seamwise-print", 1);
@@ -41,7 +41,7 @@ Print read(std::string_view content, const Place& place) {
 
 Outcome<Print> readPrint(std::string_view text, const std::string& file) {
   const Place place{file, Failure::kNotAPrint, Failure::kNotAPrint};
-  return guarded<Print>(place, [&] { return read(text, place); });
+  return guarded<Print>(place, [&] { return printOf(text, place); });
 }
 
 }  // namespace seamwise

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLongestEdge = 1.05;       // cm; coarser sampling of a seam would hide mismatch
 constexpr double kGreatestDeviation = 0.5;  // cm; beyond it outlines are not mirror images at all
-constexpr double kLeastTolerance = 1e-3;    // cm
+constexpr double kCornerTolerance = 1e-3;   // cm
 constexpr std::size_t kFewPerCorner = 6;
 
 std::string quoted(const Panel& panel) { return "piece '" + panel.name + "'"; }
@@ -202,12 +202,12 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
   }
   const std::size_t few = kFewPerCorner * corners;
   const std::size_t many = 2 * few + static_cast<std::size_t>(length / edge_length);
-  double measured = kLeastTolerance;
+  double measured = kCornerTolerance;
   for (const LoopTie& t : wishes.ties) measured = std::max(measured, t.map.tolerance);
   Breakpoints breakpoints;
   for (const Outlines* attempt : {&wishes, &outlines}) {
     for (const std::size_t most : {few, many}) {
-      for (const double tolerance : {kLeastTolerance, measured, 0.03 * edge_length,
+      for (const double tolerance : {kCornerTolerance, measured, 0.03 * edge_length,
                                      0.1 * edge_length, 0.3 * edge_length, 0.5 * edge_length}) {
         breakpoints = findBreakpoints(*attempt, tolerance, most);
         if (!breakpoints.trouble.empty()) continue;

@@ -8,8 +8,8 @@
 namespace seamwise {
 namespace {
 
-constexpr int kMaxIterations = 60;
-constexpr double kSettled = 1e-9;  // cm; ICP stops when no point moves further
+constexpr int kMaxIcpSteps = 60;
+constexpr double kIcpSettled = 1e-9;  // cm; ICP stops when no point moves further
 constexpr double kStalled = 0.99;
 constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
@@ -90,7 +90,7 @@ RigidMotion closestPoints(const Outline& a, const Outline& b, RigidMotion map) {
   const bool single = &a == &b;
   std::vector<Vec2> to(a.samples().size());
   double before = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kMaxIterations; ++k) {
+  for (int k = 0; k < kMaxIcpSteps; ++k) {
     double sum = 0;
     const Mat2 linear = map.linear();
     for (std::size_t i = 0; i < to.size(); ++i) {
@@ -107,7 +107,7 @@ RigidMotion closestPoints(const Outline& a, const Outline& b, RigidMotion map) {
     const double moved = std::abs(wrapAngle(next.angle - map.angle)) * a.length() +
                          (next(a.corners()[0]) - map(a.corners()[0])).norm();
     map = next;
-    if (moved < kSettled) break;
+    if (moved < kIcpSettled) break;
   }
   return map;
 }
