@@ -22,7 +22,7 @@ inline constexpr double kExact = 1e-9;  ///< cm: equal but for rounding
 
 /// A lattice of the group's type, w1 10 cm long at angle `turn`.
 inline WallpaperGroup sampleGroup(const GroupData& data, double turn = 0) {
-  Vec2 w2;
+  Vec2 w2 = Vec2::Zero();
   switch (data.lattice) {
     case LatticeType::kOblique:
       w2 = {3, 8};

@@ -9,10 +9,10 @@ namespace seamwise {
 /// How long to look. Counted in distance evaluations, never in seconds, so that results do not depend on
 /// the machine.
 struct SearchBudget {
-  int trees = 6;          ///< spanning-tree starts for each free piece's component, at least
-  int idle = 12;           ///< stop after so many regrowths without gain, for each free piece
-  double evaluations = 1.6e6;  ///< stop after so many element distances for each free piece
-  int samples = 8;        ///< points a seam while searching; the end is polished on all
+  int trees = 12;          ///< spanning-tree starts for each free piece's component, at least
+  int idle = 20;           ///< stop after so many regrowths without gain, for each free piece
+  double evaluations = 5e6;  ///< stop after so many element distances for each free piece
+  int samples = 16;        ///< points a seam while searching; the end is polished on all
 };
 
 /// Finds alignments that no local iteration finds: starts grown along random spanning trees of the seam

@@ -1,8 +1,10 @@
 #include "solve/best_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "alignment/refine.h"
+#include "solve/metrics.h"
 
 namespace seamwise {
 namespace {
@@ -95,7 +97,7 @@ void BestRun::endSearch() {
   search_result_ = alignment_ = match_.expanded(leaders_);
   const Alignments watched = searching_->watched();
   SearchBudget little;
-  little.trees = 2, little.idle = 15, little.evaluations = 8e5;
+  little.trees = 2, little.idle = 15, little.evaluations = 1.5e6;
   searching_ = std::make_unique<AlignmentSearch>(match_, problem_.options.seed + 1, little,
                                                  slack_);
   searching_->offer(leaders_);
@@ -103,14 +105,23 @@ void BestRun::endSearch() {
   stage_ = Stage::kSlackSearch;
 }
 
+/// Fits from the answer under slack and, where it differs, from the search's own; the better one stays.
 void BestRun::startFit() {
-  leaders_ = searching_->best();
-  alignment_ = match_.expanded(leaders_);
+  starts_ = {searching_->best()};
+  const Alignments plain = match_.ofLeaders(search_result_);
+  if (std::abs(match_.cost(plain) - match_.cost(starts_[0])) > kPerfect) starts_.push_back(plain);
   searching_.reset();
+  nextFit();
+}
+
+void BestRun::nextFit() {
+  leaders_ = starts_[fits_];
+  alignment_ = match_.expanded(leaders_);
   fitting_ = std::make_unique<SeamFitting>(pattern_, problem_.print.group, ClothWeights{},
                                            kReachMargin * problem_.options.max_change_cm,
                                            problem_.options.continuous_only);
   fitting_->chooseJoins(alignment_);
+  fit_steps_ = 0;
   double mismatch = 0;
   for (std::size_t s = 0; s < pattern_.seams.size(); ++s)
     if (pattern_.seams[s].matched && !pattern_.seams[s].twin) mismatch += fitting_->joins()[s].cost;
@@ -130,9 +141,22 @@ void BestRun::realign() {
 void BestRun::fitStep() {
   fitting_->step(alignment_);
   ++iterations_;
-  if (iterations_ % kRealignEvery == 0 && iterations_ < kFitSteps) realign();
-  progress_ = std::max(progress_, kSlackShare + 0.3 * iterations_ / kFitSteps);
-  if (iterations_ >= kFitSteps) stage_ = Stage::kSettle;
+  if (++fit_steps_ % kRealignEvery == 0 && fit_steps_ < kFitSteps) realign();
+  const double done = static_cast<double>(fits_) + static_cast<double>(fit_steps_) / kFitSteps;
+  progress_ = std::max(progress_, kSlackShare + 0.3 * done / static_cast<double>(starts_.size()));
+  if (fit_steps_ < kFitSteps) return;
+  const double reached =
+      fitAny(problem_.print.group, pattern_, fitting_->shapes(), alignment_);
+  if (!best_fitting_ || reached < best_fit_) {
+    best_fit_ = reached;
+    best_fitting_ = std::move(fitting_);
+    best_leaders_ = leaders_;
+  }
+  if (++fits_ < starts_.size()) return nextFit();
+  fitting_ = std::move(best_fitting_);
+  leaders_ = best_leaders_;
+  alignment_ = match_.expanded(leaders_);
+  stage_ = Stage::kSettle;
 }
 
 /// Whether the part keeps everything that is promised of a finished shape.

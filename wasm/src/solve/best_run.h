@@ -31,6 +31,7 @@ class BestRun : public Run {
   enum class Stage : std::uint8_t { kSymmetricSearch, kSearch, kSlackSearch, kFit, kSettle, kDone };
   void endSearch();
   void startFit();
+  void nextFit();
   void fitStep();
   void settleStep();
   void realign();
@@ -47,6 +48,12 @@ class BestRun : public Run {
   Alignments leaders_;           ///< present alignment of the leaders
   Alignments symmetric_answer_;  ///< of the leaders; empty unless it was searched for
   Alignments alignment_, search_result_;
+  std::vector<Alignments> starts_;  ///< of the leaders, to fit from
+  std::size_t fits_ = 0;
+  std::unique_ptr<SeamFitting> best_fitting_;
+  Alignments best_leaders_;
+  double best_fit_ = 0;
+  int fit_steps_ = 0;
   int iterations_ = 0, settled_ = 0;
   double slack_ = 0, progress_ = 0;
 };

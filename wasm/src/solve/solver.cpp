@@ -117,7 +117,8 @@ Outcome<Result> Solver::finish() {
   result.alignment = run.alignment();
   result.search = run.search();
   for (const Seam& seam : result.pattern.seams) {
-    result.joins.push_back(bestJoin(group, seam, result.shapes, result.alignment));
+    result.joins.push_back(bestJoin(group, seam, result.shapes, result.alignment,
+                                    problem.options.continuous_only));
     result.mismatch.push_back(
         joinMismatch(result.joins.back(), seam, result.shapes, result.alignment));
   }
