@@ -4,5 +4,7 @@ import {main} from './shell.mjs';
 
 await main(async () => {
   await build();
+  // npm changes to the project's folder; file names count from where the user stands
+  process.chdir(process.env.INIT_CWD ?? '.');
   await import('../../dist/cli/main.js');
 });

@@ -83,9 +83,11 @@ function asPrint(value: unknown, path: string): Print {
   return value as unknown as Print;
 }
 
+/** The solver corrects a lattice that is within rounding of its type, so equal means nearly so. */
 function sameRepeat(one: SolveResult['print'], other: Print): boolean {
   const close = (key: 'w1' | 'w2') =>
-    Math.hypot(one[key][0] - other[key][0], one[key][1] - other[key][1]) < 1e-6;
+    Math.hypot(one[key][0] - other[key][0], one[key][1] - other[key][1]) <
+    1e-5 * Math.hypot(...other[key]);
   return one.group === other.group && close('w1') && close('w2');
 }
 
