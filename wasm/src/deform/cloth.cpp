@@ -270,7 +270,10 @@ void Cloth::restart(double reach_factor) {
   // where it went wrong: squeezed triangles, lengths that are not kept
   std::vector<char> trouble(part_->rest.size(), 0);
   bool any = false;
-  auto mark = [&](int v) { any = trouble[v] = 1; };
+  auto mark = [&](int v) {
+    trouble[v] = 1;
+    any = true;
+  };
   for (std::size_t t = 0; t < part_->triangles.size(); ++t)
     if (triangleArea(shape_, static_cast<int>(t)) < kSqueezed * rest_area_[t])
       for (int v : part_->triangles[t]) mark(v);
