@@ -5,7 +5,7 @@ import {availableParallelism} from 'node:os';
 import {build} from './build.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, run, say, SetupError, tool} from './shell.mjs';
-import {ensureSystem, forNativeTests} from './system.mjs';
+import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 /** Runs a program of an npm package. */
 function runTool(name, ...args) {
@@ -46,6 +46,8 @@ await main(async () => {
   const unknown = asked.find((name) => !Object.hasOwn(checks, name));
   if (unknown)
     throw new SetupError(`no check '${unknown}'; there are ${Object.keys(checks).join(', ')}`);
+  // All at once, so that whoever has to install by hand is asked only once.
+  if (asked.length === 0) await ensureSystem([...new Set([...forModule, ...forNativeTests])]);
   await ensurePackages();
   const failed = [];
   for (const name of asked.length > 0 ? asked : Object.keys(checks)) {
