@@ -135,7 +135,7 @@ TEST(SolverInvariants, ShiftedPanelsFitAsBefore) {
     moveVertices(shifted.garment, [](int n, const Vec2& p) { return Vec2(p + Vec2(4.0 * n, 8)); });
     const double fit = solved(plain).fit_search;
     // Coordinates round differently, and where two answers tie in the search either may win.
-    EXPECT_NEAR(solved(shifted).fit_search, fit, 1e-2 * fit);
+    EXPECT_NEAR(solved(shifted).fit_search, fit, 1e-3 * fit);
   }
 }
 
@@ -182,14 +182,13 @@ TEST(SolverInvariants, TheSameSeedGivesTheSameBytes) {
 }
 
 TEST(SolverInvariants, WithoutSymmetryTheSearchIsNoWorse) {
-  // The symmetric answer is one that it starts from. Answers are compared on samples of the seams,
-  // so the last per cent is chance.
+  // the symmetric answer is one that it starts from
   for (const char* group : {"pmm", "p31m", "pgg"}) {
     for (const char* garment : {"skirt", "tee", "dress"}) {
       Task t = task(garment, group);
       const double symmetric = solved(t).fit_search;
       t.symmetry = "none";
-      EXPECT_LE(solved(t).fit_search, 1.01 * symmetric) << garment << " " << group;
+      EXPECT_LE(solved(t).fit_search, (1 + 1e-9) * symmetric) << garment << " " << group;
     }
   }
 }

@@ -6,30 +6,19 @@
 namespace seamwise {
 namespace {
 
-struct Sums {
-  Vec2 mean_x = Vec2::Zero(), mean_y = Vec2::Zero();
-  double dot = 0, cross = 0;  ///< of centred y against centred x
-};
-
-/// Weighted moments for Procrustes of x onto y.
-Sums sums(const std::vector<Vec2>& x, const std::vector<Vec2>& y, const std::vector<double>& w) {
-  Sums s;
-  double total = 0;
-  for (std::size_t i = 0; i < w.size(); ++i) {
-    s.mean_x += w[i] * x[i], s.mean_y += w[i] * y[i], total += w[i];
-  }
-  s.mean_x /= total, s.mean_y /= total;
-  for (std::size_t i = 0; i < w.size(); ++i) {
-    const Vec2 u = x[i] - s.mean_x, v = y[i] - s.mean_y;
-    s.dot += w[i] * u.dot(v), s.cross += w[i] * seamwise::cross(u, v);
-  }
-  return s;
-}
-
-/// The alignment that brings piece points x (given by their moments) onto print points y.
-Alignment onto(const Sums& s) {
-  const double angle = -std::atan2(s.cross, s.dot);
-  return {angle, s.mean_x - rotation(angle) * s.mean_y};
+/// The alignment that brings the seam of a piece best onto `image` of its neighbour's side, where
+/// that neighbour lies (weighted Procrustes), turned to what the piece's freedom admits.
+Alignment onto(const Freedom& freedom, const MatchSeam& seam, bool from_a, const Alignment& other,
+               const Element& image) {
+  const Vec2 &mine = from_a ? seam.mean_a : seam.mean_b,
+             &theirs = from_a ? seam.mean_b : seam.mean_a;
+  const Mat2 covariance = from_a ? seam.covariance : Mat2(seam.covariance.transpose());
+  const Mat2 linear = image.A * rotation(-other.angle);
+  const double dot = linear.cwiseProduct(covariance).sum();
+  const double cross = linear.row(1).dot(covariance.row(0)) - linear.row(0).dot(covariance.row(1));
+  const Vec2 print = linear * (theirs - other.translation) + image.a;
+  const double angle = -std::atan2(cross, dot);
+  return freedom.nearest({angle, mine - rotation(angle) * print}, mine);
 }
 
 void addForMirrored(const MatchProblem& problem, int l, std::vector<Alignment>& out) {
@@ -57,25 +46,14 @@ std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alig
     const MatchSeam& seam = problem.seams[s];
     const int other = seam.a == l ? seam.b : seam.a;
     if (other == l || !placed[other]) continue;
-    const auto& mine = seam.a == l ? seam.pa : seam.pb;
-    std::vector<Vec2> theirs = seam.a == l ? seam.pb : seam.pa;
-    const Mat2 r = rotation(-at[other].angle);
-    for (Vec2& p : theirs) p = r * (p - at[other].translation);
     bool seen[2] = {false, false};
-    std::vector<Vec2> image(theirs.size());
     for (const Element& e : elements) {
       if (!problem.allows(seam, e)) continue;
       // Elements of one orientation differ by a rotation of the print: the same print on the piece,
       // unless its angle is bound.
       if (leader.freedom.turns() && seen[e.mirrored]) continue;
       seen[e.mirrored] = true;
-      for (std::size_t i = 0; i < theirs.size(); ++i) image[i] = e(theirs[i]);
-      const Sums moments = sums(mine, image, seam.w);
-      Alignment fit = onto(moments);
-      const Alignment kept = leader.freedom.nearest(fit, moments.mean_x);
-      fit.angle = kept.angle;
-      fit.translation = moments.mean_x - rotation(fit.angle) * moments.mean_y;
-      out.push_back(fit);
+      out.push_back(onto(leader.freedom, seam, seam.a == l, at[other], e));
     }
   }
   return out;

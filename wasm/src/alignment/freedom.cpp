@@ -52,9 +52,8 @@ Freedom Freedom::mirrored(const RigidMotion& map, const WallpaperGroup& group) {
         const Place place{wrapAngle(axis - psi), normal * (constant * spacing), along, v.norm(),
                           spacing};
         f.places_.push_back(place);
-        const bool known = std::any_of(f.distinct_.begin(), f.distinct_.end(), [&](const Place& p) {
-          return samePrint(p, place, group);
-        });
+        const bool known = std::any_of(f.distinct_.begin(), f.distinct_.end(),
+                                       [&](const Place& p) { return samePrint(p, place, group); });
         if (!known) f.distinct_.push_back(place);
       }
     }
@@ -82,8 +81,7 @@ bool Freedom::restrictAngles(const std::vector<double>& angles, double tolerance
 }
 
 Alignment Freedom::onPlace(const Place& place, const Vec2& centre, double slide) const {
-  const Vec2 foot =
-      axis_point_ + axis_direction_ * axis_direction_.dot(centre - axis_point_);
+  const Vec2 foot = axis_point_ + axis_direction_ * axis_direction_.dot(centre - axis_point_);
   const Vec2 print = place.on_line + place.along * slide;
   return {place.angle, foot - rotation(place.angle) * print};
 }
@@ -91,8 +89,7 @@ Alignment Freedom::onPlace(const Place& place, const Vec2& centre, double slide)
 Alignment Freedom::nearest(const Alignment& wanted, const Vec2& centre) const {
   if (pinned_) return pin_;
   if (!places_.empty()) {
-    const Vec2 foot =
-        axis_point_ + axis_direction_ * axis_direction_.dot(centre - axis_point_);
+    const Vec2 foot = axis_point_ + axis_direction_ * axis_direction_.dot(centre - axis_point_);
     double least_turn = std::numeric_limits<double>::infinity(), least_shift = least_turn;
     const Place* best = nullptr;
     double best_slide = 0, best_lines = 0;
@@ -115,15 +112,13 @@ Alignment Freedom::nearest(const Alignment& wanted, const Vec2& centre) const {
   double turn = std::numeric_limits<double>::infinity();
   for (double angle : angles_) {
     const double full = wrapAngle(angle - wanted.angle);
-    const double least =
-        std::copysign(std::max(0.0, std::abs(full) - tolerance_), full);
+    const double least = std::copysign(std::max(0.0, std::abs(full) - tolerance_), full);
     if (std::abs(least) < std::abs(turn)) turn = least;
   }
   return moved(wanted, centre, turn, Vec2::Zero());
 }
 
-Eigen::Matrix<double, 3, Eigen::Dynamic> Freedom::basis(const Alignment& at) const {
-  using Basis = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+Freedom::Basis Freedom::basis(const Alignment& at) const {
   if (pinned_) return Basis(3, 0);
   if (!places_.empty()) {
     const Vec2 along = rotation(-at.angle) * axis_direction_;

@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// How a piece may lie on the print: anywhere, pinned, with its own axis on a mirror line of the print,
-/// within a tolerance of given angles (grain), or both of the last two.
+/// How a piece may lie on the print: anywhere, pinned, with its own axis on a mirror line of the
+/// print, within a tolerance of given angles (grain), or both of the last two.
 class Freedom {
  public:
   static Freedom anywhere() { return {}; }
@@ -25,13 +25,14 @@ class Freedom {
 
   /// A way for a mirrored piece to lie: its axis at `angle`, anywhere along `along` through a line.
   struct Place {
-    double angle;   ///< of the alignment
-    Vec2 on_line;   ///< a print point of the mirror line
-    Vec2 along;     ///< unit vector of the line in print space
-    double period;  ///< the print repeats after this shift along the line. [cm]
-    double spacing; ///< distance of equal parallel lines. [cm]
+    double angle;    ///< of the alignment
+    Vec2 on_line;    ///< a print point of the mirror line
+    Vec2 along;      ///< unit vector of the line in print space
+    double period;   ///< the print repeats after this shift along the line. [cm]
+    double spacing;  ///< distance of equal parallel lines. [cm]
   };
-  /// Those places that put different prints on the piece (others are turns of the print onto itself).
+  /// Those places that put different prints on the piece (others are turns of the print onto
+  /// itself).
   const std::vector<Place>& places() const { return distinct_; }
   const std::vector<double>& angles() const { return angles_; }
 
@@ -43,7 +44,8 @@ class Freedom {
 
   /// Columns of the admissible infinitesimal motions (turn about the centre, shift in print space):
   /// 3 x dof, dof in 0..3.
-  Eigen::Matrix<double, 3, Eigen::Dynamic> basis(const Alignment& at) const;
+  using Basis = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+  Basis basis(const Alignment& at) const;
 
  private:
   bool pinned_ = false;

@@ -1,6 +1,5 @@
 #include "alignment/matching.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
@@ -9,8 +8,6 @@
 namespace seamwise {
 namespace {
 
-constexpr int kChunk = 8;
-
 const Element& anyMirroredElement(const WallpaperGroup& group) {
   return *std::find_if(group.elements().begin(), group.elements().end(),
                        [](const Element& e) { return e.mirrored; });
@@ -18,108 +15,18 @@ const Element& anyMirroredElement(const WallpaperGroup& group) {
 
 }  // namespace
 
-MatchProblem::MatchProblem(WallpaperGroup wallpaper) : group(std::move(wallpaper)) {
-  const auto& [u1, u2] = group.reducedBasis();
-  const Mat2 basis = (Mat2() << u1, u2).finished();
-  to_reduced_ = basis.inverse();
-  g11_ = u1.squaredNorm(), g12_ = u1.dot(u2), g22_ = u2.squaredNorm();
-  for (const Element& e : group.elements()) {
-    const Mat2 m = to_reduced_ * e.A * basis;
-    const Vec2 a = to_reduced_ * e.a;
-    reduced_elements_.push_back({std::round(m(0, 0)), std::round(m(0, 1)), std::round(m(1, 0)),
-                                 std::round(m(1, 1)), a.x(), a.y()});
-  }
-}
-
-MatchProblem::Pose MatchProblem::pose(const Alignment& at) const {
-  const Mat2 m = to_reduced_ * rotation(-at.angle);
-  const Vec2 t = m * at.translation;
-  return {m(0, 0), m(0, 1), m(1, 0), m(1, 1), -t.x(), -t.y()};
-}
-
-double MatchProblem::seamCost(const MatchSeam& seam, const Pose& a, const Pose& b,
-                              double slack) const {
+double MatchProblem::cost(const Alignments& at) const {
   double total = 0;
-  const int n = static_cast<int>(seam.w.size());
-  double xs[kChunk], xt[kChunk], ys[kChunk], yt[kChunk], best[kChunk];
-  for (int from = 0; from < n; from += kChunk) {
-    const int m = std::min(kChunk, n - from);
-    for (int i = 0; i < kChunk; ++i) {
-      const Vec2& p = seam.pa[from + std::min(i, m - 1)];
-      const Vec2& q = seam.pb[from + std::min(i, m - 1)];
-      xs[i] = a.m00 * p.x() + a.m01 * p.y() + a.t0;
-      xt[i] = a.m10 * p.x() + a.m11 * p.y() + a.t1;
-      ys[i] = b.m00 * q.x() + b.m01 * q.y() + b.t0;
-      yt[i] = b.m10 * q.x() + b.m11 * q.y() + b.t1;
-      best[i] = std::numeric_limits<double>::max();
-    }
-    for (std::size_t k = 0; k < reduced_elements_.size(); ++k) {
-      if (!allows(seam, group.elements()[k])) continue;
-      const Pose& e = reduced_elements_[k];
-      // as in WallpaperGroup::reduce: after rounding, two comparisons find the nearest lattice point
-      for (int i = 0; i < kChunk; ++i) {
-        double s = xs[i] - (e.m00 * ys[i] + e.m01 * yt[i] + e.t0);
-        double t = xt[i] - (e.m10 * ys[i] + e.m11 * yt[i] + e.t1);
-        s -= internal::roundNear(s), t -= internal::roundNear(t);
-        const double g1 = s * g11_ + t * g12_, g2 = s * g12_ + t * g22_;
-        const double n1 = g11_ - 2 * std::abs(g1), n2 = g22_ - 2 * std::abs(g2);
-        const double nearer = n1 < n2 ? n1 : n2;
-        const double d2 = s * g1 + t * g2 + (nearer < 0 ? nearer : 0);
-        best[i] = d2 < best[i] ? d2 : best[i];
-      }
-    }
-    for (int i = 0; i < m; ++i) {
-      const double d = best[i] > 0 ? std::sqrt(best[i]) : 0;
-      total += seam.w[from + i] * (slack > 0 ? std::max(0.0, d - slack) + kLeak * d : d);
+  for (const MatchSeam& seam : seams) {
+    for (std::size_t i = 0; i < seam.w.size(); ++i) {
+      const Vec2 x = at[seam.a].toPrint(seam.pa[i]), y = at[seam.b].toPrint(seam.pb[i]);
+      double least = std::numeric_limits<double>::max();
+      for (const Element& e : group.elements())
+        if (allows(seam, e)) least = std::min(least, group.reduce(x - e(y)).squaredNorm());
+      total += seam.w[i] * std::sqrt(least);
     }
   }
   return total;
-}
-
-double MatchProblem::cost(const Alignments& at, double slack) const {
-  std::vector<Pose> poses;
-  for (const Alignment& a : at) poses.push_back(pose(a));
-  double total = 0;
-  for (const MatchSeam& seam : seams) total += seamCost(seam, poses[seam.a], poses[seam.b], slack);
-  return total;
-}
-
-MatchProblem::Nearest MatchProblem::nearest(const MatchSeam& seam, const Vec2& x,
-                                            const Vec2& y) const {
-  Nearest best;
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t k = 0; k < group.elements().size(); ++k) {
-    const Element& e = group.elements()[k];
-    if (!allows(seam, e)) continue;
-    const Vec2 r = group.reduce(x - e(y));
-    if (r.squaredNorm() < least) {
-      least = r.squaredNorm();
-      best = {static_cast<int>(k), r};
-    }
-  }
-  return best;
-}
-
-MatchProblem MatchProblem::coarsened(int most) const {
-  MatchProblem coarse = *this;
-  for (MatchSeam& seam : coarse.seams) {
-    const int n = static_cast<int>(seam.w.size());
-    if (n <= most) continue;
-    MatchSeam few = seam;
-    few.pa.clear(), few.pb.clear(), few.da.clear(), few.db.clear(), few.w.clear();
-    for (int k = 0; k < most; ++k) {
-      const int from = k * n / most, to = (k + 1) * n / most;
-      double w = 0;
-      for (int i = from; i < to; ++i) w += seam.w[i];
-      few.pa.push_back(seam.pa[(from + to) / 2]);
-      few.pb.push_back(seam.pb[(from + to) / 2]);
-      few.da.push_back(seam.da[(from + to) / 2]);
-      few.db.push_back(seam.db[(from + to) / 2]);
-      few.w.push_back(w);
-    }
-    seam = std::move(few);
-  }
-  return coarse;
 }
 
 Alignments MatchProblem::expanded(const Alignments& of_leaders) const {
@@ -141,13 +48,15 @@ Alignments MatchProblem::ofLeaders(const Alignments& of_pieces) const {
 
 namespace {
 
-/// Whether `seam` lists the pairs of `listed`, in either direction; then its weights are added there.
+/// Whether `seam` lists the pairs of `listed`, in either direction; then its weights are added
+/// there.
 bool mergedInto(MatchSeam& listed, const MatchSeam& seam, bool swapped) {
   const auto& pa = swapped ? seam.pb : seam.pa;
   const auto& pb = swapped ? seam.pa : seam.pb;
   const std::size_t n = seam.w.size();
   if (listed.w.size() != n || listed.reversing != seam.reversing) return false;
-  if (listed.a != (swapped ? seam.b : seam.a) || listed.b != (swapped ? seam.a : seam.b)) return false;
+  if (listed.a != (swapped ? seam.b : seam.a) || listed.b != (swapped ? seam.a : seam.b))
+    return false;
   for (bool reverse : {false, true}) {
     bool equal = true;
     for (std::size_t i = 0; i < n && equal; ++i) {
@@ -166,14 +75,15 @@ void reflect(std::vector<Vec2>& points, const RigidMotion& map) {
   for (Vec2& p : points) p = map(p);
 }
 
-/// Adds a seam given on pieces. The mirror image of one already listed carries the same condition and
-/// only adds its weight: under a pair the images coincide on the leader; on a piece symmetric in itself
-/// they are `own` reflections of each other.
+/// Adds a seam given on pieces. The mirror image of one already listed carries the same condition
+/// and only adds its weight: under a pair the images coincide on the leader; on a piece symmetric
+/// in itself they are `own` reflections of each other.
 void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
              const std::vector<const Mirror*>& own, MatchSeam seam) {
   const auto &fa = problem.pieces[seam.a], &fb = problem.pieces[seam.b];
   const Mirror *own_a = own[seam.a], *own_b = own[seam.b];
-  auto follow = [](const RigidMotion& map, std::vector<Vec2>& points, std::vector<Vec2>& directions) {
+  auto follow = [](const RigidMotion& map, std::vector<Vec2>& points,
+                   std::vector<Vec2>& directions) {
     reflect(points, map);
     for (Vec2& d : directions) d = map.linear() * d;
   };
@@ -200,6 +110,15 @@ void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
     }
   }
   problem.seams.push_back(std::move(seam));
+}
+
+void setMoments(MatchSeam& seam) {
+  for (std::size_t i = 0; i < seam.w.size(); ++i)
+    seam.mean_a += seam.w[i] / seam.weight * seam.pa[i],
+        seam.mean_b += seam.w[i] / seam.weight * seam.pb[i];
+  for (std::size_t i = 0; i < seam.w.size(); ++i)
+    seam.covariance +=
+        seam.w[i] * (seam.pa[i] - seam.mean_a) * (seam.pb[i] - seam.mean_b).transpose();
 }
 
 }  // namespace
@@ -235,11 +154,13 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     leader.centre /= static_cast<double>(pattern.pieces[p].outline.size());
     const PieceRule& rule = rules.pieces[p];
     if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
-    if (!rule.angles.empty() && !leader.freedom.restrictAngles(rule.angles, rule.tolerance) && notes)
+    if (!rule.angles.empty() && !leader.freedom.restrictAngles(rule.angles, rule.tolerance) &&
+        notes)
       notes->push_back("piece '" + pattern.pieces[p].name +
                        "' leaves its grain: with its axis on a mirror line of " +
                        std::string(group.data().name) + " it cannot lie on it");
-    if (rule.pin) leader.freedom = Freedom::pinned(leader.freedom.nearest(*rule.pin, leader.centre));
+    if (rule.pin)
+      leader.freedom = Freedom::pinned(leader.freedom.nearest(*rule.pin, leader.centre));
     problem.leaders.push_back(std::move(leader));
   }
   for (auto& follow : problem.pieces)
@@ -272,6 +193,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     }
     addSeam(problem, back, own, std::move(m));
   }
+  for (MatchSeam& seam : problem.seams) setMoments(seam);
   for (std::size_t s = 0; s < problem.seams.size(); ++s) {
     problem.leaders[problem.seams[s].a].seams.push_back(static_cast<int>(s));
     if (problem.seams[s].b != problem.seams[s].a)

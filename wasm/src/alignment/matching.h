@@ -11,17 +11,19 @@
 
 namespace seamwise {
 
-/// A seam as the alignment search sees it: pairs of points that should fall on equivalent points of the
-/// print, in the coordinates of the leading pieces (a mirrored follower's points are mapped back to its
-/// leader, where the print is equivalent).
+/// A seam as the alignment search sees it: pairs of points that should fall on equivalent points of
+/// the print, in the coordinates of the leading pieces (a mirrored follower's points are mapped
+/// back to its leader, where the print is equivalent).
 struct MatchSeam {
-  int a = -1, b = -1;         ///< leaders; may be equal
-  bool reversing = false;     ///< exactly one side was mapped: continuous needs a mirrored element
-  std::vector<Vec2> pa, pb;   ///< edge midpoints, cm
-  std::vector<Vec2> da, db;   ///< directions of those edges in sewing order
-  std::vector<double> w;      ///< seam weight x mean edge length, cm
-  double weight = 0;          ///< sum of w
-  int seam = -1;              ///< index in Pattern::seams, -1: a match line
+  int a = -1, b = -1;        ///< leaders; may be equal
+  bool reversing = false;    ///< exactly one side was mapped: continuous needs a mirrored element
+  std::vector<Vec2> pa, pb;  ///< edge midpoints, cm
+  std::vector<Vec2> da, db;  ///< directions of those edges in sewing order
+  std::vector<double> w;     ///< seam weight x mean edge length, cm
+  double weight = 0;         ///< sum of w
+  Vec2 mean_a = Vec2::Zero(), mean_b = Vec2::Zero();  ///< weighted means of pa and pb
+  Mat2 covariance = Mat2::Zero();                     ///< sum of w (pa - mean_a) (pb - mean_b)^T
+  int seam = -1;                                      ///< index in Pattern::seams, -1: a match line
 };
 
 /// The variables of an alignment: one leader per mirrored pair or single piece.
@@ -48,8 +50,7 @@ struct MatchRules {
 
 using Alignments = std::vector<Alignment>;
 
-/// All seams that count, on the leading pieces, and the print's group. Distances are evaluated in the
-/// reduced lattice basis, where the nearest lattice vector is found by rounding.
+/// All seams that count, on the leading pieces, and the print's group.
 class MatchProblem {
  public:
   std::vector<Leader> leaders;
@@ -63,50 +64,24 @@ class MatchProblem {
   WallpaperGroup group;
   bool continuous_only = false;
 
-  explicit MatchProblem(WallpaperGroup wallpaper);
+  explicit MatchProblem(WallpaperGroup wallpaper) : group(std::move(wallpaper)) {}
 
-  /// Where a piece lies, as a map from its coordinates to reduced lattice coordinates.
-  struct Pose {
-    double m00, m01, m10, m11, t0, t1;
-  };
-  Pose pose(const Alignment& at) const;
-
-  /// Sum of w max(0, d - slack) + leak d over one seam (leak only when slack > 0). [cm2]
-  double seamCost(const MatchSeam& seam, const Pose& a, const Pose& b, double slack = 0) const;
-  /// Over all seams.
-  double cost(const Alignments& at, double slack = 0) const;
-
-  /// The element and lattice shift that bring pb[i] nearest to pa[i]. `element` indexes
-  /// group.elements(); target is A y + a + T in print space.
-  struct Nearest {
-    int element = 0;
-    Vec2 residual;  ///< x - (A y + a + T)
-  };
-  Nearest nearest(const MatchSeam& seam, const Vec2& x, const Vec2& y) const;
+  /// Sum of w d over all seams. [cm2]
+  double cost(const Alignments& at) const;
 
   /// Whether `element` may join this seam: a continuous join or, if allowed, a mirrored one.
   bool allows(const MatchSeam& seam, const Element& element) const {
     return !continuous_only || element.mirrored == seam.reversing;
   }
 
-  /// The same problem with at most `most` samples a seam, for coarse evaluation.
-  MatchProblem coarsened(int most) const;
-
   /// Alignments of all pieces from those of the leaders, and back.
   Alignments expanded(const Alignments& of_leaders) const;
   Alignments ofLeaders(const Alignments& of_pieces) const;
-
-  /// Small share of the distance that counts inside the slack, so that ties go to the better fit.
-  static constexpr double kLeak = 0.1;
-
- private:
-  Mat2 to_reduced_;                ///< print -> reduced lattice coordinates
-  double g11_, g12_, g22_;         ///< metric in reduced coordinates, 0 <= 2 g12 <= g11 <= g22
-  std::vector<Pose> reduced_elements_;
 };
 
 /// Makes the problem for a pattern in the given shapes (per piece, per vertex, cm).
-/// @param mirrors    pairs merge into one leader, single pieces must lie on a mirror line; the group
+/// @param mirrors    pairs merge into one leader, single pieces must lie on a mirror line; the
+/// group
 ///                   must carry them
 /// @param notes      gets a sentence for each rule that a mirrored piece cannot keep; may be null
 MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,

@@ -1,16 +1,23 @@
 #pragma once
 #include <vector>
 
-#include "alignment/matching.h"
+#include "alignment/sampled_seams.h"
 
 namespace seamwise {
 
-/// Improves the alignments of the `active` leaders together, the others held: Gauss-Newton on all turns
-/// and shifts with the nearest element of each sample frozen, weights 1/d so that the sum of distances
-/// (not of squares) falls, elements chosen anew after each step. Never makes the cost worse.
-/// @param slack   as in MatchProblem::seamCost
+/// Improves the alignments of the `active` leaders together, the others held: Gauss-Newton on all
+/// turns and shifts with the nearest element of each sample frozen, weights 1/d so that the sum of
+/// distances (not of squares) falls, elements chosen anew after each step. Never makes the cost
+/// worse.
+/// @param slack   as in SampledSeams::cost
 /// @return   the cost of the seams that touch an active leader, cm2
-double refine(const MatchProblem& problem, Alignments& at, const std::vector<int>& active,
-              int iterations, double slack = 0);
+template <class Real>
+double refine(const MatchProblem& problem, const SampledSeams<Real>& seams, Alignments& at,
+              const std::vector<int>& active, int iterations, double slack = 0);
+
+extern template double refine(const MatchProblem&, const SampledSeams<float>&, Alignments&,
+                              const std::vector<int>&, int, double);
+extern template double refine(const MatchProblem&, const SampledSeams<double>&, Alignments&,
+                              const std::vector<int>&, int, double);
 
 }  // namespace seamwise

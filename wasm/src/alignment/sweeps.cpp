@@ -7,7 +7,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kStill = 1e-5;  ///< rad or cm: a sweep that changes less has converged
+constexpr double kStill = 1e-5;    ///< rad or cm: a sweep that changes less has converged
 constexpr double kSameTurn = 0.1;  ///< rad: elements that turn alike compete by distance
 
 double direction(const Vec2& d) { return std::atan2(d.y(), d.x()); }
@@ -31,7 +31,8 @@ LocalSweeps::LocalSweeps(const MatchProblem& problem, std::uint64_t seed)
   for (std::size_t l = 0; l < at_.size(); ++l) {
     const Leader& leader = problem.leaders[l];
     const double angle = 2 * kPi * random.uniform();
-    const Vec2 print = problem.group.w1() * random.uniform() + problem.group.w2() * random.uniform();
+    const Vec2 print =
+        problem.group.w1() * random.uniform() + problem.group.w2() * random.uniform();
     const Alignment any{wrapAngle(angle), leader.centre - rotation(angle) * print};
     at_[l] = leader.freedom.nearest(any, leader.centre);
   }
@@ -69,7 +70,8 @@ double LocalSweeps::turn(int l) {
     }
   }
   at_[l] = leader.freedom.nearest(
-      moved(at_[l], leader.centre, wrapAngle(direction(sum) - before), Vec2::Zero()), leader.centre);
+      moved(at_[l], leader.centre, wrapAngle(direction(sum) - before), Vec2::Zero()),
+      leader.centre);
   return std::abs(wrapAngle(at_[l].angle - before));
 }
 
@@ -91,7 +93,8 @@ double LocalSweeps::shift(int l) {
         double least_turn = std::numeric_limits<double>::infinity();
         for (const Element& e : problem_.group.elements())
           if (problem_.allows(seam, e))
-            least_turn = std::min(least_turn, std::abs(wrapAngle(direction(e.A * dy) - direction(dx))));
+            least_turn =
+                std::min(least_turn, std::abs(wrapAngle(direction(e.A * dy) - direction(dx))));
         Vec2 step = Vec2::Zero();
         double least = std::numeric_limits<double>::infinity();
         for (const Element& e : problem_.group.elements()) {
@@ -105,9 +108,12 @@ double LocalSweeps::shift(int l) {
           if (view.other == l) {
             // both sides move: (I - A) step = -residual, as far as it can be solved
             const Mat2 both = Mat2::Identity() - e.A;
-            if (e.mirrored) step = -both * residual / 4;  // I - A = 2 n n^T
-            else if (std::abs(both.determinant()) > 1e-9) step = -both.inverse() * residual;
-            else step.setZero();
+            if (e.mirrored)
+              step = -both * residual / 4;  // I - A = 2 n n^T
+            else if (std::abs(both.determinant()) > 1e-9)
+              step = -both.inverse() * residual;
+            else
+              step.setZero();
           }
         }
         if (std::isfinite(least)) sum += seam.w[i] * step;

@@ -4,9 +4,10 @@
 
 namespace seamwise {
 
-/// The local iteration of Wolff et al. 2019 (after Jakob et al. 2015): from one random start, rotations
-/// are averaged over the seams of one piece after the other (Eq. 1) until nothing turns, then
-/// translations likewise; after each piece its symmetry is restored (Sec. 3.1; pairs have one variable).
+/// The local iteration of Wolff et al. 2019 (after Jakob et al. 2015): from one random start,
+/// rotations are averaged over the seams of one piece after the other (Eq. 1) until nothing turns,
+/// then translations likewise; after each piece its symmetry is restored (Sec. 3.1; pairs have one
+/// variable).
 class LocalSweeps {
  public:
   LocalSweeps(const MatchProblem& problem, std::uint64_t seed);

@@ -9,20 +9,48 @@ namespace seamwise {
 namespace {
 
 constexpr double kLengthPenalty = 2e4;  ///< per cm2
-constexpr double kReachPenalty = 4e3;   ///< per cm2; pulls are of order 1 a cm, so the excess is slight
-constexpr double kUpright = 0.33;       ///< least area of a triangle, as a share of its rest area
-constexpr double kHold = 5.0;           ///< weight that holds a shape in place, per cm2
-constexpr double kSqueezed = 0.45;      ///< share of its rest area below which a triangle is in trouble
+constexpr double kReachPenalty =
+    4e3;                            ///< per cm2; pulls are of order 1 a cm, so the excess is slight
+constexpr double kUpright = 0.33;   ///< least area of a triangle, as a share of its rest area
+constexpr double kHold = 5.0;       ///< weight that holds a shape in place, per cm2
+constexpr double kSqueezed = 0.45;  ///< share of its rest area below which a triangle is in trouble
 constexpr double kMissedLength = 2e-3;  ///< cm
 constexpr double kNearTrouble = 6.0;    ///< cm
 constexpr double kLongestStep = 0.4;    ///< cm: beyond it the linearised lengths are worthless
 
 }  // namespace
 
+namespace {
+
+Cloth::State restStateOf(const Part& part) {
+  return {part.rest, VectorX::Zero(part.unknowns), std::vector<double>(part.edges.size(), 0)};
+}
+
+/// Of the lower triangles of the blocks (i, i) and (j, j), then of the block (i, j).
+std::array<int, 10> slotsOf(const SparseHessian& hessian, const Part& part, int i, int j) {
+  std::array<int, 10> slots;
+  int k = 0;
+  for (int v : {i, j})
+    for (int c = 0; c < 2; ++c)
+      for (int d = 0; d <= c; ++d)
+        slots[k++] = hessian.slot(part.unknown[2 * v + c], part.unknown[2 * v + d]);
+  for (int c = 0; c < 2; ++c)
+    for (int d = 0; d < 2; ++d)
+      slots[k++] = hessian.slot(part.unknown[2 * i + c], part.unknown[2 * j + d]);
+  return slots;
+}
+
+}  // namespace
+
+Cloth::State Cloth::restState() const { return restStateOf(*part_); }
+
 Cloth::Cloth(const Part& part, const ClothWeights& weights)
-    : part_(&part), weights_(weights), shape_(part.rest), reach_(part.reach),
-      target_weight_(part.rest.size(), 0), target_pull_(part.rest.size(), Vec2::Zero()),
-      length_force_(part.edges.size(), 0),
+    : part_(&part),
+      weights_(weights),
+      state_(restStateOf(part)),
+      reach_(part.reach),
+      target_weight_(part.rest.size(), 0),
+      target_pull_(part.rest.size(), Vec2::Zero()),
       bend_factor_(part.bends.size(), 1) {
   std::vector<std::pair<int, int>> pairs;
   auto couple = [&](std::initializer_list<int> vertices) {
@@ -34,34 +62,32 @@ Cloth::Cloth(const Part& part, const ClothWeights& weights)
   };
   for (const auto& t : part.triangles) couple({t[0], t[1], t[2]});
   for (const auto& b : part.bends) {
-    if (b.h >= 0) couple({b.h, b.i, b.j});
-    else couple({b.i, b.j});
+    if (b.h >= 0)
+      couple({b.h, b.i, b.j});
+    else
+      couple({b.i, b.j});
   }
   hessian_ = SparseHessian(part.unknowns, pairs);
-  u_ = VectorX::Zero(part.unknowns);
   gradient_ = VectorX::Zero(part.unknowns);
   rest_area_.resize(part.triangles.size());
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
     rest_area_[t] = triangleArea(part.rest, static_cast<int>(t));
-  buildConstantTerms();
+  edge_slots_.reserve(part.edges.size());
+  for (const Part::Edge& e : part.edges) edge_slots_.push_back(slotsOf(hessian_, part, e.i, e.j));
+  hessian_.setZero();
+  addConformal();
+  for (const Part::Bend& bend : part.bends) addBend(bend, weights_.bend);
+  for (std::size_t i = 0; i < part.rest.size(); ++i) {
+    const double pull = part.reach[i] > 0 ? weights_.rest : 1e-4 * weights_.rest;
+    for (int c = 0; c < 2; ++c)
+      hessian_.add(part.unknown[2 * i + c], part.unknown[2 * i + c], 2 * pull);
+  }
+  constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
 }
 
 double Cloth::triangleArea(const std::vector<Vec2>& x, int t) const {
   const auto& [i, j, k] = part_->triangles[t];
   return cross(x[j] - x[i], x[k] - x[i]) / 2;
-}
-
-void Cloth::buildConstantTerms() {
-  hessian_.setZero();
-  addConformal();
-  for (std::size_t b = 0; b < part_->bends.size(); ++b)
-    addBend(part_->bends[b], weights_.bend * bend_factor_[b]);
-  for (std::size_t i = 0; i < part_->rest.size(); ++i) {
-    const double pull = part_->reach[i] > 0 ? weights_.rest : 1e-4 * weights_.rest;
-    for (int c = 0; c < 2; ++c)
-      hessian_.add(part_->unknown[2 * i + c], part_->unknown[2 * i + c], 2 * pull);
-  }
-  constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
 }
 
 /// The conformal energy is quadratic and rest is its minimum, so it needs no more than its Hessian.
@@ -78,7 +104,8 @@ void Cloth::addConformal() {
   }
 }
 
-/// w |(u_j - u_i) / after - (u_i - u_h) / before|^2: the outline's direction keeps turning as at rest.
+/// w |(u_j - u_i) / after - (u_i - u_h) / before|^2: the outline's direction keeps turning as at
+/// rest.
 void Cloth::addBend(const Part::Bend& b, double weight) {
   const auto& unknown = part_->unknown;
   const double w = 2 * weight;
@@ -122,7 +149,7 @@ double Cloth::energy(const std::vector<Vec2>& shape, const VectorX& u) const {
   for (std::size_t k = 0; k < part.edges.size(); ++k) {
     const Part::Edge& edge = part.edges[k];
     const double c = (shape[edge.i] - shape[edge.j]).norm() - edge.length;
-    e += length_force_[k] * c + stiffness(edge) * c * c / 2;
+    e += state_.length_force[k] * c + stiffness(edge) * c * c / 2;
   }
   return e;
 }
@@ -135,44 +162,39 @@ double Cloth::stiffness(const Part::Edge& edge) const {
 void Cloth::assemble() {
   const Part& part = *part_;
   std::copy(constant_.begin(), constant_.end(), hessian_.values());
-  gradient_ = quadraticForce(u_);
+  gradient_ = quadraticForce(state_.u);
   auto addGradient = [&](int vertex, const Vec2& g) {
     for (int c = 0; c < 2; ++c)
       if (part.unknown[2 * vertex + c] >= 0) gradient_[part.unknown[2 * vertex + c]] += g[c];
-  };
-  // weight n n^T on one vertex, or on the difference of two
-  auto addRankOne = [&](int i, int j, const Vec2& n, double weight) {
-    for (int c = 0; c < 2; ++c) {
-      for (int d = 0; d <= c; ++d) {
-        const double v = weight * n[c] * n[d];
-        hessian_.add(part.unknown[2 * i + c], part.unknown[2 * i + d], v);
-        if (j >= 0) hessian_.add(part.unknown[2 * j + c], part.unknown[2 * j + d], v);
-      }
-      if (j < 0) continue;
-      for (int d = 0; d < 2; ++d)
-        hessian_.add(part.unknown[2 * i + c], part.unknown[2 * j + d], -weight * n[c] * n[d]);
-    }
   };
   for (std::size_t i = 0; i < part.rest.size(); ++i) {
     const int v = static_cast<int>(i);
     if (target_weight_[i] > 0) {
       const double w = 2 * target_weight_[i];
       for (int c = 0; c < 2; ++c) hessian_.add(part.unknown[2 * i + c], part.unknown[2 * i + c], w);
-      addGradient(v, w * shape_[i] - 2 * target_pull_[i]);
+      addGradient(v, w * state_.shape[i] - 2 * target_pull_[i]);
     }
     if (part.reach[i] <= 0) continue;
-    const Vec2 move = shape_[i] - part.rest[i];
+    const Vec2 move = state_.shape[i] - part.rest[i];
     const double length = move.norm(), excess = length - reach_[i];
     if (excess <= 0 || length < 1e-9) continue;
-    addRankOne(v, -1, move / length, kReachPenalty);
+    const Vec2 n = move / length;
+    for (int c = 0; c < 2; ++c)
+      for (int d = 0; d <= c; ++d)
+        hessian_.add(part.unknown[2 * i + c], part.unknown[2 * i + d], kReachPenalty * n[c] * n[d]);
     addGradient(v, kReachPenalty * excess * move / length);
   }
   for (std::size_t e = 0; e < part.edges.size(); ++e) {
     const Part::Edge& edge = part.edges[e];
-    const Vec2 d = shape_[edge.i] - shape_[edge.j];
+    const Vec2 d = state_.shape[edge.i] - state_.shape[edge.j];
     const double length = d.norm();
-    const double force = length_force_[e] + stiffness(edge) * (length - edge.length);
-    addRankOne(edge.i, edge.j, d / length, stiffness(edge));
+    const double force = state_.length_force[e] + stiffness(edge) * (length - edge.length);
+    const Vec2 n = d / length;
+    const double w = stiffness(edge), xx = w * n.x() * n.x(), xy = w * n.x() * n.y(),
+                 yy = w * n.y() * n.y();
+    const double entries[10] = {xx, xy, yy, xx, xy, yy, -xx, -xy, -xy, -yy};
+    for (int k = 0; k < 10; ++k)
+      if (const int slot = edge_slots_[e][k]; slot >= 0) hessian_.values()[slot] += entries[k];
     addGradient(edge.i, force * d / length);
     addGradient(edge.j, -force * d / length);
   }
@@ -193,29 +215,29 @@ void Cloth::step() {
   for (std::size_t i = 0; i < part.rest.size(); ++i)
     longest = std::max(longest, std::hypot(moveOf(i, 0), moveOf(i, 1)));
   double scale = std::min(1.0, kLongestStep / std::max(longest, 1e-12));
-  const double before = energy(shape_, u_), slope = gradient_.dot(full);
-  std::vector<Vec2> trial(shape_.size());
+  const double before = energy(state_.shape, state_.u), slope = gradient_.dot(full);
+  std::vector<Vec2> trial(state_.shape.size());
   for (int halving = 0; halving < 12; ++halving, scale /= 2) {
     for (std::size_t i = 0; i < trial.size(); ++i)
-      trial[i] = shape_[i] + scale * Vec2(moveOf(i, 0), moveOf(i, 1));
+      trial[i] = state_.shape[i] + scale * Vec2(moveOf(i, 0), moveOf(i, 1));
     bool upright = true;
     for (std::size_t t = 0; t < part.triangles.size() && upright; ++t)
       upright = triangleArea(trial, static_cast<int>(t)) > kUpright * rest_area_[t];
     if (!upright) continue;
-    const VectorX moved_u = u_ + scale * full;
+    const VectorX moved_u = state_.u + scale * full;
     // below rounding there is nothing left to compare
     const double slack = 1e-12 * (std::abs(before) + 1);
     if (energy(trial, moved_u) > before + 1e-4 * scale * slope + slack) continue;
-    shape_.swap(trial);
-    u_ = moved_u;
+    state_.shape.swap(trial);
+    state_.u = moved_u;
     last_move_ = scale * longest;
     break;
   }
   for (std::size_t e = 0; e < part.edges.size(); ++e) {
     const Part::Edge& edge = part.edges[e];
     if (!edge.sewn) continue;
-    const double length = (shape_[edge.i] - shape_[edge.j]).norm();
-    length_force_[e] += kLengthPenalty * (length - edge.length);
+    const double length = (state_.shape[edge.i] - state_.shape[edge.j]).norm();
+    state_.length_force[e] += kLengthPenalty * (length - edge.length);
   }
 }
 
@@ -224,17 +246,17 @@ Cloth::Violations Cloth::violations() const {
   Violations v;
   v.moved = last_move_;
   for (const Part::Edge& e : part.edges) {
-    const double length = (shape_[e.i] - shape_[e.j]).norm();
+    const double length = (state_.shape[e.i] - state_.shape[e.j]).norm();
     if (e.sewn) v.length = std::max(v.length, std::abs(length - e.length));
     const double rest = (part.rest[e.i] - part.rest[e.j]).norm();
     v.stretch = std::max(v.stretch, std::abs(length / rest - 1));
   }
   for (std::size_t i = 0; i < part.rest.size(); ++i)
     if (part.reach[i] > 0)
-      v.reach = std::max(v.reach, (shape_[i] - part.rest[i]).norm() - part.reach[i]);
+      v.reach = std::max(v.reach, (state_.shape[i] - part.rest[i]).norm() - part.reach[i]);
   for (const Part::Bend& b : part.bends) v.kink = std::max(v.kink, std::abs(kink(b)));
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
-    v.area = std::min(v.area, triangleArea(shape_, static_cast<int>(t)) / rest_area_[t]);
+    v.area = std::min(v.area, triangleArea(state_.shape, static_cast<int>(t)) / rest_area_[t]);
   return v;
 }
 
@@ -244,7 +266,7 @@ double Cloth::kink(const Part::Bend& b) const {
     const Vec2 in = x[b.i] - h, out = x[b.j] - x[b.i];
     return std::atan2(cross(in, out), in.dot(out));
   };
-  return turn(shape_) - turn(part_->rest);
+  return turn(state_.shape) - turn(part_->rest);
 }
 
 bool Cloth::stiffenKinks(double limit) {
@@ -252,18 +274,21 @@ bool Cloth::stiffenKinks(double limit) {
   for (std::size_t b = 0; b < part_->bends.size(); ++b) {
     const double excess = std::abs(kink(part_->bends[b])) / limit;
     if (excess <= 1) continue;
-    bend_factor_[b] *= 1.5 * excess * excess;
+    if (!any) std::copy(constant_.begin(), constant_.end(), hessian_.values());
     any = true;
+    const double before = bend_factor_[b];
+    bend_factor_[b] *= 1.5 * excess * excess;
+    addBend(part_->bends[b], weights_.bend * (bend_factor_[b] - before));
   }
-  if (any) buildConstantTerms();
+  if (any) constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
   return any;
 }
 
 void Cloth::holdShape() {
   clearTargets();
   for (std::size_t i = 0; i < part_->rest.size(); ++i)
-    if (part_->reach[i] > 0) addTarget(static_cast<int>(i), shape_[i], kHold);
-  std::fill(length_force_.begin(), length_force_.end(), 0.0);
+    if (part_->reach[i] > 0) addTarget(static_cast<int>(i), state_.shape[i], kHold);
+  std::fill(state_.length_force.begin(), state_.length_force.end(), 0.0);
 }
 
 void Cloth::restart(double reach_factor) {
@@ -275,10 +300,11 @@ void Cloth::restart(double reach_factor) {
     any = true;
   };
   for (std::size_t t = 0; t < part_->triangles.size(); ++t)
-    if (triangleArea(shape_, static_cast<int>(t)) < kSqueezed * rest_area_[t])
+    if (triangleArea(state_.shape, static_cast<int>(t)) < kSqueezed * rest_area_[t])
       for (int v : part_->triangles[t]) mark(v);
   for (const Part::Edge& e : part_->edges)
-    if (e.sewn && std::abs((shape_[e.i] - shape_[e.j]).norm() - e.length) > kMissedLength)
+    if (e.sewn &&
+        std::abs((state_.shape[e.i] - state_.shape[e.j]).norm() - e.length) > kMissedLength)
       mark(e.i), mark(e.j);
   for (std::size_t i = 0; i < reach_.size(); ++i) {
     bool near = !any;
@@ -286,9 +312,7 @@ void Cloth::restart(double reach_factor) {
       near = trouble[k] && (part_->rest[i] - part_->rest[k]).norm() < kNearTrouble;
     if (near) reach_[i] *= reach_factor;
   }
-  shape_ = part_->rest;
-  u_.setZero();
-  std::fill(length_force_.begin(), length_force_.end(), 0.0);
+  state_ = restState();
 }
 
 }  // namespace seamwise

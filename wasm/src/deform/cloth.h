@@ -14,17 +14,18 @@ struct ClothWeights {
   double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
 };
 
-/// Deforms one part towards targets with a safeguarded Newton iteration: conformal, bending and target
-/// terms are quadratic; sewn edges keep their length and vertices their reach by an augmented
-/// Lagrangian; a step is shortened until every triangle stays upright.
+/// Deforms one part towards targets with a safeguarded Newton iteration: conformal, bending and
+/// target terms are quadratic; sewn edges keep their length and vertices their reach by an
+/// augmented Lagrangian; a step is shortened until every triangle stays upright.
 ///
-/// E(u) = sum w |x - x*|^2 + conformal + bend + rest + unsewn + AL(lengths) + AL(reach), x = rest + u
+/// E(u) = sum w |x - x*|^2 + conformal + bend + rest + unsewn + AL(lengths) + AL(reach), x = rest +
+/// u
 class Cloth {
  public:
   Cloth(const Part& part, const ClothWeights& weights);
 
   const Part& part() const { return *part_; }
-  const std::vector<Vec2>& shape() const { return shape_; }
+  const std::vector<Vec2>& shape() const { return state_.shape; }
 
   void clearTargets();
   /// @param weight   per cm2; several targets of a vertex add up
@@ -32,17 +33,29 @@ class Cloth {
 
   /// One Newton step and one update of the multipliers.
   void step();
+
+  /// What steps change, targets apart: to go back to it later.
+  struct State {
+    std::vector<Vec2> shape;
+    VectorX u;
+    std::vector<double> length_force;
+  };
+  const State& state() const { return state_; }
+  void setState(State state) { state_ = std::move(state); }
+  /// As drafted: where every deformation starts.
+  State restState() const;
+
   int settling = 0;  ///< steps since the targets were fixed; for the caller's use
   int factorisations() const { return factorisations_; }
 
   /// What a shape must keep; each is 0 or less when kept.
   struct Violations {
-    double length = 0;  ///< greatest |edge - kept length| of a sewn edge, cm
-    double reach = 0;   ///< greatest excess over the reach, cm
-    double kink = 0;    ///< greatest change of direction at a smooth vertex, rad
-    double stretch = 0; ///< greatest relative change of an outline edge
-    double area = 1;    ///< least ratio of a triangle's area to its rest area
-    double moved = 0;   ///< greatest movement in the last step, cm
+    double length = 0;   ///< greatest |edge - kept length| of a sewn edge, cm
+    double reach = 0;    ///< greatest excess over the reach, cm
+    double kink = 0;     ///< greatest change of direction at a smooth vertex, rad
+    double stretch = 0;  ///< greatest relative change of an outline edge
+    double area = 1;     ///< least ratio of a triangle's area to its rest area
+    double moved = 0;    ///< greatest movement in the last step, cm
   };
   Violations violations() const;
 
@@ -58,7 +71,6 @@ class Cloth {
   double energy(const std::vector<Vec2>& shape, const VectorX& u) const;
   double stiffness(const Part::Edge& edge) const;
   void assemble();
-  void buildConstantTerms();
   void addConformal();
   void addBend(const Part::Bend& bend, double weight);
   double kink(const Part::Bend& bend) const;  ///< change of the turn at a smooth vertex, rad
@@ -66,16 +78,16 @@ class Cloth {
 
   const Part* part_;
   ClothWeights weights_;
-  std::vector<Vec2> shape_;
+  State state_;
   std::vector<double> reach_;
   std::vector<double> rest_area_;
   SparseHessian hessian_;
-  std::vector<double> constant_;        ///< values of the quadratic terms, in the hessian's pattern
-  std::vector<double> target_weight_;   ///< per vertex
-  std::vector<Vec2> target_pull_;       ///< per vertex: sum of w x*
-  std::vector<double> length_force_;    ///< multipliers of the kept lengths
-  std::vector<double> bend_factor_;     ///< per bend, 1 at first
-  VectorX u_, gradient_;
+  std::vector<double> constant_;       ///< values of the quadratic terms, in the hessian's pattern
+  std::vector<double> target_weight_;  ///< per vertex
+  std::vector<Vec2> target_pull_;      ///< per vertex: sum of w x*
+  std::vector<double> bend_factor_;    ///< per bend, 1 at first
+  VectorX gradient_;
+  std::vector<std::array<int, 10>> edge_slots_;  ///< per edge: its entries of the hessian
   double last_move_ = 0;
   int factorisations_ = 0;
 };

@@ -14,8 +14,11 @@ constexpr double kFloor = 0.05;  ///< cm: mismatch below it pulls no harder than
 
 SeamFitting::SeamFitting(const Pattern& pattern, const WallpaperGroup& group,
                          const ClothWeights& weights, double max_change, bool continuous_only)
-    : pattern_(pattern), group_(group), continuous_only_(continuous_only),
-      parts_(splitIntoParts(pattern, max_change)), joins_(pattern.seams.size()) {
+    : pattern_(pattern),
+      group_(group),
+      continuous_only_(continuous_only),
+      parts_(splitIntoParts(pattern, max_change)),
+      joins_(pattern.seams.size()) {
   cloths_.reserve(parts_.parts.size());
   for (const Part& part : parts_.parts) cloths_.emplace_back(part, weights);
   for (const Follower& f : parts_.pieces) {
@@ -44,6 +47,23 @@ void SeamFitting::collectShapes() {
     for (std::size_t v = 0; v < shapes_[p].size(); ++v)
       shapes_[p][v] = f.at(static_cast<int>(v), local[f.source[v]]);
   }
+}
+
+std::vector<Cloth::State> SeamFitting::states() const {
+  std::vector<Cloth::State> states;
+  for (const Cloth& cloth : cloths_) states.push_back(cloth.state());
+  return states;
+}
+
+std::vector<Cloth::State> SeamFitting::restStates() const {
+  std::vector<Cloth::State> states;
+  for (const Cloth& cloth : cloths_) states.push_back(cloth.restState());
+  return states;
+}
+
+void SeamFitting::setStates(std::vector<Cloth::State> states) {
+  for (std::size_t k = 0; k < cloths_.size(); ++k) cloths_[k].setState(std::move(states[k]));
+  collectShapes();
 }
 
 void SeamFitting::chooseJoins(const std::vector<Alignment>& at) {
@@ -84,8 +104,7 @@ void SeamFitting::aim(const std::vector<Alignment>& at, const Cloth* only) {
       const Vec2 x = wa.toPrint(shapes_[seam.a.piece][va]);
       const Vec2 y = g(wb.toPrint(shapes_[seam.b.piece][vb]));
       const Vec2 middle = (x + y) / 2;
-      const double weight =
-          seam.weight * vertex_length_[s][k] / std::max((x - y).norm(), kFloor);
+      const double weight = seam.weight * vertex_length_[s][k] / std::max((x - y).norm(), kFloor);
       addTarget(seam.a.piece, va, wa.toPiece(middle), weight, only);
       addTarget(seam.b.piece, vb, wb.toPiece(back * (middle - g.a)), weight, only);
     }

@@ -6,9 +6,10 @@
 
 namespace seamwise {
 
-/// Deforms all parts together so that the print meets at the seams: in turns, the two sides of every
-/// seam get their common middle (in print space, through the seam's join) as target, and every part
-/// takes a Newton step towards its targets. Weights 1/d make the sum of distances fall, not of squares.
+/// Deforms all parts together so that the print meets at the seams: in turns, the two sides of
+/// every seam get their common middle (in print space, through the seam's join) as target, and
+/// every part takes a Newton step towards its targets. Weights 1/d make the sum of distances fall,
+/// not of squares.
 class SeamFitting {
  public:
   SeamFitting(const Pattern& pattern, const WallpaperGroup& group, const ClothWeights& weights,
@@ -21,6 +22,12 @@ class SeamFitting {
 
   /// New targets for one part: the partners' present seam lines, half way.
   void aimAtPartners(const Cloth& cloth, const std::vector<Alignment>& at);
+
+  /// What steps change, joins apart: to go back to it later.
+  std::vector<Cloth::State> states() const;
+  void setStates(std::vector<Cloth::State> states);
+  /// As drafted: where every deformation starts.
+  std::vector<Cloth::State> restStates() const;
 
   std::vector<Cloth>& cloths() { return cloths_; }
   const Shapes& shapes() const { return shapes_; }
@@ -42,7 +49,8 @@ class SeamFitting {
   Parts parts_;
   std::vector<Cloth> cloths_;
   std::vector<RigidMotion> to_part_direct_, to_part_mirror_;  ///< per piece
-  std::vector<std::vector<double>> vertex_length_;  ///< per seam and vertex: cm of seam it stands for
+  std::vector<std::vector<double>>
+      vertex_length_;  ///< per seam and vertex: cm of seam it stands for
   std::vector<Join> joins_;
   Shapes shapes_;
 };

@@ -9,30 +9,33 @@
 namespace seamwise {
 namespace {
 
-constexpr int kFitSteps = 10;       ///< Newton steps before lengths and reach must settle
-constexpr int kRealignEvery = 4;    ///< steps between new joins and alignments
+constexpr int kFitSteps = 7;        ///< Newton steps before lengths and reach must settle
+constexpr int kTrialSteps = 3;      ///< of them, from each start
+constexpr int kRealignEvery = 3;    ///< steps between new joins and alignments
 constexpr int kSettleSteps = 15;    ///< under fixed targets, before a remedy
-constexpr int kHoldAfter = 10;      ///< of them, towards the targets; then the shape is held
+constexpr int kHoldAfter = 4;       ///< of them, towards the targets; then the shape is held
 constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
 constexpr int kMostSettling = 200;  ///< steps in all
 constexpr double kRemedyReach = 0.6;
 constexpr double kSlack = 1.3;
 constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies, nothing needs to move
-constexpr double kSearchShare = 0.5, kSlackShare = 0.6;  ///< of progress
+constexpr double kSearchShare = 0.5, kSlackShare = 0.6, kFitShare = 0.3;  ///< of progress
 
 /// Limits that a finished shape keeps, a little inside what is promised.
-constexpr double kLengthError = 5e-5;             ///< cm an edge; a seam has up to a hundred
-constexpr double kKink = 12.5 * kPi / 180;        ///< rad
-constexpr double kStiffenFrom = 0.9;              ///< share of kKink
+constexpr double kLengthError = 5e-5;       ///< cm an edge; a seam has up to a hundred
+constexpr double kKink = 12.5 * kPi / 180;  ///< rad
+constexpr double kStiffenFrom = 0.9;        ///< share of kKink
 constexpr double kStretch = 0.12;
-constexpr double kReachExcess = 0.012;            ///< share of the greatest change
+constexpr double kReachExcess = 0.012;  ///< share of the greatest change
 constexpr double kReachMargin = 0.985;
 
 }  // namespace
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
                  const MatchRules& rules, std::vector<std::string>* notes)
-    : problem_(problem), pattern_(pattern), rules_(rules),
+    : problem_(problem),
+      pattern_(pattern),
+      rules_(rules),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
                               problem.print.group, notes)) {
   // two sides that may each move by the greatest change meet across somewhat less than twice that
@@ -77,14 +80,19 @@ bool BestRun::advance() {
     }
     case Stage::kSlackSearch: {
       const bool more = searching_->step();
-      progress_ = std::max(
-          progress_, kSearchShare + (kSlackShare - kSearchShare) * searching_->fraction());
+      progress_ =
+          std::max(progress_, kSearchShare + (kSlackShare - kSearchShare) * searching_->fraction());
       if (!more) startFit();
       break;
     }
-    case Stage::kFit: fitStep(); break;
-    case Stage::kSettle: settleStep(); break;
-    case Stage::kDone: break;
+    case Stage::kFit:
+      fitStep();
+      break;
+    case Stage::kSettle:
+      settleStep();
+      break;
+    case Stage::kDone:
+      break;
   }
   return stage_ != Stage::kDone;
 }
@@ -97,35 +105,38 @@ void BestRun::endSearch() {
   search_result_ = alignment_ = match_.expanded(leaders_);
   const Alignments watched = searching_->watched();
   SearchBudget little;
-  little.trees = 2, little.idle = 15, little.evaluations = 1.5e6;
-  searching_ = std::make_unique<AlignmentSearch>(match_, problem_.options.seed + 1, little,
-                                                 slack_);
+  little.trees = 2, little.idle = 5, little.evaluations = 1.5e6;
+  searching_ = std::make_unique<AlignmentSearch>(match_, problem_.options.seed + 1, little, slack_);
   searching_->offer(leaders_);
   searching_->offer(watched);
   stage_ = Stage::kSlackSearch;
 }
 
-/// Fits from the answer under slack and, where it differs, from the search's own; the better one stays.
+/// Fits from the answer under slack and, where it differs, from the search's own; after a few steps
+/// only the better one goes on.
 void BestRun::startFit() {
-  starts_ = {searching_->best()};
-  const Alignments plain = match_.ofLeaders(search_result_);
-  if (std::abs(match_.cost(plain) - match_.cost(starts_[0])) > kPerfect) starts_.push_back(plain);
-  searching_.reset();
-  nextFit();
-}
-
-void BestRun::nextFit() {
-  leaders_ = starts_[fits_];
-  alignment_ = match_.expanded(leaders_);
   fitting_ = std::make_unique<SeamFitting>(pattern_, problem_.print.group, ClothWeights{},
                                            kReachMargin * problem_.options.max_change_cm,
                                            problem_.options.continuous_only);
+  std::vector<Alignments> from = {searching_->best()};
+  const Alignments plain = match_.ofLeaders(search_result_);
+  if (std::abs(match_.cost(plain) - match_.cost(from[0])) > kPerfect) from.push_back(plain);
+  for (Alignments& leaders : from) starts_.push_back({std::move(leaders), fitting_->restStates()});
+  searching_.reset();
+  stage_ = Stage::kFit;
+  resume(0);
+}
+
+void BestRun::resume(std::size_t start) {
+  current_ = start;
+  leaders_ = starts_[start].leaders;
+  alignment_ = match_.expanded(leaders_);
+  fitting_->setStates(starts_[start].states);
   fitting_->chooseJoins(alignment_);
-  fit_steps_ = 0;
   double mismatch = 0;
   for (std::size_t s = 0; s < pattern_.seams.size(); ++s)
     if (pattern_.seams[s].matched && !pattern_.seams[s].twin) mismatch += fitting_->joins()[s].cost;
-  stage_ = mismatch > kPerfect ? Stage::kFit : Stage::kSettle;
+  if (mismatch < kPerfect) stage_ = Stage::kSettle;
 }
 
 void BestRun::realign() {
@@ -133,30 +144,27 @@ void BestRun::realign() {
                                       problem_.print.group, nullptr);
   std::vector<int> all(now.leaders.size());
   for (std::size_t l = 0; l < all.size(); ++l) all[l] = static_cast<int>(l);
-  refine(now, leaders_, all, 2);
+  refine(now, SampledSeams<double>(now, 0), leaders_, all, 2);
   alignment_ = now.expanded(leaders_);
   fitting_->chooseJoins(alignment_);
 }
 
 void BestRun::fitStep() {
+  Start& start = starts_[current_];
   fitting_->step(alignment_);
-  ++iterations_;
-  if (++fit_steps_ % kRealignEvery == 0 && fit_steps_ < kFitSteps) realign();
-  const double done = static_cast<double>(fits_) + static_cast<double>(fit_steps_) / kFitSteps;
-  progress_ = std::max(progress_, kSlackShare + 0.3 * done / static_cast<double>(starts_.size()));
-  if (fit_steps_ < kFitSteps) return;
-  const double reached =
-      fitAny(problem_.print.group, pattern_, fitting_->shapes(), alignment_);
-  if (!best_fitting_ || reached < best_fit_) {
-    best_fit_ = reached;
-    best_fitting_ = std::move(fitting_);
-    best_leaders_ = leaders_;
-  }
-  if (++fits_ < starts_.size()) return nextFit();
-  fitting_ = std::move(best_fitting_);
-  leaders_ = best_leaders_;
-  alignment_ = match_.expanded(leaders_);
-  stage_ = Stage::kSettle;
+  ++iterations_, ++fit_steps_, ++start.steps;
+  if (start.steps % kRealignEvery == 0 && start.steps < kFitSteps) realign();
+  const int planned = kFitSteps + kTrialSteps * (static_cast<int>(starts_.size()) - 1);
+  progress_ = std::max(progress_, kSlackShare + kFitShare * fit_steps_ / planned);
+  if (start.steps >= kFitSteps) stage_ = Stage::kSettle;
+  if (start.steps != kTrialSteps || starts_.size() == 1) return;
+  start.leaders = leaders_;
+  start.states = fitting_->states();
+  start.fit = fitAny(problem_.print.group, pattern_, fitting_->shapes(), alignment_);
+  if (current_ + 1 < starts_.size()) return resume(current_ + 1);
+  const auto better = std::min_element(
+      starts_.begin(), starts_.end(), [](const Start& a, const Start& b) { return a.fit < b.fit; });
+  resume(static_cast<std::size_t>(better - starts_.begin()));
 }
 
 /// Whether the part keeps everything that is promised of a finished shape.
@@ -167,8 +175,8 @@ bool BestRun::kept(const Cloth& cloth) const {
 }
 
 /// Parts that keep their limits rest; the others go on, stiffer where they bend too much, at last
-/// holding their shape. A part that will not settle starts again from rest and may move less where it
-/// went wrong; the last time without targets.
+/// holding their shape. A part that will not settle starts again from rest and may move less where
+/// it went wrong; the last time without targets.
 void BestRun::settleStep() {
   bool all_kept = true;
   for (Cloth& cloth : fitting_->cloths()) {
@@ -176,8 +184,10 @@ void BestRun::settleStep() {
     all_kept = false;
     const int remedies = cloth.settling / kSettleSteps, step = cloth.settling % kSettleSteps;
     if (step == 0 && remedies > 0) {
-      if (remedies > kMostRemedies) cloth.clearTargets();
-      else fitting_->aimAtPartners(cloth, alignment_);
+      if (remedies > kMostRemedies)
+        cloth.clearTargets();
+      else
+        fitting_->aimAtPartners(cloth, alignment_);
       cloth.restart(kRemedyReach);
     }
     cloth.stiffenKinks(kStiffenFrom * kKink);

@@ -8,12 +8,13 @@
 
 namespace seamwise {
 
-/// The default method: a search over spanning trees of the seam graph with symmetry built in, then shape
-/// and alignment improved in turns, never beyond the greatest change, then whatever it takes to keep
-/// seams sewable and outlines smooth.
+/// The default method: a search over spanning trees of the seam graph with symmetry built in, then
+/// shape and alignment improved in turns, never beyond the greatest change, then whatever it takes
+/// to keep seams sewable and outlines smooth.
 class BestRun : public Run {
  public:
-  /// @param known   mirrors of the pattern's known symmetries that the group carries; with none imposed
+  /// @param known   mirrors of the pattern's known symmetries that the group carries; with none
+  /// imposed
   ///                the symmetric answer is one of the starts
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
           const MatchRules& rules, std::vector<std::string>* notes);
@@ -31,7 +32,7 @@ class BestRun : public Run {
   enum class Stage : std::uint8_t { kSymmetricSearch, kSearch, kSlackSearch, kFit, kSettle, kDone };
   void endSearch();
   void startFit();
-  void nextFit();
+  void resume(std::size_t start);
   void fitStep();
   void settleStep();
   void realign();
@@ -48,11 +49,15 @@ class BestRun : public Run {
   Alignments leaders_;           ///< present alignment of the leaders
   Alignments symmetric_answer_;  ///< of the leaders; empty unless it was searched for
   Alignments alignment_, search_result_;
-  std::vector<Alignments> starts_;  ///< of the leaders, to fit from
-  std::size_t fits_ = 0;
-  std::unique_ptr<SeamFitting> best_fitting_;
-  Alignments best_leaders_;
-  double best_fit_ = 0;
+  /// An alignment to fit from, and how far that has come.
+  struct Start {
+    Alignments leaders;
+    std::vector<Cloth::State> states;
+    double fit = 0;
+    int steps = 0;
+  };
+  std::vector<Start> starts_;
+  std::size_t current_ = 0;  ///< of the starts
   int fit_steps_ = 0;
   int iterations_ = 0, settled_ = 0;
   double slack_ = 0, progress_ = 0;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/lanes.h"
 #include "geometry/outcome.h"
 #include "geometry/rigid_motion.h"
 
@@ -109,6 +110,13 @@ namespace internal {
 /// The nearest whole number, for |x| < 2^51. Adding 1.5 * 2^52 drops the fraction; it needs no
 /// library call where the target has no rounding instruction.
 inline double roundNear(double x) { return (x + 6755399441055744.0) - 6755399441055744.0; }
+/// The same for several at once; in single precision for |x| < 2^22.
+inline Lanes<double>::Vector roundNear(const Lanes<double>::Vector& x) {
+  return (x + 6755399441055744.0) - 6755399441055744.0;
+}
+inline Lanes<float>::Vector roundNear(const Lanes<float>::Vector& x) {
+  return (x + 12582912.0f) - 12582912.0f;
+}
 }  // namespace internal
 
 // After rounding in a reduced basis r1, r2 (at 60 to 90 degrees) a point lies in |x|, |y| <= 1/2,

@@ -1,0 +1,220 @@
+#include "alignment/sampled_seams.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+namespace seamwise {
+namespace {
+
+constexpr double kFloor = 0.02;  ///< cm: distances below it are weighted as if they were it
+constexpr int kFewest = 4;       ///< samples a seam
+constexpr double kLeak =
+    0.1;  ///< share of a distance that counts inside the slack: ties go to the better
+
+using internal::roundNear;
+
+}  // namespace
+
+template <class Real>
+SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing) {
+  const WallpaperGroup& group = problem.group;
+  const auto& [u1, u2] = group.reducedBasis();
+  const Mat2 basis = (Mat2() << u1, u2).finished();
+  to_reduced_ = basis.inverse();
+  const auto real = [](double v) { return static_cast<Real>(v); };
+  u0x_ = real(u1.x()), u0y_ = real(u1.y()), u1x_ = real(u2.x()), u1y_ = real(u2.y());
+  g11_ = real(u1.squaredNorm()), g12_ = real(u1.dot(u2)), g22_ = real(u2.squaredNorm());
+  for (const seamwise::Element& e : group.elements()) {
+    const Mat2 m = (to_reduced_ * e.A * basis).array().round();
+    const Vec2 a = to_reduced_ * e.a;
+    const Element reduced{real(m(0, 0)),   real(m(0, 1)),   real(m(1, 0)),
+                          real(m(1, 1)),   real(a.x()),     real(a.y()),
+                          real(e.A(0, 0)), real(e.A(1, 0)), real(e.mirrored ? -1 : 1)};
+    all_.push_back(reduced);
+    (e.mirrored ? improper_ : proper_).push_back(reduced);
+  }
+  for (const Leader& leader : problem.leaders) centres_.push_back(leader.centre);
+  for (const MatchSeam& seam : problem.seams) {
+    Samples samples;
+    samples.from = static_cast<int>(w_.size());
+    samples.elements = !problem.continuous_only ? &all_ : seam.reversing ? &improper_ : &proper_;
+    const int edges = static_cast<int>(seam.w.size());
+    double length = 0;
+    for (const Vec2& d : seam.da) length += d.norm();
+    samples.count = edges;
+    if (spacing > 0)
+      samples.count = std::min(edges, std::max(kFewest, static_cast<int>(length / spacing) + 1));
+    for (int k = 0; k < samples.count; ++k) {
+      const int first = k * edges / samples.count, last = (k + 1) * edges / samples.count;
+      double w = 0;
+      for (int i = first; i < last; ++i) w += seam.w[i];
+      const int middle = (first + last) / 2;
+      const Vec2 a = seam.pa[middle] - centres_[seam.a], b = seam.pb[middle] - centres_[seam.b];
+      ax_.push_back(static_cast<Real>(a.x())), ay_.push_back(static_cast<Real>(a.y()));
+      bx_.push_back(static_cast<Real>(b.x())), by_.push_back(static_cast<Real>(b.y()));
+      w_.push_back(static_cast<Real>(w));
+      weight_ += w;
+    }
+    for (auto* array : {&ax_, &ay_, &bx_, &by_, &w_})
+      array->resize((array->size() + kLanes - 1) / kLanes * kLanes, 0);
+    seams_.push_back(samples);
+  }
+}
+
+template <class Real>
+typename SampledSeams<Real>::Pose SampledSeams<Real>::pose(int leader, const Alignment& at) const {
+  const double c = std::cos(at.angle), s = std::sin(at.angle);
+  const Mat2 m = to_reduced_ * (Mat2() << c, s, -s, c).finished();
+  Vec2 t = m * (centres_[leader] - at.translation);
+  t -= t.array().round().matrix();  // lattice vectors change nothing, and small numbers are exact
+  return {static_cast<Real>(m(0, 0)),
+          static_cast<Real>(m(0, 1)),
+          static_cast<Real>(m(1, 0)),
+          static_cast<Real>(m(1, 1)),
+          static_cast<Real>(t.x()),
+          static_cast<Real>(t.y()),
+          c,
+          s};
+}
+
+/// Both sides of a few samples on the print, in reduced coordinates.
+template <class Real>
+struct SampledSeams<Real>::Placed {
+  Vector x0, x1, y0, y1;
+
+  Placed(const SampledSeams& seams, int from, const Pose& a, const Pose& b) {
+    const Vector ax = loaded(&seams.ax_[from]), ay = loaded(&seams.ay_[from]);
+    const Vector bx = loaded(&seams.bx_[from]), by = loaded(&seams.by_[from]);
+    x0 = a.m00 * ax + a.m01 * ay + a.t0, x1 = a.m10 * ax + a.m11 * ay + a.t1;
+    y0 = b.m00 * bx + b.m01 * by + b.t0, y1 = b.m10 * bx + b.m11 * by + b.t1;
+  }
+};
+
+/// x - (A y + a), modulo the lattice: within half a cell of a lattice point that is nearest, or
+/// next to the nearest, to the origin (see WallpaperGroup::reduce).
+template <class Real>
+struct SampledSeams<Real>::Offset {
+  Vector s, t, g1, g2, n1, n2;
+
+  Offset(const SampledSeams& seams, const Vector& s0, const Vector& t0)
+      : s(s0 - roundNear(s0)),
+        t(t0 - roundNear(t0)),
+        g1(s * seams.g11_ + t * seams.g12_),
+        g2(s * seams.g12_ + t * seams.g22_),
+        n1(seams.g11_ - 2 * abs(g1)),
+        n2(seams.g22_ - 2 * abs(g2)) {}
+  Offset(const SampledSeams& seams, const Placed& p, const Element& e)
+      : Offset(seams, p.x0 - (e.m00 * p.y0 + e.m01 * p.y1 + e.a0),
+               p.x1 - (e.m10 * p.y0 + e.m11 * p.y1 + e.a1)) {}
+
+  Vector squared() const { return s * g1 + t * g2 + least(least(n1, n2), Vector{}); }
+  /// Moves on to the nearest lattice point.
+  void reduce() {
+    const Vector none{}, one = none + 1;
+    const Vector step1 = g1 < 0 ? one : -one, step2 = g2 < 0 ? one : -one;
+    const Vector shift0 = n1 < n2 ? step1 : none, shift1 = n1 < n2 ? none : step2;
+    const Vector nearer = least(n1, n2);
+    s += nearer < 0 ? shift0 : none, t += nearer < 0 ? shift1 : none;
+  }
+};
+
+template <class Real>
+double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double slack) const {
+  const Samples& samples = seams_[seam];
+  const Real allowance = static_cast<Real>(slack);
+  const Real leak = static_cast<Real>(slack > 0 ? kLeak : 0);
+  const Vector none{};
+  Vector total{};
+  for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
+    const Placed placed(*this, from, a, b);
+    Vector best = none + std::numeric_limits<Real>::max();
+    for (const Element& e : *samples.elements)
+      best = least(best, Offset(*this, placed, e).squared());
+    const Vector d = squareRoots(greatest(best, none));
+    total += loaded(&w_[from]) * (greatest(d - allowance, none) + leak * d);
+  }
+  return sumOf(total);
+}
+
+template <class Real>
+typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pose& a, const Pose& b,
+                                                             double slack) const {
+  const Samples& samples = seams_[seam];
+  const Real allowance = static_cast<Real>(slack);
+  const Real leak = static_cast<Real>(slack > 0 ? kLeak : 1);
+  const Real beyond = static_cast<Real>(slack > 0 ? 1 + kLeak : 1);
+  const Real ac = static_cast<Real>(a.cos), as = static_cast<Real>(a.sin);
+  const Real bc = static_cast<Real>(b.cos), bs = static_cast<Real>(b.sin);
+  const Vector none{};
+  Vector sums[kSums] = {};
+  for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
+    const Placed placed(*this, from, a, b);
+    Vector best = none + std::numeric_limits<Real>::max();
+    Vector s{}, t{}, c{}, n{}, det{};
+    for (const Element& e : *samples.elements) {
+      const Offset offset(*this, placed, e);
+      const Vector squared = offset.squared();
+      const auto less = squared < best;
+      best = less ? squared : best;
+      s = less ? offset.s : s, t = less ? offset.t : t;
+      c = less ? none + e.cos : c, n = less ? none + e.sin : n, det = less ? none + e.det : det;
+    }
+    Offset offset(*this, s, t);
+    offset.reduce();
+    const Vector rx = offset.s * u0x_ + offset.t * u1x_, ry = offset.s * u0y_ + offset.t * u1y_;
+    const Vector d = squareRoots(rx * rx + ry * ry);
+    const Vector pull = d > allowance ? none + beyond : none + leak;
+    const Vector w = loaded(&w_[from]) * pull / greatest(d, none + static_cast<Real>(kFloor));
+    // r = x - (A y + a + T) with A = (c, -det n; n, det c); the columns of its Jacobian are
+    // j = -perp(x), I, k = A perp(y), -A
+    const Vector ax = loaded(&ax_[from]), ay = loaded(&ay_[from]);
+    const Vector bx = loaded(&bx_[from]), by = loaded(&by_[from]);
+    const Vector jx = ac * ay - as * ax, jy = -(ac * ax + as * ay);
+    const Vector px = bs * bx - bc * by, py = bc * bx + bs * by;
+    const Vector dc = det * c, dn = det * n;
+    const Vector kx = c * px - dn * py, ky = n * px + dc * py;
+    const Vector wrx = w * rx, wry = w * ry, wjx = w * jx, wjy = w * jy, wkx = w * kx, wky = w * ky;
+    const Vector terms[kSums] = {jx * wrx + jy * wry,
+                                 wrx,
+                                 wry,
+                                 kx * wrx + ky * wry,
+                                 -c * wrx - n * wry,
+                                 dn * wrx - dc * wry,
+                                 jx * wjx + jy * wjy,
+                                 wjx,
+                                 wjy,
+                                 w,
+                                 jx * wkx + jy * wky,
+                                 wkx,
+                                 wky,
+                                 kx * wkx + ky * wky,
+                                 -c * wjx - n * wjy,
+                                 dn * wjx - dc * wjy,
+                                 -w * c,
+                                 -w * n,
+                                 w * dn,
+                                 -w * dc,
+                                 -c * wkx - n * wky,
+                                 dn * wkx - dc * wky};
+    for (int k = 0; k < kSums; ++k) sums[k] += terms[k];
+  }
+  double sum[kSums];
+  for (int k = 0; k < kSums; ++k) sum[k] = sumOf(sums[k]);
+  Model m;
+  for (int k = 0; k < 6; ++k) m.gradient[k] = sum[k];
+  auto& h = m.hessian;
+  h(0, 0) = sum[6], h(1, 0) = sum[7], h(2, 0) = sum[8];
+  h(1, 1) = h(2, 2) = h(4, 4) = h(5, 5) = sum[9];
+  h(2, 1) = h(5, 4) = 0;
+  h(3, 0) = sum[10], h(3, 1) = sum[11], h(3, 2) = sum[12], h(3, 3) = sum[13];
+  h(4, 0) = sum[14], h(5, 0) = sum[15];
+  h(4, 1) = sum[16], h(4, 2) = sum[17], h(5, 1) = sum[18], h(5, 2) = sum[19];
+  h(4, 3) = sum[20], h(5, 3) = sum[21];
+  return m;
+}
+
+template class SampledSeams<float>;
+template class SampledSeams<double>;
+
+}  // namespace seamwise
