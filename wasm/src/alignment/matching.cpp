@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "alignment/symmetric.h"
+#include "geometry/in_quotes.h"
 
 namespace seamwise {
 namespace {
@@ -156,8 +157,8 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
     if (!rule.angles.empty() && !leader.freedom.restrictAngles(rule.angles, rule.tolerance) &&
         notes)
-      notes->push_back("piece '" + pattern.pieces[p].name +
-                       "' leaves its grain: with its axis on a mirror line of " +
+      notes->push_back("piece " + inQuotes(pattern.pieces[p].name) +
+                       " leaves its grain: with its axis on a mirror line of " +
                        std::string(group.data().name) + " it cannot lie on it");
     if (rule.pin)
       leader.freedom = Freedom::pinned(leader.freedom.nearest(*rule.pin, leader.centre));

@@ -4,13 +4,14 @@
 
 #include "deform/mirrored.h"
 #include "deform/region.h"
+#include "geometry/in_quotes.h"
 #include "pattern/seam_measure.h"
 
 namespace seamwise {
 namespace {
 
 Error pieceError(const Pattern& pattern, int piece, const std::string& why) {
-  return {Failure::kMesh, "piece '" + pattern.pieces[piece].name + "' " + why, piece};
+  return {Failure::kMesh, "piece " + inQuotes(pattern.pieces[piece].name) + " " + why, piece};
 }
 
 }  // namespace

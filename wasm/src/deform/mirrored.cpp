@@ -4,6 +4,7 @@
 #include <set>
 
 #include "deform/region.h"
+#include "geometry/in_quotes.h"
 
 namespace seamwise {
 namespace {
@@ -195,8 +196,8 @@ Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
   if (!mesh)
     return Error{
         Failure::kMesh,
-        "piece '" + a.name +
-            "' cannot be meshed as the mirror image it is asked to be: where its two sides "
+        "piece " + inQuotes(a.name) +
+            " cannot be meshed as the mirror image it is asked to be: where its two sides "
             "are averaged the outline crosses itself; leave out that symmetry",
         mirror.pieces[0]};
   a.triangles = mesh->triangles;

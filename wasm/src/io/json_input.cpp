@@ -13,19 +13,11 @@ Place Place::in(const std::string& part) const {
 }
 
 void Place::fail(Failure code, const std::string& text) const {
-  throw InputError{Error{code, name + " " + text + ".", piece, seam}};
+  throw InputError{Error{code, onOneLine(name) + " " + text + ".", piece, seam}};
 }
 
 Place numbered(const Place& place, const char* what, std::size_t number) {
   return place.in(std::string(what) + " " + std::to_string(number));
-}
-
-std::string inQuotes(const std::string& name) {
-  constexpr std::size_t kLongest = 60;
-  if (name.size() <= kLongest) return "'" + name + "'";
-  std::size_t cut = kLongest;
-  while (cut > 0 && (static_cast<unsigned char>(name[cut]) & 0xC0) == 0x80) --cut;  // whole UTF-8
-  return "'" + name.substr(0, cut) + "...'";
 }
 
 std::string shown(double value) {
@@ -167,7 +159,7 @@ int checkFormat(const Json& document, const Place& place, const std::string& nam
 
 Error inFile(Error error, const std::string& file) {
   const bool ends = !error.message.empty() && error.message.back() == '.';
-  error.message = file + ": " + error.message + (ends ? "" : ".");
+  error.message = onOneLine(file) + ": " + error.message + (ends ? "" : ".");
   return error;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "geometry/outcome.h"
+#include "geometry/in_quotes.h"
 #include "geometry/vec2.h"
 
 namespace seamwise {
@@ -38,9 +39,6 @@ struct Place {
 
 /// `place`, numbered: "panel 'front', edge 3".
 Place numbered(const Place& place, const char* what, std::size_t number);
-
-/// The name in quotes, shortened when it is absurdly long.
-std::string inQuotes(const std::string& name);
 
 /// A number as people write it: at most 6 significant digits.
 std::string shown(double value);

@@ -18,14 +18,6 @@ bool carries(const WallpaperGroup& group, const BodySymmetry& symmetry) {
   return symmetry.single() ? group.carriesSingle() : group.carriesPair();
 }
 
-std::string namesOf(const Garment& garment, const BodySymmetry& symmetry) {
-  const auto name = [&](int piece) {
-    return inQuotes(garment.panels[static_cast<std::size_t>(piece)].name);
-  };
-  return symmetry.single() ? name(symmetry.pieces[0])
-                           : name(symmetry.pieces[0]) + " and " + name(symmetry.pieces[1]);
-}
-
 bool concerns(const BodySymmetry& symmetry, const BodySymmetry& other) {
   for (const int piece : symmetry.pieces)
     if (piece == other.pieces[0] || piece == other.pieces[1]) return true;

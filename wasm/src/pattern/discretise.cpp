@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/in_quotes.h"
 #include "pattern/breakpoints.h"
 #include "pattern/sampling.h"
 #include "pattern/seam_measure.h"
@@ -15,7 +16,7 @@ constexpr double kGreatestDeviation = 0.5;  // cm; beyond it outlines are not mi
 constexpr double kCornerTolerance = 1e-3;   // cm
 constexpr std::size_t kFewPerCorner = 6;
 
-std::string quoted(const Panel& panel) { return "piece '" + panel.name + "'"; }
+std::string called(const Panel& panel) { return "piece " + inQuotes(panel.name); }
 
 std::optional<Error> firstFault(const Garment& garment, double edge_length) {
   if (!(edge_length > 0) || !std::isfinite(edge_length))
@@ -26,11 +27,11 @@ std::optional<Error> firstFault(const Garment& garment, double edge_length) {
     loops.push_back(panel.edges);
     for (const auto& loop : loops) {
       if (loop.empty())
-        return Error{Failure::kMesh, quoted(panel) + " has an outline without edges",
+        return Error{Failure::kMesh, called(panel) + " has an outline without edges",
                      static_cast<int>(p)};
       for (const Curve& c : loop)
         if (!(c.length() > 0) || !std::isfinite(c.length()))
-          return Error{Failure::kEdgeZeroLength, quoted(panel) + " has an edge without length",
+          return Error{Failure::kEdgeZeroLength, called(panel) + " has an edge without length",
                        static_cast<int>(p)};
     }
   }
@@ -176,7 +177,7 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
     auto ties = tiesOf(outlines, imposed[s], static_cast<int>(s));
     if (!ties)
       return Error{Failure::kMesh,
-                   quoted(garment.panels[imposed[s].pieces[0]]) +
+                   called(garment.panels[imposed[s].pieces[0]]) +
                        " cannot be matched point by point with its mirror image; check its axis or "
                        "leave out that symmetry",
                    imposed[s].pieces[0]};
@@ -214,13 +215,13 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
         auto loops = sampleLoops(*attempt, breakpoints, edge_length);
         if (loops.ok()) return assembled(garment, *attempt, breakpoints, loops.value(), imposed);
         Error error = loops.error();
-        error.message = quoted(garment.panels[error.piece]) + ": " + error.message;
+        error.message = called(garment.panels[error.piece]) + ": " + error.message;
         return error;
       }
     }
   }
   return Error{Failure::kMesh,
-               quoted(garment.panels[breakpoints.troubled_panel]) + ": " + breakpoints.trouble +
+               called(garment.panels[breakpoints.troubled_panel]) + ": " + breakpoints.trouble +
                    "; leave out one of the symmetries it takes part in",
                breakpoints.troubled_panel};
 }

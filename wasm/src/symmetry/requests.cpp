@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "geometry/in_quotes.h"
 #include "symmetry/detection.h"
 #include "symmetry/symmetry.h"
 
@@ -30,8 +31,6 @@ Error malformed(const std::string& message, int piece) {
   return {Failure::kSymmetryMalformed, message, piece};
 }
 
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
-
 // The direction of a reflection's axis differs by half the angle between the motions.
 double axisTurn(const RigidMotion& x, const RigidMotion& y) {
   return std::abs(wrapAngle(x.angle - y.angle)) / 2;
@@ -51,7 +50,7 @@ class Registrar {
     }
     if (!from.allFinite() || !to.allFinite() || (to - from).norm() < kMirrorTolerance)
       return malformed(
-          "the axis of piece " + quoted(panel.name) + " needs two different points; click it again",
+          "the axis of piece " + inQuotes(panel.name) + " needs two different points; click it again",
           piece);
     const Outline outline(panel);
     const RigidMotion clicked = RigidMotion::reflection(from, to);
@@ -71,7 +70,7 @@ class Registrar {
         best = &fit;
     }
     if (!best)
-      return doesNotMirror("piece " + quoted(panel.name) + " does not mirror across the given axis",
+      return doesNotMirror("piece " + inQuotes(panel.name) + " does not mirror across the given axis",
                            as_clicked, "move the axis, or choose two edges that mirror each other",
                            piece);
     return bodySymmetry(garment_, piece, piece, *best);
@@ -83,11 +82,11 @@ class Registrar {
     const int count = static_cast<int>(panel.edges.size());
     for (const int edge : {request.first, request.second})
       if (edge < 0 || edge >= count)
-        return malformed("piece " + quoted(panel.name) + " has no edge " + std::to_string(edge) +
+        return malformed("piece " + inQuotes(panel.name) + " has no edge " + std::to_string(edge) +
                              "; its edges are 0 to " + std::to_string(count - 1),
                          piece);
     if (request.first == request.second)
-      return malformed("edge " + std::to_string(request.first) + " of piece " + quoted(panel.name) +
+      return malformed("edge " + std::to_string(request.first) + " of piece " + inQuotes(panel.name) +
                            " is named twice; name two edges that mirror each other",
                        piece);
     const Curve &first = panel.edges[request.first], &second = panel.edges[request.second];
@@ -108,7 +107,7 @@ class Registrar {
     }
     if (best) return bodySymmetry(garment_, piece, piece, *best);
     const std::string edges = "edges " + std::to_string(request.first) + " and " +
-                              std::to_string(request.second) + " of piece " + quoted(panel.name);
+                              std::to_string(request.second) + " of piece " + inQuotes(panel.name);
     const RigidMotion across = registerEdges(first, second);
     return doesNotMirror(edges + " do not mirror onto each other with the whole piece",
                          std::max(mirrorResidual(outline, outline, across, 1e3),
@@ -118,13 +117,13 @@ class Registrar {
 
   Outcome<BodySymmetry> operator()(const PieceRequest& request) {
     const int piece = garment_.find(request.piece);
-    return between(piece, piece, "piece " + quoted(request.piece) + " is not symmetric in itself",
+    return between(piece, piece, "piece " + inQuotes(request.piece) + " is not symmetric in itself",
                    "leave it free, or name its partner");
   }
 
   Outcome<BodySymmetry> operator()(const PairRequest& request) {
     return between(garment_.find(request.first), garment_.find(request.second),
-                   "pieces " + quoted(request.first) + " and " + quoted(request.second) +
+                   "pieces " + inQuotes(request.first) + " and " + inQuotes(request.second) +
                        " are not mirror images",
                    "choose another pair");
   }
@@ -165,11 +164,11 @@ Outcome<std::vector<BodySymmetry>> registerSymmetries(
       const int piece = garment.find(name);
       if (piece < 0)
         return Error{Failure::kSymmetryUnknownPiece,
-                     "a symmetry names piece " + quoted(name) +
+                     "a symmetry names piece " + inQuotes(name) +
                          ", which the garment does not have; check its spelling"};
       if (taken[piece])
         return Error{Failure::kSymmetryConflict,
-                     "piece " + quoted(name) + " is named twice in the symmetries; keep one",
+                     "piece " + inQuotes(name) + " is named twice in the symmetries; keep one",
                      piece};
       taken[piece] = 1;
     }
@@ -181,6 +180,12 @@ Outcome<std::vector<BodySymmetry>> registerSymmetries(
     found.push_back(symmetry.value());
   }
   return found;
+}
+
+std::string namesOf(const Garment& garment, const BodySymmetry& symmetry) {
+  const std::string first = inQuotes(garment.panels[symmetry.pieces[0]].name);
+  return symmetry.single() ? first
+                           : first + " and " + inQuotes(garment.panels[symmetry.pieces[1]].name);
 }
 
 }  // namespace seamwise

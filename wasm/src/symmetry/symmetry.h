@@ -30,4 +30,7 @@ Outcome<std::vector<BodySymmetry>> registerSymmetries(const Garment& garment,
 /// piece that has a partner is not also made symmetric in itself; what has no mirror stays free.
 std::vector<BodySymmetry> detectSymmetries(const Garment& garment);
 
+/// The pieces of a symmetry as messages name them: "'front'", or "'left' and 'right'".
+std::string namesOf(const Garment& garment, const BodySymmetry& symmetry);
+
 }  // namespace seamwise
