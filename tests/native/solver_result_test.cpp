@@ -196,7 +196,7 @@ TEST(BestMethod, KeepsSymmetrySewabilityAndTheGarmentsLines) {
   }
 }
 
-TEST(OtherMethods, EndAndKeepTheGreatestChangeOrSayThatTheyCannot) {
+TEST(OtherMethods, EndAndKeepTheGreatestChange) {
   for (Method method : {Method::kPaper, Method::kWs19}) {
     Task t = task("skirt", "pmm");
     t.method = method;
@@ -204,13 +204,10 @@ TEST(OtherMethods, EndAndKeepTheGreatestChangeOrSayThatTheyCannot) {
     EXPECT_EQ(r.method, method);
     EXPECT_GT(r.iterations, 0);
     EXPECT_EQ(r.pattern.mirrors.empty(), method == Method::kWs19);
-    EXPECT_LT(testing::shapeAsymmetry(r.pattern, r.shapes), 1e-2);
+    EXPECT_LT(testing::shapeAsymmetry(r.pattern, r.shapes), 1e-3);
     EXPECT_LT(testing::seamError(r.pattern, r.shapes), 0.01);
     EXPECT_GT(testing::leastArea(r.pattern, r.shapes), 0);
-    const bool said = std::any_of(r.notes.begin(), r.notes.end(), [](const std::string& note) {
-      return note.find("greatest change") != std::string::npos;
-    });
-    EXPECT_TRUE(r.max_moved_cm <= 1 || said) << r.max_moved_cm;
+    EXPECT_LE(r.max_moved_cm, 1);
     EXPECT_NEAR(r.fit.any, Reckoning(r).fit(r.shapes, r.alignment), 1e-9 * (1 + r.fit.any));
   }
 }

@@ -30,6 +30,8 @@ class SeamFitting {
   std::vector<Cloth::State> restStates() const;
 
   std::vector<Cloth>& cloths() { return cloths_; }
+  /// Index of the cloth that a piece, or what mirrors it, is made of.
+  int clothOf(int piece) const { return parts_.pieces[piece].part; }
   const Shapes& shapes() const { return shapes_; }
   const std::vector<Join>& joins() const { return joins_; }
   int factorisations() const;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kSmooth = 30 * kPi / 180;  ///< corners turn by more and may bend freely
 
 constexpr double kGapShare = 0.45;    ///< of a gap, that one side may take
-constexpr double kLeastReach = 1e-3;  ///< cm
+constexpr double kLeastReach = 1e-5;  ///< cm
 
 double turnAt(const Vec2& h, const Vec2& i, const Vec2& j) {
   const Vec2 a = i - h, b = j - i;

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace seamwise {
 namespace {
 
 constexpr double kFlipWeight = 0.01;       ///< beta
 constexpr double kSatisfied = 1e-6;        ///< cm2 a vertex, for E_match and for E_sym
+constexpr double kSeamError = 8e-3;        ///< cm between the two sides of a whole seam
+constexpr double kMirrorError = 8e-4;      ///< cm between a vertex and its image
 constexpr int kMostNewton = 60;            ///< steps under one gamma
 constexpr double kStill = 1e-5;            ///< cm: a step that moves nothing further ends a gamma
 constexpr double kMostGamma = 1e12;
@@ -68,8 +71,12 @@ PenaltyDeformation::PenaltyDeformation(const Pattern& pattern, bool with_symmetr
   x_ = rest_;
 }
 
-void PenaltyDeformation::start(std::vector<Target> targets, double alpha) {
+void PenaltyDeformation::start(std::vector<Target> targets, double alpha, double share) {
   targets_ = std::move(targets);
+  for (Target& t : targets_) {
+    const Vec2 rest = rest_.segment<2>(2 * t.vertex);
+    t.position = rest + share * (t.position - rest);
+  }
   alpha_ = alpha;
   gamma_ = 1;
   x_ = rest_;
@@ -112,16 +119,44 @@ bool PenaltyDeformation::step() {
   const double vertices = static_cast<double>(x_.size()) / 2;
   const double match = matchEnergy(edges_, x_, 1, nullptr, nullptr) / vertices;
   const double symmetry = symmetryEnergy(mirrors_, x_, 1, nullptr, nullptr) / vertices;
-  if (match < kSatisfied && symmetry < kSatisfied) return false;
+  // means over many vertices may hide a seam that cannot be sewn, or a vertex off its image
+  if (match < kSatisfied && symmetry < kSatisfied && greatestSeamError() < kSeamError &&
+      greatestMirrorError() < kMirrorError)
+    return false;
   gamma_ *= 2;
   return gamma_ <= kMostGamma;
+}
+
+double PenaltyDeformation::greatestSeamError() const {
+  double greatest = 0;
+  const auto length = [&](const SeamSide& side) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < side.vertices.size(); ++i)
+      sum += (point(side.piece, side.vertices[i + 1]) - point(side.piece, side.vertices[i])).norm();
+    return sum;
+  };
+  for (const Seam& s : pattern_.seams)
+    greatest = std::max(greatest, std::abs(length(s.a) - s.length_ratio * length(s.b)));
+  return greatest;
+}
+
+double PenaltyDeformation::greatestMirrorError() const {
+  double greatest = 0;
+  for (const MirrorPair& m : mirrors_)
+    greatest = std::max(greatest, (m.linear * x_.segment<2>(2 * m.source) + m.shift -
+                                   x_.segment<2>(2 * m.image)).norm());
+  return greatest;
+}
+
+Vec2 PenaltyDeformation::point(int piece, int vertex) const {
+  return x_.segment<2>(2 * (first_[piece] + vertex));
 }
 
 Shapes PenaltyDeformation::shapes() const {
   Shapes shapes = restShapes(pattern_);
   for (std::size_t p = 0; p < shapes.size(); ++p)
     for (std::size_t v = 0; v < shapes[p].size(); ++v)
-      shapes[p][v] = x_.segment<2>(2 * (first_[p] + static_cast<int>(v)));
+      shapes[p][v] = point(static_cast<int>(p), static_cast<int>(v));
   return shapes;
 }
 

@@ -5,6 +5,7 @@
 
 #include "alignment/refine.h"
 #include "solve/metrics.h"
+#include "solve/promise.h"
 
 namespace seamwise {
 namespace {
@@ -125,6 +126,7 @@ void BestRun::startFit() {
   searching_.reset();
   stage_ = Stage::kFit;
   resume(0);
+  if (problem_.options.max_change_cm < kLeastChange) finish();
 }
 
 void BestRun::resume(std::size_t start) {
@@ -199,10 +201,39 @@ void BestRun::settleStep() {
   ++settled_;
   progress_ = std::max(progress_, 0.9 + 0.1 * (1 - 1.0 / (1 + settled_)));
   if (!all_kept) ++iterations_;
-  if (all_kept || settled_ > kMostSettling) {
-    stage_ = Stage::kDone;
-    progress_ = 1;
+  if (!all_kept && settled_ <= kMostSettling) return;
+  restUnsound();
+  finish();
+}
+
+/// What breaks a promise after all stays as it was drafted, which breaks none.
+void BestRun::restUnsound() {
+  Limits limits;
+  limits.moved = problem_.options.max_change_cm;
+  std::vector<char> unsound(fitting_->cloths().size());
+  for (bool again = true; again;) {
+    again = false;
+    std::fill(unsound.begin(), unsound.end(), 0);
+    const Shapes& now = fitting_->shapes();
+    for (std::size_t p = 0; p < now.size(); ++p)
+      if (breachOf(pattern_.pieces[p], now[p], limits) != Breach::kNone)
+        unsound[fitting_->clothOf(static_cast<int>(p))] = 1;
+    for (const Seam& seam : pattern_.seams)
+      if (seamError(seam, now) > kSeamTolerance)
+        unsound[fitting_->clothOf(seam.a.piece)] = unsound[fitting_->clothOf(seam.b.piece)] = 1;
+    for (std::size_t c = 0; c < unsound.size(); ++c) {
+      Cloth& cloth = fitting_->cloths()[c];
+      if (!unsound[c] || cloth.state().shape == cloth.part().rest) continue;
+      cloth.setState(cloth.restState());
+      again = true;
+    }
+    fitting_->collectShapes();
   }
+}
+
+void BestRun::finish() {
+  stage_ = Stage::kDone;
+  progress_ = 1;
 }
 
 Phase BestRun::phase() const {

@@ -35,6 +35,8 @@ class BestRun : public Run {
   void resume(std::size_t start);
   void fitStep();
   void settleStep();
+  void restUnsound();
+  void finish();
   void realign();
   bool kept(const Cloth& cloth) const;
 

@@ -3,13 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polygon.h"
 #include "solve/metrics.h"
+#include "solve/promise.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kMostAlpha = 65536;
+constexpr double kMostAlpha = 4096;
 constexpr double kLost = 3;  ///< times the greatest change
+constexpr double kLeastDraw = 1.0 / 32;  ///< share of the way to their targets that seams still go
+
+bool crossesItself(const Pattern& pattern, const Shapes& shapes) {
+  for (std::size_t p = 0; p < shapes.size(); ++p) {
+    std::vector<Polyline> loops;
+    for (const std::vector<int>& loop : loopsOf(pattern.pieces[p])) {
+      loops.emplace_back();
+      for (const int v : loop) loops.back().push_back(shapes[p][v]);
+    }
+    if (findCrossing(loops)) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -29,13 +44,13 @@ bool PaperRun::advance() {
     alignment_ = match_.expanded(sweeps_.at());
     progress_ = 0.1 * sweeps_.fraction();
     if (!more) startDeformation();
-    return true;
+    return phase_ != Phase::kDone;
   }
   if (phase_ == Phase::kDone) return false;
   const int before = deformation_.gammas();
   bool more = deformation_.step();
   // A growing gamma hardly takes movement back: an attempt far beyond the bound has failed.
-  if (more && deformation_.gammas() > before && !problem_.options.alpha && alpha_ < kMostAlpha &&
+  if (more && deformation_.gammas() > before && !problem_.options.alpha &&
       greatestMovement(pattern_, deformation_.shapes()) > kLost * problem_.options.max_change_cm)
     more = false;
   // gamma ends at about 2^20; later attempts tell nothing new
@@ -46,6 +61,11 @@ bool PaperRun::advance() {
 }
 
 void PaperRun::startDeformation() {
+  if (problem_.options.max_change_cm < kLeastChange) {
+    shapes_ = evenedShapes(pattern_);
+    phase_ = Phase::kDone;
+    return;
+  }
   phase_ = Phase::kDeformation;
   const bool average = problem_.options.average_seam_shapes.value_or(
       problem_.options.method == Method::kPaper);
@@ -73,18 +93,31 @@ void PaperRun::startDeformation() {
 
 bool PaperRun::endAttempt() {
   shapes_ = deformation_.shapes();
-  const double moved = greatestMovement(pattern_, shapes_);
-  if (moved <= problem_.options.max_change_cm || problem_.options.alpha) return true;
-  if (alpha_ >= kMostAlpha) {
-    if (notes_)
-      notes_->push_back("no weight of the conformal term keeps the outlines within the greatest "
-                        "change; the stiffest is shown");
+  if (problem_.options.alpha || isKept()) return true;
+  ++attempt_;
+  if (alpha_ < kMostAlpha) {
+    alpha_ *= 2;
+    deformation_.start(targets_, alpha_);
+    return false;
+  }
+  if (draw_ == 1)
+    notes_->push_back("No weight of the conformal term keeps the outlines simple and within the "
+                      "greatest change, so the seams go only part of the way to their ideal lines.");
+  draw_ /= 2;
+  if (draw_ < kLeastDraw) {
+    shapes_ = evenedShapes(pattern_);
     return true;
   }
-  alpha_ *= 2;
-  ++attempt_;
-  deformation_.start(targets_, alpha_);
+  deformation_.start(targets_, alpha_, draw_);
   return false;
+}
+
+/// Whether the shapes can be cut and sewn, and none moved further than allowed.
+bool PaperRun::isKept() const {
+  if (greatestMovement(pattern_, shapes_) > problem_.options.max_change_cm) return false;
+  for (const Seam& seam : pattern_.seams)
+    if (seamError(seam, shapes_) > kSeamTolerance) return false;
+  return !crossesItself(pattern_, shapes_);
 }
 
 Phase PaperRun::phase() const { return phase_; }

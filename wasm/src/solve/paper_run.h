@@ -10,7 +10,7 @@ namespace seamwise {
 /// `paper`: Wolff et al. 2019 as written, its slips corrected: one random start, local sweeps, averaged
 /// ideal seam lines, E_sym and quadratic penalties. `ws19`: the method it extends, without symmetry and
 /// without averaging. Neither bounds movement, so alpha is doubled from 1 until the greatest change
-/// holds.
+/// holds and outlines are simple; where no alpha does it, the targets are drawn towards rest.
 class PaperRun : public Run {
  public:
   PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,
@@ -29,6 +29,7 @@ class PaperRun : public Run {
  private:
   void startDeformation();
   bool endAttempt();
+  bool isKept() const;
 
   const Problem& problem_;
   const Pattern& pattern_;
@@ -39,6 +40,7 @@ class PaperRun : public Run {
   Alignments alignment_;
   Shapes shapes_;
   double alpha_ = 1;
+  double draw_ = 1;  ///< share of the way from rest to their targets that seams are drawn
   int attempt_ = 0;
   double progress_ = 0;
   Phase phase_ = Phase::kAlignment;

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "deform/lengths.h"
 #include "deform/mesh.h"
 #include "pattern/discretise.h"
+#include "solve/promise.h"
+#include "symmetry/symmetry.h"
 
 namespace seamwise {
 namespace {
@@ -20,6 +24,16 @@ constexpr double kRatioError = 4e-3;  ///< cm by which the sides of a whole seam
 constexpr double kEdgeChange = 0.08;  ///< of a sewn edge's rest length
 constexpr double kSeamChange = 0.01;  ///< of a seam side's rest length, or as many times 10 cm
 constexpr double kImageOffset = 0.3;  ///< cm between a vertex and its image
+
+// What evening out may take of what a finished shape may change; the rest is left to the fit.
+constexpr double kEvenedShare = 0.98;    ///< of the greatest change
+constexpr double kEvenedAlready = 5e-7;  ///< cm that are no movement at all
+constexpr double kEvenedKink = 12 * kPi / 180;
+constexpr double kEvenedStretch = 0.12;
+constexpr double kEvenedArea = 0.5;
+constexpr double kEvenedSeam = 0.9 * kSeamTolerance;
+constexpr double kFinest = 0.3;  ///< of the edge length asked for
+constexpr double kRoom = 0.1;    ///< cm of movement that are enough for lengths to settle
 
 /// How badly a sampled pattern's symmetries contradict each other: below 1 they can all hold.
 double conflict(const Pattern& pattern) {
@@ -35,7 +49,8 @@ double conflict(const Pattern& pattern) {
       worst = std::max(worst, std::abs(lengths->back() / rest - 1) / kEdgeChange);
       rest_sum += rest, kept_sum += lengths->back();
     }
-    worst = std::max(worst, std::abs(kept_sum - rest_sum) / (kSeamChange * std::max(rest_sum, 10.0)));
+    worst =
+        std::max(worst, std::abs(kept_sum - rest_sum) / (kSeamChange * std::max(rest_sum, 10.0)));
   };
   for (const Seam& seam : pattern.seams) {
     std::vector<double> a, b;
@@ -117,43 +132,143 @@ Symmetries consistent(const Problem& problem, const Symmetries& fixed) {
   return kept;
 }
 
-std::string namesOf(const Garment& garment, const BodySymmetry& s) {
-  const std::string first = "'" + garment.panels[s.pieces[0]].name + "'";
-  return s.single() ? "piece " + first
-                    : "the pair " + first + " and '" + garment.panels[s.pieces[1]].name + "'";
+std::string called(const Garment& garment, const BodySymmetry& s) {
+  return (s.single() ? "piece " : "the pair ") + namesOf(garment, s);
+}
+
+std::string shown(double value, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// Why a symmetry cannot hold, as "<symmetry>: <why>", and what to do about it.
+struct Obstacle {
+  std::size_t symmetry = 0;  ///< index among the imposed ones
+  std::string why, remedy;
+};
+
+/// Whether edges of a seam miss their ratio on pieces that may not move enough to restore it: one
+/// side bends more than the other, or several seams and symmetries share its vertices out. The
+/// error shrinks with the edges.
+bool isStiff(const Pattern& pattern, const Shapes& evened, double max_change) {
+  return max_change < kRoom &&
+         std::any_of(pattern.seams.begin(), pattern.seams.end(),
+                     [&](const Seam& seam) { return seamError(seam, evened) > kEvenedSeam; });
+}
+
+/// Shapes start from the evened pattern, and fall back to it: it must keep every promise by itself.
+std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, const Shapes& evened,
+                                 double max_change) {
+  const Mirror& m = pattern.mirrors[symmetry];
+  for (const int p : m.pieces) {
+    const Piece& piece = pattern.pieces[p];
+    const double moved = movedOf(piece, evened[p]);
+    if (moved > std::max(kEvenedShare * max_change, kEvenedAlready))
+      return Obstacle{symmetry,
+                      "its outlines would have to move by " + shown(moved, "%.2g") +
+                          " cm to mirror each other exactly, which maxChangeCm does not allow",
+                      "raise maxChangeCm to " + shown(1.1 * moved, "%.2g")};
+    Limits limits;
+    limits.moved = moved, limits.kink = kEvenedKink;
+    limits.stretch = kEvenedStretch, limits.area = kEvenedArea;
+    if (breachOf(piece, evened[p], limits) != Breach::kNone)
+      return Obstacle{symmetry,
+                      "its outlines differ so much from edge to edge that they would get kinks or "
+                      "folds if they were made to mirror each other exactly",
+                      "choose longer edges (edgeLengthCm), or draw them alike"};
+  }
+  for (const Seam& seam : pattern.seams) {
+    double moved = 0;
+    for (const int p : {seam.a.piece, seam.b.piece})
+      if (p == m.pieces[0] || p == m.pieces[1])
+        moved = std::max(moved, movedOf(pattern.pieces[p], evened[p]));
+    if (moved > kEvenedAlready && max_change - moved < kRoom &&
+        seamError(seam, evened) > kEvenedSeam)
+      return Obstacle{symmetry,
+                      "where its outlines are made to mirror each other exactly, seams lose their "
+                      "length ratio, and maxChangeCm leaves no room to restore it",
+                      "raise maxChangeCm to " + shown(moved + kRoom, "%.2g")};
+  }
+  return {};
+}
+
+/// Drops detected symmetries that contradict each other, with a note. Errors: kSymmetryConflict
+/// when those asked for do.
+std::optional<Error> reconcile(Problem& problem) {
+  if (conflictOf(problem, problem.known) < 1) return {};
+  const Symmetries fixed = problem.symmetries_optional ? Symmetries{} : problem.imposed;
+  if (!fixed.empty() && conflictOf(problem, fixed) >= 1) {
+    std::string names;
+    for (const BodySymmetry& s : fixed)
+      names += (names.empty() ? "" : ", ") + called(problem.garment, s);
+    return Error{Failure::kSymmetryConflict,
+                 "The symmetries of " + names +
+                     " cannot all hold: mirrored edges are sewn to edges that do not mirror. "
+                     "Leave one of them out.",
+                 fixed.front().pieces[0]};
+  }
+  const Symmetries kept = consistent(problem, fixed);
+  Symmetries imposed;
+  for (const BodySymmetry& s : problem.imposed) {
+    if (contains(kept, s))
+      imposed.push_back(s);
+    else
+      problem.notes.push_back("The symmetry of " + called(problem.garment, s) +
+                              " is dropped: its mirrored edges are sewn to edges that do not "
+                              "mirror.");
+  }
+  problem.imposed = std::move(imposed);
+  problem.known = kept;
+  return {};
+}
+
+Outcome<Pattern> sampledAndMeshed(const Problem& problem, double edge_length) {
+  Outcome<Pattern> sampled =
+      discretise(problem.garment, problem.known, problem.imposed, edge_length);
+  if (!sampled.ok()) return sampled.error();
+  return meshed(std::move(sampled).value(), kCoarsest);
 }
 
 }  // namespace
 
 Outcome<Pattern> preparedPattern(Problem& problem) {
-  if (conflictOf(problem, problem.known) >= 1) {
-    const Symmetries fixed = problem.symmetries_optional ? Symmetries{} : problem.imposed;
-    if (!fixed.empty() && conflictOf(problem, fixed) >= 1) {
-      std::string names;
-      for (const BodySymmetry& s : fixed)
-        names += (names.empty() ? "" : ", ") + namesOf(problem.garment, s);
-      return Error{Failure::kSymmetryConflict,
-                   "The symmetries of " + names +
-                       " cannot all hold: mirrored edges are sewn to edges that do not mirror. "
-                       "Leave one of them out.",
-                   fixed.front().pieces[0]};
+  if (const auto error = reconcile(problem)) return *error;
+  const double max_change = problem.options.max_change_cm;
+  double edge_length = problem.options.edge_length_cm;
+  for (;;) {
+    Outcome<Pattern> ready = sampledAndMeshed(problem, edge_length);
+    std::optional<Obstacle> found;
+    if (ready.ok()) {
+      const Pattern& pattern = ready.value();
+      const Shapes evened = evenedShapes(pattern);
+      for (std::size_t m = 0; m < pattern.mirrors.size() && !found; ++m)
+        found = obstacle(pattern, m, evened, max_change);
+      const bool finer = !found && edge_length > kFinest * problem.options.edge_length_cm &&
+                         isStiff(pattern, evened, max_change);
+      if (finer) {
+        edge_length /= 2;
+        continue;
+      }
+      if (!found) return ready;
+    } else {
+      // what cannot be meshed as its own mirror image may do without it
+      for (std::size_t m = 0; m < problem.imposed.size() && !found; ++m)
+        if (problem.imposed[m].pieces[0] == ready.error().piece)
+          found =
+              Obstacle{m, "its outline would cross itself if it were made to mirror exactly", ""};
+      if (!found || !problem.symmetries_optional) return ready.error();
     }
-    const Symmetries kept = consistent(problem, fixed);
-    Symmetries imposed;
-    for (const BodySymmetry& s : problem.imposed) {
-      if (contains(kept, s)) imposed.push_back(s);
-      else
-        problem.notes.push_back("The symmetry of " + namesOf(problem.garment, s) +
-                                " is dropped: its mirrored edges are sewn to edges that do not "
-                                "mirror.");
-    }
-    problem.imposed = std::move(imposed);
-    problem.known = kept;
+    const BodySymmetry symmetry = problem.imposed[found->symmetry];
+    const std::string name = called(problem.garment, symmetry);
+    if (!problem.symmetries_optional)
+      return Error{Failure::kSymmetryDoesNotMirror,
+                   "The symmetry of " + name + " cannot hold: " + found->why + "; " +
+                       found->remedy + ", or leave out that symmetry.",
+                   symmetry.pieces[0]};
+    problem.notes.push_back("The symmetry of " + name + " is dropped: " + found->why + ".");
+    problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(found->symmetry));
   }
-  Outcome<Pattern> sampled =
-      discretise(problem.garment, problem.known, problem.imposed, problem.options.edge_length_cm);
-  if (!sampled.ok()) return sampled.error();
-  return meshed(std::move(sampled).value(), kCoarsest);
 }
 
 }  // namespace seamwise

@@ -5,6 +5,7 @@
 #include "solve/best_run.h"
 #include "solve/paper_run.h"
 #include "solve/prepare.h"
+#include "solve/promise.h"
 
 namespace seamwise {
 namespace {
@@ -52,6 +53,14 @@ std::vector<Mirror> carriedMirrors(const Problem& problem) {
     mirrors.push_back({{s.pieces[0], s.pieces[1]}, s.map, {}});
   }
   return mirrors;
+}
+
+Error unsewable(int seam) {
+  return {Failure::kMesh,
+          "The two sides of seam " + std::to_string(seam) +
+              " bend too differently to be sewn edge to edge; smooth the sharper one, split it at "
+              "its bend, or raise maxChangeCm.",
+          -1, seam};
 }
 
 }  // namespace
@@ -114,6 +123,9 @@ Outcome<Result> Solver::finish() {
   Result result;
   result.pattern = state_->pattern;
   result.shapes = run.shapes();
+  for (std::size_t s = 0; s < result.pattern.seams.size(); ++s)
+    if (seamError(result.pattern.seams[s], result.shapes) > kSeamTolerance)
+      return unsewable(static_cast<int>(s));
   result.alignment = run.alignment();
   result.search = run.search();
   for (const Seam& seam : result.pattern.seams) {

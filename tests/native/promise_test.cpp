@@ -1,0 +1,121 @@
+#include "solve/promise.h"
+
+#include <gtest/gtest.h>
+
+#include "garment_texts.h"
+#include "io/problem_json.h"
+#include "mesh_checks.h"
+#include "solve/prepare.h"
+
+namespace seamwise {
+namespace {
+
+/// A square of 4 cm, outline edges 1 cm: vertices 0 to 4 along its lower side.
+Piece square() {
+  return testing::filled(testing::pieceOf(testing::sampled({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1)));
+}
+
+/// What the square breaks when its lower side's middle moves by `by`.
+Breach moved(const Vec2& by, Limits limits = {}) {
+  const Piece piece = square();
+  std::vector<Vec2> shape = piece.rest;
+  shape[2] += by;
+  return breachOf(piece, shape, limits);
+}
+
+TEST(Promise, HoldsAtRest) {
+  Limits nothing{0, 0, 0, 1};
+  EXPECT_EQ(moved({0, 0}, nothing), Breach::kNone);
+}
+
+TEST(Promise, BoundsMovementKinksAndStretch) {
+  EXPECT_EQ(moved({0.1, 0}), Breach::kNone);
+  EXPECT_EQ(moved({0.2, 0}), Breach::kStretch);  // by 20 %
+  Limits limits;
+  limits.moved = 0.09;
+  EXPECT_EQ(moved({0.1, 0}, limits), Breach::kMoved);
+  EXPECT_EQ(moved({0, -0.12}), Breach::kNone);  // 2 atan 0.12 = 13.7 degrees
+  EXPECT_EQ(moved({0, -0.14}), Breach::kKink);  // 16 degrees
+}
+
+TEST(Promise, LetsCornersBend) {
+  const Piece piece = square();
+  std::vector<Vec2> shape = piece.rest;
+  for (Vec2& p : shape) p.x() += 0.3 * p.y();  // corners of 73 and 107 degrees
+  Limits limits;
+  limits.moved = 2;
+  EXPECT_EQ(breachOf(piece, shape, limits), Breach::kNone);
+}
+
+TEST(Promise, RefusesTurnedTrianglesAndOutlinesThatCross) {
+  Limits any{10, 10, 10, 0.3};
+  EXPECT_EQ(moved({0, 3.5}, any), Breach::kArea);
+  any.area = -100;
+  EXPECT_EQ(moved({0, 5}, any), Breach::kCrossing);
+}
+
+TEST(SeamError, IsTheWorstEdgeOrAllOfThemTogether) {
+  Seam seam;
+  seam.a = {0, {0, 1, 2}};
+  seam.b = {1, {0, 1, 2}};
+  seam.length_ratio = 2;
+  const std::vector<Vec2> b{{0, 0}, {1, 0}, {2, 0}};
+  EXPECT_NEAR(seamError(seam, {{{0, 0}, {2, 0}, {4, 0}}, b}), 0, 1e-12);
+  EXPECT_NEAR(seamError(seam, {{{0, 0}, {2.1, 0}, {4, 0}}, b}), 0.1, 1e-12);
+  EXPECT_NEAR(seamError(seam, {{{0, 0}, {2.1, 0}, {4.2, 0}}, b}), 0.2, 1e-12);
+}
+
+// --- what preparing a problem makes of it --------------------------------------------------------
+
+/// Two rectangles, the front's upper right corner moved to the left.
+ProblemTexts leaning(double by, const char* symmetry, const char* options) {
+  Json garment = testing::twoRectangles();
+  testing::panelOf(garment, "front")["vertices"][2][0] = 10 - by;
+  garment["pattern"]["stitches"] = Json::array();
+  ProblemTexts texts;
+  texts.garment = garment.dump();
+  texts.print = R"({"group": "pm", "w1": [10, 0], "w2": [0, 12]})";
+  texts.symmetry = symmetry;
+  texts.options = options;
+  return texts;
+}
+
+constexpr const char* kFrontOnly = R"({"symmetries": [{"kind": "piece", "piece": "front"}]})";
+
+TEST(PreparedPattern, EvensOutANearlySymmetricPieceExactly) {
+  Problem problem = makeProblem(leaning(0.08, kFrontOnly, "")).value();
+  const Pattern pattern = preparedPattern(problem).value();
+  ASSERT_EQ(pattern.mirrors.size(), 1u);
+  const Mirror& m = pattern.mirrors[0];
+  const Shapes evened = evenedShapes(pattern);
+  for (std::size_t v = 0; v < m.image.size(); ++v)
+    EXPECT_LT((m.map(evened[0][v]) - evened[0][m.image[v]]).norm(), 1e-12);
+  EXPECT_GT(movedOf(pattern.pieces[0], evened[0]), 0.005);
+  EXPECT_LT(movedOf(pattern.pieces[0], evened[0]), 0.08);
+  EXPECT_EQ(evened[1], pattern.pieces[1].rest);
+}
+
+TEST(PreparedPattern, DropsADetectedSymmetryThatNeedsMoreThanTheGreatestChange) {
+  Problem problem = makeProblem(leaning(0.08, "auto", R"({"maxChangeCm": 0.001})")).value();
+  const std::size_t before = problem.imposed.size();
+  ASSERT_GE(before, 1u);
+  ASSERT_TRUE(preparedPattern(problem).ok());
+  EXPECT_LT(problem.imposed.size(), before);
+  ASSERT_FALSE(problem.notes.empty());
+  EXPECT_NE(problem.notes.back().find("'front'"), std::string::npos);
+  EXPECT_NE(problem.notes.back().find("maxChangeCm"), std::string::npos);
+}
+
+TEST(PreparedPattern, RefusesToDropASymmetryThatWasAskedFor) {
+  Problem problem = makeProblem(leaning(0.08, kFrontOnly, R"({"maxChangeCm": 0.001})")).value();
+  testing::expectError(preparedPattern(problem), Failure::kSymmetryDoesNotMirror,
+                       {"'front'", "raise maxChangeCm to 0.0", "leave out that symmetry"});
+}
+
+TEST(PreparedPattern, KeepsAnExactSymmetryThatMayNotMove) {
+  Problem problem = makeProblem(leaning(0, kFrontOnly, R"({"maxChangeCm": 0})")).value();
+  EXPECT_EQ(preparedPattern(problem).value().mirrors.size(), 1u);
+}
+
+}  // namespace
+}  // namespace seamwise
