@@ -126,7 +126,11 @@ describe('bad input exits with 2 and one sentence that names it', () => {
     ],
     'a result in a folder that is not there': () => [
       ['align', file('strips.json'), '--print', file('checks.json'), '--out', file('no/r.json')],
-      'r.json',
+      `there is no folder ${file('no')}; create it`,
+    ],
+    'a garment in a folder that is not there': () => [
+      ['convert', file('strips.json'), '--out', file('no/g.json')],
+      `there is no folder ${file('no')}; create it`,
     ],
     'a result on top of a directory': () => [
       ['align', file('strips.json'), '--print', file('checks.json'), '--out', file('folder')],

@@ -44,12 +44,23 @@ export async function checkWritable(path: string): Promise<void> {
   try {
     const existing = await stat(path).catch(() => null);
     if (existing?.isDirectory()) throw new UsageError(`${path} is a directory, not a file.`);
-    if (existing === null && !(await stat(dirname(path))).isDirectory()) {
-      throw new UsageError(`${path} cannot be written: ${dirname(path)} is not a directory.`);
-    }
+    if (existing === null) await checkFolder(path);
     await access(existing ? path : dirname(path), constants.W_OK);
   } catch (error) {
     throw fileError(error, path, 'written');
+  }
+}
+
+async function checkFolder(path: string): Promise<void> {
+  const folder = dirname(path);
+  const found = await stat(folder).catch((error: unknown) => {
+    if (!(error instanceof Error && 'code' in error && error.code === 'ENOENT')) throw error;
+    throw new UsageError(
+      `${path} cannot be written: there is no folder ${folder}; create it, or choose another.`,
+    );
+  });
+  if (!found.isDirectory()) {
+    throw new UsageError(`${path} cannot be written: ${folder} is not a directory.`);
   }
 }
 
@@ -61,6 +72,7 @@ export async function writeText(path: string, text: string): Promise<void> {
       await writeFile(path, text); // a pipe or a device cannot be replaced
       return;
     }
+    if (existing === null) await checkFolder(path);
     const draft = `${path}.${randomUUID().slice(0, 8)}.tmp`;
     try {
       await writeFile(draft, text);
