@@ -1,0 +1,105 @@
+import {readdirSync, readFileSync} from 'node:fs';
+
+import {Ajv2020} from 'ajv/dist/2020.js';
+import * as fc from 'fast-check';
+import {convert, solve, symmetries} from 'seamwise/node';
+import {describe, expect, it} from 'vitest';
+
+import {problem} from '../support/random-problems.js';
+import {checks, sample, twoStrips} from './garments.js';
+
+const publicFolder = new URL('../../public/', import.meta.url);
+
+/** What the schema of one kind of file says about a document. */
+function schema(kind: 'garment' | 'options' | 'print' | 'symmetries') {
+  const file = new URL(`schema/seamwise-${kind}-1.schema.json`, publicFolder);
+  const ajv = new Ajv2020({strict: true, strictTypes: false, strictTuples: false});
+  const validate = ajv.compile(JSON.parse(readFileSync(file, 'utf8')) as object);
+  return (document: unknown) => (validate(document) ? [] : validate.errors);
+}
+
+describe('the schemas accept', () => {
+  it.each(['tee', 'skirt', 'dress'] as const)('the %s in the own format', async (name) => {
+    expect(schema('garment')(JSON.parse(await convert(sample(name))))).toEqual([]);
+  });
+
+  it('every sample print', () => {
+    const folder = new URL('prints/', publicFolder);
+    const files = readdirSync(folder).filter((name) => name.endsWith('.json'));
+    expect(files).toHaveLength(17);
+    for (const name of files) {
+      const print: unknown = JSON.parse(readFileSync(new URL(name, folder), 'utf8'));
+      expect(schema('print')(print)).toEqual([]);
+    }
+  });
+
+  it('symmetries as they are found', async () => {
+    expect(schema('symmetries')(await symmetries(sample('dress')))).toEqual([]);
+  });
+
+  it('whatever the solver is tried with', () => {
+    const [print, options] = [schema('print'), schema('options')];
+    fc.assert(
+      fc.property(problem, (one) => {
+        expect(print(JSON.parse(one.print))).toEqual([]);
+        expect(options(JSON.parse(one.options))).toEqual([]);
+      }),
+      {seed: 1, numRuns: 200},
+    );
+  });
+});
+
+describe('schema and solver both refuse', () => {
+  const strips = {garment: twoStrips(), print: checks};
+  const garment = (pattern: object) => ({format: 'seamwise-garment/1', pattern});
+
+  it.each([
+    ['a garment without panels', garment({panels: {}})],
+    ['a panel without edges', garment({panels: {front: {vertices: [[0, 0]]}}})],
+    ['a garment of an unknown version', {...twoStrips(), format: 'seamwise-garment/9'}],
+  ])('%s', async (_, document) => {
+    expect(schema('garment')(document)).not.toEqual([]);
+    await expect(solve({...strips, garment: JSON.stringify(document)})).rejects.toThrow();
+  });
+
+  it.each([
+    ['an unknown group', {...checks, group: 'p9'}],
+    ['a lattice of one vector', {group: 'p1', w1: [1, 0]}],
+    ['a text for a length', {...checks, w1: ['4', 0]}],
+  ])('a print with %s', async (_, document) => {
+    expect(schema('print')(document)).not.toEqual([]);
+    await expect(solve({...strips, print: JSON.stringify(document)})).rejects.toThrow();
+  });
+
+  it.each([
+    ['an unknown field', {speed: 3}],
+    ['a negative greatest change', {maxChangeCm: -1}],
+    ['edges that are too long', {edgeLengthCm: 2}],
+    ['an unknown grain lock', {grain: {default: 'across'}}],
+    ['a pin without a place', {pins: {left: {angle: 0}}}],
+  ])('options with %s', async (_, document) => {
+    expect(schema('options')(document)).not.toEqual([]);
+    await expect(solve({...strips, options: JSON.stringify(document)})).rejects.toThrow();
+  });
+
+  it.each([
+    ['an unknown kind', {kind: 'triple', pieces: ['left', 'right']}],
+    [
+      'both axis and seams',
+      {
+        kind: 'piece',
+        piece: 'left',
+        axis: [
+          [2, 0],
+          [2, 9],
+        ],
+        seams: [1, 3],
+      },
+    ],
+    ['one piece for a pair', {kind: 'pair', pieces: ['left']}],
+  ])('a symmetry with %s', async (_, entry) => {
+    const document = {symmetries: [entry]};
+    expect(schema('symmetries')(document)).not.toEqual([]);
+    await expect(solve({...strips, symmetry: JSON.stringify(document)})).rejects.toThrow();
+  });
+});
