@@ -191,19 +191,3 @@ describe('garments', () => {
     expect(withoutTimes(await solve({...strips, garment}))).toBe(withoutTimes(await solve(strips)));
   });
 });
-
-describe('memory', () => {
-  it('stays as it is over 1000 solves and as many failures', async () => {
-    const problem = {garment: twoStrips(2), print: checks};
-    const attempt = async () => {
-      await solve(problem);
-      await solve({...problem, garment: '{"pattern": {"panels": {}}}'}).catch(() => null);
-    };
-    for (let k = 0; k < 20; ++k) await attempt();
-    const before = await memory();
-    for (let k = 0; k < 1000; ++k) await attempt();
-    const after = await memory();
-    expect(after.heap).toBe(before.heap);
-    expect(after.live - before.live).toBeLessThan(1000);
-  }, 300_000);
-});
