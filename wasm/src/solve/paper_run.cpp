@@ -10,7 +10,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kMostAlpha = 4096;
+constexpr double kMostAlpha = 65536;
 constexpr double kLost = 3;  ///< times the greatest change
 constexpr double kLeastDraw = 1.0 / 32;  ///< share of the way to their targets that seams still go
 
