@@ -1,7 +1,8 @@
 /** Judges whether a result is of the garment it was made from. */
-import type {GarmentCodeSpecification, Panel, Point, SolveResult} from 'seamwise/node';
+import type {GarmentCodeSpecification, Panel, Point, SolveResult, Symmetries} from 'seamwise/node';
 
-import {at, cross, distance, scale, sum} from './plane.js';
+import {drawnOutline, toLine} from './panel-curves.js';
+import {at, cross, distance, greatest, scale, sum} from './plane.js';
 
 /** How a result departs from its garment, one sentence each; empty when it does not. */
 export function strays(result: SolveResult, garment: GarmentCodeSpecification): string[] {
@@ -27,6 +28,9 @@ export function strays(result: SolveResult, garment: GarmentCodeSpecification): 
       const off = corner ? Math.min(...rim.map((p) => distance(p, corner))) : Infinity;
       must(off < 1e-6, `${name}: rest misses a corner by ${off} cm`);
     }
+    const drawn = drawnOutline(garment, name, mirroredFromInput);
+    const off = greatest(rim.map((p) => Math.min(...drawn.map((edge) => toLine(p, edge)))));
+    must(off < 0.05, `${name}: rest leaves the panel by ${off} cm`);
     const isStraight = panel.edges.every(({curvature}) => !curvature);
     const isClockwise = area(panel) < 0;
     if (isStraight) must(mirroredFromInput === isClockwise, `${name} shows the wrong face`);
@@ -53,6 +57,20 @@ export function strays(result: SolveResult, garment: GarmentCodeSpecification): 
     must(sameWay === (how === 'right_wrong'), `seam ${number} is sewn the wrong way round`);
   });
   return broken;
+}
+
+/** The pieces of the symmetries that were asked for and of those in the result; to be the same. */
+export function symmetricPieces(
+  {pieces, symmetries}: SolveResult,
+  asked: Symmetries,
+): {readonly asked: string[]; readonly found: string[]} {
+  const found = symmetries.map((one) =>
+    (one.kind === 'piece' ? [one.piece] : one.pieces).map((p) => at(pieces, p).name),
+  );
+  const wanted = asked.symmetries.map((one) => (one.kind === 'piece' ? [one.piece] : one.pieces));
+  const names = (list: readonly (readonly string[])[]) =>
+    list.map((some) => some.toSorted().join(' = ')).toSorted();
+  return {asked: names(wanted), found: names(found)};
 }
 
 const area = ({vertices, edges}: Panel): number =>

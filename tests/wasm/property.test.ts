@@ -1,8 +1,14 @@
 import * as fc from 'fast-check';
-import {solve, SolverError, type GarmentCodeSpecification, type SolveOptions} from 'seamwise/node';
+import {
+  solve,
+  SolverError,
+  type GarmentCodeSpecification,
+  type SolveOptions,
+  type Symmetries,
+} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import {strays} from '../support/check-garment.js';
+import {strays, symmetricPieces} from '../support/check-garment.js';
 import {violations} from '../support/check-result.js';
 import {damagedProblem, problem, type ProblemText} from '../support/random-problems.js';
 import {checks, sample, twoStrips} from './garments.js';
@@ -24,6 +30,10 @@ async function ending(problem: ProblemText): Promise<string> {
   const options = JSON.parse(problem.options) as SolveOptions;
   expect(violations(result, options)).toEqual([]);
   expect(strays(result, JSON.parse(problem.garment) as GarmentCodeSpecification)).toEqual([]);
+  if (!['auto', 'none'].includes(problem.symmetry) && problem.method !== 'ws19') {
+    const {asked, found} = symmetricPieces(result, JSON.parse(problem.symmetry) as Symmetries);
+    expect(found).toEqual(asked);
+  }
   return 'solved';
 }
 
