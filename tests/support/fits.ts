@@ -28,8 +28,8 @@ export interface Fits {
 
 type Lattice = Pick<Repeat, 'w1' | 'w2'>;
 
-/** A vector less the lattice vector next to it, and what was taken away. */
-export function modulo({w1, w2}: Lattice): (v: Point) => Point {
+/** The two shortest vectors of a lattice that span it. */
+function reducedBasis({w1, w2}: Lattice): readonly [Point, Point] {
   let [a, b] = [w1, w2];
   for (;;) {
     if (dot(a, a) > dot(b, b)) [a, b] = [b, a];
@@ -37,6 +37,12 @@ export function modulo({w1, w2}: Lattice): (v: Point) => Point {
     if (dot(shorter, shorter) >= dot(b, b) * (1 - 1e-9)) break; // else rounding may go on for ever
     b = shorter;
   }
+  return [a, b];
+}
+
+/** A vector less the lattice vector next to it. */
+function modulo(lattice: Lattice): (v: Point) => Point {
+  const [a, b] = reducedBasis(lattice);
   const cell = cross(a, b);
   return (v) => {
     const i = Math.round(cross(v, b) / cell);
@@ -141,14 +147,15 @@ function parallel({along: [a, b]}: PrintEdge, elements: readonly PlaneMap[]): Pl
 }
 
 /** The cost of a seam whose side b lies on the print by `element` and one lattice vector near the mean. */
-function cheapest(seam: readonly PrintEdge[], element: PlaneMap, {w1, w2}: Lattice): number {
-  const reduce = modulo({w1, w2});
+function cheapest(seam: readonly PrintEdge[], element: PlaneMap, lattice: Lattice): number {
+  const reduce = modulo(lattice);
+  const [u1, u2] = reducedBasis(lattice);
   const apart = seam.map(({x, y}) => sub(x, apply(element, y)));
   const length = sum(seam.map((edge) => edge.length));
   const mean = apart.map((v, k) => scale(v, at(seam, k).length / length)).reduce(add, [0, 0]);
   const near = sub(mean, reduce(mean));
   const costs = nearby.map(([s, t]) => {
-    const shift = add(near, add(scale(w1, s), scale(w2, t)));
+    const shift = add(near, add(scale(u1, s), scale(u2, t)));
     return sum(apart.map((v, k) => at(seam, k).length * distance(v, shift)));
   });
   return Math.min(...costs);
