@@ -26,6 +26,28 @@ Cloth::State restStateOf(const Part& part) {
   return {part.rest, VectorX::Zero(part.unknowns), std::vector<double>(part.edges.size(), 0)};
 }
 
+/// Pairs of unknowns of which a term depends on both, each once.
+std::vector<std::pair<int, int>> coupledUnknowns(const Part& part) {
+  std::vector<std::pair<int, int>> vertices;
+  auto couple = [&](int a, int b) { vertices.emplace_back(std::min(a, b), std::max(a, b)); };
+  for (const auto& t : part.triangles)
+    for (int k = 0; k < 3; ++k) couple(t[k], t[(k + 1) % 3]);
+  for (const Part::Bend& b : part.bends) {
+    couple(b.i, b.j);
+    if (b.h >= 0) couple(b.h, b.i), couple(b.h, b.j);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<std::pair<int, int>> unknowns;
+  unknowns.reserve(4 * vertices.size() + part.rest.size());
+  for (std::size_t v = 0; v < part.rest.size(); ++v)
+    unknowns.emplace_back(part.unknown[2 * v], part.unknown[2 * v + 1]);
+  for (const auto& [a, b] : vertices)
+    for (int i = 0; i < 4; ++i)
+      unknowns.emplace_back(part.unknown[2 * a + i / 2], part.unknown[2 * b + i % 2]);
+  return unknowns;
+}
+
 /// Of the lower triangles of the blocks (i, i) and (j, j), then of the block (i, j).
 std::array<int, 10> slotsOf(const SparseHessian& hessian, const Part& part, int i, int j) {
   std::array<int, 10> slots;
@@ -52,22 +74,7 @@ Cloth::Cloth(const Part& part, const ClothWeights& weights)
       target_weight_(part.rest.size(), 0),
       target_pull_(part.rest.size(), Vec2::Zero()),
       bend_factor_(part.bends.size(), 1) {
-  std::vector<std::pair<int, int>> pairs;
-  auto couple = [&](std::initializer_list<int> vertices) {
-    for (int a : vertices)
-      for (int b : vertices)
-        for (int i = 0; i < 2; ++i)
-          for (int j = 0; j < 2; ++j)
-            pairs.emplace_back(part.unknown[2 * a + i], part.unknown[2 * b + j]);
-  };
-  for (const auto& t : part.triangles) couple({t[0], t[1], t[2]});
-  for (const auto& b : part.bends) {
-    if (b.h >= 0)
-      couple({b.h, b.i, b.j});
-    else
-      couple({b.i, b.j});
-  }
-  hessian_ = SparseHessian(part.unknowns, pairs);
+  hessian_ = SparseHessian(part.unknowns, coupledUnknowns(part));
   gradient_ = VectorX::Zero(part.unknowns);
   rest_area_.resize(part.triangles.size());
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
@@ -96,11 +103,10 @@ void Cloth::addConformal() {
     const ConformalTriangle t =
         conformalTriangle(v, part_->rest[v[0]], part_->rest[v[1]], part_->rest[v[2]]);
     const double w = 2 * weights_.conformal * t.area;
-    for (const auto& row : t.rows)
-      for (int a = 0; a < 6; ++a)
-        for (int b = 0; b <= a; ++b)
-          hessian_.add(part_->unknown[2 * v[a / 2] + a % 2], part_->unknown[2 * v[b / 2] + b % 2],
-                       w * row[a] * row[b]);
+    for (int a = 0; a < 6; ++a)
+      for (int b = 0; b <= a; ++b)
+        hessian_.add(part_->unknown[2 * v[a / 2] + a % 2], part_->unknown[2 * v[b / 2] + b % 2],
+                     w * (t.rows[0][a] * t.rows[0][b] + t.rows[1][a] * t.rows[1][b]));
   }
 }
 

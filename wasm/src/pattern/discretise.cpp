@@ -159,7 +159,8 @@ Pattern assembled(const Garment& garment, const Outlines& outlines, const Breakp
 }  // namespace
 
 Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmetry>& sampled,
-                            const std::vector<BodySymmetry>& imposed, double edge_length) {
+                            const std::vector<BodySymmetry>& imposed, double edge_length,
+                            Effort effort) {
   if (const auto fault = firstFault(garment, edge_length)) return *fault;
   Outlines outlines;
   outlines.stitches = garment.stitches;
@@ -205,9 +206,16 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
   const std::size_t many = 2 * few + static_cast<std::size_t>(length / edge_length);
   double measured = kCornerTolerance;
   for (const LoopTie& t : wishes.ties) measured = std::max(measured, t.map.tolerance);
+  std::vector<const Outlines*> attempts{&outlines};
+  if (wishes.ties.size() > outlines.ties.size()) attempts.insert(attempts.begin(), &wishes);
+  std::vector<std::size_t> limits{few};
+  if (effort == Effort::kFull) limits.push_back(many);
   Breakpoints breakpoints;
-  for (const Outlines* attempt : {&wishes, &outlines}) {
-    for (const std::size_t most : {few, many}) {
+  for (const Outlines* attempt : attempts) {
+    for (const std::size_t most : limits) {
+      // where the most tolerant chase does not end, the others do not either
+      breakpoints = findBreakpoints(*attempt, 0.5 * edge_length, most);
+      if (!breakpoints.trouble.empty()) continue;
       for (const double tolerance : {kCornerTolerance, measured, 0.03 * edge_length,
                                      0.1 * edge_length, 0.3 * edge_length, 0.5 * edge_length}) {
         breakpoints = findBreakpoints(*attempt, tolerance, most);

@@ -1,9 +1,15 @@
 #pragma once
+#include <cstdint>
+
 #include "geometry/outcome.h"
 #include "pattern/garment.h"
 #include "pattern/pattern.h"
 
 namespace seamwise {
+
+/// How many vertices symmetries may ask for: a few per corner, or as many as it takes where they
+/// and the seams disagree.
+enum class Effort : std::uint8_t { kFull, kTrial };
 
 /// Samples every outline so that both sides of a seam have the same vertices in sewing order and
 /// mirror images have mirrored vertices. No interior vertices or triangles yet.
@@ -21,6 +27,7 @@ namespace seamwise {
 /// Errors: kMesh when a mirror image cannot be put into one-to-one correspondence, naming the
 /// piece.
 Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmetry>& sampled,
-                            const std::vector<BodySymmetry>& imposed, double edge_length);
+                            const std::vector<BodySymmetry>& imposed, double edge_length,
+                            Effort effort = Effort::kFull);
 
 }  // namespace seamwise

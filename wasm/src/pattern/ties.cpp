@@ -10,7 +10,7 @@ namespace {
 constexpr double kSame = 1e-9;     // cm
 constexpr double kApart = 1e-3;    // cm; different nodes keep this distance where there is room
 constexpr double kSettled = 1e-6;  // cm
-constexpr int kMostSweeps = 2000;
+constexpr int kMostSweeps = 150;   // where symmetries contradict each other, nodes creep for ever
 
 }  // namespace
 
@@ -206,7 +206,8 @@ void TiedNodes::settle() {
       double sum = 0;
       for (const Wish& w : f.wishes) {
         const double part = distance(w.before, w.at, w.sense);
-        sum += part / (part + distance(w.at, w.after, w.sense));
+        const double whole = part + distance(w.at, w.after, w.sense);
+        sum += whole > 0 ? part / whole : 0.5;  // neighbours that meet say nothing
       }
       const double share = sum / static_cast<double>(f.wishes.size());
       const double position = nodes_[f.before].position + share * distance(f.before, f.after, 1);

@@ -62,11 +62,10 @@ bool BestRun::advance() {
       progress_ = 0.5 * kSearchShare * searching_->fraction();
       alignment_ = symmetric_->expanded(searching_->best());
       if (!more) {
-        symmetric_answer_ = match_.ofLeaders(alignment_);
         searching_ =
             std::make_unique<AlignmentSearch>(match_, problem_.options.seed, SearchBudget{});
         searching_->watch(slack_);
-        searching_->offer(symmetric_answer_);
+        searching_->offer(match_.ofLeaders(alignment_));
         stage_ = Stage::kSearch;
       }
       break;
@@ -83,9 +82,12 @@ bool BestRun::advance() {
       const bool more = searching_->step();
       progress_ =
           std::max(progress_, kSearchShare + (kSlackShare - kSearchShare) * searching_->fraction());
-      if (!more) startFit();
+      if (!more) stage_ = Stage::kStartFit;
       break;
     }
+    case Stage::kStartFit:
+      startFit();
+      break;
     case Stage::kFit:
       fitStep();
       break;
@@ -100,10 +102,9 @@ bool BestRun::advance() {
 
 void BestRun::endSearch() {
   leaders_ = searching_->best();
-  // the search compares on few samples: on all of them the symmetric answer may still be the best
-  if (!symmetric_answer_.empty() && match_.cost(symmetric_answer_) < match_.cost(leaders_))
-    leaders_ = symmetric_answer_;
   search_result_ = alignment_ = match_.expanded(leaders_);
+  stage_ = Stage::kStartFit;
+  if (match_.cost(leaders_) < kPerfect) return;
   const Alignments watched = searching_->watched();
   SearchBudget little;
   little.trees = 2, little.idle = 5, little.evaluations = 1.5e6;
@@ -238,7 +239,7 @@ void BestRun::finish() {
 
 Phase BestRun::phase() const {
   if (stage_ == Stage::kDone) return Phase::kDone;
-  return stage_ < Stage::kFit ? Phase::kAlignment : Phase::kDeformation;
+  return stage_ < Stage::kStartFit ? Phase::kAlignment : Phase::kDeformation;
 }
 
 double BestRun::fraction() const { return progress_; }

@@ -29,7 +29,15 @@ class BestRun : public Run {
   int factorisations() const override { return fitting_ ? fitting_->factorisations() : 0; }
 
  private:
-  enum class Stage : std::uint8_t { kSymmetricSearch, kSearch, kSlackSearch, kFit, kSettle, kDone };
+  enum class Stage : std::uint8_t {
+    kSymmetricSearch,
+    kSearch,
+    kSlackSearch,
+    kStartFit,
+    kFit,
+    kSettle,
+    kDone
+  };
   void endSearch();
   void startFit();
   void resume(std::size_t start);
@@ -48,8 +56,7 @@ class BestRun : public Run {
   std::unique_ptr<AlignmentSearch> searching_;
   std::unique_ptr<SeamFitting> fitting_;
   Stage stage_ = Stage::kSearch;
-  Alignments leaders_;           ///< present alignment of the leaders
-  Alignments symmetric_answer_;  ///< of the leaders; empty unless it was searched for
+  Alignments leaders_;  ///< present alignment of the leaders
   Alignments alignment_, search_result_;
   /// An alignment to fit from, and how far that has come.
   struct Start {

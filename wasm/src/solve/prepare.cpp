@@ -70,8 +70,8 @@ double conflict(const Pattern& pattern) {
 
 /// conflict(), or infinity when the outlines cannot even be sampled so.
 double conflictOf(const Problem& problem, const Symmetries& symmetries) {
-  const auto sampled =
-      discretise(problem.garment, symmetries, symmetries, problem.options.edge_length_cm);
+  const auto sampled = discretise(problem.garment, symmetries, symmetries,
+                                  problem.options.edge_length_cm, Effort::kTrial);
   return sampled.ok() ? conflict(sampled.value()) : std::numeric_limits<double>::infinity();
 }
 
