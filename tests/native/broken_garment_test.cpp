@@ -25,6 +25,12 @@ TEST(BrokenGarment, ThatEndsTooEarlyIsIncomplete) {
   expectRefused(std::string("{\"pattern\": {\"panels\": {"), Failure::kNotJson, {"not complete"});
 }
 
+TEST(BrokenGarment, WithAZeroByteDoesNotEndThere) {
+  const std::string text = twoRectangles().dump();
+  expectRefused(text + std::string(1, '\0'), Failure::kNotJson, {"zero byte", "line 1"});
+  expectRefused(text + std::string("\0{}", 3), Failure::kNotJson, {"zero byte", "line 1"});
+}
+
 TEST(BrokenGarment, WithoutContentIsEmpty) {
   expectRefused(std::string(), Failure::kNotJson, {"is empty"});
   expectRefused(std::string(" \n\t"), Failure::kNotJson, {"is empty"});

@@ -57,7 +57,14 @@ const segments = (points: readonly Point[], loop: readonly number[]): [Point, Po
 /** Whether two segments cross in their insides; neighbours, which share an end, never do. */
 function crossesItself(lines: readonly [Point, Point][]): boolean {
   const side = (a: Point, b: Point, c: Point) => cross(sub(b, a), sub(c, a));
+  // Segments far apart on one line are told apart by their boxes, whatever rounding makes of areas.
+  const meet = ([a, b]: [Point, Point], [c, d]: [Point, Point], axis: 0 | 1) =>
+    Math.max(a[axis], b[axis]) >= Math.min(c[axis], d[axis]) &&
+    Math.max(c[axis], d[axis]) >= Math.min(a[axis], b[axis]);
   const cut = ([a, b]: [Point, Point], [c, d]: [Point, Point]) =>
-    side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+    meet([a, b], [c, d], 0) &&
+    meet([a, b], [c, d], 1) &&
+    side(a, b, c) * side(a, b, d) < 0 &&
+    side(c, d, a) * side(c, d, b) < 0;
   return lines.some((line, k) => lines.slice(k + 1).some((other) => cut(line, other)));
 }

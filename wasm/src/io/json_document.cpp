@@ -138,6 +138,10 @@ Json parseDocument(std::string_view text, const Place& place) {
   if (content.substr(0, kMark.size()) == kMark) content.remove_prefix(kMark.size());
   if (content.find_first_not_of(" \t\r\n") == content.npos)
     place.fail(Failure::kNotJson, "is empty; choose another file");
+  // the parser would take it for the end and leave out the rest
+  if (const std::size_t end = content.find('\0'); end != content.npos)
+    place.fail(Failure::kNotJson, "is not JSON: it holds a zero byte at " +
+                                      lineAndColumn(content, end + 1) + "; save it again");
   Builder builder(content, place);
   if (!Json::sax_parse(content.begin(), content.end(), &builder))
     place.fail(Failure::kNotJson, "is not JSON; save it again");
