@@ -210,17 +210,21 @@ TEST(SeamFitting, BringsTheSidesOfSeamsTogetherWhileSeamsStaySewable) {
     for (const Seam& s : pattern.seams) total += bestJoin(group, s, fitting.shapes(), at).cost;
     return total;
   };
-  SeamFitting fitting(pattern, group, {}, kReach, false);
-  fitting.chooseJoins(at);
-  const double before = mismatch(fitting);
-  for (int k = 0; k < 20; ++k) fitting.step(at);
-  for (Cloth& cloth : fitting.cloths())
-    for (int k = 0; k < 10; ++k) cloth.step();
-  fitting.collectShapes();
-  EXPECT_LT(mismatch(fitting), 0.9 * before);
-  EXPECT_LT(testing::seamError(pattern, fitting.shapes()), 0.01);
-  EXPECT_LT(testing::shapeAsymmetry(pattern, fitting.shapes()), 1e-9);
-  EXPECT_GT(testing::leastArea(pattern, fitting.shapes()), 0.3);
+  for (bool average : {false, true}) {
+    FittingRules rules;
+    rules.max_change = kReach, rules.average_shapes = average;
+    SeamFitting fitting(pattern, group, rules);
+    fitting.chooseJoins(at);
+    const double before = mismatch(fitting);
+    for (int k = 0; k < 20; ++k) fitting.step(at);
+    for (Cloth& cloth : fitting.cloths())
+      for (int k = 0; k < 10; ++k) cloth.step();
+    fitting.collectShapes();
+    EXPECT_LT(mismatch(fitting), 0.9 * before);
+    EXPECT_LT(testing::seamError(pattern, fitting.shapes()), 0.01);
+    EXPECT_LT(testing::shapeAsymmetry(pattern, fitting.shapes()), 1e-9);
+    EXPECT_GT(testing::leastArea(pattern, fitting.shapes()), 0.3);
+  }
 }
 
 }  // namespace

@@ -196,6 +196,21 @@ TEST(BestMethod, KeepsSymmetrySewabilityAndTheGarmentsLines) {
   }
 }
 
+TEST(BestMethod, IsStifferWithALargerAlphaAndAveragesSeamShapesWhenAsked) {
+  const Task plain = task("tee", "pgg");
+  Task soft = plain, stiff = plain, averaged = plain;
+  soft.options["alpha"] = 0.1, stiff.options["alpha"] = 100;
+  averaged.options["averageSeamShapes"] = true;
+  const Result softly = solved(soft), stiffly = solved(stiff), average = solved(averaged);
+  EXPECT_LT(softly.fit.any, stiffly.fit.any);
+  EXPECT_NE(average.shapes, solved(plain).shapes);
+  for (const Result* r : {&softly, &stiffly, &average}) {
+    EXPECT_LT(r->fit.any, r->fit_aligned);
+    EXPECT_LT(testing::seamError(r->pattern, r->shapes), 0.01);
+    EXPECT_LE(r->max_moved_cm, 1);
+  }
+}
+
 TEST(OtherMethods, EndAndKeepTheGreatestChange) {
   for (Method method : {Method::kPaper, Method::kWs19}) {
     Task t = task("skirt", "pmm");

@@ -13,14 +13,14 @@ constexpr double kFloor = 0.05;  ///< cm: mismatch below it pulls no harder than
 }  // namespace
 
 SeamFitting::SeamFitting(const Pattern& pattern, const WallpaperGroup& group,
-                         const ClothWeights& weights, double max_change, bool continuous_only)
+                         const FittingRules& rules)
     : pattern_(pattern),
       group_(group),
-      continuous_only_(continuous_only),
-      parts_(splitIntoParts(pattern, max_change)),
+      rules_(rules),
+      parts_(splitIntoParts(pattern, rules.max_change)),
       joins_(pattern.seams.size()) {
   cloths_.reserve(parts_.parts.size());
-  for (const Part& part : parts_.parts) cloths_.emplace_back(part, weights);
+  for (const Part& part : parts_.parts) cloths_.emplace_back(part, rules.weights);
   for (const Follower& f : parts_.pieces) {
     to_part_direct_.push_back(f.direct.inverse());
     to_part_mirror_.push_back(f.mirror.inverse());
@@ -68,7 +68,7 @@ void SeamFitting::setStates(std::vector<Cloth::State> states) {
 
 void SeamFitting::chooseJoins(const std::vector<Alignment>& at) {
   for (std::size_t s = 0; s < joins_.size(); ++s)
-    joins_[s] = bestJoin(group_, pattern_.seams[s], shapes_, at, continuous_only_);
+    joins_[s] = bestJoin(group_, pattern_.seams[s], shapes_, at, rules_.continuous_only);
 }
 
 void SeamFitting::addTarget(int piece, int vertex, const Vec2& position, double weight,
@@ -89,24 +89,40 @@ void SeamFitting::aimAtPartners(const Cloth& cloth, const std::vector<Alignment>
   aim(at, &cloth);
 }
 
-/// Targets of all parts, or of only one: for both sides of a seam their common middle.
+/// Where both sides of a seam should lie, on equivalent points of the print.
+IdealLines SeamFitting::linesOf(const Seam& seam, const Join& join,
+                                const std::vector<Alignment>& at) const {
+  if (rules_.average_shapes) return idealLines(seam, join, shapes_, at, IdealShape::kAveraged);
+  const Alignment &wa = at[seam.a.piece], &wb = at[seam.b.piece];
+  const Element& g = join.element;
+  const Mat2 back = g.A.inverse();
+  IdealLines lines;
+  for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
+    const Vec2 x = wa.toPrint(shapes_[seam.a.piece][seam.a.vertices[k]]);
+    const Vec2 y = g(wb.toPrint(shapes_[seam.b.piece][seam.b.vertices[k]]));
+    const Vec2 middle = (x + y) / 2;
+    lines.a.push_back(wa.toPiece(middle));
+    lines.b.push_back(wb.toPiece(back * (middle - g.a)));
+  }
+  return lines;
+}
+
+/// Targets of all parts, or of only one.
 void SeamFitting::aim(const std::vector<Alignment>& at, const Cloth* only) {
   for (Cloth& cloth : cloths_)
     if (!only || only == &cloth) cloth.clearTargets();
   for (std::size_t s = 0; s < joins_.size(); ++s) {
     const Seam& seam = pattern_.seams[s];
     if (!seam.matched || seam.twin) continue;
-    const Alignment &wa = at[seam.a.piece], &wb = at[seam.b.piece];
-    const Element& g = joins_[s].element;
-    const Mat2 back = g.A.inverse();
+    const IdealLines lines = linesOf(seam, joins_[s], at);
     for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
       const int va = seam.a.vertices[k], vb = seam.b.vertices[k];
-      const Vec2 x = wa.toPrint(shapes_[seam.a.piece][va]);
-      const Vec2 y = g(wb.toPrint(shapes_[seam.b.piece][vb]));
-      const Vec2 middle = (x + y) / 2;
-      const double weight = seam.weight * vertex_length_[s][k] / std::max((x - y).norm(), kFloor);
-      addTarget(seam.a.piece, va, wa.toPiece(middle), weight, only);
-      addTarget(seam.b.piece, vb, wb.toPiece(back * (middle - g.a)), weight, only);
+      // what both sides have to move together: the mismatch, when they meet in the middle
+      const double apart = (lines.a[k] - shapes_[seam.a.piece][va]).norm() +
+                           (lines.b[k] - shapes_[seam.b.piece][vb]).norm();
+      const double weight = seam.weight * vertex_length_[s][k] / std::max(apart, kFloor);
+      addTarget(seam.a.piece, va, lines.a[k], weight, only);
+      addTarget(seam.b.piece, vb, lines.b[k], weight, only);
     }
   }
 }

@@ -2,18 +2,25 @@
 #include <vector>
 
 #include "deform/cloth.h"
-#include "seam/join.h"
+#include "seam/ideal_line.h"
 
 namespace seamwise {
 
+/// What the deformation heeds besides the pattern.
+struct FittingRules {
+  ClothWeights weights;
+  double max_change = 1;         ///< cm
+  bool continuous_only = false;  ///< forbid mirrored seams
+  bool average_shapes = false;   ///< seam lines take the mean of both sides' turning angles
+};
+
 /// Deforms all parts together so that the print meets at the seams: in turns, the two sides of
-/// every seam get their common middle (in print space, through the seam's join) as target, and
-/// every part takes a Newton step towards its targets. Weights 1/d make the sum of distances fall,
-/// not of squares.
+/// every seam get their common middle (in print space, through the seam's join) or their averaged
+/// line as target, and every part takes a Newton step towards its targets. Weights 1/d make the sum
+/// of distances fall, not of squares.
 class SeamFitting {
  public:
-  SeamFitting(const Pattern& pattern, const WallpaperGroup& group, const ClothWeights& weights,
-              double max_change, bool continuous_only);
+  SeamFitting(const Pattern& pattern, const WallpaperGroup& group, const FittingRules& rules);
 
   /// Chooses each seam's join for the present shapes.
   void chooseJoins(const std::vector<Alignment>& at);
@@ -44,10 +51,11 @@ class SeamFitting {
  private:
   void addTarget(int piece, int vertex, const Vec2& position, double weight, const Cloth* only);
   void aim(const std::vector<Alignment>& at, const Cloth* only);
+  IdealLines linesOf(const Seam& seam, const Join& join, const std::vector<Alignment>& at) const;
 
   const Pattern& pattern_;
   const WallpaperGroup& group_;
-  bool continuous_only_;
+  FittingRules rules_;
   Parts parts_;
   std::vector<Cloth> cloths_;
   std::vector<RigidMotion> to_part_direct_, to_part_mirror_;  ///< per piece

@@ -117,9 +117,13 @@ void BestRun::endSearch() {
 /// Fits from the answer under slack and, where it differs, from the search's own; after a few steps
 /// only the better one goes on.
 void BestRun::startFit() {
-  fitting_ = std::make_unique<SeamFitting>(pattern_, problem_.print.group, ClothWeights{},
-                                           kReachMargin * problem_.options.max_change_cm,
-                                           problem_.options.continuous_only);
+  const SolveOptions& options = problem_.options;
+  FittingRules rules;
+  if (options.alpha) rules.weights.conformal *= *options.alpha;
+  rules.max_change = kReachMargin * options.max_change_cm;
+  rules.continuous_only = options.continuous_only;
+  rules.average_shapes = options.average_seam_shapes.value_or(false);
+  fitting_ = std::make_unique<SeamFitting>(pattern_, problem_.print.group, rules);
   std::vector<Alignments> from = {searching_->best()};
   const Alignments plain = match_.ofLeaders(search_result_);
   if (std::abs(match_.cost(plain) - match_.cost(from[0])) > kPerfect) from.push_back(plain);

@@ -11,13 +11,13 @@ export interface SolveOptions {
   readonly format?: 'seamwise-options/1';
   /** No outline vertex moves further than this from its rest position. [cm] Default 1. */
   readonly maxChangeCm?: number;
-  /** Weight of the conformal energy. Default: the method's own choice. */
+  /** Stiffness: the weight of the conformal energy (`paper`, `ws19`; default: chosen), or a factor of it (`best`). */
   readonly alpha?: number;
   /** Greatest distance of outline vertices, at most 1.05. [cm] Default 1. */
   readonly edgeLengthCm?: number;
   /** Forbid seams at which the print is mirrored. Default false. */
   readonly continuousOnly?: boolean;
-  /** Seam lines that share the turning angles of both sides. Default: the method's own choice. */
+  /** Seam lines take the mean of both sides' turning angles. Default: only for `paper`. */
   readonly averageSeamShapes?: boolean;
   readonly grain?: {
     readonly default?: GrainLock;
@@ -26,7 +26,7 @@ export interface SolveOptions {
   };
   /** Pieces, by name, whose alignment is given. */
   readonly pins?: Readonly<Record<string, Alignment>>;
-  /** Weight of a seam, by its number in the garment file. */
+  /** Weight of a seam while solving, by its number in the garment file; the figures do not use it. */
   readonly weights?: Readonly<Record<string, number>>;
   /** Seams, by number, at which the print need not match. */
   readonly unmatched?: readonly number[];
