@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+
+#include "deform/cloth.h"
+
+// What a cloth that should rest still lacks, and what can be done about it.
+
+namespace seamwise {
+namespace {
+
+constexpr double kHold = 5.0;       ///< weight that holds a shape in place, per cm2
+constexpr double kSqueezed = 0.45;  ///< share of its rest area below which a triangle is in trouble
+constexpr double kMissedLength = 2e-3;  ///< cm
+constexpr double kNearTrouble = 6.0;    ///< cm
+
+}  // namespace
+
+Cloth::Violations Cloth::violations() const {
+  const Part& part = *part_;
+  Violations v;
+  v.moved = last_move_;
+  for (const Part::Edge& e : part.edges) {
+    const double length = (state_.shape[e.i] - state_.shape[e.j]).norm();
+    if (e.sewn) v.length = std::max(v.length, std::abs(length - e.length));
+    const double rest = (part.rest[e.i] - part.rest[e.j]).norm();
+    v.stretch = std::max(v.stretch, std::abs(length / rest - 1));
+  }
+  for (std::size_t i = 0; i < part.rest.size(); ++i)
+    if (part.reach[i] > 0)
+      v.reach = std::max(v.reach, (state_.shape[i] - part.rest[i]).norm() - part.reach[i]);
+  for (const Part::Bend& b : part.bends) v.kink = std::max(v.kink, std::abs(kink(b)));
+  for (std::size_t t = 0; t < part.triangles.size(); ++t)
+    v.area = std::min(v.area, triangleArea(state_.shape, static_cast<int>(t)) / rest_area_[t]);
+  return v;
+}
+
+double Cloth::kink(const Part::Bend& b) const {
+  auto turn = [&](const std::vector<Vec2>& x) {
+    const Vec2 h = b.h >= 0 ? x[b.h] : Vec2(-x[b.j].x(), x[b.j].y());
+    const Vec2 in = x[b.i] - h, out = x[b.j] - x[b.i];
+    return std::atan2(cross(in, out), in.dot(out));
+  };
+  return turn(state_.shape) - turn(part_->rest);
+}
+
+bool Cloth::stiffenKinks(double limit) {
+  bool any = false;
+  for (std::size_t b = 0; b < part_->bends.size(); ++b) {
+    const double excess = std::abs(kink(part_->bends[b])) / limit;
+    if (excess <= 1) continue;
+    if (!any) std::copy(constant_.begin(), constant_.end(), hessian_.values());
+    any = true;
+    const double before = bend_factor_[b];
+    bend_factor_[b] *= 1.5 * excess * excess;
+    addBend(part_->bends[b], weights_.bend * (bend_factor_[b] - before));
+  }
+  if (any) constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
+  return any;
+}
+
+void Cloth::holdShape() {
+  clearTargets();
+  for (std::size_t i = 0; i < part_->rest.size(); ++i)
+    if (part_->reach[i] > 0) addTarget(static_cast<int>(i), state_.shape[i], kHold);
+  std::fill(state_.length_force.begin(), state_.length_force.end(), 0.0);
+}
+
+void Cloth::restart(double reach_factor) {
+  // where it went wrong: squeezed triangles, lengths that are not kept
+  std::vector<char> trouble(part_->rest.size(), 0);
+  bool any = false;
+  auto mark = [&](int v) {
+    trouble[v] = 1;
+    any = true;
+  };
+  for (std::size_t t = 0; t < part_->triangles.size(); ++t)
+    if (triangleArea(state_.shape, static_cast<int>(t)) < kSqueezed * rest_area_[t])
+      for (int v : part_->triangles[t]) mark(v);
+  for (const Part::Edge& e : part_->edges)
+    if (e.sewn &&
+        std::abs((state_.shape[e.i] - state_.shape[e.j]).norm() - e.length) > kMissedLength)
+      mark(e.i), mark(e.j);
+  for (std::size_t i = 0; i < reach_.size(); ++i) {
+    bool near = !any;
+    for (std::size_t k = 0; k < trouble.size() && !near; ++k)
+      near = trouble[k] && (part_->rest[i] - part_->rest[k]).norm() < kNearTrouble;
+    if (near) reach_[i] *= reach_factor;
+  }
+  state_ = restState();
+}
+
+}  // namespace seamwise
