@@ -82,13 +82,6 @@ typename SampledSeams<Real>::Pose SampledSeams<Real>::pose(int leader, const Ali
 template <class Real>
 struct SampledSeams<Real>::Placed {
   Vector x0, x1, y0, y1;
-
-  Placed(const SampledSeams& seams, int from, const Pose& a, const Pose& b) {
-    const Vector ax = loaded(&seams.ax_[from]), ay = loaded(&seams.ay_[from]);
-    const Vector bx = loaded(&seams.bx_[from]), by = loaded(&seams.by_[from]);
-    x0 = a.m00 * ax + a.m01 * ay + a.t0, x1 = a.m10 * ax + a.m11 * ay + a.t1;
-    y0 = b.m00 * bx + b.m01 * by + b.t0, y1 = b.m10 * bx + b.m11 * by + b.t1;
-  }
 };
 
 /// x - (A y + a), modulo the lattice: within half a cell of a lattice point that is nearest, or
@@ -97,18 +90,9 @@ template <class Real>
 struct SampledSeams<Real>::Offset {
   Vector s, t, g1, g2, n1, n2;
 
-  Offset(const SampledSeams& seams, const Vector& s0, const Vector& t0)
-      : s(s0 - roundNear(s0)),
-        t(t0 - roundNear(t0)),
-        g1(s * seams.g11_ + t * seams.g12_),
-        g2(s * seams.g12_ + t * seams.g22_),
-        n1(seams.g11_ - 2 * abs(g1)),
-        n2(seams.g22_ - 2 * abs(g2)) {}
-  Offset(const SampledSeams& seams, const Placed& p, const Element& e)
-      : Offset(seams, p.x0 - (e.m00 * p.y0 + e.m01 * p.y1 + e.a0),
-               p.x1 - (e.m10 * p.y0 + e.m11 * p.y1 + e.a1)) {}
-
-  Vector squared() const { return s * g1 + t * g2 + least(least(n1, n2), Vector{}); }
+  [[gnu::always_inline]] Vector squared() const {
+    return s * g1 + t * g2 + least(least(n1, n2), Vector{});
+  }
   /// Moves on to the nearest lattice point.
   void reduce() {
     const Vector none{}, one = none + 1;
@@ -119,6 +103,34 @@ struct SampledSeams<Real>::Offset {
   }
 };
 
+// The innermost loops call these: Clang would not inline them by itself.
+
+template <class Real>
+[[gnu::always_inline]] inline typename SampledSeams<Real>::Placed SampledSeams<Real>::placed(
+    int from, const Pose& a, const Pose& b) const {
+  const Vector ax = loaded(&ax_[from]), ay = loaded(&ay_[from]);
+  const Vector bx = loaded(&bx_[from]), by = loaded(&by_[from]);
+  return {a.m00 * ax + a.m01 * ay + a.t0, a.m10 * ax + a.m11 * ay + a.t1,
+          b.m00 * bx + b.m01 * by + b.t0, b.m10 * bx + b.m11 * by + b.t1};
+}
+
+template <class Real>
+[[gnu::always_inline]] inline typename SampledSeams<Real>::Offset SampledSeams<Real>::reduced(
+    const Vector& s0, const Vector& t0) const {
+  Offset o;
+  o.s = s0 - roundNear(s0), o.t = t0 - roundNear(t0);
+  o.g1 = o.s * g11_ + o.t * g12_, o.g2 = o.s * g12_ + o.t * g22_;
+  o.n1 = g11_ - 2 * abs(o.g1), o.n2 = g22_ - 2 * abs(o.g2);
+  return o;
+}
+
+template <class Real>
+[[gnu::always_inline]] inline typename SampledSeams<Real>::Offset SampledSeams<Real>::offset(
+    const Placed& p, const Element& e) const {
+  return reduced(p.x0 - (e.m00 * p.y0 + e.m01 * p.y1 + e.a0),
+                 p.x1 - (e.m10 * p.y0 + e.m11 * p.y1 + e.a1));
+}
+
 template <class Real>
 double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double slack) const {
   const Samples& samples = seams_[seam];
@@ -127,10 +139,9 @@ double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double s
   const Vector none{};
   Vector total{};
   for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
-    const Placed placed(*this, from, a, b);
+    const Placed p = placed(from, a, b);
     Vector best = none + std::numeric_limits<Real>::max();
-    for (const Element& e : *samples.elements)
-      best = least(best, Offset(*this, placed, e).squared());
+    for (const Element& e : *samples.elements) best = least(best, offset(p, e).squared());
     const Vector d = squareRoots(greatest(best, none));
     total += loaded(&w_[from]) * (greatest(d - allowance, none) + leak * d);
   }
@@ -149,20 +160,20 @@ typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pos
   const Vector none{};
   Vector sums[kSums] = {};
   for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
-    const Placed placed(*this, from, a, b);
+    const Placed p = placed(from, a, b);
     Vector best = none + std::numeric_limits<Real>::max();
     Vector s{}, t{}, c{}, n{}, det{};
     for (const Element& e : *samples.elements) {
-      const Offset offset(*this, placed, e);
-      const Vector squared = offset.squared();
+      const Offset o = offset(p, e);
+      const Vector squared = o.squared();
       const auto less = squared < best;
       best = less ? squared : best;
-      s = less ? offset.s : s, t = less ? offset.t : t;
+      s = less ? o.s : s, t = less ? o.t : t;
       c = less ? none + e.cos : c, n = less ? none + e.sin : n, det = less ? none + e.det : det;
     }
-    Offset offset(*this, s, t);
-    offset.reduce();
-    const Vector rx = offset.s * u0x_ + offset.t * u1x_, ry = offset.s * u0y_ + offset.t * u1y_;
+    Offset nearest = reduced(s, t);
+    nearest.reduce();
+    const Vector rx = nearest.s * u0x_ + nearest.t * u1x_, ry = nearest.s * u0y_ + nearest.t * u1y_;
     const Vector d = squareRoots(rx * rx + ry * ry);
     const Vector pull = d > allowance ? none + beyond : none + leak;
     const Vector w = loaded(&w_[from]) * pull / greatest(d, none + static_cast<Real>(kFloor));

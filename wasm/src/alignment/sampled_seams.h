@@ -54,6 +54,9 @@ class SampledSeams {
   };
   struct Placed;
   struct Offset;
+  Placed placed(int from, const Pose& a, const Pose& b) const;
+  Offset reduced(const Vector& s0, const Vector& t0) const;
+  Offset offset(const Placed& p, const Element& e) const;
 
   std::vector<Element> all_, proper_, improper_;
   std::vector<Samples> seams_;

@@ -318,7 +318,8 @@ bool AlignmentSearch::step() {
   Layout layout = layoutOf(best_);
   std::vector<char> placed(problem_.leaders.size(), 1), fresh(problem_.leaders.size(), 0);
   std::vector<int> part = c.leaders;
-  if (c.starts < budget_.trees || c.cost < 0 || random_.uniform() < kFresh)
+  const bool anew = c.starts < budget_.trees || c.cost < 0 || random_.uniform() < kFresh;
+  if (anew)
     ++c.starts;
   else
     part = randomPart(c);
@@ -328,10 +329,13 @@ bool AlignmentSearch::step() {
     placed[part[0]] = 1;
   }
   grow(c, layout, placed);
-  const double cost = improve(c, layout, fresh);
+  const double cost = improve(c, layout, fresh), known = c.cost;
   keep(c, layout, cost);
+  if (known < 0 || c.cost < known * (1 - kSameCost)) c.hits = 0;
+  if (anew && cost < c.cost * (1 + kSameCost)) ++c.hits;
   c.spent += spent_ - before;
-  const bool enough = c.starts >= budget_.trees && c.idle >= budget_.idle * n;
+  const bool enough =
+      c.starts >= budget_.trees && (c.hits >= budget_.hits || c.idle >= budget_.idle * (n + 4));
   if (c.cost < kPerfect * samples_.weight() || enough || c.spent > c.allowed) {
     polish(c);
     if (++current_ == components_.size()) done_ = true;

@@ -9,8 +9,9 @@ namespace seamwise {
 /// How long to look. Counted in distance evaluations, never in seconds, so that results do not
 /// depend on the machine.
 struct SearchBudget {
-  int trees = 12;            ///< spanning-tree starts for each component, at least
-  int idle = 10;             ///< stop after so many regrowths without gain, for each free piece
+  int trees = 12;  ///< spanning-tree starts for each component, at least
+  int idle = 10;   ///< stop after so many steps without gain, for each free piece and four more
+  int hits = 5;    ///< or after so many starts that ended at the same, best answer
   double evaluations = 5e6;  ///< stop after so many element distances for each free piece
   double samples = 6;        ///< along the print's shortest repeat, while searching
 };
@@ -54,6 +55,7 @@ class AlignmentSearch {
     double watched_cost = -1;
     std::vector<std::pair<double, Alignments>> finalists;  ///< by cost; of its leaders
     int starts = 0, idle = 0;
+    int hits = 5;  ///< starts from nothing that ended at the best answer
     double spent = 0, allowed = 0;
   };
   void findComponents();

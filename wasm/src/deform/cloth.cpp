@@ -74,7 +74,7 @@ Cloth::Cloth(const Part& part, const ClothWeights& weights)
   for (const Part::Edge& e : part.edges) edge_slots_.push_back(slotsOf(hessian_, part, e.i, e.j));
   hessian_.setZero();
   addConformal();
-  for (const Part::Bend& bend : part.bends) addBend(bend, weights_.bend);
+  for (const Part::Bend& b : part.bends) addBend(b, b.corner ? weights_.corner : weights_.bend);
   for (std::size_t i = 0; i < part.rest.size(); ++i) {
     const double pull = part.reach[i] > 0 ? weights_.rest : 1e-4 * weights_.rest;
     for (int c = 0; c < 2; ++c)

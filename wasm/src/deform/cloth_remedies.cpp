@@ -28,7 +28,8 @@ Cloth::Violations Cloth::violations() const {
   for (std::size_t i = 0; i < part.rest.size(); ++i)
     if (part.reach[i] > 0)
       v.reach = std::max(v.reach, (state_.shape[i] - part.rest[i]).norm() - part.reach[i]);
-  for (const Part::Bend& b : part.bends) v.kink = std::max(v.kink, std::abs(kink(b)));
+  for (const Part::Bend& b : part.bends)
+    if (!b.corner) v.kink = std::max(v.kink, std::abs(kink(b)));
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
     v.area = std::min(v.area, triangleArea(state_.shape, static_cast<int>(t)) / rest_area_[t]);
   return v;
@@ -46,6 +47,7 @@ double Cloth::kink(const Part::Bend& b) const {
 bool Cloth::stiffenKinks(double limit) {
   bool any = false;
   for (std::size_t b = 0; b < part_->bends.size(); ++b) {
+    if (part_->bends[b].corner) continue;
     const double excess = std::abs(kink(part_->bends[b])) / limit;
     if (excess <= 1) continue;
     if (!any) std::copy(constant_.begin(), constant_.end(), hessian_.values());

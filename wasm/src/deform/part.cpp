@@ -9,7 +9,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSmooth = 30 * kPi / 180;  ///< corners turn by more and may bend freely
+constexpr double kSmooth = 30 * kPi / 180;  ///< corners turn by more
 
 constexpr double kGapShare = 0.45;    ///< of a gap, that one side may take
 constexpr double kLeastReach = 1e-5;  ///< cm
@@ -42,12 +42,17 @@ void addOutline(Part& part, const Piece& piece, const std::vector<double>& kept,
             rim ? kept[v] : (piece.rest[w] - piece.rest[v]).norm();
         part.edges.push_back({i, j, length, rim && sewn[v]});
       }
-      if (i < 0 || std::abs(turnAt(piece.rest[u], piece.rest[v], piece.rest[w])) >= kSmooth) continue;
+      if (i < 0) continue;
+      const bool corner =
+          std::abs(turnAt(piece.rest[u], piece.rest[v], piece.rest[w])) >= kSmooth;
       const double before = (piece.rest[v] - piece.rest[u]).norm();
       const double after = (piece.rest[w] - piece.rest[v]).norm();
-      if (h >= 0 && j >= 0) part.bends.push_back({h, i, j, before, after});
-      else if (j >= 0) part.bends.push_back({-1, i, j, after, after});
-      else if (h >= 0) part.bends.push_back({-1, i, h, before, before});
+      if (h >= 0 && j >= 0)
+        part.bends.push_back({h, i, j, before, after, corner});
+      else if (j >= 0)
+        part.bends.push_back({-1, i, j, after, after, corner});
+      else if (h >= 0)
+        part.bends.push_back({-1, i, h, before, before, corner});
     }
   }
 }

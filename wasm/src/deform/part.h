@@ -14,11 +14,12 @@ struct Part {
     double length;   ///< kept length, cm
     bool sewn;
   };
-  /// Neighbours h, j of an outline vertex i that is smooth at rest (turn below 30 degrees). On the axis
-  /// of a half, h is -1 and stands for the mirror image of j.
+  /// Neighbours h, j of an outline vertex i. On the axis of a half, h is -1 and stands for the mirror
+  /// image of j.
   struct Bend {
     int h, i, j;
     double before, after;  ///< rest lengths h-i and i-j, cm
+    bool corner = false;   ///< turns by 30 degrees or more at rest, and may change its angle
   };
 
   int piece = -1;

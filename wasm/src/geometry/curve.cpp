@@ -38,6 +38,7 @@ Curve Curve::bezier(Kind kind, const Vec2& a, const Vec2& c1, const Vec2& c2, co
   c.p_[1] = c1;
   c.p_[2] = c2;
   c.p_[3] = b;
+  c.setSlope();
   c.marks_.push_back({0, 0});
   c.measure(0, 1, c.gaussLength(0, 1), 0);
   c.length_ = c.marks_.back().s;
@@ -89,27 +90,34 @@ Vec2 Curve::at(double t) const {
   return p_[1] + radius_ * unit(angle0_ + t * sweep_);
 }
 
-Vec2 Curve::derivative(double t) const {
-  const double u = 1 - t;
-  switch (kind_) {
-    case Kind::kLine:
-      return p_[3] - p_[0];
-    case Kind::kQuadratic:
-      return 2 * u * (p_[1] - p_[0]) + 2 * t * (p_[3] - p_[1]);
-    case Kind::kCubic:
-      return 3 * u * u * (p_[1] - p_[0]) + 6 * u * t * (p_[2] - p_[1]) +
-             3 * t * t * (p_[3] - p_[2]);
-    case Kind::kArc:
-      break;
+void Curve::setSlope() {
+  if (kind_ == Kind::kQuadratic) {
+    slope_[0] = 2 * (p_[1] - p_[0]);
+    slope_[1] = 2 * (p_[3] - p_[1]) - slope_[0];
+  } else if (kind_ == Kind::kCubic) {
+    const Vec2 a = p_[1] - p_[0], b = p_[2] - p_[1], c = p_[3] - p_[2];
+    slope_[0] = 3 * a;
+    slope_[1] = 6 * (b - a);
+    slope_[2] = 3 * (a - 2 * b + c);
   }
-  return radius_ * sweep_ * perp(unit(angle0_ + t * sweep_));
+}
+
+Vec2 Curve::derivative(double t) const {
+  if (kind_ == Kind::kLine) return p_[3] - p_[0];
+  if (kind_ == Kind::kArc) return radius_ * sweep_ * perp(unit(angle0_ + t * sweep_));
+  return slope_[0] + t * (slope_[1] + t * slope_[2]);
 }
 
 double Curve::gaussLength(double t0, double t1) const {
   const double middle = (t0 + t1) / 2, half = (t1 - t0) / 2;
+  const auto speed = [&](double t) {
+    const double x = slope_[0].x() + t * (slope_[1].x() + t * slope_[2].x());
+    const double y = slope_[0].y() + t * (slope_[1].y() + t * slope_[2].y());
+    return std::sqrt(x * x + y * y);
+  };
   double sum = 0;
   for (const auto& [x, w] : kGauss)
-    sum += w * (derivative(middle - half * x).norm() + derivative(middle + half * x).norm());
+    sum += w * (speed(middle - half * x) + speed(middle + half * x));
   return half * sum;
 }
 
@@ -194,6 +202,7 @@ Polyline Curve::flattened(double tolerance) const {
 Curve Curve::transformed(const RigidMotion& motion) const {
   Curve c = *this;
   for (Vec2& p : c.p_) p = motion(p);
+  c.setSlope();
   if (kind_ == Kind::kArc) {
     const Vec2 from = c.p_[0] - c.p_[1];
     c.angle0_ = std::atan2(from.y(), from.x());
@@ -211,6 +220,7 @@ Curve Curve::reversed() const {
     c.sweep_ = -sweep_;
   } else {
     std::swap(c.p_[1], c.p_[2]);
+    c.setSlope();
   }
   std::reverse(c.marks_.begin(), c.marks_.end());
   for (Mark& m : c.marks_) m = {1 - m.t, length_ - m.s};

@@ -48,12 +48,16 @@ class Curve {
   };
 
   static Curve bezier(Kind kind, const Vec2& a, const Vec2& c1, const Vec2& c2, const Vec2& b);
+  void setSlope();
+  /// Length of a Bezier curve between two parameters.
   double gaussLength(double t0, double t1) const;
   void measure(double t0, double t1, double length, int depth);
 
   Kind kind_ = Kind::kLine;
   Vec2 p_[4] = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
   ///< p_[0] start, p_[3] end; Bezier: p_[1], p_[2] control points; kArc: p_[1] centre
+  /// Bezier: derivative(t) = slope_[0] + slope_[1] t + slope_[2] t^2
+  Vec2 slope_[3] = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
   double radius_ = 0, angle0_ = 0,
          sweep_ = 0;  ///< kArc: p(t) = centre + r (cos, sin)(a0 + t sweep)
   double length_ = 0;
