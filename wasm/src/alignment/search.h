@@ -1,8 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "alignment/sampled_seams.h"
-#include "geometry/random.h"
+#include "alignment/search_moves.h"
 
 namespace seamwise {
 
@@ -43,44 +42,25 @@ class AlignmentSearch {
   const Alignments& best() const { return best_; }
 
  private:
-  using Samples = SampledSeams<float>;
-  /// An answer under construction.
-  struct Layout {
-    Alignments at;
-    std::vector<Samples::Pose> poses;
-  };
-  struct Component {
-    std::vector<int> leaders, seams;
+  /// A component and what is known of it.
+  struct Searched : Component {
     double cost = -1;  ///< of best_ on the samples; negative: nothing yet
     double watched_cost = -1;
     std::vector<std::pair<double, Alignments>> finalists;  ///< by cost; of its leaders
     int starts = 0, idle = 0;
-    int hits = 5;  ///< starts from nothing that ended at the best answer
+    int hits = 0;  ///< starts from nothing that ended at the best answer
     double spent = 0, allowed = 0;
   };
   void findComponents();
-  Layout layoutOf(const Alignments& at) const;
-  void set(Layout& layout, int leader, const Alignment& at) const;
-  std::vector<int> randomPart(const Component& c);
-  void grow(const Component& c, Layout& layout, std::vector<char>& placed);
-  void place(int leader, Layout& layout, std::vector<char>& placed);
-  double costAt(const Alignment& at, int leader, const Layout& layout,
-                const std::vector<char>* placed, double bound);
-  double refined(Layout& layout, const std::vector<int>& leaders, int iterations);
-  double improve(const Component& c, Layout& layout, std::vector<char> fresh);
-  bool moveSingles(const Component& c, Layout& layout, std::vector<char>& fresh);
-  double componentCost(const Component& c, const Layout& layout, double slack);
-  void keep(Component& c, const Layout& layout, double cost);
-  void polish(Component& c);
+  void keep(Searched& c, const Layout& layout, double cost);
+  void polish(Searched& c);
 
   const MatchProblem& problem_;
-  Samples samples_;
   SearchBudget budget_;
-  double slack_, watch_slack_ = 0, sample_cost_;
-  Random random_;
-  std::vector<Component> components_;
+  SearchMoves moves_;
+  double watch_slack_ = 0;
+  std::vector<Searched> components_;
   std::size_t current_ = 0;
-  double spent_ = 0;
   Alignments best_, watched_;
   std::vector<Alignments> offered_;
   bool done_ = false;

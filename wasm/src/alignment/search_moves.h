@@ -1,0 +1,65 @@
+#pragma once
+#include <vector>
+
+#include "alignment/sampled_seams.h"
+#include "geometry/random.h"
+
+namespace seamwise {
+
+using SearchSamples = SampledSeams<float>;
+
+/// An answer under construction.
+struct Layout {
+  Alignments at;  ///< of the leaders
+  std::vector<SearchSamples::Pose> poses;
+};
+
+/// Leaders that seams connect, and those seams.
+struct Component {
+  std::vector<int> leaders, seams;
+};
+
+/// How a search gets from one answer to others. All costs are those of samples of the seams. [cm2]
+class SearchMoves {
+ public:
+  static constexpr double kSame = 2e-3;  ///< answers whose costs differ by less count as one
+
+  /// @param samples   along the print's shortest repeat
+  /// @param slack     as in SampledSeams::cost
+  SearchMoves(const MatchProblem& problem, std::uint64_t seed, double samples, double slack);
+
+  Layout layoutOf(const Alignments& at) const;
+  double costOf(const Component& c, const Layout& layout, double slack);
+  /// A cost below which nothing is left to find in single precision.
+  double perfect() const { return 2e-5 * samples_.weight(); }
+  double slack() const { return slack_; }
+
+  /// A random connected part of a component, up to half of it.
+  std::vector<int> randomPart(const Component& c);
+  void layAnywhere(int leader, Layout& layout);
+  /// Places what is not placed along a random spanning tree of the seams.
+  void grow(const Component& c, Layout& layout, std::vector<char>& placed);
+  /// Polishes an answer of which the `fresh` leaders are new; cheaply at first, and on only while
+  /// it may become better than `known` (negative: nothing is known). Returns its cost.
+  double improve(const Component& c, Layout& layout, std::vector<char> fresh, double known);
+
+  double uniform() { return random_.uniform(); }
+  /// Element distances evaluated so far.
+  double spent() const { return spent_; }
+
+ private:
+  void set(Layout& layout, int leader, const Alignment& at) const;
+  void place(int leader, Layout& layout, std::vector<char>& placed);
+  double costAt(const Alignment& at, int leader, const Layout& layout,
+                const std::vector<char>* placed, double bound);
+  double refined(Layout& layout, const std::vector<int>& leaders, int iterations);
+  bool moveSingles(const Component& c, Layout& layout, std::vector<char>& fresh);
+
+  const MatchProblem& problem_;
+  SearchSamples samples_;
+  double slack_, sample_cost_;
+  Random random_;
+  double spent_ = 0;
+};
+
+}  // namespace seamwise
