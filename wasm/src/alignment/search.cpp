@@ -28,6 +28,7 @@ AlignmentSearch::AlignmentSearch(const MatchProblem& problem, std::uint64_t seed
   watched_ = best_;
   findComponents();
   done_ = components_.empty();
+  fraction_ = done_ ? 1 : 0;
 }
 
 void AlignmentSearch::findComponents() {
@@ -130,20 +131,19 @@ bool AlignmentSearch::step() {
   if (known < 0 || c.cost < known * (1 - SearchMoves::kSame)) c.hits = 0;
   if (anew && cost < c.cost * (1 + SearchMoves::kSame)) ++c.hits;
   c.spent += moves_.spent() - before;
-  const bool enough =
-      c.starts >= budget_.trees && (c.hits >= budget_.hits || c.idle >= budget_.idle * (n + 4));
+  const int patience = budget_.idle * (n + 4);
+  const bool enough = c.starts >= budget_.trees && (c.hits >= budget_.hits || c.idle >= patience);
+  double share =
+      std::min(1.0, std::max(c.spent / c.allowed, static_cast<double>(c.idle) / patience));
   if (c.cost < moves_.perfect() || enough || c.spent > c.allowed) {
     polish(c);
-    if (++current_ == components_.size()) done_ = true;
+    ++current_;
+    share = 0;
   }
+  done_ = current_ == components_.size();
+  fraction_ = std::max(
+      fraction_, (static_cast<double>(current_) + share) / static_cast<double>(components_.size()));
   return !done_;
-}
-
-double AlignmentSearch::fraction() const {
-  if (done_) return 1;
-  const Searched& c = components_[current_];
-  const double share = std::min(1.0, c.spent / c.allowed);
-  return (static_cast<double>(current_) + share) / static_cast<double>(components_.size());
 }
 
 /// Compares the finalists and what was offered on all edges of the seams.

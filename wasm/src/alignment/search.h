@@ -36,7 +36,7 @@ class AlignmentSearch {
 
   /// One start or one regrowth. False when the search has ended.
   bool step();
-  double fraction() const;  ///< of the budget, 0..1, monotone
+  double fraction() const { return fraction_; }  ///< of the budget, 0..1, never falls
 
   /// Of the leaders, polished on all edges once the search has ended.
   const Alignments& best() const { return best_; }
@@ -64,6 +64,7 @@ class AlignmentSearch {
   Alignments best_, watched_;
   std::vector<Alignments> offered_;
   bool done_ = false;
+  double fraction_ = 0;
 };
 
 }  // namespace seamwise

@@ -65,11 +65,16 @@ Cloth::Cloth(const Part& part, const ClothWeights& weights)
       target_weight_(part.rest.size(), 0),
       target_pull_(part.rest.size(), Vec2::Zero()),
       bend_factor_(part.bends.size(), 1) {
-  hessian_ = SparseHessian(part.unknowns, coupledUnknowns(part));
-  gradient_ = VectorX::Zero(part.unknowns);
   rest_area_.resize(part.triangles.size());
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
     rest_area_[t] = triangleArea(part.rest, static_cast<int>(t));
+}
+
+/// The hessian and what never changes in it; parts that rest need neither.
+void Cloth::setUp() {
+  const Part& part = *part_;
+  hessian_ = SparseHessian(part.unknowns, coupledUnknowns(part));
+  gradient_ = VectorX::Zero(part.unknowns);
   edge_slots_.reserve(part.edges.size());
   for (const Part::Edge& e : part.edges) edge_slots_.push_back(slotsOf(hessian_, part, e.i, e.j));
   hessian_.setZero();
@@ -199,6 +204,7 @@ void Cloth::assemble() {
 
 void Cloth::step() {
   const Part& part = *part_;
+  if (constant_.empty()) setUp();
   assemble();
   ++factorisations_;
   last_move_ = 0;

@@ -72,6 +72,7 @@ class Cloth {
   double energy(const std::vector<Vec2>& shape, const VectorX& u) const;
   double stiffness(const Part::Edge& edge) const;
   void assemble();
+  void setUp();
   void addConformal();
   void addBend(const Part::Bend& bend, double weight);
   double kink(const Part::Bend& bend) const;  ///< change of the turn at a smooth vertex, rad

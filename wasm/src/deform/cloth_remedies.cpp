@@ -45,6 +45,7 @@ double Cloth::kink(const Part::Bend& b) const {
 }
 
 bool Cloth::stiffenKinks(double limit) {
+  if (constant_.empty()) setUp();
   bool any = false;
   for (std::size_t b = 0; b < part_->bends.size(); ++b) {
     if (part_->bends[b].corner) continue;
