@@ -27,10 +27,14 @@ void expectKept(const Cloth& cloth) {
   const Part& part = cloth.part();
   const auto& x = cloth.shape();
   for (const Part::Edge& e : part.edges) {
-    if (e.sewn) EXPECT_NEAR((x[e.i] - x[e.j]).norm(), e.length, 1e-3);
+    if (e.sewn) {
+      EXPECT_NEAR((x[e.i] - x[e.j]).norm(), e.length, 1e-3);
+    }
   }
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (part.reach[i] > 0) EXPECT_LT((x[i] - part.rest[i]).norm(), part.reach[i] + 0.02 * kReach);
+    if (part.reach[i] > 0) {
+      EXPECT_LT((x[i] - part.rest[i]).norm(), part.reach[i] + 0.02 * kReach);
+    }
   }
   for (const auto& [i, j, k] : part.triangles) {
     auto area = [&](const std::vector<Vec2>& p) { return cross(p[j] - p[i], p[k] - p[i]); };
@@ -177,8 +181,11 @@ TEST(ClothWithoutMirror, FollowsTargetsThatAreARigidShiftWithinItsReach) {
     for (std::size_t i = 0; i < part.rest.size(); ++i)
       if (sewn[i]) cloth.addTarget(static_cast<int>(i), part.rest[i] + shift, 5);
     for (int k = 0; k < 30; ++k) cloth.step();
-    for (std::size_t i = 0; i < part.rest.size(); ++i)
-      if (sewn[i]) EXPECT_LT((cloth.shape()[i] - part.rest[i] - shift).norm(), 0.05);
+    for (std::size_t i = 0; i < part.rest.size(); ++i) {
+      if (sewn[i]) {
+        EXPECT_LT((cloth.shape()[i] - part.rest[i] - shift).norm(), 0.05);
+      }
+    }
     EXPECT_LT(cloth.violations().kink, 0.02);
   }
 }
