@@ -69,6 +69,7 @@ TEST(OptionsFile, ThatIsUnusableNamesTheField) {
   refuse(R"({"maxChange": 1})", {"unknown field 'maxChange'", "maxChangeCm"});
   refuse(R"({"maxChangeCm": -1})", {"maxChangeCm"});
   refuse(R"({"maxChangeCm": "1"})", {"'maxChangeCm'", "the text '1'"});
+  refuse(R"({"maxChangeCm": null})", {"null for 'maxChangeCm'", "leave it out"});
   refuse(R"({"edgeLengthCm": 2})", {"edgeLengthCm", "1.05"});
   refuse(R"({"edgeLengthCm": 0})", {"edgeLengthCm"});
   refuse(R"({"alpha": 0})", {"alpha"});

@@ -112,11 +112,13 @@ describe('cancelling', () => {
     const before = (await memory()).live;
     const controller = new AbortController();
     let aborted = Infinity;
-    setTimeout(() => {
+    const onProgress = ({fraction}: {fraction: number}) => {
+      if (fraction === 0 || controller.signal.aborted) return;
       aborted = performance.now();
       controller.abort();
-    }, 60);
-    const solving = solve({garment: sample('dress'), print: checks}, {signal: controller.signal});
+    };
+    const hooks = {signal: controller.signal, onProgress};
+    const solving = solve({garment: sample('dress'), print: checks}, hooks);
     await expect(solving).rejects.toMatchObject({name: 'AbortError'});
     expect(performance.now() - aborted).toBeLessThan(50);
     expect((await memory()).live).toBeLessThan(before + 100_000);
@@ -125,6 +127,14 @@ describe('cancelling', () => {
   it("rejects with the signal's own reason", async () => {
     const reason = new Error('changed my mind');
     await expect(solve(strips, {signal: AbortSignal.abort(reason)})).rejects.toBe(reason);
+  });
+});
+
+describe('input', () => {
+  it('may be bytes, as they were read from a file', async () => {
+    const bytes = new TextEncoder().encode(JSON.stringify(strips.garment));
+    const result = await solve({...strips, garment: bytes as unknown as string});
+    expect(result).toMatchObject({pieces: (await solve(strips)).pieces});
   });
 });
 
@@ -143,6 +153,8 @@ describe('errors', () => {
       'lattice',
     ],
     ['an unknown option', {...strips, options: '{"speed": 3}'}, 'options'],
+    ['a bound that is no number', {...strips, options: {maxChangeCm: NaN}}, 'number'],
+    ['an endless lattice', {...strips, print: {...checks, w1: [Infinity, 0] as const}}, 'number'],
     ['a seed that is no whole number', {...strips, seed: 1.5}, 'options'],
     ['a method nobody knows', {...strips, method: 'magic' as 'best'}, 'options'],
     ['a missing garment', {...strips, garment: undefined as unknown as string}, 'notJson'],
@@ -153,6 +165,12 @@ describe('errors', () => {
       code,
       message: expect.stringMatching(/^\S.*\.$/) as string,
     });
+  });
+
+  it('calls files by the names that are given, and the others by what they are', async () => {
+    const names = {garment: 'a.json'};
+    await expect(solve({...strips, garment: '{'}, {names})).rejects.toThrow(/^a\.json /);
+    await expect(solve({...strips, print: '{'}, {names})).rejects.toThrow(/^print /);
   });
 
   it('says which seam is to blame', async () => {

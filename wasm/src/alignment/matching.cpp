@@ -9,9 +9,21 @@
 namespace seamwise {
 namespace {
 
-const Element& anyMirroredElement(const WallpaperGroup& group) {
-  return *std::find_if(group.elements().begin(), group.elements().end(),
-                       [](const Element& e) { return e.mirrored; });
+/// The mirror image of `first` that comes nearest to one of the wanted angles: all elements give
+/// the same print, but turned pieces lie differently on the cloth's grain.
+Alignment mirroredOnGrain(const WallpaperGroup& group, const MatchProblem::Follow& follow,
+                          const Alignment& first) {
+  Alignment best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Element& e : group.elements()) {
+    if (!e.mirrored) continue;
+    const Alignment image = mirrorImage(first, follow.map, e);
+    double off = follow.angles.empty() ? 0 : std::numeric_limits<double>::max();
+    for (double angle : follow.angles)
+      off = std::min(off, std::abs(wrapAngle(image.angle - angle)));
+    if (off < least - 1e-9) least = off, best = image;
+  }
+  return best;
 }
 
 }  // namespace
@@ -34,8 +46,7 @@ Alignments MatchProblem::expanded(const Alignments& of_leaders) const {
   Alignments all(pieces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const Follow& f = pieces[p];
-    all[p] = f.mirrored ? mirrorImage(of_leaders[f.leader], f.map, anyMirroredElement(group))
-                        : of_leaders[f.leader];
+    all[p] = f.mirrored ? mirroredOnGrain(group, f, of_leaders[f.leader]) : of_leaders[f.leader];
   }
   return all;
 }
@@ -122,6 +133,20 @@ void setMoments(MatchSeam& seam) {
         seam.w[i] * (seam.pa[i] - seam.mean_a) * (seam.pb[i] - seam.mean_b).transpose();
 }
 
+/// Whether a mirrored piece is off its grain wherever its leader lies on its own.
+bool leavesGrain(const MatchProblem& problem, const MatchProblem::Follow& follow,
+                 double tolerance) {
+  const Freedom& leader = problem.leaders[follow.leader].freedom;
+  if (follow.angles.empty() || leader.angles().empty() || leader.isPinned()) return false;
+  double least = std::numeric_limits<double>::infinity();
+  for (double angle : leader.angles()) {
+    const Alignment image = mirroredOnGrain(problem.group, follow, {angle, Vec2::Zero()});
+    for (double wanted : follow.angles)
+      least = std::min(least, std::abs(wrapAngle(image.angle - wanted)));
+  }
+  return least > tolerance + 1e-6;
+}
+
 }  // namespace
 
 MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
@@ -140,7 +165,9 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
       const bool second_leads = rules.pieces[m.pieces[1]].pin && !rules.pieces[m.pieces[0]].pin;
       const int follower = m.pieces[second_leads ? 0 : 1], leader = m.pieces[second_leads ? 1 : 0];
       const RigidMotion map = second_leads ? m.map.inverse() : m.map;
-      problem.pieces[follower] = {leader, true, map};
+      const PieceRule& rule = rules.pieces[follower];
+      problem.pieces[follower] = {leader, true, map,
+                                  rule.pin ? std::vector{rule.pin->angle} : rule.angles};
       back[follower] = map.inverse();
     }
   }
@@ -157,15 +184,22 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
     if (!rule.angles.empty() && !leader.freedom.restrictAngles(rule.angles, rule.tolerance) &&
         notes)
-      notes->push_back("piece " + inQuotes(pattern.pieces[p].name) +
-                       " leaves its grain: with its axis on a mirror line of " +
-                       std::string(group.data().name) + " it cannot lie on it");
+      notes->push_back("Piece " + inQuotes(pattern.pieces[p].name) +
+                       " leaves its grain: with its axis on a mirror line of the print it cannot "
+                       "lie on it. Turn the print, or leave out that symmetry.");
     if (rule.pin)
       leader.freedom = Freedom::pinned(leader.freedom.nearest(*rule.pin, leader.centre));
     problem.leaders.push_back(std::move(leader));
   }
-  for (auto& follow : problem.pieces)
-    if (follow.mirrored) follow.leader = leader_of[follow.leader];
+  for (std::size_t p = 0; p < problem.pieces.size(); ++p) {
+    MatchProblem::Follow& follow = problem.pieces[p];
+    if (!follow.mirrored) continue;
+    follow.leader = leader_of[follow.leader];
+    if (notes && leavesGrain(problem, follow, rules.pieces[p].tolerance))
+      notes->push_back("Piece " + inQuotes(pattern.pieces[p].name) +
+                       " leaves its grain: as the mirror image of its twin it cannot lie on it on "
+                       "this print. Turn the print, or leave out that symmetry.");
+  }
 
   for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
     const Seam& seam = pattern.seams[s];

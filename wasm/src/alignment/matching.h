@@ -58,7 +58,8 @@ class MatchProblem {
   struct Follow {
     int leader = -1;
     bool mirrored = false;
-    RigidMotion map;  ///< leader piece -> this piece, when mirrored
+    RigidMotion map;             ///< leader piece -> this piece, when mirrored
+    std::vector<double> angles;  ///< wanted of a mirrored piece, rad; empty: any
   };
   std::vector<Follow> pieces;  ///< per piece of the pattern
   WallpaperGroup group;

@@ -80,6 +80,10 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
             {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
              "averageSeamShapes", "grain", "pins", "weights", "unmatched", "plain", "matches"});
   checkFormat(document, place, "seamwise-options", 1);
+  for (const auto& [key, value] : document.items())
+    if (value.is_null())
+      place.fail(place.shape,
+                 "has null for " + inQuotes(key) + "; leave it out or give it a value");
   SolveOptions options;
   const auto real = [&](const char* key) {
     return number(document[key], place, inQuotes(key), 1e9);

@@ -44,6 +44,7 @@ class BestRun : public Run {
   void fitStep();
   void settleStep();
   void restUnsound();
+  void restIfBetter();
   void finish();
   void realign();
   bool kept(const Cloth& cloth) const;

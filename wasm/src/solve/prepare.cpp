@@ -9,6 +9,7 @@
 #include "deform/lengths.h"
 #include "deform/mesh.h"
 #include "pattern/discretise.h"
+#include "solve/pins.h"
 #include "solve/promise.h"
 #include "symmetry/symmetry.h"
 
@@ -230,9 +231,29 @@ Outcome<Pattern> sampledAndMeshed(const Problem& problem, double edge_length) {
   return meshed(std::move(sampled).value(), kCoarsest);
 }
 
+/// Drops found symmetries that pins contradict, with a note. Errors: kSymmetryConflict when they
+/// were asked for.
+std::optional<Error> heedPins(Problem& problem) {
+  while (const auto against = symmetryAgainstPins(problem)) {
+    const BodySymmetry symmetry = problem.imposed[*against];
+    const std::string name = called(problem.garment, symmetry);
+    if (!problem.symmetries_optional)
+      return Error{Failure::kSymmetryConflict,
+                   "The symmetry of " + name +
+                       " cannot hold: as it is pinned, the print does not mirror so. Move the pin, "
+                       "or leave out that symmetry.",
+                   symmetry.pieces[0]};
+    problem.notes.push_back("The symmetry of " + name +
+                            " is dropped: as it is pinned, the print does not mirror so.");
+    problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(*against));
+  }
+  return {};
+}
+
 }  // namespace
 
 Outcome<Pattern> preparedPattern(Problem& problem) {
+  if (const auto error = heedPins(problem)) return *error;
   if (const auto error = reconcile(problem)) return *error;
   const double max_change = problem.options.max_change_cm;
   double edge_length = problem.options.edge_length_cm;

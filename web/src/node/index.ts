@@ -27,7 +27,7 @@ const shared = new SharedModule(async () => ({
 /** Hooks for programs that read files. */
 export interface NodeSolveHooks extends SolveHooks {
   /** What to call the problem's parts in error messages: the names of their files. */
-  readonly names?: ProblemNames;
+  readonly names?: Partial<ProblemNames>;
 }
 
 /**

@@ -21,7 +21,8 @@ export const plainNames: ProblemNames = {
 };
 
 /** @throws {SolverError} for what cannot be handed to the core at all */
-export function problemTexts(problem: Problem, names: ProblemNames = plainNames): ProblemTexts {
+export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}): ProblemTexts {
+  const names = {...plainNames, ...given};
   const {method = 'best', seed = 1} = problem;
   if (!methods.includes(method)) {
     throw new SolverError({
@@ -49,14 +50,16 @@ export function problemTexts(problem: Problem, names: ProblemNames = plainNames)
   };
 }
 
-/** A value as JSON text; a string is taken to be JSON text already. @throws {SolverError} */
+/** A value as JSON text; a string, or bytes, are taken to be JSON text already. @throws {SolverError} */
 export function jsonText(value: unknown, name: string): string {
   if (value === '') throw new SolverError({code: 'notJson', message: `${name} is empty.`});
   if (typeof value === 'string') return value;
+  if (value instanceof Uint8Array) return new TextDecoder().decode(value);
   let text: string | undefined;
   try {
-    text = JSON.stringify(value);
+    text = JSON.stringify(value, (key, part: unknown) => finite(part, key, name));
   } catch (error) {
+    if (error instanceof SolverError) throw error;
     throw new SolverError({
       code: 'notJson',
       message: `${name} cannot be written as JSON: ${error instanceof Error ? error.message : String(error)}.`,
@@ -67,4 +70,15 @@ export function jsonText(value: unknown, name: string): string {
     throw new SolverError({code: 'notJson', message: `${name} is missing.`});
   }
   return text;
+}
+
+/** JSON would make null of a number that is none. @throws {SolverError} */
+function finite(value: unknown, key: string, name: string): unknown {
+  if (typeof value === 'number' && !Number.isFinite(value)) {
+    throw new SolverError({
+      code: 'number',
+      message: `${name}: '${key}' is ${String(value)}, but must be a finite number.`,
+    });
+  }
+  return value;
 }
