@@ -30,6 +30,18 @@ inline Json twoRectangles() {
     "properties": {"curvature_coords": "relative", "units_in_meter": 100}})");
 }
 
+/// Two right-angled triangles that mirror onto each other, none in itself, sewn along a leg.
+inline Json twoTriangles() {
+  return Json::parse(R"({"pattern": {
+    "panels": {
+      "left": {"vertices": [[0, 0], [10, 0], [10, 20]], "translation": [-20, 0, 0],
+        "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 0]}]},
+      "right": {"vertices": [[0, 0], [10, 0], [0, 20]], "translation": [20, 0, 0],
+        "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 0]}]}},
+    "stitches": [[{"panel": "left", "edge": 1}, {"panel": "right", "edge": 2}]]},
+    "properties": {"units_in_meter": 100}})");
+}
+
 inline Json& panelOf(Json& garment, const char* name) { return garment["pattern"]["panels"][name]; }
 
 /// The garment of a text that must be readable.

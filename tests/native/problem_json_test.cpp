@@ -11,6 +11,7 @@ namespace {
 
 using testing::expectError;
 using testing::twoRectangles;
+using testing::twoTriangles;
 
 constexpr const char* kMirrored = R"({"group": "pm", "w1": [10, 0], "w2": [0, 12]})";
 constexpr const char* kGlides = R"({"group": "pg", "w1": [10, 0], "w2": [0, 12]})";
@@ -29,18 +30,6 @@ ProblemTexts texts(const char* print = kMirrored, const char* symmetry = "auto",
   t.options = options;
   t.options_name = "options.json";
   return t;
-}
-
-/// Two right-angled triangles that mirror onto each other, none in itself, sewn along a leg.
-Json twoTriangles() {
-  return Json::parse(R"({"pattern": {
-    "panels": {
-      "left": {"vertices": [[0, 0], [10, 0], [10, 20]], "translation": [-20, 0, 0],
-        "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 0]}]},
-      "right": {"vertices": [[0, 0], [10, 0], [0, 20]], "translation": [20, 0, 0],
-        "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 0]}]}},
-    "stitches": [[{"panel": "left", "edge": 1}, {"panel": "right", "edge": 2}]]},
-    "properties": {"units_in_meter": 100}})");
 }
 
 TEST(ProblemFromFiles, ImposesTheSymmetriesItFindsWhenThePrintCarriesThem) {

@@ -9,6 +9,14 @@
 namespace seamwise {
 namespace {
 
+/// How far a mirrored piece lies from the nearest of its wanted angles. [rad]
+double offGrain(const MatchProblem::Follow& follow, const Alignment& at) {
+  if (follow.angles.empty()) return 0;
+  double least = std::numeric_limits<double>::max();
+  for (double angle : follow.angles) least = std::min(least, std::abs(wrapAngle(at.angle - angle)));
+  return least;
+}
+
 /// The mirror image of `first` that comes nearest to one of the wanted angles: all elements give
 /// the same print, but turned pieces lie differently on the cloth's grain.
 Alignment mirroredOnGrain(const WallpaperGroup& group, const MatchProblem::Follow& follow,
@@ -18,9 +26,7 @@ Alignment mirroredOnGrain(const WallpaperGroup& group, const MatchProblem::Follo
   for (const Element& e : group.elements()) {
     if (!e.mirrored) continue;
     const Alignment image = mirrorImage(first, follow.map, e);
-    double off = follow.angles.empty() ? 0 : std::numeric_limits<double>::max();
-    for (double angle : follow.angles)
-      off = std::min(off, std::abs(wrapAngle(image.angle - angle)));
+    const double off = offGrain(follow, image);
     if (off < least - 1e-9) least = off, best = image;
   }
   return best;
@@ -139,11 +145,9 @@ bool leavesGrain(const MatchProblem& problem, const MatchProblem::Follow& follow
   const Freedom& leader = problem.leaders[follow.leader].freedom;
   if (follow.angles.empty() || leader.angles().empty() || leader.isPinned()) return false;
   double least = std::numeric_limits<double>::infinity();
-  for (double angle : leader.angles()) {
-    const Alignment image = mirroredOnGrain(problem.group, follow, {angle, Vec2::Zero()});
-    for (double wanted : follow.angles)
-      least = std::min(least, std::abs(wrapAngle(image.angle - wanted)));
-  }
+  for (double angle : leader.angles())
+    least = std::min(
+        least, offGrain(follow, mirroredOnGrain(problem.group, follow, {angle, Vec2::Zero()})));
   return least > tolerance + 1e-6;
 }
 

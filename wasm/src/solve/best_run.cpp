@@ -240,17 +240,15 @@ void BestRun::restUnsound() {
 /// Where nothing could be gained, gathers above all, outlines stay as they were drafted.
 void BestRun::restIfBetter() {
   const WallpaperGroup& group = problem_.print.group;
-  const double reached = fitAny(group, pattern_, fitting_->shapes(), alignment_);
-  std::vector<Cloth::State> states = fitting_->states();
-  fitting_->setStates(fitting_->restStates());
-  const Shapes& rest = fitting_->shapes();
+  const Shapes rest = evenedShapes(pattern_);
   const bool sewable =
       std::all_of(pattern_.seams.begin(), pattern_.seams.end(),
                   [&](const Seam& seam) { return seamError(seam, rest) < kSeamTolerance; });
-  if (sewable && fitAny(group, pattern_, rest, search_result_) < reached)
-    alignment_ = search_result_;
-  else
-    fitting_->setStates(std::move(states));
+  if (!sewable || fitAny(group, pattern_, rest, search_result_) >=
+                      fitAny(group, pattern_, fitting_->shapes(), alignment_))
+    return;
+  fitting_->setStates(fitting_->restStates());
+  alignment_ = search_result_;
 }
 
 void BestRun::finish() {

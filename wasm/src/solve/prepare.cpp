@@ -231,22 +231,29 @@ Outcome<Pattern> sampledAndMeshed(const Problem& problem, double edge_length) {
   return meshed(std::move(sampled).value(), kCoarsest);
 }
 
-/// Drops found symmetries that pins contradict, with a note. Errors: kSymmetryConflict when they
-/// were asked for.
+/// Drops a found symmetry, with a note. Error when it was asked for, with advice that ends the
+/// sentence.
+std::optional<Error> dropOrRefuse(Problem& problem, std::size_t index, Failure code,
+                                  const std::string& why, const std::string& advice) {
+  const BodySymmetry& symmetry = problem.imposed[index];
+  const std::string name = called(problem.garment, symmetry);
+  if (!problem.symmetries_optional)
+    return Error{code,
+                 "The symmetry of " + name + " cannot hold: " + why + advice +
+                     ", or leave out that symmetry.",
+                 symmetry.pieces[0]};
+  problem.notes.push_back("The symmetry of " + name + " is dropped: " + why + ".");
+  problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(index));
+  return {};
+}
+
+/// No symmetry that pins contradict is left. Errors: kSymmetryConflict when it was asked for.
 std::optional<Error> heedPins(Problem& problem) {
-  while (const auto against = symmetryAgainstPins(problem)) {
-    const BodySymmetry symmetry = problem.imposed[*against];
-    const std::string name = called(problem.garment, symmetry);
-    if (!problem.symmetries_optional)
-      return Error{Failure::kSymmetryConflict,
-                   "The symmetry of " + name +
-                       " cannot hold: as it is pinned, the print does not mirror so. Move the pin, "
-                       "or leave out that symmetry.",
-                   symmetry.pieces[0]};
-    problem.notes.push_back("The symmetry of " + name +
-                            " is dropped: as it is pinned, the print does not mirror so.");
-    problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(*against));
-  }
+  while (const auto against = symmetryAgainstPins(problem))
+    if (auto error =
+            dropOrRefuse(problem, *against, Failure::kSymmetryConflict,
+                         "as it is pinned, the print does not mirror so", ". Move the pin"))
+      return error;
   return {};
 }
 
@@ -280,15 +287,9 @@ Outcome<Pattern> preparedPattern(Problem& problem) {
               Obstacle{m, "its outline would cross itself if it were made to mirror exactly", ""};
       if (!found || !problem.symmetries_optional) return ready.error();
     }
-    const BodySymmetry symmetry = problem.imposed[found->symmetry];
-    const std::string name = called(problem.garment, symmetry);
-    if (!problem.symmetries_optional)
-      return Error{Failure::kSymmetryDoesNotMirror,
-                   "The symmetry of " + name + " cannot hold: " + found->why + "; " +
-                       found->remedy + ", or leave out that symmetry.",
-                   symmetry.pieces[0]};
-    problem.notes.push_back("The symmetry of " + name + " is dropped: " + found->why + ".");
-    problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(found->symmetry));
+    if (const auto error = dropOrRefuse(problem, found->symmetry, Failure::kSymmetryDoesNotMirror,
+                                        found->why, "; " + found->remedy))
+      return *error;
   }
 }
 
