@@ -21,10 +21,9 @@ export function findGarments(folders, only = '') {
     if (!existsSync(folder)) throw new SetupError(`there is no folder '${folder}'`);
   }
   const more = folders.length > 0 ? folders.map((folder) => resolve(folder)) : [moreGarments];
-  const files = [join(root, 'public/garments'), ...more]
-    .filter((folder) => existsSync(folder))
-    .flatMap(jsonBelow)
-    .filter((file) => isGarment(file));
+  const samples = jsonBelow(join(root, 'public/garments')).filter(isMiddleSize);
+  const others = more.filter((folder) => existsSync(folder)).flatMap(jsonBelow);
+  const files = [...samples, ...others].filter((file) => isGarment(file));
   const garments = files
     .map((file) => ({file, name: nameOf(file, files)}))
     .filter(({name}) => name.includes(only));
@@ -37,6 +36,9 @@ const jsonBelow = (folder) =>
     .filter((name) => name.endsWith('.json'))
     .sort()
     .map((name) => join(folder, name));
+
+/** One size stands for all: they differ by some centimetres only. */
+const isMiddleSize = (file) => file.endsWith('-m.json');
 
 function isGarment(file) {
   try {

@@ -32,7 +32,7 @@ process.on('message', async (task) => {
 
 // The engine compiles hot code once more, and better, while it runs: not a matter of the methods.
 await figures({
-  garment: sample('garments/skirt'),
+  garment: sample('garments/gathered-skirt-m'),
   print: sample('prints/pmm'),
   symmetry: 'auto',
   seed: 1,

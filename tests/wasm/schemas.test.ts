@@ -19,14 +19,17 @@ function schema(kind: 'garment' | 'options' | 'print' | 'symmetries') {
 }
 
 describe('the schemas accept', () => {
-  it.each(['tee', 'skirt', 'dress'] as const)('the %s in the own format', async (name) => {
-    expect(schema('garment')(JSON.parse(await convert(sample(name))))).toEqual([]);
-  });
+  it.each(['tee', 'gathered-skirt', 'princess-dress'] as const)(
+    'the %s in the own format',
+    async (name) => {
+      expect(schema('garment')(JSON.parse(await convert(sample(name))))).toEqual([]);
+    },
+  );
 
   it('every sample print', () => {
     const folder = new URL('prints/', publicFolder);
     const files = readdirSync(folder).filter((name) => name.endsWith('.json'));
-    expect(files).toHaveLength(17);
+    expect(files.length).toBeGreaterThanOrEqual(17);
     for (const name of files) {
       const print: unknown = JSON.parse(readFileSync(new URL(name, folder), 'utf8'));
       expect(schema('print')(print)).toEqual([]);
@@ -34,7 +37,7 @@ describe('the schemas accept', () => {
   });
 
   it('symmetries as they are found', async () => {
-    expect(schema('symmetries')(await symmetries(sample('dress')))).toEqual([]);
+    expect(schema('symmetries')(await symmetries(sample('princess-dress')))).toEqual([]);
   });
 
   it('whatever the solver is tried with', () => {

@@ -3,52 +3,57 @@ import {readFileSync} from 'node:fs';
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import {sampleBody, type Body} from '../../web/drafting/body.js';
-import {draftDress} from '../../web/drafting/dress.js';
+import {bodyOf, sizeNames, type Body} from '../../web/drafting/body.js';
+import {garmentFile} from '../../web/drafting/garment-file.js';
+import {draftGatheredSkirt, waistGathers} from '../../web/drafting/gathered-skirt.js';
+import {draftPrincessDress} from '../../web/drafting/princess-dress.js';
+import {wardrobe} from '../../web/drafting/wardrobe.js';
 import {length, minus, norm, pointAt, velocity, type Point} from '../../web/drafting/geometry.js';
 import {
   findEdge,
-  specification,
   untrue,
   type EdgeName,
   type Garment,
   type Panel,
 } from '../../web/drafting/panel.js';
-import {draftSkirt, waistGathers} from '../../web/drafting/skirt.js';
 import {draftTee} from '../../web/drafting/tee.js';
 
-const drafts = [draftTee, draftSkirt, draftDress];
+const sizes = sizeNames.map(bodyOf);
+const medium = bodyOf('m');
 
-/** A body a tenth smaller to a fifth larger than the sample, each measurement on its own a little. */
+/** The smallest and the largest of each measurement in the size table. */
+const ranges = (Object.keys(medium) as (keyof Body)[]).map((name) => {
+  const values = sizes.map((body) => body[name]);
+  return [name, Math.min(...values), Math.max(...values)] as const;
+});
+
+/** A body within the size table: between two of its sizes, each measurement off by up to 3 % of its own. */
 const bodies = fc
   .tuple(
-    fc.double({min: 0.9, max: 1.2, noNaN: true}),
-    fc.array(fc.double({min: -0.03, max: 0.03, noNaN: true}), {minLength: 9, maxLength: 9}),
+    fc.double({min: 0, max: 1, noNaN: true}),
+    fc.array(fc.double({min: -0.03, max: 0.03, noNaN: true}), {
+      minLength: ranges.length,
+      maxLength: ranges.length,
+    }),
   )
-  .map(([size, own]): Body => {
-    let next = 0;
-    const scaled = (cm: number): number => cm * (size + (own[next++] ?? 0));
-    return {
-      bust: scaled(sampleBody.bust),
-      waist: scaled(sampleBody.waist),
-      hip: scaled(sampleBody.hip),
-      neck: scaled(sampleBody.neck),
-      upperArm: scaled(sampleBody.upperArm),
-      shoulderWidth: scaled(sampleBody.shoulderWidth),
-      backLength: scaled(sampleBody.backLength),
-      hipDepth: scaled(sampleBody.hipDepth),
-      waistHeight: scaled(sampleBody.waistHeight),
-    };
-  });
+  .map(
+    ([share, own]) =>
+      Object.fromEntries(
+        ranges.map(([name, low, high], k) => {
+          const measured = (low + share * (high - low)) * (1 + (own[k] ?? 0));
+          return [name, Math.min(high, Math.max(low, measured))];
+        }),
+      ) as unknown as Body,
+  );
 
-const samples = drafts.map((draft) => draft(sampleBody));
+const shipped = wardrobe.flatMap((draft) => sizes.map((body) => draft(body)));
 const redrafted = fc
   .sample(bodies, {seed: 5, numRuns: 20})
-  .flatMap((body) => drafts.map((draft) => draft(body)));
+  .flatMap((body) => wardrobe.map((draft) => draft(body)));
 
 /** Checks a property on every garment, drafted for the sample body and for many others. */
 function forEveryGarment(check: (garment: Garment) => void): void {
-  for (const garment of [...samples, ...redrafted]) check(garment);
+  for (const garment of [...shipped, ...redrafted]) check(garment);
 }
 
 function flattened({edges}: Panel, perEdge = 24): Point[] {
@@ -126,7 +131,7 @@ function sewnPoints(garment: Garment): {angle: number; corners: string[]; inside
   }));
 }
 
-describe('every sample garment, for any body', () => {
+describe('every garment, for any body', () => {
   it('has seams whose sides are as long as each other, but for the ease and gathers it states', () => {
     forEveryGarment((garment) => {
       for (const seam of garment.seams) expect(untrue(garment, seam)).toBeLessThan(0.01);
@@ -183,7 +188,7 @@ describe('every sample garment, for any body', () => {
 });
 
 describe('the tee', () => {
-  const tee = draftTee(sampleBody);
+  const tee = draftTee(medium);
   const lengthOf = (...names: [string, string]): number => length(findEdge(tee, names).curve);
 
   it('has 2 to 3 cm of ease in each sleeve cap', () => {
@@ -205,7 +210,7 @@ describe('the tee', () => {
 
 describe('the skirt', () => {
   it('gathers 1.6 cm of skirt into every centimetre of waistband', () => {
-    const skirt = draftSkirt(sampleBody);
+    const skirt = draftGatheredSkirt(medium);
     const waist = length(findEdge(skirt, ['front', 'waist']).curve);
     const band = length(findEdge(skirt, ['waistband_front', 'lower']).curve);
     expect(waistGathers).toBe(1.6);
@@ -215,58 +220,67 @@ describe('the skirt', () => {
 
 describe('the dress', () => {
   it('has darts that are a notch with legs of one length, sewn to each other', () => {
-    const dress = draftDress(sampleBody);
+    const dress = draftPrincessDress(medium);
     const lower = findEdge(dress, ['side_front_left', 'dart lower']);
     const upper = findEdge(dress, ['side_front_left', 'dart upper']);
     expect(lower.curve.to).toEqual(upper.curve.from);
     expect(length(lower.curve)).toBeCloseTo(length(upper.curve), 9);
-    expect(norm(minus(lower.curve.from, upper.curve.to))).toBeCloseTo(0.032 * sampleBody.bust, 6);
+    expect(norm(minus(lower.curve.from, upper.curve.to))).toBeCloseTo(0.032 * medium.bust, 6);
   });
 });
 
 it('says which measurements it cannot draft from', () => {
-  expect(() => draftTee({...sampleBody, upperArm: 90})).toThrow('the sleeve width cannot be made');
+  expect(() => draftTee({...medium, upperArm: 90})).toThrow('the sleeve width cannot be made');
 });
 
-it.each(samples)('ships the $name as it is drafted now', (garment) => {
-  expect(readFileSync(`public/garments/${garment.name}.json`, 'utf8')).toBe(specification(garment));
+describe.each(sizeNames)('size %s', (size) => {
+  it.each(wardrobe.map((draft) => draft(bodyOf(size))))(
+    'ships the $name as it is drafted now',
+    (garment) => {
+      const path = `public/garments/${garment.name}-${size}.json`;
+      expect(readFileSync(path, 'utf8')).toBe(garmentFile(garment, size));
+    },
+  );
 });
 
-it.each(samples)('writes the $name so that its stitches name edges of one length', (garment) => {
-  interface File {
-    pattern: {
-      panels: Record<
-        string,
-        {
-          vertices: Point[];
-          edges: {endpoints: [number, number]; curvature?: {params: [Point, Point]}}[];
-        }
-      >;
-      stitches: {panel: string; edge: number}[][];
+it.each(wardrobe.map((draft) => draft(medium)))(
+  'writes the $name so that its stitches name edges of one length',
+  (garment) => {
+    interface File {
+      pattern: {
+        panels: Record<
+          string,
+          {
+            vertices: Point[];
+            edges: {endpoints: [number, number]; curvature?: {params: [Point, Point]}}[];
+          }
+        >;
+        stitches: {panel: string; edge: number}[][];
+      };
+    }
+    const {pattern} = JSON.parse(garmentFile(garment, 'm')) as File;
+    const lengthOf = ({panel, edge}: {panel: string; edge: number}): number => {
+      const {vertices = [], edges = []} = pattern.panels[panel] ?? {};
+      const {endpoints, curvature} = edges[edge] ?? {endpoints: [0, 0]};
+      const [from, to] = endpoints.map((v) => vertices[v] ?? [NaN, NaN]) as [Point, Point];
+      const [ex, ey] = minus(to, from);
+      const absolute = ([u, v]: Point): Point => [
+        from[0] + u * ex - v * ey,
+        from[1] + u * ey + v * ex,
+      ];
+      if (!curvature) return norm([ex, ey]);
+      return length({
+        from,
+        to,
+        controls: [absolute(curvature.params[0]), absolute(curvature.params[1])],
+      });
     };
-  }
-  const {pattern} = JSON.parse(specification(garment)) as File;
-  const lengthOf = ({panel, edge}: {panel: string; edge: number}): number => {
-    const {vertices = [], edges = []} = pattern.panels[panel] ?? {};
-    const {endpoints, curvature} = edges[edge] ?? {endpoints: [0, 0]};
-    const [from, to] = endpoints.map((v) => vertices[v] ?? [NaN, NaN]) as [Point, Point];
-    const [ex, ey] = minus(to, from);
-    const absolute = ([u, v]: Point): Point => [
-      from[0] + u * ex - v * ey,
-      from[1] + u * ey + v * ex,
-    ];
-    if (!curvature) return norm([ex, ey]);
-    return length({
-      from,
-      to,
-      controls: [absolute(curvature.params[0]), absolute(curvature.params[1])],
+    pattern.stitches.forEach(([a, b], k) => {
+      const seam = garment.seams[k];
+      if (!a || !b || !seam) throw new Error('a stitch without a seam');
+      expect(
+        Math.abs(lengthOf(a) - lengthOf(b) * (seam.gathers ?? 1) - (seam.ease ?? 0)),
+      ).toBeLessThan(0.001);
     });
-  };
-  pattern.stitches.forEach(([a, b], k) => {
-    const seam = garment.seams[k];
-    if (!a || !b || !seam) throw new Error('a stitch without a seam');
-    expect(
-      Math.abs(lengthOf(a) - lengthOf(b) * (seam.gathers ?? 1) - (seam.ease ?? 0)),
-    ).toBeLessThan(0.001);
-  });
-});
+  },
+);

@@ -5,29 +5,80 @@ export interface Body {
   readonly waist: number;
   readonly hip: number;
   readonly neck: number;
+  readonly head: number;
   readonly upperArm: number;
+  readonly wrist: number;
+  readonly thigh: number;
+  readonly knee: number;
+  readonly ankle: number;
   /** Between the two shoulder points, across the back. */
   readonly shoulderWidth: number;
+  /** Between the two bust points. */
+  readonly bustSpan: number;
   /** From the nape down to the waist. */
   readonly backLength: number;
   /** From the waist down to the fullest part of the hip. */
   readonly hipDepth: number;
+  /** From the waist down to the seat of a chair: how deep the crotch lies. */
+  readonly bodyRise: number;
+  /** From the shoulder point down to the wrist. */
+  readonly armLength: number;
   /** From the floor up to the waist. */
   readonly waistHeight: number;
+  /** From the waist down to the knee. */
+  readonly kneeDepth: number;
 }
 
-/** The body the shipped garments are drafted for. */
-export const sampleBody: Body = {
-  bust: 92,
-  waist: 74,
-  hip: 98,
-  neck: 36,
-  upperArm: 29,
-  shoulderWidth: 39,
-  backLength: 41,
-  hipDepth: 20,
-  waistHeight: 104,
+export const sizeNames = ['xs', 's', 'm', 'l', 'xl'] as const;
+export type SizeName = (typeof sizeNames)[number];
+
+/**
+ * Women's girths of EN 13402-3 (Size designation of clothes, part 3), one row in the range of each letter code:
+ * bust 74-82 is XS, 82-90 S, 90-98 M, 98-107 L, 107-119 XL.
+ */
+const girths: Readonly<Record<SizeName, Pick<Body, 'bust' | 'waist' | 'hip'>>> = {
+  xs: {bust: 80, waist: 64, hip: 88},
+  s: {bust: 88, waist: 72, hip: 96},
+  m: {bust: 96, waist: 80, hip: 104},
+  l: {bust: 104, waist: 88, hip: 112},
+  xl: {bust: 116, waist: 101, hip: 122},
 };
+
+/**
+ * What the standard leaves open: the average woman of the FreeSewing models (freesewing.org, package
+ * "models", MIT) with a bust of 92.5, and how much of a change of girth each measurement follows there.
+ */
+const averageBust = 92.5;
+const others = {
+  neck: [34, 1],
+  head: [56.5, 0.35],
+  upperArm: [27, 1],
+  wrist: [16.5, 0.5],
+  thigh: [57, 0.45],
+  knee: [38, 0.65],
+  ankle: [24.5, 1],
+  shoulderWidth: [41.5, 0.65],
+  bustSpan: [16, 0.5],
+  backLength: [39.5, 0.65],
+  hipDepth: [25, 0.65],
+  bodyRise: [27, 0.65],
+  armLength: [59, 0.3],
+  waistHeight: [105, 0.4],
+  kneeDepth: [60, 0.65],
+} as const satisfies Readonly<
+  Record<Exclude<keyof Body, 'bust' | 'waist' | 'hip'>, readonly [average: number, share: number]>
+>;
+
+type Other = keyof typeof others;
+
+/** The body that a size is drafted for. */
+export function bodyOf(size: SizeName): Body {
+  const more = girths[size].bust / averageBust - 1;
+  const graded = ([average, share]: readonly [number, number]): number =>
+    Number((average * (1 + share * more)).toFixed(1));
+  const entries = Object.entries(others).map(([name, how]) => [name, graded(how)] as const);
+  return {...girths[size], ...(Object.fromEntries(entries) as Record<Other, number>)};
+}
 
 /** The radius of a body as round as this girth: how far from the middle a piece has to hang. */
 export const radiusOf = (girth: number): number => girth / (2 * Math.PI);

@@ -1,5 +1,6 @@
-/** Panels, stitches, and the GarmentCode specification they are written as. */
-import {length, minus, mirrored, norm, reversed, type Curve, type Point} from './geometry.js';
+/** Panels and seams: what a garment is drafted as. */
+import {length, mirror, mirrored, reversed, type Curve, type Point} from './geometry.js';
+import type {SeamKind} from './seam-kinds.js';
 
 /** Sides are the wearer's. */
 export type Side = 'left' | 'right';
@@ -22,22 +23,46 @@ export interface Panel {
   readonly name: string;
   readonly edges: readonly Edge[];
   readonly placement: Placement;
+  /** The direction of the grain in the panel; +y when left out. */
+  readonly grain?: Point;
 }
 
+export type EdgeName = readonly [panel: string, edge: string];
+
 /** Two edges sewn to each other: the start of one meets the end of the other. */
-export interface Seam {
+export interface Seam extends SeamManner {
+  /** What a sewist calls it, unique in the garment. */
+  readonly name: string;
+  readonly kind: SeamKind;
   readonly a: EdgeName;
   readonly b: EdgeName;
+}
+
+/** How two edges are sewn together. */
+export interface SeamManner {
   /** How much longer `a` is drafted than `b`, as a factor (gathers), or in cm (ease). Neither: equal. */
   readonly gathers?: number;
   readonly ease?: number;
+  /** Marks on both sides, as fractions of the length from the start of `a`. */
+  readonly notches?: readonly number[];
 }
-export type EdgeName = readonly [panel: string, edge: string];
+
+/** Two marked lines that lie on each other without being sewn, in panel coordinates, start on start. */
+export interface Match {
+  readonly name: string;
+  readonly a: {readonly panel: string; readonly line: readonly Point[]};
+  readonly b: {readonly panel: string; readonly line: readonly Point[]};
+}
 
 export interface Garment {
   readonly name: string;
+  /** What it is called in a list. */
+  readonly title: string;
   readonly panels: readonly Panel[];
   readonly seams: readonly Seam[];
+  readonly matches?: readonly Match[];
+  /** The mirror symmetries it is drafted with: one panel, or two. The file leaves them to be found or clicked. */
+  readonly symmetries: readonly (readonly [string] | readonly [string, string])[];
 }
 
 export const edge = (name: string, curve: Curve): Edge => ({name, curve});
@@ -66,6 +91,7 @@ export function pairOf(
   side: Side,
   edges: readonly Edge[],
   placement: Placement,
+  grain?: Point,
 ): readonly [Panel, Panel] {
   const [bottom, ...rest] = edges.map(({name: part, curve}) =>
     edge(part, reversed(mirrored(curve))),
@@ -74,26 +100,39 @@ export function pairOf(
   const [rx, ry, rz] = placement.rotation;
   const twin: Placement = {translation: [-x, y, z], rotation: [rx, -ry, -rz]};
   return [
-    {name: `${name}_${side}`, edges, placement},
+    {name: `${name}_${side}`, edges, placement, ...(grain && {grain})},
     {
       name: `${name}_${other(side)}`,
       edges: bottom ? [bottom, ...rest.reverse()] : [],
       placement: twin,
+      ...(grain && {grain: mirror(grain)}),
     },
   ];
 }
 
-/** The same seam on both sides of the body. `*` in a panel or edge name stands for the side. */
-export function onBothSides(
+export const sew = (
+  kind: SeamKind,
+  name: string,
   a: EdgeName,
   b: EdgeName,
-  how: {readonly gathers?: number; readonly ease?: number} = {},
+  how: SeamManner = {},
+): Seam => ({kind, name, a, b, ...how});
+
+/** The same seam on both sides of the body. `*` in a panel or edge name stands for the side. */
+export function onBothSides(
+  kind: SeamKind,
+  name: string,
+  a: EdgeName,
+  b: EdgeName,
+  how: SeamManner = {},
 ): Seam[] {
   const at = (names: EdgeName, side: Side): EdgeName => [
     names[0].replace('*', side),
     names[1].replace('*', side),
   ];
-  return (['left', 'right'] as const).map((side) => ({a: at(a, side), b: at(b, side), ...how}));
+  return (['left', 'right'] as const).map((side) =>
+    sew(kind, `${name}, ${side}`, at(a, side), at(b, side), how),
+  );
 }
 
 /** @throws {Error} for a name that the garment does not have. */
@@ -110,68 +149,7 @@ export function findEdge(
 }
 
 /** What the two sides of a seam differ by beyond what is stated. [cm] */
-export function untrue(garment: Garment, seam: Seam): number {
-  const a = length(findEdge(garment, seam.a).curve);
-  const b = length(findEdge(garment, seam.b).curve);
-  return Math.abs(a - b * (seam.gathers ?? 1) - (seam.ease ?? 0));
+export function untrue(garment: Garment, {a, b, gathers = 1, ease = 0}: Seam): number {
+  const [lengthA, lengthB] = [a, b].map((names) => length(findEdge(garment, names).curve));
+  return Math.abs((lengthA ?? NaN) - (lengthB ?? NaN) * gathers - ease);
 }
-
-const rounded = (value: number, digits: number): number => Number(value.toFixed(digits)) + 0;
-const roundedPoint = ([x, y]: Point): [number, number] => [rounded(x, 6), rounded(y, 6)];
-
-/** A control point as GarmentCode has it: along the edge and to its left, both as fractions of the edge. */
-function relative(control: Point, {from, to}: Curve): [number, number] {
-  const [ex, ey] = minus(to, from);
-  const [cx, cy] = minus(control, from);
-  const square = norm([ex, ey]) ** 2;
-  return [rounded((cx * ex + cy * ey) / square, 12), rounded((cy * ex - cx * ey) / square, 12)];
-}
-
-function panelSpecification({edges, placement}: Panel): object {
-  return {
-    translation: placement.translation.map((v) => rounded(v, 3)),
-    rotation: placement.rotation.map((v) => rounded(v, 3)),
-    vertices: edges.map(({curve}) => roundedPoint(curve.from)),
-    edges: edges.map(({name, curve}, k) => ({
-      endpoints: [k, (k + 1) % edges.length],
-      ...(curve.controls && {
-        curvature: {type: 'cubic', params: curve.controls.map((c) => relative(c, curve))},
-      }),
-      label: name,
-    })),
-  };
-}
-
-/** The text of the garment's GarmentCode specification file. */
-export function specification(garment: Garment): string {
-  const at = (names: EdgeName): object => ({panel: names[0], edge: findEdge(garment, names).index});
-  const text = JSON.stringify(
-    {
-      pattern: {
-        panels: Object.fromEntries(
-          garment.panels.map((panel) => [panel.name, panelSpecification(panel)]),
-        ),
-        stitches: garment.seams.map(({a, b}) => [at(a), at(b)]),
-        panel_order: garment.panels.map(({name}) => name),
-      },
-      properties: {
-        curvature_coords: 'relative',
-        normalize_panel_translation: false,
-        normalized_edge_loops: true,
-        units_in_meter: 100,
-      },
-    },
-    null,
-    1,
-  );
-  // one point, one edge and one stitch a line
-  return (
-    text
-      .replace(/(\[|\{)([^[\]{}]*)(\]|\})/g, joined)
-      .replace(/\[\s+(\[[^[\]]*\]),\s+(\[[^[\]]*\])\s+\]/g, '[$1, $2]')
-      .replace(/\[\s+(\{[^{}]*\}),\s+(\{[^{}]*\})\s+\]/g, '[$1, $2]') + '\n'
-  );
-}
-
-const joined = (_: string, open: string, inside: string, close: string): string =>
-  open + inside.trim().replace(/\s*\n\s*/g, ' ') + close;

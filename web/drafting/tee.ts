@@ -174,13 +174,31 @@ function sleeves(body: Body): readonly [Panel, Panel] {
 export function draftTee(body: Body): Garment {
   return {
     name: 'tee',
+    title: 'Tee',
     panels: [bodyPanel(body, 'front'), bodyPanel(body, 'back'), ...sleeves(body)],
     seams: [
-      ...onBothSides(['front', 'side *'], ['back', 'side *']),
-      ...onBothSides(['front', 'shoulder *'], ['back', 'shoulder *']),
-      ...onBothSides(['sleeve_*', 'cap front'], ['front', 'armhole *'], {ease: capEase.front}),
-      ...onBothSides(['sleeve_*', 'cap back'], ['back', 'armhole *'], {ease: capEase.back}),
-      ...onBothSides(['sleeve_*', 'underarm front'], ['sleeve_*', 'underarm back']),
+      ...onBothSides('side', 'Side seam', ['front', 'side *'], ['back', 'side *'], {
+        notches: [0.5],
+      }),
+      ...onBothSides('shoulder', 'Shoulder', ['front', 'shoulder *'], ['back', 'shoulder *']),
+      ...onBothSides(
+        'armhole',
+        'Front armhole',
+        ['sleeve_*', 'cap front'],
+        ['front', 'armhole *'],
+        {ease: capEase.front, notches: [0.55]},
+      ),
+      ...onBothSides('armhole', 'Back armhole', ['sleeve_*', 'cap back'], ['back', 'armhole *'], {
+        ease: capEase.back,
+        notches: [0.42, 0.47],
+      }),
+      ...onBothSides(
+        'underarm',
+        'Underarm',
+        ['sleeve_*', 'underarm front'],
+        ['sleeve_*', 'underarm back'],
+      ),
     ],
+    symmetries: [['front'], ['back'], ['sleeve_left', 'sleeve_right']],
   };
 }

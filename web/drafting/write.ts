@@ -1,13 +1,15 @@
-/** Writes public/garments: the sample garments, drafted for the sample body. */
-import {mkdirSync, writeFileSync} from 'node:fs';
-import {sampleBody} from './body.js';
-import {draftDress} from './dress.js';
-import {specification} from './panel.js';
-import {draftSkirt} from './skirt.js';
-import {draftTee} from './tee.js';
+/** Writes public/garments: every garment of the wardrobe in every size. */
+import {mkdirSync, rmSync, writeFileSync} from 'node:fs';
+import {bodyOf, sizeNames} from './body.js';
+import {garmentFile} from './garment-file.js';
+import {wardrobe} from './wardrobe.js';
 
-mkdirSync('public/garments', {recursive: true});
-for (const draft of [draftTee, draftSkirt, draftDress]) {
-  const garment = draft(sampleBody);
-  writeFileSync(`public/garments/${garment.name}.json`, specification(garment));
+const folder = 'public/garments';
+rmSync(folder, {recursive: true, force: true});
+mkdirSync(folder, {recursive: true});
+for (const draft of wardrobe) {
+  for (const size of sizeNames) {
+    const garment = draft(bodyOf(size));
+    writeFileSync(`${folder}/${garment.name}-${size}.json`, garmentFile(garment, size));
+  }
 }

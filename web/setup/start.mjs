@@ -11,7 +11,7 @@ const picture = 'out/tee.svg';
 await main(async () => {
   await build();
   mkdirSync(new URL('../../out', import.meta.url), {recursive: true});
-  await seamwise('align', 'public/garments/tee.json', '--print', print, '--out', result);
+  await seamwise('align', 'public/garments/tee-m.json', '--print', print, '--out', result);
   await seamwise('draw', result, '--print', print, '--out', picture);
   console.log(`Before and after: ${root}${picture}`);
 });

@@ -33,8 +33,16 @@ import {
   skirtLength,
   skirtSeam,
   type SeamLine,
-} from './princess.js';
-import {edge, onBothSides, pairOf, symmetricPanel, type Garment, type Panel} from './panel.js';
+} from './princess-seams.js';
+import {
+  edge,
+  onBothSides,
+  pairOf,
+  sew,
+  symmetricPanel,
+  type Garment,
+  type Panel,
+} from './panel.js';
 
 const neckDepth = {front: 13, back: 3};
 /** Shoulder seam: the part on the centre panel, and the whole. */
@@ -223,12 +231,14 @@ function sideBacks(body: Body, centre: SeamLine): readonly [Panel, Panel] {
   );
 }
 
-export function draftDress(body: Body): Garment {
+export function draftPrincessDress(body: Body): Garment {
   const front = centreFront(body);
   const back = centreBacks(body);
-  const parts = ['skirt', 'waist', 'top'];
+  const parts = {skirt: 'below the waist', waist: 'at the waist', top: 'above the bust'};
+  const along = Object.entries(parts);
   return {
-    name: 'dress',
+    name: 'princess-dress',
+    title: 'Princess dress',
     panels: [
       front.panel,
       ...sideFronts(body, front.line),
@@ -236,22 +246,65 @@ export function draftDress(body: Body): Garment {
       ...back.panels,
     ],
     seams: [
-      ...parts.flatMap((part) =>
-        onBothSides(['side_front_*', `princess ${part}`], ['centre_front', `princess ${part} *`]),
+      ...along.flatMap(([part, where]) =>
+        onBothSides(
+          'princess',
+          `Front princess seam ${where}`,
+          ['side_front_*', `princess ${part}`],
+          ['centre_front', `princess ${part} *`],
+          {notches: [0.5]},
+        ),
       ),
-      ...onBothSides(['side_front_*', 'dart lower'], ['side_front_*', 'dart upper']),
-      ...parts.flatMap((part) =>
-        onBothSides(['side_front_*', `side ${part}`], ['side_back_*', `side ${part}`]),
+      ...onBothSides(
+        'dart',
+        'Bust dart',
+        ['side_front_*', 'dart lower'],
+        ['side_front_*', 'dart upper'],
       ),
-      ...onBothSides(['side_front_*', 'shoulder'], ['side_back_*', 'shoulder']),
-      ...onBothSides(['centre_front', 'shoulder *'], ['centre_back_*', 'shoulder']),
-      ...parts.flatMap((part) =>
-        onBothSides(['side_back_*', `princess ${part}`], ['centre_back_*', `princess ${part}`]),
+      ...along.flatMap(([part, where]) =>
+        onBothSides(
+          'side',
+          `Side seam ${where}`,
+          ['side_front_*', `side ${part}`],
+          ['side_back_*', `side ${part}`],
+        ),
       ),
-      ...['top', 'skirt'].map((part) => ({
-        a: ['centre_back_left', `centre ${part}`] as const,
-        b: ['centre_back_right', `centre ${part}`] as const,
-      })),
+      ...onBothSides(
+        'shoulder',
+        'Outer shoulder',
+        ['side_front_*', 'shoulder'],
+        ['side_back_*', 'shoulder'],
+      ),
+      ...onBothSides(
+        'shoulder',
+        'Inner shoulder',
+        ['centre_front', 'shoulder *'],
+        ['centre_back_*', 'shoulder'],
+      ),
+      ...along.flatMap(([part, where]) =>
+        onBothSides(
+          'princess',
+          `Back princess seam ${where}`,
+          ['side_back_*', `princess ${part}`],
+          ['centre_back_*', `princess ${part}`],
+          {notches: [0.48, 0.52]},
+        ),
+      ),
+      ...(['top', 'skirt'] as const).map((part) =>
+        sew(
+          'centre',
+          `Centre back ${part === 'top' ? 'above' : 'below'} the waist`,
+          ['centre_back_left', `centre ${part}`],
+          ['centre_back_right', `centre ${part}`],
+          {notches: [0.5]},
+        ),
+      ),
+    ],
+    symmetries: [
+      ['centre_front'],
+      ['side_front_left', 'side_front_right'],
+      ['side_back_left', 'side_back_right'],
+      ['centre_back_left', 'centre_back_right'],
     ],
   };
 }

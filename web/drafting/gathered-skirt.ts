@@ -14,9 +14,10 @@ import {
   type Curve,
   type Point,
 } from './geometry.js';
-import {edge, onBothSides, symmetricPanel, type Garment, type Panel} from './panel.js';
+import {edge, onBothSides, sew, symmetricPanel, type Garment, type Panel} from './panel.js';
 
 export const waistGathers = 1.6;
+const gathered = {gathers: waistGathers, notches: [0.25, 0.5, 0.75]};
 const waistEase = 2;
 const bandHeight = 4;
 const sideLength = 58;
@@ -33,9 +34,9 @@ const waistline = (halfWidth: number): Curve =>
   across([halfWidth, 0], leaning(Math.PI / 2 - flare));
 
 function skirtPanel(body: Body, half: Half): Panel {
-  const gathered = waistGathers * bandLength(body, half);
+  const around = waistGathers * bandLength(body, half);
   const waist: Point = [
-    trueTo(`the ${half} waist`, gathered, (w) => length(waistline(w)), gathered / 4, gathered / 2),
+    trueTo(`the ${half} waist`, around, (w) => length(waistline(w)), around / 4, around / 2),
     0,
   ];
   const hem = plus(waist, leaning(-flare), -sideLength);
@@ -73,9 +74,10 @@ function bandPanel(body: Body, half: Half): Panel {
   );
 }
 
-export function draftSkirt(body: Body): Garment {
+export function draftGatheredSkirt(body: Body): Garment {
   return {
-    name: 'skirt',
+    name: 'gathered-skirt',
+    title: 'Gathered skirt',
     panels: [
       skirtPanel(body, 'front'),
       skirtPanel(body, 'back'),
@@ -83,10 +85,18 @@ export function draftSkirt(body: Body): Garment {
       bandPanel(body, 'back'),
     ],
     seams: [
-      ...onBothSides(['front', 'side *'], ['back', 'side *']),
-      ...onBothSides(['waistband_front', 'end *'], ['waistband_back', 'end *']),
-      {a: ['front', 'waist'], b: ['waistband_front', 'lower'], gathers: waistGathers},
-      {a: ['back', 'waist'], b: ['waistband_back', 'lower'], gathers: waistGathers},
+      ...onBothSides('side', 'Side seam', ['front', 'side *'], ['back', 'side *'], {
+        notches: [0.5],
+      }),
+      ...onBothSides(
+        'side',
+        'Waistband end',
+        ['waistband_front', 'end *'],
+        ['waistband_back', 'end *'],
+      ),
+      sew('gathered', 'Front waist', ['front', 'waist'], ['waistband_front', 'lower'], gathered),
+      sew('gathered', 'Back waist', ['back', 'waist'], ['waistband_back', 'lower'], gathered),
     ],
+    symmetries: [['front'], ['back'], ['waistband_front'], ['waistband_back']],
   };
 }

@@ -1,0 +1,130 @@
+/** The garment file (seamwise-garment/1, a superset of the GarmentCode specification) that a draft is written as. */
+import type {SizeName} from './body.js';
+import {length, minus, norm, plus, pointAt, type Curve, type Point} from './geometry.js';
+import {findEdge, type EdgeName, type Garment, type Panel, type Seam} from './panel.js';
+import {isMatched, seamWeights} from './seam-kinds.js';
+
+const rounded = (value: number, digits: number): number => Number(value.toFixed(digits)) + 0;
+const roundedPoint = ([x, y]: Point): [number, number] => [rounded(x, 6), rounded(y, 6)];
+
+/** A control point as GarmentCode has it: along the edge and to its left, both as fractions of the edge. */
+function relative(control: Point, {from, to}: Curve): [number, number] {
+  const [ex, ey] = minus(to, from);
+  const [cx, cy] = minus(control, from);
+  const square = norm([ex, ey]) ** 2;
+  return [rounded((cx * ex + cy * ey) / square, 12), rounded((cy * ex - cx * ey) / square, 12)];
+}
+
+/** A line along the grain through the middle of the panel, two thirds as long as the panel is. */
+function grainLine({edges, grain = [0, 1]}: Panel): [Point, Point] {
+  const along = plus([0, 0], grain, 1 / norm(grain));
+  const outline = edges.flatMap(({curve}) => [0, 0.25, 0.5, 0.75].map((t) => pointAt(curve, t)));
+  const span = (axis: Point): [number, number] => {
+    const reach = outline.map((p) => p[0] * axis[0] + p[1] * axis[1]);
+    return [Math.min(...reach), Math.max(...reach)];
+  };
+  const [low, high] = span(along);
+  const across: Point = [along[1], -along[0]];
+  const [near, far] = span(across);
+  const at = (share: number): Point =>
+    plus(plus([0, 0], across, (near + far) / 2), along, low + share * (high - low));
+  return [at(1 / 6), at(5 / 6)];
+}
+
+interface Notch {
+  readonly edge: number;
+  readonly at: number;
+}
+
+/** The marks on the panel's edges; a mark lies as far from the start of one side as from the end of the other. */
+function notchesOf(panel: Panel, {seams}: Garment): Notch[] {
+  const on = ([name, part]: EdgeName): number =>
+    name === panel.name ? panel.edges.findIndex((candidate) => candidate.name === part) : -1;
+  const marks = seams.flatMap(({a, b, notches = []}) =>
+    notches.flatMap((at) => [
+      {edge: on(a), at: rounded(at, 6)},
+      {edge: on(b), at: rounded(1 - at, 6)},
+    ]),
+  );
+  return marks.filter(({edge}) => edge >= 0).sort((p, q) => p.edge - q.edge || p.at - q.at);
+}
+
+const titled = (name: string): string =>
+  name.charAt(0).toUpperCase() + name.slice(1).replaceAll('_', ' ');
+
+function panelEntry(panel: Panel, garment: Garment): object {
+  const {name, edges, placement} = panel;
+  const notches = notchesOf(panel, garment);
+  return {
+    label: titled(name),
+    translation: placement.translation.map((v) => rounded(v, 3)),
+    rotation: placement.rotation.map((v) => rounded(v, 3)),
+    grain: {line: grainLine(panel).map(roundedPoint)},
+    ...(notches.length > 0 && {notches}),
+    vertices: edges.map(({curve}) => roundedPoint(curve.from)),
+    edges: edges.map(({name: label, curve}, k) => ({
+      endpoints: [k, (k + 1) % edges.length],
+      ...(curve.controls && {
+        curvature: {type: 'cubic', params: curve.controls.map((c) => relative(c, curve))},
+      }),
+      label,
+    })),
+  };
+}
+
+function seamEntry(garment: Garment, {name, kind, a, b}: Seam, stitch: number): object {
+  const [lengthA = NaN, lengthB = NaN] = [a, b].map((names) =>
+    length(findEdge(garment, names).curve),
+  );
+  const matched = isMatched(kind);
+  return {
+    stitch,
+    name,
+    ...(matched ? {weight: seamWeights[kind]} : {matched}),
+    lengthRatio: rounded(lengthA / lengthB, 4),
+  };
+}
+
+/** The text of the garment's file: one point, one edge, one stitch, one seam a line. */
+export function garmentFile(garment: Garment, size: SizeName): string {
+  const at = (names: EdgeName): object => ({panel: names[0], edge: findEdge(garment, names).index});
+  const side = ({panel, line}: {panel: string; line: readonly Point[]}): object => ({
+    piece: panel,
+    line: line.map(roundedPoint),
+  });
+  const text = JSON.stringify(
+    {
+      format: 'seamwise-garment/1',
+      title: garment.title,
+      size: size.toUpperCase(),
+      pattern: {
+        panels: Object.fromEntries(
+          garment.panels.map((panel) => [panel.name, panelEntry(panel, garment)]),
+        ),
+        stitches: garment.seams.map(({a, b}) => [at(a), at(b)]),
+        panel_order: garment.panels.map(({name}) => name),
+      },
+      properties: {
+        curvature_coords: 'relative',
+        normalize_panel_translation: false,
+        normalized_edge_loops: true,
+        units_in_meter: 100,
+      },
+      seams: garment.seams.map((seam, k) => seamEntry(garment, seam, k)),
+      ...(garment.matches && {
+        matches: garment.matches.map(({name, a, b}) => ({name, a: side(a), b: side(b)})),
+      }),
+    },
+    null,
+    1,
+  );
+  return (
+    text
+      .replace(/(\[|\{)([^[\]{}]*)(\]|\})/g, joined)
+      .replace(/\[\s+(\[[^[\]]*\]),\s+(\[[^[\]]*\])\s+\]/g, '[$1, $2]')
+      .replace(/\[\s+(\{[^{}]*\}),\s+(\{[^{}]*\})\s+\]/g, '[$1, $2]') + '\n'
+  );
+}
+
+const joined = (_: string, open: string, inside: string, close: string): string =>
+  open + inside.trim().replace(/\s*\n\s*/g, ' ') + close;

@@ -1,0 +1,12 @@
+/** Every garment that is shipped. */
+import type {Body} from './body.js';
+import {draftPrincessDress} from './princess-dress.js';
+import {draftGatheredSkirt} from './gathered-skirt.js';
+import {draftTee} from './tee.js';
+import type {Garment} from './panel.js';
+
+export const wardrobe: readonly ((body: Body) => Garment)[] = [
+  draftPrincessDress,
+  draftTee,
+  draftGatheredSkirt,
+];
