@@ -1,60 +1,18 @@
-import {readFileSync} from 'node:fs';
-
-import fc from 'fast-check';
+/** What must be true of every garment that is shipped, for any body. What is true of one only stands in its own file. */
 import {describe, expect, it} from 'vitest';
 
-import {bodyOf, sizeNames, type Body} from '../../web/drafting/body.js';
-import {garmentFile} from '../../web/drafting/garment-file.js';
-import {draftGatheredSkirt, waistGathers} from '../../web/drafting/gathered-skirt.js';
-import {draftPrincessDress} from '../../web/drafting/princess-dress.js';
+import {minus, norm, pointAt, type Point} from '../../web/drafting/geometry.js';
+import {untrue, type Panel} from '../../web/drafting/panel.js';
 import {wardrobe} from '../../web/drafting/wardrobe.js';
-import {length, minus, norm, pointAt, velocity, type Point} from '../../web/drafting/geometry.js';
+import {forEveryGarment, medium} from '../support/drafts.js';
 import {
-  findEdge,
-  untrue,
-  type EdgeName,
-  type Garment,
-  type Panel,
-} from '../../web/drafting/panel.js';
-import {draftTee} from '../../web/drafting/tee.js';
-
-const sizes = sizeNames.map(bodyOf);
-const medium = bodyOf('m');
-
-/** The smallest and the largest of each measurement in the size table. */
-const ranges = (Object.keys(medium) as (keyof Body)[]).map((name) => {
-  const values = sizes.map((body) => body[name]);
-  return [name, Math.min(...values), Math.max(...values)] as const;
-});
-
-/** A body within the size table: between two of its sizes, each measurement off by up to 3 % of its own. */
-const bodies = fc
-  .tuple(
-    fc.double({min: 0, max: 1, noNaN: true}),
-    fc.array(fc.double({min: -0.03, max: 0.03, noNaN: true}), {
-      minLength: ranges.length,
-      maxLength: ranges.length,
-    }),
-  )
-  .map(
-    ([share, own]) =>
-      Object.fromEntries(
-        ranges.map(([name, low, high], k) => {
-          const measured = (low + share * (high - low)) * (1 + (own[k] ?? 0));
-          return [name, Math.min(high, Math.max(low, measured))];
-        }),
-      ) as unknown as Body,
-  );
-
-const shipped = wardrobe.flatMap((draft) => sizes.map((body) => draft(body)));
-const redrafted = fc
-  .sample(bodies, {seed: 5, numRuns: 20})
-  .flatMap((body) => wardrobe.map((draft) => draft(body)));
-
-/** Checks a property on every garment, drafted for the sample body and for many others. */
-function forEveryGarment(check: (garment: Garment) => void): void {
-  for (const garment of [...shipped, ...redrafted]) check(garment);
-}
+  anglesAt,
+  called,
+  closedPoints,
+  cornerAngle,
+  crossedEnds,
+  isCorner,
+} from '../support/sewn-corners.js';
 
 function flattened({edges}: Panel, perEdge = 24): Point[] {
   return edges.flatMap(({curve}) =>
@@ -83,204 +41,100 @@ function crossings(points: readonly Point[]): number {
   return count;
 }
 
-/** The angle inside the panel where edge `index` starts. [degrees] */
-function cornerAngle({edges}: Panel, index: number): number {
-  const next = edges[index]?.curve;
-  const last = edges.at(index - 1)?.curve;
-  if (!next || !last) throw new Error('no such corner');
-  const out = velocity(next, 0);
-  const back = velocity(last, 1);
-  const turn = Math.atan2(cross(back, out), back[0] * out[0] + back[1] * out[1]);
-  return 180 - (turn * 180) / Math.PI;
-}
-
-/** Corners that are sewn together, as the sum of their angles, and whether cloth lies all round them. */
-function sewnPoints(garment: Garment): {angle: number; corners: string[]; inside: boolean}[] {
-  const corners = garment.panels.flatMap((panel) =>
-    panel.edges.map((_, k) => ({panel, k, key: `${panel.name}:${k}`})),
-  );
-  const owner = new Map(corners.map(({key}) => [key, key]));
-  const find = (key: string): string => {
-    const up = owner.get(key) ?? key;
-    return up === key ? key : find(up);
-  };
-  const ends = (names: EdgeName): [string, string] => {
-    const {index} = findEdge(garment, names);
-    const count = garment.panels.find(({name}) => name === names[0])?.edges.length ?? 1;
-    return [`${names[0]}:${index}`, `${names[0]}:${(index + 1) % count}`];
-  };
-  const sewn = new Set<string>();
-  for (const {a, b} of garment.seams) {
-    const [a0, a1] = ends(a);
-    const [b0, b1] = ends(b);
-    owner.set(find(a0), find(b1));
-    owner.set(find(a1), find(b0));
-    sewn.add(a.join(':')).add(b.join(':'));
-  }
-  const groups = new Map<string, typeof corners>();
-  for (const corner of corners) {
-    const at = find(corner.key);
-    groups.set(at, [...(groups.get(at) ?? []), corner]);
-  }
-  return [...groups.values()].map((group) => ({
-    angle: group.reduce((sum, {panel, k}) => sum + cornerAngle(panel, k), 0),
-    corners: group.map(({key}) => key),
-    inside: group.every(({panel, k}) =>
-      [panel.edges[k], panel.edges.at(k - 1)].every((e) => sewn.has(`${panel.name}:${e?.name}`)),
-    ),
-  }));
-}
+/** How far from straight a line may run on across a seam; the eye sees no corner in that. [degrees] */
+const nearlyStraight = 5;
 
 describe('every garment, for any body', () => {
   it('has seams whose sides are as long as each other, but for the ease and gathers it states', () => {
     forEveryGarment((garment) => {
-      for (const seam of garment.seams) expect(untrue(garment, seam)).toBeLessThan(0.01);
+      for (const seam of garment.seams) {
+        expect(untrue(garment, seam), `${garment.name}: ${seam.name}`).toBeLessThan(0.01);
+      }
     });
   });
 
-  it('sews no edge twice', () => {
-    forEveryGarment((garment) => {
-      const edges = garment.seams.flatMap(({a, b}) => [a.join(), b.join()]);
-      expect(new Set(edges).size).toBe(edges.length);
+  it('sews no edge twice, and names every seam and every edge of a panel once', () => {
+    forEveryGarment(({seams, panels}) => {
+      const lists = [
+        seams.flatMap(({a, b}) => [a.join(), b.join()]),
+        seams.map(({name}) => name),
+        panels.map(({name}) => name),
+        ...panels.map(({edges}) => edges.map(({name}) => name)),
+      ];
+      for (const list of lists) expect(new Set(list).size, list.join('; ')).toBe(list.length);
     });
   });
 
   it('has simple counter-clockwise outlines that start low', () => {
     forEveryGarment((garment) => {
       for (const panel of garment.panels) {
+        const what = `${garment.name}: ${panel.name}`;
         const points = flattened(panel);
-        expect(area(points)).toBeGreaterThan(0);
-        expect(crossings(points)).toBe(0);
+        expect(area(points), what).toBeGreaterThan(0);
+        expect(crossings(points), what).toBe(0);
         const ends = panel.edges.map(({curve}) => (curve.from[1] + curve.to[1]) / 2);
-        expect(ends.indexOf(Math.min(...ends))).toBe(0);
+        expect(ends.indexOf(Math.min(...ends)), what).toBe(0);
       }
     });
   });
 
-  it('lies flat around every sewn point: hems, necklines and armholes run on across the seams', () => {
+  it('runs on across its seams: hems, necklines and armholes turn only where it says so', () => {
     forEveryGarment((garment) => {
-      for (const {angle, corners, inside} of sewnPoints(garment)) {
-        const dartTip = corners.length === 1 && inside;
-        if (corners.length === 1 && !dartTip) continue;
-        if (dartTip) expect(angle).toBeLessThan(355);
-        else expect(angle, corners.join(' ')).toBeCloseTo(inside ? 360 : 180, 4);
+      for (const end of crossedEnds(garment)) {
+        const {seam, corners} = end;
+        const isTurn = (garment.turns ?? []).some((turn) =>
+          corners.some((corner) => isCorner(corner, turn.corner)),
+        );
+        if (isTurn) continue;
+        const what = `${garment.name}: ${seam}, ${corners.map(called).join(' and ')}`;
+        expect(Math.abs(anglesAt(end) - 180), what).toBeLessThan(nearlyStraight);
       }
     });
   });
 
-  it('is its own mirror image', () => {
-    forEveryGarment((garment) => {
-      for (const panel of garment.panels) {
-        const swap = (name: string): string =>
-          name.replace(/left|right/, (side) => (side === 'left' ? 'right' : 'left'));
-        const twin = garment.panels.find(({name}) => name === swap(panel.name));
-        expect(twin).toBeDefined();
-        const images = twin ? flattened(twin, 6) : [];
-        for (const [x, y] of flattened(panel, 6)) {
-          const apart = Math.min(...images.map((q) => norm(minus(q, [-x, y]))));
-          expect(apart).toBeLessThan(1e-9);
-        }
-        const [x, y, z] = panel.placement.translation;
-        expect(twin?.placement.translation).toEqual([0 - x, y, z]);
+  it('turns where it says so', () => {
+    for (const garment of wardrobe.map((draft) => draft(medium))) {
+      for (const {corner: name} of garment.turns ?? []) {
+        const ends = crossedEnds(garment).filter(({corners}) =>
+          corners.some((corner) => isCorner(corner, name)),
+        );
+        const turning = ends.map((end) => Math.abs(anglesAt(end) - 180));
+        const what = `${garment.name}: ${name.join(', ')}`;
+        expect(Math.max(...turning), what).toBeGreaterThan(nearlyStraight);
       }
-    });
-  });
-});
-
-describe('the tee', () => {
-  const tee = draftTee(medium);
-  const lengthOf = (...names: [string, string]): number => length(findEdge(tee, names).curve);
-
-  it('has 2 to 3 cm of ease in each sleeve cap', () => {
-    const cap = lengthOf('sleeve_left', 'cap front') + lengthOf('sleeve_left', 'cap back');
-    const armhole = lengthOf('front', 'armhole left') + lengthOf('back', 'armhole left');
-    expect(cap - armhole).toBeGreaterThanOrEqual(2);
-    expect(cap - armhole).toBeLessThanOrEqual(3);
-  });
-
-  it('has sleeves whose front is scooped out further than their back', () => {
-    const front = findEdge(tee, ['sleeve_left', 'cap front']).curve;
-    const back = findEdge(tee, ['sleeve_left', 'cap back']).curve;
-    // a quarter of the way up from the underarm, in from it
-    const [frontIn] = minus(pointAt(front, 0.75), front.to);
-    const [backIn] = minus(pointAt(back, 0.25), back.from);
-    expect(frontIn).toBeGreaterThan(-backIn + 0.5);
-  });
-});
-
-describe('the skirt', () => {
-  it('gathers 1.6 cm of skirt into every centimetre of waistband', () => {
-    const skirt = draftGatheredSkirt(medium);
-    const waist = length(findEdge(skirt, ['front', 'waist']).curve);
-    const band = length(findEdge(skirt, ['waistband_front', 'lower']).curve);
-    expect(waistGathers).toBe(1.6);
-    expect(waist / band).toBeCloseTo(1.6, 9);
-  });
-});
-
-describe('the dress', () => {
-  it('has darts that are a notch with legs of one length, sewn to each other', () => {
-    const dress = draftPrincessDress(medium);
-    const lower = findEdge(dress, ['side_front_left', 'dart lower']);
-    const upper = findEdge(dress, ['side_front_left', 'dart upper']);
-    expect(lower.curve.to).toEqual(upper.curve.from);
-    expect(length(lower.curve)).toBeCloseTo(length(upper.curve), 9);
-    expect(norm(minus(lower.curve.from, upper.curve.to))).toBeCloseTo(0.032 * medium.bust, 6);
-  });
-});
-
-it('says which measurements it cannot draft from', () => {
-  expect(() => draftTee({...medium, upperArm: 90})).toThrow('the sleeve width cannot be made');
-});
-
-describe.each(sizeNames)('size %s', (size) => {
-  it.each(wardrobe.map((draft) => draft(bodyOf(size))))(
-    'ships the $name as it is drafted now',
-    (garment) => {
-      const path = `public/garments/${garment.name}-${size}.json`;
-      expect(readFileSync(path, 'utf8')).toBe(garmentFile(garment, size));
-    },
-  );
-});
-
-it.each(wardrobe.map((draft) => draft(medium)))(
-  'writes the $name so that its stitches name edges of one length',
-  (garment) => {
-    interface File {
-      pattern: {
-        panels: Record<
-          string,
-          {
-            vertices: Point[];
-            edges: {endpoints: [number, number]; curvature?: {params: [Point, Point]}}[];
-          }
-        >;
-        stitches: {panel: string; edge: number}[][];
-      };
     }
-    const {pattern} = JSON.parse(garmentFile(garment, 'm')) as File;
-    const lengthOf = ({panel, edge}: {panel: string; edge: number}): number => {
-      const {vertices = [], edges = []} = pattern.panels[panel] ?? {};
-      const {endpoints, curvature} = edges[edge] ?? {endpoints: [0, 0]};
-      const [from, to] = endpoints.map((v) => vertices[v] ?? [NaN, NaN]) as [Point, Point];
-      const [ex, ey] = minus(to, from);
-      const absolute = ([u, v]: Point): Point => [
-        from[0] + u * ex - v * ey,
-        from[1] + u * ey + v * ex,
-      ];
-      if (!curvature) return norm([ex, ey]);
-      return length({
-        from,
-        to,
-        controls: [absolute(curvature.params[0]), absolute(curvature.params[1])],
-      });
-    };
-    pattern.stitches.forEach(([a, b], k) => {
-      const seam = garment.seams[k];
-      if (!a || !b || !seam) throw new Error('a stitch without a seam');
-      expect(
-        Math.abs(lengthOf(a) - lengthOf(b) * (seam.gathers ?? 1) - (seam.ease ?? 0)),
-      ).toBeLessThan(0.001);
+  });
+
+  it('has cloth all round a sewn point without excess: a body is not flat, but it has neither spikes nor frills', () => {
+    forEveryGarment((garment) => {
+      for (const corners of closedPoints(garment)) {
+        const angle = corners.reduce((sum, corner) => sum + cornerAngle(corner), 0);
+        const what = `${garment.name}: ${corners.map(called).join(' and ')}`;
+        const isDartTip = corners.length === 1;
+        expect(angle, what).toBeGreaterThan(isDartTip ? 270 : 250);
+        expect(angle, what).toBeLessThan(isDartTip ? 355 : 400);
+      }
     });
-  },
-);
+  });
+
+  it('has the mirror symmetries it names: exact, hung to mirror each other, and none named twice', () => {
+    forEveryGarment(({panels, symmetries}) => {
+      const named = symmetries.flat();
+      expect(new Set(named).size).toBe(named.length);
+      const find = (name: string): Panel => {
+        const found = panels.find((panel) => panel.name === name);
+        if (!found) throw new Error(`no panel '${name}'`);
+        return found;
+      };
+      for (const [one, other = one] of symmetries) {
+        const images = flattened(find(other), 6);
+        for (const [x, y] of flattened(find(one), 6)) {
+          const apart = Math.min(...images.map((q) => norm(minus(q, [-x, y]))));
+          expect(apart, one).toBeLessThan(1e-9);
+        }
+        const [x, y, z] = find(one).placement.translation;
+        expect(find(other).placement.translation, one).toEqual([0 - x, y, z]);
+      }
+    });
+  });
+});

@@ -54,6 +54,17 @@ export interface Match {
   readonly b: {readonly panel: string; readonly line: readonly Point[]};
 }
 
+/** The corner of a panel where two of its edges meet, in either order. */
+export type CornerName = readonly [panel: string, edge: string, edge: string];
+
+/** A seam's end where the line beyond the seam turns on purpose, so that the cloth does not run straight on over it. */
+export interface Turn {
+  /** One of the corners that meet there. */
+  readonly corner: CornerName;
+  /** What a sewist calls it: the point of a V neck, a slit, the crotch. */
+  readonly reason: string;
+}
+
 export interface Garment {
   readonly name: string;
   /** What it is called in a list. */
@@ -61,6 +72,8 @@ export interface Garment {
   readonly panels: readonly Panel[];
   readonly seams: readonly Seam[];
   readonly matches?: readonly Match[];
+  /** Everywhere else lines run on across the seams: hems, necklines, waistlines, armholes. */
+  readonly turns?: readonly Turn[];
   /** The mirror symmetries it is drafted with: one panel, or two. The file leaves them to be found or clicked. */
   readonly symmetries: readonly (readonly [string] | readonly [string, string])[];
 }
@@ -133,6 +146,18 @@ export function onBothSides(
   return (['left', 'right'] as const).map((side) =>
     sew(kind, `${name}, ${side}`, at(a, side), at(b, side), how),
   );
+}
+
+/** The same turn on both sides of the body. */
+export function turnsOnBothSides([panel, before, after]: CornerName, reason: string): Turn[] {
+  return (['left', 'right'] as const).map((side) => ({
+    corner: [
+      panel.replace('*', side),
+      before.replace('*', side),
+      after.replace('*', side),
+    ] as const,
+    reason,
+  }));
 }
 
 /** @throws {Error} for a name that the garment does not have. */

@@ -1,0 +1,47 @@
+/** Every garment that is shipped, read by the built package: what it finds in it, and whether it can be solved. */
+import {readFileSync} from 'node:fs';
+
+import {solve, symmetries, type GarmentCodeSpecification, type Print} from 'seamwise/node';
+import {describe, expect, it} from 'vitest';
+
+import {bodyOf, sizeNames} from '../../web/drafting/body.js';
+import {wardrobe} from '../../web/drafting/wardrobe.js';
+import {strays} from '../support/check-garment.js';
+import {violations} from '../support/check-result.js';
+
+interface ShippedFile extends GarmentCodeSpecification {
+  readonly seams: readonly {readonly stitch: number; readonly matched?: boolean}[];
+}
+
+const file = (path: string): string =>
+  readFileSync(new URL(`../../public/${path}`, import.meta.url), 'utf8');
+const printNamed = (group: string): Print => JSON.parse(file(`prints/${group}.json`)) as Print;
+/** As they are compared: in any order. */
+const sorted = (names: readonly (readonly string[])[]): string[] =>
+  names.map((one) => one.toSorted().join(' and ')).toSorted();
+
+describe.each(wardrobe.map((draft) => draft(bodyOf('m'))))('the $name', ({name, ...drafted}) => {
+  it.each(sizeNames)(
+    'shows exactly the symmetries it is drafted with, in size %s',
+    async (size) => {
+      const found = await symmetries(file(`garments/${name}-${size}.json`));
+      const names = found.symmetries.map((one) =>
+        one.kind === 'piece' ? [one.piece] : one.pieces,
+      );
+      expect(sorted(names)).toEqual(sorted(drafted.symmetries));
+    },
+  );
+
+  it.each([
+    ...['pmm', 'p4m', 'pgg'].map((group) => ['m', group]),
+    ...sizeNames.filter((size) => size !== 'm').map((size) => [size, 'pmm']),
+  ])('is solved soundly in size %s on %s', async (size = '', group = '') => {
+    const garment = JSON.parse(file(`garments/${name}-${size}.json`)) as ShippedFile;
+    const options = {maxChangeCm: 1};
+    const result = await solve({garment, print: printNamed(group), options});
+    const unmatched = garment.seams.flatMap(({matched = true, stitch}) => (matched ? [] : stitch));
+    expect(violations(result, {...options, unmatched})).toEqual([]);
+    expect(strays(result, garment)).toEqual([]);
+    expect(result.metrics.fit).toBeLessThan(result.metrics.fitRandom);
+  });
+});

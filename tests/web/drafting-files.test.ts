@@ -1,0 +1,63 @@
+/** The files that garments are written to. */
+import {readFileSync} from 'node:fs';
+
+import {describe, expect, it} from 'vitest';
+
+import {bodyOf, sizeNames} from '../../web/drafting/body.js';
+import {garmentFile} from '../../web/drafting/garment-file.js';
+import {length, minus, norm, type Point} from '../../web/drafting/geometry.js';
+import {wardrobe} from '../../web/drafting/wardrobe.js';
+import {medium} from '../support/drafts.js';
+
+describe.each(sizeNames)('size %s', (size) => {
+  it.each(wardrobe.map((draft) => draft(bodyOf(size))))(
+    'ships the $name as it is drafted now',
+    (garment) => {
+      const path = `public/garments/${garment.name}-${size}.json`;
+      expect(readFileSync(path, 'utf8')).toBe(garmentFile(garment, size));
+    },
+  );
+});
+
+interface File {
+  pattern: {
+    panels: Record<
+      string,
+      {
+        vertices: Point[];
+        edges: {endpoints: [number, number]; curvature?: {params: [Point, Point]}}[];
+      }
+    >;
+    stitches: {panel: string; edge: number}[][];
+  };
+}
+
+it.each(wardrobe.map((draft) => draft(medium)))(
+  'writes the $name so that its stitches name edges of one length',
+  (garment) => {
+    const {pattern} = JSON.parse(garmentFile(garment, 'm')) as File;
+    const lengthOf = ({panel, edge}: {panel: string; edge: number}): number => {
+      const {vertices = [], edges = []} = pattern.panels[panel] ?? {};
+      const {endpoints, curvature} = edges[edge] ?? {endpoints: [0, 0]};
+      const [from, to] = endpoints.map((v) => vertices[v] ?? [NaN, NaN]) as [Point, Point];
+      const [ex, ey] = minus(to, from);
+      const absolute = ([u, v]: Point): Point => [
+        from[0] + u * ex - v * ey,
+        from[1] + u * ey + v * ex,
+      ];
+      if (!curvature) return norm([ex, ey]);
+      return length({
+        from,
+        to,
+        controls: [absolute(curvature.params[0]), absolute(curvature.params[1])],
+      });
+    };
+    pattern.stitches.forEach(([a, b], k) => {
+      const seam = garment.seams[k];
+      if (!a || !b || !seam) throw new Error('a stitch without a seam');
+      expect(
+        Math.abs(lengthOf(a) - lengthOf(b) * (seam.gathers ?? 1) - (seam.ease ?? 0)),
+      ).toBeLessThan(0.001);
+    });
+  },
+);
