@@ -7,7 +7,6 @@ import {
   left,
   length,
   line,
-  mirror,
   plus,
   reversed,
   trueTo,
@@ -15,6 +14,7 @@ import {
   type Point,
 } from './geometry.js';
 import {edge, onBothSides, sew, symmetricPanel, type Garment, type Panel} from './panel.js';
+import {bandPanel} from './skirt-lines.js';
 
 export const waistGathers = 1.6;
 const gathered = {gathers: waistGathers, notches: [0.25, 0.5, 0.75]};
@@ -55,19 +55,14 @@ function skirtPanel(body: Body, half: Half): Panel {
   );
 }
 
-/** A straight strip. Origin: the middle of its lower edge. */
-function bandPanel(body: Body, half: Half): Panel {
-  const low: Point = [bandLength(body, half) / 2, 0];
-  const high: Point = [low[0], bandHeight];
+function waistband(body: Body, half: Half): Panel {
   const away = radiusOf(body.waist) + 8;
-  return symmetricPanel(
+  return bandPanel(
     `waistband_${half}`,
-    {
-      bottom: edge('lower', line(mirror(low), low)),
-      half: [edge('end', line(low, high))],
-      top: edge('upper', line(high, mirror(high))),
-      side: half === 'front' ? 'left' : 'right',
-    },
+    half === 'front' ? 'left' : 'right',
+    ['lower', bandLength(body, half)],
+    [],
+    bandHeight,
     half === 'front'
       ? {translation: [0, body.waistHeight, away], rotation: [0, 0, 0]}
       : {translation: [0, body.waistHeight, -away], rotation: [0, 180, 0]},
@@ -81,8 +76,8 @@ export function draftGatheredSkirt(body: Body): Garment {
     panels: [
       skirtPanel(body, 'front'),
       skirtPanel(body, 'back'),
-      bandPanel(body, 'front'),
-      bandPanel(body, 'back'),
+      waistband(body, 'front'),
+      waistband(body, 'back'),
     ],
     seams: [
       ...onBothSides('side', 'Side seam', ['front', 'side *'], ['back', 'side *'], {

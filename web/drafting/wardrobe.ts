@@ -3,10 +3,12 @@ import type {Body} from './body.js';
 import {draftPrincessDress} from './princess-dress.js';
 import {draftGatheredSkirt} from './gathered-skirt.js';
 import {draftTee} from './tee.js';
+import {draftSixGoreSkirt} from './six-gore-skirt.js';
 import type {Garment} from './panel.js';
 
 export const wardrobe: readonly ((body: Body) => Garment)[] = [
   draftPrincessDress,
   draftTee,
   draftGatheredSkirt,
+  draftSixGoreSkirt,
 ];
