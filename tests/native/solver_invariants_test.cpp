@@ -12,7 +12,7 @@ using testing::task;
 
 /// Problems whose alignment search ends at the same place whatever the order of its random draws.
 std::vector<Task> settledTasks() {
-  return {task("skirt", "p1"), task("dress", "pmm"), task("dress", "p31m")};
+  return {task("gathered-skirt", "p1"), task("princess-dress", "pmm"), task("princess-dress", "p31m")};
 }
 
 /// Three rectangles sewn side by side. A tube's girth is two repeats of the sample prints, so that
@@ -117,7 +117,7 @@ TEST(SolverInvariants, SearchesEndWithinFivePercentHoweverTheProblemIsWorded) {
 }
 
 TEST(SolverInvariants, RenamedPiecesGiveTheVerySameNumbers) {
-  for (const Task& plain : {task("skirt", "p4m"), task("tee", "pgg"), task("dress", "p1")}) {
+  for (const Task& plain : {task("gathered-skirt", "p4m"), task("tee", "pgg"), task("princess-dress", "p1")}) {
     Task renamed = plain;
     testing::renamePanels(renamed.garment);
     const Result a = solved(plain), b = solved(renamed);
@@ -141,7 +141,7 @@ TEST(SolverInvariants, ShiftedPanelsFitAsBefore) {
 
 TEST(SolverInvariants, PinsMovedByALatticeVectorFitAsBefore) {
   for (const char* group : {"p1", "p4m"}) {
-    for (const char* garment : {"skirt", "tee", "dress"}) {
+    for (const char* garment : {"gathered-skirt", "tee", "princess-dress"}) {
       Task t = task(garment, group);
       t.symmetry = "none";
       const WallpaperGroup print = testing::problemOf(t).print.group;
@@ -175,7 +175,7 @@ TEST(SolverInvariants, TwiceTheGarmentOnTwiceThePrintHasFourTimesTheFit) {
 }
 
 TEST(SolverInvariants, TheSameSeedGivesTheSameBytes) {
-  for (Task t : {task("tee", "p4m"), task("skirt", "p1"), task("dress", "pgg")}) {
+  for (Task t : {task("tee", "p4m"), task("gathered-skirt", "p1"), task("princess-dress", "pgg")}) {
     t.seed = 7;
     EXPECT_EQ(writeResult(solved(t)), writeResult(solved(t)));
   }
@@ -184,7 +184,7 @@ TEST(SolverInvariants, TheSameSeedGivesTheSameBytes) {
 TEST(SolverInvariants, WithoutSymmetryTheSearchIsNoWorse) {
   // the symmetric answer is one that it starts from
   for (const char* group : {"pmm", "p31m", "pgg"}) {
-    for (const char* garment : {"skirt", "tee", "dress"}) {
+    for (const char* garment : {"gathered-skirt", "tee", "princess-dress"}) {
       Task t = task(garment, group);
       const double symmetric = solved(t).fit_search;
       t.symmetry = "none";
@@ -195,7 +195,7 @@ TEST(SolverInvariants, WithoutSymmetryTheSearchIsNoWorse) {
 
 TEST(SolverInvariants, NoOutlineMovesFurtherThanAllowed) {
   for (const char* group : {"p1", "pmm", "p6m"}) {
-    for (const char* garment : {"skirt", "tee", "dress"}) {
+    for (const char* garment : {"gathered-skirt", "tee", "princess-dress"}) {
       for (double allowed : {0.2, 1.0}) {
         Task t = task(garment, group);
         t.options["maxChangeCm"] = allowed;

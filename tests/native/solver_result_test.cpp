@@ -118,7 +118,7 @@ double movedAsItLies(const Result& r) {
 
 std::vector<Task> tasks() {
   std::vector<Task> all;
-  for (const char* garment : {"skirt", "tee", "dress"})
+  for (const char* garment : {"gathered-skirt", "tee", "princess-dress"})
     for (const char* group : {"p1", "pmm", "p31m", "pgg"}) all.push_back(task(garment, group));
   return all;
 }
@@ -213,7 +213,7 @@ TEST(BestMethod, IsStifferWithALargerAlphaAndAveragesSeamShapesWhenAsked) {
 
 TEST(OtherMethods, EndAndKeepTheGreatestChange) {
   for (Method method : {Method::kPaper, Method::kWs19}) {
-    Task t = task("skirt", "pmm");
+    Task t = task("gathered-skirt", "pmm");
     t.method = method;
     const Result r = solved(t);
     EXPECT_EQ(r.method, method);
@@ -229,7 +229,7 @@ TEST(OtherMethods, EndAndKeepTheGreatestChange) {
 
 TEST(Solver, ReportsPhasesInOrderProgressThatNeverFallsAndAnAlignmentThroughout) {
   for (Method method : {Method::kBest, Method::kPaper}) {
-    Task t = task("skirt", "pmm");
+    Task t = task("gathered-skirt", "pmm");
     t.method = method;
     t.options["alpha"] = 4;  // of the other methods: they need not look for one
     Outcome<Solver> made = Solver::make(testing::problemOf(t));

@@ -12,15 +12,17 @@
 
 namespace seamwise::testing {
 
-/// A sample garment. It is not placed in 3D, so that panels may be moved in their own coordinates.
+/// A sample garment in its middle size, without what depends on the panels' own coordinates or on
+/// the order of its stitches, so that a test may move and reorder them.
 inline Json sampleGarment(const std::string& name) {
-  std::ifstream file(std::string(SEAMWISE_GARMENTS) + "/" + name + ".json");
+  std::ifstream file(std::string(SEAMWISE_GARMENTS) + "/" + name + "-m.json");
   std::ostringstream text;
   text << file.rdbuf();
   Json garment = Json::parse(text.str());
   garment["pattern"].erase("panel_order");
+  garment.erase("seams");
   for (Json& panel : garment["pattern"]["panels"])
-    panel.erase("translation"), panel.erase("rotation");
+    for (const char* field : {"translation", "rotation", "grain", "notches"}) panel.erase(field);
   return garment;
 }
 

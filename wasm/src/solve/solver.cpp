@@ -6,6 +6,7 @@
 #include "solve/paper_run.h"
 #include "solve/prepare.h"
 #include "solve/promise.h"
+#include "solve/remarks.h"
 
 namespace seamwise {
 namespace {
@@ -89,6 +90,7 @@ Outcome<Solver> Solver::make(Problem problem) {
   applySeamOptions(p.options, state->pattern);
   state->rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
   std::vector<std::string>* const notes = &state->problem.notes;
+  for (std::string& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
     state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules, notes);
   else

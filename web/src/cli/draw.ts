@@ -1,4 +1,4 @@
-import {dirname, extname, isAbsolute, join} from 'node:path';
+import {basename, dirname, extname, isAbsolute, join} from 'node:path';
 
 import {groupNames, type Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
@@ -35,7 +35,7 @@ export async function draw(words: readonly string[]): Promise<void> {
   const cloth = asPrint(await readJson(printFile), printFile);
   if (!sameRepeat(result.print, cloth)) {
     throw new UsageError(
-      `${resultFile} was solved for another group or repeat than ${printFile}'s.`,
+      `${resultFile} was solved for another group or repeat than ${printFile}'s; draw it on the print it was solved with.`,
     );
   }
   if (out !== undefined) await checkWritable(out);
@@ -43,7 +43,7 @@ export async function draw(words: readonly string[]): Promise<void> {
   const picture = drawResult(
     result,
     {...cloth, ...(tile === undefined ? {} : {tile})},
-    title === undefined ? {} : {title},
+    {title: title ?? basename(resultFile, extname(resultFile))},
   );
   if (out === undefined) print(picture);
   else await writeText(out, picture);
@@ -51,10 +51,11 @@ export async function draw(words: readonly string[]): Promise<void> {
 
 async function readJson(path: string, limit?: number): Promise<unknown> {
   const text = await readText(path, limit);
+  if (text.trim() === '') throw new UsageError(`${path} is empty; choose another file.`);
   try {
     return JSON.parse(text) as unknown;
   } catch {
-    throw new UsageError(`${path} is not a JSON file.`);
+    throw new UsageError(`${path} is not JSON; save it again.`);
   }
 }
 
@@ -67,7 +68,9 @@ function asResult(value: unknown, path: string): SolveResult {
     value.format === 'seamwise-result/1' &&
     ['pieces', 'seams', 'symmetries'].every((field) => Array.isArray(value[field])) &&
     ['print', 'metrics'].every((field) => isObject(value[field]));
-  if (!complete) throw new UsageError(`${path} is not a result file (seamwise-result/1).`);
+  if (!complete) throw new UsageError(
+      `${path} is not a result file (seamwise-result/1); align a garment with --out to get one.`,
+    );
   return value as unknown as SolveResult;
 }
 
@@ -79,7 +82,7 @@ function asPrint(value: unknown, path: string): Print {
     groupNames.some((name) => name === value.group) &&
     isVector(value.w1) &&
     isVector(value.w2);
-  if (!complete) throw new UsageError(`${path} is not a print file: it needs group, w1 and w2.`);
+  if (!complete) throw new UsageError(`${path} is not a print file; give it the fields group, w1 and w2.`);
   return value as unknown as Print;
 }
 
@@ -99,7 +102,7 @@ async function readTile({image}: Print, printFile: string): Promise<string | und
   if (extension === '.svg') return readText(path);
   const type = imageTypes[extension];
   if (type === undefined) {
-    throw new UsageError(`${path}, the print's image, is none of svg, png, jpg, webp, gif, avif.`);
+    throw new UsageError(`${path}, the print's image, is none of svg, png, jpg, webp, gif, avif; convert it.`);
   }
   return `data:${type};base64,${(await readBytes(path)).toString('base64')}`;
 }

@@ -18,7 +18,9 @@ export async function readText(path: string, limit?: number): Promise<string> {
 /** The bytes of a file, which may be a pipe. @throws {UsageError} naming the file and what is wrong */
 export async function readBytes(path: string, limit: number = inputLimit): Promise<Buffer> {
   const tooLarge = () =>
-    new UsageError(`${path} is larger than ${String(limit / 1e6)} MB, the limit for such a file.`);
+    new UsageError(
+      `${path} is larger than ${String(limit / 1e6)} MB, the limit for such a file; choose another.`,
+    );
   let file: FileHandle | undefined;
   try {
     file = await open(path, 'r');
@@ -43,7 +45,7 @@ export async function readBytes(path: string, limit: number = inputLimit): Promi
 export async function checkWritable(path: string): Promise<void> {
   try {
     const existing = await stat(path).catch(() => null);
-    if (existing?.isDirectory()) throw new UsageError(`${path} is a directory, not a file.`);
+    if (existing?.isDirectory()) throw new UsageError(`${path} is a directory; name a file in it.`);
     if (existing === null) await checkFolder(path);
     await access(existing ? path : dirname(path), constants.W_OK);
   } catch (error) {
@@ -99,6 +101,6 @@ const reasons: Readonly<Record<string, string>> = {
 function fileError(error: unknown, path: string, verb: 'read' | 'written'): unknown {
   const code = error instanceof Error && 'code' in error ? String(error.code) : '';
   if (code === '') return error;
-  if (code === 'EISDIR') return new UsageError(`${path} is a directory, not a file.`);
+  if (code === 'EISDIR') return new UsageError(`${path} is a directory; name a file in it.`);
   return new UsageError(`${path} cannot be ${verb}: ${reasons[code] ?? code}.`);
 }

@@ -1,4 +1,6 @@
 #!/usr/bin/env node
+import {readFile} from 'node:fs/promises';
+
 import {SolverError} from '../model/failure.js';
 import {align} from './align.js';
 import {UsageError} from './arguments.js';
@@ -19,6 +21,10 @@ async function main([command, ...words]: readonly string[]): Promise<void> {
     print(usage);
     return;
   }
+  if (command === '--version') {
+    print(await version());
+    return;
+  }
   if (command === undefined) throw new UsageError('a command is missing; see --help.');
   const run = Object.hasOwn(commands, command) ? commands[command] : undefined;
   if (!run) {
@@ -26,6 +32,12 @@ async function main([command, ...words]: readonly string[]): Promise<void> {
     throw new UsageError(`unknown command '${command}'; there are ${known}.`);
   }
   await run(words);
+}
+
+/** The version in package.json, which is two folders up from here, in the package as in the repository. */
+async function version(): Promise<string> {
+  const text = await readFile(new URL('../../package.json', import.meta.url), 'utf8');
+  return (JSON.parse(text) as {readonly version: string}).version;
 }
 
 /** 2: the input is at fault. 1: anything else. */

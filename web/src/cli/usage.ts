@@ -20,5 +20,8 @@ seamwise convert GARMENT.json [--out FILE.json]
 seamwise draw RESULT.json --print PRINT.json [--out PICTURE.svg] [--title TEXT]
   Draws the pieces on their print, before and after, with the mismatch along the seams.
 
+seamwise --version
+seamwise --help
+
 Exit code: 0 done; 2 bad input, with one sentence that says what is wrong; 1 anything else.
 `;

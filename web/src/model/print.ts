@@ -23,9 +23,19 @@ export const groupNames = [
 
 export type GroupName = (typeof groupNames)[number];
 
+/** The same print in other colours: an image of its cell as SVG, and one as PNG. */
+export interface Colourway {
+  readonly name: string;
+  readonly image: string;
+  readonly raster?: string;
+}
+
 /** A repeating print. `w1`, `w2` in cm, right-handed; +y of the print is the length of the cloth. */
 export interface Print {
   readonly format?: 'seamwise-print/1';
+  /** What people call it. */
+  readonly title?: string;
+  readonly family?: 'botanical' | 'geometric' | 'tailored';
   readonly group: GroupName;
   readonly w1: Point;
   readonly w2: Point;
@@ -36,4 +46,6 @@ export interface Print {
   /** The print has an upside: a piece on grain may not be turned by 180 degrees. */
   readonly oneWay?: boolean;
   readonly fabric?: {readonly usableWidthCm?: number};
+  /** The first is the one that `image` shows. */
+  readonly colourways?: readonly Colourway[];
 }

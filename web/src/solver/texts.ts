@@ -20,8 +20,24 @@ export const plainNames: ProblemNames = {
   options: 'options',
 };
 
+const namedSymmetries = new Set(['auto', 'none']);
+const fields = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'];
+
+/** What a caller without types may hand over instead of a problem. @throws {SolverError} */
+function checkProblem(problem: unknown): void {
+  const wrong = (message: string) => new SolverError({code: 'options', message});
+  if (typeof problem !== 'object' || problem === null) {
+    throw wrong('The problem is missing: hand over an object with garment and print.');
+  }
+  const unknown = Object.keys(problem).find((field) => !fields.includes(field));
+  if (unknown !== undefined) {
+    throw wrong(`A problem has no field '${unknown}'; it has ${fields.join(', ')}.`);
+  }
+}
+
 /** @throws {SolverError} for what cannot be handed to the core at all */
 export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}): ProblemTexts {
+  checkProblem(problem);
   const names = {...plainNames, ...given};
   const {method = 'best', seed = 1} = problem;
   if (!methods.includes(method)) {
@@ -36,12 +52,19 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
       message: `seed is ${String(seed)}, but must be a whole number from 0 to 4294967295.`,
     });
   }
+  const {symmetry = 'auto'} = problem;
+  if (typeof symmetry === 'string' && /^\w+$/.test(symmetry) && !namedSymmetries.has(symmetry)) {
+    throw new SolverError({
+      code: 'symmetryMalformed',
+      message: `symmetry is '${symmetry}', but must be 'auto', 'none' or the symmetries themselves.`,
+    });
+  }
   return {
     garment: jsonText(problem.garment, names.garment),
     garmentName: names.garment,
     print: jsonText(problem.print, names.print),
     printName: names.print,
-    symmetry: jsonText(problem.symmetry ?? 'auto', names.symmetry),
+    symmetry: jsonText(symmetry, names.symmetry),
     symmetryName: names.symmetry,
     options: problem.options === undefined ? '' : jsonText(problem.options, names.options),
     optionsName: names.options,
@@ -52,7 +75,7 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
 
 /** A value as JSON text; a string, or bytes, are taken to be JSON text already. @throws {SolverError} */
 export function jsonText(value: unknown, name: string): string {
-  if (value === '') throw new SolverError({code: 'notJson', message: `${name} is empty.`});
+  if (value === '') throw new SolverError({code: 'notJson', message: `${name} is empty; choose another file.`});
   if (typeof value === 'string') return value;
   if (value instanceof Uint8Array) return new TextDecoder().decode(value);
   let text: string | undefined;
@@ -67,7 +90,7 @@ export function jsonText(value: unknown, name: string): string {
   }
   // JSON.stringify(undefined) is undefined, whatever its declaration says.
   if (typeof text !== 'string') {
-    throw new SolverError({code: 'notJson', message: `${name} is missing.`});
+    throw new SolverError({code: 'notJson', message: `${name} is missing; hand over an object or JSON text.`});
   }
   return text;
 }
