@@ -26,6 +26,6 @@ describe('the tee', () => {
   });
 
   it('says which measurements it cannot be drafted from', () => {
-    expect(() => draftTee({...medium, upperArm: 90})).toThrow('the sleeve width cannot be made');
+    expect(() => draftTee({...medium, upperArm: 90})).toThrow('sleeve cap cannot be made');
   });
 });

@@ -68,14 +68,25 @@ export function reversed({from, to, controls}: Curve): Curve {
     : {from: to, to: from};
 }
 
-export function mirrored({from, to, controls}: Curve): Curve {
-  const ends = {from: mirror(from), to: mirror(to)};
-  return controls ? {...ends, controls: [mirror(controls[0]), mirror(controls[1])]} : ends;
+/** The image of a curve under a map that keeps straight lines: a motion, a mirror, a scaling. */
+export function mapped({from, to, controls}: Curve, map: (p: Point) => Point): Curve {
+  const ends = {from: map(from), to: map(to)};
+  return controls ? {...ends, controls: [map(controls[0]), map(controls[1])]} : ends;
 }
 
-export function moved({from, to, controls}: Curve, by: Point): Curve {
-  const ends = {from: plus(from, by), to: plus(to, by)};
-  return controls ? {...ends, controls: [plus(controls[0], by), plus(controls[1], by)]} : ends;
+export const mirrored = (curve: Curve): Curve => mapped(curve, mirror);
+
+export const moved = (curve: Curve, by: Point): Curve => mapped(curve, (p) => plus(p, by));
+
+/** The mirror image in the line through `a` and `b`: how the cloth beyond a seam lies once that is unfolded. */
+export function reflectedIn(a: Point, b: Point): (p: Point) => Point {
+  const along = minus(b, a);
+  const square = norm(along) ** 2;
+  return (p) => {
+    const [x, y] = minus(p, a);
+    const foot = plus(a, along, (x * along[0] + y * along[1]) / square);
+    return plus(foot, minus(foot, p));
+  };
 }
 
 export function pointAt({from, to, controls}: Curve, t: number): Point {
@@ -120,6 +131,7 @@ export function length(curve: Curve): number {
 
 /**
  * The argument between `low` and `high` at which `measure` takes the value `target`: how a pattern is trued.
+ * By the Illinois rule: the secant, but an end that stays twice counts half.
  * @throws {RangeError} if the target lies outside: the measurements ask for something that cannot be drafted.
  */
 export function trueTo(
@@ -129,18 +141,65 @@ export function trueTo(
   low: number,
   high: number,
 ): number {
-  let a = low;
-  let b = high;
-  const rising = measure(b) > measure(a);
-  if (
-    rising ? measure(a) > target || measure(b) < target : measure(a) < target || measure(b) > target
-  ) {
+  let [a, b] = [low, high];
+  let [atA, atB] = [measure(a) - target, measure(b) - target];
+  if (!(atA * atB <= 0)) {
     throw new RangeError(`${what} cannot be made ${target.toFixed(1)} cm with these measurements`);
   }
-  for (let i = 0; i < 60; i++) {
-    const x = (a + b) / 2;
-    if (measure(x) > target === rising) b = x;
-    else a = x;
+  while (Math.abs(atB) > 1e-11 && Math.abs(b - a) > 1e-13 * Math.abs(high - low)) {
+    const x = b - (atB * (b - a)) / (atB - atA);
+    const atX = measure(x) - target;
+    if (atX * atB < 0) [a, atA] = [b, atB];
+    else atA /= 2;
+    [b, atB] = [x, atX];
   }
-  return (a + b) / 2;
+  return b;
 }
+
+/** The two parts of a curve before and after parameter t; together they are the curve itself. */
+export function split({from, to, controls}: Curve, t: number): readonly [Curve, Curve] {
+  const between = (a: Point, b: Point): Point => plus(a, minus(b, a), t);
+  if (!controls) {
+    const at = between(from, to);
+    return [line(from, at), line(at, to)];
+  }
+  const [c, d] = controls;
+  const [first, second, third] = [between(from, c), between(c, d), between(d, to)];
+  const [near, far] = [between(first, second), between(second, third)];
+  const at = between(near, far);
+  return [
+    {from, to: at, controls: [first, near]},
+    {from: at, to, controls: [far, third]},
+  ];
+}
+
+/** A curve parted where `measure`, a function of the point, takes the value `target`. */
+export function splitWhere(
+  what: string,
+  whole: Curve,
+  measure: (p: Point) => number,
+  target: number,
+): readonly [Curve, Curve] {
+  return split(
+    whole,
+    trueTo(what, target, (t) => measure(pointAt(whole, t)), 0, 1),
+  );
+}
+
+/** A curve parted into pieces of the given lengths, in cm from its start, and what is left. */
+export function splitAtLengths(what: string, whole: Curve, lengths: readonly number[]): Curve[] {
+  const [first, ...others] = lengths;
+  if (first === undefined) return [whole];
+  const [piece, rest] = split(
+    whole,
+    trueTo(what, first, (t) => length(split(whole, t)[0]), 0, 1),
+  );
+  return [piece, ...splitAtLengths(what, rest, others)];
+}
+
+/**
+ * How long the handle of a cubic's end has to be for the given curvature (1/cm) there, if the other control
+ * lies `offset` cm off the tangent: curves with the same end and curvature run on into each other without a bump.
+ */
+export const handleFor = (curvature: number, offset: number): number =>
+  Math.sqrt((2 * offset) / (3 * curvature));

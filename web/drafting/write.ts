@@ -5,11 +5,13 @@ import {garmentFile} from './garment-file.js';
 import {wardrobe} from './wardrobe.js';
 
 const folder = 'public/garments';
+// all are drafted before the first is written: one that cannot be leaves the folder as it is
+const files = wardrobe.flatMap((draft) =>
+  sizeNames.map((size) => {
+    const garment = draft(bodyOf(size));
+    return [`${garment.name}-${size}.json`, garmentFile(garment, size)] as const;
+  }),
+);
 rmSync(folder, {recursive: true, force: true});
 mkdirSync(folder, {recursive: true});
-for (const draft of wardrobe) {
-  for (const size of sizeNames) {
-    const garment = draft(bodyOf(size));
-    writeFileSync(`${folder}/${garment.name}-${size}.json`, garmentFile(garment, size));
-  }
-}
+for (const [name, text] of files) writeFileSync(`${folder}/${name}`, text);

@@ -1,0 +1,87 @@
+/** The upper body that tops are cut from, without darts. Origin of front and back: the middle of the waist line. */
+import {radiusOf, type Body} from './body.js';
+import {across, curve, leaning, left, line, type Curve, type Point} from './geometry.js';
+import type {Placement} from './panel.js';
+
+export type Half = 'front' | 'back';
+
+/** What a top makes of the body. Lengths in cm, angles in radians. */
+export interface BodiceStyle {
+  readonly bustEase: number;
+  readonly hipEase: number;
+  /** From the nape down to the underarm, beyond a tenth of the bust. */
+  readonly armholeDepth: number;
+  /** How far the shoulder seam runs on beyond the shoulder point. */
+  readonly shoulderOut: number;
+  readonly shoulderSlope: number;
+  /** How much wider each half of the neckline is than a fifth of the neck. */
+  readonly neckOut: number;
+  readonly neckDepth: Readonly<Record<Half, number>>;
+  readonly hemBelowWaist: number;
+  /** How the side seam leans out at the underarm. */
+  readonly sideLean: number;
+  /** The front is cut this much wider than the back, at each side seam. */
+  readonly forward: number;
+  /** Handles of the armhole at the underarm and at the shoulder: a front armhole is scooped out further. */
+  readonly scoop: Readonly<Record<Half, readonly [number, number]>>;
+}
+
+/** The edges of the +x side, from the hem up to the neck. */
+export interface BodiceHalf {
+  readonly side: Curve;
+  readonly armhole: Curve;
+  readonly shoulder: Curve;
+}
+
+export function bodiceHalf(body: Body, half: Half, style: BodiceStyle): BodiceHalf {
+  const {shoulderSlope, sideLean, hemBelowWaist} = style;
+  const wider = half === 'front' ? style.forward : -style.forward;
+  const underarm: Point = [
+    (body.bust + style.bustEase) / 4 + wider,
+    body.backLength - (body.bust / 10 + style.armholeDepth),
+  ];
+  const hem: Point = [(body.hip + style.hipEase) / 4 + wider, -hemBelowWaist];
+  const neck: Point = [body.neck / 5 + style.neckOut, body.backLength + style.neckDepth.back];
+  const tipX = body.shoulderWidth / 2 + style.shoulderOut;
+  const tip: Point = [tipX, neck[1] - (tipX - neck[0]) * Math.tan(shoulderSlope)];
+
+  // up the side, hollowed at the waist and square to a level hem
+  const up = underarm[1] - hem[1];
+  const side = curve(hem, [0, 1], underarm, leaning(sideLean), 0.46 * up, 0.35 * up);
+  // the armhole is square to the side seam and to the shoulder, so that it runs on from front to back
+  const [atUnderarm, atShoulder] = style.scoop[half];
+  const armhole = curve(
+    underarm,
+    left(leaning(sideLean)),
+    tip,
+    leaning(shoulderSlope),
+    atUnderarm,
+    atShoulder,
+  );
+  return {side, armhole, shoulder: line(tip, neck)};
+}
+
+/** The whole neckline from -x to +x, square to the shoulders; a cubic sinks to 3/4 of its handles. */
+export function roundNeckline(neck: Point, depth: number, shoulderSlope: number): Curve {
+  return across(neck, leaning(shoulderSlope), depth / 0.75 / Math.cos(shoulderSlope));
+}
+
+/** One side of a neckline, from the shoulder to the middle, which it reaches square. */
+export function halfNeckline(neck: Point, depth: number, shoulderSlope: number): Curve {
+  return curve(
+    neck,
+    leaning(Math.PI + shoulderSlope),
+    [0, neck[1] - depth],
+    [-1, 0],
+    0.6 * depth,
+    0.5 * neck[0],
+  );
+}
+
+/** Where front and back hang: `away` cm off the body, the waist at its height. */
+export function hung(body: Body, half: Half, away: number, x = 0): Placement {
+  const z = radiusOf(body.bust) + away;
+  return half === 'front'
+    ? {translation: [x, body.waistHeight, z], rotation: [0, 0, 0]}
+    : {translation: [x, body.waistHeight, -z], rotation: [0, 180, 0]};
+}

@@ -1,0 +1,125 @@
+/**
+ * Set-in sleeves. Drafted for the wearer's left, whose front half lies at -x. Origin: on the line across both
+ * underarms, below the top of the cap.
+ */
+import type {Body} from './body.js';
+import type {BodiceHalf, Half} from './bodice.js';
+import {
+  curve,
+  degrees,
+  handleFor,
+  leaning,
+  left,
+  length,
+  line,
+  mirror,
+  mirrored,
+  plus,
+  reversed,
+  trueTo,
+  type Curve,
+  type Point,
+} from './geometry.js';
+import type {Placement} from './panel.js';
+
+export interface CapStyle {
+  /** Across the sleeve at the underarm. [cm] */
+  readonly width: number;
+  /** How far each half of the cap is drafted longer than the armhole it is sewn into. [cm] */
+  readonly ease: Readonly<Record<Half, number>>;
+  /** How the underarm seams lean in towards the wrist. [radians] */
+  readonly taper: number;
+}
+
+/** The two curves of a cap, in the order of the outline: up the back, down the front. */
+export interface Cap {
+  readonly back: Curve;
+  readonly front: Curve;
+  readonly height: number;
+}
+
+/** Handles at the underarm, as parts of the half width: the front of a cap is scooped out further. */
+const scoop = {front: 0.5, back: 0.38};
+/** Handle at the top of a cap whose halves are alike, as a part of the half width: how round the top is. */
+const roundness = 0.57;
+
+/** Half a cap on its +x side; both halves share the curvature at the top, so that it has no point. */
+function capHalf(half: Half, style: CapStyle, width: number, height: number): Curve {
+  const atUnderarm = scoop[half] * width;
+  const curvature = (2 * height) / (3 * ((roundness * style.width) / 2) ** 2);
+  const out = left(leaning(style.taper));
+  const atTop = handleFor(curvature, height - atUnderarm * out[1]);
+  return curve([width, 0], out, [0, height], [-1, 0], atUnderarm, atTop);
+}
+
+/** The cap for a pair of armholes: a lower cap is wider, so its height follows from the width of the sleeve. */
+export function sleeveCap(armholes: Readonly<Record<Half, number>>, style: CapStyle): Cap {
+  const widthAt = (half: Half, height: number): number =>
+    trueTo(
+      `the ${half} sleeve cap`,
+      armholes[half] + style.ease[half],
+      (w) => length(capHalf(half, style, w, height)),
+      0.3 * style.width,
+      0.9 * style.width,
+    );
+  const height = trueTo(
+    'the sleeve width',
+    style.width,
+    (h) => widthAt('front', h) + widthAt('back', h),
+    3,
+    18,
+  );
+  return {
+    back: capHalf('back', style, widthAt('back', height), height),
+    front: reversed(mirrored(capHalf('front', style, widthAt('front', height), height))),
+    height,
+  };
+}
+
+export const armholeLengths = (
+  halves: Readonly<Record<Half, BodiceHalf>>,
+): Record<Half, number> => ({
+  front: length(halves.front.armhole),
+  back: length(halves.back.armhole),
+});
+
+/** What hangs below a cap. */
+export interface Tube {
+  /** From front to back, square to both edges of the underarm seam; hollow, since the sleeve narrows. */
+  readonly hem: Curve;
+  readonly underarmBack: Curve;
+  readonly underarmFront: Curve;
+}
+
+/** @param seamLength of the underarm seam, in cm */
+export function sleeveTube(cap: Cap, taper: number, seamLength: number): Tube {
+  const down: Point = plus([0, 0], leaning(taper), -seamLength);
+  const hemBack = plus(cap.back.from, down);
+  const hemFront = plus(cap.front.to, mirror(down));
+  const square = left(leaning(taper));
+  return {
+    hem: curve(hemFront, mirror(square), hemBack, plus([0, 0], square, -1)),
+    underarmBack: line(hemBack, cap.back.from),
+    underarmFront: line(cap.front.to, hemFront),
+  };
+}
+
+/** The angle at which sleeves stand out from the body. */
+const hang = degrees(45);
+const clear = 6;
+
+/**
+ * Where the left sleeve hangs: its cap a little outside the shoulder, its front towards +z.
+ * @param below how far down the sleeve, from the origin of the draft, the panel's own origin is
+ */
+export function hungSleeve(body: Body, tip: Point, height: number, below = 0): Placement {
+  const reach = height + below;
+  return {
+    translation: [
+      tip[0] + clear + reach * Math.sin(hang),
+      body.waistHeight + tip[1] + clear - reach * Math.cos(hang),
+      0,
+    ],
+    rotation: [0, 90, 45],
+  };
+}
