@@ -4,6 +4,7 @@ import {draftPrincessDress} from './princess-dress.js';
 import {draftGatheredSkirt} from './gathered-skirt.js';
 import {draftTee} from './tee.js';
 import {draftSixGoreSkirt} from './six-gore-skirt.js';
+import {draftTrousers} from './trousers.js';
 import type {Garment} from './panel.js';
 
 export const wardrobe: readonly ((body: Body) => Garment)[] = [
@@ -11,4 +12,5 @@ export const wardrobe: readonly ((body: Body) => Garment)[] = [
   draftTee,
   draftGatheredSkirt,
   draftSixGoreSkirt,
+  draftTrousers,
 ];
