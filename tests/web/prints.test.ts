@@ -1,78 +1,100 @@
-import {readFileSync} from 'node:fs';
+import {readdirSync, readFileSync, statSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
-import {designs} from '../../web/prints/prints.js';
-import {copies, printFile, tile} from '../../web/prints/tile.js';
+import {collection} from '../../web/prints/collection.js';
+import {palettes} from '../../web/prints/palette.js';
+import {indexedPng} from '../../web/prints/png.js';
+import {pixelsOf, printFile, printOf, tilesOf} from '../../web/prints/print-files.js';
+import {decoded, rendered} from '../../web/prints/raster.js';
+import {imageSize} from '../../web/prints/tile.js';
 import {groupNames} from '../../web/src/model/print.js';
-import {imageCell, latticeType, printElements} from '../../web/src/model/wallpaper.js';
+import {latticeType} from '../../web/src/model/wallpaper.js';
 
-it('has one print for each of the 17 groups', () => {
-  expect(designs.map(({print}) => print.group)).toEqual(groupNames);
+const folder = 'public/prints';
+const isStripe = (id: string): boolean => ['ticking', 'regatta'].includes(id);
+
+it('has one print for each of the 17 groups, and seven more', () => {
+  const ids = collection.map(({id}) => id);
+  for (const name of groupNames) {
+    expect(collection.find(({id}) => id === name)?.cell.group).toBe(name);
+  }
+  expect(new Set(ids).size).toBe(24);
+});
+
+it('has botanical, geometric and tailored prints', () => {
+  const families = collection.map(({family}) => family);
+  for (const family of ['botanical', 'geometric', 'tailored'] as const) {
+    expect(families.filter((one) => one === family).length).toBeGreaterThanOrEqual(6);
+  }
 });
 
 it('has a lattice that is truly oblique', () => {
-  const slanted = designs.filter(
-    ({print: {w1, w2}}) =>
-      latticeType('p2') === 'oblique' && Math.abs(w1[0] * w2[0] + w1[1] * w2[1]) > 1,
-  );
-  expect(slanted.map(({print}) => print.group)).toContain('p2');
+  const p2 = collection.find(({id}) => id === 'p2')?.cell;
+  expect(p2 && Math.abs(p2.w1[0] * p2.w2[0] + p2.w1[1] * p2.w2[1])).toBeGreaterThan(1);
 });
 
-describe.each(designs)('the print in $print.group', (design) => {
-  const {print} = design;
-  const [a, b] = imageCell(print);
-  const area = ([x, y]: readonly [number, number], [u, v]: readonly [number, number]): number =>
-    x * v - y * u;
+it('ships nothing but the files of the collection, in 1.6 MB', () => {
+  const made = collection.flatMap((design) => [
+    `${design.id}.json`,
+    ...tilesOf(design).flatMap(({name}) => [`${name}.svg`, `${name}.png`]),
+  ]);
+  const shipped = readdirSync(folder);
+  expect(shipped.toSorted()).toEqual(made.toSorted());
+  const bytes = shipped.map((name) => statSync(`${folder}/${name}`).size);
+  expect(bytes.reduce((sum, size) => sum + size, 0)).toBeLessThan(1.6e6);
+});
+
+describe.each(collection)('$id', (design) => {
+  const {cell} = design;
+  const [l1, l2] = [Math.hypot(...cell.w1), Math.hypot(...cell.w2)];
 
   it('has a right-handed lattice of the type its group needs', () => {
-    const [l1, l2] = [Math.hypot(...print.w1), Math.hypot(...print.w2)];
-    const cosine = (print.w1[0] * print.w2[0] + print.w1[1] * print.w2[1]) / (l1 * l2);
-    expect(area(print.w1, print.w2)).toBeGreaterThan(0);
-    const type = latticeType(print.group);
+    const {w1, w2} = cell;
+    const cosine = (w1[0] * w2[0] + w1[1] * w2[1]) / (l1 * l2);
+    expect(w1[0] * w2[1] - w1[1] * w2[0]).toBeGreaterThan(0);
+    const type = latticeType(cell.group);
     if (type !== 'oblique' && type !== 'rectangular') expect(l1).toBeCloseTo(l2, 9);
     if (type === 'rectangular' || type === 'square') expect(cosine).toBeCloseTo(0, 9);
     if (type === 'hexagonal') expect(cosine).toBeCloseTo(0.5, 9);
   });
 
-  it('repeats every 6 to 14 cm', () => {
-    for (const side of [print.w1, print.w2]) {
-      expect(Math.hypot(...side)).toBeGreaterThanOrEqual(6);
-      expect(Math.hypot(...side)).toBeLessThanOrEqual(14);
+  it('repeats every 6 to 14 cm, but for the length of a stripe', () => {
+    const repeats = isStripe(design.id) ? [l1] : [l1, l2];
+    for (const repeat of repeats) {
+      expect(repeat).toBeGreaterThanOrEqual(6);
+      expect(repeat).toBeLessThanOrEqual(14);
     }
   });
 
-  it('shows every motif once for every symmetry of the group', () => {
-    const cells = area(a, b) / area(print.w1, print.w2);
-    const [width, height] = [Math.hypot(...a), Math.hypot(...b)];
-    for (const placed of design.motifs) {
-      const feet = copies(placed, print).filter(
-        ({shift: [x, y]}) => x >= 0 && x < width && y >= 0 && y < height,
-      );
-      expect(feet).toHaveLength(Math.round(cells) * printElements(print).length);
+  it('is shipped in three colourways as it is drawn now', async () => {
+    expect(readFileSync(`${folder}/${design.id}.json`, 'utf8')).toBe(printFile(design));
+    const tiles = tilesOf(design);
+    expect(new Set(tiles.map(({name}) => name)).size).toBe(3);
+    expect(printOf(design).image).toBe(printOf(design).colourways?.[0]?.image);
+    for (const {name, palette, svg, pixels} of tiles) {
+      expect(readFileSync(`${folder}/${name}.svg`, 'utf8')).toBe(svg);
+      // not byte by byte, since compressors differ: the pixels
+      const png = await decoded(readFileSync(`${folder}/${name}.png`));
+      const drawn = await rendered(svg, ...pixels);
+      expect([png.width, png.height]).toEqual(pixels);
+      const now = await decoded(indexedPng(drawn, Object.values(palettes[palette])));
+      expect(meanDifference(png.data, now.data)).toBeLessThan(0.2);
+      expect(meanDifference(png.data, drawn.data)).toBeLessThan(2);
     }
   });
 
-  it('has a tile that goes on seamlessly: what leaves on one side enters on the other', () => {
-    const [width, height] = [Math.hypot(...a), Math.hypot(...b)];
-    for (const placed of design.motifs) {
-      const all = copies(placed, print);
-      const near = ([x, y]: readonly [number, number]): boolean =>
-        x > -0.5 && x < 0.5 && y > 0 && y < height;
-      for (const copy of all.filter(({shift}) => near(shift))) {
-        const twin = all.find(
-          (other) =>
-            Math.hypot(other.shift[0] - copy.shift[0] - width, other.shift[1] - copy.shift[1]) <
-              1e-9 && Math.abs(other.xx - copy.xx) + Math.abs(other.yx - copy.yx) < 1e-9,
-        );
-        expect(twin).toBeDefined();
-      }
-    }
-  });
-
-  it('is shipped as it is drawn now', () => {
-    const path = `public/prints/${print.group}`;
-    expect(readFileSync(`${path}.json`, 'utf8')).toBe(printFile(design));
-    expect(readFileSync(`${path}.svg`, 'utf8')).toBe(tile(design));
+  it('has a raster tile of whole pixels with the proportions of its cell', () => {
+    const [width, height] = imageSize(cell);
+    const [across, up] = pixelsOf(cell);
+    expect(across / up / (width / height)).toBeCloseTo(1, 4);
   });
 });
+
+/** Over red, green, blue and alpha, of 255; infinite when the sizes differ. */
+function meanDifference(one: Uint8ClampedArray, other: Uint8ClampedArray): number {
+  if (one.length !== other.length) return Infinity;
+  let sum = 0;
+  for (let k = 0; k < one.length; k++) sum += Math.abs((one[k] ?? 0) - (other[k] ?? 0));
+  return (sum / one.length) * (4 / 3);
+}

@@ -2,9 +2,10 @@
 import type {Point} from '../src/model/geometry.js';
 import type {Print} from '../src/model/print.js';
 import {apply, imageCell, printElements, type PlaneMap} from '../src/model/wallpaper.js';
-import type {Motif, Shape} from './motifs.js';
+import type {Palette} from './palette.js';
+import type {Motif, Outline, Shape} from './shape.js';
 
-/** Where a motif grows: its foot in lattice coordinates (u, v), its direction (degrees from +y) and size. */
+/** Where a motif grows: its foot [cm], its heading (degrees, counter-clockwise from +y) and size. */
 export interface Placed {
   readonly motif: Motif;
   readonly at: Point;
@@ -12,121 +13,137 @@ export interface Placed {
   readonly size: number;
 }
 
-export interface Design {
-  readonly print: Print;
-  readonly ground: string;
-  /** Colours 0, 1, 2, ... of the motifs. */
-  readonly palette: readonly string[];
-  readonly motifs: readonly Placed[];
+export type Cell = Pick<Print, 'group' | 'w1' | 'w2' | 'cell'>;
+
+/** Without the zeros that say nothing: .5, -.25, 3. */
+function short(value: number, digits: number): string {
+  const [whole = '', fraction = ''] = Math.abs(value).toFixed(digits).split('.');
+  const decimals = fraction.replace(/0+$/, '');
+  const size = decimals === '' ? whole : `${whole === '0' ? '' : whole}.${decimals}`;
+  return value < 0 && size !== '0' ? `-${size}` : size;
+}
+const list = (values: readonly number[], digits: number): string =>
+  values.map((value) => short(value, digits)).join(' ');
+
+/** As SVG, in steps from point to point on a grid of 0.01 cm, which is finer than a printer's. */
+function pathData({start, sides}: Outline): string {
+  const grid = 100;
+  const snapped = ([x, y]: Point): Point => [Math.round(x * grid), Math.round(y * grid)];
+  let from = snapped(start);
+  const steps = sides.map((side) => {
+    const ends = side.map(snapped);
+    const numbers = ends.flatMap(([x, y]) => [(x - from[0]) / grid, (y - from[1]) / grid]);
+    from = ends.at(-1) ?? from;
+    return (ends.length === 1 ? 'l' : 'c') + list(numbers, 2);
+  });
+  const packed = steps
+    .join('')
+    .replace(/ -/g, '-')
+    .replace(/(\.\d+) (?=\.)/g, '$1');
+  return `M${list(
+    snapped(start).map((v) => v / grid),
+    2,
+  )}${packed}z`;
 }
 
-const pixelsPerCm = 64;
-const short = (value: number): string => String(Number(value.toFixed(4)) + 0);
-const points = (list: readonly Point[]): string =>
-  list.map(([x, y]) => `${short(x)} ${short(y)}`).join(' ');
-
-function draw(shape: Shape, palette: readonly string[]): string {
-  const colour = palette[shape.colour] ?? 'none';
-  if ('centre' in shape) {
-    return `<circle cx="${short(shape.centre[0])}" cy="${short(shape.centre[1])}" r="${short(shape.radius)}" fill="${colour}"/>`;
-  }
-  const path = `M${points(shape.curves.slice(0, 1))}C${points(shape.curves.slice(1))}`;
-  return shape.stroke === undefined
-    ? `<path d="${path}" fill="${colour}"/>`
-    : `<path d="${path}" fill="none" stroke="${colour}" stroke-width="${shape.stroke}" stroke-linecap="round"/>`;
-}
-
-/** How far a motif reaches from its foot. [cm] A Bezier curve stays within its control points. */
-const reach = (motif: Motif): number =>
-  Math.max(
-    ...motif.map((shape) =>
-      'centre' in shape
-        ? Math.hypot(...shape.centre) + shape.radius
-        : Math.max(...shape.curves.map((p) => Math.hypot(...p))) + (shape.stroke ?? 0) / 2,
-    ),
-  );
+const points = ({outlines}: Shape): Point[] =>
+  outlines.flatMap(({start, sides}) => [start, ...sides.flat()]);
 
 /** The motif's own coordinates -> the print. */
-function placement({at, turn, size}: Placed, {w1, w2}: Print): PlaneMap {
+function placement({at, turn, size}: Placed): PlaneMap {
   const a = (turn * Math.PI) / 180;
   const c = size * Math.cos(a);
   const s = size * Math.sin(a);
-  const shift: Point = [at[0] * w1[0] + at[1] * w2[0], at[0] * w1[1] + at[1] * w2[1]];
-  return {xx: c, xy: -s, yx: s, yy: c, shift};
+  return {xx: c, xy: -s, yx: s, yy: c, shift: at};
 }
 
-/** Every copy of a motif that can be seen in the cell, as a map from the motif to the image. [cm, y down] */
-export function copies(placed: Placed, print: Print): readonly PlaneMap[] {
-  const [a, b] = imageCell(print);
+/** The size of the image of one cell. [cm] */
+export function imageSize(cell: Cell): readonly [width: number, height: number] {
+  const [a, b] = imageCell(cell);
+  return [Math.hypot(...a), Math.hypot(...b)];
+}
+
+/** From the print to the image of one cell, in which y runs down; a slanted cell is drawn upright. [cm] */
+function intoImage(cell: Cell): PlaneMap {
+  const [a, b] = imageCell(cell);
   const area = a[0] * b[1] - a[1] * b[0];
-  const [width, height] = [Math.hypot(...a), Math.hypot(...b)];
-  const intoImage: PlaneMap = {
+  const [width, height] = imageSize(cell);
+  return {
     xx: (b[1] / area) * width,
     xy: (-b[0] / area) * width,
     yx: (a[1] / area) * height,
     yy: (-a[0] / area) * height,
     shift: [0, height],
   };
-  const own = placement(placed, print);
-  // in the image the motif may be sheared: what it reaches there is bounded by the cell's own proportions
-  const far = reach(placed.motif) * placed.size * ((width * height) / area);
-  const seen = ([x, y]: Point): boolean =>
-    x > -far && x < width + far && y > -far && y < height + far;
+}
 
+/** Every copy of a motif that can be seen in the cell, as a map from the motif to the image. [cm, y down] */
+export function copies(placed: Placed, cell: Cell): readonly PlaneMap[] {
+  const {w1, w2} = cell;
+  const [width, height] = imageSize(cell);
+  const [own, image] = [placement(placed), intoImage(cell)];
+  const hull = placed.motif.flatMap(points); // a Bezier curve stays among its control points
+  const seen = (map: PlaneMap): boolean => {
+    const all = hull.map((p) => apply(map, p));
+    const [xs, ys] = [all.map(([x]) => x), all.map(([, y]) => y)];
+    return (
+      Math.min(...xs) < width && Math.max(...xs) > 0 && Math.min(...ys) < height && Math.max(...ys) > 0 // prettier-ignore
+    );
+  };
   const found: PlaneMap[] = [];
   const range = [-4, -3, -2, -1, 0, 1, 2, 3, 4];
-  for (const element of printElements(print)) {
+  for (const element of printElements(cell)) {
     for (const i of range) {
       for (const j of range) {
-        const t: Point = [i * print.w1[0] + j * print.w2[0], i * print.w1[1] + j * print.w2[1]];
         const at = (p: Point): Point => {
           const [x, y] = apply(element, apply(own, p));
-          return apply(intoImage, [x + t[0], y + t[1]]);
+          return apply(image, [x + i * w1[0] + j * w2[0], y + i * w1[1] + j * w2[1]]);
         };
         const [o, x, y] = [at([0, 0]), at([1, 0]), at([0, 1])];
-        if (seen(o))
-          found.push({
-            xx: x[0] - o[0],
-            yx: x[1] - o[1],
-            xy: y[0] - o[0],
-            yy: y[1] - o[1],
-            shift: o,
-          });
+        const copy: PlaneMap = {
+          xx: x[0] - o[0],
+          yx: x[1] - o[1],
+          xy: y[0] - o[0],
+          yy: y[1] - o[1],
+          shift: o,
+        };
+        if (seen(copy)) found.push(copy);
       }
     }
   }
   return found;
 }
 
-/** The text of the tile's SVG file; its viewBox is the cell in cm. */
-export function tile({print, ground, palette, motifs}: Design): string {
-  const [a, b] = imageCell(print);
-  const [width, height] = [Math.hypot(...a), Math.hypot(...b)];
-  const definitions = motifs.map(
-    ({motif}, k) => `<g id="m${k}">${motif.map((shape) => draw(shape, palette)).join('')}</g>`,
-  );
-  const uses = motifs.flatMap((placed, k) =>
-    copies(placed, print).map(({xx, yx, xy, yy, shift}) => {
-      const matrix = [xx, yx, xy, yy, ...shift].map(short).join(' ');
-      return `<use href="#m${k}" transform="matrix(${matrix})"/>`;
-    }),
-  );
-  const size = `width="${Math.round(width * pixelsPerCm)}" height="${Math.round(height * pixelsPerCm)}" viewBox="0 0 ${short(width)} ${short(height)}"`;
+/** An SVG file whose viewBox is the cell in cm. */
+export function tileFile(cell: Cell, pixels: readonly [number, number], content: string[]): string {
+  const size = imageSize(cell);
   return [
-    `<svg xmlns="http://www.w3.org/2000/svg" ${size} preserveAspectRatio="none">`,
-    `<defs>`,
-    ...definitions,
-    `</defs>`,
-    `<rect width="100%" height="100%" fill="${ground}"/>`,
-    ...uses,
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${pixels[0]}" height="${pixels[1]}" viewBox="0 0 ${list(size, 5)}" preserveAspectRatio="none">`,
+    ...content,
     '</svg>\n',
   ].join('\n');
 }
 
-/** The text of a print file, one field a line. */
-export function printFile({print}: Design): string {
-  const lines = Object.entries(print).map(
-    ([key, value]) => `  ${JSON.stringify(key)}: ${JSON.stringify(value)}`,
-  );
-  return `{\n${lines.join(',\n')}\n}\n`;
+export const groundOf = (palette: Palette): string =>
+  `<rect width="100%" height="100%" fill="${palette.ground}"/>`;
+
+/**
+ * The motifs in one cell. Each block is printed in all its copies before the next one, so that copies may
+ * overlap without one lying on top of the other, which would break the symmetry.
+ */
+export function printed(cell: Cell, motifs: readonly Placed[], palette: Palette): string[] {
+  const definitions: string[] = [];
+  const uses: string[] = [];
+  motifs.forEach((placed, k) => {
+    const maps = copies(placed, cell).map(({xx, yx, xy, yy, shift}) =>
+      [list([xx, yx, xy, yy], 4), list(shift, 3)].join(' '),
+    );
+    placed.motif.forEach(({ink, outlines}, level) => {
+      const id = `${String.fromCharCode(97 + k)}${level}`;
+      definitions.push(`<path id="${id}" d="${outlines.map(pathData).join('')}"/>`);
+      const copiesOfBlock = maps.map((map) => `<use href="#${id}" transform="matrix(${map})"/>`);
+      uses.push(`<g fill="${palette[ink]}">${copiesOfBlock.join('')}</g>`);
+    });
+  });
+  return ['<defs>', ...definitions, '</defs>', ...uses];
 }
