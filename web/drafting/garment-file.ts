@@ -16,7 +16,7 @@ function relative(control: Point, {from, to}: Curve): [number, number] {
 }
 
 /** A line along the grain through the middle of the panel, two thirds as long as the panel is. */
-function grainLine({edges, grain = [0, 1]}: Panel): [Point, Point] {
+export function grainLine({edges, grain = [0, 1]}: Panel): [Point, Point] {
   const along = plus([0, 0], grain, 1 / norm(grain));
   const outline = edges.flatMap(({curve}) => [0, 0.25, 0.5, 0.75].map((t) => pointAt(curve, t)));
   const span = (axis: Point): [number, number] => {
@@ -31,13 +31,13 @@ function grainLine({edges, grain = [0, 1]}: Panel): [Point, Point] {
   return [at(1 / 6), at(5 / 6)];
 }
 
-interface Notch {
+export interface Notch {
   readonly edge: number;
   readonly at: number;
 }
 
 /** The marks on the panel's edges; a mark lies as far from the start of one side as from the end of the other. */
-function notchesOf(panel: Panel, {seams}: Garment): Notch[] {
+export function notchesOf(panel: Panel, {seams}: Garment): Notch[] {
   const on = ([name, part]: EdgeName): number =>
     name === panel.name ? panel.edges.findIndex((candidate) => candidate.name === part) : -1;
   const marks = seams.flatMap(({a, b, notches = []}) =>
@@ -49,7 +49,8 @@ function notchesOf(panel: Panel, {seams}: Garment): Notch[] {
   return marks.filter(({edge}) => edge >= 0).sort((p, q) => p.edge - q.edge || p.at - q.at);
 }
 
-const titled = (name: string): string =>
+/** What a panel is called on paper. */
+export const titled = (name: string): string =>
   name.charAt(0).toUpperCase() + name.slice(1).replaceAll('_', ' ');
 
 function panelEntry(panel: Panel, garment: Garment): object {

@@ -43,6 +43,9 @@ const scoop = {front: 0.5, back: 0.38};
 /** Handle at the top of a cap whose halves are alike, as a part of the half width: how round the top is. */
 const roundness = 0.57;
 
+/** Lower caps than this are not drafted. [cm] */
+const lowestCap = 6;
+
 /** Half a cap on its +x side; both halves share the curvature at the top, so that it has no point. */
 function capHalf(half: Half, style: CapStyle, width: number, height: number): Curve {
   const atUnderarm = scoop[half] * width;
@@ -54,20 +57,30 @@ function capHalf(half: Half, style: CapStyle, width: number, height: number): Cu
 
 /** The cap for a pair of armholes: a lower cap is wider, so its height follows from the width of the sleeve. */
 export function sleeveCap(armholes: Readonly<Record<Half, number>>, style: CapStyle): Cap {
+  const goal = (half: Half): number => armholes[half] + style.ease[half];
+  const narrowest = 0.3 * style.width;
   const widthAt = (half: Half, height: number): number =>
     trueTo(
       `the ${half} sleeve cap`,
-      armholes[half] + style.ease[half],
+      goal(half),
       (w) => length(capHalf(half, style, w, height)),
-      0.3 * style.width,
-      0.9 * style.width,
+      narrowest,
+      0.85 * style.width,
+    );
+  const highest = (half: Half): number =>
+    trueTo(
+      'the sleeve cap',
+      goal(half),
+      (h) => length(capHalf(half, style, narrowest, h)),
+      lowestCap,
+      goal(half),
     );
   const height = trueTo(
     'the sleeve width',
     style.width,
     (h) => widthAt('front', h) + widthAt('back', h),
-    3,
-    18,
+    lowestCap,
+    Math.min(highest('front'), highest('back')) - 1e-6,
   );
   return {
     back: capHalf('back', style, widthAt('back', height), height),
@@ -102,6 +115,36 @@ export function sleeveTube(cap: Cap, taper: number, seamLength: number): Tube {
     underarmBack: line(hemBack, cap.back.from),
     underarmFront: line(cap.front.to, hemFront),
   };
+}
+
+export interface LongSleeve {
+  readonly cap: Cap;
+  readonly tube: Tube;
+}
+
+/**
+ * A sleeve that narrows so far that its hem is as long as asked for.
+ * @param sleeveLength from the top of the cap to the hem, in cm
+ */
+export function taperedSleeve(
+  armholes: Readonly<Record<Half, number>>,
+  style: Omit<CapStyle, 'taper'>,
+  sleeveLength: number,
+  hemLength: number,
+): LongSleeve {
+  const drafted = (taper: number): LongSleeve => {
+    const cap = sleeveCap(armholes, {...style, taper});
+    return {cap, tube: sleeveTube(cap, taper, (sleeveLength - cap.height) / Math.cos(taper))};
+  };
+  return drafted(
+    trueTo(
+      'the sleeve at the wrist',
+      hemLength,
+      (taper) => length(drafted(taper).tube.hem),
+      0,
+      degrees(15),
+    ),
+  );
 }
 
 /** The angle at which sleeves stand out from the body. */

@@ -5,6 +5,7 @@ import {draftGatheredSkirt} from './gathered-skirt.js';
 import {draftTee} from './tee.js';
 import {draftSixGoreSkirt} from './six-gore-skirt.js';
 import {draftTrousers} from './trousers.js';
+import {draftShirt} from './shirt.js';
 import type {Garment} from './panel.js';
 
 export const wardrobe: readonly ((body: Body) => Garment)[] = [
@@ -13,4 +14,5 @@ export const wardrobe: readonly ((body: Body) => Garment)[] = [
   draftGatheredSkirt,
   draftSixGoreSkirt,
   draftTrousers,
+  draftShirt,
 ];
