@@ -1,5 +1,17 @@
 /** Darts that open from an edge: a notch in the outline whose two legs are sewn to each other. */
-import {left, line, minus, norm, plus, pointAt, curve, type Curve, type Point} from './geometry.js';
+import {
+  curve,
+  left,
+  line,
+  middle,
+  minus,
+  norm,
+  plus,
+  pointAt,
+  turned,
+  type Curve,
+  type Point,
+} from './geometry.js';
 import {heading} from './skirt-lines.js';
 
 /** An edge with a dart in it, in the order of the outline. */
@@ -28,4 +40,26 @@ export function withDart(whole: Curve, share: number, intake: number, depth: num
     legs: [line(near, tip), line(tip, far)],
     after: curve(far, squareTo(far), whole.to, heading(whole, 1)),
   };
+}
+
+/** A dart from the side seam towards the bust. */
+export interface BustDart {
+  /** From the side to the tip and back to the side, the lower leg first. */
+  readonly legs: readonly [Curve, Curve];
+  /** The direction in which the side seam goes on above the dart. */
+  readonly along: Point;
+}
+
+/** How far the tip of a bust dart stays short of the bust, as a part of the way to it. */
+const shortOfBust = 0.24;
+
+/**
+ * Turns the panel above `lower`, where its side seam arrives along `lean` at the +x side, about the bust, by as much as
+ * opens a dart of the given intake (cm). Sewn, the side seam runs straight on over it.
+ */
+export function bustDart(lower: Point, lean: Point, bust: Point, intake: number): BustDart {
+  const opening = (centre: Point): number => 2 * Math.asin(intake / 2 / norm(minus(lower, centre)));
+  const upper = plus(bust, turned(minus(lower, bust), opening(bust)));
+  const tip = plus(bust, minus(middle(lower, upper), bust), shortOfBust);
+  return {legs: [line(lower, tip), line(tip, upper)], along: turned(lean, opening(tip))};
 }

@@ -21,9 +21,9 @@ import {
   type Curve,
   type Point,
 } from './geometry.js';
+import {bodiceSeam, skirtSeam} from './fitted-seams.js';
 import {
   backPrincess,
-  bodiceSeam,
   centreLine,
   frontPrincess,
   shoulderSlope,
@@ -31,18 +31,9 @@ import {
   sidePanelWaist,
   sideSeam,
   skirtLength,
-  skirtSeam,
   type SeamLine,
 } from './princess-seams.js';
-import {
-  edge,
-  onBothSides,
-  pairOf,
-  sew,
-  symmetricPanel,
-  type Garment,
-  type Panel,
-} from './panel.js';
+import {edge, onBothSides, pairOf, sew, symmetricPanel, type Garment, type Panel} from './panel.js';
 
 const neckDepth = {front: 13, back: 3};
 /** Shoulder seam: the part on the centre panel, and the whole. */

@@ -1,16 +1,7 @@
 /** The seam lines of the princess dress: each is drafted once and the panel it is sewn to is trued to it. */
 import type {Body} from './body.js';
-import {
-  curve,
-  degrees,
-  leaning,
-  length,
-  minus,
-  norm,
-  trueTo,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {bodiceSeam, skirtSeam, upright} from './fitted-seams.js';
+import {curve, degrees, leaning, length, trueTo, type Curve, type Point} from './geometry.js';
 
 /** What the dress is wider than the body, all round. */
 const ease = {bust: 7, waist: 5, hip: 7};
@@ -19,10 +10,6 @@ export const skirtLength = 58;
 export const shoulderSlope = degrees(19);
 /** How much further than the hip the hem stands out at each seam. */
 const flare = degrees(0.8);
-const upright: Point = [0, 1];
-/** Handles of a curve at the waist, where it is hollowed: below it in cm, above it as a part of the chord. */
-const hollow = {below: 10, above: 0.5};
-
 /** The lengths that shape a princess seam: how wide the centre panel is, and how the side panel leans away from it. */
 export interface Princess {
   readonly centreWaist: number;
@@ -45,26 +32,6 @@ export interface SeamLine {
 function hipLean(body: Body): number {
   const wider = (body.hip + ease.hip - body.waist - ease.waist) / 4;
   return Math.atan(wider / 3 / body.hipDepth) + flare;
-}
-
-/** From the hem to the waist, as long as asked for: leans in to +x or, with a negative lean, to -x; upright at the waist. */
-export function skirtSeam(what: string, waist: Point, lean: number, seamLength: number): Curve {
-  const from = (drop: number): Curve =>
-    curve(
-      [waist[0] + drop * Math.tan(lean), waist[1] - drop],
-      leaning(-lean),
-      waist,
-      upright,
-      drop / 3,
-      hollow.below,
-    );
-  return from(trueTo(what, seamLength, (drop) => length(from(drop)), seamLength / 2, seamLength));
-}
-
-/** From the waist up, upright at both ends unless told; hollowed at the waist. */
-export function bodiceSeam(waist: Point, to: Point, into = upright): Curve {
-  const chord = norm(minus(to, waist));
-  return curve(waist, upright, to, into, hollow.above * chord, chord / 3);
 }
 
 export function centreLine(body: Body, princess: Princess, shoulderPoint: Point): SeamLine {

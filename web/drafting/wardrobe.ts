@@ -5,7 +5,9 @@ import {draftGatheredSkirt} from './gathered-skirt.js';
 import {draftTee} from './tee.js';
 import {draftSixGoreSkirt} from './six-gore-skirt.js';
 import {draftTrousers} from './trousers.js';
+import {draftShiftDress} from './shift-dress.js';
 import {draftShirt} from './shirt.js';
+import {draftAsymmetricDress} from './asymmetric-dress.js';
 import type {Garment} from './panel.js';
 
 export const wardrobe: readonly ((body: Body) => Garment)[] = [
@@ -14,5 +16,7 @@ export const wardrobe: readonly ((body: Body) => Garment)[] = [
   draftGatheredSkirt,
   draftSixGoreSkirt,
   draftTrousers,
+  draftShiftDress,
   draftShirt,
+  draftAsymmetricDress,
 ];
