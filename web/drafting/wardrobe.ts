@@ -8,6 +8,7 @@ import {draftTrousers} from './trousers.js';
 import {draftShiftDress} from './shift-dress.js';
 import {draftShirt} from './shirt.js';
 import {draftAsymmetricDress} from './asymmetric-dress.js';
+import {draftApron} from './apron.js';
 import {draftRaglan} from './raglan.js';
 import type {Garment} from './panel.js';
 
@@ -20,5 +21,6 @@ export const wardrobe: readonly ((body: Body) => Garment)[] = [
   draftShiftDress,
   draftShirt,
   draftAsymmetricDress,
+  draftApron,
   draftRaglan,
 ];
