@@ -9,7 +9,9 @@ const uneven = sett('ground 1 line 2 leaf 3');
 const unevenToo = sett('ground 2 line 1 leaf 3');
 
 it('reads a half sett to its end and back, with the bands at both ends whole', () => {
-  expect(even('ground 1 line 2 leaf 1')).toEqual(sett('ground 0.5 line 2 leaf 0.5 leaf 0.5 line 2 ground 0.5')); // prettier-ignore
+  expect(even('ground 1 line 2 leaf 1')).toEqual(
+    sett('ground 0.5 line 2 leaf 0.5 leaf 0.5 line 2 ground 0.5'),
+  );
 });
 
 it('refuses a colour that no colourway has', () => {
@@ -41,5 +43,11 @@ it('takes a stripe for pmm when it reads the same both ways, else for pm with mi
 
 it('has two even plaids and an uneven one, an even stripe and an uneven one', () => {
   const group = (name: string) => collection.find(({id}) => id === name)?.cell.group;
-  expect(['tartan', 'check', 'plaid', 'ticking', 'regatta'].map(group)).toEqual(['p4m', 'pmm', 'p1', 'pmm', 'pm']); // prettier-ignore
+  expect(['tartan', 'check', 'plaid', 'ticking', 'regatta'].map(group)).toEqual([
+    'p4m',
+    'pmm',
+    'p1',
+    'pmm',
+    'pm',
+  ]);
 });

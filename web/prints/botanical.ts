@@ -51,7 +51,16 @@ export const umbel: Motif = together(
   ...stalks.map((long, k) =>
     grown(
       joined([
-        stroke('line', [[0, 0], [0.06 * long, 0.5 * long], [0, long]], 0.05, 0.035), // prettier-ignore
+        stroke(
+          'line',
+          [
+            [0, 0],
+            [0.06 * long, 0.5 * long],
+            [0, long],
+          ],
+          0.05,
+          0.035,
+        ),
         dot('spark', [0, long], 0.15),
       ]),
       [0, 1.6],
@@ -113,8 +122,8 @@ export const pearBranch: Motif = [
   ...stem(
     '0,0 -0.5,1.6 0.1,3.1 1.1,3.7',
     [0.13, 0.08],
-    [leaf(), 0.24, 50, 1.8],
-    [leaf(), 0.36, -46, 1.7],
+    [leaf(), 0.3, 50, 1.8],
+    [leaf(), 0.42, -46, 1.7],
     [leaf(), 0.58, 46, 1.9],
     [leaf(), 0.8, 58, 1.7],
     [leaf(), 1, 8, 1.4],
@@ -183,11 +192,7 @@ export const halfTulip: Motif = [
     stroke('ground', '0.35,2.5 1,3.3 1.45,4.3', 0.07, 0.03),
     stroke('ground', '0.55,2.5 1.25,3.1 1.68,3.9', 0.06, 0.025),
   ]),
-  ...joined([
-    dot('spark', [0, 2.1], 0.26),
-    dot('spark', [1.95, 5.75], 0.13),
-    dot('spark', [0.42, 5.05], 0.07),
-  ]),
+  ...joined([dot('spark', [0, 2.1], 0.26), dot('spark', [1.95, 5.75], 0.13)]),
 ];
 
 const ribs = [1.2, 1.5, 1.6, 1.2, 1.3, 1.6, 1.55, 1.25];
@@ -200,9 +205,22 @@ export const ginkgo: Motif = [
     '0.08,1.5 -0.7,2.05 -1.55,2.45 -1.75,2.95 -1.1,3.5 -0.4,3.62 -0.06,3.3 0.16,3.72 0.8,3.75 1.45,3.2 1.5,2.7 0.75,2.15',
   ),
   ...joined(
-    ribs.flatMap(
-      (long, k) =>
-      grown([stroke('ground', [[0, 0.3], [0, long]], 0.02, 0.05)], [0.08, 1.55], 56 - 15.5 * k), // prettier-ignore
+    ribs.flatMap((long, k) =>
+      grown(
+        [
+          stroke(
+            'ground',
+            [
+              [0, 0.3],
+              [0, long],
+            ],
+            0.02,
+            0.05,
+          ),
+        ],
+        [0.08, 1.55],
+        56 - 15.5 * k,
+      ),
     ),
   ),
 ];

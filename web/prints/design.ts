@@ -22,7 +22,7 @@ export interface Design {
   readonly draw: (palette: Palette) => string[];
 }
 
-type Lattice = readonly [Point, Point];
+export type Lattice = readonly [Point, Point];
 
 export const upright = (width: number, height: number): Lattice => [
   [width, 0],

@@ -1,6 +1,6 @@
 /** The geometric prints of the collection. */
 import {geometric, hexagonal, place, square, upright, warpwise, type Design} from './design.js';
-import {dart, dartRow, diamond, halfFan, kite, sail, thatch} from './geometric.js';
+import {dart, dartRow, diamond, halfFan, kite, sail, thatch, vane} from './geometric.js';
 import {dot, type Motif} from './shape.js';
 
 const lozenge = [5, 6] as const;
@@ -45,14 +45,15 @@ export const geometricPrints: readonly Design[] = [
     place(pea(0.3), 4.5, 0.9),
   ]),
   geometric('p4', 'Windmill', ['clay', 'mist', 'moss'], 'p4', square(9), [
-    place(sail('bloom'), 0.5, 0.1, -28, 4.2),
-    place(sail('leaf'), 4.75, 4.5, 10, 2.2),
-    place(pea(0.28), 0, 0),
+    place(vane('bloom', 4.2, 2.1, 3), 0.2, 0.12),
+    place(vane('leaf', 3.9, 1.8, 0), 0.3, 0.44, 28),
+    place(vane('soft', 3.6, 1.1, 0), 0.24, 0.6, 55),
+    place(vane('line', 1.2, 0.6, 0), 4.55, 4.52),
   ]),
   geometric('p3m1', 'Kite star', ['smoke', 'clay', 'night'], 'p3m1', hexagonal(10), [
     place(kite('line', 4.4, 1.0, 1.9), 0, 0.25, 0),
     place(kite('bloom', 3.2, 0.9, 1.5), -0.22, 0.13, 60),
-    place(dart('leaf'), 5, 2.887, 0, 2.4),
+    place(dart('leaf'), 5, 2.887, 0, 2.1),
     place(dart('soft'), 5, 2.887, 56, 2.2),
     place(pea(0.25), 10, 5.774),
   ]),
@@ -62,8 +63,9 @@ export const geometricPrints: readonly Design[] = [
     place(pea(0.3), 0, 0),
   ]),
   geometric('p6m', 'Snow crystal', ['clay', 'mist', 'plum'], 'p6m', hexagonal(13), [
+    place(dart('soft'), 0.5, 0.03, -86, 4.6),
     place(dart('leaf'), 0.4, 0.1, -72, 4.2),
-    place(kite('line', 2.2, 0.5, 0.8), 4.6, 0, -90),
+    place(dart('line'), 6.5, 0.15, -65, 1.6),
     place(dart('bloom'), 6.5, 3.753, 30, 1.9),
     place(pea(0.2), 6.5, 3.753),
   ]),

@@ -1,6 +1,17 @@
 /** The geometric figures of the collection: sails, darts, bands and kites, cut like the plants. */
 import type {Point} from '../src/model/geometry.js';
-import {ahead, blade, dot, grown, joined, polygon, stroke, together, type Ink, type Motif} from './shape.js'; // prettier-ignore
+import {
+  ahead,
+  blade,
+  dot,
+  grown,
+  joined,
+  polygon,
+  stroke,
+  together,
+  type Ink,
+  type Motif,
+} from './shape.js';
 
 /** A slim lens of length 1 along +y, its right edge fuller, cut along its middle. */
 export const dart = (ink: Ink): Motif => [
@@ -13,6 +24,16 @@ export const sail = (ink: Ink): Motif => [
   blade(ink, '0,0 0.02,0.3 -0.12,0.68 -0.42,0.96', '0.26,0.3 0.27,0.62 -0.03,0.92'),
   stroke('ground', '0.09,0.14 0.16,0.45 0.04,0.74 -0.16,0.88', 0.03, 0.012),
 ];
+
+/** A triangular vane of a windmill, its foot at the origin, its long side along +x, with slanting cuts. */
+export function vane(ink: Ink, long: number, high: number, cuts: number): Motif {
+  const edge = (x: number, y: number): Point => [x, y];
+  const slits = Array.from({length: cuts}, (_, k) => {
+    const x = (long * (k + 2)) / (cuts + 2);
+    return stroke('ground', [edge(x - 0.6 * high, -0.1), edge(x, ((x + 0.2) * high) / long)], 0.09);
+  });
+  return [polygon(ink, [edge(0, 0), edge(long, 0), edge(long, high)]), ...joined(slits)];
+}
 
 /** A kite along +y from its foot, its right half a little fuller, with a smaller one cut into it. */
 export function kite(ink: Ink, long: number, wide: number, waist: number): Motif {
@@ -28,16 +49,19 @@ export function kite(ink: Ink, long: number, wide: number, waist: number): Motif
 /** A quarter of a diamond around the origin with the half axes a and b, or the band between two of its sizes. */
 export function diamond(ink: Ink, [a, b]: Point, from: number, to: number): Motif {
   const over = 0.06; // across the axes, so that the mirror images join
-  const [dx, dy] = [(over * a) / b, (over * b) / a];
   const outer: Point[] = [
-    [a * to + dx, -over],
-    [-over, b * to + dy],
+    [a * (to - over / b), -over],
+    [a * to, 0],
+    [0, b * to],
+    [-over, b * (to - over / a)],
   ];
   const inner: Point[] = [
-    [-over, b * from + dy],
-    [a * from + dx, -over],
+    [-over, b * from],
+    [0, b * from],
+    [a * from, 0],
+    [a * from, -over],
   ];
-  return [polygon(ink, [...outer, ...(from > 0 ? inner : [[-over, -over] as const])])];
+  return [polygon(ink, [...outer, ...(from > 0 ? inner : [ahead([0, 0], 135, over)])])];
 }
 
 /** Darts in a quarter of a diamond, standing on the diamond of size `from` and reaching to that of size `to`. */
@@ -93,7 +117,12 @@ export function thatch(
   let across = total / 2;
   const shapes = bars.map(([ink, bar, gap]) => {
     const corner = (along: number, aside: number): Point => ahead([0, 0], heading, along, aside);
-    const strip = [corner(-far, across), corner(far, across), corner(far, across - bar), corner(-far, across - bar)]; // prettier-ignore
+    const strip = [
+      corner(-far, across),
+      corner(far, across),
+      corner(far, across - bar),
+      corner(-far, across - bar),
+    ];
     across -= bar + gap;
     const upright = clipped(clipped(strip, [1, 0], width / 2), [-1, 0], width / 2);
     return polygon(ink, clipped(clipped(upright, [0, 1], height / 2), [0, -1], height / 2));

@@ -2,7 +2,7 @@
 import type {Point} from '../src/model/geometry.js';
 import {apply, imageCell, printElements, type PlaneMap} from '../src/model/wallpaper.js';
 import type {Pixels} from './raster.js';
-import {imageSize, type Cell} from './tile.js';
+import {imageSize, pixelGrid, type Cell} from './tile.js';
 
 /** A print, known everywhere by one cell of it. */
 export interface Cloth {
@@ -23,7 +23,8 @@ export function clothOf(cell: Cell, image: Pixels, times: number): Cloth {
   for (let y = 0; y < image.height; y++) {
     for (let x = 0; x < image.width; x++) {
       const [from, to] = [4 * (y * image.width + x), 3 * ((y >> 1) * width + (x >> 1))];
-      for (let c = 0; c < 3; c++) colours[to + c] = (colours[to + c] ?? 0) + (image.data[from + c] ?? 0) / 4; // prettier-ignore
+      for (let c = 0; c < 3; c++)
+        colours[to + c] = (colours[to + c] ?? 0) + (image.data[from + c] ?? 0) / 4;
     }
   }
   for (let time = 0; time < times; time++) {
@@ -49,25 +50,10 @@ function softened(from: Float32Array, width: number, height: number, dx: 0 | 1, 
   return to;
 }
 
-/** Where the centres of the pixels lie on the print, and back. [cm] */
-function grid({cell, width, height}: Cloth) {
-  const [a, b] = imageCell(cell);
-  const area = a[0] * b[1] - a[1] * b[0];
-  const centre = (x: number, y: number): Point => {
-    const [s, t] = [(x + 0.5) / width, 1 - (y + 0.5) / height];
-    return [s * a[0] + t * b[0], s * a[1] + t * b[1]];
-  };
-  const pixel = ([x, y]: Point): Point => [
-    ((x * b[1] - y * b[0]) / area) * width - 0.5,
-    (1 - (a[0] * y - a[1] * x) / area) * height - 0.5,
-  ];
-  return {centre, pixel};
-}
-
 /** The cloth as it is seen through a map: at x it has the colour that was at the image of x. */
 export function seenThrough(cloth: Cloth, map: PlaneMap): Cloth {
   const {width, height, colours} = cloth;
-  const {centre, pixel} = grid(cloth);
+  const {centre, pixel} = pixelGrid(cloth.cell, width, height);
   const seen = new Float32Array(colours.length);
   const wrap = (value: number, size: number): number => ((value % size) + size) % size;
   for (let y = 0; y < height; y++) {

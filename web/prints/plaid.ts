@@ -44,7 +44,10 @@ export function plaidCell(warp: Sett, weft: Sett): Cell {
   const w1: Point = [repeatOf(warp), 0];
   const w2: Point = [0, repeatOf(weft)];
   const backwards: Point = [-w1[0], 0];
-  const of = (group: GroupName, a: Point, b: Point): Cell => ({...cellOf(group, [a, b]), cell: 'primitive'}); // prettier-ignore
+  const of = (group: GroupName, a: Point, b: Point): Cell => ({
+    ...cellOf(group, [a, b]),
+    cell: 'primitive',
+  });
   if (isEven(warp) && isEven(weft)) return of(sameBands(warp, weft) ? 'p4m' : 'pmm', w1, w2);
   if (isEven(warp)) return of('pm', w2, backwards); // mirrors along the warp
   if (isEven(weft)) return of('pm', w1, w2);

@@ -23,8 +23,24 @@ export function leaf(ink: Ink = 'leaf', veins = 3): Motif {
     const y = 0.17 + 0.17 * k;
     const reach = 0.15 - 0.03 * k;
     return [
-      stroke('ground', [[-0.02, y], [-0.02 - reach, y + 0.14]], 0.022, 0.008), // prettier-ignore
-      stroke('ground', [[0, y + 0.06], [reach * 0.86, y + 0.2]], 0.022, 0.008), // prettier-ignore
+      stroke(
+        'ground',
+        [
+          [-0.02, y],
+          [-0.02 - reach, y + 0.14],
+        ],
+        0.022,
+        0.008,
+      ),
+      stroke(
+        'ground',
+        [
+          [0, y + 0.06],
+          [reach * 0.86, y + 0.2],
+        ],
+        0.022,
+        0.008,
+      ),
     ];
   });
   return [
@@ -69,13 +85,13 @@ export function blossom(ink: Ink = 'bloom', heart: Ink = 'spark', petals = 5): M
 /** A flower seen from the side, opening along +y from its foot; about 1 high and 1 wide. */
 export const cup = (ink: Ink = 'bloom', inner: Ink = 'soft'): Motif => [
   ...joined([
-    blade(inner, '-0.05,0.1 -0.36,0.42 -0.27,0.8 -0.17,1.04', '0.0,0.75 0.02,0.4'),
-    blade(inner, '0.02,0.1 0.02,0.5 0.12,0.8 0.27,1', '0.34,0.72 0.26,0.36'),
+    blade(inner, '-0.05,0.1 -0.36,0.42 -0.27,0.8 -0.17,1.04', '0.02,0.4 0,0.75'),
+    blade(inner, '0.02,0.1 0.02,0.5 0.12,0.8 0.27,1', '0.26,0.36 0.34,0.72'),
   ]),
   ...joined([
-    blade(ink, '0,0 -0.34,0.14 -0.53,0.5 -0.5,0.92', '-0.24,0.62 -0.12,0.3'),
-    blade(ink, '0,0 0.12,0.3 0.27,0.58 0.54,0.82', '0.54,0.42 0.33,0.12'),
-    blade(ink, '0,0 -0.17,0.3 -0.17,0.62 0.05,0.92', '0.21,0.6 0.17,0.28'),
+    blade(ink, '0,0 -0.34,0.14 -0.53,0.5 -0.5,0.92', '-0.12,0.3 -0.24,0.62'),
+    blade(ink, '0,0 0.12,0.3 0.27,0.58 0.54,0.82', '0.33,0.12 0.56,0.42'),
+    blade(ink, '0,0 -0.17,0.3 -0.17,0.62 0.05,0.92', '0.17,0.28 0.21,0.6'),
   ]),
   ...joined([
     stroke('ground', '-0.1,0.12 -0.3,0.36 -0.39,0.62', 0.035, 0.012),

@@ -26,7 +26,7 @@ const list = (values: readonly number[], digits: number): string =>
   values.map((value) => short(value, digits)).join(' ');
 
 /** As SVG, in steps from point to point on a grid of 0.01 cm, which is finer than a printer's. */
-function pathData({start, sides}: Outline): string {
+export function pathData({start, sides}: Outline): string {
   const grid = 100;
   const snapped = ([x, y]: Point): Point => [Math.round(x * grid), Math.round(y * grid)];
   let from = snapped(start);
@@ -63,6 +63,21 @@ export function imageSize(cell: Cell): readonly [width: number, height: number] 
   return [Math.hypot(...a), Math.hypot(...b)];
 }
 
+/** Where the centres of an image's pixels lie on the print [cm], and which pixel shows a point, in whole cells or beyond. */
+export function pixelGrid(cell: Cell, width: number, height: number) {
+  const [a, b] = imageCell(cell);
+  const area = a[0] * b[1] - a[1] * b[0];
+  const centre = (x: number, y: number): Point => {
+    const [s, t] = [(x + 0.5) / width, 1 - (y + 0.5) / height];
+    return [s * a[0] + t * b[0], s * a[1] + t * b[1]];
+  };
+  const pixel = ([x, y]: Point): Point => [
+    ((x * b[1] - y * b[0]) / area) * width - 0.5,
+    (1 - (a[0] * y - a[1] * x) / area) * height - 0.5,
+  ];
+  return {centre, pixel};
+}
+
 /** From the print to the image of one cell, in which y runs down; a slanted cell is drawn upright. [cm] */
 function intoImage(cell: Cell): PlaneMap {
   const [a, b] = imageCell(cell);
@@ -87,7 +102,10 @@ export function copies(placed: Placed, cell: Cell): readonly PlaneMap[] {
     const all = hull.map((p) => apply(map, p));
     const [xs, ys] = [all.map(([x]) => x), all.map(([, y]) => y)];
     return (
-      Math.min(...xs) < width && Math.max(...xs) > 0 && Math.min(...ys) < height && Math.max(...ys) > 0 // prettier-ignore
+      Math.min(...xs) < width &&
+      Math.max(...xs) > 0 &&
+      Math.min(...ys) < height &&
+      Math.max(...ys) > 0
     );
   };
   const found: PlaneMap[] = [];
