@@ -76,6 +76,12 @@ export function mapped({from, to, controls}: Curve, map: (p: Point) => Point): C
 
 export const mirrored = (curve: Curve): Curve => mapped(curve, mirror);
 
+/** A curve that starts as this one does and is exactly its own mirror image, for one that is nearly so. */
+export function evened({from, controls}: Curve): Curve {
+  const ends = {from, to: mirror(from)};
+  return controls ? {...ends, controls: [controls[0], mirror(controls[0])]} : ends;
+}
+
 export const moved = (curve: Curve, by: Point): Curve => mapped(curve, (p) => plus(p, by));
 
 /** The mirror image in the line through `a` and `b`: how the cloth beyond a seam lies once that is unfolded. */

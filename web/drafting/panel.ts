@@ -80,13 +80,16 @@ export interface Garment {
 
 export const edge = (name: string, curve: Curve): Edge => ({name, curve});
 
-/** A panel that is its own mirror image: `half` runs up its +x side, from the end of `bottom` to the start of `top`. */
+/**
+ * A panel that is its own mirror image: `half` runs up its +x side, from the end of `bottom` to the start of `top`,
+ * or to the middle when there is no edge across the top.
+ */
 export function symmetricPanel(
   name: string,
   parts: {
     readonly bottom: Edge;
     readonly half: readonly Edge[];
-    readonly top: Edge;
+    readonly top?: Edge;
     readonly side: Side;
   },
   placement: Placement,
@@ -95,7 +98,8 @@ export function symmetricPanel(
   const far = parts.half.map(({name: part, curve}) =>
     edge(`${part} ${other(parts.side)}`, reversed(mirrored(curve))),
   );
-  return {name, edges: [parts.bottom, ...near, parts.top, ...far.reverse()], placement};
+  const top = parts.top ? [parts.top] : [];
+  return {name, edges: [parts.bottom, ...near, ...top, ...far.reverse()], placement};
 }
 
 /** The panel drafted on one side of the body and its mirror image for the other. Edge names stay. */

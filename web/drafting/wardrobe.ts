@@ -10,6 +10,7 @@ import {draftShirt} from './shirt.js';
 import {draftAsymmetricDress} from './asymmetric-dress.js';
 import {draftApron} from './apron.js';
 import {draftRaglan} from './raglan.js';
+import {draftHoodie} from './hoodie.js';
 import type {Garment} from './panel.js';
 
 export const wardrobe: readonly ((body: Body) => Garment)[] = [
@@ -23,4 +24,5 @@ export const wardrobe: readonly ((body: Body) => Garment)[] = [
   draftAsymmetricDress,
   draftApron,
   draftRaglan,
+  draftHoodie,
 ];
