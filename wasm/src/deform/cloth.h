@@ -62,7 +62,7 @@ class Cloth {
 
   /// Stiffens the outline where it bends by more than `limit` rad. Returns whether it did anything.
   bool stiffenKinks(double limit);
-  /// Makes the present shape the target, so that lengths can settle.
+  /// Brings the present shape into balance, so that only lengths and reach have to settle.
   void holdShape();
   /// Starts again from rest with the targets it has, allowed to move less around what went wrong.
   void restart(double reach_factor);

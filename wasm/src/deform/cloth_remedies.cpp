@@ -62,9 +62,18 @@ bool Cloth::stiffenKinks(double limit) {
 }
 
 void Cloth::holdShape() {
+  if (constant_.empty()) setUp();
   clearTargets();
-  for (std::size_t i = 0; i < part_->rest.size(); ++i)
-    if (part_->reach[i] > 0) addTarget(static_cast<int>(i), state_.shape[i], kHold);
+  // The outline is pulled by just what the cloth pulls back, so that nothing but lengths and reach
+  // is left to settle. Interior vertices are in balance without.
+  const VectorX force = quadraticForce(state_.u);
+  for (std::size_t i = 0; i < part_->rest.size(); ++i) {
+    if (part_->reach[i] <= 0) continue;
+    Vec2 pull = Vec2::Zero();
+    for (int c = 0; c < 2; ++c)
+      if (const int k = part_->unknown[2 * i + c]; k >= 0) pull[c] = force[k];
+    addTarget(static_cast<int>(i), state_.shape[i] + pull / (2 * kHold), kHold);
+  }
   std::fill(state_.length_force.begin(), state_.length_force.end(), 0.0);
 }
 

@@ -11,10 +11,10 @@ namespace seamwise {
 namespace {
 
 constexpr int kFitSteps = 7;        ///< Newton steps before lengths and reach must settle
-constexpr int kTrialSteps = 3;      ///< of them, from each start
+constexpr int kTrialSteps = 2;      ///< of them, from each start
 constexpr int kRealignEvery = 3;    ///< steps between new joins and alignments
 constexpr int kSettleSteps = 15;    ///< under fixed targets, before a remedy
-constexpr int kHoldAfter = 4;       ///< of them, towards the targets; then the shape is held
+constexpr int kHoldAfter = 1;       ///< of them, towards the targets; then the shape is held
 constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
 constexpr int kMostSettling = 200;  ///< steps in all
 constexpr double kRemedyReach = 0.6;
@@ -25,7 +25,8 @@ constexpr double kSearchShare = 0.5, kSlackShare = 0.6, kFitShare = 0.3;  ///< o
 /// Limits that a finished shape keeps, a little inside what is promised.
 constexpr double kLengthError = 5e-5;       ///< cm an edge; a seam has up to a hundred
 constexpr double kKink = 12.5 * kPi / 180;  ///< rad
-constexpr double kStiffenFrom = 0.9;        ///< share of kKink
+constexpr double kStiffenFrom = 0.9;        ///< share of kKink; while a shape is held:
+constexpr double kStiffenHeld = 0.99;
 constexpr double kStretch = 0.12;
 constexpr double kReachExcess = 0.012;  ///< share of the greatest change
 constexpr double kReachMargin = 0.985;
@@ -197,7 +198,7 @@ void BestRun::settleStep() {
         fitting_->aimAtPartners(cloth, alignment_);
       cloth.restart(kRemedyReach);
     }
-    cloth.stiffenKinks(kStiffenFrom * kKink);
+    cloth.stiffenKinks((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kKink);
     if (step == kHoldAfter) cloth.holdShape();
     cloth.step();
     ++cloth.settling;
