@@ -8,7 +8,8 @@ import {layOutSheet, type Placed} from './sheet-layout.js';
 
 const width = 1400;
 const margin = 56;
-const pieceRoom = 640;
+/** Room for the pieces of one garment; many small ones get more. [px] */
+const pieceRoom = (pieces: number): number => (pieces > 20 ? 1000 : 640);
 const largestScale = 8;
 const nameSize = 11;
 const numberSize = 9;
@@ -121,7 +122,7 @@ function garmentBlock(
     [margin, top + 56],
     {
       width: width - 2 * margin,
-      height: pieceRoom,
+      height: pieceRoom(garment.panels.length),
       gap: 36,
       name: {height: 52, width: nameWidth},
     },

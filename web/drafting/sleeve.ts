@@ -120,6 +120,8 @@ export function sleeveTube(cap: Cap, taper: number, seamLength: number): Tube {
 export interface LongSleeve {
   readonly cap: Cap;
   readonly tube: Tube;
+  /** How the underarm seams lean in towards the wrist. [radians] */
+  readonly taper: number;
 }
 
 /**
@@ -134,7 +136,11 @@ export function taperedSleeve(
 ): LongSleeve {
   const drafted = (taper: number): LongSleeve => {
     const cap = sleeveCap(armholes, {...style, taper});
-    return {cap, tube: sleeveTube(cap, taper, (sleeveLength - cap.height) / Math.cos(taper))};
+    return {
+      cap,
+      tube: sleeveTube(cap, taper, (sleeveLength - cap.height) / Math.cos(taper)),
+      taper,
+    };
   };
   return drafted(
     trueTo(

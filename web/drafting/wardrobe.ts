@@ -11,6 +11,7 @@ import {draftAsymmetricDress} from './asymmetric-dress.js';
 import {draftApron} from './apron.js';
 import {draftRaglan} from './raglan.js';
 import {draftHoodie} from './hoodie.js';
+import {draftPatchworkJacket} from './patchwork-jacket.js';
 import type {Garment} from './panel.js';
 
 export const wardrobe: readonly ((body: Body) => Garment)[] = [
@@ -25,4 +26,5 @@ export const wardrobe: readonly ((body: Body) => Garment)[] = [
   draftApron,
   draftRaglan,
   draftHoodie,
+  draftPatchworkJacket,
 ];
