@@ -15,19 +15,36 @@ function relative(control: Point, {from, to}: Curve): [number, number] {
   return [rounded((cx * ex + cy * ey) / square, 12), rounded((cy * ex - cx * ey) / square, 12)];
 }
 
-/** A line along the grain through the middle of the panel, two thirds as long as the panel is. */
-export function grainLine({edges, grain = [0, 1]}: Panel): [Point, Point] {
+/** Points along the outline, close enough to place marks by. */
+const traced = ({edges}: Panel): Point[] =>
+  edges.flatMap(({curve}) =>
+    Array.from({length: curve.controls ? 16 : 1}, (_, k) => pointAt(curve, k / 16)),
+  );
+
+/** A line along the grain through the middle of the panel: two thirds of the longest way it has inside the outline. */
+export function grainLine(panel: Panel): [Point, Point] {
+  const {grain = [0, 1]} = panel;
   const along = plus([0, 0], grain, 1 / norm(grain));
-  const outline = edges.flatMap(({curve}) => [0, 0.25, 0.5, 0.75].map((t) => pointAt(curve, t)));
-  const span = (axis: Point): [number, number] => {
-    const reach = outline.map((p) => p[0] * axis[0] + p[1] * axis[1]);
-    return [Math.min(...reach), Math.max(...reach)];
-  };
-  const [low, high] = span(along);
   const across: Point = [along[1], -along[0]];
-  const [near, far] = span(across);
+  const outline = traced(panel).map((p): Point => [
+    p[0] * across[0] + p[1] * across[1],
+    p[0] * along[0] + p[1] * along[1],
+  ]);
+  const sides = outline.map(([x]) => x);
+  const middle = (Math.min(...sides) + Math.max(...sides)) / 2;
+  const heights = outline
+    .flatMap(([x, y], k) => {
+      const [nextX, nextY] = outline[(k + 1) % outline.length] ?? [x, y];
+      return x > middle === nextX > middle ? [] : [y + ((nextY - y) * (middle - x)) / (nextX - x)];
+    })
+    .sort((one, other) => one - other);
+  let [low, high] = [0, 0];
+  for (let k = 0; k + 1 < heights.length; k += 2) {
+    const [from = 0, to = 0] = heights.slice(k, k + 2);
+    if (to - from > high - low) [low, high] = [from, to];
+  }
   const at = (share: number): Point =>
-    plus(plus([0, 0], across, (near + far) / 2), along, low + share * (high - low));
+    plus(plus([0, 0], across, middle), along, low + share * (high - low));
   return [at(1 / 6), at(5 / 6)];
 }
 
