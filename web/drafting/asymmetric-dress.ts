@@ -4,8 +4,18 @@
  * instead of side seams. The panel seams run into the armholes. The height of the waist is y = 0 throughout.
  */
 import {hung, roundNeckline, type Half} from './bodice.js';
+import {
+  centreSeam,
+  neckPoint,
+  shapes,
+  shoulderSlope,
+  shoulderTip,
+  sideEdge,
+  sidePanelWaist,
+  underarmHeight,
+  type PanelSeam,
+} from './asymmetric-seams.js';
 import {radiusOf, type Body} from './body.js';
-import {bodiceSeam, skirtSeam, upright} from './fitted-seams.js';
 import {
   curve,
   degrees,
@@ -15,13 +25,10 @@ import {
   line,
   mirrored,
   moved,
-  plus,
   reversed,
   splitAtLengths,
-  trueTo,
   turned,
   type Curve,
-  type Point,
 } from './geometry.js';
 import {
   edge,
@@ -36,102 +43,11 @@ import {
 } from './panel.js';
 import {heading, squareBelow} from './skirt-lines.js';
 
-const ease = {bust: 6, waist: 6, hip: 6};
-const skirtLength = 54;
-/** How much further than the hip the hem stands out at each panel seam. */
-const flare = degrees(1.2);
-const shoulderSlope = degrees(19);
-const shoulderLength = 9;
 const neckDepth = {front: 10, back: 3};
-/** From the nape down to the underarm, beyond a tenth of the bust. */
-const armholeDepth = 11.5;
 /** Where the diagonal ends: below the bust at the right and below the waist at the left, along the panel seam. */
 const diagonal = {belowBust: 8, belowWaist: 15};
 /** How far the diagonal bends away from straight at its ends. */
 const bend = degrees(9);
-
-/** How the panel seam of a half runs, and where it meets the armhole. [cm, radians] */
-const shapes = {
-  front: {
-    /** x of the seam, as a part of the waist; what it goes out by up to the bust; how high that is. */
-    waist: 0.115,
-    out: 1.7,
-    bust: 0.41,
-    /** Where the armhole is met: in from the shoulder point and up from the underarm; how the armhole leans in there. */
-    inward: 3,
-    up: 6.5,
-    lean: degrees(13),
-    /** The side panel's edge: what it goes out by up to the bust, and comes back by up to the armhole. */
-    sideOut: 2,
-    sideBack: 6.5,
-  },
-  back: {
-    waist: 0.11,
-    out: 1.6,
-    bust: 0.45,
-    inward: 2.4,
-    up: 7.5,
-    lean: degrees(9),
-    sideOut: 1.8,
-    sideBack: 5.5,
-  },
-} as const;
-
-/** The edges of a panel seam from the hem up: hem to waist, waist to the height of the bust, on to the armhole. */
-interface PanelSeam {
-  readonly skirt: Curve;
-  readonly bodice: Curve;
-  readonly top: Curve;
-}
-
-const underarmHeight = (body: Body): number => body.backLength - (body.bust / 10 + armholeDepth);
-const neckPoint = (body: Body): Point => [body.neck / 5 + 2.2, body.backLength + 1.8];
-const shoulderTip = (body: Body): Point =>
-  plus(neckPoint(body), [Math.cos(shoulderSlope), -Math.sin(shoulderSlope)], shoulderLength);
-
-/** What every edge leans out by below the waist so that all eight make the hip. */
-function hipLean(body: Body): number {
-  const wider = body.hip + ease.hip - body.waist - ease.waist;
-  return Math.atan(wider / 8 / body.hipDepth) + flare;
-}
-
-/** The seam on the centre panel, at its +x side; it meets the armhole square. */
-function centreSeam(body: Body, half: Half): PanelSeam {
-  const shape = shapes[half];
-  const waist: Point = [shape.waist * body.waist, 0];
-  const bust: Point = [waist[0] + shape.out, shape.bust * body.backLength];
-  const armhole: Point = [shoulderTip(body)[0] - shape.inward, underarmHeight(body) + shape.up];
-  return {
-    skirt: skirtSeam(`the ${half} panel seam`, waist, hipLean(body), skirtLength),
-    bodice: bodiceSeam(waist, bust),
-    top: curve(bust, upright, armhole, plus([0, 0], left(leaning(-shape.lean)), -1)),
-  };
-}
-
-/** The side panel's edge of that seam, for a waist at the origin and cloth at +x: every part is trued to the other side. */
-function sideEdge(body: Body, half: Half): PanelSeam {
-  const shape = shapes[half];
-  const centre = centreSeam(body, half);
-  const bodiceAt = (height: number): Curve => bodiceSeam([0, 0], [-shape.sideOut, height]);
-  const bodice = bodiceAt(
-    trueTo(
-      'the panel seam below the bust',
-      length(centre.bodice),
-      (y) => length(bodiceAt(y)),
-      5,
-      40,
-    ),
-  );
-  const topAt = (rise: number): Curve =>
-    curve(bodice.to, upright, plus(bodice.to, [shape.sideBack, rise]), heading(centre.top, 1));
-  return {
-    skirt: skirtSeam('the side panel', [0, 0], -hipLean(body), length(centre.skirt)),
-    bodice,
-    top: topAt(
-      trueTo('the panel seam above the bust', length(centre.top), (y) => length(topAt(y)), 1, 40),
-    ),
-  };
-}
 
 const partNames = ['hem', 'hip', 'waist', 'bust', 'top'] as const;
 
@@ -223,8 +139,7 @@ function back(body: Body): Panel {
 
 /** The panels under the arms. Origin: the waist, at the front edge. */
 function sidePanels(body: Body): readonly [Panel, Panel] {
-  const girth = (body.waist + ease.waist) / 2;
-  const width = girth - (shapes.front.waist + shapes.back.waist) * body.waist;
+  const width = sidePanelWaist(body);
   const front = sideEdge(body, 'front');
   const rear = sideEdge(body, 'back');
   const atBack = (one: Curve): Curve => moved(mirrored(one), [width, 0]);

@@ -1,26 +1,46 @@
 /** Seams of fitted garments, upright and hollowed at the waist, from the hem up. */
-import {curve, leaning, length, minus, norm, trueTo, type Curve, type Point} from './geometry.js';
+import {
+  curve,
+  leaning,
+  length,
+  minus,
+  norm,
+  pointAt,
+  trueTo,
+  type Curve,
+  type Point,
+} from './geometry.js';
 
 export const upright: Point = [0, 1];
-/** Handles of a curve at the waist: below it in cm, above it as a part of the chord. */
-const hollow = {below: 10, above: 0.5};
+/** Handles: at the hem as a part of the drop, at the waist below it in cm, above it as a part of the chord. */
+const handles = {hem: 0.33, below: 7, above: 0.5};
 
-/** From the hem to the waist, as long as asked for: leans in to +x or, with a negative lean, to -x; upright at the waist. */
-export function skirtSeam(what: string, waist: Point, lean: number, seamLength: number): Curve {
-  const from = (drop: number): Curve =>
-    curve(
-      [waist[0] + drop * Math.tan(lean), waist[1] - drop],
-      leaning(-lean),
-      waist,
-      upright,
-      drop / 3,
-      hollow.below,
-    );
-  return from(trueTo(what, seamLength, (drop) => length(from(drop)), seamLength / 2, seamLength));
+/** How a skirt's seam runs below a waist at the origin, for cloth at its -x side. [cm, radians] */
+export interface SkirtSeam {
+  /** x of the seam at the depth of the hip. */
+  readonly atHip: number;
+  readonly hipDepth: number;
+  /** What the seam leans out by at the hem. */
+  readonly flare: number;
+  readonly seamLength: number;
+}
+
+/** From the hem to the waist, through the hip, as long as asked for; round over the hip. */
+export function skirtSeam(what: string, {atHip, hipDepth, flare, seamLength}: SkirtSeam): Curve {
+  const from = (drop: number): Curve => {
+    const flaring = (hemX: number): Curve =>
+      curve([hemX, -drop], leaning(-flare), [0, 0], upright, handles.hem * drop, handles.below);
+    // moving the hem sideways moves the point at the hip in proportion and leaves its height
+    const still = flaring(0);
+    const t = trueTo(what, -hipDepth, (at) => pointAt(still, at)[1], 0, 1);
+    const [[near], [far]] = [pointAt(still, t), pointAt(flaring(1), t)];
+    return flaring((atHip - near) / (far - near));
+  };
+  return from(trueTo(what, seamLength, (drop) => length(from(drop)), 0.7 * seamLength, seamLength));
 }
 
 /** From the waist up, upright at both ends unless told; hollowed at the waist. */
 export function bodiceSeam(waist: Point, to: Point, into = upright): Curve {
   const chord = norm(minus(to, waist));
-  return curve(waist, upright, to, into, hollow.above * chord, chord / 3);
+  return curve(waist, upright, to, into, handles.above * chord, chord / 3);
 }

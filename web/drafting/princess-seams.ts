@@ -1,25 +1,67 @@
 /** The seam lines of the princess dress: each is drafted once and the panel it is sewn to is trued to it. */
 import type {Body} from './body.js';
 import {bodiceSeam, skirtSeam, upright} from './fitted-seams.js';
-import {curve, degrees, leaning, length, trueTo, type Curve, type Point} from './geometry.js';
+import {
+  curve,
+  degrees,
+  leaning,
+  length,
+  minus,
+  mirrored,
+  moved,
+  plus,
+  trueTo,
+  turned,
+  type Curve,
+  type Point,
+} from './geometry.js';
 
 /** What the dress is wider than the body, all round. */
-const ease = {bust: 7, waist: 5, hip: 7};
+const ease = {bust: 5, waist: 4, hip: 5};
 /** From the waist to the hem, along the seams. */
-export const skirtLength = 58;
+const skirtLength = 58;
+/** What each seam leans out by at the hem. */
+const flare = degrees(3.5);
+const sideLean = degrees(4);
 export const shoulderSlope = degrees(19);
-/** How much further than the hip the hem stands out at each seam. */
-const flare = degrees(0.8);
-/** The lengths that shape a princess seam: how wide the centre panel is, and how the side panel leans away from it. */
-export interface Princess {
+/** What the centre back seam takes at the waist, on each side. */
+export const centreTaken = 1.2;
+
+/** The measures that shape a princess seam, on the centre panel and on the side panel. [cm, radians] */
+interface Princess {
+  /** x of the centre panel's edge at the waist and at the fullest height; that height. */
   readonly centreWaist: number;
   readonly centreFull: number;
   readonly fullHeight: number;
-  /** x of the side panel at the fullest height and at the shoulder, its waist being 0. */
-  readonly sideFull: number;
-  readonly sideShoulder: number;
-  readonly sideSlope: number;
+  /** What the side panel's edge goes out by from the waist to the fullest height. */
+  readonly sideOut: number;
+  /** What the side panel leans away from the centre panel above that: the dart of bust or shoulder blade. */
+  readonly dart: number;
 }
+
+export type Half = 'front' | 'back';
+
+function princessOf(body: Body, half: Half): Princess {
+  return half === 'front'
+    ? {
+        centreWaist: body.waist * 0.1,
+        centreFull: body.bust * 0.1,
+        fullHeight: body.backLength * 0.41,
+        sideOut: 1.8,
+        dart: degrees(12),
+      }
+    : {
+        centreWaist: body.waist * 0.105,
+        centreFull: body.bust * 0.102,
+        fullHeight: body.backLength * 0.5,
+        sideOut: 1,
+        dart: degrees(4),
+      };
+}
+
+/** The slope of the shoulder on the side panel, as it lies on the table. */
+export const sideSlope = (body: Body, half: Half): number =>
+  shoulderSlope + princessOf(body, half).dart;
 
 /** The three edges of a seam, from the hem up: hem to waist, waist to the fullest height, on to the shoulder. */
 export interface SeamLine {
@@ -28,27 +70,44 @@ export interface SeamLine {
   readonly top: Curve;
 }
 
-/** What every edge below the waist leans out by so that the three of a quarter make the hip. */
-function hipLean(body: Body): number {
-  const wider = (body.hip + ease.hip - body.waist - ease.waist) / 4;
-  return Math.atan(wider / 3 / body.hipDepth) + flare;
+/** Every edge below a waist at the origin: with the centre back, which is straight there, all twelve make the hip. */
+function skirtOf(body: Body): Curve {
+  const wider = (body.hip + ease.hip - body.waist - ease.waist) / 2;
+  return skirtSeam('the skirt', {
+    atHip: (wider - centreTaken) / 6,
+    hipDepth: body.hipDepth,
+    flare,
+    seamLength: skirtLength,
+  });
 }
 
-export function centreLine(body: Body, princess: Princess, shoulderPoint: Point): SeamLine {
-  const waist: Point = [princess.centreWaist, 0];
-  const full: Point = [princess.centreFull, princess.fullHeight];
+/** The centre back below the waist: back in the middle at the hip, it flares like the other seams. */
+export function centreBackSkirt(body: Body): Curve {
+  const seam = skirtSeam('the centre back', {
+    atHip: centreTaken,
+    hipDepth: body.hipDepth,
+    flare: flare / 2,
+    seamLength: skirtLength,
+  });
+  return moved(mirrored(seam), [centreTaken, 0]);
+}
+
+/** The centre panel's edge, at its +x side. */
+export function centreLine(body: Body, half: Half, shoulderPoint: Point): SeamLine {
+  const {centreWaist, centreFull, fullHeight} = princessOf(body, half);
+  const full: Point = [centreFull, fullHeight];
   return {
-    skirt: skirtSeam('the princess seam', waist, hipLean(body), skirtLength),
-    waist: bodiceSeam(waist, full),
+    skirt: moved(skirtOf(body), [centreWaist, 0]),
+    waist: bodiceSeam([centreWaist, 0], full),
     top: curve(full, upright, shoulderPoint, leaning(shoulderSlope)),
   };
 }
 
-/** The side panel's edge of the seam: another shape, every part trued to the length it is sewn to. */
-export function sideLine(body: Body, princess: Princess, centre: SeamLine): SeamLine {
-  const waist: Point = [0, 0];
-  const waistAt = (height: number): Curve => bodiceSeam(waist, [princess.sideFull, height]);
-  const lower = waistAt(
+/** The side panel's edge of the seam, for a waist at the origin: another shape, trued part by part. */
+export function sideLine(body: Body, half: Half, centre: SeamLine): SeamLine {
+  const {sideOut, dart} = princessOf(body, half);
+  const waistAt = (height: number): Curve => bodiceSeam([0, 0], [-sideOut, height]);
+  const waist = waistAt(
     trueTo(
       'the princess seam below the bust',
       length(centre.waist),
@@ -57,73 +116,43 @@ export function sideLine(body: Body, princess: Princess, centre: SeamLine): Seam
       30,
     ),
   );
-  const topAt = (rise: number): Curve =>
-    curve(
-      lower.to,
-      upright,
-      [princess.sideShoulder, lower.to[1] + rise],
-      leaning(princess.sideSlope),
-    );
+  const away = turned(minus(centre.top.to, centre.top.from), -dart);
+  const topAt = (share: number): Curve =>
+    curve(waist.to, upright, plus(waist.to, away, share), leaning(shoulderSlope + dart));
   const top = topAt(
-    trueTo('the princess seam above the bust', length(centre.top), (y) => length(topAt(y)), 5, 45),
+    trueTo(
+      'the princess seam above the bust',
+      length(centre.top),
+      (share) => length(topAt(share)),
+      0.8,
+      1.2,
+    ),
   );
-  return {
-    skirt: skirtSeam('the side panel', waist, -hipLean(body), length(centre.skirt)),
-    waist: lower,
-    top,
-  };
+  return {skirt: mirrored(skirtOf(body)), waist, top};
 }
 
 /** The side seam of a side panel, for its waist at the origin; one line for front and back. */
 export interface SideSeam {
   readonly skirt: Curve;
-  /** From the waist up to the dart. */
-  readonly waist: Curve;
-  /** The direction it goes on in, and for how long: up to the underarm. */
-  readonly lean: Point;
-  readonly upper: number;
+  /** From the waist up to the underarm. */
+  readonly bodice: Curve;
 }
 
 export function sideSeam(body: Body): SideSeam {
-  const lean = leaning(degrees(7));
-  const dartHeight = body.backLength * 0.29;
   const underarm = body.backLength - (body.bust / 10 + 12);
-  // what the princess seams do not add from waist to bust is shared by the two side panels
-  const gain = (princess: Princess): number =>
-    princess.centreFull - princess.centreWaist - princess.sideFull;
+  // what the princess seams and the centre back do not add from waist to bust is shared by the two side panels
+  const gain = ({centreFull, centreWaist, sideOut}: Princess): number =>
+    centreFull - centreWaist + sideOut;
+  const added = gain(princessOf(body, 'front')) + gain(princessOf(body, 'back')) + centreTaken;
   const wider = (body.bust + ease.bust - body.waist - ease.waist) / 2;
-  const out = (wider - gain(frontPrincess(body)) - gain(backPrincess(body))) / 2;
   return {
-    skirt: skirtSeam('the side seam', [0, 0], hipLean(body), skirtLength),
-    waist: bodiceSeam([0, 0], [out, dartHeight], lean),
-    lean,
-    upper: underarm - dartHeight,
+    skirt: skirtOf(body),
+    bodice: bodiceSeam([0, 0], [(wider - added) / 2, underarm], leaning(sideLean)),
   };
 }
 
 /** A quarter of the body: what the centre panel leaves is the side panel's. */
-export function sidePanelWaist(body: Body, princess: Princess): number {
-  return (body.waist + ease.waist) / 4 - princess.centreWaist;
-}
-
-export function frontPrincess(body: Body): Princess {
-  return {
-    centreWaist: body.waist * 0.095,
-    centreFull: body.bust * 0.1,
-    fullHeight: body.backLength * 0.41,
-    sideFull: -1.6,
-    sideShoulder: 3.4,
-    sideSlope: degrees(24),
-  };
-}
-
-export function backPrincess(body: Body): Princess {
-  return {
-    centreWaist: body.waist * 0.1,
-    centreFull: body.bust * 0.102,
-    fullHeight: body.backLength * 0.5,
-    sideFull: -0.9,
-    sideShoulder: 1.8,
-    sideSlope: degrees(21),
-  };
+export function sidePanelWaist(body: Body, half: Half): number {
+  const centre = princessOf(body, half).centreWaist - (half === 'back' ? centreTaken : 0);
+  return (body.waist + ease.waist) / 4 - centre;
 }

@@ -1,0 +1,57 @@
+/** How wide fitted garments are around the body: their panels are drafted with the waist at y = 0. */
+import {describe, expect, it} from 'vitest';
+
+import {draftAsymmetricDress} from '../../web/drafting/asymmetric-dress.js';
+import {bodyOf, sizeNames} from '../../web/drafting/body.js';
+import {minus, pointAt, type Point} from '../../web/drafting/geometry.js';
+import {findEdge, type Panel} from '../../web/drafting/panel.js';
+import {draftPrincessDress} from '../../web/drafting/princess-dress.js';
+import {medium} from '../support/drafts.js';
+
+/** How much cloth a panel has at a height: between every second and third place where its outline passes. [cm] */
+function widthAt({edges}: Panel, height: number): number {
+  const steps = 200;
+  const points = edges.flatMap(({curve}) =>
+    Array.from({length: steps}, (_, k) => pointAt(curve, k / steps)),
+  );
+  const passes = points
+    .flatMap((a, k) => {
+      const b = points[(k + 1) % points.length] ?? a;
+      const share = (height - a[1]) / (b[1] - a[1]);
+      return a[1] < height === b[1] < height ? [] : [a[0] + share * (b[0] - a[0])];
+    })
+    .sort((p, q) => p - q);
+  return passes.reduce((sum, x, k) => sum + (k % 2 === 0 ? -x : x), 0);
+}
+
+const girthAt = (panels: readonly Panel[], height: number): number =>
+  panels.reduce((sum, panel) => sum + widthAt(panel, height), 0);
+
+describe.each(sizeNames)('in size %s', (size) => {
+  const body = bodyOf(size);
+
+  it.each([
+    [draftPrincessDress(body), 5],
+    [draftAsymmetricDress(body), 6],
+  ] as const)('the dress %# is as wide as the hip and its ease', ({panels}, ease) => {
+    expect(girthAt(panels, -body.hipDepth)).toBeCloseTo(body.hip + ease, 1);
+  });
+
+  it.each([
+    [draftPrincessDress(body), 4],
+    [draftAsymmetricDress(body), 6],
+  ] as const)('the dress %# is as wide as the waist and its ease', ({panels}, ease) => {
+    expect(girthAt(panels, 1e-3)).toBeCloseTo(body.waist + ease, 1);
+  });
+});
+
+it('takes the bust dart of the princess dress in the seam above the bust', () => {
+  const dress = draftPrincessDress(medium);
+  const lean = (from: Point, to: Point): number => {
+    const [x, y] = minus(to, from);
+    return (Math.atan2(x, y) * 180) / Math.PI;
+  };
+  const centre = findEdge(dress, ['centre_front', 'princess top left']).curve;
+  const side = findEdge(dress, ['side_front_left', 'princess top']).curve;
+  expect(lean(side.to, side.from) - lean(centre.from, centre.to)).toBeCloseTo(12, 6);
+});

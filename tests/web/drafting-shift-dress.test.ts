@@ -1,0 +1,15 @@
+import {expect, it} from 'vitest';
+
+import {length, minus, norm} from '../../web/drafting/geometry.js';
+import {findEdge} from '../../web/drafting/panel.js';
+import {draftShiftDress} from '../../web/drafting/shift-dress.js';
+import {medium} from '../support/drafts.js';
+
+it('has bust darts that are a notch with legs of one length', () => {
+  const dress = draftShiftDress(medium);
+  const lower = findEdge(dress, ['front', 'dart lower left']);
+  const upper = findEdge(dress, ['front', 'dart upper left']);
+  expect(lower.curve.to).toEqual(upper.curve.from);
+  expect(length(lower.curve)).toBeCloseTo(length(upper.curve), 9);
+  expect(norm(minus(lower.curve.from, upper.curve.to))).toBeCloseTo(0.031 * medium.bust, 6);
+});

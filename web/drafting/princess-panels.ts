@@ -1,0 +1,146 @@
+/**
+ * The panels of the princess dress, each drafted for the +x side of the view onto its face; the height of the waist is
+ * y = 0 throughout.
+ */
+import {halfNeckline, hung, roundNeckline} from './bodice.js';
+import {radiusOf, type Body} from './body.js';
+import {bodiceSeam} from './fitted-seams.js';
+import {
+  curve,
+  leaning,
+  left,
+  line,
+  mirrored,
+  moved,
+  plus,
+  reversed,
+  type Curve,
+  type Point,
+} from './geometry.js';
+import {edge, pairOf, symmetricPanel, type Panel, type Placement} from './panel.js';
+import {
+  centreBackSkirt,
+  centreLine,
+  centreTaken,
+  shoulderSlope,
+  sideLine,
+  sidePanelWaist,
+  sideSeam,
+  sideSlope,
+  type Half,
+} from './princess-seams.js';
+import {heading, squareBelow} from './skirt-lines.js';
+
+const neckDepth = {front: 12.5, back: 3};
+/** What the front is longer than the back above the bust, as a part of the bust. */
+const frontLonger = 0.014;
+/** The part of the shoulder seam on the centre panel, and how far in from the shoulder point the whole ends. */
+const innerLength = 3.8;
+const inFromShoulder = 3.9;
+/** Handle of the armhole at the underarm: a front armhole is scooped out further. */
+const scoop = {front: 6.4, back: 4.6};
+
+const neckPoint = (body: Body, half: Half): Point => [
+  body.neck / 5 + 2.2,
+  body.backLength + 1.6 + (half === 'front' ? frontLonger * body.bust : 0),
+];
+
+/** Down a shoulder seam that slopes away to +x. */
+const downShoulder = (from: Point, slope: number, distance: number): Point =>
+  plus(from, [Math.cos(slope), -Math.sin(slope)], distance);
+
+/** Where the princess seam of a half meets the shoulder, on the centre panel. */
+const innerShoulder = (body: Body, half: Half): Curve => {
+  const neck = neckPoint(body, half);
+  return line(downShoulder(neck, shoulderSlope, innerLength), neck);
+};
+
+export function centreFront(body: Body): Panel {
+  const shoulderSeam = innerShoulder(body, 'front');
+  const {skirt, waist, top} = centreLine(body, 'front', shoulderSeam.from);
+  const neckline = roundNeckline(shoulderSeam.to, neckDepth.front, shoulderSlope);
+  return symmetricPanel(
+    'centre_front',
+    {
+      bottom: edge('hem', squareBelow(mirrored(skirt), skirt)),
+      half: [
+        edge('princess skirt', skirt),
+        edge('princess waist', waist),
+        edge('princess top', top),
+        edge('shoulder', shoulderSeam),
+      ],
+      top: edge('neckline', reversed(neckline)),
+      side: 'left',
+    },
+    hung(body, 'front', 10),
+  );
+}
+
+export function centreBacks(body: Body): readonly [Panel, Panel] {
+  const shoulderSeam = innerShoulder(body, 'back');
+  const {skirt, waist, top} = centreLine(body, 'back', shoulderSeam.from);
+  const neckline = halfNeckline(shoulderSeam.to, neckDepth.back, shoulderSlope);
+  const centreSkirt = centreBackSkirt(body);
+  return pairOf(
+    'centre_back',
+    'right',
+    [
+      edge('hem', squareBelow(centreSkirt, skirt)),
+      edge('princess skirt', skirt),
+      edge('princess waist', waist),
+      edge('princess top', top),
+      edge('shoulder', shoulderSeam),
+      edge('neckline', neckline),
+      edge('centre top', reversed(bodiceSeam([centreTaken, 0], neckline.to))),
+      edge('centre skirt', reversed(centreSkirt)),
+    ],
+    hung(body, 'back', 10, -1.5),
+  );
+}
+
+/** The part of the shoulder seam on the side panel. */
+const outerLength = (body: Body): number =>
+  (body.shoulderWidth / 2 - inFromShoulder - neckPoint(body, 'back')[0]) / Math.cos(shoulderSlope) -
+  innerLength;
+
+/** Where the side panels hang: turned by 40 degrees out of the plane of the centre panel. */
+function beside(body: Body, half: Half): Placement {
+  const [x, z] = [0.8 * radiusOf(body.bust), radiusOf(body.bust) + 4];
+  return half === 'front'
+    ? {translation: [x, body.waistHeight, z], rotation: [0, 40, 0]}
+    : {translation: [-x, body.waistHeight, -z], rotation: [0, -140, 0]};
+}
+
+/** Origin: the waist at the princess seam. The armhole is square to the side seam and to the shoulder. */
+export function sidePanels(body: Body, half: Half): readonly [Panel, Panel] {
+  const seam = sideLine(body, half, centreLine(body, half, innerShoulder(body, half).from));
+  const {skirt, bodice} = sideSeam(body);
+  const out: Point = [sidePanelWaist(body, half), 0];
+  const [sideSkirt, sideBodice] = [moved(skirt, out), moved(bodice, out)];
+  const slope = sideSlope(body, half);
+  const underarm = sideBodice.to;
+  const tip = downShoulder(seam.top.to, slope, outerLength(body));
+  const armhole = curve(
+    underarm,
+    left(heading(sideBodice, 1)),
+    tip,
+    leaning(slope),
+    scoop[half],
+    0.5 * (tip[1] - underarm[1]),
+  );
+  return pairOf(
+    `side_${half}`,
+    half === 'front' ? 'left' : 'right',
+    [
+      edge('hem', squareBelow(seam.skirt, sideSkirt)),
+      edge('side skirt', sideSkirt),
+      edge('side bodice', sideBodice),
+      edge('armhole', armhole),
+      edge('shoulder', line(tip, seam.top.to)),
+      edge('princess top', reversed(seam.top)),
+      edge('princess waist', reversed(seam.waist)),
+      edge('princess skirt', reversed(seam.skirt)),
+    ],
+    beside(body, half),
+  );
+}
