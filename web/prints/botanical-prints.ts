@@ -64,8 +64,8 @@ export const botanicalPrints: readonly Design[] = [
     place([stroke('line', '0,0 0,3.7 0,7.4 0,11', 0.16)], 0, 0),
     place(pearBranch, 0, 0.4, -40),
     place(blossomBranch, 0, 4.3, -34, 1.2),
-    place(leaf(), 4.5, 5.3, -24, 2.2),
-    place(bud(), 4.5, 7.7, -10, 1.7),
+    place(leaf(), 4.5, 8.6, -24, 2.2),
+    place(bud(), 4.5, 11, -10, 1.7),
     place(rosemary, 0, 8.5, -58, 0.7),
   ]),
   botanical('pg', 'Climbing vine', ['mist', 'linen', 'moss'], 'pg', warpwise(11, 7), [

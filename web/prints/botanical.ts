@@ -122,8 +122,8 @@ export const pearBranch: Motif = [
   ...stem(
     '0,0 -0.5,1.6 0.1,3.1 1.1,3.7',
     [0.13, 0.08],
-    [leaf(), 0.3, 50, 1.8],
-    [leaf(), 0.42, -46, 1.7],
+    [leaf(), 0.4, 44, 1.5],
+    [leaf(), 0.3, -50, 1.7],
     [leaf(), 0.58, 46, 1.9],
     [leaf(), 0.8, 58, 1.7],
     [leaf(), 1, 8, 1.4],
@@ -131,15 +131,9 @@ export const pearBranch: Motif = [
   ...grown(pear, [0.5, 3.4], 194, 1.15),
 ];
 
-/** A side branch with a flower and a bud. */
+/** A side branch with a flower. */
 export const blossomBranch: Motif = [
-  ...stem(
-    '0,0 -0.4,1.2 0.1,2.4',
-    [0.12, 0.08],
-    [leaf(), 0.4, 50, 1.5],
-    [leaf(), 0.52, -54, 1.6],
-    [bud(), 0.72, 48, 1.2],
-  ),
+  ...stem('0,0 -0.4,1.2 0.1,2.4', [0.12, 0.08], [leaf(), 0.54, 40, 1.15], [leaf(), 0.48, -54, 1.6]),
   ...grown(blossom(), [0.15, 3], 20, 1.15),
 ];
 

@@ -2,9 +2,9 @@
 import type {Point} from '../src/model/geometry.js';
 import type {GroupName} from '../src/model/print.js';
 import {latticeType} from '../src/model/wallpaper.js';
-import {palettes, type Palette, type PaletteName} from './palette.js';
-import type {Motif} from './shape.js';
-import {printed, groundOf, type Cell, type Placed} from './tile.js';
+import type {Palette, PaletteName} from './palette.js';
+import {grown, type Motif} from './shape.js';
+import {groundOf, printed, type Cell} from './tile.js';
 
 export type Family = 'botanical' | 'geometric' | 'tailored';
 
@@ -54,12 +54,9 @@ export const rhombicLevel = (width: number, height: number): Lattice => [
   [width / 2, height / 2],
 ];
 
-export const place = (motif: Motif, x: number, y: number, turn = 0, size = 1): Placed => ({
-  motif,
-  at: [x, y],
-  turn,
-  size,
-});
+/** The motif in its place on the print: its foot [cm], its heading and its size. */
+export const place = (motif: Motif, x: number, y: number, heading = 0, size = 1): Motif =>
+  grown(motif, [x, y], heading, size);
 
 export function cellOf(group: GroupName, [w1, w2]: Lattice): Cell {
   const centred = ['rhombic', 'hexagonal'].includes(latticeType(group));
@@ -74,7 +71,7 @@ const motifPrint =
     colourways: Colourways,
     group: GroupName,
     lattice: Lattice,
-    motifs: readonly Placed[],
+    motifs: readonly Motif[],
   ): Design => {
     const cell = cellOf(group, lattice);
     return {
@@ -90,4 +87,3 @@ const motifPrint =
 export const botanical = motifPrint('botanical');
 export const geometric = motifPrint('geometric');
 export const tailored = motifPrint('tailored');
-export {palettes};

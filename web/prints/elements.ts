@@ -128,11 +128,14 @@ export function drawElements(
       .map(({from, to}) => polyline([toPage(from), toPage(to)]))
       .join('');
   const width = size / 4;
-  const lines = [
-    `<path d="${path(false)}${path(true)}" stroke="${casing}" stroke-width="${short(width * 2.4)}" stroke-opacity=".6"/>`,
-    `<path d="${path(false)}" stroke="${line}" stroke-width="${short(width)}"/>`,
-    `<path d="${path(true)}" stroke="${line}" stroke-width="${short(width)}" stroke-dasharray="${short(size)} ${short(size * 0.7)}"/>`,
-  ];
+  const lines = [true, false].flatMap((glide) => {
+    const data = path(glide);
+    const dashes = glide ? ` stroke-dasharray="${short(size)} ${short(size * 0.7)}"` : '';
+    return [
+      `<path d="${data}" stroke="${casing}" stroke-width="${short(width * 2.4)}" stroke-opacity=".7"${dashes}/>`,
+      `<path d="${data}" stroke="${line}" stroke-width="${short(width)}"${dashes}/>`,
+    ];
+  });
   const signs = centres.map((centre) => sign({...centre, at: toPage(centre.at)}, size, 0)).join('');
   return [
     `<g fill="none">${axes.length > 0 ? lines.join('') : ''}</g>`,

@@ -74,11 +74,20 @@ export function seenThrough(cloth: Cloth, map: PlaneMap): Cloth {
   return {...cloth, colours: seen};
 }
 
-/** Mean absolute difference of two cloths, the second moved right and up by whole pixels. [0, 255] */
-export function difference(one: Cloth, other: Cloth, right = 0, up = 0): number {
+/**
+ * Mean absolute difference of two cloths, the second moved right and up by whole pixels. [0, 255]
+ * @param enough from here on the exact value does not matter
+ */
+export function difference(
+  one: Cloth,
+  other: Cloth,
+  [right, up]: Point = [0, 0],
+  enough = Infinity,
+): number {
   const {width, height} = one;
+  const most = enough * 3 * width * height;
   let sum = 0;
-  for (let y = 0; y < height; y++) {
+  for (let y = 0; y < height && sum < most; y++) {
     const row = ((y + up) % height) * width;
     for (let x = 0; x < width; x++) {
       const [k, l] = [3 * (y * width + x), 3 * (row + ((x - right + width) % width))];
@@ -104,7 +113,7 @@ export function leastDifference(
     for (let right = 0; right < width; right++) {
       const [s, t] = [right / width, up / height];
       if (!counts([s * a[0] + t * b[0], s * a[1] + t * b[1]])) continue;
-      least = Math.min(least, difference(one, other, right, up));
+      least = Math.min(least, difference(one, other, [right, up], least));
     }
   }
   return least;

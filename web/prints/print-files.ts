@@ -6,7 +6,7 @@ import {palettes, type PaletteName} from './palette.js';
 import {imageSize, tileFile, type Cell} from './tile.js';
 
 /** The density of the raster tiles. [px per cm] */
-const density = {least: 20, usual: 24, most: 28};
+const density = {least: 28, usual: 32, most: 36};
 
 /** Pixels of the vector tiles for each of the raster tiles. */
 const vectorScale = 3;

@@ -133,19 +133,30 @@ export function along(trace: Trace, steps: number): {at: Point; heading: Heading
   return found;
 }
 
-/** A stroke along a smooth curve, `width` at its start and `end` at its end, with round or pointed ends. [cm] */
+/** A stroke along a smooth curve, `width` at its start and `end` at its end. [cm] */
 export function stroke(ink: Ink, through: Trace, width: number, end = width): Shape {
-  const points = via(through);
-  const line = along(points, points.length > 2 ? 2 : 1);
-  const half = (k: number): number => (width + ((end - width) * k) / (line.length - 1)) / 2;
-  const edge = (side: 1 | -1): Point[] =>
-    line.map(({at, heading}, k) => ahead(at, heading, 0, side * half(k)));
-  const cap = (k: number, way: 1 | -1): Point[] => {
-    const {at, heading} = line[k] ?? {at: origin, heading: 0};
-    return [ahead(at, heading, way * half(k))];
-  };
-  const ring = [...edge(1), ...cap(line.length - 1, 1), ...edge(-1).reverse(), ...cap(0, -1)];
-  return pebble(ink, ring);
+  const line = along(through, 1);
+  const ribs = line.map(({at, heading}, k) => {
+    const half = (width + ((end - width) * k) / (line.length - 1)) / 2;
+    return {
+      left: ahead(at, heading, 0, half),
+      right: ahead(at, heading, 0, -half),
+      at,
+      heading,
+      half,
+    };
+  });
+  const tip = (k: number, way: 1 | -1): Point[] =>
+    ribs
+      .slice(k, k === -1 ? undefined : k + 1)
+      .map(({at, heading, half}) => ahead(at, heading, way * half));
+  const ring = [
+    ...ribs.map(({left}) => left),
+    ...tip(-1, 1),
+    ...ribs.map(({right}) => right).toReversed(),
+    ...tip(0, -1),
+  ];
+  return line.length > 2 ? pebble(ink, ring) : polygon(ink, ring);
 }
 
 type Mapping = (p: Point) => Point;

@@ -3,15 +3,7 @@ import type {Point} from '../src/model/geometry.js';
 import type {Print} from '../src/model/print.js';
 import {apply, imageCell, printElements, type PlaneMap} from '../src/model/wallpaper.js';
 import type {Palette} from './palette.js';
-import type {Motif, Outline, Shape} from './shape.js';
-
-/** Where a motif grows: its foot [cm], its heading (degrees, counter-clockwise from +y) and size. */
-export interface Placed {
-  readonly motif: Motif;
-  readonly at: Point;
-  readonly turn: number;
-  readonly size: number;
-}
+import type {Motif, Outline} from './shape.js';
 
 export type Cell = Pick<Print, 'group' | 'w1' | 'w2' | 'cell'>;
 
@@ -44,17 +36,6 @@ export function pathData({start, sides}: Outline): string {
     snapped(start).map((v) => v / grid),
     2,
   )}${packed}z`;
-}
-
-const points = ({outlines}: Shape): Point[] =>
-  outlines.flatMap(({start, sides}) => [start, ...sides.flat()]);
-
-/** The motif's own coordinates -> the print. */
-function placement({at, turn, size}: Placed): PlaneMap {
-  const a = (turn * Math.PI) / 180;
-  const c = size * Math.cos(a);
-  const s = size * Math.sin(a);
-  return {xx: c, xy: -s, yx: s, yy: c, shift: at};
 }
 
 /** The size of the image of one cell. [cm] */
@@ -92,44 +73,40 @@ function intoImage(cell: Cell): PlaneMap {
   };
 }
 
-/** Every copy of a motif that can be seen in the cell, as a map from the motif to the image. [cm, y down] */
-export function copies(placed: Placed, cell: Cell): readonly PlaneMap[] {
+/** Every copy of a motif that can be seen in the image of the cell, as a map of the print. */
+function copies(motif: Motif, cell: Cell): readonly PlaneMap[] {
   const {w1, w2} = cell;
   const [width, height] = imageSize(cell);
-  const [own, image] = [placement(placed), intoImage(cell)];
-  const hull = placed.motif.flatMap(points); // a Bezier curve stays among its control points
+  const image = intoImage(cell);
+  // a Bezier curve stays among its control points
+  const hull = motif.flatMap(({outlines}) =>
+    outlines.flatMap(({start, sides}) => [start, ...sides.flat()]),
+  );
   const seen = (map: PlaneMap): boolean => {
-    const all = hull.map((p) => apply(map, p));
+    const all = hull.map((p) => apply(image, apply(map, p)));
     const [xs, ys] = [all.map(([x]) => x), all.map(([, y]) => y)];
-    return (
-      Math.min(...xs) < width &&
-      Math.max(...xs) > 0 &&
-      Math.min(...ys) < height &&
-      Math.max(...ys) > 0
-    );
+    const across = Math.min(...xs) < width && Math.max(...xs) > 0;
+    return across && Math.min(...ys) < height && Math.max(...ys) > 0;
   };
-  const found: PlaneMap[] = [];
   const range = [-4, -3, -2, -1, 0, 1, 2, 3, 4];
-  for (const element of printElements(cell)) {
-    for (const i of range) {
-      for (const j of range) {
-        const at = (p: Point): Point => {
-          const [x, y] = apply(element, apply(own, p));
-          return apply(image, [x + i * w1[0] + j * w2[0], y + i * w1[1] + j * w2[1]]);
-        };
-        const [o, x, y] = [at([0, 0]), at([1, 0]), at([0, 1])];
-        const copy: PlaneMap = {
-          xx: x[0] - o[0],
-          yx: x[1] - o[1],
-          xy: y[0] - o[0],
-          yy: y[1] - o[1],
-          shift: o,
-        };
-        if (seen(copy)) found.push(copy);
-      }
-    }
-  }
-  return found;
+  return printElements(cell).flatMap((element) =>
+    range.flatMap((i) =>
+      range.flatMap((j) => {
+        const [x, y] = element.shift;
+        const shift: Point = [x + i * w1[0] + j * w2[0], y + i * w1[1] + j * w2[1]];
+        const copy = {...element, shift};
+        return seen(copy) ? [copy] : [];
+      }),
+    ),
+  );
+}
+
+/** As the value of an SVG attribute; the linear part to 1 in 100 000, the shift to 0.001 cm. */
+function transform({xx, yx, xy, yy, shift}: PlaneMap): string {
+  const linear = list([xx, yx, xy, yy], 5);
+  return linear === '1 0 0 1'
+    ? `translate(${list(shift, 3)})`
+    : `matrix(${linear} ${list(shift, 3)})`;
 }
 
 /** An SVG file whose viewBox is the cell in cm. */
@@ -149,19 +126,18 @@ export const groundOf = (palette: Palette): string =>
  * The motifs in one cell. Each block is printed in all its copies before the next one, so that copies may
  * overlap without one lying on top of the other, which would break the symmetry.
  */
-export function printed(cell: Cell, motifs: readonly Placed[], palette: Palette): string[] {
+export function printed(cell: Cell, motifs: readonly Motif[], palette: Palette): string[] {
   const definitions: string[] = [];
-  const uses: string[] = [];
-  motifs.forEach((placed, k) => {
-    const maps = copies(placed, cell).map(({xx, yx, xy, yy, shift}) =>
-      [list([xx, yx, xy, yy], 4), list(shift, 3)].join(' '),
-    );
-    placed.motif.forEach(({ink, outlines}, level) => {
+  const blocks: string[] = [];
+  motifs.forEach((motif, k) => {
+    const maps = copies(motif, cell).map(transform);
+    motif.forEach(({ink, outlines}, level) => {
       const id = `${String.fromCharCode(97 + k)}${level}`;
       definitions.push(`<path id="${id}" d="${outlines.map(pathData).join('')}"/>`);
-      const copiesOfBlock = maps.map((map) => `<use href="#${id}" transform="matrix(${map})"/>`);
-      uses.push(`<g fill="${palette[ink]}">${copiesOfBlock.join('')}</g>`);
+      const uses = maps.map((map) => `<use href="#${id}" transform="${map}"/>`);
+      blocks.push(`<g fill="${palette[ink]}">${uses.join('')}</g>`);
     });
   });
-  return ['<defs>', ...definitions, '</defs>', ...uses];
+  const upright = transform(intoImage(cell));
+  return ['<defs>', ...definitions, '</defs>', `<g transform="${upright}">`, ...blocks, '</g>'];
 }
