@@ -1,7 +1,7 @@
 /** What must be true of every garment that is shipped, for any body. What is true of one only stands in its own file. */
 import {describe, expect, it} from 'vitest';
 
-import {minus, norm, pointAt, type Point} from '../../web/drafting/geometry.js';
+import {minus, norm, plus, pointAt, type Point} from '../../web/drafting/geometry.js';
 import {untrue, type Panel} from '../../web/drafting/panel.js';
 import {wardrobe} from '../../web/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
@@ -39,6 +39,19 @@ function crossings(points: readonly Point[]): number {
     }
   }
   return count;
+}
+
+/** Whether a point lies inside an outline, or on it to 1 mm. */
+function covers(outline: readonly Point[], [x, y]: Point): boolean {
+  let inside = false;
+  for (const [k, a] of outline.entries()) {
+    const b = outline[(k + 1) % outline.length] ?? a;
+    const along = minus(b, a);
+    const share = ((x - a[0]) * along[0] + (y - a[1]) * along[1]) / norm(along) ** 2;
+    if (norm(minus([x, y], plus(a, along, Math.min(1, Math.max(0, share))))) < 0.1) return true;
+    if (a[1] > y !== b[1] > y && x < a[0] + ((y - a[1]) / along[1]) * along[0]) inside = !inside;
+  }
+  return inside;
 }
 
 /** How far from straight a line may run on across a seam; the eye sees no corner in that. [degrees] */
@@ -134,6 +147,21 @@ describe('every garment, for any body', () => {
         }
         const [x, y, z] = find(one).placement.translation;
         expect(find(other).placement.translation, one).toEqual([0 - x, y, z]);
+      }
+    });
+  });
+
+  it('marks the lines that lie on each other on both pieces, and as long on one as on the other', () => {
+    forEveryGarment(({name, panels, matches = []}) => {
+      for (const match of matches) {
+        const [a, b] = [match.a, match.b].map(({panel: on, line}) => {
+          const panel = panels.find((one) => one.name === on);
+          const outline = panel ? flattened(panel) : [];
+          for (const p of line) expect(covers(outline, p), `${name}: ${match.name}`).toBe(true);
+          return line.slice(1).reduce((sum, p, k) => sum + norm(minus(p, line[k] ?? p)), 0);
+        });
+        expect(a, `${name}: ${match.name}`).toBeGreaterThan(1);
+        expect(a, `${name}: ${match.name}`).toBeCloseTo(b ?? 0, 9);
       }
     });
   });
