@@ -17,6 +17,7 @@ import {
 import {bandPanel, hipSeam, squareAbove, squareBelow} from './skirt-lines.js';
 
 const waistEase = 2;
+/** With the waists drawn straight; drawn hollow, as they are, they take up to half a centimetre of it. */
 const hipEase = 6;
 const bandHeight = 3.5;
 const seamDrop = 60;

@@ -17,9 +17,9 @@ import {frameOf, legOf, type Half} from './trouser-leg.js';
 
 const bandHeight = 4;
 
-/** Both legs of a half, their centre seams side by side. */
+/** Both legs of a half, side by side. */
 function legs(body: Body, half: Half, edges: readonly Edge[]): readonly [Panel, Panel] {
-  const clear = 2 - frameOf(body, half).centreX;
+  const clear = 1 - frameOf(body, half).crotchX;
   const away = radiusOf(body.hip) + 9;
   const placement: Placement =
     half === 'front'
