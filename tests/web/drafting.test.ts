@@ -1,7 +1,16 @@
 /** What must be true of every garment that is shipped, for any body. What is true of one only stands in its own file. */
 import {describe, expect, it} from 'vitest';
 
-import {minus, norm, plus, pointAt, type Point} from '../../web/drafting/geometry.js';
+import {notchesOf, type Notch} from '../../web/drafting/garment-file.js';
+import {
+  length,
+  minus,
+  norm,
+  plus,
+  pointAt,
+  splitAtLengths,
+  type Point,
+} from '../../web/drafting/geometry.js';
 import {untrue, type Panel} from '../../web/drafting/panel.js';
 import {wardrobe} from '../../web/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
@@ -52,6 +61,13 @@ function covers(outline: readonly Point[], [x, y]: Point): boolean {
     if (a[1] > y !== b[1] > y && x < a[0] + ((y - a[1]) / along[1]) * along[0]) inside = !inside;
   }
   return inside;
+}
+
+function notchPoint({edges}: Panel, {edge, at}: Notch): Point {
+  const curve = edges[edge]?.curve;
+  const [before] = curve ? splitAtLengths('a notch', curve, [at * length(curve)]) : [];
+  if (!before) throw new Error('a notch without an edge');
+  return before.to;
 }
 
 /** How far from straight a line may run on across a seam; the eye sees no corner in that. [degrees] */
@@ -147,6 +163,22 @@ describe('every garment, for any body', () => {
         }
         const [x, y, z] = find(one).placement.translation;
         expect(find(other).placement.translation, one).toEqual([0 - x, y, z]);
+      }
+    });
+  });
+
+  it('has notches that mirror each other where the pieces do', () => {
+    forEveryGarment((garment) => {
+      const marks = (name: string): Point[] => {
+        const panel = garment.panels.find((one) => one.name === name);
+        return panel ? notchesOf(panel, garment).map((notch) => notchPoint(panel, notch)) : [];
+      };
+      for (const [one, other = one] of garment.symmetries) {
+        const images = marks(other);
+        for (const [x, y] of marks(one)) {
+          const apart = Math.min(...images.map((q) => norm(minus(q, [-x, y]))));
+          expect(apart, `${garment.name}: ${one}`).toBeLessThan(0.001);
+        }
       }
     });
   });

@@ -135,7 +135,10 @@ export const sew = (
   how: SeamManner = {},
 ): Seam => ({kind, name, a, b, ...how});
 
-/** The same seam on both sides of the body. `*` in a panel or edge name stands for the side. */
+/**
+ * The same seam on both sides of the body. `*` in a panel or edge name stands for the side. Outlines all run
+ * counter-clockwise, so an edge and its mirror image start at opposite ends: notches are counted for the left.
+ */
 export function onBothSides(
   kind: SeamKind,
   name: string,
@@ -147,8 +150,10 @@ export function onBothSides(
     names[0].replace('*', side),
     names[1].replace('*', side),
   ];
+  const {notches} = how;
+  const mirroredHow = notches ? {...how, notches: notches.map((share) => 1 - share)} : how;
   return (['left', 'right'] as const).map((side) =>
-    sew(kind, `${name}, ${side}`, at(a, side), at(b, side), how),
+    sew(kind, `${name}, ${side}`, at(a, side), at(b, side), side === 'left' ? how : mirroredHow),
   );
 }
 

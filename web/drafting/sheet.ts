@@ -136,7 +136,7 @@ function garmentBlock(
   const svg = [
     `<path d="M${margin} ${top}H${end}" stroke="#d5d3cd"/>`,
     text([margin, top + 28], garment.title, {size: 18, weight: 600, fill: ink}),
-    text([margin + garment.title.length * 10.5 + 18, top + 28], note, {size: 12, fill: soft}),
+    text([margin + garment.title.length * 11 + 20, top + 28], note, {size: 12, fill: soft}),
     `<path d="M${short(end - 10 * scale)} ${top + 20}v6H${end}v-6" fill="none" stroke="${soft}"/>`,
     text([end - 10 * scale - 8, top + 28], '10 cm', {size: 12, fill: soft, anchor: 'end'}),
     `<g fill="${cloth}" stroke="${line}" stroke-width="1.1" stroke-linejoin="round">${pieces.map(outline).join('')}</g>`,
