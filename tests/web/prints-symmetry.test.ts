@@ -12,12 +12,15 @@ import {
   type Cloth,
 } from '../../web/prints/measure.js';
 import {printOf, tilesOf} from '../../web/prints/print-files.js';
-import {rendered} from '../../web/prints/raster.js';
+import {palettes} from '../../web/prints/palette.js';
+import {rendered, type Pixels} from '../../web/prints/raster.js';
 import {printDistance, printElements, type PlaneMap} from '../../web/src/model/wallpaper.js';
 
 /** Differences are means over all pixels and the three colours, of 255. */
 const still = 1;
 const visible = 8;
+/** Between the pixels on both sides of a border: a tip may end in the last one. */
+const seam = 2;
 
 /** At this density edges are 2 pixels soft, so that what is compared is the print and not the grid. [px/cm] */
 const fine = 12;
@@ -50,6 +53,8 @@ describe.each(
   collection.map((design) => [`${design.id}, in ${design.cell.group},`, design] as const),
 )('%s', (_, design) => {
   const {cell} = design;
+  let seenCoarsely: Promise<Cloth[]> | undefined;
+  const coarseCloths = () => (seenCoarsely ??= clothsOf(design, coarse, 1));
 
   it('lies on itself after every symmetry of its group, also across the borders of its tile', async () => {
     for (const cloth of await clothsOf(design, fine, 2)) {
@@ -62,7 +67,7 @@ describe.each(
   // A larger group has more linear parts on the same lattice or, with the same linear parts, a finer
   // lattice, or both in steps (Hermann 1929). Either is looked for at every place there is.
   it('has no other symmetry: every further turn or reflection that keeps its lattice shows, wherever it lies', async () => {
-    for (const cloth of await clothsOf(design, coarse, 1)) {
+    for (const cloth of await coarseCloths()) {
       for (const map of cosets(cell)) {
         expect(leastDifference(cloth, seenThrough(cloth, map))).toBeGreaterThan(visible);
       }
@@ -72,19 +77,60 @@ describe.each(
   // The translations of a finer lattice cannot all lie within a third of the shortest repeat.
   it('has no finer lattice: every translation far from a repeat shows', async () => {
     const far = farFromRepeats(design);
-    for (const cloth of await clothsOf(design, coarse, 1)) {
+    for (const cloth of await coarseCloths()) {
       expect(leastDifference(cloth, cloth, far)).toBeGreaterThan(visible);
     }
   });
 
   it('is marked as one-way just when cloth turned upside down looks different', async () => {
-    for (const cloth of await clothsOf(design, coarse, 1)) {
+    for (const cloth of await coarseCloths()) {
       const turned = leastDifference(cloth, seenThrough(cloth, halfTurn));
       expect(printOf(design).oneWay).toBe(turned > visible);
       if (!printOf(design).oneWay) expect(turned).toBeLessThan(2);
     }
   });
 });
+
+// Plaids and stripes end with their last band; what comes next is the first one.
+describe.each(
+  collection
+    .filter(({draw}) => draw(palettes.linen).includes('</defs>'))
+    .map((d) => [d.id, d] as const),
+)('the tile of %s', (_, design) => {
+  it('goes on where it ends: what crosses a border reaches in as far from the other side', async () => {
+    const [width, height] = imageFor(design.cell, fine);
+    for (const {svg, palette} of tilesOf(design)) {
+      const {ground} = palettes[palette];
+      const [left, below] = [withNeighbour(svg, -1, 0), withNeighbour(svg, 0, 1)];
+      const across = await rendered(left, 2 * width, height, ground);
+      const down = await rendered(below, width, 2 * height, ground);
+      const column = (x: number) => pixelsOf(across, (k) => [x, k], height);
+      const row = (y: number) => pixelsOf(down, (k) => [k, y], width);
+      expect(meanDifference(column(width - 1), column(2 * width - 1))).toBeLessThan(seam);
+      expect(meanDifference(row(height), row(0))).toBeLessThan(seam);
+    }
+  });
+});
+
+/** The tile with the place to its left or below it, where its motifs reach out of it. */
+function withNeighbour(svg: string, left: -1 | 0, below: 0 | 1): string {
+  return svg.replace(/viewBox="0 0 ([\d.]+) ([\d.]+)"/, (_, width: string, height: string) => {
+    const [w, h] = [Number(width), Number(height)];
+    return `viewBox="${left * w} 0 ${w * (1 - left)} ${h * (1 + below)}"`;
+  });
+}
+
+const pixelsOf = (
+  {width, data}: Pixels,
+  at: (k: number) => [number, number],
+  count: number,
+): number[] =>
+  Array.from({length: count}, (_, k) => at(k)).flatMap(([x, y]) => [
+    ...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 3),
+  ]);
+
+const meanDifference = (one: readonly number[], other: readonly number[]): number =>
+  one.reduce((sum, value, k) => sum + Math.abs(value - (other[k] ?? NaN)), 0) / one.length;
 
 it('would find the mirrors of p4m in a print that claims to be p4', async () => {
   const p4m = collection.find(({id}) => id === 'p4m');

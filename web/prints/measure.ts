@@ -61,13 +61,14 @@ export function seenThrough(cloth: Cloth, map: PlaneMap): Cloth {
       const [px, py] = pixel(apply(map, centre(x, y)));
       const [fx, fy] = [Math.floor(px + 1e-9), Math.floor(py + 1e-9)];
       const [s, t] = [px - fx, py - fy];
-      const [x0, x1] = [wrap(fx, width), wrap(fx + 1, width)];
-      const [y0, y1] = [wrap(fy, height) * width, wrap(fy + 1, height) * width];
-      for (let c = 0; c < 3; c++) {
-        const at = (row: number, column: number): number => colours[3 * (row + column) + c] ?? 0;
-        seen[3 * (y * width + x) + c] =
-          (1 - t) * ((1 - s) * at(y0, x0) + s * at(y0, x1)) +
-          t * ((1 - s) * at(y1, x0) + s * at(y1, x1));
+      const [left, right] = [wrap(fx, width), wrap(fx + 1, width)];
+      const [above, below] = [wrap(fy, height) * width, wrap(fy + 1, height) * width];
+      const [a, b] = [3 * (above + left), 3 * (above + right)];
+      const [c, d] = [3 * (below + left), 3 * (below + right)];
+      for (let ink = 0; ink < 3; ink++) {
+        seen[3 * (y * width + x) + ink] =
+          (1 - t) * ((1 - s) * (colours[a + ink] ?? 0) + s * (colours[b + ink] ?? 0)) +
+          t * ((1 - s) * (colours[c + ink] ?? 0) + s * (colours[d + ink] ?? 0));
       }
     }
   }
