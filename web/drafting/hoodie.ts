@@ -36,6 +36,7 @@ import {
   type Match,
   type Panel,
 } from './panel.js';
+import {setInOutline, setInSeams} from './set-in-sleeve.js';
 import {armholeLengths, hungSleeve, taperedSleeve} from './sleeve.js';
 
 /** What each centimetre of rib holds in. */
@@ -151,13 +152,7 @@ function sleevesAndCuffs(body: Body, halves: Readonly<Record<Half, BodiceHalf>>)
     ...pairOf(
       'sleeve',
       'left',
-      [
-        edge('wrist', tube.hem),
-        edge('underarm back', tube.underarmBack),
-        edge('cap back', cap.back),
-        edge('cap front', cap.front),
-        edge('underarm front', tube.underarmFront),
-      ],
+      setInOutline(cap, tube, 'wrist'),
       hungSleeve(body, tip, cap.height),
     ),
     ...pairOf(
@@ -226,23 +221,7 @@ export function draftHoodie(body: Body): Garment {
         notches: [0.5],
       }),
       ...onBothSides('shoulder', 'Shoulder', ['front', 'shoulder *'], ['back', 'shoulder *']),
-      ...onBothSides(
-        'armhole',
-        'Front armhole',
-        ['sleeve_*', 'cap front'],
-        ['front', 'armhole *'],
-        {ease: capEase.front, notches: [0.55]},
-      ),
-      ...onBothSides('armhole', 'Back armhole', ['sleeve_*', 'cap back'], ['back', 'armhole *'], {
-        ease: capEase.back,
-        notches: [0.42, 0.47],
-      }),
-      ...onBothSides(
-        'underarm',
-        'Underarm',
-        ['sleeve_*', 'underarm front'],
-        ['sleeve_*', 'underarm back'],
-      ),
+      ...setInSeams(capEase, {front: ['front', 'armhole *'], back: ['back', 'armhole *']}),
       ...onBothSides('gathered', 'Cuff', ['sleeve_*', 'wrist'], ['cuff_*', 'upper'], {
         gathers: ribStretch.cuff,
       }),

@@ -3,20 +3,21 @@ import {halfNeckline, hung, roundNeckline, type Half} from './bodice.js';
 import type {Body} from './body.js';
 import {bustDart} from './darts.js';
 import {
-  across,
   curve,
   degrees,
   leaning,
   left,
   length,
   line,
+  mirrored,
   plus,
   reversed,
   type Curve,
   type Point,
 } from './geometry.js';
 import {edge, onBothSides, pairOf, sew, symmetricPanel, type Garment, type Panel} from './panel.js';
-import {heading, squareBelow} from './skirt-lines.js';
+import {squareBelow} from './skirt-lines.js';
+import {setInOutline, setInSeams} from './set-in-sleeve.js';
 import {hungSleeve, sleeveCap, sleeveTube} from './sleeve.js';
 
 const bustEase = 10;
@@ -85,7 +86,7 @@ function front(body: Body): {readonly panel: Panel; readonly armhole: Curve} {
   const panel = symmetricPanel(
     'front',
     {
-      bottom: edge('hem', across(lower.from, plus([0, 0], left(heading(lower, 0)), -1))),
+      bottom: edge('hem', squareBelow(mirrored(lower), lower)),
       half: [
         edge('side lower', lower),
         edge('dart lower', legs[0]),
@@ -136,13 +137,7 @@ function sleeves(body: Body, armholes: Readonly<Record<Half, Curve>>): readonly 
   return pairOf(
     'sleeve',
     'left',
-    [
-      edge('hem', tube.hem),
-      edge('underarm back', tube.underarmBack),
-      edge('cap back', cap.back),
-      edge('cap front', cap.front),
-      edge('underarm front', tube.underarmFront),
-    ],
+    setInOutline(cap, tube),
     hungSleeve(body, armholes.back.to, cap.height),
   );
 }
@@ -173,23 +168,7 @@ export function draftShiftDress(body: Body): Garment {
         ['back_*', 'side lower'],
         {notches: [0.4, 0.8]},
       ),
-      ...onBothSides(
-        'armhole',
-        'Front armhole',
-        ['sleeve_*', 'cap front'],
-        ['front', 'armhole *'],
-        {ease: capEase.front, notches: [0.55]},
-      ),
-      ...onBothSides('armhole', 'Back armhole', ['sleeve_*', 'cap back'], ['back_*', 'armhole'], {
-        ease: capEase.back,
-        notches: [0.42, 0.47],
-      }),
-      ...onBothSides(
-        'underarm',
-        'Underarm',
-        ['sleeve_*', 'underarm front'],
-        ['sleeve_*', 'underarm back'],
-      ),
+      ...setInSeams(capEase, {front: ['front', 'armhole *'], back: ['back_*', 'armhole']}),
     ],
     symmetries: [['front'], ['back_left', 'back_right'], ['sleeve_left', 'sleeve_right']],
   };

@@ -23,7 +23,7 @@ export function heading(seam: Curve, t: number): Point {
 
 /** The lower edge from one seam to the next, square to both; both are given upwards. */
 export function squareBelow(from: Curve, to: Curve): Curve {
-  const onward = (seam: Curve): Point => mirror(left(mirror(heading(seam, 0))));
+  const onward = (seam: Curve): Point => plus([0, 0], left(heading(seam, 0)), -1);
   return curve(from.from, onward(from), to.from, onward(to));
 }
 

@@ -3,6 +3,7 @@ import {bodiceHalf, hung, roundNeckline, type BodiceStyle, type Half} from './bo
 import type {Body} from './body.js';
 import {degrees, line, mirror, reversed} from './geometry.js';
 import {edge, onBothSides, pairOf, symmetricPanel, type Garment, type Panel} from './panel.js';
+import {setInOutline, setInSeams} from './set-in-sleeve.js';
 import {armholeLengths, hungSleeve, sleeveCap, sleeveTube} from './sleeve.js';
 
 const style: BodiceStyle = {
@@ -50,13 +51,7 @@ function sleeves(body: Body): readonly [Panel, Panel] {
   return pairOf(
     'sleeve',
     'left',
-    [
-      edge('hem', tube.hem),
-      edge('underarm back', tube.underarmBack),
-      edge('cap back', cap.back),
-      edge('cap front', cap.front),
-      edge('underarm front', tube.underarmFront),
-    ],
+    setInOutline(cap, tube),
     hungSleeve(body, halves.front.armhole.to, cap.height),
   );
 }
@@ -71,23 +66,7 @@ export function draftTee(body: Body): Garment {
         notches: [0.5],
       }),
       ...onBothSides('shoulder', 'Shoulder', ['front', 'shoulder *'], ['back', 'shoulder *']),
-      ...onBothSides(
-        'armhole',
-        'Front armhole',
-        ['sleeve_*', 'cap front'],
-        ['front', 'armhole *'],
-        {ease: capEase.front, notches: [0.55]},
-      ),
-      ...onBothSides('armhole', 'Back armhole', ['sleeve_*', 'cap back'], ['back', 'armhole *'], {
-        ease: capEase.back,
-        notches: [0.42, 0.47],
-      }),
-      ...onBothSides(
-        'underarm',
-        'Underarm',
-        ['sleeve_*', 'underarm front'],
-        ['sleeve_*', 'underarm back'],
-      ),
+      ...setInSeams(capEase, {front: ['front', 'armhole *'], back: ['back', 'armhole *']}),
     ],
     symmetries: [['front'], ['back'], ['sleeve_left', 'sleeve_right']],
   };
