@@ -22,8 +22,8 @@ export interface BodiceStyle {
   readonly sideLean: number;
   /** The front is cut this much wider than the back, at each side seam. */
   readonly forward: number;
-  /** Handles of the armhole at the underarm and at the shoulder: a front armhole is scooped out further. */
-  readonly scoop: Readonly<Record<Half, readonly [number, number]>>;
+  /** How far the middle of the armhole lies inside the end of the shoulder: further in front than behind. */
+  readonly scoop: Readonly<Record<Half, number>>;
 }
 
 /** The edges of the +x side, from the hem up to the neck. */
@@ -32,6 +32,9 @@ export interface BodiceHalf {
   readonly armhole: Curve;
   readonly shoulder: Curve;
 }
+
+/** The armhole's handle at the shoulder, as a part of its height. */
+const armholeHandle: Readonly<Record<Half, number>> = {front: 0.52, back: 0.46};
 
 export function bodiceHalf(body: Body, half: Half, style: BodiceStyle): BodiceHalf {
   const {shoulderSlope, sideLean, hemBelowWaist} = style;
@@ -48,8 +51,12 @@ export function bodiceHalf(body: Body, half: Half, style: BodiceStyle): BodiceHa
   // up the side, hollowed at the waist and square to a level hem
   const up = underarm[1] - hem[1];
   const side = curve(hem, [0, 1], underarm, leaning(sideLean), 0.46 * up, 0.35 * up);
-  // the armhole is square to the side seam and to the shoulder, so that it runs on from front to back
-  const [atUnderarm, atShoulder] = style.scoop[half];
+  // the armhole is square to the side seam and to the shoulder, so that it runs on from front to back;
+  // the middle of a cubic follows from its ends and handles
+  const atShoulder = armholeHandle[half] * (tip[1] - underarm[1]);
+  const atUnderarm =
+    (8 / 3) * ((underarm[0] - tip[0]) / 2 + style.scoop[half]) -
+    atShoulder * Math.sin(shoulderSlope);
   const armhole = curve(
     underarm,
     left(leaning(sideLean)),

@@ -56,7 +56,7 @@ const styleOf = (body: Body): BodiceStyle => ({
   hemBelowWaist: 13,
   sideLean: degrees(2),
   forward: 0,
-  scoop: {front: [7, 10.5], back: [5.6, 9.5]},
+  scoop: {front: 1.6, back: 0.9},
 });
 
 /** The pocket on the front, above the hem: half widths and heights. [cm] */

@@ -48,7 +48,7 @@ const styleOf = (body: Body): BodiceStyle => ({
   hemBelowWaist: 21,
   sideLean: 0,
   forward: 0,
-  scoop: {front: [7.6, 11], back: [6, 10]},
+  scoop: {front: 1, back: 0.4},
 });
 
 /** The lines that part a front or a back. */

@@ -37,7 +37,7 @@ const style: BodiceStyle = {
   hemBelowWaist: 19,
   sideLean: degrees(3.5),
   forward: 0.5,
-  scoop: {front: [6.8, 11], back: [5, 9.5]}, // the raglan line replaces the armhole
+  scoop: {front: 1.2, back: 0.6}, // the raglan line replaces the armhole
 };
 /** Where the raglan seam meets the neckline: from the shoulder along it. [cm] */
 const onNeckline: Readonly<Record<Half, number>> = {front: 3.6, back: 2.4};
@@ -177,9 +177,10 @@ function sleevePanels(
     `sleeve_${half}`,
     side,
     edges.map(([name, drawn]) => edge(name, mapped(drawn, hanging))),
+    // turned out a little from straight ahead, or from straight back on the other side
     half === 'front'
       ? {translation: [x, y, 9], rotation: [0, 20, rotation[2]]}
-      : {translation: [-x, y, -9], rotation: [0, 160, rotation[2]]},
+      : {translation: [-x, y, -9], rotation: [0, -160, -rotation[2]]},
   );
 }
 

@@ -87,20 +87,25 @@ export function layOutSheet(
   largest: number,
 ): SheetLayout {
   const groups = groupsOf(garment);
-  let scale = largest;
-  let {shelves, roomOf} = shelvesAt(scale, groups, room);
-  const heightOf = ({boxes}: Shelf): number =>
+  const heightOf = ({boxes}: Shelf, scale: number): number =>
     scale * Math.max(...boxes.map(tallness)) + room.name.height;
-  const height = (): number => shelves.reduce((sum, shelf) => sum + heightOf(shelf), 0);
-  const width = (): number => Math.max(...shelves.map((shelf) => shelf.width)) - room.gap;
-  while (height() > room.height || width() > room.width) {
-    scale *= 0.98;
-    ({shelves, roomOf} = shelvesAt(scale, groups, room));
-  }
+  const fits = (scale: number): boolean => {
+    const {shelves} = shelvesAt(scale, groups, room);
+    const height = shelves.reduce((sum, shelf) => sum + heightOf(shelf, scale), 0);
+    const width = Math.max(...shelves.map((shelf) => shelf.width)) - room.gap;
+    return height <= room.height && width <= room.width;
+  };
+  let scale = largest;
+  while (!fits(scale)) scale *= 0.98;
+  // a little smaller if that saves a shelf with nearly nothing on it
+  const count = shelvesAt(scale, groups, room).shelves.length;
+  const compact = 0.92 * scale;
+  if (shelvesAt(compact, groups, room).shelves.length < count) scale = compact;
+  const {shelves, roomOf} = shelvesAt(scale, groups, room);
   const pieces: Placed[] = [];
   let y = top;
   for (const shelf of shelves) {
-    const base = y + heightOf(shelf) - room.name.height;
+    const base = y + heightOf(shelf, scale) - room.name.height;
     let x = left + (room.width - shelf.width + room.gap) / 2;
     for (const box of shelf.boxes) {
       const middle = x + (roomOf(box) - room.gap) / 2;
@@ -112,7 +117,7 @@ export function layOutSheet(
       });
       x += roomOf(box);
     }
-    y += heightOf(shelf);
+    y += heightOf(shelf, scale);
   }
   return {pieces, height: y - top, scale};
 }

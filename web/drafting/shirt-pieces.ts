@@ -54,7 +54,7 @@ const styleOf = (body: Body): BodiceStyle => ({
   hemBelowWaist: 19,
   sideLean: degrees(3),
   forward: 0,
-  scoop: {front: [7.2, 11], back: [5.4, 10]},
+  scoop: {front: 1.3, back: 0.5},
 });
 
 /** Front and back as one would draw them without a yoke, and parted where the yoke begins. */

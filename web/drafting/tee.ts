@@ -17,7 +17,7 @@ const style: BodiceStyle = {
   hemBelowWaist: 19,
   sideLean: degrees(3.5),
   forward: 0.5,
-  scoop: {front: [6.8, 11], back: [5, 9.5]},
+  scoop: {front: 1.2, back: 0.6},
 };
 const capEase = {front: 1.0, back: 1.4};
 const sleeve = {ease: 7, length: 23, taper: degrees(7)};
