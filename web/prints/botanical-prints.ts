@@ -77,7 +77,7 @@ export const botanicalPrints: readonly Design[] = [
     place(halfTulip, 0, -3.4),
   ]),
   botanical('p4m', 'Majolica', ['mist', 'celadon', 'night'], 'p4m', square(11), [
-    place(leaf('bloom', 3), 0.3, 0.3, -35, 3.9),
+    place(leaf('bloom', 0), 0.3, 0.3, -35, 3.9),
     place(leaf('leaf', 3), 0.9, 0.2, -68, 4.2),
     place(willow('line'), 5.3, 5.3, 62, 2.8),
     place(pea(0.2), 5.5, 0),
@@ -85,7 +85,7 @@ export const botanicalPrints: readonly Design[] = [
     place(pea(0.16), 3.6, 3.6),
   ]),
   botanical('p4g', 'Bay trellis', ['night', 'smoke', 'moss'], 'p4g', square(12), [
-    place(rosemary, 0, 0, -72, 1.3),
+    place(rosemary, 0, 0, -72, 1.12),
     place(leaf('bloom', 3), 3.15, 2.85, -20, 2.4),
     place(willow('bloom'), 6.3, 0.15, -64, 2.1),
     place(pea(0.22), 6, 0),
@@ -97,7 +97,7 @@ export const botanicalPrints: readonly Design[] = [
     place(pea(0.16), 0, 0),
   ]),
   botanical('p31m', 'Trillium', ['linen', 'plum', 'mist'], 'p31m', hexagonalWarpwise(11), [
-    place(leaf('bloom', 3), 0, 0.2, -8, 3),
+    place(leaf('bloom', 2), 0, 0.2, -12, 3.1),
     place(leaf('leaf', 3), 0.2, 0.1, -40, 3.4),
     place(rowanberry, -3.1754, 5.5, 20),
     place(pea(0.3), 0, 0),
@@ -113,8 +113,8 @@ export const botanicalPrints: readonly Design[] = [
     place(bud(), 8.6, 0.4, 10, 1.2),
   ]),
   botanical('ditsy', 'Ditsy', ['linen', 'blush', 'night'], 'pgg', upright(7, 8), [
-    place(daisy, 1.2, 1.1, 20, 1.25),
     place(umbel, 3.1, 1, -34, 0.7),
+    place(daisy, 1.2, 1.1, 20, 1.25),
     place(sproutlet, 1.3, 3.2, 100, 0.85),
     place(bud(), 2.6, 3.4, 150, 0.9),
   ]),

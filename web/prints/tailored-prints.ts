@@ -28,7 +28,7 @@ const medallion: Motif = together(
 );
 
 const comma: Motif = [
-  ...grown(willow('line'), [0.15, 0], -20, 1.6),
+  ...grown(willow('line'), [0.15, 0], -20, 1.45),
   dot('spark', [0.3, -0.25], 0.12),
 ];
 
