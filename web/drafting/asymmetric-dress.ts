@@ -53,12 +53,11 @@ const partNames = ['hem', 'hip', 'waist', 'bust', 'top'] as const;
 
 /** The five edges of a front panel seam: it is parted where the diagonal ends, at either side of the body. */
 function frontEdges({skirt, bodice, top}: PanelSeam): readonly Curve[] {
-  const above = diagonal.belowBust;
   const parted = (what: string, whole: Curve, rest: number): Curve[] =>
     splitAtLengths(what, whole, [length(whole) - rest]);
   return [
     ...parted('the diagonal at the hip', skirt, diagonal.belowWaist),
-    ...parted('the diagonal below the bust', bodice, above),
+    ...parted('the diagonal below the bust', bodice, diagonal.belowBust),
     top,
   ];
 }
@@ -143,8 +142,8 @@ function sidePanels(body: Body): readonly [Panel, Panel] {
   const front = sideEdge(body, 'front');
   const rear = sideEdge(body, 'back');
   const atBack = (one: Curve): Curve => moved(mirrored(one), [width, 0]);
-  const [skirt, bodice, top] = [rear.skirt, rear.bodice, rear.top].map(atBack);
-  if (!skirt || !bodice || !top) throw new Error('the back panel seam has too few parts');
+  const skirt = atBack(rear.skirt);
+  const top = atBack(rear.top);
   const sunk = (top.to[1] + front.top.to[1]) / 2 - underarmHeight(body);
   const armhole = curve(
     top.to,
@@ -160,7 +159,7 @@ function sidePanels(body: Body): readonly [Panel, Panel] {
     [
       edge('hem', squareBelow(front.skirt, skirt)),
       edge('back seam skirt', skirt),
-      edge('back seam bodice', bodice),
+      edge('back seam bodice', atBack(rear.bodice)),
       edge('back seam top', top),
       edge('armhole', armhole),
       ...frontEdges(front)
