@@ -102,7 +102,7 @@ export const trail: Motif = stem(
 );
 
 /** A pear on its stalk, along +y. 2.4 cm long. */
-export const pear: Motif = [
+const pear: Motif = [
   stroke('line', '0,-0.1 0.08,0.3 0,0.6', 0.08, 0.1),
   pebble(
     'bloom',
@@ -138,7 +138,7 @@ export const blossomBranch: Motif = [
 ];
 
 /** A curl. 1.1 cm high. */
-export const tendril: Motif = [
+const tendril: Motif = [
   stroke('line', '0,0 0.1,0.7 0.7,1.1 1.1,0.75 0.9,0.4 0.62,0.55 0.7,0.75', 0.09, 0.05),
 ];
 

@@ -1,12 +1,12 @@
 /** What a designer writes down for a print: its group, its lattice, its colourways and its motifs. */
 import type {Point} from '../src/model/geometry.js';
-import type {GroupName} from '../src/model/print.js';
+import type {GroupName, Print} from '../src/model/print.js';
 import {latticeType} from '../src/model/wallpaper.js';
 import type {Palette, PaletteName} from './palette.js';
 import {grown, type Motif} from './shape.js';
 import {groundOf, printed, type Cell} from './tile.js';
 
-export type Family = 'botanical' | 'geometric' | 'tailored';
+type Family = NonNullable<Print['family']>;
 
 /** The three colourways of a print; the first is the one it is known by. */
 export type Colourways = readonly [PaletteName, PaletteName, PaletteName];

@@ -5,13 +5,13 @@ import {polyline, short} from '../src/picture/svg.js';
 import type {Cell} from './tile.js';
 
 /** The turns about a point are those by multiples of 1 / `order` of a full turn. */
-export interface Centre {
+interface Centre {
   readonly at: Point;
   readonly order: number;
 }
 
 /** The line of a mirror, or of a glide that is no mirror, from border to border of the part that is looked at. */
-export interface Axis {
+interface Axis {
   readonly from: Point;
   readonly to: Point;
   readonly glide: boolean;
@@ -89,18 +89,14 @@ export function elementsWithin(cell: Cell, area: readonly Point[]): Elements {
   return {centres: [...centres.values()], axes: [...axes.values()]};
 }
 
-/** The corners of the signs: a lens is drawn for order 2. Turned so that they stand on the lattice. */
-function sign({at: [x, y], order}: Centre, size: number, turn: number): string {
+/** The sign of a centre, whose place is given on the page. */
+function sign({at: [x, y], order}: Centre, size: number): string {
   if (order === 2) {
-    const [dx, dy] = [
-      1.25 * size * Math.cos(turn + Math.PI / 2),
-      1.25 * size * Math.sin(turn + Math.PI / 2),
-    ];
     const bow = short(1.5 * size);
-    const [a, b] = [`${short(x - dx)} ${short(y - dy)}`, `${short(x + dx)} ${short(y + dy)}`];
+    const [a, b] = [-1.25, 1.25].map((way) => `${short(x)} ${short(y + way * size)}`);
     return `M${a}A${bow} ${bow} 0 0 1 ${b}A${bow} ${bow} 0 0 1 ${a}Z`;
   }
-  const start = turn + Math.PI / 2 + (order === 4 ? Math.PI / 4 : 0);
+  const start = Math.PI / 2 + (order === 4 ? Math.PI / 4 : 0);
   const reach = size * (order === 3 ? 1.3 : 1.15);
   const corners = Array.from({length: order}, (_, k): Point => {
     const a = start + (2 * Math.PI * k) / order;
@@ -109,7 +105,7 @@ function sign({at: [x, y], order}: Centre, size: number, turn: number): string {
   return `${polyline(corners)}Z`;
 }
 
-export interface Style {
+interface Style {
   readonly line: string;
   readonly casing: string;
   /** Radius of the signs. [px] */
@@ -130,15 +126,16 @@ export function drawElements(
   const width = size / 4;
   const lines = [true, false].flatMap((glide) => {
     const data = path(glide);
+    if (data === '') return [];
     const dashes = glide ? ` stroke-dasharray="${short(size)} ${short(size * 0.7)}"` : '';
     return [
       `<path d="${data}" stroke="${casing}" stroke-width="${short(width * 2.4)}" stroke-opacity=".7"${dashes}/>`,
       `<path d="${data}" stroke="${line}" stroke-width="${short(width)}"${dashes}/>`,
     ];
   });
-  const signs = centres.map((centre) => sign({...centre, at: toPage(centre.at)}, size, 0)).join('');
+  const signs = centres.map((centre) => sign({...centre, at: toPage(centre.at)}, size)).join('');
   return [
-    `<g fill="none">${axes.length > 0 ? lines.join('') : ''}</g>`,
+    `<g fill="none">${lines.join('')}</g>`,
     `<path d="${signs}" fill="${line}" stroke="${casing}" stroke-width="${short(width)}" stroke-linejoin="round"/>`,
   ].join('');
 }

@@ -7,7 +7,7 @@ import {isInk, type Ink} from './shape.js';
 import type {Cell} from './tile.js';
 
 /** A band of one colour and its width. [cm] */
-export type Band = readonly [ink: Ink, width: number];
+type Band = readonly [ink: Ink, width: number];
 
 /** The bands of one repeat, from the group's origin on. */
 export type Sett = readonly Band[];
@@ -20,7 +20,7 @@ export function sett(text: string): Sett {
   });
 }
 
-export const repeatOf = (sett: Sett): number => sett.reduce((sum, [, width]) => sum + width, 0);
+const repeatOf = (sett: Sett): number => sett.reduce((sum, [, width]) => sum + width, 0);
 
 /** A sett that reads the same both ways: `half`, from the middle of its first band to the middle of its last, and back. */
 export function even(half: string): Sett {
@@ -55,7 +55,7 @@ export function plaidCell(warp: Sett, weft: Sett): Cell {
 }
 
 /** How far a stripe is drawn along itself, where every length is a repeat. [cm] */
-export const stripeLength = 0.5;
+const stripeLength = 0.5;
 
 /** Bands along the warp: pmm when they read the same both ways, else pm with its mirrors across the bands. */
 export function stripeCell(warp: Sett): Cell {

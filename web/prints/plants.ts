@@ -19,28 +19,13 @@ const origin: Point = [0, 0];
 
 /** A leaf of length 1, fuller to its left, its tip bent to the right, with a cut rib and pairs of side veins. */
 export function leaf(ink: Ink = 'leaf', veins = 3): Motif {
+  const vein = (from: Point, to: Point) => stroke('ground', [from, to], 0.022, 0.008);
   const sides = Array.from({length: veins}, (_, k) => {
     const y = 0.17 + 0.17 * k;
     const reach = 0.15 - 0.03 * k;
     return [
-      stroke(
-        'ground',
-        [
-          [-0.02, y],
-          [-0.02 - reach, y + 0.14],
-        ],
-        0.022,
-        0.008,
-      ),
-      stroke(
-        'ground',
-        [
-          [0, y + 0.06],
-          [reach * 0.86, y + 0.2],
-        ],
-        0.022,
-        0.008,
-      ),
+      vein([-0.02, y], [-0.02 - reach, y + 0.14]),
+      vein([0, y + 0.06], [reach * 0.86, y + 0.2]),
     ];
   });
   return [

@@ -63,7 +63,7 @@ export function printFile(design: Design): string {
   return `{\n${lines.join(',\n')}\n}\n`;
 }
 
-export interface TileFiles {
+interface TileFiles {
   /** Without extension. */
   readonly name: string;
   readonly palette: PaletteName;

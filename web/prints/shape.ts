@@ -8,7 +8,7 @@ export type Ink = (typeof inks)[number];
 export const isInk = (text: string): text is Ink => inks.some((ink) => ink === text);
 
 /** A straight side: its end; a cubic Bezier curve: its two control points and its end. */
-export type Side = readonly [Point] | readonly [Point, Point, Point];
+type Side = readonly [Point] | readonly [Point, Point, Point];
 
 export interface Outline {
   readonly start: Point;
@@ -25,7 +25,7 @@ export interface Shape {
 export type Motif = readonly Shape[];
 
 /** Degrees, counter-clockwise from +y. */
-export type Heading = number;
+type Heading = number;
 
 /** The point `along` ahead of `from`, and `aside` to its left. */
 export function ahead([x, y]: Point, heading: Heading, along: number, aside = 0): Point {
@@ -172,10 +172,6 @@ function mapped(motif: Motif, to: Mapping): Motif {
 /** The motif grown from another foot, in another heading and size; a negative `width` mirrors it. */
 export const grown = (motif: Motif, foot: Point, heading: Heading, size = 1, width = size): Motif =>
   mapped(motif, ([x, y]) => ahead(foot, heading, y * size, -x * width));
-
-/** The motif in other inks. */
-export const inked = (motif: Motif, inks: Partial<Readonly<Record<Ink, Ink>>>): Motif =>
-  motif.map((shape) => ({...shape, ink: inks[shape.ink] ?? shape.ink}));
 
 /** Several motifs printed at once: the first blocks of all, then the second blocks, and so on. */
 export function together(...motifs: Motif[]): Motif {

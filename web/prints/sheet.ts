@@ -34,7 +34,7 @@ export const cornersOf = ({w1, w2}: Cell): Point[] => [
   w2,
 ];
 
-export const paper = '#fbf9f5';
+const paper = '#fbf9f5';
 export const inkColour = '#2b2d31';
 const quiet = '#7c7a75';
 
@@ -56,8 +56,8 @@ export function page(
   ].join('\n');
 }
 
-export const margin = 40;
-export const headHeight = 116;
+const margin = 40;
+const headHeight = 116;
 const pageWidth = 1240;
 
 /** The corner of every place on a page of `columns`, whose places are as wide as they can be with `gap` between them. */
