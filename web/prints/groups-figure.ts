@@ -129,6 +129,6 @@ export function groupsFigure(): string {
   const {side, corners, size} = places(groupNames.length + 1, 6, 22, 44);
   const panels = groupNames.map((group, k) => panel(group, corners[k] ?? [0, 0], side));
   const about =
-    'One leaf, repeated by each group. Shaded: the cell of w1 and w2, its lower left corner the origin. Light leaves show the other hand.';
+    'One leaf, repeated by each group. Shaded: the cell of w1 and w2, the origin at its lowest corner (of two, the left one). Light leaves show the other hand.';
   return page(size, 'The 17 wallpaper groups', about, [...panels, key(corners.at(-1) ?? [0, 0])]);
 }
