@@ -2,7 +2,7 @@
 import type {SizeName} from './body.js';
 import {length, minus, norm, plus, pointAt, type Curve, type Point} from './geometry.js';
 import {findEdge, type EdgeName, type Garment, type Panel, type Seam} from './panel.js';
-import {isMatched, seamWeights} from './seam-kinds.js';
+import {seamWeights} from './seam-kinds.js';
 
 const rounded = (value: number, digits: number): number => Number(value.toFixed(digits)) + 0;
 const roundedPoint = ([x, y]: Point): [number, number] => [rounded(x, 6), rounded(y, 6)];
@@ -94,11 +94,10 @@ function seamEntry(garment: Garment, {name, kind, a, b}: Seam, stitch: number): 
   const [lengthA = NaN, lengthB = NaN] = [a, b].map((names) =>
     length(findEdge(garment, names).curve),
   );
-  const matched = isMatched(kind);
   return {
     stitch,
     name,
-    ...(matched ? {weight: seamWeights[kind]} : {matched}),
+    weight: seamWeights[kind],
     lengthRatio: rounded(lengthA / lengthB, 4),
   };
 }

@@ -1,7 +1,7 @@
 /**
  * How much each kind of seam counts by default, as a cutter ranks them: the eye runs down the middle of the
- * body first, then along the sides; a seam under the arm or between the legs is rarely seen. Gathered seams
- * cannot match, since their two sides differ in length all along.
+ * body first, then along the sides; a seam under the arm or between the legs is rarely seen. A gathered seam
+ * cannot match all along, since its two sides differ in length.
  */
 export const seamWeights = {
   centre: 2,
@@ -19,10 +19,7 @@ export const seamWeights = {
   underarm: 0.25,
   inseam: 0.25,
   facing: 0.25,
-  gathered: 0,
+  gathered: 0.1,
 } as const;
 
 export type SeamKind = keyof typeof seamWeights;
-
-/** Whether a seam of this kind is matched at all. */
-export const isMatched = (kind: SeamKind): boolean => seamWeights[kind] > 0;

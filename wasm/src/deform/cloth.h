@@ -9,8 +9,8 @@ namespace seamwise {
 /// Weights of the terms that keep a part a part. Lengths in cm, energies per cm of outline.
 struct ClothWeights {
   double conformal = 0.3;  ///< LSCM energy of the map from rest to shape, per cm2 of cloth
-  double bend = 4.0;       ///< change of the outline's direction, per rad2 at a vertex
-  double corner = 1.5;     ///< the same at a corner
+  double bend = 12.0;      ///< change of the outline's direction, per rad2 at a vertex
+  double corner = 4.0;     ///< the same at a corner
   double rest = 0.01;      ///< pull of the outline to its rest position, per cm2
   double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
 };

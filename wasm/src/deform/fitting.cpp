@@ -8,7 +8,8 @@
 namespace seamwise {
 namespace {
 
-constexpr double kFloor = 0.05;  ///< cm: mismatch below it pulls no harder than this
+constexpr double kFloor = 0.05;        ///< cm: mismatch below it pulls no harder than this
+constexpr double kGatheredPull = 0.3;  ///< of a seam that cannot match all along
 
 }  // namespace
 
@@ -115,12 +116,13 @@ void SeamFitting::aim(const std::vector<Alignment>& at, const Cloth* only) {
     const Seam& seam = pattern_.seams[s];
     if (!seam.matched || seam.twin) continue;
     const IdealLines lines = linesOf(seam, joins_[s], at);
+    const double pull = seam.weight * (isGathered(seam) ? kGatheredPull : 1);
     for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
       const int va = seam.a.vertices[k], vb = seam.b.vertices[k];
       // what both sides have to move together: the mismatch, when they meet in the middle
       const double apart = (lines.a[k] - shapes_[seam.a.piece][va]).norm() +
                            (lines.b[k] - shapes_[seam.b.piece][vb]).norm();
-      const double weight = seam.weight * vertex_length_[s][k] / std::max(apart, kFloor);
+      const double weight = pull * vertex_length_[s][k] / std::max(apart, kFloor);
       addTarget(seam.a.piece, va, lines.a[k], weight, only);
       addTarget(seam.b.piece, vb, lines.b[k], weight, only);
     }

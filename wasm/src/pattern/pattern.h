@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,12 @@ struct Seam {
   bool twin = false;  ///< joins a piece to its own mirror twin along corresponding points: any
                       ///< symmetric alignment matches it, so it counts in no fit
 };
+
+/// Sides of so different a length that the print cannot match all along them, however they lie: over
+/// 30 cm they run apart by 3 cm, a good part of most repeats.
+inline bool isGathered(const Seam& seam) {
+  return std::abs(std::log(seam.length_ratio)) > std::log(1.1);
+}
 
 /// A symmetry imposed on the pattern.
 struct Mirror {

@@ -1,15 +1,12 @@
 #include "solve/remarks.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/in_quotes.h"
 
 namespace seamwise {
 namespace {
 
-/// Over 30 cm of seam, sides that differ by a tenth run apart by 3 cm: a good part of most repeats.
-constexpr double kGathered = 1.1;
 constexpr int kMostNamed = 4;
 
 std::string called(const Pattern& pattern, std::size_t seam) {
@@ -27,21 +24,22 @@ std::vector<std::string> remarksOn(const Pattern& pattern) {
     return {"The garment has no seams, so there is nothing to match; add stitches to its file."};
   if (!any)
     return {
-        "No seam of the garment is to be matched: each is switched off, joins plain pieces, or joins "
+        "No seam of the garment is to be matched: each is switched off, joins plain pieces, or "
+        "joins "
         "a piece to its own mirror image."};
   std::string list;
   int count = 0;
   for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
     const Seam& seam = pattern.seams[s];
-    if (!seam.matched || seam.twin || std::abs(std::log(seam.length_ratio)) < std::log(kGathered))
-      continue;
+    if (!seam.matched || seam.twin || !isGathered(seam)) continue;
     if (++count <= kMostNamed) list += (count > 1 ? ", " : "") + called(pattern, s);
   }
   if (count == 0) return {};
   if (count > kMostNamed) list += " and " + std::to_string(count - kMostNamed) + " more";
-  return {"The two sides of these seams differ by more than a tenth in length (gathers, pleats), so "
-          "the print cannot match all along them: " +
-          list + "; list them in 'unmatched' to leave them out."};
+  return {
+      "The two sides of these seams differ by more than a tenth in length (gathers, pleats), so "
+      "the print cannot match all along them: " +
+      list + "; list them in 'unmatched' to leave them out."};
 }
 
 }  // namespace seamwise
