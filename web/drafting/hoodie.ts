@@ -143,7 +143,7 @@ function sleevesAndCuffs(body: Body, halves: Readonly<Record<Half, BodiceHalf>>)
   const sleeveLength = body.armLength - styleOf(body).shoulderOut - ribHeight + 3;
   const {cap, tube} = taperedSleeve(
     armholeLengths(halves),
-    {width: body.upperArm + 17, ease: capEase},
+    {width: body.upperArm + 14, ease: capEase},
     sleeveLength,
     cuffLength * ribStretch.cuff,
   );

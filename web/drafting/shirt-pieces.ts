@@ -41,7 +41,7 @@ export const buttonStand = 1.75;
 /** How far the yoke reaches: below the shoulder on the front, below the nape on the back. */
 const yokeReach = {front: 3.5, back: 9};
 /** How much longer than the side seams the tails are. */
-const tails = {front: 6, back: 8};
+export const tails = {front: 6, back: 8};
 
 const styleOf = (body: Body): BodiceStyle => ({
   bustEase: 16,

@@ -14,6 +14,7 @@ import {
   cutOf,
   shirtBody,
   sleevesAndCuffs,
+  tails,
   yokeShare,
 } from './shirt-pieces.js';
 export function draftShirt(body: Body): Garment {
@@ -26,10 +27,9 @@ export function draftShirt(body: Body): Garment {
   });
   const collarSeam = stand.edges.find(({name}) => name === 'collar');
   if (!collarSeam) throw new Error('the stand carries a collar');
-  const centreFront: readonly Point[] = [
-    [0, cut.halves.front.side.from[1] - 5],
-    cut.neckline.body.to,
-  ];
+  // from just above the hem, which is a little higher here than at the edge
+  const low = cut.halves.front.side.from[1] - tails.front + 1;
+  const centreFront: readonly Point[] = [[0, low], cut.neckline.body.to];
   const armholes = (['front', 'back'] as const).flatMap((half) => {
     const title = half === 'front' ? 'Front' : 'Back';
     const share = yokeShare(cut, half);

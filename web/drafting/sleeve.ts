@@ -148,7 +148,7 @@ export function taperedSleeve(
       hemLength,
       (taper) => length(drafted(taper).tube.hem),
       0,
-      degrees(15),
+      degrees(16),
     ),
   );
 }
