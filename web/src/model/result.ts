@@ -100,3 +100,6 @@ export interface SolveResult {
   /** What was dropped or assumed, one sentence each. */
   readonly notes: readonly string[];
 }
+
+/** What there is to draw of a garment: of a result, or of pieces and seams that are not solved yet. */
+export type Pattern = Pick<SolveResult, 'print' | 'pieces' | 'seams' | 'symmetries'>;

@@ -6,6 +6,7 @@ import {imageCell} from '../model/wallpaper.js';
 import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
 import {onPrint, type Fit} from './fit.js';
 import type {Layout} from './layout.js';
+import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
 import {escaped, polyline, short, text} from './svg.js';
 
 /** One of the two states that are shown, and where on the page. */
@@ -36,9 +37,6 @@ function toPage(scene: Scene, piece: number): (p: Point) => Point {
   const {corner, scale, layout} = scene;
   return ([x, y]) => [corner[0] + scale * (x + ox), corner[1] + scale * (layout.height - y - oy)];
 }
-
-const pick = (points: readonly Point[], vertices: readonly number[]): Point[] =>
-  vertices.flatMap((v) => points.slice(v, v + 1));
 
 /** The size of the tile on the page, the same for every piece. [px] */
 export function tileSize(print: Print, scale: number): readonly [number, number] {
@@ -103,52 +101,13 @@ function seams(scene: Scene): string {
   return `<g fill="none" stroke-linecap="round" stroke-linejoin="round">${sides.join('')}</g>`;
 }
 
-/** The mirror axis of a symmetric piece, a little longer than the piece. p' = R F p + t mirrors in a line through t / 2. */
-function axis(scene: Scene, piece: number, {angle, translation}: Alignment): string {
-  const direction: Point = [-Math.sin(angle / 2), Math.cos(angle / 2)];
-  const [mx, my] = [translation[0] / 2, translation[1] / 2];
+/** The mirror axis of a symmetric piece, a little longer than the piece. */
+function axis(scene: Scene, piece: number, map: Alignment): string {
   const {outline = [], [scene.outline]: points = []} = scene.result.pieces[piece] ?? {};
-  const along = pick(points, outline).map(
-    ([x, y]) => (x - mx) * direction[0] + (y - my) * direction[1],
-  );
-  const at = (s: number): Point => [mx + s * direction[0], my + s * direction[1]];
-  const overhang = 10 / scene.scale;
   const line = polyline(
-    [at(Math.min(...along) - overhang), at(Math.max(...along) + overhang)].map(
-      toPage(scene, piece),
-    ),
+    axisAlong(map, pick(points, outline), 10 / scene.scale).map(toPage(scene, piece)),
   );
   return `<path d="${line}" fill="none" stroke="#fff" stroke-opacity="0.6" stroke-width="3"/><path d="${line}" fill="none" stroke="#2b2d31" stroke-width="1.2" stroke-dasharray="7 4"/>`;
-}
-
-/** The point of a piece that lies furthest from its outline, on a coarse grid. */
-function innermost(points: readonly Point[]): Point {
-  const xs = points.map(([x]) => x);
-  const ys = points.map(([, y]) => y);
-  const [left, right, low, high] = [
-    Math.min(...xs),
-    Math.max(...xs),
-    Math.min(...ys),
-    Math.max(...ys),
-  ];
-  const inside = ([x, y]: Point): boolean =>
-    points.reduce((odd, [ax, ay], k) => {
-      const [bx, by] = points[(k + 1) % points.length] ?? [ax, ay];
-      return ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax) ? !odd : odd;
-    }, false);
-  let best: Point = [(left + right) / 2, (low + high) / 2];
-  let room = -1;
-  const n = 24;
-  for (let i = 1; i < n; i++) {
-    for (let j = 1; j < n; j++) {
-      const p: Point = [left + ((right - left) * i) / n, low + ((high - low) * j) / n];
-      const free = inside(p)
-        ? Math.min(...points.map(([x, y]) => Math.hypot(x - p[0], y - p[1])))
-        : -1;
-      if (free > room + 1e-6) [best, room] = [p, free];
-    }
-  }
-  return best;
 }
 
 function letter([x, y]: Point, content: string): string {
@@ -163,11 +122,8 @@ function symmetries(scene: Scene): string {
       const name = String.fromCharCode(65 + (pairs++ % 26));
       const [first, second] = symmetry.pieces;
       const {outline = [], rest = []} = scene.result.pieces[first] ?? {};
-      const here = innermost(pick(rest, outline));
-      // the same place on the other piece
-      const {angle, translation} = symmetry.map;
-      const turned = onPrint({angle: -angle, translation: [0, 0]}, [-here[0], here[1]]);
-      const there: Point = [turned[0] + translation[0], turned[1] + translation[1]];
+      const here = innermost(pick(rest, outline)).at;
+      const there = mirrorImage(symmetry.map, here); // the same place on the other piece
       return letter(toPage(scene, first)(here), name) + letter(toPage(scene, second)(there), name);
     })
     .join('');

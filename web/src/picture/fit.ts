@@ -1,6 +1,6 @@
 /** How well a print meets along the seams of a result, under any alignment of its pieces. */
 import type {Alignment, Point} from '../model/geometry.js';
-import type {ResultSeam, SolveResult} from '../model/result.js';
+import type {Pattern, ResultSeam} from '../model/result.js';
 import {printDistance} from '../model/wallpaper.js';
 
 /** A seam under an alignment: the mismatch of every edge and the mean length of its two sides. [cm] */
@@ -31,7 +31,7 @@ export function onPrint({angle, translation}: Alignment, [x, y]: Point): Point {
 const key = (piece: number, vertex: number | undefined): string => `${piece}:${vertex ?? ''}`;
 
 /** Whether a seam joins every vertex to its own mirror image, so that it matches however the print lies. */
-function twinTest(result: SolveResult): (seam: ResultSeam) => boolean {
+function twinTest(result: Pattern): (seam: ResultSeam) => boolean {
   const images = new Map<string, string>();
   for (const symmetry of result.symmetries) {
     const [first, second] =
@@ -50,7 +50,7 @@ const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - 
 
 /** The fit of `rest` or `shape`, with one alignment per piece. */
 export function fitOf(
-  result: SolveResult,
+  result: Pattern,
   outline: 'rest' | 'shape',
   alignments: readonly Alignment[],
 ): Fit {

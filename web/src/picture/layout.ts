@@ -1,6 +1,6 @@
 /** Lays pieces out on shelves, so that none overlap. Lengths in cm, y up. */
 import type {Point} from '../model/geometry.js';
-import type {SolveResult} from '../model/result.js';
+import type {Pattern} from '../model/result.js';
 
 export interface Layout {
   /** Added to a piece's points to bring it to its place, per piece. */
@@ -24,7 +24,7 @@ export interface Spacing {
   readonly least: (name: string) => number;
 }
 
-function boxOf(result: SolveResult, piece: number): Box {
+function boxOf(result: Pattern, piece: number): Box {
   const {rest = [], outline = []} = result.pieces[piece] ?? {};
   const points = outline.flatMap((v) => rest.slice(v, v + 1));
   const xs = points.map(([x]) => x);
@@ -34,7 +34,7 @@ function boxOf(result: SolveResult, piece: number): Box {
 }
 
 /** Mirrored pairs stay side by side; the tallest come first. */
-function inOrder(result: SolveResult): readonly (readonly Box[])[] {
+function inOrder(result: Pattern): readonly (readonly Box[])[] {
   const pairs = result.symmetries.flatMap((s) => (s.kind === 'pair' ? [s.pieces] : []));
   const paired = new Set(pairs.flat());
   const single = result.pieces.map((_, k) => k).filter((k) => !paired.has(k));
@@ -47,7 +47,7 @@ function inOrder(result: SolveResult): readonly (readonly Box[])[] {
 
 /** Shelves no wider than `limit`, each centred, pieces standing on a common line. */
 function shelves(
-  result: SolveResult,
+  result: Pattern,
   groups: readonly (readonly Box[])[],
   limit: number,
   spacing: Spacing,
@@ -84,7 +84,7 @@ function shelves(
 }
 
 /** The layout whose proportions come closest to `aspect` (width to height). */
-export function layOut(result: SolveResult, aspect: number, spacing: Spacing): Layout {
+export function layOut(result: Pattern, aspect: number, spacing: Spacing): Layout {
   const groups = inOrder(result);
   const widths = groups.flat().map((box) => box.width + spacing.gap);
   const all = widths.reduce((sum, width) => sum + width, 0);
