@@ -3,7 +3,7 @@ import {describe, expect, it} from 'vitest';
 
 import {draftAsymmetricDress} from '../../web/drafting/asymmetric-dress.js';
 import {bodyOf, sizeNames} from '../../web/drafting/body.js';
-import {minus, pointAt, type Point} from '../../web/drafting/geometry.js';
+import {length, minus, norm, pointAt, type Point} from '../../web/drafting/geometry.js';
 import {findEdge, type Panel} from '../../web/drafting/panel.js';
 import {draftPrincessDress} from '../../web/drafting/princess-dress.js';
 import {medium} from '../support/drafts.js';
@@ -45,7 +45,7 @@ describe.each(sizeNames)('in size %s', (size) => {
   });
 });
 
-it('takes the bust dart of the princess dress in the seam above the bust', () => {
+it('shapes the bust of the princess dress in a side dart and in the seam above the bust', () => {
   const dress = draftPrincessDress(medium);
   const lean = (from: Point, to: Point): number => {
     const [x, y] = minus(to, from);
@@ -53,5 +53,21 @@ it('takes the bust dart of the princess dress in the seam above the bust', () =>
   };
   const centre = findEdge(dress, ['centre_front', 'princess top left']).curve;
   const side = findEdge(dress, ['side_front_left', 'princess top']).curve;
-  expect(lean(side.to, side.from) - lean(centre.from, centre.to)).toBeCloseTo(12, 6);
+  expect(lean(side.to, side.from) - lean(centre.from, centre.to)).toBeCloseTo(7, 6);
+  const lower = findEdge(dress, ['side_front_left', 'dart lower']).curve;
+  const upper = findEdge(dress, ['side_front_left', 'dart upper']).curve;
+  expect(lower.to).toEqual(upper.from);
+  expect(length(lower)).toBeCloseTo(length(upper), 9);
+  expect(norm(minus(lower.from, upper.to))).toBeCloseTo(0.027 * medium.bust, 6);
+  // its tip stays short of the bust
+  expect(norm(minus(lower.to, side.to))).toBeGreaterThan(3);
+});
+
+it('goes on above the bust dart of the princess dress as its side back does', () => {
+  const dress = draftPrincessDress(medium);
+  const chord = (panel: string): number => {
+    const {from, to} = findEdge(dress, [panel, 'side upper']).curve;
+    return norm(minus(to, from));
+  };
+  expect(chord('side_front_left')).toBeCloseTo(chord('side_back_left'), 9);
 });

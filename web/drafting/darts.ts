@@ -46,20 +46,20 @@ export function withDart(whole: Curve, share: number, intake: number, depth: num
 export interface BustDart {
   /** From the side to the tip and back to the side, the lower leg first. */
   readonly legs: readonly [Curve, Curve];
-  /** The direction in which the side seam goes on above the dart. */
-  readonly along: Point;
+  /** What the side seam is turned by above the dart, so that it runs straight on once that is sewn. [radians] */
+  readonly opening: number;
 }
 
 /** How far the tip of a bust dart stays short of the bust, as a part of the way to it. */
 const shortOfBust = 0.24;
 
 /**
- * Turns the panel above `lower`, where its side seam arrives along `lean` at the +x side, about the bust, by as much as
- * opens a dart of the given intake (cm). Sewn, the side seam runs straight on over it.
+ * Turns the panel above `lower`, a point of its side seam at the +x side, about the bust, by as much as opens a dart of
+ * the given intake (cm).
  */
-export function bustDart(lower: Point, lean: Point, bust: Point, intake: number): BustDart {
+export function bustDart(lower: Point, bust: Point, intake: number): BustDart {
   const opening = (centre: Point): number => 2 * Math.asin(intake / 2 / norm(minus(lower, centre)));
   const upper = plus(bust, turned(minus(lower, bust), opening(bust)));
   const tip = plus(bust, minus(middle(lower, upper), bust), shortOfBust);
-  return {legs: [line(lower, tip), line(tip, upper)], along: turned(lean, opening(tip))};
+  return {legs: [line(lower, tip), line(tip, upper)], opening: opening(tip)};
 }

@@ -1,11 +1,19 @@
 /**
- * A fitted, sleeveless princess dress: centre front, two side fronts, two side backs, two centre backs. The darts of
- * bust, waist and shoulder blade are taken up by the princess seams. Every panel is its own mirror image or has a partner.
- * With an edge length of 0.52 cm (the option `edgeLengthCm`), the mesh of size M has 16.7 thousand triangles.
+ * A fitted, sleeveless princess dress: centre front, two side fronts, two side backs, two centre backs. The princess seams
+ * take up the darts of waist and shoulder blade and part of the bust's; the rest of that is in a dart from each side
+ * seam. Every panel is its own mirror image or has a partner.
+ * With an edge length of 0.53 cm (the option `edgeLengthCm`), the mesh of size M has 16.4 thousand triangles.
  */
 import type {Body} from './body.js';
 import {onBothSides, sew, type Garment} from './panel.js';
 import {centreBacks, centreFront, sidePanels} from './princess-panels.js';
+
+/** The parts of a side seam, from the hem up. */
+const sideParts = [
+  ['skirt', 'below the waist'],
+  ['lower', 'below the dart'],
+  ['upper', 'above the dart'],
+] as const;
 
 /** The parts of a princess seam, from the hem up. */
 const parts = [
@@ -34,10 +42,16 @@ export function draftPrincessDress(body: Body): Garment {
           {notches: [0.5]},
         ),
       ),
-      ...(['skirt', 'bodice'] as const).flatMap((part) =>
+      ...onBothSides(
+        'dart',
+        'Bust dart',
+        ['side_front_*', 'dart lower'],
+        ['side_front_*', 'dart upper'],
+      ),
+      ...sideParts.flatMap(([part, where]) =>
         onBothSides(
           'side',
-          `Side seam ${part === 'bodice' ? 'above' : 'below'} the waist`,
+          `Side seam ${where}`,
           ['side_front_*', `side ${part}`],
           ['side_back_*', `side ${part}`],
           {notches: [0.5]},

@@ -4,20 +4,24 @@
  */
 import {halfNeckline, hung, roundNeckline} from './bodice.js';
 import {radiusOf, type Body} from './body.js';
+import {bustDart} from './darts.js';
 import {bodiceSeam} from './fitted-seams.js';
 import {
   curve,
   leaning,
   left,
   line,
+  mapped,
+  minus,
   mirrored,
   moved,
   plus,
   reversed,
+  turned,
   type Curve,
   type Point,
 } from './geometry.js';
-import {edge, pairOf, symmetricPanel, type Panel, type Placement} from './panel.js';
+import {edge, pairOf, symmetricPanel, type Edge, type Panel, type Placement} from './panel.js';
 import {
   centreBackSkirt,
   centreLine,
@@ -33,12 +37,14 @@ import {heading, squareBelow} from './skirt-lines.js';
 
 const neckDepth = {front: 12.5, back: 3};
 /** What the front is longer than the back above the bust, as a part of the bust. */
-const frontLonger = 0.014;
+const frontLonger = 0.018;
 /** The part of the shoulder seam on the centre panel, and how far in from the shoulder point the whole ends. */
 const innerLength = 3.8;
 const inFromShoulder = 3.9;
 /** Handle of the armhole at the underarm: a front armhole is scooped out further. */
 const scoop = {front: 6.4, back: 4.6};
+/** What the bust dart takes, as a part of the bust; the princess seam takes the rest of the shaping. */
+const dartIntake = 0.027;
 
 const neckPoint = (body: Body, half: Half): Point => [
   body.neck / 5 + 2.2,
@@ -111,18 +117,34 @@ function beside(body: Body, half: Half): Placement {
     : {translation: [-x, body.waistHeight, -z], rotation: [0, -140, 0]};
 }
 
+/** The bust dart of a side front, and its side seam above that: the one given, which starts where the dart does. */
+function darted(
+  body: Body,
+  bust: Point,
+  upper: Curve,
+): {readonly dart: readonly Edge[]; readonly upper: Curve} {
+  const {legs, opening} = bustDart(upper.from, bust, dartIntake * body.bust);
+  const [lowerLeg, upperLeg] = legs;
+  return {
+    dart: [edge('dart lower', lowerLeg), edge('dart upper', upperLeg)],
+    upper: mapped(upper, (p) => plus(upperLeg.to, turned(minus(p, upper.from), opening))),
+  };
+}
+
 /** Origin: the waist at the princess seam. The armhole is square to the side seam and to the shoulder. */
 export function sidePanels(body: Body, half: Half): readonly [Panel, Panel] {
   const seam = sideLine(body, half, centreLine(body, half, innerShoulder(body, half).from));
-  const {skirt, bodice} = sideSeam(body);
+  const side = sideSeam(body);
   const out: Point = [sidePanelWaist(body, half), 0];
-  const [sideSkirt, sideBodice] = [moved(skirt, out), moved(bodice, out)];
+  const sideSkirt = moved(side.skirt, out);
+  const straight = {dart: [], upper: moved(side.upper, out)};
+  const {dart, upper} = half === 'front' ? darted(body, seam.waist.to, straight.upper) : straight;
   const slope = sideSlope(body, half);
-  const underarm = sideBodice.to;
+  const underarm = upper.to;
   const tip = downShoulder(seam.top.to, slope, outerLength(body));
   const armhole = curve(
     underarm,
-    left(heading(sideBodice, 1)),
+    left(heading(upper, 1)),
     tip,
     leaning(slope),
     scoop[half],
@@ -134,7 +156,9 @@ export function sidePanels(body: Body, half: Half): readonly [Panel, Panel] {
     [
       edge('hem', squareBelow(seam.skirt, sideSkirt)),
       edge('side skirt', sideSkirt),
-      edge('side bodice', sideBodice),
+      edge('side lower', moved(side.lower, out)),
+      ...dart,
+      edge('side upper', upper),
       edge('armhole', armhole),
       edge('shoulder', line(tip, seam.top.to)),
       edge('princess top', reversed(seam.top)),

@@ -10,6 +10,7 @@ import {
   mirrored,
   moved,
   plus,
+  splitWhere,
   trueTo,
   turned,
   type Curve,
@@ -35,7 +36,7 @@ interface Princess {
   readonly fullHeight: number;
   /** What the side panel's edge goes out by from the waist to the fullest height. */
   readonly sideOut: number;
-  /** What the side panel leans away from the centre panel above that: the dart of bust or shoulder blade. */
+  /** What the side panel leans away from the centre panel above that: what the seam takes for bust or shoulder blade. */
   readonly dart: number;
 }
 
@@ -48,7 +49,7 @@ function princessOf(body: Body, half: Half): Princess {
         centreFull: body.bust * 0.1,
         fullHeight: body.backLength * 0.41,
         sideOut: 1.8,
-        dart: degrees(12),
+        dart: degrees(7),
       }
     : {
         centreWaist: body.waist * 0.105,
@@ -134,8 +135,9 @@ export function sideLine(body: Body, half: Half, centre: SeamLine): SeamLine {
 /** The side seam of a side panel, for its waist at the origin; one line for front and back. */
 export interface SideSeam {
   readonly skirt: Curve;
-  /** From the waist up to the underarm. */
-  readonly bodice: Curve;
+  /** From the waist up to the bust dart, and on to the underarm. */
+  readonly lower: Curve;
+  readonly upper: Curve;
 }
 
 export function sideSeam(body: Body): SideSeam {
@@ -145,10 +147,10 @@ export function sideSeam(body: Body): SideSeam {
     centreFull - centreWaist + sideOut;
   const added = gain(princessOf(body, 'front')) + gain(princessOf(body, 'back')) + centreTaken;
   const wider = (body.bust + ease.bust - body.waist - ease.waist) / 2;
-  return {
-    skirt: skirtOf(body),
-    bodice: bodiceSeam([0, 0], [(wider - added) / 2, underarm], leaning(sideLean)),
-  };
+  const bodice = bodiceSeam([0, 0], [(wider - added) / 2, underarm], leaning(sideLean));
+  const dartHeight = 0.3 * body.backLength;
+  const [lower, upper] = splitWhere('the bust dart', bodice, ([, y]) => y, dartHeight);
+  return {skirt: skirtOf(body), lower, upper};
 }
 
 /** A quarter of the body: what the centre panel leaves is the side panel's. */

@@ -12,6 +12,7 @@ import {
   mirrored,
   plus,
   reversed,
+  turned,
   type Curve,
   type Point,
 } from './geometry.js';
@@ -79,7 +80,8 @@ function front(body: Body): {readonly panel: Panel; readonly armhole: Curve} {
   const {lower, upper} = sideOf(body, 'front');
   const intake = dartIntake * body.bust;
   const bust: Point = [body.bustSpan / 2 + 0.5, 0.4 * body.backLength];
-  const {legs, along} = bustDart(lower.to, leaning(sideLean), bust, intake);
+  const {legs, opening} = bustDart(lower.to, bust, intake);
+  const along = turned(leaning(sideLean), opening);
   const sideUpper = line(legs[1].to, plus(legs[1].to, along, upper));
   const {armhole, shoulder} = topOf(body, 'front', sideUpper.to, along, frontLonger * intake);
   const neckline = roundNeckline(shoulder.to, neckDepth.front, shapes.front.slope);
