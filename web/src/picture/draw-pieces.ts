@@ -7,7 +7,7 @@ import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
 import {onPrint, type Fit} from './fit.js';
 import type {Layout} from './layout.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
-import {escaped, polyline, short, text} from './svg.js';
+import {escaped, nameLines, polyline, short, text} from './svg.js';
 
 /** One of the two states that are shown, and where on the page. */
 export interface Scene {
@@ -129,14 +129,25 @@ function symmetries(scene: Scene): string {
     .join('');
 }
 
+/** From line to line of a name, in parts of its size. */
+export const nameLeading = 1.2;
+
 function names(scene: Scene, size: number): string {
   return scene.result.pieces
     .map(({name, outline, rest}, k) => {
       const points = pick(rest, outline).map(toPage(scene, k));
       const xs = points.map(([x]) => x);
-      const foot = Math.max(...points.map(([, y]) => y));
-      const at: Point = [(Math.min(...xs) + Math.max(...xs)) / 2, foot + 12 + size];
-      return text(at, name.replaceAll('_', ' '), {size, anchor: 'middle', fill: '#5d6066'});
+      const [low, high] = [Math.min(...xs), Math.max(...xs)];
+      const foot = Math.max(...points.map(([, y]) => y)) + 12 + size;
+      return nameLines(name, high - low, size)
+        .map((line, n) =>
+          text([(low + high) / 2, foot + n * nameLeading * size], line, {
+            size,
+            anchor: 'middle',
+            fill: '#5d6066',
+          }),
+        )
+        .join('');
     })
     .join('');
 }

@@ -4,10 +4,10 @@ import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
 import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
-import {drawPieces, tileSize, type Scene} from './draw-pieces.js';
+import {drawPieces, nameLeading, tileSize, type Scene} from './draw-pieces.js';
 import {fitOf, type Fit} from './fit.js';
-import {layOut} from './layout.js';
-import {escaped, imageHref, short, text} from './svg.js';
+import {layOut, type Layout} from './layout.js';
+import {escaped, imageHref, nameLines, short, text, textWidth} from './svg.js';
 
 /** A print with the picture of its cell: SVG text, or a URL. Without one, only the cell is drawn. */
 export type PrintWithTile = Print & {readonly tile?: string};
@@ -118,6 +118,31 @@ function cloth(id: string, print: PrintWithTile, scale: number): string {
   return `<pattern id="${id}" patternUnits="userSpaceOnUse" width="${w}" height="${h}">${content}</pattern>`;
 }
 
+/**
+ * A layout with room for the names, which keep their size on the page whatever the scale of the pieces: the scale
+ * follows from the layout, and the layout's centimetres from the scale. A crowd of pieces gets more height.
+ */
+function roomForNames(result: SolveResult): {readonly layout: Layout; readonly scale: number} {
+  const aspect = result.pieces.length > 16 ? 1.5 : 2.3;
+  const widest = (name: string): number =>
+    Math.max(...nameLines(name, 0, nameSize).map((word) => textWidth(word, nameSize)));
+  const at = (scale: number): Layout => {
+    const lines = result.pieces.map(({name, rest}) => {
+      const xs = rest.map(([x]) => x);
+      return nameLines(name, (Math.max(...xs) - Math.min(...xs)) * scale, nameSize).length;
+    });
+    return layOut(result, aspect, {
+      gap: 28 / scale,
+      below: (28 + Math.max(...lines) * nameLeading * nameSize) / scale,
+      least: (name) => widest(name) / scale,
+    });
+  };
+  const scaleOf = (layout: Layout): number => Math.min((width - 2 * margin) / layout.width, 14);
+  let layout = at(6);
+  for (let pass = 0; pass < 3; pass++) layout = at(scaleOf(layout));
+  return {layout, scale: scaleOf(layout)};
+}
+
 /** The whole picture as the text of an SVG file. `print.tile` is shown at true scale, as it lies on every piece. */
 export function drawResult(
   result: SolveResult,
@@ -125,9 +150,7 @@ export function drawResult(
   options: PictureOptions = {},
 ): string {
   const id = options.id ?? 'seamwise';
-  // one centimetre of the page is not known before the layout is, so names are given room for a common scale
-  const layout = layOut(result, 2.3, {gap: 5, below: 6, least: (name) => name.length * 1.15});
-  const scale = Math.min((width - 2 * margin) / layout.width, 14);
+  const {layout, scale} = roomForNames(result);
   const left = (width - layout.width * scale) / 2;
   const tall = layout.height * scale;
 
