@@ -131,6 +131,8 @@ function symmetries(scene: Scene): string {
 
 /** From line to line of a name, in parts of its size. */
 export const nameLeading = 1.2;
+/** What a name may take under a piece of this width: a little of the gaps at its sides. [px] */
+export const nameRoom = (pieceWidth: number): number => pieceWidth + 20;
 
 function names(scene: Scene, size: number): string {
   return scene.result.pieces
@@ -139,7 +141,7 @@ function names(scene: Scene, size: number): string {
       const xs = points.map(([x]) => x);
       const [low, high] = [Math.min(...xs), Math.max(...xs)];
       const foot = Math.max(...points.map(([, y]) => y)) + 12 + size;
-      return nameLines(name, high - low, size)
+      return nameLines(name, nameRoom(high - low), size)
         .map((line, n) =>
           text([(low + high) / 2, foot + n * nameLeading * size], line, {
             size,

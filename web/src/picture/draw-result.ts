@@ -4,7 +4,7 @@ import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
 import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
-import {drawPieces, nameLeading, tileSize, type Scene} from './draw-pieces.js';
+import {drawPieces, nameLeading, nameRoom, tileSize, type Scene} from './draw-pieces.js';
 import {fitOf, type Fit} from './fit.js';
 import {layOut, type Layout} from './layout.js';
 import {escaped, imageHref, nameLines, short, text, textWidth} from './svg.js';
@@ -129,10 +129,11 @@ function roomForNames(result: SolveResult): {readonly layout: Layout; readonly s
   const at = (scale: number): Layout => {
     const lines = result.pieces.map(({name, rest}) => {
       const xs = rest.map(([x]) => x);
-      return nameLines(name, (Math.max(...xs) - Math.min(...xs)) * scale, nameSize).length;
+      return nameLines(name, nameRoom((Math.max(...xs) - Math.min(...xs)) * scale), nameSize)
+        .length;
     });
     return layOut(result, aspect, {
-      gap: 28 / scale,
+      gap: 34 / scale,
       below: (28 + Math.max(...lines) * nameLeading * nameSize) / scale,
       least: (name) => widest(name) / scale,
     });
