@@ -1,0 +1,177 @@
+/** Names of pieces and letters of pairs: HTML over the drawing, so that they are text and always legible. */
+import type {Point} from '../model/geometry.js';
+import {pick} from '../picture/marks.js';
+import {labelLines, labelSize, type PatternScene, type ScenePiece} from './scene.js';
+import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
+import type {Appearance} from './strokes.js';
+
+interface Name {
+  readonly element: HTMLElement;
+  /** Corners of the piece on the sheet. [cm] */
+  readonly low: Point;
+  readonly high: Point;
+  readonly width: number;
+  readonly height: number;
+}
+
+interface Letter {
+  readonly element: HTMLElement;
+  readonly at: Point;
+  readonly room: number;
+}
+
+interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** [CSS px] */
+const letterSize = 24;
+const gap = 6;
+
+const colours: Readonly<Record<Appearance, {text: string; paper: string; ring: string}>> = {
+  light: {text: '#3b3e44', paper: 'rgb(255 255 255 / 0.88)', ring: '#2b2d31'},
+  dark: {text: '#e4e6ea', paper: 'rgb(24 25 28 / 0.86)', ring: '#d6d8dc'},
+};
+
+const overlap = (a: Box, b: Box): boolean =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+const clamp = (value: number, low: number, high: number): number =>
+  Math.max(low, Math.min(value, high));
+
+function extent({points, outline, offset}: ScenePiece): readonly [Point, Point] {
+  const loop = pick(points, outline);
+  const xs = loop.map(([x]) => x + offset[0]);
+  const ys = loop.map(([, y]) => y + offset[1]);
+  return [
+    [Math.min(...xs), Math.min(...ys)],
+    [Math.max(...xs), Math.max(...ys)],
+  ];
+}
+
+export class Labels {
+  readonly element: HTMLElement;
+  #appearance: Appearance;
+  #names: readonly Name[] = [];
+  #letters: readonly Letter[] = [];
+
+  constructor(appearance: Appearance) {
+    this.element = document.createElement('div');
+    Object.assign(this.element.style, {
+      position: 'absolute',
+      inset: '0',
+      overflow: 'hidden',
+      pointerEvents: 'none',
+      userSelect: 'none',
+    });
+    this.#appearance = appearance;
+  }
+
+  /** The element has to be in the document: names are measured. */
+  show(scene: PatternScene, appearance: Appearance): void {
+    this.#appearance = appearance;
+    const names = scene.pieces.map((piece) =>
+      this.#label(labelLines(piece.label).join('\n'), 'name'),
+    );
+    const letters = scene.symmetries.flatMap((symmetry) => {
+      if (symmetry.kind === 'piece') return [];
+      return symmetry.marks.map(({piece, at, room}): Letter => {
+        const [dx, dy] = scene.pieces[piece]?.offset ?? [0, 0];
+        return {
+          element: this.#label(symmetry.letter, 'letter'),
+          at: [at[0] + dx, at[1] + dy],
+          room,
+        };
+      });
+    });
+    this.element.replaceChildren(...letters.map(({element}) => element), ...names);
+    this.#letters = letters;
+    this.#names = scene.pieces
+      .map((piece, k): Name => {
+        const element = names[k] ?? this.#label('', 'name');
+        const [low, high] = extent(piece);
+        return {element, low, high, width: element.offsetWidth, height: element.offsetHeight};
+      })
+      // where two names collide, the larger piece keeps its own
+      .sort((a, b) => b.high[1] - b.low[1] - (a.high[1] - a.low[1]));
+  }
+
+  /** Follows the drawing. */
+  place(view: SheetView, size: ScreenSize): void {
+    const taken: Box[] = [];
+    for (const name of this.#names) {
+      const box = boxOfName(name, view, size);
+      const free = box && !taken.some((other) => overlap(other, box));
+      if (free) taken.push(box);
+      move(name.element, free ? [box.left, box.top] : undefined);
+      name.element.style.background = box?.onPiece ? colours[this.#appearance].paper : '';
+    }
+    for (const {element, at, room} of this.#letters) {
+      const [x, y] = toScreen(view, size, at);
+      const half = letterSize / 2;
+      // a letter larger than its piece would hide it
+      move(element, room * view.scale > half * 0.75 ? [x - half, y - half] : undefined);
+    }
+  }
+
+  #label(text: string, kind: 'name' | 'letter'): HTMLElement {
+    const element = document.createElement('span');
+    const {text: colour, paper, ring} = colours[this.#appearance];
+    element.textContent = text;
+    Object.assign(element.style, {
+      position: 'absolute',
+      left: '0',
+      top: '0',
+      boxSizing: 'border-box',
+      color: colour,
+      textAlign: 'center',
+    });
+    Object.assign(
+      element.style,
+      kind === 'name'
+        ? {
+            whiteSpace: 'pre',
+            padding: '1px 5px',
+            borderRadius: '4px',
+            font: `500 ${labelSize}px/1.25 system-ui, sans-serif`,
+          }
+        : {
+            width: `${letterSize}px`,
+            height: `${letterSize}px`,
+            borderRadius: '50%',
+            border: `1px solid ${ring}`,
+            background: paper,
+            font: `600 13px/${letterSize - 2}px system-ui, sans-serif`,
+          },
+    );
+    return element;
+  }
+}
+
+/** Below its piece; at the edge of the screen, on the piece, while any of the piece is to be seen. */
+function boxOfName(
+  {low, high, width, height}: Name,
+  view: SheetView,
+  size: ScreenSize,
+): (Box & {readonly onPiece: boolean}) | undefined {
+  const [left, foot] = toScreen(view, size, low);
+  const [right, head] = toScreen(view, size, high);
+  if (right < 0 || left > size.width || foot < 0 || head > size.height) return undefined;
+  const middle = (left + right) / 2;
+  // while the piece reaches beyond the screen, its name stays on the part that is seen
+  const [from, to] = [Math.max(left, 0) + gap, Math.min(right, size.width) - gap];
+  const x = to - from > width ? clamp(middle, from + width / 2, to - width / 2) : middle;
+  const top = Math.min(foot + gap, size.height - height - gap);
+  return {
+    ...{left: x - width / 2, top, right: x + width / 2, bottom: top + height},
+    onPiece: top < foot,
+  };
+}
+
+function move(element: HTMLElement, at: Point | undefined): void {
+  element.style.visibility = at ? 'visible' : 'hidden';
+  if (at) element.style.transform = `translate(${at[0].toFixed(1)}px, ${at[1].toFixed(1)}px)`;
+}

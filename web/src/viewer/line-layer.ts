@@ -1,0 +1,156 @@
+/** Lines with a width in pixels, whatever the zoom: one rectangle per edge, whose pixels know their distance from it. */
+import {
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  BufferAttribute,
+  Mesh,
+  ShaderMaterial,
+  Vector2,
+} from 'three';
+
+import type {Point} from '../model/geometry.js';
+
+export interface LineStyle {
+  /** Red, green, blue, each from 0 to 255, as shown on the screen. */
+  readonly colour: readonly [number, number, number];
+  /** [CSS px] */
+  readonly width: number;
+  /** Lengths of dash and gap, before round caps. [CSS px] */
+  readonly dash?: readonly [number, number];
+}
+
+/** A polyline on the sheet with one style per edge, or one for all. */
+export interface Stroke {
+  readonly points: readonly Point[];
+  readonly closed?: boolean;
+  readonly styles: LineStyle | readonly LineStyle[];
+}
+
+/** Shared by all layers of a view; its uniforms are set for every frame. */
+export class LineMaterial extends ShaderMaterial {
+  declare uniforms: {
+    /** Size of the drawing buffer. [device px] */
+    buffer: {value: Vector2};
+    /** [device px per cm] */
+    scale: {value: number};
+    /** [device px per CSS px] */
+    ratio: {value: number};
+  };
+
+  constructor() {
+    super({
+      uniforms: {buffer: {value: new Vector2()}, scale: {value: 1}, ratio: {value: 1}},
+      vertexShader: `
+      attribute vec4 ends;
+      attribute vec2 along;
+      attribute vec3 ink;
+      attribute vec3 stroke;
+      uniform vec2 buffer;
+      uniform float scale;
+      uniform float ratio;
+      varying vec3 colour;
+      varying vec2 at;      // along and across the edge, from its start [device px]
+      varying vec2 extent;  // length of the edge, half the width of the line [device px]
+      varying vec3 dashes;  // way to the edge's start, half a dash, period [device px]
+      void main() {
+        vec2 way = (ends.zw - ends.xy) * scale;
+        float length = length(way);
+        vec2 forward = length > 0.0 ? way / length : vec2(1.0, 0.0);
+        float reach = 0.5 * stroke.x * ratio + 1.0;
+        at = vec2(mix(-reach, length + reach, position.x), position.y * reach);
+        extent = vec2(length, 0.5 * stroke.x * ratio);
+        dashes = vec3(along.x * scale, 0.5 * stroke.y * ratio, (stroke.y + stroke.z) * ratio);
+        colour = ink;
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(ends.xy, 0.0, 1.0);
+        gl_Position.xy += 2.0 * (forward * at.x + vec2(-forward.y, forward.x) * at.y) / buffer;
+      }`,
+      fragmentShader: `
+      varying vec3 colour;
+      varying vec2 at;
+      varying vec2 extent;
+      varying vec3 dashes;
+      void main() {
+        float onEdge = clamp(at.x, 0.0, extent.x);
+        float beyond = abs(at.x - onEdge);
+        if (dashes.z > dashes.y * 2.0) {
+          float s = dashes.x + onEdge - dashes.y;
+          float offCentre = abs(s - dashes.z * floor(s / dashes.z + 0.5));
+          beyond = max(beyond, offCentre - dashes.y);
+        }
+        float distance = length(vec2(max(beyond, 0.0), at.y));
+        float cover = clamp(extent.y + 0.5 - distance, 0.0, 1.0);
+        if (cover == 0.0) discard;
+        gl_FragColor = vec4(colour * cover, cover);
+      }`,
+      transparent: true,
+      premultipliedAlpha: true,
+      depthTest: false,
+      depthWrite: false,
+    });
+  }
+}
+
+const styleOf = ({styles}: Stroke, edge: number): LineStyle =>
+  'width' in styles ? styles : (styles[edge] ?? {colour: [0, 0, 0], width: 0});
+
+const edgeCount = ({points, closed}: Stroke): number =>
+  closed ? points.length : Math.max(points.length - 1, 0);
+
+/** Strokes in the order in which they are drawn over each other. */
+export class LineLayer {
+  readonly object: Mesh<InstancedBufferGeometry, LineMaterial>;
+  readonly #ink: InstancedBufferAttribute;
+  readonly #stroke: InstancedBufferAttribute;
+
+  constructor(strokes: readonly Stroke[], material: LineMaterial, order: number) {
+    const count = strokes.reduce((sum, stroke) => sum + edgeCount(stroke), 0);
+    const ends = new Float32Array(4 * count);
+    const along = new Float32Array(2 * count);
+    let edge = 0;
+    for (const stroke of strokes) {
+      let way = 0;
+      for (let k = 0; k < edgeCount(stroke); k++, edge++) {
+        const from = stroke.points[k] ?? [0, 0];
+        const to = stroke.points[(k + 1) % stroke.points.length] ?? from;
+        const start = way;
+        way += Math.hypot(to[0] - from[0], to[1] - from[1]);
+        ends.set([...from, ...to], 4 * edge);
+        along.set([start, way], 2 * edge);
+      }
+    }
+    this.#ink = new InstancedBufferAttribute(new Uint8Array(3 * count), 3, true);
+    this.#stroke = new InstancedBufferAttribute(new Float32Array(3 * count), 3);
+    const geometry = new InstancedBufferGeometry();
+    const corners = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]);
+    geometry.setAttribute('position', new BufferAttribute(corners, 3));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    geometry.setAttribute('ends', new InstancedBufferAttribute(ends, 4));
+    geometry.setAttribute('along', new InstancedBufferAttribute(along, 2));
+    geometry.setAttribute('ink', this.#ink.setUsage(DynamicDrawUsage));
+    geometry.setAttribute('stroke', this.#stroke.setUsage(DynamicDrawUsage));
+    geometry.instanceCount = count;
+    this.object = new Mesh(geometry, material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = order;
+    this.restyle(strokes);
+  }
+
+  /** Gives the strokes, the same as before, other styles. */
+  restyle(strokes: readonly Stroke[]): void {
+    let edge = 0;
+    for (const stroke of strokes) {
+      for (let k = 0; k < edgeCount(stroke); k++, edge++) {
+        const {colour, width, dash = [0, 0]} = styleOf(stroke, k);
+        this.#ink.array.set(colour, 3 * edge);
+        this.#stroke.setXYZ(edge, width, dash[0], dash[1]);
+      }
+    }
+    this.#ink.needsUpdate = true;
+    this.#stroke.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+  }
+}

@@ -1,0 +1,141 @@
+/** Moves a view by mouse, wheel, trackpad, touch and keys. Clicks stay clicks: only a real drag moves anything. */
+import type {Point} from '../model/geometry.js';
+
+/** What can be moved. Screen points in CSS px from the upper left of the element. */
+export interface Navigable {
+  fit(): void;
+  zoomBy(factor: number, at?: Point): void;
+  panBy(dx: number, dy: number): void;
+}
+
+/** A pointer that stays within this is a click. [CSS px] */
+const clickRange = 4;
+const keyStep = 60;
+const keyFactor = 1.25;
+/** One notch of a wheel, and its share for a finer one. */
+const notchFactor = 1.2;
+const pixelsPerNotch = 100;
+/** A trackpad's pinch comes as small steps of a wheel with ctrl. */
+const pinchFactor = 1.01;
+
+/** A wheel with notches moves up and down only, in large steps; a trackpad in small ones and sideways as well. */
+function isNotched(event: WheelEvent): boolean {
+  if (event.deltaMode !== WheelEvent.DOM_DELTA_PIXEL) return true;
+  return event.deltaX === 0 && Math.abs(event.deltaY) >= 50 && Number.isInteger(event.deltaY);
+}
+
+const middle = (points: readonly Point[]): Point => [
+  points.reduce((sum, [x]) => sum + x, 0) / points.length,
+  points.reduce((sum, [, y]) => sum + y, 0) / points.length,
+];
+
+/** Mean distance from the middle, which a pinch changes. */
+function spread(points: readonly Point[]): number {
+  const [mx, my] = middle(points);
+  return points.reduce((sum, [x, y]) => sum + Math.hypot(x - mx, y - my), 0) / points.length;
+}
+
+/** Listens on `element` until `signal` fires. The element is made focusable, for the keys. */
+export function navigate(element: HTMLElement, view: Navigable, signal: AbortSignal): void {
+  const fingers = new Map<number, Point>();
+  let start: Point | undefined; // of a press that may still become a click
+
+  const at = (event: MouseEvent): Point => {
+    const {left, top} = element.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  };
+  const lift = (event: PointerEvent): void => {
+    fingers.delete(event.pointerId);
+    if (fingers.size === 0) element.style.cursor = '';
+  };
+  const listen = <K extends keyof HTMLElementEventMap>(
+    type: K,
+    listener: (event: HTMLElementEventMap[K]) => void,
+    capture = false,
+  ): void => {
+    element.addEventListener(type, listener, {signal, capture, passive: false});
+  };
+
+  element.tabIndex = 0;
+  element.style.touchAction = 'none';
+
+  listen('pointerdown', (event) => {
+    if (event.pointerType === 'mouse' && event.button > 1) return;
+    start = fingers.size === 0 ? at(event) : undefined;
+    fingers.set(event.pointerId, at(event));
+  });
+  listen('pointermove', (event) => {
+    const from = fingers.get(event.pointerId);
+    if (!from) return;
+    const to = at(event);
+    if (start) {
+      if (Math.hypot(to[0] - start[0], to[1] - start[1]) < clickRange) return;
+      start = undefined;
+      element.style.cursor = 'grabbing';
+    }
+    if (!element.hasPointerCapture(event.pointerId)) element.setPointerCapture(event.pointerId);
+    const before = [...fingers.values()];
+    fingers.set(event.pointerId, to);
+    const after = [...fingers.values()];
+    const [was, is] = [middle(before), middle(after)];
+    view.panBy(is[0] - was[0], is[1] - was[1]);
+    if (spread(before) > 0) view.zoomBy(spread(after) / spread(before), is);
+  });
+  listen('pointerup', lift);
+  listen('pointercancel', lift);
+  // what ends a drag is no click
+  listen(
+    'click',
+    (event) => {
+      if (start || event.detail === 0) return;
+      event.stopPropagation();
+      event.preventDefault();
+    },
+    true,
+  );
+
+  listen('wheel', (event) => {
+    event.preventDefault();
+    if (isNotched(event)) {
+      const notches =
+        event.deltaMode === WheelEvent.DOM_DELTA_PIXEL
+          ? event.deltaY / pixelsPerNotch
+          : Math.sign(event.deltaY);
+      view.zoomBy(notchFactor ** -notches, at(event));
+    } else if (event.ctrlKey || event.metaKey) {
+      view.zoomBy(pinchFactor ** -event.deltaY, at(event));
+    } else {
+      view.panBy(-event.deltaX, -event.deltaY);
+    }
+  });
+
+  const keys: Readonly<Record<string, () => void>> = {
+    '+': () => {
+      view.zoomBy(keyFactor);
+    },
+    '-': () => {
+      view.zoomBy(1 / keyFactor);
+    },
+    '0': () => {
+      view.fit();
+    },
+    ArrowLeft: () => {
+      view.panBy(keyStep, 0);
+    },
+    ArrowRight: () => {
+      view.panBy(-keyStep, 0);
+    },
+    ArrowUp: () => {
+      view.panBy(0, keyStep);
+    },
+    ArrowDown: () => {
+      view.panBy(0, -keyStep);
+    },
+  };
+  listen('keydown', (event) => {
+    const action = keys[event.key === '=' ? '+' : event.key];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action();
+  });
+}

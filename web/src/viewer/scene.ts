@@ -1,0 +1,234 @@
+/** What a view of a pattern shows, as plain data. Lengths in cm, y up. */
+import type {Alignment, Point} from '../model/geometry.js';
+import type {Garment} from '../model/garment.js';
+import type {Print} from '../model/print.js';
+import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
+import {fitOf} from '../picture/fit.js';
+import {layOut, type Layout} from '../picture/layout.js';
+import {axisAlong, innermost, isInside, mirrorImage, pick} from '../picture/marks.js';
+import {nameLines, textWidth} from '../picture/svg.js';
+import {chanceMismatch} from './chance.js';
+import {panelMarks, type PanelMarks} from './garment-marks.js';
+import {screenMargin} from './sheet-view.js';
+
+/** Points are in the piece's own coordinates; `offset` brings them onto the sheet. */
+export interface ScenePiece extends Pick<ResultPiece, 'name' | 'triangles' | 'outline' | 'holes'> {
+  /** What people call it. */
+  readonly label: string;
+  readonly points: readonly Point[];
+  readonly alignment: Alignment;
+  readonly offset: Point;
+  readonly grain?: readonly [Point, Point];
+}
+
+export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b' | 'kind'> {
+  /** Print mismatch per edge, as the pieces lie in this scene. [cm] */
+  readonly mismatch: readonly number[];
+  readonly counts: boolean;
+}
+
+/** A place for a letter, in the coordinates of a piece, and how far the outline is from there. */
+export interface PairMark {
+  readonly piece: number;
+  readonly at: Point;
+  readonly room: number;
+}
+
+export type SceneSymmetry =
+  | {readonly kind: 'piece'; readonly piece: number; readonly axis: readonly [Point, Point]}
+  | {readonly kind: 'pair'; readonly letter: string; readonly marks: readonly PairMark[]};
+
+export interface PatternScene {
+  readonly pattern: Pattern;
+  readonly outline: 'rest' | 'shape';
+  readonly print: Print;
+  readonly pieces: readonly ScenePiece[];
+  readonly seams: readonly SceneSeam[];
+  readonly symmetries: readonly SceneSymmetry[];
+  /** The sheet reaches from (0, 0) to here. */
+  readonly size: Point;
+  /** Mean mismatch of two random points of the print; a mismatch like this is drawn as the worst. */
+  readonly chance: number;
+}
+
+export interface SceneOptions {
+  /** Which of a piece's two states. Default `shape`. */
+  readonly outline?: 'rest' | 'shape';
+  /** One per piece. Default: the pattern's own. */
+  readonly alignments?: readonly Alignment[];
+  /** Gives labels and grain lines. */
+  readonly garment?: Garment;
+  /** What the layout is made for. [CSS px] */
+  readonly viewport?: {readonly width: number; readonly height: number};
+}
+
+/** Height of the letters of a piece's name. [CSS px] */
+export const labelSize = 12;
+/** A longer name is broken between words. [CSS px] */
+const labelRoom = 96;
+
+export const labelLines = (label: string): readonly string[] =>
+  nameLines(label, labelRoom, labelSize);
+
+/** A grain line on a mirror axis is moved aside by this, since only its direction counts. */
+const grainShift = 2;
+
+/** Pieces on a sheet with the proportions of the viewport; a name has room below its piece at the scale of the whole sheet. */
+function sheet(
+  pattern: Pattern,
+  labels: ReadonlyMap<string, string>,
+  viewport = {width: 1200, height: 750},
+): Layout {
+  const width = Math.max(viewport.width - 2 * screenMargin, 1);
+  const height = Math.max(viewport.height - 2 * screenMargin, 1);
+  const lines = new Map([...labels].map(([name, label]) => [name, labelLines(label)]));
+  const most = Math.max(...[...lines.values()].map(({length}) => length));
+  const widest = (name: string): number =>
+    Math.max(...(lines.get(name) ?? []).map((line) => textWidth(line, labelSize)));
+  let layout: Layout = {offsets: [], width: 0, height: 0};
+  let scale = 5; // px per cm; known better after each round
+  for (let round = 0; round < 4; round++) {
+    const spacing = {
+      gap: Math.max(2, 14 / scale),
+      below: Math.max(2, (16 + 1.25 * labelSize * most) / scale),
+      least: (name: string) => widest(name) / scale,
+    };
+    layout = layOut(pattern, width / height, spacing);
+    scale = Math.min(width / layout.width, height / layout.height);
+  }
+  return layout;
+}
+
+function symmetriesOf(
+  {pieces, symmetries}: Pattern,
+  outline: 'rest' | 'shape',
+): readonly SceneSymmetry[] {
+  let pairs = 0;
+  const outlineOf = (piece: number): Point[] => {
+    const {[outline]: points = [], outline: loop = []} = pieces[piece] ?? {};
+    return pick(points, loop);
+  };
+  return symmetries.map((symmetry): SceneSymmetry => {
+    if (symmetry.kind === 'piece') {
+      const axis = axisAlong(symmetry.map, outlineOf(symmetry.piece), 0);
+      return {kind: 'piece', piece: symmetry.piece, axis};
+    }
+    const [first, second] = symmetry.pieces;
+    const {at, room} = innermost(outlineOf(first));
+    const round = Math.floor(pairs / 26);
+    return {
+      kind: 'pair',
+      letter: `${String.fromCharCode(65 + (pairs++ % 26))}${round || ''}`,
+      marks: [
+        {piece: first, at, room},
+        {piece: second, at: mirrorImage(symmetry.map, at), room},
+      ],
+    };
+  });
+}
+
+/** Beside the piece's mirror axis, if it would lie on it. */
+function besideAxis(grain: readonly [Point, Point], axis: readonly [Point, Point]): typeof grain {
+  const [[x, y], end] = axis;
+  const length = Math.hypot(end[0] - x, end[1] - y);
+  const normal: Point = [(y - end[1]) / length, (end[0] - x) / length];
+  const off = grain.map((p) => Math.abs((p[0] - x) * normal[0] + (p[1] - y) * normal[1]));
+  if (off.some((distance) => distance > grainShift / 2)) return grain;
+  const move = (p: Point): Point => [p[0] + grainShift * normal[0], p[1] + grainShift * normal[1]];
+  return [move(grain[0]), move(grain[1])];
+}
+
+/** The grain line as the piece lies face up. */
+function grainOf(
+  {mirroredFromInput}: ResultPiece,
+  grain: PanelMarks['grain'],
+  axis: readonly [Point, Point] | undefined,
+): Pick<ScenePiece, 'grain'> {
+  if (!grain) return {};
+  const faceUp = ([x, y]: Point): Point => [mirroredFromInput ? -x : x, y];
+  const line = [faceUp(grain[0]), faceUp(grain[1])] as const;
+  return {grain: axis ? besideAxis(line, axis) : line};
+}
+
+/** Lays a pattern out and measures how the print meets along its seams. */
+export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = {}): PatternScene {
+  const outline = options.outline ?? 'shape';
+  const marks = options.garment ? panelMarks(options.garment) : new Map<string, PanelMarks>();
+  const labels = new Map(
+    pattern.pieces.map(({name}) => [name, marks.get(name)?.label ?? name.replaceAll('_', ' ')]),
+  );
+  const {offsets, width, height} = sheet(pattern, labels, options.viewport);
+  const symmetries = symmetriesOf(pattern, outline);
+  const axes = new Map(
+    symmetries.flatMap((s) => (s.kind === 'piece' ? [[s.piece, s.axis] as const] : [])),
+  );
+  const scene: PatternScene = {
+    ...{pattern, outline, print, symmetries, size: [width, height]},
+    chance: chanceMismatch(print),
+    pieces: pattern.pieces.map((piece, k) => {
+      const {name, triangles, outline: loop, holes, alignment} = piece;
+      return {
+        ...{name, triangles, outline: loop, holes, alignment, points: piece[outline]},
+        label: labels.get(name) ?? name,
+        offset: offsets[k] ?? [0, 0],
+        ...grainOf(piece, marks.get(name)?.grain, axes.get(k)),
+      };
+    }),
+    seams: pattern.seams.map(({a, b, kind}) => ({a, b, kind, mismatch: [], counts: false})),
+  };
+  return realigned(scene, options.alignments ?? pattern.pieces.map(({alignment}) => alignment));
+}
+
+/** The same sheet with the pieces lying otherwise on the print. Shares all geometry with `scene`, so that showing it is cheap. */
+export function realigned(scene: PatternScene, alignments: readonly Alignment[]): PatternScene {
+  const fit = fitOf(scene.pattern, scene.outline, alignments);
+  return {
+    ...scene,
+    pieces: scene.pieces.map((piece, k) => ({
+      ...piece,
+      alignment: alignments[k] ?? piece.alignment,
+    })),
+    seams: scene.seams.map((seam, k) => ({...seam, ...fitOfSeam(fit.seams[k])})),
+  };
+}
+
+const fitOfSeam = (
+  fit: Pick<SceneSeam, 'mismatch' | 'counts'> | undefined,
+): Pick<SceneSeam, 'mismatch' | 'counts'> => ({
+  mismatch: fit?.mismatch ?? [],
+  counts: fit?.counts ?? false,
+});
+
+/** The same sheet in another print. */
+export function reprinted(scene: PatternScene, print: Print): PatternScene {
+  const {group, w1, w2} = print;
+  const pattern = {...scene.pattern, print: {group, w1, w2}};
+  return realigned(
+    {...scene, pattern, print, chance: chanceMismatch(print)},
+    scene.pieces.map(({alignment}) => alignment),
+  );
+}
+
+/** How the pieces lie on one length of cloth, just as they are laid out: where every garment starts. */
+export const uncut = ({pieces}: Pick<PatternScene, 'pieces'>): readonly Alignment[] =>
+  pieces.map(({offset: [x, y]}) => ({angle: 0, translation: [0 - x, 0 - y]}));
+
+/** Alignments as a solve reports them on its way: angle, x, y per piece. */
+export const alignmentsFrom = (numbers: Float64Array): readonly Alignment[] =>
+  Array.from({length: Math.floor(numbers.length / 3)}, (_, k) => {
+    const [angle = 0, x = 0, y = 0] = numbers.subarray(3 * k, 3 * k + 3);
+    return {angle, translation: [x, y]};
+  });
+
+/** The piece that lies under a point of the sheet, and the point in that piece's coordinates. */
+export function pieceAt(
+  scene: PatternScene,
+  [x, y]: Point,
+): {readonly piece: number; readonly point: Point} | undefined {
+  for (const [piece, {points, outline, holes, offset}] of scene.pieces.entries()) {
+    const point: Point = [x - offset[0], y - offset[1]];
+    const inside = (loop: readonly number[]): boolean => isInside(pick(points, loop), point);
+    if (inside(outline) && !holes.some(inside)) return {piece, point};
+  }
+  return undefined;
+}

@@ -1,0 +1,114 @@
+/** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. */
+import type {Point} from '../model/geometry.js';
+import type {SeamSide} from '../model/result.js';
+import {mismatchColour, mismatchWidth, worstMismatch} from '../picture/colours.js';
+import {pick} from '../picture/marks.js';
+import type {LineStyle, Stroke} from './line-layer.js';
+import type {PatternScene, ScenePiece, SceneSeam} from './scene.js';
+
+/** Light or dark surroundings. */
+export type Appearance = 'light' | 'dark';
+
+type Colour = LineStyle['colour'];
+
+interface Inks {
+  readonly outline: Colour;
+  /** Parts a line from the print it lies on. */
+  readonly casing: Colour;
+  readonly mark: Colour;
+  readonly quiet: Colour;
+}
+
+const inks: Readonly<Record<Appearance, Inks>> = {
+  light: {
+    outline: [74, 77, 82],
+    casing: [255, 255, 255],
+    mark: [43, 45, 49],
+    quiet: [141, 144, 150],
+  },
+  dark: {
+    outline: [214, 216, 220],
+    casing: [24, 25, 28],
+    mark: [240, 241, 243],
+    quiet: [150, 153, 160],
+  },
+};
+
+const placed = ({points, offset}: ScenePiece, vertices: readonly number[]): Point[] =>
+  pick(points, vertices).map(([x, y]) => [x + offset[0], y + offset[1]]);
+
+const shifted = (piece: ScenePiece | undefined, points: readonly Point[]): Point[] => {
+  const [dx, dy] = piece?.offset ?? [0, 0];
+  return points.map(([x, y]) => [x + dx, y + dy]);
+};
+
+/** What lies under a stroke, a little wider and without gaps. */
+function cased(stroke: Stroke, colour: Colour): Stroke {
+  const under = ({width}: LineStyle): LineStyle => ({colour, width: width + 2.2});
+  const {styles} = stroke;
+  return {...stroke, styles: 'width' in styles ? under(styles) : styles.map(under)};
+}
+
+export function outlineStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
+  const styles = {colour: inks[appearance].outline, width: 1.5};
+  return scene.pieces.flatMap((piece) =>
+    [piece.outline, ...piece.holes].map((loop) => ({
+      points: placed(piece, loop),
+      closed: true,
+      styles,
+    })),
+  );
+}
+
+/** Green at 0, red where the print meets no better than by chance; the wider, the worse. Dotted where it does not count. */
+function seamStyles(seam: SceneSeam, chance: number, quiet: Colour): LineStyle | LineStyle[] {
+  if (!seam.counts) return {colour: quiet, width: 2, dash: [0.5, 5]};
+  return seam.mismatch.map((mismatch) => {
+    const relative = chance > 0 ? (mismatch / chance) * worstMismatch : 0;
+    const rgb = Number.parseInt(mismatchColour(relative).slice(1), 16);
+    return {colour: [rgb >> 16, (rgb >> 8) & 255, rgb & 255], width: mismatchWidth(relative)};
+  });
+}
+
+export function seamStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
+  const {casing, quiet} = inks[appearance];
+  const line = (side: SeamSide): Point[] => {
+    const piece = scene.pieces[side.piece];
+    return piece ? placed(piece, side.vertices) : [];
+  };
+  const sides = scene.seams.flatMap((seam) => {
+    const styles = seamStyles(seam, scene.chance, quiet);
+    return [seam.a, seam.b].map((side): Stroke => ({points: line(side), styles}));
+  });
+  return [...sides.map((side) => cased(side, casing)), ...sides];
+}
+
+/** An arrow head at `tip`, seen from `tail`. */
+function arrowHead(tail: Point, tip: Point): Point[] {
+  const length = Math.hypot(tip[0] - tail[0], tip[1] - tail[1]);
+  const size = Math.min(1.6, length / 4);
+  const [x, y] = [(tip[0] - tail[0]) / length, (tip[1] - tail[1]) / length];
+  const barb = (side: number): Point => [
+    tip[0] - size * (x - 0.4 * side * y),
+    tip[1] - size * (y + 0.4 * side * x),
+  ];
+  return [barb(1), tip, barb(-1)];
+}
+
+/** Mirror axes, dashed, and grain lines with an arrow head at each end. */
+export function markStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
+  const {casing, mark} = inks[appearance];
+  const grain = scene.pieces.flatMap((piece) => {
+    const [from, to] = shifted(piece, piece.grain ?? []);
+    if (!from || !to) return [];
+    const lines = [[from, to], arrowHead(from, to), arrowHead(to, from)];
+    return lines.map((points): Stroke => ({points, styles: {colour: mark, width: 1}}));
+  });
+  const axes = scene.symmetries.flatMap((symmetry): Stroke[] => {
+    if (symmetry.kind === 'pair') return [];
+    const points = shifted(scene.pieces[symmetry.piece], symmetry.axis);
+    return [{points, styles: {colour: mark, width: 1.4, dash: [7, 5]}}];
+  });
+  const lines = [...grain, ...axes];
+  return [...lines.map((line) => cased(line, casing)), ...lines];
+}

@@ -1,0 +1,137 @@
+/** The picture of a print's cell as a texture: an image as it is, an SVG drawn as densely as the screen asks for. */
+import {CanvasTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping} from 'three';
+
+import type {Point} from '../model/geometry.js';
+import {imageHref} from '../picture/svg.js';
+
+/** One cell of a print: pixels, or an image of an SVG, which can be drawn at any size. */
+export type Tile =
+  ImageBitmap | HTMLCanvasElement | HTMLImageElement | {readonly vector: HTMLImageElement};
+
+/** Longest side of a texture. [px] */
+const greatestSide = 4096;
+/** An SVG is drawn at least this densely, or by a power of 2 more. [px per cm] */
+const coarsest = 32;
+
+async function vectorTile(url: string): Promise<Tile> {
+  const image = new Image();
+  image.src = url;
+  await image.decode();
+  return {vector: image};
+}
+
+/** Reads a tile from a file. An SVG needs a width and a height. */
+export async function loadTile(url: string | URL, signal?: AbortSignal): Promise<Tile> {
+  const response = await fetch(url, signal ? {signal} : {});
+  if (!response.ok) throw new Error(`The print's image ${String(url)} cannot be read.`);
+  const blob = await response.blob();
+  if (blob.type.startsWith('image/svg')) return vectorTile(response.url);
+  return createImageBitmap(blob, {colorSpaceConversion: 'none'});
+}
+
+/** A tile from the text of an SVG, whatever size it gives itself. The page's policy has to allow `data:` images. */
+export async function svgTile(svg: string): Promise<Tile> {
+  const document = new DOMParser().parseFromString(svg, 'image/svg+xml');
+  const root = document.documentElement;
+  const side = (name: string): number => Number.parseFloat(root.getAttribute(name) ?? '') || 100;
+  if (!root.hasAttribute('viewBox')) {
+    root.setAttribute('viewBox', `0 0 ${side('width')} ${side('height')}`);
+  }
+  root.setAttribute('width', '512');
+  root.setAttribute('height', '512');
+  root.setAttribute('preserveAspectRatio', 'none');
+  return vectorTile(imageHref(new XMLSerializer().serializeToString(document)));
+}
+
+export class TileTexture {
+  readonly #anisotropy: number;
+  readonly #limit: number;
+  readonly #changed: (texture: CanvasTexture) => void;
+  #texture: CanvasTexture | undefined;
+  /** What an SVG is drawn from, and the sides of the cell. [cm] */
+  #vector: {readonly image: HTMLImageElement; readonly sides: Point} | undefined;
+  #density = coarsest;
+  /** What the screen asked for last, which a new tile is drawn for. */
+  #asked = coarsest;
+
+  /** `changed` gets every new texture; the one before is gone by then. */
+  constructor(
+    limits: {readonly anisotropy: number; readonly side: number},
+    changed: (texture: CanvasTexture) => void,
+  ) {
+    this.#anisotropy = limits.anisotropy;
+    this.#limit = Math.min(limits.side, greatestSide);
+    this.#changed = changed;
+  }
+
+  /** `cell`: the sides of what the tile shows. [cm] */
+  set(tile: Tile | undefined, cell: readonly [Point, Point]): void {
+    const sides: Point = [Math.hypot(...cell[0]), Math.hypot(...cell[1])];
+    this.#vector = tile && 'vector' in tile ? {image: tile.vector, sides} : undefined;
+    this.#density = this.#asked;
+    if (!tile) this.#drawBlank(sides);
+    else if ('vector' in tile) this.#drawVector();
+    else this.#draw(tile, tile.width, tile.height);
+  }
+
+  /** Draws an SVG again when the screen shows more than it holds. [device px per cm] */
+  sharpen(density: number): void {
+    this.#asked = Math.max(coarsest, 2 ** Math.ceil(Math.log2(density)));
+    if (this.#asked <= this.#density) return;
+    this.#density = this.#asked;
+    if (this.#vector && this.#texture && this.#size(this.#vector.sides)[0] > this.#texture.width) {
+      this.#drawVector();
+    }
+  }
+
+  dispose(): void {
+    this.#texture?.dispose();
+  }
+
+  #drawVector(): void {
+    if (this.#vector) this.#draw(this.#vector.image, ...this.#size(this.#vector.sides));
+  }
+
+  /** Width and height for an SVG: whole halves on the first mipmap levels, so that these do not shift the print. */
+  #size(sides: Point): Point {
+    const density = Math.min(this.#density, this.#limit / Math.max(...sides));
+    const size = (side: number): number => Math.max(16, Math.floor((side * density) / 16) * 16);
+    return [size(sides[0]), size(sides[1])];
+  }
+
+  /** Before there is a picture: bare cloth with the edges of the cell. */
+  #drawBlank([width, height]: Point): void {
+    const canvas = document.createElement('canvas');
+    canvas.width = Math.max(4, Math.round(width * coarsest));
+    canvas.height = Math.max(4, Math.round(height * coarsest));
+    const context = canvas.getContext('2d');
+    if (context) {
+      context.fillStyle = '#c9c1ae';
+      context.fillRect(0, 0, canvas.width, canvas.height);
+      context.fillStyle = '#f1ede3';
+      context.fillRect(1, 1, canvas.width - 2, canvas.height - 2);
+    }
+    this.#draw(canvas, canvas.width, canvas.height);
+  }
+
+  #draw(image: CanvasImageSource, width: number, height: number): void {
+    const shrink = Math.min(1, this.#limit / Math.max(width, height));
+    const canvas = document.createElement('canvas');
+    canvas.width = Math.max(1, Math.round(width * shrink));
+    canvas.height = Math.max(1, Math.round(height * shrink));
+    const context = canvas.getContext('2d', {alpha: false});
+    if (!context) return;
+    context.fillStyle = '#fff'; // the cloth, where a tile is transparent
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(image, 0, 0, canvas.width, canvas.height);
+    const texture = new CanvasTexture(canvas);
+    texture.wrapS = RepeatWrapping;
+    texture.wrapT = RepeatWrapping;
+    texture.magFilter = LinearFilter;
+    texture.minFilter = LinearMipmapLinearFilter;
+    texture.anisotropy = this.#anisotropy;
+    this.#texture?.dispose();
+    this.#texture = texture;
+    this.#changed(texture);
+  }
+}
