@@ -1,0 +1,294 @@
+import {describe, expect, it} from 'vitest';
+
+import type {Alignment, Point} from '../../web/src/model/geometry.js';
+import type {Print} from '../../web/src/model/print.js';
+import type {Pattern, ResultPiece} from '../../web/src/model/result.js';
+import {apply} from '../../web/src/model/wallpaper.js';
+import {onPrint} from '../../web/src/picture/fit.js';
+import {chanceMismatch} from '../../web/src/viewer/chance.js';
+import {panelMarks} from '../../web/src/viewer/garment-marks.js';
+import {imageCoordinates} from '../../web/src/viewer/print-coordinates.js';
+import {
+  alignmentsFrom,
+  pieceAt,
+  realigned,
+  reprinted,
+  sceneOf,
+  uncut,
+} from '../../web/src/viewer/scene.js';
+import {seamStrokes} from '../../web/src/viewer/strokes.js';
+
+const square: Point[] = [
+  [0, 0],
+  [4, 0],
+  [4, 4],
+  [0, 4],
+];
+const squareHole: Point[] = [
+  [1, 1],
+  [1, 3],
+  [3, 3],
+  [3, 1],
+];
+const home: Alignment = {angle: 0, translation: [0, 0]};
+const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 10]};
+
+function piece(name: string, more: Partial<ResultPiece> = {}): ResultPiece {
+  return {
+    name,
+    rest: square,
+    shape: square,
+    triangles: [
+      [0, 1, 2],
+      [0, 2, 3],
+    ],
+    outline: [0, 1, 2, 3],
+    holes: [],
+    alignment: home,
+    mirroredFromInput: false,
+    ...more,
+  };
+}
+
+/** The right side of one 4 cm square is sewn to the left side of the other. */
+const twoSquares = (more: Partial<Pattern> = {}): Pattern => ({
+  print,
+  pieces: [piece('left_half'), piece('right_half', {alignment: {angle: 0, translation: [-4, 0]}})],
+  seams: [
+    {
+      a: {piece: 0, vertices: [1, 2]},
+      b: {piece: 1, vertices: [0, 3]},
+      weight: 1,
+      matched: true,
+      lengthRatio: 1,
+      kind: 'continuous',
+      mismatch: [0],
+    },
+  ],
+  symmetries: [],
+  ...more,
+});
+
+describe('a scene', () => {
+  it('has the mismatch of the pieces as they lie in it, not that of the file', () => {
+    const scene = sceneOf(twoSquares(), print, {
+      alignments: [home, {angle: 0, translation: [-4, 0.5]}],
+    });
+    expect(scene.seams[0]?.mismatch[0]).toBeCloseTo(0.5, 12);
+    expect(scene.pieces[1]?.alignment.translation).toEqual([-4, 0.5]);
+  });
+
+  it('keeps its geometry when only alignments change', () => {
+    const scene = sceneOf(twoSquares(), print);
+    const next = realigned(scene, alignmentsFrom(Float64Array.of(0, 0, 0, 0, -4, 0.25)));
+    expect(next.seams[0]?.mismatch[0]).toBeCloseTo(0.25, 12);
+    expect(next.symmetries).toBe(scene.symmetries);
+    next.pieces.forEach(({points, offset, triangles}, k) => {
+      expect(points).toBe(scene.pieces[k]?.points);
+      expect(offset).toBe(scene.pieces[k]?.offset);
+      expect(triangles).toBe(scene.pieces[k]?.triangles);
+    });
+  });
+
+  it('measures by the new print when the print changes', () => {
+    const half: Print = {group: 'p1', w1: [0.5, 0], w2: [0, 0.5]};
+    const scene = sceneOf(twoSquares(), print, {
+      alignments: [home, {angle: 0, translation: [-4, 0.5]}],
+    });
+    const next = reprinted(scene, half);
+    expect(next.seams[0]?.mismatch[0]).toBeCloseTo(0, 12);
+    expect(next.chance).toBeCloseTo(scene.chance / 20, 12);
+  });
+
+  it('shows one length of cloth before anything is aligned', () => {
+    const scene = sceneOf(twoSquares(), print);
+    const alignments = uncut(scene);
+    scene.pieces.forEach(({offset}, k) => {
+      const {angle, translation} = alignments[k] ?? {angle: NaN, translation: [NaN, NaN]};
+      expect(angle).toBe(0);
+      expect(translation[0] + offset[0]).toBeCloseTo(0, 12);
+      expect(translation[1] + offset[1]).toBeCloseTo(0, 12);
+    });
+  });
+
+  it('stays within its size, and no pieces touch, on wide and on narrow screens', () => {
+    for (const viewport of [
+      {width: 1600, height: 700},
+      {width: 390, height: 800},
+    ]) {
+      const {pieces, size} = sceneOf(twoSquares(), print, {viewport});
+      const lows = pieces.map(({offset}) => offset);
+      for (const [x, y] of lows) {
+        expect(x).toBeGreaterThanOrEqual(0);
+        expect(y).toBeGreaterThan(0); // the name is below
+        expect(x + 4).toBeLessThanOrEqual(size[0] + 1e-9);
+        expect(y + 4).toBeLessThanOrEqual(size[1] + 1e-9);
+      }
+      const [a = [0, 0], b = [0, 0]] = lows;
+      expect(Math.max(Math.abs(a[0] - b[0]), Math.abs(a[1] - b[1]))).toBeGreaterThan(5);
+    }
+  });
+
+  it('marks a pair with the same letter at mirrored places', () => {
+    const symmetric = twoSquares({
+      symmetries: [
+        {kind: 'pair', pieces: [0, 1], map: {angle: 0, translation: [4, 0]}, pairs: []},
+        {kind: 'piece', piece: 0, map: {angle: 0, translation: [4, 0]}, pairs: []},
+      ],
+    });
+    const [pair, axis] = sceneOf(symmetric, print).symmetries;
+    expect(pair).toMatchObject({kind: 'pair', letter: 'A'});
+    if (pair?.kind !== 'pair' || axis?.kind !== 'piece') throw new Error('other symmetries');
+    const [first, second] = pair.marks;
+    expect([first?.piece, second?.piece]).toEqual([0, 1]);
+    expect(second?.at[0]).toBeCloseTo(4 - (first?.at[0] ?? NaN), 12);
+    expect(second?.at[1]).toBeCloseTo(first?.at[1] ?? NaN, 12);
+    expect(axis.axis.map(([x]) => x)).toEqual([2, 2]);
+    expect(axis.axis.map(([, y]) => y)).toEqual([0, 4]);
+  });
+
+  it('finds the piece under a point, and nothing in a cut-out or beside the pieces', () => {
+    const pieces = [
+      piece('ring', {
+        rest: [...square, ...squareHole],
+        shape: [...square, ...squareHole],
+        holes: [[4, 5, 6, 7]],
+      }),
+    ];
+    const scene = sceneOf({print, pieces, seams: [], symmetries: []}, print);
+    const [dx = NaN, dy = NaN] = scene.pieces[0]?.offset ?? [];
+    const found = pieceAt(scene, [0.5 + dx, 0.25 + dy]);
+    expect(found?.piece).toBe(0);
+    expect(found?.point[0]).toBeCloseTo(0.5, 12);
+    expect(found?.point[1]).toBeCloseTo(0.25, 12);
+    expect(pieceAt(scene, [2 + dx, 2 + dy])).toBeUndefined();
+    expect(pieceAt(scene, [5 + dx, 2 + dy])).toBeUndefined();
+  });
+});
+
+describe('what the garment file adds', () => {
+  const garment = {
+    format: 'seamwise-garment/1',
+    properties: {units_in_meter: 1000},
+    pattern: {
+      panels: {
+        left_half: {
+          label: 'Left half',
+          grain: {
+            line: [
+              [10, 5],
+              [10, 35],
+            ],
+          },
+        },
+        right_half: {},
+      },
+    },
+  } as const;
+
+  it('is read in centimetres', () => {
+    expect(panelMarks(garment).get('left_half')).toEqual({
+      label: 'Left half',
+      grain: [
+        [1, 0.5],
+        [1, 3.5],
+      ],
+    });
+    expect(panelMarks(garment).get('right_half')).toEqual({});
+  });
+
+  it('is mirrored with a piece that the file shows from the back', () => {
+    const pieces = [piece('left_half', {mirroredFromInput: true}), piece('right_half')];
+    const scene = sceneOf(twoSquares({pieces}), print, {garment});
+    expect(scene.pieces.map(({label}) => label)).toEqual(['Left half', 'right half']);
+    expect(scene.pieces[0]?.grain).toEqual([
+      [-1, 0.5],
+      [-1, 3.5],
+    ]);
+    expect(scene.pieces[1]?.grain).toBeUndefined();
+  });
+
+  it('moves a grain line off a mirror axis', () => {
+    const symmetries: Pattern['symmetries'] = [
+      {kind: 'piece', piece: 0, map: {angle: 0, translation: [2, 0]}, pairs: []},
+    ];
+    const [from, to] = sceneOf(twoSquares({symmetries}), print, {garment}).pieces[0]?.grain ?? [];
+    expect(Math.abs((from?.[0] ?? NaN) - 1)).toBeCloseTo(2, 12);
+    expect(to?.[0]).toBeCloseTo(from?.[0] ?? NaN, 12);
+  });
+});
+
+describe('coordinates in the image of a print', () => {
+  const alignment: Alignment = {angle: 0.7, translation: [31, -57]};
+  const prints: readonly Print[] = [
+    {group: 'p2', w1: [8, 0], w2: [2.6, 9.5]},
+    {group: 'cm', w1: [4.5, 6], w2: [-4.5, 6], cell: 'rectangular'},
+    {group: 'p6m', w1: [13, 0], w2: [6.5, 6.5 * Math.sqrt(3)], cell: 'rectangular'},
+  ];
+  const sides: readonly (readonly [Point, Point])[] = [
+    [
+      [8, 0],
+      [2.6, 9.5],
+    ],
+    [
+      [0, 12],
+      [-9, 0],
+    ],
+    [
+      [13, 0],
+      [0, 13 * Math.sqrt(3)],
+    ],
+  ];
+
+  it.each(prints.map((one, k) => [one.group, one, sides[k]] as const))(
+    'of %s lead back to where the piece lies on it, but for whole cells',
+    (_, one, cell) => {
+      const [a = [NaN, NaN], b = [NaN, NaN]] = cell ?? [];
+      const map = imageCoordinates(one, alignment, [3, 4]);
+      for (const p of [...square, [17, -9] as const]) {
+        const [u, v] = apply(map, p);
+        const [x, y] = onPrint(alignment, p);
+        // (x, y) - u a - v b is i a + j b with whole i, j
+        const rest = [x - u * a[0] - v * b[0], y - u * a[1] - v * b[1]] as const;
+        const d = a[0] * b[1] - a[1] * b[0];
+        const i = (rest[0] * b[1] - rest[1] * b[0]) / d;
+        const j = (a[0] * rest[1] - a[1] * rest[0]) / d;
+        expect(i).toBeCloseTo(Math.round(i), 9);
+        expect(j).toBeCloseTo(Math.round(j), 9);
+      }
+    },
+  );
+
+  it('are those of the first cell near the point asked for', () => {
+    const [u, v] = apply(imageCoordinates(print, alignment, [3, 4]), [3, 4]);
+    for (const value of [u, v]) {
+      expect(value).toBeGreaterThanOrEqual(0);
+      expect(value).toBeLessThan(1);
+    }
+  });
+});
+
+describe('the mismatch by chance', () => {
+  it('of a square lattice is the mean distance in a square from its centre', () => {
+    // (sqrt 2 + asinh 1) / 6 of the side
+    const mean = (10 * (Math.SQRT2 + Math.asinh(1))) / 6;
+    expect(chanceMismatch(print)).toBeCloseTo(mean, 1);
+  });
+
+  it('is less for a print with more symmetries', () => {
+    expect(chanceMismatch({...print, group: 'p4m'})).toBeLessThan(chanceMismatch(print) / 1.5);
+  });
+
+  it('is where a seam is drawn red, and as wide as it gets', () => {
+    const scene = sceneOf(twoSquares(), print);
+    const styleAt = (mismatch: number): unknown => {
+      const seams = scene.seams.map((seam) => ({...seam, mismatch: [mismatch]}));
+      const {styles} = seamStrokes({...scene, seams}, 'light').at(-1) ?? {styles: []};
+      return 'width' in styles ? styles : styles[0];
+    };
+    expect(styleAt(0)).toEqual({colour: [43, 147, 88], width: 2.4});
+    expect(styleAt(scene.chance)).toEqual({colour: [200, 48, 40], width: 4.6});
+    expect(styleAt(2 * scene.chance)).toEqual(styleAt(scene.chance));
+    expect(styleAt(scene.chance / 2)).not.toEqual(styleAt(scene.chance));
+  });
+});
