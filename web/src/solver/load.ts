@@ -1,3 +1,9 @@
+/**
+ * The build puts module and .wasm file beside each other into `./module/`, in sources and in `dist`
+ * alike. By itself the module fetches `new URL('seamwise.wasm', import.meta.url)`: served as they are,
+ * by a development server or any other, the files are neighbours, and bundlers know the expression
+ * and emit the file. So neither needs a setting; only Node has to read the file itself.
+ */
 import createSeamwise, {type ModuleSettings, type SeamwiseModule} from './module/seamwise.mjs';
 
 export type {SeamwiseModule} from './module/seamwise.mjs';

@@ -1,5 +1,5 @@
 import {SolverError} from '../model/failure.js';
-import {methods, type Problem} from '../model/problem.js';
+import {methods, type Problem, type SolveHooks} from '../model/problem.js';
 import type {ModuleProblem} from './module/seamwise.mjs';
 
 /** A problem as the core takes it: the texts of its files, and what to call them in messages. */
@@ -11,6 +11,12 @@ export interface ProblemNames {
   readonly print: string;
   readonly symmetry: string;
   readonly options: string;
+}
+
+/** Hooks for programs that read files. */
+export interface NamedSolveHooks extends SolveHooks {
+  /** What to call the problem's parts in error messages: the names of their files. */
+  readonly names?: Partial<ProblemNames>;
 }
 
 export const plainNames: ProblemNames = {
@@ -75,7 +81,8 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
 
 /** A value as JSON text; a string, or bytes, are taken to be JSON text already. @throws {SolverError} */
 export function jsonText(value: unknown, name: string): string {
-  if (value === '') throw new SolverError({code: 'notJson', message: `${name} is empty; choose another file.`});
+  if (value === '')
+    throw new SolverError({code: 'notJson', message: `${name} is empty; choose another file.`});
   if (typeof value === 'string') return value;
   if (value instanceof Uint8Array) return new TextDecoder().decode(value);
   let text: string | undefined;
@@ -90,7 +97,10 @@ export function jsonText(value: unknown, name: string): string {
   }
   // JSON.stringify(undefined) is undefined, whatever its declaration says.
   if (typeof text !== 'string') {
-    throw new SolverError({code: 'notJson', message: `${name} is missing; hand over an object or JSON text.`});
+    throw new SolverError({
+      code: 'notJson',
+      message: `${name} is missing; hand over an object or JSON text.`,
+    });
   }
   return text;
 }
