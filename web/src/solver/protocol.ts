@@ -1,0 +1,53 @@
+import type {Failure} from '../model/failure.js';
+import type {Phase} from '../model/problem.js';
+import type {SolveResult} from '../model/result.js';
+import type {DetectedSymmetries} from '../model/symmetries.js';
+import type {ProblemTexts} from './texts.js';
+
+/** Grows with every change of the messages: a page must not talk to a worker from an old cache. */
+export const protocolVersion = '1';
+
+/** What a job of each kind delivers. */
+export interface Answers {
+  readonly solve: SolveResult;
+  readonly symmetries: DetectedSymmetries;
+  readonly convert: string;
+}
+
+export type Answer = Answers[keyof Answers];
+
+/** Starts a job. Its number is the page's and is never used again. */
+export type JobRequest =
+  | {readonly kind: 'solve'; readonly job: number; readonly texts: ProblemTexts}
+  | {
+      readonly kind: 'symmetries' | 'convert';
+      readonly job: number;
+      readonly garment: string;
+      /** What to call the garment in messages. */
+      readonly name: string;
+    };
+
+/** Everything the page may say. */
+export type ToWorker =
+  | JobRequest
+  /** Where the .wasm file is; comes before any job, if at all. */
+  | {readonly kind: 'locate'; readonly wasmUrl: string}
+  /** The job is no longer wanted; it still ends with `done` or `failed`. */
+  | {readonly kind: 'cancel'; readonly job: number}
+  /** To be answered at once, by `pong`. */
+  | {readonly kind: 'ping'};
+
+/** Everything the worker may answer. A job ends with exactly one `done` or `failed`. */
+export type FromWorker =
+  | {readonly kind: 'ready'; readonly version: string}
+  | {readonly kind: 'pong'}
+  | {
+      readonly kind: 'progress';
+      readonly job: number;
+      readonly phase: Phase;
+      readonly fraction: number;
+    }
+  /** Angle, x, y per piece; transferred. [rad, cm] */
+  | {readonly kind: 'partial'; readonly job: number; readonly alignments: Float64Array}
+  | {readonly kind: 'done'; readonly job: number; readonly answer: Answer}
+  | {readonly kind: 'failed'; readonly job: number; readonly failure: Failure};

@@ -1,0 +1,98 @@
+import {SolverError, type Failure} from '../model/failure.js';
+import {internalError} from './broken.js';
+import {LocalSolver} from './local.js';
+import {
+  protocolVersion,
+  type Answer,
+  type FromWorker,
+  type JobRequest,
+  type ToWorker,
+} from './protocol.js';
+
+/** What a worker's global scope has; written out, since its types exclude those of a page. */
+export interface WorkerScope {
+  postMessage(message: FromWorker, options?: StructuredSerializeOptions): void;
+  addEventListener(type: 'message', listener: (event: MessageEvent<ToWorker>) => void): void;
+}
+
+/** Solves for a page. Jobs share the thread in slices, so that a cancel is seen between any two. */
+export function serve(scope: WorkerScope): void {
+  const service = new Service(scope);
+  scope.addEventListener('message', ({data}) => {
+    service.receive(data);
+  });
+  scope.postMessage({kind: 'ready', version: protocolVersion});
+}
+
+class Service {
+  readonly #scope: WorkerScope;
+  readonly #jobs = new Map<number, AbortController>();
+  #solver = new LocalSolver();
+
+  constructor(scope: WorkerScope) {
+    this.#scope = scope;
+  }
+
+  receive(message: ToWorker): void {
+    switch (message.kind) {
+      case 'locate':
+        this.#solver = new LocalSolver(() => ({locateFile: () => message.wasmUrl}));
+        break;
+      case 'ping':
+        this.#scope.postMessage({kind: 'pong'});
+        break;
+      case 'cancel':
+        this.#jobs.get(message.job)?.abort();
+        break;
+      case 'solve':
+      case 'symmetries':
+      case 'convert':
+        void this.#work(message);
+        break;
+      default:
+        message satisfies never;
+    }
+  }
+
+  async #work(request: JobRequest): Promise<void> {
+    const {job} = request;
+    const controller = new AbortController();
+    this.#jobs.set(job, controller);
+    try {
+      const answer = await this.#answer(request, controller.signal);
+      this.#scope.postMessage({kind: 'done', job, answer});
+    } catch (error) {
+      const failure = toFailure(error, controller.signal);
+      this.#scope.postMessage({kind: 'failed', job, failure});
+    } finally {
+      this.#jobs.delete(job);
+    }
+  }
+
+  #answer(request: JobRequest, signal: AbortSignal): Promise<Answer> {
+    if (request.kind !== 'solve') return this.#solver[request.kind](request.garment, request.name);
+    const {job} = request;
+    return this.#solver.solve(request.texts, {
+      signal,
+      onProgress: (progress) => {
+        this.#scope.postMessage({kind: 'progress', job, ...progress});
+      },
+      onPartial: (alignments) => {
+        const transfer = [alignments.buffer as ArrayBuffer];
+        this.#scope.postMessage({kind: 'partial', job, alignments}, {transfer});
+      },
+    });
+  }
+}
+
+/** As plain data; whatever is neither the caller's fault nor wish is the solver's own. */
+function toFailure(error: unknown, signal: AbortSignal): Failure {
+  const known = error instanceof SolverError ? error : unexpected(error, signal);
+  const {code, message, piece, seam} = known;
+  return {code, message, piece, seam};
+}
+
+function unexpected(error: unknown, signal: AbortSignal): SolverError {
+  if (error !== signal.reason) return internalError('The solver broke', error);
+  return new SolverError({code: 'cancelled', message: 'The job was cancelled.'});
+}
