@@ -1,6 +1,7 @@
 import {existsSync} from 'node:fs';
 import {join} from 'node:path';
 
+import {chromiumPath} from './chromium.mjs';
 import {has, run, say, SetupError} from './shell.mjs';
 
 // The same folders as in CMakeLists.txt.
@@ -72,9 +73,18 @@ const googletest = {
   brew: 'googletest',
 };
 
-/** What it takes to build the module, and to run the native tests. */
+const chromium = {
+  found: () => existsSync(chromiumPath() ?? '/nowhere'),
+  apt: 'chromium',
+  dnf: 'chromium',
+  pacman: 'chromium',
+  brew: 'google-chrome',
+};
+
+/** What it takes to build the module, to run the native tests, and those in a browser. */
 export const forModule = [cmake, ninja, eigen, json, emscripten];
 export const forNativeTests = [cmake, ninja, eigen, json, compiler, googletest];
+export const forBrowserTests = [chromium];
 
 /** Installs what is missing where that is allowed. @throws {SetupError} saying what to install */
 export async function ensureSystem(needs) {
@@ -125,5 +135,6 @@ function advice(missing) {
   Fedora           sudo dnf install ${list('dnf')}
   Arch             sudo pacman -S --needed ${list('pacman')}
   macOS            brew install ${list('brew')}
-Instead of the package emscripten, an activated emsdk does as well (https://emscripten.org).`;
+Instead of the package emscripten, an activated emsdk does as well (https://emscripten.org); instead
+of chromium, any Chromium or Chrome that the environment variable CHROME_PATH names.`;
 }

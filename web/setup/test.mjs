@@ -5,7 +5,7 @@ import {availableParallelism} from 'node:os';
 import {build} from './build.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, run, say, SetupError, tool} from './shell.mjs';
-import {ensureSystem, forModule, forNativeTests} from './system.mjs';
+import {ensureSystem, forBrowserTests, forModule, forNativeTests} from './system.mjs';
 
 /** Runs a program of an npm package. */
 function runTool(name, ...args) {
@@ -32,13 +32,22 @@ async function native(preset) {
   return built && run('ctest', ['--preset', preset, '-j', String(availableParallelism())]);
 }
 
+const pageTests = 'tests/page';
+
+/** What only a browser can show; one file at a time, because they measure how pages respond. */
+async function browser() {
+  await ensureSystem(forBrowserTests);
+  return runToolOnBuild('vitest', 'run', pageTests, '--no-file-parallelism');
+}
+
 const checks = {
   native: () => native('native'),
   sanitize: () => native('sanitize'),
   format: () => runTool('prettier', '--check', '--log-level=warn', '.'),
   types: () => runToolOnBuild('typescript', '-p', 'tsconfig.json'),
   lint: () => runToolOnBuild('eslint', '.', '--max-warnings=0'),
-  web: () => runToolOnBuild('vitest', 'run'),
+  web: () => runToolOnBuild('vitest', 'run', '--exclude', `${pageTests}/**`),
+  browser,
 };
 
 await main(async () => {
@@ -47,7 +56,9 @@ await main(async () => {
   if (unknown)
     throw new SetupError(`no check '${unknown}'; there are ${Object.keys(checks).join(', ')}`);
   // All at once, so that whoever has to install by hand is asked only once.
-  if (asked.length === 0) await ensureSystem([...new Set([...forModule, ...forNativeTests])]);
+  if (asked.length === 0) {
+    await ensureSystem([...new Set([...forModule, ...forNativeTests, ...forBrowserTests])]);
+  }
   await ensurePackages();
   const failed = [];
   for (const name of asked.length > 0 ? asked : Object.keys(checks)) {

@@ -1,0 +1,221 @@
+import type {Page} from 'playwright-core';
+import {convert, solve, symmetries} from 'seamwise/node';
+import {afterEach, beforeEach, describe, expect, it} from 'vitest';
+
+import type {FromWorker} from '../../web/src/solver/protocol.js';
+import {checks, twoStrips} from '../wasm/garments.js';
+import {jacket, tee, useFixture, withoutTimes} from './fixture/open.js';
+
+const strips = {garment: JSON.stringify(twoStrips()), print: checks};
+const openPage = useFixture();
+let page: Page;
+/** How many have been started; one that was replaced counts. */
+let workers: number;
+
+beforeEach(async () => {
+  page = await openPage();
+  workers = 0;
+  page.on('worker', () => (workers += 1));
+});
+
+afterEach(() => page.close());
+
+describe('the client', () => {
+  it('gives the same bytes as the solver in Node', async () => {
+    const result = await page.evaluate((problem) => new Client().solve(problem), tee);
+    expect(withoutTimes(result)).toBe(withoutTimes(await solve(tee)));
+  });
+
+  it('finds the same symmetries and converts to the same text as in Node', async () => {
+    const garment = tee.garment as string;
+    const found = await page.evaluate(async (text) => {
+      const client = new Client();
+      return Promise.all([client.symmetries(text), client.convert(text)]);
+    }, garment);
+    expect(found).toEqual([await symmetries(garment), await convert(garment)]);
+  });
+
+  it('takes objects and bytes, and leaves them to their owner', async () => {
+    const [result, length] = await page.evaluate(async (problem) => {
+      const bytes = new TextEncoder().encode(problem.garment);
+      const solved = await new Client().solve({...problem, garment: bytes as unknown as string});
+      return [solved, bytes.byteLength] as const;
+    }, strips);
+    expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
+    expect(length).toBe(strips.garment.length);
+  });
+
+  it('reports progress that never falls and ends at 1, and alignments of every piece', async () => {
+    const {fractions, phases, partials} = await page.evaluate(async (problem) => {
+      const fractions: number[] = [];
+      const phases = new Set<string>();
+      const partials: number[][] = [];
+      await new Client().solve(problem, {
+        onProgress: ({phase, fraction}) => {
+          fractions.push(fraction);
+          phases.add(phase);
+        },
+        onPartial: (alignments) => partials.push([...alignments]),
+      });
+      return {fractions, phases: [...phases], partials};
+    }, tee);
+    expect(fractions).toEqual([...fractions].sort((a, b) => a - b));
+    expect([fractions[0], fractions.at(-1)]).toEqual([0, 1]);
+    expect(phases).toEqual(['alignment', 'deformation']);
+    expect(partials).toHaveLength(fractions.length);
+    expect(partials.every((alignments) => alignments.length === 12)).toBe(true);
+    expect(partials.flat().every(Number.isFinite)).toBe(true);
+  });
+
+  it('lets a small solve end while a large one goes on, in the same worker', async () => {
+    const order = await page.evaluate(
+      async ([large, small]) => {
+        const client = new Client();
+        const order: string[] = [];
+        await Promise.all([
+          client.solve(large).then(() => order.push('large')),
+          client.solve(small).then(() => order.push('small')),
+        ]);
+        return order;
+      },
+      [jacket, strips] as const,
+    );
+    expect(order).toEqual(['small', 'large']);
+    expect(workers).toBe(1);
+  });
+
+  // Another program that holds up the whole machine shows as a long task too; one of ours comes back.
+  it('never keeps the page busy for more than 50 ms', {retry: 3}, async () => {
+    const [ours, control] = await page.evaluate(async (problem) => {
+      let longest = 0;
+      const observer = new PerformanceObserver((list) => {
+        for (const {duration} of list.getEntries()) longest = Math.max(longest, duration);
+      });
+      const settled = () => new Promise((resolve) => setTimeout(resolve, 200));
+      const client = new Client();
+      await client.convert(problem.garment); // the worker has started
+      await settled();
+      observer.observe({type: 'longtask'});
+      await client.solve(problem);
+      await settled();
+      const ours = longest;
+      setTimeout(() => {
+        const started = performance.now();
+        while (performance.now() - started < 80);
+      });
+      await settled();
+      return [ours, longest];
+    }, tee);
+    expect(ours).toBe(0);
+    expect(control).toBeGreaterThan(50);
+  });
+});
+
+describe('cancelling', () => {
+  it('rejects within 100 ms in the middle of a solve, and the worker goes on answering', async () => {
+    const [name, waited, result] = await page.evaluate(
+      async ([large, small]) => {
+        const client = new Client();
+        const controller = new AbortController();
+        let aborted = Infinity;
+        const name = await client
+          .solve(large, {
+            signal: controller.signal,
+            onProgress: ({fraction}) => {
+              if (fraction === 0 || aborted < Infinity) return;
+              setTimeout(() => {
+                aborted = performance.now();
+                controller.abort();
+              });
+            },
+          })
+          .catch((error: unknown) => (error as Error).name);
+        const waited = performance.now() - aborted;
+        return [name, waited, await client.solve(small)] as const;
+      },
+      [jacket, strips] as const,
+    );
+    expect(name).toBe('AbortError');
+    expect(waited).toBeLessThan(100);
+    expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
+    expect(workers).toBe(1);
+  });
+
+  it('reaches the worker, which drops the job and takes no time from others for it', async () => {
+    const ends = await page.evaluate(
+      async ([large, small]) => {
+        const ends: unknown[] = [];
+        globalThis.Worker = class extends Worker {
+          constructor(url: string | URL, options?: WorkerOptions) {
+            super(url, options);
+            this.addEventListener('message', ({data}: MessageEvent<FromWorker>) => {
+              if (data.kind === 'done') ends.push([data.job, 'done']);
+              if (data.kind === 'failed') ends.push([data.job, data.failure.code]);
+            });
+          }
+        };
+        const client = new Client();
+        const controller = new AbortController();
+        const onProgress = () => {
+          controller.abort();
+        };
+        const cancelled = client.solve(large, {signal: controller.signal, onProgress});
+        await cancelled.catch(() => null);
+        await client.solve(small);
+        return ends;
+      },
+      [jacket, tee] as const,
+    );
+    expect(ends).toEqual([
+      [1, 'cancelled'],
+      [2, 'done'],
+    ]);
+  });
+
+  it("rejects with the signal's own reason, also when it has fired before", async () => {
+    const reasons = await page.evaluate(async (problem) => {
+      const client = new Client();
+      const early = client.solve(problem, {signal: AbortSignal.abort('too early')});
+      const controller = new AbortController();
+      const late = client.symmetries(problem.garment, {signal: controller.signal});
+      controller.abort('too late');
+      return (await Promise.allSettled([early, late])).map((end) =>
+        end.status === 'rejected' ? (end.reason as string) : '',
+      );
+    }, strips);
+    expect(reasons).toEqual(['too early', 'too late']);
+  });
+
+  it('comes of a listener that throws, with what it threw', async () => {
+    const [message, format] = await page.evaluate(async (problem) => {
+      const client = new Client();
+      const onPartial = () => {
+        throw new Error('listener');
+      };
+      const message = await client
+        .solve(problem, {onPartial})
+        .catch((error: unknown) => (error as Error).message);
+      return [message, (await client.solve(problem)).format];
+    }, strips);
+    expect([message, format]).toEqual(['listener', 'seamwise-result/1']);
+  });
+});
+
+describe('bad input', () => {
+  it.each([
+    ['that the page sees itself', {...strips, seed: 1.5}, 'options'],
+    ['that the worker finds', {...strips, garment: '{"pattern": {"panels": {}}}'}, 'noPanels'],
+  ])('%s gives the same failure as in Node, names included', async (_, problem, code) => {
+    const names = {garment: 'my skirt.json'};
+    const failure = await page.evaluate(
+      ([bad, hooks]) =>
+        new Client()
+          .solve(bad, hooks)
+          .catch((error: unknown) => ({...(error as object), message: (error as Error).message})),
+      [problem, {names}] as const,
+    );
+    const inNode = await solve(problem, {names}).catch((error: unknown) => error as Error);
+    expect(failure).toMatchObject({name: 'SolverError', code, piece: null, seam: null});
+    expect(failure).toMatchObject({message: (inNode as Error).message});
+  });
+});

@@ -1,0 +1,60 @@
+import {fileURLToPath} from 'node:url';
+
+import type {Browser, Page} from 'playwright-core';
+import {solve} from 'seamwise/node';
+import {afterAll, beforeAll, expect, it} from 'vitest';
+
+import {openBrowser, serveBuilt, serveFiles, type Served} from '../support/browser.js';
+import {fixture, tee, withoutTimes} from './fixture/open.js';
+
+let browser: Browser;
+
+beforeAll(async () => {
+  browser = await openBrowser();
+}, 120_000);
+
+afterAll(() => browser.close());
+
+/** Opens a path of what is served, and fails if anything breaks the policy or comes from elsewhere. */
+async function withPage(served: Served, path: string, check: (page: Page) => Promise<void>) {
+  const page = await browser.newPage();
+  const complaints: string[] = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(message.text());
+  });
+  page.on('request', (request) => {
+    if (!request.url().startsWith(served.url)) complaints.push(request.url());
+  });
+  try {
+    const answer = await page.goto(served.url + path);
+    expect(answer?.headers()).toHaveProperty('content-security-policy');
+    await check(page);
+    expect(complaints).toEqual([]);
+  } finally {
+    await page.close();
+    await served.close();
+  }
+}
+
+it('solves in a page that Vite has built, under a strict policy', async () => {
+  await withPage(await serveBuilt(fixture), '', async (page) => {
+    await page.waitForFunction(() => 'Client' in globalThis);
+    const result = await page.evaluate((problem) => new Client().solve(problem), tee);
+    expect(withoutTimes(result)).toBe(withoutTimes(await solve(tee)));
+  });
+});
+
+it('solves from the compiled files as they are, without a bundler', async () => {
+  const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+  await withPage(await serveFiles(dist), 'solver/client.js', async (page) => {
+    await page.evaluate(
+      "import('./client.js').then((all) => (globalThis.Client = all.SolverClient))",
+    );
+    const results = await page.evaluate(async (problem) => {
+      const places = {workerUrl: 'solver.worker.js', wasmUrl: 'module/seamwise.wasm'};
+      return Promise.all([new Client().solve(problem), new Client(places).solve(problem)]);
+    }, tee);
+    const expected = withoutTimes(await solve(tee));
+    expect(results.map(withoutTimes)).toEqual([expected, expected]);
+  });
+});
