@@ -20,8 +20,8 @@ const lattices: Readonly<Record<LatticeType, Lattice>> = {
   oblique: slanted([5.4, 0], [1.5, 4.4]),
   rectangular: upright(6.4, 5.6),
   rhombic: rhombic(5.6, 8),
-  square: square(6.6),
-  hexagonal: hexagonal(7),
+  square: square(7.2),
+  hexagonal: hexagonal(7.6),
 };
 
 /** Where the middle of the leaf lies, in parts of w1 and w2, its heading and its size, so that its copies keep apart. */
@@ -32,13 +32,13 @@ const spots: Readonly<Partial<Record<GroupName, Spot>>> = {
   pmm: [0.25, 0.25, -45, 0.9],
   pmg: [0.25, 0.5, -80, 0.95],
   cmm: [0.875, 0.375, -70, 0.8],
-  p4m: [0.353, 0.147, -60, 0.85],
+  p4m: [0.353, 0.147, -60, 0.75],
   p4g: [0.147, 0.147, -100, 0.85],
   p3: [0.33, 0.1, -75, 1],
-  p3m1: [0.667, 0.333, -20, 0.95],
+  p3m1: [0.667, 0.333, -20, 0.85],
   p31m: [0.422, 0.155, -84, 0.9],
   p6: [0.26, 0.16, -70, 0.9],
-  p6m: [0.333, 0.122, -70, 0.68],
+  p6m: [0.333, 0.122, -70, 0.6],
 };
 
 /** A leaf with a berry, around its middle. */
@@ -49,7 +49,7 @@ const leaf = joined([
 
 /** Copies by a turn or a shift alone, and those that show the other hand. */
 const colours = {same: '#4b6a5a', mirrored: '#d08f63', cell: '#ece6da'};
-const elementStyle = {line: inkColour, casing: '#fbf9f5', size: 4.4};
+const elementStyle = {line: inkColour, casing: '#fbf9f5', size: 3.2};
 /** What a panel is wide. [cm] */
 const seen = 12.5;
 
@@ -58,7 +58,7 @@ function panel(group: GroupName, corner: Point, side: number): string {
   const {w1, w2} = cell;
   const window: Window = {
     corner,
-    side,
+    size: [side, side],
     middle: [(w1[0] + w2[0]) / 2, (w1[1] + w2[1]) / 2],
     scale: side / seen,
   };
@@ -93,9 +93,10 @@ function panel(group: GroupName, corner: Point, side: number): string {
     `<defs><path id="leaf-${group}" d="${data}"/></defs>`,
     `<rect ${box} rx="3" fill="#fff"/>`,
     `<path d="${polyline(corners.map(at))}Z" fill="${colours.cell}"/>`,
-    `<g clip-path="url(#window-${group})"><g transform="matrix(${short(window.scale)} 0 0 ${short(-window.scale)} ${short(ox)} ${short(oy)})" fill="${colours.same}">${copies.join('')}</g></g>`,
     `<path d="${polyline(corners.map(at))}Z" fill="none" stroke="${inkColour}" stroke-width=".5" stroke-opacity=".5"/>`,
+    // below the leaves, which only glides run through
     drawElements(elementsWithin(cell, corners), at, elementStyle),
+    `<g clip-path="url(#window-${group})"><g transform="matrix(${short(window.scale)} 0 0 ${short(-window.scale)} ${short(ox)} ${short(oy)})" fill="${colours.same}">${copies.join('')}</g></g>`,
     text([corner[0], corner[1] + side + 21], group, {size: 16, weight: 600, fill: inkColour}),
     text([corner[0] + side, corner[1] + side + 21], latticeType(group), {
       size: 12,
@@ -126,8 +127,8 @@ function key([x, y]: Point): string {
 }
 
 export function groupsFigure(): string {
-  const {side, corners, size} = places(groupNames.length + 1, 6, 22, 44);
-  const panels = groupNames.map((group, k) => panel(group, corners[k] ?? [0, 0], side));
+  const {width, corners, size} = places(groupNames.length + 1, 6, 22, (side) => side + 44);
+  const panels = groupNames.map((group, k) => panel(group, corners[k] ?? [0, 0], width));
   const about =
     'One leaf, repeated by each group. Shaded: the cell of w1 and w2, the origin at its lowest corner (of two, the left one). Light leaves show the other hand.';
   return page(size, 'The 17 wallpaper groups', about, [...panels, key(corners.at(-1) ?? [0, 0])]);

@@ -1,29 +1,30 @@
-/** The contact sheet: every print over three cells and more, with its cell and its symmetry elements. */
+/** The contact sheet: every print over three cells and more in its colourways, one cell with its symmetry elements. */
 import type {Point} from '../src/model/geometry.js';
-import {polyline, short, text} from '../src/picture/svg.js';
+import {escaped, polyline, short, text} from '../src/picture/svg.js';
 import type {Design} from './design.js';
 import {drawElements, elementsWithin} from './elements.js';
-import {palettes} from './palette.js';
+import {palettes, type PaletteName} from './palette.js';
 import {indexedPng} from './png.js';
 import {tilesOf} from './print-files.js';
 import {rendered, type Pixels} from './raster.js';
+import {isStripe, repeatName} from './repeat.js';
 import {imageSize, pixelGrid, type Cell} from './tile.js';
 
-/** A square window onto a print. */
+/** A window onto a print. */
 export interface Window {
-  /** Upper left corner and side. [px] */
+  /** Upper left corner, width and height. [px] */
   readonly corner: Point;
-  readonly side: number;
+  readonly size: Point;
   /** The point of the print in its middle [cm], and the scale. [px/cm] */
   readonly middle: Point;
   readonly scale: number;
 }
 
 export const toPage =
-  ({corner, side, middle, scale}: Window) =>
+  ({corner, size, middle, scale}: Window) =>
   ([x, y]: Point): Point => [
-    corner[0] + side / 2 + scale * (x - middle[0]),
-    corner[1] + side / 2 - scale * (y - middle[1]),
+    corner[0] + size[0] / 2 + scale * (x - middle[0]),
+    corner[1] + size[1] / 2 - scale * (y - middle[1]),
   ];
 
 /** The corners of the cell of w1 and w2, counter-clockwise. */
@@ -60,99 +61,145 @@ const margin = 40;
 const headHeight = 116;
 const pageWidth = 1240;
 
-/** The corner of every place on a page of `columns`, whose places are as wide as they can be with `gap` between them. */
-export function places(count: number, columns: number, gap: number, captionHeight: number) {
-  const side = (pageWidth - 2 * margin - (columns - 1) * gap) / columns;
+/** The corner of every place on a page of `columns`, as wide as they can be with `gap` between them, and as high as `heightOf` their width. */
+export function places(
+  count: number,
+  columns: number,
+  gap: number,
+  heightOf: (width: number) => number,
+) {
+  const width = (pageWidth - 2 * margin - (columns - 1) * gap) / columns;
+  const height = heightOf(width);
   const corners = Array.from({length: count}, (_, k): Point => [
-    margin + (k % columns) * (side + gap),
-    headHeight + Math.floor(k / columns) * (side + captionHeight),
+    margin + (k % columns) * (width + gap),
+    headHeight + Math.floor(k / columns) * height,
   ]);
   const rows = Math.ceil(count / columns);
-  const size: Point = [pageWidth, headHeight + rows * (side + captionHeight) + margin / 2];
-  return {side, corners, size};
+  const size: Point = [pageWidth, headHeight + rows * height + margin / 2];
+  return {width, corners, size};
 }
 
 /** A window's pixels, from those of the tile: the mean of 2 x 2 points in every pixel. */
-function seen(tile: Pixels, cell: Cell, {side, middle, scale}: Window, density: number): Pixels {
+function seen(tile: Pixels, cell: Cell, window: Window): Pixels {
+  const {size, middle, scale} = window;
   const {pixel} = pixelGrid(cell, tile.width, tile.height);
-  const size = Math.round(side * density);
-  const data = new Uint8ClampedArray(4 * size * size).fill(255);
+  const width = Math.round(size[0] * pictureDensity);
+  const height = Math.round(size[1] * pictureDensity);
+  const data = new Uint8ClampedArray(4 * width * height).fill(255);
   const wrap = (value: number, length: number): number => ((value % length) + length) % length;
   const points = [1 / 4, 3 / 4].flatMap((s) => [1 / 4, 3 / 4].map((t): Point => [s, t]));
-  for (let y = 0; y < size; y++) {
-    for (let x = 0; x < size; x++) {
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
       const sum = [0, 0, 0];
       for (const [s, t] of points) {
         const [px, py] = pixel([
-          middle[0] + ((x + s) / density - side / 2) / scale,
-          middle[1] - ((y + t) / density - side / 2) / scale,
+          middle[0] + ((x + s) / pictureDensity - size[0] / 2) / scale,
+          middle[1] - ((y + t) / pictureDensity - size[1] / 2) / scale,
         ]);
         const row = wrap(Math.round(py), tile.height) * tile.width;
         const from = 4 * (row + wrap(Math.round(px), tile.width));
         for (let c = 0; c < 3; c++) sum[c] = (sum[c] ?? 0) + (tile.data[from + c] ?? 0) / 4;
       }
-      data.set(sum, 4 * (y * size + x));
+      data.set(sum, 4 * (y * width + x));
     }
   }
-  return {width: size, height: size, data};
+  return {width, height, data};
 }
 
 /** Pixels of the pictures on the sheet for each of its own. */
-const pictureDensity = 2;
+const pictureDensity = 1.8;
 
-async function panel(design: Design, corner: Point, side: number): Promise<string> {
-  const [l1, l2] = [Math.hypot(...design.cell.w1), Math.hypot(...design.cell.w2)];
-  // a stripe is the same all along: on the sheet its cell is as long as it is wide
-  const cell: Cell = l2 < 1 ? {...design.cell, w2: [0, l1]} : design.cell;
-  const {w1, w2} = cell;
-  const window: Window = {
-    corner,
-    side,
-    middle: [(w1[0] + w2[0]) / 2, (w1[1] + w2[1]) / 2],
-    scale: side / (3 * Math.max(l1, l2)),
-  };
-  const [tile] = tilesOf(design);
-  if (!tile) return '';
-  const [width, height] = imageSize(design.cell);
+/** One colourway of a print as an embedded picture. */
+async function picture(design: Design, palette: PaletteName, window: Window): Promise<string> {
+  const tile = tilesOf(design).find((one) => one.palette === palette);
+  if (!tile) throw new Error(`${design.id} does not come in ${palette}`);
   const fine = 2 * pictureDensity * window.scale;
-  const pixels = await rendered(tile.svg, Math.ceil(width * fine), Math.ceil(height * fine));
-  const picture = indexedPng(
-    seen(pixels, design.cell, window, pictureDensity),
-    Object.values(palettes[tile.palette]),
+  const [width, height] = imageSize(design.cell).map((cm) => Math.ceil(cm * fine));
+  const pixels = await rendered(tile.svg, width ?? 1, height ?? 1);
+  const png = indexedPng(seen(pixels, design.cell, window), Object.values(palettes[palette]));
+  const {corner, size} = window;
+  return `<image x="${short(corner[0])}" y="${short(corner[1])}" width="${short(size[0])}" height="${short(size[1])}" href="data:image/png;base64,${png.toString('base64')}"/>`;
+}
+
+/** Between the pictures of a print, and from the border of the large one to the marked cell. [px] */
+const pictureGap = 8;
+const inset = 11;
+
+/** The windows of the three colourways: a large square, and right of it two small ones above each other, at the same scale. */
+function windowsOf(cell: Cell, [left, top]: Point, side: number, width: number): Window[] {
+  const corners = cornersOf(cell);
+  const [west, south] = [0, 1].map((k) => Math.min(...corners.map((p) => p[k] ?? 0)));
+  const scale = side / (3 * Math.max(Math.hypot(...cell.w1), Math.hypot(...cell.w2)));
+  const small: Point = [width - side - pictureGap, (side - pictureGap) / 2];
+  const frames: (readonly [Point, Point])[] = [
+    [
+      [left, top],
+      [side, side],
+    ],
+    [[left + side + pictureGap, top], small],
+    [[left + side + pictureGap, top + small[1] + pictureGap], small],
+  ];
+  return frames.map(([corner, size]) => ({
+    corner,
+    size,
+    scale,
+    middle: [
+      (west ?? 0) + (size[0] / 2 - inset) / scale,
+      (south ?? 0) + (size[1] / 2 - inset) / scale,
+    ],
+  }));
+}
+
+/** A bar as long as 5 cm of the print, which ends at a point of the page. */
+function scaleBar([x, y]: Point, scale: number): string {
+  const [from, to] = [short(x - 5 * scale), short(x)];
+  const ends = [from, to].map((end) => `M${end} ${short(y - 3)}v6`).join('');
+  return [
+    `<path d="M${from} ${short(y)}H${to}${ends}" fill="none" stroke="${inkColour}" stroke-width=".8"/>`,
+    text([x - 5 * scale - 6, y + 4], '5 cm', {size: 11, fill: quiet, anchor: 'end'}),
+  ].join('');
+}
+
+const captionHeight = 66;
+const elementStyle = {line: inkColour, casing: '#fff', size: 2.7};
+/** The large picture's part of a panel's width. */
+const share = 0.735;
+
+async function panel(design: Design, corner: Point, width: number): Promise<string> {
+  // a stripe is the same all along: on the sheet its cell is as long as it is wide
+  const cell: Cell = isStripe(design.cell)
+    ? {...design.cell, w2: [0, design.cell.w1[0]]}
+    : design.cell;
+  const side = Math.round(share * width);
+  const windows = windowsOf(cell, corner, side, width);
+  const [large] = windows;
+  if (!large) return '';
+  const pictures = await Promise.all(
+    windows.map((window, k) => picture(design, design.colourways[k] ?? 'linen', window)),
   );
-  const at = toPage(window);
+  const at = toPage(large);
   const outline = `${polyline(cornersOf(cell).map(at))}Z`;
-  const repeat = l2 < 1 ? `${short(l1)} cm` : `${short(l1)} × ${short(l2)} cm`;
   const [x, y] = [corner[0], corner[1] + side];
-  const dots = design.colourways.flatMap((name, k) =>
-    [palettes[name].ground, palettes[name].leaf, palettes[name].bloom].map(
-      (colour, n) =>
-        `<circle cx="${short(x + 5.5 + k * 37 + n * 9)}" cy="${short(y + 51)}" r="5" fill="${colour}" stroke="${quiet}" stroke-width=".4"/>`,
-    ),
-  );
   return [
     `<g aria-label="${design.title}, ${cell.group}">`,
-    `<image x="${short(x)}" y="${short(corner[1])}" width="${short(side)}" height="${short(side)}" href="data:image/png;base64,${picture.toString('base64')}"/>`,
-    `<path d="${outline}" fill="#fff" fill-opacity=".12" stroke="#fff" stroke-opacity=".8" stroke-width="2.4"/>`,
+    ...pictures,
+    `<path d="${outline}" fill="none" stroke="#fff" stroke-opacity=".75" stroke-width="2"/>`,
     `<path d="${outline}" fill="none" stroke="${inkColour}" stroke-width=".6"/>`,
-    drawElements(elementsWithin(cell, cornersOf(cell)), at, {
-      line: inkColour,
-      casing: '#fff',
-      size: 3.6,
-    }),
-    text([x, y + 20], design.title, {size: 13, weight: 600, fill: inkColour}),
-    text([x + side, y + 20], cell.group, {size: 13, fill: inkColour, anchor: 'end'}),
-    text([x, y + 36], `${design.family}, ${repeat}`, {size: 11, fill: quiet}),
-    ...dots,
+    drawElements(elementsWithin(cell, cornersOf(cell)), at, elementStyle),
+    `<text x="${short(x)}" y="${short(y + 20)}" font-size="14" fill="${inkColour}"><tspan font-weight="600">${escaped(design.title)}</tspan><tspan dx="7" font-size="12" fill="${quiet}">${design.id}</tspan></text>`,
+    text([x + width, y + 20], cell.group, {size: 14, fill: inkColour, anchor: 'end'}),
+    text([x, y + 37], repeatName(design.cell), {size: 12, fill: quiet}),
+    scaleBar([x + width, y + 33], large.scale),
     '</g>',
   ].join('');
 }
 
 export async function contactSheet(collection: readonly Design[]): Promise<string> {
-  const {side, corners, size} = places(collection.length, 6, 20, 78);
+  const heightOf = (width: number): number => Math.round(share * width) + captionHeight;
+  const {width, corners, size} = places(collection.length, 4, 28, heightOf);
   const panels = await Promise.all(
-    collection.map((design, k) => panel(design, corners[k] ?? [0, 0], side)),
+    collection.map((design, k) => panel(design, corners[k] ?? [0, 0], width)),
   );
-  const about = `${collection.length} prints in three colourways each. Mirrors are solid lines, glides dashed; lens, triangle, square and hexagon: centres of turns by 180, 120, 90 and 60 degrees.`;
+  const about = `${collection.length} prints in three colourways each. On one cell, mirrors are solid lines, glides dashed; lens, triangle, square and hexagon: turns by 180, 120, 90 and 60 degrees.`;
   return page(size, 'The prints', about, panels);
 }
