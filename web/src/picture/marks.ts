@@ -40,13 +40,21 @@ export function innermost(points: readonly Point[]): {readonly at: Point; readon
   for (let i = 1; i < n; i++) {
     for (let j = 1; j < n; j++) {
       const p: Point = [left + ((right - left) * i) / n, low + ((high - low) * j) / n];
-      const free = isInside(points, p)
-        ? Math.min(...points.map(([x, y]) => Math.hypot(x - p[0], y - p[1])))
-        : 0;
-      if (free > room + 1e-6) [at, room] = [p, free];
+      const free = distance(points, p, room);
+      if (free > room + 1e-6 && isInside(points, p)) [at, room] = [p, free];
     }
   }
   return {at, room};
+}
+
+/** From a point to the nearest of others; 0 as soon as it is known to be no more than `least`. */
+function distance(points: readonly Point[], [px, py]: Point, least: number): number {
+  let nearest = Infinity;
+  for (const [x, y] of points) {
+    nearest = Math.min(nearest, (x - px) ** 2 + (y - py) ** 2);
+    if (nearest <= least * least) return 0;
+  }
+  return Math.sqrt(nearest);
 }
 
 /** Whether a closed outline goes round a point. */

@@ -29,6 +29,7 @@ interface Box {
 
 /** [CSS px] */
 const letterSize = 24;
+const leastLetterSize = 15;
 const gap = 6;
 
 const colours: Readonly<Record<Appearance, {text: string; paper: string; ring: string}>> = {
@@ -101,19 +102,23 @@ export class Labels {
 
   /** Follows the drawing. */
   place(view: SheetView, size: ScreenSize): void {
-    const taken: Box[] = [];
-    for (const name of this.#names) {
-      const box = boxOfName(name, view, size);
-      const free = box && !taken.some((other) => overlap(other, box));
-      if (free) taken.push(box);
-      move(name.element, free ? [box.left, box.top] : undefined);
-      name.element.style.background = box?.onPiece ? colours[this.#appearance].paper : '';
-    }
+    const pieces = this.#names.map(({low, high}) => boxOf(view, size, low, high));
+    const names: Box[] = [];
+    this.#names.forEach(({element, width, height}, k) => {
+      const others = [...names, ...pieces.filter((_, other) => other !== k)];
+      const box = places(pieces[k], {width, height}, size).find(
+        (place) => !others.some((other) => overlap(other, place)),
+      );
+      if (box) names.push(box);
+      move(element, box && [box.left, box.top]);
+      element.style.background = box?.onPiece ? colours[this.#appearance].paper : '';
+    });
     for (const {element, at, room} of this.#letters) {
       const [x, y] = toScreen(view, size, at);
-      const half = letterSize / 2;
-      // a letter larger than its piece would hide it
-      move(element, room * view.scale > half * 0.75 ? [x - half, y - half] : undefined);
+      // a letter as large as its piece would hide it
+      const wide = Math.min(letterSize, 1.5 * room * view.scale);
+      const corner: Point = [x - letterSize / 2, y - letterSize / 2];
+      move(element, wide >= leastLetterSize ? corner : undefined, wide / letterSize);
     }
   }
 
@@ -151,27 +156,43 @@ export class Labels {
   }
 }
 
-/** Below its piece; at the edge of the screen, on the piece, while any of the piece is to be seen. */
-function boxOfName(
-  {low, high, width, height}: Name,
-  view: SheetView,
+const boxOf = (view: SheetView, size: ScreenSize, low: Point, high: Point): Box => {
+  const [left, bottom] = toScreen(view, size, low);
+  const [right, top] = toScreen(view, size, high);
+  return {left, top, right, bottom};
+};
+
+/** Where a name may stand, best first: below its piece, or at the foot of what is to be seen of it. */
+function places(
+  piece: Box | undefined,
+  {width, height}: ScreenSize,
   size: ScreenSize,
-): (Box & {readonly onPiece: boolean}) | undefined {
-  const [left, foot] = toScreen(view, size, low);
-  const [right, head] = toScreen(view, size, high);
-  if (right < 0 || left > size.width || foot < 0 || head > size.height) return undefined;
-  const middle = (left + right) / 2;
+): readonly (Box & {readonly onPiece: boolean})[] {
+  if (!piece || !overlap(piece, {left: 0, top: 0, right: size.width, bottom: size.height})) {
+    return [];
+  }
   // while the piece reaches beyond the screen, its name stays on the part that is seen
-  const [from, to] = [Math.max(left, 0) + gap, Math.min(right, size.width) - gap];
-  const x = to - from > width ? clamp(middle, from + width / 2, to - width / 2) : middle;
-  const top = Math.min(foot + gap, size.height - height - gap);
-  return {
+  const from = Math.max(piece.left, 0) + gap;
+  const to = Math.min(piece.right, size.width) - gap;
+  const middle = (piece.left + piece.right) / 2;
+  const fits = to - from > width;
+  const x = fits ? clamp(middle, from + width / 2, to - width / 2) : middle;
+  const at = (top: number, onPiece: boolean): Box & {readonly onPiece: boolean} => ({
     ...{left: x - width / 2, top, right: x + width / 2, bottom: top + height},
-    onPiece: top < foot,
-  };
+    onPiece,
+  });
+  if (x < width / 2 || x > size.width - width / 2) return [];
+  const below = piece.bottom + gap;
+  const foot = Math.min(piece.bottom, size.height) - gap - height;
+  return [
+    ...(below + height <= size.height ? [at(below, false)] : []),
+    ...(fits && foot > piece.top ? [at(foot, true)] : []),
+  ];
 }
 
-function move(element: HTMLElement, at: Point | undefined): void {
+function move(element: HTMLElement, at: Point | undefined, scale = 1): void {
   element.style.visibility = at ? 'visible' : 'hidden';
-  if (at) element.style.transform = `translate(${at[0].toFixed(1)}px, ${at[1].toFixed(1)}px)`;
+  if (!at) return;
+  const [x, y] = at.map((side) => side.toFixed(1));
+  element.style.transform = `translate(${x}px, ${y}px) scale(${scale.toFixed(2)})`;
 }

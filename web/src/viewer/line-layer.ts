@@ -36,11 +36,18 @@ export class LineMaterial extends ShaderMaterial {
     scale: {value: number};
     /** [device px per CSS px] */
     ratio: {value: number};
+    /** Of all widths; lines are thinner where pieces are small. */
+    weight: {value: number};
   };
 
   constructor() {
     super({
-      uniforms: {buffer: {value: new Vector2()}, scale: {value: 1}, ratio: {value: 1}},
+      uniforms: {
+        buffer: {value: new Vector2()},
+        scale: {value: 1},
+        ratio: {value: 1},
+        weight: {value: 1},
+      },
       vertexShader: `
       attribute vec4 ends;
       attribute vec2 along;
@@ -49,6 +56,7 @@ export class LineMaterial extends ShaderMaterial {
       uniform vec2 buffer;
       uniform float scale;
       uniform float ratio;
+      uniform float weight;
       varying vec3 colour;
       varying vec2 at;      // along and across the edge, from its start [device px]
       varying vec2 extent;  // length of the edge, half the width of the line [device px]
@@ -57,9 +65,10 @@ export class LineMaterial extends ShaderMaterial {
         vec2 way = (ends.zw - ends.xy) * scale;
         float length = length(way);
         vec2 forward = length > 0.0 ? way / length : vec2(1.0, 0.0);
-        float reach = 0.5 * stroke.x * ratio + 1.0;
+        float halfWidth = 0.5 * stroke.x * weight * ratio;
+        float reach = halfWidth + 1.0;
         at = vec2(mix(-reach, length + reach, position.x), position.y * reach);
-        extent = vec2(length, 0.5 * stroke.x * ratio);
+        extent = vec2(length, halfWidth);
         dashes = vec3(along.x * scale, 0.5 * stroke.y * ratio, (stroke.y + stroke.z) * ratio);
         colour = ink;
         gl_Position = projectionMatrix * modelViewMatrix * vec4(ends.xy, 0.0, 1.0);

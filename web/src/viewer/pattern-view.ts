@@ -15,6 +15,9 @@ import {TileTexture, type Tile} from './tile-texture.js';
 /** After this long without a change an SVG tile is drawn as densely as the zoom asks for. [ms] */
 const rest = 150;
 
+/** Lines are thinner at scales below this. [CSS px per cm] */
+const thinBelow = 4;
+
 interface Layers {
   readonly print: PrintLayer;
   readonly outlines: LineLayer;
@@ -263,6 +266,7 @@ export class PatternView {
     this.#camera.updateProjectionMatrix();
     uniforms.scale.value = scale * ratio;
     uniforms.ratio.value = ratio;
+    uniforms.weight.value = Math.min(1, Math.max(0.5, scale / thinBelow));
     this.#renderer.render(this.#scene, this.#camera);
     this.#labels.place(this.#view, this.#size);
   }

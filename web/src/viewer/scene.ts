@@ -73,6 +73,9 @@ export const labelLines = (label: string): readonly string[] =>
 /** A grain line on a mirror axis is moved aside by this, since only its direction counts. */
 const grainShift = 2;
 
+/** Room that names may cost: where pieces would get smaller than this part of what they could be, names do without. */
+const leastShare = 0.75;
+
 /** Pieces on a sheet with the proportions of the viewport; a name has room below its piece at the scale of the whole sheet. */
 function sheet(
   pattern: Pattern,
@@ -85,18 +88,22 @@ function sheet(
   const most = Math.max(...[...lines.values()].map(({length}) => length));
   const widest = (name: string): number =>
     Math.max(...(lines.get(name) ?? []).map((line) => textWidth(line, labelSize)));
-  let layout: Layout = {offsets: [], width: 0, height: 0};
-  let scale = 5; // px per cm; known better after each round
-  for (let round = 0; round < 4; round++) {
-    const spacing = {
-      gap: Math.max(2, 14 / scale),
-      below: Math.max(2, (16 + 1.25 * labelSize * most) / scale),
-      least: (name: string) => widest(name) / scale,
-    };
-    layout = layOut(pattern, width / height, spacing);
-    scale = Math.min(width / layout.width, height / layout.height);
-  }
-  return layout;
+  const scaleOf = (layout: Layout): number =>
+    Math.min(width / layout.width, height / layout.height);
+  const laidOut = (spacing: {below: number; least: (name: string) => number}): Layout => {
+    const at = (scale: number): Layout =>
+      layOut(pattern, width / height, {
+        gap: Math.max(2, 14 / scale),
+        below: Math.max(2, spacing.below / scale),
+        least: (name) => spacing.least(name) / scale,
+      });
+    let layout = at(5); // px per cm; known better after each round
+    for (let round = 0; round < 3; round++) layout = at(scaleOf(layout));
+    return layout;
+  };
+  const named = laidOut({below: 16 + 1.25 * labelSize * most, least: widest});
+  const bare = laidOut({below: 14, least: () => 0});
+  return scaleOf(named) < leastShare * scaleOf(bare) ? bare : named;
 }
 
 function symmetriesOf(
