@@ -88,7 +88,7 @@ inline MatchProblem matchProblem(const Pattern& pattern, const WallpaperGroup& g
                                  bool continuous_only = false) {
   MatchRules all{rules, {}, continuous_only};
   all.pieces.resize(pattern.pieces.size());
-  return makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, all, group, nullptr);
+  return makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, all, group);
 }
 
 /// Some admissible alignment of every leader.

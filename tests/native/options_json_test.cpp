@@ -74,6 +74,9 @@ TEST(OptionsFile, ThatIsUnusableNamesTheField) {
   refuse(R"({"edgeLengthCm": 0})", {"edgeLengthCm"});
   refuse(R"({"alpha": 0})", {"alpha"});
   refuse(R"({"continuousOnly": "yes"})", {"'continuousOnly'"});
+  refuse(R"({"matches": [{"a": {"piece": "front", "line": [[500, 0], [500, 9]]},
+                          "b": {"piece": "front", "line": [[1, 0], [1, 9]]}}]})",
+         {"match 0, side a", "cm outside piece 'front'"});
   refuse(R"({"grain": {"lock": "on"}})", {"unknown field 'lock'"});
   refuse(R"({"grain": {"default": "straight"}})", {"'straight'", "free, on or bias"});
   refuse(R"({"grain": {"toleranceDeg": 91}})", {"toleranceDeg"});

@@ -28,6 +28,8 @@ beforeAll(() => {
   writeFileSync(file('huge.json'), '');
   truncateSync(file('huge.json'), 200_000_000);
   writeFileSync(file('empty.json'), '');
+  const hollow = {pieces: [], seams: [], symmetries: [], print: checks, metrics: {}};
+  writeFileSync(file('hollow.json'), JSON.stringify({format: 'seamwise-result/1', ...hollow}));
   mkdirSync(file('folder'));
 });
 
@@ -132,6 +134,22 @@ describe('bad input exits with 2 and one sentence that names it', () => {
       ['convert', file('strips.json'), '--out', file('no/g.json')],
       `there is no folder ${file('no')}; create it`,
     ],
+    'a result on top of what is read': () => [
+      ['align', file('strips.json'), '--print', file('checks.json'), '--out', file('strips.json')],
+      'strips.json is read and would be overwritten',
+    ],
+    'a picture for a print': () => [
+      ['align', file('strips.json'), '--print', file('checks.png')],
+      'checks.png is a picture',
+    ],
+    'a picture that would hold another format': () => [
+      ['draw', file('strips.json'), '--print', file('checks.json'), '--out', file('a.png')],
+      'a file ending in .svg',
+    ],
+    'a result without pieces': () => [
+      ['draw', file('hollow.json'), '--print', file('checks.json')],
+      'hollow.json is not a whole result file',
+    ],
     'a result on top of a directory': () => [
       ['align', file('strips.json'), '--print', file('checks.json'), '--out', file('folder')],
       'folder',
@@ -162,6 +180,31 @@ it('lists the symmetries of a garment in a form that align takes', async () => {
 it("converts a garment to the project's own format", async () => {
   const {out} = await seamwise('convert', file('strips.json'));
   expect(JSON.parse(out)).toMatchObject({format: 'seamwise-garment/1'});
+});
+
+it('says its version', async () => {
+  const {code, out} = await seamwise('--version');
+  expect(code).toBe(0);
+  expect(out).toMatch(/^\d+\.\d+\.\d+\n$/);
+});
+
+it('draws a print in each of its colourways, and in no other', async () => {
+  const print = JSON.stringify({
+    ...checks,
+    image: 'data:image/png;base64,day',
+    colourways: [
+      {name: 'Day', image: 'data:image/png;base64,day'},
+      {name: 'Night', image: 'data:image/png;base64,night'},
+    ],
+  });
+  writeFileSync(file('ways.json'), print);
+  await align('--out', file('ways-result.json'));
+  const draw = (...words: string[]) =>
+    seamwise('draw', file('ways-result.json'), '--print', file('ways.json'), ...words);
+  expect((await draw('--colourway', 'night')).out).toContain('base64,night');
+  const {code, err} = await draw('--colourway', 'Noon');
+  expect(code).toBe(2);
+  expect(err).toContain("no colourway 'Noon'; there are Day, Night");
 });
 
 it('draws a result on its print, and on no other', async () => {

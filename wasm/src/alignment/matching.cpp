@@ -3,37 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "alignment/symmetric.h"
-#include "geometry/in_quotes.h"
 
 namespace seamwise {
-namespace {
-
-/// How far a mirrored piece lies from the nearest of its wanted angles. [rad]
-double offGrain(const MatchProblem::Follow& follow, const Alignment& at) {
-  if (follow.angles.empty()) return 0;
-  double least = std::numeric_limits<double>::max();
-  for (double angle : follow.angles) least = std::min(least, std::abs(wrapAngle(at.angle - angle)));
-  return least;
-}
-
-/// The mirror image of `first` that comes nearest to one of the wanted angles: all elements give
-/// the same print, but turned pieces lie differently on the cloth's grain.
-Alignment mirroredOnGrain(const WallpaperGroup& group, const MatchProblem::Follow& follow,
-                          const Alignment& first) {
-  Alignment best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Element& e : group.elements()) {
-    if (!e.mirrored) continue;
-    const Alignment image = mirrorImage(first, follow.map, e);
-    const double off = offGrain(follow, image);
-    if (off < least - 1e-9) least = off, best = image;
-  }
-  return best;
-}
-
-}  // namespace
-
 double MatchProblem::cost(const Alignments& at) const {
   double total = 0;
   for (const MatchSeam& seam : seams) {
@@ -52,7 +23,8 @@ Alignments MatchProblem::expanded(const Alignments& of_leaders) const {
   Alignments all(pieces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const Follow& f = pieces[p];
-    all[p] = f.mirrored ? mirroredOnGrain(group, f, of_leaders[f.leader]) : of_leaders[f.leader];
+    all[p] = f.mirrored ? mirroredOnGrain(group, f.map, f.angles, of_leaders[f.leader])
+                        : of_leaders[f.leader];
   }
   return all;
 }
@@ -139,23 +111,11 @@ void setMoments(MatchSeam& seam) {
         seam.w[i] * (seam.pa[i] - seam.mean_a) * (seam.pb[i] - seam.mean_b).transpose();
 }
 
-/// Whether a mirrored piece is off its grain wherever its leader lies on its own.
-bool leavesGrain(const MatchProblem& problem, const MatchProblem::Follow& follow,
-                 double tolerance) {
-  const Freedom& leader = problem.leaders[follow.leader].freedom;
-  if (follow.angles.empty() || leader.angles().empty() || leader.isPinned()) return false;
-  double least = std::numeric_limits<double>::infinity();
-  for (double angle : leader.angles())
-    least = std::min(
-        least, offGrain(follow, mirroredOnGrain(problem.group, follow, {angle, Vec2::Zero()})));
-  return least > tolerance + 1e-6;
-}
-
 }  // namespace
 
 MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
                               const std::vector<Mirror>& mirrors, const MatchRules& rules,
-                              const WallpaperGroup& group, std::vector<std::string>* notes) {
+                              const WallpaperGroup& group) {
   MatchProblem problem(group);
   problem.continuous_only = rules.continuous_only;
   problem.pieces.resize(pattern.pieces.size());
@@ -186,24 +146,14 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     leader.centre /= static_cast<double>(pattern.pieces[p].outline.size());
     const PieceRule& rule = rules.pieces[p];
     if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
-    if (!rule.angles.empty() && !leader.freedom.restrictAngles(rule.angles, rule.tolerance) &&
-        notes)
-      notes->push_back("Piece " + inQuotes(pattern.pieces[p].name) +
-                       " leaves its grain: with its axis on a mirror line of the print it cannot "
-                       "lie on it. Turn the print, or leave out that symmetry.");
+    // in a search for others to start from, a symmetry goes before the grain
+    if (!rule.angles.empty()) leader.freedom.restrictAngles(rule.angles, rule.tolerance);
     if (rule.pin)
       leader.freedom = Freedom::pinned(leader.freedom.nearest(*rule.pin, leader.centre));
     problem.leaders.push_back(std::move(leader));
   }
-  for (std::size_t p = 0; p < problem.pieces.size(); ++p) {
-    MatchProblem::Follow& follow = problem.pieces[p];
-    if (!follow.mirrored) continue;
-    follow.leader = leader_of[follow.leader];
-    if (notes && leavesGrain(problem, follow, rules.pieces[p].tolerance))
-      notes->push_back("Piece " + inQuotes(pattern.pieces[p].name) +
-                       " leaves its grain: as the mirror image of its twin it cannot lie on it on "
-                       "this print. Turn the print, or leave out that symmetry.");
-  }
+  for (MatchProblem::Follow& follow : problem.pieces)
+    if (follow.mirrored) follow.leader = leader_of[follow.leader];
 
   for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
     const Seam& seam = pattern.seams[s];

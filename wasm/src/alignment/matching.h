@@ -5,6 +5,7 @@
 
 #include "alignment/alignment.h"
 #include "alignment/freedom.h"
+#include "alignment/grain.h"
 #include "pattern/garment.h"
 #include "pattern/pattern.h"
 #include "wallpaper/group.h"
@@ -32,13 +33,6 @@ struct Leader {
   Freedom freedom;
   Vec2 centre = Vec2::Zero();  ///< of the piece's matched points; turns are about it
   std::vector<int> seams;      ///< indices in MatchProblem::seams
-};
-
-/// What a piece's alignment must keep besides symmetry.
-struct PieceRule {
-  std::optional<Alignment> pin;
-  std::vector<double> angles;  ///< admissible angles, rad; empty: any
-  double tolerance = 0;        ///< rad
 };
 
 /// What the alignment must heed besides the seams.
@@ -81,12 +75,10 @@ class MatchProblem {
 };
 
 /// Makes the problem for a pattern in the given shapes (per piece, per vertex, cm).
-/// @param mirrors    pairs merge into one leader, single pieces must lie on a mirror line; the
-/// group
-///                   must carry them
-/// @param notes      gets a sentence for each rule that a mirrored piece cannot keep; may be null
+/// @param mirrors   pairs merge into one leader, single pieces must lie on a mirror line, even off
+///                  their grain; the group must carry them
 MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
                               const std::vector<Mirror>& mirrors, const MatchRules& rules,
-                              const WallpaperGroup& group, std::vector<std::string>* notes);
+                              const WallpaperGroup& group);
 
 }  // namespace seamwise

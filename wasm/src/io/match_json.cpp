@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polygon.h"
+
 namespace seamwise {
 namespace {
 
 constexpr double kSpacingCm = 1.0;
 constexpr double kShortestLineCm = 0.1;
+constexpr double kOutsideCm =
+    1.0;  ///< a line may be drawn a little beside its piece, not elsewhere
 
 struct Side {
   int piece;
@@ -21,6 +25,20 @@ double lengthOf(const Polyline& line) {
   return length;
 }
 
+/// How far a line leaves its piece. [cm]
+double outside(const Polyline& line, const Panel& panel) {
+  Polyline outline{panel.edges.front().start()};
+  for (const Curve& edge : panel.edges) {
+    const Polyline more = edge.flattened(kOutsideCm / 10);
+    outline.insert(outline.end(), more.begin() + 1, more.end());
+  }
+  double farthest = 0;
+  for (const Vec2& p : line)
+    if (!contains(outline, p))
+      farthest = std::max(farthest, nearestOnPolyline(outline, p).distance);
+  return farthest;
+}
+
 Side readSide(const Json& match, const char* key, const Place& outer, const Garment& garment) {
   const Place place = outer.in(std::string("side ") + key);
   const Json& json = object(need(match, key, outer), place, "side");
@@ -32,8 +50,12 @@ Side readSide(const Json& match, const char* key, const Place& outer, const Garm
     place.fail(place.shape,
                "names piece " + inQuotes(name) + ", which the garment has not; correct the name");
   side.line = polyline(need(json, "line", place), place, "'line'");
-  if (garment.panels[static_cast<std::size_t>(side.piece)].mirrored_from_input)
+  const Panel& panel = garment.panels[static_cast<std::size_t>(side.piece)];
+  if (panel.mirrored_from_input)
     for (Vec2& p : side.line) p.x() = -p.x();
+  if (const double off = outside(side.line, panel); off > kOutsideCm)
+    place.fail(place.shape, "has a line that lies " + shown(off) + " cm outside piece " +
+                                inQuotes(name) + "; draw it on the piece, in its coordinates");
   side.length = lengthOf(side.line);
   if (!(side.length >= kShortestLineCm))
     place.fail(place.shape,

@@ -19,6 +19,8 @@ constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
 constexpr int kMostSettling = 200;  ///< steps in all
 constexpr double kRemedyReach = 0.6;
 constexpr double kSlack = 1.3;
+constexpr double kMostReach =
+    2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
 constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies, nothing needs to move
 constexpr double kSearchShare = 0.5, kSlackShare = 0.6, kFitShare = 0.3;  ///< of progress
 
@@ -34,18 +36,19 @@ constexpr double kReachMargin = 0.985;
 }  // namespace
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-                 const MatchRules& rules, std::vector<std::string>* notes)
+                 const MatchRules& rules)
     : problem_(problem),
       pattern_(pattern),
       rules_(rules),
+      reach_(std::min(problem.options.max_change_cm, kMostReach)),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
-                              problem.print.group, notes)) {
+                              problem.print.group)) {
   // two sides that may each move by the greatest change meet across somewhat less than twice that
-  slack_ = kSlack * problem.options.max_change_cm;
+  slack_ = kSlack * reach_;
   const std::uint64_t seed = problem.options.seed;
   if (pattern.mirrors.empty() && !known.empty()) {
     symmetric_ = std::make_unique<MatchProblem>(
-        makeMatchProblem(pattern, restShapes(pattern), known, rules, problem.print.group, nullptr));
+        makeMatchProblem(pattern, restShapes(pattern), known, rules, problem.print.group));
     searching_ = std::make_unique<AlignmentSearch>(*symmetric_, seed, SearchBudget{});
     stage_ = Stage::kSymmetricSearch;
   } else {
@@ -121,7 +124,7 @@ void BestRun::startFit() {
   const SolveOptions& options = problem_.options;
   FittingRules rules;
   if (options.alpha) rules.weights.conformal *= *options.alpha;
-  rules.max_change = kReachMargin * options.max_change_cm;
+  rules.max_change = kReachMargin * reach_;
   rules.continuous_only = options.continuous_only;
   rules.average_shapes = options.average_seam_shapes.value_or(false);
   fitting_ = std::make_unique<SeamFitting>(pattern_, problem_.print.group, rules);
@@ -149,7 +152,7 @@ void BestRun::resume(std::size_t start) {
 
 void BestRun::realign() {
   MatchProblem now = makeMatchProblem(pattern_, fitting_->shapes(), pattern_.mirrors, rules_,
-                                      problem_.print.group, nullptr);
+                                      problem_.print.group);
   std::vector<int> all(now.leaders.size());
   for (std::size_t l = 0; l < all.size(); ++l) all[l] = static_cast<int>(l);
   refine(now, SampledSeams<double>(now, 0), leaders_, all, 2);

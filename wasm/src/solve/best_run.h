@@ -17,7 +17,7 @@ class BestRun : public Run {
   /// imposed
   ///                the symmetric answer is one of the starts
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-          const MatchRules& rules, std::vector<std::string>* notes);
+          const MatchRules& rules);
 
   bool advance() override;
   Phase phase() const override;
@@ -52,6 +52,7 @@ class BestRun : public Run {
   const Problem& problem_;
   const Pattern& pattern_;
   MatchRules rules_;
+  double reach_;  ///< how far an outline vertex may move, cm
   MatchProblem match_;
   std::unique_ptr<MatchProblem> symmetric_;
   std::unique_ptr<AlignmentSearch> searching_;

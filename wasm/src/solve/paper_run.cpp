@@ -32,7 +32,7 @@ PaperRun::PaperRun(const Problem& problem, const Pattern& pattern,
                    const MatchRules& rules, std::vector<std::string>* notes)
     : problem_(problem), pattern_(pattern),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
-                              problem.print.group, notes)),
+                              problem.print.group)),
       sweeps_(match_, problem.options.seed),
       deformation_(pattern, problem.options.method == Method::kPaper),
       alignment_(match_.expanded(sweeps_.at())), shapes_(restShapes(pattern)),

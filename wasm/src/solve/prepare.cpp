@@ -9,7 +9,7 @@
 #include "deform/lengths.h"
 #include "deform/mesh.h"
 #include "pattern/discretise.h"
-#include "solve/pins.h"
+#include "solve/placing_rules.h"
 #include "solve/promise.h"
 #include "symmetry/symmetry.h"
 
@@ -247,20 +247,28 @@ std::optional<Error> dropOrRefuse(Problem& problem, std::size_t index, Failure c
   return {};
 }
 
-/// No symmetry that pins contradict is left. Errors: kSymmetryConflict when it was asked for.
-std::optional<Error> heedPins(Problem& problem) {
-  while (const auto against = symmetryAgainstPins(problem))
-    if (auto error =
-            dropOrRefuse(problem, *against, Failure::kSymmetryConflict,
-                         "as it is pinned, the print does not mirror so", ". Move the pin"))
-      return error;
+/// No symmetry is left that pins or grain contradict. Errors: kSymmetryConflict when it was asked
+/// for.
+std::optional<Error> heedRules(Problem& problem) {
+  const struct {
+    std::optional<std::size_t> (*against)(const Problem&);
+    const char *why, *advice;
+  } rules[] = {
+      {symmetryAgainstPins, "as it is pinned, the print does not mirror so", ". Move the pin"},
+      {symmetryAgainstGrain, "on this print it would take the piece off its grain",
+       ". Turn the print, free the grain"}};
+  for (const auto& rule : rules)
+    while (const auto against = rule.against(problem))
+      if (auto error =
+              dropOrRefuse(problem, *against, Failure::kSymmetryConflict, rule.why, rule.advice))
+        return error;
   return {};
 }
 
 }  // namespace
 
 Outcome<Pattern> preparedPattern(Problem& problem) {
-  if (const auto error = heedPins(problem)) return *error;
+  if (const auto error = heedRules(problem)) return *error;
   if (const auto error = reconcile(problem)) return *error;
   const double max_change = problem.options.max_change_cm;
   double edge_length = problem.options.edge_length_cm;

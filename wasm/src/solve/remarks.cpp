@@ -19,14 +19,12 @@ std::string called(const Pattern& pattern, std::size_t seam) {
 
 std::vector<std::string> remarksOn(const Pattern& pattern) {
   const bool any = std::any_of(pattern.seams.begin(), pattern.seams.end(),
-                               [](const Seam& seam) { return seam.matched && !seam.twin; });
+                               [](const Seam& seam) { return seam.matched; });
   if (pattern.seams.empty())
     return {"The garment has no seams, so there is nothing to match; add stitches to its file."};
   if (!any)
     return {
-        "No seam of the garment is to be matched: each is switched off, joins plain pieces, or "
-        "joins "
-        "a piece to its own mirror image."};
+        "No seam of the garment is to be matched: each is switched off or joins a plain piece."};
   std::string list;
   int count = 0;
   for (std::size_t s = 0; s < pattern.seams.size(); ++s) {

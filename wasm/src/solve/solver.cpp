@@ -4,39 +4,13 @@
 
 #include "solve/best_run.h"
 #include "solve/paper_run.h"
+#include "solve/placing_rules.h"
 #include "solve/prepare.h"
 #include "solve/promise.h"
 #include "solve/remarks.h"
 
 namespace seamwise {
 namespace {
-
-/// Pins and grain of every piece.
-std::vector<PieceRule> pieceRules(const Problem& problem) {
-  const SolveOptions& options = problem.options;
-  std::vector<PieceRule> rules(problem.garment.panels.size());
-  for (std::size_t p = 0; p < rules.size(); ++p) {
-    const Panel& panel = problem.garment.panels[p];
-    const int index = static_cast<int>(p);
-    GrainRule grain = options.grain;
-    if (panel.grain_lock) grain = {*panel.grain_lock, panel.grain_tolerance};
-    if (const auto own = options.piece_grain.find(index); own != options.piece_grain.end())
-      grain = own->second;
-    // the grain line runs along +y of the print, the warp
-    const double straight = panel.grain_angle - kPi / 2;
-    std::vector<double> angles;
-    if (grain.lock == GrainLock::kOn) angles = {straight};
-    if (grain.lock == GrainLock::kBias) angles = {straight - kPi / 4, straight + kPi / 4};
-    const std::size_t upright = angles.size();
-    if (!problem.print.one_way)
-      for (std::size_t k = 0; k < upright; ++k) angles.push_back(angles[k] + kPi);
-    rules[p].angles = std::move(angles);
-    rules[p].tolerance = grain.tolerance;
-    if (const auto pin = options.pins.find(index); pin != options.pins.end())
-      rules[p].pin = pin->second;
-  }
-  return rules;
-}
 
 void applySeamOptions(const SolveOptions& options, Pattern& pattern) {
   for (const auto& [seam, weight] : options.weights) pattern.seams[seam].weight = weight;
@@ -92,7 +66,7 @@ Outcome<Solver> Solver::make(Problem problem) {
   std::vector<std::string>* const notes = &state->problem.notes;
   for (std::string& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
-    state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules, notes);
+    state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules);
   else
     state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, notes);
   return Solver(std::move(state));

@@ -4,6 +4,7 @@ import {solve} from '../node/index.js';
 import {choice, parseArguments, UsageError, wholeNumber} from './arguments.js';
 import {figuresLine} from './figures.js';
 import {checkWritable, readText, writeText} from './files.js';
+import {readPrint} from './print-files.js';
 import {print, ProgressLine, remark} from './terminal.js';
 
 const grammar = {
@@ -27,13 +28,14 @@ export async function align(words: readonly string[]): Promise<void> {
 
   const problem = {
     garment: await readText(garmentFile),
-    print: await readText(printFile),
+    print: await readPrint(printFile),
     symmetry: named ? symmetryFile : await readText(symmetryFile),
     ...(optionsFile === undefined ? {} : {options: await readText(optionsFile)}),
     method,
     seed,
   };
-  if (outFile !== undefined) await checkWritable(outFile);
+  const inputs = [garmentFile, printFile, symmetryFile, optionsFile ?? garmentFile];
+  if (outFile !== undefined) await checkWritable(outFile, inputs);
 
   const progress = new ProgressLine();
   let result: SolveResult;

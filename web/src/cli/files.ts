@@ -1,7 +1,7 @@
 import {randomUUID} from 'node:crypto';
 import {constants} from 'node:fs';
 import {access, open, rename, rm, stat, writeFile, type FileHandle} from 'node:fs/promises';
-import {dirname} from 'node:path';
+import {dirname, resolve} from 'node:path';
 
 import {UsageError} from './arguments.js';
 
@@ -41,8 +41,15 @@ export async function readBytes(path: string, limit: number = inputLimit): Promi
   }
 }
 
-/** Finds out before a long solve that its result could not be written. @throws {UsageError} */
-export async function checkWritable(path: string): Promise<void> {
+/**
+ * Finds out before a long solve that its result could not be written, or would be written over what is read.
+ * @throws {UsageError}
+ */
+export async function checkWritable(path: string, inputs: readonly string[] = []): Promise<void> {
+  const same = inputs.find((input) => resolve(input) === resolve(path));
+  if (same !== undefined) {
+    throw new UsageError(`${path} is read and would be overwritten; name another file for --out.`);
+  }
   try {
     const existing = await stat(path).catch(() => null);
     if (existing?.isDirectory()) throw new UsageError(`${path} is a directory; name a file in it.`);

@@ -187,7 +187,15 @@ export function drawResult(
     `<defs>${cloth(`${id}-cloth`, print, scale)}</defs>`,
     `<rect width="100%" height="100%" fill="#fbfaf8"/>`,
     text([margin, 66], title, {size: 28, weight: 600, fill: ink}),
-    text([margin, 94], `${print.group}, repeat ${repeatOf(print)}`, {size: 15, fill: soft}),
+    text(
+      [margin, 94],
+      [
+        ...(print.title === undefined ? [] : [print.title]),
+        print.group,
+        `repeat ${repeatOf(print)}`,
+      ].join(', '),
+      {size: 15, fill: soft},
+    ),
     figure(
       width - margin - 580,
       64,

@@ -1,4 +1,4 @@
-#include "solve/pins.h"
+#include "solve/placing_rules.h"
 
 #include <gtest/gtest.h>
 
@@ -62,6 +62,40 @@ TEST(Grain, IsKeptByBothPiecesOfAPairWhereThePrintCan) {
       EXPECT_NEAR(std::sin(angle), 0, 1e-9) << sleeve << " " << group;
     }
   }
+}
+
+/// Stripes along the warp: their mirrors run along and across.
+Task striped() {
+  Task t = task("tee", "pm");
+  t.print = {{"group", "pm"}, {"w1", {0.0, 6.0}}, {"w2", {-8.0, 0.0}}};
+  t.options["grain"]["default"] = "on";
+  return t;
+}
+
+TEST(Grain, GoesBeforeFoundSymmetriesThatItContradicts) {
+  Task t = striped();
+  t.print = {{"group", "pm"}, {"w1", {6.0, 0.0}}, {"w2", {0.0, 8.0}}};  // mirrors only across
+  const Result r = solved(t);
+  ASSERT_FALSE(r.notes.empty());
+  EXPECT_NE(r.notes.front().find("'front' is dropped"), std::string::npos) << r.notes.front();
+  EXPECT_NE(r.notes.front().find("grain"), std::string::npos) << r.notes.front();
+  for (const Alignment& at : r.alignment) EXPECT_NEAR(std::sin(at.angle), 0, 1e-9);
+}
+
+TEST(Grain, LeavesSymmetriesThatHoldWithIt) {
+  const Result r = solved(striped());
+  EXPECT_EQ(r.pattern.mirrors.size(), 3u);
+  for (const Alignment& at : r.alignment) EXPECT_NEAR(std::sin(at.angle), 0, 1e-9);
+}
+
+TEST(Grain, RefusesAnAskedForSymmetryThatItContradicts) {
+  Task t = striped();
+  t.print = {{"group", "pm"}, {"w1", {6.0, 0.0}}, {"w2", {0.0, 8.0}}};
+  t.symmetry = R"({"symmetries": [{"kind": "piece", "piece": "front"}]})";
+  const Outcome<Result> r = solve(problemOf(t));
+  ASSERT_FALSE(r.ok());
+  EXPECT_EQ(r.error().code, Failure::kSymmetryConflict);
+  EXPECT_NE(r.error().message.find("grain"), std::string::npos) << r.error().message;
 }
 
 TEST(Shapes, StayAsDraftedWhereNothingCanBeGained) {
