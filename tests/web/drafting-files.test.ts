@@ -4,7 +4,7 @@ import {readFileSync} from 'node:fs';
 import {describe, expect, it} from 'vitest';
 
 import {bodyOf, sizeNames} from '../../web/drafting/body.js';
-import {garmentFile} from '../../web/drafting/garment-file.js';
+import {garmentFile, grainLine} from '../../web/drafting/garment-file.js';
 import {length, minus, norm, type Point} from '../../web/drafting/geometry.js';
 import {wardrobe} from '../../web/drafting/wardrobe.js';
 import {medium} from '../support/drafts.js';
@@ -17,6 +17,17 @@ describe.each(sizeNames)('size %s', (size) => {
       expect(readFileSync(path, 'utf8')).toBe(garmentFile(garment, size));
     },
   );
+});
+
+it('lays the grain along every band of woven cloth, and across ribs', () => {
+  for (const garment of wardrobe.map((draft) => draft(medium))) {
+    for (const panel of garment.panels) {
+      if (!/waistband|stand|cuff|band_/.test(panel.name)) continue;
+      const [low, high] = grainLine(panel);
+      const isRib = garment.name === 'hoodie';
+      expect((isRib ? minus(high, low)[0] : minus(high, low)[1]) + 0, panel.name).toBeCloseTo(0, 9);
+    }
+  }
 });
 
 interface File {

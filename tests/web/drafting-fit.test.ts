@@ -45,6 +45,18 @@ describe.each(sizeNames)('in size %s', (size) => {
   });
 });
 
+it('marks every panel seam of the asymmetric dress so that it fits one way round only', () => {
+  const dress = draftAsymmetricDress(medium);
+  const inside = dress.seams.filter(({kind}) => kind === 'panel' || kind === 'front');
+  expect(inside.length).toBe(17);
+  for (const {name, notches = []} of inside) {
+    const turned = notches.map((share) => 1 - share);
+    expect(notches.length, name).toBeGreaterThan(0);
+    const apart = notches.map((at) => Math.min(...turned.map((other) => Math.abs(at - other))));
+    expect(Math.max(...apart), name).toBeGreaterThan(0.05);
+  }
+});
+
 it('shapes the bust of the princess dress in a side dart and in the seam above the bust', () => {
   const dress = draftPrincessDress(medium);
   const lean = (from: Point, to: Point): number => {

@@ -1,7 +1,9 @@
 /** Set-in sleeves, whatever they are set into: edges of a cap are named so. */
 import {expect, it} from 'vitest';
 
+import {notchesOf} from '../../web/drafting/garment-file.js';
 import {
+  length,
   minus,
   norm,
   reversed,
@@ -9,6 +11,7 @@ import {
   type Curve,
   type Point,
 } from '../../web/drafting/geometry.js';
+import {findEdge, type Garment} from '../../web/drafting/panel.js';
 import {wardrobe} from '../../web/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
 
@@ -37,6 +40,37 @@ it('draws caps without a point: direction and curvature run on from the back to 
           expect(1 / after, what).toBeGreaterThan(5);
           expect(1 / after, what).toBeLessThan(40);
         }
+      });
+    }
+  });
+});
+
+/** One side of an armhole, all the edges that a cap is sewn into; 0 without a set-in sleeve. [cm] */
+const armhole = (garment: Garment, half: 'Front' | 'Back'): number =>
+  garment.seams
+    .filter(({name}) => name.startsWith(`${half} armhole`) && name.endsWith('left'))
+    .reduce((sum, {b}) => sum + length(findEdge(garment, b).curve), 0);
+
+it('cuts the back armhole at least as long as the front one: arms are moved forward', () => {
+  forEveryGarment((garment) => {
+    const [front, back] = [armhole(garment, 'Front'), armhole(garment, 'Back')];
+    expect(back, garment.name).toBeGreaterThanOrEqual(front);
+    expect(back, garment.name).toBeLessThanOrEqual(1.06 * front);
+  });
+});
+
+it('marks the crown of every cap in one piece, where its back and front meet', () => {
+  forEveryGarment((garment) => {
+    for (const panel of garment.panels) {
+      panel.edges.forEach((edge, k) => {
+        const next = (k + 1) % panel.edges.length;
+        const halves = `${edge.name} ${panel.edges[next]?.name ?? ''}`;
+        if (!/cap back.*cap front|cap front.*cap back/.test(halves)) return;
+        const crown = notchesOf(panel, garment).filter(
+          (notch) =>
+            (notch.edge === k && notch.at === 1) || (notch.edge === next && notch.at === 0),
+        );
+        expect(crown, `${garment.name}: ${panel.name}`).toHaveLength(1);
       });
     }
   });

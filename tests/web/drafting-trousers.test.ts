@@ -1,7 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
 import {bodyOf, sizeNames} from '../../web/drafting/body.js';
-import {length, velocity, type Curve} from '../../web/drafting/geometry.js';
+import {notchesOf} from '../../web/drafting/garment-file.js';
+import {length, pointAt, velocity, type Curve} from '../../web/drafting/geometry.js';
 import {findEdge} from '../../web/drafting/panel.js';
 import {draftTrousers} from '../../web/drafting/trousers.js';
 
@@ -12,6 +13,16 @@ describe.each(sizeNames)('the trousers in size %s', (size) => {
 
   it('have a waistband 2 cm longer than the waist', () => {
     expect(2 * length(curveOf('waistband_left', 'upper'))).toBeCloseTo(body.waist + 2, 6);
+  });
+
+  it('are marked at the knee, on both seams of every leg', () => {
+    for (const panel of trousers.panels.filter(({name}) => !name.startsWith('waistband'))) {
+      const marks = notchesOf(panel, trousers).flatMap(({edge, at}) => {
+        const {name, curve} = panel.edges[edge] ?? {name: '', curve: undefined};
+        return curve && name.endsWith('lower leg') ? [pointAt(curve, at)[1]] : [];
+      });
+      expect(marks).toEqual([-body.kneeDepth, -body.kneeDepth]);
+    }
   });
 
   it('are 5 cm wider than the hip, from the centre lines to the outseams', () => {

@@ -2,15 +2,7 @@
 import {describe, expect, it} from 'vitest';
 
 import {notchesOf, type Notch} from '../../web/drafting/garment-file.js';
-import {
-  length,
-  minus,
-  norm,
-  plus,
-  pointAt,
-  splitAtLengths,
-  type Point,
-} from '../../web/drafting/geometry.js';
+import {minus, norm, parameterAt, plus, pointAt, type Point} from '../../web/drafting/geometry.js';
 import {untrue, type Panel} from '../../web/drafting/panel.js';
 import {wardrobe} from '../../web/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
@@ -65,9 +57,8 @@ function covers(outline: readonly Point[], [x, y]: Point): boolean {
 
 function notchPoint({edges}: Panel, {edge, at}: Notch): Point {
   const curve = edges[edge]?.curve;
-  const [before] = curve ? splitAtLengths('a notch', curve, [at * length(curve)]) : [];
-  if (!before) throw new Error('a notch without an edge');
-  return before.to;
+  if (!curve) throw new Error('a notch without an edge');
+  return pointAt(curve, parameterAt(curve, at));
 }
 
 /** How far from straight a line may run on across a seam; the eye sees no corner in that. [degrees] */

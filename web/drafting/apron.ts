@@ -18,6 +18,7 @@ import {
 } from './geometry.js';
 import {
   edge,
+  lengthwise,
   onBothSides,
   sew,
   symmetricPanel,
@@ -32,8 +33,6 @@ const tieLength = 85;
 const strapWidth = 3.5;
 const skirt = {length: 52, lean: degrees(8), corner: 9};
 const pocket = {width: 26, height: 17, corner: 5, belowWaist: 13};
-/** Cut along the length of the cloth, which stretches least. */
-const lengthwise: Point = [1, 0];
 
 /** Half widths and heights that follow from the body. [cm] */
 function widths(body: Body): {bibTop: number; bibBottom: number; bibHeight: number; skirt: number} {

@@ -50,6 +50,9 @@ const diagonal = {belowBust: 8, belowWaist: 15};
 const bend = degrees(9);
 
 const partNames = ['hem', 'hip', 'waist', 'bust', 'top'] as const;
+/** Each part of a panel seam is marked below its middle, once at the front and twice at the back, from the hem up. */
+const frontNotch = 0.4;
+const backNotches = {skirt: [0.4, 0.42], bodice: [0.38, 0.44], top: [0.34, 0.44]} as const;
 
 /** The five edges of a front panel seam: it is parted where the diagonal ends, at either side of the body. */
 function frontEdges({skirt, bodice, top}: PanelSeam): readonly Curve[] {
@@ -183,6 +186,7 @@ function frontSeams(): Seam[] {
         `Front panel seam at the ${part}, ${side}`,
         [upper[side].includes(part) ? 'front_upper' : 'front_lower', `seam ${part} ${side}`],
         [`side_panel_${side}`, `front seam ${part}`],
+        {notches: [side === 'left' ? frontNotch : 1 - frontNotch]},
       ),
     ),
   );
@@ -195,15 +199,16 @@ export function draftAsymmetricDress(body: Body): Garment {
     panels: [...fronts(body), ...sidePanels(body), back(body)],
     seams: [
       sew('front', 'Diagonal', ['front_upper', 'diagonal'], ['front_lower', 'diagonal'], {
-        notches: [0.3, 0.7],
+        notches: [0.3, 0.62],
       }),
       ...frontSeams(),
-      ...['skirt', 'bodice', 'top'].flatMap((part) =>
+      ...(['skirt', 'bodice', 'top'] as const).flatMap((part) =>
         onBothSides(
           'panel',
           `Back panel seam, ${part}`,
           ['back', `seam ${part} *`],
           ['side_panel_*', `back seam ${part}`],
+          {notches: backNotches[part].map((share) => 1 - share)},
         ),
       ),
       ...onBothSides('shoulder', 'Shoulder', ['front_upper', 'shoulder *'], ['back', 'shoulder *']),

@@ -16,7 +16,10 @@ export interface BodiceStyle {
   readonly shoulderSlope: number;
   /** How much wider each half of the neckline is than a fifth of the neck. */
   readonly neckOut: number;
+  /** Below the end of the shoulder seam. */
   readonly neckDepth: Readonly<Record<Half, number>>;
+  /** How much lower the front's shoulder lies than the back's: the seam is in front of the top of the shoulder. */
+  readonly frontLower: number;
   readonly hemBelowWaist: number;
   /** How the side seam leans out at the underarm. */
   readonly sideLean: number;
@@ -44,7 +47,11 @@ export function bodiceHalf(body: Body, half: Half, style: BodiceStyle): BodiceHa
     body.backLength - (body.bust / 10 + style.armholeDepth),
   ];
   const hem: Point = [(body.hip + style.hipEase) / 4 + wider, -hemBelowWaist];
-  const neck: Point = [body.neck / 5 + style.neckOut, body.backLength + style.neckDepth.back];
+  const lower = half === 'front' ? style.frontLower : 0;
+  const neck: Point = [
+    body.neck / 5 + style.neckOut,
+    body.backLength + style.neckDepth.back - lower,
+  ];
   const tipX = body.shoulderWidth / 2 + style.shoulderOut;
   const tip: Point = [tipX, neck[1] - (tipX - neck[0]) * Math.tan(shoulderSlope)];
 

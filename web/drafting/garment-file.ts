@@ -57,12 +57,10 @@ export interface Notch {
 export function notchesOf(panel: Panel, {seams}: Garment): Notch[] {
   const on = ([name, part]: EdgeName): number =>
     name === panel.name ? panel.edges.findIndex((candidate) => candidate.name === part) : -1;
-  const marks = seams.flatMap(({a, b, notches = []}) =>
-    notches.flatMap((at) => [
-      {edge: on(a), at: rounded(at, 6)},
-      {edge: on(b), at: rounded(1 - at, 6)},
-    ]),
-  );
+  const marks = seams.flatMap(({a, b, notches = [], ownNotches = []}) => [
+    ...[...notches, ...ownNotches].map((at) => ({edge: on(a), at: rounded(at, 6)})),
+    ...notches.map((at) => ({edge: on(b), at: rounded(1 - at, 6)})),
+  ]);
   return marks.filter(({edge}) => edge >= 0).sort((p, q) => p.edge - q.edge || p.at - q.at);
 }
 

@@ -203,6 +203,13 @@ export function splitAtLengths(what: string, whole: Curve, lengths: readonly num
   return [piece, ...splitAtLengths(what, rest, others)];
 }
 
+/** The parameter at which a share of a curve's length lies behind; 0 and 1 are its ends. */
+export function parameterAt(whole: Curve, share: number): number {
+  if (share <= 0 || share >= 1) return Math.round(share);
+  const target = share * length(whole);
+  return trueTo('a mark', target, (t) => length(split(whole, t)[0]), 0, 1);
+}
+
 /**
  * How long the handle of a cubic's end has to be for the given curvature (1/cm) there, if the other control
  * lies `offset` cm off the tangent: curves with the same end and curvature run on into each other without a bump.

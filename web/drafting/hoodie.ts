@@ -52,7 +52,8 @@ const styleOf = (body: Body): BodiceStyle => ({
   shoulderOut: 3.5,
   shoulderSlope: degrees(18),
   neckOut: 2.4,
-  neckDepth: {front: body.neck / 5 + 1.4, back: 2.4},
+  neckDepth: {front: body.neck / 5 + 0.7, back: 2.8},
+  frontLower: 1.2,
   hemBelowWaist: 13,
   sideLean: degrees(2),
   forward: 0,
@@ -107,7 +108,10 @@ function bodyPanel(
   );
 }
 
-/** A straight strip of rib; origin: the middle of its lower edge. */
+/**
+ * A straight strip of rib, for a wrist or the hem; origin: the middle of its lower edge. Its grain runs across the strip,
+ * as the ribs do: so it stretches around the body.
+ */
 function ribEdges(width: number): Edge[] {
   const low: Point = [width / 2, 0];
   const high: Point = [width / 2, ribHeight];

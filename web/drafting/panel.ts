@@ -12,6 +12,9 @@ export interface Placement {
   readonly rotation: readonly [number, number, number];
 }
 
+/** The grain of a band that lies level: cut along the length of the cloth, which stretches least. */
+export const lengthwise: Point = [1, 0];
+
 /** One edge of an outline. Its name is unique in its panel and says what it is sewn as. */
 export interface Edge {
   readonly name: string;
@@ -45,6 +48,8 @@ export interface SeamManner {
   readonly ease?: number;
   /** Marks on both sides, as fractions of the length from the start of `a`. */
   readonly notches?: readonly number[];
+  /** Marks on `a` only, counted likewise: what meets the end of another seam. */
+  readonly ownNotches?: readonly number[];
 }
 
 /** Two marked lines that lie on each other without being sewn, in panel coordinates, start on start. */
@@ -150,8 +155,10 @@ export function onBothSides(
     names[0].replace('*', side),
     names[1].replace('*', side),
   ];
-  const {notches} = how;
-  const mirroredHow = notches ? {...how, notches: notches.map((share) => 1 - share)} : how;
+  const counted = (marks?: readonly number[]): readonly number[] | undefined =>
+    marks?.map((share) => 1 - share);
+  const [notches, ownNotches] = [counted(how.notches), counted(how.ownNotches)];
+  const mirroredHow = {...how, ...(notches && {notches}), ...(ownNotches && {ownNotches})};
   return (['left', 'right'] as const).map((side) =>
     sew(kind, `${name}, ${side}`, at(a, side), at(b, side), side === 'left' ? how : mirroredHow),
   );

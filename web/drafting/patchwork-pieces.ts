@@ -44,7 +44,8 @@ const styleOf = (body: Body): BodiceStyle => ({
   shoulderOut: 2,
   shoulderSlope: degrees(18),
   neckOut: 1.8,
-  neckDepth: {front: body.neck / 5 + 1.6, back: 2.2},
+  neckDepth: {front: body.neck / 5 + 0.9, back: 2.6},
+  frontLower: 1.1,
   hemBelowWaist: 21,
   sideLean: 0,
   forward: 0,
@@ -70,9 +71,10 @@ const halfOf = (body: Body, half: Half): BodiceHalf => bodiceHalf(body, half, st
 export function divisionOf(body: Body, half: Half): Division {
   const {side, armhole, shoulder} = halfOf(body, half);
   const {from: tip, to: neck} = shoulder;
+  const backTip = halfOf(body, 'back').shoulder.from;
   const underarm = side.to;
   const hem = side.from[1];
-  const chest = underarm[1] + 0.45 * (tip[1] - underarm[1]);
+  const chest = underarm[1] + 0.45 * (backTip[1] - underarm[1]);
   const step = (chest - hem) / 3;
   const [low, high] = splitWhere('the patches', armhole, ([, y]) => y, chest);
   const x = 0.47 * underarm[0];

@@ -34,6 +34,7 @@ const style: BodiceStyle = {
   shoulderSlope: degrees(19),
   neckOut: 1.6,
   neckDepth: {front: 9, back: 2.4},
+  frontLower: 0,
   hemBelowWaist: 19,
   sideLean: degrees(3.5),
   forward: 0.5,

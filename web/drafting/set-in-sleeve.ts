@@ -12,7 +12,10 @@ export const setInOutline = (cap: Cap, tube: Tube, hem = 'hem'): Edge[] => [
   edge('underarm front', tube.underarmFront),
 ];
 
-/** @param ease of the cap over either half of the armhole, in cm */
+/**
+ * The crown of the cap, where its halves meet, is marked: it meets the shoulder seam.
+ * @param ease of the cap over either half of the armhole, in cm
+ */
 export const setInSeams = (
   ease: Readonly<Record<Half, number>>,
   armholes: Readonly<Record<Half, EdgeName>>,
@@ -20,6 +23,7 @@ export const setInSeams = (
   ...onBothSides('armhole', 'Front armhole', ['sleeve_*', 'cap front'], armholes.front, {
     ease: ease.front,
     notches: [0.55],
+    ownNotches: [0],
   }),
   ...onBothSides('armhole', 'Back armhole', ['sleeve_*', 'cap back'], armholes.back, {
     ease: ease.back,

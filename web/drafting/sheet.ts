@@ -1,7 +1,7 @@
 /** One picture of several garments, every piece flat: names, grain, notches, and which edges are sewn to which. */
 import {escaped, short, text} from '../src/picture/svg.js';
 import {grainLine, notchesOf, titled} from './garment-file.js';
-import {left, length, minus, norm, plus, pointAt, splitAtLengths, velocity} from './geometry.js';
+import {left, minus, norm, parameterAt, plus, pointAt, velocity} from './geometry.js';
 import type {Curve, Point} from './geometry.js';
 import {findEdge, type EdgeName, type Garment, type Panel, type Seam} from './panel.js';
 import {layOutSheet, type Placed} from './sheet-layout.js';
@@ -45,11 +45,9 @@ function grain({panel, toPage}: Placed): string {
 
 /** A point of an edge on the page, and the direction into the piece there. */
 function onEdge({toPage}: Placed, curve: Curve, share: number): readonly [Point, Point] {
-  const [before] = splitAtLengths('a mark', curve, [share * length(curve)]);
-  const at = before?.to ?? pointAt(curve, share);
-  const way = before ? velocity(before, 1) : velocity(curve, share);
-  const [x, y] = left(way);
-  return [toPage(at), [x / norm(way), -y / norm(way)]];
+  const t = parameterAt(curve, share);
+  const [x, y] = left(velocity(curve, t));
+  return [toPage(pointAt(curve, t)), [x / norm([x, y]), -y / norm([x, y])]];
 }
 
 function notches(placed: Placed, garment: Garment): string {

@@ -30,7 +30,7 @@ const neckOut = 2.2;
 const neckDepth = {front: 9, back: 2.6};
 /** What the bust dart takes, as a part of the bust, and how much of that the front is longer by above the bust. */
 const dartIntake = 0.031;
-const frontLonger = 0.85;
+const frontLonger = 0.6;
 /** What the centre back seam takes from the waist down. */
 const centreTaken = 1.2;
 const capEase = {front: 1.1, back: 1.4};

@@ -27,7 +27,7 @@ import {
   type Curve,
   type Point,
 } from './geometry.js';
-import {edge, pairOf, symmetricPanel, type Panel} from './panel.js';
+import {edge, lengthwise, pairOf, symmetricPanel, type Panel} from './panel.js';
 import {armholeLengths, hungSleeve, taperedSleeve} from './sleeve.js';
 
 /** What is pleated into each centimetre of cuff. */
@@ -50,7 +50,8 @@ const styleOf = (body: Body): BodiceStyle => ({
   shoulderOut: 1.2,
   shoulderSlope: degrees(19),
   neckOut: 0.2,
-  neckDepth: {front: body.neck / 5 + 0.4, back: 2.2},
+  neckDepth: {front: body.neck / 5 - 0.4, back: 2.7},
+  frontLower: 1.4,
   hemBelowWaist: 19,
   sideLean: degrees(3),
   forward: 0,
@@ -142,7 +143,10 @@ export const backNeckline = (body: Body, {halves}: Cut): Curve =>
 /** Drawn as the back; what reaches over the shoulder is the front, unfolded about the shoulder line. */
 function yokePanel(body: Body, cut: Cut): Panel {
   const {halves, armhole, neckline} = cut;
-  const unfolded = reflectedIn(halves.front.shoulder.from, halves.front.shoulder.to);
+  const {from: tip, to: neck} = halves.front.shoulder;
+  const onBack = minus(halves.back.shoulder.to, neck);
+  const reflected = reflectedIn(tip, neck);
+  const unfolded = (p: Point): Point => plus(reflected(p), onBack);
   const onArmhole = reversed(mapped(armhole.front.yoke, unfolded));
   const onNeckline = reversed(mapped(neckline.yoke, unfolded));
   const low = armhole.back.yoke.from;
@@ -220,6 +224,7 @@ export function sleevesAndCuffs(body: Body, cut: Cut): readonly Panel[] {
       edge('end back', line(mirror(high), mirror(low))),
     ],
     hungSleeve(body, tip, cap.height, sleeveLength - cap.height + cuff.height + 4),
+    lengthwise,
   );
   return [...sleeves, ...cuffs];
 }

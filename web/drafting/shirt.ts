@@ -47,7 +47,11 @@ export function draftShirt(body: Body): Garment {
         `${title} armhole at the yoke`,
         ['sleeve_*', `cap ${half} yoke`],
         ['yoke', `armhole ${half} *`],
-        {ease: capEase[half] * share},
+        {
+          ease: capEase[half] * share,
+          // where the crown of the cap meets the top of the shoulder
+          ...(half === 'front' && {notches: [0]}),
+        },
       ),
     ];
   });

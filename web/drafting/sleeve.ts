@@ -39,7 +39,7 @@ export interface Cap {
 }
 
 /** Handles at the underarm, as parts of the half width: the front of a cap is scooped out further. */
-const scoop = {front: 0.5, back: 0.38};
+const scoop = {front: 0.5, back: 0.34};
 /** Handle at the top of a cap whose halves are alike, as a part of the half width: how round the top is. */
 const roundness = 0.57;
 

@@ -4,6 +4,7 @@ import type {DartedEdge} from './darts.js';
 import {length, line, moved, plus, type Point} from './geometry.js';
 import {
   edge,
+  lengthwise,
   onBothSides,
   pairOf,
   sew,
@@ -54,6 +55,7 @@ function waistbands(body: Body, front: DartedEdge, back: DartedEdge): readonly [
       translation: [radiusOf(body.waist) + 8, body.waistHeight + 2, end[0] / 2],
       rotation: [0, 90, 0],
     },
+    lengthwise,
   );
 }
 
@@ -70,12 +72,14 @@ export function draftTrousers(body: Body): Garment {
       ...waistbands(body, front.waist, back.waist),
     ],
     seams: [
+      // the lower leg ends at the knee, which is marked
       ...['lower leg', 'thigh', 'hip'].flatMap((part) =>
         onBothSides(
           'side',
           `Outseam, ${part}`,
           ['front_*', `outseam ${part}`],
           ['back_*', `outseam ${part}`],
+          part === 'lower leg' ? {notches: [1]} : {},
         ),
       ),
       ...['lower leg', 'thigh'].flatMap((part) =>
@@ -84,6 +88,7 @@ export function draftTrousers(body: Body): Garment {
           `Inseam, ${part}`,
           ['front_*', `inseam ${part}`],
           ['back_*', `inseam ${part}`],
+          part === 'lower leg' ? {notches: [0]} : {},
         ),
       ),
       sew('front', 'Fly', ['front_left', 'centre'], ['front_right', 'centre']),
