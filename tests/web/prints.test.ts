@@ -91,6 +91,31 @@ describe.each(collection)('$id', (design) => {
   });
 });
 
+// An empty band would show as a stripe across a body.
+it.each(['p1', 'bouquet', 'ditsy'])(
+  'scatters %s without an empty band, 0.5 cm wide',
+  async (id) => {
+    const design = collection.find((one) => one.id === id);
+    const tile = design && tilesOf(design)[0];
+    if (!design || !tile) throw new Error(`there is no ${id}`);
+    const [width, height] = imageSize(design.cell).map((cm) => Math.round(cm * 2));
+    const ground = await rendered(tile.svg.replace(/<defs>.*(?=<\/svg>)/s, ''), 1, 1);
+    const drawn = await rendered(tile.svg, 10 * (width ?? 0), 10 * (height ?? 0));
+    const across = new Array<number>(height ?? 0).fill(0);
+    const along = new Array<number>(width ?? 0).fill(0);
+    for (let k = 0; k < drawn.data.length; k += 4) {
+      if ([0, 1, 2].every((c) => drawn.data[k + c] === ground.data[c])) continue;
+      const [x, y] = [(k / 4) % drawn.width, Math.floor(k / 4 / drawn.width)];
+      across[Math.floor(y / 10)] = (across[Math.floor(y / 10)] ?? 0) + 1;
+      along[Math.floor(x / 10)] = (along[Math.floor(x / 10)] ?? 0) + 1;
+    }
+    for (const bands of [across, along]) {
+      const mean = bands.reduce((sum, share) => sum + share, 0) / bands.length;
+      expect(Math.min(...bands) / mean).toBeGreaterThan(1 / 4);
+    }
+  },
+);
+
 /** Over red, green, blue and alpha, of 255; infinite when the sizes differ. */
 function meanDifference(one: Uint8ClampedArray, other: Uint8ClampedArray): number {
   if (one.length !== other.length) return Infinity;

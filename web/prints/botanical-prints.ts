@@ -42,17 +42,24 @@ const rowanberry = stem(
 
 const pea = (radius: number): Motif => [dot('spark', [0, 0], radius)];
 
+/** A branch that winds around its mirror image, along the warp. 11 cm high. */
+const braid = stroke(
+  'line',
+  '0,0 0.42,1.2 0.3,2.6 -0.3,4.4 -0.42,5.8 -0.2,7 0.3,8.4 0.36,9.8 0,11',
+  0.13,
+);
+
 export const botanicalPrints: readonly Design[] = [
   botanical('p1', 'Meadow walk', ['linen', 'night', 'blush'], 'p1', upright(10, 12), [
-    place(anemone, 0.9, 0.9, -38, 1.05),
-    place(poppy, 9.6, 11.8, 148, 1.05),
-    place(rowan, 3.5, 7.2, 58, 1.1),
-    place(umbel, 6.5, 0.2, -58, 1.05),
-    place(rosemary, 5.9, 3.6, -66, 1),
-    place(daisy, 1.2, 5.3, -20, 1.1),
-    place(daisy, 4.6, 10.9, 40, 1),
-    place(sproutlet, 5.2, 8.4, -20, 1),
-    place(sproutlet, 2.4, 10.9, 130, 0.9),
+    place(anemone, 0.8, 0.4, -24, 1.1),
+    place(poppy, 7.8, 2.6, 172, 1.1),
+    place(rowan, 4.9, 7.6, 48, 1.15),
+    place(umbel, 5.2, 3.3, -42, 1.1),
+    place(rosemary, 9.9, 4.6, -4, 1.05),
+    place(daisy, 6.7, 7.3, -20, 1.15),
+    place(daisy, 4.6, 1, 40, 1.1),
+    place(sproutlet, 5.1, 11, -20, 1.2),
+    place(sproutlet, 0.3, 10.4, 50, 1.2),
   ]),
   botanical('p2', 'Trailing rose', ['night', 'celadon', 'linen'], 'p2', roseLattice, [
     place(trail, 0, 0),
@@ -61,7 +68,7 @@ export const botanicalPrints: readonly Design[] = [
     place(daisy, 5.9, 4.9, -60, 1.05),
   ]),
   botanical('pm', 'Espalier', ['celadon', 'clay', 'night'], 'pm', warpwise(11, 9), [
-    place([stroke('line', '0,0 0,3.7 0,7.4 0,11', 0.16)], 0, 0),
+    place([braid], 0, 0),
     place(pearBranch, 0, 0.4, -40),
     place(blossomBranch, 0, 4.3, -34, 1.2),
     place(leaf(), 4.5, 8.6, -24, 2.2),
@@ -103,14 +110,15 @@ export const botanicalPrints: readonly Design[] = [
     place(pea(0.3), 0, 0),
   ]),
   botanical('bouquet', 'Cutting garden', ['clay', 'mist', 'plum'], 'p1', upright(9, 12), [
-    place(anemone, 2.2, 0.4, 4, 1.05),
-    place(poppy, 7.1, 6.2, -4, 1.1),
-    place(umbel, 6.2, 0.8, -8, 1.1),
-    place(rosemary, 4.5, 6.4, 8, 0.95),
-    place(rowan, 1.7, 7.2, 4, 1.05),
-    place(daisy, 8.3, 4.9, -10),
-    place(sproutlet, 4.5, 4.7),
-    place(bud(), 8.6, 0.4, 10, 1.2),
+    place(anemone, 2.1, 0, 8, 1.1),
+    place(poppy, 6.9, 5.2, -4, 1.15),
+    place(umbel, 6.3, 0.4, -8, 1.15),
+    place(rosemary, 4.4, 6.8, 10, 1.05),
+    place(rowan, 1.3, 7.7, 4, 1.15),
+    place(daisy, 8.4, 4.6, -10, 1.1),
+    place(daisy, 4.5, 0.1, 20, 1.15),
+    place(sproutlet, 8.6, 11.6, 10, 1.2),
+    place(bud(), 4.6, 5.6, 10, 1.2),
   ]),
   botanical('ditsy', 'Ditsy', ['linen', 'blush', 'night'], 'pgg', upright(7, 8), [
     place(umbel, 3.1, 1, -34, 0.7),

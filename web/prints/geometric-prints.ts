@@ -53,8 +53,9 @@ export const geometricPrints: readonly Design[] = [
   geometric('p3m1', 'Kite star', ['smoke', 'clay', 'night'], 'p3m1', hexagonal(10), [
     place(kite('line', 4.4, 1.0, 1.9), 0, 0.25, 0),
     place(kite('bloom', 3.2, 0.9, 1.5), -0.22, 0.13, 60),
-    place(dart('leaf'), 5, 2.887, 0, 2.1),
-    place(dart('soft'), 5, 2.887, 56, 2.2),
+    place(dart('leaf'), 5, 2.887, 0, 2.4),
+    place(dart('soft'), 5, 2.887, 56, 2.5),
+    place(kite('leaf', 2.3, 0.7, 1.1), 10, 6.05, 0),
     place(pea(0.25), 10, 5.774),
   ]),
   geometric('p6', 'Whirl', ['night', 'linen', 'celadon'], 'p6', hexagonal(10), [

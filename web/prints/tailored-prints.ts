@@ -1,7 +1,7 @@
 /** The tailored prints of the collection: plaids, stripes and a foulard. */
 import {place, rhombicLevel, tailored, type Colourways, type Design} from './design.js';
 import {drawPlaid, drawStripe, even, plaidCell, sett, stripeCell, type Sett} from './plaid.js';
-import {leaf, willow} from './plants.js';
+import {leaf, stem, willow} from './plants.js';
 import {dart} from './geometric.js';
 import {dot, grown, together, type Motif} from './shape.js';
 
@@ -15,9 +15,7 @@ function stripe(id: string, title: string, colourways: Colourways, warp: Sett): 
   return {id, title, family: 'tailored', cell: stripeCell(warp), colourways, draw};
 }
 
-const glen = even(
-  'ground 1.25 line 0.25 ground 0.5 leaf 2 ground 0.5 bloom 0.25 ground 0.5 leaf 1.5 soft 1.5',
-);
+const tartan = even('leaf 3 ground 0.5 line 0.25 ground 2.5 bloom 0.75 ground 1.25 leaf 0.25');
 
 /** A quarter of a medallion, 5 cm wide and 6 cm high. */
 const medallion: Motif = together(
@@ -27,18 +25,26 @@ const medallion: Motif = together(
   [dot('spark', [0, 0], 0.26)],
 );
 
-const comma: Motif = [
-  ...grown(willow('line'), [0.15, 0], -20, 1.45),
-  dot('spark', [0.3, -0.25], 0.12),
+/** Half of a garland's side: a half turn about its foot carries it on, and a mirror at its tip. */
+const garland: Motif = [
+  ...stem(
+    '0,0 0.2,0.7 0.1,1.6 0,2.9',
+    [0.1, 0.1],
+    [willow('line'), 0.28, 48, 1.15],
+    [willow('line'), 0.5, -44, 1.1],
+    [willow('line'), 0.72, 44, 0.9],
+  ),
+  dot('spark', [0, 0], 0.2),
 ];
 
 export const tailoredPrints: readonly Design[] = [
   tailored('cmm', 'Foulard', ['celadon', 'blush', 'night'], 'cmm', rhombicLevel(10, 14), [
     place(medallion, 0, 0),
-    place(dart('bloom'), 5, 0.1, -20, 1.1),
-    place(comma, 2.5, 3.5, -30),
+    place(dart('bloom'), 5, 0, -20, 1.6),
+    place(leaf('leaf', 2), 5, 0, -64, 1.5),
+    place(garland, 2.5, 3.5, 60.7),
   ]),
-  plaid('tartan', 'Glen', ['moss', 'linen', 'mist'], glen, glen),
+  plaid('tartan', 'Tartan', ['moss', 'linen', 'mist'], tartan, tartan),
   plaid(
     'check',
     'Shirting check',
