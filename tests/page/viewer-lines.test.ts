@@ -1,0 +1,144 @@
+import type {Page} from 'playwright-core';
+import {expect, it} from 'vitest';
+
+import type {Point} from '../../web/src/model/geometry.js';
+import type {Print} from '../../web/src/model/print.js';
+import type {Pattern, ResultPiece} from '../../web/src/model/result.js';
+import {sceneOf, type PatternScene} from '../../web/src/viewer/scene.js';
+import {colourAt, realign, screenOf, settled, show, useViewer, type Colour} from './viewer/open.js';
+
+const openPage = useViewer();
+const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 10]};
+const green: Colour = [43, 147, 88];
+const red: Colour = [200, 48, 40];
+const outline: Colour = [74, 77, 82];
+
+/** The right side of one 4 cm square is sewn to the left side of the other; the print runs on across the seam. */
+function twoSquares(symmetries: Pattern['symmetries'] = []): PatternScene {
+  const square: Point[] = [
+    [0, 0],
+    [4, 0],
+    [4, 4],
+    [0, 4],
+  ];
+  const piece = (name: string, x: number): ResultPiece => ({
+    name,
+    rest: square,
+    shape: square,
+    triangles: [
+      [0, 1, 2],
+      [0, 2, 3],
+    ],
+    outline: [0, 1, 2, 3],
+    holes: [],
+    alignment: {angle: 0, translation: [x, 0]},
+    mirroredFromInput: false,
+  });
+  const seam: Pattern['seams'][number] = {
+    a: {piece: 0, vertices: [1, 2]},
+    b: {piece: 1, vertices: [0, 3]},
+    weight: 1,
+    matched: true,
+    lengthRatio: 1,
+    kind: 'continuous',
+    mismatch: [0],
+  };
+  const pieces = [piece('left', 0), piece('right', -4)];
+  return sceneOf({print, pieces, seams: [seam], symmetries}, print);
+}
+
+/** Colours across a line at a point of a piece: from 10 px left of it to 10 px right, the line in the middle. */
+async function across(page: Page, scene: PatternScene, piece: number, p: Point): Promise<Colour[]> {
+  const [dx, dy] = scene.pieces[piece]?.offset ?? [NaN, NaN];
+  const [x, y] = await page.evaluate((point) => Viewer.view.screenOf(point), [
+    p[0] + dx,
+    p[1] + dy,
+  ] as const);
+  const pixels = await screenOf(page);
+  return Array.from({length: 21}, (_, k) =>
+    colourAt(pixels, Math.floor(x) + k - 10, Math.floor(y)),
+  );
+}
+
+const count = (colours: readonly Colour[], wanted: Colour): number =>
+  colours.filter((colour) => colour.join() === wanted.join()).length;
+
+it('draws seams green where the print meets, and red and wider where it meets by chance only', async () => {
+  const page = await openPage();
+  const scene = twoSquares();
+  await show(page, scene);
+  for (const [piece, x] of [
+    [0, 4],
+    [1, 0],
+  ] as const) {
+    const good = count(await across(page, scene, piece, [x, 2]), green);
+    expect(good).toBeGreaterThanOrEqual(1);
+    await realign(page, [
+      {angle: 0, translation: [0, 0]},
+      {angle: 0, translation: [-9, 5]}, // half a repeat off, both ways
+    ]);
+    const bad = await across(page, scene, piece, [x, 2]);
+    expect(count(bad, green)).toBe(0);
+    expect(count(bad, red)).toBeGreaterThan(good);
+    await realign(
+      page,
+      scene.pieces.map(({alignment}) => alignment),
+    );
+  }
+});
+
+it('draws outlines as wide at every zoom', async () => {
+  const page = await openPage();
+  const scene = twoSquares();
+  await show(page, scene);
+  await page.evaluate(async (svg) => {
+    Viewer.view.setTile(await Viewer.svgTile(svg));
+  }, '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><path fill="#fbfaf8" d="M0 0h1v1h-1z"/></svg>');
+  await settled(page);
+  const before = await across(page, scene, 0, [0, 2]);
+  await page.evaluate(
+    ([x, y]) => {
+      Viewer.view.zoomBy(2.5, Viewer.view.screenOf([x, y + 2]));
+    },
+    scene.pieces[0]?.offset ?? [NaN, NaN],
+  );
+  await settled(page);
+  const after = await across(page, scene, 0, [0, 2]);
+  const dark = (colours: readonly Colour[]): number =>
+    colours.reduce((sum, [r]) => sum + (251 - r) / (251 - outline[0]), 0);
+  expect(dark(before)).toBeGreaterThan(1);
+  expect(Math.abs(dark(after) - dark(before))).toBeLessThan(0.2);
+});
+
+it('dashes a mirror axis', async () => {
+  const page = await openPage();
+  const scene = twoSquares([
+    {kind: 'piece', piece: 0, map: {angle: 0, translation: [4, 0]}, pairs: []},
+  ]);
+  await show(page, scene);
+  const [dx, dy] = scene.pieces[0]?.offset ?? [NaN, NaN];
+  const [low, high] = await page.evaluate(
+    ([x, y]) => [Viewer.view.screenOf([x, y + 0.2]), Viewer.view.screenOf([x, y + 3.8])] as const,
+    [dx + 2, dy] as const,
+  );
+  const pixels = await screenOf(page);
+  const inked: boolean[] = [];
+  for (let y = Math.ceil(high[1]); y < low[1]; y++) {
+    inked.push(colourAt(pixels, Math.floor(low[0]), y)[0] < 120);
+  }
+  const changes = inked.filter((ink, k) => k > 0 && ink !== inked[k - 1]).length;
+  const length = low[1] - high[1];
+  expect(changes).toBeGreaterThan((2 * length) / 12 - 3); // a dash and a gap are 12 px
+  expect(changes).toBeLessThan((2 * length) / 12 + 3);
+});
+
+it('puts the same letter on both pieces of a pair', async () => {
+  const page = await openPage();
+  await show(
+    page,
+    twoSquares([{kind: 'pair', pieces: [0, 1], map: {angle: 0, translation: [4, 0]}, pairs: []}]),
+  );
+  const letters = page.getByText('A', {exact: true});
+  expect(await letters.count()).toBe(2);
+  expect(await letters.first().isVisible()).toBe(true);
+});

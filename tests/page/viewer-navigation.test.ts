@@ -1,0 +1,193 @@
+import type {Page} from 'playwright-core';
+import {beforeEach, expect, it} from 'vitest';
+
+import type {Point} from '../../web/src/model/geometry.js';
+import type {Print} from '../../web/src/model/print.js';
+import type {ResultPiece} from '../../web/src/model/result.js';
+import {sceneOf, type PatternScene} from '../../web/src/viewer/scene.js';
+import {patience, settled, show, useViewer} from './viewer/open.js';
+
+const openPage = useViewer();
+const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 10]};
+
+/** A piece of 30 by 20 cm. */
+function sheet(): PatternScene {
+  const points: Point[] = [
+    [0, 0],
+    [30, 0],
+    [30, 20],
+    [0, 20],
+  ];
+  const piece: ResultPiece = {
+    name: 'back_yoke',
+    rest: points,
+    shape: points,
+    triangles: [
+      [0, 1, 2],
+      [0, 2, 3],
+    ],
+    outline: [0, 1, 2, 3],
+    holes: [],
+    alignment: {angle: 0, translation: [0, 0]},
+    mirroredFromInput: false,
+  };
+  return sceneOf({print, pieces: [piece], seams: [], symmetries: []}, print);
+}
+
+let page: Page;
+
+const sheetPoint = (x: number, y: number): Promise<Point> =>
+  page.evaluate(([px, py]) => Viewer.view.sheetPointAt(px, py), [x, y] as const);
+const scale = (): Promise<number> => page.evaluate(() => Viewer.view.scale);
+
+function expectClose(a: Point, b: Point): void {
+  expect(a[0]).toBeCloseTo(b[0], 6);
+  expect(a[1]).toBeCloseTo(b[1], 6);
+}
+
+beforeEach(async () => {
+  page = await openPage();
+  await show(page, sheet());
+}, patience);
+
+it('follows a drag, which is no click', async () => {
+  await page.evaluate(() => {
+    document.querySelector('main')?.addEventListener('click', () => (document.title = 'clicked'));
+  });
+  const grabbed = await sheetPoint(400, 300);
+  await page.mouse.move(400, 300);
+  await page.mouse.down();
+  await page.mouse.move(430, 310);
+  await page.mouse.move(460, 280);
+  await page.mouse.up();
+  expectClose(await sheetPoint(460, 280), grabbed);
+  expect(await page.title()).not.toBe('clicked');
+});
+
+it('lets a click through, and does not move for it', async () => {
+  await page.evaluate(() => {
+    document.querySelector('main')?.addEventListener('click', () => (document.title = 'clicked'));
+  });
+  const before = await sheetPoint(400, 300);
+  await page.mouse.move(400, 300);
+  await page.mouse.down();
+  await page.mouse.move(402, 301);
+  await page.mouse.up();
+  expectClose(await sheetPoint(400, 300), before);
+  expect(await page.title()).toBe('clicked');
+});
+
+it('zooms by a wheel about the pointer', async () => {
+  const [before, fit] = [await sheetPoint(250, 200), await scale()];
+  await page.mouse.move(250, 200);
+  await page.mouse.wheel(0, -200);
+  await expect.poll(scale).toBeCloseTo(fit * 1.2 ** 2, 6);
+  expectClose(await sheetPoint(250, 200), before);
+});
+
+it('pans by two fingers on a trackpad, and zooms when they pinch', async () => {
+  const [before, fit] = [await sheetPoint(300, 300), await scale()];
+  await page.mouse.move(300, 300);
+  await page.mouse.wheel(12, 7);
+  await expect.poll(async () => (await sheetPoint(288, 293))[0]).toBeCloseTo(before[0], 6);
+  expect(await scale()).toBe(fit);
+  await page.keyboard.down('Control');
+  await page.mouse.wheel(0, -10);
+  await expect.poll(scale).toBeCloseTo(fit * 1.01 ** 10, 6);
+});
+
+it('follows two fingers on the screen', async () => {
+  const touch = await page.context().newCDPSession(page);
+  const fingers = (type: string, points: readonly Point[]): Promise<unknown> =>
+    touch.send('Input.dispatchTouchEvent', {
+      type: type as 'touchStart',
+      touchPoints: points.map(([x, y], id) => ({x, y, id})),
+    });
+  const [left, right, fit] = [
+    await sheetPoint(300, 300),
+    await sheetPoint(400, 300),
+    await scale(),
+  ];
+  await fingers('touchStart', [[300, 300]]);
+  await fingers('touchStart', [
+    [300, 300],
+    [400, 300],
+  ]);
+  for (let k = 1; k <= 5; k++) {
+    await fingers('touchMove', [
+      [300 - 10 * k, 300 + 2 * k],
+      [400 + 10 * k, 300 + 2 * k],
+    ]);
+  }
+  await fingers('touchEnd', []);
+  expect(await scale()).toBeCloseTo(2 * fit, 6);
+  expectClose(await sheetPoint(250, 310), left);
+  expectClose(await sheetPoint(450, 310), right);
+});
+
+it('obeys keys, and shows everything again with 0', async () => {
+  const [before, fit] = [await sheetPoint(450, 300), await scale()];
+  await page.locator('main').focus();
+  await page.keyboard.press('+');
+  expect(await scale()).toBeCloseTo(1.25 * fit, 9);
+  await page.keyboard.press('ArrowLeft');
+  expectClose(await sheetPoint(510, 300), before);
+  await page.keyboard.press('0');
+  expect(await scale()).toBe(fit);
+  expectClose(await sheetPoint(450, 300), before);
+});
+
+it('stays fitted when the window changes, unless somebody has moved it', async () => {
+  const fit = await scale();
+  await page.setViewportSize({width: 450, height: 600});
+  await expect.poll(scale).toBeLessThan(0.6 * fit);
+  await page.evaluate(() => {
+    Viewer.view.zoomBy(3);
+  });
+  const [moved, middle] = [await scale(), await sheetPoint(225, 300)];
+  await page.setViewportSize({width: 800, height: 500});
+  await expect.poll(async () => (await sheetPoint(400, 250))[0]).toBeCloseTo(middle[0], 6);
+  expect(await scale()).toBe(moved);
+});
+
+it('draws only when something changes', async () => {
+  await page.waitForTimeout(400); // what follows a change at some distance has happened
+  await page.evaluate(() => {
+    const original = requestAnimationFrame;
+    document.title = '0';
+    globalThis.requestAnimationFrame = (callback) => {
+      document.title = String(Number(document.title) + 1);
+      return original(callback);
+    };
+  });
+  await page.waitForTimeout(400);
+  expect(await page.title()).toBe('0');
+  await page.evaluate(() => {
+    for (let k = 0; k < 5; k++) Viewer.view.panBy(1, 0);
+  });
+  expect(await page.title()).toBe('1');
+});
+
+it('names the piece, below it or, when that is off the screen, on it', async () => {
+  const name = page.getByText('back yoke');
+  const below = await name.boundingBox();
+  const foot = await page.evaluate(() => {
+    const [, y = 0] = Viewer.scene?.pieces[0]?.offset ?? [];
+    return Viewer.view.screenOf([0, y])[1];
+  });
+  expect(below?.y).toBeGreaterThan(foot);
+  await page.evaluate(() => {
+    Viewer.view.zoomBy(4, [450, 200]);
+  });
+  await settled(page);
+  await name.waitFor({state: 'visible'});
+  const on = await name.boundingBox();
+  expect((on?.y ?? NaN) + (on?.height ?? NaN)).toBeLessThanOrEqual(600);
+});
+
+it('leaves nothing behind when it is disposed of', async () => {
+  await page.evaluate(() => {
+    Viewer.view.dispose();
+  });
+  expect(await page.locator('main > *').count()).toBe(0);
+});

@@ -1,0 +1,23 @@
+import {PatternView} from '../../../web/src/viewer/pattern-view.js';
+import type {PatternScene} from '../../../web/src/viewer/scene.js';
+import {realigned} from '../../../web/src/viewer/scene.js';
+import {loadTile, svgTile} from '../../../web/src/viewer/tile-texture.js';
+
+declare global {
+  /** The view under test, the scene it shows, and what it takes to change that. */
+  var Viewer: {
+    readonly view: PatternView;
+    scene: PatternScene | undefined;
+    readonly realigned: typeof realigned;
+    readonly loadTile: typeof loadTile;
+    readonly svgTile: typeof svgTile;
+  };
+}
+
+const host = document.querySelector('main');
+if (!host) throw new Error('The page has no main element.');
+globalThis.Viewer = {
+  view: new PatternView(host),
+  scene: undefined,
+  ...{realigned, loadTile, svgTile},
+};
