@@ -8,12 +8,16 @@ import {medium} from '../support/drafts.js';
 const garments = wardrobe.map((draft) => draft(medium));
 const sheet = garmentSheet(garments, 'Title', 'Note');
 
-it('names every piece and numbers both edges of every seam', () => {
+it('names every piece, numbers both edges of every seam and each dart once, and gives their stitches', () => {
   for (const {panels} of garments) {
-    for (const {name} of panels) expect(sheet).toContain(`>${titled(name)}</text>`);
+    for (const {name} of panels)
+      expect(sheet).toMatch(new RegExp(`>${titled(name)}, (pair|cut 1)</text>`));
   }
   const numbers = [...sheet.matchAll(/<text x="[-\d.]+" y="[-\d.]+">\d+<\/text>/g)];
-  expect(numbers).toHaveLength(2 * garments.flatMap(({seams}) => seams).length);
+  const seams = garments.flatMap((garment) => garment.seams);
+  const darts = seams.filter(({kind}) => kind === 'dart');
+  expect(numbers).toHaveLength(2 * seams.length - darts.length);
+  expect(sheet).toContain('1  Side seam (stitches 0, 1)');
 });
 
 it('keeps every outline on the page', () => {

@@ -46,12 +46,19 @@ function boxOf(panel: Panel): Box {
 
 const tallness = ({low, high}: Box): number => high[1] - low[1];
 
-/** Mirrored pairs stay side by side, as they are worn; the tallest pieces come first. */
-function groupsOf({panels, symmetries}: Garment): readonly (readonly Box[])[] {
-  const find = (name: string): Panel[] => panels.filter((panel) => panel.name === name);
+const seenFromBehind = ({placement}: Panel): boolean => Math.abs(placement.rotation[1]) > 90;
+
+/**
+ * Mirrored pairs stay side by side, the wearer's left at the right of a front and at the left of a back; the tallest pieces come first.
+ */
+function groupsOf({panels: all, symmetries}: Garment): readonly (readonly Box[])[] {
+  const find = (name: string): Panel[] => all.filter((panel) => panel.name === name);
   const named = new Set(symmetries.flat());
-  return [...symmetries, ...panels.filter(({name}) => !named.has(name)).map(({name}) => [name])]
-    .map((names) => names.toReversed().flatMap(find).map(boxOf))
+  return [...symmetries, ...all.filter(({name}) => !named.has(name)).map(({name}) => [name])]
+    .map((names) => {
+      const panels = names.flatMap(find);
+      return (panels.every(seenFromBehind) ? panels : panels.toReversed()).map(boxOf);
+    })
     .sort((a, b) => Math.max(...b.map(tallness)) - Math.max(...a.map(tallness)));
 }
 

@@ -1,7 +1,7 @@
 /** One picture of several garments, every piece flat: names, grain, notches, and which edges are sewn to which. */
 import {escaped, short, text} from '../src/picture/svg.js';
 import {grainLine, notchesOf, titled} from './garment-file.js';
-import {left, minus, norm, parameterAt, plus, pointAt, velocity} from './geometry.js';
+import {left, middle, minus, norm, parameterAt, plus, pointAt, velocity} from './geometry.js';
 import type {Curve, Point} from './geometry.js';
 import {findEdge, type EdgeName, type Garment, type Panel, type Seam} from './panel.js';
 import {layOutSheet, type Placed} from './sheet-layout.js';
@@ -50,6 +50,19 @@ function onEdge({toPage}: Placed, curve: Curve, share: number): readonly [Point,
   return [toPage(pointAt(curve, t)), [x / norm([x, y]), -y / norm([x, y])]];
 }
 
+/** Where one edge ends and the next begins: a tick across the outline, on its outer side. */
+function edgeEnds(placed: Placed): string {
+  return placed.panel.edges
+    .map(({curve}, k, edges) => {
+      const before = edges.at(k - 1)?.curve ?? curve;
+      const [point, inward] = onEdge(placed, curve, 0);
+      const [, inwardBefore] = onEdge(placed, before, 1);
+      const out = plus(inward, inwardBefore);
+      return norm(out) < 0.1 ? '' : stroke(point, plus(point, out, -4 / norm(out)));
+    })
+    .join('');
+}
+
 function notches(placed: Placed, garment: Garment): string {
   return notchesOf(placed.panel, garment)
     .map(({edge, at}) => {
@@ -61,6 +74,16 @@ function notches(placed: Placed, garment: Garment): string {
     .join('');
 }
 
+/** A dart has one number, before its mouth and in line with its tip. */
+function dartNumber({toPage}: Placed, garment: Garment, {a, b}: Seam): Point {
+  const legs = [a, b].map((leg) => findEdge(garment, leg));
+  const [first, second] = legs.toSorted((one, other) => one.index - other.index);
+  if (!first || !second) throw new Error('a dart has two legs');
+  const mouth = toPage(middle(first.curve.from, second.curve.to));
+  const out = minus(mouth, toPage(first.curve.to));
+  return plus(mouth, out, numberSize / norm(out));
+}
+
 /** Left and right are one seam to a sewist. */
 const bothSides = ({name}: Seam): string => name.replace(/, (left|right)$/, '');
 
@@ -70,27 +93,54 @@ function numbers(placed: Placed, garment: Garment): string {
   const names = seamNames(garment);
   return garment.seams
     .flatMap((seam) =>
-      [seam.a, seam.b].map((edge: EdgeName) => {
-        if (edge[0] !== placed.panel.name) return '';
-        const [point, inward] = onEdge(placed, findEdge(garment, edge).curve, 0.5);
-        const at = plus(plus(point, inward, -9), [0, numberSize / 3]);
-        return `<text x="${short(at[0])}" y="${short(at[1])}">${names.indexOf(bothSides(seam)) + 1}</text>`;
-      }),
+      (seam.kind === 'dart' ? [seam.a] : [seam.a, seam.b])
+        .filter(([name]) => name === placed.panel.name)
+        .map((edge: EdgeName) => {
+          const [point, inward] = onEdge(placed, findEdge(garment, edge).curve, 0.5);
+          const [x, y] =
+            seam.kind === 'dart'
+              ? dartNumber(placed, garment, seam)
+              : plus(point, inward, -numberSize);
+          return `<text x="${short(x)}" y="${short(y + numberSize / 3)}">${names.indexOf(bothSides(seam)) + 1}</text>`;
+        }),
     )
     .join('');
+}
+
+/** How far inside the outline a line is drawn that lies on it. [px] */
+const insideOutline = 4;
+
+/** A straight line of two points that lies on an edge, moved into the piece so that it can be seen. */
+function offOutline(placed: Placed, points: readonly Point[]): Point[] {
+  const onPage = points.map(placed.toPage);
+  const [from, to] = points;
+  if (!from || !to || points.length > 2) return onPage;
+  const along = minus(to, from);
+  const off = (p: Point): number =>
+    Math.abs(along[0] * (p[1] - from[1]) - along[1] * (p[0] - from[0])) / norm(along);
+  const under = placed.panel.edges.find(
+    ({curve}) => !curve.controls && off(curve.from) < 0.05 && off(curve.to) < 0.05,
+  );
+  if (!under) return onPage;
+  const [, inward] = onEdge(placed, under.curve, 0.5);
+  return onPage.map((p) => plus(p, inward, insideOutline));
 }
 
 function matchLines(placed: Placed, {matches = []}: Garment): string {
   return matches
     .flatMap(({a, b}) => [a, b])
     .filter(({panel}) => panel === placed.panel.name)
-    .map(({line: points}) => `M${points.map((p) => dot(placed.toPage(p))).join('L')}`)
+    .map(({line: points}) => `M${offOutline(placed, points).map(dot).join('L')}`)
     .join('');
 }
 
-const nameWidth = ({name}: Panel): number => 0.56 * nameSize * name.length;
+/** What a piece is called, and how often it is cut: one of a mirrored pair says so. */
+const pieceLine = ({name}: Panel, {symmetries}: Garment): string =>
+  `${titled(name)}, ${symmetries.some((names) => names.length === 2 && names.includes(name)) ? 'pair' : 'cut 1'}`;
 
-/** "3 Front armhole, ease 1.0 cm", in columns. */
+const lineWidth = (content: string): number => 0.56 * nameSize * content.length;
+
+/** "3  Front armhole, ease 1.0 cm (stitches 4, 5)", in columns; options name a seam by its stitch. */
 function legend(garment: Garment, top: number): {readonly svg: string; readonly height: number} {
   const lines = seamNames(garment).map((name, k) => {
     const seam = garment.seams.find((one) => bothSides(one) === name);
@@ -99,9 +149,11 @@ function legend(garment: Garment, top: number): {readonly svg: string; readonly 
       : seam?.ease
         ? `, ease ${seam.ease.toFixed(1)} cm`
         : '';
-    return `${k + 1}  ${name}${manner}`;
+    const stitches = garment.seams.flatMap((one, at) => (bothSides(one) === name ? [at] : []));
+    const which = `${stitches.length > 1 ? 'stitches' : 'stitch'} ${stitches.join(', ')}`;
+    return `${k + 1}  ${name}${manner} (${which})`;
   });
-  const columns = 5;
+  const columns = 4;
   const rows = Math.ceil(lines.length / columns);
   const step = 15;
   const svg = lines.map((content, k) => {
@@ -122,7 +174,7 @@ function garmentBlock(
       width: width - 2 * margin,
       height: pieceRoom(garment.panels.length),
       gap: 36,
-      name: {height: 52, width: nameWidth},
+      name: {height: 52, width: (panel) => lineWidth(pieceLine(panel, garment))},
     },
     largestScale,
   );
@@ -140,10 +192,11 @@ function garmentBlock(
     `<g fill="${cloth}" stroke="${line}" stroke-width="1.1" stroke-linejoin="round">${pieces.map(outline).join('')}</g>`,
     `<path d="${pieces.map(grain).join('')}" fill="none" stroke="#9a9488" stroke-width="0.8"/>`,
     `<path d="${pieces.map((one) => notches(one, garment)).join('')}" fill="none" stroke="${line}"/>`,
+    `<path d="${pieces.map(edgeEnds).join('')}" fill="none" stroke="${line}" stroke-width="0.8"/>`,
     `<path d="${pieces.map((one) => matchLines(one, garment)).join('')}" fill="none" stroke="#8a5a2b" stroke-width="0.9" stroke-dasharray="5 3"/>`,
     `<g font-size="${numberSize}" fill="#8a5a2b" text-anchor="middle">${pieces.map((one) => numbers(one, garment)).join('')}</g>`,
     ...pieces.map(({panel, foot}) =>
-      text([foot[0], foot[1] + 28], titled(panel.name), {
+      text([foot[0], foot[1] + 28], pieceLine(panel, garment), {
         size: nameSize,
         anchor: 'middle',
         fill: '#44474d',

@@ -10,6 +10,6 @@ writeFileSync(
   garmentSheet(
     garments,
     'Sample garments',
-    'Size M, without seam allowance. Edges with the same number are sewn together; short strokes are notches, arrows the grain, dashed lines lie on each other.',
+    'Size M, without seam allowance. Edges with the same number are sewn together; strokes into a piece are notches, ticks outside it part its edges, arrows the grain, dashed lines lie on each other.',
   ),
 );
