@@ -2,16 +2,17 @@ import {fileURLToPath} from 'node:url';
 
 import type {Browser, Page} from 'playwright-core';
 import {solve} from 'seamwise/node';
-import {afterAll, beforeAll, expect, it} from 'vitest';
+import {afterAll, beforeAll, expect, it, vi} from 'vitest';
 
 import {openBrowser, serveBuilt, serveFiles, type Served} from '../support/browser.js';
 import {fixture, tee, withoutTimes} from './fixture/open.js';
 
+vi.setConfig({testTimeout: 180_000});
 let browser: Browser;
 
 beforeAll(async () => {
   browser = await openBrowser();
-}, 120_000);
+});
 
 afterAll(() => browser.close());
 
