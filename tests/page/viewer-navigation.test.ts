@@ -5,7 +5,7 @@ import type {Point} from '../../web/src/model/geometry.js';
 import type {Print} from '../../web/src/model/print.js';
 import type {ResultPiece} from '../../web/src/model/result.js';
 import {sceneOf, type PatternScene} from '../../web/src/viewer/scene.js';
-import {patience, settled, show, useViewer} from './viewer/open.js';
+import {eventually, settled, show, useViewer} from './viewer/open.js';
 
 const openPage = useViewer();
 const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 10]};
@@ -48,7 +48,7 @@ function expectClose(a: Point, b: Point): void {
 beforeEach(async () => {
   page = await openPage();
   await show(page, sheet());
-}, patience);
+});
 
 it('follows a drag, which is no click', async () => {
   await page.evaluate(() => {
@@ -81,7 +81,7 @@ it('zooms by a wheel about the pointer', async () => {
   const [before, fit] = [await sheetPoint(250, 200), await scale()];
   await page.mouse.move(250, 200);
   await page.mouse.wheel(0, -200);
-  await expect.poll(scale).toBeCloseTo(fit * 1.2 ** 2, 6);
+  await eventually(scale).toBeCloseTo(fit * 1.2 ** 2, 6);
   expectClose(await sheetPoint(250, 200), before);
 });
 
@@ -89,11 +89,11 @@ it('pans by two fingers on a trackpad, and zooms when they pinch', async () => {
   const [before, fit] = [await sheetPoint(300, 300), await scale()];
   await page.mouse.move(300, 300);
   await page.mouse.wheel(12, 7);
-  await expect.poll(async () => (await sheetPoint(288, 293))[0]).toBeCloseTo(before[0], 6);
+  await eventually(async () => (await sheetPoint(288, 293))[0]).toBeCloseTo(before[0], 6);
   expect(await scale()).toBe(fit);
   await page.keyboard.down('Control');
   await page.mouse.wheel(0, -10);
-  await expect.poll(scale).toBeCloseTo(fit * 1.01 ** 10, 6);
+  await eventually(scale).toBeCloseTo(fit * 1.01 ** 10, 6);
 });
 
 it('follows two fingers on the screen', async () => {
@@ -140,13 +140,13 @@ it('obeys keys, and shows everything again with 0', async () => {
 it('stays fitted when the window changes, unless somebody has moved it', async () => {
   const fit = await scale();
   await page.setViewportSize({width: 450, height: 600});
-  await expect.poll(scale).toBeLessThan(0.6 * fit);
+  await eventually(scale).toBeLessThan(0.6 * fit);
   await page.evaluate(() => {
     Viewer.view.zoomBy(3);
   });
   const [moved, middle] = [await scale(), await sheetPoint(225, 300)];
   await page.setViewportSize({width: 800, height: 500});
-  await expect.poll(async () => (await sheetPoint(400, 250))[0]).toBeCloseTo(middle[0], 6);
+  await eventually(async () => (await sheetPoint(400, 250))[0]).toBeCloseTo(middle[0], 6);
   expect(await scale()).toBe(moved);
 });
 

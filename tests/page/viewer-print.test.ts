@@ -13,7 +13,7 @@ import {
   checkered,
   colourAt,
   compared,
-  patience,
+  eventually,
   realign,
   screenOf,
   setTile,
@@ -25,7 +25,7 @@ import {
 const openPage = useViewer();
 const home: Alignment = {angle: 0, translation: [0, 0]};
 
-/** A piece of 10 by 8 cm; a triangle apart from the rest leaves a cut-out of 2 by 2 cm. */
+/** A piece of 10 by 8 cm with a cut-out of 2 by 2 cm in its middle. */
 function frame(name: string, alignment: Alignment): ResultPiece {
   const points: Point[] = [
     [0, 0],
@@ -148,28 +148,24 @@ describe('a pixel of the screen is the pixel of the tile', () => {
     await expectPrinted(page, scene, tile.pixels, 200);
   });
 
-  it(
-    'on every piece of a garment that was solved',
-    async () => {
-      const read = (file: string): Promise<string> =>
-        readFile(new URL(`../../public/${file}`, import.meta.url), 'utf8');
-      const [garment, text, svg] = await Promise.all(
-        ['garments/tee-m.json', 'prints/p4m.json', 'prints/p4m.svg'].map(read),
-      );
-      const print = JSON.parse(text ?? '') as Print;
-      const result = await solve({garment: garment ?? '', print});
-      const scene = sceneOf(result, print);
-      const png = new URL('../../public/prints/p4m.png', import.meta.url);
-      const page = await openPage({width: 2000, height: 1400});
-      await show(page, {...scene, symmetries: []}); // letters and axes would hide the print
-      await page.evaluate(async (image) => {
-        Viewer.view.setTile(await Viewer.svgTile(image));
-      }, svg ?? '');
-      await settled(page);
-      await expectPrinted(page, scene, await decoded(await readFile(png)), 20);
-    },
-    patience,
-  );
+  it('on every piece of a garment that was solved', async () => {
+    const read = (file: string): Promise<string> =>
+      readFile(new URL(`../../public/${file}`, import.meta.url), 'utf8');
+    const [garment, text, svg] = await Promise.all(
+      ['garments/tee-m.json', 'prints/p4m.json', 'prints/p4m.svg'].map(read),
+    );
+    const print = JSON.parse(text ?? '') as Print;
+    const result = await solve({garment: garment ?? '', print});
+    const scene = sceneOf(result, print);
+    const png = new URL('../../public/prints/p4m.png', import.meta.url);
+    const page = await openPage({width: 2000, height: 1400});
+    await show(page, {...scene, symmetries: []}); // letters and axes would hide the print
+    await page.evaluate(async (image) => {
+      Viewer.view.setTile(await Viewer.svgTile(image));
+    }, svg ?? '');
+    await settled(page);
+    await expectPrinted(page, scene, await decoded(await readFile(png)), 20);
+  });
 });
 
 it('shows the page in cut-outs and beside the pieces', async () => {
@@ -238,5 +234,5 @@ it('draws an SVG tile anew for a deep zoom, so that its edges stay sharp', async
     return row.filter((value) => value > 0 && value < 255).length;
   };
   expect(await page.evaluate(() => Viewer.view.scale)).toBe(400);
-  await expect.poll(greys, {timeout: 10_000}).toBeLessThanOrEqual(3);
+  await eventually(greys).toBeLessThanOrEqual(3);
 });

@@ -3,7 +3,7 @@ import {fileURLToPath} from 'node:url';
 
 import {createCanvas} from '@napi-rs/canvas';
 import type {Browser, Page} from 'playwright-core';
-import {afterAll, afterEach, beforeAll, expect} from 'vitest';
+import {afterAll, afterEach, beforeAll, expect, vi} from 'vitest';
 
 import {decoded, type Pixels} from '../../../web/prints/raster.js';
 import type {Alignment, Point} from '../../../web/src/model/geometry.js';
@@ -14,7 +14,7 @@ import type {PatternScene, ScenePiece} from '../../../web/src/viewer/scene.js';
 import {openBrowser, serveSources, type Served} from '../../support/browser.js';
 
 /** A browser that draws in software may have to share a busy machine. [ms] */
-export const patience = 120_000;
+const patience = 180_000;
 
 export interface Window {
   readonly width?: number;
@@ -29,23 +29,25 @@ export function useViewer(): (window?: Window) => Promise<Page> {
   let served: Served | undefined;
   let pages: Page[] = [];
   const errors: string[] = [];
+  vi.setConfig({testTimeout: patience});
   beforeAll(async () => {
     const folder = fileURLToPath(new URL('.', import.meta.url));
     [browser, served] = await Promise.all([openBrowser(), serveSources(folder)]);
-  }, patience);
+  });
   afterEach(async () => {
     await Promise.all(pages.map((page) => page.close()));
     pages = [];
     expect(errors.splice(0)).toEqual([]);
-  }, patience);
+  });
   afterAll(async () => {
     await browser?.close();
     await served?.close();
-  }, patience);
+  });
   return async ({width = 900, height = 600, ratio = 1} = {}) => {
     if (!browser || !served) throw new Error('The browser is not open yet.');
     const page = await browser.newPage({viewport: {width, height}, deviceScaleFactor: ratio});
     pages.push(page);
+    page.setDefaultTimeout(patience);
     page.on('pageerror', ({message}) => errors.push(message));
     page.on('console', (message) => {
       if (message.type() === 'error') errors.push(message.text());
@@ -55,6 +57,9 @@ export function useViewer(): (window?: Window) => Promise<Page> {
     return page;
   };
 }
+
+/** Asks again and again until the answer is right. */
+export const eventually = <T>(ask: () => Promise<T>) => expect.poll(ask, {timeout: 30_000});
 
 /** Waits until what was asked for is on the screen. */
 export const settled = (page: Page): Promise<void> =>
