@@ -2,50 +2,18 @@ import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {Point} from '../../web/src/model/geometry.js';
-import type {Print} from '../../web/src/model/print.js';
-import type {Pattern, ResultPiece} from '../../web/src/model/result.js';
+import type {Pattern} from '../../web/src/model/result.js';
 import {sceneOf, type PatternScene} from '../../web/src/viewer/scene.js';
+import {plainPrint as print, squarePair} from '../support/two-squares.js';
 import {colourAt, realign, screenOf, settled, show, useViewer, type Colour} from './viewer/open.js';
 
 const openPage = useViewer();
-const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 10]};
 const green: Colour = [43, 147, 88];
 const red: Colour = [200, 48, 40];
 const outline: Colour = [74, 77, 82];
 
-/** The right side of one 4 cm square is sewn to the left side of the other; the print runs on across the seam. */
-function twoSquares(symmetries: Pattern['symmetries'] = []): PatternScene {
-  const square: Point[] = [
-    [0, 0],
-    [4, 0],
-    [4, 4],
-    [0, 4],
-  ];
-  const piece = (name: string, x: number): ResultPiece => ({
-    name,
-    rest: square,
-    shape: square,
-    triangles: [
-      [0, 1, 2],
-      [0, 2, 3],
-    ],
-    outline: [0, 1, 2, 3],
-    holes: [],
-    alignment: {angle: 0, translation: [x, 0]},
-    mirroredFromInput: false,
-  });
-  const seam: Pattern['seams'][number] = {
-    a: {piece: 0, vertices: [1, 2]},
-    b: {piece: 1, vertices: [0, 3]},
-    weight: 1,
-    matched: true,
-    lengthRatio: 1,
-    kind: 'continuous',
-    mismatch: [0],
-  };
-  const pieces = [piece('left', 0), piece('right', -4)];
-  return sceneOf({print, pieces, seams: [seam], symmetries}, print);
-}
+const twoSquares = (symmetries: Pattern['symmetries'] = []): PatternScene =>
+  sceneOf(squarePair({symmetries}), print);
 
 /** Colours across a line at a point of a piece: from 10 px left of it to 10 px right, the line in the middle. */
 async function across(page: Page, scene: PatternScene, piece: number, p: Point): Promise<Colour[]> {

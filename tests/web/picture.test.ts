@@ -1,52 +1,22 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
+import type {Alignment} from '../../web/src/model/geometry.js';
 import type {ResultSymmetry, SolveResult} from '../../web/src/model/result.js';
 import {mismatchColour, mismatchWidth} from '../../web/src/picture/colours.js';
 import {drawResult} from '../../web/src/picture/draw-result.js';
 import {fitOf} from '../../web/src/picture/fit.js';
 import {layOut} from '../../web/src/picture/layout.js';
+import {plainPrint as print, squarePair, squarePiece} from '../support/two-squares.js';
 
-const square: Point[] = [
-  [0, 0],
-  [4, 0],
-  [4, 4],
-  [0, 4],
-];
-const home: Alignment = {angle: 0, translation: [0, 0]};
-
-/** Two 4 cm squares: the right side of one is sewn to the left side of the other, on a 10 x 10 cm print in p1. */
+/** Two squares on a 10 x 10 cm print in p1, as a result. */
 function twoSquares(second: Alignment, symmetries: readonly ResultSymmetry[] = []): SolveResult {
-  const piece = (name: string, alignment: Alignment): SolveResult['pieces'][number] => ({
-    name,
-    rest: square,
-    shape: square,
-    triangles: [
-      [0, 1, 2],
-      [0, 2, 3],
-    ],
-    outline: [0, 1, 2, 3],
-    holes: [],
-    alignment,
-    mirroredFromInput: false,
-  });
   return {
     format: 'seamwise-result/1',
     units: 'cm',
-    print: {group: 'p1', w1: [10, 0], w2: [0, 10]},
-    pieces: [piece('left_half', home), piece('right_half', second)],
-    seams: [
-      {
-        a: {piece: 0, vertices: [1, 2]},
-        b: {piece: 1, vertices: [0, 3]},
-        weight: 1,
-        matched: true,
-        lengthRatio: 1,
-        kind: 'continuous',
-        mismatch: [0],
-      },
-    ],
-    symmetries,
+    ...squarePair({
+      pieces: [squarePiece('left_half'), squarePiece('right_half', {alignment: second})],
+      symmetries,
+    }),
     search: [],
     metrics: {
       fitRandom: 1,
@@ -68,7 +38,6 @@ function twoSquares(second: Alignment, symmetries: readonly ResultSymmetry[] = [
 /** The print runs on when the second square lies 4 cm further along it. */
 const runsOn: Alignment = {angle: 0, translation: [-4, 0]};
 const alignments = ({pieces}: SolveResult): Alignment[] => pieces.map(({alignment}) => alignment);
-const print = {group: 'p1', w1: [10, 0], w2: [0, 10]} as const;
 
 describe('the fit of a result', () => {
   it('is zero where the print runs on across the seam', () => {

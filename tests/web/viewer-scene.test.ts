@@ -2,7 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import type {Print} from '../../web/src/model/print.js';
-import type {Pattern, ResultPiece} from '../../web/src/model/result.js';
+import type {Pattern} from '../../web/src/model/result.js';
 import {apply} from '../../web/src/model/wallpaper.js';
 import {onPrint} from '../../web/src/picture/fit.js';
 import {chanceMismatch} from '../../web/src/viewer/chance.js';
@@ -17,13 +17,8 @@ import {
   uncut,
 } from '../../web/src/viewer/scene.js';
 import {seamStrokes} from '../../web/src/viewer/strokes.js';
+import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
 
-const square: Point[] = [
-  [0, 0],
-  [4, 0],
-  [4, 4],
-  [0, 4],
-];
 const squareHole: Point[] = [
   [1, 1],
   [1, 3],
@@ -31,47 +26,9 @@ const squareHole: Point[] = [
   [3, 1],
 ];
 const home: Alignment = {angle: 0, translation: [0, 0]};
-const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 10]};
-
-function piece(name: string, more: Partial<ResultPiece> = {}): ResultPiece {
-  return {
-    name,
-    rest: square,
-    shape: square,
-    triangles: [
-      [0, 1, 2],
-      [0, 2, 3],
-    ],
-    outline: [0, 1, 2, 3],
-    holes: [],
-    alignment: home,
-    mirroredFromInput: false,
-    ...more,
-  };
-}
-
-/** The right side of one 4 cm square is sewn to the left side of the other. */
-const twoSquares = (more: Partial<Pattern> = {}): Pattern => ({
-  print,
-  pieces: [piece('left_half'), piece('right_half', {alignment: {angle: 0, translation: [-4, 0]}})],
-  seams: [
-    {
-      a: {piece: 0, vertices: [1, 2]},
-      b: {piece: 1, vertices: [0, 3]},
-      weight: 1,
-      matched: true,
-      lengthRatio: 1,
-      kind: 'continuous',
-      mismatch: [0],
-    },
-  ],
-  symmetries: [],
-  ...more,
-});
-
 describe('a scene', () => {
   it('has the mismatch of the pieces as they lie in it, not that of the file', () => {
-    const scene = sceneOf(twoSquares(), print, {
+    const scene = sceneOf(squarePair(), print, {
       alignments: [home, {angle: 0, translation: [-4, 0.5]}],
     });
     expect(scene.seams[0]?.mismatch[0]).toBeCloseTo(0.5, 12);
@@ -79,7 +36,7 @@ describe('a scene', () => {
   });
 
   it('keeps its geometry when only alignments change', () => {
-    const scene = sceneOf(twoSquares(), print);
+    const scene = sceneOf(squarePair(), print);
     const next = realigned(scene, alignmentsFrom(Float64Array.of(0, 0, 0, 0, -4, 0.25)));
     expect(next.seams[0]?.mismatch[0]).toBeCloseTo(0.25, 12);
     expect(next.symmetries).toBe(scene.symmetries);
@@ -92,7 +49,7 @@ describe('a scene', () => {
 
   it('measures by the new print when the print changes', () => {
     const half: Print = {group: 'p1', w1: [0.5, 0], w2: [0, 0.5]};
-    const scene = sceneOf(twoSquares(), print, {
+    const scene = sceneOf(squarePair(), print, {
       alignments: [home, {angle: 0, translation: [-4, 0.5]}],
     });
     const next = reprinted(scene, half);
@@ -101,7 +58,7 @@ describe('a scene', () => {
   });
 
   it('shows one length of cloth before anything is aligned', () => {
-    const scene = sceneOf(twoSquares(), print);
+    const scene = sceneOf(squarePair(), print);
     const alignments = uncut(scene);
     scene.pieces.forEach(({offset}, k) => {
       const {angle, translation} = alignments[k] ?? {angle: NaN, translation: [NaN, NaN]};
@@ -116,7 +73,7 @@ describe('a scene', () => {
       {width: 1600, height: 700},
       {width: 390, height: 800},
     ]) {
-      const {pieces, size} = sceneOf(twoSquares(), print, {viewport});
+      const {pieces, size} = sceneOf(squarePair(), print, {viewport});
       const lows = pieces.map(({offset}) => offset);
       for (const [x, y] of lows) {
         expect(x).toBeGreaterThanOrEqual(0);
@@ -130,7 +87,7 @@ describe('a scene', () => {
   });
 
   it('marks a pair with the same letter at mirrored places', () => {
-    const symmetric = twoSquares({
+    const symmetric = squarePair({
       symmetries: [
         {kind: 'pair', pieces: [0, 1], map: {angle: 0, translation: [4, 0]}, pairs: []},
         {kind: 'piece', piece: 0, map: {angle: 0, translation: [4, 0]}, pairs: []},
@@ -149,7 +106,7 @@ describe('a scene', () => {
 
   it('finds the piece under a point, and nothing in a cut-out or beside the pieces', () => {
     const pieces = [
-      piece('ring', {
+      squarePiece('ring', {
         rest: [...square, ...squareHole],
         shape: [...square, ...squareHole],
         holes: [[4, 5, 6, 7]],
@@ -198,8 +155,8 @@ describe('what the garment file adds', () => {
   });
 
   it('is mirrored with a piece that the file shows from the back', () => {
-    const pieces = [piece('left_half', {mirroredFromInput: true}), piece('right_half')];
-    const scene = sceneOf(twoSquares({pieces}), print, {garment});
+    const pieces = [squarePiece('left_half', {mirroredFromInput: true}), squarePiece('right_half')];
+    const scene = sceneOf(squarePair({pieces}), print, {garment});
     expect(scene.pieces.map(({label}) => label)).toEqual(['Left half', 'right half']);
     expect(scene.pieces[0]?.grain).toEqual([
       [-1, 0.5],
@@ -212,7 +169,7 @@ describe('what the garment file adds', () => {
     const symmetries: Pattern['symmetries'] = [
       {kind: 'piece', piece: 0, map: {angle: 0, translation: [2, 0]}, pairs: []},
     ];
-    const [from, to] = sceneOf(twoSquares({symmetries}), print, {garment}).pieces[0]?.grain ?? [];
+    const [from, to] = sceneOf(squarePair({symmetries}), print, {garment}).pieces[0]?.grain ?? [];
     expect(Math.abs((from?.[0] ?? NaN) - 1)).toBeCloseTo(2, 12);
     expect(to?.[0]).toBeCloseTo(from?.[0] ?? NaN, 12);
   });
@@ -280,7 +237,7 @@ describe('the mismatch by chance', () => {
   });
 
   it('is where a seam is drawn red, and as wide as it gets', () => {
-    const scene = sceneOf(twoSquares(), print);
+    const scene = sceneOf(squarePair(), print);
     const styleAt = (mismatch: number): unknown => {
       const seams = scene.seams.map((seam) => ({...seam, mismatch: [mismatch]}));
       const {styles} = seamStrokes({...scene, seams}, 'light').at(-1) ?? {styles: []};

@@ -1,0 +1,54 @@
+import type {Point} from '../../web/src/model/geometry.js';
+import type {Print} from '../../web/src/model/print.js';
+import type {Pattern, ResultPiece} from '../../web/src/model/result.js';
+
+/** A 10 x 10 cm print without any symmetry. */
+export const plainPrint: Print & Pattern['print'] = {group: 'p1', w1: [10, 0], w2: [0, 10]};
+
+/** 4 cm wide and high, its lower left corner at the origin. */
+export const square: readonly Point[] = [
+  [0, 0],
+  [4, 0],
+  [4, 4],
+  [0, 4],
+];
+
+/** A square whose origin lies on that of the print. */
+/** 4 cm wide and high, its lower left corner at the origin. */
+export const squarePiece = (name: string, more: Partial<ResultPiece> = {}): ResultPiece => ({
+  name,
+  rest: square,
+  shape: square,
+  triangles: [
+    [0, 1, 2],
+    [0, 2, 3],
+  ],
+  outline: [0, 1, 2, 3],
+  holes: [],
+  alignment: {angle: 0, translation: [0, 0]},
+  mirroredFromInput: false,
+  ...more,
+});
+
+/** The right side of one square is sewn to the left side of the other; the print runs on across the seam. */
+/** 4 cm wide and high, its lower left corner at the origin. */
+export const squarePair = (more: Partial<Pattern> = {}): Pattern => ({
+  print: plainPrint,
+  pieces: [
+    squarePiece('left_half'),
+    squarePiece('right_half', {alignment: {angle: 0, translation: [-4, 0]}}),
+  ],
+  seams: [
+    {
+      a: {piece: 0, vertices: [1, 2]},
+      b: {piece: 1, vertices: [0, 3]},
+      weight: 1,
+      matched: true,
+      lengthRatio: 1,
+      kind: 'continuous',
+      mismatch: [0],
+    },
+  ],
+  symmetries: [],
+  ...more,
+});
