@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-
 namespace seamwise {
 double MatchProblem::cost(const Alignments& at) const {
   double total = 0;

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "geometry/polygon.h"
+#include "io/outline_check.h"
 
 namespace seamwise {
 namespace {
 
 constexpr double kSpacingCm = 1.0;
 constexpr double kShortestLineCm = 0.1;
-constexpr double kOutsideCm =
-    1.0;  ///< a line may be drawn a little beside its piece, not elsewhere
+constexpr double kOutsideCm = 1.0;  ///< a line may be drawn a little beside its piece
 
 struct Side {
   int piece;
@@ -27,14 +27,12 @@ double lengthOf(const Polyline& line) {
 
 /// How far a line leaves its piece. [cm]
 double outside(const Polyline& line, const Panel& panel) {
-  Polyline outline{panel.edges.front().start()};
-  for (const Curve& edge : panel.edges) {
-    const Polyline more = edge.flattened(kOutsideCm / 10);
-    outline.insert(outline.end(), more.begin() + 1, more.end());
-  }
+  const Polyline closed = asPolygon(panel.edges);
+  Polyline outline = closed;
+  outline.push_back(closed.front());
   double farthest = 0;
   for (const Vec2& p : line)
-    if (!contains(outline, p))
+    if (!contains(closed, p))
       farthest = std::max(farthest, nearestOnPolyline(outline, p).distance);
   return farthest;
 }

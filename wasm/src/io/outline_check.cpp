@@ -44,14 +44,16 @@ bool onOneLine(const Polyline& points) {
 
 }  // namespace
 
-double signedArea(const std::vector<Curve>& loop) {
+Polyline asPolygon(const std::vector<Curve>& loop) {
   Polyline closed;
   for (const Curve& edge : loop) {
     const Polyline line = edge.flattened(kFlatCm);
     closed.insert(closed.end(), line.begin(), line.end() - 1);
   }
-  return signedArea(closed);
+  return closed;
 }
+
+double signedArea(const std::vector<Curve>& loop) { return signedArea(asPolygon(loop)); }
 
 void checkOutline(const std::vector<Curve>& loop, const Place& place) {
   const Flat flat = flattened(loop, place);

@@ -8,6 +8,9 @@
 
 namespace seamwise {
 
+/// A closed loop of curves as the corners of a polygon, within 1e-3 cm. [cm]
+Polyline asPolygon(const std::vector<Curve>& loop);
+
 /// Area inside a closed loop of curves, positive when it runs counter-clockwise. [cm^2]
 double signedArea(const std::vector<Curve>& loop);
 

@@ -34,7 +34,9 @@ export async function align(words: readonly string[]): Promise<void> {
     method,
     seed,
   };
-  const inputs = [garmentFile, printFile, symmetryFile, optionsFile ?? garmentFile];
+  const inputs = [garmentFile, printFile];
+  if (!named) inputs.push(symmetryFile);
+  if (optionsFile !== undefined) inputs.push(optionsFile);
   if (outFile !== undefined) await checkWritable(outFile, inputs);
 
   const progress = new ProgressLine();
