@@ -1,0 +1,53 @@
+/** Everything a person decides about a garment and its print: what undo steps through and what a project file holds. */
+import type {SolveOptions} from './options.js';
+import type {GroupName, Print} from './print.js';
+import type {Method, Problem} from './problem.js';
+import {latticeVectors, type RepeatSize} from './repeat.js';
+import type {Symmetry} from './symmetries.js';
+
+export interface DesignGarment {
+  /** What messages call it: the name of its file. */
+  readonly name: string;
+  /** The file itself, in any format that the solver reads. */
+  readonly text: string;
+  /** Which of the garments that come with the page, if it is one. */
+  readonly sample?: {readonly style: string; readonly size: string};
+}
+
+export interface DesignPrint {
+  readonly title: string;
+  readonly group: GroupName;
+  readonly size: RepeatSize;
+  /** Counter-clockwise turn of the print on its cloth. [degrees] */
+  readonly turnDeg: number;
+  readonly oneWay: boolean;
+  readonly cell: NonNullable<Print['cell']>;
+  /** Where the picture of one cell is: a URL, or a `data:` URL when it is the user's own. */
+  readonly image: string;
+  /** Which of the prints that come with the page, if it is one. */
+  readonly sample?: {readonly name: string; readonly colourway: string};
+}
+
+/** Never changed in place: whoever holds one holds a state that undo can come back to. */
+export interface Design {
+  readonly garment: DesignGarment;
+  readonly print: DesignPrint;
+  /** Those that the user has asked for; found ones that were not accepted are not among them. */
+  readonly symmetries: readonly Symmetry[];
+  readonly method: Method;
+  readonly options: SolveOptions;
+}
+
+/** The print as solver and views take it. */
+export function printOf({group, size, turnDeg, oneWay, cell, title, image}: DesignPrint): Print {
+  const [w1, w2] = latticeVectors(group, size, turnDeg);
+  return {title, group, w1, w2, oneWay, cell, image};
+}
+
+export const problemOf = (design: Design): Problem => ({
+  garment: design.garment.text,
+  print: printOf(design.print),
+  symmetry: {symmetries: design.symmetries},
+  method: design.method,
+  options: design.options,
+});
