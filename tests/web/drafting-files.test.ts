@@ -6,6 +6,7 @@ import {describe, expect, it} from 'vitest';
 import {bodyOf, sizeNames} from '../../web/drafting/body.js';
 import {garmentFile, grainLine} from '../../web/drafting/garment-file.js';
 import {length, minus, norm, type Point} from '../../web/drafting/geometry.js';
+import {sampleList} from '../../web/drafting/sample-list.js';
 import {wardrobe} from '../../web/drafting/wardrobe.js';
 import {medium} from '../support/drafts.js';
 
@@ -17,6 +18,10 @@ describe.each(sizeNames)('size %s', (size) => {
       expect(readFileSync(path, 'utf8')).toBe(garmentFile(garment, size));
     },
   );
+});
+
+it('ships a list of all garments and prints', () => {
+  expect(readFileSync('public/samples.json', 'utf8')).toBe(sampleList());
 });
 
 it('lays the grain along every band of woven cloth, and across ribs', () => {

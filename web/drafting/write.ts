@@ -1,7 +1,8 @@
-/** Writes public/garments: every garment of the wardrobe in every size. */
+/** Writes public/garments: every garment of the wardrobe in every size; and public/samples.json. */
 import {mkdirSync, rmSync, writeFileSync} from 'node:fs';
 import {bodyOf, sizeNames} from './body.js';
 import {garmentFile} from './garment-file.js';
+import {sampleList} from './sample-list.js';
 import {wardrobe} from './wardrobe.js';
 
 const folder = 'public/garments';
@@ -15,3 +16,4 @@ const files = wardrobe.flatMap((draft) =>
 rmSync(folder, {recursive: true, force: true});
 mkdirSync(folder, {recursive: true});
 for (const [name, text] of files) writeFileSync(`${folder}/${name}`, text);
+writeFileSync('public/samples.json', sampleList());
