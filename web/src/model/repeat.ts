@@ -1,11 +1,11 @@
 /** A repeat as a maker measures it, and the lattice that it stands for. */
 import type {Point} from './geometry.js';
-import type {GroupName} from './print.js';
-import {latticeType} from './wallpaper.js';
+import {groupNames, type GroupName} from './print.js';
+import {latticeType, type Repeat} from './wallpaper.js';
 
 /**
- * The sides of the cell that a maker would measure: of the rectangular cell when the lattice is rhombic,
- * of the rhombus itself when it is hexagonal. [cm]
+ * The sides of the cell that a maker would measure: of the rectangular cell when the lattice is rhombic or
+ * hexagonal, so that half a repeat aside there is half a repeat up. [cm]
  */
 export interface RepeatSize {
   readonly width: number;
@@ -14,7 +14,9 @@ export interface RepeatSize {
   readonly angleDeg: number;
 }
 
+const root3 = Math.sqrt(3);
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+const degrees = (angle: number): number => (angle * 180) / Math.PI;
 
 const turned = ([x, y]: Point, angle: number): Point => [
   x * Math.cos(angle) - y * Math.sin(angle),
@@ -37,7 +39,7 @@ export function latticeVectors(
       case 'hexagonal':
         return [
           [width, 0],
-          [width / 2, (width * Math.sqrt(3)) / 2],
+          [width / 2, (width * root3) / 2],
         ];
       case 'square':
         return [
@@ -57,3 +59,123 @@ export function latticeVectors(
   const angle = radians(turnDeg);
   return [turned(upright[0], angle), turned(upright[1], angle)];
 }
+
+/** The inverse of `latticeVectors`; the turn lies above -180 degrees, up to 180. */
+export function repeatOf({group, w1, w2}: Repeat): {
+  readonly size: RepeatSize;
+  readonly turnDeg: number;
+} {
+  const type = latticeType(group);
+  const [across, up] =
+    type === 'rhombic'
+      ? [
+          [w1[0] + w2[0], w1[1] + w2[1]],
+          [w2[0] - w1[0], w2[1] - w1[1]],
+        ]
+      : [w1, w2];
+  const [ax = 0, ay = 0] = across;
+  const [bx = 0, by = 0] = up;
+  const size = {
+    width: Math.hypot(ax, ay),
+    height: Math.hypot(bx, by),
+    angleDeg: degrees(Math.atan2(ax * by - ay * bx, ax * bx + ay * by)),
+  };
+  const turnDeg = degrees(Math.atan2(ay, ax));
+  return {size: coupledSize(group, size), turnDeg: turnDeg <= -180 ? 180 : turnDeg + 0};
+}
+
+/** Whether the height of a repeat follows from its width. */
+export const isCoupled = (group: GroupName): boolean =>
+  ['square', 'hexagonal'].includes(latticeType(group));
+
+/** The size as the group demands it: what is left to choose stays, the rest follows from the width. */
+export function coupledSize(group: GroupName, {width, height, angleDeg}: RepeatSize): RepeatSize {
+  switch (latticeType(group)) {
+    case 'square':
+      return {width, height: width, angleDeg: 90};
+    case 'hexagonal':
+      return {width, height: width * root3, angleDeg: 90};
+    case 'rectangular':
+    case 'rhombic':
+      return {width, height, angleDeg: 90};
+    case 'oblique':
+      return {width, height, angleDeg};
+  }
+}
+
+/** A smaller group for the same cloth, with the same origin. */
+export interface FittingGroup {
+  readonly group: GroupName;
+  readonly size: RepeatSize;
+  /**
+   * How far the axes of the smaller group are turned against those of the larger: add it to the turn of the
+   * print, and turn the picture of its cell by as much the other way, so that the cloth looks as before. [degrees]
+   */
+  readonly turnDeg: 0 | 90;
+  /** What the picture of the measured cell is for the smaller group. */
+  readonly cell: 'primitive' | 'rectangular';
+}
+
+/** What is left of a group where its cell is a rectangle of any proportions. */
+const onRectangles: Readonly<Partial<Record<GroupName, GroupName>>> = {
+  p4: 'p2',
+  p4m: 'pmm', // the mirrors along the diagonals go
+  p4g: 'pgg', // so do they here; the glides along the sides stay
+  p3: 'p1',
+  p3m1: 'cm', // its mirror at right angles to w1 stays
+  p31m: 'cm', // its mirror along w1 stays
+  p6: 'p2',
+  p6m: 'cmm',
+};
+
+/** Cells that are not rectangles keep half turns and no axes at all. */
+const halfTurns: ReadonlySet<GroupName> = new Set<GroupName>([
+  'pmm',
+  'pmg',
+  'pgg',
+  'cmm',
+  'p4',
+  'p4m',
+  'p4g',
+  'p6',
+  'p6m',
+]);
+
+/** Measured lengths may be off by this share of themselves, and angles by as much. */
+const tolerance = 0.005;
+
+/**
+ * The largest group that is left of `group` when its cell was measured and is not what the group demands:
+ * every symmetry of it is one of the larger group, on the same origin. Undefined when the size fits.
+ */
+export function fittingGroup(group: GroupName, measured: RepeatSize): FittingGroup | undefined {
+  if (latticeType(group) === 'oblique') return undefined;
+  const {width, height, angleDeg} = measured;
+  if (Math.abs(Math.cos(radians(angleDeg))) > tolerance) {
+    const smaller = halfTurns.has(group) ? 'p2' : 'p1';
+    return {group: smaller, size: measured, turnDeg: 0, cell: 'primitive'};
+  }
+  const smaller = onRectangles[group];
+  const fits = Math.abs(height / coupledSize(group, measured).height - 1) <= tolerance;
+  if (fits || !smaller) return undefined;
+  const cell = latticeType(smaller) === 'rhombic' ? 'rectangular' : 'primitive';
+  // cm has its mirrors along the width of its cell, but p3m1 along the height
+  if (group === 'p3m1') {
+    const size = {width: height, height: width, angleDeg: 90};
+    return {group: smaller, size, turnDeg: 90, cell};
+  }
+  return {group: smaller, size: {width, height, angleDeg: 90}, turnDeg: 0, cell};
+}
+
+/** A piece that is symmetric in itself, or two that are each other's mirror image. */
+export type SymmetryKind = 'piece' | 'pair';
+
+const turnsOnly: ReadonlySet<GroupName> = new Set<GroupName>(['p1', 'p2', 'p4', 'p3', 'p6']);
+const glidesOnly: ReadonlySet<GroupName> = new Set<GroupName>(['pg', 'pgg']);
+
+/** A symmetric piece needs a print with mirrors; a mirrored pair is content with glides. */
+export const carries = (group: GroupName, kind: SymmetryKind): boolean =>
+  !turnsOnly.has(group) && (kind === 'pair' || !glidesOnly.has(group));
+
+export const groupsThatCarry = (kind: SymmetryKind): readonly GroupName[] =>
+  groupNames.filter((group) => carries(group, kind));
