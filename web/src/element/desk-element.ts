@@ -1,0 +1,47 @@
+/** What every part of the page is: an element that shows a workbench and is drawn again when that changes. */
+import {LitElement, type PropertyValues} from 'lit';
+
+import type {Format} from './texts/format.js';
+import {formatFor} from './texts/format.js';
+import {textsOf, type Texts} from './texts/texts.js';
+import type {Workbench} from './workbench/workbench.js';
+
+export abstract class DeskElement extends LitElement {
+  static override properties: Record<string, object> = {desk: {attribute: false}};
+  declare desk: Workbench;
+  #unsubscribe: (() => void) | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#follow();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#unsubscribe?.();
+    this.#unsubscribe = undefined;
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('desk')) this.#follow();
+  }
+
+  /** All words, in the language of the user. */
+  protected get texts(): Texts {
+    return textsOf(this.desk.preferences.language);
+  }
+
+  /** All numbers, in the language and units of the user. */
+  protected get format(): Format {
+    const {language, units} = this.desk.preferences;
+    return formatFor(language, units);
+  }
+
+  #follow(): void {
+    this.#unsubscribe?.();
+    // until the parent has set it there is nothing to follow
+    this.#unsubscribe = (this.desk as Workbench | undefined)?.subscribe(() => {
+      this.requestUpdate();
+    });
+  }
+}

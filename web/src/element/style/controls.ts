@@ -1,0 +1,124 @@
+/** How buttons, fields and headings look, wherever they are. */
+import {css} from 'lit';
+
+export const controls = css`
+  *,
+  *::before,
+  *::after {
+    box-sizing: border-box;
+  }
+  h2,
+  h3 {
+    margin: 0;
+    font-size: var(--sw-text);
+    font-weight: 600;
+  }
+  p {
+    margin: 0;
+  }
+  button,
+  input,
+  select {
+    font: inherit;
+    color: inherit;
+  }
+  button {
+    display: inline-flex;
+    align-items: center;
+    justify-content: center;
+    gap: var(--sw-space-1);
+    min-height: 2rem;
+    padding: 0 var(--sw-space-3);
+    border: 1px solid transparent;
+    border-radius: var(--sw-radius);
+    background: transparent;
+    white-space: nowrap;
+    cursor: pointer;
+  }
+  button:hover:not(:disabled) {
+    background: color-mix(in srgb, var(--sw-ink) 7%, transparent);
+  }
+  button:disabled {
+    color: color-mix(in srgb, var(--sw-ink) 42%, transparent);
+    cursor: default;
+  }
+  button.outlined {
+    border-color: var(--sw-line);
+    background: var(--sw-raised);
+  }
+  button.primary {
+    background: var(--sw-accent);
+    color: var(--sw-on-accent);
+    font-weight: 600;
+  }
+  button.primary:hover:not(:disabled) {
+    background: color-mix(in srgb, var(--sw-accent) 88%, var(--sw-ink));
+  }
+  button.primary:disabled {
+    background: color-mix(in srgb, var(--sw-ink) 10%, transparent);
+  }
+  button[aria-pressed='true'] {
+    background: var(--sw-tint);
+    border-color: var(--sw-accent);
+    color: var(--sw-accent);
+  }
+  button.link {
+    min-height: 0;
+    padding: 0;
+    border: 0;
+    color: var(--sw-accent);
+    text-decoration: underline;
+    text-underline-offset: 0.15em;
+    background: none;
+  }
+  input[type='number'],
+  input[type='text'],
+  select {
+    width: 100%;
+    min-height: 2rem;
+    padding: 0 var(--sw-space-2);
+    border: 1px solid var(--sw-line);
+    border-radius: var(--sw-radius);
+    background: var(--sw-raised);
+  }
+  input[aria-invalid='true'] {
+    border-color: var(--sw-bad);
+  }
+  input[type='checkbox'],
+  input[type='radio'] {
+    width: 1rem;
+    height: 1rem;
+    margin: 0;
+    accent-color: var(--sw-accent);
+  }
+  label {
+    display: grid;
+    gap: var(--sw-space-1);
+    color: var(--sw-soft);
+  }
+  label.inline {
+    display: flex;
+    align-items: center;
+    gap: var(--sw-space-2);
+    color: inherit;
+    cursor: pointer;
+  }
+  :focus-visible {
+    outline: 2px solid var(--sw-accent);
+    outline-offset: 2px;
+  }
+  .soft {
+    color: var(--sw-soft);
+  }
+  .error {
+    color: var(--sw-bad);
+  }
+  .hidden {
+    position: absolute;
+    width: 1px;
+    height: 1px;
+    overflow: hidden;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
+`;

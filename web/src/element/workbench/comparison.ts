@@ -1,0 +1,60 @@
+/** What the symmetries of a design cost: the same design solved without them, when nothing else is to be done. */
+import {problemOf, type Design} from '../../model/design.js';
+import type {Metrics} from '../../model/result.js';
+import type {SolverClient} from '../../solver/client.js';
+
+export class Comparison {
+  readonly #client: SolverClient;
+  readonly #changed: () => void;
+  readonly #known = new WeakMap<Design, Metrics>();
+  /** The last design without symmetries, and what it reached. */
+  #free: {readonly design: Design; readonly metrics: Metrics} | undefined;
+  #running: AbortController | undefined;
+
+  constructor(client: SolverClient, changed: () => void) {
+    this.#client = client;
+    this.#changed = changed;
+  }
+
+  of(design: Design): Metrics | undefined {
+    return this.#known.get(design);
+  }
+
+  /** A design has been solved; if it has symmetries, it is solved without them as well. */
+  follow(design: Design, metrics: Metrics): void {
+    this.stop();
+    if (design.symmetries.length === 0) {
+      this.#free = {design, metrics};
+    } else if (!this.#known.has(design)) {
+      if (this.#free && differOnlyInSymmetry(this.#free.design, design)) {
+        this.#known.set(design, this.#free.metrics);
+      } else {
+        this.#running = new AbortController();
+        void this.#run(design, this.#running.signal);
+      }
+    }
+  }
+
+  stop(): void {
+    this.#running?.abort();
+    this.#running = undefined;
+  }
+
+  async #run(design: Design, signal: AbortSignal): Promise<void> {
+    const free = {...design, symmetries: []};
+    try {
+      const {metrics} = await this.#client.solve(problemOf(free), {signal});
+      this.#free = {design: free, metrics};
+      this.#known.set(design, metrics);
+      this.#changed();
+    } catch {
+      // the main solve has said what there is to say; without a comparison none is shown
+    }
+  }
+}
+
+const differOnlyInSymmetry = (a: Design, b: Design): boolean =>
+  a.garment === b.garment &&
+  a.print === b.print &&
+  a.method === b.method &&
+  a.options === b.options;

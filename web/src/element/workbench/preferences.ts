@@ -1,0 +1,27 @@
+/** How a person wants to be shown things; not part of any design. */
+import type {Units} from '../../model/units.js';
+
+export const languages = ['en', 'de'] as const;
+export type Language = (typeof languages)[number];
+
+export interface Preferences {
+  readonly units: Units;
+  readonly language: Language;
+  readonly theme: 'system' | 'light' | 'dark';
+  /** Solve after every change, without being asked. */
+  readonly solveAsIGo: boolean;
+  /** What is drawn as the worst mismatch: chance, or 2 cm as in the paper. */
+  readonly scale: 'chance' | 'paper';
+}
+
+/** What the browser says about its user. */
+export function preferencesFor(locale: string): Preferences {
+  const {language} = new Intl.Locale(locale);
+  return {
+    units: 'cm',
+    language: languages.find((one) => one === language) ?? 'en',
+    theme: 'system',
+    solveAsIGo: true,
+    scale: 'chance',
+  };
+}

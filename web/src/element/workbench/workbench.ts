@@ -1,0 +1,299 @@
+/** What a page or element works on: a design with its history, and what the solver knows of it. */
+import {printOf, type Design, type DesignGarment} from '../../model/design.js';
+import type {Failure} from '../../model/failure.js';
+import type {Alignment} from '../../model/geometry.js';
+import {amended, redone, stepped, undone, type History} from '../../model/history.js';
+import type {Progress} from '../../model/problem.js';
+import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
+import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
+import {SolverClient, type WorkerPlaces} from '../../solver/client.js';
+import {alignmentsFrom} from '../../viewer/scene.js';
+import {Comparison} from './comparison.js';
+import {LatestSolve} from './latest-solve.js';
+import {preferencesFor, type Preferences} from './preferences.js';
+import {ResultCache} from './result-cache.js';
+
+/** Where a view of the sheet stood. Scale in CSS px per cm. */
+export interface ViewState {
+  readonly centre: readonly [number, number];
+  readonly scale: number;
+}
+
+/** One step of the history: a design, and how it was looked at. */
+export interface Step {
+  readonly design: Design;
+  readonly view: ViewState | null;
+}
+
+/** `stale`: what is shown belongs to an earlier design. */
+export type SolveState =
+  | {readonly kind: 'empty' | 'stale' | 'done'}
+  | ({readonly kind: 'solving'} & Progress)
+  | {readonly kind: 'failed'; readonly failure: Failure};
+
+/** Said once, beside what it is about. */
+export interface Notice {
+  readonly tone: 'error' | 'info';
+  readonly text: string;
+  /** Offers to take the last step back. */
+  readonly undo?: boolean;
+}
+
+export class Workbench {
+  readonly client: SolverClient;
+  /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
+  view: {get(): ViewState | null; set(view: ViewState): void} | undefined;
+  readonly #listeners = new Set<() => void>();
+  readonly #results = new ResultCache();
+  readonly #solve: LatestSolve;
+  readonly #comparison: Comparison;
+  #history: History<Step> | undefined;
+  #preferences: Preferences;
+  #pattern: MeshedPattern | undefined;
+  /** What `#found` is about. */
+  #garment: DesignGarment | undefined;
+  #found: readonly DetectedSymmetry[] = [];
+  #partial: readonly Alignment[] | undefined;
+  #state: SolveState = {kind: 'empty'};
+  #notice: Notice | undefined;
+  /** The kind of change that may still be amended, and until when. */
+  #amendable = {kind: '', until: 0};
+
+  constructor(places: WorkerPlaces = {}, preferences = preferencesFor(navigator.language)) {
+    this.client = new SolverClient(places);
+    this.#preferences = preferences;
+    this.#comparison = new Comparison(this.client, () => {
+      this.#changed();
+    });
+    this.#solve = new LatestSolve(this.client, {
+      pattern: (_, pattern) => {
+        this.#pattern = pattern;
+        this.#partial = undefined;
+        this.#changed();
+      },
+      partial: (_, alignments) => {
+        this.#partial = alignmentsFrom(alignments);
+        this.#changed();
+      },
+      progress: (_, progress) => {
+        this.#state = {kind: 'solving', ...progress};
+        this.#changed();
+      },
+      done: (design, result) => {
+        if (this.#pattern) this.#results.keep(design, {pattern: this.#pattern, result});
+        this.#state = {kind: 'done'};
+        this.#comparison.follow(design, result.metrics);
+        this.#changed();
+      },
+      failed: (_, failure) => {
+        this.#state = {kind: 'failed', failure};
+        this.#changed();
+      },
+    });
+  }
+
+  /** Calls back after every change of anything here. @returns what ends that */
+  subscribe(listener: () => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** Undefined until a garment is there. */
+  get design(): Design | undefined {
+    return this.#history?.present.design;
+  }
+
+  get history(): History<Step> | undefined {
+    return this.#history;
+  }
+
+  get canUndo(): boolean {
+    return (this.#history?.past.length ?? 0) > 0;
+  }
+
+  get canRedo(): boolean {
+    return (this.#history?.future.length ?? 0) > 0;
+  }
+
+  get preferences(): Preferences {
+    return this.#preferences;
+  }
+
+  get state(): SolveState {
+    return this.#state;
+  }
+
+  /** The garment meshed, with the symmetries of the last solve that was begun. */
+  get pattern(): MeshedPattern | undefined {
+    return this.#pattern;
+  }
+
+  /** The answer to the present design, or to none. */
+  get result(): SolveResult | undefined {
+    return this.design && this.#results.of(this.design)?.result;
+  }
+
+  /** How the pieces lie in the answer that is on its way; of `pattern`'s pieces. */
+  get partial(): readonly Alignment[] | undefined {
+    return this.#partial;
+  }
+
+  /** Symmetries the garment shows by itself and nobody has asked for yet. */
+  get found(): readonly DetectedSymmetry[] {
+    const asked = this.design?.symmetries ?? [];
+    return this.#found.filter((one) => !asked.some((other) => concernsSame(one, other)));
+  }
+
+  /** What the present design reaches without its symmetries, if it has any. */
+  get withoutSymmetry(): Metrics | undefined {
+    return this.design && this.#comparison.of(this.design);
+  }
+
+  get notice(): Notice | undefined {
+    return this.#notice;
+  }
+
+  say(notice: Notice | undefined): void {
+    this.#notice = notice;
+    this.#changed();
+  }
+
+  prefer(change: Partial<Preferences>): void {
+    const wasOff = !this.#preferences.solveAsIGo;
+    this.#preferences = {...this.#preferences, ...change};
+    if (wasOff && change.solveAsIGo && this.#state.kind === 'stale') this.align();
+    this.#changed();
+  }
+
+  /** Starts, or starts over, with a history of its own. */
+  begin(history: History<Step>): void {
+    this.#travel(history);
+  }
+
+  /**
+   * Takes a step. Changes of one `kind` that follow each other quickly, as a slider's or a drag's do,
+   * are one step.
+   */
+  change(change: Partial<Design>, kind = ''): void {
+    if (!this.#history) return;
+    const design = {...this.#history.present.design, ...change};
+    const view = this.view?.get() ?? null;
+    const now = performance.now();
+    const amends = kind !== '' && kind === this.#amendable.kind && now < this.#amendable.until;
+    this.#amendable = {kind, until: now + 1000};
+    const seen = amended(this.#history, {...this.#history.present, view});
+    this.#history = amends ? amended(seen, {design, view}) : stepped(seen, {design, view});
+    this.#notice = undefined;
+    this.#arrive();
+  }
+
+  undo(): void {
+    this.#travel(this.#history && undone(this.#history));
+  }
+
+  redo(): void {
+    this.#travel(this.#history && redone(this.#history));
+  }
+
+  /**
+   * Puts another garment in the place of the present one, once it has been read.
+   * @throws {SolverError} and leaves everything as it is
+   */
+  async open(garment: DesignGarment): Promise<void> {
+    if (!this.design) return;
+    const {maxChangeCm, continuousOnly, grain} = this.design.options;
+    const options = {
+      ...(maxChangeCm !== undefined && {maxChangeCm}),
+      ...(continuousOnly !== undefined && {continuousOnly}),
+      ...(grain?.default && {grain: {default: grain.default}}),
+    };
+    const problem = {garment: garment.text, print: printOf(this.design.print), symmetry: 'none'};
+    const pattern = await this.client.prepare(problem, {names: {garment: garment.name}});
+    this.change({garment, symmetries: [], options});
+    this.#pattern ??= pattern;
+    this.#changed();
+  }
+
+  /** Solves the present design, whatever is under way. */
+  align(): void {
+    if (!this.design) return;
+    this.#comparison.stop();
+    this.#state = {kind: 'solving', phase: 'alignment', fraction: 0};
+    this.#solve.start(this.design);
+    this.#changed();
+  }
+
+  cancel(): void {
+    if (!this.#solve.isRunning) return;
+    this.#solve.cancel();
+    this.#partial = undefined;
+    this.#state = {kind: 'stale'};
+    this.#changed();
+  }
+
+  /** How well a symmetry fits the present garment. @throws {SolverError} */
+  measure(symmetry: Symmetry, signal?: AbortSignal): Promise<MeasuredSymmetry> {
+    const {text, name} = this.design?.garment ?? {text: '', name: ''};
+    return this.client.mirror(text, symmetry, {name, ...(signal && {signal})});
+  }
+
+  dispose(): void {
+    this.client.dispose();
+    this.#listeners.clear();
+  }
+
+  #travel(history: History<Step> | undefined): void {
+    if (!history) return;
+    this.#history = history;
+    this.#amendable = {kind: '', until: 0};
+    this.#notice = undefined;
+    this.#arrive();
+    if (history.present.view) this.view?.set(history.present.view);
+  }
+
+  /** The present design may be any other than before. */
+  #arrive(): void {
+    const {design} = this;
+    if (!design) return;
+    this.#solve.cancel();
+    this.#comparison.stop();
+    this.#partial = undefined;
+    if (design.garment !== this.#garment) this.#meet(design.garment);
+    const known = this.#results.of(design);
+    if (known) {
+      this.#pattern = known.pattern;
+      this.#state = {kind: 'done'};
+      this.#comparison.follow(design, known.result.metrics);
+    } else if (this.#preferences.solveAsIGo) {
+      this.align();
+    } else {
+      this.#state = {kind: 'stale'};
+    }
+    this.#changed();
+  }
+
+  /** A garment that was not there before; what was known of another is forgotten. */
+  #meet(garment: DesignGarment): void {
+    this.#garment = garment;
+    this.#pattern = undefined;
+    this.#found = [];
+    this.client.symmetries(garment.text, {name: garment.name}).then(
+      ({symmetries}) => {
+        if (this.#garment !== garment) return;
+        this.#found = symmetries;
+        this.#changed();
+      },
+      () => undefined, // a garment that cannot be read fails to solve as well, and that is said
+    );
+  }
+
+  #changed(): void {
+    for (const listener of this.#listeners) listener();
+  }
+}
+
+/** Whether two symmetries speak of the same piece or the same two pieces. */
+const concernsSame = (a: Symmetry, b: Symmetry): boolean =>
+  a.kind === 'piece'
+    ? b.kind === 'piece' && a.piece === b.piece
+    : b.kind === 'pair' && a.pieces.every((name) => b.pieces.includes(name));
