@@ -128,7 +128,7 @@ const onRectangles: Readonly<Partial<Record<GroupName, GroupName>>> = {
   p6m: 'cmm',
 };
 
-/** Cells that are not rectangles keep half turns and no axes at all. */
+/** Cells that are not rectangles keep half turns, and no axis along a side. */
 const halfTurns: ReadonlySet<GroupName> = new Set<GroupName>([
   'pmm',
   'pmg',
@@ -146,7 +146,8 @@ const tolerance = 0.005;
 
 /**
  * The largest group that is left of `group` when its cell was measured and is not what the group demands:
- * every symmetry of it is one of the larger group, on the same origin. Undefined when the size fits.
+ * every symmetry of it is one of the larger group, on the same origin. Undefined when the size fits. Axes
+ * askew to the sides of a slanted cell are not looked for.
  */
 export function fittingGroup(group: GroupName, measured: RepeatSize): FittingGroup | undefined {
   if (latticeType(group) === 'oblique') return undefined;
