@@ -1,5 +1,5 @@
 import type {Page} from 'playwright-core';
-import {convert, solve, symmetries} from 'seamwise/node';
+import {convert, mirror, prepare, solve, symmetries, type Symmetry} from 'seamwise/node';
 import {afterEach, beforeEach, describe, expect, it} from 'vitest';
 
 import type {FromWorker} from '../../web/src/solver/protocol.js';
@@ -33,6 +33,33 @@ describe('the client', () => {
       return Promise.all([client.symmetries(text), client.convert(text)]);
     }, garment);
     expect(found).toEqual([await symmetries(garment), await convert(garment)]);
+  });
+
+  it('prepares a pattern and measures a symmetry as Node does', async () => {
+    const asked: Symmetry = {kind: 'pair', pieces: ['front', 'back']};
+    const answers = await page.evaluate(
+      async ([problem, symmetry]) => {
+        const client = new Client();
+        const pattern = client.prepare(problem);
+        return Promise.all([pattern, client.mirror(problem.garment, symmetry)]);
+      },
+      [tee, asked] as const,
+    );
+    expect(answers).toEqual([await prepare(tee), await mirror(tee.garment, asked)]);
+  });
+
+  it('shows the pattern once, before anything else of a solve', async () => {
+    const told = await page.evaluate(async (problem) => {
+      const told: unknown[] = [];
+      await new Client().solve(problem, {
+        onPattern: (pattern) => told.push(pattern),
+        onProgress: ({phase}) => told.push(phase),
+        onPartial: () => told.push('partial'),
+      });
+      return told;
+    }, strips);
+    expect(told[0]).toEqual(await prepare(strips));
+    expect(new Set(told.slice(1))).toEqual(new Set(['alignment', 'deformation', 'partial']));
   });
 
   it('takes objects and bytes, and leaves them to their owner', async () => {

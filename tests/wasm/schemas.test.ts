@@ -2,7 +2,7 @@ import {readdirSync, readFileSync} from 'node:fs';
 
 import {Ajv2020} from 'ajv/dist/2020.js';
 import * as fc from 'fast-check';
-import {convert, solve, symmetries} from 'seamwise/node';
+import {convert, mirror, solve, symmetries} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
 import {problem} from '../support/random-problems.js';
@@ -38,6 +38,11 @@ describe('the schemas accept', () => {
 
   it('symmetries as they are found', async () => {
     expect(schema('symmetries')(await symmetries(sample('princess-dress')))).toEqual([]);
+  });
+
+  it('a symmetry as it was measured', async () => {
+    const measured = await mirror(twoStrips(), {kind: 'pair', pieces: ['left', 'right']});
+    expect(schema('symmetries')({symmetries: [measured]})).toEqual([]);
   });
 
   it('whatever the solver is tried with', () => {

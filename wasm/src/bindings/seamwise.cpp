@@ -132,6 +132,16 @@ class SolverHandle {
     return val(emscripten::typed_memory_view(flat.size(), flat.data())).call<val>("slice");
   }
 
+  /// The garment as it is meshed, not solved; meaningful at any time.
+  std::string pattern() {
+    std::string text;
+    guard([&]() -> std::optional<Error> {
+      text = writePattern(solver_->unsolved());
+      return std::nullopt;
+    });
+    return text;
+  }
+
   std::string result() {
     std::string text;
     guard([&]() -> std::optional<Error> {
@@ -163,6 +173,20 @@ val detectedSymmetries(const std::string& text, const std::string& name) {
   });
 }
 
+val measuredSymmetries(const std::string& text, const std::string& name,
+                       const std::string& wanted, const std::string& wanted_name) {
+  return textValue([&]() -> Outcome<std::string> {
+    const Outcome<GarmentFile> file = readGarment(text, name);
+    if (!file.ok()) return file.error();
+    const auto requests = readSymmetries(wanted, wanted_name);
+    if (!requests.ok()) return requests.error();
+    const Garment& garment = file.value().garment;
+    const auto measured = measureSymmetries(garment, requests.value());
+    if (!measured.ok()) return inFile(measured.error(), wanted_name);
+    return writeMeasured(garment, measured.value());
+  });
+}
+
 val convertedGarment(const std::string& text, const std::string& name) {
   return textValue([&]() -> Outcome<std::string> {
     const Outcome<GarmentFile> file = readGarment(text, name);
@@ -183,8 +207,10 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("attempt", &SolverHandle::attempt)
       .function("fraction", &SolverHandle::fraction)
       .function("partial", &SolverHandle::partial)
+      .function("pattern", &SolverHandle::pattern)
       .function("result", &SolverHandle::result);
   emscripten::function("detectSymmetries", &detectedSymmetries);
+  emscripten::function("measureSymmetries", &measuredSymmetries);
   emscripten::function("convertGarment", &convertedGarment);
   emscripten::function("heapBytes", &heapBytes);
   emscripten::function("liveBytes", &liveBytes);

@@ -1,62 +1,79 @@
 #include "io/result_json.h"
 
-#include <nlohmann/json.hpp>
+#include "io/json_output.h"
 
 namespace seamwise {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json point(const Vec2& p) { return Json::array({p.x(), p.y()}); }
-
 Json points(const std::vector<Vec2>& list) {
   Json out = Json::array();
-  for (const Vec2& p : list) out.push_back(point(p));
+  for (const Vec2& p : list) out.push_back(pointJson(p));
   return out;
 }
 
-Json alignment(const Alignment& a) {
-  return {{"angle", a.angle}, {"translation", point(a.translation)}};
-}
+Json alignment(const Alignment& a) { return motionJson(a.angle, a.translation); }
 
-Json pieceJson(const Result& r, std::size_t p) {
-  const Piece& piece = r.pattern.pieces[p];
+Json pieceJson(const PrintedPattern& printed, std::size_t p) {
+  const Piece& piece = printed.pattern.pieces[p];
   return {{"name", piece.name},
           {"rest", points(piece.rest)},
-          {"shape", points(r.shapes[p])},
+          {"shape", points(printed.shapes[p])},
           {"triangles", piece.triangles},
           {"outline", piece.outline},
           {"holes", piece.holes},
-          {"alignment", alignment(r.alignment[p])},
+          {"alignment", alignment(printed.alignment[p])},
           {"mirroredFromInput", piece.mirrored_from_input}};
 }
 
-Json seamJson(const Result& r, std::size_t s) {
-  const Seam& seam = r.pattern.seams[s];
+Json seamJson(const PrintedPattern& printed, std::size_t s) {
+  const Seam& seam = printed.pattern.seams[s];
   auto side = [](const SeamSide& x) { return Json{{"piece", x.piece}, {"vertices", x.vertices}}; };
   return {{"a", side(seam.a)},
           {"b", side(seam.b)},
           {"weight", seam.weight},
           {"matched", seam.matched},
           {"lengthRatio", seam.length_ratio},
-          {"kind", r.joins[s].mirrored() ? "mirrored" : "continuous"},
-          {"mismatch", r.mismatch[s]}};
+          {"kind", printed.joins[s].mirrored() ? "mirrored" : "continuous"},
+          {"mismatch", printed.mismatch[s]}};
 }
 
-Json mirrorJson(const Result& r, const Mirror& m) {
+Json mirrorJson(const PrintedPattern& printed, const Mirror& m) {
   Json out;
   out["kind"] = m.single() ? "piece" : "pair";
   if (m.single())
     out["piece"] = m.pieces[0];
   else
     out["pieces"] = Json::array({m.pieces[0], m.pieces[1]});
-  out["map"] = {{"angle", m.map.angle}, {"translation", point(m.map.shift)}};
+  out["map"] = motionJson(m.map.angle, m.map.shift);
   Json pairs = Json::array();
-  const Piece& piece = r.pattern.pieces[m.pieces[0]];
+  const Piece& piece = printed.pattern.pieces[m.pieces[0]];
   for (const auto& loop : loopsOf(piece))
     for (int v : loop) pairs.push_back(Json::array({v, m.image[v]}));
   out["pairs"] = std::move(pairs);
   return out;
+}
+
+void writePrinted(const PrintedPattern& printed, Json* out) {
+  (*out)["print"] = {{"group", printed.group}, {"w1", pointJson(printed.w1)}, {"w2", pointJson(printed.w2)}};
+  Json& pieces = (*out)["pieces"] = Json::array();
+  for (std::size_t p = 0; p < printed.pattern.pieces.size(); ++p) pieces.push_back(pieceJson(printed, p));
+  Json& seams = (*out)["seams"] = Json::array();
+  for (std::size_t s = 0; s < printed.pattern.seams.size(); ++s) seams.push_back(seamJson(printed, s));
+  Json& symmetries = (*out)["symmetries"] = Json::array();
+  for (const Mirror& m : printed.pattern.mirrors) symmetries.push_back(mirrorJson(printed, m));
+}
+
+/// The panel's edge that each outline edge is part of; edges follow each other along the outline.
+std::vector<int> edgesOf(const Piece& piece) {
+  std::vector<int> edges(piece.outline.size());
+  const auto& start = piece.edge_start;
+  for (std::size_t k = 0, edge = 0; k < edges.size(); ++k) {
+    while (edge + 1 < start.size() && start[edge + 1] <= static_cast<int>(k)) ++edge;
+    edges[k] = static_cast<int>(edge);
+  }
+  return edges;
 }
 
 const char* methodName(Method method) {
@@ -77,14 +94,7 @@ std::string writeResult(const Result& r) {
   Json out;
   out["format"] = "seamwise-result/1";
   out["units"] = "cm";
-  out["print"] = {{"group", r.group}, {"w1", point(r.w1)}, {"w2", point(r.w2)}};
-  out["pieces"] = Json::array();
-  for (std::size_t p = 0; p < r.pattern.pieces.size(); ++p)
-    out["pieces"].push_back(pieceJson(r, p));
-  out["seams"] = Json::array();
-  for (std::size_t s = 0; s < r.pattern.seams.size(); ++s) out["seams"].push_back(seamJson(r, s));
-  out["symmetries"] = Json::array();
-  for (const Mirror& m : r.pattern.mirrors) out["symmetries"].push_back(mirrorJson(r, m));
+  writePrinted(r, &out);
   out["search"] = Json::array();
   for (const Alignment& a : r.search) out["search"].push_back(alignment(a));
   out["metrics"] = {{"method", methodName(r.method)},
@@ -100,6 +110,16 @@ std::string writeResult(const Result& r) {
                     {"factorisations", r.factorisations},
                     {"milliseconds", {{"alignment", 0}, {"deformation", 0}, {"total", 0}}}};
   out["notes"] = r.notes;
+  return out.dump();
+}
+
+std::string writePattern(const PrintedPattern& printed) {
+  Json out;
+  writePrinted(printed, &out);
+  for (std::size_t p = 0; p < printed.pattern.pieces.size(); ++p)
+    out["pieces"][p]["edges"] = edgesOf(printed.pattern.pieces[p]);
+  out["fitRandom"] = printed.fit_random;
+  out["notes"] = printed.notes;
   return out.dump();
 }
 

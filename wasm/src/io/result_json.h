@@ -9,4 +9,7 @@ namespace seamwise {
 /// fills them in.
 std::string writeResult(const Result& result);
 
+/// A garment that is meshed and not solved yet, with the panel's edge of every outline edge.
+std::string writePattern(const PrintedPattern& pattern);
+
 }  // namespace seamwise

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "io/json_output.h"
+
 namespace seamwise {
 namespace {
 
 SymmetryRequest readPair(const Json& json, const Place& place) {
-  onlyKnown(json, place, {"kind", "pieces", "residual"});
+  onlyKnown(json, place, {"kind", "pieces", "residual", "map", "mirrors"});
   const Json& pieces = need(json, "pieces", place);
   if (!pieces.is_array() || pieces.size() != 2)
     place.fail(place.shape, "has no two 'pieces'; write [\"one\", \"other\"]");
@@ -20,7 +22,7 @@ SymmetryRequest readPair(const Json& json, const Place& place) {
 }
 
 SymmetryRequest readSingle(const Json& json, const Place& place) {
-  onlyKnown(json, place, {"kind", "piece", "axis", "seams", "residual"});
+  onlyKnown(json, place, {"kind", "piece", "axis", "seams", "residual", "map", "mirrors"});
   const std::string piece = text(need(json, "piece", place), place, "'piece'");
   const Json* axis = find(json, "axis");
   const Json* edges = find(json, "seams");
@@ -66,6 +68,23 @@ std::array<Vec2, 2> axisThrough(const Panel& panel, const RigidMotion& map) {
   return ends;
 }
 
+Json symmetryJson(const Garment& garment, const BodySymmetry& symmetry) {
+  const Panel& first = garment.panels[symmetry.pieces[0]];
+  Json entry = Json::object();
+  entry["kind"] = symmetry.single() ? "piece" : "pair";
+  if (symmetry.single()) {
+    entry["piece"] = first.name;
+    entry["axis"] = Json::array();
+    for (const Vec2& p : axisThrough(first, symmetry.map))
+      entry["axis"].push_back({shortened(p.x()), shortened(p.y())});
+  } else {
+    entry["pieces"] = {first.name, garment.panels[symmetry.pieces[1]].name};
+  }
+  entry["residual"] = shortened(symmetry.residual);
+  entry["map"] = motionJson(symmetry.map.angle, symmetry.map.shift);
+  return entry;
+}
+
 }  // namespace
 
 std::vector<SymmetryRequest> readSymmetryList(const Json& json, const Place& outer) {
@@ -99,21 +118,15 @@ Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
 
 std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmetry>& symmetries) {
   Json list = Json::array();
-  for (const BodySymmetry& symmetry : symmetries) {
-    const Panel& first = garment.panels[static_cast<std::size_t>(symmetry.pieces[0])];
-    const Panel& second = garment.panels[static_cast<std::size_t>(symmetry.pieces[1])];
-    Json entry = Json::object();
-    entry["kind"] = symmetry.single() ? "piece" : "pair";
-    if (symmetry.single()) {
-      entry["piece"] = first.name;
-      entry["axis"] = Json::array();
-      for (const Vec2& p : axisThrough(first, symmetry.map))
-        entry["axis"].push_back({shortened(p.x()), shortened(p.y())});
-    } else {
-      entry["pieces"] = {first.name, second.name};
-    }
-    entry["residual"] = shortened(symmetry.residual);
-    list.push_back(std::move(entry));
+  for (const BodySymmetry& symmetry : symmetries) list.push_back(symmetryJson(garment, symmetry));
+  return Json{{"symmetries", std::move(list)}}.dump();
+}
+
+std::string writeMeasured(const Garment& garment, const std::vector<MeasuredSymmetry>& measured) {
+  Json list = Json::array();
+  for (const MeasuredSymmetry& one : measured) {
+    list.push_back(symmetryJson(garment, one.symmetry));
+    list.back()["mirrors"] = one.mirrors;
   }
   return Json{{"symmetries", std::move(list)}}.dump();
 }

@@ -15,8 +15,12 @@ namespace seamwise {
 Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
                                                      const std::string& file);
 
-/// Symmetries found on a garment, in the form that readSymmetries reads; `residual` in cm.
+/// Symmetries found on a garment, in the form that readSymmetries reads; `residual` in cm, `map` as
+/// p' = R F p + t in face-up coordinates.
 std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmetry>& symmetries);
+
+/// The same for requests that were measured; `mirrors` says whether they can be imposed.
+std::string writeMeasured(const Garment& garment, const std::vector<MeasuredSymmetry>& measured);
 
 /// The list itself. Throws InputError.
 std::vector<SymmetryRequest> readSymmetryList(const Json& json, const Place& place);

@@ -1,6 +1,7 @@
 #include "solve/solver.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "solve/best_run.h"
 #include "solve/paper_run.h"
@@ -90,6 +91,21 @@ const Alignments& Solver::partial() const { return state_->run->alignment(); }
 const std::vector<std::string>& Solver::notes() const { return state_->problem.notes; }
 const Pattern& Solver::pattern() const { return state_->pattern; }
 
+PrintedPattern Solver::unsolved() const {
+  const WallpaperGroup& group = state_->problem.print.group;
+  PrintedPattern printed;
+  printed.pattern = state_->pattern;
+  printed.shapes = restShapes(printed.pattern);
+  printed.alignment.resize(printed.pattern.pieces.size());
+  printed.joins.resize(printed.pattern.seams.size());
+  printed.mismatch.resize(printed.pattern.seams.size());
+  printed.group = group.data().name;
+  printed.w1 = group.w1(), printed.w2 = group.w2();
+  printed.fit_random = fitRandom(group, printed.pattern, printed.shapes);
+  printed.notes = state_->problem.notes;
+  return printed;
+}
+
 Outcome<Result> Solver::finish() {
   Run& run = *state_->run;
   while (run.advance()) {
@@ -97,23 +113,19 @@ Outcome<Result> Solver::finish() {
   const Problem& problem = state_->problem;
   const WallpaperGroup& group = problem.print.group;
   Result result;
-  result.pattern = state_->pattern;
-  result.shapes = run.shapes();
+  static_cast<PrintedPattern&>(result) = unsolved();
+  const Shapes rest = std::exchange(result.shapes, run.shapes());
   for (std::size_t s = 0; s < result.pattern.seams.size(); ++s)
     if (seamError(result.pattern.seams[s], result.shapes) > kSeamTolerance)
       return unsewable(static_cast<int>(s));
   result.alignment = run.alignment();
   result.search = run.search();
-  for (const Seam& seam : result.pattern.seams) {
-    result.joins.push_back(bestJoin(group, seam, result.shapes, result.alignment,
-                                    problem.options.continuous_only));
-    result.mismatch.push_back(
-        joinMismatch(result.joins.back(), seam, result.shapes, result.alignment));
+  for (std::size_t s = 0; s < result.pattern.seams.size(); ++s) {
+    const Seam& seam = result.pattern.seams[s];
+    result.joins[s] = bestJoin(group, seam, result.shapes, result.alignment,
+                               problem.options.continuous_only);
+    result.mismatch[s] = joinMismatch(result.joins[s], seam, result.shapes, result.alignment);
   }
-  result.group = group.data().name;
-  result.w1 = group.w1(), result.w2 = group.w2();
-  const Shapes rest = restShapes(result.pattern);
-  result.fit_random = fitRandom(group, result.pattern, rest);
   result.fit_search = fitAny(group, result.pattern, rest, result.search);
   result.fit_aligned = fitAny(group, result.pattern, rest, result.alignment);
   result.fit = measureFit(group, result.pattern, result.shapes, result.alignment);
@@ -122,7 +134,6 @@ Outcome<Result> Solver::finish() {
   result.factorisations = run.factorisations();
   result.method = problem.options.method;
   result.seed = problem.options.seed;
-  result.notes = problem.notes;
   return result;
 }
 

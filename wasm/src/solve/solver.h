@@ -28,6 +28,9 @@ class Solver {
   const std::vector<std::string>& notes() const;
   const Pattern& pattern() const;
 
+  /// The pieces as drafted, each lying on the print as it does in the file.
+  PrintedPattern unsolved() const;
+
   /// The finished result; finishes first when steps are left.
   Outcome<Result> finish();
 

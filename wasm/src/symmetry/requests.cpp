@@ -19,12 +19,19 @@ std::string centimetres(double value) {
   return text;
 }
 
-Error doesNotMirror(const std::string& what, double residual, const std::string& remedy,
-                    int piece) {
+/// What a request comes to, and what there is to say when it does not mirror.
+struct Registered {
+  MeasuredSymmetry measured;
+  std::string complaint, remedy;
+};
+
+Error doesNotMirror(const Registered& registered) {
+  const BodySymmetry& symmetry = registered.measured.symmetry;
   return {Failure::kSymmetryDoesNotMirror,
-          what + ": the mirrored outline lies up to " + centimetres(residual) + " cm off (limit " +
-              centimetres(kMirrorTolerance) + " cm); " + remedy,
-          piece};
+          registered.complaint + ": the mirrored outline lies up to " +
+              centimetres(symmetry.residual) + " cm off (limit " + centimetres(kMirrorTolerance) +
+              " cm); " + registered.remedy,
+          symmetry.pieces[0]};
 }
 
 Error malformed(const std::string& message, int piece) {
@@ -40,7 +47,7 @@ class Registrar {
  public:
   explicit Registrar(const Garment& garment) : garment_(garment) {}
 
-  Outcome<BodySymmetry> operator()(const AxisRequest& request) {
+  Outcome<Registered> operator()(const AxisRequest& request) {
     const int piece = garment_.find(request.piece);
     const Panel& panel = garment_.panels[piece];
     Vec2 from = request.from, to = request.to;
@@ -55,28 +62,25 @@ class Registrar {
     const Outline outline(panel);
     const RigidMotion clicked = RigidMotion::reflection(from, to);
     const Vec2 middle = (from + to) / 2;
-    const double as_clicked = mirrorResidual(outline, outline, clicked, 1e3);
     // ICP from the click first: a round piece has mirrors everywhere, and the click means just one.
     // The piece's own mirrors help where ICP was led astray, the bare click where it ran away.
     std::vector<MirrorFit> fits = findMirrors(outline, outline);
     fits.insert(fits.begin(), refineMirror(outline, outline, clicked));
-    fits.push_back({clicked, as_clicked});
+    fits.push_back({clicked, mirrorResidual(outline, outline, clicked, 1e3)});
     const MirrorFit* best = nullptr;
     for (const MirrorFit& fit : fits) {
       const bool near = axisTurn(fit.map, clicked) <= kClickTurn &&
                         (fit.map(middle) - middle).norm() / 2 <= kClickShift;
-      if (near && fit.residual <= kMirrorTolerance &&
-          (!best || fit.residual + 2 * Outline::kFlatness < best->residual))
+      if (near && (!best || (mirrors(fit) && !mirrors(*best)) ||
+                   fit.residual + 2 * Outline::kFlatness < best->residual))
         best = &fit;
     }
-    if (!best)
-      return doesNotMirror("piece " + inQuotes(panel.name) + " does not mirror across the given axis",
-                           as_clicked, "move the axis, or choose two edges that mirror each other",
-                           piece);
-    return bodySymmetry(garment_, piece, piece, *best);
+    return Registered{measured(piece, piece, *best),
+                      "piece " + inQuotes(panel.name) + " does not mirror across the given axis",
+                      "move the axis, or choose two edges that mirror each other"};
   }
 
-  Outcome<BodySymmetry> operator()(const EdgesRequest& request) {
+  Outcome<Registered> operator()(const EdgesRequest& request) {
     const int piece = garment_.find(request.piece);
     const Panel& panel = garment_.panels[piece];
     const int count = static_cast<int>(panel.edges.size());
@@ -100,28 +104,29 @@ class Registrar {
     double least = kEdgesMeet;
     for (const MirrorFit& fit : fits) {
       const double apart = edgeResidual(first, second, fit.map);
-      if (fit.residual > kMirrorTolerance || apart > least - (best ? Outline::kFlatness : 0))
+      if (!mirrors(fit) || apart > least - (best ? Outline::kFlatness : 0))
         continue;
       best = &fit;
       least = apart;
     }
-    if (best) return bodySymmetry(garment_, piece, piece, *best);
+    if (best) return Registered{measured(piece, piece, *best), "", ""};
     const std::string edges = "edges " + std::to_string(request.first) + " and " +
                               std::to_string(request.second) + " of piece " + inQuotes(panel.name);
     const RigidMotion across = registerEdges(first, second);
-    return doesNotMirror(edges + " do not mirror onto each other with the whole piece",
-                         std::max(mirrorResidual(outline, outline, across, 1e3),
-                                  edgeResidual(first, second, across)),
-                         "choose two other edges, or leave the piece free", piece);
+    const double residual = std::max(mirrorResidual(outline, outline, across, 1e3),
+                                     edgeResidual(first, second, across));
+    return Registered{{{{piece, piece}, across, residual}, false},
+                      edges + " do not mirror onto each other with the whole piece",
+                      "choose two other edges, or leave the piece free"};
   }
 
-  Outcome<BodySymmetry> operator()(const PieceRequest& request) {
+  Outcome<Registered> operator()(const PieceRequest& request) {
     const int piece = garment_.find(request.piece);
     return between(piece, piece, "piece " + inQuotes(request.piece) + " is not symmetric in itself",
                    "leave it free, or name its partner");
   }
 
-  Outcome<BodySymmetry> operator()(const PairRequest& request) {
+  Outcome<Registered> operator()(const PairRequest& request) {
     return between(garment_.find(request.first), garment_.find(request.second),
                    "pieces " + inQuotes(request.first) + " and " + inQuotes(request.second) +
                        " are not mirror images",
@@ -129,17 +134,21 @@ class Registrar {
   }
 
  private:
-  Outcome<BodySymmetry> between(int from, int to, const std::string& complaint,
-                                const std::string& remedy) {
+  static bool mirrors(const MirrorFit& fit) { return fit.residual <= kMirrorTolerance; }
+
+  MeasuredSymmetry measured(int from, int to, const MirrorFit& fit) const {
+    return {bodySymmetry(garment_, from, to, fit), mirrors(fit)};
+  }
+
+  Registered between(int from, int to, const std::string& complaint, const std::string& remedy) {
     if (!maps_) maps_.emplace(garment_);
     std::vector<int> candidates;
     for (const int m : maps_->mapsFrom(from))
       if (maps_->maps()[m].to == to) candidates.push_back(m);
     const int chosen = likeliestMap(*maps_, candidates);
-    if (chosen >= 0) return bodySymmetry(garment_, from, to, maps_->maps()[chosen].fit);
-    const MirrorFit best = bestMirror(maps_->outline(from), maps_->outline(to));
-    if (best.residual <= kMirrorTolerance) return bodySymmetry(garment_, from, to, best);
-    return doesNotMirror(complaint, best.residual, remedy, from);
+    const MirrorFit& fit = chosen >= 0 ? maps_->maps()[chosen].fit
+                                       : bestMirror(maps_->outline(from), maps_->outline(to));
+    return {measured(from, to, fit), complaint, remedy};
   }
 
   const Garment& garment_;
@@ -154,32 +163,57 @@ struct PieceNames {
   }
 };
 
+std::vector<std::string> namesIn(const SymmetryRequest& request) {
+  return std::visit(PieceNames{}, request);
+}
+
+std::optional<Error> unknownPiece(const Garment& garment, const SymmetryRequest& request) {
+  for (const std::string& name : namesIn(request))
+    if (garment.find(name) < 0)
+      return Error{Failure::kSymmetryUnknownPiece,
+                   "a symmetry names piece " + inQuotes(name) +
+                       ", which the garment does not have; check its spelling"};
+  return {};
+}
+
 }  // namespace
 
 Outcome<std::vector<BodySymmetry>> registerSymmetries(
     const Garment& garment, const std::vector<SymmetryRequest>& requests) {
   std::vector<char> taken(garment.panels.size(), 0);
-  for (const SymmetryRequest& request : requests)
-    for (const std::string& name : std::visit(PieceNames{}, request)) {
+  for (const SymmetryRequest& request : requests) {
+    if (const auto error = unknownPiece(garment, request)) return *error;
+    for (const std::string& name : namesIn(request)) {
       const int piece = garment.find(name);
-      if (piece < 0)
-        return Error{Failure::kSymmetryUnknownPiece,
-                     "a symmetry names piece " + inQuotes(name) +
-                         ", which the garment does not have; check its spelling"};
       if (taken[piece])
         return Error{Failure::kSymmetryConflict,
                      "piece " + inQuotes(name) + " is named twice in the symmetries; keep one",
                      piece};
       taken[piece] = 1;
     }
+  }
   Registrar registrar(garment);
   std::vector<BodySymmetry> found;
   for (const SymmetryRequest& request : requests) {
-    Outcome<BodySymmetry> symmetry = std::visit(registrar, request);
-    if (!symmetry.ok()) return symmetry.error();
-    found.push_back(symmetry.value());
+    const Outcome<Registered> registered = std::visit(registrar, request);
+    if (!registered.ok()) return registered.error();
+    if (!registered.value().measured.mirrors) return doesNotMirror(registered.value());
+    found.push_back(registered.value().measured.symmetry);
   }
   return found;
+}
+
+Outcome<std::vector<MeasuredSymmetry>> measureSymmetries(
+    const Garment& garment, const std::vector<SymmetryRequest>& requests) {
+  Registrar registrar(garment);
+  std::vector<MeasuredSymmetry> measured;
+  for (const SymmetryRequest& request : requests) {
+    if (const auto error = unknownPiece(garment, request)) return *error;
+    const Outcome<Registered> registered = std::visit(registrar, request);
+    if (!registered.ok()) return registered.error();
+    measured.push_back(registered.value().measured);
+  }
+  return measured;
 }
 
 std::string namesOf(const Garment& garment, const BodySymmetry& symmetry) {

@@ -25,6 +25,17 @@ using SymmetryRequest = std::variant<AxisRequest, EdgesRequest, PieceRequest, Pa
 Outcome<std::vector<BodySymmetry>> registerSymmetries(const Garment& garment,
                                                       const std::vector<SymmetryRequest>& requests);
 
+/// A request as near as the garment comes to it.
+struct MeasuredSymmetry {
+  BodySymmetry symmetry;
+  bool mirrors = false;  ///< near enough to be imposed
+};
+
+/// Registers every request by itself, whether or not the garment mirrors so. Errors:
+/// kSymmetryUnknownPiece; kSymmetryMalformed for what names no axis or no two edges.
+Outcome<std::vector<MeasuredSymmetry>> measureSymmetries(
+    const Garment& garment, const std::vector<SymmetryRequest>& requests);
+
 /// Finds the symmetric pieces and pairs: an involution on the pieces that maps every seam to a seam
 /// (or, failing that, most seams); of several, the one that agrees with x -> -x of the 3D placement. A
 /// piece that has a partner is not also made symmetric in itself; what has no mirror stays free.

@@ -1,6 +1,7 @@
 import type {Garment} from './garment.js';
 import type {SolveOptions} from './options.js';
 import type {Print} from './print.js';
+import type {MeshedPattern} from './result.js';
 import type {Symmetries} from './symmetries.js';
 
 /** `best`: the default; `paper`: Wolff et al., VMV 2019; `ws19`: the method that paper extends. */
@@ -31,6 +32,8 @@ export interface Progress {
 /** How to follow a solve and how to end it early. */
 export interface SolveHooks {
   readonly signal?: AbortSignal;
+  /** The garment as it is going to be solved; once, before anything else. */
+  readonly onPattern?: (pattern: MeshedPattern) => void;
   readonly onProgress?: (progress: Progress) => void;
   /** The best alignments so far: angle, x, y per piece. [rad, cm] The array is the listener's own. */
   readonly onPartial?: (alignments: Float64Array) => void;

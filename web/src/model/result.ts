@@ -103,3 +103,18 @@ export interface SolveResult {
 
 /** What there is to draw of a garment: of a result, or of pieces and seams that are not solved yet. */
 export type Pattern = Pick<SolveResult, 'print' | 'pieces' | 'seams' | 'symmetries'>;
+
+/** A piece as drafted and meshed: `shape` is `rest`, and the alignment is that of the file. */
+export interface MeshedPiece extends ResultPiece {
+  /** Per outline edge (from outline[k] to outline[k+1]): the number of the panel's edge in the file that it is part of. */
+  readonly edges: readonly number[];
+}
+
+/** A garment before it is solved: no piece is turned or moved, no mismatch is measured yet. */
+export interface MeshedPattern extends Pattern {
+  readonly pieces: readonly MeshedPiece[];
+  /** As in the metrics of a result. [cm2] */
+  readonly fitRandom: number;
+  /** What was dropped or assumed so far, one sentence each. */
+  readonly notes: readonly string[];
+}

@@ -1,4 +1,4 @@
-import type {Point} from './geometry.js';
+import type {Alignment, Point} from './geometry.js';
 
 /** A piece that mirrors onto itself: by an axis, by two outline edges, or by a detected axis. */
 export interface PieceSymmetry {
@@ -22,8 +22,23 @@ export interface Symmetries {
   readonly symmetries: readonly Symmetry[];
 }
 
-/** A symmetry that was found, with the greatest distance of an outline from its mirror image. [cm] */
-export type DetectedSymmetry = Symmetry & {readonly residual: number};
+/** Where a symmetry lies on the garment, and how well it holds. Not read where symmetries are asked for. */
+export interface Registration {
+  /** Greatest distance of an outline from its mirror image. [cm] */
+  readonly residual: number;
+  /** p' = R F p + t with F = diag(-1, 1), of the pieces as they lie face up: from the first of a pair to the second. */
+  readonly map: Alignment;
+}
+
+/** A symmetry that was found on a garment. */
+export type DetectedSymmetry = Symmetry & Registration;
+
+/** A symmetry that was asked for, as near as the garment comes to it. */
+export type MeasuredSymmetry = Symmetry &
+  Registration & {
+    /** Whether a solve accepts it: the residual is at most 0.1 cm. */
+    readonly mirrors: boolean;
+  };
 
 export interface DetectedSymmetries {
   readonly symmetries: readonly DetectedSymmetry[];

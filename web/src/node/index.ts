@@ -2,10 +2,17 @@ import {readFile} from 'node:fs/promises';
 
 import type {Garment} from '../model/garment.js';
 import type {Problem} from '../model/problem.js';
-import type {SolveResult} from '../model/result.js';
-import type {DetectedSymmetries} from '../model/symmetries.js';
+import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import {LocalSolver} from '../solver/local.js';
-import {jsonText, plainNames, problemTexts, type NamedSolveHooks} from '../solver/texts.js';
+import {
+  jsonText,
+  mirrorTexts,
+  plainNames,
+  problemTexts,
+  type NamedPrepareHooks,
+  type NamedSolveHooks,
+} from '../solver/texts.js';
 
 export type {Alignment, Point} from '../model/geometry.js';
 export type * from '../model/garment.js';
@@ -14,7 +21,11 @@ export type * from '../model/print.js';
 export type * from '../model/problem.js';
 export type * from '../model/result.js';
 export type * from '../model/symmetries.js';
-export type {NamedSolveHooks as NodeSolveHooks, ProblemNames} from '../solver/texts.js';
+export type {
+  NamedPrepareHooks as NodePrepareHooks,
+  NamedSolveHooks as NodeSolveHooks,
+  ProblemNames,
+} from '../solver/texts.js';
 export {SolverError, type Failure, type FailureCode} from '../model/failure.js';
 
 const solver = new LocalSolver(async () => ({
@@ -37,6 +48,30 @@ export async function symmetries(
   name = plainNames.garment,
 ): Promise<DetectedSymmetries> {
   return solver.symmetries(jsonText(garment, name), name);
+}
+
+/**
+ * The garment as a solve would begin with it: checked, meshed, its symmetries settled.
+ * @throws {SolverError} as `solve` does
+ */
+export async function prepare(
+  problem: Problem,
+  hooks: NamedPrepareHooks = {},
+): Promise<MeshedPattern> {
+  hooks.signal?.throwIfAborted();
+  return solver.prepare(problemTexts(problem, hooks.names), hooks.signal);
+}
+
+/**
+ * Measures one symmetry on a garment, whether or not the garment mirrors so.
+ * @throws {SolverError} for bad input, such as a piece that the garment does not have
+ */
+export async function mirror(
+  garment: Garment | string,
+  symmetry: Symmetry,
+  name = plainNames.garment,
+): Promise<MeasuredSymmetry> {
+  return solver.mirror(mirrorTexts(garment, symmetry, name));
 }
 
 /** A garment of any readable format as the text of a seamwise-garment/1 file. */

@@ -1,8 +1,8 @@
 import {SolverError, type Failure} from '../model/failure.js';
 import type {Garment} from '../model/garment.js';
 import type {Problem, SolveHooks} from '../model/problem.js';
-import type {SolveResult} from '../model/result.js';
-import type {DetectedSymmetries} from '../model/symmetries.js';
+import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import {internalError} from './broken.js';
 import {
   protocolVersion,
@@ -11,10 +11,17 @@ import {
   type FromWorker,
   type JobRequest,
 } from './protocol.js';
-import {jsonText, plainNames, problemTexts, type NamedSolveHooks} from './texts.js';
+import {
+  jsonText,
+  mirrorTexts,
+  plainNames,
+  problemTexts,
+  type NamedPrepareHooks,
+  type NamedSolveHooks,
+} from './texts.js';
 import {WatchedWorker, type WorkerOwner, type WorkerPlaces} from './watched-worker.js';
 
-export type {NamedSolveHooks, ProblemNames} from './texts.js';
+export type {NamedPrepareHooks, NamedSolveHooks, ProblemNames} from './texts.js';
 export type {WorkerPlaces} from './watched-worker.js';
 
 /** For questions about a garment alone. */
@@ -74,7 +81,35 @@ export class SolverClient implements Disposable {
   async solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
     hooks.signal?.throwIfAborted();
     const texts = problemTexts(problem, hooks.names);
-    return this.#ask<'solve'>({kind: 'solve', job: ++this.#lastJob, texts}, hooks);
+    const showsPattern = hooks.onPattern !== undefined;
+    return this.#ask<'solve'>({kind: 'solve', job: ++this.#lastJob, texts, showsPattern}, hooks);
+  }
+
+  /**
+   * The garment as a solve would begin with it: checked, meshed, its symmetries settled.
+   * @throws {SolverError} as `solve` does
+   */
+  async prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
+    hooks.signal?.throwIfAborted();
+    const texts = problemTexts(problem, hooks.names);
+    return this.#ask<'prepare'>({kind: 'prepare', job: ++this.#lastJob, texts}, hooks);
+  }
+
+  /**
+   * Measures one symmetry on a garment, whether or not the garment mirrors so.
+   * @throws {SolverError} for bad input, such as a piece that the garment does not have
+   */
+  async mirror(
+    garment: Garment | string,
+    symmetry: Symmetry,
+    {signal, name = plainNames.garment}: GarmentHooks = {},
+  ): Promise<MeasuredSymmetry> {
+    signal?.throwIfAborted();
+    const texts = mirrorTexts(garment, symmetry, name);
+    return this.#ask<'mirror'>(
+      {kind: 'mirror', job: ++this.#lastJob, texts},
+      signal ? {signal} : {},
+    );
   }
 
   /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */
@@ -162,6 +197,9 @@ export class SolverClient implements Disposable {
         this.#report(job, (hooks) => hooks.onProgress?.({phase, fraction}));
         break;
       }
+      case 'pattern':
+        this.#report(message.job, (hooks) => hooks.onPattern?.(message.pattern));
+        break;
       case 'partial':
         this.#report(message.job, (hooks) => hooks.onPartial?.(message.alignments));
         break;

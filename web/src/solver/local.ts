@@ -1,11 +1,11 @@
 import type {SolveHooks} from '../model/problem.js';
-import type {SolveResult} from '../model/result.js';
-import type {DetectedSymmetries} from '../model/symmetries.js';
+import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
 import {internalError} from './broken.js';
 import {SharedModule, type SeamwiseModule} from './load.js';
 import {run} from './run.js';
-import {convertGarment, detectSymmetries, Solver} from './solver.js';
-import type {ProblemTexts} from './texts.js';
+import {convertGarment, detectSymmetries, measureSymmetries, Solver} from './solver.js';
+import {plainNames, type MirrorTexts, type ProblemTexts} from './texts.js';
 import type {ModuleSettings} from './module/seamwise.mjs';
 
 /** The solver on the thread that calls it; several calls share the thread, and one module instance. */
@@ -19,15 +19,12 @@ export class LocalSolver {
 
   /** @throws {SolverError} for bad input; the signal's reason, as soon as it fires */
   solve(texts: ProblemTexts, hooks: SolveHooks): Promise<SolveResult> {
-    return this.#withModule(async (module) => {
-      hooks.signal?.throwIfAborted();
-      const solver = new Solver(module, texts);
-      try {
-        return await run(solver, hooks);
-      } finally {
-        solver[Symbol.dispose]();
-      }
-    });
+    return this.#withSolver(texts, hooks.signal, (solver) => run(solver, hooks));
+  }
+
+  /** The garment as a solve would begin with it. @throws {SolverError}; the signal's reason */
+  prepare(texts: ProblemTexts, signal?: AbortSignal): Promise<MeshedPattern> {
+    return this.#withSolver(texts, signal, (solver) => solver.pattern());
   }
 
   /** @throws {SolverError} */
@@ -35,6 +32,15 @@ export class LocalSolver {
     return this.#withModule(
       (module) => JSON.parse(detectSymmetries(module, garment, name)) as DetectedSymmetries,
     );
+  }
+
+  /** One symmetry, measured on the garment whether or not it mirrors. @throws {SolverError} */
+  mirror({garment, name, symmetries}: MirrorTexts): Promise<MeasuredSymmetry> {
+    return this.#withModule((module) => {
+      const text = measureSymmetries(module, garment, name, symmetries, plainNames.symmetry);
+      const [measured] = (JSON.parse(text) as {symmetries: [MeasuredSymmetry]}).symmetries;
+      return measured;
+    });
   }
 
   /** @throws {SolverError} */
@@ -45,6 +51,22 @@ export class LocalSolver {
   /** Memory of the module: its size, and what is in use of it. [bytes] */
   memory(): Promise<{readonly heap: number; readonly live: number}> {
     return this.#withModule((module) => ({heap: module.heapBytes(), live: module.liveBytes()}));
+  }
+
+  #withSolver<T>(
+    texts: ProblemTexts,
+    signal: AbortSignal | undefined,
+    work: (solver: Solver) => T | Promise<T>,
+  ): Promise<T> {
+    return this.#withModule(async (module) => {
+      signal?.throwIfAborted();
+      const solver = new Solver(module, texts);
+      try {
+        return await work(solver);
+      } finally {
+        solver[Symbol.dispose]();
+      }
+    });
   }
 
   /** Runs `work` on the shared module. After a trap the instance is not trusted again. */

@@ -1,15 +1,17 @@
 import type {Failure} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
-import type {SolveResult} from '../model/result.js';
-import type {DetectedSymmetries} from '../model/symmetries.js';
-import type {ProblemTexts} from './texts.js';
+import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
+import type {MirrorTexts, ProblemTexts} from './texts.js';
 
 /** Grows with every change of the messages: a page must not talk to a worker from an old cache. */
-export const protocolVersion = '1';
+export const protocolVersion = '2';
 
 /** What a job of each kind delivers. */
 export interface Answers {
   readonly solve: SolveResult;
+  readonly prepare: MeshedPattern;
+  readonly mirror: MeasuredSymmetry;
   readonly symmetries: DetectedSymmetries;
   readonly convert: string;
 }
@@ -18,7 +20,15 @@ export type Answer = Answers[keyof Answers];
 
 /** Starts a job. Its number is the page's and is never used again. */
 export type JobRequest =
-  | {readonly kind: 'solve'; readonly job: number; readonly texts: ProblemTexts}
+  | {
+      readonly kind: 'solve';
+      readonly job: number;
+      readonly texts: ProblemTexts;
+      /** Whether the page wants to see the pattern first. */
+      readonly showsPattern: boolean;
+    }
+  | {readonly kind: 'prepare'; readonly job: number; readonly texts: ProblemTexts}
+  | {readonly kind: 'mirror'; readonly job: number; readonly texts: MirrorTexts}
   | {
       readonly kind: 'symmetries' | 'convert';
       readonly job: number;
@@ -47,6 +57,8 @@ export type FromWorker =
       readonly phase: Phase;
       readonly fraction: number;
     }
+  /** Before anything else of its job, if it was asked for. */
+  | {readonly kind: 'pattern'; readonly job: number; readonly pattern: MeshedPattern}
   /** Angle, x, y per piece; transferred. [rad, cm] */
   | {readonly kind: 'partial'; readonly job: number; readonly alignments: Float64Array}
   | {readonly kind: 'done'; readonly job: number; readonly answer: Answer}

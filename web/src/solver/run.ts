@@ -14,6 +14,7 @@ export async function run(solver: Solver, hooks: SolveHooks): Promise<SolveResul
     hooks.onProgress?.({phase: solver.phase, fraction: solver.fraction});
     hooks.onPartial?.(solver.partial());
   };
+  hooks.onPattern?.(solver.pattern());
   report();
   let more = true;
   while (more) {

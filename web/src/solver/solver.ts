@@ -1,6 +1,6 @@
 import {failureCode, SolverError} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
-import type {Milliseconds, SolveResult} from '../model/result.js';
+import type {MeshedPattern, Milliseconds, SolveResult} from '../model/result.js';
 import type {ProblemTexts} from './texts.js';
 import type {ModuleFailure, ModuleSolver, ModuleText, SeamwiseModule} from './module/seamwise.mjs';
 
@@ -66,6 +66,13 @@ export class Solver implements Disposable {
     return this.#solver.partial();
   }
 
+  /** The garment as it was meshed. */
+  pattern(): MeshedPattern {
+    const text = this.#solver.pattern();
+    this.#check();
+    return JSON.parse(text) as MeshedPattern;
+  }
+
   /** The result, once `advance` has returned false. */
   result(): SolveResult {
     const started = performance.now();
@@ -100,6 +107,17 @@ export class Solver implements Disposable {
 /** The symmetries a garment shows by itself, as JSON text. @throws {SolverError} */
 export function detectSymmetries(module: SeamwiseModule, garment: string, name: string): string {
   return textOf(module.detectSymmetries(garment, name));
+}
+
+/** How well a garment mirrors as asked for: both as JSON texts, each with its name. @throws {SolverError} */
+export function measureSymmetries(
+  module: SeamwiseModule,
+  garment: string,
+  name: string,
+  symmetries: string,
+  symmetryName: string,
+): string {
+  return textOf(module.measureSymmetries(garment, name, symmetries, symmetryName));
 }
 
 /** The garment in the project's own format, as JSON text. @throws {SolverError} */

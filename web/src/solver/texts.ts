@@ -1,5 +1,7 @@
 import {SolverError} from '../model/failure.js';
+import type {Garment} from '../model/garment.js';
 import {methods, type Problem, type SolveHooks} from '../model/problem.js';
+import type {Symmetry} from '../model/symmetries.js';
 import type {ModuleProblem} from './module/seamwise.mjs';
 
 /** A problem as the core takes it: the texts of its files, and what to call them in messages. */
@@ -17,6 +19,16 @@ export interface ProblemNames {
 export interface NamedSolveHooks extends SolveHooks {
   /** What to call the problem's parts in error messages: the names of their files. */
   readonly names?: Partial<ProblemNames>;
+}
+
+/** For questions that are answered at once. */
+export type NamedPrepareHooks = Pick<NamedSolveHooks, 'signal' | 'names'>;
+
+/** A garment as text, what to call it in messages, and a symmetry file for it that holds one. */
+export interface MirrorTexts {
+  readonly garment: string;
+  readonly name: string;
+  readonly symmetries: string;
 }
 
 export const plainNames: ProblemNames = {
@@ -77,6 +89,16 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
     method,
     seed,
   };
+}
+
+/** @throws {SolverError} for what cannot be handed to the core at all */
+export function mirrorTexts(
+  garment: Garment | string,
+  symmetry: Symmetry,
+  name: string,
+): MirrorTexts {
+  const symmetries = jsonText({symmetries: [symmetry]}, plainNames.symmetry);
+  return {garment: jsonText(garment, name), name, symmetries};
 }
 
 /** A value as JSON text; a string, or bytes, are taken to be JSON text already. @throws {SolverError} */

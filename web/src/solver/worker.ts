@@ -1,4 +1,5 @@
 import {SolverError, type Failure} from '../model/failure.js';
+import type {MeshedPattern} from '../model/result.js';
 import {internalError} from './broken.js';
 import {LocalSolver} from './local.js';
 import {
@@ -45,6 +46,8 @@ class Service {
         this.#jobs.get(message.job)?.abort();
         break;
       case 'solve':
+      case 'prepare':
+      case 'mirror':
       case 'symmetries':
       case 'convert':
         void this.#work(message);
@@ -70,10 +73,28 @@ class Service {
   }
 
   #answer(request: JobRequest, signal: AbortSignal): Promise<Answer> {
-    if (request.kind !== 'solve') return this.#solver[request.kind](request.garment, request.name);
-    const {job} = request;
-    return this.#solver.solve(request.texts, {
+    switch (request.kind) {
+      case 'solve':
+        return this.#solve(request, signal);
+      case 'prepare':
+        return this.#solver.prepare(request.texts, signal);
+      case 'mirror':
+        return this.#solver.mirror(request.texts);
+      case 'symmetries':
+      case 'convert':
+        return this.#solver[request.kind](request.garment, request.name);
+      default:
+        return request satisfies never;
+    }
+  }
+
+  #solve({job, texts, showsPattern}: JobRequest & {kind: 'solve'}, signal: AbortSignal) {
+    const onPattern = (pattern: MeshedPattern) => {
+      this.#scope.postMessage({kind: 'pattern', job, pattern});
+    };
+    return this.#solver.solve(texts, {
       signal,
+      ...(showsPattern && {onPattern}),
       onProgress: (progress) => {
         this.#scope.postMessage({kind: 'progress', job, ...progress});
       },

@@ -42,6 +42,8 @@ export interface ModuleSolver extends EmbindObject {
   fraction(): number;
   /** Angle, x, y per piece; a copy. */
   partial(): Float64Array;
+  /** The garment as it was meshed, as JSON; empty after a failure. */
+  pattern(): string;
   /** The result as JSON; empty after a failure. */
   result(): string;
 }
@@ -56,6 +58,13 @@ export interface SeamwiseModule {
   readonly Solver: new (problem: ModuleProblem) => ModuleSolver;
   /** Symmetries the garment shows by itself, as JSON. */
   detectSymmetries(garment: string, name: string): ModuleText;
+  /** How well the garment mirrors as the symmetries ask, as JSON. */
+  measureSymmetries(
+    garment: string,
+    name: string,
+    symmetries: string,
+    symmetryName: string,
+  ): ModuleText;
   /** The garment as seamwise-garment/1. */
   convertGarment(garment: string, name: string): ModuleText;
   /** Size of the module's memory. [bytes] */
