@@ -5,7 +5,6 @@ import type {ResultSymmetry, SolveResult} from '../../web/src/model/result.js';
 import {mismatchColour, mismatchWidth} from '../../web/src/picture/colours.js';
 import {drawResult} from '../../web/src/picture/draw-result.js';
 import {fitOf} from '../../web/src/picture/fit.js';
-import {layOut} from '../../web/src/picture/layout.js';
 import {plainPrint as print, squarePair, squarePiece} from '../support/two-squares.js';
 
 /** Two squares on a 10 x 10 cm print in p1, as a result. */
@@ -76,20 +75,6 @@ describe('the fit of a result', () => {
     const fit = fitOf(result, 'shape', alignments(result));
     expect(fit.seams[0]?.counts).toBe(false);
     expect(fit.total).toBe(0);
-  });
-});
-
-describe('the layout', () => {
-  it('keeps pieces apart by the gap asked for', () => {
-    const {offsets, width} = layOut(twoSquares(runsOn), 3, {gap: 2, below: 1, least: () => 0});
-    const [a = [0, 0], b = [0, 0]] = offsets;
-    expect(Math.abs(a[0] - b[0])).toBe(6);
-    expect(width).toBe(10);
-  });
-
-  it('gives a small piece room for its name', () => {
-    const {width} = layOut(twoSquares(runsOn), 3, {gap: 2, below: 1, least: () => 9});
-    expect(width).toBe(20);
   });
 });
 

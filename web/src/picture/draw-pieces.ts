@@ -2,9 +2,9 @@
 import type {Alignment, Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {ResultPiece, SeamSide, SolveResult} from '../model/result.js';
-import {imageCell} from '../model/wallpaper.js';
+import {clothUnder} from './cloth.js';
 import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
-import {onPrint, type Fit} from './fit.js';
+import type {Fit} from './fit.js';
 import type {Layout} from './layout.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
 import {escaped, nameLines, polyline, short, text} from './svg.js';
@@ -36,27 +36,6 @@ function toPage(scene: Scene, piece: number): (p: Point) => Point {
   const [ox, oy] = scene.layout.offsets[piece] ?? [0, 0];
   const {corner, scale, layout} = scene;
   return ([x, y]) => [corner[0] + scale * (x + ox), corner[1] + scale * (layout.height - y - oy)];
-}
-
-/** The size of the tile on the page, the same for every piece. [px] */
-export function tileSize(print: Print, scale: number): readonly [number, number] {
-  const [a, b] = imageCell(print);
-  return [scale * Math.hypot(...a), scale * Math.hypot(...b)];
-}
-
-/** The print under one piece: p = R w + t, then the page. The image's y runs down, against the cell's second edge. */
-function clothUnder(scene: Scene, piece: number): string {
-  const {angle, translation} = scene.alignments[piece] ?? {angle: 0, translation: [0, 0]};
-  const [a, b] = imageCell(scene.print);
-  const page = toPage(scene, piece);
-  const origin = page(translation);
-  const along = ([x, y]: Point, sign: 1 | -1): Point => {
-    const n = sign / Math.hypot(x, y);
-    const turned = onPrint({angle: -angle, translation: [0, 0]}, [x * n, y * n]);
-    return [turned[0], -turned[1]];
-  };
-  const matrix = [...along(a, 1), ...along(b, -1)].map((v) => v.toFixed(6));
-  return `<pattern id="${scene.id}-${piece}" href="#${scene.cloth}" patternTransform="matrix(${matrix.join(' ')} ${origin.map(short).join(' ')})"/>`;
 }
 
 function body(scene: Scene, piece: ResultPiece, index: number): string {
@@ -157,8 +136,12 @@ function names(scene: Scene, size: number): string {
 /** All pieces of a scene: cloth, outline, seams by mismatch, symmetries, names. */
 export function drawPieces(scene: Scene, nameSize: number): string {
   const {pieces} = scene.result;
+  const cloths = pieces.map((_, k) => {
+    const alignment = scene.alignments[k] ?? {angle: 0, translation: [0, 0]};
+    return clothUnder(`${scene.id}-${k}`, scene.cloth, scene.print, alignment, toPage(scene, k));
+  });
   return [
-    `<defs>${pieces.map((_, k) => clothUnder(scene, k)).join('')}</defs>`,
+    `<defs>${cloths.join('')}</defs>`,
     ...pieces.map(
       (piece, k) => `<g aria-label="${escaped(piece.name)}">${body(scene, piece, k)}</g>`,
     ),

@@ -3,14 +3,12 @@ import type {Alignment, Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
+import {clothTile, type PrintWithTile} from './cloth.js';
 import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
-import {drawPieces, nameLeading, nameRoom, tileSize, type Scene} from './draw-pieces.js';
+import {drawPieces, nameLeading, nameRoom, type Scene} from './draw-pieces.js';
 import {fitOf, type Fit} from './fit.js';
-import {layOut, type Layout} from './layout.js';
-import {escaped, imageHref, nameLines, short, text, textWidth} from './svg.js';
-
-/** A print with the picture of its cell: SVG text, or a URL. Without one, only the cell is drawn. */
-export type PrintWithTile = Print & {readonly tile?: string};
+import {layOutNamed} from './layout.js';
+import {escaped, nameLines, short, text, textWidth} from './svg.js';
 
 export interface PictureOptions {
   /** Headline; the print's group and repeat by default. */
@@ -109,39 +107,23 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
   return parts.join('');
 }
 
-/** The tile as a pattern that every piece's own pattern refers to. */
-function cloth(id: string, print: PrintWithTile, scale: number): string {
-  const [w, h] = tileSize(print, scale).map(short);
-  const content = print.tile
-    ? `<image href="${escaped(imageHref(print.tile))}" width="${w}" height="${h}" preserveAspectRatio="none"/>`
-    : `<rect width="${w}" height="${h}" fill="#f1ede3" stroke="#c9c1ae" stroke-width="1"/>`;
-  return `<pattern id="${id}" patternUnits="userSpaceOnUse" width="${w}" height="${h}">${content}</pattern>`;
-}
-
-/**
- * A layout with room for the names, which keep their size on the page whatever the scale of the pieces: the scale
- * follows from the layout, and the layout's centimetres from the scale. A crowd of pieces gets more height.
- */
-function roomForNames(result: SolveResult): {readonly layout: Layout; readonly scale: number} {
-  const aspect = result.pieces.length > 16 ? 1.5 : 2.3;
+/** A layout with room for the names. A crowd of pieces gets more height. */
+function laidOut(result: SolveResult): ReturnType<typeof layOutNamed> {
+  const room = width - 2 * margin;
+  const names = result.pieces.map(({name}) => name);
   const widest = (name: string): number =>
     Math.max(...nameLines(name, 0, nameSize).map((word) => textWidth(word, nameSize)));
-  const at = (scale: number): Layout => {
-    const lines = result.pieces.map(({name, rest}) => {
-      const xs = rest.map(([x]) => x);
-      return nameLines(name, nameRoom((Math.max(...xs) - Math.min(...xs)) * scale), nameSize)
-        .length;
-    });
-    return layOut(result, aspect, {
-      gap: 34 / scale,
-      below: (28 + Math.max(...lines) * nameLeading * nameSize) / scale,
-      least: (name) => widest(name) / scale,
-    });
-  };
-  const scaleOf = (layout: Layout): number => Math.min((width - 2 * margin) / layout.width, 14);
-  let layout = at(6);
-  for (let pass = 0; pass < 3; pass++) layout = at(scaleOf(layout));
-  return {layout, scale: scaleOf(layout)};
+  return layOutNamed(result, {
+    width: room,
+    height: room / (result.pieces.length > 16 ? 1.5 : 2.3),
+    grows: true,
+    greatestScale: 14,
+    gap: 34,
+    nameHeight: (piece, pieceWidth) =>
+      28 +
+      nameLines(names[piece] ?? '', nameRoom(pieceWidth), nameSize).length * nameLeading * nameSize,
+    nameWidth: (piece) => widest(names[piece] ?? ''),
+  });
 }
 
 /** The whole picture as the text of an SVG file. `print.tile` is shown at true scale, as it lies on every piece. */
@@ -151,7 +133,7 @@ export function drawResult(
   options: PictureOptions = {},
 ): string {
   const id = options.id ?? 'seamwise';
-  const {layout, scale} = roomForNames(result);
+  const {layout, scale} = laidOut(result);
   const left = (width - layout.width * scale) / 2;
   const tall = layout.height * scale;
 
@@ -184,7 +166,7 @@ export function drawResult(
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" role="img" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif" style="font-variant-numeric: tabular-nums">`,
     `<title>${escaped(title)}</title><desc>${escaped(summary)}</desc>`,
-    `<defs>${cloth(`${id}-cloth`, print, scale)}</defs>`,
+    `<defs>${clothTile(`${id}-cloth`, print, scale)}</defs>`,
     `<rect width="100%" height="100%" fill="#fbfaf8"/>`,
     text([margin, 66], title, {size: 28, weight: 600, fill: ink}),
     text(

@@ -1,7 +1,10 @@
-/** Lays pieces out on shelves, so that none overlap. Lengths in cm, y up. */
+/** Where pieces lie on a sheet: as on the body where the garment tells, else on shelves. Lengths in cm, y up. */
 import type {Point} from '../model/geometry.js';
 import type {Pattern} from '../model/result.js';
+import {shelves, type Block} from './blocks.js';
+import {isPlaced, onBody, type Arrangement, type Placements} from './on-body.js';
 
+/** Follows from outlines, names, placements and page alone, so that nothing moves while people work on a garment. */
 export interface Layout {
   /** Added to a piece's points to bring it to its place, per piece. */
   readonly offsets: readonly Point[];
@@ -10,89 +13,139 @@ export interface Layout {
 }
 
 interface Box {
-  readonly piece: number;
   readonly low: Point;
   readonly width: number;
   readonly height: number;
 }
 
-/** Room between pieces, and below each for its name. */
+/** Room between pieces, and for the name of each. */
 export interface Spacing {
   readonly gap: number;
-  readonly below: number;
-  /** No piece takes less room than this: its name has to fit. */
-  readonly least: (name: string) => number;
+  /** Below a piece, by its number and width. */
+  readonly below: (piece: number, width: number) => number;
+  /** No piece takes less room than this across. */
+  readonly least: (piece: number) => number;
 }
 
-function boxOf(result: Pattern, piece: number): Box {
-  const {rest = [], outline = []} = result.pieces[piece] ?? {};
-  const points = outline.flatMap((v) => rest.slice(v, v + 1));
-  const xs = points.map(([x]) => x);
-  const ys = points.map(([, y]) => y);
-  const low: Point = [Math.min(...xs), Math.min(...ys)];
-  return {piece, low, width: Math.max(...xs) - low[0], height: Math.max(...ys) - low[1]};
+function boxesOf({pieces}: Pattern): readonly Box[] {
+  return pieces.map(({rest, outline}) => {
+    const points = outline.flatMap((v) => rest.slice(v, v + 1));
+    const xs = points.map(([x]) => x);
+    const ys = points.map(([, y]) => y);
+    const low: Point = [Math.min(...xs), Math.min(...ys)];
+    return {low, width: Math.max(...xs) - low[0], height: Math.max(...ys) - low[1]};
+  });
 }
 
-/** Mirrored pairs stay side by side; the tallest come first. */
-function inOrder(result: Pattern): readonly (readonly Box[])[] {
-  const pairs = result.symmetries.flatMap((s) => (s.kind === 'pair' ? [s.pieces] : []));
-  const paired = new Set(pairs.flat());
-  const single = result.pieces.map((_, k) => k).filter((k) => !paired.has(k));
-  const groups = [...pairs, ...single.map((k) => [k])].map((group) =>
-    group.map((k) => boxOf(result, k)),
-  );
-  const tallest = (group: readonly Box[]): number => Math.max(...group.map(({height}) => height));
-  return groups.sort((a, b) => tallest(b) - tallest(a));
+function cellsOf(boxes: readonly Box[], spacing: Spacing): readonly Block[] {
+  return boxes.map(({width, height}, piece) => {
+    const room = Math.max(width, spacing.least(piece));
+    return {
+      places: [{piece, at: [(room - width) / 2, 0]}],
+      width: room,
+      height: height + spacing.below(piece, width),
+    };
+  });
 }
 
-/** Shelves no wider than `limit`, each centred, pieces standing on a common line. */
-function shelves(
-  result: Pattern,
-  groups: readonly (readonly Box[])[],
-  limit: number,
+const sides: Readonly<Record<string, string>> = {left: 'right', right: 'left', l: 'r', r: 'l'};
+
+/** The other name of a mirrored pair. */
+const partner = (name: string): string =>
+  name
+    .split(/([^a-z]+)/i)
+    .map((word) => sides[word.toLowerCase()] ?? word.toLowerCase())
+    .join('');
+
+/** The tallest come first, and pairs by name stay side by side, the wearer's right on the left. */
+function onShelves({pieces}: Pattern, cells: readonly Block[], gap: number): Arrangement[] {
+  const numbers = new Map(pieces.map(({name}, k) => [name.toLowerCase(), k]));
+  const isRight = (k: number): boolean =>
+    /(^|[^a-z])r(ight)?([^a-z]|$)/i.test(pieces[k]?.name ?? '');
+  const groups = pieces.flatMap(({name}, k) => {
+    const other = numbers.get(partner(name));
+    if (other === undefined || other === k) return [cells.slice(k, k + 1)];
+    return isRight(k) ? [[k, other].flatMap((n) => cells.slice(n, n + 1))] : [];
+  });
+  const tallest = (group: readonly Block[]): number => Math.max(...group.map(({height}) => height));
+  groups.sort((a, b) => tallest(b) - tallest(a));
+  const all = cells.reduce((sum, {width}) => sum + width + gap, 0);
+  return Array.from({length: 19}, (_, k) => ({
+    block: shelves(groups, all * (1 - k / 20), gap),
+    merit: 1,
+  }));
+}
+
+/** The arrangement that is largest on a page with the proportions `aspect` (width to height). */
+export function layOut(
+  pattern: Pattern,
+  aspect: number,
   spacing: Spacing,
+  placements?: Placements,
 ): Layout {
-  const room = (box: Box): number =>
-    Math.max(box.width, spacing.least(result.pieces[box.piece]?.name ?? ''));
-  const rows: {boxes: Box[]; width: number; height: number}[] = [];
-  for (const group of groups) {
-    const width = group.reduce((sum, box) => sum + room(box) + spacing.gap, 0);
-    const height = Math.max(...group.map((box) => box.height));
-    const row = rows.at(-1);
-    if (row && row.width + width <= limit + spacing.gap) {
-      row.boxes.push(...group);
-      row.width += width;
-      row.height = Math.max(row.height, height);
-    } else {
-      rows.push({boxes: [...group], width, height});
-    }
+  const boxes = boxesOf(pattern);
+  const cells = cellsOf(boxes, spacing);
+  const arrangements =
+    placements && isPlaced(pattern, placements)
+      ? onBody(pattern, boxes, cells, placements, spacing.gap)
+      : onShelves(pattern, cells, spacing.gap);
+  const size = ({block: {width, height}, merit}: Arrangement): number =>
+    merit * Math.min(aspect / width, 1 / height);
+  const {block} = arrangements.reduce((best, next) => (size(next) > size(best) ? next : best));
+  const offsets: Point[] = boxes.map(() => [0, 0]);
+  for (const {piece, at} of block.places) {
+    const {low, height} = boxes[piece] ?? {low: [0, 0], height: 0};
+    offsets[piece] = [at[0] - low[0], block.height - at[1] - height - low[1]];
   }
-  const width = Math.max(...rows.map((row) => row.width)) - spacing.gap;
-  const height = rows.reduce((sum, row) => sum + row.height + spacing.below, 0);
-  const offsets: Point[] = result.pieces.map(() => [0, 0]);
-  let top = height;
-  for (const row of rows) {
-    const foot = top - row.height;
-    let x = (width - row.width + spacing.gap) / 2;
-    for (const box of row.boxes) {
-      offsets[box.piece] = [x + (room(box) - box.width) / 2 - box.low[0], foot - box.low[1]];
-      x += room(box) + spacing.gap;
-    }
-    top = foot - spacing.below;
-  }
-  return {offsets, width, height};
+  return {offsets, width: block.width, height: block.height};
 }
 
-/** The layout whose proportions come closest to `aspect` (width to height). */
-export function layOut(result: Pattern, aspect: number, spacing: Spacing): Layout {
-  const groups = inOrder(result);
-  const widths = groups.flat().map((box) => box.width + spacing.gap);
-  const all = widths.reduce((sum, width) => sum + width, 0);
-  const off = ({width, height}: Layout): number => Math.abs(Math.log(width / height / aspect));
-  let best = shelves(result, groups, Infinity, spacing);
-  for (let share = 1; share > 0.1; share -= 0.05) {
-    const next = shelves(result, groups, all * share, spacing);
-    if (off(next) < off(best) - 1e-9) best = next;
+/** A page to lay pieces out on; its lengths are pixels, and names keep their size whatever the scale. */
+export interface LayoutPage {
+  readonly width: number;
+  readonly height: number;
+  /** The page may become higher or lower than `height`, which then only gives its proportions. */
+  readonly grows?: boolean;
+  readonly greatestScale: number;
+  readonly gap: number;
+  /** What the name of a piece takes below it, when that is so wide. */
+  readonly nameHeight: (piece: number, width: number) => number;
+  readonly nameWidth: (piece: number) => number;
+}
+
+/** Halvings of the scale that is looked for. */
+const rounds = 12;
+
+/** The layout with the largest scale at which every name has its room. [px per cm] */
+export function layOutNamed(
+  pattern: Pattern,
+  page: LayoutPage,
+  placements?: Placements,
+): {readonly layout: Layout; readonly scale: number} {
+  const {gap, nameHeight, nameWidth} = page;
+  const scaleOf = ({width, height}: Layout): number =>
+    Math.min(page.width / width, page.grows ? Infinity : page.height / height, page.greatestScale);
+  const at = (scale: number): Layout =>
+    layOut(
+      pattern,
+      page.width / page.height,
+      {
+        gap: gap / scale,
+        below: (piece, width) => nameHeight(piece, width * scale) / scale,
+        least: (piece) => nameWidth(piece) / scale,
+      },
+      placements,
+    );
+  let [low, high] = [0, page.greatestScale];
+  let layout = at(high);
+  if (scaleOf(layout) >= high) return {layout, scale: high};
+  // room for names costs scale, and less of it the smaller the scale: halve towards where both agree
+  for (let round = 0; round < rounds || low === 0; round++) {
+    const scale = (low + high) / 2;
+    const next = at(scale);
+    if (scaleOf(next) >= scale) [low, layout] = [scale, next];
+    else high = scale;
+    if (high < 1e-6) break;
   }
-  return best;
+  return {layout, scale: scaleOf(layout)};
 }

@@ -31,6 +31,8 @@ interface Box {
 const letterSize = 24;
 const leastLetterSize = 15;
 const gap = 6;
+/** A name may stand on a piece that is so many times as high. */
+const leastCover = 4;
 
 const colours: Readonly<Record<Appearance, {text: string; paper: string; ring: string}>> = {
   light: {text: '#3b3e44', paper: 'rgb(255 255 255 / 0.88)', ring: '#2b2d31'},
@@ -186,7 +188,9 @@ function places(
   const foot = Math.min(piece.bottom, size.height) - gap - height;
   return [
     ...(below + height <= size.height ? [at(below, false)] : []),
-    ...(fits && foot > piece.top ? [at(foot, true)] : []),
+    ...(fits && foot > piece.top && piece.bottom - piece.top > leastCover * height
+      ? [at(foot, true)]
+      : []),
   ];
 }
 

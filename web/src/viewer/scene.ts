@@ -4,7 +4,7 @@ import type {Garment} from '../model/garment.js';
 import type {Print} from '../model/print.js';
 import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
 import {fitOf} from '../picture/fit.js';
-import {layOut, type Layout} from '../picture/layout.js';
+import {layOutNamed, type Layout} from '../picture/layout.js';
 import {axisAlong, innermost, isInside, mirrorImage, pick} from '../picture/marks.js';
 import {nameLines, textWidth} from '../picture/svg.js';
 import {chanceMismatch} from './chance.js';
@@ -75,35 +75,42 @@ const grainShift = 2;
 
 /** Room that names may cost: where pieces would get smaller than this part of what they could be, names do without. */
 const leastShare = 0.75;
+/** Pieces of a very small garment lie no further apart than they would at this scale. [CSS px per cm] */
+const greatestLayoutScale = 14;
 
 /** Pieces on a sheet with the proportions of the viewport; a name has room below its piece at the scale of the whole sheet. */
 function sheet(
   pattern: Pattern,
-  labels: ReadonlyMap<string, string>,
+  labels: readonly string[],
+  marks: ReadonlyMap<string, PanelMarks>,
   viewport = {width: 1200, height: 750},
 ): Layout {
-  const width = Math.max(viewport.width - 2 * screenMargin, 1);
-  const height = Math.max(viewport.height - 2 * screenMargin, 1);
-  const lines = new Map([...labels].map(([name, label]) => [name, labelLines(label)]));
-  const most = Math.max(...[...lines.values()].map(({length}) => length));
-  const widest = (name: string): number =>
-    Math.max(...(lines.get(name) ?? []).map((line) => textWidth(line, labelSize)));
-  const scaleOf = (layout: Layout): number =>
-    Math.min(width / layout.width, height / layout.height);
-  const laidOut = (spacing: {below: number; least: (name: string) => number}): Layout => {
-    const at = (scale: number): Layout =>
-      layOut(pattern, width / height, {
-        gap: Math.max(2, 14 / scale),
-        below: Math.max(2, spacing.below / scale),
-        least: (name) => spacing.least(name) / scale,
-      });
-    let layout = at(5); // px per cm; known better after each round
-    for (let round = 0; round < 3; round++) layout = at(scaleOf(layout));
-    return layout;
+  const lines = labels.map(labelLines);
+  const widths = lines.map((some) => Math.max(...some.map((line) => textWidth(line, labelSize))));
+  const placements = new Map(
+    [...marks].flatMap(([name, {placement}]) => (placement ? [[name, placement] as const] : [])),
+  );
+  const page = {
+    width: Math.max(viewport.width - 2 * screenMargin, 1),
+    height: Math.max(viewport.height - 2 * screenMargin, 1),
+    greatestScale: greatestLayoutScale,
+    gap: 16,
   };
-  const named = laidOut({below: 16 + 1.25 * labelSize * most, least: widest});
-  const bare = laidOut({below: 14, least: () => 0});
-  return scaleOf(named) < leastShare * scaleOf(bare) ? bare : named;
+  const named = layOutNamed(
+    pattern,
+    {
+      ...page,
+      nameHeight: (piece) => 18 + 1.25 * labelSize * (lines[piece]?.length ?? 0),
+      nameWidth: (piece) => widths[piece] ?? 0,
+    },
+    placements,
+  );
+  const bare = layOutNamed(
+    pattern,
+    {...page, nameHeight: () => page.gap, nameWidth: () => 0},
+    placements,
+  );
+  return (named.scale < leastShare * bare.scale ? bare : named).layout;
 }
 
 function symmetriesOf(
@@ -161,10 +168,10 @@ function grainOf(
 export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = {}): PatternScene {
   const outline = options.outline ?? 'shape';
   const marks = options.garment ? panelMarks(options.garment) : new Map<string, PanelMarks>();
-  const labels = new Map(
-    pattern.pieces.map(({name}) => [name, marks.get(name)?.label ?? name.replaceAll('_', ' ')]),
+  const labels = pattern.pieces.map(
+    ({name}) => marks.get(name)?.label ?? name.replaceAll('_', ' '),
   );
-  const {offsets, width, height} = sheet(pattern, labels, options.viewport);
+  const {offsets, width, height} = sheet(pattern, labels, marks, options.viewport);
   const symmetries = symmetriesOf(pattern, outline);
   const axes = new Map(
     symmetries.flatMap((s) => (s.kind === 'piece' ? [[s.piece, s.axis] as const] : [])),
@@ -176,7 +183,7 @@ export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = 
       const {name, triangles, outline: loop, holes, alignment} = piece;
       return {
         ...{name, triangles, outline: loop, holes, alignment, points: piece[outline]},
-        label: labels.get(name) ?? name,
+        label: labels[k] ?? name,
         offset: offsets[k] ?? [0, 0],
         ...grainOf(piece, marks.get(name)?.grain, axes.get(k)),
       };

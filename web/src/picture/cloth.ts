@@ -1,0 +1,40 @@
+/** A print as SVG patterns: its tile once, and the cloth under every piece. */
+import type {Alignment, Point} from '../model/geometry.js';
+import type {Print} from '../model/print.js';
+import {imageCell} from '../model/wallpaper.js';
+import {onPrint} from './fit.js';
+import {escaped, imageHref, short} from './svg.js';
+
+/** A print with the picture of its cell: SVG text, or a URL. Without one, only the cell is drawn. */
+export type PrintWithTile = Print & {readonly tile?: string};
+
+/** The tile as a pattern that every piece's own pattern refers to. @param scale [px per cm] */
+export function clothTile(id: string, print: PrintWithTile, scale: number): string {
+  const [w, h] = imageCell(print).map((side) => short(scale * Math.hypot(...side)));
+  const content = print.tile
+    ? `<image href="${escaped(imageHref(print.tile))}" width="${w}" height="${h}" preserveAspectRatio="none"/>`
+    : `<rect width="${w}" height="${h}" fill="#f1ede3" stroke="#c9c1ae" stroke-width="1"/>`;
+  return `<pattern id="${id}" patternUnits="userSpaceOnUse" width="${w}" height="${h}">${content}</pattern>`;
+}
+
+/**
+ * The print under one piece: p = R w + t, then the page. The image's y runs down, against the cell's second edge.
+ * @param tile the id of the pattern with the tile
+ * @param page piece coordinates -> page, upright
+ */
+export function clothUnder(
+  id: string,
+  tile: string,
+  print: Print,
+  {angle, translation}: Alignment,
+  page: (p: Point) => Point,
+): string {
+  const [a, b] = imageCell(print);
+  const along = ([x, y]: Point, sign: 1 | -1): Point => {
+    const n = sign / Math.hypot(x, y);
+    const turned = onPrint({angle: -angle, translation: [0, 0]}, [x * n, y * n]);
+    return [turned[0], -turned[1]];
+  };
+  const matrix = [...along(a, 1), ...along(b, -1)].map((v) => v.toFixed(6));
+  return `<pattern id="${id}" href="#${tile}" patternTransform="matrix(${matrix.join(' ')} ${page(translation).map(short).join(' ')})"/>`;
+}

@@ -1,0 +1,183 @@
+/** Pieces arranged as they hang on the body: by where a garment file places them in space. Lengths in cm. */
+import type {Point} from '../model/geometry.js';
+import type {Pattern, ResultPiece} from '../model/result.js';
+import {below, beside, shelves, type Block} from './blocks.js';
+
+type Vector = readonly [x: number, y: number, z: number];
+
+/** Of a panel: x to the wearer's left, y up, z to the front; turned about x, then y, then z. */
+export interface Placement {
+  readonly translation: Vector;
+  /** [degrees] */
+  readonly rotation?: Vector;
+}
+
+export type Placements = ReadonlyMap<string, Placement>;
+
+/** A piece with its room on the sheet, and where it is on the body as one sees it who looks at its face. */
+interface Hung {
+  readonly block: Block;
+  readonly name: string;
+  readonly side: 'front' | 'back' | 'left' | 'right';
+  /** To the right, and up. */
+  readonly at: Point;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Cosine of the angle to straight ahead from which on a piece belongs to the side. */
+const sideways = 0.3;
+/** Pieces overlap by this part of the lower one's height, and they lie in one row. */
+const sameRow = 0.5;
+const partNames =
+  /pocket|collar|cuff|band|stand|strap|belt|flap|facing|placket|welt|(^|[_ ])wb([_ ]|$)/i;
+/** A part is no larger than this part of the largest piece. */
+const greatestPart = 0.35;
+
+function turned([x, y, z]: Vector, [rx, ry, rz]: Vector): Vector {
+  const about = (angle: number, a: number, b: number): Point => {
+    const [c, s] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)];
+    return [c * a - s * b, s * a + c * b];
+  };
+  const [y1, z1] = about(rx, y, z);
+  const [z2, x2] = about(ry, z1, x);
+  const [x3, y3] = about(rz, x2, y1);
+  return [x3, y3, z2];
+}
+
+/** Whether placements tell pieces apart; those of a flat file are all zero. */
+export function isPlaced({pieces}: Pick<Pattern, 'pieces'>, placements: Placements): boolean {
+  const all = pieces.map(({name}) => placements.get(name)?.translation);
+  const known = all.filter((place) => place !== undefined);
+  return (
+    known.length === all.length &&
+    (all.length === 1 || new Set(known.map((place) => place.join())).size > 1)
+  );
+}
+
+function hung(
+  {name, mirroredFromInput}: ResultPiece,
+  middle: Point,
+  [width, height]: Point,
+  {translation, rotation = [0, 0, 0]}: Placement,
+  block: Block,
+): Hung {
+  const sign = mirroredFromInput ? -1 : 1;
+  const [nx, , nz] = turned([0, 0, sign], rotation);
+  const [dx, dy, dz] = turned([sign * middle[0], middle[1], 0], rotation);
+  const [x, y, z] = [translation[0] + dx, translation[1] + dy, translation[2] + dz];
+  const common = {block, name, width, height};
+  if (Math.abs(nz) < sideways && Math.abs(nx) > sideways) {
+    return {...common, side: nx > 0 ? 'left' : 'right', at: [nx > 0 ? -z : z, y]};
+  }
+  // a flat file may show all faces to the front: then where a piece is tells more
+  const isFront = Math.abs(z) > 1 ? z > 0 : nz >= 0;
+  return {...common, side: isFront ? 'front' : 'back', at: [nz >= 0 ? x : -x, y]};
+}
+
+const median = (values: readonly number[]): number =>
+  values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
+
+/** Collars, cuffs, bands, pockets: by their names, or narrow beside the other pieces. */
+function partTest(pieces: readonly Hung[]): (piece: Hung) => boolean {
+  const area = ({width, height}: Hung): number => width * height;
+  const largest = Math.max(...pieces.map(area));
+  const narrow = 0.4 * median(pieces.map(({width, height}) => Math.min(width, height)));
+  return (piece) => {
+    const [short, long] = [piece.width, piece.height].sort((a, b) => a - b) as [number, number];
+    const isStrip = short < narrow && long > 2 * short;
+    return area(piece) < greatestPart * largest && (isStrip || partNames.test(piece.name));
+  };
+}
+
+const top = ({at, height}: Hung): number => at[1] + height / 2;
+const foot = ({at, height}: Hung): number => at[1] - height / 2;
+
+/** Rows from the top down, in each the pieces as far below each other as on the body. */
+function rowsOf(pieces: readonly Hung[], gap: number): Block {
+  const rows: Hung[][] = [];
+  for (const piece of pieces.toSorted((a, b) => b.height - a.height)) {
+    const shared = (tallest: Hung): number =>
+      Math.min(top(tallest), top(piece)) - Math.max(foot(tallest), foot(piece));
+    const row = rows.find(([tallest]) => tallest && shared(tallest) > sameRow * piece.height);
+    if (row) row.push(piece);
+    else rows.push([piece]);
+  }
+  const middle = (row: readonly Hung[]): number => row[0]?.at[1] ?? 0;
+  return below(
+    rows
+      .sort((a, b) => middle(b) - middle(a))
+      .map((row) => {
+        const highest = Math.max(...row.map(top));
+        const drops = new Map(row.map((piece) => [piece.block, highest - top(piece)]));
+        const blocks = row.toSorted((a, b) => a.at[0] - b.at[0]).map(({block}) => block);
+        return beside(blocks, gap, (block) => drops.get(block) ?? 0);
+      }),
+  );
+}
+
+/** An arrangement, and how much smaller it may be drawn than another before that is preferred. */
+export interface Arrangement {
+  readonly block: Block;
+  readonly merit: number;
+}
+
+/** Fronts between the sleeves, backs below or beside, parts at the foot; on narrow sheets the sleeves below. */
+export function onBody(
+  pattern: Pattern,
+  boxes: readonly {readonly low: Point; readonly width: number; readonly height: number}[],
+  blocks: readonly Block[],
+  placements: Placements,
+  gap: number,
+): readonly Arrangement[] {
+  const all = pattern.pieces.flatMap((piece, k): Hung[] => {
+    const [box, block, placement] = [boxes[k], blocks[k], placements.get(piece.name)];
+    if (!box || !block || !placement) return [];
+    const {low, width, height} = box;
+    const middle: Point = [low[0] + width / 2, low[1] + height / 2];
+    return [hung(piece, middle, [width, height], placement, block)];
+  });
+  const isPart = partTest(all);
+  const rows = (side: Hung['side']): Block =>
+    rowsOf(
+      all.filter((piece) => piece.side === side && !isPart(piece)),
+      gap,
+    );
+  const [front, back, left, right] = (['front', 'back', 'left', 'right'] as const).map(rows) as [
+    Block,
+    Block,
+    Block,
+    Block,
+  ];
+  const parts = all.filter(isPart).sort((a, b) => b.at[1] - a.at[1]);
+  const beneath = (block: Block): Block =>
+    below([
+      block,
+      shelves(
+        levels(parts).map((level) => level.map((part) => part.block)),
+        Math.max(block.width, ...parts.map((part) => part.block.width)),
+        gap,
+      ),
+    ]);
+  const row = (...some: Block[]): Block => beside(some, gap);
+  const worn = row(right, front, left);
+  return [
+    {block: beneath(below([worn, back])), merit: 1},
+    {block: beneath(row(worn, back)), merit: 1},
+    {block: beneath(below([row(front, back), row(right, left)])), merit: 0.8},
+    {block: beneath(below([front, back, row(right, left)])), merit: 0.8},
+  ];
+}
+
+/** Parts at one height, the wearer's right first, as when one looks at the front. */
+function levels(parts: readonly Hung[]): readonly (readonly Hung[])[] {
+  const groups: Hung[][] = [];
+  const across = ({side, at}: Hung): number =>
+    ({front: at[0], back: -at[0], left: 1e3, right: -1e3})[side];
+  for (const part of parts) {
+    const group = groups.at(-1);
+    if (group?.[0] && Math.abs(group[0].at[1] - part.at[1]) < 1) group.push(part);
+    else groups.push([part]);
+  }
+  return groups.map((group) => group.sort((a, b) => across(a) - across(b)));
+}
