@@ -1,0 +1,107 @@
+/** What a garment file says about its panels that a result does not repeat. */
+import type {Garment} from './garment.js';
+import type {Point} from './geometry.js';
+
+type Vector = readonly [x: number, y: number, z: number];
+
+/** Of a panel: x to the wearer's left, y up, z to the front; turned about x, then y, then z. */
+export interface Placement {
+  readonly translation: Vector;
+  /** [degrees] */
+  readonly rotation?: Vector;
+}
+
+/** A mark on an edge of the outline, at a share of its length. The ends are in the coordinates of the file. [cm] */
+export interface Notch {
+  readonly from: Point;
+  readonly to: Point;
+  readonly at: number;
+}
+
+export interface PanelMarks {
+  /** What people call the piece. */
+  readonly label?: string;
+  /** In the coordinates of the file, not yet mirrored. [cm] */
+  readonly grain?: readonly [Point, Point];
+  /** Where it is on the body. [cm] */
+  readonly placement?: Placement;
+  readonly notches?: readonly Notch[];
+}
+
+/** Of a garment's own words, those that belong on every sheet. */
+export interface GarmentTitle {
+  readonly title?: string;
+  readonly size?: string;
+}
+
+const field = (value: unknown, name: string | number): unknown =>
+  typeof value === 'object' && value !== null ? Reflect.get(value, name) : undefined;
+
+const listed = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);
+
+/** All of a list's numbers in another unit, if it starts with so many of them. */
+function numbers(value: unknown, count: number, unit: number): readonly number[] | undefined {
+  const some = listed(value).slice(0, count);
+  const scaled = some.flatMap((entry) => (typeof entry === 'number' ? [entry * unit] : []));
+  return scaled.length === count ? scaled : undefined;
+}
+
+function pointOf(value: unknown, unit: number): Point | undefined {
+  const [x, y] = numbers(value, 2, unit) ?? [];
+  return x === undefined || y === undefined ? undefined : [x, y];
+}
+
+function vectorOf(value: unknown, unit: number): Vector | undefined {
+  const [x, y, z] = numbers(value, 3, unit) ?? [];
+  return x === undefined || y === undefined || z === undefined ? undefined : [x, y, z];
+}
+
+function placementOf(panel: unknown, unit: number): Placement | undefined {
+  const translation = vectorOf(field(panel, 'translation'), unit);
+  const rotation = vectorOf(field(panel, 'rotation'), 1);
+  return translation && {translation, ...(rotation && {rotation})};
+}
+
+function notchesOf(panel: unknown, unit: number): readonly Notch[] {
+  const vertices = listed(field(panel, 'vertices')).map((vertex) => pointOf(vertex, unit));
+  const edges = listed(field(panel, 'edges')).map((edge) =>
+    (numbers(field(edge, 'endpoints'), 2, 1) ?? []).map((end) => vertices[end]),
+  );
+  return listed(field(panel, 'notches')).flatMap((notch) => {
+    const edge = field(notch, 'edge');
+    const at = field(notch, 'at');
+    const [from, to] = (typeof edge === 'number' ? edges[edge] : undefined) ?? [];
+    return from && to && typeof at === 'number' ? [{from, to, at}] : [];
+  });
+}
+
+/** By panel name. What a garment does not show is left out; the solver has checked the file. */
+export function panelMarks(garment: Garment): ReadonlyMap<string, PanelMarks> {
+  const unitsInMetre = field(garment.properties, 'units_in_meter');
+  const unit = typeof unitsInMetre === 'number' ? 100 / unitsInMetre : 1;
+  const panels = field(garment.pattern, 'panels');
+  const entries = typeof panels === 'object' && panels !== null ? Object.entries(panels) : [];
+  return new Map(
+    entries.map(([name, panel]: [string, unknown]): [string, PanelMarks] => {
+      const label = field(panel, 'label');
+      const placement = placementOf(panel, unit);
+      const notches = notchesOf(panel, unit);
+      const [from, to] = listed(field(field(panel, 'grain'), 'line')).map((p) => pointOf(p, unit));
+      return [
+        name,
+        {
+          ...(typeof label === 'string' && {label}),
+          ...(from && to && {grain: [from, to] as const}),
+          ...(placement && {placement}),
+          ...(notches.length > 0 && {notches}),
+        },
+      ];
+    }),
+  );
+}
+
+export function garmentTitle(garment: Garment): GarmentTitle {
+  const title = field(garment, 'title');
+  const size = field(garment, 'size');
+  return {...(typeof title === 'string' && {title}), ...(typeof size === 'string' && {size})};
+}
