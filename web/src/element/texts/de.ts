@@ -74,8 +74,7 @@ export const de: Texts = {
     grain: 'Fadenlauf',
   },
   headline: {
-    fits: (within, chance) => `Nähte treffen sich auf ${within} (zufällig ${chance})`,
-    before: (chance) => `Noch nicht ausgerichtet: Nähte sind im Mittel um ${chance} versetzt`,
+    fits: (mean, chance) => `Nähte treffen sich im Mittel auf ${mean} (zufällig ${chance})`,
     fit: 'Passung',
     percentOfRandom: (percent) => `${percent} von zufällig`,
     cost: 'Was die Symmetrie kostet',

@@ -73,8 +73,8 @@ export const en = {
     grain: 'Grain',
   },
   headline: {
-    fits: (within: string, chance: string) => `Seams meet within ${within} (by chance ${chance})`,
-    before: (chance: string) => `Not aligned yet: seams are off by ${chance} on average`,
+    fits: (mean: string, chance: string) =>
+      `Seams meet within ${mean} on average (by chance ${chance})`,
     fit: 'Fit',
     percentOfRandom: (percent: string) => `${percent} of random`,
     cost: 'What the symmetry costs',

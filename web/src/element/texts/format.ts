@@ -7,6 +7,8 @@ export interface Format {
   length(cm: number): string;
   /** 1.2 mm, 0.05 in */
   fine(cm: number): string;
+  /** The number and the unit of length that it is squares of. */
+  area(cm2: number): {readonly value: string; readonly unit: string};
   /** A share as percent, of which at least one digit is shown. */
   percent(share: number): string;
   seconds(milliseconds: number): string;
@@ -24,6 +26,10 @@ export function formatFor(language: Language, units: Units): Format {
   const format: Format = {
     length: (cm) => formatLength(cm, units, language),
     fine: (cm) => formatLength(cm, units, language, {fine: true}),
+    area: (cm2) => {
+      const value = units === 'inch' ? cm2 / 2.54 ** 2 : cm2;
+      return {value: number(value, value < 100 ? 1 : 0), unit: units === 'inch' ? 'in' : 'cm'};
+    },
     percent: (share) => {
       const percent = share * 100;
       return `${number(percent, percent < 1 ? 1 : 0)} %`;

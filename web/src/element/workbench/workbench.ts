@@ -8,6 +8,7 @@ import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {SolverClient, type WorkerPlaces} from '../../solver/client.js';
 import {alignmentsFrom} from '../../viewer/scene.js';
+import type {Scenes} from './scenes.js';
 import {Comparison} from './comparison.js';
 import {LatestSolve} from './latest-solve.js';
 import {preferencesFor, type Preferences} from './preferences.js';
@@ -27,7 +28,8 @@ export interface Step {
 
 /** `stale`: what is shown belongs to an earlier design. */
 export type SolveState =
-  | {readonly kind: 'empty' | 'stale' | 'done'}
+  | {readonly kind: 'empty' | 'done'}
+  | {readonly kind: 'stale'; readonly cancelled: boolean}
   | ({readonly kind: 'solving'} & Progress)
   | {readonly kind: 'failed'; readonly failure: Failure};
 
@@ -38,6 +40,14 @@ export interface Notice {
   /** Offers to take the last step back. */
   readonly undo?: boolean;
 }
+
+/** A part of the pattern that somebody means. */
+export type Target =
+  | {readonly kind: 'piece'; readonly piece: number}
+  | {readonly kind: 'seam'; readonly seam: number; readonly side: 'a' | 'b'};
+
+const sameTarget = (a: Target | undefined, b: Target | undefined): boolean =>
+  JSON.stringify(a) === JSON.stringify(b);
 
 export class Workbench {
   readonly client: SolverClient;
@@ -56,6 +66,9 @@ export class Workbench {
   #partial: readonly Alignment[] | undefined;
   #state: SolveState = {kind: 'empty'};
   #notice: Notice | undefined;
+  #scenes: Scenes | undefined;
+  #selected: Target | undefined;
+  #pointed: Target | undefined;
   /** The kind of change that may still be amended, and until when. */
   #amendable = {kind: '', until: 0};
 
@@ -165,6 +178,39 @@ export class Workbench {
     this.#changed();
   }
 
+  /** The sheets that the pattern shows, for everything beside it that speaks of the same. */
+  get scenes(): Scenes | undefined {
+    return this.#scenes;
+  }
+
+  set scenes(scenes: Scenes | undefined) {
+    if (scenes?.now === this.#scenes?.now && scenes?.before === this.#scenes?.before) return;
+    this.#scenes = scenes;
+    this.#changed();
+  }
+
+  /** What was picked last: it stays when the pointer moves on. */
+  get selected(): Target | undefined {
+    return this.#selected;
+  }
+
+  select(target: Target | undefined): void {
+    if (sameTarget(target, this.#selected)) return;
+    this.#selected = target;
+    this.#changed();
+  }
+
+  /** What the pointer is over, in the picture or in a list. */
+  get pointed(): Target | undefined {
+    return this.#pointed;
+  }
+
+  point(target: Target | undefined): void {
+    if (sameTarget(target, this.#pointed)) return;
+    this.#pointed = target;
+    this.#changed();
+  }
+
   /** Starts, or starts over, with a history of its own. */
   begin(history: History<Step>): void {
     this.#travel(history);
@@ -227,7 +273,7 @@ export class Workbench {
     if (!this.#solve.isRunning) return;
     this.#solve.cancel();
     this.#partial = undefined;
-    this.#state = {kind: 'stale'};
+    this.#state = {kind: 'stale', cancelled: true};
     this.#changed();
   }
 
@@ -267,7 +313,7 @@ export class Workbench {
     } else if (this.#preferences.solveAsIGo) {
       this.align();
     } else {
-      this.#state = {kind: 'stale'};
+      this.#state = {kind: 'stale', cancelled: false};
     }
     this.#changed();
   }
@@ -277,6 +323,8 @@ export class Workbench {
     this.#garment = garment;
     this.#pattern = undefined;
     this.#found = [];
+    this.#selected = undefined;
+    this.#pointed = undefined;
     this.client.symmetries(garment.text, {name: garment.name}).then(
       ({symmetries}) => {
         if (this.#garment !== garment) return;

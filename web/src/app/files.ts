@@ -1,0 +1,61 @@
+/** Files from the user's machine and to it. */
+
+/** Asks for a file. @returns undefined when nothing is chosen */
+export function chooseFile(accept: string): Promise<File | undefined> {
+  return new Promise((resolve) => {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.accept = accept;
+    input.addEventListener('change', () => {
+      resolve(input.files?.[0]);
+    });
+    input.addEventListener('cancel', () => {
+      resolve(undefined);
+    });
+    input.click();
+  });
+}
+
+export function saveFile(name: string, content: Blob | string, type = 'application/json'): void {
+  const blob = typeof content === 'string' ? new Blob([content], {type}) : content;
+  const url = URL.createObjectURL(blob);
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = name;
+  link.click();
+  // the browser reads it after this event
+  setTimeout(() => {
+    URL.revokeObjectURL(url);
+  }, 60_000);
+}
+
+/** Takes files that are dropped on the page or pasted into it, until `signal` fires. */
+export function takeFiles(take: (file: File) => void, signal: AbortSignal): void {
+  addEventListener(
+    'dragover',
+    (event) => {
+      if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+    },
+    {signal},
+  );
+  addEventListener(
+    'drop',
+    (event) => {
+      const file = event.dataTransfer?.files[0];
+      if (!file) return;
+      event.preventDefault();
+      take(file);
+    },
+    {signal},
+  );
+  addEventListener(
+    'paste',
+    (event) => {
+      const file = event.clipboardData?.files[0];
+      if (!file) return;
+      event.preventDefault();
+      take(file);
+    },
+    {signal},
+  );
+}

@@ -1,0 +1,89 @@
+import {css} from 'lit';
+
+export const pageLayout = css`
+  :host {
+    display: grid;
+    grid:
+      'header header header' auto
+      'setup pattern report' minmax(0, 1fr) / 20rem minmax(0, 1fr) 24rem;
+    height: 100dvh;
+    background: var(--sw-ground);
+  }
+  header {
+    grid-area: header;
+    display: flex;
+    flex-wrap: wrap;
+    align-items: center;
+    gap: var(--sw-space-2);
+    padding: var(--sw-space-2) var(--sw-space-4);
+    border-bottom: 1px solid var(--sw-line);
+    background: var(--sw-paper);
+  }
+  h1 {
+    margin: 0 var(--sw-space-2) 0 0;
+    font-size: var(--sw-text-large);
+    font-weight: 650;
+    letter-spacing: -0.01em;
+  }
+  .gap {
+    flex: 1;
+  }
+  .icon {
+    width: 2rem;
+    padding: 0;
+  }
+  main {
+    grid-area: pattern;
+    display: grid;
+    position: relative;
+    min-height: 0;
+  }
+  aside {
+    overflow-y: auto;
+    background: var(--sw-paper);
+    scrollbar-width: thin;
+  }
+  .setup {
+    grid-area: setup;
+    border-right: 1px solid var(--sw-line);
+  }
+  .report {
+    grid-area: report;
+    border-left: 1px solid var(--sw-line);
+  }
+  .notice {
+    position: absolute;
+    left: 50%;
+    bottom: var(--sw-space-4);
+    translate: -50% 0;
+    display: flex;
+    align-items: center;
+    gap: var(--sw-space-3);
+    width: max-content;
+    max-width: min(36rem, calc(100% - 2rem));
+    padding: var(--sw-space-2) var(--sw-space-2) var(--sw-space-2) var(--sw-space-4);
+    border: 1px solid var(--sw-line);
+    border-radius: var(--sw-radius);
+    background: var(--sw-raised);
+  }
+  .notice.error {
+    border-color: var(--sw-bad);
+    background: var(--sw-bad-tint);
+  }
+  @media (width < 64rem) {
+    :host {
+      grid:
+        'header' auto
+        'pattern' minmax(18rem, 60dvh)
+        'report' auto
+        'setup' auto / minmax(0, 1fr);
+      height: auto;
+      min-height: 100dvh;
+    }
+    .setup,
+    .report {
+      border: 0;
+      border-top: 1px solid var(--sw-line);
+    }
+  }
+`;

@@ -1,0 +1,143 @@
+/** The page: what is decided on the left, the pattern in the middle, how well it fits on the right. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import {controls, DeskElement, icon, tokens, type Samples} from '../element/index.js';
+import {chooseFile, takeFiles} from './files.js';
+import {openFile} from './open-file.js';
+import {pageLayout} from './page-layout.js';
+import {saveProject, saveResult} from './save.js';
+
+export class SeamwisePage extends DeskElement {
+  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+  static override styles = [tokens, controls, pageLayout];
+  declare samples: Samples | undefined;
+  #life: AbortController | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#life = new AbortController();
+    takeFiles((file) => void openFile(this.desk, file), this.#life.signal);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#life?.abort();
+  }
+
+  protected override render(): TemplateResult {
+    const {desk, samples} = this;
+    const {app} = this.texts;
+    return html`
+      <header>
+        <h1>${app.name}</h1>
+        <sw-garment-choice .desk=${desk} .samples=${samples}></sw-garment-choice>
+        <button class="outlined" @click=${() => this.#open('.json,application/json')}>
+          ${icon.open} ${app.openGarment}
+        </button>
+        <span class="gap"></span>
+        <sw-progress .desk=${desk}></sw-progress>
+        ${this.#icon(app.undo, icon.undo, desk.canUndo, () => {
+          desk.undo();
+        })}
+        ${this.#icon(app.redo, icon.redo, desk.canRedo, () => {
+          desk.redo();
+        })}
+        ${this.#solving()}
+        <button
+          class="outlined"
+          ?disabled=${!desk.design}
+          @click=${() => {
+            saveProject(desk);
+          }}
+        >
+          ${icon.save} ${app.saveProject}
+        </button>
+        <button
+          class="outlined"
+          ?disabled=${!desk.result}
+          @click=${() => {
+            saveResult(desk);
+          }}
+        >
+          ${icon.save} ${app.saveResult}
+        </button>
+      </header>
+      <aside class="setup" aria-label=${app.setup}></aside>
+      <main><sw-pattern .desk=${desk}></sw-pattern>${this.#notice()}</main>
+      <aside class="report" aria-label=${app.report}>
+        <sw-headline .desk=${desk}></sw-headline>
+      </aside>
+    `;
+  }
+
+  async #open(accept: string): Promise<void> {
+    const file = await chooseFile(accept);
+    if (file) await openFile(this.desk, file);
+  }
+
+  #solving(): TemplateResult {
+    const {desk} = this;
+    const {app} = this.texts;
+    const solving = desk.state.kind === 'solving';
+    return html`<button
+        class="primary"
+        ?disabled=${!desk.design || solving}
+        @click=${() => {
+          desk.align();
+        }}
+      >
+        ${app.align}
+      </button>
+      <button
+        class="outlined"
+        ?disabled=${!solving}
+        @click=${() => {
+          desk.cancel();
+        }}
+      >
+        ${app.cancel}
+      </button>`;
+  }
+
+  #notice(): TemplateResult | typeof nothing {
+    const {desk} = this;
+    const {notice} = desk;
+    if (!notice) return nothing;
+    const {app} = this.texts;
+    return html`<div
+      class="notice ${notice.tone}"
+      role=${notice.tone === 'error' ? 'alert' : 'status'}
+    >
+      <span>${notice.text}</span>
+      ${
+        notice.undo
+          ? html`<button
+              class="link"
+              @click=${() => {
+                desk.undo();
+              }}
+            >
+              ${app.undo}
+            </button>`
+          : nothing
+      }
+      ${this.#icon(app.dismiss, icon.close, true, () => {
+        desk.say(undefined);
+      })}
+    </div>`;
+  }
+
+  #icon(label: string, picture: TemplateResult, enabled: boolean, act: () => void): TemplateResult {
+    return html`<button
+      class="icon"
+      aria-label=${label}
+      title=${label}
+      ?disabled=${!enabled}
+      @click=${act}
+    >
+      ${picture}
+    </button>`;
+  }
+}
+
+customElements.define('seamwise-page', SeamwisePage);

@@ -1,0 +1,14 @@
+/** The parts that the page is built of. */
+export * from './desk-element.js';
+export {controls} from './style/controls.js';
+export {icon} from './style/icons.js';
+export {tokens} from './style/tokens.js';
+export * from './workbench/preferences.js';
+export * from './workbench/samples.js';
+export * from './workbench/workbench.js';
+export {toFailure} from './workbench/latest-solve.js';
+
+import './pattern/pattern-pane.js';
+import './shell/garment-choice.js';
+import './shell/headline.js';
+import './shell/solve-progress.js';

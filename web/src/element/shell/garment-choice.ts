@@ -1,0 +1,88 @@
+/** Which garment, and in which size. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {sampleGarment, type Samples} from '../workbench/samples.js';
+
+export class GarmentChoice extends DeskElement {
+  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+  declare samples: Samples | undefined;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: flex;
+        gap: var(--sw-space-1);
+      }
+      select {
+        width: auto;
+        max-width: 12rem;
+        border-color: transparent;
+        background: transparent;
+        font-weight: 600;
+        cursor: pointer;
+      }
+      select:hover {
+        background: color-mix(in srgb, var(--sw-ink) 7%, transparent);
+      }
+      option {
+        background: var(--sw-raised);
+        color: var(--sw-ink);
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {design} = this.desk;
+    if (!design || !this.samples) return nothing;
+    const {app} = this.texts;
+    const {sample, name} = design.garment;
+    const style = this.samples.garments.find((one) => one.style === sample?.style);
+    return html`
+      <select
+        aria-label=${app.garment}
+        @change=${(event: Event) => {
+          void this.#open((event.target as HTMLSelectElement).value, sample?.size ?? 'm');
+        }}
+      >
+        ${style ? nothing : html`<option selected value="">${name}</option>`}
+        ${this.samples.garments.map(
+          (one) =>
+            html`<option value=${one.style} ?selected=${one === style}>${one.title}</option>`,
+        )}
+      </select>
+      ${
+        style &&
+        html`<select
+          aria-label=${app.size}
+          @change=${(event: Event) => {
+            void this.#open(style.style, (event.target as HTMLSelectElement).value);
+          }}
+        >
+          ${style.sizes.map(
+            (size) =>
+              html`<option value=${size} ?selected=${size === sample?.size}>
+                ${size.toUpperCase()}
+              </option>`,
+          )}
+        </select>`
+      }
+    `;
+  }
+
+  /** Another size keeps all that was decided about the garment; another garment cannot. */
+  async #open(style: string, size: string): Promise<void> {
+    if (style === '') return;
+    try {
+      const garment = await sampleGarment(style, size);
+      if (style === this.desk.design?.garment.sample?.style) this.desk.change({garment});
+      else await this.desk.open(garment);
+    } catch (error) {
+      this.desk.say({tone: 'error', text: error instanceof Error ? error.message : String(error)});
+    }
+  }
+}
+
+customElements.define('sw-garment-choice', GarmentChoice);

@@ -1,0 +1,109 @@
+/** How well the garment meets, in one sentence; under it the figures. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {Metrics} from '../../model/result.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {matchOf} from '../workbench/match.js';
+
+export class Headline extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: var(--sw-space-2);
+        padding: var(--sw-space-4);
+      }
+      h2 {
+        font-size: var(--sw-text-title);
+        font-weight: 600;
+        line-height: 1.2;
+        letter-spacing: -0.01em;
+        text-wrap: balance;
+      }
+      output {
+        color: var(--sw-soft);
+      }
+      sup {
+        line-height: 0;
+      }
+      dl {
+        display: grid;
+        grid-template-columns: auto 1fr 1fr;
+        gap: var(--sw-space-1) var(--sw-space-4);
+        margin: var(--sw-space-2) 0 0;
+        padding: var(--sw-space-3);
+        border-radius: var(--sw-radius);
+        background: var(--sw-tint);
+      }
+      dl > div {
+        display: contents;
+      }
+      dt,
+      dd {
+        margin: 0;
+      }
+      details {
+        color: var(--sw-soft);
+      }
+      summary {
+        cursor: pointer;
+      }
+      ul {
+        margin: var(--sw-space-1) 0 0;
+        padding-left: var(--sw-space-4);
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult {
+    const {result, state} = this.desk;
+    const {headline} = this.texts;
+    if (state.kind === 'failed') {
+      return html`<h2>${this.texts.progress.failed}</h2>
+        <p class="error" role="alert">${state.failure.message}</p>`;
+    }
+    if (!result) return html`<h2 class="soft">${this.texts.progress.label} …</h2>`;
+    const {mean, chance} = matchOf(result);
+    return html`
+      <h2>${headline.fits(this.format.fine(mean), this.format.fine(chance))}</h2>
+      <output aria-label=${headline.fit}>${this.#fit(result.metrics)}</output>
+      ${this.#cost(result.metrics)} ${this.#notes(result.notes)}
+    `;
+  }
+
+  #fit({fit, fitRandom}: Metrics): TemplateResult {
+    const {value, unit} = this.format.area(fit);
+    const share = this.format.percent(fitRandom > 0 ? fit / fitRandom : 0);
+    return html`${value} ${unit}<sup>2</sup>, ${this.texts.headline.percentOfRandom(share)}`;
+  }
+
+  #cost(metrics: Metrics): TemplateResult | typeof nothing {
+    const without = this.desk.withoutSymmetry;
+    if (!without) return nothing;
+    const {headline} = this.texts;
+    return html`<dl aria-label=${headline.cost}>
+      <div>
+        <dt>${headline.withSymmetry}</dt>
+        <dd>${this.#fit(metrics)}</dd>
+      </div>
+      <div>
+        <dt>${headline.withoutSymmetry}</dt>
+        <dd>${this.#fit(without)}</dd>
+      </div>
+    </dl>`;
+  }
+
+  #notes(notes: readonly string[]): TemplateResult | typeof nothing {
+    if (notes.length === 0) return nothing;
+    return html`<details>
+      <summary>${this.texts.headline.notes} (${notes.length})</summary>
+      <ul>
+        ${notes.map((note) => html`<li>${note}</li>`)}
+      </ul>
+    </details>`;
+  }
+}
+
+customElements.define('sw-headline', Headline);

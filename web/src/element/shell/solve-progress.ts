@@ -1,0 +1,78 @@
+/** How far the solve is: a bar for the eye, and words at every quarter for who listens. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+
+export class SolveProgress extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: 2px;
+        min-width: 11rem;
+        color: var(--sw-soft);
+        text-align: right;
+      }
+      progress {
+        appearance: none;
+        width: 100%;
+        height: 3px;
+        border: 0;
+        border-radius: 2px;
+        overflow: hidden;
+        background: color-mix(in srgb, var(--sw-ink) 10%, transparent);
+      }
+      progress::-webkit-progress-bar {
+        background: transparent;
+      }
+      progress::-webkit-progress-value {
+        background: var(--sw-accent);
+      }
+      progress::-moz-progress-bar {
+        background: var(--sw-accent);
+      }
+      progress[hidden] {
+        display: block;
+        visibility: hidden;
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult {
+    const {progress} = this.texts;
+    const {state} = this.desk;
+    const solving = state.kind === 'solving';
+    return html`
+      <span role="status" aria-label=${progress.label}>${this.#words()}</span>
+      <progress
+        ?hidden=${!solving}
+        aria-hidden="true"
+        max="1"
+        .value=${solving ? state.fraction : 0}
+      ></progress>
+    `;
+  }
+
+  #words(): string | typeof nothing {
+    const {progress} = this.texts;
+    const {state, result} = this.desk;
+    switch (state.kind) {
+      case 'solving': {
+        const quarter = Math.floor(state.fraction * 4) / 4;
+        return progress[state.phase](this.format.percent(quarter));
+      }
+      case 'done':
+        return progress.done(this.format.seconds(result?.metrics.milliseconds.total ?? 0));
+      case 'failed':
+        return progress.failed;
+      case 'stale':
+        return state.cancelled ? progress.cancelled : progress.stale;
+      case 'empty':
+        return progress.empty;
+    }
+  }
+}
+
+customElements.define('sw-progress', SolveProgress);

@@ -1,0 +1,39 @@
+/** Small pictures of one stroke, drawn in the colour of the text beside them. */
+import {svg, html, type TemplateResult} from 'lit';
+
+const drawn = (paths: TemplateResult): TemplateResult =>
+  html`<svg
+    viewBox="0 0 16 16"
+    width="16"
+    height="16"
+    fill="none"
+    stroke="currentColor"
+    stroke-width="1.5"
+    stroke-linecap="round"
+    stroke-linejoin="round"
+    aria-hidden="true"
+  >
+    ${paths}
+  </svg>`;
+
+export const icon = {
+  plus: drawn(svg`<path d="M8 3.5v9M3.5 8h9"/>`),
+  minus: drawn(svg`<path d="M3.5 8h9"/>`),
+  fit: drawn(svg`<path d="M3 6V3h3M10 3h3v3M13 10v3h-3M6 13H3v-3"/>`),
+  undo: drawn(svg`<path d="M5.5 3 2.5 6l3 3M2.5 6H10a3.5 3.5 0 0 1 0 7H7"/>`),
+  redo: drawn(svg`<path d="m10.5 3 3 3-3 3M13.5 6H6a3.5 3.5 0 0 0 0 7h3"/>`),
+  open: drawn(svg`<path d="M2 12.5v-9h4l1.5 2H14v7z"/>`),
+  save: drawn(svg`<path d="M8 2.5v8M4.5 7.5 8 11l3.5-3.5M2.5 13.5h11"/>`),
+  close: drawn(svg`<path d="m4 4 8 8M12 4l-8 8"/>`),
+  settings: drawn(
+    svg`<path d="M2.5 5h6M11.5 5h2M2.5 11h2M7.5 11h6"/><circle cx="10" cy="5" r="1.5"/><circle cx="6" cy="11" r="1.5"/>`,
+  ),
+  continuous: drawn(svg`<path d="M3 6h10M3 10h10"/>`),
+  mirrored: drawn(svg`<path d="M8 2.5v11M5.5 5 2.5 8l3 3M10.5 5l3 3-3 3"/>`),
+  piece: drawn(svg`<path d="M8 2v12" stroke-dasharray="2 2"/><path d="M5.5 4 3 13h10L10.5 4z"/>`),
+  pair: drawn(
+    svg`<path d="M8 2v12" stroke-dasharray="2 2"/><path d="m5.5 4-3.5 4 3.5 4zM10.5 4l3.5 4-3.5 4z"/>`,
+  ),
+  move: drawn(svg`<path d="M8 2v12M2 8h12M6 4l2-2 2 2M6 12l2 2 2-2M4 6 2 8l2 2M12 6l2 2-2 2"/>`),
+  before: drawn(svg`<path d="M8 2v12M2.5 4.5h3M2.5 8h3M2.5 11.5h3"/><path d="M10.5 4.5h3v7h-3"/>`),
+};
