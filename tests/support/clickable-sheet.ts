@@ -1,0 +1,70 @@
+import type {Sheet, SheetPiece} from '../../web/src/clicks/sheet.js';
+import type {Point} from '../../web/src/model/geometry.js';
+import type {SeamSide} from '../../web/src/model/result.js';
+
+export interface DrawnPiece extends Partial<Omit<SheetPiece, 'outline' | 'holes'>> {
+  /** Counter-clockwise; its points come first. */
+  readonly loop: readonly Point[];
+  readonly cutOut?: readonly Point[];
+  readonly mirroredFromInput?: boolean;
+  /** Default: as it is shown. */
+  readonly rest?: readonly Point[];
+}
+
+/** The piece, and its vertices in sewing order. */
+type End = readonly [piece: number, ...vertices: number[]];
+
+const side = ([piece, ...vertices]: End): SeamSide => ({piece, vertices});
+
+/** Pieces at the origin unless they have an offset, called piece_0, piece_1, ... */
+export function sheetOf(
+  drawn: readonly DrawnPiece[],
+  seams: readonly (readonly [End, End])[] = [],
+): Sheet {
+  const pieces = drawn.map(({loop, cutOut = [], ...more}, k): SheetPiece => ({
+    name: `piece_${k}`,
+    label: `Piece ${k}`,
+    points: [...loop, ...cutOut],
+    triangles: [],
+    outline: loop.map((_, v) => v),
+    holes: cutOut.length > 0 ? [cutOut.map((_, v) => loop.length + v)] : [],
+    offset: [0, 0],
+    ...more,
+  }));
+  return {
+    pieces,
+    seams: seams.map(([a, b]) => ({a: side(a), b: side(b)})),
+    pattern: {
+      pieces: drawn.map(({rest, mirroredFromInput = false}, k) => ({
+        rest: rest ?? pieces[k]?.points ?? [],
+        mirroredFromInput,
+      })),
+    },
+  };
+}
+
+/** A rectangle with its lower left corner at the origin; a vertex at each corner. */
+export const rectangle = (width: number, height: number): readonly Point[] => [
+  [0, 0],
+  [width, 0],
+  [width, height],
+  [0, height],
+];
+
+/**
+ * Two squares of 4 cm, the second 10 cm to the right. The right side of the first is sewn to the left
+ * side of the second, both upwards. The file's edges: 2 below, then 3, 0 and 1 counter-clockwise.
+ */
+export const sewnSquares = (more: Partial<DrawnPiece> = {}): Sheet =>
+  sheetOf(
+    [
+      {loop: rectangle(4, 4), edges: [2, 3, 0, 1], ...more},
+      {loop: rectangle(4, 4), edges: [2, 3, 0, 1], offset: [10, 0]},
+    ],
+    [
+      [
+        [0, 1, 2],
+        [1, 0, 3],
+      ],
+    ],
+  );

@@ -1,0 +1,262 @@
+import {describe, expect, it} from 'vitest';
+
+import {choices, seamTarget, targetsAt, type Target} from '../../web/src/clicks/pick.js';
+import {pickIndex} from '../../web/src/clicks/pick-index.js';
+import type {Sheet} from '../../web/src/clicks/sheet.js';
+import type {Point} from '../../web/src/model/geometry.js';
+import {rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
+
+const at = (sheet: Sheet, point: Point, reach: number): readonly Target[] =>
+  targetsAt(pickIndex(sheet), point, reach);
+
+const kinds = (targets: readonly Target[]): readonly string[] => targets.map(({kind}) => kind);
+
+/** A wedge of 2 x 4 cm cut into a square from above, its legs, edges 2 and 3, sewn to each other from the tip. */
+const darted = (): Sheet =>
+  sheetOf(
+    [
+      {
+        loop: [
+          [0, 0],
+          [8, 0],
+          [8, 8],
+          [5, 8],
+          [4, 4],
+          [3, 8],
+          [0, 8],
+        ],
+        edges: [0, 1, 2, 3, 4, 5, 6],
+      },
+    ],
+    [
+      [
+        [0, 4, 3],
+        [0, 4, 5],
+      ],
+    ],
+  );
+
+describe('a press on the sheet', () => {
+  it('finds the seam within reach, and where on it', () => {
+    const [target] = at(sewnSquares(), [3.5, 1], 0.6);
+    expect(target).toEqual({
+      kind: 'seam',
+      seam: 0,
+      side: 'a',
+      piece: 0,
+      point: [4, 1],
+      at: 0.25,
+      edge: 3,
+      distance: 0.5,
+    });
+  });
+
+  it('finds a seam from outside of its piece, and no piece there', () => {
+    const targets = at(sewnSquares(), [4.5, 3], 0.6);
+    expect(kinds(targets)).toEqual(['seam']);
+  });
+
+  it('tells places on a moved piece in its own coordinates', () => {
+    const [target] = at(sewnSquares(), [10.25, 3], 0.6);
+    expect(target).toMatchObject({kind: 'seam', side: 'b', piece: 1, point: [0, 3], at: 0.75});
+  });
+
+  it('measures the share of a side by length, not by vertices', () => {
+    const sheet = sheetOf(
+      [
+        {
+          loop: [
+            [0, 0],
+            [1, 0],
+            [4, 0],
+            [4, 4],
+          ],
+          edges: [0, 0, 1, 2],
+        },
+      ],
+      [
+        [
+          [0, 0, 1, 2],
+          [0, 2, 3],
+        ],
+      ],
+    );
+    expect(at(sheet, [3, 0], 0.1)[0]).toMatchObject({side: 'a', at: 0.75, edge: 0});
+  });
+
+  it('counts the share in sewing order where that runs against the outline', () => {
+    // side b runs from [0, 0] up, the outline down
+    expect(at(sewnSquares(), [10, 1], 0.1)[0]).toMatchObject({side: 'b', at: 0.25, edge: 1});
+  });
+
+  it('finds an edge that is not sewn by its number in the file', () => {
+    const [target] = at(sewnSquares(), [2, 0.25], 0.5);
+    expect(target).toEqual({kind: 'edge', edge: 2, piece: 0, point: [2, 0], distance: 0.25});
+  });
+
+  it('takes an edge of many vertices for one, also across the start of the outline', () => {
+    const sheet = sheetOf([
+      {
+        loop: [
+          [2, 0],
+          [4, 0],
+          [4, 4],
+          [0, 4],
+          [0, 0],
+        ],
+        edges: [0, 1, 2, 3, 0],
+      },
+    ]);
+    const targets = at(sheet, [2, 0.1], 0.5);
+    expect(targets).toMatchObject([{kind: 'edge', edge: 0}, {kind: 'piece'}]);
+  });
+
+  it('does not know unsewn edges without their numbers', () => {
+    const sheet = sheetOf([{loop: rectangle(4, 4)}]);
+    expect(kinds(at(sheet, [2, 0.25], 0.5))).toEqual(['piece']);
+  });
+
+  it('knows seams without numbers, but not which edge they are', () => {
+    const sheet = sheetOf(
+      [{loop: rectangle(4, 4)}],
+      [
+        [
+          [0, 0, 1],
+          [0, 3, 2],
+        ],
+      ],
+    );
+    expect(at(sheet, [2, 0.25], 0.5)[0]).toMatchObject({kind: 'seam', edge: undefined});
+  });
+
+  it('puts lines before the piece, however close they are', () => {
+    expect(kinds(at(sewnSquares(), [3.5, 2], 1))).toEqual(['seam', 'piece']);
+  });
+
+  it('puts the nearer of two lines first', () => {
+    const near = (point: Point): readonly string[] => kinds(at(sewnSquares(), point, 1));
+    expect(near([3.75, 0.5])).toEqual(['seam', 'edge', 'piece']);
+    expect(near([3.5, 0.25])).toEqual(['edge', 'seam', 'piece']);
+  });
+
+  it('puts a seam before an edge where they meet', () => {
+    expect(kinds(at(sewnSquares(), [4.25, -0.25], 1))).toEqual(['seam', 'edge']);
+  });
+
+  it('finds the piece away from all lines', () => {
+    expect(at(sewnSquares(), [12, 1], 0.5)).toEqual([{kind: 'piece', piece: 1, point: [2, 1]}]);
+  });
+
+  it('finds nothing beside the pieces', () => {
+    expect(at(sewnSquares(), [7, 2], 0.5)).toEqual([]);
+  });
+
+  it('finds nothing beyond reach, on the diagonal of a corner either', () => {
+    expect(at(sewnSquares(), [-0.4, -0.4], 0.5)).toEqual([]);
+  });
+
+  it('does not take a cut-out for the piece', () => {
+    const cutOut: Point[] = [
+      [1, 1],
+      [1, 3],
+      [3, 3],
+      [3, 1],
+    ];
+    const sheet = sewnSquares({cutOut});
+    expect(at(sheet, [2, 2], 0.5)).toEqual([]);
+    expect(kinds(at(sheet, [0.75, 2], 0.5))).toEqual(['piece']);
+  });
+
+  it('does not take the notch of a dart for the piece', () => {
+    expect(at(darted(), [4, 7.5], 0.1)).toEqual([]);
+  });
+});
+
+describe('the choices of a press', () => {
+  it('are both legs of a dart near its tip', () => {
+    const found = choices(at(darted(), [4, 3.75], 0.5), 0.1);
+    expect(found).toMatchObject([
+      {kind: 'seam', side: 'a', edge: 3},
+      {kind: 'seam', side: 'b', edge: 4},
+    ]);
+  });
+
+  it('leave out the other leg at the mouth of a dart', () => {
+    const found = choices(at(darted(), [5, 8], 3), 0.1);
+    expect(found).toMatchObject([{side: 'a'}, {kind: 'edge', edge: 2}]);
+  });
+
+  it('leave out lines that are further away than the tie', () => {
+    const targets = at(sewnSquares(), [3.5, 0.25], 1);
+    expect(kinds(choices(targets, 0.2))).toEqual(['edge']);
+    expect(kinds(choices(targets, 0.3))).toEqual(['edge', 'seam']);
+  });
+
+  it('never tie a piece with a line', () => {
+    expect(kinds(choices(at(sewnSquares(), [4, 2], 1), 100))).toEqual(['seam']);
+  });
+
+  it('are the piece alone where there is no line', () => {
+    expect(kinds(choices(at(sewnSquares(), [2, 2], 0.5), 1))).toEqual(['piece']);
+  });
+
+  it('are none where there is nothing', () => {
+    expect(choices([], 1)).toEqual([]);
+  });
+});
+
+describe('a seam by its number', () => {
+  it('is as if clicked in its middle', () => {
+    expect(seamTarget(pickIndex(sewnSquares()), 0, 'b')).toEqual({
+      kind: 'seam',
+      seam: 0,
+      side: 'b',
+      piece: 1,
+      point: [0, 2],
+      at: 0.5,
+      edge: 1,
+      distance: 0,
+    });
+  });
+
+  it('is nothing if there is none', () => {
+    expect(seamTarget(pickIndex(sewnSquares()), 7, 'a')).toBeUndefined();
+  });
+});
+
+describe('a large garment', () => {
+  it('answers a press on it in well under half a millisecond', () => {
+    const side = 200; // outline vertices per piece
+    const loop = Array.from({length: side}, (_, k): Point => {
+      const angle = (2 * Math.PI * k) / side;
+      return [20 * Math.cos(angle), 20 * Math.sin(angle)];
+    });
+    const quarter = side / 4;
+    const edges = loop.map((_, k) => Math.floor(k / quarter));
+    const vertices = Array.from({length: quarter + 1}, (_, k) => k);
+    const index = pickIndex(
+      sheetOf(
+        Array.from({length: 40}, (_, k) => ({
+          loop,
+          edges,
+          offset: [45 * (k % 8), 45 * Math.floor(k / 8)],
+        })),
+        Array.from({length: 39}, (_, k) => [
+          [k, ...vertices],
+          [k + 1, ...vertices.map((v) => v + quarter)],
+        ]),
+      ),
+    );
+    const rounds = 1000;
+    let found = 0;
+    const started = performance.now();
+    for (let k = 0; k < rounds; k++) {
+      const angle = (2 * Math.PI * k) / rounds;
+      const centre: Point = [45 * (k % 8), 45 * (k % 5)];
+      const point: Point = [centre[0] + 20 * Math.cos(angle), centre[1] + 20 * Math.sin(angle)];
+      found += targetsAt(index, point, 1).length > 0 ? 1 : 0;
+    }
+    expect((performance.now() - started) / rounds).toBeLessThan(0.5);
+    expect(found).toBe(rounds);
+  });
+});

@@ -1,0 +1,96 @@
+/** Lines through points, to measure along and to find the nearest point of. Lengths in cm. */
+import type {Point} from '../model/geometry.js';
+
+export interface Box {
+  readonly low: Point;
+  readonly high: Point;
+}
+
+export interface Segment {
+  readonly from: Point;
+  readonly to: Point;
+  /** Where on the path it begins. [cm] */
+  readonly start: number;
+  readonly length: number;
+}
+
+/** A closed one ends where it begins. */
+export interface Path {
+  readonly segments: readonly Segment[];
+  readonly length: number;
+  readonly box: Box;
+}
+
+export interface PlaceOnPath {
+  readonly point: Point;
+  readonly distance: number;
+  readonly segment: number;
+  /** From the start of the path. [cm] */
+  readonly along: number;
+}
+
+export const distanceOf = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+function boxOf(points: readonly Point[]): Box {
+  const xs = points.map(([x]) => x);
+  const ys = points.map(([, y]) => y);
+  return {low: [Math.min(...xs), Math.min(...ys)], high: [Math.max(...xs), Math.max(...ys)]};
+}
+
+export function pathThrough(points: readonly Point[]): Path {
+  const segments: Segment[] = [];
+  let length = 0;
+  points.slice(1).forEach((to, k) => {
+    const from = points[k] ?? to;
+    const step = distanceOf(from, to);
+    segments.push({from, to, start: length, length: step});
+    length += step;
+  });
+  return {segments, length, box: boxOf(points)};
+}
+
+export const pathRound = (loop: readonly Point[]): Path =>
+  pathThrough([...loop, ...loop.slice(0, 1)]);
+
+/** Whether a point lies in a box or no further than `reach` outside, in x and y. */
+export const isNearBox = ({low, high}: Box, [x, y]: Point, reach: number): boolean =>
+  x >= low[0] - reach && x <= high[0] + reach && y >= low[1] - reach && y <= high[1] + reach;
+
+const between = ({from, to}: Segment, share: number): Point =>
+  share >= 1
+    ? to // exactly, as the next segment has it
+    : [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])];
+
+/** The point of a path that is nearest to `p`, of several the first; nothing on a path without segments. */
+export function nearestOn({segments}: Path, p: Point): PlaceOnPath | undefined {
+  let nearest: PlaceOnPath | undefined;
+  for (const [k, segment] of segments.entries()) {
+    const {from, to, start, length} = segment;
+    const dot = (p[0] - from[0]) * (to[0] - from[0]) + (p[1] - from[1]) * (to[1] - from[1]);
+    const share = length > 0 ? Math.min(Math.max(dot / length ** 2, 0), 1) : 0;
+    const point = between(segment, share);
+    const distance = distanceOf(point, p);
+    if (nearest && distance >= nearest.distance) continue;
+    nearest = {point, distance, segment: k, along: start + share * length};
+  }
+  return nearest;
+}
+
+/** The place on a path at a given length from its start; nothing on a path without segments. */
+export function placeAt(
+  {segments}: Path,
+  along: number,
+): Omit<PlaceOnPath, 'distance'> | undefined {
+  const after = segments.findIndex(({start, length}) => along <= start + length);
+  const k = after < 0 ? segments.length - 1 : after;
+  const segment = segments[k];
+  if (!segment) return undefined;
+  const share = segment.length > 0 ? (along - segment.start) / segment.length : 0;
+  return {point: between(segment, share), segment: k, along};
+}
+
+/** Whether a closed path goes round a point. */
+export const goesRound = ({segments}: Path, [x, y]: Point): boolean =>
+  segments.reduce((odd, {from: [ax, ay], to: [bx, by]}) => {
+    return ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax) ? !odd : odd;
+  }, false);

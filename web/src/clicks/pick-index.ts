@@ -1,0 +1,155 @@
+/** What clicks ask of a sheet again and again, worked out once. Lengths in cm. */
+import type {Point} from '../model/geometry.js';
+import {pathRound, pathThrough, placeAt, type Path} from './path.js';
+import type {Sheet, SheetPiece, Side} from './sheet.js';
+
+/** A side of a seam, or an edge of the panel that is not sewn. */
+export type LineName =
+  | {readonly kind: 'seam'; readonly seam: number; readonly side: Side}
+  | {readonly kind: 'edge'; readonly edge: number};
+
+export interface Line {
+  readonly name: LineName;
+  /** A side of a seam runs in sewing order, an edge counter-clockwise. */
+  readonly path: Path;
+  /** Per segment of the path, which edge of the outline it is. */
+  readonly along: readonly (number | undefined)[];
+  /** The edge of the outline with which it begins, counter-clockwise. */
+  readonly start: number;
+}
+
+/** All in the piece's own coordinates. */
+export interface PieceIndex {
+  readonly outline: Path;
+  readonly holes: readonly Path[];
+  /** In the order of the outline. */
+  readonly lines: readonly Line[];
+  /** Where another edge of the panel begins, or the outline turns sharply. */
+  readonly corners: readonly Point[];
+  /** Of the panel's edges; without their numbers, of what lies between corners. */
+  readonly midpoints: readonly Point[];
+}
+
+export interface PickIndex {
+  readonly sheet: Sheet;
+  readonly pieces: readonly PieceIndex[];
+}
+
+/** An outline that turns by this much has a corner there. */
+const sharpTurn = (30 * Math.PI) / 180;
+
+interface Run<T> {
+  readonly key: T;
+  readonly start: number;
+  readonly count: number;
+}
+
+/** Stretches of equal keys round a loop, none broken where the loop's numbering begins. */
+function runsRound<T>(keys: readonly T[]): readonly Run<T>[] {
+  const n = keys.length;
+  const starts = keys.flatMap((key, k) => (key === keys[(k + n - 1) % n] ? [] : [k]));
+  const bounds = starts.length > 0 ? starts : keys.slice(0, 1).map(() => 0);
+  return bounds.flatMap((start, k) =>
+    keys.slice(start, start + 1).map((key) => ({
+      key,
+      start,
+      count: (bounds[k + 1] ?? (bounds[0] ?? 0) + n) - start,
+    })),
+  );
+}
+
+const pointsAt = ({points}: SheetPiece, vertices: readonly number[]): readonly Point[] =>
+  vertices.flatMap((v) => points.slice(v, v + 1));
+
+const verticesOf = ({outline}: SheetPiece, {start, count}: Run<unknown>): readonly number[] =>
+  Array.from({length: count + 1}, (_, k) => outline[(start + k) % outline.length] ?? 0);
+
+/** The numbers in the outline at which it turns sharply. */
+function sharpCorners({segments}: Path): readonly number[] {
+  return segments.flatMap(({from, to}, k) => {
+    const before = segments.at(k - 1);
+    if (!before) return [];
+    const [ax, ay] = [before.to[0] - before.from[0], before.to[1] - before.from[1]];
+    const [bx, by] = [to[0] - from[0], to[1] - from[1]];
+    const turn = Math.atan2(ax * by - ay * bx, ax * bx + ay * by);
+    return Math.abs(turn) >= sharpTurn ? [k] : [];
+  });
+}
+
+/** Between corners, stretches of the outline that take the place of the panel's edges. */
+function stretches(outline: Path, corners: readonly number[]): readonly number[] {
+  return outline.segments.map(
+    (_, k) => corners.filter((corner) => corner <= k).length % Math.max(corners.length, 1),
+  );
+}
+
+/** The numbers of outline edges by their vertices, counter-clockwise. */
+type EdgeNumbers = ReadonlyMap<string, number>;
+
+const edgeKey = (from: number | undefined, to: number | undefined): string =>
+  `${from ?? ''} ${to ?? ''}`;
+
+const edgeNumbers = ({outline}: SheetPiece): EdgeNumbers =>
+  new Map(outline.map((v, k) => [edgeKey(v, outline[(k + 1) % outline.length]), k]));
+
+function seamLine(
+  piece: SheetPiece,
+  vertices: readonly number[],
+  name: LineName,
+  numbers: EdgeNumbers,
+): Line {
+  const forward = vertices.slice(1).map((v, k) => numbers.get(edgeKey(vertices[k], v)));
+  const backward = vertices.slice(1).map((v, k) => numbers.get(edgeKey(v, vertices[k])));
+  return {
+    name,
+    path: pathThrough(pointsAt(piece, vertices)),
+    along: forward.map((number, k) => number ?? backward[k]),
+    start: forward[0] ?? backward.at(-1) ?? piece.outline.length,
+  };
+}
+
+function seamLines(sheet: Sheet, number: number, piece: SheetPiece): readonly Line[] {
+  const numbers = edgeNumbers(piece);
+  return sheet.seams.flatMap((ends, seam) =>
+    (['a', 'b'] as const)
+      .filter((side) => ends[side].piece === number)
+      .map((side) => seamLine(piece, ends[side].vertices, {kind: 'seam', seam, side}, numbers)),
+  );
+}
+
+/** What is not sewn, edge by edge; without the edges' numbers there is nothing to call them. */
+function edgeLines(piece: SheetPiece, sewn: ReadonlySet<number | undefined>): readonly Line[] {
+  const keys = piece.outline.map((_, k) => (sewn.has(k) ? undefined : piece.edges?.[k]));
+  return runsRound(keys).flatMap((run): Line[] => {
+    if (run.key === undefined) return [];
+    const path = pathThrough(pointsAt(piece, verticesOf(piece, run)));
+    const along = path.segments.map((_, k) => (run.start + k) % piece.outline.length);
+    return [{name: {kind: 'edge', edge: run.key}, path, along, start: run.start}];
+  });
+}
+
+function pieceIndex(sheet: Sheet, number: number, piece: SheetPiece): PieceIndex {
+  const outline = pathRound(pointsAt(piece, piece.outline));
+  const sharp = sharpCorners(outline);
+  const runs = runsRound(piece.edges ?? stretches(outline, sharp));
+  const parts = runs.length > 1 ? runs : []; // a single one has no ends
+  const corners = new Set([...sharp, ...parts.map(({start}) => start)]);
+  const seams = seamLines(sheet, number, piece);
+  const edges = edgeLines(piece, new Set(seams.flatMap(({along}) => along)));
+  return {
+    outline,
+    holes: piece.holes.map((hole) => pathRound(pointsAt(piece, hole))),
+    lines: [...seams, ...edges].sort((one, other) => one.start - other.start),
+    corners: outline.segments.flatMap(({from}, k) => (corners.has(k) ? [from] : [])),
+    midpoints: parts.flatMap((part) => {
+      const path = pathThrough(pointsAt(piece, verticesOf(piece, part)));
+      const middle = placeAt(path, path.length / 2);
+      return middle ? [middle.point] : [];
+    }),
+  };
+}
+
+export const pickIndex = (sheet: Sheet): PickIndex => ({
+  sheet,
+  pieces: sheet.pieces.map((piece, number) => pieceIndex(sheet, number, piece)),
+});

@@ -1,0 +1,57 @@
+/** Draws a point of a piece to what is nearby and easier to mean. Lengths in cm. */
+import type {Point} from '../model/geometry.js';
+import {distanceOf, nearestOn} from './path.js';
+import type {PickIndex} from './pick-index.js';
+
+/** From the most to the least wanted, where several are about as near. */
+const marks = ['corner', 'notch', 'midpoint', 'grain'] as const;
+
+export interface Snapped {
+  readonly point: Point;
+  readonly snapped: (typeof marks)[number] | 'outline' | 'none';
+}
+
+export interface SnapOptions {
+  /** Those of the piece, in its own coordinates. */
+  readonly notches?: readonly Point[];
+}
+
+/**
+ * Of the marks within `reach`, the most wanted kind wins, and within it the nearest; but one that is
+ * more than half of `reach` further away than the nearest mark of all is out. Only without any mark
+ * the point goes onto the outline, and only without that it stays where it is. All points are in the
+ * piece's own coordinates.
+ */
+export function snap(
+  index: PickIndex,
+  piece: number,
+  point: Point,
+  reach: number,
+  {notches = []}: SnapOptions = {},
+): Snapped {
+  const parts = index.pieces[piece];
+  if (!parts) return {point, snapped: 'none'};
+  const places: Readonly<Record<(typeof marks)[number], readonly Point[]>> = {
+    corner: parts.corners,
+    notch: notches,
+    midpoint: parts.midpoints,
+    grain: index.sheet.pieces[piece]?.grain ?? [],
+  };
+  const near = marks
+    .flatMap((snapped) =>
+      places[snapped].map((at) => ({point: at, snapped, distance: distanceOf(at, point)})),
+    )
+    .filter(({distance}) => distance <= reach);
+  const least = Math.min(...near.map(({distance}) => distance));
+  const [best] = near
+    .filter(({distance}) => distance <= least + reach / 2)
+    .sort(
+      (one, other) =>
+        marks.indexOf(one.snapped) - marks.indexOf(other.snapped) || one.distance - other.distance,
+    );
+  if (best) return {point: best.point, snapped: best.snapped};
+  const place = nearestOn(parts.outline, point);
+  return place && place.distance <= reach
+    ? {point: place.point, snapped: 'outline'}
+    : {point, snapped: 'none'};
+}
