@@ -24,8 +24,11 @@ export function mirrorImage({angle, translation}: Alignment, [x, y]: Point): Poi
   return [turned[0] + translation[0], turned[1] + translation[1]];
 }
 
-/** The point of a piece that lies furthest from its outline, on a coarse grid, and how far that is. */
-export function innermost(points: readonly Point[]): {readonly at: Point; readonly room: number} {
+/** The point of a piece that lies furthest from its outline, and from what else is in the way, on a coarse grid; and how far that is. */
+export function innermost(
+  points: readonly Point[],
+  obstacles: readonly Point[] = [],
+): {readonly at: Point; readonly room: number} {
   const xs = points.map(([x]) => x);
   const ys = points.map(([, y]) => y);
   const [left, right, low, high] = [
@@ -37,10 +40,11 @@ export function innermost(points: readonly Point[]): {readonly at: Point; readon
   let at: Point = [(left + right) / 2, (low + high) / 2];
   let room = 0;
   const n = 24;
+  const inTheWay = [...points, ...obstacles];
   for (let i = 1; i < n; i++) {
     for (let j = 1; j < n; j++) {
       const p: Point = [left + ((right - left) * i) / n, low + ((high - low) * j) / n];
-      const free = distance(points, p, room);
+      const free = distance(inTheWay, p, room);
       if (free > room + 1e-6 && isInside(points, p)) [at, room] = [p, free];
     }
   }

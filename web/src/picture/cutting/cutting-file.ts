@@ -1,0 +1,117 @@
+/** All pieces of a garment at true scale on one sheet, to cut along: SVG whose unit is the millimetre. */
+import type {GarmentTitle, PanelMarks} from '../../model/garment-marks.js';
+import type {Point} from '../../model/geometry.js';
+import type {SolveResult} from '../../model/result.js';
+import {formatLength, type Units} from '../../model/units.js';
+import {clothTile, clothUnder, type PrintWithTile} from '../cloth.js';
+import {layOut, type Layout} from '../layout.js';
+import {escaped, short, text} from '../svg.js';
+import {cutPiece, type CutPiece} from './cut-piece.js';
+import {drawCutPiece} from './draw-cut-piece.js';
+
+export interface CuttingMarks extends GarmentTitle {
+  readonly panels: ReadonlyMap<string, PanelMarks>;
+}
+
+export interface CuttingOptions {
+  readonly allowanceCm: number;
+  readonly units: Units;
+  /** How numbers are written. Default 'en'. */
+  readonly locale?: string;
+  /** Pieces, by name, that are cut from unprinted cloth. */
+  readonly plain?: readonly string[];
+}
+
+/** [mm] */
+const unit = 10;
+const margin = 15;
+const foot = 75;
+/** Between cut lines. [cm] */
+const gap = 1.5;
+/** Width to height of a sheet. */
+const aspect = 1.4;
+const ink = '#1d1f23';
+
+/** The letter of each piece of a mirrored pair. */
+function pairLetters({symmetries}: SolveResult): ReadonlyMap<number, string> {
+  const pairs = symmetries.flatMap((symmetry) =>
+    symmetry.kind === 'pair' ? [symmetry.pieces] : [],
+  );
+  return new Map(
+    pairs.flatMap((pair, k) => pair.map((piece) => [piece, String.fromCharCode(65 + (k % 26))])),
+  );
+}
+
+/** Pieces keep apart by their cut lines. */
+function laidOut(result: SolveResult, cuts: readonly CutPiece[]): Layout {
+  const pieces = result.pieces.map((piece, k) => {
+    const rest = cuts[k]?.cut.flat() ?? [];
+    return {...piece, rest, outline: rest.map((_, n) => n)};
+  });
+  return layOut({...result, pieces}, aspect, {gap, below: () => gap, least: () => 0});
+}
+
+/** Measured with a ruler, they show whether the paper has the right size. */
+function testSquares([x, y]: Point): string {
+  const square = (left: number, side: number, label: string): string =>
+    `<rect x="${short(left)}" y="${short(y)}" width="${side}" height="${side}" fill="none" stroke="${ink}" stroke-width="0.3"/>${text([left + side / 2, y + side / 2 + 1.5], label, {size: 5, anchor: 'middle', fill: ink})}`;
+  return square(x, 50, '5 cm') + square(x + 60, 50.8, '2 in');
+}
+
+/** A file for a plotter, a print shop or a projector. `print.tile` is the picture of its cell, as SVG text or URL. */
+export function cuttingFile(
+  result: SolveResult,
+  print: PrintWithTile,
+  {title, size, panels}: CuttingMarks,
+  {allowanceCm, units, locale = 'en', plain = []}: CuttingOptions,
+): string {
+  const cuts = result.pieces.map((piece) =>
+    cutPiece(piece, print, panels.get(piece.name) ?? {}, {
+      ...{allowanceCm, isPlain: plain.includes(piece.name)},
+    }),
+  );
+  const layout = laidOut(result, cuts);
+  const letters = pairLetters(result);
+  const width = Math.max(layout.width * unit, 240) + 2 * margin;
+  const height = layout.height * unit + 2 * margin + foot;
+  const page =
+    (k: number) =>
+    ([x, y]: Point): Point => {
+      const [ox, oy] = layout.offsets[k] ?? [0, 0];
+      return [margin + unit * (x + ox), margin + unit * (layout.height - y - oy)];
+    };
+  const heading = [title, size].filter((word) => word !== undefined).join(', ');
+  const facts = [
+    [print.title, print.group].filter((word) => word !== undefined).join(', '),
+    allowanceCm > 0
+      ? `Solid: cut. Dashed: sew, ${formatLength(allowanceCm, units, locale)} inside.`
+      : 'Without allowance: sew along the solid line.',
+    'Numbered crosses of a piece lie on the same point of the print.',
+    'Print at 100 %; measure the squares.',
+  ];
+  const below = height - margin - 51;
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}mm" height="${short(height)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
+    `<title>${escaped(heading)}</title>`,
+    `<defs>${clothTile('cloth', print, unit)}${cuts.map(({alignment}, k) => clothUnder(`cloth-${k}`, 'cloth', print, alignment, page(k))).join('')}</defs>`,
+    '<rect width="100%" height="100%" fill="#fff"/>',
+    ...cuts.map((piece, k) => {
+      const letter = letters.get(k);
+      return drawCutPiece(piece, {
+        ...{id: `piece-${k}`, print, allowanceCm, page: page(k)},
+        cloth: plain.includes(piece.name) ? undefined : `cloth-${k}`,
+        words: [
+          piece.label,
+          ...(heading === '' ? [] : [heading]),
+          ...(letter === undefined ? [] : [`Mirrored pair ${letter}`]),
+        ],
+      });
+    }),
+    testSquares([margin, below]),
+    text([margin + 122, below + 8], heading, {size: 8, weight: 600, fill: ink}),
+    ...facts.map((line, k) =>
+      text([margin + 122, below + 18 + 7 * k], line, {size: 4.5, fill: ink}),
+    ),
+    '</svg>\n',
+  ].join('\n');
+}
