@@ -2,12 +2,15 @@
 export * from './desk-element.js';
 export {controls} from './style/controls.js';
 export {icon} from './style/icons.js';
+export {keepPreferences, storedPreferences} from './controls/stored-preferences.js';
 export {tokens} from './style/tokens.js';
 export * from './workbench/preferences.js';
 export * from './workbench/samples.js';
 export * from './workbench/workbench.js';
 export {toFailure} from './workbench/latest-solve.js';
 
+import './controls/fit-panel.js';
+import './controls/settings.js';
 import './pattern/pattern-pane.js';
 import './shell/garment-choice.js';
 import './shell/headline.js';

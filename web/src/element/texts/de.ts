@@ -82,4 +82,35 @@ export const de: Texts = {
     withoutSymmetry: 'Ohne',
     notes: 'Hinweise',
   },
+  controls: {
+    fit: 'Passform',
+    presets: 'Ausgangspunkte',
+    presetNames: {
+      homeSewist: 'Zu Hause genäht, im Fadenlauf',
+      wovenShirt: 'Gewebtes Hemd',
+      bestFit: 'Beste Passung, jeder Winkel',
+    },
+    presetNotes: {
+      homeSewist: 'Teile liegen im Fadenlauf und ändern sich um höchstens 10 mm.',
+      wovenShirt:
+        'Teile liegen im Fadenlauf und ändern sich um höchstens 4 mm, damit Kragen und Manschetten ihren Schnitt behalten.',
+      bestFit:
+        'Teile liegen in jedem Winkel und ändern sich um höchstens 10 mm; so trifft sich das Muster am besten.',
+    },
+    greatestChange: (unit) => `Größte Änderung (${unit})`,
+    between: (least, most) => `Bitte eine Zahl von ${least} bis ${most} eingeben.`,
+    grain: 'Fadenlauf aller Teile',
+    grains: {on: 'Im Fadenlauf', bias: 'Schräg zum Fadenlauf', free: 'Jeder Winkel'},
+    continuousOnly: 'Muster nur fortsetzen',
+    continuousNote: 'Keine gespiegelten Nähte: Das Muster läuft über jede weiter.',
+    method: 'Verfahren',
+    methods: {
+      best: 'Bestes',
+      paper: 'Wolff et al. 2019',
+      ws19: 'Wolff und Sorkine-Hornung 2019, ohne Symmetrie',
+    },
+    solveAsIGo: 'Sofort neu berechnen',
+    unitNames: {cm: 'Zentimeter', inch: 'Zoll'},
+    paperScale: 'Versatz 0–2 cm, wie im Artikel',
+  },
 };

@@ -82,6 +82,36 @@ export const en = {
     withoutSymmetry: 'Without',
     notes: 'Notes',
   },
+  controls: {
+    fit: 'Fit',
+    presets: 'Starting points',
+    presetNames: {
+      homeSewist: 'Home sewist, on grain',
+      wovenShirt: 'Woven shirt',
+      bestFit: 'Best fit, any angle',
+    },
+    presetNotes: {
+      homeSewist: 'Pieces lie on grain and change by 10 mm at most.',
+      wovenShirt:
+        'Pieces lie on grain and change by 4 mm at most, so that collar and cuffs keep their cut.',
+      bestFit: 'Pieces lie at any angle and change by 10 mm at most; the print meets best.',
+    },
+    greatestChange: (unit: string) => `Greatest change (${unit})`,
+    between: (least: string, most: string) => `Enter a number from ${least} to ${most}.`,
+    grain: 'Grain for all pieces',
+    grains: {on: 'On grain', bias: 'On the bias', free: 'Any angle'},
+    continuousOnly: 'Continue the print only',
+    continuousNote: 'No mirrored seams: the print runs on across every one.',
+    method: 'Method',
+    methods: {
+      best: 'Best',
+      paper: 'Wolff et al. 2019',
+      ws19: 'Wolff and Sorkine-Hornung 2019, without symmetry',
+    },
+    solveAsIGo: 'Solve as I go',
+    unitNames: {cm: 'Centimetres', inch: 'Inches'},
+    paperScale: 'Mismatch 0–2 cm, as in the paper',
+  },
 };
 
 export type Texts = typeof en;

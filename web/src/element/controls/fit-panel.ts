@@ -1,0 +1,189 @@
+/** How far pieces may change, how they may lie, and what finds it. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {GrainLock} from '../../model/options.js';
+import {methods, type Method} from '../../model/problem.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import './number-field.js';
+import {
+  fittingOf,
+  presetNames,
+  presetOf,
+  withFitting,
+  withPreset,
+  type Fitting,
+} from './presets.js';
+import {section} from './section.js';
+
+const grainLocks: readonly GrainLock[] = ['on', 'bias', 'free'];
+
+/** The greatest change is typed in millimetres, or in inches. */
+const changeUnit = {
+  cm: {name: 'mm', cm: 0.1, step: 1, digits: 1},
+  inch: {name: 'in', cm: 2.54, step: 0.05, digits: 3},
+} as const;
+const leastChangeCm = 0.01;
+const mostChangeCm = 2;
+
+const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
+
+export class FitPanel extends DeskElement {
+  static override styles = [
+    controls,
+    section,
+    css`
+      .presets {
+        display: grid;
+        gap: var(--sw-space-1);
+      }
+      .presets button {
+        justify-content: start;
+      }
+      [role='switch'] {
+        justify-content: space-between;
+        width: 100%;
+        padding: 0;
+      }
+      [role='switch']:hover {
+        background: none;
+      }
+      .track {
+        width: 2.25rem;
+        height: 1.25rem;
+        padding: 2px;
+        border: 1px solid var(--sw-strong-line);
+        border-radius: 1rem;
+        background: var(--sw-raised);
+      }
+      .track::before {
+        content: '';
+        display: block;
+        height: 100%;
+        aspect-ratio: 1;
+        border-radius: 50%;
+        background: var(--sw-strong-line);
+      }
+      [aria-checked='true'] .track {
+        border-color: var(--sw-accent);
+        background: var(--sw-accent);
+      }
+      [aria-checked='true'] .track::before {
+        margin-left: auto;
+        background: var(--sw-on-accent);
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {design} = this.desk;
+    if (!design) return nothing;
+    const texts = this.texts.controls;
+    const fitting = fittingOf(design);
+    const preset = presetOf(design);
+    return html`<section aria-labelledby="title">
+      <h2 id="title">${texts.fit}</h2>
+      <div class="presets" role="group" aria-label=${texts.presets}>
+        ${presetNames.map(
+          (name) =>
+            html`<button
+              class="outlined"
+              aria-pressed=${name === preset}
+              title=${texts.presetNotes[name]}
+              @click=${() => {
+                this.desk.change(withPreset(design, name));
+              }}
+            >
+              ${texts.presetNames[name]}
+            </button>`,
+        )}
+        ${preset ? html`<p class="soft">${texts.presetNotes[preset]}</p>` : nothing}
+      </div>
+      ${this.#change(fitting)}
+      <label>
+        ${texts.grain}
+        <select
+          @change=${(event: Event) => {
+            this.#fit({grain: chosen(event) as GrainLock});
+          }}
+        >
+          ${grainLocks.map(
+            (lock) =>
+              html`<option value=${lock} .selected=${lock === fitting.grain}>
+                ${texts.grains[lock]}
+              </option>`,
+          )}
+        </select>
+      </label>
+      <div>
+        <label class="inline">
+          <input
+            type="checkbox"
+            aria-describedby="continuous"
+            .checked=${fitting.continuousOnly}
+            @change=${(event: Event) => {
+              this.#fit({continuousOnly: (event.target as HTMLInputElement).checked});
+            }}
+          />
+          ${texts.continuousOnly}
+        </label>
+        <p id="continuous" class="soft beside">${texts.continuousNote}</p>
+      </div>
+      <label>
+        ${texts.method}
+        <select
+          @change=${(event: Event) => {
+            this.#fit({method: chosen(event) as Method});
+          }}
+        >
+          ${methods.map(
+            (method) =>
+              html`<option value=${method} .selected=${method === fitting.method}>
+                ${texts.methods[method]}
+              </option>`,
+          )}
+        </select>
+      </label>
+      ${this.#solveAsIGo()}
+    </section>`;
+  }
+
+  #change({maxChangeCm}: Fitting): TemplateResult {
+    const texts = this.texts.controls;
+    const {name, cm, step, digits} = changeUnit[this.desk.preferences.units];
+    const [least, most] = [leastChangeCm / cm, mostChangeCm / cm];
+    return html`<sw-number-field
+      .label=${texts.greatestChange(name)}
+      .value=${maxChangeCm / cm}
+      .least=${least}
+      .most=${most}
+      .step=${step}
+      .digits=${digits}
+      .wrong=${texts.between(this.format.fine(leastChangeCm), this.format.fine(mostChangeCm))}
+      @entered=${({detail}: CustomEvent<number>) => {
+        this.#fit({maxChangeCm: detail * cm}, 'greatest change');
+      }}
+    ></sw-number-field>`;
+  }
+
+  #solveAsIGo(): TemplateResult {
+    const {solveAsIGo} = this.desk.preferences;
+    return html`<button
+      role="switch"
+      aria-checked=${solveAsIGo}
+      @click=${() => {
+        this.desk.prefer({solveAsIGo: !solveAsIGo});
+      }}
+    >
+      ${this.texts.controls.solveAsIGo}
+      <span class="track"></span>
+    </button>`;
+  }
+
+  #fit(change: Partial<Fitting>, kind = ''): void {
+    const {design} = this.desk;
+    if (design) this.desk.change(withFitting(design, {...fittingOf(design), ...change}), kind);
+  }
+}
+
+customElements.define('sw-fit-panel', FitPanel);

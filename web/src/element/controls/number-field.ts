@@ -1,0 +1,90 @@
+/** A number that somebody types: a wrong entry is said beside it and changes nothing. */
+import {css, html, LitElement, nothing, type PropertyValues, type TemplateResult} from 'lit';
+
+import type {Units} from '../../model/units.js';
+import {controls} from '../style/controls.js';
+
+/** One unit of length, as fields are labelled. */
+export const lengthUnit: Readonly<Record<Units, {readonly name: string; readonly cm: number}>> = {
+  cm: {name: 'cm', cm: 1},
+  inch: {name: 'in', cm: 2.54},
+};
+
+/** Fires `entered` with the number as `detail`, whenever a good one has been typed. */
+export class NumberField extends LitElement {
+  static override properties = {
+    label: {},
+    value: {type: Number},
+    least: {type: Number},
+    most: {type: Number},
+    step: {type: Number},
+    digits: {type: Number},
+    wrong: {},
+    isWrong: {state: true},
+  };
+  declare label: string;
+  declare value: number;
+  declare least: number;
+  declare most: number;
+  declare step: number;
+  /** After the point. */
+  declare digits: number;
+  /** What is said of a wrong entry. */
+  declare wrong: string;
+  declare protected isWrong: boolean;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        align-content: start;
+        gap: var(--sw-space-1);
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.step = 1;
+    this.digits = 2;
+    this.isWrong = false;
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('value')) this.isWrong = false;
+  }
+
+  protected override render(): TemplateResult {
+    return html`
+      <label>
+        ${this.label}
+        <input
+          type="number"
+          inputmode="decimal"
+          step=${this.step}
+          .value=${this.#shown}
+          aria-invalid=${this.isWrong ? 'true' : nothing}
+          aria-describedby=${this.isWrong ? 'wrong' : nothing}
+          @change=${(event: Event) => {
+            this.#enter(event.target as HTMLInputElement);
+          }}
+        />
+      </label>
+      ${this.isWrong ? html`<p id="wrong" class="error" role="alert">${this.wrong}</p>` : nothing}
+    `;
+  }
+
+  get #shown(): string {
+    return String(Number(this.value.toFixed(this.digits)) + 0);
+  }
+
+  #enter(input: HTMLInputElement): void {
+    const value = input.valueAsNumber;
+    this.isWrong = !(value >= this.least && value <= this.most);
+    if (this.isWrong || value === Number(this.#shown)) return;
+    this.dispatchEvent(new CustomEvent<number>('entered', {detail: value}));
+  }
+}
+
+customElements.define('sw-number-field', NumberField);

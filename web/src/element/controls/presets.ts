@@ -1,0 +1,51 @@
+/** Starting points for makers, each a few decisions at once. */
+import type {Design} from '../../model/design.js';
+import type {GrainLock, SolveOptions} from '../../model/options.js';
+import type {Method} from '../../model/problem.js';
+
+export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit'] as const;
+export type PresetName = (typeof presetNames)[number];
+
+/** What decides how pieces may lie and change; every field is a decision, whether or not it is the default. */
+export interface Fitting {
+  readonly maxChangeCm: number;
+  readonly grain: GrainLock;
+  readonly continuousOnly: boolean;
+  readonly method: Method;
+}
+
+const usual = {continuousOnly: false, method: 'best'} as const;
+
+const presets: Readonly<Record<PresetName, Fitting>> = {
+  homeSewist: {...usual, grain: 'on', maxChangeCm: 1},
+  wovenShirt: {...usual, grain: 'on', maxChangeCm: 0.4},
+  bestFit: {...usual, grain: 'free', maxChangeCm: 1},
+};
+
+export const fittingOf = ({method, options}: Design): Fitting => ({
+  maxChangeCm: options.maxChangeCm ?? 1,
+  grain: options.grain?.default ?? 'free',
+  continuousOnly: options.continuousOnly ?? false,
+  method,
+});
+
+/** What was decided about single pieces and seams stays. */
+export function withFitting(
+  {options}: Design,
+  {maxChangeCm, grain, continuousOnly, method}: Fitting,
+): {readonly method: Method; readonly options: SolveOptions} {
+  return {
+    method,
+    options: {...options, maxChangeCm, continuousOnly, grain: {...options.grain, default: grain}},
+  };
+}
+
+export const withPreset = (design: Design, name: PresetName): ReturnType<typeof withFitting> =>
+  withFitting(design, presets[name]);
+
+export function presetOf(design: Design): PresetName | undefined {
+  const fitting = JSON.stringify(fittingOf(design));
+  return presetNames.find(
+    (name) => JSON.stringify(fittingOf({...design, ...withPreset(design, name)})) === fitting,
+  );
+}

@@ -1,0 +1,20 @@
+/** How a section of the left column is laid out. */
+import {css} from 'lit';
+
+export const section = css`
+  :host {
+    display: block;
+  }
+  section {
+    display: grid;
+    gap: var(--sw-space-3);
+    padding: var(--sw-space-4);
+    border-bottom: 1px solid var(--sw-line);
+  }
+  h2 {
+    font-size: var(--sw-text-large);
+  }
+  .beside {
+    margin-left: calc(1rem + var(--sw-space-2));
+  }
+`;

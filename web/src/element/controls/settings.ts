@@ -1,0 +1,114 @@
+/** How the page speaks and looks, behind one button. */
+import {css, html, type TemplateResult} from 'lit';
+
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import type {Preferences} from '../workbench/preferences.js';
+
+const gap = 4; // between the button and what it opens [px]
+
+export class Settings extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      button {
+        width: 2rem;
+        padding: 0;
+      }
+      [popover] {
+        inset: auto;
+        width: 17rem;
+        max-width: calc(100vw - 1rem);
+        margin: 0;
+        padding: var(--sw-space-4);
+        border: 1px solid var(--sw-line);
+        border-radius: calc(var(--sw-radius) + 2px);
+        background: var(--sw-paper);
+        color: var(--sw-ink);
+        box-shadow: 0 6px 24px light-dark(rgb(38 40 44 / 0.14), rgb(0 0 0 / 0.5));
+      }
+      [popover]:popover-open {
+        display: grid;
+        gap: var(--sw-space-3);
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult {
+    const {app, controls: texts} = this.texts;
+    const {language, units, theme, scale} = this.desk.preferences;
+    return html`
+      <button popovertarget="panel" aria-label=${app.settings} title=${app.settings}>
+        ${icon.settings}
+      </button>
+      <div
+        id="panel"
+        popover
+        role="group"
+        aria-label=${app.settings}
+        @toggle=${(event: ToggleEvent) => {
+          if (event.newState === 'open') this.#place();
+        }}
+      >
+        ${this.#choice('language', app.language, language, {en: 'English', de: 'Deutsch'})}
+        ${this.#choice('units', app.units, units, texts.unitNames)}
+        ${this.#choice('theme', app.theme, theme, app.themes)}
+        <label class="inline">
+          <input
+            type="checkbox"
+            .checked=${scale === 'paper'}
+            @change=${(event: Event) => {
+              const {checked} = event.target as HTMLInputElement;
+              this.desk.prefer({scale: checked ? 'paper' : 'chance'});
+            }}
+          />
+          ${texts.paperScale}
+        </label>
+      </div>
+    `;
+  }
+
+  /** The document itself speaks the language, and wears the colours, that were chosen. */
+  protected override updated(): void {
+    const {language, theme} = this.desk.preferences;
+    const root = document.documentElement;
+    root.lang = language;
+    if (theme === 'system') delete root.dataset.theme;
+    else root.dataset.theme = theme;
+  }
+
+  #choice<Name extends 'language' | 'units' | 'theme'>(
+    name: Name,
+    label: string,
+    value: Preferences[Name],
+    options: Readonly<Record<Preferences[Name], string>>,
+  ): TemplateResult {
+    return html`<label>
+      ${label}
+      <select
+        @change=${(event: Event) => {
+          this.desk.prefer({[name]: (event.target as HTMLSelectElement).value});
+        }}
+      >
+        ${Object.entries(options).map(
+          ([option, words]) =>
+            html`<option value=${option} .selected=${option === value}>${words}</option>`,
+        )}
+      </select>
+    </label>`;
+  }
+
+  /** Under its button, within the window. */
+  #place(): void {
+    const panel = this.renderRoot.querySelector<HTMLElement>('[popover]');
+    const button = this.renderRoot.querySelector('button');
+    if (!panel || !button) return;
+    const {right, bottom} = button.getBoundingClientRect();
+    const left = Math.min(right, innerWidth - gap) - panel.offsetWidth;
+    panel.style.left = `${Math.max(gap, left)}px`;
+    panel.style.top = `${bottom + gap}px`;
+  }
+}
+
+customElements.define('sw-settings', Settings);
