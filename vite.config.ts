@@ -4,12 +4,26 @@ import {fileURLToPath} from 'node:url';
 import {defineConfig} from 'vite';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+const port = Number(process.env.PORT ?? 5173);
+
+/** Nothing from elsewhere, no inline script or style, no eval; pictures may also be the user's own. */
+const policy = [
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "worker-src 'self'",
+  "style-src 'self'",
+  "img-src 'self' data: blob:",
+  "connect-src 'self'",
+  "base-uri 'none'",
+  "form-action 'self'",
+].join('; ');
 
 export default defineConfig({
   root: at('web'),
   base: './',
   publicDir: at('public'),
-  server: {port: 5173, strictPort: true, fs: {allow: [at('.')]}},
+  server: {port, strictPort: true, fs: {allow: [at('.')]}},
+  preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},
   build: {
     outDir: at('build/page'),
     emptyOutDir: true,

@@ -1,23 +1,17 @@
-// `npm start`: fits a sample print to a sample garment, and says what came of it and where to look.
-import {mkdirSync} from 'node:fs';
-
+// `npm start`: builds what is missing and serves the page, until it is stopped.
 import {build} from './build.mjs';
-import {main, root, run, SetupError} from './shell.mjs';
-
-const print = 'public/prints/p4m.json';
-const result = 'out/tee.json';
-const picture = 'out/tee.svg';
+import {main, root, say, SetupError} from './shell.mjs';
 
 await main(async () => {
   await build();
-  mkdirSync(new URL('../../out', import.meta.url), {recursive: true});
-  await seamwise('align', 'public/garments/tee-m.json', '--print', print, '--out', result);
-  await seamwise('draw', result, '--print', print, '--out', picture);
-  console.log(`Before and after: ${root}${picture}`);
-});
-
-async function seamwise(...words) {
-  if (!(await run(process.execPath, ['dist/cli/main.js', ...words], {output: 'inherit'}))) {
-    throw new SetupError(`failed: seamwise ${words.join(' ')}`);
+  const vite = await import('vite'); // installed by now
+  const configFile = `${root}/vite.config.ts`;
+  await vite.build({configFile, logLevel: 'warn'});
+  try {
+    const {httpServer} = await vite.preview({configFile, logLevel: 'warn'});
+    say(`Seamwise is at http://localhost:${httpServer.address().port}`);
+  } catch (error) {
+    if (error.code !== 'EADDRINUSE' && !/in use/.test(error.message)) throw error;
+    throw new SetupError(`${error.message}; choose another with PORT=5174 npm start`);
   }
-}
+});

@@ -27,9 +27,17 @@ export class SceneMaker {
   readonly #print = lastOf((print: DesignPrint) => printOf(print));
   readonly #garment = lastOf((text: string) => JSON.parse(text) as Garment);
   readonly #plain = lastOf((names: readonly string[] | undefined) => new Set(names));
-  readonly #pinned = lastOf(realigned);
-  /** How the pieces lay last, by name. */
+  readonly #lying = lastOf(realigned);
+  /** Before anything is known the pieces stay as they lay. */
+  readonly #waiting = lastOf((rest: PatternScene) =>
+    realigned(
+      rest,
+      rest.pieces.map(({name, alignment}) => this.#last.get(name) ?? alignment),
+    ),
+  );
+  /** How the pieces lay last, by name, and of which garment. */
   #last = new Map<string, Alignment>();
+  #lastGarment: Garment | undefined;
 
   /** Undefined until the solver has read the garment. */
   scenes(desk: Workbench, viewport: NonNullable<SceneOptions['viewport']>): Scenes | undefined {
@@ -37,6 +45,8 @@ export class SceneMaker {
     if (!design || !(pattern ?? result)) return undefined;
     const print = this.#print(design.print);
     const garment = this.#garment(design.garment.text);
+    if (garment !== this.#lastGarment) this.#last = new Map();
+    this.#lastGarment = garment;
     const plain = this.#plain(design.options.plain);
     const rest = this.#rest(
       result ?? pattern,
@@ -51,14 +61,10 @@ export class SceneMaker {
       const now = this.#solved(result, print, garment, viewport.width, viewport.height, plain);
       return {before: rest, now: this.#keep(now ?? rest)};
     }
-    const lying =
-      partial ?? rest.pieces.map((piece) => this.#last.get(piece.name) ?? piece.alignment);
-    return {before: rest, now: this.#keep(this.#pinned(rest, lying))};
-  }
-
-  /** Another garment has nothing to do with how the last one lay. */
-  forget(): void {
-    this.#last = new Map();
+    return {
+      before: rest,
+      now: this.#keep(partial ? this.#lying(rest, partial) : this.#waiting(rest)),
+    };
   }
 
   #keep(scene: PatternScene): PatternScene {
@@ -88,7 +94,7 @@ function sheetSolved(...[pattern, print, garment, width, height, plain]: Paramet
 }
 
 /** A function that knows its last answer: the same arguments get the same object. */
-function lastOf<Arguments extends readonly unknown[], Result>(
+export function lastOf<Arguments extends readonly unknown[], Result>(
   make: (...given: Arguments) => Result,
 ): (...given: Arguments) => Result {
   let last: {readonly given: Arguments; readonly result: Result} | undefined;
