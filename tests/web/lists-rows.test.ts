@@ -1,0 +1,194 @@
+import {describe, expect, it} from 'vitest';
+
+import type {Design} from '../../web/src/model/design.js';
+import type {Pattern} from '../../web/src/model/result.js';
+import {
+  pieceRows,
+  seamRows,
+  seamText,
+  worstSeams,
+  type PieceRow,
+  type SeamRow,
+} from '../../web/src/element/lists/rows.js';
+import {de} from '../../web/src/element/texts/de.js';
+import {en} from '../../web/src/element/texts/en.js';
+import {formatFor} from '../../web/src/element/texts/format.js';
+import {realigned, sceneOf} from '../../web/src/viewer/scene.js';
+import {plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
+
+interface Shown {
+  readonly pattern?: Pattern;
+  readonly garment?: object;
+  readonly options?: Design['options'];
+  /** The second piece lies so much too high before, and after. [cm] */
+  readonly high?: readonly [number, number];
+  readonly oneWay?: boolean;
+}
+
+/** What the rows read of a workbench, of two sewn squares unless told. */
+function desk({pattern = squarePair(), garment = {}, options = {}, high = [2, 0], oneWay}: Shown) {
+  const design: Design = {
+    garment: {name: 'two.json', text: JSON.stringify(garment)},
+    print: {
+      ...{title: '', group: 'p1', turnDeg: 0, oneWay: false, cell: 'primitive', image: ''},
+      size: {width: 10, height: 10, angleDeg: 90},
+    },
+    ...{symmetries: [], method: 'best', options},
+  };
+  const lying = (up: number) =>
+    pattern.pieces.map(({alignment: {angle, translation}}, k) => ({
+      angle,
+      translation: [translation[0], translation[1] + k * up] as const,
+    }));
+  const scene = sceneOf(
+    pattern,
+    {...plainPrint, oneWay: oneWay ?? false},
+    {
+      plain: new Set(options.plain),
+    },
+  );
+  const [before, now] = [realigned(scene, lying(high[0])), realigned(scene, lying(high[1]))];
+  const meshed = {...pattern, pieces: [], fitRandom: 0, notes: []};
+  return {design, pattern: meshed, result: undefined, scenes: {before, now}};
+}
+
+const seams = (shown: Shown = {}): readonly SeamRow[] => seamRows(desk(shown), en);
+const pieces = (shown: Shown = {}): readonly PieceRow[] => pieceRows(desk(shown));
+const seam = (shown: Shown = {}): Partial<SeamRow> => seams(shown)[0] ?? {};
+const piece = (shown: Shown = {}): Partial<PieceRow> => pieces(shown)[0] ?? {};
+
+const twice = (): Pattern => {
+  const pattern = squarePair();
+  return {...pattern, seams: [...pattern.seams, ...pattern.seams]};
+};
+
+describe('rows of seams', () => {
+  it('measure length and mismatch, before and after', () => {
+    expect(seam({high: [2, 0.5]}).length).toBeCloseTo(4, 12);
+    expect(seam({high: [2, 0.5]}).before).toBeCloseTo(2, 12);
+    expect(seam({high: [2, 0.5]}).after).toBeCloseTo(0.5, 12);
+    expect(seam({high: [2, 0.5]}).worst).toBeCloseTo(0.5, 12);
+  });
+
+  it('take names from the garment file, by stitch', () => {
+    const garment = {
+      seams: [
+        {stitch: 1, name: 'Side'},
+        {stitch: 0, name: 'Waist'},
+      ],
+    };
+    expect(seams({pattern: twice(), garment}).map(({name}) => name)).toEqual(['Waist', 'Side']);
+  });
+
+  it('are named after the pieces where the file has no name', () => {
+    expect(seam().name).toBe('left half to right half');
+    expect(seam().between).toBeUndefined();
+  });
+
+  it('number names that are alike', () => {
+    const garment = {
+      seams: [
+        {stitch: 0, name: 'Side'},
+        {stitch: 1, name: 'Side'},
+      ],
+    };
+    expect(seams({pattern: twice(), garment}).map(({name}) => name)).toEqual(['Side 1', 'Side 2']);
+  });
+
+  it('have the weight of the options, else of the file, else 1', () => {
+    const garment = {seams: [{stitch: 0, weight: 0.75}]};
+    expect(seam({garment, options: {weights: {0: 0.5}}}).weight).toBe(0.5);
+    expect(seam({garment}).weight).toBe(0.75);
+    expect(seam().weight).toBe(1);
+  });
+
+  it('say which seams are not matched, and which could not be', () => {
+    expect(seam()).toMatchObject({matched: true, canMatch: true});
+    expect(seam({options: {unmatched: [0]}})).toMatchObject({matched: false, canMatch: true});
+    const garment = {seams: [{stitch: 0, matched: false}]};
+    expect(seam({garment})).toMatchObject({matched: false, canMatch: false});
+    const options = {plain: ['left_half']};
+    expect(seam({options})).toMatchObject({matched: false, canMatch: false});
+  });
+
+  it('stay the same while nothing changes', () => {
+    const shown = desk({});
+    expect(seamRows({...shown}, en)).toBe(seamRows(shown, en));
+    expect(seamRows(shown, de)).not.toBe(seamRows(shown, en));
+  });
+
+  it('are none before the garment has been read', () => {
+    expect(seamRows({...desk({}), scenes: undefined}, en)).toEqual([]);
+    expect(pieceRows({...desk({}), pattern: undefined})).toEqual([]);
+  });
+});
+
+describe('the text of a seam', () => {
+  const format = formatFor('en', 'cm');
+  const garment = {seams: [{stitch: 0, name: 'Side seam'}]};
+
+  it('tells name, pieces, length, mismatch and kind', () => {
+    expect(seams({garment, high: [2, 0.2]}).map((row) => seamText(row, en, format))).toEqual([
+      'Side seam, left half to right half, 4 cm, mismatch 2 mm, continuous',
+    ]);
+  });
+
+  it('says that a seam is not counted in place of its kind', () => {
+    const pattern = squarePair();
+    const off = {...pattern, seams: pattern.seams.map((one) => ({...one, matched: false}))};
+    expect(seams({pattern: off}).map((row) => seamText(row, de, formatFor('de', 'cm')))).toEqual([
+      'left half to right half, 4 cm, Versatz 0 mm, zählt nicht',
+    ]);
+  });
+});
+
+it('finds the worst of the seams that count', () => {
+  const row = (number: number, after: number, counts = true): SeamRow => ({
+    ...{seam: number, name: '', between: undefined, sides: ['', ''], length: 1, before: 0, after},
+    ...{worst: 0, severity: 0, kind: 'continuous', weight: 1, ownWeight: 1, matched: true},
+    ...{canMatch: true, counts},
+  });
+  const rows = [row(0, 1), row(1, 3), row(2, 9, false), row(3, 2)];
+  expect(worstSeams(rows, 2).map(({seam: number}) => number)).toEqual([1, 3]);
+  expect(worstSeams(rows).map(({seam: number}) => number)).toEqual([1, 3, 0]);
+});
+
+describe('rows of pieces', () => {
+  it('tell size and number of seams', () => {
+    expect(piece()).toMatchObject({label: 'left half', width: 4, height: 4, seams: 1});
+  });
+
+  it('tell how far the outline moved where it moved most', () => {
+    const shape = square.map(([x, y], k) => [x + (k === 2 ? 0.3 : 0), y] as const);
+    const [, right] = squarePair().pieces;
+    const pattern = squarePair({
+      pieces: [squarePiece('left_half', {shape}), right ?? squarePiece('')],
+    });
+    expect(pieces({pattern}).map(({moved}) => moved)).toEqual([expect.closeTo(0.3, 12), 0]);
+  });
+
+  it('tell the angle between grain and cloth, either way up unless the print is one-way', () => {
+    const turned = (degrees: number): Pattern =>
+      squarePair({
+        pieces: [
+          squarePiece('left_half', {
+            alignment: {angle: (degrees * Math.PI) / 180, translation: [0, 0]},
+          }),
+          squarePiece('right_half'),
+        ],
+      });
+    expect(piece({pattern: turned(-30)}).offGrain).toBeCloseTo(30, 9);
+    expect(piece({pattern: turned(170)}).offGrain).toBeCloseTo(10, 9);
+    expect(piece({pattern: turned(170), oneWay: true}).offGrain).toBeCloseTo(170, 9);
+  });
+
+  it('tell what was decided about the piece alone', () => {
+    expect(piece()).toMatchObject({grain: 'all', printed: true, pinned: false});
+    const options: Design['options'] = {
+      grain: {default: 'on', pieces: {left_half: {lock: 'bias', toleranceDeg: 5}}},
+      pins: {left_half: {angle: 0, translation: [0, 0]}},
+      plain: ['left_half'],
+    };
+    expect(piece({options})).toMatchObject({grain: 'bias', printed: false, pinned: true});
+  });
+});

@@ -1,0 +1,202 @@
+/** Pieces and seams as rows of a table: what there is to know about each, in numbers and names. */
+import type {Design} from '../../model/design.js';
+import type {Point} from '../../model/geometry.js';
+import type {GrainLock} from '../../model/options.js';
+import type {Pattern, SeamSide} from '../../model/result.js';
+import {worstMismatch} from '../../picture/colours.js';
+import {onPrint} from '../../picture/fit.js';
+import {pick} from '../../picture/marks.js';
+import type {PatternScene, ScenePiece, SceneSeam} from '../../viewer/scene.js';
+import type {Format} from '../texts/format.js';
+import type {Texts} from '../texts/texts.js';
+import {lastOf, type Scenes} from '../workbench/scenes.js';
+import type {Workbench} from '../workbench/workbench.js';
+import {garmentSeams, type GarmentSeam} from './garment-seams.js';
+
+export interface PieceRow {
+  /** Its number, from 0. */
+  readonly piece: number;
+  /** What the files call it. */
+  readonly name: string;
+  readonly label: string;
+  /** Of the piece as drafted. [cm] */
+  readonly width: number;
+  readonly height: number;
+  readonly seams: number;
+  /** How far its outline was reshaped where that is most; unknown before it is solved. [cm] */
+  readonly moved: number | undefined;
+  /** Between its grain line and the length of the cloth. [degrees, 0 to 90; of a one-way print to 180] */
+  readonly offGrain: number;
+  /** `all`: no rule of its own. */
+  readonly grain: GrainLock | 'all';
+  readonly printed: boolean;
+  readonly pinned: boolean;
+}
+
+export interface SeamRow {
+  /** Its number, from 0. */
+  readonly seam: number;
+  /** No other seam has the same. */
+  readonly name: string;
+  /** Which pieces it joins, unless the name says that. */
+  readonly between: string | undefined;
+  /** Labels of the pieces on sides a and b. */
+  readonly sides: readonly [string, string];
+  /** Mean of both sides, as drafted. [cm] */
+  readonly length: number;
+  /** Mean mismatches, with one symmetry of the print for the whole seam. [cm] */
+  readonly before: number;
+  readonly after: number;
+  /** The worst mismatch of any edge. [cm] */
+  readonly worst: number;
+  /** `after` on the scale of the picture: 0 is perfect, 1 is drawn as the worst. */
+  readonly severity: number;
+  readonly kind: SceneSeam['kind'];
+  /** While solving. */
+  readonly weight: number;
+  /** What the garment file says about the weight. */
+  readonly ownWeight: number;
+  readonly matched: boolean;
+  /** Whether it is for its match switch to say so: no plain piece, no word of the file is against it. */
+  readonly canMatch: boolean;
+  /** False as well for a seam that meets however the print lies. */
+  readonly counts: boolean;
+}
+
+type Shown = Pick<Workbench, 'design' | 'pattern' | 'result' | 'scenes'>;
+
+/** Empty until the garment has been read. The same desk gives the same rows until something about them changes. */
+export function pieceRows({design, pattern, result, scenes}: Shown): readonly PieceRow[] {
+  return design && scenes && (result ?? pattern) ? piecesOf(design.options, scenes.now) : [];
+}
+
+/** Empty until the garment has been read. The same desk gives the same rows until something about them changes. */
+export function seamRows(
+  {design, pattern, result, scenes}: Shown,
+  texts: Texts,
+): readonly SeamRow[] {
+  if (!design || !scenes || !(result ?? pattern)) return [];
+  return seamsOf(design, scenes, texts);
+}
+
+/** Of those that count, the worst first. */
+export const worstSeams = (rows: readonly SeamRow[], most = rows.length): readonly SeamRow[] =>
+  rows
+    .filter(({counts}) => counts)
+    .sort((a, b) => b.after - a.after)
+    .slice(0, most);
+
+/** "Side seam, left, Front to Back, 41 cm, mismatch 2 mm, mirrored" */
+export function seamText(row: SeamRow, {pattern}: Texts, format: Format): string {
+  const name = row.between === undefined ? row.name : `${row.name}, ${row.between}`;
+  const kind = row.counts ? pattern[row.kind] : pattern.notCounted;
+  return pattern.seam(name, format.length(row.length), format.fine(row.after), kind);
+}
+
+const fileSeams = lastOf(garmentSeams);
+
+const size = (points: readonly Point[], axis: 0 | 1): number => {
+  const along = points.map((point) => point[axis]);
+  return Math.max(...along) - Math.min(...along);
+};
+
+/** What depends on nothing but the outlines. */
+const measures = lastOf(({pieces, seams}: Pattern) => {
+  const way = ({piece, vertices}: SeamSide): number => {
+    const points = pick(pieces[piece]?.rest ?? [], vertices);
+    return points.slice(1).reduce((sum, [x, y], k) => {
+      const [fromX, fromY] = points[k] ?? [x, y];
+      return sum + Math.hypot(x - fromX, y - fromY);
+    }, 0);
+  };
+  return {
+    pieces: pieces.map(({rest, shape, outline}, piece) => {
+      const loop = pick(rest, outline);
+      const after = pick(shape, outline);
+      return {
+        width: size(loop, 0),
+        height: size(loop, 1),
+        seams: seams.filter(({a, b}) => a.piece === piece || b.piece === piece).length,
+        moved: Math.max(
+          ...loop.map(([x, y], k) =>
+            Math.hypot(x - (after[k]?.[0] ?? x), y - (after[k]?.[1] ?? y)),
+          ),
+        ),
+      };
+    }),
+    lengths: seams.map(({a, b}) => (way(a) + way(b)) / 2),
+  };
+});
+
+function offGrain({grain, alignment}: ScenePiece, oneWay: boolean): number {
+  const [from, to] = grain ?? [
+    [0, 0],
+    [0, 1],
+  ];
+  const line: Point = [to[0] - from[0], to[1] - from[1]];
+  const [across, along] = onPrint({angle: alignment.angle, translation: [0, 0]}, line);
+  return (Math.atan2(Math.abs(across), oneWay ? along : Math.abs(along)) * 180) / Math.PI;
+}
+
+const piecesOf = lastOf((options: Design['options'], scene: PatternScene): readonly PieceRow[] => {
+  const known = measures(scene.pattern).pieces;
+  return scene.pieces.map((piece, k): PieceRow => {
+    const {name, label, plain} = piece;
+    const {width = 0, height = 0, seams = 0, moved} = known[k] ?? {};
+    const rule = options.grain?.pieces?.[name] ?? 'all';
+    return {
+      ...{piece: k, name, label, width, height, seams},
+      moved: scene.outline === 'shape' ? moved : undefined,
+      offGrain: offGrain(piece, scene.print.oneWay ?? false),
+      grain: typeof rule === 'string' ? rule : rule.lock,
+      printed: !plain,
+      pinned: options.pins !== undefined && Object.hasOwn(options.pins, name),
+    };
+  });
+});
+
+/** Names from the file or of the pieces; numbered where several are alike. */
+function seamNames(
+  {pieces, seams}: PatternScene,
+  file: ReadonlyMap<number, GarmentSeam>,
+  {lists}: Texts,
+): readonly Pick<SeamRow, 'name' | 'between' | 'sides'>[] {
+  const label = (piece: number): string => pieces[piece]?.label ?? '';
+  const all = seams.map(({a, b}, seam) => {
+    const sides = [label(a.piece), label(b.piece)] as const;
+    const joined = a.piece === b.piece ? lists.within(sides[0]) : lists.between(...sides);
+    const own = file.get(seam)?.name;
+    return {sides, name: own ?? joined, between: own === undefined ? undefined : joined};
+  });
+  const count = new Map<string, number>();
+  for (const {name} of all) count.set(name, (count.get(name) ?? 0) + 1);
+  const met = new Map<string, number>();
+  return all.map((one) => {
+    const number = (met.get(one.name) ?? 0) + 1;
+    met.set(one.name, number);
+    return count.get(one.name) === 1 ? one : {...one, name: lists.numbered(one.name, number)};
+  });
+}
+
+const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts: Texts) => {
+  const file = fileSeams(garment.text);
+  const names = seamNames(now, file, texts);
+  const {lengths} = measures(now.pattern);
+  const worst = now.scale === 'paper' ? worstMismatch : now.chance;
+  return now.seams.map(({a, b, mean, worst: {mismatch}, kind, counts}, seam): SeamRow => {
+    const {sides = ['', ''] as const, name = '', between} = names[seam] ?? {};
+    const {weight = 1, matched = true} = file.get(seam) ?? {};
+    const canMatch = matched && ![a, b].some(({piece}) => now.pieces[piece]?.plain);
+    return {
+      ...{seam, name, between, sides, kind, counts, canMatch},
+      length: lengths[seam] ?? 0,
+      before: before.seams[seam]?.mean ?? 0,
+      after: mean,
+      worst: mismatch,
+      severity: worst > 0 ? Math.min(1, mean / worst) : 0,
+      weight: options.weights?.[seam] ?? weight,
+      ownWeight: weight,
+      matched: canMatch && !options.unmatched?.includes(seam),
+    };
+  });
+});
