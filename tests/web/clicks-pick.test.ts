@@ -225,7 +225,7 @@ describe('a seam by its number', () => {
 });
 
 describe('a large garment', () => {
-  it('answers a press on it in well under half a millisecond', () => {
+  it('answers a press on it within a quarter of a millisecond', () => {
     const side = 200; // outline vertices per piece
     const loop = Array.from({length: side}, (_, k): Point => {
       const angle = (2 * Math.PI * k) / side;
@@ -247,16 +247,17 @@ describe('a large garment', () => {
         ]),
       ),
     );
-    const rounds = 1000;
-    let found = 0;
-    const started = performance.now();
-    for (let k = 0; k < rounds; k++) {
-      const angle = (2 * Math.PI * k) / rounds;
+    const times = Array.from({length: 1001}, (_, k) => {
+      const angle = (2 * Math.PI * k) / 1001;
       const centre: Point = [45 * (k % 8), 45 * (k % 5)];
       const point: Point = [centre[0] + 20 * Math.cos(angle), centre[1] + 20 * Math.sin(angle)];
-      found += targetsAt(index, point, 1).length > 0 ? 1 : 0;
-    }
-    expect((performance.now() - started) / rounds).toBeLessThan(0.5);
-    expect(found).toBe(rounds);
+      const started = performance.now();
+      const targets = targetsAt(index, point, 1);
+      const time = performance.now() - started;
+      expect(targets.length).toBeGreaterThan(0);
+      return time;
+    });
+    const median = times.sort((a, b) => a - b)[500]; // whatever else the machine is busy with
+    expect(median).toBeLessThan(0.25);
   });
 });

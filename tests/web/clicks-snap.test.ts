@@ -60,6 +60,18 @@ describe('a point of a piece', () => {
     expect(snapped([10, 1], {piece})).toEqual({point: [10, 0], snapped: 'midpoint'});
   });
 
+  it('finds no new corner where a straight edge was deformed', () => {
+    const lowerSide = (middle: Point): readonly Point[] => [
+      [0, 0],
+      middle,
+      [20, 0],
+      [20, 20],
+      [0, 20],
+    ];
+    const piece = {loop: lowerSide([5, -8]), rest: lowerSide([5, 0])};
+    expect(snapped([5, -9], {piece})).toEqual({point: [5, -8], snapped: 'outline'});
+  });
+
   it('finds no corner on a round piece of one edge', () => {
     const piece = circle(() => 0);
     expect(snapped([9.5, 0], {piece}).snapped).toBe('outline');

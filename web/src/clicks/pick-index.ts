@@ -24,7 +24,7 @@ export interface PieceIndex {
   readonly holes: readonly Path[];
   /** In the order of the outline. */
   readonly lines: readonly Line[];
-  /** Where another edge of the panel begins, or the outline turns sharply. */
+  /** Where another edge of the panel begins, or the outline was drafted to turn sharply. */
   readonly corners: readonly Point[];
   /** Of the panel's edges; without their numbers, of what lies between corners. */
   readonly midpoints: readonly Point[];
@@ -58,8 +58,8 @@ function runsRound<T>(keys: readonly T[]): readonly Run<T>[] {
   );
 }
 
-const pointsAt = ({points}: SheetPiece, vertices: readonly number[]): readonly Point[] =>
-  vertices.flatMap((v) => points.slice(v, v + 1));
+const pointsAt = (points: readonly Point[], vertices: readonly number[]): readonly Point[] =>
+  vertices.map((v) => points[v] ?? [NaN, NaN]);
 
 const verticesOf = ({outline}: SheetPiece, {start, count}: Run<unknown>): readonly number[] =>
   Array.from({length: count + 1}, (_, k) => outline[(start + k) % outline.length] ?? 0);
@@ -83,37 +83,22 @@ function stretches(outline: Path, corners: readonly number[]): readonly number[]
   );
 }
 
-/** The numbers of outline edges by their vertices, counter-clockwise. */
-type EdgeNumbers = ReadonlyMap<string, number>;
-
-const edgeKey = (from: number | undefined, to: number | undefined): string =>
-  `${from ?? ''} ${to ?? ''}`;
-
-const edgeNumbers = ({outline}: SheetPiece): EdgeNumbers =>
-  new Map(outline.map((v, k) => [edgeKey(v, outline[(k + 1) % outline.length]), k]));
-
-function seamLine(
-  piece: SheetPiece,
-  vertices: readonly number[],
-  name: LineName,
-  numbers: EdgeNumbers,
-): Line {
-  const forward = vertices.slice(1).map((v, k) => numbers.get(edgeKey(vertices[k], v)));
-  const backward = vertices.slice(1).map((v, k) => numbers.get(edgeKey(v, vertices[k])));
-  return {
-    name,
-    path: pathThrough(pointsAt(piece, vertices)),
-    along: forward.map((number, k) => number ?? backward[k]),
-    start: forward[0] ?? backward.at(-1) ?? piece.outline.length,
-  };
-}
-
 function seamLines(sheet: Sheet, number: number, piece: SheetPiece): readonly Line[] {
-  const numbers = edgeNumbers(piece);
+  const {outline} = piece;
+  const position = new Map(outline.map((v, k) => [v, k]));
   return sheet.seams.flatMap((ends, seam) =>
-    (['a', 'b'] as const)
-      .filter((side) => ends[side].piece === number)
-      .map((side) => seamLine(piece, ends[side].vertices, {kind: 'seam', seam, side}, numbers)),
+    (['a', 'b'] as const).flatMap((side): Line[] => {
+      const {piece: on, vertices} = ends[side];
+      const [first = -1, second] = vertices;
+      if (on !== number) return [];
+      const isForward = outline[((position.get(first) ?? -1) + 1) % outline.length] === second;
+      const along = (isForward ? vertices.slice(0, -1) : vertices.slice(1)).map((v) =>
+        position.get(v),
+      );
+      const path = pathThrough(pointsAt(piece.points, vertices));
+      const start = along.at(isForward ? 0 : -1) ?? outline.length;
+      return [{name: {kind: 'seam', seam, side}, path, along, start}];
+    }),
   );
 }
 
@@ -122,15 +107,16 @@ function edgeLines(piece: SheetPiece, sewn: ReadonlySet<number | undefined>): re
   const keys = piece.outline.map((_, k) => (sewn.has(k) ? undefined : piece.edges?.[k]));
   return runsRound(keys).flatMap((run): Line[] => {
     if (run.key === undefined) return [];
-    const path = pathThrough(pointsAt(piece, verticesOf(piece, run)));
+    const path = pathThrough(pointsAt(piece.points, verticesOf(piece, run)));
     const along = path.segments.map((_, k) => (run.start + k) % piece.outline.length);
     return [{name: {kind: 'edge', edge: run.key}, path, along, start: run.start}];
   });
 }
 
 function pieceIndex(sheet: Sheet, number: number, piece: SheetPiece): PieceIndex {
-  const outline = pathRound(pointsAt(piece, piece.outline));
-  const sharp = sharpCorners(outline);
+  const outline = pathRound(pointsAt(piece.points, piece.outline));
+  const drafted = sheet.pattern.pieces[number]?.rest ?? piece.points;
+  const sharp = sharpCorners(pathRound(pointsAt(drafted, piece.outline)));
   const runs = runsRound(piece.edges ?? stretches(outline, sharp));
   const parts = runs.length > 1 ? runs : []; // a single one has no ends
   const corners = new Set([...sharp, ...parts.map(({start}) => start)]);
@@ -138,11 +124,11 @@ function pieceIndex(sheet: Sheet, number: number, piece: SheetPiece): PieceIndex
   const edges = edgeLines(piece, new Set(seams.flatMap(({along}) => along)));
   return {
     outline,
-    holes: piece.holes.map((hole) => pathRound(pointsAt(piece, hole))),
+    holes: piece.holes.map((hole) => pathRound(pointsAt(piece.points, hole))),
     lines: [...seams, ...edges].sort((one, other) => one.start - other.start),
     corners: outline.segments.flatMap(({from}, k) => (corners.has(k) ? [from] : [])),
     midpoints: parts.flatMap((part) => {
-      const path = pathThrough(pointsAt(piece, verticesOf(piece, part)));
+      const path = pathThrough(pointsAt(piece.points, verticesOf(piece, part)));
       const middle = placeAt(path, path.length / 2);
       return middle ? [middle.point] : [];
     }),
