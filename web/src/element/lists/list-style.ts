@@ -1,0 +1,116 @@
+import {css} from 'lit';
+
+/** Of both tables: small, quiet, numbers under each other. */
+export const listStyle = css`
+  :host {
+    display: block;
+    padding: var(--sw-space-2) var(--sw-space-3) var(--sw-space-4);
+  }
+  table {
+    width: 100%;
+    border-collapse: collapse;
+    font-size: var(--sw-text-small);
+  }
+  caption {
+    padding: var(--sw-space-2) var(--sw-space-1);
+    font-size: var(--sw-text);
+    font-weight: 600;
+    text-align: left;
+  }
+  caption span {
+    font-weight: 400;
+  }
+  th,
+  td {
+    padding: var(--sw-space-1);
+    vertical-align: top;
+    text-align: left;
+    font-weight: 400;
+  }
+  .number {
+    text-align: right;
+    white-space: nowrap;
+  }
+  thead th {
+    padding-block: 0;
+    border-bottom: 1px solid var(--sw-line);
+    color: var(--sw-soft);
+    vertical-align: bottom;
+  }
+  thead button {
+    position: relative;
+    min-height: 1.75rem;
+    padding: 0;
+    border: 0;
+    border-radius: 2px;
+    font-size: var(--sw-text-small);
+  }
+  thead button:hover:not(:disabled) {
+    background: none;
+    color: var(--sw-ink);
+  }
+  [aria-sort] button {
+    color: var(--sw-ink);
+    font-weight: 600;
+  }
+  [aria-sort] button::after {
+    content: '↑' / '';
+    position: absolute;
+    left: 100%;
+    padding-left: 1px;
+  }
+  [aria-sort='descending'] button::after {
+    content: '↓' / '';
+  }
+  .number[aria-sort] button::after {
+    left: auto;
+    right: 100%;
+    padding: 0 1px 0 0;
+  }
+  tbody tr {
+    border-bottom: 1px solid color-mix(in srgb, var(--sw-line) 60%, transparent);
+    cursor: pointer;
+  }
+  tbody tr:focus-visible {
+    outline-offset: -2px;
+  }
+  tbody tr.pointed {
+    background: color-mix(in srgb, var(--sw-ink) 5%, transparent);
+  }
+  tbody tr.selected {
+    background: var(--sw-tint);
+    box-shadow: inset 3px 0 var(--sw-accent);
+  }
+  tbody th {
+    overflow-wrap: anywhere;
+    line-height: 1.3;
+    hyphens: auto;
+  }
+  .line {
+    display: flex;
+    align-items: center;
+    gap: var(--sw-space-1);
+    color: var(--sw-soft);
+  }
+  .line svg {
+    flex: none;
+    width: 0.875rem;
+    height: 0.875rem;
+  }
+  select {
+    min-height: 1.5rem;
+    padding: 0 2px;
+    font-size: var(--sw-text-small);
+  }
+  .bar {
+    display: block;
+    width: 2.75rem;
+    height: 4px;
+    margin: 3px 0 0 auto;
+    border-radius: 2px;
+    background: color-mix(in srgb, var(--sw-ink) 10%, transparent);
+  }
+  p {
+    padding: var(--sw-space-1);
+  }
+`;
