@@ -1,15 +1,18 @@
 /** Puts the page together. */
 import {
   firstOptions,
+  keepPreferences,
   loadSamples,
   opening,
   sampleGarment,
   samplePrint,
+  storedPreferences,
   Workbench,
 } from '../element/index.js';
 import {SeamwisePage} from './page.js';
 
-const desk = new Workbench();
+const desk = new Workbench({}, storedPreferences());
+keepPreferences(desk);
 const page = new SeamwisePage();
 page.desk = desk;
 document.body.append(page);

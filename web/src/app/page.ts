@@ -1,10 +1,11 @@
 /** The page: what is decided on the left, the pattern in the middle, how well it fits on the right. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import {controls, DeskElement, icon, tokens, type Samples} from '../element/index.js';
+import {controls, DeskElement, icon, tokens, type KeyMap, type Samples} from '../element/index.js';
 import {chooseFile, takeFiles} from './files.js';
 import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
+import {pageKeys} from './page-keys.js';
 import {saveProject, saveResult} from './save.js';
 
 export class SeamwisePage extends DeskElement {
@@ -16,7 +17,31 @@ export class SeamwisePage extends DeskElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#life = new AbortController();
-    takeFiles((file) => void openFile(this.desk, file), this.#life.signal);
+    const {signal} = this.#life;
+    takeFiles((file) => void openFile(this.desk, file), signal);
+    pageKeys(
+      {
+        undo: () => {
+          this.desk.undo();
+        },
+        redo: () => {
+          this.desk.redo();
+        },
+        save: () => {
+          saveProject(this.desk);
+        },
+        open: () => void this.#open(),
+      },
+      signal,
+    );
+    this.addEventListener(
+      'sw-wish',
+      (event) => {
+        if ((event as CustomEvent<string>).detail === 'keys')
+          this.renderRoot.querySelector<KeyMap>('sw-key-map')?.open();
+      },
+      {signal},
+    );
   }
 
   override disconnectedCallback(): void {
@@ -31,7 +56,7 @@ export class SeamwisePage extends DeskElement {
       <header>
         <h1>${app.name}</h1>
         <sw-garment-choice .desk=${desk} .samples=${samples}></sw-garment-choice>
-        <button class="outlined" @click=${() => this.#open('.json,application/json')}>
+        <button class="outlined" @click=${() => this.#open()}>
           ${icon.open} ${app.openGarment}
         </button>
         <span class="gap"></span>
@@ -61,17 +86,24 @@ export class SeamwisePage extends DeskElement {
         >
           ${icon.save} ${app.saveResult}
         </button>
+        <sw-settings .desk=${desk}></sw-settings>
       </header>
-      <aside class="setup" aria-label=${app.setup}></aside>
+      <aside class="setup" aria-label=${app.setup}>
+        <sw-print-panel .desk=${desk} .samples=${samples}></sw-print-panel>
+        <sw-symmetry-panel .desk=${desk}></sw-symmetry-panel>
+        <sw-fit-panel .desk=${desk}></sw-fit-panel>
+      </aside>
       <main><sw-pattern .desk=${desk}></sw-pattern>${this.#notice()}</main>
       <aside class="report" aria-label=${app.report}>
+        <sw-key-map .desk=${desk}></sw-key-map>
         <sw-headline .desk=${desk}></sw-headline>
+        <sw-tables .desk=${desk}></sw-tables>
       </aside>
     `;
   }
 
-  async #open(accept: string): Promise<void> {
-    const file = await chooseFile(accept);
+  async #open(): Promise<void> {
+    const file = await chooseFile('.json,application/json');
     if (file) await openFile(this.desk, file);
   }
 

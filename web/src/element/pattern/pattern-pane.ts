@@ -1,84 +1,84 @@
-/** The pattern: its drawing, the buttons over it, its legend, and the same as text for those who do not see it. */
-import {css, html, nothing, type TemplateResult} from 'lit';
+/** The pattern: its drawing, what lies over it, and the same as words for those who do not see it. */
+import {html, nothing, type TemplateResult} from 'lit';
 
+import {pickIndex, type PickIndex} from '../../clicks/pick-index.js';
+import type {Target as Picked} from '../../clicks/pick.js';
+import type {Point} from '../../model/geometry.js';
+import {movementOf} from '../../viewer/movement.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
+import type {PatternScene} from '../../viewer/scene.js';
 import {DeskElement} from '../desk-element.js';
+import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {SceneMaker, type Scenes} from '../workbench/scenes.js';
+import {lastOf, SceneMaker} from '../workbench/scenes.js';
+import type {Workbench} from '../workbench/workbench.js';
+import './legend.js';
+import {overlayOf, type LensCursor} from './marks.js';
+import {patternKeys} from './pattern-keys.js';
+import {optionId, patternOptions} from './pattern-options.js';
+import {paneStyle} from './pane-style.js';
+import {PatternTools, pointedAt, reachOf} from './pattern-tools.js';
 import {tileOf} from './tile.js';
+import './ties-menu.js';
+import './toolbar.js';
+import './wipe-handle.js';
+
+/** Clicks need an index of the outlines, which stays while pieces only lie otherwise on the print. */
+class IndexKeeper {
+  #for: Pick<PatternScene, 'pattern' | 'outline' | 'size'> | undefined;
+  #index: PickIndex | undefined;
+
+  of(scene: PatternScene): PickIndex {
+    const {pattern, outline, size} = scene;
+    const known = this.#for;
+    if (
+      this.#index &&
+      known?.pattern === pattern &&
+      known.outline === outline &&
+      known.size === size
+    )
+      return this.#index;
+    this.#for = {pattern, outline, size};
+    return (this.#index = pickIndex(scene));
+  }
+}
 
 /** Begun at once: the drawing is the page's heaviest part. */
 const drawing = import('../../viewer/pattern-view.js');
 
 export class PatternPane extends DeskElement {
-  static override styles = [
-    controls,
-    css`
-      :host {
-        display: grid;
-        grid-template-rows: minmax(0, 1fr);
-        position: relative;
-        overflow: hidden;
-        background: var(--sw-ground);
-      }
-      .application,
-      .stage {
-        position: absolute;
-        inset: 0;
-      }
-      .application:focus-visible {
-        outline-offset: -2px;
-      }
-      .view {
-        position: absolute;
-        right: var(--sw-space-3);
-        bottom: var(--sw-space-3);
-        display: flex;
-        gap: 1px;
-        padding: 2px;
-        border: 1px solid var(--sw-line);
-        border-radius: calc(var(--sw-radius) + 2px);
-        background: var(--sw-paper);
-      }
-      .view button {
-        width: 2rem;
-        padding: 0;
-      }
-      .state {
-        position: absolute;
-        left: 50%;
-        top: var(--sw-space-3);
-        translate: -50% 0;
-        padding: var(--sw-space-1) var(--sw-space-3);
-        border: 1px solid var(--sw-line);
-        border-radius: 2rem;
-        background: var(--sw-paper);
-        color: var(--sw-soft);
-      }
-    `,
-  ];
+  static override styles = [controls, paneStyle];
 
+  readonly #maker = new SceneMaker();
+  readonly #index = new IndexKeeper();
+  readonly #movementOf = lastOf(movementOf);
+  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   #view: PatternView | undefined;
   #noWebGl = false;
-  readonly #maker = new SceneMaker();
-  #shown: Scenes | undefined;
+  #tools: PatternTools | undefined;
   /** Whose tile is shown, or being fetched. */
   #image: string | undefined;
-  #dark = matchMedia('(prefers-color-scheme: dark)');
   #life: AbortController | undefined;
+  /** Lines that a click may have meant, and where it was. [CSS px] */
+  #ties: {readonly at: Point; readonly targets: readonly Picked[]} | undefined;
+  /** How much of the width shows the garment as it comes; undefined when none does. */
+  #split: number | undefined;
+  #showsMovement = false;
+  #cursor: LensCursor | undefined;
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.#life = new AbortController();
+    const {signal} = this.#life;
     this.#dark.addEventListener(
       'change',
       () => {
         this.requestUpdate();
       },
-      {signal: this.#life.signal},
+      {signal},
     );
-    void this.#open(this.#life.signal);
+    void this.#open(signal);
   }
 
   override disconnectedCallback(): void {
@@ -89,17 +89,90 @@ export class PatternPane extends DeskElement {
     this.#image = undefined;
   }
 
+  get tools(): PatternTools {
+    return (this.#tools ??= new PatternTools(this.desk, () => {
+      this.#ties = undefined;
+      this.requestUpdate();
+    }));
+  }
+
+  /** Where the lens is pointed at, to be shown on both pieces. */
+  set cursor(cursor: LensCursor | undefined) {
+    this.#cursor = cursor;
+    this.requestUpdate();
+  }
+
+  /** Shows the garment as it comes on a part of the width: all of it, say, while a key is held. */
+  set split(split: number | undefined) {
+    this.#split = split;
+    this.requestUpdate();
+  }
+
+  get split(): number | undefined {
+    return this.#split;
+  }
+
+  get view(): PatternView | undefined {
+    return this.#view;
+  }
+
   async #open(signal: AbortSignal): Promise<void> {
     const {PatternView} = await drawing;
     await this.updateComplete;
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
     if (signal.aborted || !stage) return;
     try {
-      this.#view = new PatternView(stage, {appearance: this.#appearance});
+      this.#view = new PatternView(stage, {
+        appearance: this.#appearance,
+        lengthText: (cm) => this.format.fine(cm),
+        onPress: (event, at) => this.#press(event, at),
+      });
     } catch {
       this.#noWebGl = true;
     }
+    const {desk} = this;
+    const view = this.#view;
+    if (view) {
+      desk.view = {
+        get: () => view.state,
+        set: (state) => {
+          view.state = state;
+        },
+      };
+    }
     stage.tabIndex = -1; // the pattern as a whole has the focus
+    const listen = {signal};
+    stage.addEventListener(
+      'click',
+      (event) => {
+        this.#click(event);
+      },
+      listen,
+    );
+    stage.addEventListener(
+      'dblclick',
+      (event) => {
+        this.#free(event);
+      },
+      listen,
+    );
+    stage.addEventListener(
+      'pointermove',
+      (event) => {
+        this.#hover(event);
+      },
+      listen,
+    );
+    stage.addEventListener(
+      'pointerleave',
+      () => {
+        desk.point(undefined);
+      },
+      listen,
+    );
+    new ResizeObserver(() => {
+      this.requestUpdate();
+    }).observe(this);
     this.requestUpdate();
   }
 
@@ -109,14 +182,30 @@ export class PatternPane extends DeskElement {
     return this.#dark.matches ? 'dark' : 'light';
   }
 
+  get index(): PickIndex | undefined {
+    const {scenes} = this.desk;
+    return scenes && this.#index.of(scenes.now);
+  }
+
   protected override updated(): void {
     const view = this.#view;
     if (!view) return;
     view.setAppearance(this.#appearance);
-    const {clientWidth: width, clientHeight: height} = this;
-    this.#shown = this.#maker.scenes(this.desk, {width, height});
-    if (this.#shown) view.show(this.#shown.now);
-    this.desk.scenes = this.#shown;
+    const {desk} = this;
+    const scenes = this.#maker.scenes(desk, {width: this.clientWidth, height: this.clientHeight});
+    if (scenes) {
+      view.show(scenes.now);
+      view.setWipe(
+        this.#split === undefined ? undefined : {before: scenes.before, split: this.#split},
+      );
+      view.setMovement(
+        this.#showsMovement && desk.result ? this.#movementOf(desk.result.pieces) : undefined,
+      );
+      view.setOverlay(
+        overlayOf(desk, scenes.now, this.tools, this.#cursor, this.texts, this.format),
+      );
+    }
+    desk.scenes = scenes;
     void this.#showTile(view);
   }
 
@@ -124,41 +213,201 @@ export class PatternPane extends DeskElement {
     const image = this.desk.design?.print.image;
     if (image === undefined || image === this.#image) return;
     this.#image = image;
+    const signal = this.#life?.signal;
     try {
-      const tile = await tileOf(image, this.#life?.signal);
+      const tile = await tileOf(image, signal);
       if (this.#image === image) view.setTile(tile);
     } catch (error) {
-      if (this.#image !== image || this.#life?.signal.aborted) return;
+      if (this.#image !== image || signal?.aborted) return;
       view.setTile(undefined);
       this.desk.say({tone: 'error', text: error instanceof Error ? error.message : String(error)});
     }
   }
 
+  #at(event: MouseEvent): Point {
+    const {left, top} = this.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  }
+
+  #meant(event: MouseEvent, at: Point): readonly Picked[] {
+    const {index} = this;
+    if (!index || !this.#view) return [];
+    const reach = reachOf(event instanceof PointerEvent ? event.pointerType : 'mouse');
+    return this.tools.meant(index, this.#view.sheetPointAt(...at), reach, this.#view.scale);
+  }
+
+  #click(event: MouseEvent): void {
+    const at = this.#at(event);
+    const targets = this.#meant(event, at);
+    this.#ties = undefined;
+    const [first] = targets;
+    if (!first) this.desk.select(undefined);
+    else if (targets.length === 1) this.#take(first);
+    else this.#ties = {at, targets};
+    this.requestUpdate();
+  }
+
+  #take(target: Picked): void {
+    const {index} = this;
+    if (index && this.#view) this.tools.take(index, target, reachOf('mouse') / this.#view.scale);
+    this.#ties = undefined;
+    this.requestUpdate();
+  }
+
+  #hover(event: PointerEvent): void {
+    if (event.pointerType === 'touch' || event.buttons > 0) return;
+    const [target] = this.#meant(event, this.#at(event));
+    this.desk.point(pointedAt(target));
+  }
+
+  /** A press inside a piece moves its print, while that is the tool. */
+  #press(event: PointerEvent, at: Point): boolean {
+    const {scenes} = this.desk;
+    const view = this.#view;
+    const pressed = view?.pieceAt(...at);
+    const follow = scenes && pressed && this.tools.drag(scenes.now, pressed.piece);
+    const stage = event.currentTarget;
+    if (!view || !follow || !(stage instanceof HTMLElement)) return false;
+    const [x, y] = view.sheetPointAt(...at);
+    const done = new AbortController();
+    const {signal} = done;
+    stage.setPointerCapture(event.pointerId);
+    stage.addEventListener(
+      'pointermove',
+      (move) => {
+        const [toX, toY] = view.sheetPointAt(...this.#at(move));
+        follow([toX - x, toY - y]);
+      },
+      {signal},
+    );
+    for (const end of ['pointerup', 'pointercancel'] as const)
+      stage.addEventListener(
+        end,
+        () => {
+          done.abort();
+        },
+        {signal},
+      );
+    return true;
+  }
+
+  #free(event: MouseEvent): void {
+    const pressed = this.#view?.pieceAt(...this.#at(event));
+    if (pressed) this.tools.free(pressed.piece);
+  }
+
   protected override render(): TemplateResult {
     const {pattern} = this.texts;
+    const {desk, index} = this;
     return html`
-      <div class="application" role="application" aria-label=${pattern.label} tabindex="0">
+      <div
+        class="application"
+        role="application"
+        aria-label=${pattern.label}
+        aria-description=${pattern.description}
+        aria-activedescendant=${desk.selected ? optionId(desk.selected) : nothing}
+        aria-owns="options"
+        tabindex="0"
+        @keydown=${(event: KeyboardEvent) => {
+          patternKeys(this, event);
+        }}
+        @keyup=${(event: KeyboardEvent) => {
+          if (event.key === 'w') this.split = undefined;
+        }}
+      >
         <div class="stage"></div>
       </div>
-      ${this.#notice()}
-      <div class="view" role="group" aria-label=${pattern.fit}>
-        ${this.#button(pattern.zoomOut, icon.minus, () => this.#view?.zoomBy(1 / 1.4))}
-        ${this.#button(pattern.fit, icon.fit, () => this.#view?.fit())}
-        ${this.#button(pattern.zoomIn, icon.plus, () => this.#view?.zoomBy(1.4))}
+      ${index ? patternOptions(desk, index, this.texts, this.format) : nothing}
+      <sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>
+      ${this.#notice()} ${this.#menu()}
+      ${
+        this.#split === undefined
+          ? nothing
+          : html`<sw-wipe-handle
+              .desk=${desk}
+              .split=${this.#split}
+              @input=${(event: CustomEvent<number>) => {
+                this.split = event.detail;
+              }}
+            ></sw-wipe-handle>`
+      }
+      <div class="foot">
+        <sw-legend .desk=${desk}></sw-legend>
+        <div class="view" role="group" aria-label=${pattern.view}>
+          ${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
+            this.split = this.#split === undefined ? 0.5 : undefined;
+          })}
+          ${this.#toggle(pattern.movement, icon.movement, this.#showsMovement, () => {
+            this.#showsMovement = !this.#showsMovement;
+            this.requestUpdate();
+          })}
+          ${this.#button(pattern.zoomOut, icon.minus, () => this.#view?.zoomBy(1 / 1.4))}
+          ${this.#button(pattern.fit, icon.fit, () => this.#view?.fit())}
+          ${this.#button(pattern.zoomIn, icon.plus, () => this.#view?.zoomBy(1.4))}
+        </div>
       </div>
     `;
   }
 
   #notice(): TemplateResult | typeof nothing {
     const {pattern} = this.texts;
-    if (this.#noWebGl) return html`<p class="state">${pattern.noWebGl}</p>`;
-    if (this.desk.state.kind === 'stale') return html`<p class="state">${pattern.stale}</p>`;
-    return nothing;
+    const {desk} = this;
+    const state = (text: string): TemplateResult => html`<p class="state">${text}</p>`;
+    if (this.#noWebGl) return state(pattern.noWebGl);
+    if (desk.state.kind === 'stale') return state(pattern.stale);
+    if (desk.pattern?.seams.length === 0) return state(pattern.noSeams);
+    const {result, scenes} = desk;
+    if (!this.#showsMovement || !result) return nothing;
+    const {factor, greatest} = this.#movementOf(result.pieces);
+    const label = scenes?.now.pieces[greatest.piece]?.label ?? '';
+    return state(pattern.movementNote(String(factor), this.format.fine(greatest.cm), label));
+  }
+
+  #menu(): TemplateResult | typeof nothing {
+    const {desk} = this;
+    const ties = this.#ties;
+    if (!ties) return nothing;
+    const rows = seamRows(desk, this.texts);
+    const choices = ties.targets.map((target) => ({
+      text: tiedText(desk, target, rows, this.texts.pattern.edge),
+      choose: () => {
+        this.#take(target);
+      },
+      point: () => {
+        desk.point(pointedAt(target));
+      },
+    }));
+    return html`<sw-ties-menu
+      .at=${ties.at}
+      .choices=${choices}
+      .label=${this.texts.pattern.which}
+      @close=${() => {
+        this.#ties = undefined;
+        this.requestUpdate();
+      }}
+    ></sw-ties-menu>`;
   }
 
   #button(label: string, picture: TemplateResult, act: () => void): TemplateResult {
     return html`<button aria-label=${label} title=${label} @click=${act}>${picture}</button>`;
   }
+
+  #toggle(label: string, picture: TemplateResult, on: boolean, act: () => void): TemplateResult {
+    return html`<button aria-label=${label} title=${label} aria-pressed=${on} @click=${act}>
+      ${picture}
+    </button>`;
+  }
+}
+
+/** "Side seam, left, on Front" */
+function tiedText(
+  {scenes}: Workbench,
+  target: Picked,
+  rows: ReturnType<typeof seamRows>,
+  edge: string,
+): string {
+  const piece = scenes?.now.pieces[target.piece]?.label ?? '';
+  return `${target.kind === 'seam' ? (rows[target.seam]?.name ?? '') : edge}, ${piece}`;
 }
 
 customElements.define('sw-pattern', PatternPane);

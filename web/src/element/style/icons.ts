@@ -35,5 +35,8 @@ export const icon = {
     svg`<path d="M8 2v12" stroke-dasharray="2 2"/><path d="m5.5 4-3.5 4 3.5 4zM10.5 4l3.5 4-3.5 4z"/>`,
   ),
   move: drawn(svg`<path d="M8 2v12M2 8h12M6 4l2-2 2 2M6 12l2 2 2-2M4 6 2 8l2 2M12 6l2 2-2 2"/>`),
+  movement: drawn(
+    svg`<path d="M3 13 13 3M8.5 3H13v4.5"/><path d="M3 3v4M3 3h4" stroke-dasharray="1 2.5"/>`,
+  ),
   before: drawn(svg`<path d="M8 2v12M2.5 4.5h3M2.5 8h3M2.5 11.5h3"/><path d="M10.5 4.5h3v7h-3"/>`),
 };

@@ -41,6 +41,10 @@ export const de: Texts = {
   },
   pattern: {
     label: 'Schnittteile',
+    contents: 'Teile und ihre Nähte',
+    view: 'Ansicht',
+    which: 'Welche?',
+    edge: 'Offene Kante',
     description:
       'Pfeiltasten gehen von Teil zu Teil, Eingabe zu den Nähten eines Teils, T zur Gegenseite einer Naht, Escape zurück.',
     loading: 'Schnitt wird geladen …',
@@ -64,6 +68,77 @@ export const de: Texts = {
     mirrored: 'gespiegelt',
     notCounted: 'zählt nicht',
   },
+  symmetry: {
+    tools: 'Werkzeuge',
+    piece: 'Symmetrisches Teil',
+    pair: 'Symmetrisches Paar',
+    move: 'Muster verschieben',
+    acceptAll: 'Alle Symmetrien übernehmen',
+    foundCount: (count) =>
+      count === 1
+        ? 'In diesem Schnitt wurde eine Symmetrie gefunden'
+        : `In diesem Schnitt wurden ${count} Symmetrien gefunden`,
+    accept: 'Übernehmen',
+    back: 'Zurück',
+    hint: 'Was als Nächstes zu tun ist',
+    moving:
+      'Das Muster in einem Teil ziehen. Pfeiltasten verschieben um 1 mm, mit Umschalttaste um 10 mm; [ und ] drehen. Ein Doppelklick gibt das Teil wieder frei.',
+    begin: {
+      piece:
+        'Zwei Nahtlinien eines Teils anklicken, die sich spiegeln, oder zwei Punkte auf seiner Achse.',
+      pair: 'Das erste von zwei Teilen anklicken, die sich spiegeln.',
+    },
+    next: {
+      line: 'Jetzt die gespiegelte Linie auf demselben Teil anklicken.',
+      point: 'Jetzt einen zweiten Punkt auf der Achse anklicken.',
+      piece: 'Jetzt das gespiegelte Teil anklicken.',
+    },
+    measuring: 'Wird gemessen …',
+    found: {
+      piece: (residual) =>
+        `Das Teil ist auf ${residual} genau zu sich selbst gespiegelt. Übernehmen?`,
+      pair: (residual) => `Die Teile sind auf ${residual} genau gespiegelt. Übernehmen?`,
+    },
+    noMirror: (residual) => `Das spiegelt sich nicht: Abweichung bis ${residual}.`,
+    notCarried: (group) =>
+      `Ein Muster der Gruppe ${group} hat keine Spiegelung dafür; bitte ein Muster einer anderen Gruppe wählen.`,
+    refusals: {
+      otherPiece: 'Beides muss auf demselben Teil liegen.',
+      sameLine: 'Das ist noch einmal dieselbe Linie; bitte eine andere anklicken.',
+      samePoint: 'Die beiden Punkte liegen zu nah beieinander für eine Richtung.',
+      samePiece: 'Das ist noch einmal dasselbe Teil; bitte ein anderes anklicken.',
+      pointAfterLine: 'Eine zweite Linie anklicken, oder zurück und zwei Punkte anklicken.',
+      unnumbered: 'Diese Linie kennt die Datei nicht; bitte eine andere anklicken.',
+      noMirror: 'Das spiegelt sich nicht.',
+    },
+    list: 'Symmetrie',
+    none: 'Noch wird keine Symmetrie gehalten.',
+    kept: 'Gehalten',
+    proposed: 'Im Schnitt gefunden',
+    itself: (piece) => `${piece}, zu sich selbst gespiegelt`,
+    both: (first, second) => `${first} und ${second}`,
+    remove: 'Entfernen',
+    wouldCarry: (group, groups) =>
+      `Ein Muster der Gruppe ${group} kann nicht alle davon halten; eines von ${groups} könnte es.`,
+  },
+  keys: [
+    ['←  →  ↑  ↓', 'Von Teil zu Teil oder entlang der Nähte eines Teils'],
+    ['Eingabe', 'Zu den Nähten eines Teils; übernehmen'],
+    ['T', 'Zur Gegenseite einer Naht'],
+    ['Esc', 'Einen Schritt zurück'],
+    ['S', 'Symmetrisches Teil'],
+    ['X', 'Symmetrisches Teil, durch zwei Punkte der Achse'],
+    ['P', 'Symmetrisches Paar'],
+    ['Leertaste', 'Ausgewähltes nehmen'],
+    ['M', 'Muster verschieben; dann Pfeile 1 mm, mit Umschalt 10 mm, [ ] ein Grad'],
+    ['L', 'Lupe auf die ausgewählte Naht'],
+    ['W', 'Halten für vorher'],
+    ['1 bis 9', 'Die schlechtesten Nähte'],
+    ['+  −  0  F', 'Zoom, alles zeigen'],
+    ['Strg Z, Umschalt Strg Z', 'Rückgängig, wiederholen'],
+    ['Strg S, Strg O', 'Projekt sichern, öffnen'],
+    ['?', 'Diese Übersicht'],
+  ],
   legend: {
     title: 'Versatz entlang der Nähte',
     none: '0',
@@ -154,5 +229,66 @@ export const de: Texts = {
     solveAsIGo: 'Sofort neu berechnen',
     unitNames: {cm: 'Zentimeter', inch: 'Zoll'},
     paperScale: 'Versatz 0–2 cm, wie im Artikel',
+  },
+  print: {
+    title: 'Muster',
+    open: 'Muster öffnen',
+    own: (title) => `Eigenes Muster: ${title}`,
+    group: 'Ornamentgruppe',
+    stripes: 'Streifen',
+    more: 'Weitere Muster',
+    ours: 'Mitgelieferte Muster',
+    colourways: 'Farben',
+    width: (unit) => `Rapportbreite (${unit})`,
+    height: (unit) => `Rapporthöhe (${unit})`,
+    angle: 'Winkel (Grad)',
+    turn: 'Drehung (Grad)',
+    oneWay: 'Sieht kopfüber anders aus',
+    oneWayNote: 'Sieht es kopfüber gleich aus? Dann bleibt dies aus.',
+    lacks: {
+      piece: (group) =>
+        `Ein in sich symmetrisches Teil braucht ein Muster mit Spiegelachsen, und ${group} hat keine.`,
+      pair: (group) =>
+        `Ein gespiegeltes Paar braucht ein Muster mit Spiegel- oder Gleitspiegelachsen, und ${group} hat keine.`,
+    },
+    wouldDo: 'Diese gehen:',
+    notQuite: (group, fitting) => `Der Stoff ist nicht ganz ${group}; ${fitting} passt noch.`,
+    take: (group) => `${group} nehmen`,
+    keep: (group) => `${group} behalten`,
+    needsPicture:
+      'Das Bild dieses Musters ist eine Datei für sich: als Nächstes öffnen oder hier ablegen.',
+    keeps: (group) => `Das Bild hat alle Symmetrien von ${group}.`,
+    breaks: (group, percent) =>
+      `Das Bild ist nicht ${group}: An den umrandeten Stellen weicht es um bis zu ${percent} ab.`,
+    has: 'Es hat diese Gruppen:',
+    meanings: {
+      p1: 'Wiederholt sich, ohne Drehung oder Spiegelung.',
+      p2: 'Sieht kopfüber gleich aus; keine Spiegelachsen.',
+      pm: 'Spiegelt in einer Richtung.',
+      pg: 'Wie Fußspuren: gespiegelt und weitergerückt.',
+      cm: 'Spiegelt in einer Richtung, die nächste Reihe halb versetzt.',
+      pmm: 'Spiegelt in beiden Richtungen.',
+      pmg: 'Spiegelt in einer Richtung, in der anderen wie Fußspuren.',
+      pgg: 'Wie Fußspuren in beiden Richtungen.',
+      cmm: 'Spiegelt in beiden Richtungen, die nächste Reihe halb versetzt.',
+      p4: 'Sieht nach einer Vierteldrehung gleich aus; keine Spiegelachsen.',
+      p4m: 'Spiegelt in beiden Richtungen und an beiden Diagonalen, wie eine Fliese.',
+      p4g: 'Vierteldrehungen, dazwischen Spiegelachsen längs der Diagonalen.',
+      p3: 'Sieht nach einer Dritteldrehung gleich aus; keine Spiegelachsen.',
+      p3m1: 'Spiegelt in drei Richtungen, durch alle Drehpunkte.',
+      p31m: 'Spiegelt in drei Richtungen; Drehpunkte liegen auch daneben.',
+      p6: 'Sieht nach einer Sechsteldrehung gleich aus; keine Spiegelachsen.',
+      p6m: 'Spiegelt in sechs Richtungen, wie ein Schneekristall.',
+      stripes: 'Spiegelt in beiden Richtungen; längs der Streifen ist jede Stelle gleich.',
+    },
+    files: {
+      tooLarge: (name) => `${name} ist größer als 12 MB; bitte das Bild verkleinern.`,
+      tooWide: (name) =>
+        `${name} hat mehr als 8192 Pixel an einer Seite; bitte das Bild verkleinern.`,
+      unreadable: (name) => `${name} ist nicht als Bild lesbar.`,
+      noPrint: (name) =>
+        `${name} ist kein Muster: ein Bild (PNG, JPEG, WebP, SVG) öffnen oder eine Musterdatei mit group, w1 und w2.`,
+      wrongLattice: (name, group) => `In ${name} spannen w1 und w2 kein Gitter von ${group} auf.`,
+    },
   },
 };

@@ -39,6 +39,10 @@ export const en = {
   },
   pattern: {
     label: 'Pattern',
+    contents: 'Pieces and their seams',
+    view: 'View',
+    which: 'Which one?',
+    edge: 'Open edge',
     description:
       'Arrow keys walk the pieces, Enter goes into a piece’s seams, T to the twin of a seam, Escape back.',
     loading: 'Loading the pattern …',
@@ -63,6 +67,78 @@ export const en = {
     mirrored: 'mirrored',
     notCounted: 'not counted',
   },
+  symmetry: {
+    tools: 'Tools',
+    piece: 'Symmetric piece',
+    pair: 'Symmetric pair',
+    move: 'Move print',
+    acceptAll: 'Accept all symmetries',
+    foundCount: (count: number) =>
+      count === 1
+        ? 'One symmetry was found in this garment'
+        : `${count} symmetries were found in this garment`,
+    accept: 'Accept',
+    back: 'Back',
+    hint: 'What to do next',
+    moving:
+      'Drag the print inside a piece. Arrow keys move it by 1 mm, with Shift by 10 mm; [ and ] turn it. A double click frees the piece.',
+    begin: {
+      piece:
+        'Click two seam lines of a piece that mirror onto each other, or two points on its axis.',
+      pair: 'Click the first of two pieces that mirror onto each other.',
+    },
+    next: {
+      line: 'Now click the line that it mirrors onto, on the same piece.',
+      point: 'Now click a second point on the axis.',
+      piece: 'Now click the piece that it mirrors onto.',
+    },
+    measuring: 'Measuring …',
+    found: {
+      piece: (residual: string) =>
+        `The piece mirrors onto itself, to within ${residual}. Accept it?`,
+      pair: (residual: string) =>
+        `The pieces mirror onto each other, to within ${residual}. Accept it?`,
+    },
+    noMirror: (residual: string) => `These do not mirror: they are up to ${residual} apart.`,
+    notCarried: (group: string) =>
+      `A print of the group ${group} has no mirror that could keep this; choose a print of another group.`,
+    refusals: {
+      otherPiece: 'Both have to be on the same piece.',
+      sameLine: 'That is the same line again; click another.',
+      samePoint: 'The two points are too close to give a direction.',
+      samePiece: 'That is the same piece again; click another.',
+      pointAfterLine: 'Click a second line, or go back and click two points.',
+      unnumbered: 'This line is not known to the file; click another.',
+      noMirror: 'These do not mirror.',
+    },
+    list: 'Symmetry',
+    none: 'No symmetry is kept yet.',
+    kept: 'Kept',
+    proposed: 'Found in the garment',
+    itself: (piece: string) => `${piece}, mirrored onto itself`,
+    both: (first: string, second: string) => `${first} and ${second}`,
+    remove: 'Remove',
+    wouldCarry: (group: string, groups: string) =>
+      `A print of the group ${group} cannot keep all of these; one of ${groups} could.`,
+  },
+  keys: [
+    ['←  →  ↑  ↓', 'From piece to piece, or along the seams of one'],
+    ['Enter', 'Into the seams of a piece; accept'],
+    ['T', 'To the twin of a seam'],
+    ['Esc', 'One step back'],
+    ['S', 'Symmetric piece'],
+    ['X', 'Symmetric piece, by two points of its axis'],
+    ['P', 'Symmetric pair'],
+    ['Space', 'Choose what is selected'],
+    ['M', 'Move print; then arrows 1 mm, with Shift 10 mm, [ ] one degree'],
+    ['L', 'Lens on the selected seam'],
+    ['W', 'Hold for before'],
+    ['1 to 9', 'The worst seams'],
+    ['+  −  0  F', 'Zoom, fit to view'],
+    ['Ctrl Z, Shift Ctrl Z', 'Undo, redo'],
+    ['Ctrl S, Ctrl O', 'Save project, open'],
+    ['?', 'This map'],
+  ] as readonly (readonly [key: string, meaning: string])[],
   legend: {
     title: 'Mismatch along the seams',
     none: '0',
@@ -152,6 +228,69 @@ export const en = {
     solveAsIGo: 'Solve as I go',
     unitNames: {cm: 'Centimetres', inch: 'Inches'},
     paperScale: 'Mismatch 0–2 cm, as in the paper',
+  },
+  print: {
+    title: 'Print',
+    open: 'Open print',
+    own: (title: string) => `Your own: ${title}`,
+    group: 'Wallpaper group',
+    stripes: 'Stripes',
+    more: 'More prints',
+    ours: 'Prints that come with Seamwise',
+    colourways: 'Colours',
+    width: (unit: string) => `Repeat width (${unit})`,
+    height: (unit: string) => `Repeat height (${unit})`,
+    angle: 'Angle (degrees)',
+    turn: 'Turn (degrees)',
+    oneWay: 'Looks different upside down',
+    oneWayNote: 'Does it look the same upside down? Then leave this off.',
+    lacks: {
+      piece: (group: string) =>
+        `A piece that is symmetric in itself needs a print with mirrors, and ${group} has none.`,
+      pair: (group: string) =>
+        `A mirrored pair needs a print with mirrors or glides, and ${group} has neither.`,
+    },
+    wouldDo: 'These would do:',
+    notQuite: (group: string, fitting: string) =>
+      `Your cloth is not quite ${group}; ${fitting} still fits.`,
+    take: (group: string) => `Take ${group}`,
+    keep: (group: string) => `Keep ${group}`,
+    needsPicture:
+      'The picture of this print is in a file of its own: open that next, or drop it here.',
+    keeps: (group: string) => `The picture keeps all symmetries of ${group}.`,
+    breaks: (group: string, percent: string) =>
+      `The picture is not ${group}: in the outlined places it differs by up to ${percent}.`,
+    has: 'It has these groups:',
+    meanings: {
+      p1: 'Repeats, without turns or mirrors.',
+      p2: 'Looks the same upside down; no mirrors.',
+      pm: 'Mirrors in one direction.',
+      pg: 'Steps like footprints, mirrored and moved on.',
+      cm: 'Mirrors in one direction, with the next row in half-drop.',
+      pmm: 'Mirrors both ways.',
+      pmg: 'Mirrors one way, steps like footprints the other.',
+      pgg: 'Steps like footprints both ways.',
+      cmm: 'Mirrors both ways, with the next row in half-drop.',
+      p4: 'Looks the same after a quarter turn; no mirrors.',
+      p4m: 'Mirrors both ways and along both diagonals, like a square tile.',
+      p4g: 'Quarter turns, with mirrors along the diagonals between them.',
+      p3: 'Looks the same after a third of a turn; no mirrors.',
+      p3m1: 'Mirrors in three directions, through all turning points.',
+      p31m: 'Mirrors in three directions, with turning points beside them, too.',
+      p6: 'Looks the same after a sixth of a turn; no mirrors.',
+      p6m: 'Mirrors in six directions, like a snow crystal.',
+      stripes: 'Mirrors both ways; along the stripe any place is like any other.',
+    },
+    files: {
+      tooLarge: (name: string) => `${name} is larger than 12 MB; make the picture smaller.`,
+      tooWide: (name: string) =>
+        `${name} has more than 8192 pixels along a side; make the picture smaller.`,
+      unreadable: (name: string) => `${name} cannot be read as a picture.`,
+      noPrint: (name: string) =>
+        `${name} is no print: open a picture (PNG, JPEG, WebP, SVG), or a print file with group, w1 and w2.`,
+      wrongLattice: (name: string, group: string) =>
+        `In ${name}, w1 and w2 do not span a lattice of ${group}.`,
+    },
   },
 };
 

@@ -1,13 +1,16 @@
 /** The sheets to be drawn of a workbench: the garment as it comes, and as it is or is about to be. */
 import {printOf, type DesignPrint} from '../../model/design.js';
+import {panelMarks, type PanelMarks} from '../../model/garment-marks.js';
 import type {Garment} from '../../model/garment.js';
 import type {Alignment} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
-import type {Pattern} from '../../model/result.js';
+import type {SolveOptions} from '../../model/options.js';
+import type {MeshedPattern, SolveResult} from '../../model/result.js';
 import {
   realigned,
   sceneOf,
   uncut,
+  type MismatchScale,
   type PatternScene,
   type SceneOptions,
 } from '../../viewer/scene.js';
@@ -18,21 +21,25 @@ export interface Scenes {
   readonly before: PatternScene;
   /** The answer, what is known of it so far, or the one before. */
   readonly now: PatternScene;
+  /** What the garment's file says about its panels, by name. */
+  readonly marks: ReadonlyMap<string, PanelMarks>;
 }
 
 /** Remembers what it made last, since making a sheet costs far more than laying it on the print anew. */
 export class SceneMaker {
-  readonly #rest = lastOf(sheetAtRest);
-  readonly #solved = lastOf(sheetSolved);
   readonly #print = lastOf((print: DesignPrint) => printOf(print));
   readonly #garment = lastOf((text: string) => JSON.parse(text) as Garment);
-  readonly #plain = lastOf((names: readonly string[] | undefined) => new Set(names));
-  readonly #lying = lastOf(realigned);
+  readonly #marks = lastOf(panelMarks);
+  readonly #settings = lastOf(settingsOf);
+  readonly #rest = lastOf(sheetAtRest);
+  readonly #solved = lastOf(sheetSolved);
+  readonly #lying = lastOf(lying);
   /** Before anything is known the pieces stay as they lay. */
-  readonly #waiting = lastOf((rest: PatternScene) =>
-    realigned(
+  readonly #waiting = lastOf((rest: PatternScene, pins: Pins) =>
+    lying(
       rest,
       rest.pieces.map(({name, alignment}) => this.#last.get(name) ?? alignment),
+      pins,
     ),
   );
   /** How the pieces lay last, by name, and of which garment. */
@@ -40,58 +47,62 @@ export class SceneMaker {
   #lastGarment: Garment | undefined;
 
   /** Undefined until the solver has read the garment. */
-  scenes(desk: Workbench, viewport: NonNullable<SceneOptions['viewport']>): Scenes | undefined {
+  scenes(desk: Workbench, {width, height}: {width: number; height: number}): Scenes | undefined {
     const {design, pattern, result, partial} = desk;
-    if (!design || !(pattern ?? result)) return undefined;
+    if (!design || !pattern) return undefined;
     const print = this.#print(design.print);
     const garment = this.#garment(design.garment.text);
     if (garment !== this.#lastGarment) this.#last = new Map();
     this.#lastGarment = garment;
-    const plain = this.#plain(design.options.plain);
-    const rest = this.#rest(
-      result ?? pattern,
-      print,
-      garment,
-      viewport.width,
-      viewport.height,
-      plain,
-    );
-    if (!rest) return undefined;
-    if (result) {
-      const now = this.#solved(result, print, garment, viewport.width, viewport.height, plain);
-      return {before: rest, now: this.#keep(now ?? rest)};
-    }
-    return {
-      before: rest,
-      now: this.#keep(partial ? this.#lying(rest, partial) : this.#waiting(rest)),
-    };
-  }
-
-  #keep(scene: PatternScene): PatternScene {
-    this.#last = new Map(scene.pieces.map(({name, alignment}) => [name, alignment]));
-    return scene;
+    const {plain, pins} = design.options;
+    const settings = this.#settings(garment, plain, desk.preferences.scale, width, height);
+    const before = this.#rest(pattern, print, settings);
+    const now = result
+      ? this.#solved(pattern, result, print, settings)
+      : partial
+        ? this.#lying(before, partial, pins)
+        : this.#waiting(before, pins);
+    this.#last = new Map(now.pieces.map(({name, alignment}) => [name, alignment]));
+    return {before, now, marks: this.#marks(garment)};
   }
 }
 
-type Sheet = (
-  pattern: Pattern | undefined,
-  print: Print,
+type Pins = SolveOptions['pins'];
+
+function settingsOf(
   garment: Garment,
+  plain: readonly string[] | undefined,
+  scale: MismatchScale,
   width: number,
   height: number,
-  plain: ReadonlySet<string>,
-) => PatternScene | undefined;
+): SceneOptions {
+  return {garment, plain: new Set(plain), scale, viewport: {width, height}};
+}
 
-function sheetAtRest(...[pattern, print, garment, width, height, plain]: Parameters<Sheet>) {
-  if (!pattern) return undefined;
-  const at = {outline: 'rest', garment, plain, viewport: {width, height}} as const;
-  const scene = sceneOf(pattern, print, at);
+/** Clicks ask for the edges of the file, which a result does not know. */
+const withEdges = (scene: PatternScene, {pieces}: MeshedPattern): PatternScene => ({
+  ...scene,
+  pieces: scene.pieces.map((piece, k) => ({...piece, edges: pieces[k]?.edges ?? []})),
+});
+
+function sheetAtRest(pattern: MeshedPattern, print: Print, settings: SceneOptions): PatternScene {
+  const scene = withEdges(sceneOf(pattern, print, {...settings, outline: 'rest'}), pattern);
   return realigned(scene, uncut(scene));
 }
 
-function sheetSolved(...[pattern, print, garment, width, height, plain]: Parameters<Sheet>) {
-  return pattern && sceneOf(pattern, print, {garment, plain, viewport: {width, height}});
-}
+const sheetSolved = (
+  pattern: MeshedPattern,
+  result: SolveResult,
+  print: Print,
+  settings: SceneOptions,
+): PatternScene => withEdges(sceneOf(result, print, settings), pattern);
+
+/** What is pinned lies where it is pinned, whatever an answer to an earlier question says. */
+const lying = (scene: PatternScene, alignments: readonly Alignment[], pins: Pins): PatternScene =>
+  realigned(
+    scene,
+    scene.pieces.map(({name, alignment}, k) => pins?.[name] ?? alignments[k] ?? alignment),
+  );
 
 /** A function that knows its last answer: the same arguments get the same object. */
 export function lastOf<Arguments extends readonly unknown[], Result>(

@@ -8,7 +8,8 @@ import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {SolverClient, type WorkerPlaces} from '../../solver/client.js';
 import {alignmentsFrom} from '../../viewer/scene.js';
-import type {Scenes} from './scenes.js';
+import {lastOf, type Scenes} from './scenes.js';
+import {concernsSame} from './symmetry-steps.js';
 import {Comparison} from './comparison.js';
 import {LatestSolve} from './latest-solve.js';
 import {preferencesFor, type Preferences} from './preferences.js';
@@ -55,6 +56,10 @@ export class Workbench {
   view: {get(): ViewState | null; set(view: ViewState): void} | undefined;
   readonly #listeners = new Set<() => void>();
   readonly #results = new ResultCache();
+  readonly #unasked = lastOf(
+    (found: readonly DetectedSymmetry[], asked: readonly Symmetry[] = []) =>
+      found.filter((one) => !asked.some((other) => concernsSame(one, other))),
+  );
   readonly #solve: LatestSolve;
   readonly #comparison: Comparison;
   #history: History<Step> | undefined;
@@ -153,8 +158,7 @@ export class Workbench {
 
   /** Symmetries the garment shows by itself and nobody has asked for yet. */
   get found(): readonly DetectedSymmetry[] {
-    const asked = this.design?.symmetries ?? [];
-    return this.#found.filter((one) => !asked.some((other) => concernsSame(one, other)));
+    return this.#unasked(this.#found, this.design?.symmetries);
   }
 
   /** What the present design reaches without its symmetries, if it has any. */
@@ -339,9 +343,3 @@ export class Workbench {
     for (const listener of this.#listeners) listener();
   }
 }
-
-/** Whether two symmetries speak of the same piece or the same two pieces. */
-const concernsSame = (a: Symmetry, b: Symmetry): boolean =>
-  a.kind === 'piece'
-    ? b.kind === 'piece' && a.piece === b.piece
-    : b.kind === 'pair' && a.pieces.every((name) => b.pieces.includes(name));

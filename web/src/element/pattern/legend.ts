@@ -1,0 +1,80 @@
+/** What the colours along the seams mean. */
+import {css, html, svg, type TemplateResult} from 'lit';
+
+import {mismatchColour, mismatchDash, mismatchWidth, worstMismatch} from '../../picture/colours.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+
+const steps = 24;
+const width = 132;
+
+/** The line of a seam from perfect to worst, as it is drawn on the pattern. */
+const ramp = Array.from({length: steps}, (_, k) => {
+  const mismatch = (worstMismatch * (k + 0.5)) / steps;
+  const [dash, gap] = mismatchDash(mismatch) ?? [0, 0];
+  const [from, to] = [(k * width) / steps, ((k + 1) * width) / steps];
+  return svg`<path d="M${from} 5H${to + 0.3}" stroke=${mismatchColour(mismatch)}
+    stroke-width=${mismatchWidth(mismatch)}
+    stroke-dasharray=${gap > 0 ? `${dash / 2} ${gap / 2}` : 'none'}
+    stroke-dashoffset=${from} />`;
+});
+
+export class Legend extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: 2px;
+        padding: var(--sw-space-2) var(--sw-space-3);
+        border: 1px solid var(--sw-line);
+        border-radius: calc(var(--sw-radius) + 2px);
+        background: var(--sw-paper);
+        font-size: var(--sw-text-small);
+        color: var(--sw-soft);
+      }
+      svg {
+        display: block;
+      }
+      .ends {
+        display: flex;
+        justify-content: space-between;
+        gap: var(--sw-space-3);
+      }
+      button {
+        min-height: 1.5rem;
+        padding: 0 var(--sw-space-2);
+        justify-self: start;
+        margin-left: calc(-1 * var(--sw-space-2));
+        font-size: var(--sw-text-small);
+        color: var(--sw-soft);
+        border-radius: 4px;
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult {
+    const {legend} = this.texts;
+    const {scale} = this.desk.preferences;
+    const chance = this.desk.scenes?.now.chance ?? 0;
+    const worst = scale === 'paper' ? worstMismatch : chance;
+    const words = scale === 'paper' ? legend.paper : legend.chance;
+    return html`
+      <span>${legend.title}</span>
+      <svg width=${width} height="10" viewBox="0 0 ${width} 10" aria-hidden="true">${ramp}</svg>
+      <span class="ends"
+        ><span>${legend.none}</span><span>${words(this.format.fine(worst))}</span></span
+      >
+      <button
+        aria-pressed=${scale === 'paper'}
+        @click=${() => {
+          this.desk.prefer({scale: scale === 'paper' ? 'chance' : 'paper'});
+        }}
+      >
+        ${legend.asPaper}
+      </button>
+    `;
+  }
+}
+
+customElements.define('sw-legend', Legend);

@@ -1,0 +1,69 @@
+/** What is drawn over the pattern: what is pointed at and selected, found symmetries, choices, cursors. */
+import type {DetectedSymmetry} from '../../model/symmetries.js';
+import {pick} from '../../picture/marks.js';
+import type {OnPiece, Overlay} from '../../viewer/overlay.js';
+import {symmetriesOf, type PatternScene, type SceneSymmetry} from '../../viewer/scene.js';
+import {atShare} from '../../viewer/seam-line.js';
+import type {Format} from '../texts/format.js';
+import type {Texts} from '../texts/texts.js';
+import {lastOf} from '../workbench/scenes.js';
+import type {Workbench} from '../workbench/workbench.js';
+import type {PatternTools} from './pattern-tools.js';
+
+/** A place along a seam that the lens points at, from 0 to 1 in sewing order. */
+export interface LensCursor {
+  readonly seam: number;
+  readonly share: number;
+}
+
+export function overlayOf(
+  desk: Workbench,
+  scene: PatternScene,
+  tools: PatternTools,
+  cursor: LensCursor | undefined,
+  texts: Texts,
+  format: Format,
+): Overlay {
+  const {selected, pointed} = desk;
+  const seam =
+    pointed?.kind === 'seam' ? pointed : selected?.kind === 'seam' ? selected : undefined;
+  return {
+    ...(seam && {highlight: {seam: seam.seam, side: seam.side}}),
+    ...(pointed?.kind === 'piece' && {hoverPiece: pointed.piece}),
+    ...(selected?.kind === 'piece' && {selectPiece: selected.piece}),
+    ghosts: ghostsOf(desk.found, scene),
+    cursors: cursorsOf(scene, cursor),
+    ...tools.marks(scene, texts, format),
+  };
+}
+
+/** Found symmetries as the scene would draw them if they were imposed. */
+const ghostsOf = lastOf(
+  (
+    found: readonly DetectedSymmetry[],
+    {pattern, outline}: PatternScene,
+  ): readonly SceneSymmetry[] => {
+    const number = (name: string): number =>
+      pattern.pieces.findIndex((piece) => piece.name === name);
+    const symmetries = found.map(({map, ...one}) =>
+      one.kind === 'piece'
+        ? ({kind: 'piece', piece: number(one.piece), map, pairs: []} as const)
+        : ({
+            kind: 'pair',
+            pieces: [number(one.pieces[0]), number(one.pieces[1])],
+            map,
+            pairs: [],
+          } as const),
+    );
+    return symmetriesOf({...pattern, symmetries}, outline);
+  },
+);
+
+function cursorsOf(scene: PatternScene, cursor: LensCursor | undefined): readonly OnPiece[] {
+  const seam = cursor && scene.seams[cursor.seam];
+  if (!seam) return [];
+  return [seam.a, seam.b].map(({piece, vertices}) => ({
+    piece,
+    point: atShare(pick(scene.pieces[piece]?.points ?? [], vertices), cursor.share).at,
+  }));
+}

@@ -1,0 +1,170 @@
+/** What a press on the pattern means just now: a choice for a symmetry, a print to be moved, or a look. */
+import {choices, seamTarget, targetsAt, type Target as Picked} from '../../clicks/pick.js';
+import type {PickIndex} from '../../clicks/pick-index.js';
+import {snap} from '../../clicks/snap.js';
+import type {Design} from '../../model/design.js';
+import type {Alignment, Point} from '../../model/geometry.js';
+import {notchMark} from '../../picture/cutting/follow.js';
+import type {Overlay} from '../../viewer/overlay.js';
+import type {PatternScene} from '../../viewer/scene.js';
+import type {Format} from '../texts/format.js';
+import type {Texts} from '../texts/texts.js';
+import type {Target, Workbench} from '../workbench/workbench.js';
+import {middleOf, pin, shifted, turned, unpin} from './print-mover.js';
+import {SymmetryChooser} from './symmetry-chooser.js';
+
+/** `axis`: a symmetric piece by two points, even where a line is near. */
+export type Tool = 'piece' | 'axis' | 'pair' | 'move';
+
+/** How near a pointer has to come to a line. [CSS px] */
+export const reachOf = (pointerType: string): number => (pointerType === 'touch' ? 22 : 6);
+
+/** Lines no further apart than this are as good as each other. [CSS px] */
+const tie = 2;
+
+/** Of a turn by a key. [radians] */
+const turnStep = Math.PI / 180;
+
+export class PatternTools {
+  readonly chooser: SymmetryChooser;
+  readonly #desk: Workbench;
+  readonly #changed: () => void;
+  #moving = false;
+  #byPoints = false;
+
+  constructor(desk: Workbench, changed: () => void) {
+    this.#desk = desk;
+    this.#changed = changed;
+    this.chooser = new SymmetryChooser(desk, changed);
+  }
+
+  get active(): Tool | undefined {
+    if (this.#moving) return 'move';
+    const {tool} = this.chooser;
+    return tool === 'piece' && this.#byPoints ? 'axis' : tool;
+  }
+
+  toggle(tool: Tool): void {
+    if (tool === 'move') {
+      this.chooser.leave();
+      this.#moving = !this.#moving;
+    } else {
+      this.#moving = false;
+      if (tool === this.active) this.chooser.leave();
+      else this.chooser.send({type: 'start', tool: tool === 'pair' ? 'pair' : 'piece'});
+      this.#byPoints = tool === 'axis';
+    }
+    this.#changed();
+  }
+
+  /** One step back. @returns whether there was one */
+  back(): boolean {
+    const {active} = this;
+    if (active === 'move') this.toggle('move');
+    else if (active) this.chooser.send({type: 'back'});
+    return active !== undefined;
+  }
+
+  acceptAll(change: Partial<Design>): void {
+    this.chooser.leave();
+    this.#desk.change(change);
+  }
+
+  words(texts: Texts, format: Format): string {
+    return this.#moving ? texts.symmetry.moving : this.chooser.words(texts, format);
+  }
+
+  /** What a press may have meant: one thing, or several as good as each other. */
+  meant(index: PickIndex, at: Point, reach: number, scale: number): readonly Picked[] {
+    const targets = targetsAt(index, at, reach / scale);
+    if (this.active === 'pair' || this.active === 'move') {
+      const piece = targets.find(({kind}) => kind === 'piece') ?? targets[0];
+      return piece ? [piece] : [];
+    }
+    return choices(targets, tie / scale);
+  }
+
+  /** A press that has been understood. */
+  take(index: PickIndex, target: Picked, reachCm: number): void {
+    if (this.chooser.tool) {
+      const notches = this.#notches(target.piece);
+      const {point} = snap(index, target.piece, target.point, reachCm, {notches});
+      const {piece} = target;
+      this.chooser.send(
+        this.active === 'axis'
+          ? {type: 'pickPoint', piece, point}
+          : {type: 'pick', target, snapped: point},
+      );
+    }
+    this.#desk.select(
+      target.kind === 'seam'
+        ? {kind: 'seam', seam: target.seam, side: target.side}
+        : {kind: 'piece', piece: target.piece},
+    );
+  }
+
+  #notches(piece: number): readonly Point[] {
+    const {scenes} = this.#desk;
+    const shown = scenes?.now.pieces[piece];
+    const meshed = scenes?.now.pattern.pieces[piece];
+    if (!shown || !meshed) return [];
+    const {notches = []} = scenes.marks.get(shown.name) ?? {};
+    return notches.flatMap((notch) => {
+      const mark = notchMark({...meshed, shape: shown.points}, notch);
+      return mark ? [mark.at] : [];
+    });
+  }
+
+  /** As if what is selected had been pressed. */
+  takeSelected(index: PickIndex): void {
+    const {selected} = this.#desk;
+    if (!selected || !this.chooser.tool) return;
+    if (selected.kind === 'seam') {
+      const target = seamTarget(index, selected.seam, selected.side);
+      if (target) this.chooser.send({type: 'pick', target});
+    } else {
+      const piece = this.#desk.scenes?.now.pieces[selected.piece];
+      if (!piece) return;
+      const point = middleOf(piece);
+      this.chooser.send({type: 'pick', target: {kind: 'piece', piece: selected.piece, point}});
+    }
+  }
+
+  /** The print of the selected piece, moved by a way [cm] and turned by steps of a degree. */
+  nudge(way: Point, turns = 0): boolean {
+    const {selected, scenes} = this.#desk;
+    const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
+    if (!this.#moving || !piece) return false;
+    const moved = shifted(piece.alignment, way);
+    pin(this.#desk, piece, turns === 0 ? moved : turned(moved, turns * turnStep, middleOf(piece)));
+    return true;
+  }
+
+  /** Drags the print of a piece from where it lies. @returns what follows the pointer by ways on the sheet [cm] */
+  drag(scene: PatternScene, piece: number): ((way: Point) => void) | undefined {
+    const dragged = scene.pieces[piece];
+    if (!this.#moving || !dragged) return undefined;
+    const from: Alignment = dragged.alignment;
+    this.#desk.select({kind: 'piece', piece});
+    return (way) => {
+      pin(this.#desk, dragged, shifted(from, way));
+    };
+  }
+
+  /** Lets go of a print that had been moved. */
+  free(piece: number): void {
+    const freed = this.#desk.scenes?.now.pieces[piece];
+    if (this.#moving && freed) unpin(this.#desk, freed);
+  }
+
+  marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
+    return this.chooser.marks(scene, texts, format);
+  }
+}
+
+/** What a pointer over a target points at. */
+export const pointedAt = (target: Picked | undefined): Target | undefined => {
+  if (!target) return undefined;
+  if (target.kind === 'seam') return {kind: 'seam', seam: target.seam, side: target.side};
+  return {kind: 'piece', piece: target.piece};
+};

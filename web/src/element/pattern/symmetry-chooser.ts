@@ -1,0 +1,142 @@
+/** The clicks that name a symmetry, from the first to the step that they lead to. */
+import {
+  afterEvent,
+  outside,
+  type Choice,
+  type SymmetryEvent,
+  type SymmetryState,
+  type SymmetryTool,
+} from '../../clicks/symmetry-tool.js';
+import type {Point} from '../../model/geometry.js';
+import {carries} from '../../model/repeat.js';
+import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
+import {axisAlong, pick} from '../../picture/marks.js';
+import type {Overlay} from '../../viewer/overlay.js';
+import type {PatternScene} from '../../viewer/scene.js';
+import type {Format} from '../texts/format.js';
+import type {Texts} from '../texts/texts.js';
+import {withSymmetry} from '../workbench/symmetry-steps.js';
+import {toFailure} from '../workbench/latest-solve.js';
+import type {Workbench} from '../workbench/workbench.js';
+
+export class SymmetryChooser {
+  readonly #desk: Workbench;
+  readonly #changed: () => void;
+  #state: SymmetryState = outside;
+
+  constructor(desk: Workbench, changed: () => void) {
+    this.#desk = desk;
+    this.#changed = changed;
+  }
+
+  get tool(): SymmetryTool | undefined {
+    return this.#state.stage === 'outside' ? undefined : this.#state.tool;
+  }
+
+  /** Both choices are made and fit: it is for the user to accept. */
+  get isReady(): boolean {
+    return this.#state.stage === 'candidate' && this.#state.measured !== undefined;
+  }
+
+  leave(): void {
+    this.#set({stage: 'outside', asked: this.#state.asked});
+  }
+
+  send(event: SymmetryEvent): void {
+    const scene = this.#desk.scenes?.now;
+    if (!scene) return;
+    const next = afterEvent(this.#state, event, scene);
+    if (next === this.#state) return;
+    this.#set(next);
+    if (next.stage === 'candidate' && !next.measured) void this.#measure(next.symmetry, next.asked);
+    if (next.stage === 'committed') {
+      this.#desk.change(withSymmetry(this.#desk.design, next.symmetry));
+      this.#set({stage: 'idle', tool: next.tool, asked: next.asked});
+    }
+  }
+
+  async #measure(symmetry: Symmetry, candidate: number): Promise<void> {
+    try {
+      const result = await this.#desk.measure(symmetry);
+      this.send({type: 'measured', candidate, result});
+    } catch (error) {
+      this.#desk.say({tone: 'error', text: toFailure(error).message});
+      this.send({type: 'back'});
+    }
+  }
+
+  #set(state: SymmetryState): void {
+    this.#state = state;
+    this.#changed();
+  }
+
+  /** What to do next, or what has been found. */
+  words(texts: Texts, format: Format): string {
+    const {symmetry} = texts;
+    const state = this.#state;
+    switch (state.stage) {
+      case 'outside':
+        return '';
+      case 'idle':
+      case 'committed':
+        return symmetry.begin[state.tool];
+      case 'chosen':
+        return symmetry.next[state.first.kind];
+      case 'refused':
+        return state.measured
+          ? symmetry.noMirror(format.fine(state.measured.residual))
+          : symmetry.refusals[state.reason];
+      case 'candidate': {
+        if (!state.measured) return symmetry.measuring;
+        const {group = 'p1'} = this.#desk.design?.print ?? {};
+        if (!carries(group, state.tool)) return symmetry.notCarried(group);
+        return symmetry.found[state.tool](format.fine(state.measured.residual));
+      }
+    }
+  }
+
+  /** Marks on the pattern for what has been chosen. */
+  marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
+    const state = this.#state;
+    if (state.stage === 'outside' || state.stage === 'idle' || state.stage === 'committed')
+      return {};
+    const choices = [
+      ...('first' in state && state.first ? [state.first] : []),
+      ...('second' in state ? [state.second] : []),
+    ];
+    const marks: Overlay = {
+      points: choices.flatMap(({kind, piece, point}) => (kind === 'line' ? [] : [{piece, point}])),
+      lines: choices.flatMap((choice) => lineOf(scene, choice)),
+    };
+    if (state.stage === 'refused') {
+      const text = this.words(texts, format);
+      return {...marks, message: {...state.at, text, tone: 'error'}};
+    }
+    if (state.stage !== 'candidate' || !state.measured) return marks;
+    return {...marks, ...candidateMarks(scene, state.symmetry, state.measured)};
+  }
+}
+
+/** The edge that was chosen, as it lies on the sheet. */
+function lineOf(scene: PatternScene, choice: Choice): NonNullable<Overlay['lines']> {
+  const piece = scene.pieces[choice.piece];
+  if (choice.kind !== 'line' || !piece?.edges) return [];
+  const {edges, outline, points} = piece;
+  const vertices = outline.flatMap((from, k) =>
+    edges[k] === choice.edge ? [from, outline[(k + 1) % outline.length] ?? from] : [],
+  );
+  return [{piece: choice.piece, line: pick(points, vertices)}];
+}
+
+const candidateMarks = (
+  scene: PatternScene,
+  symmetry: Symmetry,
+  {map}: Pick<MeasuredSymmetry, 'map'>,
+): Overlay => {
+  const piece =
+    symmetry.kind === 'piece' ? scene.pieces.findIndex(({name}) => name === symmetry.piece) : -1;
+  const shape = scene.pieces[piece];
+  if (!shape) return {};
+  const outline: readonly Point[] = pick(shape.points, shape.outline);
+  return {candidate: {piece, axis: axisAlong(map, outline, 3)}};
+};

@@ -1,0 +1,104 @@
+/** The line between before and after, and the handle that moves it. */
+import {css, html, type PropertyValues, type TemplateResult} from 'lit';
+
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+
+/** Sends `input` with the share of the width, from 0 to 1, as its detail. */
+export class WipeHandle extends DeskElement {
+  static override properties = {...DeskElement.properties, split: {attribute: false}};
+  declare split: number;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        position: absolute;
+        inset: 0;
+        pointer-events: none;
+        --at: 50%;
+      }
+      .line {
+        position: absolute;
+        top: 0;
+        bottom: 0;
+        left: var(--at);
+        width: 2px;
+        translate: -1px 0;
+        background: var(--sw-paper);
+        box-shadow: 0 0 0 1px var(--sw-strong-line);
+      }
+      input {
+        position: absolute;
+        left: -1rem;
+        right: -1rem;
+        top: 50%;
+        width: calc(100% + 2rem);
+        height: 2rem;
+        margin: 0;
+        translate: 0 -50%;
+        appearance: none;
+        background: none;
+      }
+      input::-webkit-slider-thumb {
+        appearance: none;
+        pointer-events: auto;
+        width: 2rem;
+        height: 2rem;
+        border: 1px solid var(--sw-strong-line);
+        border-radius: 50%;
+        background: var(--sw-paper);
+        cursor: ew-resize;
+      }
+      input::-moz-range-thumb {
+        pointer-events: auto;
+        width: 2rem;
+        height: 2rem;
+        border: 1px solid var(--sw-strong-line);
+        border-radius: 50%;
+        background: var(--sw-paper);
+        cursor: ew-resize;
+      }
+      span {
+        position: absolute;
+        bottom: 5rem;
+        padding: 0 var(--sw-space-2);
+        border-radius: 4px;
+        background: var(--sw-paper);
+        color: var(--sw-soft);
+      }
+      .before {
+        right: calc(100% - var(--at) + var(--sw-space-2));
+      }
+      .after {
+        left: calc(var(--at) + var(--sw-space-2));
+      }
+    `,
+  ];
+
+  protected override updated(changed: PropertyValues<this>): void {
+    if (changed.has('split')) this.style.setProperty('--at', `${this.split * 100}%`);
+  }
+
+  protected override render(): TemplateResult {
+    const {pattern} = this.texts;
+    return html`
+      <div class="line"></div>
+      <span class="before">${pattern.before}</span><span class="after">${pattern.after}</span>
+      <input
+        type="range"
+        min="0"
+        max="100"
+        aria-label=${pattern.wipe}
+        .value=${String(Math.round(this.split * 100))}
+        @input=${(event: Event) => {
+          event.stopPropagation();
+          const detail = Number((event.target as HTMLInputElement).value) / 100;
+          this.dispatchEvent(new CustomEvent('input', {detail}));
+        }}
+      />
+    `;
+  }
+}
+
+customElements.define('sw-wipe-handle', WipeHandle);

@@ -1,0 +1,76 @@
+/** All keys at a glance. */
+import {css, html, type TemplateResult} from 'lit';
+
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+
+export class KeyMap extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      [popover] {
+        inset: auto;
+        position: fixed;
+        right: var(--sw-space-4);
+        top: 4rem;
+        width: min(30rem, calc(100vw - 2rem));
+        max-height: calc(100dvh - 6rem);
+        overflow-y: auto;
+        padding: var(--sw-space-4);
+        border: 1px solid var(--sw-line);
+        border-radius: var(--sw-radius);
+        background: var(--sw-raised);
+        color: var(--sw-ink);
+        box-shadow: 0 8px 32px rgb(0 0 0 / 0.18);
+      }
+      header {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+      }
+      header button {
+        width: 2rem;
+        padding: 0;
+      }
+      dl {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: var(--sw-space-1) var(--sw-space-4);
+        margin: var(--sw-space-2) 0 0;
+      }
+      dt {
+        color: var(--sw-soft);
+        white-space: nowrap;
+      }
+      dd {
+        margin: 0;
+      }
+    `,
+  ];
+
+  open(): void {
+    this.renderRoot.querySelector<HTMLElement>('[popover]')?.togglePopover();
+  }
+
+  protected override render(): TemplateResult {
+    const {app, keys} = this.texts;
+    return html`<div popover id="keys" role="region" aria-label=${app.keys}>
+      <header>
+        <h2>${app.keys}</h2>
+        <button aria-label=${app.close} popovertarget="keys" popovertargetaction="hide">
+          ${icon.close}
+        </button>
+      </header>
+      <dl>
+        ${keys.map(
+          ([key, meaning]) =>
+            html`<dt>${key}</dt>
+              <dd>${meaning}</dd>`,
+        )}
+      </dl>
+    </div>`;
+  }
+}
+
+customElements.define('sw-key-map', KeyMap);

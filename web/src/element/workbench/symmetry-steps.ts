@@ -1,0 +1,39 @@
+/** Steps that add and remove symmetries. A piece takes part in one of each kind at most. */
+import type {Design} from '../../model/design.js';
+import {carries} from '../../model/repeat.js';
+import type {DetectedSymmetry, Symmetry} from '../../model/symmetries.js';
+
+const piecesOf = (symmetry: Symmetry): readonly string[] =>
+  symmetry.kind === 'piece' ? [symmetry.piece] : symmetry.pieces;
+
+/** Whether two symmetries speak of the same piece or the same two pieces. */
+export const concernsSame = (a: Symmetry, b: Symmetry): boolean =>
+  a.kind === b.kind && piecesOf(a).every((name) => piecesOf(b).includes(name));
+
+/** Whether both can hold: a piece is symmetric in itself, or one of a pair. */
+const compatible = (a: Symmetry, b: Symmetry): boolean =>
+  !piecesOf(a).some((name) => piecesOf(b).includes(name));
+
+/** The newest goes before those it does not go with. */
+export function withSymmetry(design: Design | undefined, symmetry: Symmetry): Partial<Design> {
+  const kept = (design?.symmetries ?? []).filter((other) => compatible(symmetry, other));
+  return {symmetries: [...kept, symmetry]};
+}
+
+export const withoutSymmetry = (design: Design, symmetry: Symmetry): Partial<Design> => ({
+  symmetries: design.symmetries.filter((other) => other !== symmetry),
+});
+
+/** Without what only says how well it was found. */
+export const asked = ({residual: _, map: __, ...symmetry}: DetectedSymmetry): Symmetry => symmetry;
+
+/** All that were found and go with what there is and with the print. */
+export function withAll(design: Design, found: readonly DetectedSymmetry[]): Partial<Design> {
+  const {group} = design.print;
+  let symmetries = design.symmetries;
+  for (const one of found) {
+    if (carries(group, one.kind) && symmetries.every((other) => compatible(one, other)))
+      symmetries = [...symmetries, asked(one)];
+  }
+  return {symmetries};
+}
