@@ -1,0 +1,39 @@
+/** What the gallery offers: the 17 groups, and stripes, which have none of their own. */
+import type {DesignPrint} from '../../model/design.js';
+import {groupNames, type GroupName} from '../../model/print.js';
+import {carries, latticeVectors, type SymmetryKind} from '../../model/repeat.js';
+import type {Symmetry} from '../../model/symmetries.js';
+import {printElements} from '../../model/wallpaper.js';
+
+export type Choice = GroupName | 'stripes';
+
+export const choices: readonly Choice[] = [...groupNames, 'stripes'];
+
+/** Along a stripe any repeat will do; this one stands for all. [cm] */
+export const alongStripe = 0.5;
+
+export const groupOf = (choice: Choice): GroupName => (choice === 'stripes' ? 'pmm' : choice);
+
+/** The print that stands for a choice. */
+export const sampleOf = (choice: Choice): string => (choice === 'stripes' ? 'ticking' : choice);
+
+export const choiceOf = ({group, size}: Pick<DesignPrint, 'group' | 'size'>): Choice =>
+  ['pm', 'pmm'].includes(group) && size.height <= alongStripe ? 'stripes' : group;
+
+/** What is asked of the print and this group has not, the harder of the two first. */
+export function missing(
+  group: GroupName,
+  symmetries: readonly Symmetry[],
+): SymmetryKind | undefined {
+  return (['piece', 'pair'] as const).find(
+    (kind) => symmetries.some((one) => one.kind === kind) && !carries(group, kind),
+  );
+}
+
+/** Whether every print of this group looks the same upside down. */
+export function turnsOver(group: GroupName): boolean {
+  const [w1, w2] = latticeVectors(group, {width: 1, height: 1, angleDeg: 90});
+  return printElements({group, w1, w2}).some(
+    ({xx, yy}) => Math.abs(xx + 1) < 1e-9 && Math.abs(yy + 1) < 1e-9,
+  );
+}

@@ -1,0 +1,212 @@
+/** The prints to choose from: one for each group, more of them, and their colours. */
+import {html, nothing, type TemplateResult} from 'lit';
+import {guard} from 'lit/directives/guard.js';
+
+import type {Design, DesignPrint} from '../../model/design.js';
+import type {GroupName} from '../../model/print.js';
+import {groupsThatCarry} from '../../model/repeat.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {samplePrint, type SamplePrint, type Samples} from '../workbench/samples.js';
+import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choices.js';
+import {ownPrintAs} from './own-print.js';
+import {swatch} from './swatch.js';
+import {swatches} from './swatch-style.js';
+
+/** Of the gallery, which the arrow keys up and down jump by; as in its style. */
+const columns = 6;
+
+const steps: Readonly<Record<string, number>> = {
+  ...{ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columns, ArrowDown: columns},
+};
+
+const standIns = new Set(choices.map(sampleOf));
+
+const coloured = (print: SamplePrint, name: string | undefined): string => {
+  const {colourways} = print;
+  const shown = colourways.find((one) => one.name === name) ?? colourways[0];
+  return `prints/${shown?.raster ?? shown?.image ?? ''}`;
+};
+
+export class PrintGallery extends DeskElement {
+  static override properties = {
+    ...DeskElement.properties,
+    samples: {attribute: false},
+    focused: {state: true},
+    refused: {state: true},
+  };
+  declare samples: Samples | undefined;
+  declare protected focused: Choice | undefined;
+  /** The group that somebody asked for and that the symmetries do not allow. */
+  declare protected refused: GroupName | undefined;
+
+  static override styles = [controls, swatches];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {design, preferences} = this.desk;
+    const {samples, focused, refused} = this;
+    if (!design || !samples) return nothing;
+    const {print, symmetries} = design;
+    // drawn again only when one of these is new, not with every step of a solve
+    const seen = [print, symmetries, preferences, samples, focused, refused];
+    return html`${guard(
+      seen,
+      () => html`
+        ${this.#groups(design, samples)} ${this.#reason(design)}
+        <p class="soft">${this.texts.print.meanings[choiceOf(print)]}</p>
+        ${this.#more(design, samples)} ${this.#colourways(design, samples)}
+      `,
+    )}`;
+  }
+
+  #groups({print, symmetries}: Design, samples: Samples): TemplateResult {
+    const texts = this.texts.print;
+    const checked = choiceOf(print);
+    return html`<div
+      class="groups"
+      role="radiogroup"
+      aria-label=${texts.group}
+      @keydown=${(event: KeyboardEvent) => {
+        this.#walk(event, checked);
+      }}
+      @focusout=${() => {
+        this.focused = undefined;
+      }}
+    >
+      ${choices.map((choice) => {
+        const sample = samples.prints.find(({name}) => name === sampleOf(choice));
+        if (!sample) return nothing;
+        const label = choice === 'stripes' ? texts.stripes : choice;
+        const what = print.sample ? sample.title : texts.meanings[choice];
+        return html`<button
+          id=${choice}
+          role="radio"
+          aria-label="${label}, ${what}"
+          aria-checked=${choice === checked}
+          aria-disabled=${missing(groupOf(choice), symmetries) ? 'true' : nothing}
+          title=${what}
+          tabindex=${choice === (this.focused ?? checked) ? 0 : -1}
+          @focus=${() => {
+            this.focused = choice;
+            this.#ask(groupOf(choice));
+          }}
+          @click=${() => {
+            this.#choose(choice);
+          }}
+        >
+          ${swatch(`cloth-${choice}`, sample, coloured(sample, print.sample?.colourway))}
+          <span>${label}</span>
+        </button>`;
+      })}
+    </div>`;
+  }
+
+  /** Why a group will not do, and those that would. */
+  #reason({print, symmetries}: Design): TemplateResult {
+    const texts = this.texts.print;
+    const group = this.refused ?? print.group;
+    const kind = missing(group, symmetries);
+    return html`<div role="status">
+      ${
+        kind &&
+        html`<p>${texts.lacks[kind](group)}</p>
+          <div class="row">
+            ${texts.wouldDo}
+            ${groupsThatCarry(kind).map(
+              (one) =>
+                html`<button
+                  class="link"
+                  @click=${() => {
+                    this.#choose(one);
+                  }}
+                >
+                  ${one}
+                </button>`,
+            )}
+          </div>`
+      }
+    </div>`;
+  }
+
+  #more({print, symmetries}: Design, {prints}: Samples): TemplateResult {
+    const texts = this.texts.print;
+    const shown = print.sample ? prints.filter(({name}) => !standIns.has(name)) : prints;
+    return html`<h3>${print.sample ? texts.more : texts.ours}</h3>
+      <div class="more" role="group" aria-label=${print.sample ? texts.more : texts.ours}>
+        ${shown.map(
+          (sample) =>
+            html`<button
+              aria-label="${sample.title}, ${sample.group}"
+              aria-pressed=${sample.name === print.sample?.name}
+              aria-disabled=${missing(sample.group, symmetries) ? 'true' : nothing}
+              title=${sample.title}
+              @click=${() => {
+                this.#take(sample);
+              }}
+            >
+              ${swatch(`more-${sample.name}`, sample, coloured(sample, print.sample?.colourway))}
+            </button>`,
+        )}
+      </div>`;
+  }
+
+  #colourways({print}: Design, {prints}: Samples): TemplateResult | typeof nothing {
+    const sample = prints.find(({name}) => name === print.sample?.name);
+    if (!sample) return nothing;
+    return html`<h3>${sample.title}</h3>
+      <div class="colourways" role="group" aria-label=${this.texts.print.colourways}>
+        ${sample.colourways.map(
+          ({name}) =>
+            html`<button
+              aria-pressed=${name === print.sample?.colourway}
+              @click=${() => {
+                const {image, sample: shown} = samplePrint(sample, name);
+                this.desk.change({print: {...print, image, ...(shown && {sample: shown})}});
+              }}
+            >
+              ${swatch(`colour-${name}`, sample, coloured(sample, name))}
+              <span>${name}</span>
+            </button>`,
+        )}
+      </div>`;
+  }
+
+  /** @returns whether the symmetries allow this group; if not, why is said */
+  #ask(group: GroupName): boolean {
+    const allowed = !missing(group, this.desk.design?.symmetries ?? []);
+    this.refused = allowed ? undefined : group;
+    return allowed;
+  }
+
+  #choose(choice: Choice): void {
+    const {design} = this.desk;
+    if (!design || !this.#ask(groupOf(choice))) return;
+    const sample = this.samples?.prints.find(({name}) => name === sampleOf(choice));
+    if (!design.print.sample) void this.#regroup(design.print, choice);
+    else if (sample) this.#take(sample);
+  }
+
+  async #regroup(print: DesignPrint, choice: Choice): Promise<void> {
+    const regrouped = await ownPrintAs(print, choice);
+    if (this.desk.design?.print === print) this.desk.change({print: regrouped}, 'print');
+  }
+
+  #take(sample: SamplePrint): void {
+    const {design} = this.desk;
+    if (!design || !this.#ask(sample.group)) return;
+    this.desk.change({print: samplePrint(sample, design.print.sample?.colourway)}, 'print');
+  }
+
+  #walk(event: KeyboardEvent, checked: Choice): void {
+    const at = choices.indexOf(this.focused ?? checked);
+    const step = steps[event.key];
+    const next = step === undefined ? undefined : choices[at + step];
+    if (step === undefined) return;
+    event.preventDefault();
+    if (next === undefined) return;
+    this.renderRoot.querySelector<HTMLElement>(`#${next}`)?.focus();
+    this.#choose(next);
+  }
+}
+
+customElements.define('sw-print-gallery', PrintGallery);

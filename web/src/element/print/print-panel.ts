@@ -1,0 +1,82 @@
+/** Which print, how large, and which way up. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {section} from '../controls/section.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import type {Samples} from '../workbench/samples.js';
+import {openPrint, printFiles} from './own-tile.js';
+import './print-gallery.js';
+import './repeat-fields.js';
+import './tile-report.js';
+
+export class PrintPanel extends DeskElement {
+  static override properties = {
+    ...DeskElement.properties,
+    samples: {attribute: false},
+    problem: {state: true},
+  };
+  declare samples: Samples | undefined;
+  /** What is wrong with the file that was opened last. */
+  declare protected problem: string | undefined;
+
+  static override styles = [
+    controls,
+    section,
+    css`
+      header {
+        display: flex;
+        align-items: center;
+        gap: var(--sw-space-2);
+      }
+      h2 {
+        flex: 1;
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {desk, samples} = this;
+    if (!desk.design) return nothing;
+    const texts = this.texts.print;
+    return html`<section aria-labelledby="title">
+      <header>
+        <h2 id="title">${texts.title}</h2>
+        <input
+          type="file"
+          hidden
+          accept=${printFiles}
+          @change=${(event: Event) => this.#open(event.target as HTMLInputElement)}
+        />
+        <button
+          class="outlined"
+          @click=${() => {
+            this.renderRoot.querySelector<HTMLInputElement>('input[type=file]')?.click();
+          }}
+        >
+          ${icon.open} ${texts.open}
+        </button>
+      </header>
+      ${this.problem ? html`<p class="error" role="alert">${this.problem}</p>` : nothing}
+      ${desk.design.print.sample ? nothing : html`<p>${texts.own(desk.design.print.title)}</p>`}
+      <sw-tile-report .desk=${desk}></sw-tile-report>
+      <sw-print-gallery .desk=${desk} .samples=${samples}></sw-print-gallery>
+      <sw-repeat-fields .desk=${desk}></sw-repeat-fields>
+    </section>`;
+  }
+
+  async #open(input: HTMLInputElement): Promise<void> {
+    const [file] = input.files ?? [];
+    if (!file) return;
+    this.problem = undefined;
+    try {
+      await openPrint(this.desk, file);
+    } catch (error) {
+      this.problem = error instanceof Error ? error.message : String(error);
+    }
+    input.value = ''; // the same file may be opened again
+  }
+}
+
+customElements.define('sw-print-panel', PrintPanel);

@@ -1,0 +1,66 @@
+/** How swatches look that can be chosen. */
+import {css} from 'lit';
+
+export const swatches = css`
+  :host {
+    display: grid;
+    gap: var(--sw-space-3);
+  }
+  .groups,
+  .more {
+    display: grid;
+    grid-template-columns: repeat(6, minmax(0, 3.25rem));
+    gap: var(--sw-space-2);
+  }
+  .colourways {
+    display: grid;
+    grid-template-columns: repeat(3, minmax(0, 7rem));
+    gap: var(--sw-space-2);
+  }
+  :is(.groups, .more, .colourways) button {
+    display: grid;
+    gap: 2px;
+    min-height: 0;
+    padding: 0;
+    border: 0;
+    background: none;
+    font-size: var(--sw-text-small);
+    color: var(--sw-soft);
+  }
+  svg {
+    display: block;
+    width: 100%;
+    border-radius: 4px;
+    box-shadow: inset 0 0 0 1px var(--sw-line);
+  }
+  .colourways svg {
+    aspect-ratio: 3 / 2;
+  }
+  :is([aria-checked='true'], [aria-pressed='true']) svg {
+    outline: 2px solid var(--sw-accent);
+    outline-offset: 1px;
+  }
+  :is(.groups, .more, .colourways) :is([aria-checked='true'], [aria-pressed='true']) {
+    color: var(--sw-accent);
+    font-weight: 600;
+  }
+  button:focus-visible {
+    outline-offset: 4px;
+  }
+  [aria-disabled='true'] svg {
+    filter: grayscale(1);
+    opacity: 0.35;
+  }
+  button[aria-disabled='true'] {
+    cursor: help;
+  }
+  [role='status']:empty {
+    display: none;
+  }
+  .row {
+    display: flex;
+    flex-wrap: wrap;
+    gap: var(--sw-space-1) var(--sw-space-2);
+    margin-top: var(--sw-space-1);
+  }
+`;

@@ -1,0 +1,29 @@
+/** A small window on a print, drawn by its real lattice. */
+import {html, svg, type TemplateResult} from 'lit';
+
+import type {Print} from '../../model/print.js';
+import {imageCell} from '../../model/wallpaper.js';
+
+/** How much a swatch shows: the longer of w1, w2 fits this often across. */
+const repeats = 2.4;
+
+/** @param id of its own among the swatches of one element */
+export function swatch(id: string, print: Print, image = print.image ?? ''): TemplateResult {
+  const [a, b] = imageCell(print);
+  const [width, height] = [Math.hypot(...a), Math.hypot(...b)];
+  const side = repeats * Math.max(Math.hypot(...print.w1), Math.hypot(...print.w2));
+  // the picture's y runs down, against the second edge of the cell
+  const matrix = [a[0] / width, -a[1] / width, -b[0] / height, b[1] / height, side / 2, side / 2];
+  return html`<svg viewBox="0 0 ${side} ${side}" aria-hidden="true">
+    ${svg`<pattern
+        id=${id}
+        patternUnits="userSpaceOnUse"
+        width=${width}
+        height=${height}
+        patternTransform="matrix(${matrix.join(' ')})"
+      >
+        <image href=${image} width=${width} height=${height} preserveAspectRatio="none"></image>
+      </pattern>
+      <rect width="100%" height="100%" fill="url(#${id})"></rect>`}
+  </svg>`;
+}
