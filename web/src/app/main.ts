@@ -1,6 +1,5 @@
 /** Puts the page together. */
 import {
-  firstOptions,
   keepPreferences,
   loadSamples,
   opening,
@@ -29,7 +28,7 @@ if (print) {
     print: samplePrint(print),
     symmetries: [],
     method: 'best' as const,
-    options: firstOptions,
+    options: opening.options,
   };
   desk.begin({past: [], present: {design, view: null}, future: []});
 }

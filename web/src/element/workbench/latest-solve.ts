@@ -23,10 +23,16 @@ export const toFailure = (error: unknown): Failure => {
   return {code: 'internal', message, piece: null, seam: null};
 };
 
+/** While a design changes all the time, as under a drag, each solve gets at least this long. [ms] */
+const leastTime = 150;
+
 export class LatestSolve {
   readonly #client: SolverClient;
   readonly #listeners: SolveListeners;
   #current: AbortController | undefined;
+  #started = -Infinity;
+  /** Starts what is to come after the solve that is running. */
+  #next: ReturnType<typeof setTimeout> | undefined;
 
   constructor(client: SolverClient, listeners: SolveListeners) {
     this.#client = client;
@@ -34,19 +40,35 @@ export class LatestSolve {
   }
 
   get isRunning(): boolean {
-    return this.#current !== undefined;
+    return this.#current !== undefined || this.#next !== undefined;
   }
 
   start(design: Design): void {
-    this.cancel();
-    const controller = new AbortController();
-    this.#current = controller;
-    void this.#run(design, controller);
+    clearTimeout(this.#next);
+    this.#next = undefined;
+    const wait = this.#current ? this.#started + leastTime - performance.now() : 0;
+    if (wait > 0) {
+      this.#next = setTimeout(() => {
+        this.#next = undefined;
+        this.#begin(design);
+      }, wait);
+    } else {
+      this.#begin(design);
+    }
   }
 
   cancel(): void {
+    clearTimeout(this.#next);
+    this.#next = undefined;
     this.#current?.abort();
     this.#current = undefined;
+  }
+
+  #begin(design: Design): void {
+    this.#current?.abort();
+    this.#current = new AbortController();
+    this.#started = performance.now();
+    void this.#run(design, this.#current);
   }
 
   async #run(design: Design, controller: AbortController): Promise<void> {

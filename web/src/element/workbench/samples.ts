@@ -20,8 +20,11 @@ export interface Samples {
   readonly prints: readonly SamplePrint[];
 }
 
-/** What a page shows when nobody has chosen anything yet. */
-export const opening = {style: 'tee', size: 'm', print: 'p4m'} as const;
+/** What a page shows when nobody has chosen anything yet; any angle, to show what can be had. */
+export const opening = {
+  ...{style: 'raglan', size: 'm', print: 'p4m'},
+  options: {maxChangeCm: 1, grain: {default: 'free'}},
+} as const;
 
 async function fetched(path: string, signal?: AbortSignal): Promise<Response> {
   const response = await fetch(path, signal ? {signal} : {});
@@ -54,5 +57,5 @@ export function samplePrint(print: SamplePrint, colourway?: string): DesignPrint
   };
 }
 
-/** Pieces are cut on grain unless somebody wants otherwise; half a centimetre is what nobody sees in wear. */
+/** Of a garment that somebody opens: cut on grain unless its owner wants otherwise. */
 export const firstOptions: Design['options'] = {maxChangeCm: 1, grain: {default: 'on'}};

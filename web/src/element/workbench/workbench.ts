@@ -1,54 +1,28 @@
 /** What a page or element works on: a design with its history, and what the solver knows of it. */
 import {printOf, type Design, type DesignGarment} from '../../model/design.js';
-import type {Failure} from '../../model/failure.js';
 import type {Alignment} from '../../model/geometry.js';
 import {amended, redone, stepped, undone, type History} from '../../model/history.js';
-import type {Progress} from '../../model/problem.js';
 import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {SolverClient, type WorkerPlaces} from '../../solver/client.js';
 import {alignmentsFrom} from '../../viewer/scene.js';
 import {lastOf, type Scenes} from './scenes.js';
+import {
+  sameTarget,
+  type Notice,
+  type SolveState,
+  type Step,
+  type Target,
+  type ViewState,
+} from './state.js';
 import {concernsSame} from './symmetry-steps.js';
+
+export type * from './state.js';
 import {Comparison} from './comparison.js';
 import {LatestSolve} from './latest-solve.js';
 import {preferencesFor, type Preferences} from './preferences.js';
 import {ResultCache} from './result-cache.js';
-
-/** Where a view of the sheet stood. Scale in CSS px per cm. */
-export interface ViewState {
-  readonly centre: readonly [number, number];
-  readonly scale: number;
-}
-
-/** One step of the history: a design, and how it was looked at. */
-export interface Step {
-  readonly design: Design;
-  readonly view: ViewState | null;
-}
-
-/** `stale`: what is shown belongs to an earlier design. */
-export type SolveState =
-  | {readonly kind: 'empty' | 'done'}
-  | {readonly kind: 'stale'; readonly cancelled: boolean}
-  | ({readonly kind: 'solving'} & Progress)
-  | {readonly kind: 'failed'; readonly failure: Failure};
-
-/** Said once, beside what it is about. */
-export interface Notice {
-  readonly tone: 'error' | 'info';
-  readonly text: string;
-  /** Offers to take the last step back. */
-  readonly undo?: boolean;
-}
-
-/** A part of the pattern that somebody means. */
-export type Target =
-  | {readonly kind: 'piece'; readonly piece: number}
-  | {readonly kind: 'seam'; readonly seam: number; readonly side: 'a' | 'b'};
-
-const sameTarget = (a: Target | undefined, b: Target | undefined): boolean =>
-  JSON.stringify(a) === JSON.stringify(b);
+import {firstOptions} from './samples.js';
 
 export class Workbench {
   readonly client: SolverClient;
@@ -84,12 +58,14 @@ export class Workbench {
       this.#changed();
     });
     this.#solve = new LatestSolve(this.client, {
-      pattern: (_, pattern) => {
+      pattern: (design, pattern) => {
+        if (design.garment !== this.#garment) return;
         this.#pattern = pattern;
         this.#partial = undefined;
         this.#changed();
       },
-      partial: (_, alignments) => {
+      partial: (design, alignments) => {
+        if (design.garment !== this.#garment) return;
         this.#partial = alignmentsFrom(alignments);
         this.#changed();
       },
@@ -98,12 +74,14 @@ export class Workbench {
         this.#changed();
       },
       done: (design, result) => {
+        if (design !== this.design) return;
         if (this.#pattern) this.#results.keep(design, {pattern: this.#pattern, result});
         this.#state = {kind: 'done'};
         this.#comparison.follow(design, result.metrics);
         this.#changed();
       },
-      failed: (_, failure) => {
+      failed: (design, failure) => {
+        if (design !== this.design) return;
         this.#state = {kind: 'failed', failure};
         this.#changed();
       },
@@ -251,15 +229,9 @@ export class Workbench {
    */
   async open(garment: DesignGarment): Promise<void> {
     if (!this.design) return;
-    const {maxChangeCm, continuousOnly, grain} = this.design.options;
-    const options = {
-      ...(maxChangeCm !== undefined && {maxChangeCm}),
-      ...(continuousOnly !== undefined && {continuousOnly}),
-      ...(grain?.default && {grain: {default: grain.default}}),
-    };
     const problem = {garment: garment.text, print: printOf(this.design.print), symmetry: 'none'};
     const pattern = await this.client.prepare(problem, {names: {garment: garment.name}});
-    this.change({garment, symmetries: [], options});
+    this.change({garment, symmetries: [], options: firstOptions});
     this.#pattern ??= pattern;
     this.#changed();
   }
@@ -305,11 +277,13 @@ export class Workbench {
   #arrive(): void {
     const {design} = this;
     if (!design) return;
-    this.#solve.cancel();
     this.#comparison.stop();
-    this.#partial = undefined;
     if (design.garment !== this.#garment) this.#meet(design.garment);
     const known = this.#results.of(design);
+    if (known ?? !this.#preferences.solveAsIGo) {
+      this.#solve.cancel();
+      this.#partial = undefined;
+    }
     if (known) {
       this.#pattern = known.pattern;
       this.#state = {kind: 'done'};
@@ -326,6 +300,7 @@ export class Workbench {
   #meet(garment: DesignGarment): void {
     this.#garment = garment;
     this.#pattern = undefined;
+    this.#partial = undefined;
     this.#found = [];
     this.#selected = undefined;
     this.#pointed = undefined;

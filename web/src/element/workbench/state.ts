@@ -1,0 +1,39 @@
+/** What a workbench says about itself, as plain data. */
+import type {Design} from '../../model/design.js';
+import type {Failure} from '../../model/failure.js';
+import type {Progress} from '../../model/problem.js';
+
+/** Where a view of the sheet stood. Scale in CSS px per cm. */
+export interface ViewState {
+  readonly centre: readonly [number, number];
+  readonly scale: number;
+}
+
+/** One step of the history: a design, and how it was looked at. */
+export interface Step {
+  readonly design: Design;
+  readonly view: ViewState | null;
+}
+
+/** `stale`: what is shown belongs to an earlier design. */
+export type SolveState =
+  | {readonly kind: 'empty' | 'done'}
+  | {readonly kind: 'stale'; readonly cancelled: boolean}
+  | ({readonly kind: 'solving'} & Progress)
+  | {readonly kind: 'failed'; readonly failure: Failure};
+
+/** Said once, beside what it is about. */
+export interface Notice {
+  readonly tone: 'error' | 'info';
+  readonly text: string;
+  /** Offers to take the last step back. */
+  readonly undo?: boolean;
+}
+
+/** A part of the pattern that somebody means. */
+export type Target =
+  | {readonly kind: 'piece'; readonly piece: number}
+  | {readonly kind: 'seam'; readonly seam: number; readonly side: 'a' | 'b'};
+
+export const sameTarget = (a: Target | undefined, b: Target | undefined): boolean =>
+  JSON.stringify(a) === JSON.stringify(b);
