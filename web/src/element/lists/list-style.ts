@@ -22,7 +22,7 @@ export const listStyle = css`
   }
   th,
   td {
-    padding: var(--sw-space-1);
+    padding: 0.3rem 3px;
     vertical-align: top;
     text-align: left;
     font-weight: 400;
@@ -32,18 +32,26 @@ export const listStyle = css`
     white-space: nowrap;
   }
   thead th {
-    padding-block: 0;
+    padding-block: 0.25rem;
     border-bottom: 1px solid var(--sw-line);
     color: var(--sw-soft);
+    line-height: 1.25;
     vertical-align: bottom;
+  }
+  thead .number {
+    white-space: normal;
   }
   thead button {
     position: relative;
-    min-height: 1.75rem;
+    min-height: 1.5rem;
+    align-items: end;
     padding: 0;
     border: 0;
     border-radius: 2px;
     font-size: var(--sw-text-small);
+    line-height: inherit;
+    text-align: inherit;
+    white-space: inherit;
   }
   thead button:hover:not(:disabled) {
     background: none;
@@ -88,17 +96,20 @@ export const listStyle = css`
   }
   .line {
     display: flex;
-    align-items: center;
-    gap: var(--sw-space-1);
+    flex-wrap: wrap;
+    column-gap: var(--sw-space-1);
     color: var(--sw-soft);
+    white-space: nowrap;
   }
-  .line svg {
-    flex: none;
-    width: 0.875rem;
-    height: 0.875rem;
+  .kind svg {
+    width: 0.8125rem;
+    height: 0.8125rem;
+    color: var(--sw-soft);
+    vertical-align: -0.15em;
   }
   select {
     min-height: 1.5rem;
+    margin-top: -0.2rem;
     padding: 0 2px;
     font-size: var(--sw-text-small);
   }

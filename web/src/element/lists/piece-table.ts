@@ -53,11 +53,11 @@ export class PieceTable extends ListTable<PieceRow> {
     const {texts, format} = this;
     const {lists, pattern} = texts;
     const {moved, offGrain, width, height} = row;
-    const size = lists.size(format.number(width), format.length(height));
+    const size = lists.size(format.length(Math.round(width)), format.length(Math.round(height)));
     return html`
       <th scope="row">
         ${row.label}
-        <span class="line">${size}, ${pattern.seams(row.seams)}</span>
+        <span class="line"><span>${size},</span> <span>${pattern.seams(row.seams)}</span></span>
         ${row.pinned ? this.#pin(row, tabIndex) : nothing}
       </th>
       <td class="number">

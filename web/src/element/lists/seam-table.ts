@@ -62,9 +62,7 @@ export class SeamTable extends ListTable<SeamRow> {
     return html`
       <th scope="row" title=${between ?? nothing}>
         ${row.name}
-        <span class="line"
-          >${counts ? html`${icon[kind]} ${pattern[kind]}` : pattern.notCounted}</span
-        >
+        ${counts ? this.#kind(kind) : html`<span class="soft">(${pattern.notCounted})</span>`}
       </th>
       <td class="number">${format.length(row.length)}</td>
       <td class="number soft">${format.fine(row.before)}</td>
@@ -73,6 +71,13 @@ export class SeamTable extends ListTable<SeamRow> {
       </td>
       <td>${this.#match(row, tabIndex)}</td>
     `;
+  }
+
+  #kind(kind: SeamRow['kind']): TemplateResult {
+    const word = this.texts.pattern[kind];
+    return html`<span class="kind" role="img" aria-label=${word} title=${word}
+      >${icon[kind]}</span
+    >`;
   }
 
   #match(row: SeamRow, tabIndex: number): TemplateResult {
