@@ -31,28 +31,51 @@ async function across(page: Page, scene: PatternScene, piece: number, p: Point):
 const count = (colours: readonly Colour[], wanted: Colour): number =>
   colours.filter((colour) => colour.join() === wanted.join()).length;
 
-it('draws seams green where the print meets, and red and wider where it meets by chance only', async () => {
+/** Colours along the seam of a piece, row by row, each across the line. */
+async function alongSeam(page: Page, scene: PatternScene, piece: number): Promise<Colour[][]> {
+  const rows = Array.from({length: 21}, (_, k) => 1.5 + k / 20);
+  const all: Colour[][] = [];
+  for (const y of rows) all.push(await across(page, scene, piece, [piece === 0 ? 4 : 0, y]));
+  return all;
+}
+
+it('draws seams green and whole where the print meets, red, wider and broken where by chance only', async () => {
   const page = await openPage();
   const scene = twoSquares();
   await show(page, scene);
-  for (const [piece, x] of [
-    [0, 4],
-    [1, 0],
-  ] as const) {
-    const good = count(await across(page, scene, piece, [x, 2]), green);
-    expect(good).toBeGreaterThanOrEqual(1);
+  for (const piece of [0, 1]) {
+    const good = (await alongSeam(page, scene, piece)).map((row) => count(row, green));
+    expect(Math.min(...good)).toBeGreaterThanOrEqual(1);
     await realign(page, [
       {angle: 0, translation: [0, 0]},
       {angle: 0, translation: [-9, 5]}, // half a repeat off, both ways
     ]);
-    const bad = await across(page, scene, piece, [x, 2]);
-    expect(count(bad, green)).toBe(0);
-    expect(count(bad, red)).toBeGreaterThan(good);
+    const bad = await alongSeam(page, scene, piece);
+    expect(count(bad.flat(), green)).toBe(0);
+    const reds = bad.map((row) => count(row, red));
+    expect(Math.max(...reds)).toBeGreaterThan(Math.max(...good));
+    expect(Math.min(...reds)).toBe(0);
     await realign(
       page,
       scene.pieces.map(({alignment}) => alignment),
     );
   }
+});
+
+it('says how far the worst seam misses, and nothing where it meets', async () => {
+  const page = await openPage();
+  await show(page, twoSquares());
+  expect(await page.getByText('mm').count()).toBe(0);
+  await realign(page, [
+    {angle: 0, translation: [0, 0]},
+    {angle: 0, translation: [-4, 0.34]},
+  ]);
+  expect(await page.getByText('3.4 mm', {exact: true}).isVisible()).toBe(true);
+  await page.evaluate(() => {
+    Viewer.view.setSeams(false);
+  });
+  await settled(page);
+  expect(await page.getByText('3.4 mm', {exact: true}).isVisible()).toBe(false);
 });
 
 it('draws outlines as wide at every zoom', async () => {

@@ -71,7 +71,7 @@ it('lets a click through, and does not move for it', async () => {
   const before = await sheetPoint(400, 300);
   await page.mouse.move(400, 300);
   await page.mouse.down();
-  await page.mouse.move(402, 301);
+  await page.mouse.move(404, 303);
   await page.mouse.up();
   expectClose(await sheetPoint(400, 300), before);
   expect(await page.title()).toBe('clicked');
@@ -125,16 +125,44 @@ it('follows two fingers on the screen', async () => {
   expectClose(await sheetPoint(450, 310), right);
 });
 
-it('obeys keys, and shows everything again with 0', async () => {
+it('zooms by keys, shows everything again with 0, and leaves the arrows to the page', async () => {
   const [before, fit] = [await sheetPoint(450, 300), await scale()];
   await page.locator('main').focus();
   await page.keyboard.press('+');
   expect(await scale()).toBeCloseTo(1.25 * fit, 9);
   await page.keyboard.press('ArrowLeft');
-  expectClose(await sheetPoint(510, 300), before);
+  expectClose(await sheetPoint(450, 300), before);
   await page.keyboard.press('0');
   expect(await scale()).toBe(fit);
   expectClose(await sheetPoint(450, 300), before);
+});
+
+it('moves nothing for a press that the page follows itself, and its drag is no click', async () => {
+  await page.evaluate(() => {
+    document.querySelector('main')?.addEventListener('click', () => (document.title = 'clicked'));
+    Viewer.takesPress = true;
+  });
+  const before = await sheetPoint(400, 300);
+  await page.mouse.move(400, 300);
+  await page.mouse.down();
+  await page.mouse.move(460, 280);
+  await page.mouse.up();
+  expectClose(await sheetPoint(400, 300), before);
+  expect(await page.title()).not.toBe('clicked');
+});
+
+it('comes back to where it was', async () => {
+  await page.evaluate(() => {
+    Viewer.view.zoomBy(3, [200, 100]);
+  });
+  const [state, moved] = [await page.evaluate(() => Viewer.view.state), await sheetPoint(70, 80)];
+  await page.evaluate(() => {
+    Viewer.view.fit();
+  });
+  await page.evaluate((old) => {
+    Viewer.view.state = old;
+  }, state);
+  expectClose(await sheetPoint(70, 80), moved);
 });
 
 it('stays fitted when the window changes, unless somebody has moved it', async () => {

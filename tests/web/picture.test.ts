@@ -1,11 +1,11 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment} from '../../web/src/model/geometry.js';
+import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import type {ResultSymmetry, SolveResult} from '../../web/src/model/result.js';
-import {mismatchColour, mismatchWidth} from '../../web/src/picture/colours.js';
+import {mismatchColour, mismatchDash, mismatchWidth} from '../../web/src/picture/colours.js';
 import {drawResult} from '../../web/src/picture/draw-result.js';
-import {fitOf} from '../../web/src/picture/fit.js';
-import {plainPrint as print, squarePair, squarePiece} from '../support/two-squares.js';
+import {fitOf, seamFitOf} from '../../web/src/picture/fit.js';
+import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 /** Two squares on a 10 x 10 cm print in p1, as a result. */
 function twoSquares(second: Alignment, symmetries: readonly ResultSymmetry[] = []): SolveResult {
@@ -78,6 +78,58 @@ describe('the fit of a result', () => {
   });
 });
 
+describe('the fit with one symmetry of the print per seam', () => {
+  /** The seam of two squares in two edges of 2 cm; the second edge of the right side is `off` to the right. */
+  function twoEdges(group: 'p1' | 'pm', off: number): SolveResult {
+    const left: Point[] = [...square, [4, 2]];
+    const right: Point[] = [
+      [0, 0],
+      [4, 0],
+      [4, 4],
+      [2 * off, 4],
+      [0, 2],
+    ];
+    const result = twoSquares(runsOn);
+    return {
+      ...result,
+      print: {...print, group},
+      pieces: result.pieces.map((piece, k) => {
+        const rest = k === 0 ? left : right;
+        return {...piece, rest, shape: rest, outline: k === 0 ? [0, 1, 4, 2, 3] : [0, 1, 2, 3, 4]};
+      }),
+      seams: result.seams.map((seam) => ({
+        ...seam,
+        a: {piece: 0, vertices: [1, 4, 2]},
+        b: {piece: 1, vertices: [0, 4, 3]},
+      })),
+    };
+  }
+
+  it('measures every edge under the symmetry that suits the whole seam', () => {
+    // the second edge of the right side is a whole repeat off: each edge by itself meets, both together do not
+    const result = twoEdges('p1', 10);
+    const apart = fitOf(result, 'shape', alignments(result)).seams[0]?.mismatch;
+    apart?.forEach((one) => {
+      expect(one).toBeCloseTo(0, 12);
+    });
+    const [seam] = seamFitOf(result, 'shape', alignments(result)).seams;
+    expect(seam?.mismatch[0]).toBeCloseTo(10, 12);
+    expect(seam?.mismatch[1]).toBeCloseTo(0, 12); // that edge is the longer one
+  });
+
+  it('tells whether the print runs on or is mirrored', () => {
+    const result = twoEdges('pm', 0);
+    const kindAt = (second: Alignment): unknown => {
+      const [seam] = seamFitOf(result, 'shape', [{angle: 0, translation: [0, 0]}, second]).seams;
+      expect(Math.max(...(seam?.mismatch ?? [NaN]))).toBeCloseTo(0, 12);
+      return seam?.kind;
+    };
+    expect(kindAt(runsOn)).toBe('continuous');
+    // the seam at (4, y) of the print on the left is at (4, -y) on the right
+    expect(kindAt({angle: Math.PI, translation: [4, 0]})).toBe('mirrored');
+  });
+});
+
 describe('the picture', () => {
   const result = twoSquares({angle: Math.PI / 2, translation: [1, 2]});
   const svg = drawResult(
@@ -133,4 +185,13 @@ it('colours from green at 0 to red at 2 cm and beyond, and thickens', () => {
   expect(mismatchColour(2)).toBe('#c83028');
   expect(mismatchColour(7)).toBe(mismatchColour(2));
   expect(mismatchWidth(2)).toBeGreaterThan(mismatchWidth(0));
+});
+
+it('breaks a line where the print does not meet, with gaps that grow', () => {
+  expect(mismatchDash(0)).toBeUndefined();
+  expect(mismatchDash(0.3)).toBeUndefined();
+  const gaps = [0.6, 1.2, 2].map((cm) => mismatchDash(cm)?.[1] ?? 0);
+  expect(gaps).toEqual(gaps.toSorted((a, b) => a - b));
+  expect(new Set(gaps).size).toBe(3);
+  expect(gaps[0]).toBeGreaterThan(mismatchWidth(2)); // round caps do not close it
 });

@@ -57,6 +57,18 @@ describe('a scene', () => {
     expect(next.chance).toBeCloseTo(scene.chance / 20, 12);
   });
 
+  it('knows where and how far a seam misses, and on which pieces there is no print', () => {
+    const scene = sceneOf(squarePair(), print, {
+      alignments: [home, {angle: 0, translation: [-4, 0.5]}],
+      plain: new Set(['right_half']),
+    });
+    const [seam] = scene.seams;
+    expect(seam).toMatchObject({kind: 'continuous', counts: true, worst: {edge: 0}});
+    expect(seam?.worst.mismatch).toBeCloseTo(0.5, 12);
+    expect(seam?.mean).toBeCloseTo(0.5, 12);
+    expect(scene.pieces.map(({plain}) => plain)).toEqual([false, true]);
+  });
+
   it('shows one length of cloth before anything is aligned', () => {
     const scene = sceneOf(squarePair(), print);
     const alignments = uncut(scene);
@@ -244,8 +256,15 @@ describe('the mismatch by chance', () => {
       return 'width' in styles ? styles : styles[0];
     };
     expect(styleAt(0)).toEqual({colour: [43, 147, 88], width: 2.4});
-    expect(styleAt(scene.chance)).toEqual({colour: [200, 48, 40], width: 4.6});
+    expect(styleAt(scene.chance)).toMatchObject({colour: [200, 48, 40], width: 4.6});
     expect(styleAt(2 * scene.chance)).toEqual(styleAt(scene.chance));
     expect(styleAt(scene.chance / 2)).not.toEqual(styleAt(scene.chance));
+  });
+
+  it('gives way to 2 cm on the scale that is the same for all prints', () => {
+    const scene = sceneOf(squarePair(), print, {scale: 'paper'});
+    const seams = scene.seams.map((seam) => ({...seam, mismatch: [2]}));
+    const styles = seamStrokes({...scene, seams}, 'light').at(-1)?.styles;
+    expect(styles).toMatchObject([{colour: [200, 48, 40], width: 4.6}]);
   });
 });

@@ -9,6 +9,8 @@ declare global {
     readonly view: PatternView;
     scene: PatternScene | undefined;
     readonly realigned: typeof realigned;
+    /** Whether the page follows a press itself. */
+    takesPress: boolean;
     readonly loadTile: typeof loadTile;
     readonly svgTile: typeof svgTile;
   };
@@ -17,7 +19,8 @@ declare global {
 const host = document.querySelector('main');
 if (!host) throw new Error('The page has no main element.');
 globalThis.Viewer = {
-  view: new PatternView(host),
+  view: new PatternView(host, {onPress: () => Viewer.takesPress}),
+  takesPress: false,
   scene: undefined,
   ...{realigned, loadTile, svgTile},
 };

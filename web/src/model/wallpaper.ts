@@ -119,7 +119,7 @@ export function imageCell({
 }
 
 /** A basis of the same lattice with the shortest vectors (Lagrange). */
-function reducedBasis(w1: Point, w2: Point): readonly [Point, Point] {
+export function reducedBasis(w1: Point, w2: Point): readonly [Point, Point] {
   let a = w1;
   let b = w2;
   for (;;) {

@@ -1,4 +1,4 @@
-/** The colours of a mismatch: green at 0, red from 2 cm on. Thickness says the same to eyes that do not part the two. */
+/** The colours of a mismatch: green at 0, red from 2 cm on. Thickness and dashes say the same to eyes that do not part the two. */
 
 /** From here on a mismatch is drawn as the worst. [cm] */
 export const worstMismatch = 2;
@@ -26,3 +26,16 @@ export function mismatchColour(mismatch: number): string {
 
 /** Width of the line along a seam. [px] */
 export const mismatchWidth = (mismatch: number): number => 2.4 + 2.2 * severity(mismatch);
+
+/** A match better than this part of the worst is a line without gaps. */
+const solidBelow = 0.2;
+/** Steps in which gaps grow, so that neighbouring edges share one rhythm. */
+const gapSteps = 4;
+
+/** Lengths of dash and gap before round caps: the worse, the wider the gaps. None where the print meets. [px] */
+export function mismatchDash(mismatch: number): readonly [number, number] | undefined {
+  const share = (severity(mismatch) - solidBelow) / (1 - solidBelow);
+  if (share <= 0) return undefined;
+  const step = Math.ceil(share * gapSteps);
+  return [8, mismatchWidth(worstMismatch) + 1.5 * step];
+}

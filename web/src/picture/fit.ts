@@ -1,7 +1,13 @@
 /** How well a print meets along the seams of a result, under any alignment of its pieces. */
 import type {Alignment, Point} from '../model/geometry.js';
-import type {Pattern, ResultSeam} from '../model/result.js';
-import {printDistance} from '../model/wallpaper.js';
+import type {Pattern, ResultSeam, SeamSide} from '../model/result.js';
+import {
+  determinant,
+  printDistance,
+  printElements,
+  reducedBasis,
+  type PlaneMap,
+} from '../model/wallpaper.js';
 
 /** A seam under an alignment: the mismatch of every edge and the mean length of its two sides. [cm] */
 export interface SeamFit {
@@ -45,46 +51,164 @@ function twinTest(result: Pattern): (seam: ResultSeam) => boolean {
     a.vertices.every((v, k) => images.get(key(a.piece, v)) === key(b.piece, b.vertices[k]));
 }
 
-const middle = (a: Point, b: Point): Point => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
+/** Which seams the figures take into account. It depends on no alignment. */
+export function countedSeams(result: Pattern): readonly boolean[] {
+  const isTwin = twinTest(result);
+  return result.seams.map((seam) => seam.matched && !isTwin(seam));
+}
 
-/** The fit of `rest` or `shape`, with one alignment per piece. */
+/** The middles of a seam's edges as points of the print, one after the other, and their mean lengths. */
+interface Edges {
+  readonly a: Float64Array;
+  readonly b: Float64Array;
+  readonly lengths: Float64Array;
+}
+
+function edgesOf(
+  {pieces}: Pattern,
+  seam: ResultSeam,
+  outline: 'rest' | 'shape',
+  alignments: readonly Alignment[],
+): Edges {
+  const count = Math.max(0, Math.min(seam.a.vertices.length, seam.b.vertices.length) - 1);
+  const lengths = new Float64Array(count);
+  const middles = ({piece, vertices}: SeamSide): Float64Array => {
+    const at = new Float64Array(2 * count);
+    const points = pieces[piece]?.[outline] ?? [];
+    const {angle, translation} = alignments[piece] ?? {angle: 0, translation: [0, 0]};
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    for (let k = 0; k < count; k++) {
+      const from = points[vertices[k] ?? 0] ?? [0, 0];
+      const to = points[vertices[k + 1] ?? 0] ?? [0, 0];
+      const dx = (from[0] + to[0]) / 2 - translation[0];
+      const dy = (from[1] + to[1]) / 2 - translation[1];
+      at[2 * k] = c * dx + s * dy;
+      at[2 * k + 1] = c * dy - s * dx;
+      lengths[k] = (lengths[k] ?? 0) + Math.hypot(to[0] - from[0], to[1] - from[1]) / 2;
+    }
+    return at;
+  };
+  return {a: middles(seam.a), b: middles(seam.b), lengths};
+}
+
+/** Adds the seams up. */
+function summed<S extends SeamFit>(seams: readonly S[]): Fit & {readonly seams: readonly S[]} {
+  let [total, length] = [0, 0];
+  for (const {counts, lengths, mismatch} of seams) {
+    if (!counts) continue;
+    lengths.forEach((l, k) => {
+      length += l;
+      total += l * (mismatch[k] ?? 0);
+    });
+  }
+  return {seams, total, mean: length > 0 ? total / length : 0};
+}
+
+const pointAt = (points: Float64Array, k: number): Point => [
+  points[2 * k] ?? NaN,
+  points[2 * k + 1] ?? NaN,
+];
+
+/** The fit of `rest` or `shape`, with one alignment per piece; every edge by the symmetry of the print that suits it. */
 export function fitOf(
   result: Pattern,
   outline: 'rest' | 'shape',
   alignments: readonly Alignment[],
 ): Fit {
   const apart = printDistance(result.print);
-  const isTwin = twinTest(result);
-  let total = 0;
-  let length = 0;
-  const edges = (side: ResultSeam['a']): {at: Point; length: number}[] => {
-    const points = result.pieces[side.piece]?.[outline] ?? [];
-    const alignment = alignments[side.piece] ?? {angle: 0, translation: [0, 0]};
-    const line = side.vertices.flatMap((v) => points.slice(v, v + 1));
-    return line.slice(1).map((to, k) => {
-      const from = line[k] ?? to;
-      return {at: onPrint(alignment, middle(from, to)), length: distance(from, to)};
-    });
-  };
-  const seams = result.seams.map((seam): SeamFit => {
-    const a = edges(seam.a);
-    const b = edges(seam.b);
-    const counts = seam.matched && !isTwin(seam);
-    const mismatch: number[] = [];
-    const lengths: number[] = [];
-    a.forEach((edge, k) => {
-      const partner = b[k] ?? edge;
-      mismatch.push(apart(edge.at, partner.at));
-      lengths.push((edge.length + partner.length) / 2);
-    });
-    if (counts) {
-      lengths.forEach((l, k) => {
-        length += l;
-        total += l * (mismatch[k] ?? 0);
-      });
+  const counted = countedSeams(result);
+  return summed(
+    result.seams.map((seam, number) => {
+      const {a, b, lengths} = edgesOf(result, seam, outline, alignments);
+      return {
+        mismatch: Array.from(lengths, (_, k) => apart(pointAt(a, k), pointAt(b, k))),
+        lengths: [...lengths],
+        counts: counted[number] ?? false,
+      };
+    }),
+  );
+}
+
+/** A seam across which one symmetry of the print carries it: what the eye sees. */
+export interface JoinedSeam extends SeamFit {
+  /** Whether that symmetry lets the print run on or mirrors it. */
+  readonly kind: 'continuous' | 'mirrored';
+}
+
+/** How much more a mirrored seam has to save before it is called so: along a straight mirror line both are the same. [cm2] */
+const indifference = 1e-6;
+
+/**
+ * The fit with one symmetry of the print per seam. Of each kind of symmetry it tries the lattice shift that suits
+ * the mean of the seam, and its eight neighbours.
+ */
+export function seamFitOf(
+  result: Pattern,
+  outline: 'rest' | 'shape',
+  alignments: readonly Alignment[],
+  counted: readonly boolean[] = countedSeams(result),
+): Fit & {readonly seams: readonly JoinedSeam[]} {
+  const {w1, w2} = result.print;
+  const basis = reducedBasis(w1, w2);
+  // those that mirror come last, so that they have to be better
+  const elements = printElements(result.print).toSorted((a, b) => determinant(b) - determinant(a));
+  return summed(
+    result.seams.map((seam, number): JoinedSeam => {
+      const edges = edgesOf(result, seam, outline, alignments);
+      return {
+        ...bestJoin(elements, basis, edges),
+        lengths: [...edges.lengths],
+        counts: counted[number] ?? false,
+      };
+    }),
+  );
+}
+
+function bestJoin(
+  elements: readonly PlaneMap[],
+  [u, v]: readonly [Point, Point],
+  {a, b, lengths}: Edges,
+): Pick<JoinedSeam, 'kind' | 'mismatch'> {
+  const area = u[0] * v[1] - u[1] * v[0];
+  const whole = lengths.reduce((sum, length) => sum + length, 0);
+  let least = Infinity;
+  let kind: JoinedSeam['kind'] = 'continuous';
+  let best = new Float64Array(2 * lengths.length);
+  let shift: Point = [0, 0];
+  for (const element of elements) {
+    const {xx, xy, yx, yy, shift: own} = element;
+    const apart = new Float64Array(2 * lengths.length);
+    let [mx, my] = [0, 0];
+    for (let k = 0; k < lengths.length; k++) {
+      const [x, y] = [b[2 * k] ?? 0, b[2 * k + 1] ?? 0];
+      const dx = (a[2 * k] ?? 0) - xx * x - xy * y - own[0];
+      const dy = (a[2 * k + 1] ?? 0) - yx * x - yy * y - own[1];
+      apart[2 * k] = dx;
+      apart[2 * k + 1] = dy;
+      mx += (dx * (lengths[k] ?? 0)) / whole;
+      my += (dy * (lengths[k] ?? 0)) / whole;
     }
-    return {mismatch, lengths, counts};
-  });
-  return {seams, total, mean: length > 0 ? total / length : 0};
+    const s = Math.round((mx * v[1] - my * v[0]) / area);
+    const t = Math.round((u[0] * my - u[1] * mx) / area);
+    for (let i = s - 1; i <= s + 1; i++) {
+      for (let j = t - 1; j <= t + 1; j++) {
+        const sx = i * u[0] + j * v[0];
+        const sy = i * u[1] + j * v[1];
+        if (whole * Math.hypot(mx - sx, my - sy) >= least) continue; // no sum is less than its mean
+        let cost = 0;
+        for (let k = 0; k < lengths.length && cost < least; k++) {
+          const dx = (apart[2 * k] ?? 0) - sx;
+          const dy = (apart[2 * k + 1] ?? 0) - sy;
+          cost += (lengths[k] ?? 0) * Math.sqrt(dx * dx + dy * dy);
+        }
+        if (cost >= least - indifference) continue;
+        [least, best, shift] = [cost, apart, [sx, sy]];
+        kind = determinant(element) > 0 ? 'continuous' : 'mirrored';
+      }
+    }
+  }
+  const mismatch = Array.from(lengths, (_, k) =>
+    Math.hypot((best[2 * k] ?? 0) - shift[0], (best[2 * k + 1] ?? 0) - shift[1]),
+  );
+  return {kind, mismatch};
 }

@@ -82,8 +82,8 @@ export function layOut(
   aspect: number,
   spacing: Spacing,
   placements?: Placements,
+  boxes = boxesOf(pattern),
 ): Layout {
-  const boxes = boxesOf(pattern);
   const cells = cellsOf(boxes, spacing);
   const arrangements =
     placements && isPlaced(pattern, placements)
@@ -125,6 +125,7 @@ export function layOutNamed(
   const {gap, nameHeight, nameWidth} = page;
   const scaleOf = ({width, height}: Layout): number =>
     Math.min(page.width / width, page.grows ? Infinity : page.height / height, page.greatestScale);
+  const boxes = boxesOf(pattern);
   const at = (scale: number): Layout =>
     layOut(
       pattern,
@@ -135,6 +136,7 @@ export function layOutNamed(
         least: (piece) => nameWidth(piece) / scale,
       },
       placements,
+      boxes,
     );
   let [low, high] = [0, page.greatestScale];
   let layout = at(high);

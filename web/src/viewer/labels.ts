@@ -1,6 +1,7 @@
 /** Names of pieces and letters of pairs: HTML over the drawing, so that they are text and always legible. */
 import type {Point} from '../model/geometry.js';
 import {pick} from '../picture/marks.js';
+import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
 import {labelLines, labelSize, type PatternScene, type ScenePiece} from './scene.js';
 import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
 import type {Appearance} from './strokes.js';
@@ -20,27 +21,12 @@ interface Letter {
   readonly room: number;
 }
 
-interface Box {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-}
-
 /** [CSS px] */
 const letterSize = 24;
 const leastLetterSize = 15;
 const gap = 6;
 /** A name may stand on a piece that is so many times as high. */
 const leastCover = 4;
-
-const colours: Readonly<Record<Appearance, {text: string; paper: string; ring: string}>> = {
-  light: {text: '#3b3e44', paper: 'rgb(255 255 255 / 0.88)', ring: '#2b2d31'},
-  dark: {text: '#e4e6ea', paper: 'rgb(24 25 28 / 0.86)', ring: '#d6d8dc'},
-};
-
-const overlap = (a: Box, b: Box): boolean =>
-  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
 const clamp = (value: number, low: number, high: number): number =>
   Math.max(low, Math.min(value, high));
@@ -56,20 +42,12 @@ function extent({points, outline, offset}: ScenePiece): readonly [Point, Point] 
 }
 
 export class Labels {
-  readonly element: HTMLElement;
+  readonly element = chipLayer();
   #appearance: Appearance;
   #names: readonly Name[] = [];
   #letters: readonly Letter[] = [];
 
   constructor(appearance: Appearance) {
-    this.element = document.createElement('div');
-    Object.assign(this.element.style, {
-      position: 'absolute',
-      inset: '0',
-      overflow: 'hidden',
-      pointerEvents: 'none',
-      userSelect: 'none',
-    });
     this.#appearance = appearance;
   }
 
@@ -102,8 +80,8 @@ export class Labels {
       .sort((a, b) => b.high[1] - b.low[1] - (a.high[1] - a.low[1]));
   }
 
-  /** Follows the drawing. */
-  place(view: SheetView, size: ScreenSize): void {
+  /** Follows the drawing. @returns where names and letters stand */
+  place(view: SheetView, size: ScreenSize): readonly Box[] {
     const pieces = this.#names.map(({low, high}) => boxOf(view, size, low, high));
     const names: Box[] = [];
     this.#names.forEach(({element, width, height}, k) => {
@@ -113,29 +91,29 @@ export class Labels {
       );
       if (box) names.push(box);
       move(element, box && [box.left, box.top]);
-      element.style.background = box?.onPiece ? colours[this.#appearance].paper : '';
+      element.style.background = box?.onPiece ? chipColours[this.#appearance].paper : '';
     });
+    const letters: Box[] = [];
     for (const {element, at, room} of this.#letters) {
       const [x, y] = toScreen(view, size, at);
       // a letter as large as its piece would hide it
       const wide = Math.min(letterSize, 1.5 * room * view.scale);
-      const corner: Point = [x - letterSize / 2, y - letterSize / 2];
-      move(element, wide >= leastLetterSize ? corner : undefined, wide / letterSize);
+      const isShown = wide >= leastLetterSize;
+      const [left, top] = [x - letterSize / 2, y - letterSize / 2];
+      if (isShown) letters.push({left, top, right: left + letterSize, bottom: top + letterSize});
+      move(element, isShown ? [left, top] : undefined, `scale(${(wide / letterSize).toFixed(2)})`);
     }
+    return [...names, ...letters];
   }
 
   #label(text: string, kind: 'name' | 'letter'): HTMLElement {
-    const element = document.createElement('span');
-    const {text: colour, paper, ring} = colours[this.#appearance];
-    element.textContent = text;
-    Object.assign(element.style, {
-      position: 'absolute',
-      left: '0',
-      top: '0',
+    const {text: colour, paper, ring} = chipColours[this.#appearance];
+    const element = placeable(document.createElement('span'), {
       boxSizing: 'border-box',
       color: colour,
       textAlign: 'center',
     });
+    element.textContent = text;
     Object.assign(
       element.style,
       kind === 'name'
@@ -192,11 +170,4 @@ function places(
       ? [at(foot, true)]
       : []),
   ];
-}
-
-function move(element: HTMLElement, at: Point | undefined, scale = 1): void {
-  element.style.visibility = at ? 'visible' : 'hidden';
-  if (!at) return;
-  const [x, y] = at.map((side) => side.toFixed(1));
-  element.style.transform = `translate(${x}px, ${y}px) scale(${scale.toFixed(2)})`;
 }

@@ -9,8 +9,7 @@ export interface Navigable {
 }
 
 /** A pointer that stays within this is a click. [CSS px] */
-const clickRange = 4;
-const keyStep = 60;
+const clickRange = 6;
 const keyFactor = 1.25;
 /** One notch of a wheel, and its share for a finer one. */
 const notchFactor = 1.2;
@@ -35,10 +34,19 @@ function spread(points: readonly Point[]): number {
   return points.reduce((sum, [x, y]) => sum + Math.hypot(x - mx, y - my), 0) / points.length;
 }
 
+/** Whether somebody else follows this press, at a point of the element: then nothing here moves for it. */
+export type TakesPress = (event: PointerEvent, at: Point) => boolean;
+
 /** Listens on `element` until `signal` fires. The element is made focusable, for the keys. */
-export function navigate(element: HTMLElement, view: Navigable, signal: AbortSignal): void {
+export function navigate(
+  element: HTMLElement,
+  view: Navigable,
+  signal: AbortSignal,
+  takesPress: TakesPress = () => false,
+): void {
   const fingers = new Map<number, Point>();
   let start: Point | undefined; // of a press that may still become a click
+  let taken: number | undefined; // the pointer whose press somebody else follows
 
   const at = (event: MouseEvent): Point => {
     const {left, top} = element.getBoundingClientRect();
@@ -46,6 +54,7 @@ export function navigate(element: HTMLElement, view: Navigable, signal: AbortSig
   };
   const lift = (event: PointerEvent): void => {
     fingers.delete(event.pointerId);
+    if (taken === event.pointerId) taken = undefined;
     if (fingers.size === 0) element.style.cursor = '';
   };
   const listen = <K extends keyof HTMLElementEventMap>(
@@ -61,18 +70,21 @@ export function navigate(element: HTMLElement, view: Navigable, signal: AbortSig
 
   listen('pointerdown', (event) => {
     if (event.pointerType === 'mouse' && event.button > 1) return;
-    start = fingers.size === 0 ? at(event) : undefined;
-    fingers.set(event.pointerId, at(event));
+    const point = at(event);
+    start = fingers.size === 0 ? point : undefined;
+    if (start && takesPress(event, point)) taken = event.pointerId;
+    else fingers.set(event.pointerId, point);
   });
   listen('pointermove', (event) => {
     const from = fingers.get(event.pointerId);
-    if (!from) return;
+    if (!from && event.pointerId !== taken) return;
     const to = at(event);
     if (start) {
       if (Math.hypot(to[0] - start[0], to[1] - start[1]) < clickRange) return;
       start = undefined;
-      element.style.cursor = 'grabbing';
+      if (from) element.style.cursor = 'grabbing';
     }
+    if (!from) return;
     if (!element.hasPointerCapture(event.pointerId)) element.setPointerCapture(event.pointerId);
     const before = [...fingers.values()];
     fingers.set(event.pointerId, to);
@@ -118,18 +130,6 @@ export function navigate(element: HTMLElement, view: Navigable, signal: AbortSig
     },
     '0': () => {
       view.fit();
-    },
-    ArrowLeft: () => {
-      view.panBy(keyStep, 0);
-    },
-    ArrowRight: () => {
-      view.panBy(-keyStep, 0);
-    },
-    ArrowUp: () => {
-      view.panBy(0, keyStep);
-    },
-    ArrowDown: () => {
-      view.panBy(0, -keyStep);
     },
   };
   listen('keydown', (event) => {

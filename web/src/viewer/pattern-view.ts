@@ -1,100 +1,98 @@
 /** The view of a pattern: its pieces on a sheet, each filled with the print as it lies on it. Drawn only when something changes. */
-import {OrthographicCamera, Scene, WebGLRenderer} from 'three';
+import {OrthographicCamera, Scene} from 'three';
 
 import type {Point} from '../model/geometry.js';
 import {imageCell} from '../model/wallpaper.js';
 import {Labels} from './labels.js';
-import {LineLayer, LineMaterial} from './line-layer.js';
-import {navigate} from './navigation.js';
-import {PrintLayer, PrintMaterial} from './print-layer.js';
+import {LineLayer, LineMaterial, type Stroke} from './line-layer.js';
+import {movementStrokes} from './movement.js';
+import {navigate, type TakesPress} from './navigation.js';
+import {OverlayChips} from './overlay-chips.js';
+import {overlayStrokes, type Overlay} from './overlay.js';
+import {PrintMaterial} from './print-layer.js';
+import {SceneLayers} from './scene-layers.js';
 import {pieceAt, type PatternScene} from './scene.js';
+import {look, Screen} from './screen.js';
+import {millimetres, SeamNotes, type LengthText} from './seam-notes.js';
 import {fitted, panned, toScreen, toSheet, zoomed, type SheetView} from './sheet-view.js';
-import {markStrokes, outlineStrokes, seamStrokes, type Appearance} from './strokes.js';
+import {snapshot} from './snapshot.js';
+import type {Appearance} from './strokes.js';
 import {TileTexture, type Tile} from './tile-texture.js';
 
 /** After this long without a change an SVG tile is drawn as densely as the zoom asks for. [ms] */
 const rest = 150;
+/** Of a picture of the sheet. [px] */
+const pictureWidth = 2400;
+const greatestPictureSide = 8192;
 
-/** Lines are thinner at scales below this. [CSS px per cm] */
-const thinBelow = 4;
-
-interface Layers {
-  readonly print: PrintLayer;
-  readonly outlines: LineLayer;
-  readonly seams: LineLayer;
-  readonly marks: LineLayer;
+export interface PatternViewOptions {
+  readonly appearance?: Appearance;
+  /** True: the page follows this press itself, and nothing pans. */
+  readonly onPress?: TakesPress;
+  /** How the numbers at seams are written. Default: millimetres. */
+  readonly lengthText?: LengthText;
 }
 
-/** Whether two scenes differ in nothing but how the pieces lie on the print. */
-const sameGeometry = (a: PatternScene, b: PatternScene): boolean =>
-  a.symmetries === b.symmetries &&
-  a.seams.length === b.seams.length &&
-  a.seams.every(({a: side}, k) => side === b.seams[k]?.a) &&
-  a.pieces.length === b.pieces.length &&
-  a.pieces.every(
-    ({points, offset}, k) => points === b.pieces[k]?.points && offset === b.pieces[k].offset,
-  );
+/** Another scene of the same sheet, to the left of a line at this part of the width. */
+export interface Wipe {
+  readonly before: PatternScene;
+  readonly split: number;
+}
 
 export class PatternView {
-  readonly #host: HTMLElement;
-  readonly #renderer: WebGLRenderer;
+  readonly #screen: Screen;
   readonly #labels: Labels;
+  readonly #notes = new SeamNotes();
+  readonly #chips = new OverlayChips();
+  readonly #lengthText: LengthText;
   readonly #tile: TileTexture;
-  readonly #scene = new Scene();
-  readonly #camera = new OrthographicCamera();
   readonly #cloth = new PrintMaterial();
   readonly #line = new LineMaterial();
-  readonly #life = new AbortController();
-  readonly #resized: ResizeObserver;
+  readonly #after = new SceneLayers({cloth: this.#cloth, line: this.#line});
+  readonly #before = new SceneLayers({cloth: this.#cloth, line: this.#line});
+  readonly #over = new Scene();
+  readonly #camera = new OrthographicCamera();
   readonly #listeners = new Set<() => void>();
+  #movementLayer: LineLayer | undefined;
+  #overlayLayer: LineLayer | undefined;
   #appearance: Appearance;
-  #shown: PatternScene | undefined;
-  #layers: Layers | undefined;
+  #hasSeams = true;
+  #wipe: Wipe | undefined;
+  #movement: {readonly factor: number} | undefined;
+  #overlay: Overlay | undefined;
   #picture: Tile | undefined;
   #view: SheetView = {centre: [0, 0], scale: 1};
   /** Nobody has moved the view since it was fitted: it stays so when the room changes. */
   #isFitted = true;
-  #size = {width: 1, height: 1};
-  #frame = 0;
   #pause: ReturnType<typeof setTimeout> | undefined;
 
   /**
    * Fills `host`, an empty element with a size of its own, and listens to pointers and keys there.
    * @throws {Error} where the browser has no WebGL 2
    */
-  constructor(host: HTMLElement, {appearance = 'light'}: {appearance?: Appearance} = {}) {
-    this.#host = host;
-    this.#appearance = appearance;
-    this.#renderer = new WebGLRenderer({alpha: true, antialias: false, depth: false});
-    this.#renderer.setClearColor(0x000000, 0); // the page's own background shows through
-    const {capabilities, domElement: canvas} = this.#renderer;
+  constructor(host: HTMLElement, options: PatternViewOptions = {}) {
+    this.#appearance = options.appearance ?? 'light';
+    this.#lengthText = options.lengthText ?? millimetres;
+    this.#screen = new Screen(host, {
+      resized: () => {
+        if (this.#isFitted) this.fit();
+        else this.#move(this.#view);
+      },
+      draw: () => {
+        this.#draw();
+      },
+    });
+    const {capabilities} = this.#screen.renderer;
     this.#tile = new TileTexture(
       {anisotropy: capabilities.getMaxAnisotropy(), side: capabilities.maxTextureSize},
       (texture) => {
         this.#cloth.uniforms.tile.value = texture;
-        this.#request();
+        this.#screen.request();
       },
     );
-    this.#labels = new Labels(appearance);
-    Object.assign(canvas.style, {display: 'block', position: 'absolute', left: '0', top: '0'});
-    if (getComputedStyle(host).position === 'static') host.style.position = 'relative';
-    host.append(canvas, this.#labels.element);
-
-    const {signal} = this.#life;
-    canvas.addEventListener(
-      'webglcontextrestored',
-      () => {
-        this.#request();
-      },
-      {signal},
-    );
-    navigate(host, this, signal);
-    this.#resized = new ResizeObserver(() => {
-      this.#resize();
-    });
-    this.#resized.observe(host);
-    this.#watchRatio();
-    this.#resize();
+    this.#labels = new Labels(this.#appearance);
+    host.append(this.#labels.element, this.#notes.element, this.#chips.element);
+    navigate(host, this, this.#screen.signal, options.onPress);
   }
 
   /** [CSS px per cm] */
@@ -102,68 +100,120 @@ export class PatternView {
     return this.#view.scale;
   }
 
+  /** What part of the sheet is shown, to come back to it. */
+  get state(): SheetView {
+    return this.#view;
+  }
+
+  set state(view: SheetView) {
+    if (this.#scene) this.#move(zoomed(view, this.#screen.size, this.#scene.size, 1, this.#middle));
+  }
+
   /** Cheap when only alignments differ from the scene before. A sheet of another size is fitted to the view. */
   show(scene: PatternScene): void {
-    const before = this.#shown;
-    this.#shown = scene;
-    if (before && this.#layers && sameGeometry(before, scene)) {
-      this.#layers.seams.restyle(seamStrokes(scene, this.#appearance));
-    } else {
-      this.#build(scene);
-    }
-    this.#layers?.print.align(scene.pieces, scene.print);
+    const before = this.#scene;
+    this.#lay(scene);
     if (before?.print !== scene.print) this.setTile(this.#picture);
     const sameSheet = before?.size.every((side, k) => side === scene.size[k]) ?? false;
     if (!sameSheet) this.fit();
-    this.#request();
   }
 
   /** The picture of the print's cell; without one, bare cloth. */
   setTile(tile: Tile | undefined): void {
     this.#picture = tile;
-    if (this.#shown) this.#tile.set(tile, imageCell(this.#shown.print));
+    if (this.#scene) this.#tile.set(tile, imageCell(this.#scene.print));
   }
 
   /** For a light or dark page; the page itself gives the background. */
   setAppearance(appearance: Appearance): void {
     if (appearance === this.#appearance) return;
     this.#appearance = appearance;
-    if (!this.#shown) return;
-    this.#build(this.#shown);
-    this.#layers?.print.align(this.#shown.pieces, this.#shown.print);
-    this.#request();
+    this.#layAgain();
+  }
+
+  /** Whether seams are drawn by how they match, with numbers at the worst. They are by default. */
+  setSeams(hasSeams: boolean): void {
+    if (hasSeams === this.#hasSeams) return;
+    this.#hasSeams = hasSeams;
+    this.#layAgain();
+  }
+
+  /** Shows `before` to the left of the split: the same sheet, so nothing jumps. Cheap when only the split changes. */
+  setWipe(wipe: Wipe | undefined): void {
+    const {before} = this.#wipe ?? {};
+    this.#wipe = wipe;
+    if (wipe && wipe.before !== before) this.#layBefore(wipe);
+    this.#screen.request();
+  }
+
+  /** Ghosts the drafted outlines and shows by arrows how they were reshaped. */
+  setMovement(movement: {readonly factor: number} | undefined): void {
+    this.#movement = movement;
+    this.#drawMovement();
+  }
+
+  /** Draws over the sheet; nothing else is touched, so it may follow a pointer. */
+  setOverlay(overlay: Overlay | undefined): void {
+    this.#overlay = overlay;
+    this.#drawOverlay();
   }
 
   /** Shows the whole sheet. */
   fit(): void {
-    if (!this.#shown) return;
-    this.#move(fitted(this.#shown.size, this.#size));
+    if (!this.#scene) return;
+    this.#move(fitted(this.#scene.size, this.#screen.size));
     this.#isFitted = true;
   }
 
   /** About a point of the screen, by default its middle. */
-  zoomBy(factor: number, at: Point = [this.#size.width / 2, this.#size.height / 2]): void {
-    if (this.#shown) this.#move(zoomed(this.#view, this.#size, this.#shown.size, factor, at));
+  zoomBy(factor: number, at: Point = this.#middle): void {
+    if (!this.#scene) return;
+    this.#move(zoomed(this.#view, this.#screen.size, this.#scene.size, factor, at));
   }
 
   /** The sheet follows by (dx, dy). [CSS px] */
   panBy(dx: number, dy: number): void {
-    if (this.#shown) this.#move(panned(this.#view, this.#shown.size, dx, dy));
+    if (this.#scene) this.#move(panned(this.#view, this.#scene.size, dx, dy));
   }
 
   /** A point of the sheet [cm] as a point of the host, from its upper left. [CSS px] */
   screenOf(point: Point): Point {
-    return toScreen(this.#view, this.#size, point);
+    return toScreen(this.#view, this.#screen.size, point);
   }
 
   /** A point of the host, from its upper left [CSS px], as a point of the sheet. [cm] */
   sheetPointAt(x: number, y: number): Point {
-    return toSheet(this.#view, this.#size, [x, y]);
+    return toSheet(this.#view, this.#screen.size, [x, y]);
   }
 
   /** The piece under a point of the host, and the point in that piece's own coordinates. */
   pieceAt(x: number, y: number): ReturnType<typeof pieceAt> {
-    return this.#shown && pieceAt(this.#shown, this.sheetPointAt(x, y));
+    return this.#scene && pieceAt(this.#scene, this.sheetPointAt(x, y));
+  }
+
+  /** The whole sheet as a PNG of so many pixels across, in the colours of the page. @throws {Error} before anything is shown */
+  async toBlob(width = pictureWidth): Promise<Blob> {
+    const scene = this.#scene;
+    if (!scene) throw new Error('There is no sheet to draw yet.');
+    const {size} = this.#screen;
+    const room = {width: size.width, height: (size.width * scene.size[1]) / scene.size[0]};
+    const view = fitted(scene.size, room);
+    const ratio = Math.min(
+      width / room.width,
+      greatestPictureSide / Math.max(room.width, room.height),
+    );
+    const shot = {
+      ...{view, ratio},
+      width: Math.round(room.width * ratio),
+      height: Math.round(room.height * ratio),
+    };
+    this.#tile.sharpen(view.scale * ratio);
+    look(this.#camera, this.#line, view, shot);
+    const {renderer} = this.#screen;
+    const drawn = [this.#after.object, this.#camera] as const;
+    const blob = snapshot(renderer, drawn, scene, shot, this.#appearance);
+    this.#screen.request();
+    return blob;
   }
 
   /** Calls back after every zoom, move or change of size. @returns what ends that */
@@ -173,38 +223,80 @@ export class PatternView {
   }
 
   dispose(): void {
-    this.#life.abort();
-    this.#resized.disconnect();
-    cancelAnimationFrame(this.#frame);
     clearTimeout(this.#pause);
-    this.#dropLayers();
+    this.#movementLayer?.dispose();
+    this.#overlayLayer?.dispose();
+    this.#after.dispose();
+    this.#before.dispose();
     this.#tile.dispose();
     this.#cloth.dispose();
     this.#line.dispose();
-    this.#renderer.dispose();
-    this.#renderer.domElement.remove();
-    this.#labels.element.remove();
+    this.#screen.dispose();
+    for (const {element} of [this.#labels, this.#notes, this.#chips]) element.remove();
   }
 
-  #build(scene: PatternScene): void {
-    this.#dropLayers();
-    const lines = (strokes: typeof seamStrokes, order: number): LineLayer =>
-      new LineLayer(strokes(scene, this.#appearance), this.#line, order);
-    this.#layers = {
-      print: new PrintLayer(scene.pieces, this.#cloth),
-      outlines: lines(outlineStrokes, 1),
-      seams: lines(seamStrokes, 2),
-      marks: lines(markStrokes, 3),
-    };
-    this.#scene.add(...Object.values(this.#layers).map(({object}: Layers[keyof Layers]) => object));
-    this.#labels.show(scene, this.#appearance);
+  get #scene(): PatternScene | undefined {
+    return this.#after.scene;
   }
 
-  #dropLayers(): void {
-    this.#scene.clear();
-    for (const layer of Object.values(this.#layers ?? {}) as Layers[keyof Layers][])
-      layer.dispose();
-    this.#layers = undefined;
+  get #middle(): Point {
+    return [this.#screen.size.width / 2, this.#screen.size.height / 2];
+  }
+
+  #lay(scene: PatternScene): void {
+    const before = this.#scene;
+    const isNew = this.#after.show(scene, this.#appearance, this.#hasSeams);
+    const shown = [scene, this.#appearance, this.#lengthText] as const;
+    if (isNew) {
+      this.#labels.show(scene, this.#appearance);
+      this.#notes.show(...shown);
+      this.#drawMovement();
+    } else if (before?.seams !== scene.seams) this.#notes.update(...shown);
+    this.#notes.element.style.display = this.#hasSeams ? '' : 'none';
+    if (this.#overlay) this.#drawOverlay();
+    this.#screen.request();
+  }
+
+  #layBefore({before}: Wipe): void {
+    this.#before.show(before, this.#appearance, this.#hasSeams);
+  }
+
+  #layAgain(): void {
+    if (this.#scene) this.#lay(this.#scene);
+    if (this.#wipe) this.#layBefore(this.#wipe);
+  }
+
+  #drawMovement(): void {
+    this.#movementLayer = this.#replaced(
+      this.#movementLayer,
+      this.#scene && this.#movement
+        ? movementStrokes(this.#scene, this.#movement.factor, this.#appearance)
+        : [],
+      0,
+    );
+  }
+
+  #drawOverlay(): void {
+    const [scene, overlay] = [this.#scene, this.#overlay];
+    const strokes = scene && overlay ? overlayStrokes(scene, overlay, this.#appearance) : [];
+    this.#overlayLayer = this.#replaced(this.#overlayLayer, strokes, 1);
+    if (scene && overlay) this.#chips.show(scene, overlay, this.#appearance);
+    else this.#chips.clear();
+    this.#notes.highlight(overlay?.highlight?.seam);
+  }
+
+  #replaced(
+    layer: LineLayer | undefined,
+    strokes: readonly Stroke[],
+    order: number,
+  ): LineLayer | undefined {
+    if (layer) this.#over.remove(layer.object);
+    layer?.dispose();
+    this.#screen.request();
+    if (strokes.length === 0) return undefined;
+    const next = new LineLayer(strokes, this.#line, order);
+    this.#over.add(next.object);
+    return next;
   }
 
   #move(view: SheetView): void {
@@ -212,62 +304,31 @@ export class PatternView {
     this.#isFitted = false;
     clearTimeout(this.#pause);
     this.#pause = setTimeout(() => {
-      this.#tile.sharpen(view.scale * this.#renderer.getPixelRatio());
+      this.#tile.sharpen(view.scale * this.#screen.raster.ratio);
     }, rest);
-    this.#request();
+    this.#screen.request();
     for (const listener of this.#listeners) listener();
   }
 
-  #resize(): void {
-    const {clientWidth, clientHeight} = this.#host;
-    const ratio = globalThis.devicePixelRatio;
-    // whole device pixels, so that every one of them is drawn
-    const [width, height] = [clientWidth, clientHeight].map(
-      (side) => Math.max(1, Math.round(side * ratio)) / ratio,
-    ) as [number, number];
-    this.#size = {width, height};
-    this.#renderer.setPixelRatio(ratio);
-    this.#renderer.setSize(width, height);
-    if (this.#isFitted) this.fit();
-    else this.#move(this.#view);
-    this.#draw(); // a canvas is empty after a change of size
-  }
-
-  /** The ratio changes when a window moves to another screen, or the page is zoomed. */
-  #watchRatio(): void {
-    const query = matchMedia(`(resolution: ${globalThis.devicePixelRatio}dppx)`);
-    const changed = (): void => {
-      this.#resize();
-      this.#watchRatio();
-    };
-    query.addEventListener('change', changed, {once: true, signal: this.#life.signal});
-  }
-
-  #request(): void {
-    this.#frame ||= requestAnimationFrame(() => {
-      this.#draw();
-    });
-  }
-
   #draw(): void {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
-    if (!this.#layers || this.#life.signal.aborted) return;
-    const {centre, scale} = this.#view;
-    const ratio = this.#renderer.getPixelRatio();
-    const {uniforms} = this.#line;
-    const buffer = this.#renderer.getDrawingBufferSize(uniforms.buffer.value);
-    const [halfWidth, halfHeight] = [buffer.x / ratio / scale / 2, buffer.y / ratio / scale / 2];
-    this.#camera.left = -halfWidth;
-    this.#camera.right = halfWidth;
-    this.#camera.top = halfHeight;
-    this.#camera.bottom = -halfHeight;
-    this.#camera.position.set(centre[0], centre[1], 1);
-    this.#camera.updateProjectionMatrix();
-    uniforms.scale.value = scale * ratio;
-    uniforms.ratio.value = ratio;
-    uniforms.weight.value = Math.min(1, Math.max(0.5, scale / thinBelow));
-    this.#renderer.render(this.#scene, this.#camera);
-    this.#labels.place(this.#view, this.#size);
+    if (!this.#scene) return;
+    const {renderer, size, raster} = this.#screen;
+    look(this.#camera, this.#line, this.#view, raster);
+    renderer.clear();
+    const split = Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) * size.width;
+    if (this.#wipe) {
+      renderer.setScissorTest(true);
+      renderer.setScissor(0, 0, split, size.height);
+      renderer.render(this.#before.object, this.#camera);
+      renderer.setScissor(split, 0, size.width - split, size.height);
+      renderer.render(this.#after.object, this.#camera);
+      renderer.setScissorTest(false);
+    } else renderer.render(this.#after.object, this.#camera);
+    renderer.render(this.#over, this.#camera);
+    const taken = this.#labels.place(this.#view, size);
+    // numbers are those of the scene on the right
+    const left = {left: 0, top: 0, right: split, bottom: size.height};
+    if (this.#hasSeams) this.#notes.place(this.#view, size, [...taken, left]);
+    this.#chips.place(this.#view, size);
   }
 }

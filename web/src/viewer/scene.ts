@@ -3,7 +3,7 @@ import type {Alignment, Point} from '../model/geometry.js';
 import type {Garment} from '../model/garment.js';
 import type {Print} from '../model/print.js';
 import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
-import {fitOf} from '../picture/fit.js';
+import {countedSeams, seamFitOf, type JoinedSeam} from '../picture/fit.js';
 import {layOutNamed, type Layout} from '../picture/layout.js';
 import {axisAlong, innermost, isInside, mirrorImage, pick} from '../picture/marks.js';
 import {nameLines, textWidth} from '../picture/svg.js';
@@ -19,12 +19,25 @@ export interface ScenePiece extends Pick<ResultPiece, 'name' | 'triangles' | 'ou
   readonly alignment: Alignment;
   readonly offset: Point;
   readonly grain?: readonly [Point, Point];
+  /** Per outline edge the number of the panel's edge in the file, for clicks. */
+  readonly edges?: readonly number[];
+  /** Cut from unprinted cloth. */
+  readonly plain: boolean;
 }
 
-export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b' | 'kind'> {
-  /** Print mismatch per edge, as the pieces lie in this scene. [cm] */
-  readonly mismatch: readonly number[];
+export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b'>, SeamMatch {
   readonly counts: boolean;
+}
+
+/** How the print meets along a seam as the pieces lie in a scene, carried across by one symmetry of the print. */
+export interface SeamMatch {
+  readonly kind: ResultSeam['kind'];
+  /** Per edge. [cm] */
+  readonly mismatch: readonly number[];
+  /** The edge where it misses most. [cm] */
+  readonly worst: {readonly edge: number; readonly mismatch: number};
+  /** By length. [cm] */
+  readonly mean: number;
 }
 
 /** A place for a letter, in the coordinates of a piece, and how far the outline is from there. */
@@ -47,9 +60,13 @@ export interface PatternScene {
   readonly symmetries: readonly SceneSymmetry[];
   /** The sheet reaches from (0, 0) to here. */
   readonly size: Point;
-  /** Mean mismatch of two random points of the print; a mismatch like this is drawn as the worst. */
+  /** Mean mismatch of two random points of the print. [cm] */
   readonly chance: number;
+  readonly scale: MismatchScale;
 }
+
+/** What is drawn as the worst mismatch: what chance would give on this print, or 2 cm on every print. */
+export type MismatchScale = 'chance' | 'paper';
 
 export interface SceneOptions {
   /** Which of a piece's two states. Default `shape`. */
@@ -60,6 +77,10 @@ export interface SceneOptions {
   readonly garment?: Garment;
   /** What the layout is made for. [CSS px] */
   readonly viewport?: {readonly width: number; readonly height: number};
+  /** Names of the pieces that are cut from unprinted cloth. */
+  readonly plain?: ReadonlySet<string>;
+  /** Default `chance`. */
+  readonly scale?: MismatchScale;
 }
 
 /** Height of the letters of a piece's name. [CSS px] */
@@ -113,7 +134,8 @@ function sheet(
   return (named.scale < leastShare * bare.scale ? bare : named).layout;
 }
 
-function symmetriesOf(
+/** Axes and letters of symmetries, as they are drawn. */
+export function symmetriesOf(
   {pieces, symmetries}: Pattern,
   outline: 'rest' | 'shape',
 ): readonly SceneSymmetry[] {
@@ -179,39 +201,54 @@ export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = 
   const scene: PatternScene = {
     ...{pattern, outline, print, symmetries, size: [width, height]},
     chance: chanceMismatch(print),
+    scale: options.scale ?? 'chance',
     pieces: pattern.pieces.map((piece, k) => {
       const {name, triangles, outline: loop, holes, alignment} = piece;
       return {
         ...{name, triangles, outline: loop, holes, alignment, points: piece[outline]},
         label: labels[k] ?? name,
         offset: offsets[k] ?? [0, 0],
+        plain: options.plain?.has(name) ?? false,
         ...grainOf(piece, marks.get(name)?.grain, axes.get(k)),
       };
     }),
-    seams: pattern.seams.map(({a, b, kind}) => ({a, b, kind, mismatch: [], counts: false})),
+    seams: unmatched(pattern),
   };
   return realigned(scene, options.alignments ?? pattern.pieces.map(({alignment}) => alignment));
 }
 
+/** The seams before any mismatch is measured. */
+function unmatched(pattern: Pattern): readonly SceneSeam[] {
+  const counted = countedSeams(pattern);
+  return pattern.seams.map(({a, b, kind}, k) => ({
+    ...{a, b, kind, mismatch: [], worst: {edge: 0, mismatch: 0}, mean: 0},
+    counts: counted[k] ?? false,
+  }));
+}
+
 /** The same sheet with the pieces lying otherwise on the print. Shares all geometry with `scene`, so that showing it is cheap. */
 export function realigned(scene: PatternScene, alignments: readonly Alignment[]): PatternScene {
-  const fit = fitOf(scene.pattern, scene.outline, alignments);
+  const counted = scene.seams.map(({counts}) => counts);
+  const fit = seamFitOf(scene.pattern, scene.outline, alignments, counted);
   return {
     ...scene,
     pieces: scene.pieces.map((piece, k) => ({
       ...piece,
       alignment: alignments[k] ?? piece.alignment,
     })),
-    seams: scene.seams.map((seam, k) => ({...seam, ...fitOfSeam(fit.seams[k])})),
+    seams: scene.seams.map((seam, k) => ({...seam, ...matchOf(fit.seams[k])})),
   };
 }
 
-const fitOfSeam = (
-  fit: Pick<SceneSeam, 'mismatch' | 'counts'> | undefined,
-): Pick<SceneSeam, 'mismatch' | 'counts'> => ({
-  mismatch: fit?.mismatch ?? [],
-  counts: fit?.counts ?? false,
-});
+function matchOf(fit: JoinedSeam | undefined): Partial<SeamMatch> {
+  if (!fit) return {};
+  const {kind, mismatch, lengths} = fit;
+  const most = Math.max(0, ...mismatch);
+  const worst = {edge: Math.max(0, mismatch.indexOf(most)), mismatch: most};
+  const length = lengths.reduce((sum, one) => sum + one, 0);
+  const sum = mismatch.reduce((all, one, k) => all + one * (lengths[k] ?? 0), 0);
+  return {kind, mismatch, worst, mean: length > 0 ? sum / length : 0};
+}
 
 /** The same sheet in another print. */
 export function reprinted(scene: PatternScene, print: Print): PatternScene {

@@ -1,10 +1,10 @@
 /** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. */
 import type {Point} from '../model/geometry.js';
-import type {SeamSide} from '../model/result.js';
-import {mismatchColour, mismatchWidth, worstMismatch} from '../picture/colours.js';
+import {mismatchColour, mismatchDash, mismatchWidth, worstMismatch} from '../picture/colours.js';
 import {pick} from '../picture/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
 import type {PatternScene, ScenePiece, SceneSeam} from './scene.js';
+import {lineOf} from './seam-line.js';
 
 /** Light or dark surroundings. */
 export type Appearance = 'light' | 'dark';
@@ -12,30 +12,40 @@ export type Appearance = 'light' | 'dark';
 type Colour = LineStyle['colour'];
 
 interface Inks {
+  /** What the sheet itself is in a picture of it. */
+  readonly paper: Colour;
   readonly outline: Colour;
   /** Parts a line from the print it lies on. */
   readonly casing: Colour;
   readonly mark: Colour;
   readonly quiet: Colour;
+  /** What somebody points at or has chosen. */
+  readonly accent: Colour;
 }
 
-const inks: Readonly<Record<Appearance, Inks>> = {
+export const inks: Readonly<Record<Appearance, Inks>> = {
   light: {
+    paper: [251, 250, 248],
     outline: [74, 77, 82],
     casing: [255, 255, 255],
     mark: [43, 45, 49],
     quiet: [141, 144, 150],
+    accent: [36, 98, 214],
   },
   dark: {
+    paper: [24, 25, 28],
     outline: [214, 216, 220],
     casing: [24, 25, 28],
     mark: [240, 241, 243],
     quiet: [150, 153, 160],
+    accent: [120, 170, 255],
   },
 };
 
-const placed = ({points, offset}: ScenePiece, vertices: readonly number[]): Point[] =>
-  pick(points, vertices).map(([x, y]) => [x + offset[0], y + offset[1]]);
+export const placed = (
+  {points, offset}: Pick<ScenePiece, 'points' | 'offset'>,
+  vertices: readonly number[],
+): Point[] => pick(points, vertices).map(([x, y]) => [x + offset[0], y + offset[1]]);
 
 const shifted = (piece: ScenePiece | undefined, points: readonly Point[]): Point[] => {
   const [dx, dy] = piece?.offset ?? [0, 0];
@@ -43,7 +53,7 @@ const shifted = (piece: ScenePiece | undefined, points: readonly Point[]): Point
 };
 
 /** What lies under a stroke, a little wider and without gaps. */
-function cased(stroke: Stroke, colour: Colour): Stroke {
+export function cased(stroke: Stroke, colour: Colour): Stroke {
   const under = ({width}: LineStyle): LineStyle => ({colour, width: width + 2.2});
   const {styles} = stroke;
   return {...stroke, styles: 'width' in styles ? under(styles) : styles.map(under)};
@@ -60,31 +70,42 @@ export function outlineStrokes(scene: PatternScene, appearance: Appearance): rea
   );
 }
 
-/** Green at 0, red where the print meets no better than by chance; the wider, the worse. Dotted where it does not count. */
-function seamStyles(seam: SceneSeam, chance: number, quiet: Colour): LineStyle | LineStyle[] {
-  if (!seam.counts) return {colour: quiet, width: 2, dash: [0.5, 5]};
-  return seam.mismatch.map((mismatch) => {
-    const relative = chance > 0 ? (mismatch / chance) * worstMismatch : 0;
+/** Green at 0, red at the worst of the scene's scale; the wider and the more broken, the worse. Dotted where it does not count. */
+function seamStyles(
+  {counts, mismatch}: SceneSeam,
+  {scale, chance}: PatternScene,
+  quiet: Colour,
+): LineStyle | LineStyle[] {
+  if (!counts) return {colour: quiet, width: 2, dash: [0.5, 5]};
+  const worst = scale === 'paper' ? worstMismatch : chance;
+  return mismatch.map((one) => {
+    const relative = worst > 0 ? (one / worst) * worstMismatch : 0;
     const rgb = Number.parseInt(mismatchColour(relative).slice(1), 16);
-    return {colour: [rgb >> 16, (rgb >> 8) & 255, rgb & 255], width: mismatchWidth(relative)};
+    const dash = mismatchDash(relative);
+    return {
+      colour: [rgb >> 16, (rgb >> 8) & 255, rgb & 255],
+      width: mismatchWidth(relative),
+      ...(dash && {dash}),
+    };
   });
 }
 
-export function seamStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
+/** Both sides of some seams, over a casing. */
+export function seamStrokes(
+  scene: PatternScene,
+  appearance: Appearance,
+  seams = scene.seams,
+): readonly Stroke[] {
   const {casing, quiet} = inks[appearance];
-  const line = (side: SeamSide): Point[] => {
-    const piece = scene.pieces[side.piece];
-    return piece ? placed(piece, side.vertices) : [];
-  };
-  const sides = scene.seams.flatMap((seam) => {
-    const styles = seamStyles(seam, scene.chance, quiet);
-    return [seam.a, seam.b].map((side): Stroke => ({points: line(side), styles}));
+  const sides = seams.flatMap((seam) => {
+    const styles = seamStyles(seam, scene, quiet);
+    return [seam.a, seam.b].map((side): Stroke => ({points: lineOf(scene, side), styles}));
   });
   return [...sides.map((side) => cased(side, casing)), ...sides];
 }
 
 /** An arrow head at `tip`, seen from `tail`. */
-function arrowHead(tail: Point, tip: Point): Point[] {
+export function arrowHead(tail: Point, tip: Point): Point[] {
   const length = Math.hypot(tip[0] - tail[0], tip[1] - tail[1]);
   const size = Math.min(1.6, length / 4);
   const [x, y] = [(tip[0] - tail[0]) / length, (tip[1] - tail[1]) / length];

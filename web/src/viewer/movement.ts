@@ -1,0 +1,83 @@
+/** How a pattern was reshaped: the drafted outlines, and arrows from there that are longer than the way. */
+import type {Point} from '../model/geometry.js';
+import type {ResultPiece} from '../model/result.js';
+import {arrowHead, cased, inks, placed, type Appearance} from './strokes.js';
+import type {Stroke} from './line-layer.js';
+import type {PatternScene} from './scene.js';
+
+/** Where a pattern moved most, and by how much arrows are exaggerated to be seen. */
+export interface Movement {
+  readonly factor: number;
+  /** The point as drafted, in the coordinates of its piece. [cm] */
+  readonly greatest: {readonly piece: number; readonly point: Point; readonly cm: number};
+}
+
+const factors = [1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50];
+/** No arrow is longer. [cm] */
+const longest = 4;
+/** Along an outline from arrow to arrow. [cm] */
+const spacing = 2.5;
+/** Shorter ones are left out. [cm] */
+const shortest = 0.15;
+
+export function movementOf(pieces: readonly Pick<ResultPiece, 'rest' | 'shape'>[]): Movement {
+  let greatest: Movement['greatest'] = {piece: 0, point: [0, 0], cm: 0};
+  pieces.forEach(({rest, shape}, piece) => {
+    rest.forEach((point, k) => {
+      const [x, y] = shape[k] ?? point;
+      const cm = Math.hypot(x - point[0], y - point[1]);
+      if (cm > greatest.cm) greatest = {piece, point, cm};
+    });
+  });
+  const factor = factors.findLast((one) => one * greatest.cm < longest + 1e-6) ?? 1;
+  return {factor, greatest};
+}
+
+/** Arrows begin at the drafted outline and show where it went, `factor` times as far. */
+export function movementStrokes(
+  scene: PatternScene,
+  factor: number,
+  appearance: Appearance,
+): readonly Stroke[] {
+  const {accent, casing, quiet} = inks[appearance];
+  return scene.pieces.flatMap((piece, k) => {
+    const {rest = [], shape = []} = scene.pattern.pieces[k] ?? {};
+    const loops = [piece.outline, ...piece.holes];
+    const ghosts = loops.map((loop): Stroke => ({
+      points: placed({...piece, points: rest}, loop),
+      closed: true,
+      styles: {colour: quiet, width: 1.2, dash: [2, 4]},
+    }));
+    const arrows = loops.flatMap((loop) => {
+      const from = placed({...piece, points: rest}, loop);
+      const to = placed({...piece, points: shape}, loop);
+      return evenly(from).flatMap((n) => {
+        const [tail, end] = [from[n], to[n]];
+        return tail && end ? arrow(tail, end, factor) : [];
+      });
+    });
+    const strokes = arrows.map((points): Stroke => ({
+      points,
+      styles: {colour: accent, width: 1.6},
+    }));
+    return [...ghosts, ...strokes.map((stroke) => cased(stroke, casing)), ...strokes];
+  });
+}
+
+/** Numbers of points along a closed line that are about `spacing` apart. */
+function evenly(line: readonly Point[]): readonly number[] {
+  let way = spacing;
+  return line.flatMap(([x, y], k) => {
+    const [fromX, fromY] = line[k - 1] ?? [x, y];
+    way += Math.hypot(x - fromX, y - fromY);
+    if (way < spacing) return [];
+    way = 0;
+    return [k];
+  });
+}
+
+function arrow([x, y]: Point, end: Point, factor: number): readonly (readonly Point[])[] {
+  const tip: Point = [x + factor * (end[0] - x), y + factor * (end[1] - y)];
+  if (Math.hypot(tip[0] - x, tip[1] - y) < shortest) return [];
+  return [[[x, y], tip], arrowHead([x, y], tip)];
+}

@@ -1,0 +1,98 @@
+/** The words of an overlay: names of marked points, letters of pairs that were found, and messages. */
+import type {Point} from '../model/geometry.js';
+import {chipColours, chipLayer, move, placeable, textChip} from './chips.js';
+import {onSheet, type Overlay} from './overlay.js';
+import type {PatternScene} from './scene.js';
+import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
+import type {Appearance} from './strokes.js';
+
+interface Chip {
+  readonly element: HTMLElement;
+  /** On the sheet. [cm] */
+  readonly at: Point;
+  /** Of its middle from there, in parts of its size and then in px. */
+  readonly off: {readonly share: Point; readonly by: Point};
+}
+
+/** From a point to what is written of it. [CSS px] */
+const reach = 10;
+const letterSize = 20;
+
+export class OverlayChips {
+  readonly element = chipLayer();
+  #chips: readonly Chip[] = [];
+
+  show(scene: PatternScene, overlay: Overlay, appearance: Appearance): void {
+    const {points = [], ghosts = [], message} = overlay;
+    const beside = {share: [0, -0.5], by: [reach, 0]} as const;
+    const named = points.flatMap(({piece, point, label}): Chip[] =>
+      label === undefined
+        ? []
+        : [{element: textChip(label, appearance), at: onSheet(scene, piece, point), off: beside}],
+    );
+    const letters = ghosts.flatMap((ghost) =>
+      ghost.kind === 'piece'
+        ? []
+        : ghost.marks.map(({piece, at}): Chip => ({
+            element: ghostLetter(ghost.letter, appearance),
+            at: onSheet(scene, piece, at),
+            off: {share: [-0.5, -0.5], by: [0, 0]},
+          })),
+    );
+    const said = message && {
+      element: messageChip(message.text, message.tone, appearance),
+      at: onSheet(scene, message.piece, message.point),
+      off: {share: [-0.5, -1], by: [0, -reach]} as const,
+    };
+    this.#chips = [...letters, ...named, ...(said ? [said] : [])];
+    this.element.replaceChildren(...this.#chips.map(({element}) => element));
+  }
+
+  clear(): void {
+    if (this.#chips.length === 0) return;
+    this.#chips = [];
+    this.element.replaceChildren();
+  }
+
+  /** Follows the drawing. */
+  place(view: SheetView, size: ScreenSize): void {
+    for (const {element, at, off} of this.#chips) {
+      const [x, y] = toScreen(view, size, at);
+      const shift = off.share.map((share) => `${100 * share}%`).join(', ');
+      move(element, [x + off.by[0], y + off.by[1]], `translate(${shift})`);
+    }
+  }
+}
+
+function ghostLetter(letter: string, appearance: Appearance): HTMLElement {
+  const {text, paper, ring} = chipColours[appearance];
+  const element = placeable(document.createElement('span'), {
+    boxSizing: 'border-box',
+    width: `${letterSize}px`,
+    height: `${letterSize}px`,
+    borderRadius: '50%',
+    border: `1px dashed ${ring}`,
+    background: paper,
+    color: text,
+    opacity: '0.7',
+    textAlign: 'center',
+    font: `600 11px/${letterSize - 2}px system-ui, sans-serif`,
+  });
+  element.textContent = letter;
+  return element;
+}
+
+function messageChip(text: string, tone: 'error' | 'info', appearance: Appearance): HTMLElement {
+  const {alert, ring} = chipColours[appearance];
+  const element = textChip(text, appearance);
+  const colour = tone === 'error' ? alert : ring;
+  Object.assign(element.style, {
+    whiteSpace: 'pre-wrap',
+    width: 'max-content',
+    maxWidth: '16rem',
+    padding: '3px 8px',
+    border: `1px solid ${colour}`,
+    ...(tone === 'error' && {color: alert}),
+  });
+  return element;
+}

@@ -1,0 +1,116 @@
+/** What is drawn over the sheet while somebody points, chooses or marks. Points in the coordinates of a piece. [cm] */
+import type {Point} from '../model/geometry.js';
+import type {SeamSide} from '../model/result.js';
+import {pick} from '../picture/marks.js';
+import type {LineStyle, Stroke} from './line-layer.js';
+import type {PatternScene, SceneSeam, SceneSymmetry} from './scene.js';
+import {atShare, lineOf} from './seam-line.js';
+import {cased, inks, seamStrokes, type Appearance} from './strokes.js';
+
+export interface OnPiece {
+  readonly piece: number;
+  readonly point: Point;
+}
+
+export interface Overlay {
+  /** Both sides of a seam, with a thread between them; the side that is pointed at stands out. */
+  readonly highlight?: {readonly seam: number; readonly side?: 'a' | 'b'};
+  readonly hoverPiece?: number;
+  readonly selectPiece?: number;
+  /** Symmetries that were found, not yet imposed. */
+  readonly ghosts?: readonly SceneSymmetry[];
+  /** A mirror axis that is being drawn. */
+  readonly candidate?: {readonly piece: number; readonly axis: readonly [Point, Point]};
+  readonly points?: readonly (OnPiece & {readonly label?: string})[];
+  readonly lines?: readonly {readonly piece: number; readonly line: readonly Point[]}[];
+  readonly cursors?: readonly OnPiece[];
+  readonly message?: OnPiece & {readonly text: string; readonly tone: 'error' | 'info'};
+}
+
+/** Of the thread between two sides: how far it bends out, in parts of its length. */
+const bend = 0.16;
+
+/** A point of a piece on the sheet. */
+export function onSheet({pieces}: PatternScene, piece: number, [x, y]: Point): Point {
+  const [dx, dy] = pieces[piece]?.offset ?? [0, 0];
+  return [x + dx, y + dy];
+}
+
+function thread([x0, y0]: Point, [x1, y1]: Point): readonly Point[] {
+  const [mx, my] = [(x0 + x1) / 2 - bend * (y1 - y0), (y0 + y1) / 2 + bend * (x1 - x0)];
+  return Array.from({length: 33}, (_, k): Point => {
+    const t = k / 32;
+    const [a, b, c] = [(1 - t) ** 2, 2 * t * (1 - t), t ** 2];
+    return [a * x0 + b * mx + c * x1, a * y0 + b * my + c * y1];
+  });
+}
+
+export function overlayStrokes(
+  scene: PatternScene,
+  overlay: Overlay,
+  appearance: Appearance,
+): readonly Stroke[] {
+  const {accent, casing, mark, quiet} = inks[appearance];
+  const line = (piece: number, points: readonly Point[], styles: LineStyle): Stroke => ({
+    points: points.map((point) => onSheet(scene, piece, point)),
+    styles,
+  });
+  const dot = ({piece, point}: OnPiece, width: number, colour = accent): Stroke[] => {
+    const at = line(piece, [point, point], {colour, width});
+    return [cased(at, casing), at];
+  };
+  const outline = (piece: number | undefined, styles: LineStyle): Stroke[] => {
+    const {points = [], outline: loop = [], holes = []} = scene.pieces[piece ?? -1] ?? {};
+    return [loop, ...holes].map((vertices) => ({
+      ...line(piece ?? 0, pick(points, vertices), styles),
+      closed: true,
+    }));
+  };
+  const axis = (piece: number, ends: readonly Point[], colour: LineStyle['colour']): Stroke[] => {
+    const dashed = line(piece, ends, {colour, width: 1.6, dash: [5, 7]});
+    return [cased(dashed, casing), dashed];
+  };
+  const {ghosts = [], candidate, points = [], lines = [], cursors = [], highlight} = overlay;
+  const seam = highlight && scene.seams[highlight.seam];
+  return [
+    ...outline(overlay.hoverPiece, {colour: accent, width: 2}),
+    ...outline(overlay.selectPiece, {colour: accent, width: 3.5}),
+    ...ghosts.flatMap((ghost) =>
+      ghost.kind === 'piece' ? axis(ghost.piece, ghost.axis, quiet) : [],
+    ),
+    ...(candidate ? axis(candidate.piece, candidate.axis, accent) : []),
+    ...lines.flatMap(({piece, line: marked}) => {
+      const chosen = line(piece, marked, {colour: accent, width: 3.5});
+      return [cased(chosen, casing), chosen];
+    }),
+    ...(seam ? highlit(scene, seam, highlight.side, appearance) : []),
+    ...points.flatMap((point) => dot(point, 8)),
+    ...cursors.flatMap((cursor) => [...dot(cursor, 11, mark), ...dot(cursor, 5)]),
+  ];
+}
+
+/** A seam with a glow around both sides, still in the colours of its mismatch, and the thread. */
+function highlit(
+  scene: PatternScene,
+  seam: SceneSeam,
+  pointed: 'a' | 'b' | undefined,
+  appearance: Appearance,
+): Stroke[] {
+  const {accent, casing} = inks[appearance];
+  const glow = (side: SeamSide, name: 'a' | 'b'): Stroke => ({
+    points: lineOf(scene, side),
+    styles: {colour: accent, width: pointed === name ? 13 : 9},
+  });
+  const ends = [seam.a, seam.b].map((side) => atShare(lineOf(scene, side), 0.5).at);
+  const joined: Stroke = {
+    points: thread(ends[0] ?? [0, 0], ends[1] ?? [0, 0]),
+    styles: {colour: accent, width: 1.6},
+  };
+  return [
+    cased(joined, casing),
+    joined,
+    glow(seam.a, 'a'),
+    glow(seam.b, 'b'),
+    ...seamStrokes(scene, appearance, [seam]),
+  ];
+}
