@@ -3,18 +3,17 @@ import {describe, expect, it} from 'vitest';
 import {collection} from '../../web/prints/collection.js';
 import type {Design} from '../../web/prints/design.js';
 import {
-  clothOf,
   cosets,
   difference,
+  finerCloth,
   leastDifference,
   imageFor,
-  seenThrough,
-  type Cloth,
 } from '../../web/prints/measure.js';
 import {printOf, tilesOf} from '../../web/prints/print-files.js';
 import {palettes} from '../../web/prints/palette.js';
 import {rendered, type Pixels} from '../../web/prints/raster.js';
 import {printDistance, printElements, type PlaneMap} from '../../web/src/model/wallpaper.js';
+import {seenThrough, type Cloth} from '../../web/src/picture/tile-cloth.js';
 
 /** Differences are means over all pixels and the three colours, of 255. */
 const still = 1;
@@ -33,7 +32,7 @@ async function clothsOf(design: Design, density: number, softened: number): Prom
   const [width, height] = imageFor(design.cell, density);
   return Promise.all(
     tilesOf(design).map(async ({svg}) =>
-      clothOf(design.cell, await rendered(svg, width, height), softened),
+      finerCloth(design.cell, await rendered(svg, width, height), softened),
     ),
   );
 }

@@ -1,79 +1,12 @@
 /** Compares a print with itself moved, on its pixels: what is a symmetry, and what is none. */
 import type {Point} from '../src/model/geometry.js';
-import {apply, imageCell, printElements, type PlaneMap} from '../src/model/wallpaper.js';
-import type {Pixels} from './raster.js';
-import {imageSize, pixelGrid, type Cell} from './tile.js';
+import {imageCell, printElements, type PlaneMap} from '../src/model/wallpaper.js';
+import {clothOf, type Cell, type Cloth, type Pixels} from '../src/picture/tile-cloth.js';
+import {imageSize} from './tile.js';
 
-/** A print, known everywhere by one cell of it. */
-export interface Cloth {
-  readonly cell: Cell;
-  readonly width: number;
-  readonly height: number;
-  /** Red, green and blue in [0, 255], row by row from the top. */
-  readonly colours: Float32Array;
-}
-
-/**
- * The cell, each of its pixels the mean of 2 x 2 of the image's, and softened by the kernel 1 2 1 in both
- * directions across its borders, `times` times.
- */
-export function clothOf(cell: Cell, image: Pixels, times: number): Cloth {
-  const [width, height] = [image.width / 2, image.height / 2];
-  let colours = new Float32Array(3 * width * height);
-  for (let y = 0; y < image.height; y++) {
-    for (let x = 0; x < image.width; x++) {
-      const [from, to] = [4 * (y * image.width + x), 3 * ((y >> 1) * width + (x >> 1))];
-      for (let c = 0; c < 3; c++)
-        colours[to + c] = (colours[to + c] ?? 0) + (image.data[from + c] ?? 0) / 4;
-    }
-  }
-  for (let time = 0; time < times; time++) {
-    colours = softened(colours, width, height, 1, 0);
-    colours = softened(colours, width, height, 0, 1);
-  }
-  return {cell, width, height, colours};
-}
-
-function softened(from: Float32Array, width: number, height: number, dx: 0 | 1, dy: 0 | 1) {
-  const to = new Float32Array(from.length);
-  for (let y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) {
-      const index = (s: number): number =>
-        3 * (((y + s * dy + height) % height) * width + ((x + s * dx + width) % width));
-      const [before, here, after] = [index(-1), index(0), index(1)];
-      for (let c = 0; c < 3; c++) {
-        to[here + c] =
-          ((from[before + c] ?? 0) + 2 * (from[here + c] ?? 0) + (from[after + c] ?? 0)) / 4;
-      }
-    }
-  }
-  return to;
-}
-
-/** The cloth as it is seen through a map: at x it has the colour that was at the image of x. */
-export function seenThrough(cloth: Cloth, map: PlaneMap): Cloth {
-  const {width, height, colours} = cloth;
-  const {centre, pixel} = pixelGrid(cloth.cell, width, height);
-  const seen = new Float32Array(colours.length);
-  const wrap = (value: number, size: number): number => ((value % size) + size) % size;
-  for (let y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) {
-      const [px, py] = pixel(apply(map, centre(x, y)));
-      const [fx, fy] = [Math.floor(px + 1e-9), Math.floor(py + 1e-9)];
-      const [s, t] = [px - fx, py - fy];
-      const [left, right] = [wrap(fx, width), wrap(fx + 1, width)];
-      const [above, below] = [wrap(fy, height) * width, wrap(fy + 1, height) * width];
-      const [a, b] = [3 * (above + left), 3 * (above + right)];
-      const [c, d] = [3 * (below + left), 3 * (below + right)];
-      for (let ink = 0; ink < 3; ink++) {
-        seen[3 * (y * width + x) + ink] =
-          (1 - t) * ((1 - s) * (colours[a + ink] ?? 0) + s * (colours[b + ink] ?? 0)) +
-          t * ((1 - s) * (colours[c + ink] ?? 0) + s * (colours[d + ink] ?? 0));
-      }
-    }
-  }
-  return {...cloth, colours: seen};
-}
+/** The cell, each of its pixels the mean of 2 x 2 of the image's, softened `times` times. */
+export const finerCloth = (cell: Cell, image: Pixels, times: number): Cloth =>
+  clothOf(cell, image, [image.width / 2, image.height / 2], times);
 
 /**
  * Mean absolute difference of two cloths, the second moved right and up by whole pixels. [0, 255]

@@ -1,12 +1,9 @@
 /** Turns SVG files into pixels. */
 import {createCanvas, loadImage} from '@napi-rs/canvas';
 
-export interface Pixels {
-  readonly width: number;
-  readonly height: number;
-  /** Red, green, blue, alpha, row by row from the top. */
-  readonly data: Uint8ClampedArray;
-}
+import type {Pixels} from '../src/picture/tile-cloth.js';
+
+export type {Pixels};
 
 /**
  * @param svg a file whose first width and height are those of its root

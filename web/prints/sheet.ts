@@ -1,6 +1,7 @@
 /** The contact sheet: every print over three cells and more in its colourways, one cell with its symmetry elements. */
 import type {Point} from '../src/model/geometry.js';
 import {escaped, polyline, short, text} from '../src/picture/svg.js';
+import {pixelGrid} from '../src/picture/tile-cloth.js';
 import type {Design} from './design.js';
 import {drawElements, elementsWithin} from './elements.js';
 import {palettes, type PaletteName} from './palette.js';
@@ -8,7 +9,7 @@ import {indexedPng} from './png.js';
 import {tilesOf} from './print-files.js';
 import {rendered, type Pixels} from './raster.js';
 import {isStripe, repeatName} from './repeat.js';
-import {imageSize, pixelGrid, type Cell} from './tile.js';
+import {imageSize, type Cell} from './tile.js';
 
 /** A window onto a print. */
 export interface Window {

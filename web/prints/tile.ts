@@ -1,11 +1,11 @@
 /** Builds one seamless cell of a print: the group's symmetries applied to motifs. */
 import type {Point} from '../src/model/geometry.js';
-import type {Print} from '../src/model/print.js';
 import {apply, imageCell, printElements, type PlaneMap} from '../src/model/wallpaper.js';
+import type {Cell} from '../src/picture/tile-cloth.js';
 import type {Palette} from './palette.js';
 import type {Motif, Outline} from './shape.js';
 
-export type Cell = Pick<Print, 'group' | 'w1' | 'w2' | 'cell'>;
+export type {Cell};
 
 /** Without the zeros that say nothing: .5, -.25, 3. */
 function short(value: number, digits: number): string {
@@ -42,21 +42,6 @@ export function pathData({start, sides}: Outline): string {
 export function imageSize(cell: Cell): readonly [width: number, height: number] {
   const [a, b] = imageCell(cell);
   return [Math.hypot(...a), Math.hypot(...b)];
-}
-
-/** Where the centres of an image's pixels lie on the print [cm], and which pixel shows a point, in whole cells or beyond. */
-export function pixelGrid(cell: Cell, width: number, height: number) {
-  const [a, b] = imageCell(cell);
-  const area = a[0] * b[1] - a[1] * b[0];
-  const centre = (x: number, y: number): Point => {
-    const [s, t] = [(x + 0.5) / width, 1 - (y + 0.5) / height];
-    return [s * a[0] + t * b[0], s * a[1] + t * b[1]];
-  };
-  const pixel = ([x, y]: Point): Point => [
-    ((x * b[1] - y * b[0]) / area) * width - 0.5,
-    (1 - (a[0] * y - a[1] * x) / area) * height - 0.5,
-  ];
-  return {centre, pixel};
 }
 
 /** From the print to the image of one cell, in which y runs down; a slanted cell is drawn upright. [cm] */

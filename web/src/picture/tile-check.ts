@@ -1,0 +1,173 @@
+/** Whether the picture of one cell has the symmetries of a group, and where it breaks them. */
+import type {Point} from '../model/geometry.js';
+import {groupNames, type GroupName, type Print} from '../model/print.js';
+import {fittingGroup, latticeVectors, type RepeatSize} from '../model/repeat.js';
+import {imageCell, latticeType, printElements, type PlaneMap} from '../model/wallpaper.js';
+import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
+
+/** A place of the tile that differs from its images; shares of the cell, from its upper left corner. */
+export interface TileBreak {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+  /** From what the symmetries make of the place, root mean square. [0, 255] */
+  readonly difference: number;
+}
+
+export interface TileCheck {
+  /** The greatest difference of a place; up to `visibleDifference` it is noise. [0, 255] */
+  readonly worst: number;
+  /** Root mean square difference of the tile and its image, for every symmetry but the identity. [0, 255] */
+  readonly elements: readonly {readonly map: PlaneMap; readonly rms: number}[];
+  /** Worst first. */
+  readonly breaks: readonly TileBreak[];
+}
+
+/** Pixels along the longer side in which a tile is looked at: what is finer than that is noise. */
+const detail = 160;
+/** Places along each side. */
+const places = 24;
+/** What a compressed or coarsely drawn picture may be off by, in one place. [0, 255] */
+export const visibleDifference = 16;
+
+const isCentred = (group: GroupName): boolean =>
+  ['rhombic', 'hexagonal'].includes(latticeType(group));
+
+const movedBy = (shift: Point): PlaneMap => ({xx: 1, xy: 0, yx: 0, yy: 1, shift});
+
+/** No finer than the picture itself is; even, so that the middle of the cell is one of pixels. */
+function sizeFor(image: Pixels, cell: Cloth['cell']): readonly [number, number] {
+  const [a, b] = imageCell(cell).map((side) => Math.hypot(...side));
+  const scale = detail / Math.max(a ?? 1, b ?? 1);
+  const pixels = (side: number | undefined, most: number): number =>
+    2 * Math.max(1, Math.floor(Math.min(most, scale * (side ?? 1)) / 2));
+  return [pixels(a, image.width), pixels(b, image.height)];
+}
+
+/** Per place, the root mean square of a value that every colour of every pixel has. */
+function byPlace({width, height}: Cloth, value: (index: number) => number): readonly number[] {
+  const sums = new Float64Array(places * places);
+  const counts = new Float64Array(places * places);
+  for (let y = 0; y < height; y++) {
+    const row = Math.floor((y * places) / height) * places;
+    for (let x = 0; x < width; x++) {
+      const place = row + Math.floor((x * places) / width);
+      const from = 3 * (y * width + x);
+      for (let k = from; k < from + 3; k++) sums[place] = (sums[place] ?? 0) + value(k) ** 2;
+      counts[place] = (counts[place] ?? 0) + 3;
+    }
+  }
+  return Array.from(sums, (sum, k) => Math.sqrt(sum / Math.max(1, counts[k] ?? 1)));
+}
+
+function rootMeanSquare({colours: one}: Cloth, {colours: other}: Cloth): number {
+  let sum = 0;
+  for (let k = 0; k < one.length; k++) sum += ((one[k] ?? 0) - (other[k] ?? 0)) ** 2;
+  return Math.sqrt(sum / one.length);
+}
+
+/**
+ * Compares the tile with its image under every symmetry of the group, on the group's own origin.
+ * A place counts by how far it is from the mean of all its images: where one of many is wrong, that one stands out.
+ */
+export function checkTile(
+  pixels: Pixels,
+  group: GroupName,
+  size: RepeatSize,
+  cell: NonNullable<Print['cell']>,
+): TileCheck {
+  const [w1, w2] = latticeVectors(group, size);
+  const repeat = {group, w1, w2, cell};
+  return checked(clothOf(repeat, pixels, sizeFor(pixels, repeat), 2));
+}
+
+function checked(cloth: Cloth): TileCheck {
+  const {group, w1, cell} = cloth.cell;
+  const sum = Float32Array.from(cloth.colours);
+  const add = ({colours}: Cloth): void => {
+    for (let k = 0; k < sum.length; k++) sum[k] = (sum[k] ?? 0) + (colours[k] ?? 0);
+  };
+  const centring = isCentred(group) && cell === 'rectangular' ? [movedBy(w1)] : [];
+  const own = printElements(cloth.cell).slice(1);
+  const elements = [...own, ...centring].map((map, k) => {
+    const seen = seenThrough(cloth, map);
+    if (k < own.length) add(seen);
+    return {map, rms: rootMeanSquare(cloth, seen)};
+  });
+  if (elements.length === 0) return {worst: 0, elements, breaks: []};
+  // what holds for the tile holds for its sum: the centre of the cell is like its corner
+  for (const map of centring) add(seenThrough({...cloth, colours: Float32Array.from(sum)}, map));
+  // a place that differs from all the others by d is d (1 - 1/n) from the mean of all n
+  const order = (own.length + 1) * (centring.length + 1);
+  const off = byPlace(
+    cloth,
+    (k) => (order * (cloth.colours[k] ?? 0) - (sum[k] ?? 0)) / (order - 1),
+  );
+  const breaks = off
+    .map((difference, k) => ({
+      x: (k % places) / places,
+      y: Math.floor(k / places) / places,
+      ...{width: 1 / places, height: 1 / places, difference},
+    }))
+    .filter(({difference}) => difference > visibleDifference)
+    .sort((a, b) => b.difference - a.difference);
+  return {worst: Math.max(...off), elements, breaks};
+}
+
+/** A group that a tile has, and how far it is from having it. */
+export interface FoundGroup {
+  readonly group: GroupName;
+  /** 90 when the tile has the group's axes after a quarter turn clockwise. [degrees] */
+  readonly turnDeg: 0 | 90;
+  /** As the picture has to be taken: of the turned cell, if it is turned. */
+  readonly size: RepeatSize;
+  readonly cell: NonNullable<Print['cell']>;
+  readonly worst: number;
+}
+
+function turnedClockwise({width, height, data}: Pixels): Pixels {
+  const turned = new Uint8ClampedArray(data.length);
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const from = 4 * (y * width + x);
+      turned.set(data.subarray(from, from + 4), 4 * (x * height + height - 1 - y));
+    }
+  }
+  return {width: height, height: width, data: turned};
+}
+
+/**
+ * Which groups a rectangular tile has on its lower left corner, those with most symmetries in its area first.
+ * A group whose axes run the other way is found by turning the tile.
+ */
+export function groupsOf(pixels: Pixels, {width, height}: RepeatSize): readonly FoundGroup[] {
+  const ways = ([0, 90] as const).map((turnDeg) => {
+    const size =
+      turnDeg === 0 ? {width, height, angleDeg: 90} : {width: height, height: width, angleDeg: 90};
+    const image = turnDeg === 0 ? pixels : turnedClockwise(pixels);
+    const [w1, w2] = latticeVectors('p1', size);
+    const cell = {group: 'p1', w1, w2} as const;
+    return {turnDeg, size, cloth: clothOf(cell, image, sizeFor(image, cell), 2)};
+  });
+  return groupNames
+    .flatMap((group): readonly FoundGroup[] => {
+      const cell = isCentred(group) ? 'rectangular' : 'primitive';
+      return ways
+        .filter(({size}) => fittingGroup(group, size) === undefined)
+        .map(({turnDeg, size, cloth}) => {
+          const [w1, w2] = latticeVectors(group, size);
+          const {worst} = checked({...cloth, cell: {group, w1, w2, cell}});
+          return {group, turnDeg, size, cell, worst} as const;
+        })
+        .filter(({worst}) => worst <= visibleDifference)
+        .slice(0, 1);
+    })
+    .sort((a, b) => symmetriesIn(b) - symmetriesIn(a));
+}
+
+/** In the rectangle of the tile; a centred one holds two cells. */
+function symmetriesIn({group, cell}: FoundGroup): number {
+  const order = printElements({group, w1: [1, 0], w2: [0, 1]}).length;
+  return cell === 'rectangular' ? 2 * order : order;
+}

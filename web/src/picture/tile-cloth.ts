@@ -1,0 +1,132 @@
+/** A print by the pixels of one cell, and how it looks when the plane is moved. */
+import type {Point} from '../model/geometry.js';
+import type {Print} from '../model/print.js';
+import {apply, imageCell, type PlaneMap, type Repeat} from '../model/wallpaper.js';
+
+export type Cell = Repeat & Pick<Print, 'cell'>;
+
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  /** Red, green, blue, alpha, row by row from the top. */
+  readonly data: Uint8ClampedArray;
+}
+
+/** A print, known everywhere by one cell of it. */
+export interface Cloth {
+  readonly cell: Cell;
+  readonly width: number;
+  readonly height: number;
+  /** Red, green and blue in [0, 255], row by row from the top. */
+  readonly colours: Float32Array;
+}
+
+/** Where the centres of an image's pixels lie on the print [cm], and which pixel shows a point, in whole cells or beyond. */
+export function pixelGrid(cell: Cell, width: number, height: number) {
+  const [a, b] = imageCell(cell);
+  const area = a[0] * b[1] - a[1] * b[0];
+  const centre = (x: number, y: number): Point => {
+    const [s, t] = [(x + 0.5) / width, 1 - (y + 0.5) / height];
+    return [s * a[0] + t * b[0], s * a[1] + t * b[1]];
+  };
+  const pixel = ([x, y]: Point): Point => [
+    ((x * b[1] - y * b[0]) / area) * width - 0.5,
+    (1 - (a[0] * y - a[1] * x) / area) * height - 0.5,
+  ];
+  return {centre, pixel};
+}
+
+/** Where each of `from` places lies among `to` larger ones: in which it begins, and what part of it lies there. */
+function split(
+  from: number,
+  to: number,
+): {readonly first: Int32Array; readonly part: Float32Array} {
+  const first = Int32Array.from({length: from}, (_, k) => Math.floor((k * to) / from));
+  const part = Float32Array.from(first, (place, k) => Math.min(1, ((place + 1) * from) / to - k));
+  return {first, part};
+}
+
+/**
+ * The cell in `width` by `height` pixels, no more than the image has, each the mean of what it covers of it on
+ * white, softened by the kernel 1 2 1 in both directions across its borders, `times` times.
+ */
+export function clothOf(
+  cell: Cell,
+  image: Pixels,
+  [width, height]: readonly [number, number],
+  times: number,
+): Cloth {
+  let colours = new Float32Array(3 * width * height);
+  const [columns, rows] = [split(image.width, width), split(image.height, height)];
+  const mean = (width * height) / (image.width * image.height);
+  const add = (at: number, weight: number, from: number): void => {
+    const opaque = (weight * mean * (image.data[from + 3] ?? 0)) / 255;
+    const white = 255 * (weight * mean - opaque);
+    for (let ink = 0; ink < 3; ink++) {
+      colours[at + ink] = (colours[at + ink] ?? 0) + opaque * (image.data[from + ink] ?? 0) + white;
+    }
+  };
+  for (let y = 0; y < image.height; y++) {
+    const [row, above] = [rows.first[y] ?? 0, rows.part[y] ?? 1];
+    for (let x = 0; x < image.width; x++) {
+      const [column, left] = [columns.first[x] ?? 0, columns.part[x] ?? 1];
+      const [from, at] = [4 * (y * image.width + x), 3 * (row * width + column)];
+      add(at, above * left, from);
+      if (left < 1 && column + 1 < width) add(at + 3, above * (1 - left), from);
+      if (above < 1 && row + 1 < height) {
+        add(at + 3 * width, (1 - above) * left, from);
+        if (left < 1 && column + 1 < width) add(at + 3 * width + 3, (1 - above) * (1 - left), from);
+      }
+    }
+  }
+  for (let time = 0; time < times; time++) {
+    colours = softened(colours, width, height, 1, 0);
+    colours = softened(colours, width, height, 0, 1);
+  }
+  return {cell, width, height, colours};
+}
+
+function softened(from: Float32Array, width: number, height: number, dx: 0 | 1, dy: 0 | 1) {
+  const to = new Float32Array(from.length);
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const index = (s: number): number =>
+        3 * (((y + s * dy + height) % height) * width + ((x + s * dx + width) % width));
+      const [before, here, after] = [index(-1), index(0), index(1)];
+      for (let c = 0; c < 3; c++) {
+        to[here + c] =
+          ((from[before + c] ?? 0) + 2 * (from[here + c] ?? 0) + (from[after + c] ?? 0)) / 4;
+      }
+    }
+  }
+  return to;
+}
+
+/** The cloth as it is seen through a map: at x it has the colour that was at the image of x. */
+export function seenThrough(cloth: Cloth, map: PlaneMap): Cloth {
+  const {width, height, colours} = cloth;
+  const {centre, pixel} = pixelGrid(cloth.cell, width, height);
+  const seen = new Float32Array(colours.length);
+  const wrap = (value: number, size: number): number => ((value % size) + size) % size;
+  // from pixels to pixels the map is affine, too
+  const image = (x: number, y: number): Point => pixel(apply(map, centre(x, y)));
+  const [[ox, oy], [ax, ay], [bx, by]] = [image(0, 0), image(1, 0), image(0, 1)];
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const px = ox + x * (ax - ox) + y * (bx - ox);
+      const py = oy + x * (ay - oy) + y * (by - oy);
+      const [fx, fy] = [Math.floor(px + 1e-9), Math.floor(py + 1e-9)];
+      const [s, t] = [px - fx, py - fy];
+      const [left, right] = [wrap(fx, width), wrap(fx + 1, width)];
+      const [above, below] = [wrap(fy, height) * width, wrap(fy + 1, height) * width];
+      const [a, b] = [3 * (above + left), 3 * (above + right)];
+      const [c, d] = [3 * (below + left), 3 * (below + right)];
+      for (let ink = 0; ink < 3; ink++) {
+        seen[3 * (y * width + x) + ink] =
+          (1 - t) * ((1 - s) * (colours[a + ink] ?? 0) + s * (colours[b + ink] ?? 0)) +
+          t * ((1 - s) * (colours[c + ink] ?? 0) + s * (colours[d + ink] ?? 0));
+      }
+    }
+  }
+  return {...cloth, colours: seen};
+}
