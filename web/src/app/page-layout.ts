@@ -70,6 +70,15 @@ export const pageLayout = css`
     border-color: var(--sw-bad);
     background: var(--sw-bad-tint);
   }
+  @media (width < 80rem) {
+    header .label {
+      position: absolute;
+      width: 1px;
+      height: 1px;
+      overflow: hidden;
+      clip-path: inset(50%);
+    }
+  }
   @media (width < 64rem) {
     :host {
       grid:

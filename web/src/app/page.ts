@@ -6,6 +6,7 @@ import {chooseFile, takeFiles} from './files.js';
 import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
 import {pageKeys} from './page-keys.js';
+import './save-menu.js';
 import {saveProject, saveResult} from './save.js';
 
 export class SeamwisePage extends DeskElement {
@@ -57,7 +58,7 @@ export class SeamwisePage extends DeskElement {
         <h1>${app.name}</h1>
         <sw-garment-choice .desk=${desk} .samples=${samples}></sw-garment-choice>
         <button class="outlined" @click=${() => this.#open()}>
-          ${icon.open} ${app.openGarment}
+          ${icon.open} <span class="label">${app.openGarment}</span>
         </button>
         <span class="gap"></span>
         <sw-progress .desk=${desk}></sw-progress>
@@ -75,7 +76,7 @@ export class SeamwisePage extends DeskElement {
             saveProject(desk);
           }}
         >
-          ${icon.save} ${app.saveProject}
+          ${icon.save} <span class="label">${app.saveProject}</span>
         </button>
         <button
           class="outlined"
@@ -84,8 +85,9 @@ export class SeamwisePage extends DeskElement {
             saveResult(desk);
           }}
         >
-          ${icon.save} ${app.saveResult}
+          ${icon.save} <span class="label">${app.saveResult}</span>
         </button>
+        <sw-save-menu .desk=${desk}></sw-save-menu>
         <sw-settings .desk=${desk}></sw-settings>
       </header>
       <aside class="setup" aria-label=${app.setup}>

@@ -6,6 +6,8 @@ export {icon} from './style/icons.js';
 export {keepPreferences, storedPreferences} from './controls/stored-preferences.js';
 export type {KeyMap} from './shell/key-map.js';
 export {tokens} from './style/tokens.js';
+export {lengthUnit} from './controls/number-field.js';
+export {cuttingSvg} from './workbench/cutting-svg.js';
 export * from './workbench/preferences.js';
 export * from './workbench/samples.js';
 export * from './workbench/workbench.js';

@@ -24,31 +24,21 @@ export class Legend extends DeskElement {
     controls,
     css`
       :host {
-        display: grid;
-        gap: 2px;
-        padding: var(--sw-space-2) var(--sw-space-3);
-        border: 1px solid var(--sw-line);
-        border-radius: calc(var(--sw-radius) + 2px);
-        background: var(--sw-paper);
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 0 var(--sw-space-2);
         font-size: var(--sw-text-small);
         color: var(--sw-soft);
       }
       svg {
         display: block;
       }
-      .ends {
-        display: flex;
-        justify-content: space-between;
-        gap: var(--sw-space-3);
-      }
       button {
-        min-height: 1.5rem;
+        min-height: 1.75rem;
         padding: 0 var(--sw-space-2);
-        justify-self: start;
-        margin-left: calc(-1 * var(--sw-space-2));
         font-size: var(--sw-text-small);
         color: var(--sw-soft);
-        border-radius: 4px;
       }
     `,
   ];
@@ -61,10 +51,9 @@ export class Legend extends DeskElement {
     const words = scale === 'paper' ? legend.paper : legend.chance;
     return html`
       <span>${legend.title}</span>
+      <span>${legend.none}</span>
       <svg width=${width} height="10" viewBox="0 0 ${width} 10" aria-hidden="true">${ramp}</svg>
-      <span class="ends"
-        ><span>${legend.none}</span><span>${words(this.format.fine(worst))}</span></span
-      >
+      <span>${words(this.format.fine(worst))}</span>
       <button
         aria-pressed=${scale === 'paper'}
         @click=${() => {

@@ -2,43 +2,42 @@ import {css} from 'lit';
 
 export const paneStyle = css`
   :host {
-    display: block;
+    display: grid;
+    grid-template-rows: auto minmax(0, 1fr) auto;
     position: relative;
     overflow: hidden;
     min-height: 0;
     background: var(--sw-ground);
   }
-  .application,
-  .stage {
-    position: absolute;
-    inset: 0;
+  .application {
+    position: relative;
   }
   .application:focus-visible {
     outline-offset: -2px;
   }
-  sw-toolbar {
+  .stage {
     position: absolute;
-    left: var(--sw-space-3);
-    top: var(--sw-space-3);
-    right: var(--sw-space-3);
+    inset: 0;
+  }
+  sw-toolbar {
+    padding: var(--sw-space-2) var(--sw-space-3);
+  }
+  sw-wipe-handle,
+  sw-ties-menu {
+    grid-area: 2 / 1;
   }
   .foot {
-    position: absolute;
-    left: var(--sw-space-3);
-    right: var(--sw-space-3);
-    bottom: var(--sw-space-3);
     display: flex;
-    align-items: end;
+    flex-wrap: wrap;
+    align-items: center;
     justify-content: space-between;
-    gap: var(--sw-space-2);
-    pointer-events: none;
-  }
-  .foot > * {
-    pointer-events: auto;
+    gap: var(--sw-space-1) var(--sw-space-4);
+    padding: var(--sw-space-1) var(--sw-space-3) var(--sw-space-2);
   }
   .view {
     display: flex;
     gap: 1px;
+    margin-left: auto;
     padding: 2px;
     border: 1px solid var(--sw-line);
     border-radius: calc(var(--sw-radius) + 2px);
@@ -49,12 +48,11 @@ export const paneStyle = css`
     padding: 0;
   }
   .state {
-    position: absolute;
-    left: 50%;
-    bottom: 6.5rem;
-    translate: -50% 0;
-    width: max-content;
+    grid-area: 2 / 1;
+    place-self: end center;
+    z-index: 1;
     max-width: calc(100% - 2rem);
+    margin-bottom: var(--sw-space-2);
     padding: var(--sw-space-1) var(--sw-space-3);
     border: 1px solid var(--sw-line);
     border-radius: 2rem;

@@ -119,7 +119,7 @@ export class PatternPane extends DeskElement {
   async #open(signal: AbortSignal): Promise<void> {
     const {PatternView} = await drawing;
     await this.updateComplete;
-    const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
+    const stage = this.#stage;
     if (signal.aborted || !stage) return;
     try {
       this.#view = new PatternView(stage, {
@@ -135,6 +135,7 @@ export class PatternPane extends DeskElement {
     if (view) {
       desk.view = {
         get: () => view.state,
+        picture: () => view.toBlob(),
         set: (state) => {
           view.state = state;
         },
@@ -176,6 +177,10 @@ export class PatternPane extends DeskElement {
     this.requestUpdate();
   }
 
+  get #stage(): HTMLElement | null {
+    return this.renderRoot.querySelector('.stage');
+  }
+
   get #appearance(): 'light' | 'dark' {
     const {theme} = this.desk.preferences;
     if (theme !== 'system') return theme;
@@ -192,7 +197,8 @@ export class PatternPane extends DeskElement {
     if (!view) return;
     view.setAppearance(this.#appearance);
     const {desk} = this;
-    const scenes = this.#maker.scenes(desk, {width: this.clientWidth, height: this.clientHeight});
+    const {clientWidth: width = 0, clientHeight: height = 0} = this.#stage ?? {};
+    const scenes = this.#maker.scenes(desk, {width, height});
     if (scenes) {
       view.show(scenes.now);
       view.setWipe(
@@ -225,7 +231,7 @@ export class PatternPane extends DeskElement {
   }
 
   #at(event: MouseEvent): Point {
-    const {left, top} = this.getBoundingClientRect();
+    const {left, top} = this.#stage?.getBoundingClientRect() ?? new DOMRect();
     return [event.clientX - left, event.clientY - top];
   }
 
@@ -300,6 +306,7 @@ export class PatternPane extends DeskElement {
     const {pattern} = this.texts;
     const {desk, index} = this;
     return html`
+      <sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>
       <div
         class="application"
         role="application"
@@ -317,9 +324,8 @@ export class PatternPane extends DeskElement {
       >
         <div class="stage"></div>
       </div>
-      ${index ? patternOptions(desk, index, this.texts, this.format) : nothing}
-      <sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>
-      ${this.#notice()} ${this.#menu()}
+      ${index ? patternOptions(desk, index, this.texts, this.format) : nothing} ${this.#notice()}
+      ${this.#menu()}
       ${
         this.#split === undefined
           ? nothing

@@ -15,14 +15,12 @@ export class Toolbar extends DeskElement {
     controls,
     css`
       :host {
-        display: grid;
-        justify-items: start;
+        display: flex;
+        flex-wrap: wrap;
         gap: var(--sw-space-2);
-        pointer-events: none;
       }
       .tools,
       .hint {
-        pointer-events: auto;
         display: flex;
         flex-wrap: wrap;
         align-items: center;

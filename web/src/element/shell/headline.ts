@@ -30,7 +30,7 @@ export class Headline extends DeskElement {
       }
       dl {
         display: grid;
-        grid-template-columns: auto 1fr 1fr;
+        grid-template-columns: auto 1fr;
         gap: var(--sw-space-1) var(--sw-space-4);
         margin: var(--sw-space-2) 0 0;
         padding: var(--sw-space-3);

@@ -16,6 +16,8 @@ export const de: Texts = {
     saveResult: 'Ergebnis sichern',
     savePicture: 'Bild sichern',
     saveCutting: 'Teile zum Zuschneiden',
+    saveMore: 'Sichern …',
+    allowance: (unit) => `Nahtzugabe (${unit})`,
     recent: 'Letzte Projekte',
     settings: 'Einstellungen',
     language: 'Sprache',

@@ -14,6 +14,8 @@ export const en = {
     saveResult: 'Save result',
     savePicture: 'Save picture',
     saveCutting: 'Pieces to cut',
+    saveMore: 'Save …',
+    allowance: (unit: string) => `Seam allowance (${unit})`,
     recent: 'Recent projects',
     settings: 'Settings',
     language: 'Language',

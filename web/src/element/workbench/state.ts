@@ -9,6 +9,13 @@ export interface ViewState {
   readonly scale: number;
 }
 
+/** Whoever shows the sheet: where it stands, and a picture of all of it. */
+export interface SheetWindow {
+  get(): ViewState | null;
+  set(view: ViewState): void;
+  picture(): Promise<Blob>;
+}
+
 /** One step of the history: a design, and how it was looked at. */
 export interface Step {
   readonly design: Design;

@@ -10,10 +10,10 @@ import {lastOf, type Scenes} from './scenes.js';
 import {
   sameTarget,
   type Notice,
+  type SheetWindow,
   type SolveState,
   type Step,
   type Target,
-  type ViewState,
 } from './state.js';
 import {concernsSame} from './symmetry-steps.js';
 
@@ -27,7 +27,7 @@ import {firstOptions} from './samples.js';
 export class Workbench {
   readonly client: SolverClient;
   /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
-  view: {get(): ViewState | null; set(view: ViewState): void} | undefined;
+  view: SheetWindow | undefined;
   readonly #listeners = new Set<() => void>();
   readonly #results = new ResultCache();
   readonly #unasked = lastOf(
