@@ -1,0 +1,83 @@
+/** What there is to take away beside project and result: a picture, and the pieces to cut. */
+import {css, html, type TemplateResult} from 'lit';
+
+import {controls, DeskElement, icon, lengthUnit} from '../element/index.js';
+import {saveCutting, savePicture} from './save.js';
+
+/** What most sewing patterns have. [cm] */
+const usualAllowance = 1;
+
+export class SaveMenu extends DeskElement {
+  static override properties = {...DeskElement.properties, allowance: {state: true}};
+  declare allowance: number;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: inline-block;
+      }
+      [popover] {
+        position: fixed;
+        inset: 3.5rem var(--sw-space-4) auto auto;
+        width: 18rem;
+        padding: var(--sw-space-3);
+        border: 1px solid var(--sw-line);
+        border-radius: var(--sw-radius);
+        background: var(--sw-raised);
+        color: var(--sw-ink);
+        box-shadow: 0 8px 32px rgb(0 0 0 / 0.18);
+      }
+      .rows {
+        display: grid;
+        gap: var(--sw-space-3);
+      }
+      .rows button {
+        justify-content: start;
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.allowance = usualAllowance;
+  }
+
+  protected override render(): TemplateResult {
+    const {app} = this.texts;
+    const {desk} = this;
+    const {cm, name} = lengthUnit[desk.preferences.units];
+    return html`
+      <button class="outlined" popovertarget="save" ?disabled=${!desk.result}>
+        ${icon.save} ${app.saveMore}
+      </button>
+      <div popover id="save">
+        <div class="rows">
+          <button class="outlined" @click=${() => void savePicture(desk)}>
+            ${icon.save} ${app.savePicture}
+          </button>
+          <label>
+            ${app.allowance(name)}
+            <input
+              type="number"
+              min="0"
+              max=${5 / cm}
+              step=${0.1}
+              .value=${String(Number((this.allowance / cm).toFixed(3)))}
+              @change=${(event: Event) => {
+                const value = (event.target as HTMLInputElement).valueAsNumber * cm;
+                if (value >= 0 && value <= 5) this.allowance = value;
+                else this.requestUpdate();
+              }}
+            />
+          </label>
+          <button class="outlined" @click=${() => void saveCutting(desk, this.allowance)}>
+            ${icon.save} ${app.saveCutting}
+          </button>
+        </div>
+      </div>
+    `;
+  }
+}
+
+customElements.define('sw-save-menu', SaveMenu);

@@ -1,0 +1,46 @@
+/** The pieces of a solved design to cut along, as one file that stands alone. */
+import {printOf} from '../../model/design.js';
+import type {Garment} from '../../model/garment.js';
+import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
+import type {Workbench} from './workbench.js';
+
+/** The picture of a cell as something a file may hold: SVG text, or a `data:` URL. */
+async function embedded(image: string): Promise<string> {
+  if (image.startsWith('data:')) return image;
+  const response = await fetch(new URL(image, document.baseURI));
+  if (!response.ok) throw new Error(`The print's image ${image} cannot be read; try again.`);
+  const blob = await response.blob();
+  return blob.type.startsWith('image/svg') ? blob.text() : dataUrl(blob);
+}
+
+const dataUrl = (blob: Blob): Promise<string> =>
+  new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.onload = () => {
+      resolve(String(reader.result));
+    };
+    reader.onerror = () => {
+      reject(new Error('The print’s image cannot be read; try again.'));
+    };
+    reader.readAsDataURL(blob);
+  });
+
+/** @throws {Error} when the print's image cannot be read; undefined before there is a result */
+export async function cuttingSvg(
+  {design, result, preferences}: Workbench,
+  allowanceCm: number,
+): Promise<string | undefined> {
+  if (!design || !result) return undefined;
+  const [{cuttingFile}, tile] = await Promise.all([
+    import('../../picture/cutting/cutting-file.js'), // offsetting is a matter of this file alone
+    embedded(design.print.image),
+  ]);
+  const garment = JSON.parse(design.garment.text) as Garment;
+  const {units, language} = preferences;
+  return cuttingFile(
+    result,
+    {...printOf(design.print), tile},
+    {...garmentTitle(garment), panels: panelMarks(garment)},
+    {allowanceCm, units, locale: language, plain: design.options.plain ?? []},
+  );
+}
