@@ -41,6 +41,9 @@ export class NumberField extends LitElement {
         align-content: start;
         gap: var(--sw-space-1);
       }
+      input {
+        color: var(--sw-ink);
+      }
     `,
   ];
 

@@ -14,6 +14,9 @@ export const section = css`
   h2 {
     font-size: var(--sw-text-large);
   }
+  select {
+    color: var(--sw-ink);
+  }
   .beside {
     margin-left: calc(1rem + var(--sw-space-2));
   }

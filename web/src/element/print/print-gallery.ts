@@ -52,9 +52,8 @@ export class PrintGallery extends DeskElement {
     return html`${guard(
       seen,
       () => html`
-        ${this.#groups(design, samples)} ${this.#reason(design)}
-        <p class="soft">${this.texts.print.meanings[choiceOf(print)]}</p>
-        ${this.#more(design, samples)} ${this.#colourways(design, samples)}
+        ${this.#groups(design, samples)} ${this.#meaning(design)} ${this.#more(design, samples)}
+        ${this.#colourways(design, samples)}
       `,
     )}`;
   }
@@ -101,30 +100,28 @@ export class PrintGallery extends DeskElement {
     </div>`;
   }
 
-  /** Why a group will not do, and those that would. */
-  #reason({print, symmetries}: Design): TemplateResult {
+  /** What the group means; or why it will not do, and those that would. */
+  #meaning({print, symmetries}: Design): TemplateResult {
     const texts = this.texts.print;
     const group = this.refused ?? print.group;
     const kind = missing(group, symmetries);
-    return html`<div role="status">
-      ${
-        kind &&
-        html`<p>${texts.lacks[kind](group)}</p>
-          <div class="row">
-            ${texts.wouldDo}
-            ${groupsThatCarry(kind).map(
-              (one) =>
-                html`<button
-                  class="link"
-                  @click=${() => {
-                    this.#choose(one);
-                  }}
-                >
-                  ${one}
-                </button>`,
-            )}
-          </div>`
-      }
+    if (!kind) return html`<p class="soft" role="status">${texts.meanings[choiceOf(print)]}</p>`;
+    return html`<div class="refusal" role="status">
+      <p>${texts.lacks[kind](group)}</p>
+      <div class="row">
+        ${texts.wouldDo}
+        ${groupsThatCarry(kind).map(
+          (one) =>
+            html`<button
+              class="link"
+              @click=${() => {
+                this.#choose(one);
+              }}
+            >
+              ${one}
+            </button>`,
+        )}
+      </div>
     </div>`;
   }
 

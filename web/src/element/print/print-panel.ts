@@ -59,8 +59,12 @@ export class PrintPanel extends DeskElement {
         </button>
       </header>
       ${this.problem ? html`<p class="error" role="alert">${this.problem}</p>` : nothing}
-      ${desk.design.print.sample ? nothing : html`<p>${texts.own(desk.design.print.title)}</p>`}
-      <sw-tile-report .desk=${desk}></sw-tile-report>
+      ${
+        desk.design.print.sample
+          ? nothing
+          : html`<p>${texts.own(desk.design.print.title)}</p>
+              <sw-tile-report .desk=${desk}></sw-tile-report>`
+      }
       <sw-print-gallery .desk=${desk} .samples=${samples}></sw-print-gallery>
       <sw-repeat-fields .desk=${desk}></sw-repeat-fields>
     </section>`;

@@ -54,8 +54,10 @@ export const swatches = css`
   button[aria-disabled='true'] {
     cursor: help;
   }
-  [role='status']:empty {
-    display: none;
+  .refusal {
+    padding: var(--sw-space-3);
+    border-radius: var(--sw-radius);
+    background: var(--sw-tint);
   }
   .row {
     display: flex;

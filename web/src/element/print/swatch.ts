@@ -14,7 +14,11 @@ export function swatch(id: string, print: Print, image = print.image ?? ''): Tem
   const side = repeats * Math.max(Math.hypot(...print.w1), Math.hypot(...print.w2));
   // the picture's y runs down, against the second edge of the cell
   const matrix = [a[0] / width, -a[1] / width, -b[0] / height, b[1] / height, side / 2, side / 2];
-  return html`<svg viewBox="0 0 ${side} ${side}" aria-hidden="true">
+  return html`<svg
+    viewBox="0 0 ${side} ${side}"
+    preserveAspectRatio="xMidYMid slice"
+    aria-hidden="true"
+  >
     ${svg`<pattern
         id=${id}
         patternUnits="userSpaceOnUse"

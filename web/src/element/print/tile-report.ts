@@ -89,13 +89,12 @@ export class TileReport extends DeskElement {
     const print = this.desk.design?.print;
     if (!print || print === this.#looked) return;
     this.#looked = print;
-    if (print.sample || print.image === noPicture) this.report = undefined;
-    else void this.#look(print);
+    if (print.image !== noPicture) void this.#look(print);
   }
 
   protected override render(): TemplateResult | typeof nothing {
     const print = this.desk.design?.print;
-    if (!print || print.sample) return nothing;
+    if (!print) return nothing;
     const texts = this.texts.print;
     if (print.image === noPicture) return html`<p role="status">${texts.needsPicture}</p>`;
     const {report} = this;
