@@ -1,0 +1,102 @@
+/** Designs that come from outside: each value is checked, so that the rest of the page may trust it. */
+import type {Design} from './design.js';
+import type {Alignment, Point} from './geometry.js';
+import type {GrainRule, SolveOptions} from './options.js';
+import {groupNames} from './print.js';
+import {methods} from './problem.js';
+import {
+  fail,
+  flag,
+  listOf,
+  number,
+  oneOf,
+  pairOf,
+  recordOf,
+  shape,
+  text,
+  wholeNumber,
+  type Read,
+} from './read.js';
+import type {Symmetry} from './symmetries.js';
+
+/** What the solver takes for the sides of a repeat, and more than any garment measures. [cm] */
+const repeat = number(0.05, 1000);
+const length = number(-10_000, 10_000);
+const point: Read<Point> = pairOf(length);
+const fileStem = text(/^[\w-]{1,80}$/, 'the name of a sample');
+const locks = oneOf(['free', 'on', 'bias']);
+const degrees = number(0, 90);
+
+const alignment: Read<Alignment> = shape({angle: number(-1000, 1000), translation: point});
+
+const grainRule: Read<GrainRule> = (value, at) =>
+  typeof value === 'string'
+    ? locks(value, at)
+    : shape({lock: locks}, {toleranceDeg: degrees})(value, at);
+
+const markedLine = shape({piece: text(), line: listOf(point)});
+
+const options: Read<SolveOptions> = shape(
+  {},
+  {
+    maxChangeCm: number(0, 1000),
+    alpha: number(0, 1e12),
+    edgeLengthCm: number(0.01, 1000),
+    continuousOnly: flag,
+    averageSeamShapes: flag,
+    grain: shape({}, {default: locks, toleranceDeg: degrees, pieces: recordOf(grainRule)}),
+    pins: recordOf(alignment),
+    weights: recordOf(number(0, 1e6)),
+    unmatched: listOf(wholeNumber),
+    plain: listOf(text()),
+    matches: listOf(shape({a: markedLine, b: markedLine}, {weight: number(0, 1e6)})),
+  },
+);
+
+const symmetry: Read<Symmetry> = (value, at) => {
+  const {kind} = shape({kind: oneOf(['piece', 'pair'])})(value, at);
+  if (kind === 'pair') return {kind, ...shape({pieces: pairOf(text())})(value, at)};
+  const optional = {axis: pairOf(point), seams: pairOf(wholeNumber)};
+  return {kind, ...shape({piece: text()}, optional)(value, at)};
+};
+
+export const garmentSample = shape({style: fileStem, size: fileStem});
+export const printSample = shape({name: fileStem, colourway: text()});
+
+/** The repeat of a print, without its picture. */
+export const printMeasures = shape({
+  group: oneOf(groupNames),
+  size: shape({width: repeat, height: repeat, angleDeg: number(1, 179)}),
+  turnDeg: number(-360, 360),
+  oneWay: flag,
+  cell: oneOf(['primitive', 'rectangular']),
+});
+
+/** What is decided about garment and print together. */
+export const decisions = shape({
+  symmetries: listOf(symmetry),
+  method: oneOf(methods),
+  options,
+});
+
+/** Pictures lie in the file itself or are those of a sample: no file may make the page ask another host. */
+const picture: Read<string> = (value, at) => {
+  const source = text()(value, at);
+  const isOwn = /^data:image\/[\w.+-]+[;,]/.test(source);
+  const isSample = /^[\w-]+(\/[\w-]+)*(\.[\w-]+)?$/.test(source);
+  return isOwn || isSample ? source : fail(at, 'a data: URL of an image, or the path of a sample');
+};
+
+const garment = shape(
+  {name: text(/^.{1,255}$/su, 'a name'), text: text(/\S/, 'the text of a garment file')},
+  {sample: garmentSample},
+);
+const picturedPrint = shape({title: text(), image: picture}, {sample: printSample});
+
+export const readDesign: Read<Design> = (value, at) => {
+  const {garment: own, print} = shape({
+    garment,
+    print: (entry, place) => ({...printMeasures(entry, place), ...picturedPrint(entry, place)}),
+  })(value, at);
+  return {garment: own, print, ...decisions(value, at)};
+};

@@ -1,0 +1,90 @@
+/** Turns what was read from outside into checked values. */
+
+/** Says which field is wrong, and what it has to be. */
+export class Malformed extends Error {
+  override readonly name = 'Malformed';
+}
+
+/** @param at names the value in messages */
+export type Read<T> = (value: unknown, at: string) => T;
+
+export function fail(at: string, demand: string): never {
+  throw new Malformed(`'${at}' must be ${demand}`);
+}
+
+export const number =
+  (low: number, high: number): Read<number> =>
+  (value, at) =>
+    typeof value === 'number' && value >= low && value <= high
+      ? value
+      : fail(at, `a number from ${low} to ${high}`);
+
+export const wholeNumber: Read<number> = (value, at) =>
+  Number.isSafeInteger(value) && Number(value) >= 0
+    ? Number(value)
+    : fail(at, 'a whole number, 0 or more');
+
+/** @param demand what the pattern stands for, in words */
+export const text =
+  (pattern = /^/, demand = 'text'): Read<string> =>
+  (value, at) =>
+    typeof value === 'string' && pattern.test(value) ? value : fail(at, demand);
+
+export const flag: Read<boolean> = (value, at) =>
+  typeof value === 'boolean' ? value : fail(at, 'true or false');
+
+export const oneOf =
+  <T extends string>(names: readonly T[]): Read<T> =>
+  (value, at) =>
+    names.find((name) => name === value) ?? fail(at, `one of ${names.join(', ')}`);
+
+export const listOf =
+  <T>(read: Read<T>): Read<readonly T[]> =>
+  (value, at) =>
+    Array.isArray(value)
+      ? value.map((entry: unknown, k) => read(entry, `${at}[${k}]`))
+      : fail(at, 'a list');
+
+export const pairOf =
+  <T>(read: Read<T>): Read<readonly [T, T]> =>
+  (value, at) => {
+    if (!Array.isArray(value) || value.length !== 2) return fail(at, 'a list of two');
+    const [first, second] = value as readonly unknown[];
+    return [read(first, `${at}[0]`), read(second, `${at}[1]`)];
+  };
+
+function entriesOf(value: unknown, at: string): [string, unknown][] {
+  return typeof value === 'object' && value !== null && !Array.isArray(value)
+    ? Object.entries(value)
+    : fail(at, 'an object');
+}
+
+export const recordOf =
+  <T>(read: Read<T>): Read<Readonly<Record<string, T>>> =>
+  (value, at) =>
+    Object.fromEntries(
+      entriesOf(value, at).map(([name, entry]) => [name, read(entry, `${at}.${name}`)]),
+    );
+
+type Fields = Readonly<Record<string, Read<unknown>>>;
+type Required<F extends Fields> = {readonly [Name in keyof F]: ReturnType<F[Name]>};
+type Optional<F extends Fields> = {readonly [Name in keyof F]?: ReturnType<F[Name]>};
+
+/** Fields that are not known are left out. */
+export function shape<Must extends Fields>(must: Must): Read<Required<Must>>;
+export function shape<Must extends Fields, May extends Fields>(
+  must: Must,
+  may: May,
+): Read<Required<Must> & Optional<May>>;
+export function shape(must: Fields, may: Fields = {}): Read<Readonly<Record<string, unknown>>> {
+  return (value, at) => {
+    const given = new Map(entriesOf(value, at));
+    const name = (field: string): string => (at === '' ? field : `${at}.${field}`);
+    return Object.fromEntries([
+      ...Object.entries(must).map(([field, read]) => [field, read(given.get(field), name(field))]),
+      ...Object.entries(may)
+        .filter(([field]) => given.get(field) !== undefined)
+        .map(([field, read]) => [field, read(given.get(field), name(field))]),
+    ]) as Readonly<Record<string, unknown>>;
+  };
+}
