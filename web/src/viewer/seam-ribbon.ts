@@ -1,0 +1,178 @@
+/** The cloth along both sides of a seam, straightened: how far along the seam, and how far in from it. Lengths in cm. */
+import type {Point} from '../model/geometry.js';
+import type {SeamSide} from '../model/result.js';
+import {pick} from '../picture/marks.js';
+import type {OnPiece} from './overlay.js';
+import type {PatternScene} from './scene.js';
+
+/** How far a ribbon reaches into a piece. */
+export const ribbonDepth = 6;
+/** Between columns. */
+const step = 0.2;
+/** Nearer along the seam than this, a line is too straight to say where its normals meet. */
+const straight = 1.5;
+
+/** Across a piece from a point of its seam line. */
+export interface Column {
+  /** In the coordinates of the piece. */
+  readonly at: Point;
+  /** Into the piece, of length 1. */
+  readonly normal: Point;
+  /** To the end of the piece, or to where the normal meets that of a place nearer by. */
+  readonly depth: number;
+}
+
+export interface Ribbon {
+  readonly piece: number;
+  /** Evenly along the seam in sewing order, the same for both sides. */
+  readonly columns: readonly Column[];
+}
+
+export interface StraightSeam {
+  /** Mean of both sides. */
+  readonly length: number;
+  readonly a: Ribbon;
+  readonly b: Ribbon;
+  /** Side a can lie above only when the seam runs from right to left. */
+  readonly runsLeft: boolean;
+}
+
+/** A place near a seam: how much of its length has been gone in sewing order, from 0 to 1, and how far in. */
+export interface NearSeam {
+  readonly side: 'a' | 'b';
+  readonly share: number;
+  readonly offset: number;
+}
+
+const minus = ([ax, ay]: Point, [bx, by]: Point): Point => [ax - bx, ay - by];
+const unit = ([x, y]: Point): Point => {
+  const length = Math.hypot(x, y) || 1;
+  return [x / length, y / length];
+};
+
+/** Undefined for a seam without length. */
+export function straightSeam(scene: PatternScene, number: number): StraightSeam | undefined {
+  const seam = scene.seams[number];
+  if (!seam) return undefined;
+  const lines = [seam.a, seam.b].map(({piece, vertices}) =>
+    pick(scene.pieces[piece]?.points ?? [], vertices),
+  ) as [Point[], Point[]];
+  const ends = [0];
+  for (let k = 1; k < Math.min(lines[0].length, lines[1].length); k++) {
+    const long = lines.map((line) =>
+      Math.hypot(...minus(line[k] ?? [0, 0], line[k - 1] ?? [0, 0])),
+    );
+    ends.push((ends[k - 1] ?? 0) + ((long[0] ?? 0) + (long[1] ?? 0)) / 2);
+  }
+  const length = ends.at(-1) ?? 0;
+  if (length === 0) return undefined;
+  const ribbon = (side: SeamSide, line: readonly Point[]): Ribbon => ({
+    piece: side.piece,
+    columns: columnsOf(scene, side, line, ends),
+  });
+  return {
+    length,
+    a: ribbon(seam.a, lines[0]),
+    b: ribbon(seam.b, lines[1]),
+    runsLeft: !isOnLeft(scene, seam.a),
+  };
+}
+
+/** Whether the piece lies to the left of its seam as that runs. */
+function isOnLeft({pieces}: PatternScene, {piece, vertices: [first, second]}: SeamSide): boolean {
+  const {outline = [], holes = []} = pieces[piece] ?? {};
+  return [outline, ...holes].some((loop) =>
+    loop.some((v, k) => v === first && loop[(k + 1) % loop.length] === second),
+  );
+}
+
+function columnsOf(
+  scene: PatternScene,
+  side: SeamSide,
+  line: readonly Point[],
+  ends: readonly number[],
+): readonly Column[] {
+  const sign = isOnLeft(scene, side) ? 1 : -1;
+  const along = line.slice(1).map((to, k) => unit(minus(to, line[k] ?? to)));
+  const normals = line.map((_, k): Point => {
+    const [x0, y0] = along[k - 1] ?? along[k] ?? [1, 0];
+    const [x1, y1] = along[k] ?? [x0, y0];
+    return unit([-sign * (y0 + y1), sign * (x0 + x1)]);
+  });
+  const length = ends.at(-1) ?? 0;
+  const count = Math.max(1, Math.ceil(length / step));
+  let edge = 0;
+  const feet = Array.from({length: count + 1}, (_, k) => {
+    const way = (length * k) / count;
+    while (edge < ends.length - 2 && way > (ends[edge + 1] ?? Infinity)) edge++;
+    const [from, to] = [ends[edge] ?? 0, ends[edge + 1] ?? 0];
+    const t = to > from ? (way - from) / (to - from) : 0;
+    const between = (values: readonly Point[]): Point => {
+      const [x0, y0] = values[edge] ?? [0, 0];
+      const [x1, y1] = values[edge + 1] ?? [x0, y0];
+      return [x0 + t * (x1 - x0), y0 + t * (y1 - y0)];
+    };
+    return {at: between(line), normal: unit(between(normals))};
+  });
+  const edges = edgesOf(scene, side.piece);
+  const apart = Math.ceil(straight / (length / count));
+  return feet.map(({at, normal}, k) => {
+    const others = feet.filter((_, other) => Math.abs(other - k) >= apart);
+    const depth = Math.min(
+      ribbonDepth,
+      untilOut(at, normal, edges),
+      ...others.map((other) => untilNearer(at, normal, other.at)),
+    );
+    return {at, normal, depth};
+  });
+}
+
+function edgesOf({pieces}: PatternScene, piece: number): readonly (readonly [Point, Point])[] {
+  const {points = [], outline = [], holes = []} = pieces[piece] ?? {};
+  return [outline, ...holes].flatMap((loop) => {
+    const line = pick(points, loop);
+    return line.map((from, k) => [from, line[(k + 1) % line.length] ?? from] as const);
+  });
+}
+
+/** How far one may go from a point of the outline until one leaves the piece. */
+function untilOut(
+  [x, y]: Point,
+  [nx, ny]: Point,
+  edges: readonly (readonly [Point, Point])[],
+): number {
+  let least = Infinity;
+  for (const [[ax, ay], [bx, by]] of edges) {
+    const [ex, ey] = [bx - ax, by - ay];
+    const across = nx * ey - ny * ex;
+    if (Math.abs(across) < 1e-12) continue;
+    const way = ((ax - x) * ey - (ay - y) * ex) / across;
+    const share = ((ax - x) * ny - (ay - y) * nx) / across;
+    // the edge one starts from does not count
+    if (way > 0.02 && way < least && share >= 0 && share <= 1) least = way;
+  }
+  return least;
+}
+
+/** How far one may go before `other` is nearer than where one came from: |n d - v| = d for v = other - at. */
+function untilNearer(at: Point, [nx, ny]: Point, other: Point): number {
+  const [vx, vy] = minus(other, at);
+  const ahead = nx * vx + ny * vy;
+  return ahead > 1e-9 ? (vx * vx + vy * vy) / (2 * ahead) : Infinity;
+}
+
+/** The place on its piece. */
+export function onPieceAt(seam: StraightSeam, {side, share, offset}: NearSeam): OnPiece {
+  const {piece, columns} = seam[side];
+  const place = Math.min(1, Math.max(0, share)) * (columns.length - 1);
+  const k = Math.min(Math.floor(place), columns.length - 2);
+  const [from, to] = [columns[k], columns[k + 1]];
+  if (!from || !to) return {piece, point: [0, 0]};
+  const t = place - k;
+  const at = (column: Column): Point => [
+    column.at[0] + offset * column.normal[0],
+    column.at[1] + offset * column.normal[1],
+  ];
+  const [[x0, y0], [x1, y1]] = [at(from), at(to)];
+  return {piece, point: [x0 + t * (x1 - x0), y0 + t * (y1 - y0)]};
+}
