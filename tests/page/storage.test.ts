@@ -1,0 +1,269 @@
+/** What the page keeps of its projects in a real browser, with one tab and with two. */
+import {fileURLToPath} from 'node:url';
+
+import type {Browser, BrowserContext, Page} from 'playwright-core';
+import {afterAll, afterEach, beforeAll, describe, expect, it, vi} from 'vitest';
+
+import {openBrowser, serveSources, type Served} from '../support/browser.js';
+
+vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
+
+let browser: Browser | undefined;
+let served: Served | undefined;
+let contexts: BrowserContext[] = [];
+beforeAll(async () => {
+  const folder = fileURLToPath(new URL('./storage/', import.meta.url));
+  [browser, served] = await Promise.all([openBrowser(), serveSources(folder)]);
+});
+afterEach(async () => {
+  await Promise.all(contexts.map((context) => context.close()));
+  contexts = [];
+});
+afterAll(async () => {
+  await browser?.close();
+  await served?.close();
+});
+
+/** A browser of somebody who was never here before. */
+async function newcomer(): Promise<BrowserContext> {
+  if (!browser) throw new Error('The browser is not open yet.');
+  const context = await browser.newContext();
+  contexts.push(context);
+  return context;
+}
+
+async function tab(context: BrowserContext): Promise<Page> {
+  const page = await context.newPage();
+  await page.goto(served?.url ?? '');
+  await page.waitForFunction(() => 'Storing' in globalThis);
+  return page;
+}
+
+const troubles = (page: Page) => page.evaluate(() => Storing.troubles);
+
+/** The contents of the database's store of long texts. */
+const textLengths = (page: Page): Promise<number[]> =>
+  page.evaluate(
+    () =>
+      new Promise<number[]>((resolve, reject) => {
+        const open = indexedDB.open('seamwise');
+        open.onerror = () => {
+          reject(new Error('The database cannot be opened.'));
+        };
+        open.onsuccess = () => {
+          const all = open.result.transaction('texts').objectStore('texts').getAll();
+          all.onsuccess = () => {
+            open.result.close();
+            resolve((all.result as string[]).map(({length}) => length).sort((a, b) => a - b));
+          };
+        };
+      }),
+  );
+
+describe('a project', () => {
+  it('is there again after the page was loaded anew, with its thumbnail', async () => {
+    const page = await tab(await newcomer());
+    await page.evaluate(async () => {
+      const thumbnail = new Blob(['picture'], {type: 'image/png'});
+      await Storing.autosave.save('a', {name: 'Tee', state: {n: [1, null, 'x']}, thumbnail});
+    });
+    await page.reload();
+    await page.waitForFunction(() => 'Storing' in globalThis);
+    const kept = await page.evaluate(async () => {
+      const project = await Storing.autosave.load('a');
+      return {
+        ...project,
+        thumbnail: await project?.thumbnail?.text(),
+        age: Date.now() - (project?.changed ?? 0),
+      };
+    });
+    expect(kept).toMatchObject({
+      id: 'a',
+      name: 'Tee',
+      state: {n: [1, null, 'x']},
+      thumbnail: 'picture',
+    });
+    expect(kept.age).toBeGreaterThanOrEqual(0);
+    expect(kept.age).toBeLessThan(120_000);
+    expect(await troubles(page)).toEqual([]);
+  });
+
+  it('is undefined when it was never there, or was removed', async () => {
+    const page = await tab(await newcomer());
+    const found = await page.evaluate(async () => {
+      const {autosave} = Storing;
+      await autosave.save('a', {name: 'Tee', state: 1});
+      await autosave.remove('a');
+      return [await autosave.load('a'), await autosave.load('b'), await autosave.recent()];
+    });
+    expect(found).toEqual([undefined, undefined, []]);
+  });
+
+  it('is as it was saved last, however soon that came after the time before', async () => {
+    const page = await tab(await newcomer());
+    const state = await page.evaluate(async () => {
+      const {autosave} = Storing;
+      const long = 'x'.repeat(3_000_000); // takes its time
+      await Promise.all([
+        autosave.save('a', {name: 'Tee', state: long}),
+        autosave.save('a', {name: 'Tee', state: 'last'}),
+      ]);
+      return (await autosave.load('a'))?.state;
+    });
+    expect(state).toBe('last');
+  });
+});
+
+it('lists the twenty projects that were changed last, the newest first', async () => {
+  const page = await tab(await newcomer());
+  const names = await page.evaluate(async () => {
+    const {autosave} = Storing;
+    for (let k = 0; k < 22; k++) {
+      await autosave.save(`p${k}`, {name: `Project ${k}`, state: 'y'.repeat(5000 + k)});
+      await new Promise((resolve) => setTimeout(resolve, 2));
+    }
+    return (await autosave.recent()).map(({name}) => name);
+  });
+  expect(names).toEqual(Array.from({length: 20}, (_, k) => `Project ${21 - k}`));
+  expect(await textLengths(page)).toEqual(Array.from({length: 20}, (_, k) => 5002 + k));
+});
+
+describe('a long text', () => {
+  it('is stored once for all steps and projects that hold it, and comes back to all', async () => {
+    const page = await tab(await newcomer());
+    const same = await page.evaluate(async () => {
+      const {autosave} = Storing;
+      const text = JSON.stringify({panels: 'z'.repeat(100_000)});
+      const steps = Array.from({length: 100}, (_, turn) => ({garment: {text}, turn}));
+      await autosave.save('a', {name: 'A', state: steps});
+      await autosave.save('b', {name: 'B', state: {steps}});
+      const a = (await autosave.load('a'))?.state;
+      const b = (await autosave.load('b'))?.state;
+      return (
+        JSON.stringify(a) === JSON.stringify(steps) && JSON.stringify(b) === JSON.stringify({steps})
+      );
+    });
+    expect(same).toBe(true);
+    expect(await textLengths(page)).toHaveLength(1);
+  });
+
+  it('goes with the last project that holds it', async () => {
+    const page = await tab(await newcomer());
+    const save = (id: string, length: number) =>
+      page.evaluate(
+        async ([to, size]) => Storing.autosave.save(to, {name: to, state: ['t'.repeat(size)]}),
+        [id, length] as const,
+      );
+    await save('a', 4000);
+    await save('b', 4000);
+    await save('a', 6000);
+    expect(await textLengths(page)).toEqual([4000, 6000]);
+    await page.evaluate(() => Storing.autosave.remove('b'));
+    expect(await textLengths(page)).toEqual([6000]);
+  });
+});
+
+describe('two tabs', () => {
+  it('do not work on the same project: the second gets a copy', async () => {
+    const context = await newcomer();
+    const [first, second] = [await tab(context), await tab(context)];
+    const own = await first.evaluate(async () => {
+      await Storing.autosave.save('a', {name: 'Tee', state: 's'.repeat(2000)});
+      return Storing.autosave.claim('a');
+    });
+    expect(own).toEqual({id: 'a', copied: false});
+    const copy = await second.evaluate(() => Storing.autosave.claim('a'));
+    expect(copy.copied).toBe(true);
+    expect(copy.id).not.toBe('a');
+    const states = await second.evaluate(async (id) => {
+      await Storing.autosave.save(id, {name: 'Tee', state: 'changed'});
+      return [(await Storing.autosave.load('a'))?.state, (await Storing.autosave.load(id))?.state];
+    }, copy.id);
+    expect(states).toEqual(['s'.repeat(2000), 'changed']);
+  });
+
+  it('copy what was stored', async () => {
+    const context = await newcomer();
+    const [first, second] = [await tab(context), await tab(context)];
+    await first.evaluate(async () => {
+      await Storing.autosave.save('a', {name: 'Tee', state: {text: 's'.repeat(2000)}});
+      await Storing.autosave.claim('a');
+    });
+    const copy = await second.evaluate(async () =>
+      Storing.autosave.load((await Storing.autosave.claim('a')).id),
+    );
+    expect(copy).toMatchObject({name: 'Tee', state: {text: 's'.repeat(2000)}});
+  });
+
+  it('work on a project one after the other', async () => {
+    const context = await newcomer();
+    const [first, second] = [await tab(context), await tab(context)];
+    await first.evaluate(() => Storing.autosave.claim('a'));
+    await first.evaluate(() => Storing.autosave.claim('b'));
+    expect(await second.evaluate(() => Storing.autosave.claim('a'))).toEqual({
+      id: 'a',
+      copied: false,
+    });
+    await first.close();
+    expect(await second.evaluate(() => Storing.autosave.claim('b'))).toEqual({
+      id: 'b',
+      copied: false,
+    });
+  });
+
+  it('are not two when one is loaded anew', async () => {
+    const page = await tab(await newcomer());
+    await page.evaluate(() => Storing.autosave.claim('a'));
+    await page.reload();
+    await page.waitForFunction(() => 'Storing' in globalThis);
+    expect(await page.evaluate(() => Storing.autosave.claim('a'))).toEqual({
+      id: 'a',
+      copied: false,
+    });
+  });
+});
+
+describe('what goes wrong', () => {
+  it('is reported when the disk is full, and what was kept before stays', async () => {
+    const context = await newcomer();
+    const page = await tab(context);
+    const session = await context.newCDPSession(page);
+    const {origin} = new URL(page.url());
+    await session.send('Storage.overrideQuotaForOrigin', {origin, quotaSize: 1_000_000});
+    await page.evaluate(() => Storing.autosave.save('a', {name: 'Tee', state: 'small'}));
+    const [saved, state] = await page.evaluate(async () => {
+      // nothing that could be compressed
+      const bytes = Array.from({length: 40}, () => crypto.getRandomValues(new Uint8Array(60_000)));
+      const state = bytes.map((some) => some.join());
+      const done = await Storing.autosave.save('a', {name: 'Tee', state});
+      return [done, (await Storing.autosave.load('a'))?.state] as const;
+    });
+    expect(saved).toBe(false);
+    expect(await troubles(page)).toEqual(['full']);
+    expect(state).toBe('small');
+  });
+
+  it('is reported where the browser keeps nothing', async () => {
+    const context = await newcomer();
+    await context.addInitScript(() => {
+      Object.defineProperty(globalThis, 'indexedDB', {value: undefined});
+    });
+    const page = await tab(context);
+    const answers = await page.evaluate(async () => [
+      await Storing.autosave.save('a', {name: 'Tee', state: 1}),
+      await Storing.autosave.recent(),
+    ]);
+    expect(answers).toEqual([false, []]);
+    expect(await troubles(page)).toEqual(['unavailable', 'unavailable']);
+  });
+
+  it('is reported when a state cannot be kept, and the next one can', async () => {
+    const page = await tab(await newcomer());
+    const saved = await page.evaluate(async () => [
+      await Storing.autosave.save('a', {name: 'Tee', state: [() => 1]}),
+      await Storing.autosave.save('a', {name: 'Tee', state: [1]}),
+    ]);
+    expect(saved).toEqual([false, true]);
+    expect(await troubles(page)).toEqual(['failed']);
+  });
+});

@@ -1,0 +1,14 @@
+import {Autosave, type StorageTrouble} from '../../../web/src/app/storage/autosave.js';
+
+declare global {
+  /** What is under test, and what it reported. */
+  var Storing: {readonly autosave: Autosave; readonly troubles: StorageTrouble[]};
+}
+
+const troubles: StorageTrouble[] = [];
+globalThis.Storing = {
+  troubles,
+  autosave: new Autosave((trouble) => {
+    troubles.push(trouble);
+  }),
+};

@@ -1,0 +1,64 @@
+/** Long texts apart from the data that holds them, each once: steps of a history mostly hold the same garment. */
+
+/** Shorter texts stay where they are. [characters] */
+const longText = 1000;
+/** The one field of an object that stands for a text. */
+const mark = 'seamwise-text';
+
+export interface Packed {
+  readonly data: unknown;
+  /** By the SHA-256 of their content. */
+  readonly texts: ReadonlyMap<string, string>;
+}
+
+const isPlain = (value: object): value is Readonly<Record<string, unknown>> =>
+  Object.getPrototypeOf(value) === Object.prototype;
+
+/** Data with its leaves, and what else `leaf` changes, replaced; what was shared stays shared. */
+function replaced(value: unknown, leaf: (value: unknown) => unknown): unknown {
+  const known = new Map<unknown, unknown>();
+  const visit = (part: unknown): unknown => {
+    if (typeof part !== 'object' || part === null) return leaf(part);
+    const before = known.get(part);
+    if (before !== undefined) return before;
+    const found = leaf(part);
+    const made = found === part ? within(part) : found;
+    known.set(part, made);
+    return made;
+  };
+  const within = (part: object): unknown => {
+    if (Array.isArray(part)) return part.map(visit);
+    if (!isPlain(part)) return part;
+    return Object.fromEntries(Object.entries(part).map(([name, inner]) => [name, visit(inner)]));
+  };
+  return visit(value);
+}
+
+async function hashOf(text: string): Promise<string> {
+  const digest = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text));
+  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+export async function packed(value: unknown): Promise<Packed> {
+  const long = new Set<string>();
+  replaced(value, (leaf) => {
+    if (typeof leaf === 'string' && leaf.length >= longText) long.add(leaf);
+    return leaf;
+  });
+  const hashes = new Map(
+    await Promise.all([...long].map(async (text) => [text, await hashOf(text)] as const)),
+  );
+  const data = replaced(value, (leaf) => {
+    const hash = typeof leaf === 'string' ? hashes.get(leaf) : undefined;
+    return hash === undefined ? leaf : {[mark]: hash};
+  });
+  return {data, texts: new Map([...hashes].map(([text, hash]) => [hash, text]))};
+}
+
+/** The inverse of `packed`. A text that is missing is empty. */
+export const unpacked = ({data, texts}: Packed): unknown =>
+  replaced(data, (leaf) => {
+    const hash: unknown =
+      typeof leaf === 'object' && leaf !== null ? Reflect.get(leaf, mark) : undefined;
+    return typeof hash === 'string' ? (texts.get(hash) ?? '') : leaf;
+  });
