@@ -2,33 +2,53 @@
 import {
   keepPreferences,
   loadSamples,
-  opening,
-  sampleGarment,
-  samplePrint,
   storedPreferences,
+  textsOf,
+  toFailure,
   Workbench,
 } from '../element/index.js';
+import {askedFor, firstDesign} from './first-design.js';
+import {Keeper} from './keeper.js';
 import {SeamwisePage} from './page.js';
 
+const samples = loadSamples();
 const desk = new Workbench({}, storedPreferences());
 keepPreferences(desk);
+const keeper = new Keeper(desk, (trouble) => {
+  desk.say({tone: 'error', text: textsOf(desk.preferences.language).storage[trouble]});
+});
+
 const page = new SeamwisePage();
 page.desk = desk;
+page.keeper = keeper;
 document.body.append(page);
 
-const [samples, garment] = await Promise.all([
-  loadSamples(),
-  sampleGarment(opening.style, opening.size),
-]);
-page.samples = samples;
-const print = samples.prints.find(({name}) => name === opening.print) ?? samples.prints[0];
-if (print) {
-  const design = {
-    garment,
-    print: samplePrint(print),
-    symmetries: [],
-    method: 'best' as const,
-    options: opening.options,
-  };
-  desk.begin({past: [], present: {design, view: null}, future: []});
+const sayFailure = (error: unknown): void => {
+  desk.say({tone: 'error', text: toFailure(error).message});
+};
+
+async function begin(address: URL): Promise<void> {
+  const resumed = address.hash === '' && address.search === '' ? await keeper.resumed() : undefined;
+  if (resumed) {
+    desk.begin(resumed);
+    return;
+  }
+  const design = await firstDesign(samples, address);
+  const asked = await askedFor(address, design).catch((error: unknown) => {
+    sayFailure(error);
+    return undefined;
+  });
+  desk.begin({past: [], present: {design: asked ?? design, view: null}, future: []});
+  // from now on the tab shows what is made of it
+  if (address.hash !== '') history.replaceState(null, '', address.pathname + address.search);
 }
+
+try {
+  void samples.then((known) => {
+    page.samples = known;
+  }, sayFailure);
+  await begin(new URL(location.href));
+} catch (error) {
+  sayFailure(error);
+}
+keeper.follow(new AbortController().signal);

@@ -1,11 +1,69 @@
-/** Opens whatever a user hands over: a garment, a print, a project, a result. */
-import {toFailure, type Workbench} from '../element/index.js';
+/** Opens whatever a user hands over: a garment, a print, a project, or a result. */
+import {FileError, isProject, readProject} from '../model/project.js';
+import {openPrint, toFailure, type Workbench} from '../element/index.js';
+
+/** Nobody's pattern is larger, and a browser would choke on it. [bytes] */
+const most = 64 * 2 ** 20;
 
 /** What cannot be opened is said, and leaves everything as it is. */
 export async function openFile(desk: Workbench, file: File): Promise<void> {
   try {
-    await desk.open({name: file.name, text: await file.text()});
+    await opened(desk, file);
   } catch (error) {
-    desk.say({tone: 'error', text: toFailure(error).message});
+    const text = error instanceof FileError ? error.message : toFailure(error).message;
+    desk.say({tone: 'error', text});
   }
+}
+
+async function opened(desk: Workbench, file: File): Promise<void> {
+  const {name} = file;
+  if (isPicture(file)) return openPrint(desk, file);
+  if (file.size > most)
+    throw new FileError(name, 'is too large for a sewing pattern; choose another file.');
+  const text = await file.text();
+  const content = parsed(text);
+  if (isProject(content)) {
+    desk.change(readProject(text, name).design);
+  } else if (hasFormat(content, 'seamwise-print') || looksLikePrint(content)) {
+    await openPrint(desk, file);
+  } else if (hasFormat(content, 'seamwise-result')) {
+    desk.change(designIn(content, name));
+  } else {
+    await desk.open({name, text});
+  }
+}
+
+const isPicture = ({type, name}: File): boolean =>
+  type.startsWith('image/') || /\.(png|jpe?g|webp|svg)$/i.test(name);
+
+/** Undefined when it is no JSON: the solver says so better. */
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
+
+const field = (value: unknown, name: string): unknown =>
+  typeof value === 'object' && value !== null ? Reflect.get(value, name) : undefined;
+
+const hasFormat = (content: unknown, format: string): boolean => {
+  const written = field(content, 'format');
+  return typeof written === 'string' && written.startsWith(`${format}/`);
+};
+
+const looksLikePrint = (content: unknown): boolean =>
+  ['group', 'w1', 'w2'].every((name) => field(content, name) !== undefined);
+
+/** A result that was saved here holds the design that it is the answer to. */
+function designIn(content: unknown, name: string): ReturnType<typeof readProject>['design'] {
+  const design = field(content, 'design');
+  if (design === undefined) {
+    throw new FileError(
+      name,
+      'is a result without its design; open the garment that it was made from.',
+    );
+  }
+  return readProject(JSON.stringify({format: 'seamwise-project/1', design}), name).design;
 }

@@ -1,18 +1,36 @@
 /** The page: what is decided on the left, the pattern in the middle, how well it fits on the right. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import {controls, DeskElement, icon, tokens, type KeyMap, type Samples} from '../element/index.js';
+import {
+  controls,
+  DeskElement,
+  icon,
+  tokens,
+  type KeyMap,
+  type LensCursor,
+  type PatternPane,
+  type Samples,
+  type SeamLens,
+  type Wish,
+} from '../element/index.js';
 import {chooseFile, takeFiles} from './files.js';
+import type {Keeper} from './keeper.js';
 import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
 import {pageKeys} from './page-keys.js';
+import './recent-menu.js';
 import './save-menu.js';
 import {saveProject, saveResult} from './save.js';
 
 export class SeamwisePage extends DeskElement {
-  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+  static override properties = {
+    ...DeskElement.properties,
+    samples: {attribute: false},
+    keeper: {attribute: false},
+  };
   static override styles = [tokens, controls, pageLayout];
   declare samples: Samples | undefined;
+  declare keeper: Keeper;
   #life: AbortController | undefined;
 
   override connectedCallback(): void {
@@ -38,8 +56,9 @@ export class SeamwisePage extends DeskElement {
     this.addEventListener(
       'sw-wish',
       (event) => {
-        if ((event as CustomEvent<string>).detail === 'keys')
-          this.renderRoot.querySelector<KeyMap>('sw-key-map')?.open();
+        const {detail} = event as CustomEvent<Wish>;
+        if (detail === 'keys') this.renderRoot.querySelector<KeyMap>('sw-key-map')?.open();
+        else this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus();
       },
       {signal},
     );
@@ -56,6 +75,7 @@ export class SeamwisePage extends DeskElement {
     return html`
       <header>
         <h1>${app.name}</h1>
+        <sw-recent-menu .desk=${desk} .keeper=${this.keeper}></sw-recent-menu>
         <sw-garment-choice .desk=${desk} .samples=${samples}></sw-garment-choice>
         <button class="outlined" @click=${() => this.#open()}>
           ${icon.open} <span class="label">${app.openGarment}</span>
@@ -99,9 +119,19 @@ export class SeamwisePage extends DeskElement {
       <aside class="report" aria-label=${app.report}>
         <sw-key-map .desk=${desk}></sw-key-map>
         <sw-headline .desk=${desk}></sw-headline>
+        <sw-lens
+          .desk=${desk}
+          @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {
+            if (this.#pattern) this.#pattern.cursor = event.detail;
+          }}
+        ></sw-lens>
         <sw-tables .desk=${desk}></sw-tables>
       </aside>
     `;
+  }
+
+  get #pattern(): PatternPane | null {
+    return this.renderRoot.querySelector('sw-pattern');
   }
 
   async #open(): Promise<void> {

@@ -2,7 +2,7 @@
 import {css, html, type TemplateResult} from 'lit';
 
 import {controls, DeskElement, icon, lengthUnit} from '../element/index.js';
-import {saveCutting, savePicture} from './save.js';
+import {copyLink, saveCutting, savePicture} from './save.js';
 
 /** What most sewing patterns have. [cm] */
 const usualAllowance = 1;
@@ -73,6 +73,9 @@ export class SaveMenu extends DeskElement {
           </label>
           <button class="outlined" @click=${() => void saveCutting(desk, this.allowance)}>
             ${icon.save} ${app.saveCutting}
+          </button>
+          <button class="outlined" @click=${() => void copyLink(desk)}>
+            ${icon.link} ${app.copyLink}
           </button>
         </div>
       </div>

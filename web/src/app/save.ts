@@ -1,16 +1,23 @@
 /** What a user takes away. */
-import {cuttingSvg, type Workbench} from '../element/index.js';
+import {linkOf} from '../model/link.js';
+import {writeProject} from '../model/project.js';
+import {cuttingSvg, textsOf, type Workbench} from '../element/index.js';
 import {saveFile} from './files.js';
 
 const stem = (desk: Workbench): string =>
   (desk.design?.garment.name ?? 'garment').replace(/(\.seamwise)?\.json$/i, '');
 
 export function saveProject(desk: Workbench): void {
-  if (desk.design) saveFile(`${stem(desk)}.seamwise.json`, JSON.stringify(desk.design));
+  if (desk.design) {
+    const view = desk.view?.get();
+    saveFile(`${stem(desk)}.seamwise.json`, writeProject(desk.design, view ? {view} : {}));
+  }
 }
 
+/** With the design that it is the answer to, so that it can be opened again. */
 export function saveResult(desk: Workbench): void {
-  if (desk.result) saveFile(`${stem(desk)}.result.json`, JSON.stringify(desk.result));
+  if (desk.result)
+    saveFile(`${stem(desk)}.result.json`, JSON.stringify({...desk.result, design: desk.design}));
 }
 
 /** The whole sheet as it is shown. */
@@ -26,4 +33,16 @@ export async function saveCutting(desk: Workbench, allowanceCm: number): Promise
   } catch (error) {
     desk.say({tone: 'error', text: error instanceof Error ? error.message : String(error)});
   }
+}
+
+/** The address of this page with the design in it. */
+export async function copyLink(desk: Workbench): Promise<void> {
+  const {app} = textsOf(desk.preferences.language);
+  const link = desk.design && linkOf(desk.design);
+  if (link === undefined) {
+    desk.say({tone: 'info', text: app.noLink});
+    return;
+  }
+  await navigator.clipboard.writeText(new URL(link, location.href).href);
+  desk.say({tone: 'info', text: app.linkCopied});
 }

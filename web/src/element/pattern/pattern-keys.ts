@@ -16,6 +16,9 @@ const ways: Readonly<Record<string, Point>> = {
   ArrowDown: [0, -1],
 };
 
+/** What a key asks of those beside the pattern: the map of keys, or the lens on the selected seam. */
+export type Wish = 'keys' | 'lens';
+
 export function patternKeys(pane: PatternPane, event: KeyboardEvent): void {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
@@ -101,13 +104,7 @@ function viewKey(pane: PatternPane, key: string): boolean {
       return true;
     case 'l':
     case '?':
-      pane.dispatchEvent(
-        new CustomEvent('sw-wish', {
-          detail: key === 'l' ? 'lens' : 'keys',
-          bubbles: true,
-          composed: true,
-        }),
-      );
+      wish(pane, key === 'l' ? 'lens' : 'keys');
       return true;
     default: {
       const number = Number(key);
@@ -118,6 +115,10 @@ function viewKey(pane: PatternPane, key: string): boolean {
       return true;
     }
   }
+}
+
+function wish(pane: PatternPane, detail: Wish): void {
+  pane.dispatchEvent(new CustomEvent('sw-wish', {detail, bubbles: true, composed: true}));
 }
 
 function walk({index, desk}: PatternPane, key: string): boolean {

@@ -1,5 +1,5 @@
 /** The pattern: its drawing, what lies over it, and the same as words for those who do not see it. */
-import {html, nothing, type TemplateResult} from 'lit';
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {pickIndex, type PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
@@ -192,13 +192,21 @@ export class PatternPane extends DeskElement {
     return scenes && this.#index.of(scenes.now);
   }
 
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const {clientWidth: width, clientHeight: height} = this.#stage ?? {
+      clientWidth: 0,
+      clientHeight: 0,
+    };
+    if (width > 0) this.desk.scenes = this.#maker.scenes(this.desk, {width, height});
+  }
+
   protected override updated(): void {
     const view = this.#view;
     if (!view) return;
     view.setAppearance(this.#appearance);
     const {desk} = this;
-    const {clientWidth: width = 0, clientHeight: height = 0} = this.#stage ?? {};
-    const scenes = this.#maker.scenes(desk, {width, height});
+    const {scenes} = desk;
     if (scenes) {
       view.show(scenes.now);
       view.setWipe(
@@ -211,7 +219,6 @@ export class PatternPane extends DeskElement {
         overlayOf(desk, scenes.now, this.tools, this.#cursor, this.texts, this.format),
       );
     }
-    desk.scenes = scenes;
     void this.#showTile(view);
   }
 

@@ -4,7 +4,7 @@ import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 
-/** Sends `input` with the share of the width, from 0 to 1, as its detail. */
+/** Sends `input` with the share of the width, from 0 to 1, as its detail. `bare`: without words, the handle at the foot. */
 export class WipeHandle extends DeskElement {
   static override properties = {...DeskElement.properties, split: {attribute: false}};
   declare split: number;
@@ -72,6 +72,14 @@ export class WipeHandle extends DeskElement {
       }
       .after {
         left: calc(var(--at) + var(--sw-space-2));
+      }
+      :host([bare]) span {
+        display: none;
+      }
+      :host([bare]) input {
+        top: auto;
+        bottom: 0;
+        translate: none;
       }
     `,
   ];

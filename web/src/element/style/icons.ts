@@ -24,6 +24,10 @@ export const icon = {
   redo: drawn(svg`<path d="m10.5 3 3 3-3 3M13.5 6H6a3.5 3.5 0 0 0 0 7h3"/>`),
   open: drawn(svg`<path d="M2 12.5v-9h4l1.5 2H14v7z"/>`),
   save: drawn(svg`<path d="M8 2.5v8M4.5 7.5 8 11l3.5-3.5M2.5 13.5h11"/>`),
+  recent: drawn(svg`<circle cx="8" cy="8" r="5.5"/><path d="M8 5v3.2l2.2 1.3"/>`),
+  link: drawn(
+    svg`<path d="M6.5 9.5 9.5 6.5M7 4.5 8.5 3a3 3 0 0 1 4.5 4.5L11.5 9M9 11.5 7.5 13A3 3 0 0 1 3 8.5L4.5 7"/>`,
+  ),
   close: drawn(svg`<path d="m4 4 8 8M12 4l-8 8"/>`),
   settings: drawn(
     svg`<path d="M2.5 5h6M11.5 5h2M2.5 11h2M7.5 11h6"/><circle cx="10" cy="5" r="1.5"/><circle cx="6" cy="11" r="1.5"/>`,
@@ -39,4 +43,8 @@ export const icon = {
     svg`<path d="M3 13 13 3M8.5 3H13v4.5"/><path d="M3 3v4M3 3h4" stroke-dasharray="1 2.5"/>`,
   ),
   before: drawn(svg`<path d="M8 2v12M2.5 4.5h3M2.5 8h3M2.5 11.5h3"/><path d="M10.5 4.5h3v7h-3"/>`),
+  up: drawn(svg`<path d="M8 13V3.5M4 7.5l4-4 4 4"/>`),
+  down: drawn(svg`<path d="M8 3v9.5M4 8.5l4 4 4-4"/>`),
+  pin: drawn(svg`<path d="M5.5 2.5h5M6.5 2.5v4.5L4 9.5h8L9.5 7V2.5M8 9.5V14"/>`),
+  widen: drawn(svg`<path d="M2 8h12M4.5 5.5 2 8l2.5 2.5M11.5 5.5 14 8l-2.5 2.5"/>`),
 };

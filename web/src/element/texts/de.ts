@@ -19,6 +19,11 @@ export const de: Texts = {
     saveMore: 'Sichern …',
     allowance: (unit) => `Nahtzugabe (${unit})`,
     recent: 'Letzte Projekte',
+    noRecent: 'Noch nichts. Was hier geändert wird, bleibt in diesem Browser.',
+    copyLink: 'Link kopieren',
+    linkCopied: 'Der Link ist in der Zwischenablage.',
+    noLink:
+      'Nur Entwürfe aus Mustern dieser Seite passen in einen Link; bitte das Projekt sichern.',
     settings: 'Einstellungen',
     language: 'Sprache',
     units: 'Einheiten',
@@ -141,6 +146,13 @@ export const de: Texts = {
     ['Strg S, Strg O', 'Projekt sichern, öffnen'],
     ['?', 'Diese Übersicht'],
   ],
+  storage: {
+    unavailable:
+      'Dieser Browser behält für diese Seite nichts; bitte das Projekt vor dem Gehen sichern.',
+    full: 'Der Speicher ist voll: Änderungen werden nicht mehr behalten. Bitte das Projekt sichern und Platz schaffen.',
+    failed:
+      'Änderungen konnten in diesem Browser nicht behalten werden; bitte das Projekt vor dem Gehen sichern.',
+  },
   legend: {
     title: 'Versatz entlang der Nähte',
     none: '0',

@@ -17,6 +17,10 @@ export const en = {
     saveMore: 'Save …',
     allowance: (unit: string) => `Seam allowance (${unit})`,
     recent: 'Recent projects',
+    noRecent: 'Nothing yet. What you change here is kept in this browser.',
+    copyLink: 'Copy link',
+    linkCopied: 'The link is in the clipboard.',
+    noLink: 'Only designs made of samples travel in a link; save the project instead.',
     settings: 'Settings',
     language: 'Language',
     units: 'Units',
@@ -141,6 +145,11 @@ export const en = {
     ['Ctrl S, Ctrl O', 'Save project, open'],
     ['?', 'This map'],
   ] as readonly (readonly [key: string, meaning: string])[],
+  storage: {
+    unavailable: 'This browser keeps nothing for this page; save the project before you leave.',
+    full: 'The disk is full: changes are no longer kept. Save the project, then make room.',
+    failed: 'Changes could not be kept in this browser; save the project before you leave.',
+  },
   legend: {
     title: 'Mismatch along the seams',
     none: '0',

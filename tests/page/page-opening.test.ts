@@ -1,0 +1,86 @@
+/** What somebody sees who opens the page, and the first things they do. */
+import {expect, it} from 'vitest';
+
+import {button, progress, saved, solved, usePage} from '../support/page.js';
+
+const openPage = usePage();
+
+it('shows a sample garment, and its live answer without being asked', async () => {
+  const page = await openPage();
+  await page.getByRole('application', {name: 'Pattern'}).waitFor();
+  await solved(page);
+  const fit = page.getByLabel('Fit', {exact: true});
+  expect(await fit.textContent()).toMatch(/^[\d.]+ cm2, [\d.]+ % of random$/);
+});
+
+it('names all that tests and screen readers rely on', async () => {
+  const page = await openPage();
+  await solved(page);
+  for (const name of [
+    ...['Align', 'Cancel', 'Undo', 'Redo', 'Open garment', 'Open print', 'Save project'],
+    ...['Save result', 'Symmetric piece', 'Symmetric pair', 'Accept all symmetries'],
+  ]) {
+    expect(await button(page, name).count(), name).toBe(1);
+  }
+  for (const name of ['Pieces', 'Seams'])
+    expect(await page.getByRole('table', {name, exact: true}).count(), name).toBe(1);
+  for (const name of ['Repeat width (cm)', 'Repeat height (cm)', 'Greatest change (mm)'])
+    expect(await page.getByRole('spinbutton', {name, exact: true}).count(), name).toBe(1);
+  expect(await page.getByRole('radiogroup', {name: 'Wallpaper group'}).count()).toBe(1);
+});
+
+it('cancels within a tenth of a second, and aligns again when asked', async () => {
+  const page = await openPage();
+  await solved(page);
+  await page.getByLabel('Garment', {exact: true}).selectOption('princess-dress');
+  await progress(page)
+    .filter({hasText: /^(Aligning|Shaping)/})
+    .waitFor();
+  const waited = await button(page, 'Cancel').evaluate(async (cancel: HTMLButtonElement) => {
+    const status = (cancel.getRootNode() as ShadowRoot).querySelector('sw-progress')?.shadowRoot;
+    const begun = performance.now();
+    cancel.click();
+    while (!status?.textContent?.includes('Cancelled')) {
+      if (performance.now() - begun > 5000) break;
+      await new Promise(requestAnimationFrame);
+    }
+    return performance.now() - begun;
+  });
+  expect(waited).toBeLessThan(100);
+  await button(page, 'Align').click();
+  await solved(page);
+});
+
+it('gives one final answer to three quick changes, that of the last', async () => {
+  const page = await openPage();
+  await solved(page);
+  for (const name of ['pgg', 'cm', 'p6m'])
+    await page.getByRole('radio', {name: new RegExp(`^${name}\\b`)}).click();
+  await solved(page);
+  const result = JSON.parse(await saved(page, 'Save result')) as {print: {group: string}};
+  expect(result.print.group).toBe('p6m');
+});
+
+it('undoes to the start and redoes to the end, with identical answers', async () => {
+  const page = await openPage();
+  await solved(page);
+  const results = [await saved(page, 'Save result')];
+  await button(page, 'Accept all symmetries').click();
+  await solved(page);
+  results.push(await saved(page, 'Save result'));
+  await page.getByRole('radio', {name: /^cmm\b/}).click();
+  await solved(page);
+  results.push(await saved(page, 'Save result'));
+  for (const k of [1, 0]) {
+    await button(page, 'Undo').click();
+    await solved(page);
+    expect((await saved(page, 'Save result')) === results[k]).toBe(true);
+  }
+  expect(await button(page, 'Undo').isDisabled()).toBe(true);
+  for (const k of [1, 2]) {
+    await button(page, 'Redo').click();
+    await solved(page);
+    expect((await saved(page, 'Save result')) === results[k]).toBe(true);
+  }
+  expect(await button(page, 'Redo').isDisabled()).toBe(true);
+});

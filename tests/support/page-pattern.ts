@@ -1,0 +1,79 @@
+/** Where things lie on the screen that somebody would click in the page's pattern. */
+import type {Page} from 'playwright-core';
+
+import type {Point} from '../../web/src/model/geometry.js';
+import type {PatternPane} from '../../web/src/element/index.js';
+
+/** Runs in the page: a point of a piece, as a share along a side of a seam or in the middle of the piece. */
+function locate({
+  seam,
+  side,
+  piece,
+  share,
+}: {
+  readonly seam?: number;
+  readonly side?: 'a' | 'b';
+  readonly piece?: string;
+  readonly share: number;
+}): Point | null {
+  const pane = document
+    .querySelector('seamwise-page')
+    ?.shadowRoot?.querySelector<PatternPane>('sw-pattern');
+  const stage = pane?.shadowRoot?.querySelector('.stage');
+  const scene = pane?.desk.scenes?.now;
+  if (!pane?.view || !stage || !scene) return null;
+  const line = seam === undefined ? undefined : scene.seams[seam]?.[side ?? 'a'];
+  const shape = scene.pieces.find(({name}, k) => (line ? k === line.piece : name === piece));
+  if (!shape) return null;
+  const at = ((): Point => {
+    if (line)
+      return (
+        shape.points[line.vertices[Math.round(share * (line.vertices.length - 1))] ?? 0] ?? [0, 0]
+      );
+    const loop = shape.outline.map((v) => shape.points[v] ?? [0, 0]);
+    const middle = (axis: 0 | 1): number => {
+      const values = loop.map((p) => p[axis]);
+      return (Math.min(...values) + Math.max(...values)) / 2;
+    };
+    return [middle(0), middle(1)];
+  })();
+  const [x, y] = pane.view.screenOf([at[0] + shape.offset[0], at[1] + shape.offset[1]]);
+  const {left, top} = stage.getBoundingClientRect();
+  return [left + x, top + y];
+}
+
+async function clickAt(page: Page, what: Parameters<typeof locate>[0]): Promise<void> {
+  const at = await page.evaluate(locate, what);
+  if (!at) throw new Error(`${JSON.stringify(what)} is not on the screen.`);
+  await page.mouse.click(...(at as [number, number]));
+}
+
+export const clickSeam = (page: Page, seam: number, side: 'a' | 'b', share = 0.5): Promise<void> =>
+  clickAt(page, {seam, side, share});
+
+export const clickPiece = (page: Page, piece: string): Promise<void> =>
+  clickAt(page, {piece, share: 0});
+
+/** Number of the seam with this name in the garment that is shown, and on which side a piece is. */
+export async function seamOf(
+  page: Page,
+  name: string,
+  piece: string,
+): Promise<{readonly seam: number; readonly side: 'a' | 'b'}> {
+  const found = await page.evaluate(
+    ([wanted, owner]) => {
+      const desk = document
+        .querySelector('seamwise-page')
+        ?.shadowRoot?.querySelector<PatternPane>('sw-pattern')?.desk;
+      const scene = desk?.scenes?.now;
+      const file = JSON.parse(desk?.design?.garment.text ?? '{}') as {seams?: {name?: string}[]};
+      const seam = file.seams?.findIndex((one) => one.name === wanted) ?? -1;
+      const {a} = scene?.seams[seam] ?? {};
+      if (!scene || !a) return null;
+      return {seam, side: scene.pieces[a.piece]?.name === owner ? ('a' as const) : ('b' as const)};
+    },
+    [name, piece] as const,
+  );
+  if (!found) throw new Error(`There is no seam '${name}'.`);
+  return found;
+}

@@ -1,0 +1,104 @@
+/** The page itself in a real browser, as it is built and served for users. */
+import {execFile} from 'node:child_process';
+import {mkdtemp, readFile, rm} from 'node:fs/promises';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {promisify} from 'node:util';
+
+import type {Browser, BrowserContextOptions, Locator, Page} from 'playwright-core';
+import {preview, type PreviewServer} from 'vite';
+import {afterAll, afterEach, beforeAll, expect} from 'vitest';
+
+import type {PatternPane} from '../../web/src/element/index.js';
+import {openBrowser} from './browser.js';
+
+const run = promisify(execFile);
+const vite = fileURLToPath(new URL('../../node_modules/vite/bin/vite.js', import.meta.url));
+const configFile = fileURLToPath(new URL('../../vite.config.ts', import.meta.url));
+
+export interface PageOptions extends BrowserContextOptions {
+  /** What follows the address: `?garment=...`, `#...`. */
+  readonly query?: string;
+  /** In whose context, to share its storage. */
+  readonly beside?: Page;
+}
+
+/** Builds and serves the page for one file of tests. Whatever the page says on its console fails the test. */
+export function usePage(): (options?: PageOptions) => Promise<Page> {
+  let browser: Browser;
+  let server: PreviewServer;
+  let outDir: string;
+  const said: string[] = [];
+  const opened: Page[] = [];
+
+  beforeAll(async () => {
+    outDir = await mkdtemp(join(tmpdir(), 'seamwise-built-'));
+    // in a process of its own: a test's is not the production that users get
+    await run(process.execPath, [vite, 'build', '--config', configFile, '--outDir', outDir], {
+      env: {...process.env, NODE_ENV: 'production'},
+    });
+    server = await preview({
+      configFile,
+      logLevel: 'warn',
+      build: {outDir},
+      preview: {port: 0, strictPort: false},
+    });
+    browser = await openBrowser();
+  });
+  afterEach(async () => {
+    await Promise.all(opened.splice(0).map((page) => page.context().close()));
+    expect(said.splice(0)).toEqual([]);
+  });
+  afterAll(async () => {
+    await browser.close();
+    await server.close();
+    await rm(outDir, {recursive: true});
+  });
+
+  return async ({query = '', beside, ...context} = {}) => {
+    const page = await (
+      beside?.context() ??
+      (await browser.newContext({viewport: {width: 1440, height: 900}, ...context}))
+    ).newPage();
+    opened.push(page);
+    page.on('console', (message) => {
+      // software rendering is slow to give pixels back, and says so
+      if (!message.text().includes('GPU stall')) said.push(message.text());
+    });
+    page.on('pageerror', (error) => said.push(error.message));
+    const address = server.httpServer.address();
+    if (typeof address !== 'object' || !address) throw new Error('The server has no port.');
+    await page.goto(`http://localhost:${address.port}/${query}`);
+    return page;
+  };
+}
+
+export const button = (page: Page, name: string): Locator =>
+  page.getByRole('button', {name, exact: true});
+
+export const progress = (page: Page): Locator => page.getByRole('status', {name: 'Progress'});
+
+/** Waits for the final answer to what is asked now. */
+export const solved = (page: Page): Promise<void> =>
+  progress(page)
+    .filter({hasText: /^Aligned in/})
+    .waitFor({timeout: 60_000});
+
+/** Shows one of the samples, by the names in public/samples.json. */
+export async function showSample(page: Page, style: string): Promise<void> {
+  await page.getByLabel('Garment', {exact: true}).selectOption(style);
+  await page.waitForFunction((wanted) => {
+    const pane = document
+      .querySelector('seamwise-page')
+      ?.shadowRoot?.querySelector<PatternPane>('sw-pattern');
+    return pane?.desk.design?.garment.sample?.style === wanted;
+  }, style);
+  await solved(page);
+}
+
+/** What a button gives to save, as text. */
+export async function saved(page: Page, name: string): Promise<string> {
+  const [download] = await Promise.all([page.waitForEvent('download'), button(page, name).click()]);
+  return readFile(await download.path(), 'utf8');
+}

@@ -1,0 +1,72 @@
+/** What the page shows at first: what its address asks for, or the opening sample. */
+import type {Design} from '../model/design.js';
+import {readLink, type LinkedDesign} from '../model/link.js';
+import {
+  firstOptions,
+  opening,
+  readPrintFile,
+  sampleGarment,
+  samplePrint,
+  type Samples,
+} from '../element/index.js';
+
+/** @throws {Error} with one sentence when a sample cannot be read */
+export async function firstDesign(samples: Promise<Samples>, address: URL): Promise<Design> {
+  const linked = readLink(address.hash);
+  if (linked) return fromLink(linked, await samples);
+  const [garment, {prints}] = await Promise.all([
+    sampleGarment(opening.style, opening.size),
+    samples,
+  ]);
+  const print = prints.find(({name}) => name === opening.print);
+  if (!print) throw new Error('The list of samples lacks the first print; load the page again.');
+  const {options} = opening;
+  return {garment, print: samplePrint(print), symmetries: [], method: 'best', options};
+}
+
+async function fromLink(
+  {garment, print, ...rest}: LinkedDesign,
+  samples: Samples,
+): Promise<Design> {
+  const known = samples.prints.find(({name}) => name === print.sample.name);
+  if (!known) throw new Error('The link names a print that is not here; choose another.');
+  const shipped = samplePrint(known, print.sample.colourway);
+  return {
+    ...rest,
+    garment: await sampleGarment(garment.style, garment.size),
+    print: {...shipped, ...print},
+  };
+}
+
+/** The files that an address names by `?garment=URL&print=URL`. @throws {Error} with one sentence */
+export async function askedFor(address: URL, before: Design): Promise<Design | undefined> {
+  const [garment, print] = ['garment', 'print'].map((name) => address.searchParams.get(name));
+  if (!garment && !print) return undefined;
+  const file = garment ? await fetched(garment, address) : undefined;
+  return {
+    ...before,
+    ...(file && {garment: {name: file.name, text: await file.text()}, options: firstOptions}),
+    ...(print && {print: await askedPrint(print, address)}),
+  };
+}
+
+async function askedPrint(path: string, address: URL): Promise<Design['print']> {
+  const print = await readPrintFile(await fetched(path, address));
+  if (!path.endsWith('.json')) return print;
+  const url = new URL(path, address);
+  const {image} = JSON.parse(await (await fetched(path, address)).text()) as {image?: string};
+  return image ? {...print, image: new URL(image, url).href} : print;
+}
+
+async function fetched(path: string, address: URL): Promise<File> {
+  const url = new URL(path, address);
+  if (url.origin !== address.origin) {
+    throw new Error(
+      `${path} is on another host; copy the file to ${address.host} and name it there.`,
+    );
+  }
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${path} cannot be read; check the address.`);
+  const blob = await response.blob();
+  return new File([blob], url.pathname.split('/').at(-1) ?? path, {type: blob.type});
+}
