@@ -34,7 +34,7 @@ export const flag: Read<boolean> = (value, at) =>
   typeof value === 'boolean' ? value : fail(at, 'true or false');
 
 export const oneOf =
-  <T extends string>(names: readonly T[]): Read<T> =>
+  <const T extends string>(names: readonly T[]): Read<T> =>
   (value, at) =>
     names.find((name) => name === value) ?? fail(at, `one of ${names.join(', ')}`);
 
@@ -67,15 +67,15 @@ export const recordOf =
     );
 
 type Fields = Readonly<Record<string, Read<unknown>>>;
-type Required<F extends Fields> = {readonly [Name in keyof F]: ReturnType<F[Name]>};
+type Needed<F extends Fields> = {readonly [Name in keyof F]: ReturnType<F[Name]>};
 type Optional<F extends Fields> = {readonly [Name in keyof F]?: ReturnType<F[Name]>};
 
 /** Fields that are not known are left out. */
-export function shape<Must extends Fields>(must: Must): Read<Required<Must>>;
+export function shape<Must extends Fields>(must: Must): Read<Needed<Must>>;
 export function shape<Must extends Fields, May extends Fields>(
   must: Must,
   may: May,
-): Read<Required<Must> & Optional<May>>;
+): Read<Needed<Must> & Optional<May>>;
 export function shape(must: Fields, may: Fields = {}): Read<Readonly<Record<string, unknown>>> {
   return (value, at) => {
     const given = new Map(entriesOf(value, at));
