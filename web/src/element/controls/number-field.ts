@@ -1,5 +1,6 @@
 /** A number that somebody types: a wrong entry is said beside it and changes nothing. */
 import {css, html, LitElement, nothing, type PropertyValues, type TemplateResult} from 'lit';
+import {live} from 'lit/directives/live.js';
 
 import type {Units} from '../../model/units.js';
 import {controls} from '../style/controls.js';
@@ -20,7 +21,8 @@ export class NumberField extends LitElement {
     step: {type: Number},
     digits: {type: Number},
     wrong: {},
-    isWrong: {state: true},
+    subject: {attribute: false},
+    typed: {state: true},
   };
   declare label: string;
   declare value: number;
@@ -31,7 +33,10 @@ export class NumberField extends LitElement {
   declare digits: number;
   /** What is said of a wrong entry. */
   declare wrong: string;
-  declare protected isWrong: boolean;
+  /** What has this number: a wrong entry is forgotten with it. */
+  declare subject: unknown;
+  /** A wrong entry. */
+  declare protected typed: string | undefined;
 
   static override styles = [
     controls,
@@ -51,14 +56,14 @@ export class NumberField extends LitElement {
     super();
     this.step = 1;
     this.digits = 2;
-    this.isWrong = false;
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has('value')) this.isWrong = false;
+    if (changed.has('value') || changed.has('subject')) this.typed = undefined;
   }
 
   protected override render(): TemplateResult {
+    const isWrong = this.typed !== undefined;
     return html`
       <label>
         ${this.label}
@@ -66,15 +71,15 @@ export class NumberField extends LitElement {
           type="number"
           inputmode="decimal"
           step=${this.step}
-          .value=${this.#shown}
-          aria-invalid=${this.isWrong ? 'true' : nothing}
-          aria-describedby=${this.isWrong ? 'wrong' : nothing}
+          .value=${live(this.typed ?? this.#shown)}
+          aria-invalid=${isWrong ? 'true' : nothing}
+          aria-describedby=${isWrong ? 'wrong' : nothing}
           @change=${(event: Event) => {
             this.#enter(event.target as HTMLInputElement);
           }}
         />
       </label>
-      ${this.isWrong ? html`<p id="wrong" class="error" role="alert">${this.wrong}</p>` : nothing}
+      ${isWrong ? html`<p id="wrong" class="error" role="alert">${this.wrong}</p>` : nothing}
     `;
   }
 
@@ -84,8 +89,10 @@ export class NumberField extends LitElement {
 
   #enter(input: HTMLInputElement): void {
     const value = input.valueAsNumber;
-    this.isWrong = !(value >= this.least && value <= this.most);
-    if (this.isWrong || value === Number(this.#shown)) return;
+    // what is no number at all compares as false, too
+    const isRight = value >= this.least && value <= this.most;
+    this.typed = isRight ? undefined : input.value;
+    if (!isRight || value === Number(this.#shown)) return;
     this.dispatchEvent(new CustomEvent<number>('entered', {detail: value}));
   }
 }

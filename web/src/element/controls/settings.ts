@@ -1,12 +1,14 @@
 /** How the page speaks and looks, behind one button. */
-import {css, html, type TemplateResult} from 'lit';
+import {css, html, unsafeCSS, type TemplateResult} from 'lit';
 
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Preferences} from '../workbench/preferences.js';
 
-const gap = 4; // between the button and what it opens [px]
+/** What the button opens is this wide, and this far from it and from the window's edge. */
+const width = '17rem';
+const gap = '4px';
 
 export class Settings extends DeskElement {
   static override styles = [
@@ -16,9 +18,12 @@ export class Settings extends DeskElement {
         width: 2rem;
         padding: 0;
       }
+      select {
+        color: var(--sw-ink);
+      }
       [popover] {
         inset: auto;
-        width: 17rem;
+        width: ${unsafeCSS(width)};
         max-width: calc(100vw - 1rem);
         margin: 0;
         padding: var(--sw-space-4);
@@ -42,15 +47,7 @@ export class Settings extends DeskElement {
       <button popovertarget="panel" aria-label=${app.settings} title=${app.settings}>
         ${icon.settings}
       </button>
-      <div
-        id="panel"
-        popover
-        role="group"
-        aria-label=${app.settings}
-        @toggle=${(event: ToggleEvent) => {
-          if (event.newState === 'open') this.#place();
-        }}
-      >
+      <div id="panel" popover role="group" aria-label=${app.settings} @beforetoggle=${this.#place}>
         ${this.#choice('language', app.language, language, {en: 'English', de: 'Deutsch'})}
         ${this.#choice('units', app.units, units, texts.unitNames)}
         ${this.#choice('theme', app.theme, theme, app.themes)}
@@ -105,9 +102,8 @@ export class Settings extends DeskElement {
     const button = this.renderRoot.querySelector('button');
     if (!panel || !button) return;
     const {right, bottom} = button.getBoundingClientRect();
-    const left = Math.min(right, innerWidth - gap) - panel.offsetWidth;
-    panel.style.left = `${Math.max(gap, left)}px`;
-    panel.style.top = `${bottom + gap}px`;
+    panel.style.right = `max(${gap}, min(${innerWidth - right}px, 100vw - ${width} - ${gap}))`;
+    panel.style.top = `calc(${bottom}px + ${gap})`;
   }
 }
 

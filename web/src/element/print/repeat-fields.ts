@@ -111,6 +111,7 @@ export class RepeatFields extends DeskElement {
     return html`<sw-number-field
       .label=${label(name)}
       .value=${value / cm}
+      .subject=${this.desk.design?.print.image}
       .least=${leastCm / cm}
       .most=${mostCm / cm}
       .step=${0.1}
@@ -131,6 +132,7 @@ export class RepeatFields extends DeskElement {
     return html`<sw-number-field
       .label=${label}
       .value=${value}
+      .subject=${this.desk.design?.print.image}
       .least=${least}
       .most=${most}
       .wrong=${this.texts.controls.between(`${least}°`, `${most}°`)}
