@@ -1,7 +1,7 @@
 #include "alignment/refine.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 namespace seamwise {
 namespace {
@@ -32,6 +32,31 @@ void assemble(const Model& model, const int sides[2], const std::vector<int>& fi
       hessian.block(row, column, bi.cols(), bj.cols()).noalias() += bi.transpose() * block * bj;
     }
   }
+}
+
+/// Solves h x = b for a positive definite h, of which the lower half is read, by Cholesky's method;
+/// x replaces b, and h is lost. False when h is not positive definite. A handful of unknowns are not
+/// worth the blocked routines of Eigen, which would be the largest piece of the whole module.
+bool solveInPlace(Eigen::MatrixXd& h, Eigen::VectorXd& b) {
+  const int n = static_cast<int>(b.size());
+  for (int k = 0; k < n; ++k) {
+    double* const pivot = &h(0, k);
+    if (!(pivot[k] > 0)) return false;
+    pivot[k] = std::sqrt(pivot[k]);
+    for (int i = k + 1; i < n; ++i) pivot[i] /= pivot[k];
+    for (int j = k + 1; j < n; ++j) {
+      double* const column = &h(0, j);
+      const double factor = pivot[j];
+      for (int i = j; i < n; ++i) column[i] -= factor * pivot[i];
+    }
+    b[k] /= pivot[k];
+    for (int i = k + 1; i < n; ++i) b[i] -= pivot[i] * b[k];
+  }
+  for (int k = n - 1; k >= 0; --k) {
+    for (int i = k + 1; i < n; ++i) b[k] -= h(i, k) * b[i];
+    b[k] /= h(k, k);
+  }
+  return true;
 }
 
 }  // namespace
@@ -76,12 +101,12 @@ double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Al
     }
     // what no seam determines stays where it is
     hessian.diagonal().array() += 1e-9 * hessian.diagonal().maxCoeff() + 1e-12;
-    const Eigen::VectorXd step = -hessian.llt().solve(gradient);
-    if (!step.allFinite()) break;
+    if (!solveInPlace(hessian, gradient) || !gradient.allFinite()) break;
+    const Eigen::VectorXd& step = gradient;  // back along it
     double scale = 1, reached = cost;
     for (int halving = 0; halving < 4; ++halving, scale /= 3) {
       for (int l : active) {
-        const Eigen::Vector3d d = bases[l] * (scale * step.segment(first[l], bases[l].cols()));
+        const Eigen::Vector3d d = bases[l] * (-scale * step.segment(first[l], bases[l].cols()));
         const Leader& leader = problem.leaders[l];
         trial[l] = moved(at[l], leader.centre, d.x(), d.tail<2>());
         if (leader.freedom.turns()) trial[l] = leader.freedom.nearest(trial[l], leader.centre);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace seamwise {
+
+void jsonMisused() { throw std::logic_error("a reader took a value for what it is not"); }
 
 Place Place::in(const std::string& part) const {
   Place inner = *this;

@@ -1,11 +1,11 @@
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "geometry/outcome.h"
 #include "geometry/in_quotes.h"
 #include "geometry/vec2.h"
+#include "io/json.h"
 
 namespace seamwise {
 

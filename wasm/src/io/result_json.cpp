@@ -1,69 +1,9 @@
 #include "io/result_json.h"
 
-#include "io/json_output.h"
+#include "io/json_writer.h"
 
 namespace seamwise {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json points(const std::vector<Vec2>& list) {
-  Json out = Json::array();
-  for (const Vec2& p : list) out.push_back(pointJson(p));
-  return out;
-}
-
-Json alignment(const Alignment& a) { return motionJson(a.angle, a.translation); }
-
-Json pieceJson(const PrintedPattern& printed, std::size_t p) {
-  const Piece& piece = printed.pattern.pieces[p];
-  return {{"name", piece.name},
-          {"rest", points(piece.rest)},
-          {"shape", points(printed.shapes[p])},
-          {"triangles", piece.triangles},
-          {"outline", piece.outline},
-          {"holes", piece.holes},
-          {"alignment", alignment(printed.alignment[p])},
-          {"mirroredFromInput", piece.mirrored_from_input}};
-}
-
-Json seamJson(const PrintedPattern& printed, std::size_t s) {
-  const Seam& seam = printed.pattern.seams[s];
-  auto side = [](const SeamSide& x) { return Json{{"piece", x.piece}, {"vertices", x.vertices}}; };
-  return {{"a", side(seam.a)},
-          {"b", side(seam.b)},
-          {"weight", seam.weight},
-          {"matched", seam.matched},
-          {"lengthRatio", seam.length_ratio},
-          {"kind", printed.joins[s].mirrored() ? "mirrored" : "continuous"},
-          {"mismatch", printed.mismatch[s]}};
-}
-
-Json mirrorJson(const PrintedPattern& printed, const Mirror& m) {
-  Json out;
-  out["kind"] = m.single() ? "piece" : "pair";
-  if (m.single())
-    out["piece"] = m.pieces[0];
-  else
-    out["pieces"] = Json::array({m.pieces[0], m.pieces[1]});
-  out["map"] = motionJson(m.map.angle, m.map.shift);
-  Json pairs = Json::array();
-  const Piece& piece = printed.pattern.pieces[m.pieces[0]];
-  for (const auto& loop : loopsOf(piece))
-    for (int v : loop) pairs.push_back(Json::array({v, m.image[v]}));
-  out["pairs"] = std::move(pairs);
-  return out;
-}
-
-void writePrinted(const PrintedPattern& printed, Json* out) {
-  (*out)["print"] = {{"group", printed.group}, {"w1", pointJson(printed.w1)}, {"w2", pointJson(printed.w2)}};
-  Json& pieces = (*out)["pieces"] = Json::array();
-  for (std::size_t p = 0; p < printed.pattern.pieces.size(); ++p) pieces.push_back(pieceJson(printed, p));
-  Json& seams = (*out)["seams"] = Json::array();
-  for (std::size_t s = 0; s < printed.pattern.seams.size(); ++s) seams.push_back(seamJson(printed, s));
-  Json& symmetries = (*out)["symmetries"] = Json::array();
-  for (const Mirror& m : printed.pattern.mirrors) symmetries.push_back(mirrorJson(printed, m));
-}
 
 /// The panel's edge that each outline edge is part of; edges follow each other along the outline.
 std::vector<int> edgesOf(const Piece& piece) {
@@ -88,39 +28,119 @@ const char* methodName(Method method) {
   return "best";
 }
 
+void writePiece(JsonWriter& out, const PrintedPattern& printed, std::size_t p) {
+  const Piece& piece = printed.pattern.pieces[p];
+  out.field("name", piece.name);
+  out.field("rest", piece.rest);
+  out.field("shape", printed.shapes[p]);
+  out.field("triangles", piece.triangles);
+  out.field("outline", piece.outline);
+  out.field("holes", piece.holes);
+  out.field("alignment", printed.alignment[p]);
+  out.field("mirroredFromInput", piece.mirrored_from_input);
+}
+
+void writeSeam(JsonWriter& out, const PrintedPattern& printed, std::size_t s) {
+  const Seam& seam = printed.pattern.seams[s];
+  const auto side = [&](const char* name, const SeamSide& of) {
+    out.key(name);
+    out.open('{');
+    out.field("piece", of.piece);
+    out.field("vertices", of.vertices);
+    out.close('}');
+  };
+  out.open('{');
+  side("a", seam.a);
+  side("b", seam.b);
+  out.field("weight", seam.weight);
+  out.field("matched", seam.matched);
+  out.field("lengthRatio", seam.length_ratio);
+  out.field("kind", printed.joins[s].mirrored() ? "mirrored" : "continuous");
+  out.field("mismatch", printed.mismatch[s]);
+  out.close('}');
+}
+
+void writeMirror(JsonWriter& out, const Pattern& pattern, const Mirror& m) {
+  out.open('{');
+  out.field("kind", m.single() ? "piece" : "pair");
+  if (m.single())
+    out.field("piece", m.pieces[0]);
+  else
+    out.field("pieces", std::array<int, 2>{m.pieces[0], m.pieces[1]});
+  out.field("map", Alignment{m.map.angle, m.map.shift});
+  std::vector<std::array<int, 2>> pairs;
+  for (const auto& loop : loopsOf(pattern.pieces[m.pieces[0]]))
+    for (int v : loop) pairs.push_back({v, m.image[v]});
+  out.field("pairs", pairs);
+  out.close('}');
+}
+
+/// @param meshed   every piece says which edges of the panel its outline consists of
+void writePrinted(JsonWriter& out, const PrintedPattern& printed, bool meshed) {
+  const Pattern& pattern = printed.pattern;
+  out.key("print");
+  out.open('{');
+  out.field("group", printed.group);
+  out.field("w1", printed.w1);
+  out.field("w2", printed.w2);
+  out.close('}');
+  out.key("pieces");
+  out.open('[');
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
+    out.open('{');
+    writePiece(out, printed, p);
+    if (meshed) out.field("edges", edgesOf(pattern.pieces[p]));
+    out.close('}');
+  }
+  out.close(']');
+  out.key("seams");
+  out.open('[');
+  for (std::size_t s = 0; s < pattern.seams.size(); ++s) writeSeam(out, printed, s);
+  out.close(']');
+  out.list("symmetries", pattern.mirrors,
+           [&](const Mirror& mirror) { writeMirror(out, pattern, mirror); });
+}
+
 }  // namespace
 
 std::string writeResult(const Result& r) {
-  Json out;
-  out["format"] = "seamwise-result/1";
-  out["units"] = "cm";
-  writePrinted(r, &out);
-  out["search"] = Json::array();
-  for (const Alignment& a : r.search) out["search"].push_back(alignment(a));
-  out["metrics"] = {{"method", methodName(r.method)},
-                    {"seed", r.seed},
-                    {"fitRandom", r.fit_random},
-                    {"fitSearch", r.fit_search},
-                    {"fitAligned", r.fit_aligned},
-                    {"fit", r.fit.any},
-                    {"fitStrict", r.fit.strict},
-                    {"fitSeam", r.fit.seam},
-                    {"maxMovedCm", r.max_moved_cm},
-                    {"iterations", r.iterations},
-                    {"factorisations", r.factorisations},
-                    {"milliseconds", {{"alignment", 0}, {"deformation", 0}, {"total", 0}}}};
-  out["notes"] = r.notes;
-  return out.dump();
+  JsonWriter out;
+  out.open('{');
+  out.field("format", "seamwise-result/1");
+  out.field("units", "cm");
+  writePrinted(out, r, false);
+  out.field("search", r.search);
+  out.key("metrics");
+  out.open('{');
+  out.field("method", methodName(r.method));
+  out.field("seed", r.seed);
+  out.field("fitRandom", r.fit_random);
+  out.field("fitSearch", r.fit_search);
+  out.field("fitAligned", r.fit_aligned);
+  out.field("fit", r.fit.any);
+  out.field("fitStrict", r.fit.strict);
+  out.field("fitSeam", r.fit.seam);
+  out.field("maxMovedCm", r.max_moved_cm);
+  out.field("iterations", r.iterations);
+  out.field("factorisations", r.factorisations);
+  out.key("milliseconds");
+  out.open('{');
+  for (const char* phase : {"alignment", "deformation", "total"}) out.field(phase, 0);
+  out.close('}');
+  out.close('}');
+  out.field("notes", r.notes);
+  out.close('}');
+  return out.take();
 }
 
 std::string writePattern(const PrintedPattern& printed) {
-  Json out;
-  writePrinted(printed, &out);
-  for (std::size_t p = 0; p < printed.pattern.pieces.size(); ++p)
-    out["pieces"][p]["edges"] = edgesOf(printed.pattern.pieces[p]);
-  out["fitRandom"] = printed.fit_random;
-  out["notes"] = printed.notes;
-  return out.dump();
+  JsonWriter out;
+  out.open('{');
+  writePrinted(out, printed, true);
+  out.field("fitRandom", printed.fit_random);
+  out.field("notes", printed.notes);
+  out.close('}');
+  return out.take();
 }
 
 }  // namespace seamwise

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/json_output.h"
+#include "io/json_writer.h"
 
 namespace seamwise {
 namespace {
@@ -68,21 +68,19 @@ std::array<Vec2, 2> axisThrough(const Panel& panel, const RigidMotion& map) {
   return ends;
 }
 
-Json symmetryJson(const Garment& garment, const BodySymmetry& symmetry) {
+void writeSymmetry(JsonWriter& out, const Garment& garment, const BodySymmetry& symmetry) {
   const Panel& first = garment.panels[symmetry.pieces[0]];
-  Json entry = Json::object();
-  entry["kind"] = symmetry.single() ? "piece" : "pair";
+  out.field("kind", symmetry.single() ? "piece" : "pair");
   if (symmetry.single()) {
-    entry["piece"] = first.name;
-    entry["axis"] = Json::array();
-    for (const Vec2& p : axisThrough(first, symmetry.map))
-      entry["axis"].push_back({shortened(p.x()), shortened(p.y())});
+    out.field("piece", first.name);
+    out.list("axis", axisThrough(first, symmetry.map), [&](const Vec2& p) {
+      out.put(Vec2(shortened(p.x()), shortened(p.y())));
+    });
   } else {
-    entry["pieces"] = {first.name, garment.panels[symmetry.pieces[1]].name};
+    out.field("pieces", std::vector{first.name, garment.panels[symmetry.pieces[1]].name});
   }
-  entry["residual"] = shortened(symmetry.residual);
-  entry["map"] = motionJson(symmetry.map.angle, symmetry.map.shift);
-  return entry;
+  out.field("residual", shortened(symmetry.residual));
+  out.field("map", Alignment{symmetry.map.angle, symmetry.map.shift});
 }
 
 }  // namespace
@@ -117,18 +115,28 @@ Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
 }
 
 std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmetry>& symmetries) {
-  Json list = Json::array();
-  for (const BodySymmetry& symmetry : symmetries) list.push_back(symmetryJson(garment, symmetry));
-  return Json{{"symmetries", std::move(list)}}.dump();
+  JsonWriter out;
+  out.open('{');
+  out.list("symmetries", symmetries, [&](const BodySymmetry& symmetry) {
+    out.open('{');
+    writeSymmetry(out, garment, symmetry);
+    out.close('}');
+  });
+  out.close('}');
+  return out.take();
 }
 
 std::string writeMeasured(const Garment& garment, const std::vector<MeasuredSymmetry>& measured) {
-  Json list = Json::array();
-  for (const MeasuredSymmetry& one : measured) {
-    list.push_back(symmetryJson(garment, one.symmetry));
-    list.back()["mirrors"] = one.mirrors;
-  }
-  return Json{{"symmetries", std::move(list)}}.dump();
+  JsonWriter out;
+  out.open('{');
+  out.list("symmetries", measured, [&](const MeasuredSymmetry& one) {
+    out.open('{');
+    writeSymmetry(out, garment, one.symmetry);
+    out.field("mirrors", one.mirrors);
+    out.close('}');
+  });
+  out.close('}');
+  return out.take();
 }
 
 }  // namespace seamwise

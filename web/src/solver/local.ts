@@ -1,3 +1,4 @@
+import {SolverError} from '../model/failure.js';
 import type {SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
@@ -69,7 +70,7 @@ export class LocalSolver {
     });
   }
 
-  /** Runs `work` on the shared module. After a trap the instance is not trusted again. */
+  /** Runs `work` on the shared module. An instance that broke, or ran out of memory, is not trusted again. */
   async #withModule<T>(work: (module: SeamwiseModule) => T | Promise<T>): Promise<T> {
     const module = await this.#load();
     try {
@@ -79,6 +80,7 @@ export class LocalSolver {
         this.#shared.discard();
         throw internalError('The solver broke', error);
       }
+      if (error instanceof SolverError && error.code === 'internal') this.#shared.discard();
       throw error;
     }
   }
