@@ -20,6 +20,7 @@ export {toFailure} from './workbench/latest-solve.js';
 
 import './controls/fit-panel.js';
 import './controls/settings.js';
+import './lens/lens.js';
 import './lists/tables.js';
 import './pattern/pattern-pane.js';
 import './print/print-panel.js';

@@ -1,0 +1,210 @@
+/** The drawing of a seam from near: a name on each side, a ruler under it, and a handle between before and after. */
+import {css, html, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
+
+import type {SeamStrip, ShownSeam} from '../../viewer/seam-strip.js';
+import {DeskElement} from '../desk-element.js';
+import type {SeamRow} from '../lists/rows.js';
+import type {LensCursor} from '../pattern/marks.js';
+import {tileOf} from '../pattern/tile.js';
+import '../pattern/wipe-handle.js';
+import {controls} from '../style/controls.js';
+import {rulerOf} from './ruler.js';
+
+/** Sends `sw-lens-cursor` with where on the seam the pointer is, if it is over one of its sides. */
+export class LensStrip extends DeskElement {
+  static override properties = {...DeskElement.properties, row: {attribute: false}};
+  declare row: SeamRow;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: minmax(0, 1fr) 0.75rem;
+      }
+      .frame {
+        position: relative;
+        border-radius: var(--sw-radius);
+        background: var(--sw-ground);
+      }
+      .stage {
+        position: absolute;
+        inset: 0;
+        overflow: hidden;
+        border-radius: inherit;
+      }
+      .side {
+        position: absolute;
+        right: var(--sw-space-1);
+        max-width: 70%;
+        padding: 0 var(--sw-space-1);
+        overflow: hidden;
+        border-radius: 4px;
+        background: var(--sw-paper);
+        font-size: var(--sw-text-small);
+        text-overflow: ellipsis;
+        white-space: nowrap;
+        pointer-events: none;
+      }
+      .a {
+        top: var(--sw-space-1);
+      }
+      .b {
+        bottom: var(--sw-space-1);
+      }
+      svg {
+        display: block;
+        width: 100%;
+        height: 100%;
+        fill: none;
+        stroke: var(--sw-strong-line);
+      }
+      p {
+        padding: var(--sw-space-2);
+      }
+    `,
+  ];
+
+  #strip: SeamStrip | undefined;
+  #shown: ShownSeam | undefined;
+  #noWebGl = false;
+  /** What is left of it shows the seam as it was before. [share of the width] */
+  #split = 0;
+  /** Whose tile is shown, or being fetched. */
+  #image: string | undefined;
+  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
+  #life: AbortController | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#life = new AbortController();
+    const {signal} = this.#life;
+    const redraw = (): void => {
+      this.requestUpdate();
+    };
+    this.#dark.addEventListener('change', redraw, {signal});
+    const resized = new ResizeObserver(redraw);
+    resized.observe(this);
+    signal.addEventListener('abort', () => {
+      resized.disconnect();
+    });
+    void this.#open(signal);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#life?.abort();
+    this.#strip?.dispose();
+    this.#strip = undefined;
+    this.#shown = undefined;
+    this.#image = undefined;
+  }
+
+  async #open(signal: AbortSignal): Promise<void> {
+    const {SeamStrip} = await import('../../viewer/seam-strip.js');
+    await this.updateComplete;
+    const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
+    if (signal.aborted || !stage) return;
+    try {
+      this.#strip = new SeamStrip(stage, {appearance: this.#appearance});
+    } catch {
+      this.#noWebGl = true;
+    }
+    this.requestUpdate();
+  }
+
+  get #appearance(): 'light' | 'dark' {
+    const {theme} = this.desk.preferences;
+    if (theme !== 'system') return theme;
+    return this.#dark.matches ? 'dark' : 'light';
+  }
+
+  /** Before it is rendered, because the ruler asks the drawing how large it is. */
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const strip = this.#strip;
+    const {scenes} = this.desk;
+    if (!strip || !scenes) return;
+    strip.setAppearance(this.#appearance);
+    const {seam} = this.row;
+    if (scenes.now !== this.#shown?.scene || seam !== this.#shown.seam) {
+      this.#shown = {scene: scenes.now, seam};
+      strip.show(this.#shown);
+    }
+    strip.setWipe(this.#split > 0 ? {before: scenes.before, split: this.#split} : undefined);
+    void this.#showTile(strip);
+  }
+
+  async #showTile(strip: SeamStrip): Promise<void> {
+    const image = this.desk.design?.print.image;
+    if (image === undefined || image === this.#image) return;
+    this.#image = image;
+    // the pattern says when a picture cannot be read
+    const tile = await tileOf(image, this.#life?.signal).catch(() => undefined);
+    if (this.#image === image) strip.setTile(tile);
+  }
+
+  protected override render(): TemplateResult {
+    const [above, below] = this.row.sides;
+    return html`
+      <div
+        class="frame"
+        @pointermove=${(event: PointerEvent) => {
+          this.#point(event);
+        }}
+        @pointerleave=${() => {
+          this.#tell(undefined);
+        }}
+      >
+        <div class="stage"></div>
+        <span class="side a">${above}</span><span class="side b">${below}</span>
+        ${
+          this.#noWebGl
+            ? html`<p class="soft">${this.texts.pattern.noWebGl}</p>`
+            : html`<sw-wipe-handle
+                bare
+                .desk=${this.desk}
+                .split=${this.#split}
+                @input=${({detail}: CustomEvent<number>) => {
+                  this.#split = detail;
+                  this.requestUpdate();
+                }}
+              ></sw-wipe-handle>`
+        }
+      </div>
+      ${this.#ruler()}
+    `;
+  }
+
+  #ruler(): TemplateResult | typeof nothing {
+    const strip = this.#strip;
+    if (!strip) return nothing;
+    const [from, to] = strip.span;
+    const {units} = this.desk.preferences;
+    const {step, ticks} = rulerOf(from, to - from, strip.scale, units);
+    const name = this.texts.lens.ruler(this.format.length(step));
+    const path = ticks.map((x, k) => `M${x.toFixed(1)} 2v${k % 5 === 0 ? 8 : 5}`).join('');
+    return html`<svg role="img" aria-label=${name}>
+      ${svg`<title>${name}</title><path d=${path} />`}
+    </svg>`;
+  }
+
+  #point(event: PointerEvent): void {
+    const {currentTarget: frame, clientX, clientY} = event;
+    if (!(frame instanceof HTMLElement)) return;
+    const {left, top} = frame.getBoundingClientRect();
+    const near = this.#strip?.pieceAt(clientX - left, clientY - top);
+    this.#tell(
+      near && near.share >= 0 && near.share <= 1
+        ? {seam: this.row.seam, share: near.share}
+        : undefined,
+    );
+  }
+
+  #tell(detail: LensCursor | undefined): void {
+    this.#strip?.setCursor(detail?.share);
+    this.dispatchEvent(new CustomEvent('sw-lens-cursor', {detail, bubbles: true, composed: true}));
+  }
+}
+
+customElements.define('sw-lens-strip', LensStrip);

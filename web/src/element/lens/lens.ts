@@ -1,0 +1,182 @@
+/** One seam from near: both sides of it as they lie against each other when sewn. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {DesignGarment} from '../../model/design.js';
+import {DeskElement} from '../desk-element.js';
+import {seamRows, worstSeams, type SeamRow} from '../lists/rows.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import {nextWorst, rankOf} from './worst-walk.js';
+import {LensStrip} from './lens-strip.js';
+
+export class SeamLens extends DeskElement {
+  /** `wide`: there is room for a tall strip, and a wish for it. */
+  static override properties = {
+    ...DeskElement.properties,
+    wide: {type: Boolean, reflect: true},
+  };
+  declare wide: boolean;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: block;
+        padding: var(--sw-space-2) var(--sw-space-3);
+        background: var(--sw-paper);
+      }
+      .lens {
+        display: grid;
+        gap: var(--sw-space-1);
+        border-radius: var(--sw-radius);
+      }
+      header {
+        display: flex;
+        align-items: start;
+        gap: var(--sw-space-1);
+      }
+      .name {
+        flex: 1;
+        min-width: 0;
+        padding-left: var(--sw-space-1);
+      }
+      h3 {
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      p {
+        padding-left: var(--sw-space-1);
+        font-size: var(--sw-text-small);
+      }
+      .name p {
+        display: flex;
+        align-items: center;
+        gap: var(--sw-space-1);
+        padding: 0;
+      }
+      header button {
+        flex: none;
+        width: 1.75rem;
+        min-height: 1.75rem;
+        padding: 0;
+      }
+      sw-lens-strip {
+        height: 8rem;
+      }
+      :host([wide]) sw-lens-strip {
+        height: 14rem;
+      }
+    `,
+  ];
+
+  /** Stays in the lens whatever is pointed at, and belongs to this garment. */
+  #pinned: {readonly seam: number; readonly garment: DesignGarment} | undefined;
+
+  constructor() {
+    super();
+    this.wide = false;
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.lens')?.focus(options);
+  }
+
+  protected override render(): TemplateResult {
+    const {lens} = this.texts;
+    const rows = seamRows(this.desk, this.texts);
+    const row = rows[this.#seam(rows) ?? -1];
+    return html`<section
+      class="lens"
+      role="group"
+      aria-label=${lens.label}
+      aria-description=${lens.description}
+      tabindex="0"
+      @keydown=${this.#key}
+    >
+      ${row ? this.#showing(row, rows) : html`<p class="soft">${lens.none}</p>`}
+    </section>`;
+  }
+
+  #showing(row: SeamRow, rows: readonly SeamRow[]): TemplateResult {
+    const {format} = this;
+    const {lens, pattern} = this.texts;
+    const rank = rankOf(rows, row.seam);
+    return html`
+      <header>
+        <div class="name">
+          <h3 title=${row.name}>${row.name}</h3>
+          <p class="soft">
+            ${row.counts ? html`${icon[row.kind]} ${pattern[row.kind]}` : pattern.notCounted},
+            ${format.length(row.length)}${rank ? `, ${lens.rank(rank.rank, rank.count)}` : nothing}
+          </p>
+        </div>
+        ${this.#button(lens.previousWorst, icon.up, () => {
+          this.#walk(-1);
+        })}
+        ${this.#button(lens.nextWorst, icon.down, () => {
+          this.#walk(1);
+        })}
+        ${this.#toggle(lens.pin, icon.pin, this.#pinned !== undefined, () => {
+          this.#pin(this.#pinned ? undefined : row.seam);
+        })}
+        ${this.#toggle(lens.widen, icon.widen, this.wide, () => {
+          this.wide = !this.wide;
+          this.dispatchEvent(new Event('sw-lens-wide', {bubbles: true, composed: true}));
+        })}
+      </header>
+      <sw-lens-strip .desk=${this.desk} .row=${row}></sw-lens-strip>
+      <p class="soft">${lens.mismatch(format.fine(row.before), format.fine(row.after))}</p>
+    `;
+  }
+
+  /** The seam that is shown, by number. */
+  #seam(rows: readonly SeamRow[]): number | undefined {
+    const {design, pointed, selected} = this.desk;
+    if (this.#pinned && this.#pinned.garment !== design?.garment) this.#pinned = undefined;
+    const meant = [pointed, selected].find((target) => target?.kind === 'seam');
+    if (this.#pinned) return this.#pinned.seam;
+    if (meant?.kind === 'seam') return meant.seam;
+    return (worstSeams(rows, 1)[0] ?? rows[0])?.seam;
+  }
+
+  #pin(seam: number | undefined): void {
+    const garment = this.desk.design?.garment;
+    this.#pinned = seam === undefined || !garment ? undefined : {seam, garment};
+    this.requestUpdate();
+  }
+
+  #walk(step: 1 | -1): void {
+    const rows = seamRows(this.desk, this.texts);
+    const seam = nextWorst(rows, this.#seam(rows), step);
+    if (seam === undefined) return;
+    if (this.#pinned) this.#pin(seam);
+    this.desk.select({kind: 'seam', seam, side: 'a'});
+  }
+
+  #key = (event: KeyboardEvent): void => {
+    const onHandle = event.target instanceof LensStrip; // which has arrow keys of its own
+    if (event.key === 'Escape' && this.#pinned) this.#pin(undefined);
+    else if (event.key === 'ArrowDown' && !onHandle) this.#walk(1);
+    else if (event.key === 'ArrowUp' && !onHandle) this.#walk(-1);
+    else return;
+    event.preventDefault();
+  };
+
+  #button(label: string, picture: TemplateResult, act: () => void): TemplateResult {
+    return html`<button aria-label=${label} title=${label} @click=${act}>${picture}</button>`;
+  }
+
+  #toggle(
+    label: string,
+    picture: TemplateResult,
+    pressed: boolean,
+    act: () => void,
+  ): TemplateResult {
+    return html`<button aria-label=${label} title=${label} aria-pressed=${pressed} @click=${act}>
+      ${picture}
+    </button>`;
+  }
+}
+
+customElements.define('sw-lens', SeamLens);
