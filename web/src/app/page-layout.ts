@@ -35,8 +35,12 @@ export const pageLayout = css`
   main {
     grid-area: pattern;
     display: grid;
+    grid-template-rows: auto minmax(0, 1fr);
     position: relative;
     min-height: 0;
+  }
+  sw-pattern {
+    grid-row: 2;
   }
   aside {
     overflow-y: auto;

@@ -115,7 +115,10 @@ export class SeamwisePage extends DeskElement {
         <sw-symmetry-panel .desk=${desk}></sw-symmetry-panel>
         <sw-fit-panel .desk=${desk}></sw-fit-panel>
       </aside>
-      <main><sw-pattern .desk=${desk}></sw-pattern>${this.#notice()}</main>
+      <main>
+        <sw-units-question .desk=${desk}></sw-units-question>
+        <sw-pattern .desk=${desk}></sw-pattern>${this.#notice()}
+      </main>
       <aside class="report" aria-label=${app.report}>
         <sw-key-map .desk=${desk}></sw-key-map>
         <sw-headline .desk=${desk}></sw-headline>

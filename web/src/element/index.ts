@@ -23,6 +23,7 @@ import './controls/settings.js';
 import './lens/lens.js';
 import './lists/tables.js';
 import './pattern/pattern-pane.js';
+import './pattern/units-question.js';
 import './print/print-panel.js';
 import './shell/garment-choice.js';
 import './shell/headline.js';

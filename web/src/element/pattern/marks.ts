@@ -27,13 +27,14 @@ export function overlayOf(
   const {selected, pointed} = desk;
   const seam =
     pointed?.kind === 'seam' ? pointed : selected?.kind === 'seam' ? selected : undefined;
+  const marks = tools.marks(scene, texts, format);
   return {
     ...(seam && {highlight: {seam: seam.seam, side: seam.side}}),
     ...(pointed?.kind === 'piece' && {hoverPiece: pointed.piece}),
     ...(selected?.kind === 'piece' && {selectPiece: selected.piece}),
-    ghosts: ghostsOf(desk.found, scene),
     cursors: cursorsOf(scene, cursor),
-    ...tools.marks(scene, texts, format),
+    ...marks,
+    ghosts: [...ghostsOf(desk.found, scene), ...(marks.ghosts ?? [])],
   };
 }
 

@@ -1,12 +1,10 @@
 /** The pattern: its drawing, what lies over it, and the same as words for those who do not see it. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {pickIndex, type PickIndex} from '../../clicks/pick-index.js';
+import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
-import type {Point} from '../../model/geometry.js';
 import {movementOf} from '../../viewer/movement.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
-import type {PatternScene} from '../../viewer/scene.js';
 import {DeskElement} from '../desk-element.js';
 import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
@@ -18,31 +16,13 @@ import {overlayOf, type LensCursor} from './marks.js';
 import {patternKeys} from './pattern-keys.js';
 import {optionId, patternOptions} from './pattern-options.js';
 import {paneStyle} from './pane-style.js';
-import {PatternTools, pointedAt, reachOf} from './pattern-tools.js';
+import {PatternTools, pointedAt} from './pattern-tools.js';
+import {Pointing} from './pointing.js';
+import {SheetIndex} from './sheet-index.js';
 import {tileOf} from './tile.js';
 import './ties-menu.js';
 import './toolbar.js';
 import './wipe-handle.js';
-
-/** Clicks need an index of the outlines, which stays while pieces only lie otherwise on the print. */
-class IndexKeeper {
-  #for: Pick<PatternScene, 'pattern' | 'outline' | 'size'> | undefined;
-  #index: PickIndex | undefined;
-
-  of(scene: PatternScene): PickIndex {
-    const {pattern, outline, size} = scene;
-    const known = this.#for;
-    if (
-      this.#index &&
-      known?.pattern === pattern &&
-      known.outline === outline &&
-      known.size === size
-    )
-      return this.#index;
-    this.#for = {pattern, outline, size};
-    return (this.#index = pickIndex(scene));
-  }
-}
 
 /** Begun at once: the drawing is the page's heaviest part. */
 const drawing = import('../../viewer/pattern-view.js');
@@ -51,7 +31,7 @@ export class PatternPane extends DeskElement {
   static override styles = [controls, paneStyle];
 
   readonly #maker = new SceneMaker();
-  readonly #index = new IndexKeeper();
+  readonly #index = new SheetIndex();
   readonly #movementOf = lastOf(movementOf);
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   #view: PatternView | undefined;
@@ -60,8 +40,7 @@ export class PatternPane extends DeskElement {
   /** Whose tile is shown, or being fetched. */
   #image: string | undefined;
   #life: AbortController | undefined;
-  /** Lines that a click may have meant, and where it was. [CSS px] */
-  #ties: {readonly at: Point; readonly targets: readonly Picked[]} | undefined;
+  #pointing: Pointing | undefined;
   /** How much of the width shows the garment as it comes; undefined when none does. */
   #split: number | undefined;
   #showsMovement = false;
@@ -91,7 +70,6 @@ export class PatternPane extends DeskElement {
 
   get tools(): PatternTools {
     return (this.#tools ??= new PatternTools(this.desk, () => {
-      this.#ties = undefined;
       this.requestUpdate();
     }));
   }
@@ -125,7 +103,7 @@ export class PatternPane extends DeskElement {
       this.#view = new PatternView(stage, {
         appearance: this.#appearance,
         lengthText: (cm) => this.format.fine(cm),
-        onPress: (event, at) => this.#press(event, at),
+        onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
       });
     } catch {
       this.#noWebGl = true;
@@ -141,36 +119,8 @@ export class PatternPane extends DeskElement {
         },
       };
     }
+    this.#pointing = new Pointing(this, stage, signal);
     stage.tabIndex = -1; // the pattern as a whole has the focus
-    const listen = {signal};
-    stage.addEventListener(
-      'click',
-      (event) => {
-        this.#click(event);
-      },
-      listen,
-    );
-    stage.addEventListener(
-      'dblclick',
-      (event) => {
-        this.#free(event);
-      },
-      listen,
-    );
-    stage.addEventListener(
-      'pointermove',
-      (event) => {
-        this.#hover(event);
-      },
-      listen,
-    );
-    stage.addEventListener(
-      'pointerleave',
-      () => {
-        desk.point(undefined);
-      },
-      listen,
-    );
     new ResizeObserver(() => {
       this.requestUpdate();
     }).observe(this);
@@ -237,78 +187,6 @@ export class PatternPane extends DeskElement {
     }
   }
 
-  #at(event: MouseEvent): Point {
-    const {left, top} = this.#stage?.getBoundingClientRect() ?? new DOMRect();
-    return [event.clientX - left, event.clientY - top];
-  }
-
-  #meant(event: MouseEvent, at: Point): readonly Picked[] {
-    const {index} = this;
-    if (!index || !this.#view) return [];
-    const reach = reachOf(event instanceof PointerEvent ? event.pointerType : 'mouse');
-    return this.tools.meant(index, this.#view.sheetPointAt(...at), reach, this.#view.scale);
-  }
-
-  #click(event: MouseEvent): void {
-    const at = this.#at(event);
-    const targets = this.#meant(event, at);
-    this.#ties = undefined;
-    const [first] = targets;
-    if (!first) this.desk.select(undefined);
-    else if (targets.length === 1) this.#take(first);
-    else this.#ties = {at, targets};
-    this.requestUpdate();
-  }
-
-  #take(target: Picked): void {
-    const {index} = this;
-    if (index && this.#view) this.tools.take(index, target, reachOf('mouse') / this.#view.scale);
-    this.#ties = undefined;
-    this.requestUpdate();
-  }
-
-  #hover(event: PointerEvent): void {
-    if (event.pointerType === 'touch' || event.buttons > 0) return;
-    const [target] = this.#meant(event, this.#at(event));
-    this.desk.point(pointedAt(target));
-  }
-
-  /** A press inside a piece moves its print, while that is the tool. */
-  #press(event: PointerEvent, at: Point): boolean {
-    const {scenes} = this.desk;
-    const view = this.#view;
-    const pressed = view?.pieceAt(...at);
-    const follow = scenes && pressed && this.tools.drag(scenes.now, pressed.piece);
-    const stage = event.currentTarget;
-    if (!view || !follow || !(stage instanceof HTMLElement)) return false;
-    const [x, y] = view.sheetPointAt(...at);
-    const done = new AbortController();
-    const {signal} = done;
-    stage.setPointerCapture(event.pointerId);
-    stage.addEventListener(
-      'pointermove',
-      (move) => {
-        const [toX, toY] = view.sheetPointAt(...this.#at(move));
-        follow([toX - x, toY - y]);
-      },
-      {signal},
-    );
-    for (const end of ['pointerup', 'pointercancel'] as const)
-      stage.addEventListener(
-        end,
-        () => {
-          done.abort();
-        },
-        {signal},
-      );
-    return true;
-  }
-
-  #free(event: MouseEvent): void {
-    const pressed = this.#view?.pieceAt(...this.#at(event));
-    if (pressed) this.tools.free(pressed.piece);
-  }
-
   protected override render(): TemplateResult {
     const {pattern} = this.texts;
     const {desk, index} = this;
@@ -367,6 +245,7 @@ export class PatternPane extends DeskElement {
     const {desk} = this;
     const state = (text: string): TemplateResult => html`<p class="state">${text}</p>`;
     if (this.#noWebGl) return state(pattern.noWebGl);
+    if (!desk.design) return state(this.texts.progress.empty);
     if (desk.state.kind === 'stale') return state(pattern.stale);
     if (desk.pattern?.seams.length === 0) return state(pattern.noSeams);
     const {result, scenes} = desk;
@@ -378,13 +257,14 @@ export class PatternPane extends DeskElement {
 
   #menu(): TemplateResult | typeof nothing {
     const {desk} = this;
-    const ties = this.#ties;
-    if (!ties) return nothing;
+    const pointing = this.#pointing;
+    const ties = pointing?.ties;
+    if (!pointing || !ties) return nothing;
     const rows = seamRows(desk, this.texts);
     const choices = ties.targets.map((target) => ({
       text: tiedText(desk, target, rows, this.texts.pattern.edge),
       choose: () => {
-        this.#take(target);
+        pointing.take(target);
       },
       point: () => {
         desk.point(pointedAt(target));
@@ -395,8 +275,7 @@ export class PatternPane extends DeskElement {
       .choices=${choices}
       .label=${this.texts.pattern.which}
       @close=${() => {
-        this.#ties = undefined;
-        this.requestUpdate();
+        pointing.forgetTies();
       }}
     ></sw-ties-menu>`;
   }

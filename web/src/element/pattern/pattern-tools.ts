@@ -1,7 +1,7 @@
 /** What a press on the pattern means just now: a choice for a symmetry, a print to be moved, or a look. */
 import {choices, seamTarget, targetsAt, type Target as Picked} from '../../clicks/pick.js';
 import type {PickIndex} from '../../clicks/pick-index.js';
-import {snap} from '../../clicks/snap.js';
+import {snap, type Snapped} from '../../clicks/snap.js';
 import type {Design} from '../../model/design.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import {notchMark} from '../../picture/cutting/follow.js';
@@ -31,6 +31,7 @@ export class PatternTools {
   readonly #changed: () => void;
   #moving = false;
   #byPoints = false;
+  #hovered: (Snapped & {readonly piece: number}) | undefined;
 
   constructor(desk: Workbench, changed: () => void) {
     this.#desk = desk;
@@ -84,11 +85,25 @@ export class PatternTools {
     return choices(targets, tie / scale);
   }
 
+  /** Where a press just here would be taken to be; undefined when it would not be a point. */
+  hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
+    const isPoint = this.active === 'axis' || (this.active === 'piece' && target?.kind === 'piece');
+    const before = this.#hovered;
+    this.#hovered =
+      target && isPoint
+        ? {piece: target.piece, ...this.#snapped(index, target, reachCm)}
+        : undefined;
+    if (before || this.#hovered) this.#changed();
+  }
+
+  #snapped(index: PickIndex, {piece, point}: Picked, reachCm: number): Snapped {
+    return snap(index, piece, point, reachCm, {notches: this.#notches(piece)});
+  }
+
   /** A press that has been understood. */
   take(index: PickIndex, target: Picked, reachCm: number): void {
     if (this.chooser.tool) {
-      const notches = this.#notches(target.piece);
-      const {point} = snap(index, target.piece, target.point, reachCm, {notches});
+      const {point} = this.#snapped(index, target, reachCm);
       const {piece} = target;
       this.chooser.send(
         this.active === 'axis'
@@ -158,7 +173,11 @@ export class PatternTools {
   }
 
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
-    return this.chooser.marks(scene, texts, format);
+    const marks = this.chooser.marks(scene, texts, format);
+    if (!this.#hovered || !this.chooser.tool) return marks;
+    const {piece, point, snapped} = this.#hovered;
+    const label = texts.symmetry.snaps[snapped];
+    return {...marks, points: [...(marks.points ?? []), {piece, point, label}]};
   }
 }
 

@@ -7,12 +7,11 @@ import {
   type SymmetryState,
   type SymmetryTool,
 } from '../../clicks/symmetry-tool.js';
-import type {Point} from '../../model/geometry.js';
 import {carries} from '../../model/repeat.js';
 import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {axisAlong, pick} from '../../picture/marks.js';
 import type {Overlay} from '../../viewer/overlay.js';
-import type {PatternScene} from '../../viewer/scene.js';
+import {symmetriesOf, type PatternScene} from '../../viewer/scene.js';
 import type {Format} from '../texts/format.js';
 import type {Texts} from '../texts/texts.js';
 import {withSymmetry} from '../workbench/symmetry-steps.js';
@@ -128,15 +127,19 @@ function lineOf(scene: PatternScene, choice: Choice): NonNullable<Overlay['lines
   return [{piece: choice.piece, line: pick(points, vertices)}];
 }
 
-const candidateMarks = (
+/** The candidate as the scene would draw it if it were imposed: an axis, or two letters. */
+function candidateMarks(
   scene: PatternScene,
   symmetry: Symmetry,
   {map}: Pick<MeasuredSymmetry, 'map'>,
-): Overlay => {
-  const piece =
-    symmetry.kind === 'piece' ? scene.pieces.findIndex(({name}) => name === symmetry.piece) : -1;
-  const shape = scene.pieces[piece];
-  if (!shape) return {};
-  const outline: readonly Point[] = pick(shape.points, shape.outline);
-  return {candidate: {piece, axis: axisAlong(map, outline, 3)}};
-};
+): Overlay {
+  const number = (name: string): number => scene.pieces.findIndex((piece) => piece.name === name);
+  if (symmetry.kind === 'piece') {
+    const piece = number(symmetry.piece);
+    const {points = [], outline = []} = scene.pieces[piece] ?? {};
+    return {candidate: {piece, axis: axisAlong(map, pick(points, outline), 3)}};
+  }
+  const pieces = [number(symmetry.pieces[0]), number(symmetry.pieces[1])] as const;
+  const symmetries = [{kind: 'pair', pieces, map, pairs: []}] as const;
+  return {ghosts: symmetriesOf({...scene.pattern, symmetries}, scene.outline)};
+}

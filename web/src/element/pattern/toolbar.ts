@@ -5,6 +5,7 @@ import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {withAll} from '../workbench/symmetry-steps.js';
+import {centred, frontOf, pin} from './print-mover.js';
 import type {PatternTools} from './pattern-tools.js';
 
 export class Toolbar extends DeskElement {
@@ -76,6 +77,21 @@ export class Toolbar extends DeskElement {
     </button>`;
   }
 
+  #presets(): TemplateResult {
+    const {symmetry} = this.texts;
+    const preset = (what: 'motif' | 'line', label: string): TemplateResult =>
+      html`<button
+        class="outlined"
+        @click=${() => {
+          const piece = frontOf(this.desk);
+          if (piece) pin(this.desk, piece, centred(piece, what));
+        }}
+      >
+        ${label}
+      </button>`;
+    return html`${preset('motif', symmetry.centreMotif)} ${preset('line', symmetry.centreLine)}`;
+  }
+
   #hint(): TemplateResult {
     const {symmetry} = this.texts;
     const {chooser} = this.tools;
@@ -95,6 +111,7 @@ export class Toolbar extends DeskElement {
             </button>`
           : nothing
       }
+      ${this.tools.active === 'move' ? this.#presets() : nothing}
       <button
         @click=${() => {
           this.tools.back();

@@ -44,6 +44,7 @@ export const de: Texts = {
     stale: 'Nicht mehr aktuell. „Ausrichten“ rechnet neu.',
     cancelled: 'Abgebrochen. „Ausrichten“ rechnet noch einmal.',
     empty: 'Zuerst einen Schnitt öffnen.',
+    restarted: 'Die Berechnung ist abgebrochen und wurde neu begonnen; nichts ist verloren.',
     failed: 'Nicht ausgerichtet',
   },
   pattern: {
@@ -118,6 +119,16 @@ export const de: Texts = {
       unnumbered: 'Diese Linie kennt die Datei nicht; bitte eine andere anklicken.',
       noMirror: 'Das spiegelt sich nicht.',
     },
+    snaps: {
+      corner: 'Ecke',
+      midpoint: 'Mitte der Kante',
+      notch: 'Knips',
+      grain: 'Ende des Fadenlaufs',
+      outline: 'Auf der Kante',
+      none: 'Punkt',
+    },
+    centreMotif: 'Motiv in die Mitte',
+    centreLine: 'Linie in die Mitte',
     list: 'Symmetrie',
     none: 'Noch wird keine Symmetrie gehalten.',
     kept: 'Gehalten',
@@ -152,6 +163,12 @@ export const de: Texts = {
     full: 'Der Speicher ist voll: Änderungen werden nicht mehr behalten. Bitte das Projekt sichern und Platz schaffen.',
     failed:
       'Änderungen konnten in diesem Browser nicht behalten werden; bitte das Projekt vor dem Gehen sichern.',
+  },
+  doubt: {
+    question: (height) => `Ist das höchste Teil wirklich ${height} hoch?`,
+    yes: 'Ja',
+    no: (unit) => `Nein, die Datei ist in ${unit}`,
+    units: {cm: 'Zentimetern', mm: 'Millimetern', inch: 'Zoll', m: 'Metern'},
   },
   legend: {
     title: 'Versatz entlang der Nähte',

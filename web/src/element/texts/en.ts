@@ -41,6 +41,7 @@ export const en = {
     stale: 'Out of date. Align to bring it up to date.',
     cancelled: 'Cancelled. Align to try again.',
     empty: 'Open a garment to begin.',
+    restarted: 'The solver broke and was started again; nothing is lost.',
     failed: 'Not aligned',
   },
   pattern: {
@@ -117,6 +118,16 @@ export const en = {
       unnumbered: 'This line is not known to the file; click another.',
       noMirror: 'These do not mirror.',
     },
+    snaps: {
+      corner: 'Corner',
+      midpoint: 'Middle of the edge',
+      notch: 'Notch',
+      grain: 'End of the grain line',
+      outline: 'On the outline',
+      none: 'Point',
+    },
+    centreMotif: 'Motif at the centre',
+    centreLine: 'Line at the centre',
     list: 'Symmetry',
     none: 'No symmetry is kept yet.',
     kept: 'Kept',
@@ -149,6 +160,12 @@ export const en = {
     unavailable: 'This browser keeps nothing for this page; save the project before you leave.',
     full: 'The disk is full: changes are no longer kept. Save the project, then make room.',
     failed: 'Changes could not be kept in this browser; save the project before you leave.',
+  },
+  doubt: {
+    question: (height: string) => `Is the tallest piece really ${height} tall?`,
+    yes: 'Yes',
+    no: (unit: string) => `No, the file is in ${unit}`,
+    units: {cm: 'centimetres', mm: 'millimetres', inch: 'inches', m: 'metres'},
   },
   legend: {
     title: 'Mismatch along the seams',

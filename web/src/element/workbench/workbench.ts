@@ -18,6 +18,7 @@ import {
 import {concernsSame} from './symmetry-steps.js';
 
 export type * from './state.js';
+import {textsOf} from '../texts/texts.js';
 import {Comparison} from './comparison.js';
 import {LatestSolve} from './latest-solve.js';
 import {preferencesFor, type Preferences} from './preferences.js';
@@ -45,6 +46,8 @@ export class Workbench {
   #partial: readonly Alignment[] | undefined;
   #state: SolveState = {kind: 'empty'};
   #notice: Notice | undefined;
+  /** What the solver broke on, and was begun anew. */
+  #retried: Design | undefined;
   #scenes: Scenes | undefined;
   #selected: Target | undefined;
   #pointed: Target | undefined;
@@ -82,6 +85,15 @@ export class Workbench {
       },
       failed: (design, failure) => {
         if (design !== this.design) return;
+        if (failure.code === 'internal' && design !== this.#retried) {
+          this.#retried = design;
+          this.#notice = {
+            tone: 'info',
+            text: textsOf(this.#preferences.language).progress.restarted,
+          };
+          this.align();
+          return;
+        }
         this.#state = {kind: 'failed', failure};
         this.#changed();
       },
