@@ -4,7 +4,7 @@ import type {SolveResult} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
 import {violations} from '../support/check-result.js';
-import {button, progress, saved, showSample, solved, usePage} from '../support/page.js';
+import {button, saved, showSample, solved, usePage} from '../support/page.js';
 import {clickPiece, clickSeam, seamOf} from '../support/page-pattern.js';
 
 const openPage = usePage();

@@ -56,6 +56,7 @@ export class Legend extends DeskElement {
       <span>${words(this.format.fine(worst))}</span>
       <button
         aria-pressed=${scale === 'paper'}
+        title=${legend.asPaperNote}
         @click=${() => {
           this.desk.prefer({scale: scale === 'paper' ? 'chance' : 'paper'});
         }}
