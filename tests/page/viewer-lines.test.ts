@@ -15,29 +15,38 @@ const outline: Colour = [74, 77, 82];
 const twoSquares = (symmetries: Pattern['symmetries'] = []): PatternScene =>
   sceneOf(squarePair({symmetries}), print);
 
-/** Colours across a line at a point of a piece: from 10 px left of it to 10 px right, the line in the middle. */
-async function across(page: Page, scene: PatternScene, piece: number, p: Point): Promise<Colour[]> {
+/** Colours across lines at points of a piece: from 10 px left of it to 10 px right, the line in the middle. */
+async function rowsAcross(
+  page: Page,
+  scene: PatternScene,
+  piece: number,
+  points: readonly Point[],
+): Promise<Colour[][]> {
   const [dx, dy] = scene.pieces[piece]?.offset ?? [NaN, NaN];
-  const [x, y] = await page.evaluate((point) => Viewer.view.screenOf(point), [
-    p[0] + dx,
-    p[1] + dy,
-  ] as const);
+  const places = await page.evaluate(
+    (all) => all.map((point) => Viewer.view.screenOf(point)),
+    points.map(([x, y]): Point => [x + dx, y + dy]),
+  );
   const pixels = await screenOf(page);
-  return Array.from({length: 21}, (_, k) =>
-    colourAt(pixels, Math.floor(x) + k - 10, Math.floor(y)),
+  return places.map(([x, y]) =>
+    Array.from({length: 21}, (_, k) => colourAt(pixels, Math.floor(x) + k - 10, Math.floor(y))),
   );
 }
+
+const across = async (...[page, scene, piece, p]: [Page, PatternScene, number, Point]) =>
+  (await rowsAcross(page, scene, piece, [p])).flat();
 
 const count = (colours: readonly Colour[], wanted: Colour): number =>
   colours.filter((colour) => colour.join() === wanted.join()).length;
 
-/** Colours along the seam of a piece, row by row, each across the line. */
-async function alongSeam(page: Page, scene: PatternScene, piece: number): Promise<Colour[][]> {
-  const rows = Array.from({length: 21}, (_, k) => 1.5 + k / 20);
-  const all: Colour[][] = [];
-  for (const y of rows) all.push(await across(page, scene, piece, [piece === 0 ? 4 : 0, y]));
-  return all;
-}
+/** Colours across the seam of a piece, row by row. */
+const alongSeam = (page: Page, scene: PatternScene, piece: number): Promise<Colour[][]> =>
+  rowsAcross(
+    page,
+    scene,
+    piece,
+    Array.from({length: 41}, (_, k): Point => [piece === 0 ? 4 : 0, 0.5 + k / 40]), // below what marks the middle
+  );
 
 it('draws seams green and whole where the print meets, red, wider and broken where by chance only', async () => {
   const page = await openPage();

@@ -1,5 +1,6 @@
 /** What is written at seams: how far the worst ones miss, and whether the print runs on or is mirrored. */
 import type {Point} from '../model/geometry.js';
+import {textWidth} from '../picture/svg.js';
 import {chipLayer, move, overlap, placeable, textChip, type Box} from './chips.js';
 import type {PatternScene, SceneSeam} from './scene.js';
 import {atShare, lineOf, type OnLine} from './seam-line.js';
@@ -50,7 +51,6 @@ export class SeamNotes {
     this.element.append(this.#glyphLayer, this.#numberLayer);
   }
 
-  /** The element has to be in the document: numbers are measured. */
   show(scene: PatternScene, appearance: Appearance, lengthText: LengthText): void {
     this.#glyphs = scene.seams.flatMap((seam, number) => {
       if (!seam.counts) return [];
@@ -73,14 +73,16 @@ export class SeamNotes {
       .filter(({counts, worst: {mismatch}}) => counts && mismatch > leastNumber)
       .sort((a, b) => b.worst.mismatch - a.worst.mismatch)
       .slice(0, mostNumbers);
-    const chips = worst.map((seam) => textChip(lengthText(seam.worst.mismatch), appearance));
+    const texts = worst.map((seam) => lengthText(seam.worst.mismatch));
+    const chips = texts.map((text) => textChip(text, appearance));
     this.#numberLayer.replaceChildren(...chips);
     this.#numbers = worst.flatMap((seam, k) => {
       const element = chips[k];
       const [from, to] = lineOf(scene, seam.a).slice(seam.worst.edge);
       if (!element || !from || !to) return [];
       const at: Point = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
-      return [{element, at, width: element.offsetWidth, height: element.offsetHeight}];
+      // not measured: that would lay the whole page out while answers stream in
+      return [{element, at, width: 16 + textWidth(texts[k] ?? '', 11), height: 18}];
     });
   }
 

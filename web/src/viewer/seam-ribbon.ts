@@ -117,37 +117,40 @@ function columnsOf(
   const edges = edgesOf(scene, side.piece);
   const apart = Math.ceil(straight / (length / count));
   return feet.map(({at, normal}, k) => {
-    const others = feet.filter((_, other) => Math.abs(other - k) >= apart);
-    const depth = Math.min(
-      ribbonDepth,
-      untilOut(at, normal, edges),
-      ...others.map((other) => untilNearer(at, normal, other.at)),
-    );
+    // at a corner one would go along the next edge, or past it
+    const [x, y] = feet[k === 0 ? 1 : k === count ? count - 1 : k]?.at ?? at;
+    const inside: Point = [at[0] + (x - at[0]) / 4, at[1] + (y - at[1]) / 4];
+    let depth = Math.min(ribbonDepth, untilOut(inside, normal, edges));
+    feet.forEach((other, n) => {
+      if (Math.abs(n - k) >= apart) depth = Math.min(depth, untilNearer(at, normal, other.at));
+    });
     return {at, normal, depth};
   });
 }
 
-function edgesOf({pieces}: PatternScene, piece: number): readonly (readonly [Point, Point])[] {
+/** Ends of all edges of a piece, four numbers each. */
+function edgesOf({pieces}: PatternScene, piece: number): Float64Array {
   const {points = [], outline = [], holes = []} = pieces[piece] ?? {};
-  return [outline, ...holes].flatMap((loop) => {
-    const line = pick(points, loop);
-    return line.map((from, k) => [from, line[(k + 1) % line.length] ?? from] as const);
-  });
+  return Float64Array.from(
+    [outline, ...holes].flatMap((loop) => {
+      const line = pick(points, loop);
+      return line.flatMap((from, k) => [...from, ...(line[(k + 1) % line.length] ?? from)]);
+    }),
+  );
 }
 
 /** How far one may go from a point of the outline until one leaves the piece. */
-function untilOut(
-  [x, y]: Point,
-  [nx, ny]: Point,
-  edges: readonly (readonly [Point, Point])[],
-): number {
+function untilOut([x, y]: Point, [nx, ny]: Point, edges: Float64Array): number {
   let least = Infinity;
-  for (const [[ax, ay], [bx, by]] of edges) {
-    const [ex, ey] = [bx - ax, by - ay];
+  for (let k = 0; k < edges.length; k += 4) {
+    const ax = (edges[k] ?? 0) - x;
+    const ay = (edges[k + 1] ?? 0) - y;
+    const ex = (edges[k + 2] ?? 0) - x - ax;
+    const ey = (edges[k + 3] ?? 0) - y - ay;
     const across = nx * ey - ny * ex;
     if (Math.abs(across) < 1e-12) continue;
-    const way = ((ax - x) * ey - (ay - y) * ex) / across;
-    const share = ((ax - x) * ny - (ay - y) * nx) / across;
+    const way = (ax * ey - ay * ex) / across;
+    const share = (ax * ny - ay * nx) / across;
     // the edge one starts from does not count
     if (way > 0.02 && way < least && share >= 0 && share <= 1) least = way;
   }
@@ -156,7 +159,8 @@ function untilOut(
 
 /** How far one may go before `other` is nearer than where one came from: |n d - v| = d for v = other - at. */
 function untilNearer(at: Point, [nx, ny]: Point, other: Point): number {
-  const [vx, vy] = minus(other, at);
+  const vx = other[0] - at[0];
+  const vy = other[1] - at[1];
   const ahead = nx * vx + ny * vy;
   return ahead > 1e-9 ? (vx * vx + vy * vy) / (2 * ahead) : Infinity;
 }

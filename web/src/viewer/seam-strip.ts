@@ -212,7 +212,7 @@ export class SeamStrip {
         [x, -ribbonDepth],
         [x, ribbonDepth],
       ];
-      strokes.push({points: across, styles: {colour: accent, width: 1.5}});
+      strokes.push({points: across, styles: {colour: accent, width: 2}});
     }
     this.#lines = new LineLayer(strokes, this.#line, 1);
     this.#over.add(this.#lines.object);
