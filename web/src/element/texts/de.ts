@@ -33,7 +33,7 @@ export const de: Texts = {
     close: 'Schließen',
     dismiss: 'Ausblenden',
     dropHere: 'Schnitt, Muster oder Projekt hier ablegen',
-    setup: 'Muster und Passform',
+    setup: 'Muster und Zuschnitt',
     report: 'Teile und Nähte',
   },
   progress: {
@@ -232,7 +232,7 @@ export const de: Texts = {
     ruler: (length) => `Ein Teilstrich ist ${length}`,
   },
   controls: {
-    fit: 'Passform',
+    fit: 'Zuschnitt',
     presets: 'Ausgangspunkte',
     presetNames: {
       homeSewist: 'Zu Hause genäht, im Fadenlauf',
@@ -270,7 +270,7 @@ export const de: Texts = {
     stripes: 'Streifen',
     more: 'Weitere Muster',
     ours: 'Mitgelieferte Muster',
-    colourways: 'Farben',
+    colourways: 'Farbstellungen',
     width: (unit) => `Rapportbreite (${unit})`,
     height: (unit) => `Rapporthöhe (${unit})`,
     angle: 'Winkel (Grad)',

@@ -1,0 +1,12 @@
+/** What the page works on, read from the page itself. */
+import type {Page} from 'playwright-core';
+
+import type {SeamwisePage} from '../../web/src/app/page.js';
+import type {Design} from '../../web/src/model/design.js';
+
+export const designOf = (page: Page): Promise<Design> =>
+  page.locator('seamwise-page').evaluate((element) => {
+    const {design} = (element as SeamwisePage).desk;
+    if (!design) throw new Error('The page has no design yet.');
+    return design;
+  });
