@@ -22,8 +22,16 @@ export class SeamLens extends DeskElement {
     css`
       :host {
         display: block;
-        padding: var(--sw-space-2) var(--sw-space-3);
+        padding: var(--sw-space-2) var(--sw-space-4);
         background: var(--sw-paper);
+      }
+      @media (width >= 64rem) {
+        :host {
+          position: sticky;
+          top: 0;
+          z-index: 1;
+          border-bottom: 1px solid var(--sw-line);
+        }
       }
       .lens {
         display: grid;
@@ -38,7 +46,6 @@ export class SeamLens extends DeskElement {
       .name {
         flex: 1;
         min-width: 0;
-        padding-left: var(--sw-space-1);
       }
       h3 {
         overflow: hidden;
@@ -46,14 +53,12 @@ export class SeamLens extends DeskElement {
         white-space: nowrap;
       }
       p {
-        padding-left: var(--sw-space-1);
         font-size: var(--sw-text-small);
       }
       .name p {
         display: flex;
         align-items: center;
         gap: var(--sw-space-1);
-        padding: 0;
       }
       header button {
         flex: none;

@@ -205,14 +205,18 @@ function rowNumber({target}: Event): number | undefined {
 const isInControl = ({target}: Event): boolean =>
   target instanceof Element && target.closest('button, select, input') !== null;
 
+/** What may stand over the rows at the top of the column, as a part of its height. */
+const lensShare = 0.35;
+
 /** Scrolls the column that the table is in, if it is in one: the whole page stays where the picture is seen. */
 function reveal(row: HTMLElement, table: HTMLElement): void {
   const column = scroller(table);
   if (!column) return;
   const [at, shown] = [row.getBoundingClientRect(), column.getBoundingClientRect()];
-  const margin = at.height;
-  if (at.top < shown.top + margin) column.scrollTop += at.top - shown.top - margin;
-  else if (at.bottom > shown.bottom - margin) column.scrollTop += at.bottom - shown.bottom + margin;
+  const from = shown.top + lensShare * shown.height;
+  if (at.top < from || at.bottom > shown.bottom) {
+    column.scrollTop += (at.top + at.bottom - from - shown.bottom) / 2;
+  }
 }
 
 function scroller(element: Element): Element | undefined {
