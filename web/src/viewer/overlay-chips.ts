@@ -21,6 +21,7 @@ const letterSize = 20;
 export class OverlayChips {
   readonly element = chipLayer();
   #chips: readonly Chip[] = [];
+  #message: HTMLElement | undefined;
 
   show(scene: PatternScene, overlay: Overlay, appearance: Appearance): void {
     const {points = [], ghosts = [], message} = overlay;
@@ -44,6 +45,7 @@ export class OverlayChips {
       at: onSheet(scene, message.piece, message.point),
       off: {share: [-0.5, -1], by: [0, -reach]} as const,
     };
+    this.#message = said?.element;
     this.#chips = [...letters, ...named, ...(said ? [said] : [])];
     this.element.replaceChildren(...this.#chips.map(({element}) => element));
   }
@@ -57,7 +59,10 @@ export class OverlayChips {
   /** Follows the drawing. */
   place(view: SheetView, size: ScreenSize): void {
     for (const {element, at, off} of this.#chips) {
-      const [x, y] = toScreen(view, size, at);
+      const [middle, y] = toScreen(view, size, at);
+      // a message is to be read, also at the edge of the screen
+      const half = element === this.#message ? element.offsetWidth / 2 + reach : -Infinity;
+      const x = Math.max(half, Math.min(middle, size.width - half));
       const shift = off.share.map((share) => `${100 * share}%`).join(', ');
       move(element, [x + off.by[0], y + off.by[1]], `translate(${shift})`);
     }
