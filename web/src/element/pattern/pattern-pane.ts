@@ -41,6 +41,8 @@ export class PatternPane extends DeskElement {
   #image: string | undefined;
   #life: AbortController | undefined;
   #pointing: Pointing | undefined;
+  /** Of the stage. Asking for it at every update would lay the page out each time. [CSS px] */
+  #size: {readonly width: number; readonly height: number} | undefined;
   /** How much of the width shows the garment as it comes; undefined when none does. */
   #split: number | undefined;
   #showsMovement = false;
@@ -121,9 +123,14 @@ export class PatternPane extends DeskElement {
     }
     this.#pointing = new Pointing(this, stage, signal);
     stage.tabIndex = -1; // the pattern as a whole has the focus
-    new ResizeObserver(() => {
+    const resized = new ResizeObserver(([entry]) => {
+      if (entry) this.#size = entry.contentRect;
       this.requestUpdate();
-    }).observe(this);
+    });
+    resized.observe(stage);
+    signal.addEventListener('abort', () => {
+      resized.disconnect();
+    });
     this.requestUpdate();
   }
 
@@ -144,11 +151,7 @@ export class PatternPane extends DeskElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const {clientWidth: width, clientHeight: height} = this.#stage ?? {
-      clientWidth: 0,
-      clientHeight: 0,
-    };
-    if (width > 0) this.desk.scenes = this.#maker.scenes(this.desk, {width, height});
+    if (this.#size) this.desk.scenes = this.#maker.scenes(this.desk, this.#size);
   }
 
   protected override updated(): void {

@@ -25,6 +25,9 @@ import {preferencesFor, type Preferences} from './preferences.js';
 import {ResultCache} from './result-cache.js';
 import {firstOptions} from './samples.js';
 
+/** Between two partial answers that are shown. [ms] */
+const pace = 100;
+
 export class Workbench {
   readonly client: SolverClient;
   /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
@@ -45,6 +48,7 @@ export class Workbench {
   #found: readonly DetectedSymmetry[] = [];
   #partial: readonly Alignment[] | undefined;
   #state: SolveState = {kind: 'empty'};
+  #telling: ReturnType<typeof setTimeout> | undefined;
   #notice: Notice | undefined;
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
@@ -70,11 +74,11 @@ export class Workbench {
       partial: (design, alignments) => {
         if (design.garment !== this.#garment) return;
         this.#partial = alignmentsFrom(alignments);
-        this.#changed();
+        this.#changedSoon();
       },
       progress: (_, progress) => {
         this.#state = {kind: 'solving', ...progress};
-        this.#changed();
+        this.#changedSoon();
       },
       done: (design, result) => {
         if (design !== this.design) return;
@@ -326,7 +330,16 @@ export class Workbench {
     );
   }
 
+  /** What comes many times a second is told at a pace that can be followed. */
+  #changedSoon(): void {
+    this.#telling ??= setTimeout(() => {
+      this.#changed();
+    }, pace);
+  }
+
   #changed(): void {
+    clearTimeout(this.#telling);
+    this.#telling = undefined;
     for (const listener of this.#listeners) listener();
   }
 }
