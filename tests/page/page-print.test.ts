@@ -53,7 +53,7 @@ it('says why a group will not do, and which would', async () => {
   });
   const greyed = page.locator('[role=radio][aria-disabled=true]');
   expect(await greyed.count()).toBe(7);
-  await group(page, 'p4').click();
+  await group(page, 'p4').press('Space');
   await page
     .getByText('A piece that is symmetric in itself needs a print with mirrors, and p4 has none.')
     .waitFor();
