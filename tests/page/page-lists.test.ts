@@ -2,6 +2,7 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
+import type {Design} from '../../web/src/model/design.js';
 import type {Workbench} from '../../web/src/element/workbench/workbench.js';
 import {button, solved, usePage} from '../support/page.js';
 
@@ -15,15 +16,14 @@ const rows = (page: Page, name: 'Pieces' | 'Seams'): Locator =>
 const row = (page: Page, name: string): Locator =>
   page.getByRole('row').filter({has: page.getByRole('rowheader', {name: new RegExp(`^${name}`)})});
 
-type Parts = 'design' | 'pointed' | 'selected';
 /** What the page's workbench has as one of its parts. */
-const desk = <Part extends Parts>(page: Page, part: Part): Promise<Workbench[Part]> =>
+const desk = (page: Page, part: 'design' | 'pointed' | 'selected'): Promise<unknown> =>
   page.evaluate((name) => {
     const element = document.querySelector<HTMLElement & {desk: Workbench}>('seamwise-page');
-    if (!element) throw new Error('There is no page.');
-    return element.desk[name];
+    return element?.desk[name];
   }, part);
-const options = async (page: Page) => (await desk(page, 'design'))?.options;
+const options = async (page: Page): Promise<Design['options'] | undefined> =>
+  ((await desk(page, 'design')) as Design | undefined)?.options;
 
 async function opened(): Promise<Page> {
   const page = await openPage();

@@ -49,7 +49,7 @@ function desk({pattern = squarePair(), garment = {}, options = {}, high = [2, 0]
   );
   const [before, now] = [realigned(scene, lying(high[0])), realigned(scene, lying(high[1]))];
   const meshed = {...pattern, pieces: [], fitRandom: 0, notes: []};
-  return {design, pattern: meshed, result: undefined, scenes: {before, now}};
+  return {design, pattern: meshed, result: undefined, scenes: {before, now, marks: new Map()}};
 }
 
 const seams = (shown: Shown = {}): readonly SeamRow[] => seamRows(desk(shown), en);
