@@ -12,30 +12,43 @@ export const noPicture = `data:image/svg+xml,${encodeURIComponent(
   '<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100" preserveAspectRatio="none"><rect width="100" height="100" fill="#c9c1ae"/><rect x="1" y="1" width="98" height="98" fill="#f1ede3"/></svg>',
 )}`;
 
-let last: {readonly image: string; readonly pixels: Promise<Pixels>} | undefined;
+interface Looked {
+  readonly image: string;
+  readonly pixels: Promise<Pixels>;
+  /** Those it has, with the sizes of a cell that is 1 cm wide. */
+  readonly groups: Promise<readonly FoundGroup[]>;
+}
+
+let last: Looked | undefined;
 
 /** The last picture is kept, since it is looked at again with every group that is tried. */
-function pixelsAt(image: string): Promise<Pixels> {
-  if (last?.image !== image) last = {image, pixels: loadPicture(image).then(pixelsOf)};
-  return last.pixels;
+function lookedAt(image: string): Looked {
+  if (last?.image !== image) {
+    const pixels = loadPicture(image).then(pixelsOf);
+    const groups = Promise.all([import('../../picture/tile-check.js'), pixels]).then(
+      ([{groupsOf}, known]) => groupsOf(known, rectangle(1, known)),
+    );
+    last = {image, pixels, groups};
+  }
+  return last;
 }
 
 /** Compares the picture of a print with itself under its group. */
 export async function checked({image, group, size, cell}: DesignPrint): Promise<TileCheck> {
   const [{checkTile}, pixels] = await Promise.all([
     import('../../picture/tile-check.js'),
-    pixelsAt(image),
+    lookedAt(image).pixels,
   ]);
   return checkTile(pixels, group, size, cell);
 }
 
 /** Groups that a picture has, the one with most symmetries first, when its cell is so wide. [cm] */
 export async function groupsIn(image: string, width: number): Promise<readonly FoundGroup[]> {
-  const [{groupsOf}, pixels] = await Promise.all([
-    import('../../picture/tile-check.js'),
-    pixelsAt(image),
-  ]);
-  return groupsOf(pixels, rectangle(width, pixels));
+  const groups = await lookedAt(image).groups;
+  return groups.map((found) => {
+    const {width: across, height: up, angleDeg} = found.size;
+    return {...found, size: {width: across * width, height: up * width, angleDeg}};
+  });
 }
 
 const rectangle = (width: number, pixels: Pixels): RepeatSize => ({
@@ -70,7 +83,7 @@ export async function ownPrintAs(print: DesignPrint, choice: Choice): Promise<De
     const found = (await groupsIn(print.image, width)).find((one) => one.group === group);
     if (found) return withFound(print, found);
   }
-  const size = rectangle(width, await pixelsAt(print.image));
+  const size = rectangle(width, await lookedAt(print.image).pixels);
   const centred = ['rhombic', 'hexagonal'].includes(latticeType(group));
   return {
     ...print,

@@ -89,7 +89,8 @@ export class TileReport extends DeskElement {
     const print = this.desk.design?.print;
     if (!print || print === this.#looked) return;
     this.#looked = print;
-    if (print.image !== noPicture) void this.#look(print);
+    if (print.image === noPicture) return;
+    this.#look(print).catch(() => undefined); // who draws the picture says that it cannot be read
   }
 
   protected override render(): TemplateResult | typeof nothing {
