@@ -38,7 +38,7 @@ export function placeable<E extends HTMLElement | SVGElement>(
   element: E,
   style: Partial<CSSStyleDeclaration>,
 ): E {
-  Object.assign(element.style, {position: 'absolute', left: '0', top: '0', ...style});
+  Object.assign(element.style, {position: 'absolute', left: '0', top: '0'}, style);
   return element;
 }
 

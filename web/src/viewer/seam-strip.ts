@@ -185,8 +185,9 @@ export class SeamStrip {
     return strip;
   }
 
-  #dropped(strip: Strip | undefined): undefined {
+  #dropped(strip: Strip | undefined): Strip | undefined {
     strip?.mesh.dispose();
+    return undefined;
   }
 
   #sharpen(): void {
