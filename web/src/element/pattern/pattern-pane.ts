@@ -21,6 +21,7 @@ import {Pointing} from './pointing.js';
 import {SheetIndex} from './sheet-index.js';
 import {tileOf} from './tile.js';
 import './ties-menu.js';
+import type {Toolbar} from './toolbar.js';
 import './toolbar.js';
 import './wipe-handle.js';
 
@@ -73,6 +74,7 @@ export class PatternPane extends DeskElement {
   get tools(): PatternTools {
     return (this.#tools ??= new PatternTools(this.desk, () => {
       this.requestUpdate();
+      this.renderRoot.querySelector<Toolbar>('sw-toolbar')?.requestUpdate();
     }));
   }
 
