@@ -22,6 +22,8 @@ export interface PageOptions extends BrowserContextOptions {
   readonly query?: string;
   /** In whose context, to share its storage. */
   readonly beside?: Page;
+  /** What the page may say on its console, where something is broken on purpose. */
+  readonly maySay?: RegExp;
 }
 
 /** Builds and serves the page for one file of tests. Whatever the page says on its console fails the test. */
@@ -56,17 +58,22 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
     await rm(outDir, {recursive: true});
   });
 
-  return async ({query = '', beside, ...context} = {}) => {
+  return async ({query = '', beside, maySay, ...context} = {}) => {
     const page = await (
       beside?.context() ??
       (await browser.newContext({viewport: {width: 1440, height: 900}, ...context}))
     ).newPage();
     opened.push(page);
-    page.on('console', (message) => {
+    const hear = (text: string): void => {
       // software rendering is slow to give pixels back, and says so
-      if (!message.text().includes('GPU stall')) said.push(message.text());
+      if (!text.includes('GPU stall') && !maySay?.test(text)) said.push(text);
+    };
+    page.on('console', (message) => {
+      hear(message.text());
     });
-    page.on('pageerror', (error) => said.push(error.message));
+    page.on('pageerror', (error) => {
+      hear(error.message);
+    });
     const address = server.httpServer.address();
     if (typeof address !== 'object' || !address) throw new Error('The server has no port.');
     await page.goto(`http://localhost:${address.port}/${query}`);
