@@ -28,6 +28,14 @@ export const pageLayout = css`
   .gap {
     flex: 1;
   }
+  .solving {
+    display: flex;
+    align-items: center;
+    gap: var(--sw-space-2);
+  }
+  sw-progress {
+    flex: 1;
+  }
   .icon {
     width: 2rem;
     padding: 0;
@@ -92,6 +100,12 @@ export const pageLayout = css`
         'setup' auto / minmax(0, 1fr);
       height: auto;
       min-height: 100dvh;
+    }
+    .gap {
+      display: none;
+    }
+    .solving {
+      flex: 1 0 100%;
     }
     .setup,
     .report {

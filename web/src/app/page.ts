@@ -81,14 +81,12 @@ export class SeamwisePage extends DeskElement {
           ${icon.open} <span class="label">${app.openGarment}</span>
         </button>
         <span class="gap"></span>
-        <sw-progress .desk=${desk}></sw-progress>
         ${this.#icon(app.undo, icon.undo, desk.canUndo, () => {
           desk.undo();
         })}
         ${this.#icon(app.redo, icon.redo, desk.canRedo, () => {
           desk.redo();
         })}
-        ${this.#solving()}
         <button
           class="outlined"
           ?disabled=${!desk.design}
@@ -109,6 +107,10 @@ export class SeamwisePage extends DeskElement {
         </button>
         <sw-save-menu .desk=${desk}></sw-save-menu>
         <sw-settings .desk=${desk}></sw-settings>
+        <span class="solving">
+          <sw-progress .desk=${desk}></sw-progress>
+          ${this.#solving()}
+        </span>
       </header>
       <aside class="setup" aria-label=${app.setup}>
         <sw-print-panel .desk=${desk} .samples=${samples}></sw-print-panel>

@@ -45,3 +45,13 @@ export abstract class DeskElement extends LitElement {
     });
   }
 }
+
+/** A part that takes its time: it is drawn in a task of its own, so that it holds up no other part and no frame. */
+export abstract class PatientElement extends DeskElement {
+  protected override async scheduleUpdate(): Promise<void> {
+    await new Promise((resolve) => {
+      setTimeout(resolve);
+    });
+    super.scheduleUpdate();
+  }
+}

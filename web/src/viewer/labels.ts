@@ -41,6 +41,22 @@ function extent({points, outline, offset}: ScenePiece): readonly [Point, Point] 
   ];
 }
 
+const padding = {x: 5, y: 1};
+const nameFont = {weight: 500, leading: 1.25, family: 'system-ui, sans-serif'};
+
+/** Measured on a canvas of its own: asking the elements would lay out the whole page. [CSS px] */
+function sizeOf(lines: readonly string[]): ScreenSize {
+  const context = (measuring ??= document.createElement('canvas').getContext('2d'));
+  if (context) context.font = `${nameFont.weight} ${labelSize}px ${nameFont.family}`;
+  const widths = lines.map((line) => context?.measureText(line).width ?? 0);
+  return {
+    width: Math.ceil(Math.max(...widths)) + 2 * padding.x,
+    height: lines.length * labelSize * nameFont.leading + 2 * padding.y,
+  };
+}
+
+let measuring: CanvasRenderingContext2D | null | undefined;
+
 export class Labels {
   readonly element = chipLayer();
   #appearance: Appearance;
@@ -51,7 +67,6 @@ export class Labels {
     this.#appearance = appearance;
   }
 
-  /** The element has to be in the document: names are measured. */
   show(scene: PatternScene, appearance: Appearance): void {
     this.#appearance = appearance;
     const names = scene.pieces.map((piece) =>
@@ -74,7 +89,7 @@ export class Labels {
       .map((piece, k): Name => {
         const element = names[k] ?? this.#label('', 'name');
         const [low, high] = extent(piece);
-        return {element, low, high, width: element.offsetWidth, height: element.offsetHeight};
+        return {element, low, high, ...sizeOf(labelLines(piece.label))};
       })
       // where two names collide, the larger piece keeps its own
       .sort((a, b) => b.high[1] - b.low[1] - (a.high[1] - a.low[1]));
@@ -119,9 +134,9 @@ export class Labels {
       kind === 'name'
         ? {
             whiteSpace: 'pre',
-            padding: '1px 5px',
+            padding: `${padding.y}px ${padding.x}px`,
             borderRadius: '4px',
-            font: `500 ${labelSize}px/1.25 system-ui, sans-serif`,
+            font: `${nameFont.weight} ${labelSize}px/${nameFont.leading} ${nameFont.family}`,
           }
         : {
             width: `${letterSize}px`,

@@ -111,20 +111,27 @@ export class Screen {
     if (!this.signal.aborted) this.#events.draw();
   }
 
-  #measure(): void {
+  /** @returns whether anything has changed */
+  #measure(): boolean {
     const {clientWidth, clientHeight} = this.#host;
     const ratio = globalThis.devicePixelRatio;
     // whole device pixels, so that every one of them is drawn
     const [width, height] = [clientWidth, clientHeight].map(
       (side) => Math.max(1, Math.round(side * ratio)) / ratio,
     ) as [number, number];
+    const same =
+      width === this.#size.width &&
+      height === this.#size.height &&
+      ratio === this.renderer.getPixelRatio();
     this.#size = {width, height};
+    if (same) return false;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height);
+    return true;
   }
 
   #resize(): void {
-    this.#measure();
+    if (!this.#measure()) return;
     this.#events.resized();
     this.#draw(); // a canvas is empty after a change of size
   }

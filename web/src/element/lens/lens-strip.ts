@@ -22,6 +22,10 @@ export class LensStrip extends DeskElement {
         display: grid;
         grid-template-rows: minmax(0, 1fr) 0.75rem;
       }
+      .frame,
+      svg {
+        margin-inline: var(--sw-space-4); /* the handle reaches beyond */
+      }
       .frame {
         position: relative;
         border-radius: var(--sw-radius);
@@ -54,7 +58,6 @@ export class LensStrip extends DeskElement {
       }
       svg {
         display: block;
-        width: 100%;
         height: 100%;
         fill: none;
         stroke: var(--sw-strong-line);

@@ -2,17 +2,17 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
-import {DeskElement} from '../desk-element.js';
+import {PatientElement} from '../desk-element.js';
 import {seamRows, worstSeams, type SeamRow} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {nextWorst, rankOf} from './worst-walk.js';
 import {LensStrip} from './lens-strip.js';
 
-export class SeamLens extends DeskElement {
+export class SeamLens extends PatientElement {
   /** `wide`: there is room for a tall strip, and a wish for it. */
   static override properties = {
-    ...DeskElement.properties,
+    ...PatientElement.properties,
     wide: {type: Boolean, reflect: true},
   };
   declare wide: boolean;
@@ -78,6 +78,8 @@ export class SeamLens extends DeskElement {
   /** Stays in the lens whatever is pointed at, and belongs to this garment. */
   #pinned: {readonly seam: number; readonly garment: DesignGarment} | undefined;
 
+  #wasAwake = false;
+
   constructor() {
     super();
     this.wide = false;
@@ -99,7 +101,7 @@ export class SeamLens extends DeskElement {
       tabindex="0"
       @keydown=${this.#key}
     >
-      ${row ? this.#showing(row, rows) : html`<p class="soft">${lens.none}</p>`}
+      ${row && this.#isAwake ? this.#showing(row, rows) : html`<p class="soft">${lens.none}</p>`}
     </section>`;
   }
 
@@ -133,6 +135,12 @@ export class SeamLens extends DeskElement {
       <sw-lens-strip .desk=${this.desk} .row=${row}></sw-lens-strip>
       <p class="soft">${lens.mismatch(format.fine(row.before), format.fine(row.after))}</p>
     `;
+  }
+
+  /** The first answer has the machine to itself: a drawing of its own costs the lens some time. */
+  get #isAwake(): boolean {
+    return (this.#wasAwake ||=
+      this.desk.state.kind !== 'solving' && this.desk.state.kind !== 'empty');
   }
 
   /** The seam that is shown, by number. */

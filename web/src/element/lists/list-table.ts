@@ -3,7 +3,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 import {repeat} from 'lit/directives/repeat.js';
 
-import {DeskElement} from '../desk-element.js';
+import {PatientElement} from '../desk-element.js';
 import type {Target} from '../workbench/workbench.js';
 import {inOrder, type Order, type SortKey} from './order.js';
 
@@ -15,7 +15,7 @@ export interface Column<Row> {
   readonly numeric?: boolean;
 }
 
-export abstract class ListTable<Row> extends DeskElement {
+export abstract class ListTable<Row> extends PatientElement {
   #order: Order;
   /** Numbers of the rows from above, as they were sorted last. */
   #sorted: readonly number[] = [];
@@ -131,7 +131,7 @@ export abstract class ListTable<Row> extends DeskElement {
   }
 
   /** A row that moves to another place keeps the focus. */
-  protected override update(...given: Parameters<DeskElement['update']>): void {
+  protected override update(...given: Parameters<PatientElement['update']>): void {
     const root = this.shadowRoot;
     const held = root?.activeElement;
     super.update(...given);

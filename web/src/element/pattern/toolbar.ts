@@ -16,9 +16,9 @@ export class Toolbar extends DeskElement {
     controls,
     css`
       :host {
+        position: relative;
+        z-index: 1;
         display: flex;
-        flex-wrap: wrap;
-        gap: var(--sw-space-2);
       }
       .tools,
       .hint {
@@ -32,8 +32,12 @@ export class Toolbar extends DeskElement {
         background: var(--sw-paper);
       }
       .hint {
+        position: absolute; /* the pattern must not move under the next click */
+        top: 100%;
+        left: var(--sw-space-3);
+        width: max-content;
         gap: var(--sw-space-3);
-        max-width: 34rem;
+        max-width: min(34rem, calc(100% - 2 * var(--sw-space-3)));
         padding: var(--sw-space-2) var(--sw-space-3);
       }
     `,

@@ -5,7 +5,7 @@ import {guard} from 'lit/directives/guard.js';
 import type {Design, DesignPrint} from '../../model/design.js';
 import type {GroupName} from '../../model/print.js';
 import {groupsThatCarry} from '../../model/repeat.js';
-import {DeskElement} from '../desk-element.js';
+import {PatientElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {samplePrint, type SamplePrint, type Samples} from '../workbench/samples.js';
 import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choices.js';
@@ -28,9 +28,9 @@ const coloured = (print: SamplePrint, name: string | undefined): string => {
   return `prints/${shown?.raster ?? shown?.image ?? ''}`;
 };
 
-export class PrintGallery extends DeskElement {
+export class PrintGallery extends PatientElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...PatientElement.properties,
     samples: {attribute: false},
     focused: {state: true},
     refused: {state: true},

@@ -69,7 +69,7 @@ export class Workbench {
         if (design.garment !== this.#garment) return;
         this.#pattern = pattern;
         this.#partial = undefined;
-        this.#changed();
+        this.#changedSoon(0);
       },
       partial: (design, alignments) => {
         if (design.garment !== this.#garment) return;
@@ -85,7 +85,7 @@ export class Workbench {
         if (this.#pattern) this.#results.keep(design, {pattern: this.#pattern, result});
         this.#state = {kind: 'done'};
         this.#comparison.follow(design, result.metrics);
-        this.#changed();
+        this.#changedSoon(0);
       },
       failed: (design, failure) => {
         if (design !== this.design) return;
@@ -330,11 +330,13 @@ export class Workbench {
     );
   }
 
-  /** What comes many times a second is told at a pace that can be followed. */
-  #changedSoon(): void {
-    this.#telling ??= setTimeout(() => {
+  /** What comes many times a second is told at a pace that can be followed; reading a message is a task of its own. */
+  #changedSoon(wait = pace): void {
+    if (wait === 0) clearTimeout(this.#telling);
+    else if (this.#telling !== undefined) return;
+    this.#telling = setTimeout(() => {
       this.#changed();
-    }, pace);
+    }, wait);
   }
 
   #changed(): void {
