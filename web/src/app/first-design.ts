@@ -50,12 +50,15 @@ export async function askedFor(address: URL, before: Design): Promise<Design | u
   };
 }
 
+/** The picture that a print file names is taken in, so that the design can be saved as a whole. */
 async function askedPrint(path: string, address: URL): Promise<Design['print']> {
-  const print = await readPrintFile(await fetched(path, address));
+  const file = await fetched(path, address);
+  const print = await readPrintFile(file);
   if (!path.endsWith('.json')) return print;
-  const url = new URL(path, address);
-  const {image} = JSON.parse(await (await fetched(path, address)).text()) as {image?: string};
-  return image ? {...print, image: new URL(image, url).href} : print;
+  const {image} = JSON.parse(await file.text()) as {image?: string};
+  if (!image || image.startsWith('data:')) return print;
+  const picture = new URL(image, new URL(path, address));
+  return {...print, image: (await readPrintFile(await fetched(picture.href, address))).image};
 }
 
 async function fetched(path: string, address: URL): Promise<File> {

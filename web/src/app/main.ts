@@ -34,11 +34,11 @@ async function begin(address: URL): Promise<void> {
     return;
   }
   const design = await firstDesign(samples, address);
-  const asked = await askedFor(address, design).catch((error: unknown) => {
-    sayFailure(error);
-    return undefined;
-  });
-  desk.begin({past: [], present: {design: asked ?? design, view: null}, future: []});
+  const [asked] = await Promise.allSettled([askedFor(address, design)]);
+  const present = (asked.status === 'fulfilled' && asked.value) || design;
+  desk.begin({past: [], present: {design: present, view: null}, future: []});
+  // said last, since a beginning takes back what was said before
+  if (asked.status === 'rejected') sayFailure(asked.reason);
   // from now on the tab shows what is made of it
   if (address.hash !== '') history.replaceState(null, '', address.pathname + address.search);
 }

@@ -35,6 +35,7 @@ export class SeamLens extends PatientElement {
       }
       .lens {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: var(--sw-space-1);
         border-radius: var(--sw-radius);
       }

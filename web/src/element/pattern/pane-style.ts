@@ -9,7 +9,11 @@ export const paneStyle = css`
     min-height: 0;
     background: var(--sw-ground);
   }
+  sw-toolbar {
+    grid-area: 1 / 1;
+  }
   .application {
+    grid-area: 2 / 1;
     position: relative;
   }
   .application:focus-visible {
@@ -24,9 +28,10 @@ export const paneStyle = css`
   }
   sw-wipe-handle,
   sw-ties-menu {
-    grid-area: 2 / 1;
+    grid-area: 2 / 1 / 3 / 2;
   }
   .foot {
+    grid-area: 3 / 1;
     display: flex;
     flex-wrap: wrap;
     align-items: center;

@@ -61,7 +61,7 @@ export class WipeHandle extends DeskElement {
       }
       span {
         position: absolute;
-        bottom: 5rem;
+        bottom: var(--sw-space-2);
         padding: 0 var(--sw-space-2);
         border-radius: 4px;
         background: var(--sw-paper);
