@@ -35,7 +35,7 @@ async function begin(address: URL): Promise<void> {
   }
   const design = await firstDesign(samples, address);
   const [asked] = await Promise.allSettled([askedFor(address, design)]);
-  const present = (asked.status === 'fulfilled' && asked.value) || design;
+  const present = (asked.status === 'fulfilled' ? asked.value : undefined) ?? design;
   desk.begin({past: [], present: {design: present, view: null}, future: []});
   // said last, since a beginning takes back what was said before
   if (asked.status === 'rejected') sayFailure(asked.reason);

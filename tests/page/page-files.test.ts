@@ -1,0 +1,184 @@
+/** What goes into the page from files, and what comes out. */
+import {readFile} from 'node:fs/promises';
+
+import type {Page} from 'playwright-core';
+import type {SolveResult} from 'seamwise/node';
+import {expect, it} from 'vitest';
+
+import {designOf} from '../support/page-design.js';
+import {choose, hand, jsonFile, squares, type HandedFile} from '../support/page-files.js';
+import {button, saved, showSample, solved, usePage} from '../support/page.js';
+
+const openPage = usePage();
+
+/** Nothing here needs an answer, nor much of a picture. */
+const quietPage = async (): Promise<Page> => {
+  const page = await openPage({viewport: {width: 640, height: 480}});
+  await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+  return page;
+};
+
+const garmentShown = (page: Page, name: string): Promise<unknown> =>
+  expect.poll(async () => (await designOf(page)).garment.name, {timeout: 20_000}).toBe(name);
+
+/** What the solver answered, without how long it took. */
+function answerIn(result: string): string {
+  const {design, ...answer} = JSON.parse(result) as SolveResult & {design: unknown};
+  expect(design).toBeTruthy();
+  return JSON.stringify(answer).replace(/"milliseconds":\{[^}]*\}/, '');
+}
+
+it('opens a garment that is chosen, dropped or pasted', async () => {
+  const page = await openPage();
+  await choose(page, 'Open garment', jsonFile('chosen.json', squares(40)));
+  await garmentShown(page, 'chosen.json');
+  await hand(page, 'drop', jsonFile('dropped.json', squares(50)));
+  await garmentShown(page, 'dropped.json');
+  await hand(page, 'paste', jsonFile('pasted.json', squares(60)));
+  await garmentShown(page, 'pasted.json');
+  await solved(page);
+  const table = page.getByRole('table', {name: 'Pieces', exact: true});
+  await table.getByRole('row', {name: /left/i}).waitFor();
+  await table.getByRole('row', {name: /right/i}).waitFor();
+});
+
+it('opens a saved project to the same design', async () => {
+  const page = await quietPage();
+  await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
+  await garmentShown(page, 'squares.json');
+  await page.getByRole('radio', {name: /^pgg\b/}).click();
+  const before = await designOf(page);
+  expect(before.print.group).toBe('pgg');
+  const project = await saved(page, 'Save project');
+  const other = await quietPage();
+  await hand(other, 'drop', jsonFile('squares.seamwise.json', project));
+  await garmentShown(other, 'squares.json');
+  expect(await designOf(other)).toEqual(before);
+});
+
+it('opens a saved result to its design, which solves to the same result', async () => {
+  const page = await openPage();
+  await solved(page);
+  await showSample(page, 'tee');
+  await button(page, 'Accept all symmetries').click();
+  await solved(page);
+  const design = await designOf(page);
+  const result = await saved(page, 'Save result');
+  const other = await openPage();
+  await solved(other);
+  await hand(other, 'drop', jsonFile('tee.result.json', result));
+  await garmentShown(other, design.garment.name);
+  await solved(other);
+  expect(await designOf(other)).toEqual(design);
+  expect(answerIn(await saved(other, 'Save result')) === answerIn(result)).toBe(true);
+});
+
+it('opens a print file, and a picture as a print', async () => {
+  const page = await quietPage();
+  const print = {title: 'Mine', group: 'pmm', w1: [6, 0], w2: [0, 8]};
+  await choose(page, 'Open print', jsonFile('mine.json', print));
+  await page.getByText('Your own: Mine').waitFor();
+  expect((await designOf(page)).print).toMatchObject({group: 'pmm', size: {width: 6, height: 8}});
+  const png = await readFile(new URL('../../public/prints/pgg.png', import.meta.url));
+  const [chooser] = await Promise.all([
+    page.waitForEvent('filechooser'),
+    button(page, 'Open print').click(),
+  ]);
+  await chooser.setFiles({name: 'feet.png', mimeType: 'image/png', buffer: png});
+  await expect
+    .poll(async () => (await designOf(page)).print.image, {timeout: 20_000})
+    .toBe(`data:image/png;base64,${png.toString('base64')}`);
+});
+
+it('says in one sentence why a file cannot be opened, and leaves everything as it is', async () => {
+  const page = await quietPage();
+  const before = await designOf(page);
+  const open = squares(40) as {pattern: {panels: {left: {edges: object[]}}}};
+  open.pattern.panels.left.edges.pop();
+  const stranger = squares(40) as {pattern: {stitches: {panel: string}[][]}};
+  const [[, end]] = stranger.pattern.stitches as [[unknown, {panel: string}]];
+  end.panel = 'sleeve';
+  const cases: readonly (readonly [HandedFile, RegExp])[] = [
+    [jsonFile('words.json', 'once upon a time'), /JSON/],
+    [jsonFile('list.json', {milk: 2, eggs: 6}), /garment/],
+    [jsonFile('open.json', open), /left.*(open|closed)/],
+    [jsonFile('stranger.json', stranger), /sleeve/],
+    [jsonFile('future.json', {format: 'seamwise-project/9', design: {}}), /newer Seamwise/],
+    [jsonFile('damaged.json', {format: 'seamwise-project/1', design: {}}), /damaged/],
+    [jsonFile('bare.json', {format: 'seamwise-result/1', pieces: []}), /without its design/],
+    [{name: 'noise.png', mimeType: 'image/png', content: 'noise'}, /cannot be read as a picture/],
+  ];
+  for (const [file, complaint] of cases) {
+    await hand(page, 'drop', file);
+    const alert = page.getByRole('alert').filter({hasText: file.name});
+    await alert.waitFor();
+    const said = (await alert.textContent())?.trim() ?? '';
+    expect(said).toMatch(complaint);
+    expect(said.match(/[.!?](?=\s|$)/g), said).toEqual(['.']);
+    expect(await designOf(page)).toEqual(before);
+  }
+  await button(page, 'Dismiss').click();
+  expect(await page.getByRole('alert').count()).toBe(0);
+});
+
+it('says so when a file has no seams', async () => {
+  const page = await openPage();
+  const garment = squares(40) as {pattern: {stitches: unknown[]}};
+  garment.pattern.stitches = [];
+  await choose(page, 'Open garment', jsonFile('loose.json', garment));
+  const words = 'This file has no seams, so there is nothing to match.';
+  await page.getByRole('main').getByText(words).waitFor();
+  await solved(page);
+  await page.getByRole('main').getByText(words).waitFor();
+});
+
+it('asks about the unit of a garment that fits nobody', async () => {
+  const page = await openPage();
+  await choose(page, 'Open garment', jsonFile('small.json', squares(6)));
+  await page.getByText('Is the tallest piece really 6 cm tall?').waitFor();
+  await button(page, 'No, the file is in inches').click();
+  await page.getByText('Is the tallest piece').waitFor({state: 'detached'});
+  await solved(page);
+  const {pieces} = JSON.parse(await saved(page, 'Save result')) as SolveResult;
+  expect(Math.max(...(pieces[0]?.rest ?? []).map(([, y]) => y))).toBeCloseTo(15.24, 6);
+});
+
+it('opens what its address names, and saves it as a project that opens again', async () => {
+  const page = await openPage({query: '?garment=garments/tee-s.json&print=prints/pgg.json'});
+  await solved(page);
+  const design = await designOf(page);
+  expect(design.garment.name).toBe('tee-s.json');
+  expect(design.print).toMatchObject({title: 'Parquet', group: 'pgg'});
+  expect(design.print.image).toMatch(/^data:image\/svg/);
+  const project = await saved(page, 'Save project');
+  await showSample(page, 'apron');
+  await hand(page, 'drop', jsonFile('tee.seamwise.json', project));
+  await garmentShown(page, 'tee-s.json');
+  expect(await designOf(page)).toEqual(design);
+});
+
+it('refuses an address on another host, and shows a sample in its place', async () => {
+  const page = await openPage({query: '?garment=https://example.com/coat.json'});
+  const alert = page.getByRole('alert');
+  await alert.filter({hasText: 'https://example.com/coat.json is on another host'}).waitFor();
+  expect((await designOf(page)).garment.name).toBe('raglan-m.json');
+});
+
+it('gives the pieces to cut in millimetres, and a picture', async () => {
+  const page = await openPage();
+  await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
+  await garmentShown(page, 'squares.json');
+  await solved(page);
+  await button(page, 'Save …').click();
+  const svg = await saved(page, 'Pieces to cut');
+  const [, width] = /^<svg [^>]*\bwidth="([\d.]+)mm"/.exec(svg) ?? [];
+  // both lie side by side, with an allowance of 1 cm around each
+  expect(Number(width)).toBeGreaterThan(840);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    button(page, 'Save picture').click(),
+  ]);
+  expect(download.suggestedFilename()).toBe('squares.png');
+  const png = await readFile(await download.path());
+  expect(png.subarray(1, 4).toString()).toBe('PNG');
+});
