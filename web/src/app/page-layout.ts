@@ -1,5 +1,13 @@
 import {css} from 'lit';
 
+const unseen = css`
+  position: absolute;
+  width: 1px;
+  height: 1px;
+  overflow: hidden;
+  clip-path: inset(50%);
+`;
+
 export const pageLayout = css`
   :host {
     display: grid;
@@ -82,13 +90,15 @@ export const pageLayout = css`
     border-color: var(--sw-bad);
     background: var(--sw-bad-tint);
   }
+  /* words give way to icons where there is no room for them; German ones are longer */
   @media (width < 80rem) {
     header .label {
-      position: absolute;
-      width: 1px;
-      height: 1px;
-      overflow: hidden;
-      clip-path: inset(50%);
+      ${unseen}
+    }
+  }
+  @media (width < 114rem) {
+    header:lang(de) .label {
+      ${unseen}
     }
   }
   @media (width < 64rem) {

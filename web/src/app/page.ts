@@ -77,7 +77,7 @@ export class SeamwisePage extends DeskElement {
         <h1>${app.name}</h1>
         <sw-recent-menu .desk=${desk} .keeper=${this.keeper}></sw-recent-menu>
         <sw-garment-choice .desk=${desk} .samples=${samples}></sw-garment-choice>
-        <button class="outlined" @click=${() => this.#open()}>
+        <button class="outlined" title=${app.openGarment} @click=${() => this.#open()}>
           ${icon.open} <span class="label">${app.openGarment}</span>
         </button>
         <span class="gap"></span>
@@ -89,21 +89,23 @@ export class SeamwisePage extends DeskElement {
         })}
         <button
           class="outlined"
+          title=${app.saveProject}
           ?disabled=${!desk.design}
           @click=${() => {
             saveProject(desk);
           }}
         >
-          ${icon.save} <span class="label">${app.saveProject}</span>
+          ${icon.project} <span class="label">${app.saveProject}</span>
         </button>
         <button
           class="outlined"
+          title=${app.saveResult}
           ?disabled=${!desk.result}
           @click=${() => {
             saveResult(desk);
           }}
         >
-          ${icon.save} <span class="label">${app.saveResult}</span>
+          ${icon.result} <span class="label">${app.saveResult}</span>
         </button>
         <sw-save-menu .desk=${desk}></sw-save-menu>
         <sw-settings .desk=${desk}></sw-settings>

@@ -33,14 +33,19 @@ export const paneStyle = css`
   .foot {
     grid-area: 3 / 1;
     display: flex;
-    flex-wrap: wrap;
+    min-height: 3.5rem; /* for two lines of a hint: the pattern must not move under the next click */
     align-items: center;
     justify-content: space-between;
     gap: var(--sw-space-1) var(--sw-space-4);
     padding: var(--sw-space-1) var(--sw-space-3) var(--sw-space-2);
   }
+  sw-tool-hint,
+  sw-legend {
+    flex: 1;
+  }
   .view {
     display: flex;
+    flex: none;
     gap: 1px;
     margin-left: auto;
     padding: 2px;

@@ -21,7 +21,7 @@ import {Pointing} from './pointing.js';
 import {SheetIndex} from './sheet-index.js';
 import {tileOf} from './tile.js';
 import './ties-menu.js';
-import type {Toolbar} from './toolbar.js';
+import './tool-hint.js';
 import './toolbar.js';
 import './wipe-handle.js';
 
@@ -74,7 +74,8 @@ export class PatternPane extends DeskElement {
   get tools(): PatternTools {
     return (this.#tools ??= new PatternTools(this.desk, () => {
       this.requestUpdate();
-      this.renderRoot.querySelector<Toolbar>('sw-toolbar')?.requestUpdate();
+      for (const part of this.renderRoot.querySelectorAll<DeskElement>('sw-toolbar, sw-tool-hint'))
+        part.requestUpdate();
     }));
   }
 
@@ -228,7 +229,11 @@ export class PatternPane extends DeskElement {
             ></sw-wipe-handle>`
       }
       <div class="foot">
-        <sw-legend .desk=${desk}></sw-legend>
+        ${
+          this.tools.active
+            ? html`<sw-tool-hint .desk=${desk} .tools=${this.tools}></sw-tool-hint>`
+            : html`<sw-legend .desk=${desk}></sw-legend>`
+        }
         <div class="view" role="group" aria-label=${pattern.view}>
           ${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
             this.split = this.#split === undefined ? 0.5 : undefined;

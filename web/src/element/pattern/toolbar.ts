@@ -1,11 +1,10 @@
-/** The tools over the pattern, and the sentence that says what to do next. */
+/** The tools over the pattern. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {withAll} from '../workbench/symmetry-steps.js';
-import {centred, frontOf, pin} from './print-mover.js';
 import type {PatternTools} from './pattern-tools.js';
 
 export class Toolbar extends DeskElement {
@@ -16,12 +15,9 @@ export class Toolbar extends DeskElement {
     controls,
     css`
       :host {
-        position: relative;
-        z-index: 1;
         display: flex;
       }
-      .tools,
-      .hint {
+      .tools {
         display: flex;
         flex-wrap: wrap;
         align-items: center;
@@ -31,28 +27,17 @@ export class Toolbar extends DeskElement {
         border-radius: calc(var(--sw-radius) + 2px);
         background: var(--sw-paper);
       }
-      .hint {
-        position: absolute; /* the pattern must not move under the next click */
-        top: 100%;
-        left: var(--sw-space-3);
-        width: max-content;
-        gap: var(--sw-space-3);
-        max-width: min(34rem, calc(100% - 2 * var(--sw-space-3)));
-        padding: var(--sw-space-2) var(--sw-space-3);
-      }
     `,
   ];
 
   protected override render(): TemplateResult {
     const {symmetry} = this.texts;
-    const {tools} = this;
     return html`
       <div class="tools" role="toolbar" aria-label=${symmetry.tools}>
         ${this.#tool('piece', symmetry.piece, icon.piece)}
         ${this.#tool('pair', symmetry.pair, icon.pair)}
         ${this.#tool('move', symmetry.move, icon.move)} ${this.#acceptAll()}
       </div>
-      ${tools.active ? this.#hint() : nothing}
     `;
   }
 
@@ -79,51 +64,6 @@ export class Toolbar extends DeskElement {
     >
       ${symmetry.acceptAll}
     </button>`;
-  }
-
-  #presets(): TemplateResult {
-    const {symmetry} = this.texts;
-    const preset = (what: 'motif' | 'line', label: string): TemplateResult =>
-      html`<button
-        class="outlined"
-        @click=${() => {
-          const piece = frontOf(this.desk);
-          if (piece) pin(this.desk, piece, centred(piece, what));
-        }}
-      >
-        ${label}
-      </button>`;
-    return html`${preset('motif', symmetry.centreMotif)} ${preset('line', symmetry.centreLine)}`;
-  }
-
-  #hint(): TemplateResult {
-    const {symmetry} = this.texts;
-    const {chooser} = this.tools;
-    return html`<div class="hint">
-      <span role="status" aria-label=${symmetry.hint}
-        >${this.tools.words(this.texts, this.format)}</span
-      >
-      ${
-        chooser.isReady
-          ? html`<button
-              class="primary"
-              @click=${() => {
-                chooser.send({type: 'commit'});
-              }}
-            >
-              ${symmetry.accept}
-            </button>`
-          : nothing
-      }
-      ${this.tools.active === 'move' ? this.#presets() : nothing}
-      <button
-        @click=${() => {
-          this.tools.back();
-        }}
-      >
-        ${symmetry.back}
-      </button>
-    </div>`;
   }
 }
 

@@ -28,6 +28,8 @@ export const icon = {
   link: drawn(
     svg`<path d="M6.5 9.5 9.5 6.5M7 4.5 8.5 3a3 3 0 0 1 4.5 4.5L11.5 9M9 11.5 7.5 13A3 3 0 0 1 3 8.5L4.5 7"/>`,
   ),
+  project: drawn(svg`<path d="M3 2.5h8l2.5 2.5v8.5H3zM5.5 2.5v3.5h4V2.5M5.5 13.5V9.5h5v4"/>`),
+  result: drawn(svg`<path d="M4 2.5h5.5L12.5 5.5v8H4zM6 9.5l1.5 1.5 3-3.5"/>`),
   close: drawn(svg`<path d="m4 4 8 8M12 4l-8 8"/>`),
   settings: drawn(
     svg`<path d="M2.5 5h6M11.5 5h2M2.5 11h2M7.5 11h6"/><circle cx="10" cy="5" r="1.5"/><circle cx="6" cy="11" r="1.5"/>`,

@@ -90,7 +90,7 @@ export const de: Texts = {
     back: 'Zurück',
     hint: 'Was als Nächstes zu tun ist',
     moving:
-      'Das Muster in einem Teil ziehen. Pfeiltasten verschieben um 1 mm, mit Umschalttaste um 10 mm; [ und ] drehen. Ein Doppelklick gibt das Teil wieder frei.',
+      'Das Muster in einem Teil ziehen oder mit Pfeiltasten schieben. Ein Doppelklick gibt das Teil frei.',
     begin: {
       piece:
         'Zwei Nahtlinien eines Teils anklicken, die sich spiegeln, oder zwei Punkte auf seiner Achse.',
@@ -127,8 +127,8 @@ export const de: Texts = {
       outline: 'Auf der Kante',
       none: 'Punkt',
     },
-    centreMotif: 'Motiv in die Mitte',
-    centreLine: 'Linie in die Mitte',
+    centreMotif: 'Motiv mittig',
+    centreLine: 'Linie mittig',
     list: 'Symmetrie',
     none: 'Noch wird keine Symmetrie gehalten.',
     kept: 'Gehalten',

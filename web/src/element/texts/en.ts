@@ -87,11 +87,9 @@ export const en = {
     accept: 'Accept',
     back: 'Back',
     hint: 'What to do next',
-    moving:
-      'Drag the print inside a piece. Arrow keys move it by 1 mm, with Shift by 10 mm; [ and ] turn it. A double click frees the piece.',
+    moving: 'Drag the print inside a piece, or use the arrow keys. A double click frees the piece.',
     begin: {
-      piece:
-        'Click two seam lines of a piece that mirror onto each other, or two points on its axis.',
+      piece: 'Click two seam lines of a piece that mirror each other, or two points of its axis.',
       pair: 'Click the first of two pieces that mirror onto each other.',
     },
     next: {
@@ -126,8 +124,8 @@ export const en = {
       outline: 'On the outline',
       none: 'Point',
     },
-    centreMotif: 'Motif at the centre',
-    centreLine: 'Line at the centre',
+    centreMotif: 'Centre a motif',
+    centreLine: 'Centre a line',
     list: 'Symmetry',
     none: 'No symmetry is kept yet.',
     kept: 'Kept',

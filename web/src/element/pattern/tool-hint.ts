@@ -1,0 +1,74 @@
+/** What to do next with the tool that is at work, and what can be done with it. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import type {PatternTools} from './pattern-tools.js';
+import {centred, frontOf, pin} from './print-mover.js';
+
+export class ToolHint extends DeskElement {
+  static override properties = {...DeskElement.properties, tools: {attribute: false}};
+  declare tools: PatternTools;
+
+  static override styles = [
+    controls,
+    css`
+      .hint {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: var(--sw-space-1) var(--sw-space-2);
+      }
+      .hint > span {
+        flex: 1 1 14rem;
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult {
+    const {symmetry} = this.texts;
+    const {chooser} = this.tools;
+    return html`<div class="hint">
+      <span role="status" aria-label=${symmetry.hint}
+        >${this.tools.words(this.texts, this.format)}</span
+      >
+      ${
+        chooser.isReady
+          ? html`<button
+              class="primary"
+              @click=${() => {
+                chooser.send({type: 'commit'});
+              }}
+            >
+              ${symmetry.accept}
+            </button>`
+          : nothing
+      }
+      ${this.tools.active === 'move' ? this.#presets() : nothing}
+      <button
+        @click=${() => {
+          this.tools.back();
+        }}
+      >
+        ${symmetry.back}
+      </button>
+    </div>`;
+  }
+
+  #presets(): TemplateResult {
+    const {symmetry} = this.texts;
+    const preset = (what: 'motif' | 'line', label: string): TemplateResult =>
+      html`<button
+        class="outlined"
+        @click=${() => {
+          const piece = frontOf(this.desk);
+          if (piece) pin(this.desk, piece, centred(piece, what));
+        }}
+      >
+        ${label}
+      </button>`;
+    return html`${preset('motif', symmetry.centreMotif)} ${preset('line', symmetry.centreLine)}`;
+  }
+}
+
+customElements.define('sw-tool-hint', ToolHint);
