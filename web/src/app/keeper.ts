@@ -5,8 +5,8 @@ import {Autosave, type RecentProject, type StorageTrouble} from './storage/autos
 
 /** Of the history as it is stored; another form is not read. */
 const version = 1;
-/** After the last change. [ms] */
-const patience = 400;
+/** Between one save and the next, as under a drag. [ms] */
+const pace = 400;
 /** Names this tab's project for as long as the tab lives. */
 const tabKey = 'seamwise.project';
 
@@ -24,6 +24,8 @@ export class Keeper {
   #id = crypto.randomUUID() as string;
   #saved: History<Step> | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** When it was saved last. */
+  #moment = -Infinity;
 
   /** @param report hears of trouble once */
   constructor(desk: Workbench, report: (trouble: StorageTrouble) => void) {
@@ -59,24 +61,30 @@ export class Keeper {
   /** Follows the desk. What nobody has changed is not worth keeping. */
   follow(signal: AbortSignal): void {
     const end = this.#desk.subscribe(() => {
-      const {history} = this.#desk;
-      if (!history || history === this.#saved || history.past.length + history.future.length === 0)
-        return;
-      clearTimeout(this.#timer);
-      this.#timer = setTimeout(() => void this.#flush(), patience);
+      if (!this.#unsaved) return;
+      const wait = this.#moment + pace - performance.now();
+      this.#timer ??= setTimeout(() => void this.#flush(), wait);
     });
     signal.addEventListener('abort', end);
     addEventListener('visibilitychange', () => void this.#flush(), {signal});
     addEventListener('pagehide', () => void this.#flush(), {signal});
   }
 
+  get #unsaved(): History<Step> | undefined {
+    const {history} = this.#desk;
+    if (!history || history === this.#saved) return undefined;
+    return history.past.length + history.future.length > 0 ? history : undefined;
+  }
+
   async #flush(): Promise<void> {
     clearTimeout(this.#timer);
-    const {history} = this.#desk;
-    if (!history || history === this.#saved || history.past.length + history.future.length === 0)
-      return;
-    if (!this.#saved) this.#own((await this.#autosave.claim(this.#id)).id);
+    this.#timer = undefined;
+    const history = this.#unsaved;
+    if (!history) return;
+    const isFirst = !this.#saved;
     this.#saved = history;
+    this.#moment = performance.now();
+    if (isFirst) this.#own((await this.#autosave.claim(this.#id)).id);
     const {name} = history.present.design.garment;
     await this.#autosave.save(this.#id, {name, state: {version, history}});
   }

@@ -39,8 +39,12 @@ async function begin(address: URL): Promise<void> {
   desk.begin({past: [], present: {design: present, view: null}, future: []});
   // said last, since a beginning takes back what was said before
   if (asked.status === 'rejected') sayFailure(asked.reason);
-  // from now on the tab shows what is made of it
-  if (address.hash !== '') history.replaceState(null, '', address.pathname + address.search);
+  // once something is changed, the tab shows what is made of it
+  const end = desk.subscribe(() => {
+    if (!desk.canUndo) return;
+    end();
+    history.replaceState(null, '', address.pathname);
+  });
 }
 
 try {
@@ -52,3 +56,7 @@ try {
   sayFailure(error);
 }
 keeper.follow(new AbortController().signal);
+// a link that is followed from here to here does not load the page by itself
+addEventListener('hashchange', () => {
+  location.reload();
+});

@@ -52,6 +52,6 @@ export abstract class PatientElement extends DeskElement {
     await new Promise((resolve) => {
       setTimeout(resolve);
     });
-    super.scheduleUpdate();
+    await super.scheduleUpdate();
   }
 }

@@ -7,6 +7,7 @@ import {
   type SymmetryState,
   type SymmetryTool,
 } from '../../clicks/symmetry-tool.js';
+import type {GroupName} from '../../model/print.js';
 import {carries} from '../../model/repeat.js';
 import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {axisAlong, pick} from '../../picture/marks.js';
@@ -34,7 +35,19 @@ export class SymmetryChooser {
 
   /** Both choices are made and fit: it is for the user to accept. */
   get isReady(): boolean {
-    return this.#state.stage === 'candidate' && this.#state.measured !== undefined;
+    const state = this.#state;
+    return (
+      state.stage === 'candidate' && state.measured !== undefined && this.#isCarried(state.tool)
+    );
+  }
+
+  get #group(): GroupName {
+    return this.#desk.design?.print.group ?? 'p1';
+  }
+
+  /** Whether the print has what the symmetry needs. */
+  #isCarried(tool: SymmetryTool): boolean {
+    return carries(this.#group, tool);
   }
 
   leave(): void {
@@ -87,8 +100,7 @@ export class SymmetryChooser {
           : symmetry.refusals[state.reason];
       case 'candidate': {
         if (!state.measured) return symmetry.measuring;
-        const {group = 'p1'} = this.#desk.design?.print ?? {};
-        if (!carries(group, state.tool)) return symmetry.notCarried(group);
+        if (!this.#isCarried(state.tool)) return symmetry.notCarried(this.#group);
         return symmetry.found[state.tool](format.fine(state.measured.residual));
       }
     }
@@ -100,7 +112,7 @@ export class SymmetryChooser {
     if (state.stage === 'outside' || state.stage === 'idle' || state.stage === 'committed')
       return {};
     const choices = [
-      ...('first' in state && state.first ? [state.first] : []),
+      ...(state.first ? [state.first] : []),
       ...('second' in state ? [state.second] : []),
     ];
     const marks: Overlay = {

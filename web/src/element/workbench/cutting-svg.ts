@@ -17,7 +17,7 @@ const dataUrl = (blob: Blob): Promise<string> =>
   new Promise((resolve, reject) => {
     const reader = new FileReader();
     reader.onload = () => {
-      resolve(String(reader.result));
+      resolve(reader.result as string); // what readAsDataURL gives
     };
     reader.onerror = () => {
       reject(new Error('The print’s image cannot be read; try again.'));

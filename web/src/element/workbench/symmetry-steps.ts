@@ -25,7 +25,15 @@ export const withoutSymmetry = (design: Design, symmetry: Symmetry): Partial<Des
 });
 
 /** Without what only says how well it was found. */
-export const asked = ({residual: _, map: __, ...symmetry}: DetectedSymmetry): Symmetry => symmetry;
+export const asked = (found: DetectedSymmetry): Symmetry =>
+  found.kind === 'pair'
+    ? {kind: 'pair', pieces: found.pieces}
+    : {
+        kind: 'piece',
+        piece: found.piece,
+        ...(found.axis && {axis: found.axis}),
+        ...(found.seams && {seams: found.seams}),
+      };
 
 /** All that were found and go with what there is and with the print. */
 export function withAll(design: Design, found: readonly DetectedSymmetry[]): Partial<Design> {

@@ -22,17 +22,14 @@ import {textsOf} from '../texts/texts.js';
 import {Comparison} from './comparison.js';
 import {LatestSolve} from './latest-solve.js';
 import {preferencesFor, type Preferences} from './preferences.js';
+import {Observable} from './observable.js';
 import {ResultCache} from './result-cache.js';
 import {firstOptions} from './samples.js';
 
-/** Between two partial answers that are shown. [ms] */
-const pace = 100;
-
-export class Workbench {
+export class Workbench extends Observable {
   readonly client: SolverClient;
   /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
   view: SheetWindow | undefined;
-  readonly #listeners = new Set<() => void>();
   readonly #results = new ResultCache();
   readonly #unasked = lastOf(
     (found: readonly DetectedSymmetry[], asked: readonly Symmetry[] = []) =>
@@ -48,7 +45,6 @@ export class Workbench {
   #found: readonly DetectedSymmetry[] = [];
   #partial: readonly Alignment[] | undefined;
   #state: SolveState = {kind: 'empty'};
-  #telling: ReturnType<typeof setTimeout> | undefined;
   #notice: Notice | undefined;
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
@@ -59,33 +55,34 @@ export class Workbench {
   #amendable = {kind: '', until: 0};
 
   constructor(places: WorkerPlaces = {}, preferences = preferencesFor(navigator.language)) {
+    super();
     this.client = new SolverClient(places);
     this.#preferences = preferences;
     this.#comparison = new Comparison(this.client, () => {
-      this.#changed();
+      this.changed();
     });
     this.#solve = new LatestSolve(this.client, {
       pattern: (design, pattern) => {
         if (design.garment !== this.#garment) return;
         this.#pattern = pattern;
         this.#partial = undefined;
-        this.#changedSoon(0);
+        this.changedNext();
       },
       partial: (design, alignments) => {
         if (design.garment !== this.#garment) return;
         this.#partial = alignmentsFrom(alignments);
-        this.#changedSoon();
+        this.changedOften();
       },
       progress: (_, progress) => {
         this.#state = {kind: 'solving', ...progress};
-        this.#changedSoon();
+        this.changedOften();
       },
       done: (design, result) => {
         if (design !== this.design) return;
         if (this.#pattern) this.#results.keep(design, {pattern: this.#pattern, result});
         this.#state = {kind: 'done'};
         this.#comparison.follow(design, result.metrics);
-        this.#changedSoon(0);
+        this.changedNext();
       },
       failed: (design, failure) => {
         if (design !== this.design) return;
@@ -99,15 +96,9 @@ export class Workbench {
           return;
         }
         this.#state = {kind: 'failed', failure};
-        this.#changed();
+        this.changed();
       },
     });
-  }
-
-  /** Calls back after every change of anything here. @returns what ends that */
-  subscribe(listener: () => void): () => void {
-    this.#listeners.add(listener);
-    return () => this.#listeners.delete(listener);
   }
 
   /** Undefined until a garment is there. */
@@ -166,14 +157,14 @@ export class Workbench {
 
   say(notice: Notice | undefined): void {
     this.#notice = notice;
-    this.#changed();
+    this.changed();
   }
 
   prefer(change: Partial<Preferences>): void {
     const wasOff = !this.#preferences.solveAsIGo;
     this.#preferences = {...this.#preferences, ...change};
     if (wasOff && change.solveAsIGo && this.#state.kind === 'stale') this.align();
-    this.#changed();
+    this.changed();
   }
 
   /** The sheets that the pattern shows, for everything beside it that speaks of the same. */
@@ -184,7 +175,7 @@ export class Workbench {
   set scenes(scenes: Scenes | undefined) {
     if (scenes?.now === this.#scenes?.now && scenes?.before === this.#scenes?.before) return;
     this.#scenes = scenes;
-    this.#changed();
+    this.changed();
   }
 
   /** What was picked last: it stays when the pointer moves on. */
@@ -195,7 +186,7 @@ export class Workbench {
   select(target: Target | undefined): void {
     if (sameTarget(target, this.#selected)) return;
     this.#selected = target;
-    this.#changed();
+    this.changed();
   }
 
   /** What the pointer is over, in the picture or in a list. */
@@ -206,7 +197,7 @@ export class Workbench {
   point(target: Target | undefined): void {
     if (sameTarget(target, this.#pointed)) return;
     this.#pointed = target;
-    this.#changed();
+    this.changed();
   }
 
   /** Starts, or starts over, with a history of its own. */
@@ -249,7 +240,7 @@ export class Workbench {
     const pattern = await this.client.prepare(problem, {names: {garment: garment.name}});
     this.change({garment, symmetries: [], options: firstOptions});
     this.#pattern ??= pattern;
-    this.#changed();
+    this.changed();
   }
 
   /** Solves the present design, whatever is under way. */
@@ -258,7 +249,7 @@ export class Workbench {
     this.#comparison.stop();
     this.#state = {kind: 'solving', phase: 'alignment', fraction: 0};
     this.#solve.start(this.design);
-    this.#changed();
+    this.changed();
   }
 
   cancel(): void {
@@ -266,7 +257,7 @@ export class Workbench {
     this.#solve.cancel();
     this.#partial = undefined;
     this.#state = {kind: 'stale', cancelled: true};
-    this.#changed();
+    this.changed();
   }
 
   /** How well a symmetry fits the present garment. @throws {SolverError} */
@@ -275,9 +266,9 @@ export class Workbench {
     return this.client.mirror(text, symmetry, {name, ...(signal && {signal})});
   }
 
-  dispose(): void {
+  override dispose(): void {
     this.client.dispose();
-    this.#listeners.clear();
+    super.dispose();
   }
 
   #travel(history: History<Step> | undefined): void {
@@ -309,7 +300,7 @@ export class Workbench {
     } else {
       this.#state = {kind: 'stale', cancelled: false};
     }
-    this.#changed();
+    this.changed();
   }
 
   /** A garment that was not there before; what was known of another is forgotten. */
@@ -324,24 +315,9 @@ export class Workbench {
       ({symmetries}) => {
         if (this.#garment !== garment) return;
         this.#found = symmetries;
-        this.#changed();
+        this.changed();
       },
       () => undefined, // a garment that cannot be read fails to solve as well, and that is said
     );
-  }
-
-  /** What comes many times a second is told at a pace that can be followed; reading a message is a task of its own. */
-  #changedSoon(wait = pace): void {
-    if (wait === 0) clearTimeout(this.#telling);
-    else if (this.#telling !== undefined) return;
-    this.#telling = setTimeout(() => {
-      this.#changed();
-    }, wait);
-  }
-
-  #changed(): void {
-    clearTimeout(this.#telling);
-    this.#telling = undefined;
-    for (const listener of this.#listeners) listener();
   }
 }
