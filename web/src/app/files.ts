@@ -51,11 +51,19 @@ export function takeFiles(take: (file: File) => void, signal: AbortSignal): void
   addEventListener(
     'paste',
     (event) => {
-      const file = event.clipboardData?.files[0];
+      const file = event.clipboardData?.files[0] ?? pastedText(event);
       if (!file) return;
       event.preventDefault();
       take(file);
     },
     {signal},
   );
+}
+
+/** The text of a file, copied out of an editor; other text belongs to whatever field it is pasted into. */
+function pastedText({clipboardData}: ClipboardEvent): File | undefined {
+  const text = clipboardData?.getData('text/plain').trim() ?? '';
+  return text.startsWith('{')
+    ? new File([text], 'pasted.json', {type: 'application/json'})
+    : undefined;
 }
