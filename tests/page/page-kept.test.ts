@@ -1,0 +1,146 @@
+/** What outlives a reload, and what travels to others. */
+import type {Page} from 'playwright-core';
+import {expect, it} from 'vitest';
+
+import {designOf} from '../support/page-design.js';
+import {button, progress, showSample, solved, usePage} from '../support/page.js';
+
+const openPage = usePage();
+
+/** Nothing here needs an answer, nor much of a picture. */
+const quietPage = async (options: Parameters<typeof openPage>[0] = {}): Promise<Page> => {
+  const page = await openPage({viewport: {width: 640, height: 480}, ...options});
+  const live = page.getByRole('switch', {name: 'Solve as I go', checked: true});
+  await page.getByRole('switch', {name: 'Solve as I go'}).waitFor();
+  if ((await live.count()) > 0) await live.press('Space');
+  return page;
+};
+
+const choose = async (page: Page, group: string): Promise<void> => {
+  await page.getByRole('radio', {name: new RegExp(`^${group},`)}).press('Space');
+  await page.getByRole('radio', {name: new RegExp(`^${group},`), checked: true}).waitFor();
+};
+
+const groupOf = async (page: Page): Promise<string> => (await designOf(page)).print.group;
+
+/** Once the page is there again. */
+const reloaded = async (page: Page): Promise<void> => {
+  await page.reload();
+  await page.getByRole('radiogroup', {name: 'Wallpaper group'}).waitFor();
+};
+
+it('comes back to the same design after a reload during a solve, and solves it', async () => {
+  const page = await openPage();
+  await solved(page);
+  await showSample(page, 'patchwork-jacket');
+  await page.getByRole('radio', {name: /^pgg\b/}).click();
+  await progress(page)
+    .filter({hasText: /^(Aligning|Shaping)/})
+    .waitFor();
+  const before = await designOf(page);
+  expect(before.print.group).toBe('pgg');
+  await page.reload();
+  await solved(page);
+  expect(await designOf(page)).toEqual(before);
+});
+
+it('keeps all steps over a reload', async () => {
+  const page = await quietPage();
+  for (const group of ['pgg', 'cmm', 'p6m']) await choose(page, group);
+  await button(page, 'Undo').click();
+  await reloaded(page);
+  expect(await groupOf(page)).toBe('cmm');
+  await button(page, 'Redo').click();
+  expect(await groupOf(page)).toBe('p6m');
+  for (let k = 0; k < 3; k++) await button(page, 'Undo').click();
+  expect(await groupOf(page)).toBe('p4m');
+  expect(await button(page, 'Undo').isDisabled()).toBe(true);
+});
+
+it('carries a design of samples in a link', async () => {
+  const page = await openPage({permissions: ['clipboard-read', 'clipboard-write']});
+  await solved(page);
+  await showSample(page, 'tee');
+  await page.getByLabel('Size', {exact: true}).selectOption('l');
+  await button(page, 'Accept all symmetries').click();
+  await button(page, 'Night').click();
+  await solved(page);
+  const design = await designOf(page);
+  expect(design.symmetries.length).toBeGreaterThan(0);
+  await button(page, 'Save …').click();
+  await button(page, 'Copy link').click();
+  await page.getByText('The link is in the clipboard.').waitFor();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  const other = await quietPage({query: new URL(link).hash});
+  expect(await designOf(other)).toEqual(design);
+  await reloaded(other);
+  expect(await designOf(other)).toEqual(design);
+});
+
+it('takes up a link in a tab that shows something else, and keeps what is made of it', async () => {
+  const page = await quietPage({permissions: ['clipboard-read', 'clipboard-write']});
+  await choose(page, 'cmm');
+  await page.evaluate(() => {
+    const hash = `#design=${btoa(
+      JSON.stringify({
+        garment: {style: 'apron', size: 's'},
+        print: {
+          ...{group: 'pgg', size: {width: 8, height: 12, angleDeg: 90}, turnDeg: 0},
+          ...{oneWay: false, cell: 'primitive', sample: {name: 'pgg', colourway: 'none'}},
+        },
+        ...{symmetries: [], method: 'best', options: {maxChangeCm: 0.5}},
+      }),
+    )}`;
+    location.hash = hash;
+  });
+  await expect
+    .poll(async () => (await designOf(page)).garment.name, {timeout: 20_000})
+    .toBe('apron-s.json');
+  await choose(page, 'p6m');
+  await reloaded(page);
+  const {garment, print} = await designOf(page);
+  expect([garment.name, print.group]).toEqual(['apron-s.json', 'p6m']);
+});
+
+it('keeps work on a file that the address names', async () => {
+  const page = await quietPage({query: '?garment=garments/tee-s.json'});
+  await choose(page, 'pgg');
+  await reloaded(page);
+  const {garment, print} = await designOf(page);
+  expect([garment.name, print.group]).toEqual(['tee-s.json', 'pgg']);
+});
+
+it('keeps two tabs apart that began with the same project', async () => {
+  const page = await quietPage();
+  await choose(page, 'pgg');
+  await reloaded(page); // by now it is kept
+  const [twin] = await Promise.all([
+    page.context().waitForEvent('page'),
+    page.evaluate(() => {
+      open(location.href); // with all that this tab remembers
+    }),
+  ]);
+  await twin.getByRole('radiogroup', {name: 'Wallpaper group'}).waitFor();
+  expect(await groupOf(twin)).toBe('pgg');
+  await choose(twin, 'cmm');
+  await choose(page, 'p6m');
+  await Promise.all([reloaded(twin), reloaded(page)]);
+  expect([await groupOf(page), await groupOf(twin)]).toEqual(['p6m', 'cmm']);
+});
+
+it('lists recent projects, and opens one of them', async () => {
+  const page = await quietPage();
+  await page.getByLabel('Garment', {exact: true}).selectOption('apron');
+  await expect.poll(async () => (await designOf(page)).garment.name).toBe('apron-m.json');
+  const before = await designOf(page);
+  await reloaded(page);
+  const other = await quietPage({beside: page});
+  expect((await designOf(other)).garment.name).toBe('raglan-m.json');
+  await button(other, 'Recent projects').click();
+  const list = other.getByRole('region', {name: 'Recent projects'});
+  await list.getByRole('button', {name: /apron-m\.json/}).click();
+  await expect.poll(async () => (await designOf(other)).garment.name).toBe('apron-m.json');
+  expect(await designOf(other)).toEqual(before);
+  await button(other, 'Undo').click();
+  expect((await designOf(other)).garment.name).toBe('raglan-m.json');
+});
