@@ -71,6 +71,17 @@ export const pageLayout = css`
     grid-area: report;
     border-left: 1px solid var(--sw-line);
   }
+  @media (width >= 64rem) {
+    sw-lens[wide] {
+      position: fixed;
+      inset: auto 24rem 0 20rem;
+      border: 1px solid var(--sw-line);
+      border-bottom: 0;
+    }
+    main:has(+ .report sw-lens[wide]) {
+      padding-bottom: 19rem; /* its height */
+    }
+  }
   .notice {
     position: absolute;
     left: 50%;

@@ -130,7 +130,6 @@ export class SeamLens extends PatientElement {
         })}
         ${this.#toggle(lens.widen, icon.widen, this.wide, () => {
           this.wide = !this.wide;
-          this.dispatchEvent(new Event('sw-lens-wide', {bubbles: true, composed: true}));
         })}
       </header>
       <sw-lens-strip .desk=${this.desk} .row=${row}></sw-lens-strip>
