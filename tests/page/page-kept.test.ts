@@ -2,6 +2,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
+import type {SeamwisePage} from '../../web/src/app/page.js';
 import {designOf} from '../support/page-design.js';
 import {button, progress, showSample, solved, usePage} from '../support/page.js';
 
@@ -55,6 +56,22 @@ it('keeps all steps over a reload', async () => {
   for (let k = 0; k < 3; k++) await button(page, 'Undo').click();
   expect(await groupOf(page)).toBe('p4m');
   expect(await button(page, 'Undo').isDisabled()).toBe(true);
+});
+
+it('keeps what is changed at the very moment of a reload', async () => {
+  const page = await quietPage();
+  await page.locator('seamwise-page').evaluate((element) => {
+    const {desk} = element as SeamwisePage;
+    for (const maxChangeCm of [0.2, 0.3]) desk.change({options: {maxChangeCm}});
+    location.reload();
+  });
+  await expect
+    .poll(async () => (await designOf(page)).options.maxChangeCm, {timeout: 20_000})
+    .toBe(0.3);
+  await button(page, 'Undo').click();
+  expect((await designOf(page)).options.maxChangeCm).toBe(0.2);
+  await reloaded(page);
+  expect((await designOf(page)).options.maxChangeCm).toBe(0.2);
 });
 
 it('carries a design of samples in a link', async () => {

@@ -2,6 +2,7 @@
 import type {History} from '../model/history.js';
 import type {Step, Workbench} from '../element/index.js';
 import {Autosave, type RecentProject, type StorageTrouble} from './storage/autosave.js';
+import {stash, unstashed} from './storage/stash.js';
 
 /** Of the history as it is stored; another form is not read. */
 const version = 1;
@@ -22,7 +23,10 @@ export class Keeper {
   readonly #desk: Workbench;
   readonly #autosave: Autosave;
   #id = crypto.randomUUID() as string;
+  /** What is in the database, or on its way there. */
   #saved: History<Step> | undefined;
+  /** What is in the database. */
+  #written: History<Step> | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** When it was saved last. */
   #moment = -Infinity;
@@ -40,8 +44,10 @@ export class Keeper {
 
   /** What this tab showed before it was loaded again. */
   async resumed(): Promise<History<Step> | undefined> {
+    const left = unstashed();
     const id = sessionStorage.getItem(tabKey);
-    return id === null ? undefined : this.take(id);
+    const kept = id === null ? undefined : await this.take(id);
+    return isKept(left) ? left.history : kept;
   }
 
   recent(): Promise<readonly RecentProject[]> {
@@ -54,39 +60,47 @@ export class Keeper {
     if (!isKept(project?.state)) return undefined;
     await this.#flush();
     this.#own((await this.#autosave.claim(id)).id);
-    this.#saved = project.state.history;
+    this.#saved = this.#written = project.state.history;
     return project.state.history;
   }
 
   /** Follows the desk. What nobody has changed is not worth keeping. */
   follow(signal: AbortSignal): void {
+    void this.#flush(); // what the page before has left
     const end = this.#desk.subscribe(() => {
-      if (!this.#unsaved) return;
+      if (!this.#isWorthKeeping || this.#desk.history === this.#saved) return;
       const wait = this.#moment + pace - performance.now();
       this.#timer ??= setTimeout(() => void this.#flush(), wait);
     });
     signal.addEventListener('abort', end);
     addEventListener('visibilitychange', () => void this.#flush(), {signal});
-    addEventListener('pagehide', () => void this.#flush(), {signal});
+    addEventListener(
+      'pagehide',
+      () => {
+        const {history} = this.#desk;
+        const isLeft = this.#isWorthKeeping && history !== this.#written;
+        stash(isLeft ? {version, history} : undefined);
+      },
+      {signal},
+    );
   }
 
-  get #unsaved(): History<Step> | undefined {
-    const {history} = this.#desk;
-    if (!history || history === this.#saved) return undefined;
-    return history.past.length + history.future.length > 0 ? history : undefined;
+  get #isWorthKeeping(): boolean {
+    return this.#desk.canUndo || this.#desk.canRedo;
   }
 
   async #flush(): Promise<void> {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    const history = this.#unsaved;
-    if (!history) return;
+    const {history} = this.#desk;
+    if (!history || !this.#isWorthKeeping || history === this.#saved) return;
     const isFirst = !this.#saved;
     this.#saved = history;
     this.#moment = performance.now();
     if (isFirst) this.#own((await this.#autosave.claim(this.#id)).id);
     const {name} = history.present.design.garment;
-    await this.#autosave.save(this.#id, {name, state: {version, history}});
+    if (await this.#autosave.save(this.#id, {name, state: {version, history}}))
+      this.#written = history;
   }
 
   #own(id: string): void {

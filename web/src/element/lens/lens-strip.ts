@@ -2,7 +2,7 @@
 import {css, html, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {SeamStrip, ShownSeam} from '../../viewer/seam-strip.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement, PatientElement} from '../desk-element.js';
 import type {SeamRow} from '../lists/rows.js';
 import type {LensCursor} from '../pattern/marks.js';
 import {tileOf} from '../pattern/tile.js';
@@ -11,7 +11,7 @@ import {controls} from '../style/controls.js';
 import {rulerOf} from './ruler.js';
 
 /** Sends `sw-lens-cursor` with where on the seam the pointer is, if it is over one of its sides. */
-export class LensStrip extends DeskElement {
+export class LensStrip extends PatientElement {
   static override properties = {...DeskElement.properties, row: {attribute: false}};
   declare row: SeamRow;
 

@@ -5,7 +5,7 @@ import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import {movementOf} from '../../viewer/movement.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
-import {DeskElement} from '../desk-element.js';
+import {PatientElement, type DeskElement} from '../desk-element.js';
 import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
@@ -28,7 +28,7 @@ import './wipe-handle.js';
 /** Begun at once: the drawing is the page's heaviest part. */
 const drawing = import('../../viewer/pattern-view.js');
 
-export class PatternPane extends DeskElement {
+export class PatternPane extends PatientElement {
   static override styles = [controls, paneStyle];
 
   readonly #maker = new SceneMaker();
