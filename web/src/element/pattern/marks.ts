@@ -1,4 +1,5 @@
 /** What is drawn over the pattern: what is pointed at and selected, found symmetries, choices, cursors. */
+import type {Pattern} from '../../model/result.js';
 import type {DetectedSymmetry} from '../../model/symmetries.js';
 import {pick} from '../../picture/marks.js';
 import type {OnPiece, Overlay} from '../../viewer/overlay.js';
@@ -34,7 +35,7 @@ export function overlayOf(
     ...(selected?.kind === 'piece' && {selectPiece: selected.piece}),
     cursors: cursorsOf(scene, cursor),
     ...marks,
-    ghosts: [...ghostsOf(desk.found, scene), ...(marks.ghosts ?? [])],
+    ghosts: [...ghostsOf(desk.found, scene.pattern, scene.outline), ...(marks.ghosts ?? [])],
   };
 }
 
@@ -42,7 +43,8 @@ export function overlayOf(
 const ghostsOf = lastOf(
   (
     found: readonly DetectedSymmetry[],
-    {pattern, outline}: PatternScene,
+    pattern: Pattern,
+    outline: PatternScene['outline'],
   ): readonly SceneSymmetry[] => {
     const number = (name: string): number =>
       pattern.pieces.findIndex((piece) => piece.name === name);
