@@ -23,6 +23,8 @@ export class Keeper {
   readonly #desk: Workbench;
   readonly #autosave: Autosave;
   #id = crypto.randomUUID() as string;
+  /** This tab works on its project once that is settled; nobody asks before there is something to keep. */
+  #claimed: Promise<void> | undefined;
   /** What is in the database, or on its way there. */
   #saved: History<Step> | undefined;
   /** What is in the database. */
@@ -59,7 +61,7 @@ export class Keeper {
     const project = await this.#autosave.load(id);
     if (!isKept(project?.state)) return undefined;
     await this.#flush();
-    this.#own((await this.#autosave.claim(id)).id);
+    await (this.#claimed = this.#claim(id));
     this.#saved = this.#written = project.state.history;
     return project.state.history;
   }
@@ -94,16 +96,17 @@ export class Keeper {
     this.#timer = undefined;
     const {history} = this.#desk;
     if (!history || !this.#isWorthKeeping || history === this.#saved) return;
-    const isFirst = !this.#saved;
+    this.#claimed ??= this.#claim(this.#id);
     this.#saved = history;
     this.#moment = performance.now();
-    if (isFirst) this.#own((await this.#autosave.claim(this.#id)).id);
+    await this.#claimed;
     const {name} = history.present.design.garment;
     if (await this.#autosave.save(this.#id, {name, state: {version, history}}))
       this.#written = history;
   }
 
-  #own(id: string): void {
+  async #claim(wanted: string): Promise<void> {
+    const {id} = await this.#autosave.claim(wanted);
     this.#id = id;
     sessionStorage.setItem(tabKey, id);
   }
