@@ -5,6 +5,7 @@ export interface PageCommands {
   readonly redo: () => void;
   readonly save: () => void;
   readonly open: () => void;
+  readonly keys: () => void;
 }
 
 /** In a field, undo belongs to what is being typed. */
@@ -17,7 +18,6 @@ export function pageKeys(commands: PageCommands, signal: AbortSignal): void {
   addEventListener(
     'keydown',
     (event) => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
       const command = commandOf(event, commands);
       if (!command) return;
       event.preventDefault();
@@ -28,6 +28,8 @@ export function pageKeys(commands: PageCommands, signal: AbortSignal): void {
 }
 
 function commandOf(event: KeyboardEvent, commands: PageCommands): (() => void) | undefined {
+  if (event.key === '?') return isTyping(event) ? undefined : commands.keys;
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return undefined;
   switch (event.key.toLowerCase()) {
     case 'z':
       if (isTyping(event)) return undefined;

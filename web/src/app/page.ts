@@ -11,7 +11,6 @@ import {
   type PatternPane,
   type Samples,
   type SeamLens,
-  type Wish,
 } from '../element/index.js';
 import {chooseFile, takeFiles} from './files.js';
 import type {Keeper} from './keeper.js';
@@ -50,16 +49,13 @@ export class SeamwisePage extends DeskElement {
           saveProject(this.desk);
         },
         open: () => void this.#open(),
+        keys: () => this.renderRoot.querySelector<KeyMap>('sw-key-map')?.open(),
       },
       signal,
     );
     this.addEventListener(
-      'sw-wish',
-      (event) => {
-        const {detail} = event as CustomEvent<Wish>;
-        if (detail === 'keys') this.renderRoot.querySelector<KeyMap>('sw-key-map')?.open();
-        else this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus();
-      },
+      'sw-lens-wanted',
+      () => this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus(),
       {signal},
     );
   }

@@ -7,7 +7,6 @@ export {keepPreferences, storedPreferences} from './controls/stored-preferences.
 export type {SeamLens} from './lens/lens.js';
 export type {LensCursor} from './pattern/marks.js';
 export type {PatternPane} from './pattern/pattern-pane.js';
-export type {Wish} from './pattern/pattern-keys.js';
 export type {KeyMap} from './shell/key-map.js';
 export {textsOf} from './texts/texts.js';
 export {tokens} from './style/tokens.js';

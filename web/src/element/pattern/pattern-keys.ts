@@ -16,9 +16,6 @@ const ways: Readonly<Record<string, Point>> = {
   ArrowDown: [0, -1],
 };
 
-/** What a key asks of those beside the pattern: the map of keys, or the lens on the selected seam. */
-export type Wish = 'keys' | 'lens';
-
 export function patternKeys(pane: PatternPane, event: KeyboardEvent): void {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
@@ -103,8 +100,7 @@ function viewKey(pane: PatternPane, key: string): boolean {
       pane.split = 1;
       return true;
     case 'l':
-    case '?':
-      wish(pane, key === 'l' ? 'lens' : 'keys');
+      pane.dispatchEvent(new CustomEvent('sw-lens-wanted', {bubbles: true, composed: true}));
       return true;
     default: {
       const number = Number(key);
@@ -115,10 +111,6 @@ function viewKey(pane: PatternPane, key: string): boolean {
       return true;
     }
   }
-}
-
-function wish(pane: PatternPane, detail: Wish): void {
-  pane.dispatchEvent(new CustomEvent('sw-wish', {detail, bubbles: true, composed: true}));
 }
 
 function walk({index, desk}: PatternPane, key: string): boolean {

@@ -5,7 +5,17 @@ import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 
+/** What has the focus, in whatever shadow. */
+function focused(): Element | null {
+  let found = document.activeElement;
+  while (found?.shadowRoot?.activeElement) found = found.shadowRoot.activeElement;
+  return found;
+}
+
 export class KeyMap extends DeskElement {
+  /** Had the focus before the map; browsers forget it when it is in a shadow. */
+  #before: Element | null = null;
+
   static override styles = [
     controls,
     css`
@@ -55,10 +65,20 @@ export class KeyMap extends DeskElement {
 
   protected override render(): TemplateResult {
     const {app, keys} = this.texts;
-    return html`<div popover id="keys" role="region" aria-label=${app.keys}>
+    return html`<div
+      popover
+      id="keys"
+      role="region"
+      aria-label=${app.keys}
+      @beforetoggle=${({newState}: ToggleEvent) => {
+        if (newState === 'open') this.#before = focused();
+        else if (this.shadowRoot?.activeElement && this.#before instanceof HTMLElement)
+          this.#before.focus();
+      }}
+    >
       <header>
         <h2>${app.keys}</h2>
-        <button aria-label=${app.close} popovertarget="keys" popovertargetaction="hide">
+        <button autofocus aria-label=${app.close} popovertarget="keys" popovertargetaction="hide">
           ${icon.close}
         </button>
       </header>

@@ -1,0 +1,183 @@
+/** The page for those who do not see it, and for those who have no pointer. */
+import {readFile} from 'node:fs/promises';
+import {createRequire} from 'node:module';
+
+import type {AxeResults} from 'axe-core';
+import type {Locator, Page} from 'playwright-core';
+import {describe, expect, it} from 'vitest';
+
+import {designOf} from '../support/page-design.js';
+import {button, solved, usePage} from '../support/page.js';
+import {clickPiece, clickSeam} from '../support/page-pattern.js';
+
+const openPage = usePage();
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+/** What would keep somebody out, as "rule: where". */
+async function barriers(page: Page): Promise<readonly string[]> {
+  await page.evaluate(await readFile(axe, 'utf8'));
+  const {violations} = await page.evaluate(() =>
+    (
+      window as unknown as {
+        axe: {run(root: Document, options: object): Promise<AxeResults>};
+      }
+    ).axe.run(document, {resultTypes: ['violations']}),
+  );
+  return violations
+    .filter(({impact}) => impact === 'serious' || impact === 'critical')
+    .flatMap(({id, nodes}) =>
+      nodes.map(({target, failureSummary}) => `${id}: ${target.join(' ')} ${failureSummary ?? ''}`),
+    );
+}
+
+describe.each(['light', 'dark'] as const)('in %s colours', (colorScheme) => {
+  it('keeps nobody out of the garment, its lens, a tool, or the settings', async () => {
+    const page = await openPage({colorScheme});
+    await solved(page);
+    expect(await barriers(page)).toEqual([]);
+    await clickSeam(page, 0, 'a');
+    await page.getByRole('group', {name: 'Seam lens'}).waitFor();
+    expect(await barriers(page)).toEqual([]);
+    await button(page, 'Symmetric pair').click();
+    await clickPiece(page, 'front_left');
+    expect(await barriers(page)).toEqual([]);
+    await button(page, 'Settings').click();
+    await page.getByRole('group', {name: 'Settings'}).waitFor();
+    expect(await barriers(page)).toEqual([]);
+  });
+});
+
+it('keeps nobody out on a small screen', async () => {
+  const page = await openPage({viewport: {width: 390, height: 844}});
+  await solved(page);
+  expect(await barriers(page)).toEqual([]);
+});
+
+const pattern = (page: Page): Locator => page.getByRole('application', {name: 'Pattern'});
+
+/** What a screen reader says of the part of the pattern that is selected. */
+const spoken = (page: Page): Promise<string> =>
+  pattern(page).evaluate((element) => {
+    const id = element.getAttribute('aria-activedescendant');
+    const root = element.getRootNode() as ShadowRoot;
+    return (id && root.getElementById(id)?.textContent) ?? '';
+  });
+
+const tabTo = async (page: Page, wanted: Locator): Promise<void> => {
+  for (let k = 0; k < 80; k++) {
+    await page.keyboard.press('Tab');
+    if (await wanted.evaluate((element) => element.matches(':focus'))) return;
+  }
+  throw new Error('Tab does not lead there.');
+};
+
+const press = async (page: Page, ...keys: readonly string[]): Promise<void> => {
+  for (const key of keys) await page.keyboard.press(key);
+};
+
+it('is walked by keys alone, from pieces to seams and across to their twins', async () => {
+  const page = await openPage();
+  await solved(page);
+  await tabTo(page, pattern(page));
+  expect(await spoken(page)).toBe('');
+  await press(page, 'ArrowRight');
+  const first = await spoken(page);
+  expect(first).toMatch(/^.+, \d+ seams?$/);
+  await press(page, 'ArrowRight');
+  expect(await spoken(page)).not.toBe(first);
+  await press(page, 'ArrowLeft');
+  expect(await spoken(page)).toBe(first);
+  await press(page, 'Enter');
+  const seam = await spoken(page);
+  expect(seam).toMatch(/^.+, [\d.]+ cm, mismatch [\d.]+ mm, (mirrored|continuous|not counted)$/);
+  await press(page, 'ArrowRight');
+  expect(await spoken(page)).not.toBe(seam);
+  await press(page, 'ArrowLeft', 't');
+  expect(await spoken(page)).toBe(seam); // the same seam, of the other piece
+  await press(page, 'Escape');
+  const other = await spoken(page);
+  expect(other).toMatch(/^.+, \d+ seams?$/);
+  expect(other).not.toBe(first);
+  await press(page, 'Escape');
+  expect(await spoken(page)).toBe('');
+});
+
+/** Walks with the arrow keys until a piece of this name is selected. */
+async function walkTo(page: Page, piece: RegExp): Promise<void> {
+  for (const key of ['ArrowRight', 'ArrowDown', 'ArrowLeft', 'ArrowUp']) {
+    for (let k = 0; k < 8; k++) {
+      if (piece.test(await spoken(page))) return;
+      await press(page, key);
+    }
+  }
+  expect(await spoken(page)).toMatch(piece);
+}
+
+it('makes a pair symmetric by keys alone, and takes that back', async () => {
+  const page = await openPage();
+  await solved(page);
+  await pattern(page).focus();
+  const hint = page.getByRole('status', {name: 'What to do next'});
+  await press(page, 'p', 'ArrowRight');
+  await walkTo(page, /^front.*left/i);
+  await press(page, ' ');
+  await hint.filter({hasText: /^Now click the piece/}).waitFor();
+  await walkTo(page, /^front.*right/i);
+  await press(page, ' ');
+  await hint.filter({hasText: /mirror onto each other/}).waitFor();
+  await press(page, 'Enter');
+  expect((await designOf(page)).symmetries).toMatchObject([
+    {kind: 'pair', pieces: ['front_left', 'front_right']},
+  ]);
+  await solved(page);
+  await press(page, 'Control+z');
+  expect((await designOf(page)).symmetries).toEqual([]);
+  await press(page, 'Control+Shift+z');
+  expect((await designOf(page)).symmetries.length).toBe(1);
+});
+
+it('moves a print by keys alone, and says that its piece is pinned', async () => {
+  const page = await openPage();
+  await solved(page);
+  await pattern(page).focus();
+  await press(page, 'ArrowRight');
+  const name = (await spoken(page)).replace(/, \d+ seams?$/, '');
+  await press(page, 'm', 'ArrowRight', 'Shift+ArrowUp');
+  const {pins = {}} = (await designOf(page)).options;
+  expect(Object.keys(pins).length).toBe(1);
+  await solved(page);
+  const row = page.getByRole('table', {name: 'Pieces', exact: true}).getByRole('row', {name});
+  await row.filter({hasText: 'Pinned'}).waitFor();
+  await press(page, 'Control+z');
+  expect((await designOf(page)).options.pins).toBeUndefined();
+});
+
+it('chooses a group by arrow keys', async () => {
+  const page = await openPage();
+  await solved(page);
+  const chosen = page
+    .getByRole('radiogroup', {name: 'Wallpaper group'})
+    .getByRole('radio', {checked: true});
+  await tabTo(page, chosen);
+  await press(page, 'ArrowRight');
+  expect((await designOf(page)).print.group).toBe('p4g');
+  await solved(page);
+});
+
+it('shows and hides the map of keys from anywhere', async () => {
+  const page = await openPage();
+  await solved(page);
+  const map = page.getByRole('region', {name: 'Keys', exact: true});
+  expect(await map.count()).toBe(0);
+  await press(page, '?');
+  await map.waitFor();
+  await press(page, '?');
+  await map.waitFor({state: 'hidden'});
+  await pattern(page).focus();
+  await press(page, 'ArrowRight', '?');
+  await map.waitFor();
+  await press(page, 'Escape');
+  await map.waitFor({state: 'hidden'});
+  expect(await spoken(page)).not.toBe(''); // one step back at a time
+  expect(await pattern(page).evaluate((element) => element.matches(':focus'))).toBe(true);
+});
