@@ -1,14 +1,32 @@
 /** Opens whatever a user hands over: a garment, a print, a project, or a result. */
 import {FileError, isProject, readProject} from '../model/project.js';
-import {openPrint, toFailure, type Workbench} from '../element/index.js';
+import {openPrint, textsOf, toFailure, type Workbench} from '../element/index.js';
 
 /** Nobody's pattern is larger, and a browser would choke on it. [bytes] */
 const most = 64 * 2 ** 20;
 
+/** By the button for garments, or dropped and pasted, which may be anything. */
+type How = 'chosen as garment' | 'handed over';
+
 /** What cannot be opened is said, and leaves everything as it is. */
-export async function openFile(desk: Workbench, file: File): Promise<void> {
+export async function openFile(
+  desk: Workbench,
+  file: File,
+  how: How = 'handed over',
+): Promise<void> {
   try {
+    if (how === 'chosen as garment' && isPicture(file))
+      throw new FileError(
+        file.name,
+        'is a picture; open it as a print, or choose a sewing pattern.',
+      );
     await opened(desk, file);
+    if (isPicture(file))
+      desk.say({
+        tone: 'info',
+        text: textsOf(desk.preferences.language).app.takenAsPrint(file.name),
+        undo: true,
+      });
   } catch (error) {
     const text = error instanceof FileError ? error.message : toFailure(error).message;
     desk.say({tone: 'error', text});

@@ -114,24 +114,36 @@ export const pageLayout = css`
   }
   @media (width < 64rem) {
     :host {
-      grid:
-        'header' auto
-        'pattern' minmax(18rem, 60dvh)
-        'report' auto
-        'setup' auto / minmax(0, 1fr);
+      display: flex;
+      flex-direction: column;
       height: auto;
       min-height: 100dvh;
+      background: var(--sw-paper);
+    }
+    main {
+      height: 62dvh;
+      min-height: 22rem;
+    }
+    /* what is asked most often comes first: how well it fits, then the print; the tables last */
+    .setup,
+    .report {
+      display: contents;
+    }
+    sw-headline,
+    sw-lens {
+      order: 1;
+    }
+    .setup > * {
+      order: 2;
+    }
+    sw-tables {
+      order: 3;
     }
     .gap {
       display: none;
     }
     .solving {
       flex: 1 0 100%;
-    }
-    .setup,
-    .report {
-      border: 0;
-      border-top: 1px solid var(--sw-line);
     }
   }
 `;

@@ -139,7 +139,7 @@ export class SeamwisePage extends DeskElement {
 
   async #open(): Promise<void> {
     const file = await chooseFile('.json,application/json');
-    if (file) await openFile(this.desk, file);
+    if (file) await openFile(this.desk, file, 'chosen as garment');
   }
 
   #solving(): TemplateResult {

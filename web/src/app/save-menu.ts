@@ -1,7 +1,7 @@
 /** What there is to take away beside project and result: a picture, and the pieces to cut. */
 import {css, html, type TemplateResult} from 'lit';
 
-import {controls, DeskElement, icon, lengthUnit} from '../element/index.js';
+import {controls, DeskElement, icon, lengthUnit, placeUnder} from '../element/index.js';
 import {copyLink, saveCutting, savePicture} from './save.js';
 
 /** What most sewing patterns have. [cm] */
@@ -18,8 +18,7 @@ export class SaveMenu extends DeskElement {
         display: inline-block;
       }
       [popover] {
-        position: fixed;
-        inset: 3.5rem var(--sw-space-4) auto auto;
+        margin: 0;
         width: 18rem;
         padding: var(--sw-space-3);
         border: 1px solid var(--sw-line);
@@ -51,7 +50,13 @@ export class SaveMenu extends DeskElement {
       <button class="outlined" popovertarget="save" ?disabled=${!desk.result}>
         ${icon.save} ${app.saveMore}
       </button>
-      <div popover id="save">
+      <div
+        popover
+        id="save"
+        @beforetoggle=${({currentTarget}: Event) => {
+          placeUnder(this.renderRoot.querySelector('button'), currentTarget as HTMLElement);
+        }}
+      >
         <div class="rows">
           <button class="outlined" @click=${() => void savePicture(desk)}>
             ${icon.save} ${app.savePicture}

@@ -9,6 +9,7 @@ export type {LensCursor} from './pattern/marks.js';
 export type {PatternPane} from './pattern/pattern-pane.js';
 export type {KeyMap} from './shell/key-map.js';
 export {textsOf} from './texts/texts.js';
+export {placeUnder} from './style/place-under.js';
 export {tokens} from './style/tokens.js';
 export {lengthUnit} from './controls/number-field.js';
 export {cuttingSvg} from './workbench/cutting-svg.js';

@@ -138,8 +138,9 @@ function sheet(
 export function symmetriesOf(
   {pieces, symmetries}: Pattern,
   outline: 'rest' | 'shape',
+  firstPair = 0,
 ): readonly SceneSymmetry[] {
-  let pairs = 0;
+  let pairs = firstPair;
   const outlineOf = (piece: number): Point[] => {
     const {[outline]: points = [], outline: loop = []} = pieces[piece] ?? {};
     return pick(points, loop);

@@ -1,14 +1,11 @@
 /** How the page speaks and looks, behind one button. */
-import {css, html, unsafeCSS, type TemplateResult} from 'lit';
+import {css, html, type TemplateResult} from 'lit';
 
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
+import {placeUnder} from '../style/place-under.js';
 import {icon} from '../style/icons.js';
 import type {Preferences} from '../workbench/preferences.js';
-
-/** What the button opens is this wide, and this far from it and from the window's edge. */
-const width = '17rem';
-const gap = '4px';
 
 export class Settings extends DeskElement {
   static override styles = [
@@ -22,9 +19,7 @@ export class Settings extends DeskElement {
         color: var(--sw-ink);
       }
       [popover] {
-        inset: auto;
-        width: ${unsafeCSS(width)};
-        max-width: calc(100vw - 1rem);
+        width: 17rem;
         margin: 0;
         padding: var(--sw-space-4);
         border: 1px solid var(--sw-line);
@@ -47,7 +42,15 @@ export class Settings extends DeskElement {
       <button popovertarget="panel" aria-label=${app.settings} title=${app.settings}>
         ${icon.settings}
       </button>
-      <div id="panel" popover role="group" aria-label=${app.settings} @beforetoggle=${this.#place}>
+      <div
+        id="panel"
+        popover
+        role="group"
+        aria-label=${app.settings}
+        @beforetoggle=${({currentTarget}: Event) => {
+          placeUnder(this.renderRoot.querySelector('button'), currentTarget as HTMLElement);
+        }}
+      >
         ${this.#choice('language', app.language, language, {en: 'English', de: 'Deutsch'})}
         ${this.#choice('units', app.units, units, texts.unitNames)}
         ${this.#choice('theme', app.theme, theme, app.themes)}
@@ -94,16 +97,6 @@ export class Settings extends DeskElement {
         )}
       </select>
     </label>`;
-  }
-
-  /** Under its button, within the window. */
-  #place(): void {
-    const panel = this.renderRoot.querySelector<HTMLElement>('[popover]');
-    const button = this.renderRoot.querySelector('button');
-    if (!panel || !button) return;
-    const {right, bottom} = button.getBoundingClientRect();
-    panel.style.right = `max(${gap}, min(${innerWidth - right}px, 100vw - ${width} - ${gap}))`;
-    panel.style.top = `calc(${bottom}px + ${gap})`;
   }
 }
 

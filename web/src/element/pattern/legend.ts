@@ -1,5 +1,5 @@
 /** What the colours along the seams mean. */
-import {css, html, svg, type TemplateResult} from 'lit';
+import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
 import {mismatchColour, mismatchDash, mismatchWidth, worstMismatch} from '../../picture/colours.js';
 import {DeskElement} from '../desk-element.js';
@@ -31,6 +31,11 @@ export class Legend extends DeskElement {
         font-size: var(--sw-text-small);
         color: var(--sw-soft);
       }
+      .dotted::before {
+        content: '· · · ';
+        font-weight: 700;
+        letter-spacing: 0.05em;
+      }
       svg {
         display: block;
       }
@@ -46,7 +51,8 @@ export class Legend extends DeskElement {
   protected override render(): TemplateResult {
     const {legend} = this.texts;
     const {scale} = this.desk.preferences;
-    const chance = this.desk.scenes?.now.chance ?? 0;
+    const scene = this.desk.scenes?.now;
+    const chance = scene?.chance ?? 0;
     const worst = scale === 'paper' ? worstMismatch : chance;
     const words = scale === 'paper' ? legend.paper : legend.chance;
     return html`
@@ -54,6 +60,11 @@ export class Legend extends DeskElement {
       <span>${legend.none}</span>
       <svg width=${width} height="10" viewBox="0 0 ${width} 10" aria-hidden="true">${ramp}</svg>
       <span>${words(this.format.fine(worst))}</span>
+      ${
+        scene?.seams.some(({counts}) => !counts)
+          ? html`<span class="dotted">${legend.notCounted}</span>`
+          : nothing
+      }
       <button
         aria-pressed=${scale === 'paper'}
         title=${legend.asPaperNote}

@@ -58,7 +58,8 @@ const ghostsOf = lastOf(
             pairs: [],
           } as const),
     );
-    return symmetriesOf({...pattern, symmetries}, outline);
+    const kept = pattern.symmetries.filter(({kind}) => kind === 'pair').length;
+    return symmetriesOf({...pattern, symmetries}, outline, kept);
   },
 );
 

@@ -33,7 +33,7 @@ export const paneStyle = css`
   .foot {
     grid-area: 3 / 1;
     display: flex;
-    min-height: 3.5rem; /* for two lines of a hint: the pattern must not move under the next click */
+    min-height: 4rem; /* for two lines of a hint: the pattern must not move under the next click */
     align-items: center;
     justify-content: space-between;
     gap: var(--sw-space-1) var(--sw-space-4);

@@ -107,7 +107,7 @@ export class PatternPane extends PatientElement {
     try {
       this.#view = new PatternView(stage, {
         appearance: this.#appearance,
-        lengthText: (cm) => this.format.fine(cm),
+        lengthText: (cm) => this.#missText(cm),
         onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
       });
     } catch {
@@ -137,8 +137,19 @@ export class PatternPane extends PatientElement {
     this.requestUpdate();
   }
 
+  /** Beyond what chance gives, how far two places are apart says nothing: they do not match. */
+  #missText(cm: number): string {
+    const chance = this.desk.scenes?.now.chance ?? Infinity;
+    return cm > chance ? `> ${this.format.fine(chance)}` : this.format.fine(cm);
+  }
+
   get #stage(): HTMLElement | null {
     return this.renderRoot.querySelector('.stage');
+  }
+
+  /** The keys of the pattern work again. */
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
   }
 
   get #appearance(): 'light' | 'dark' {
@@ -231,7 +242,13 @@ export class PatternPane extends PatientElement {
       <div class="foot">
         ${
           this.tools.active
-            ? html`<sw-tool-hint .desk=${desk} .tools=${this.tools}></sw-tool-hint>`
+            ? html`<sw-tool-hint
+                .desk=${desk}
+                .tools=${this.tools}
+                @click=${() => {
+                  this.focus();
+                }}
+              ></sw-tool-hint>`
             : html`<sw-legend .desk=${desk}></sw-legend>`
         }
         <div class="view" role="group" aria-label=${pattern.view}>
@@ -257,6 +274,7 @@ export class PatternPane extends PatientElement {
     if (this.#noWebGl) return state(pattern.noWebGl);
     if (!desk.design) return state(this.texts.progress.empty);
     if (desk.state.kind === 'stale') return state(pattern.stale);
+    if (desk.state.kind === 'failed') return state(pattern.failed);
     if (desk.pattern?.seams.length === 0) return state(pattern.noSeams);
     const {result, scenes} = desk;
     if (!this.#showsMovement || !result) return nothing;

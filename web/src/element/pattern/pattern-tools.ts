@@ -2,13 +2,13 @@
 import {choices, seamTarget, targetsAt, type Target as Picked} from '../../clicks/pick.js';
 import type {PickIndex} from '../../clicks/pick-index.js';
 import {snap, type Snapped} from '../../clicks/snap.js';
-import type {Design} from '../../model/design.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import {notchMark} from '../../picture/cutting/follow.js';
 import type {Overlay} from '../../viewer/overlay.js';
 import type {PatternScene} from '../../viewer/scene.js';
 import type {Format} from '../texts/format.js';
 import type {Texts} from '../texts/texts.js';
+import {withAll} from '../workbench/symmetry-steps.js';
 import type {Target, Workbench} from '../workbench/workbench.js';
 import {middleOf, pin, shifted, turned, unpin} from './print-mover.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
@@ -66,9 +66,15 @@ export class PatternTools {
     return active !== undefined;
   }
 
-  acceptAll(change: Partial<Design>): void {
+  /** @returns false when the print can keep none of them */
+  acceptAll(): boolean {
+    const {design, found} = this.#desk;
+    if (!design) return false;
+    const change = withAll(design, found);
+    if (change.symmetries?.length === design.symmetries.length) return false;
     this.chooser.leave();
     this.#desk.change(change);
+    return true;
   }
 
   words(texts: Texts, format: Format): string {

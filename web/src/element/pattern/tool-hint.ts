@@ -15,12 +15,12 @@ export class ToolHint extends DeskElement {
     css`
       .hint {
         display: flex;
-        flex-wrap: wrap;
         align-items: center;
         gap: var(--sw-space-1) var(--sw-space-2);
       }
       .hint > span {
-        flex: 1 1 14rem;
+        flex: 1;
+        line-height: 1.3;
       }
     `,
   ];

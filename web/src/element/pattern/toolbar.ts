@@ -1,10 +1,10 @@
 /** The tools over the pattern. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
+import {groupsThatCarry} from '../../model/repeat.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {withAll} from '../workbench/symmetry-steps.js';
 import type {PatternTools} from './pattern-tools.js';
 
 export class Toolbar extends DeskElement {
@@ -59,7 +59,10 @@ export class Toolbar extends DeskElement {
     return html`<button
       title=${symmetry.foundCount(found.length)}
       @click=${() => {
-        this.tools.acceptAll(withAll(design, found));
+        if (this.tools.acceptAll()) return;
+        const {group} = design.print;
+        const groups = groupsThatCarry('piece').join(', ');
+        this.desk.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
       }}
     >
       ${symmetry.acceptAll}

@@ -102,6 +102,7 @@ export class TileReport extends DeskElement {
     if (report?.print !== print) return nothing;
     const {check, groups} = report;
     if (check.breaks.length === 0) {
+      if (print.group === 'p1') return nothing; // which asks for nothing
       return html`<p role="status" class="soft">${texts.keeps(print.group)}</p>`;
     }
     return html`<div class="breaks" role="status">

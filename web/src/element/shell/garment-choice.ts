@@ -34,6 +34,14 @@ export class GarmentChoice extends DeskElement {
     `,
   ];
 
+  /** A list that somebody has used shows that choice until it is told otherwise. */
+  protected override updated(): void {
+    const {style = '', size = ''} = this.desk.design?.garment.sample ?? {};
+    this.renderRoot.querySelectorAll('select').forEach((list, k) => {
+      list.value = k === 0 ? style : size;
+    });
+  }
+
   protected override render(): TemplateResult | typeof nothing {
     const {design} = this.desk;
     if (!design || !this.samples) return nothing;
@@ -47,10 +55,9 @@ export class GarmentChoice extends DeskElement {
           void this.#open((event.target as HTMLSelectElement).value, sample?.size ?? 'm');
         }}
       >
-        ${style ? nothing : html`<option selected value="">${name}</option>`}
+        ${style ? nothing : html`<option value="">${name}</option>`}
         ${this.samples.garments.map(
-          (one) =>
-            html`<option value=${one.style} ?selected=${one === style}>${one.title}</option>`,
+          (one) => html`<option value=${one.style}>${one.title}</option>`,
         )}
       </select>
       ${
@@ -61,12 +68,7 @@ export class GarmentChoice extends DeskElement {
             void this.#open(style.style, (event.target as HTMLSelectElement).value);
           }}
         >
-          ${style.sizes.map(
-            (size) =>
-              html`<option value=${size} ?selected=${size === sample?.size}>
-                ${size.toUpperCase()}
-              </option>`,
-          )}
+          ${style.sizes.map((size) => html`<option value=${size}>${size.toUpperCase()}</option>`)}
         </select>`
       }
     `;

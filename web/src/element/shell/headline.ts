@@ -1,6 +1,8 @@
 /** How well the garment meets, in one sentence; under it the figures. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
+import type {Failure} from '../../model/failure.js';
+import {carries, groupsThatCarry} from '../../model/repeat.js';
 import type {Metrics} from '../../model/result.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
@@ -61,8 +63,7 @@ export class Headline extends DeskElement {
     const {result, state} = this.desk;
     const {headline} = this.texts;
     if (state.kind === 'failed') {
-      return html`<h2>${this.texts.progress.failed}</h2>
-        <p class="error" role="alert">${state.failure.message}</p>`;
+      return this.#failed(state.failure);
     }
     if (!result) return html`<h2 class="soft">${this.texts.progress.label} …</h2>`;
     const {mean, chance} = matchOf(result);
@@ -71,6 +72,30 @@ export class Headline extends DeskElement {
       <output aria-label=${headline.fit}>${this.#fit(result.metrics)}</output>
       ${this.#cost(result.metrics)} ${this.#notes(result.notes)}
     `;
+  }
+
+  /** What went wrong, and the way out where there is one. */
+  #failed({code, message}: Failure): TemplateResult {
+    const {progress, symmetry} = this.texts;
+    const {design} = this.desk;
+    if (code !== 'symmetryGroup' || !design) {
+      return html`<h2>${progress.failed}</h2>
+        <p class="error" role="alert">${message}</p>`;
+    }
+    const {group} = design.print;
+    return html`<h2>${progress.failed}</h2>
+      <p class="error" role="alert">
+        ${symmetry.wouldCarry(group, groupsThatCarry('piece').join(', '))}
+      </p>
+      <button
+        class="outlined"
+        @click=${() => {
+          const symmetries = design.symmetries.filter(({kind}) => carries(group, kind));
+          this.desk.change({symmetries});
+        }}
+      >
+        ${symmetry.leaveOut}
+      </button>`;
   }
 
   #fit({fit, fitRandom}: Metrics): TemplateResult {
@@ -82,6 +107,8 @@ export class Headline extends DeskElement {
   #cost(metrics: Metrics): TemplateResult | typeof nothing {
     const without = this.desk.withoutSymmetry;
     if (!without) return nothing;
+    // both are searches: one without symmetry could do no worse than to keep it
+    if (without.fit >= metrics.fit) return html`<p class="soft">${this.texts.headline.free}</p>`;
     const {headline} = this.texts;
     return html`<dl aria-label=${headline.cost}>
       <div>

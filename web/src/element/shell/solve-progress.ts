@@ -9,13 +9,15 @@ export class SolveProgress extends DeskElement {
     controls,
     css`
       :host {
-        display: grid;
-        gap: 2px;
+        position: relative;
+        display: block;
         min-width: 11rem;
         color: var(--sw-soft);
         text-align: right;
       }
       progress {
+        position: absolute;
+        inset: auto 0 -5px auto;
         appearance: none;
         width: 100%;
         height: 3px;

@@ -7,7 +7,6 @@ export const de: Texts = {
     openGarment: 'Schnitt öffnen',
     garment: 'Schnitt',
     size: 'Größe',
-    ownGarment: 'Eigene Datei',
     undo: 'Rückgängig',
     redo: 'Wiederholen',
     align: 'Ausrichten',
@@ -32,7 +31,7 @@ export const de: Texts = {
     keys: 'Tasten',
     close: 'Schließen',
     dismiss: 'Ausblenden',
-    dropHere: 'Schnitt, Muster oder Projekt hier ablegen',
+    takenAsPrint: (name) => `${name} wurde als Muster genommen.`,
     setup: 'Muster und Zuschnitt',
     report: 'Teile und Nähte',
   },
@@ -55,10 +54,10 @@ export const de: Texts = {
     edge: 'Offene Kante',
     description:
       'Pfeiltasten gehen von Teil zu Teil, Eingabe zu den Nähten eines Teils, T zur Gegenseite einer Naht, Escape zurück.',
-    loading: 'Schnitt wird geladen …',
     noWebGl:
       'Dieser Browser kann den Schnitt nicht zeichnen: WebGL 2 fehlt. Tabellen und Dateien gehen trotzdem.',
     stale: 'Das Bild ist nicht mehr aktuell',
+    failed: 'Nicht ausgerichtet: die Teile liegen wie zuvor',
     noSeams: 'Diese Datei hat keine Nähte, also gibt es nichts anzupassen.',
     zoomIn: 'Vergrößern',
     zoomOut: 'Verkleinern',
@@ -136,6 +135,7 @@ export const de: Texts = {
     itself: (piece) => `${piece}, zu sich selbst gespiegelt`,
     both: (first, second) => `${first} und ${second}`,
     remove: 'Entfernen',
+    leaveOut: 'Weglassen, was es nicht halten kann',
     wouldCarry: (group, groups) =>
       `Ein Muster der Gruppe ${group} kann nicht alle davon halten; eines von ${groups} könnte es.`,
   },
@@ -171,6 +171,7 @@ export const de: Texts = {
     units: {cm: 'Zentimetern', mm: 'Millimetern', inch: 'Zoll', m: 'Metern'},
   },
   legend: {
+    notCounted: 'zählt nicht',
     title: 'Versatz',
     none: '0',
     chance: (length) => `${length}, wie zufällig`,
@@ -184,6 +185,7 @@ export const de: Texts = {
     fits: (mean, chance) => `Nähte treffen sich im Mittel auf ${mean} (zufällig ${chance})`,
     fit: 'Passung',
     percentOfRandom: (percent) => `${percent} von zufällig`,
+    free: 'Die Symmetrie kostet hier nichts.',
     cost: 'Was die Symmetrie kostet',
     withSymmetry: 'Mit Symmetrie',
     withoutSymmetry: 'Ohne',

@@ -5,7 +5,6 @@ export const en = {
     openGarment: 'Open garment',
     garment: 'Garment',
     size: 'Size',
-    ownGarment: 'Own file',
     undo: 'Undo',
     redo: 'Redo',
     align: 'Align',
@@ -29,7 +28,7 @@ export const en = {
     keys: 'Keys',
     close: 'Close',
     dismiss: 'Dismiss',
-    dropHere: 'Drop a garment, a print or a project here',
+    takenAsPrint: (name: string) => `${name} was taken as a print.`,
     setup: 'Print and cutting',
     report: 'Pieces and seams',
   },
@@ -52,10 +51,10 @@ export const en = {
     edge: 'Open edge',
     description:
       'Arrow keys walk the pieces, Enter goes into a piece’s seams, T to the twin of a seam, Escape back.',
-    loading: 'Loading the pattern …',
     noWebGl:
       'This browser cannot draw the pattern: it has no WebGL 2. The tables and files still work.',
     stale: 'The picture is out of date',
+    failed: 'Not aligned: the pieces are shown as they lay',
     noSeams: 'This file has no seams, so there is nothing to match.',
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
@@ -133,6 +132,7 @@ export const en = {
     itself: (piece: string) => `${piece}, mirrored onto itself`,
     both: (first: string, second: string) => `${first} and ${second}`,
     remove: 'Remove',
+    leaveOut: 'Leave out what it cannot keep',
     wouldCarry: (group: string, groups: string) =>
       `A print of the group ${group} cannot keep all of these; one of ${groups} could.`,
   },
@@ -166,6 +166,7 @@ export const en = {
     units: {cm: 'centimetres', mm: 'millimetres', inch: 'inches', m: 'metres'},
   },
   legend: {
+    notCounted: 'not counted',
     title: 'Mismatch',
     none: '0',
     chance: (length: string) => `${length}, as by chance`,
@@ -180,6 +181,7 @@ export const en = {
       `Seams meet within ${mean} on average (by chance ${chance})`,
     fit: 'Fit',
     percentOfRandom: (percent: string) => `${percent} of random`,
+    free: 'The symmetry costs nothing here.',
     cost: 'What the symmetry costs',
     withSymmetry: 'With symmetry',
     withoutSymmetry: 'Without',

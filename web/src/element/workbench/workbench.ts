@@ -96,6 +96,7 @@ export class Workbench extends Observable {
           return;
         }
         this.#state = {kind: 'failed', failure};
+        if (!this.#pattern) void this.#showUnsolved(design);
         this.changed();
       },
     });
@@ -300,6 +301,16 @@ export class Workbench extends Observable {
     } else {
       this.#state = {kind: 'stale', cancelled: false};
     }
+    this.changed();
+  }
+
+  /** What cannot be solved may still be shown. */
+  async #showUnsolved(design: Design): Promise<void> {
+    const {garment, print} = design;
+    const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};
+    const pattern = await this.client.prepare(problem).catch(() => undefined);
+    if (!pattern || this.#garment !== garment || this.#pattern) return;
+    this.#pattern = pattern;
     this.changed();
   }
 
