@@ -4,11 +4,13 @@ import {createRequire} from 'node:module';
 
 import type {AxeResults} from 'axe-core';
 import type {Locator, Page} from 'playwright-core';
-import {describe, expect, it} from 'vitest';
+import {describe, expect, it, vi} from 'vitest';
 
 import {designOf} from '../support/page-design.js';
 import {button, solved, usePage} from '../support/page.js';
 import {clickPiece, clickSeam} from '../support/page-pattern.js';
+
+vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');

@@ -3,11 +3,13 @@ import {readFile} from 'node:fs/promises';
 
 import type {Page} from 'playwright-core';
 import type {SolveResult} from 'seamwise/node';
-import {expect, it} from 'vitest';
+import {expect, it, vi} from 'vitest';
 
 import {designOf} from '../support/page-design.js';
 import {choose, hand, jsonFile, squares, type HandedFile} from '../support/page-files.js';
 import {button, saved, showSample, solved, usePage} from '../support/page.js';
+
+vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 
