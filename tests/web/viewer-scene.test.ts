@@ -6,7 +6,7 @@ import type {Pattern} from '../../web/src/model/result.js';
 import {apply} from '../../web/src/model/wallpaper.js';
 import {onPrint} from '../../web/src/picture/fit.js';
 import {chanceMismatch} from '../../web/src/viewer/chance.js';
-import {panelMarks} from '../../web/src/viewer/garment-marks.js';
+import {panelMarks} from '../../web/src/model/garment-marks.js';
 import {imageCoordinates} from '../../web/src/viewer/print-coordinates.js';
 import {
   alignmentsFrom,

@@ -26,13 +26,6 @@ export class RecentMenu extends DeskElement {
         inset: 3.5rem auto auto var(--sw-space-4);
         width: 20rem;
         max-height: 70dvh;
-        overflow-y: auto;
-        padding: var(--sw-space-3);
-        border: 1px solid var(--sw-line);
-        border-radius: var(--sw-radius);
-        background: var(--sw-raised);
-        color: var(--sw-ink);
-        box-shadow: 0 8px 32px rgb(0 0 0 / 0.18);
       }
       ul {
         margin: var(--sw-space-2) 0 0;

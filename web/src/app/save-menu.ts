@@ -18,14 +18,7 @@ export class SaveMenu extends DeskElement {
         display: inline-block;
       }
       [popover] {
-        margin: 0;
         width: 18rem;
-        padding: var(--sw-space-3);
-        border: 1px solid var(--sw-line);
-        border-radius: var(--sw-radius);
-        background: var(--sw-raised);
-        color: var(--sw-ink);
-        box-shadow: 0 8px 32px rgb(0 0 0 / 0.18);
       }
       .rows {
         display: grid;

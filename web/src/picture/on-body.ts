@@ -1,16 +1,10 @@
 /** Pieces arranged as they hang on the body: by where a garment file places them in space. Lengths in cm. */
+import type {Placement} from '../model/garment-marks.js';
 import type {Point} from '../model/geometry.js';
 import type {Pattern, ResultPiece} from '../model/result.js';
 import {below, beside, shelves, type Block} from './blocks.js';
 
-type Vector = readonly [x: number, y: number, z: number];
-
-/** Of a panel: x to the wearer's left, y up, z to the front; turned about x, then y, then z. */
-export interface Placement {
-  readonly translation: Vector;
-  /** [degrees] */
-  readonly rotation?: Vector;
-}
+type Vector = Placement['translation'];
 
 export type Placements = ReadonlyMap<string, Placement>;
 

@@ -8,7 +8,7 @@ import {layOutNamed, type Layout} from '../picture/layout.js';
 import {axisAlong, innermost, isInside, mirrorImage, pick} from '../picture/marks.js';
 import {nameLines, textWidth} from '../picture/svg.js';
 import {chanceMismatch} from './chance.js';
-import {panelMarks, type PanelMarks} from './garment-marks.js';
+import {panelMarks, type PanelMarks} from '../model/garment-marks.js';
 import {screenMargin} from './sheet-view.js';
 
 /** Points are in the piece's own coordinates; `offset` brings them onto the sheet. */

@@ -20,13 +20,6 @@ export class Settings extends DeskElement {
       }
       [popover] {
         width: 17rem;
-        margin: 0;
-        padding: var(--sw-space-4);
-        border: 1px solid var(--sw-line);
-        border-radius: calc(var(--sw-radius) + 2px);
-        background: var(--sw-paper);
-        color: var(--sw-ink);
-        box-shadow: 0 6px 24px light-dark(rgb(38 40 44 / 0.14), rgb(0 0 0 / 0.5));
       }
       [popover]:popover-open {
         display: grid;

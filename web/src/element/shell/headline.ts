@@ -65,7 +65,12 @@ export class Headline extends DeskElement {
     if (state.kind === 'failed') {
       return this.#failed(state.failure);
     }
-    if (!result) return html`<h2 class="soft">${this.texts.progress.label} …</h2>`;
+    if (!result) {
+      const {progress} = this.texts;
+      return html`<h2 class="soft">
+        ${state.kind === 'solving' ? `${progress.label} …` : progress.failed}
+      </h2>`;
+    }
     const {mean, chance} = matchOf(result);
     return html`
       <h2>${headline.fits(this.format.fine(mean), this.format.fine(chance))}</h2>

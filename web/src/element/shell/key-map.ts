@@ -26,13 +26,6 @@ export class KeyMap extends DeskElement {
         top: 4rem;
         width: min(30rem, calc(100vw - 2rem));
         max-height: calc(100dvh - 6rem);
-        overflow-y: auto;
-        padding: var(--sw-space-4);
-        border: 1px solid var(--sw-line);
-        border-radius: var(--sw-radius);
-        background: var(--sw-raised);
-        color: var(--sw-ink);
-        box-shadow: 0 8px 32px rgb(0 0 0 / 0.18);
       }
       header {
         display: flex;

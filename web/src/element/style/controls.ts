@@ -107,6 +107,16 @@ export const controls = css`
     outline: 2px solid var(--sw-accent);
     outline-offset: 2px;
   }
+  [popover] {
+    margin: 0;
+    padding: var(--sw-space-4);
+    overflow-y: auto;
+    border: 1px solid var(--sw-line);
+    border-radius: var(--sw-radius);
+    background: var(--sw-raised);
+    color: var(--sw-ink);
+    box-shadow: 0 6px 24px light-dark(rgb(38 40 44 / 0.16), rgb(0 0 0 / 0.5));
+  }
   .soft {
     color: var(--sw-soft);
   }
