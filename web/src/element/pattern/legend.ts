@@ -6,7 +6,7 @@ import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 
 const steps = 24;
-const width = 132;
+const width = 96;
 
 /** The line of a seam from perfect to worst, as it is drawn on the pattern. */
 const ramp = Array.from({length: steps}, (_, k) => {

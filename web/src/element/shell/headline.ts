@@ -112,8 +112,8 @@ export class Headline extends DeskElement {
   #cost(metrics: Metrics): TemplateResult | typeof nothing {
     const without = this.desk.withoutSymmetry;
     if (!without) return nothing;
-    // both are searches: one without symmetry could do no worse than to keep it
-    if (without.fit >= metrics.fit) return html`<p class="soft">${this.texts.headline.free}</p>`;
+    // both are searches; without symmetry one is free to keep it
+    const free = without.fit < metrics.fit ? without : metrics;
     const {headline} = this.texts;
     return html`<dl aria-label=${headline.cost}>
       <div>
@@ -122,7 +122,7 @@ export class Headline extends DeskElement {
       </div>
       <div>
         <dt>${headline.withoutSymmetry}</dt>
-        <dd>${this.#fit(without)}</dd>
+        <dd>${this.#fit(free)}</dd>
       </div>
     </dl>`;
   }
