@@ -205,6 +205,7 @@ export const de: Texts = {
     match: 'Anpassen',
     asAll: 'Wie alle',
     pinned: 'Festgesteckt',
+    free: 'Lösen',
     matches: {full: 'Voll', half: 'Halb', none: 'Gar nicht'},
     weight: (factor) => `× ${factor}`,
     size: (width, height) => `${width} × ${height}`,

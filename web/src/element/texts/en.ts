@@ -201,6 +201,7 @@ export const en = {
     match: 'Match',
     asAll: 'As all',
     pinned: 'Pinned',
+    free: 'Free',
     matches: {full: 'Full', half: 'Half', none: "Don't match"},
     weight: (factor: string) => `× ${factor}`,
     size: (width: string, height: string) => `${width} × ${height}`,
