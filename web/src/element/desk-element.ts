@@ -37,21 +37,38 @@ export abstract class DeskElement extends LitElement {
     return formatFor(language, units);
   }
 
+  protected deskChanged(): void {
+    this.requestUpdate();
+  }
+
   #follow(): void {
     this.#unsubscribe?.();
     // until the parent has set it there is nothing to follow
     this.#unsubscribe = (this.desk as Workbench | undefined)?.subscribe(() => {
-      this.requestUpdate();
+      this.deskChanged();
     });
   }
 }
 
-/** A part that takes its time: it is drawn in a task of its own, so that it holds up no other part and no frame. */
+/**
+ * A part that takes its time to be drawn. What the workbench tells it is drawn in a task of its own, so that it
+ * holds up no other part and no frame; what is done to the part itself is answered at once.
+ */
 export abstract class PatientElement extends DeskElement {
+  #waits = false;
+
+  protected override deskChanged(): void {
+    this.#waits ||= !this.isUpdatePending;
+    super.deskChanged();
+  }
+
   protected override async scheduleUpdate(): Promise<void> {
-    await new Promise((resolve) => {
-      setTimeout(resolve);
-    });
+    if (this.#waits) {
+      await new Promise((resolve) => {
+        setTimeout(resolve);
+      });
+      this.#waits = false;
+    }
     await super.scheduleUpdate();
   }
 }
