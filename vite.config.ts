@@ -30,6 +30,7 @@ export default defineConfig({
     target: 'es2022',
     modulePreload: {polyfill: false},
     assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 600, // the drawing library
     // the drawing library apart, so that the page's own code can be seen for what it is
     rolldownOptions: {
       output: {codeSplitting: {groups: [{name: 'three', test: /node_modules[\\/]three[\\/]/}]}},
