@@ -2,13 +2,11 @@ import type {Page} from 'playwright-core';
 import {beforeEach, expect, it} from 'vitest';
 
 import type {Point} from '../../web/src/model/geometry.js';
-import type {Print} from '../../web/src/model/print.js';
-import type {ResultPiece} from '../../web/src/model/result.js';
 import {sceneOf, type PatternScene} from '../../web/src/viewer/scene.js';
+import {plainPrint as print, squarePiece} from '../support/two-squares.js';
 import {eventually, settled, show, useViewer} from './viewer/open.js';
 
 const openPage = useViewer();
-const print: Print = {group: 'p1', w1: [10, 0], w2: [0, 10]};
 
 /** A piece of 30 by 20 cm. */
 function sheet(): PatternScene {
@@ -18,19 +16,7 @@ function sheet(): PatternScene {
     [30, 20],
     [0, 20],
   ];
-  const piece: ResultPiece = {
-    name: 'back_yoke',
-    rest: points,
-    shape: points,
-    triangles: [
-      [0, 1, 2],
-      [0, 2, 3],
-    ],
-    outline: [0, 1, 2, 3],
-    holes: [],
-    alignment: {angle: 0, translation: [0, 0]},
-    mirroredFromInput: false,
-  };
+  const piece = squarePiece('back_yoke', {rest: points, shape: points});
   return sceneOf({print, pieces: [piece], seams: [], symmetries: []}, print);
 }
 

@@ -51,6 +51,29 @@ export const rectangle = (width: number, height: number): readonly Point[] => [
   [0, height],
 ];
 
+/** A square of 8 cm with a wedge of 2 x 4 cm cut into it from above. */
+export const dartedLoop: readonly Point[] = [
+  [0, 0],
+  [8, 0],
+  [8, 8],
+  [5, 8],
+  [4, 4],
+  [3, 8],
+  [0, 8],
+];
+
+/** That square, its legs, edges 3 and 4, sewn to each other from the tip. */
+export const dartedSquare = (): Sheet =>
+  sheetOf(
+    [{loop: dartedLoop, edges: [0, 1, 2, 3, 4, 5, 6]}],
+    [
+      [
+        [0, 4, 3],
+        [0, 4, 5],
+      ],
+    ],
+  );
+
 /**
  * Two squares of 4 cm, the second 10 cm to the right. The right side of the first is sewn to the left
  * side of the second, both upwards. The file's edges: 2 below, then 3, 0 and 1 counter-clockwise.

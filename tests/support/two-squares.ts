@@ -14,7 +14,6 @@ export const square: readonly Point[] = [
 ];
 
 /** A square whose origin lies on that of the print. */
-/** 4 cm wide and high, its lower left corner at the origin. */
 export const squarePiece = (name: string, more: Partial<ResultPiece> = {}): ResultPiece => ({
   name,
   rest: square,
@@ -31,7 +30,6 @@ export const squarePiece = (name: string, more: Partial<ResultPiece> = {}): Resu
 });
 
 /** The right side of one square is sewn to the left side of the other; the print runs on across the seam. */
-/** 4 cm wide and high, its lower left corner at the origin. */
 export const squarePair = (more: Partial<Pattern> = {}): Pattern => ({
   print: plainPrint,
   pieces: [

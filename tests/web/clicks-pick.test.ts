@@ -4,37 +4,12 @@ import {choices, seamTarget, targetsAt, type Target} from '../../web/src/clicks/
 import {pickIndex} from '../../web/src/clicks/pick-index.js';
 import type {Sheet} from '../../web/src/clicks/sheet.js';
 import type {Point} from '../../web/src/model/geometry.js';
-import {rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
+import {dartedSquare, rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
 
 const at = (sheet: Sheet, point: Point, reach: number): readonly Target[] =>
   targetsAt(pickIndex(sheet), point, reach);
 
 const kinds = (targets: readonly Target[]): readonly string[] => targets.map(({kind}) => kind);
-
-/** A wedge of 2 x 4 cm cut into a square from above, its legs, edges 2 and 3, sewn to each other from the tip. */
-const darted = (): Sheet =>
-  sheetOf(
-    [
-      {
-        loop: [
-          [0, 0],
-          [8, 0],
-          [8, 8],
-          [5, 8],
-          [4, 4],
-          [3, 8],
-          [0, 8],
-        ],
-        edges: [0, 1, 2, 3, 4, 5, 6],
-      },
-    ],
-    [
-      [
-        [0, 4, 3],
-        [0, 4, 5],
-      ],
-    ],
-  );
 
 describe('a press on the sheet', () => {
   it('finds the seam within reach, and where on it', () => {
@@ -168,13 +143,13 @@ describe('a press on the sheet', () => {
   });
 
   it('does not take the notch of a dart for the piece', () => {
-    expect(at(darted(), [4, 7.5], 0.1)).toEqual([]);
+    expect(at(dartedSquare(), [4, 7.5], 0.1)).toEqual([]);
   });
 });
 
 describe('the choices of a press', () => {
   it('are both legs of a dart near its tip', () => {
-    const found = choices(at(darted(), [4, 3.75], 0.5), 0.1);
+    const found = choices(at(dartedSquare(), [4, 3.75], 0.5), 0.1);
     expect(found).toMatchObject([
       {kind: 'seam', side: 'a', edge: 3},
       {kind: 'seam', side: 'b', edge: 4},
@@ -182,7 +157,7 @@ describe('the choices of a press', () => {
   });
 
   it('leave out the other leg at the mouth of a dart', () => {
-    const found = choices(at(darted(), [5, 8], 3), 0.1);
+    const found = choices(at(dartedSquare(), [5, 8], 3), 0.1);
     expect(found).toMatchObject([{side: 'a'}, {kind: 'edge', edge: 2}]);
   });
 

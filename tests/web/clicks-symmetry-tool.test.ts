@@ -12,7 +12,7 @@ import {
   type SymmetryTool,
 } from '../../web/src/clicks/symmetry-tool.js';
 import type {Point} from '../../web/src/model/geometry.js';
-import {rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
+import {dartedSquare, rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
 
 const squares = sewnSquares();
 
@@ -160,28 +160,7 @@ describe('the tool for symmetric pieces', () => {
   });
 
   it('tells the legs of a dart apart, though they are one seam', () => {
-    const sheet = sheetOf(
-      [
-        {
-          loop: [
-            [0, 0],
-            [8, 0],
-            [8, 8],
-            [5, 8],
-            [4, 4],
-            [3, 8],
-            [0, 8],
-          ],
-          edges: [0, 1, 2, 3, 4, 5, 6],
-        },
-      ],
-      [
-        [
-          [0, 4, 3],
-          [0, 4, 5],
-        ],
-      ],
-    );
+    const sheet = dartedSquare();
     const legs = [hit(4.6, 6, sheet), hit(3.4, 6, sheet)];
     const events = legs.map((target): SymmetryEvent => ({type: 'pick', target}));
     expect(after('piece', events, sheet)).toMatchObject({symmetry: {seams: [3, 4]}});

@@ -12,7 +12,7 @@ import {
   type Direction,
   type SeamPlace,
 } from '../../web/src/clicks/walk.js';
-import {rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
+import {dartedLoop, rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
 
 const piece = (
   width: number,
@@ -41,20 +41,7 @@ const rows = (): PickIndex =>
 const darted = (): PickIndex =>
   pickIndex(
     sheetOf(
-      [
-        {
-          loop: [
-            [0, 0],
-            [8, 0],
-            [8, 8],
-            [5, 8],
-            [4, 4],
-            [3, 8],
-            [0, 8],
-          ],
-        },
-        piece(8, 8, 0, -20),
-      ],
+      [{loop: dartedLoop}, piece(8, 8, 0, -20)],
       [
         [
           [0, 4, 3],

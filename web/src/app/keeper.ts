@@ -1,5 +1,6 @@
 /** Keeps what somebody works on in their own browser, so that a reload or a crash loses nothing. */
 import type {History} from '../model/history.js';
+import {fieldOf} from '../model/read.js';
 import type {Step, Workbench} from '../element/index.js';
 import {Autosave, type RecentProject, type StorageTrouble} from './storage/autosave.js';
 import {stash, unstashed} from './storage/stash.js';
@@ -16,8 +17,7 @@ interface Kept {
   readonly history: History<Step>;
 }
 
-const isKept = (state: unknown): state is Kept =>
-  typeof state === 'object' && state !== null && Reflect.get(state, 'version') === version;
+const isKept = (state: unknown): state is Kept => fieldOf(state, 'version') === version;
 
 export class Keeper {
   readonly #desk: Workbench;

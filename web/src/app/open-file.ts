@@ -1,5 +1,6 @@
 /** Opens whatever a user hands over: a garment, a print, a project, or a result. */
 import {FileError, isProject, readProject} from '../model/project.js';
+import {fieldOf} from '../model/read.js';
 import {openPrint, textsOf, toFailure, type Workbench} from '../element/index.js';
 
 /** Nobody's pattern is larger, and a browser would choke on it. [bytes] */
@@ -63,20 +64,17 @@ function parsed(text: string): unknown {
   }
 }
 
-const field = (value: unknown, name: string): unknown =>
-  typeof value === 'object' && value !== null ? Reflect.get(value, name) : undefined;
-
 const hasFormat = (content: unknown, format: string): boolean => {
-  const written = field(content, 'format');
+  const written = fieldOf(content, 'format');
   return typeof written === 'string' && written.startsWith(`${format}/`);
 };
 
 const looksLikePrint = (content: unknown): boolean =>
-  ['group', 'w1', 'w2'].every((name) => field(content, name) !== undefined);
+  ['group', 'w1', 'w2'].every((name) => fieldOf(content, name) !== undefined);
 
 /** A result that was saved here holds the design that it is the answer to. */
 function designIn(content: unknown, name: string): ReturnType<typeof readProject>['design'] {
-  const design = field(content, 'design');
+  const design = fieldOf(content, 'design');
   if (design === undefined) {
     throw new FileError(
       name,

@@ -1,7 +1,7 @@
 /** What a user takes away. */
 import {linkOf} from '../model/link.js';
 import {writeProject} from '../model/project.js';
-import {cuttingSvg, textsOf, type Workbench} from '../element/index.js';
+import {cuttingSvg, textsOf, toFailure, type Workbench} from '../element/index.js';
 import {saveFile} from './files.js';
 
 const stem = (desk: Workbench): string =>
@@ -31,7 +31,7 @@ export async function saveCutting(desk: Workbench, allowanceCm: number): Promise
     const file = await cuttingSvg(desk, allowanceCm);
     if (file !== undefined) saveFile(`${stem(desk)}.cut.svg`, file, 'image/svg+xml');
   } catch (error) {
-    desk.say({tone: 'error', text: error instanceof Error ? error.message : String(error)});
+    desk.say({tone: 'error', text: toFailure(error).message});
   }
 }
 

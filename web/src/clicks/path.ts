@@ -1,5 +1,5 @@
 /** Lines through points, to measure along and to find the nearest point of. Lengths in cm. */
-import type {Point} from '../model/geometry.js';
+import {crossesRay, type Point} from '../model/geometry.js';
 
 export interface Box {
   readonly low: Point;
@@ -90,7 +90,5 @@ export function placeAt(
 }
 
 /** Whether a closed path goes round a point. */
-export const goesRound = ({segments}: Path, [x, y]: Point): boolean =>
-  segments.reduce((odd, {from: [ax, ay], to: [bx, by]}) => {
-    return ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax) ? !odd : odd;
-  }, false);
+export const goesRound = ({segments}: Path, point: Point): boolean =>
+  segments.reduce((odd, {from, to}) => crossesRay(from, to, point) !== odd, false);

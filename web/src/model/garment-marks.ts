@@ -1,6 +1,7 @@
 /** What a garment file says about its panels that a result does not repeat. */
 import type {Garment} from './garment.js';
 import type {Point} from './geometry.js';
+import {fieldOf} from './read.js';
 
 type Vector = readonly [x: number, y: number, z: number];
 
@@ -34,9 +35,6 @@ export interface GarmentTitle {
   readonly size?: string;
 }
 
-const field = (value: unknown, name: string | number): unknown =>
-  typeof value === 'object' && value !== null ? Reflect.get(value, name) : undefined;
-
 const listed = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);
 
 /** All of a list's numbers in another unit, if it starts with so many of them. */
@@ -57,19 +55,19 @@ function vectorOf(value: unknown, unit: number): Vector | undefined {
 }
 
 function placementOf(panel: unknown, unit: number): Placement | undefined {
-  const translation = vectorOf(field(panel, 'translation'), unit);
-  const rotation = vectorOf(field(panel, 'rotation'), 1);
+  const translation = vectorOf(fieldOf(panel, 'translation'), unit);
+  const rotation = vectorOf(fieldOf(panel, 'rotation'), 1);
   return translation && {translation, ...(rotation && {rotation})};
 }
 
 function notchesOf(panel: unknown, unit: number): readonly Notch[] {
-  const vertices = listed(field(panel, 'vertices')).map((vertex) => pointOf(vertex, unit));
-  const edges = listed(field(panel, 'edges')).map((edge) =>
-    (numbers(field(edge, 'endpoints'), 2, 1) ?? []).map((end) => vertices[end]),
+  const vertices = listed(fieldOf(panel, 'vertices')).map((vertex) => pointOf(vertex, unit));
+  const edges = listed(fieldOf(panel, 'edges')).map((edge) =>
+    (numbers(fieldOf(edge, 'endpoints'), 2, 1) ?? []).map((end) => vertices[end]),
   );
-  return listed(field(panel, 'notches')).flatMap((notch) => {
-    const edge = field(notch, 'edge');
-    const at = field(notch, 'at');
+  return listed(fieldOf(panel, 'notches')).flatMap((notch) => {
+    const edge = fieldOf(notch, 'edge');
+    const at = fieldOf(notch, 'at');
     const [from, to] = (typeof edge === 'number' ? edges[edge] : undefined) ?? [];
     return from && to && typeof at === 'number' ? [{from, to, at}] : [];
   });
@@ -77,16 +75,18 @@ function notchesOf(panel: unknown, unit: number): readonly Notch[] {
 
 /** By panel name. What a garment does not show is left out; the solver has checked the file. */
 export function panelMarks(garment: Garment): ReadonlyMap<string, PanelMarks> {
-  const unitsInMetre = field(garment.properties, 'units_in_meter');
+  const unitsInMetre = fieldOf(garment.properties, 'units_in_meter');
   const unit = typeof unitsInMetre === 'number' ? 100 / unitsInMetre : 1;
-  const panels = field(garment.pattern, 'panels');
+  const panels = fieldOf(garment.pattern, 'panels');
   const entries = typeof panels === 'object' && panels !== null ? Object.entries(panels) : [];
   return new Map(
     entries.map(([name, panel]: [string, unknown]): [string, PanelMarks] => {
-      const label = field(panel, 'label');
+      const label = fieldOf(panel, 'label');
       const placement = placementOf(panel, unit);
       const notches = notchesOf(panel, unit);
-      const [from, to] = listed(field(field(panel, 'grain'), 'line')).map((p) => pointOf(p, unit));
+      const [from, to] = listed(fieldOf(fieldOf(panel, 'grain'), 'line')).map((p) =>
+        pointOf(p, unit),
+      );
       return [
         name,
         {
@@ -101,7 +101,7 @@ export function panelMarks(garment: Garment): ReadonlyMap<string, PanelMarks> {
 }
 
 export function garmentTitle(garment: Garment): GarmentTitle {
-  const title = field(garment, 'title');
-  const size = field(garment, 'size');
+  const title = fieldOf(garment, 'title');
+  const size = fieldOf(garment, 'size');
   return {...(typeof title === 'string' && {title}), ...(typeof size === 'string' && {size})};
 }

@@ -6,3 +6,7 @@ export interface Alignment {
   readonly angle: number;
   readonly translation: Point;
 }
+
+/** Whether the way from one point to another crosses the ray that runs from a third to the right. */
+export const crossesRay = ([ax, ay]: Point, [bx, by]: Point, [x, y]: Point): boolean =>
+  ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax);

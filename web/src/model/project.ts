@@ -2,7 +2,7 @@
 import type {Design} from './design.js';
 import {readDesign} from './design-reader.js';
 import type {Point} from './geometry.js';
-import {Malformed, number, pairOf, shape, type Read} from './read.js';
+import {fieldOf, Malformed, number, pairOf, shape, type Read} from './read.js';
 
 /** Where a view of the sheet stood. Scale in CSS px per cm. */
 export interface ProjectView {
@@ -45,8 +45,7 @@ function parsed(text: string, name: string): unknown {
 }
 
 function versionOf(file: unknown): number | undefined {
-  const format: unknown =
-    typeof file === 'object' && file !== null ? Reflect.get(file, 'format') : undefined;
+  const format = fieldOf(file, 'format');
   const [, digits] = /^seamwise-project\/(\d+)$/.exec(String(format)) ?? [];
   return digits === undefined ? undefined : Number(digits);
 }

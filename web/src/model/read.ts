@@ -12,6 +12,10 @@ export function fail(at: string, demand: string): never {
   throw new Malformed(`'${at}' must be ${demand}`);
 }
 
+/** A field of what may be anything; undefined where there is none. */
+export const fieldOf = (value: unknown, name: string | number): unknown =>
+  typeof value === 'object' && value !== null ? Reflect.get(value, name) : undefined;
+
 export const number =
   (low: number, high: number): Read<number> =>
   (value, at) =>

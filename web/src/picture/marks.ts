@@ -1,5 +1,5 @@
 /** Where symmetries are marked on a piece. Lengths in cm, y up. */
-import type {Alignment, Point} from '../model/geometry.js';
+import {crossesRay, type Alignment, type Point} from '../model/geometry.js';
 import {onPrint} from './fit.js';
 
 export const pick = (points: readonly Point[], vertices: readonly number[]): Point[] =>
@@ -62,8 +62,8 @@ function distance(points: readonly Point[], [px, py]: Point, least: number): num
 }
 
 /** Whether a closed outline goes round a point. */
-export const isInside = (outline: readonly Point[], [x, y]: Point): boolean =>
-  outline.reduce((odd, [ax, ay], k) => {
-    const [bx, by] = outline[(k + 1) % outline.length] ?? [ax, ay];
-    return ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax) ? !odd : odd;
-  }, false);
+export const isInside = (outline: readonly Point[], point: Point): boolean =>
+  outline.reduce(
+    (odd, from, k) => crossesRay(from, outline[(k + 1) % outline.length] ?? from, point) !== odd,
+    false,
+  );

@@ -82,14 +82,10 @@ export class PatternView {
         this.#draw();
       },
     });
-    const {capabilities} = this.#screen.renderer;
-    this.#tile = new TileTexture(
-      {anisotropy: capabilities.getMaxAnisotropy(), side: capabilities.maxTextureSize},
-      (texture) => {
-        this.#cloth.uniforms.tile.value = texture;
-        this.#screen.request();
-      },
-    );
+    this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
+      this.#cloth.uniforms.tile.value = texture;
+      this.#screen.request();
+    });
     this.#labels = new Labels(this.#appearance);
     host.append(this.#labels.element, this.#notes.element, this.#chips.element);
     navigate(host, this, this.#screen.signal, options.onPress);

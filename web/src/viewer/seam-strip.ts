@@ -68,14 +68,10 @@ export class SeamStrip {
         this.#draw();
       },
     });
-    const {capabilities} = this.#screen.renderer;
-    this.#tile = new TileTexture(
-      {anisotropy: capabilities.getMaxAnisotropy(), side: capabilities.maxTextureSize},
-      (texture) => {
-        this.#cloth.uniforms.tile.value = texture;
-        this.#screen.request();
-      },
-    );
+    this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
+      this.#cloth.uniforms.tile.value = texture;
+      this.#screen.request();
+    });
   }
 
   /** The whole seam fits into the width. [CSS px per cm] */

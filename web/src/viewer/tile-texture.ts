@@ -1,5 +1,11 @@
 /** The picture of a print's cell as a texture: an image as it is, an SVG drawn as densely as the screen asks for. */
-import {CanvasTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping} from 'three';
+import {
+  CanvasTexture,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  RepeatWrapping,
+  type WebGLRenderer,
+} from 'three';
 
 import type {Point} from '../model/geometry.js';
 import {imageHref} from '../picture/svg.js';
@@ -56,11 +62,11 @@ export class TileTexture {
 
   /** `changed` gets every new texture; the one before is gone by then. */
   constructor(
-    limits: {readonly anisotropy: number; readonly side: number},
+    {capabilities}: Pick<WebGLRenderer, 'capabilities'>,
     changed: (texture: CanvasTexture) => void,
   ) {
-    this.#anisotropy = limits.anisotropy;
-    this.#limit = Math.min(limits.side, greatestSide);
+    this.#anisotropy = capabilities.getMaxAnisotropy();
+    this.#limit = Math.min(capabilities.maxTextureSize, greatestSide);
     this.#changed = changed;
   }
 

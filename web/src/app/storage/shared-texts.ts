@@ -1,5 +1,7 @@
 /** Long texts apart from the data that holds them, each once: steps of a history mostly hold the same garment. */
 
+import {fieldOf} from '../../model/read.js';
+
 /** Shorter texts stay where they are. [characters] */
 const longText = 1000;
 /** The one field of an object that stands for a text. */
@@ -58,7 +60,6 @@ export async function packed(value: unknown): Promise<Packed> {
 /** The inverse of `packed`. A text that is missing is empty. */
 export const unpacked = ({data, texts}: Packed): unknown =>
   replaced(data, (leaf) => {
-    const hash: unknown =
-      typeof leaf === 'object' && leaf !== null ? Reflect.get(leaf, mark) : undefined;
+    const hash: unknown = fieldOf(leaf, mark);
     return typeof hash === 'string' ? (texts.get(hash) ?? '') : leaf;
   });

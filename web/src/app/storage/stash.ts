@@ -1,5 +1,7 @@
 /** What was not kept yet when a page is left: a database takes longer than such a page has. */
 
+import {fieldOf} from '../../model/read.js';
+
 const key = 'seamwise.unsaved';
 /** Longer texts are written once, however many steps of a history hold them. [characters] */
 const longText = 1000;
@@ -31,8 +33,7 @@ export function unstashed(): unknown {
   if (text === null) return undefined;
   const {data, texts} = JSON.parse(text) as {readonly data: string; readonly texts: string[]};
   return JSON.parse(data, (_, value: unknown) => {
-    const number: unknown =
-      typeof value === 'object' && value !== null ? Reflect.get(value, mark) : undefined;
+    const number: unknown = fieldOf(value, mark);
     return typeof number === 'number' ? texts[number] : value;
   });
 }

@@ -2,6 +2,7 @@
 import {css, html, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {SeamStrip, ShownSeam} from '../../viewer/seam-strip.js';
+import {AppearanceController} from '../appearance.js';
 import {DeskElement, PatientElement} from '../desk-element.js';
 import type {SeamRow} from '../lists/rows.js';
 import type {LensCursor} from '../pattern/marks.js';
@@ -75,18 +76,16 @@ export class LensStrip extends PatientElement {
   #split = 0;
   /** Whose tile is shown, or being fetched. */
   #image: string | undefined;
-  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
+  readonly #appearance = new AppearanceController(this);
   #life: AbortController | undefined;
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.#life = new AbortController();
     const {signal} = this.#life;
-    const redraw = (): void => {
+    const resized = new ResizeObserver(() => {
       this.requestUpdate();
-    };
-    this.#dark.addEventListener('change', redraw, {signal});
-    const resized = new ResizeObserver(redraw);
+    });
     resized.observe(this);
     signal.addEventListener('abort', () => {
       resized.disconnect();
@@ -109,17 +108,11 @@ export class LensStrip extends PatientElement {
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
     if (signal.aborted || !stage) return;
     try {
-      this.#strip = new SeamStrip(stage, {appearance: this.#appearance});
+      this.#strip = new SeamStrip(stage, {appearance: this.#appearance.value});
     } catch {
       this.#noWebGl = true;
     }
     this.requestUpdate();
-  }
-
-  get #appearance(): 'light' | 'dark' {
-    const {theme} = this.desk.preferences;
-    if (theme !== 'system') return theme;
-    return this.#dark.matches ? 'dark' : 'light';
   }
 
   /** Before it is rendered, because the ruler asks the drawing how large it is. */
@@ -128,7 +121,7 @@ export class LensStrip extends PatientElement {
     const strip = this.#strip;
     const {scenes} = this.desk;
     if (!strip || !scenes) return;
-    strip.setAppearance(this.#appearance);
+    strip.setAppearance(this.#appearance.value);
     const {seam} = this.row;
     if (scenes.now !== this.#shown?.scene || seam !== this.#shown.seam) {
       this.#shown = {scene: scenes.now, seam};

@@ -9,7 +9,8 @@ import {pick} from '../../picture/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../viewer/scene.js';
 import type {Format} from '../texts/format.js';
 import type {Texts} from '../texts/texts.js';
-import {lastOf, type Scenes} from '../workbench/scenes.js';
+import {lastOf} from '../workbench/last-of.js';
+import type {Scenes} from '../workbench/scenes.js';
 import type {Workbench} from '../workbench/workbench.js';
 import {garmentSeams, type GarmentSeam} from './garment-seams.js';
 

@@ -7,7 +7,7 @@ import {symmetriesOf, type PatternScene, type SceneSymmetry} from '../../viewer/
 import {atShare} from '../../viewer/seam-line.js';
 import type {Format} from '../texts/format.js';
 import type {Texts} from '../texts/texts.js';
-import {lastOf} from '../workbench/scenes.js';
+import {lastOf} from '../workbench/last-of.js';
 import type {Workbench} from '../workbench/workbench.js';
 import type {PatternTools} from './pattern-tools.js';
 

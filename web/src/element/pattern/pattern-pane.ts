@@ -5,11 +5,14 @@ import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import {movementOf} from '../../viewer/movement.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
+import {AppearanceController} from '../appearance.js';
 import {PatientElement, type DeskElement} from '../desk-element.js';
 import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {lastOf, SceneMaker} from '../workbench/scenes.js';
+import {lastOf} from '../workbench/last-of.js';
+import {toFailure} from '../workbench/latest-solve.js';
+import {SceneMaker} from '../workbench/scenes.js';
 import type {Workbench} from '../workbench/workbench.js';
 import './legend.js';
 import {overlayOf, type LensCursor} from './marks.js';
@@ -34,7 +37,7 @@ export class PatternPane extends PatientElement {
   readonly #maker = new SceneMaker();
   readonly #index = new SheetIndex();
   readonly #movementOf = lastOf(movementOf);
-  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
+  readonly #appearance = new AppearanceController(this);
   #view: PatternView | undefined;
   #noWebGl = false;
   #tools: PatternTools | undefined;
@@ -52,15 +55,7 @@ export class PatternPane extends PatientElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#life = new AbortController();
-    const {signal} = this.#life;
-    this.#dark.addEventListener(
-      'change',
-      () => {
-        this.requestUpdate();
-      },
-      {signal},
-    );
-    void this.#open(signal);
+    void this.#open(this.#life.signal);
   }
 
   override disconnectedCallback(): void {
@@ -106,7 +101,7 @@ export class PatternPane extends PatientElement {
     if (signal.aborted || !stage) return;
     try {
       this.#view = new PatternView(stage, {
-        appearance: this.#appearance,
+        appearance: this.#appearance.value,
         lengthText: (cm) => this.#missText(cm),
         onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
       });
@@ -152,12 +147,6 @@ export class PatternPane extends PatientElement {
     this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
   }
 
-  get #appearance(): 'light' | 'dark' {
-    const {theme} = this.desk.preferences;
-    if (theme !== 'system') return theme;
-    return this.#dark.matches ? 'dark' : 'light';
-  }
-
   get index(): PickIndex | undefined {
     const {scenes} = this.desk;
     return scenes && this.#index.of(scenes.now);
@@ -171,7 +160,7 @@ export class PatternPane extends PatientElement {
   protected override updated(): void {
     const view = this.#view;
     if (!view) return;
-    view.setAppearance(this.#appearance);
+    view.setAppearance(this.#appearance.value);
     const {desk} = this;
     const {scenes} = desk;
     if (scenes) {
@@ -200,7 +189,7 @@ export class PatternPane extends PatientElement {
     } catch (error) {
       if (this.#image !== image || signal?.aborted) return;
       view.setTile(undefined);
-      this.desk.say({tone: 'error', text: error instanceof Error ? error.message : String(error)});
+      this.desk.say({tone: 'error', text: toFailure(error).message});
     }
   }
 

@@ -5,7 +5,7 @@ import type {DesignGarment} from '../../model/design.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {doubtfulHeight, inUnit, likelyUnits} from '../workbench/doubtful-units.js';
-import {lastOf} from '../workbench/scenes.js';
+import {lastOf} from '../workbench/last-of.js';
 
 export class UnitsQuestion extends DeskElement {
   static override styles = [

@@ -4,6 +4,17 @@ import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 
+/** Browsers know the handle by different names, which cannot share a rule. */
+const thumb = css`
+  pointer-events: auto;
+  width: 2rem;
+  height: 2rem;
+  border: 1px solid var(--sw-strong-line);
+  border-radius: 50%;
+  background: var(--sw-paper);
+  cursor: ew-resize;
+`;
+
 /** Sends `input` with the share of the width, from 0 to 1, as its detail. `bare`: without words, the handle at the foot. */
 export class WipeHandle extends DeskElement {
   static override properties = {...DeskElement.properties, split: {attribute: false}};
@@ -42,22 +53,10 @@ export class WipeHandle extends DeskElement {
       }
       input::-webkit-slider-thumb {
         appearance: none;
-        pointer-events: auto;
-        width: 2rem;
-        height: 2rem;
-        border: 1px solid var(--sw-strong-line);
-        border-radius: 50%;
-        background: var(--sw-paper);
-        cursor: ew-resize;
+        ${thumb}
       }
       input::-moz-range-thumb {
-        pointer-events: auto;
-        width: 2rem;
-        height: 2rem;
-        border: 1px solid var(--sw-strong-line);
-        border-radius: 50%;
-        background: var(--sw-paper);
-        cursor: ew-resize;
+        ${thumb}
       }
       span {
         position: absolute;

@@ -5,6 +5,7 @@ import {section} from '../controls/section.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
+import {toFailure} from '../workbench/latest-solve.js';
 import type {Samples} from '../workbench/samples.js';
 import {openPrint, printFiles} from './own-tile.js';
 import './print-gallery.js';
@@ -77,7 +78,7 @@ export class PrintPanel extends DeskElement {
     try {
       await openPrint(this.desk, file);
     } catch (error) {
-      this.problem = error instanceof Error ? error.message : String(error);
+      this.problem = toFailure(error).message;
     }
     input.value = ''; // the same file may be opened again
   }

@@ -3,6 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
+import {toFailure} from '../workbench/latest-solve.js';
 import {sampleGarment, type Samples} from '../workbench/samples.js';
 
 export class GarmentChoice extends DeskElement {
@@ -82,7 +83,7 @@ export class GarmentChoice extends DeskElement {
       if (style === this.desk.design?.garment.sample?.style) this.desk.change({garment});
       else await this.desk.open(garment);
     } catch (error) {
-      this.desk.say({tone: 'error', text: error instanceof Error ? error.message : String(error)});
+      this.desk.say({tone: 'error', text: toFailure(error).message});
     }
   }
 }

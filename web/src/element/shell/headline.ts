@@ -6,6 +6,7 @@ import {carries, groupsThatCarry} from '../../model/repeat.js';
 import type {Metrics} from '../../model/result.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
+import {lastOf} from '../workbench/last-of.js';
 import {matchOf} from '../workbench/match.js';
 
 export class Headline extends DeskElement {
@@ -59,6 +60,9 @@ export class Headline extends DeskElement {
     `,
   ];
 
+  /** Asked for with every change of anything. */
+  readonly #matchOf = lastOf(matchOf);
+
   protected override render(): TemplateResult {
     const {result, state} = this.desk;
     const {headline} = this.texts;
@@ -71,7 +75,7 @@ export class Headline extends DeskElement {
         ${state.kind === 'solving' ? `${progress.label} …` : progress.failed}
       </h2>`;
     }
-    const {mean, chance} = matchOf(result);
+    const {mean, chance} = this.#matchOf(result);
     return html`
       <h2>${headline.fits(this.format.fine(mean), this.format.fine(chance))}</h2>
       <output aria-label=${headline.fit}>${this.#fit(result.metrics)}</output>

@@ -1,5 +1,6 @@
 /** A garment whose file names no unit that can be trusted: taken as it is, a person could not wear it. */
 import type {Garment} from '../../model/garment.js';
+import {fieldOf} from '../../model/read.js';
 import type {MeshedPattern} from '../../model/result.js';
 
 /** The tallest piece of a garment for anybody is between a baby's bib and a bridal train. [cm] */
@@ -40,9 +41,6 @@ export function inUnit(text: string, unit: FileUnit): string {
 }
 
 function written({properties}: Garment): number {
-  const value: unknown =
-    typeof properties === 'object' && properties !== null
-      ? Reflect.get(properties, 'units_in_meter')
-      : undefined;
+  const value = fieldOf(properties, 'units_in_meter');
   return typeof value === 'number' ? value : unitsInMetre.cm;
 }

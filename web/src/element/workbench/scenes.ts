@@ -14,6 +14,7 @@ import {
   type PatternScene,
   type SceneOptions,
 } from '../../viewer/scene.js';
+import {lastOf} from './last-of.js';
 import type {Workbench} from './workbench.js';
 
 export interface Scenes {
@@ -103,16 +104,3 @@ const lying = (scene: PatternScene, alignments: readonly Alignment[], pins: Pins
     scene,
     scene.pieces.map(({name, alignment}, k) => pins?.[name] ?? alignments[k] ?? alignment),
   );
-
-/** A function that knows its last answer: the same arguments get the same object. */
-export function lastOf<Arguments extends readonly unknown[], Result>(
-  make: (...given: Arguments) => Result,
-): (...given: Arguments) => Result {
-  let last: {readonly given: Arguments; readonly result: Result} | undefined;
-  return (...given) => {
-    if (!last?.given.every((value, k) => value === given[k])) {
-      last = {given, result: make(...given)};
-    }
-    return last.result;
-  };
-}

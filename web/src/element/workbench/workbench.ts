@@ -6,7 +6,15 @@ import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {SolverClient, type WorkerPlaces} from '../../solver/client.js';
 import {alignmentsFrom} from '../../viewer/scene.js';
-import {lastOf, type Scenes} from './scenes.js';
+import {textsOf} from '../texts/texts.js';
+import {Comparison} from './comparison.js';
+import {lastOf} from './last-of.js';
+import {LatestSolve} from './latest-solve.js';
+import {Observable} from './observable.js';
+import {preferencesFor, type Preferences} from './preferences.js';
+import {ResultCache} from './result-cache.js';
+import {firstOptions} from './samples.js';
+import type {Scenes} from './scenes.js';
 import {
   sameTarget,
   type Notice,
@@ -18,13 +26,6 @@ import {
 import {concernsSame} from './symmetry-steps.js';
 
 export type * from './state.js';
-import {textsOf} from '../texts/texts.js';
-import {Comparison} from './comparison.js';
-import {LatestSolve} from './latest-solve.js';
-import {preferencesFor, type Preferences} from './preferences.js';
-import {Observable} from './observable.js';
-import {ResultCache} from './result-cache.js';
-import {firstOptions} from './samples.js';
 
 export class Workbench extends Observable {
   readonly client: SolverClient;
