@@ -1,5 +1,9 @@
 /** What goes into the page from files, and what comes out. */
-import {readFile} from 'node:fs/promises';
+import {execFile} from 'node:child_process';
+import {mkdtemp, readFile, rm} from 'node:fs/promises';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {promisify} from 'node:util';
 
 import type {Page} from 'playwright-core';
 import type {SolveResult} from 'seamwise/node';
@@ -73,6 +77,31 @@ it('opens a saved result to its design, which solves to the same result', async 
   await solved(other);
   expect(await designOf(other)).toEqual(design);
   expect(answerIn(await saved(other, 'Save result')) === answerIn(result)).toBe(true);
+});
+
+it('opens the result of a command line to the same garment, print and symmetries', async () => {
+  const folder = await mkdtemp(join(tmpdir(), 'seamwise-'));
+  const out = join(folder, 'skirt.result.json');
+  const files = ['public/garments/six-gore-skirt-m.json', '--print', 'public/prints/pgg.json'];
+  await promisify(execFile)('node', ['dist/cli/main.js', 'align', ...files, '--out', out]);
+  const content = await readFile(out, 'utf8');
+  await rm(folder, {recursive: true});
+  const page = await openPage();
+  await choose(page, 'Open garment', {
+    name: 'skirt.result.json',
+    mimeType: 'application/json',
+    content,
+  });
+  await garmentShown(page, 'six-gore-skirt-m.json');
+  await solved(page);
+  const {print} = await designOf(page);
+  expect(print).toMatchObject({title: 'Parquet', group: 'pgg'});
+  expect(print.image).toMatch(/^data:image\/svg/);
+  const [before, after] = [content, await saved(page, 'Save result')].map(
+    (text) => JSON.parse(text) as SolveResult,
+  );
+  expect(after?.symmetries.map(({kind}) => kind)).toEqual(before?.symmetries.map(({kind}) => kind));
+  expect(after?.metrics.fit).toBeLessThan(1.1 * (before?.metrics.fit ?? 0));
 });
 
 it('opens a print file, and a picture as a print', async () => {

@@ -7,7 +7,7 @@ import {
   missing,
   turnsOver,
 } from '../../web/src/element/print/choices.js';
-import {noPicture} from '../../web/src/element/print/own-print.js';
+import {noPicture} from '../../web/src/model/design.js';
 import {printFrom} from '../../web/src/element/print/own-tile.js';
 import {
   fittingOf,

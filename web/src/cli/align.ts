@@ -1,10 +1,15 @@
+import {basename} from 'node:path';
+
+import type {SolveOptions} from '../model/options.js';
+import type {Print} from '../model/print.js';
 import {methods} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
+import {solvedDesign} from '../model/solved-design.js';
 import {solve} from '../node/index.js';
 import {choice, parseArguments, UsageError, wholeNumber} from './arguments.js';
 import {figuresLine} from './figures.js';
 import {checkWritable, readText, writeText} from './files.js';
-import {readPrint} from './print-files.js';
+import {readPicture, readPrint} from './print-files.js';
 import {print, ProgressLine, remark} from './terminal.js';
 
 const grammar = {
@@ -26,11 +31,14 @@ export async function align(words: readonly string[]): Promise<void> {
   const outFile = args.value('--out');
   const named = symmetryFile === 'auto' || symmetryFile === 'none';
 
+  const garmentText = await readText(garmentFile);
+  const printText = await readPrint(printFile);
+  const optionsText = optionsFile === undefined ? '{}' : await readText(optionsFile);
   const problem = {
-    garment: await readText(garmentFile),
-    print: await readPrint(printFile),
+    garment: garmentText,
+    print: printText,
     symmetry: named ? symmetryFile : await readText(symmetryFile),
-    ...(optionsFile === undefined ? {} : {options: await readText(optionsFile)}),
+    options: optionsText,
     method,
     seed,
   };
@@ -57,7 +65,19 @@ export async function align(words: readonly string[]): Promise<void> {
     progress.clear();
   }
   if (args.has('--no-times')) result = withoutTimes(result);
-  if (outFile !== undefined) await writeText(outFile, `${JSON.stringify(result)}\n`);
+  if (outFile !== undefined) {
+    const cloth = JSON.parse(printText) as Print;
+    const design = solvedDesign(
+      {
+        garment: {name: basename(garmentFile), text: garmentText},
+        print: cloth,
+        picture: await readPicture(cloth, printFile),
+        options: JSON.parse(optionsText) as SolveOptions,
+      },
+      result,
+    );
+    await writeText(outFile, `${JSON.stringify({...result, design})}\n`);
+  }
   if (args.has('--json')) {
     print(
       JSON.stringify({

@@ -12,7 +12,8 @@ export const resultLimit = 200_000_000;
 
 /** The text of a file, which may be a pipe. @throws {UsageError} naming the file and what is wrong */
 export async function readText(path: string, limit?: number): Promise<string> {
-  return (await readBytes(path, limit)).toString('utf8');
+  // also drops the mark that some editors put before UTF-8
+  return new TextDecoder().decode(await readBytes(path, limit));
 }
 
 /** The bytes of a file, which may be a pipe. @throws {UsageError} naming the file and what is wrong */

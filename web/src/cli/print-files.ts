@@ -50,3 +50,15 @@ export async function readTile({image}: Print, printFile: string): Promise<strin
   }
   return `data:${type};base64,${(await readBytes(path)).toString('base64')}`;
 }
+
+/** The print's picture as a design holds it: with all of its bytes; none where there is no such file. */
+export async function readPicture(print: Print, printFile: string): Promise<string | undefined> {
+  try {
+    const tile = await readTile(print, printFile);
+    if (tile === undefined || tile.startsWith('http')) return undefined;
+    return tile.startsWith('data:') ? tile : `data:image/svg+xml,${encodeURIComponent(tile)}`;
+  } catch (error) {
+    if (error instanceof UsageError) return undefined; // a solve needs no picture
+    throw error;
+  }
+}

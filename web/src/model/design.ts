@@ -28,6 +28,11 @@ export interface DesignPrint {
   readonly sample?: {readonly name: string; readonly colourway: string};
 }
 
+/** A print without a picture shows bare cloth, and the edges of its cell. */
+export const noPicture = `data:image/svg+xml,${encodeURIComponent(
+  '<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100" preserveAspectRatio="none"><rect width="100" height="100" fill="#c9c1ae"/><rect x="1" y="1" width="98" height="98" fill="#f1ede3"/></svg>',
+)}`;
+
 /** Never changed in place: whoever holds one holds a state that undo can come back to. */
 export interface Design {
   readonly garment: DesignGarment;

@@ -7,11 +7,6 @@ import type {Pixels} from '../../picture/tile-cloth.js';
 import {alongStripe, groupOf, turnsOver, type Choice} from './choices.js';
 import {loadPicture, pixelsOf, quarterTurned} from './picture.js';
 
-/** A print without a picture shows bare cloth, and the edges of its cell. */
-export const noPicture = `data:image/svg+xml,${encodeURIComponent(
-  '<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100" preserveAspectRatio="none"><rect width="100" height="100" fill="#c9c1ae"/><rect x="1" y="1" width="98" height="98" fill="#f1ede3"/></svg>',
-)}`;
-
 interface Looked {
   readonly image: string;
   readonly pixels: Promise<Pixels>;

@@ -1,12 +1,12 @@
 /** Reads what somebody hands over as a print: a print file, or the picture of one cell. */
-import type {DesignPrint} from '../../model/design.js';
+import {noPicture, type DesignPrint} from '../../model/design.js';
 import {groupNames, type GroupName, type Print} from '../../model/print.js';
 import {latticeVectors, repeatOf} from '../../model/repeat.js';
 import type {Point} from '../../model/geometry.js';
 import {en, type Texts} from '../texts/en.js';
 import {textsOf} from '../texts/texts.js';
 import type {Workbench} from '../workbench/workbench.js';
-import {groupsIn, noPicture, withFound} from './own-print.js';
+import {groupsIn, withFound} from './own-print.js';
 import {loadPicture} from './picture.js';
 
 const mostBytes = 12 * 2 ** 20;

@@ -1,12 +1,12 @@
 /** Somebody's own picture beside the group it is used with: whether it has that, and where it breaks it. */
 import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
-import type {DesignPrint} from '../../model/design.js';
+import {noPicture, type DesignPrint} from '../../model/design.js';
 import type {FoundGroup, TileBreak, TileCheck} from '../../picture/tile-check.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {missing} from './choices.js';
-import {checked, groupsIn, noPicture, withFound} from './own-print.js';
+import {checked, groupsIn, withFound} from './own-print.js';
 
 interface Report {
   readonly print: DesignPrint;

@@ -1,0 +1,49 @@
+/** The design that a result answers, from the files of its problem: what lets a page open a result again. */
+import {noPicture, type Design} from './design.js';
+import type {Point} from './geometry.js';
+import type {SolveOptions} from './options.js';
+import type {Print} from './print.js';
+import {repeatOf} from './repeat.js';
+import type {ResultPiece, ResultSymmetry, SolveResult} from './result.js';
+import type {Symmetry} from './symmetries.js';
+
+export interface SolvedFiles {
+  readonly garment: Design['garment'];
+  readonly print: Print;
+  /** A `data:` URL of the picture of one cell; without it the cloth is bare. */
+  readonly picture: string | undefined;
+  readonly options: SolveOptions;
+}
+
+/** The symmetries are those of the result, so that what was found by itself is asked for from now on. */
+export function solvedDesign(
+  {garment, print, picture = noPicture, options}: SolvedFiles,
+  {pieces, symmetries, metrics}: SolveResult,
+): Design {
+  const {group, title = group, oneWay = false, cell = 'primitive'} = print;
+  return {
+    garment,
+    print: {title, group, ...repeatOf(print), oneWay, cell, image: picture},
+    symmetries: symmetries.map((one) => askedFor(one, pieces)),
+    method: metrics.method,
+    options,
+  };
+}
+
+function askedFor(symmetry: ResultSymmetry, pieces: readonly ResultPiece[]): Symmetry {
+  const nameOf = (piece: number): string => pieces[piece]?.name ?? '';
+  if (symmetry.kind === 'pair') {
+    const [first, second] = symmetry.pieces;
+    return {kind: 'pair', pieces: [nameOf(first), nameOf(second)]};
+  }
+  const {piece, map} = symmetry;
+  // R F is the reflection over the line at angle / 2 from the y axis; p = 0 and its image lie on both sides of it
+  const [x, y] = [map.translation[0] / 2, map.translation[1] / 2];
+  const along = (distance: number): Point => {
+    const across = x - distance * Math.sin(map.angle / 2);
+    // the panel in the file shows its back: the axis is asked for there
+    const inFile = pieces[piece]?.mirroredFromInput ? -across : across;
+    return [inFile, y + distance * Math.cos(map.angle / 2)];
+  };
+  return {kind: 'piece', piece: nameOf(piece), axis: [along(-10), along(10)]};
+}
