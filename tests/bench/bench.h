@@ -1,0 +1,80 @@
+#pragma once
+#include <chrono>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "alignment/matching.h"
+#include "solve/result.h"
+#include "solve/solver.h"
+
+/// What `npm run bench` measures, natively and in WebAssembly by the same code. Every task is a
+/// JSON object, and so is what it gives. Times are milliseconds, fits cm2, memory bytes.
+namespace seamwise::bench {
+
+using Json = nlohmann::ordered_json;
+
+class Watch {
+ public:
+  /// Since the watch was made. [ms]
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The most memory in use since it was made, beyond what was in use then; in WebAssembly, whose
+/// memory never shrinks, beyond what was in use when the program started. [bytes]
+class PeakMemory {
+ public:
+  PeakMemory();
+  double bytes() const;
+
+ private:
+  double before_;
+};
+
+/// The problem of a task, from its fields garment and print (files), symmetry, method, seed, and
+/// edgeLength (cm, even where an options file may not go). Throws a sentence.
+/// @param print_scale, print_turn   how much larger than in its file, and turned, the print is; rad
+Problem problemOf(const Json& task, double print_scale = 1, double print_turn = 0);
+
+/// The value, or its error thrown as a sentence.
+template <class T>
+T required(Outcome<T> outcome) {
+  if (!outcome.ok()) throw std::runtime_error(outcome.error().message);
+  return std::move(outcome).value();
+}
+
+MatchRules rulesOf(const Problem& problem);
+int trianglesOf(const Pattern& pattern);
+
+/// A solve and what it took.
+struct Timed {
+  Result result;
+  double prepare = 0, alignment = 0, deformation = 0, measuring = 0;  ///< ms
+  double earlier = 0;  ///< ms: attempts with other weights, which do not count
+  double first = 0;    ///< ms until the first alignment that can be drawn
+  double first_fit = 0;
+  bool monotone = true;  ///< whether the progress reported never fell
+  double astray = 0;  ///< greatest distance of the progress reported from the share of time spent
+  double total() const { return prepare + alignment + deformation + measuring; }
+};
+
+/// @param make   makes the problem; part of what is timed
+Timed timedSolve(const std::function<Problem()>& make);
+
+/// One of several, by what it took.
+Timed quickest(int times, const std::function<Problem()>& make);
+
+Json solveTask(const Json& task);
+Json meshTask(const Json& task);
+Json factoriseTask(const Json& task);
+Json startsTask(const Json& task);
+Json searchTask(const Json& task);
+Json editTask(const Json& task);
+
+}  // namespace seamwise::bench

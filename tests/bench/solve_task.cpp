@@ -1,0 +1,139 @@
+// What a solve gives and takes.
+#include <algorithm>
+#include <cmath>
+
+#include "alignment/matching.h"
+#include "bench.h"
+#include "solve/metrics.h"
+#include "solve/prepare.h"
+
+namespace seamwise::bench {
+namespace {
+
+/// The mean over sixty random alignments of the shapes of the fit with one element a seam: to
+/// Fit::seam what fitRandom is to Fit::any, from the same sequence of alignments.
+double seamFitRandom(const WallpaperGroup& group, const Pattern& pattern) {
+  constexpr int kDraws = 60;
+  std::uint32_t state = 12345;
+  auto draw = [&] {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<double>(state) / 4294967296.0;
+  };
+  const double cell = group.w1().norm() + group.w2().norm();
+  const Shapes rest = restShapes(pattern);
+  std::vector<Alignment> at(pattern.pieces.size());
+  double total = 0;
+  for (int k = 0; k < kDraws; ++k) {
+    for (Alignment& a : at) {
+      a.angle = draw() * 2 * kPi;
+      a.translation.x() = draw() * cell;
+      a.translation.y() = draw() * cell;
+    }
+    for (const Seam& seam : pattern.seams)
+      if (seam.matched && !seam.twin) total += bestJoin(group, seam, rest, at).cost;
+  }
+  return total / kDraws;
+}
+
+/// Pieces whose alignment is a variable of its own.
+int freePieces(const Problem& problem, const Pattern& pattern) {
+  const MatchProblem match = makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors,
+                                              rulesOf(problem), problem.print.group);
+  return static_cast<int>(std::count_if(
+      match.leaders.begin(), match.leaders.end(),
+      [](const Leader& leader) { return !leader.seams.empty() && !leader.freedom.isPinned(); }));
+}
+
+}  // namespace
+
+Timed timedSolve(const std::function<Problem()>& make) {
+  Timed timed;
+  std::vector<std::pair<double, double>> reports;  // time, fraction
+  const Watch all;
+  Solver solver = required(Solver::make(make()));
+  timed.prepare = all.milliseconds();
+  Alignments first;
+  int attempt = solver.attempt();
+  for (bool more = true; more;) {
+    const Phase phase = solver.phase();
+    const Watch watch;
+    more = solver.advance(1);
+    const double spent = watch.milliseconds();
+    if (solver.attempt() != attempt) {
+      timed.earlier += std::exchange(timed.deformation, 0);
+      attempt = solver.attempt();
+    }
+    (phase == Phase::kAlignment ? timed.alignment : timed.deformation) += spent;
+    if (reports.empty()) first = solver.partial(), timed.first = all.milliseconds();
+    reports.emplace_back(all.milliseconds(), solver.fraction());
+  }
+  const Watch measuring;
+  timed.result = required(solver.finish());
+  timed.measuring = measuring.milliseconds();
+  const double end = all.milliseconds();
+  double before = 0;
+  for (const auto& [time, fraction] : reports) {
+    timed.monotone &= fraction >= before;
+    before = fraction;
+    timed.astray = std::max(timed.astray, std::abs(fraction - time / end));
+  }
+  const Problem problem = make();
+  timed.first_fit =
+      fitAny(problem.print.group, solver.pattern(), restShapes(solver.pattern()), first);
+  return timed;
+}
+
+Timed quickest(int times, const std::function<Problem()>& make) {
+  Timed best = timedSolve(make);
+  for (int k = 1; k < times; ++k) {
+    Timed other = timedSolve(make);
+    if (other.total() < best.total()) best = std::move(other);
+  }
+  return best;
+}
+
+Json solveTask(const Json& task) {
+  const PeakMemory memory;
+  const Timed timed = quickest(task.value("times", 1), [&] { return problemOf(task); });
+  const double peak = memory.bytes();
+  const Result& r = timed.result;
+  const Problem problem = problemOf(task);
+  return {{"pieces", r.pattern.pieces.size()},
+          {"freePieces", freePieces(problem, r.pattern)},
+          {"triangles", trianglesOf(r.pattern)},
+          {"fitRandom", r.fit_random},
+          {"fitSeamRandom", seamFitRandom(problem.print.group, r.pattern)},
+          {"fitSearch", r.fit_search},
+          {"fitAligned", r.fit_aligned},
+          {"fit", r.fit.any},
+          {"fitSeam", r.fit.seam},
+          {"iterations", r.iterations},
+          {"factorisations", r.factorisations},
+          {"milliseconds",
+           {{"prepare", timed.prepare},
+            {"alignment", timed.alignment},
+            {"deformation", timed.deformation},
+            {"measuring", timed.measuring},
+            {"total", timed.total()},
+            {"earlierAttempts", timed.earlier}}},
+          {"firstAlignment", timed.first},
+          {"progress", {{"monotone", timed.monotone}, {"astray", timed.astray}}},
+          {"peakMemory", peak}};
+}
+
+/// Finds the edge length at which the mesh has about as many triangles as the task asks for.
+Json meshTask(const Json& task) {
+  const double wanted = task.at("triangles");
+  double length = 1;
+  int triangles = 0;
+  for (int round = 0; round < 8; ++round) {
+    Problem problem = problemOf(task);
+    problem.options.edge_length_cm = length;
+    triangles = trianglesOf(required(preparedPattern(problem)));
+    if (std::abs(triangles / wanted - 1) < 0.02) break;
+    length *= std::pow(triangles / wanted, 0.8);
+  }
+  return {{"edgeLength", length}, {"triangles", triangles}};
+}
+
+}  // namespace seamwise::bench
