@@ -37,8 +37,10 @@ class PeakMemory {
   double before_;
 };
 
-/// The problem of a task, from its fields garment and print (files), symmetry, method, seed, and
-/// edgeLength (cm, even where an options file may not go). Throws a sentence.
+/// The problem of a task, from its fields garment and print (files), symmetry, method, seed,
+/// options, edgeLength (cm, even where an options file may not go), and evenSeams: no seam weighs
+/// more than another and no marked lines count, so that the fit is just what is searched for.
+/// Throws a sentence.
 /// @param print_scale, print_turn   how much larger than in its file, and turned, the print is; rad
 Problem problemOf(const Json& task, double print_scale = 1, double print_turn = 0);
 
@@ -67,8 +69,9 @@ struct Timed {
 /// @param make   makes the problem; part of what is timed
 Timed timedSolve(const std::function<Problem()>& make);
 
-/// One of several, by what it took.
-Timed quickest(int times, const std::function<Problem()>& make);
+/// The quickest of as many solves as the task asks for in `times`, and more until `atLeast` ms are
+/// spent: an engine compiles WebAssembly once more, and better, while it runs.
+Timed quickest(const Json& task, const std::function<Problem()>& make);
 
 Json solveTask(const Json& task);
 Json meshTask(const Json& task);

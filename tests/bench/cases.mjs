@@ -1,18 +1,12 @@
-// What `npm run compare` solves: garments and prints.
+// What `npm run bench` solves: garments and prints.
 import {existsSync, readdirSync, readFileSync} from 'node:fs';
 import {basename, join, resolve} from 'node:path';
 
 import {root, SetupError} from '../../web/setup/shell.mjs';
 
-/** More garments, where a developer keeps some next to the project; most have no such folder. */
-const moreGarments = join(root, '../shared/data');
-
-/** Groups of all kinds: with and without mirrors, glides and turns by 60, 90 and 180 degrees. */
-export const usualGroups = ['pmm', 'p4m', 'cm', 'pmg', 'pgg', 'p31m', 'p3m1', 'p1'];
-
 /**
  * The sample garments, and every sewing pattern below the given folders.
- * @param folders  relative to the caller's folder; none: the usual one, if it exists
+ * @param folders  of further garments, relative to the caller's
  * @param only  a part of the name that the garments must have
  * @throws {SetupError} when a folder does not exist, or no garment is left
  */
@@ -20,9 +14,8 @@ export function findGarments(folders, only = '') {
   for (const folder of folders) {
     if (!existsSync(folder)) throw new SetupError(`there is no folder '${folder}'`);
   }
-  const more = folders.length > 0 ? folders.map((folder) => resolve(folder)) : [moreGarments];
   const samples = jsonBelow(join(root, 'public/garments')).filter(isMiddleSize);
-  const others = more.filter((folder) => existsSync(folder)).flatMap(jsonBelow);
+  const others = folders.map((folder) => resolve(folder)).flatMap(jsonBelow);
   const files = [...samples, ...others].filter((file) => isGarment(file));
   const garments = files
     .map((file) => ({file, name: nameOf(file, files)}))

@@ -46,7 +46,6 @@ std::pair<int, Alignment> pinOf(const Result& solved) {
 
 /// The solver takes nothing over from an earlier answer: every change is solved from the start.
 Json editTask(const Json& task) {
-  const int times = task.value("times", 3);
   Json with = task, without = task;
   with["symmetry"] = "auto", without["symmetry"] = "none";
   const Timed before = timedSolve([&] { return problemOf(task); });
@@ -54,7 +53,7 @@ Json editTask(const Json& task) {
   const auto [pinned, at] = pinOf(before.result);
   Json changes = Json::object();
   auto change = [&](const char* name, const std::function<Problem()>& make) {
-    const Timed timed = quickest(times, make);
+    const Timed timed = quickest(task, make);
     changes[name] = {{"first", timed.first},
                      {"firstFit", timed.first_fit},
                      {"final", timed.total()},

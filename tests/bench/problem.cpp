@@ -43,6 +43,11 @@ Problem problemOf(const Json& task, double print_scale, double print_turn) {
   texts.seed = task.value("seed", 1u);
   Problem problem = required(makeProblem(texts));
   problem.options.edge_length_cm = task.value("edgeLength", problem.options.edge_length_cm);
+  if (task.value("evenSeams", false)) {
+    for (std::size_t s = 0; s < problem.garment.stitches.size(); ++s)
+      problem.options.weights[static_cast<int>(s)] = 1;
+    problem.options.matches.clear();
+  }
   return problem;
 }
 

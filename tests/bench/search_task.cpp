@@ -7,7 +7,6 @@
 #include "alignment/search.h"
 #include "bench.h"
 #include "solve/metrics.h"
-#include "solve/prepare.h"
 
 namespace seamwise::bench {
 namespace {
@@ -20,7 +19,7 @@ struct Searchable {
 
   explicit Searchable(const Json& task)
       : problem(problemOf(task)),
-        pattern(required(preparedPattern(problem))),
+        pattern(required(Solver::make(problem)).pattern()),
         match(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rulesOf(problem),
                                problem.print.group)) {}
 
@@ -100,7 +99,7 @@ Json startsTask(const Json& task) {
 
 /// With `long` milliseconds, the search of the default budget once more with that much time.
 Json searchTask(const Json& task) {
-  const Timed solved = quickest(task.value("times", 1), [&] { return problemOf(task); });
+  const Timed solved = quickest(task, [&] { return problemOf(task); });
   Json answer = {{"fitSearch", solved.result.fit_search}, {"milliseconds", solved.alignment}};
   const double time = task.value("long", 0.0);
   if (time <= 0) return answer;

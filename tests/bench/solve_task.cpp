@@ -83,9 +83,12 @@ Timed timedSolve(const std::function<Problem()>& make) {
   return timed;
 }
 
-Timed quickest(int times, const std::function<Problem()>& make) {
+Timed quickest(const Json& task, const std::function<Problem()>& make) {
+  const int times = task.value("times", 1);
+  const double long_enough = task.value("atLeast", 0.0);
+  const Watch watch;
   Timed best = timedSolve(make);
-  for (int k = 1; k < times; ++k) {
+  for (int k = 1; k < times || watch.milliseconds() < long_enough; ++k) {
     Timed other = timedSolve(make);
     if (other.total() < best.total()) best = std::move(other);
   }
@@ -94,7 +97,7 @@ Timed quickest(int times, const std::function<Problem()>& make) {
 
 Json solveTask(const Json& task) {
   const PeakMemory memory;
-  const Timed timed = quickest(task.value("times", 1), [&] { return problemOf(task); });
+  const Timed timed = quickest(task, [&] { return problemOf(task); });
   const double peak = memory.bytes();
   const Result& r = timed.result;
   const Problem problem = problemOf(task);
@@ -121,17 +124,20 @@ Json solveTask(const Json& task) {
           {"peakMemory", peak}};
 }
 
-/// Finds the edge length at which the mesh has about as many triangles as the task asks for.
+/// Finds the edge length at which the mesh has about as many triangles as the task asks for, or as
+/// few as it can have.
 Json meshTask(const Json& task) {
   const double wanted = task.at("triangles");
-  double length = 1;
+  constexpr double kLongest = 1.05;  // cm; seams are never sampled more coarsely
+  double length = kLongest;
   int triangles = 0;
   for (int round = 0; round < 8; ++round) {
     Problem problem = problemOf(task);
     problem.options.edge_length_cm = length;
     triangles = trianglesOf(required(preparedPattern(problem)));
-    if (std::abs(triangles / wanted - 1) < 0.02) break;
-    length *= std::pow(triangles / wanted, 0.8);
+    const bool coarsest = length == kLongest && triangles > wanted;
+    if (coarsest || std::abs(triangles / wanted - 1) < 0.02) break;
+    length = std::min(kLongest, length * std::pow(triangles / wanted, 0.8));
   }
   return {{"edgeLength", length}, {"triangles", triangles}};
 }

@@ -15,7 +15,7 @@ import {pathToFileURL} from 'node:url';
 
 import {ensurePackages} from './packages.mjs';
 import {main, must, root, say, tool} from './shell.mjs';
-import {ensureSystem, forModule} from './system.mjs';
+import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const moduleFolder = 'web/src/solver/module';
 const at = (...parts) => join(root, ...parts);
@@ -47,6 +47,26 @@ async function buildModule() {
   for (const file of ['seamwise.mjs', 'seamwise.wasm']) {
     copyFileSync(at('build/wasm', file), at(moduleFolder, file));
   }
+}
+
+/** Builds the program of `npm run bench`, natively and for Node. @returns how to run either */
+export async function buildBench() {
+  await ensureSystem([...new Set([...forModule, ...forNativeTests])]);
+  say('Building the benchmark; the first time takes some minutes ...');
+  const unlock = await lock();
+  try {
+    for (const preset of ['native', 'wasm']) {
+      await must('cmake', ['--preset', preset]);
+      const target = ['--target', 'seamwise_bench', '--', '--quiet'];
+      await must('cmake', ['--build', '--preset', preset, ...target]);
+    }
+  } finally {
+    unlock();
+  }
+  return {
+    native: [at('build/native/tests/bench/seamwise_bench')],
+    wasm: [process.execPath, at('build/wasm/tests/bench/seamwise_bench.cjs')],
+  };
 }
 
 async function buildScripts() {

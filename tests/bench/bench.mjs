@@ -1,0 +1,167 @@
+// `npm run bench`: what the solver finds, and what it takes, natively, in WebAssembly and in the page.
+import {execFileSync} from 'node:child_process';
+import {writeFileSync} from 'node:fs';
+import {cpus, release, type} from 'node:os';
+import {join} from 'node:path';
+import {parseArgs} from 'node:util';
+
+import {buildBench} from '../../web/setup/build.mjs';
+import {ensurePackages} from '../../web/setup/packages.mjs';
+import {main, root, say, SetupError} from '../../web/setup/shell.mjs';
+import {findGarments, findPrints} from './cases.mjs';
+import {
+  measureEdits,
+  measureGrowth,
+  measureMethods,
+  measureSearch,
+  measureYardstick,
+} from './parts.mjs';
+import {Programs} from './program.mjs';
+import {ratiosOf} from './ratios.mjs';
+import {tablesOf} from './tables.mjs';
+
+const parts = {
+  methods: measureMethods,
+  yardstick: measureYardstick,
+  search: measureSearch,
+  edits: measureEdits,
+  growth: measureGrowth,
+  page: async (settings) => (await import('./page.mjs')).measurePage(settings),
+};
+const searchGroups = ['pmm', 'p4m', 'pgg', 'cm', 'p31m', 'p6m', 'p1'];
+const usualLongCases = 4;
+
+const usage = `npm run bench -- [--parts ${Object.keys(parts).join(',')}] [--garments DIR ...] [--only NAME]
+    [--groups GROUP,...] [--seeds N] [--long SECONDS] [--long-cases N] [--thorough] [--json] [--write]
+Measures the sample garments, and all below the given folders, on an idle machine; about a quarter of an hour.
+--only takes a part of a garment's name. --groups are those of the prints: of 'methods' (pmm by itself) and of
+'search' (${searchGroups.join()} by itself). --seeds: of paper and ws19, and of the search (1).
+--long: how much time the search gets for comparison (60 s), in so many cases (${usualLongCases}).
+--thorough solves paper and ws19 with five seeds and in WebAssembly, too, and gives every search the long time;
+that takes hours. --json writes everything for machines, --write the tables into docs/benchmarks.md.`;
+
+function readArguments() {
+  const text = {type: 'string'};
+  const flag = {type: 'boolean', default: false};
+  try {
+    const {values} = parseArgs({
+      options: {
+        parts: {...text, default: Object.keys(parts).join()},
+        garments: {...text, multiple: true, default: []},
+        only: text,
+        groups: text,
+        seeds: text,
+        long: {...text, default: '60'},
+        'long-cases': text,
+        thorough: flag,
+        json: flag,
+        write: flag,
+        help: flag,
+      },
+    });
+    return values;
+  } catch (error) {
+    throw new SetupError(`${error.message}\n\n${usage}`);
+  }
+}
+
+function count(name, value) {
+  if (!/^\d{1,5}$/.test(value))
+    throw new SetupError(`--${name} is '${value}', but must be a number`);
+  return Number(value);
+}
+
+function chosenParts(text) {
+  const names = text.split(',');
+  const unknown = names.find((name) => !Object.hasOwn(parts, name));
+  if (unknown !== undefined) {
+    throw new SetupError(`no part '${unknown}'; there are ${Object.keys(parts).join(', ')}`);
+  }
+  return Object.keys(parts).filter((name) => names.includes(name));
+}
+
+const git = (...words) => execFileSync('git', words, {cwd: root}).toString().trim();
+
+/** Where and of what the figures are. */
+function circumstances() {
+  const [processor] = cpus();
+  return {
+    date: new Date().toISOString().slice(0, 10),
+    machine: `${processor?.model ?? 'unknown'}, ${cpus().length} cores, ${type()} ${release()}`,
+    node: process.version,
+    commit: commit(),
+    command: ['npm run bench', ...process.argv.slice(2)].join(' ').replace('bench ', 'bench -- '),
+  };
+}
+
+function commit() {
+  try {
+    return `${git('rev-parse', '--short', 'HEAD')}${git('status', '--porcelain') ? ', changed' : ''}`;
+  } catch {
+    return 'unknown';
+  }
+}
+
+/** JSON knows no infinity and would write null. */
+const infinite = (_, value) => (value === Infinity ? 'inf' : value);
+
+function page({date, machine, node, commit: of, command, minutes, ...results}) {
+  return `# Benchmarks
+
+Written by \`${command}\` on ${date}, in ${minutes} minutes, on ${machine}, Node ${node}, at commit ${of}.
+\`npm run bench -- --help\` tells what can be chosen. Fits are cm², times milliseconds: the quickest of several
+runs where they are short. \`native\` and \`wasm\` are one program around the same core, the latter in Node and
+compiled as the page's module is.
+
+${notes}
+${tablesOf(results)}`;
+}
+
+const notes = `- **fit** and its kin are those of [the life of a print](life-of-a-print.md#10-the-result). *free* pieces are
+  those whose alignment is a variable of its own. *first ms*: from the files to the first alignment that can be
+  drawn. *progress off*: the greatest distance of the progress reported from the share of time spent.
+  *memory*: the most in use beyond what the program held before.
+- **paper** and **ws19** are timed by their last attempt: they are solved with growing stiffness until the greatest
+  change holds.
+- **Search**: 1000 starts at random alignments, each improved by the local step of \`best\`, the best three of
+  them on every edge; \`fitSearch\` is that of the default budget, its time all of the alignment phase. The long
+  search goes on from there with a budget of that many seconds. All seams weigh alike here, and marked lines are
+  left out, so that the fit is what is searched for.
+- **One factorisation**: the LDLT factorisation (numerical part, by the core's own factoriser) of the Hessian of
+  the whole, unreduced mesh: two unknowns for every vertex of every piece, conformal energy and a pull to rest.
+- **Edits**: the solver starts every solve anew; nothing is taken over from the answer before the change.
+- \`=\` stands where neither of two fits leaves any mismatch.
+`;
+
+async function run() {
+  const options = readArguments();
+  if (options.help) {
+    console.log(usage);
+    return;
+  }
+  const started = performance.now();
+  const groups = (usual) => findPrints(options.groups?.split(',') ?? usual);
+  const settings = {
+    garments: findGarments(options.garments, options.only),
+    prints: {methods: groups(['pmm']), search: groups(searchGroups)},
+    seeds: count('seeds', options.seeds ?? (options.thorough ? '5' : '1')),
+    long: count('long', options.long),
+    longCases: count(
+      'long-cases',
+      options['long-cases'] ?? (options.thorough ? '99999' : String(usualLongCases)),
+    ),
+    thorough: options.thorough,
+    say,
+  };
+  const names = chosenParts(options.parts);
+  await ensurePackages();
+  settings.programs = new Programs(await buildBench());
+  const results = circumstances();
+  for (const name of names) results[name] = await parts[name](settings);
+  results.minutes = Math.round((performance.now() - started) / 60_000);
+  results.ratios = ratiosOf(results);
+  if (options.write) writeFileSync(join(root, 'docs/benchmarks.md'), page(results));
+  console.log(options.json ? JSON.stringify(results, infinite, 1) : tablesOf(results));
+}
+
+await main(run);

@@ -1,0 +1,56 @@
+// The benchmark's program, native or in WebAssembly: asked with tasks, it answers with figures.
+import {spawn} from 'node:child_process';
+import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+
+import {root, SetupError} from '../../web/setup/shell.mjs';
+
+export class Programs {
+  #commands;
+
+  /** @param commands  per platform, the words that start the program */
+  constructor(commands) {
+    this.#commands = commands;
+  }
+
+  /**
+   * Runs tasks in one fresh process, one after the other.
+   * @returns their answers, in order; `{failure}` for one that could not be done
+   * @throws {SetupError} when the process breaks
+   */
+  async ask(platform, tasks) {
+    const folder = mkdtempSync(join(tmpdir(), 'seamwise-bench-'));
+    try {
+      const file = join(folder, 'tasks.jsonl');
+      writeFileSync(file, tasks.map((task) => `${JSON.stringify(task)}\n`).join(''));
+      const [command, ...words] = this.#commands[platform];
+      const answers = (await output(command, [...words, file])).trim().split('\n');
+      if (answers.length !== tasks.length)
+        throw new SetupError(`the ${platform} program broke off`);
+      return answers.map((line) => JSON.parse(line));
+    } finally {
+      rmSync(folder, {recursive: true});
+    }
+  }
+
+  /** The answer to one task on every platform, one after the other. */
+  async onBoth(task) {
+    const [native] = await this.ask('native', [task]);
+    const [wasm] = await this.ask('wasm', [task]);
+    return {native, wasm};
+  }
+}
+
+function output(command, words) {
+  return new Promise((resolve, reject) => {
+    const said = [];
+    const child = spawn(command, words, {cwd: root, stdio: ['ignore', 'pipe', 'inherit']});
+    child.stdout.on('data', (chunk) => said.push(chunk));
+    child.on('error', (error) => reject(new SetupError(`${command}: ${error.message}`)));
+    child.on('close', (code) => {
+      if (code === 0) resolve(Buffer.concat(said).toString());
+      else reject(new SetupError(`${command} ended with code ${code}`));
+    });
+  });
+}

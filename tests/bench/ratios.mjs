@@ -1,0 +1,261 @@
+// The quotients by which the solver is judged: where each comes from, what it is meant to be, and
+// whether it is.
+
+export function median(values) {
+  const sorted = values.toSorted((a, b) => a - b);
+  const half = sorted.length / 2;
+  return Number.isInteger(half) ? (sorted[half - 1] + sorted[half]) / 2 : sorted[Math.floor(half)];
+}
+
+/** A fit below this is none at all. [cm2] */
+const nothing = 1e-3;
+
+/** Of two fits; null where neither leaves any mismatch. */
+export function quotient(fit, other) {
+  if (other > nothing) return fit / other;
+  return fit <= nothing ? null : Infinity;
+}
+
+/** The slope of a line through the logarithms of points: y grows like x to this power. */
+export function exponent(points) {
+  const logs = points.map(([x, y]) => [Math.log(x), Math.log(y)]);
+  const mean = (k) => logs.reduce((sum, point) => sum + point[k], 0) / logs.length;
+  const [x0, y0] = [mean(0), mean(1)];
+  const over = (f) => logs.reduce((sum, [x, y]) => sum + f(x - x0, y - y0), 0);
+  return over((x, y) => x * y) / over((x) => x * x);
+}
+
+/** Fits that differ by less are the same: a hundredth of a per cent. */
+const same = 1e-4;
+/** What the rows of a part hold is named where they are made, in parts.mjs. */
+const searches = (results) => results.search ?? [];
+const longSearches = (results) => searches(results).filter(({search}) => search.longFit >= 0);
+const methods = (results) => results.methods ?? [];
+const meshes = (results) => results.yardstick ?? [];
+const edits = (results) => results.edits ?? [];
+const changes = (results, wanted) =>
+  edits(results).flatMap(({garment, edit, factorisation}) =>
+    Object.entries(edit.changes)
+      .filter(([name]) => wanted(name))
+      .map(([name, change]) => ({name: `${garment}, ${name}`, change, factorisation})),
+  );
+const isSymmetry = (name) => name.startsWith('symmetry');
+const mostPieces = 8;
+
+const caseName = ({garment, group, symmetry}) =>
+  [garment, group, symmetry].filter(Boolean).join(', ');
+const each = (rows, value) => rows.map((row) => ({name: caseName(row), value: value(row)}));
+
+/**
+ * All quotients: `values` gives them by case, `over` says which of them counts ('median' or
+ * 'worst'), `goal` is the most that it may be and `aim` what is worth reaching.
+ */
+const quotients = [
+  {
+    title: 'fitSearch / best of 1000 random starts',
+    over: 'worst',
+    goal: 1 + same,
+    aim: 1 + same,
+    values: (r) => each(searches(r), (row) => quotient(row.search.fitSearch, row.starts.best)),
+  },
+  {
+    title: 'fitSearch / best of 1000 random starts',
+    over: 'median',
+    goal: 0.85,
+    aim: 0.8,
+    values: (r) => each(searches(r), (row) => quotient(row.search.fitSearch, row.starts.best)),
+  },
+  {
+    title: 'fitSearch / fit of the long search',
+    over: 'median',
+    goal: 1 + same,
+    aim: 1 + same,
+    values: (r) => each(longSearches(r), ({search}) => quotient(search.fitSearch, search.longFit)),
+  },
+  {
+    title: 'fitSearch / fit of the long search',
+    over: 'worst',
+    goal: 1.05,
+    aim: 1.01,
+    values: (r) => each(longSearches(r), ({search}) => quotient(search.fitSearch, search.longFit)),
+  },
+  {
+    title: 'search time / time of 1000 random starts',
+    over: 'median',
+    goal: 0.3,
+    aim: 0.05,
+    values: (r) => each(searches(r), (row) => row.search.milliseconds / row.starts.milliseconds),
+  },
+  {
+    title: 'fit best / paper',
+    over: 'median',
+    goal: 0.4,
+    aim: 0.2,
+    values: (r) =>
+      each(
+        methods(r).filter(({paper}) => paper),
+        (row) => quotient(row.best.native.fit, row.paper.native.fit),
+      ),
+  },
+  {
+    title: 'fit / fitRandom',
+    over: 'median',
+    goal: 0.07,
+    aim: 0.05,
+    values: (r) => each(methods(r), ({best: {native}}) => native.fit / native.fitRandom),
+  },
+  {
+    title: 'fitSeam / fitSeamRandom',
+    over: 'median',
+    goal: 0.07,
+    aim: 0.05,
+    values: (r) => each(methods(r), ({best: {native}}) => native.fitSeam / native.fitSeamRandom),
+  },
+  {
+    title: 'time best / paper, 16.5k triangles',
+    over: 'median',
+    goal: 1 / 30,
+    aim: 1 / 100,
+    values: (r) =>
+      each(
+        meshes(r).filter(({paper}) => paper),
+        (row) => row.best.native.milliseconds.total / row.paper.native.milliseconds.total,
+      ),
+  },
+  {
+    title: 'deformation of best / one factorisation, 16.5k triangles, wasm',
+    over: 'median',
+    goal: 20,
+    aim: 8,
+    values: (r) =>
+      each(
+        meshes(r),
+        ({best, factorisation}) => best.wasm.milliseconds.deformation / factorisation.wasm.numeric,
+      ),
+  },
+  {
+    title: `whole best solve, up to ${mostPieces} free pieces / one factorisation, wasm`,
+    over: 'median',
+    goal: 40,
+    aim: 15,
+    values: (r) =>
+      each(
+        meshes(r).filter(({best}) => best.wasm.freePieces <= mostPieces),
+        (row) => row.best.wasm.milliseconds.total / row.factorisation.wasm.numeric,
+      ),
+  },
+  {
+    title: 'first answer after one change / one factorisation, wasm',
+    over: 'median',
+    goal: 4,
+    aim: 1,
+    values: (r) =>
+      changes(r, (name) => !isSymmetry(name)).map(({name, change, factorisation}) => ({
+        name,
+        value: change.first / factorisation.numeric,
+      })),
+  },
+  {
+    title: 'final answer after one change / one factorisation, wasm',
+    over: 'median',
+    goal: 15,
+    aim: 5,
+    values: (r) =>
+      changes(r, (name) => !isSymmetry(name)).map(({name, change, factorisation}) => ({
+        name,
+        value: change.final / factorisation.numeric,
+      })),
+  },
+  {
+    title: 'final answer after symmetry is added or removed / one factorisation, wasm',
+    over: 'median',
+    goal: 15,
+    aim: 5,
+    values: (r) =>
+      changes(r, isSymmetry).map(({name, change, factorisation}) => ({
+        name,
+        value: change.final / factorisation.numeric,
+      })),
+  },
+  {
+    title: 'deformation time with / without symmetry',
+    over: 'median',
+    goal: 1,
+    aim: 0.6,
+    values: (r) =>
+      each(
+        methods(r),
+        (row) =>
+          row.best.native.milliseconds.deformation / row.none.native.milliseconds.deformation,
+      ),
+  },
+  {
+    title: 'whole solve, wasm / native',
+    over: 'median',
+    goal: 1.5,
+    aim: 1.15,
+    values: (r) =>
+      each(
+        methods(r),
+        ({best: {native, wasm}}) => wasm.milliseconds.total / native.milliseconds.total,
+      ),
+  },
+  {
+    title: 'exponent of time over triangles',
+    over: 'worst',
+    goal: 1.35,
+    aim: 1.15,
+    values: (r) =>
+      Object.entries(r.growth?.exponents ?? {})
+        .filter(([, of]) => of.total)
+        .map(([name, of]) => ({name, value: of.total})),
+  },
+  {
+    title: 'peak memory at 160k triangles [MB]',
+    over: 'worst',
+    goal: 300,
+    aim: 150,
+    values: (r) =>
+      (r.growth?.sizes ?? [])
+        .filter(({triangles}) => triangles > 140e3)
+        .flatMap(({native, wasm}) => [
+          {name: 'native', value: native.peakMemory / 1e6},
+          {name: 'wasm', value: wasm.peakMemory / 1e6},
+        ]),
+  },
+  {
+    title: 'first alignment that can be drawn, wasm [ms]',
+    over: 'worst',
+    goal: 50,
+    aim: 50,
+    values: (r) => each(methods(r), ({best}) => best.wasm.firstAlignment),
+  },
+];
+
+/**
+ * Every quotient of what was measured: the value that counts, whether it meets its goal and its aim,
+ * the worst case, and in how many cases the goal is missed. Cases without any mismatch are left out.
+ */
+export function ratiosOf(results) {
+  return quotients.flatMap(({title, over, goal, aim, values}) => {
+    const numbers = values(results).filter(({value}) => value !== null && !Number.isNaN(value));
+    return numbers.length > 0 ? [summary(title, over, goal, aim, numbers)] : [];
+  });
+}
+
+export function summary(title, over, goal, aim, numbers) {
+  const worst = numbers.reduce((a, b) => (b.value > a.value ? b : a));
+  const value = over === 'worst' ? worst.value : median(numbers.map((number) => number.value));
+  return {
+    title,
+    over,
+    value,
+    goal,
+    aim,
+    met: value <= goal,
+    reached: value <= aim,
+    worst,
+    missed: numbers.filter((number) => number.value > goal).length,
+    cases: numbers.length,
+  };
+}

@@ -1,0 +1,262 @@
+// The figures as tables, in Markdown that can be read as it stands.
+import {quotient} from './ratios.mjs';
+
+const ms = (value) => (value < 9.95 ? value.toFixed(1) : value.toFixed(0));
+const fit = (value) => value.toFixed(value < 9.995 ? 2 : 1);
+const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
+const kilobytes = (bytes) => (bytes / 1e3).toFixed(1);
+const share = (value) => (value === null ? '=' : Number.isFinite(value) ? digits(value) : 'inf');
+const digits = (value) =>
+  value < 0.0995 ? value.toFixed(4) : value < 99.5 ? value.toFixed(3) : value.toFixed(0);
+
+/** @param head  titles; the first column is text, the others are figures */
+function table(head, rows) {
+  const all = [head, ...rows].map((row) => row.map(String));
+  const widths = head.map((_, k) => Math.max(3, ...all.map((row) => row[k].length)));
+  const line = (cells) =>
+    `| ${cells.map((cell, k) => (k === 0 ? cell.padEnd(widths[k]) : cell.padStart(widths[k]))).join(' | ')} |`;
+  const rule = widths.map((width, k) =>
+    k === 0 ? '-'.repeat(width) : `${'-'.repeat(width - 1)}:`,
+  );
+  return [line(all[0]), `| ${rule.join(' | ')} |`, ...all.slice(1).map(line)].join('\n');
+}
+
+const methodNames = ['best', 'none', 'paper', 'ws19'];
+const shown = {best: 'best', none: 'best, no symmetry', paper: 'paper', ws19: 'ws19'};
+
+function methodRows({garment, group, ...row}) {
+  const lines = [];
+  for (const method of methodNames) {
+    for (const platform of ['native', 'wasm']) {
+      const figures = row[method]?.[platform];
+      if (!figures) continue;
+      const {milliseconds: spent} = figures;
+      lines.push([
+        lines.length === 0 ? `${garment}, ${group}` : '',
+        `${shown[method]}, ${platform}`,
+        figures.pieces,
+        figures.freePieces,
+        figures.triangles,
+        fit(figures.fitRandom),
+        fit(figures.fitSearch),
+        fit(figures.fitAligned),
+        fit(figures.fit),
+        fit(figures.fitSeam),
+        share(figures.fit / figures.fitRandom),
+        figures.iterations,
+        figures.factorisations,
+        ms(spent.prepare),
+        ms(spent.alignment),
+        ms(spent.deformation),
+        ms(spent.total),
+        ms(figures.firstAlignment),
+        figures.progress.monotone ? figures.progress.astray.toFixed(2) : 'falls',
+        megabytes(figures.peakMemory),
+      ]);
+    }
+  }
+  return lines;
+}
+
+const methodHead = [
+  'garment, group',
+  'method',
+  'pieces',
+  'free',
+  'triangles',
+  'fitRandom',
+  'fitSearch',
+  'fitAligned',
+  'fit',
+  'fitSeam',
+  'fit/random',
+  'iterations',
+  'factorisations',
+  'prepare',
+  'alignment',
+  'deformation',
+  'total ms',
+  'first ms',
+  'progress off',
+  'memory MB',
+];
+
+function searchRows(rows) {
+  return rows.map(({garment, group, symmetry, starts, search}) => [
+    `${garment}, ${group}, ${symmetry}`,
+    fit(starts.median),
+    fit(starts.best),
+    fit(search.fitSearch),
+    share(quotient(search.fitSearch, starts.best)),
+    ms(starts.milliseconds),
+    ms(search.milliseconds),
+    share(search.milliseconds / starts.milliseconds),
+    ...(search.longFit >= 0
+      ? [
+          fit(search.longFit),
+          share(quotient(search.fitSearch, search.longFit)),
+          (search.longMilliseconds / 1000).toFixed(0),
+        ]
+      : ['', '', '']),
+  ]);
+}
+
+const searchHead = [
+  'garment, group, symmetry',
+  'median of starts',
+  'best of starts',
+  'fitSearch',
+  'ratio',
+  'starts ms',
+  'search ms',
+  'ratio',
+  'long fit',
+  'ratio',
+  'long s',
+];
+
+function yardstickRows(rows) {
+  return rows.flatMap(({garment, triangles, factorisation, best}) =>
+    ['native', 'wasm'].map((platform, k) => {
+      const {symbolic, numeric, unknowns} = factorisation[platform];
+      const {milliseconds: spent, factorisations, freePieces} = best[platform];
+      return [
+        k === 0 ? garment : '',
+        platform,
+        triangles,
+        unknowns,
+        freePieces,
+        ms(symbolic),
+        numeric.toFixed(2),
+        factorisations,
+        ms(spent.prepare),
+        ms(spent.alignment),
+        ms(spent.deformation),
+        ms(spent.total),
+        share(spent.deformation / numeric),
+        share(spent.total / numeric),
+      ];
+    }),
+  );
+}
+
+const yardstickHead = [
+  'garment',
+  'platform',
+  'triangles',
+  'unknowns',
+  'free pieces',
+  'symbolic ms',
+  'numeric ms',
+  'factorisations of best',
+  'prepare',
+  'alignment',
+  'deformation',
+  'total ms',
+  'deformation/numeric',
+  'total/numeric',
+];
+
+function editRows(rows) {
+  return rows.flatMap(({garment, edit, factorisation}) =>
+    Object.entries(edit.changes).map(([name, change], k) => [
+      k === 0 ? garment : '',
+      name,
+      ms(change.first),
+      fit(change.firstFit),
+      ms(change.final),
+      fit(change.fit),
+      share(change.first / factorisation.numeric),
+      share(change.final / factorisation.numeric),
+    ]),
+  );
+}
+
+const editHead = [
+  'garment',
+  'change',
+  'first ms',
+  'its fit',
+  'final ms',
+  'its fit',
+  'first/factorisation',
+  'final/factorisation',
+];
+
+function growthRows({sizes, exponents}) {
+  const phases = ['prepare', 'alignment', 'deformation', 'total'];
+  const rows = sizes.flatMap(({triangles, edgeLength, ...by}) =>
+    ['native', 'wasm'].map((platform, k) => [
+      k === 0 ? triangles : '',
+      platform,
+      edgeLength.toFixed(3),
+      ...phases.map((phase) => ms(by[platform].milliseconds[phase])),
+      megabytes(by[platform].peakMemory),
+    ]),
+  );
+  const slopes = ['native', 'wasm'].map((platform) => [
+    'exponent',
+    platform,
+    '',
+    ...phases.map((phase) => exponents[platform][phase].toFixed(2)),
+    '',
+  ]);
+  return [...rows, ...slopes];
+}
+
+const growthHead = [
+  'triangles',
+  'platform',
+  'edge cm',
+  'prepare',
+  'alignment',
+  'deformation',
+  'total ms',
+  'memory MB',
+];
+
+const pageRows = ({code, drawingLibrary, wasm, opening}) => [
+  ['initial code, gzipped', `${kilobytes(code)} kB`],
+  ['drawing library, gzipped', `${kilobytes(drawingLibrary)} kB`],
+  ['wasm, gzipped', `${kilobytes(wasm)} kB`],
+  ['cold opening to the final answer', `${ms(opening)} ms`],
+];
+
+export const ratioTable = (ratios) =>
+  table(
+    ['ratio', 'of cases', 'value', 'goal', '', 'aim', '', 'cases', 'above goal', 'worst case'],
+    ratios.map(({title, over, value, goal, aim, met, reached, cases, missed, worst}) => [
+      title,
+      over,
+      digits(value),
+      goalText(goal),
+      met ? 'met' : 'MISSED',
+      goalText(aim),
+      reached ? 'reached' : 'not yet',
+      cases,
+      missed,
+      `${digits(worst.value)} (${worst.name})`,
+    ]),
+  );
+
+const goalText = (value) => String(Number(value.toFixed(3)));
+
+/** Everything measured, each part under its own heading. */
+export function tablesOf(results) {
+  const parts = [
+    ['Ratios', results.ratios.length > 0 && ratioTable(results.ratios)],
+    ['Methods', results.methods && table(methodHead, results.methods.flatMap(methodRows))],
+    ['Search', results.search && table(searchHead, searchRows(results.search))],
+    [
+      'One factorisation as a yardstick',
+      results.yardstick && table(yardstickHead, yardstickRows(results.yardstick)),
+    ],
+    ['Edits', results.edits && table(editHead, editRows(results.edits))],
+    ['Growth', results.growth && table(growthHead, growthRows(results.growth))],
+    ['Page', results.page && table(['', ''], pageRows(results.page))],
+  ];
+  return parts
+    .filter(([, text]) => text)
+    .map(([title, text]) => `## ${title}\n\n${text}\n`)
+    .join('\n');
+}
