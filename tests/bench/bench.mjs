@@ -85,12 +85,16 @@ const git = (...words) => execFileSync('git', words, {cwd: root}).toString().tri
 /** Where and of what the figures are. */
 function circumstances() {
   const [processor] = cpus();
+  // where a folder lies on this machine tells others nothing
+  const words = process.argv
+    .slice(2)
+    .map((word, k, all) => (all[k - 1] === '--garments' ? 'DIR' : word));
   return {
     date: new Date().toISOString().slice(0, 10),
     machine: `${processor?.model ?? 'unknown'}, ${cpus().length} cores, ${type()} ${release()}`,
     node: process.version,
     commit: commit(),
-    command: ['npm run bench', ...process.argv.slice(2)].join(' ').replace('bench ', 'bench -- '),
+    command: ['npm run bench', ...(words.length > 0 ? ['--', ...words] : [])].join(' '),
   };
 }
 
@@ -140,6 +144,11 @@ async function run() {
     return;
   }
   const started = performance.now();
+  const failures = [];
+  const fail = (text) => {
+    failures.push(text);
+    say(`FAILED: ${text}`);
+  };
   const groups = (usual) => findPrints(options.groups?.split(',') ?? usual);
   const settings = {
     garments: findGarments(options.garments, options.only),
@@ -152,16 +161,25 @@ async function run() {
     ),
     thorough: options.thorough,
     say,
+    fail,
   };
   const names = chosenParts(options.parts);
   await ensurePackages();
   settings.programs = new Programs(await buildBench());
   const results = circumstances();
-  for (const name of names) results[name] = await parts[name](settings);
+  for (const name of names) {
+    try {
+      results[name] = await parts[name](settings);
+    } catch (error) {
+      fail(`${name}: ${error.message}`); // what took minutes to measure is not to be lost
+    }
+  }
+  results.failures = failures;
   results.minutes = Math.round((performance.now() - started) / 60_000);
   results.ratios = ratiosOf(results);
   if (options.write) writeFileSync(join(root, 'docs/benchmarks.md'), page(results));
   console.log(options.json ? JSON.stringify(results, infinite, 1) : tablesOf(results));
+  if (failures.length > 0) process.exitCode = 1;
 }
 
 await main(run);

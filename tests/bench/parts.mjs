@@ -9,14 +9,15 @@ const sizes = [5e3, 20e3, 80e3, 160e3];
 
 const named = (task, {garment, print}) => ({task, garment: garment.file, print: print.file});
 
-function checked(row, say) {
+/** The row, unless something in it went wrong. */
+function checked(row, fail) {
   const failures = [];
   JSON.stringify(row, (key, value) => {
     if (key === 'failure') failures.push(value);
     return value;
   });
   if (failures.length === 0) return [row];
-  say(`${row.garment}: ${failures[0]}`);
+  fail(`${row.garment}: ${failures[0]}`);
   return [];
 }
 
@@ -24,12 +25,12 @@ function checked(row, say) {
  * Every garment by every method. best and its solve without symmetry run natively and in
  * WebAssembly; paper and ws19, which take long, natively, and both ways when thorough.
  */
-export async function measureMethods({programs, garments, prints, seeds, thorough, say}) {
+export async function measureMethods({programs, garments, prints, seeds, thorough, say, fail}) {
   const rows = [];
   for (const garment of garments) {
     for (const print of prints.methods) {
       say(`methods: ${garment.name}, ${print.group}`);
-      const task = {...named('solve', {garment, print})};
+      const task = named('solve', {garment, print});
       const slow = async (method) => ({
         native: await medianOfSeeds(programs, 'native', {...task, method}, seeds),
         ...(thorough && {wasm: await medianOfSeeds(programs, 'wasm', {...task, method}, seeds)}),
@@ -42,7 +43,7 @@ export async function measureMethods({programs, garments, prints, seeds, thoroug
         ws19: await slow('ws19'),
         paper: await slow('paper'),
       };
-      rows.push(...checked(row, say));
+      rows.push(...checked(row, fail));
     }
   }
   return rows;
@@ -57,7 +58,7 @@ async function medianOfSeeds(programs, platform, task, seeds) {
 }
 
 /** Meshes of 16.5k triangles: one factorisation of the whole, and what solves take. */
-export async function measureYardstick({programs, garments, prints, thorough, say}) {
+export async function measureYardstick({programs, garments, prints, thorough, say, fail}) {
   const rows = [];
   for (const garment of garments) {
     for (const print of prints.methods.slice(0, 1)) {
@@ -75,7 +76,7 @@ export async function measureYardstick({programs, garments, prints, thorough, sa
         const task = {...named('solve', files), edgeLength, method: 'paper'};
         row.paper = {native: (await programs.ask('native', [task]))[0]};
       }
-      rows.push(...checked(row, say));
+      rows.push(...checked(row, fail));
     }
   }
   return rows;
@@ -90,7 +91,16 @@ async function meshOf(programs, files, triangles) {
  * The search against 1000 random starts, and against itself with much more time: on so many cases,
  * spread evenly over all of them. Seams weigh alike here, so that the fit is what is searched for.
  */
-export async function measureSearch({programs, garments, prints, long, longCases, seeds, say}) {
+export async function measureSearch({
+  programs,
+  garments,
+  prints,
+  long,
+  longCases,
+  seeds,
+  say,
+  fail,
+}) {
   const cases = garments.flatMap((garment) =>
     prints.search.flatMap((print) =>
       ['auto', 'none'].map((symmetry) => ({garment, print, symmetry})),
@@ -114,14 +124,14 @@ export async function measureSearch({programs, garments, prints, long, longCases
     ]);
     for (const [k, search] of found.entries()) {
       const name = k === 0 ? garment.name : `${garment.name} (seed ${k + 1})`;
-      rows.push(...checked({garment: name, group: print.group, symmetry, starts, search}, say));
+      rows.push(...checked({garment: name, group: print.group, symmetry, starts, search}, fail));
     }
   }
   return rows;
 }
 
 /** One change to a solved problem, on meshes of 16.5k triangles, in WebAssembly. */
-export async function measureEdits({programs, garments, prints, thorough, say}) {
+export async function measureEdits({programs, garments, prints, thorough, say, fail}) {
   const usual = ['princess-dress', 'shirt', 'trousers'];
   const chosen = garments.filter(
     ({name}) => thorough || usual.some((one) => name.startsWith(`${one}-`)),
@@ -136,20 +146,20 @@ export async function measureEdits({programs, garments, prints, thorough, say}) 
       {...named('factorise', files), edgeLength, times: 9},
       {...named('edit', files), edgeLength, ...often},
     ]);
-    rows.push(...checked({garment: garment.name, group: print.group, factorisation, edit}, say));
+    rows.push(...checked({garment: garment.name, group: print.group, factorisation, edit}, fail));
   }
   return rows;
 }
 
 /** One garment in ever finer meshes. A process each, so that each has its own peak of memory. */
-export async function measureGrowth({programs, garments, prints, say}) {
+export async function measureGrowth({programs, garments, prints, say, fail}) {
   const garment = garments.find(({name}) => name.startsWith('princess-dress')) ?? garments[0];
   const files = {garment, print: prints.methods[0]};
   const rows = [];
   for (const wanted of sizes) {
     say(`growth: ${garment.name}, ${wanted / 1000}k`);
     const {edgeLength} = await meshOf(programs, files, wanted);
-    const task = {...named('solve', files), edgeLength, times: wanted < 5e4 ? 3 : 2};
+    const task = {...named('solve', files), edgeLength, ...often};
     const {native, wasm} = await programs.onBoth(task);
     rows.push(
       ...checked(
