@@ -88,8 +88,8 @@ async function meshOf(programs, files, triangles) {
 }
 
 /**
- * The search against 1000 random starts, and against itself with much more time: on so many cases,
- * spread evenly over all of them. Seams weigh alike here, so that the fit is what is searched for.
+ * The search against 1000 random starts, and, in `longCases` of the cases, against itself with
+ * much more time. Seams weigh alike here, so that the fit is what is searched for.
  */
 export async function measureSearch({
   programs,
@@ -106,10 +106,10 @@ export async function measureSearch({
       ['auto', 'none'].map((symmetry) => ({garment, print, symmetry})),
     ),
   );
-  const every = longCases > 0 ? Math.max(1, cases.length / longCases) : Infinity;
+  const longOnes = spread(longCases, garments.length, prints.search.length);
   const rows = [];
   for (const [number, {garment, print, symmetry}] of cases.entries()) {
-    const isLong = Math.floor((number + 1) / every) > Math.floor(number / every);
+    const isLong = longOnes.has(number);
     say(`search: ${garment.name}, ${print.group}, ${symmetry}${isLong ? ', long' : ''}`);
     const settings = {symmetry, evenSeams: true};
     const [starts, ...found] = await programs.ask('native', [
@@ -128,6 +128,17 @@ export async function measureSearch({
     }
   }
   return rows;
+}
+
+/** The numbers of so many cases, of garments, prints and symmetries all over; or of all cases. */
+function spread(count, garments, prints) {
+  const all = garments * prints * 2;
+  const chosen = Array.from({length: Math.min(count, all)}, (_, k) =>
+    count >= all
+      ? k
+      : (Math.floor((k * garments) / count) * prints + ((3 * k) % prints)) * 2 + (k % 2),
+  );
+  return new Set(chosen);
 }
 
 /** One change to a solved problem, on meshes of 16.5k triangles, in WebAssembly. */
@@ -164,7 +175,7 @@ export async function measureGrowth({programs, garments, prints, say, fail}) {
     rows.push(
       ...checked(
         {garment: garment.name, edgeLength, triangles: native.triangles, native, wasm},
-        say,
+        fail,
       ),
     );
   }
