@@ -21,6 +21,7 @@ const policy = [
 export default defineConfig({
   root: at('web'),
   base: './',
+  appType: 'mpa', // a file that is not there is an error, not the page
   publicDir: at('public'),
   server: {port, strictPort: true, fs: {allow: [at('.')]}},
   preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},

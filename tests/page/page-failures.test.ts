@@ -3,6 +3,7 @@ import type {Page} from 'playwright-core';
 import {describe, expect, it, vi} from 'vitest';
 
 import {designOf} from '../support/page-design.js';
+import {choose, jsonFile, squares} from '../support/page-files.js';
 import {button, progress, solved, usePage} from '../support/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
@@ -61,6 +62,18 @@ it('says so when the solver cannot be loaded, and solves once it can be', async 
   await page.unroute('**/*.wasm');
   await button(page, 'Align').click();
   await solved(page);
+});
+
+it('takes a garment where no sample can be read', async () => {
+  const page = await openPage({maySay: /Failed to load resource/});
+  await page.route('**/samples.json', (route) => route.abort());
+  await page.reload();
+  await page.getByText('Open a garment to begin', {exact: true}).waitFor();
+  const alert = page.getByRole('alert');
+  await alert.filter({hasText: 'samples.json cannot be read; load the page again.'}).waitFor();
+  await choose(page, 'Open garment', jsonFile('own.json', squares(40)));
+  await solved(page);
+  expect((await designOf(page)).garment.name).toBe('own.json');
 });
 
 it('still has its tables where nothing can be drawn', async () => {

@@ -192,8 +192,23 @@ it('refuses an address on another host, and shows a sample in its place', async 
   const page = await openPage({query: '?garment=https://example.com/coat.json'});
   const alert = page.getByRole('alert');
   await alert.filter({hasText: 'https://example.com/coat.json is on another host'}).waitFor();
-  expect((await designOf(page)).garment.name).toBe('raglan-m.json');
+  expect((await designOf(page)).garment.name).toBe('asymmetric-dress-m.json');
 });
+
+it.each([
+  ['nowhere.json', /^nowhere\.json cannot be read/],
+  ['prints/pgg.json', /^pgg\.json .+[.]$/],
+])(
+  'says why %s in its address is no garment, and shows a sample in its place',
+  async (file, why) => {
+    const page = await openPage({query: `?garment=${file}`});
+    const alert = page.getByRole('alert');
+    await alert.waitFor();
+    expect((await alert.textContent())?.trim()).toMatch(why);
+    expect((await designOf(page)).garment.name).toBe('asymmetric-dress-m.json');
+    await solved(page);
+  },
+);
 
 it('gives the pieces to cut in millimetres, and a picture', async () => {
   const page = await openPage();

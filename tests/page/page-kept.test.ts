@@ -167,12 +167,12 @@ it('lists recent projects, and opens one of them', async () => {
   const before = await designOf(page);
   await reloaded(page);
   const other = await quietPage({beside: page});
-  expect((await designOf(other)).garment.name).toBe('raglan-m.json');
+  expect((await designOf(other)).garment.name).toBe('asymmetric-dress-m.json');
   await button(other, 'Recent projects').click();
   const list = other.getByRole('region', {name: 'Recent projects'});
   await list.getByRole('button', {name: /apron-m\.json/}).click();
   await expect.poll(async () => (await designOf(other)).garment.name).toBe('apron-m.json');
   expect(await designOf(other)).toEqual(before);
   await button(other, 'Undo').click();
-  expect((await designOf(other)).garment.name).toBe('raglan-m.json');
+  expect((await designOf(other)).garment.name).toBe('asymmetric-dress-m.json');
 });

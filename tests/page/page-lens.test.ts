@@ -1,8 +1,8 @@
-/** The seam lens. The page opens on a raglan shirt of 12 seams. */
+/** The seam lens. Looked at on a raglan shirt of 12 seams. */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import {usePage} from '../support/page.js';
+import {showSample, usePage} from '../support/page.js';
 
 const openPage = usePage();
 
@@ -20,6 +20,7 @@ const seen = async (page: Page): Promise<string> =>
 
 async function opened(): Promise<Page> {
   const page = await openPage();
+  await showSample(page, 'raglan');
   await slider(page).waitFor();
   return page;
 }

@@ -1,10 +1,10 @@
-/** Pieces and seams as tables, tied to the picture both ways. The page opens on a raglan shirt: 8 pieces, 12 seams. */
+/** Pieces and seams as tables, tied to the picture both ways. Looked at on a raglan shirt: 8 pieces, 12 seams. */
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {Design} from '../../web/src/model/design.js';
 import type {Workbench} from '../../web/src/element/workbench/workbench.js';
-import {button, solved, usePage} from '../support/page.js';
+import {button, showSample, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();
 
@@ -27,6 +27,7 @@ const options = async (page: Page): Promise<Design['options'] | undefined> =>
 
 async function opened(): Promise<Page> {
   const page = await openPage();
+  await showSample(page, 'raglan');
   await row(page, 'Centre back').waitFor();
   return page;
 }

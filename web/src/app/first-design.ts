@@ -2,7 +2,7 @@
 import type {Design} from '../model/design.js';
 import {readLink, type LinkedDesign} from '../model/link.js';
 import {
-  firstOptions,
+  newDesign,
   opening,
   readPrintFile,
   sampleGarment,
@@ -20,8 +20,7 @@ export async function firstDesign(samples: Promise<Samples>, address: URL): Prom
   ]);
   const print = prints.find(({name}) => name === opening.print);
   if (!print) throw new Error('The list of samples lacks the first print; load the page again.');
-  const {options} = opening;
-  return {garment, print: samplePrint(print), symmetries: [], method: 'best', options};
+  return newDesign(garment, samplePrint(print));
 }
 
 async function fromLink(
@@ -43,11 +42,10 @@ export async function askedFor(address: URL, before: Design): Promise<Design | u
   const [garment, print] = ['garment', 'print'].map((name) => address.searchParams.get(name));
   if (!garment && !print) return undefined;
   const file = garment ? await fetched(garment, address) : undefined;
-  return {
-    ...before,
-    ...(file && {garment: {name: file.name, text: await file.text()}, options: firstOptions}),
-    ...(print && {print: await askedPrint(print, address)}),
-  };
+  return newDesign(
+    file ? {name: file.name, text: await file.text()} : before.garment,
+    print ? await askedPrint(print, address) : before.print,
+  );
 }
 
 /** The picture that a print file names is taken in, so that the design can be saved as a whole. */

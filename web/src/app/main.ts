@@ -7,6 +7,7 @@ import {
   toFailure,
   Workbench,
 } from '../element/index.js';
+import type {Design} from '../model/design.js';
 import {askedFor, firstDesign} from './first-design.js';
 import {Keeper} from './keeper.js';
 import {SeamwisePage} from './page.js';
@@ -34,9 +35,9 @@ async function begin(address: URL): Promise<void> {
     return;
   }
   const design = await firstDesign(samples, address);
-  const [asked] = await Promise.allSettled([askedFor(address, design)]);
+  const [asked] = await Promise.allSettled([soundlyAsked(address, design)]);
   const present = (asked.status === 'fulfilled' ? asked.value : undefined) ?? design;
-  desk.begin({past: [], present: {design: present, view: null}, future: []});
+  desk.replace(present);
   // said last, since a beginning takes back what was said before
   if (asked.status === 'rejected') sayFailure(asked.reason);
   // once something is changed, the tab shows what is made of it
@@ -47,12 +48,20 @@ async function begin(address: URL): Promise<void> {
   });
 }
 
+/** What the address asks for, if it can be read. */
+async function soundlyAsked(address: URL, before: Design): Promise<Design | undefined> {
+  const asked = await askedFor(address, before);
+  if (asked) await desk.meshed(asked);
+  return asked;
+}
+
 try {
   void samples.then((known) => {
     page.samples = known;
   }, sayFailure);
   await begin(new URL(location.href));
 } catch (error) {
+  desk.beginEmpty();
   sayFailure(error);
 }
 keeper.follow(new AbortController().signal);

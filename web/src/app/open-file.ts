@@ -42,11 +42,11 @@ async function opened(desk: Workbench, file: File): Promise<void> {
   const text = await file.text();
   const content = parsed(text);
   if (isProject(content)) {
-    desk.change(readProject(text, name).design);
+    desk.replace(readProject(text, name).design);
   } else if (hasFormat(content, 'seamwise-print') || looksLikePrint(content)) {
     await openPrint(desk, file);
   } else if (hasFormat(content, 'seamwise-result')) {
-    desk.change(designIn(content, name));
+    desk.replace(designIn(content, name));
   } else {
     await desk.open({name, text});
   }

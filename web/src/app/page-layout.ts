@@ -1,6 +1,7 @@
 import {css} from 'lit';
 
-const unseen = css`
+/** Still read out. */
+export const unseen = css`
   position: absolute;
   width: 1px;
   height: 1px;
@@ -144,6 +145,23 @@ export const pageLayout = css`
     }
     .solving {
       flex: 1 0 100%;
+    }
+  }
+  /* three rows: the steps, the garment and its files, the solve */
+  @media (width < 40rem) {
+    h1,
+    sw-recent-menu,
+    .gap,
+    header > .icon,
+    sw-settings {
+      order: -1;
+    }
+    .gap {
+      display: block;
+    }
+    sw-garment-choice {
+      flex: 1 1 9rem;
+      min-width: 0;
     }
   }
 `;

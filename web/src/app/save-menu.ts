@@ -2,6 +2,7 @@
 import {css, html, type TemplateResult} from 'lit';
 
 import {controls, DeskElement, icon, lengthUnit, placeUnder} from '../element/index.js';
+import {unseen} from './page-layout.js';
 import {copyLink, saveCutting, savePicture} from './save.js';
 
 /** What most sewing patterns have. [cm] */
@@ -27,6 +28,11 @@ export class SaveMenu extends DeskElement {
       .rows button {
         justify-content: start;
       }
+      @media (width < 40rem) {
+        .label {
+          ${unseen}
+        }
+      }
     `,
   ];
 
@@ -41,7 +47,7 @@ export class SaveMenu extends DeskElement {
     const {cm, name} = lengthUnit[desk.preferences.units];
     return html`
       <button class="outlined" popovertarget="save" ?disabled=${!desk.result}>
-        ${icon.save} ${app.saveMore}
+        ${icon.save} <span class="label">${app.saveMore}</span>
       </button>
       <div
         popover

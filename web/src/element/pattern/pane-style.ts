@@ -39,6 +39,9 @@ export const paneStyle = css`
     gap: var(--sw-space-1) var(--sw-space-4);
     padding: var(--sw-space-1) var(--sw-space-3) var(--sw-space-2);
   }
+  .foot[hidden] {
+    display: none;
+  }
   sw-tool-hint,
   sw-legend {
     flex: 1;
@@ -56,18 +59,5 @@ export const paneStyle = css`
   .view button {
     width: 2rem;
     padding: 0;
-  }
-  .state {
-    grid-area: 2 / 1;
-    place-self: end center;
-    z-index: 1;
-    max-width: calc(100% - 2rem);
-    margin-bottom: var(--sw-space-2);
-    padding: var(--sw-space-1) var(--sw-space-3);
-    border: 1px solid var(--sw-line);
-    border-radius: 2rem;
-    background: var(--sw-paper);
-    color: var(--sw-soft);
-    pointer-events: none;
   }
 `;

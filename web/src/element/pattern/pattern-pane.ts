@@ -22,6 +22,7 @@ import {paneStyle} from './pane-style.js';
 import {PatternTools, pointedAt} from './pattern-tools.js';
 import {Pointing} from './pointing.js';
 import {SheetIndex} from './sheet-index.js';
+import {emptyNote, noteStyle, noWebGlNote, stateNote} from './state-note.js';
 import {tileOf} from './tile.js';
 import './ties-menu.js';
 import './tool-hint.js';
@@ -32,7 +33,7 @@ import './wipe-handle.js';
 const drawing = import('../../viewer/pattern-view.js');
 
 export class PatternPane extends PatientElement {
-  static override styles = [controls, paneStyle];
+  static override styles = [controls, paneStyle, noteStyle];
 
   readonly #maker = new SceneMaker();
   readonly #index = new SheetIndex();
@@ -135,7 +136,9 @@ export class PatternPane extends PatientElement {
   /** Beyond what chance gives, how far two places are apart says nothing: they do not match. */
   #missText(cm: number): string {
     const chance = this.desk.scenes?.now.chance ?? Infinity;
-    return cm > chance ? `> ${this.format.fine(chance)}` : this.format.fine(cm);
+    return cm > chance
+      ? `> ${this.format.fine(chance)}`
+      : this.texts.pattern.upTo(this.format.fine(cm));
   }
 
   get #stage(): HTMLElement | null {
@@ -196,8 +199,9 @@ export class PatternPane extends PatientElement {
   protected override render(): TemplateResult {
     const {pattern} = this.texts;
     const {desk, index} = this;
+    const empty = desk.state.kind === 'empty';
     return html`
-      <sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>
+      ${empty ? emptyNote(this.texts) : html`<sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>`}
       <div
         class="application"
         role="application"
@@ -215,7 +219,7 @@ export class PatternPane extends PatientElement {
       >
         <div class="stage"></div>
       </div>
-      ${index ? patternOptions(desk, index, this.texts, this.format) : nothing} ${this.#notice()}
+      ${index ? patternOptions(desk, index, this.texts, this.format) : nothing} ${this.#note()}
       ${this.#menu()}
       ${
         this.#split === undefined
@@ -228,7 +232,7 @@ export class PatternPane extends PatientElement {
               }}
             ></sw-wipe-handle>`
       }
-      <div class="foot">
+      <div class="foot" ?hidden=${empty}>
         ${
           this.tools.active
             ? html`<sw-tool-hint
@@ -256,20 +260,16 @@ export class PatternPane extends PatientElement {
     `;
   }
 
-  #notice(): TemplateResult | typeof nothing {
-    const {pattern} = this.texts;
-    const {desk} = this;
-    const state = (text: string): TemplateResult => html`<p class="state">${text}</p>`;
-    if (this.#noWebGl) return state(pattern.noWebGl);
-    if (!desk.design) return state(this.texts.progress.empty);
-    if (desk.state.kind === 'stale') return state(pattern.stale);
-    if (desk.state.kind === 'failed') return state(pattern.failed);
-    if (desk.pattern?.seams.length === 0) return state(pattern.noSeams);
-    const {result, scenes} = desk;
-    if (!this.#showsMovement || !result) return nothing;
-    const {factor, greatest} = this.#movementOf(result.pieces);
-    const label = scenes?.now.pieces[greatest.piece]?.label ?? '';
-    return state(pattern.movementNote(String(factor), this.format.fine(greatest.cm), label));
+  #note(): TemplateResult | typeof nothing {
+    if (this.#noWebGl) return noWebGlNote(this.texts);
+    return stateNote(this.desk, this.texts, () => {
+      const {result, scenes} = this.desk;
+      if (!this.#showsMovement || !result) return undefined;
+      const {factor, greatest} = this.#movementOf(result.pieces);
+      const label = scenes?.now.pieces[greatest.piece]?.label ?? '';
+      const {movementNote} = this.texts.pattern;
+      return movementNote(String(factor), this.format.fine(greatest.cm), label);
+    });
   }
 
   #menu(): TemplateResult | typeof nothing {

@@ -19,11 +19,16 @@ export class GarmentChoice extends DeskElement {
       }
       select {
         width: auto;
+        min-width: 0;
         max-width: 12rem;
         border-color: transparent;
         background: transparent;
         font-weight: 600;
         cursor: pointer;
+      }
+      /* the name of a garment gives way, its size does not */
+      select + select {
+        flex: none;
       }
       select:hover {
         background: color-mix(in srgb, var(--sw-ink) 7%, transparent);

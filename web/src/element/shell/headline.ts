@@ -63,21 +63,21 @@ export class Headline extends DeskElement {
   /** Asked for with every change of anything. */
   readonly #matchOf = lastOf(matchOf);
 
-  protected override render(): TemplateResult {
+  protected override render(): TemplateResult | typeof nothing {
     const {result, state} = this.desk;
-    const {headline} = this.texts;
+    const {headline, progress} = this.texts;
     if (state.kind === 'failed') {
       return this.#failed(state.failure);
     }
     if (!result) {
-      const {progress} = this.texts;
-      return html`<h2 class="soft">
-        ${state.kind === 'solving' ? `${progress.label} …` : progress.failed}
-      </h2>`;
+      if (state.kind === 'empty') return nothing;
+      const text = state.kind === 'stale' ? progress.failed : progress.solving;
+      return html`<h2 class="soft">${text}</h2>`;
     }
     const {mean, chance} = this.#matchOf(result);
+    const fits = headline.fits(this.format.fine(mean), this.format.fine(chance));
     return html`
-      <h2>${headline.fits(this.format.fine(mean), this.format.fine(chance))}</h2>
+      <h2>${result.seams.length > 0 ? fits : headline.noSeams}</h2>
       <output aria-label=${headline.fit}>${this.#fit(result.metrics)}</output>
       ${this.#cost(result.metrics)} ${this.#notes(result.notes)}
     `;

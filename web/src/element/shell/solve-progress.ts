@@ -71,6 +71,8 @@ export class SolveProgress extends DeskElement {
         return progress.failed;
       case 'stale':
         return state.cancelled ? progress.cancelled : progress.stale;
+      case 'opening':
+        return nothing;
       case 'empty':
         return progress.empty;
     }

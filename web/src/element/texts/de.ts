@@ -37,6 +37,7 @@ export const de: Texts = {
   },
   progress: {
     label: 'Fortschritt',
+    solving: 'Wird ausgerichtet …',
     alignment: (percent) => `Wird ausgerichtet, ${percent}`,
     deformation: (percent) => `Teile werden geformt, ${percent}`,
     done: (seconds) => `In ${seconds} ausgerichtet`,
@@ -56,6 +57,9 @@ export const de: Texts = {
       'Pfeiltasten gehen von Teil zu Teil, Eingabe zu den Nähten eines Teils, T zur Gegenseite einer Naht, Escape zurück.',
     noWebGl:
       'Dieser Browser kann den Schnitt nicht zeichnen: WebGL 2 fehlt. Tabellen und Dateien gehen trotzdem.',
+    nothing: 'Zuerst einen Schnitt öffnen',
+    howToOpen:
+      '„Schnitt öffnen“ wählen, oder einen Schnitt hier ablegen oder einfügen: GarmentCode, oder ein Projekt oder Ergebnis von Seamwise.',
     stale: 'Das Bild ist nicht mehr aktuell',
     failed: 'Nicht ausgerichtet: die Teile liegen wie zuvor',
     noSeams: 'Diese Datei hat keine Nähte, also gibt es nichts anzupassen.',
@@ -74,6 +78,7 @@ export const de: Texts = {
     continuous: 'fortlaufend',
     mirrored: 'gespiegelt',
     notCounted: 'zählt nicht',
+    upTo: (mismatch) => `bis ${mismatch}`,
   },
   symmetry: {
     tools: 'Werkzeuge',
@@ -183,6 +188,7 @@ export const de: Texts = {
   },
   headline: {
     fits: (mean, chance) => `Nähte treffen sich im Mittel auf ${mean} (zufällig ${chance})`,
+    noSeams: 'Keine Nähte, die sich treffen könnten',
     fit: 'Passung',
     percentOfRandom: (percent) => `${percent} von zufällig`,
     cost: 'Was die Symmetrie kostet',

@@ -34,6 +34,7 @@ export const en = {
   },
   progress: {
     label: 'Progress',
+    solving: 'Aligning …',
     alignment: (percent: string) => `Aligning, ${percent}`,
     deformation: (percent: string) => `Shaping the pieces, ${percent}`,
     done: (seconds: string) => `Aligned in ${seconds}`,
@@ -53,6 +54,9 @@ export const en = {
       'Arrow keys walk the pieces, Enter goes into a piece’s seams, T to the twin of a seam, Escape back.',
     noWebGl:
       'This browser cannot draw the pattern: it has no WebGL 2. The tables and files still work.',
+    nothing: 'Open a garment to begin',
+    howToOpen:
+      'Choose Open garment, or drop or paste a sewing pattern here: GarmentCode, or a project or result of Seamwise.',
     stale: 'The picture is out of date',
     failed: 'Not aligned: the pieces are shown as they lay',
     noSeams: 'This file has no seams, so there is nothing to match.',
@@ -72,6 +76,7 @@ export const en = {
     continuous: 'continuous',
     mirrored: 'mirrored',
     notCounted: 'not counted',
+    upTo: (mismatch: string) => `up to ${mismatch}`,
   },
   symmetry: {
     tools: 'Tools',
@@ -179,6 +184,7 @@ export const en = {
   headline: {
     fits: (mean: string, chance: string) =>
       `Seams meet within ${mean} on average (by chance ${chance})`,
+    noSeams: 'No seams to match',
     fit: 'Fit',
     percentOfRandom: (percent: string) => `${percent} of random`,
     cost: 'What the symmetry costs',

@@ -1,5 +1,5 @@
 /** The garments and prints that come with the page. */
-import type {Design, DesignGarment, DesignPrint} from '../../model/design.js';
+import {noPicture, type Design, type DesignGarment, type DesignPrint} from '../../model/design.js';
 import type {Colourway, Print} from '../../model/print.js';
 import {repeatOf} from '../../model/repeat.js';
 
@@ -20,15 +20,13 @@ export interface Samples {
   readonly prints: readonly SamplePrint[];
 }
 
-/** What a page shows when nobody has chosen anything yet; any angle, to show what can be had. */
-export const opening = {
-  ...{style: 'raglan', size: 'm', print: 'p4m'},
-  options: {maxChangeCm: 1, grain: {default: 'free'}},
-} as const;
+/** What a page shows when nobody has chosen anything yet. */
+export const opening = {style: 'asymmetric-dress', size: 'm', print: 'cm'} as const;
 
 async function fetched(path: string, signal?: AbortSignal): Promise<Response> {
-  const response = await fetch(path, signal ? {signal} : {});
-  if (!response.ok) throw new Error(`${path} cannot be read; load the page again.`);
+  const response = await fetch(path, signal ? {signal} : {}).catch(() => undefined);
+  signal?.throwIfAborted();
+  if (!response?.ok) throw new Error(`${path} cannot be read; load the page again.`);
   return response;
 }
 
@@ -57,5 +55,22 @@ export function samplePrint(print: SamplePrint, colourway?: string): DesignPrint
   };
 }
 
-/** Of a garment that somebody opens: cut on grain unless its owner wants otherwise. */
-export const firstOptions: Design['options'] = {maxChangeCm: 1, grain: {default: 'on'}};
+/** What is cut from when no print has been chosen. */
+export const bareCloth: DesignPrint = {
+  title: '',
+  group: 'p4m',
+  size: {width: 10, height: 10, angleDeg: 90},
+  turnDeg: 0,
+  oneWay: false,
+  cell: 'primitive',
+  image: noPicture,
+};
+
+/** A garment that somebody opens is cut on grain unless its owner wants otherwise. */
+export const newDesign = (garment: DesignGarment, print: DesignPrint): Design => ({
+  garment,
+  print,
+  symmetries: [],
+  method: 'best',
+  options: {maxChangeCm: 1, grain: {default: 'on'}},
+});

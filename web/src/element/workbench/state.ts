@@ -22,9 +22,9 @@ export interface Step {
   readonly view: ViewState | null;
 }
 
-/** `stale`: what is shown belongs to an earlier design. */
+/** `opening`: the first design is on its way; `empty`: there is none; `stale`: what is shown belongs to an earlier design. */
 export type SolveState =
-  | {readonly kind: 'empty' | 'done'}
+  | {readonly kind: 'opening' | 'empty' | 'done'}
   | {readonly kind: 'stale'; readonly cancelled: boolean}
   | ({readonly kind: 'solving'} & Progress)
   | {readonly kind: 'failed'; readonly failure: Failure};

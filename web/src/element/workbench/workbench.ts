@@ -13,7 +13,7 @@ import {LatestSolve} from './latest-solve.js';
 import {Observable} from './observable.js';
 import {preferencesFor, type Preferences} from './preferences.js';
 import {ResultCache} from './result-cache.js';
-import {firstOptions} from './samples.js';
+import {bareCloth, newDesign} from './samples.js';
 import type {Scenes} from './scenes.js';
 import {
   sameTarget,
@@ -45,7 +45,7 @@ export class Workbench extends Observable {
   #garment: DesignGarment | undefined;
   #found: readonly DetectedSymmetry[] = [];
   #partial: readonly Alignment[] | undefined;
-  #state: SolveState = {kind: 'empty'};
+  #state: SolveState = {kind: 'opening'};
   #notice: Notice | undefined;
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
@@ -202,6 +202,12 @@ export class Workbench extends Observable {
     this.changed();
   }
 
+  /** Starts with nothing. */
+  beginEmpty(): void {
+    this.#state = {kind: 'empty'};
+    this.changed();
+  }
+
   /** Starts, or starts over, with a history of its own. */
   begin(history: History<Step>): void {
     this.#travel(history);
@@ -224,6 +230,12 @@ export class Workbench extends Observable {
     this.#arrive();
   }
 
+  /** Takes another design as a whole; the first one begins a history. */
+  replace(design: Design): void {
+    if (this.#history) this.change(design);
+    else this.begin({past: [], present: {design, view: null}, future: []});
+  }
+
   undo(): void {
     this.#travel(this.#history && undone(this.#history));
   }
@@ -237,12 +249,17 @@ export class Workbench extends Observable {
    * @throws {SolverError} and leaves everything as it is
    */
   async open(garment: DesignGarment): Promise<void> {
-    if (!this.design) return;
-    const problem = {garment: garment.text, print: printOf(this.design.print), symmetry: 'none'};
-    const pattern = await this.client.prepare(problem, {names: {garment: garment.name}});
-    this.change({garment, symmetries: [], options: firstOptions});
+    const design = newDesign(garment, this.design?.print ?? bareCloth);
+    const pattern = await this.meshed(design);
+    this.replace({...design, method: this.design?.method ?? design.method});
     this.#pattern ??= pattern;
     this.changed();
+  }
+
+  /** A garment as it lies in its file. @throws {SolverError} when it cannot be read */
+  meshed({garment, print}: Pick<Design, 'garment' | 'print'>): Promise<MeshedPattern> {
+    const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};
+    return this.client.prepare(problem, {names: {garment: garment.name}});
   }
 
   /** Solves the present design, whatever is under way. */
