@@ -201,7 +201,7 @@ it.each([
 ])(
   'says why %s in its address is no garment, and shows a sample in its place',
   async (file, why) => {
-    const page = await openPage({query: `?garment=${file}`});
+    const page = await openPage({query: `?garment=${file}`, maySay: /404/});
     const alert = page.getByRole('alert');
     await alert.waitFor();
     expect((await alert.textContent())?.trim()).toMatch(why);

@@ -57,7 +57,7 @@ it('comes back to the same design after a reload during a solve, and solves it',
 it('keeps all steps over a reload', async () => {
   const page = await quietPage();
   const designs = [await designOf(page)];
-  for (const name of ['Woven shirt', 'Best fit, any angle', 'Night']) {
+  for (const name of ['Woven shirt', 'Best fit, any angle', 'Plum']) {
     await button(page, name).click();
     designs.push(await designOf(page));
   }
@@ -95,7 +95,7 @@ it('carries a design of samples in a link', async () => {
   await showSample(page, 'tee');
   await page.getByLabel('Size', {exact: true}).selectOption('l');
   await button(page, 'Accept all symmetries').click();
-  await button(page, 'Night').click();
+  await button(page, 'Plum').click();
   await solved(page);
   const design = await designOf(page);
   expect(design.symmetries.length).toBeGreaterThan(0);

@@ -96,7 +96,7 @@ describe.each(garments)('$style', ({style, lines, pairs}) => {
 
 it('refuses at the place what does not mirror, and says by how much', async () => {
   const page = await openPage();
-  await solved(page);
+  await showSample(page, 'raglan');
   await button(page, 'Symmetric pair').click();
   await clickPiece(page, 'front_left');
   await clickPiece(page, 'sleeve_front_left');
@@ -107,7 +107,7 @@ it('refuses at the place what does not mirror, and says by how much', async () =
 
 it('goes one step back with every Escape, and leaves the tool at last', async () => {
   const page = await openPage();
-  await solved(page);
+  await showSample(page, 'raglan');
   await button(page, 'Symmetric pair').click();
   await clickPiece(page, 'front_left');
   await hint(page, /Now click the piece/);
