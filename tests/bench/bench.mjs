@@ -20,13 +20,18 @@ import {Programs} from './program.mjs';
 import {ratiosOf} from './ratios.mjs';
 import {tablesOf} from './tables.mjs';
 
+const both = ['native', 'wasm'];
+/** What can be measured, each by itself, and which of the benchmark's programs it runs. */
 const parts = {
-  methods: measureMethods,
-  yardstick: measureYardstick,
-  search: measureSearch,
-  edits: measureEdits,
-  growth: measureGrowth,
-  page: async (settings) => (await import('./page.mjs')).measurePage(settings),
+  methods: {measure: measureMethods, platforms: both},
+  yardstick: {measure: measureYardstick, platforms: both},
+  search: {measure: measureSearch, platforms: ['native']},
+  edits: {measure: measureEdits, platforms: both},
+  growth: {measure: measureGrowth, platforms: both},
+  page: {
+    measure: async (settings) => (await import('./page.mjs')).measurePage(settings),
+    platforms: [],
+  },
 };
 const searchGroups = ['pmm', 'p4m', 'pgg', 'cm', 'p31m', 'p6m', 'p1'];
 const usualLongCases = 4;
@@ -165,11 +170,14 @@ async function run() {
   };
   const names = chosenParts(options.parts);
   await ensurePackages();
-  settings.programs = new Programs(await buildBench());
+  const platforms = both.filter((platform) =>
+    names.some((name) => parts[name].platforms.includes(platform)),
+  );
+  settings.programs = new Programs(await buildBench(platforms));
   const results = circumstances();
   for (const name of names) {
     try {
-      results[name] = await parts[name](settings);
+      results[name] = await parts[name].measure(settings);
     } catch (error) {
       fail(`${name}: ${error.message}`); // what took minutes to measure is not to be lost
     }

@@ -106,7 +106,7 @@ export async function measureSearch({
       ['auto', 'none'].map((symmetry) => ({garment, print, symmetry})),
     ),
   );
-  const longOnes = spread(longCases, garments.length, prints.search.length);
+  const longOnes = spread(long > 0 ? longCases : 0, garments.length, prints.search.length);
   const rows = [];
   for (const [number, {garment, print, symmetry}] of cases.entries()) {
     const isLong = longOnes.has(number);

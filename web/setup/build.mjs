@@ -49,13 +49,13 @@ async function buildModule() {
   }
 }
 
-/** Builds the program of `npm run bench`, natively and for Node. @returns how to run either */
-export async function buildBench() {
+/** Builds the program of `npm run bench`, 'native' or, for Node, 'wasm'. @returns how to run either */
+export async function buildBench(platforms) {
   await ensureSystem([...new Set([...forModule, ...forNativeTests])]);
   say('Building the benchmark; the first time takes some minutes ...');
   const unlock = await lock();
   try {
-    for (const preset of ['native', 'wasm']) {
+    for (const preset of platforms) {
       await must('cmake', ['--preset', preset]);
       const target = ['--target', 'seamwise_bench', '--', '--quiet'];
       await must('cmake', ['--build', '--preset', preset, ...target]);
