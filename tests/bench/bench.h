@@ -61,7 +61,9 @@ struct Timed {
   double earlier = 0;  ///< ms: attempts with other weights, which do not count
   double first = 0;    ///< ms until the first alignment that can be drawn
   double first_fit = 0;
-  bool monotone = true;  ///< whether the progress reported never fell
+  double cold_first = 0;   ///< ms: as `first`, of the first of the solves it was chosen from
+  double peak_memory = 0;  ///< bytes, of that one as well
+  bool monotone = true;    ///< whether the progress reported never fell
   double astray = 0;  ///< greatest distance of the progress reported from the share of time spent
   double total() const { return prepare + alignment + deformation + measuring; }
 };
@@ -70,7 +72,8 @@ struct Timed {
 Timed timedSolve(const std::function<Problem()>& make);
 
 /// The quickest of as many solves as the task asks for in `times`, and more until `atLeast` ms are
-/// spent: an engine compiles WebAssembly once more, and better, while it runs.
+/// spent: an engine compiles WebAssembly once more, and better, while it runs. What users meet
+/// once, the first answer and the memory, is also told of the first one.
 Timed quickest(const Json& task, const std::function<Problem()>& make);
 
 Json solveTask(const Json& task);

@@ -1,4 +1,6 @@
 // What is measured, part by part. Every part gives rows of figures, as the program answers them.
+import {cpus} from 'node:os';
+
 import {exponent} from './ratios.mjs';
 
 /** Repeated within one process, the quickest counts. */
@@ -7,43 +9,54 @@ const often = {times: 3, atLeast: 1000};
 const paperTriangles = 16500;
 const sizes = [5e3, 20e3, 80e3, 160e3];
 
+/** What the program runs on. */
+export const both = ['native', 'wasm'];
+/** The garment that stands for all where measuring them would take too long: it is most like the paper's. */
+const exampleOf = (garments) =>
+  garments.find(({name}) => name.startsWith('princess-dress')) ?? garments[0];
+
 const named = (task, {garment, print}) => ({task, garment: garment.file, print: print.file});
 
-/** The row, unless something in it went wrong. */
-function checked(row, fail) {
-  const failures = [];
-  JSON.stringify(row, (key, value) => {
-    if (key === 'failure') failures.push(value);
-    return value;
-  });
-  if (failures.length === 0) return [row];
-  fail(`${row.garment}: ${failures[0]}`);
-  return [];
+/** What is measured; nothing where that fails, which is told and must not cost the other figures. */
+async function unlessBroken(name, fail, measure) {
+  try {
+    return await measure();
+  } catch (error) {
+    fail(`${name}: ${error.message}`);
+    return undefined;
+  }
 }
+
+const isThere = (row) => row !== undefined;
 
 /**
  * Every garment by every method. best and its solve without symmetry run natively and in
- * WebAssembly; paper and ws19, which take long, natively, and both ways when thorough.
+ * WebAssembly; paper and ws19, which take long, so for one garment, or all when thorough.
  */
 export async function measureMethods({programs, garments, prints, seeds, thorough, say, fail}) {
   const rows = [];
   for (const garment of garments) {
     for (const print of prints.methods) {
-      say(`methods: ${garment.name}, ${print.group}`);
+      const name = `${garment.name}, ${print.group}`;
+      say(`methods: ${name}`);
       const task = named('solve', {garment, print});
-      const slow = async (method) => ({
-        native: await medianOfSeeds(programs, 'native', {...task, method}, seeds),
-        ...(thorough && {wasm: await medianOfSeeds(programs, 'wasm', {...task, method}, seeds)}),
-      });
-      const row = {
-        garment: garment.name,
-        group: print.group,
-        best: await programs.onBoth({...task, ...often}),
-        none: await programs.onBoth({...task, ...often, symmetry: 'none'}),
-        ws19: await slow('ws19'),
-        paper: await slow('paper'),
+      const platforms = thorough || garment === exampleOf(garments) ? both : ['native'];
+      const slow = async (method) => {
+        const answers = {};
+        for (const platform of platforms)
+          answers[platform] = await medianOfSeeds(programs, platform, {...task, method}, seeds);
+        return answers;
       };
-      rows.push(...checked(row, fail));
+      const measured = {
+        best: () => programs.onBoth({...task, ...often}),
+        none: () => programs.onBoth({...task, ...often, symmetry: 'none'}),
+        ws19: () => slow('ws19'),
+        paper: () => slow('paper'),
+      };
+      const row = {garment: garment.name, group: print.group};
+      for (const [method, measure] of Object.entries(measured))
+        row[method] = await unlessBroken(`${name}, ${method}`, fail, measure);
+      rows.push(row);
     }
   }
   return rows;
@@ -61,25 +74,30 @@ async function medianOfSeeds(programs, platform, task, seeds) {
 export async function measureYardstick({programs, garments, prints, thorough, say, fail}) {
   const rows = [];
   for (const garment of garments) {
-    for (const print of prints.methods.slice(0, 1)) {
-      say(`yardstick: ${garment.name}`);
-      const files = {garment, print};
-      const mesh = await meshOf(programs, files, paperTriangles);
-      const {edgeLength} = mesh;
-      const row = {
+    say(`yardstick: ${garment.name}`);
+    const files = {garment, print: prints.methods[0]};
+    const measure = async () => {
+      const {edgeLength, triangles} = await meshOf(programs, files, paperTriangles);
+      return {
         garment: garment.name,
-        triangles: mesh.triangles,
+        triangles,
+        edgeLength,
         factorisation: await programs.onBoth({...named('factorise', files), edgeLength, times: 9}),
         best: await programs.onBoth({...named('solve', files), edgeLength, ...often}),
       };
-      if (thorough || garment.name.startsWith('princess-dress')) {
-        const task = {...named('solve', files), edgeLength, method: 'paper'};
-        row.paper = {native: (await programs.ask('native', [task]))[0]};
-      }
-      rows.push(...checked(row, fail));
+    };
+    const row = await unlessBroken(`yardstick: ${garment.name}`, fail, measure);
+    if (row && (thorough || garment === exampleOf(garments))) {
+      const task = {...named('solve', files), edgeLength: row.edgeLength, method: 'paper'};
+      const [native] =
+        (await unlessBroken(`yardstick: ${garment.name}, paper`, fail, () =>
+          programs.ask('native', [task]),
+        )) ?? [];
+      if (native) row.paper = {native};
     }
+    rows.push(row);
   }
-  return rows;
+  return rows.filter(isThere);
 }
 
 async function meshOf(programs, files, triangles) {
@@ -89,7 +107,8 @@ async function meshOf(programs, files, triangles) {
 
 /**
  * The search against 1000 random starts, and, in `longCases` of the cases, against itself with
- * much more time. Seams weigh alike here, so that the fit is what is searched for.
+ * much more time. Seams weigh alike here, so that the fit is what is searched for. Of times, only
+ * quotients within one process count, so that two of them may run at once.
  */
 export async function measureSearch({
   programs,
@@ -107,10 +126,7 @@ export async function measureSearch({
     ),
   );
   const longOnes = spread(long > 0 ? longCases : 0, garments.length, prints.search.length);
-  const rows = [];
-  for (const [number, {garment, print, symmetry}] of cases.entries()) {
-    const isLong = longOnes.has(number);
-    say(`search: ${garment.name}, ${print.group}, ${symmetry}${isLong ? ', long' : ''}`);
+  const measure = async ({garment, print, symmetry}, isLong) => {
     const settings = {symmetry, evenSeams: true};
     const [starts, ...found] = await programs.ask('native', [
       {...named('starts', {garment, print}), ...settings, count: 1000},
@@ -122,12 +138,32 @@ export async function measureSearch({
         ...(isLong && k === 0 && {long: 1000 * long}),
       })),
     ]);
-    for (const [k, search] of found.entries()) {
-      const name = k === 0 ? garment.name : `${garment.name} (seed ${k + 1})`;
-      rows.push(...checked({garment: name, group: print.group, symmetry, starts, search}, fail));
-    }
-  }
-  return rows;
+    return found.map((search, k) => ({
+      garment: k === 0 ? garment.name : `${garment.name} (seed ${k + 1})`,
+      group: print.group,
+      symmetry,
+      starts,
+      search,
+    }));
+  };
+  const rows = await twoAtOnce(cases, async (one, number) => {
+    const name = `search: ${one.garment.name}, ${one.print.group}, ${one.symmetry}`;
+    const isLong = longOnes.has(number);
+    say(isLong ? `${name}, long` : name);
+    return unlessBroken(name, fail, () => measure(one, isLong));
+  });
+  return rows.filter(isThere).flat();
+}
+
+/** What the work gives for every item, in their order; two at a time, where there are processors for it. */
+async function twoAtOnce(items, work) {
+  const results = [];
+  const left = items.entries();
+  const worker = async () => {
+    for (const [k, item] of left) results[k] = await work(item, k);
+  };
+  await Promise.all(Array.from({length: Math.min(2, cpus().length)}, worker));
+  return results;
 }
 
 /** The numbers of so many cases, of garments, prints and symmetries all over; or of all cases. */
@@ -152,41 +188,43 @@ export async function measureEdits({programs, garments, prints, thorough, say, f
   for (const garment of chosen.length > 0 ? chosen : garments.slice(0, 1)) {
     say(`edits: ${garment.name}`);
     const files = {garment, print};
-    const {edgeLength} = await meshOf(programs, files, paperTriangles);
-    const [factorisation, edit] = await programs.ask('wasm', [
-      {...named('factorise', files), edgeLength, times: 9},
-      {...named('edit', files), edgeLength, ...often},
-    ]);
-    rows.push(...checked({garment: garment.name, group: print.group, factorisation, edit}, fail));
+    const measure = async () => {
+      const {edgeLength} = await meshOf(programs, files, paperTriangles);
+      const [factorisation, edit] = await programs.ask('wasm', [
+        {...named('factorise', files), edgeLength, times: 9},
+        {...named('edit', files), edgeLength, ...often},
+      ]);
+      return {garment: garment.name, group: print.group, factorisation, edit};
+    };
+    rows.push(await unlessBroken(`edits: ${garment.name}`, fail, measure));
   }
-  return rows;
+  return rows.filter(isThere);
 }
 
 /** One garment in ever finer meshes. A process each, so that each has its own peak of memory. */
 export async function measureGrowth({programs, garments, prints, say, fail}) {
-  const garment = garments.find(({name}) => name.startsWith('princess-dress')) ?? garments[0];
+  const garment = exampleOf(garments);
   const files = {garment, print: prints.methods[0]};
   const rows = [];
   for (const wanted of sizes) {
-    say(`growth: ${garment.name}, ${wanted / 1000}k`);
-    const {edgeLength} = await meshOf(programs, files, wanted);
-    const task = {...named('solve', files), edgeLength, ...often};
-    const {native, wasm} = await programs.onBoth(task);
-    rows.push(
-      ...checked(
-        {garment: garment.name, edgeLength, triangles: native.triangles, native, wasm},
-        fail,
-      ),
-    );
+    const name = `growth: ${garment.name}, ${wanted / 1000}k`;
+    say(name);
+    const measure = async () => {
+      const {edgeLength, triangles} = await meshOf(programs, files, wanted);
+      const task = {...named('solve', files), edgeLength, ...often};
+      return {garment: garment.name, edgeLength, triangles, ...(await programs.onBoth(task))};
+    };
+    rows.push(await unlessBroken(name, fail, measure));
   }
+  const measured = rows.filter(isThere);
   const phases = ['prepare', 'alignment', 'deformation', 'total'];
   const exponents = Object.fromEntries(
-    ['native', 'wasm'].map((platform) => [
+    both.map((platform) => [
       platform,
-      Object.fromEntries(phases.map((phase) => [phase, slope(rows, platform, phase)])),
+      Object.fromEntries(phases.map((phase) => [phase, slope(measured, platform, phase)])),
     ]),
   );
-  return {sizes: rows, exponents};
+  return {sizes: measured, exponents};
 }
 
 const slope = (rows, platform, phase) =>

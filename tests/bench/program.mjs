@@ -16,8 +16,8 @@ export class Programs {
 
   /**
    * Runs tasks in one fresh process, one after the other.
-   * @returns their answers, in order; `{failure}` for one that could not be done
-   * @throws {SetupError} when the process breaks
+   * @returns their answers, in order
+   * @throws {SetupError} when a task cannot be done, or the process breaks
    */
   async ask(platform, tasks) {
     const folder = mkdtempSync(join(tmpdir(), 'seamwise-bench-'));
@@ -28,7 +28,10 @@ export class Programs {
       const answers = (await output(command, [...words, file])).trim().split('\n');
       if (answers.length !== tasks.length)
         throw new SetupError(`the ${platform} program broke off`);
-      return answers.map((line) => JSON.parse(line));
+      const read = answers.map((line) => JSON.parse(line));
+      const broken = read.find(({failure}) => failure !== undefined);
+      if (broken) throw new SetupError(`${platform}: ${broken.failure}`);
+      return read;
     } finally {
       rmSync(folder, {recursive: true});
     }

@@ -30,7 +30,9 @@ const same = 1e-4;
 /** What the rows of a part hold is named where they are made, in parts.mjs. */
 const searches = (results) => results.search ?? [];
 const longSearches = (results) => searches(results).filter(({search}) => search.longFit >= 0);
-const methods = (results) => results.methods ?? [];
+/** Rows in which all of these methods could be measured. */
+const methods = (results, ...wanted) =>
+  (results.methods ?? []).filter((row) => wanted.every((method) => row[method]));
 const meshes = (results) => results.yardstick ?? [];
 const edits = (results) => results.edits ?? [];
 const changes = (results, wanted) =>
@@ -92,9 +94,8 @@ const quotients = [
     goal: 0.4,
     aim: 0.2,
     values: (r) =>
-      each(
-        methods(r).filter(({paper}) => paper),
-        (row) => quotient(row.best.native.fit, row.paper.native.fit),
+      each(methods(r, 'best', 'paper'), ({best, paper}) =>
+        quotient(best.native.fit, paper.native.fit),
       ),
   },
   {
@@ -102,14 +103,15 @@ const quotients = [
     over: 'median',
     goal: 0.07,
     aim: 0.05,
-    values: (r) => each(methods(r), ({best: {native}}) => native.fit / native.fitRandom),
+    values: (r) => each(methods(r, 'best'), ({best: {native}}) => native.fit / native.fitRandom),
   },
   {
     title: 'fitSeam / fitSeamRandom',
     over: 'median',
     goal: 0.07,
     aim: 0.05,
-    values: (r) => each(methods(r), ({best: {native}}) => native.fitSeam / native.fitSeamRandom),
+    values: (r) =>
+      each(methods(r, 'best'), ({best: {native}}) => native.fitSeam / native.fitSeamRandom),
   },
   {
     title: 'time best / paper, 16.5k triangles',
@@ -184,9 +186,9 @@ const quotients = [
     aim: 0.6,
     values: (r) =>
       each(
-        methods(r),
-        (row) =>
-          row.best.native.milliseconds.deformation / row.none.native.milliseconds.deformation,
+        methods(r, 'best', 'none').filter(({best}) => best.native.symmetries > 0),
+        ({best, none}) =>
+          best.native.milliseconds.deformation / none.native.milliseconds.deformation,
       ),
   },
   {
@@ -196,7 +198,7 @@ const quotients = [
     aim: 1.15,
     values: (r) =>
       each(
-        methods(r),
+        methods(r, 'best'),
         ({best: {native, wasm}}) => wasm.milliseconds.total / native.milliseconds.total,
       ),
   },
@@ -228,7 +230,17 @@ const quotients = [
     over: 'worst',
     goal: 50,
     aim: 50,
-    values: (r) => each(methods(r), ({best}) => best.wasm.firstAlignment),
+    values: (r) => each(methods(r, 'best'), ({best}) => best.wasm.firstAlignment),
+  },
+  {
+    title: 'distance of the progress from the share of time, wasm',
+    over: 'worst',
+    goal: 0.2,
+    aim: 0.2,
+    values: (r) =>
+      each(methods(r, 'best'), ({best: {wasm}}) =>
+        wasm.progress.monotone ? wasm.progress.astray : Infinity,
+      ),
   },
 ];
 

@@ -29,7 +29,7 @@ struct Searchable {
 };
 
 constexpr int kIterations = 30;  ///< of a start, at most; they end by themselves before
-constexpr std::size_t kPolished = 3;
+constexpr std::size_t kPolished = 10;
 
 /// The local step of the method `best` from every start, then the best few on every edge.
 struct Starts {

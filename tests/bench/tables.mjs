@@ -21,28 +21,31 @@ function table(head, rows) {
   return [line(all[0]), `| ${rule.join(' | ')} |`, ...all.slice(1).map(line)].join('\n');
 }
 
-const methodNames = ['best', 'none', 'paper', 'ws19'];
-const shown = {best: 'best', none: 'best, no symmetry', paper: 'paper', ws19: 'ws19'};
+const methodNames = ['ws19', 'paper', 'none', 'best'];
+const shown = {none: 'best, no symmetry'};
+const measuredBy = (row) => methodNames.filter((method) => row[method]);
 
+/** The mean over random alignments, and then what the methods give and take. */
 function methodRows({garment, group, ...row}) {
   const lines = [];
-  for (const method of methodNames) {
+  for (const method of measuredBy(row)) {
     for (const platform of ['native', 'wasm']) {
-      const figures = row[method]?.[platform];
+      const figures = row[method][platform];
       if (!figures) continue;
       const {milliseconds: spent} = figures;
+      if (lines.length === 0) lines.push(randomRow(`${garment}, ${group}`, figures));
       lines.push([
-        lines.length === 0 ? `${garment}, ${group}` : '',
-        `${shown[method]}, ${platform}`,
+        '',
+        `${shown[method] ?? method}, ${platform}`,
         figures.pieces,
         figures.freePieces,
         figures.triangles,
-        fit(figures.fitRandom),
         fit(figures.fitSearch),
         fit(figures.fitAligned),
         fit(figures.fit),
         fit(figures.fitSeam),
         share(figures.fit / figures.fitRandom),
+        share(figures.fitSeam / figures.fitSeamRandom),
         figures.iterations,
         figures.factorisations,
         ms(spent.prepare),
@@ -58,18 +61,30 @@ function methodRows({garment, group, ...row}) {
   return lines;
 }
 
+const randomRow = (name, {pieces, triangles, fitRandom, fitSeamRandom}) => {
+  const cells = {
+    'garment, group': name,
+    method: 'random',
+    pieces,
+    triangles,
+    fit: fit(fitRandom),
+    fitSeam: fit(fitSeamRandom),
+  };
+  return methodHead.map((title) => cells[title] ?? '');
+};
+
 const methodHead = [
   'garment, group',
   'method',
   'pieces',
   'free',
   'triangles',
-  'fitRandom',
   'fitSearch',
   'fitAligned',
   'fit',
   'fitSeam',
   'fit/random',
+  'seam/random',
   'iterations',
   'factorisations',
   'prepare',
@@ -255,6 +270,8 @@ export function tablesOf(results) {
     ['Growth', results.growth && table(growthHead, growthRows(results.growth))],
     ['Page', results.page && table(['', ''], pageRows(results.page))],
   ];
+  if (results.failures.length > 0)
+    parts.push(['Failures', results.failures.map((text) => `- ${text}`).join('\n')]);
   return parts
     .filter(([, text]) => text)
     .map(([title, text]) => `## ${title}\n\n${text}\n`)

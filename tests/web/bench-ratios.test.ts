@@ -12,6 +12,17 @@ const searched = (garment: string, fits: readonly [number, number], times = [100
   search: {fitSearch: fits[1], milliseconds: times[1]},
 });
 
+/** What a method found and took on every platform. */
+const solved = (figures: {fit?: number; symmetries?: number; deformation?: number}) => {
+  const {fit = 1, symmetries = 0, deformation = 1} = figures;
+  const answer = {
+    ...{fit, fitRandom: 100, fitSeam: fit, fitSeamRandom: 100, symmetries},
+    milliseconds: {deformation, total: 2 * deformation},
+    ...{firstAlignment: 1, progress: {monotone: true, astray: 0.1}},
+  };
+  return {native: answer, wasm: answer};
+};
+
 const ratio = (results: Record<string, unknown>, title: string, over = 'median') =>
   ratiosOf(results).find((one) => one.title.startsWith(title) && one.over === over);
 
@@ -74,6 +85,26 @@ it('tells apart the answers after a change and those after a change of symmetry'
   expect(ratio({edits}, 'first answer')?.value).toBe(1.5);
   expect(ratio({edits}, 'final answer after one change')?.value).toBe(15);
   expect(ratio({edits}, 'final answer after symmetry')?.value).toBe(45);
+});
+
+it('does without a method that failed for a garment', () => {
+  const [best, paper] = [solved({fit: 3}), solved({fit: 10})];
+  const methods = [
+    {garment: 'tee', group: 'pmm', best, paper},
+    {garment: 'shirt', group: 'pmm', best, paper: undefined},
+    {garment: 'apron', group: 'pmm', paper},
+  ];
+  expect(ratio({methods}, 'fit best / paper')).toMatchObject({value: 0.3, cases: 1});
+  expect(ratio({methods}, 'fit / fitRandom')).toMatchObject({value: 0.03, cases: 2});
+});
+
+it('compares times with and without symmetry only where there is one', () => {
+  const slow = solved({deformation: 90});
+  const methods = [
+    {garment: 'tee', group: 'pmm', best: solved({symmetries: 2, deformation: 45}), none: slow},
+    {garment: 'wrap', group: 'pmm', best: slow, none: slow},
+  ];
+  expect(ratio({methods}, 'deformation time')).toMatchObject({value: 0.5, cases: 1});
 });
 
 it('says nothing of what was not measured', () => {
