@@ -85,7 +85,10 @@ function chosenParts(text) {
   return Object.keys(parts).filter((name) => names.includes(name));
 }
 
-const git = (...words) => execFileSync('git', words, {cwd: root}).toString().trim();
+const git = (...words) =>
+  execFileSync('git', words, {cwd: root, stdio: ['ignore', 'pipe', 'ignore']})
+    .toString()
+    .trim();
 
 /** Where and of what the figures are. */
 function circumstances() {
@@ -132,7 +135,7 @@ const notes = `- **fit** and its kin are those of [the life of a print](life-of-
   first solve of a process. *progress off*: the greatest distance of the progress reported from the share of time
   spent. *memory*: the most in use beyond what the program held before.
 - **paper** and **ws19** are timed by their last attempt: they are solved with growing stiffness until the greatest
-  change holds.
+  change holds. Under *Methods*, two of them run at once.
 - **Search**: 1000 starts at random alignments, each improved by the local step of \`best\`, the best ten of
   them on every edge; \`fitSearch\` is that of the default budget, its time all of the alignment phase. The long
   search goes on from there with a budget of that many seconds. All seams weigh alike here, and marked lines are

@@ -27,38 +27,53 @@ async function unlessBroken(name, fail, measure) {
   }
 }
 
+/** What the work gives for every item, in their order; two at a time, where there are processors for it. */
+async function twoAtOnce(items, work) {
+  const results = [];
+  const left = items.entries();
+  const worker = async () => {
+    for (const [k, item] of left) results[k] = await work(item, k);
+  };
+  await Promise.all(Array.from({length: Math.min(2, cpus().length)}, worker));
+  return results;
+}
+
 const isThere = (row) => row !== undefined;
 
 /**
  * Every garment by every method. best and its solve without symmetry run natively and in
- * WebAssembly; paper and ws19, which take long, so for one garment, or all when thorough.
+ * WebAssembly, one after the other; then paper and ws19, which take long, two at once and natively,
+ * in WebAssembly only for one garment, or for all when thorough.
  */
 export async function measureMethods({programs, garments, prints, seeds, thorough, say, fail}) {
+  const cases = garments.flatMap((garment) => prints.methods.map((print) => ({garment, print})));
+  const nameOf = ({garment, print}, method) =>
+    `methods: ${garment.name}, ${print.group}, ${method}`;
+  const measured = (one, method, measure) => {
+    say(nameOf(one, method));
+    return unlessBroken(nameOf(one, method), fail, () => measure(named('solve', one)));
+  };
   const rows = [];
-  for (const garment of garments) {
-    for (const print of prints.methods) {
-      const name = `${garment.name}, ${print.group}`;
-      say(`methods: ${name}`);
-      const task = named('solve', {garment, print});
-      const platforms = thorough || garment === exampleOf(garments) ? both : ['native'];
-      const slow = async (method) => {
-        const answers = {};
-        for (const platform of platforms)
-          answers[platform] = await medianOfSeeds(programs, platform, {...task, method}, seeds);
-        return answers;
-      };
-      const measured = {
-        best: () => programs.onBoth({...task, ...often}),
-        none: () => programs.onBoth({...task, ...often, symmetry: 'none'}),
-        ws19: () => slow('ws19'),
-        paper: () => slow('paper'),
-      };
-      const row = {garment: garment.name, group: print.group};
-      for (const [method, measure] of Object.entries(measured))
-        row[method] = await unlessBroken(`${name}, ${method}`, fail, measure);
-      rows.push(row);
-    }
+  for (const one of cases) {
+    rows.push({
+      garment: one.garment.name,
+      group: one.print.group,
+      best: await measured(one, 'best', (task) => programs.onBoth({...task, ...often})),
+      none: await measured(one, 'best without symmetry', (task) =>
+        programs.onBoth({...task, ...often, symmetry: 'none'}),
+      ),
+    });
   }
+  const slow = cases.flatMap((one, row) => ['ws19', 'paper'].map((method) => ({one, row, method})));
+  await twoAtOnce(slow, async ({one, row, method}) => {
+    const platforms = thorough || one.garment === exampleOf(garments) ? both : ['native'];
+    rows[row][method] = await measured(one, method, async (task) => {
+      const answers = {};
+      for (const platform of platforms)
+        answers[platform] = await medianOfSeeds(programs, platform, {...task, method}, seeds);
+      return answers;
+    });
+  });
   return rows;
 }
 
@@ -153,17 +168,6 @@ export async function measureSearch({
     return unlessBroken(name, fail, () => measure(one, isLong));
   });
   return rows.filter(isThere).flat();
-}
-
-/** What the work gives for every item, in their order; two at a time, where there are processors for it. */
-async function twoAtOnce(items, work) {
-  const results = [];
-  const left = items.entries();
-  const worker = async () => {
-    for (const [k, item] of left) results[k] = await work(item, k);
-  };
-  await Promise.all(Array.from({length: Math.min(2, cpus().length)}, worker));
-  return results;
 }
 
 /** The numbers of so many cases, of garments, prints and symmetries all over; or of all cases. */

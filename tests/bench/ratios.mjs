@@ -25,8 +25,8 @@ export function exponent(points) {
   return over((x, y) => x * y) / over((x) => x * x);
 }
 
-/** Fits that differ by less are the same: a hundredth of a per cent. */
-const same = 1e-4;
+/** Fits that differ by less are the same: a tenth of a per cent, about where iterations stop. */
+const same = 1e-3;
 /** What the rows of a part hold is named where they are made, in parts.mjs. */
 const searches = (results) => results.search ?? [];
 const longSearches = (results) => searches(results).filter(({search}) => search.longFit >= 0);

@@ -30,6 +30,7 @@ struct Searchable {
 
 constexpr int kIterations = 30;  ///< of a start, at most; they end by themselves before
 constexpr std::size_t kPolished = 10;
+constexpr double kNothing = 1e-3;  ///< cm2: better cannot be found
 
 /// The local step of the method `best` from every start, then the best few on every edge.
 struct Starts {
@@ -64,22 +65,21 @@ Starts randomStarts(const Searchable& garment, int count, std::uint64_t seed) {
   return starts;
 }
 
-/// Goes on from an answer with so large a budget that about `milliseconds` pass.
+/// Goes on from an answer for `milliseconds`, with budgets as large as they have to be for that.
 Alignments searchedOn(const MatchProblem& match, const Alignments& known, double milliseconds,
                       std::uint64_t seed) {
   SearchBudget budget;
   budget.idle = budget.hits = 1000000;  // what is left to end it is `evaluations`
   Alignments best = known;
   const Watch all;
-  for (int round = 0; round < 2; ++round) {
+  for (double left = milliseconds; left > 0 && match.cost(best) > kNothing; ++seed) {
     const Watch watch;
-    AlignmentSearch search(match, seed + round, budget);
+    AlignmentSearch search(match, seed, budget);
     search.offer(best);
     while (search.step()) {
     }
     best = search.best();
-    const double left = milliseconds - all.milliseconds();
-    if (left <= 0) break;
+    left = milliseconds - all.milliseconds();
     budget.evaluations *= left / watch.milliseconds();
   }
   return best;
