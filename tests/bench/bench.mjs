@@ -43,7 +43,8 @@ Measures the sample garments, and all below the given folders, on an idle machin
 'search' (${searchGroups.join()} by itself). --seeds: of paper and ws19, and of the search (1).
 --long: how much time the search gets for comparison (60 s), in so many cases (${usualLongCases}).
 --thorough solves paper and ws19 with five seeds and in WebAssembly, too, and gives every search the long time;
-that takes hours. --json writes everything for machines, --write the tables into docs/benchmarks.md.`;
+that takes hours. --json writes everything for machines (npm run -s bench: npm itself is silent, too), --write the
+tables into docs/benchmarks.md.`;
 
 function readArguments() {
   const text = {type: 'string'};
