@@ -5,7 +5,6 @@
 #include <string>
 
 #include "io/garment_json.h"
-#include "json.h"
 
 namespace seamwise::testing {
 

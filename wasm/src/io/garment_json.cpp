@@ -19,11 +19,11 @@ struct Units {
   bool stated = false;
 };
 
-Units readUnits(const JsonValue& document, const Place& place) {
+Units readUnits(const Json& document, const Place& place) {
   Units units;
-  const JsonValue* properties = find(document, "properties");
+  const Json* properties = find(document, "properties");
   if (properties) object(*properties, place, "'properties'");
-  if (const JsonValue* stated = properties ? find(*properties, "units_in_meter") : nullptr) {
+  if (const Json* stated = properties ? find(*properties, "units_in_meter") : nullptr) {
     Place here = place;
     here.number = Failure::kUnits;
     units.stated = true;
@@ -34,7 +34,7 @@ Units readUnits(const JsonValue& document, const Place& place) {
                                       "metre (100 for cm, 1000 for mm)");
   }
   units.panel.cm = 100 / units.per_metre;
-  if (const JsonValue* coords = properties ? find(*properties, "curvature_coords") : nullptr) {
+  if (const Json* coords = properties ? find(*properties, "curvature_coords") : nullptr) {
     const std::string word = text(*coords, place, "properties.curvature_coords");
     if (word != "relative" && word != "absolute")
       place.fail(
@@ -46,17 +46,17 @@ Units readUnits(const JsonValue& document, const Place& place) {
 }
 
 /// The greatest width or height of a panel of the file. [cm]
-double largestExtent(const JsonValue& panels, double cm) {
+double largestExtent(const Json& panels, double cm) {
   double largest = 0;
-  for (const JsonValue& panel : panels) {
-    const JsonValue* vertices = panel.isObject() ? find(panel, "vertices") : nullptr;
-    if (!vertices || !vertices->isArray()) continue;
+  for (const Json& panel : panels) {
+    const Json* vertices = panel.is_object() ? find(panel, "vertices") : nullptr;
+    if (!vertices || !vertices->is_array()) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       double low = HUGE_VAL, high = -HUGE_VAL;
-      for (const JsonValue& v : *vertices) {
-        if (!v.isArray() || v.size() != 2 || !v[axis].isNumber()) continue;
-        low = std::min(low, v[axis].toNumber());
-        high = std::max(high, v[axis].toNumber());
+      for (const Json& v : *vertices) {
+        if (!v.is_array() || v.size() != 2 || !v[axis].is_number()) continue;
+        low = std::min(low, v[axis].get<double>());
+        high = std::max(high, v[axis].get<double>());
       }
       largest = std::max(largest, (high - low) * cm);
     }
@@ -66,7 +66,7 @@ double largestExtent(const JsonValue& panels, double cm) {
 
 /// Wrong units are the likeliest cause of a garment for ants or giants. Judged before the panels
 /// are read, whose own limits would report it less plainly.
-void checkSize(const JsonValue& panels, const Units& units, const Place& place) {
+void checkSize(const Json& panels, const Units& units, const Place& place) {
   const double extent = largestExtent(panels, units.panel.cm);
   if (extent <= 0 || (extent >= kSmallestPieceCm && extent <= kLargestPieceCm)) return;
   std::string likely;
@@ -84,39 +84,39 @@ void checkSize(const JsonValue& panels, const Units& units, const Place& place) 
                  (likely.empty() ? " to what makes a metre" : ", probably to " + likely));
 }
 
-bool anyCurve(const JsonValue& panels) {
-  for (const JsonValue& panel : panels)
-    for (const JsonValue& edge : *find(panel, "edges"))
+bool anyCurve(const Json& panels) {
+  for (const Json& panel : panels)
+    for (const Json& edge : panel["edges"])
       if (find(edge, "curvature")) return true;
   return false;
 }
 
-void noteAssumptions(const JsonValue& document, const Units& units, const JsonValue& panels,
+void noteAssumptions(const Json& document, const Units& units, const Json& panels,
                      const std::string& file, std::vector<std::string>* notes) {
   if (!units.stated)
     notes->push_back(file + " states no units, so 100 units per metre (cm) are assumed.");
-  const JsonValue* properties = find(document, "properties");
+  const Json* properties = find(document, "properties");
   if ((!properties || !find(*properties, "curvature_coords")) && anyCurve(panels))
     notes->push_back(file +
                      " does not say how curves are written, so relative control points are "
                      "assumed.");
 }
 
-const JsonValue& panelsOf(const JsonValue& document, const Place& place) {
-  if (!document.isObject())
+const Json& panelsOf(const Json& document, const Place& place) {
+  if (!document.is_object())
     place.fail(Failure::kNotAGarment, "holds no JSON object; choose a garment file");
   checkFormat(document, place, "seamwise-garment", 1);
-  const JsonValue* pattern = find(document, "pattern");
-  const JsonValue* panels = pattern && pattern->isObject() ? find(*pattern, "panels") : nullptr;
+  const Json* pattern = find(document, "pattern");
+  const Json* panels = pattern && pattern->is_object() ? find(*pattern, "panels") : nullptr;
   if (!panels)
     place.fail(
         Failure::kNotAGarment,
         "has no 'pattern' with 'panels'; choose a GarmentCode specification or a seamwise garment");
-  if (!panels->isObject())
+  if (!panels->is_object())
     place.fail(
         Failure::kNotAGarment,
         "has 'panels' that are no object; write {\"name\": {\"vertices\": ..., \"edges\": ...}}");
-  if (panels->size() == 0) place.fail(Failure::kNoPanels, "has no panels; choose a file with some");
+  if (panels->empty()) place.fail(Failure::kNoPanels, "has no panels; choose a file with some");
   if (panels->size() > kMaxPanels)
     place.fail(Failure::kTooLarge,
                "has more than " + std::to_string(kMaxPanels) + " panels; split it");
@@ -126,24 +126,24 @@ const JsonValue& panelsOf(const JsonValue& document, const Place& place) {
 GarmentFile garmentFile(std::string_view content, const Place& place) {
   GarmentFile result;
   result.document = parseDocument(content, place);
-  const JsonValue& document = result.document;
-  const JsonValue& panels = panelsOf(document, place);
+  const Json& document = result.document;
+  const Json& panels = panelsOf(document, place);
   const Units units = readUnits(document, place);
   checkSize(panels, units, place);
 
   Garment& garment = result.garment;
-  for (const JsonValue& panel : panels) {
-    Place here = place.in("panel " + inQuotes(panel.name));
+  for (const auto& [name, panel] : panels.items()) {
+    Place here = place.in("panel " + inQuotes(name));
     here.piece = static_cast<int>(garment.panels.size());
-    garment.panels.push_back(readPanel(panel, units.panel, here));
+    garment.panels.push_back(readPanel(name, panel, units.panel, here));
   }
-  if (const JsonValue* stitches = find(*find(document, "pattern"), "stitches"))
+  if (const Json* stitches = find(document["pattern"], "stitches"))
     readStitches(*stitches, place, &garment);
-  if (const JsonValue* seams = find(document, "seams"))
+  if (const Json* seams = find(document, "seams"))
     readSeams(*seams, place, &garment, &result.notes);
-  if (const JsonValue* matches = find(document, "matches"))
+  if (const Json* matches = find(document, "matches"))
     garment.matches = readMatches(*matches, place, garment);
-  if (const JsonValue* symmetries = find(document, "symmetries")) {
+  if (const Json* symmetries = find(document, "symmetries")) {
     Place here = place;
     here.shape = here.number = Failure::kSymmetryMalformed;
     result.symmetries = readSymmetryList(*symmetries, here);

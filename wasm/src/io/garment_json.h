@@ -16,7 +16,7 @@ struct GarmentFile {
   Garment garment;
   std::vector<SymmetryRequest> symmetries;  ///< of the file itself; points in input coordinates, cm
   std::vector<std::string> notes;           ///< what was assumed, one sentence each
-  JsonValue document;                       ///< the whole file, unknown fields included
+  Json document;                            ///< the whole file, unknown fields included
 };
 
 /// Reads a GarmentCode / Garment-Pattern-Generator specification or the project's own superset of

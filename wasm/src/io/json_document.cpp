@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <cmath>
-#include <set>
+#include <unordered_set>
+#include <vector>
 
 #include "io/json_input.h"
 
@@ -20,228 +20,117 @@ std::string lineAndColumn(std::string_view text, std::size_t position) {
          std::to_string(std::max<std::size_t>(column, 1));
 }
 
-void appendUtf8(unsigned code, std::string* text) {
-  const auto append = [&](unsigned byte) { *text += static_cast<char>(byte); };
-  const auto follow = [&](int shift) { append(0x80 | (code >> shift & 0x3F)); };
-  if (code < 0x80) return append(code);
-  if (code < 0x800) {
-    append(0xC0 | code >> 6);
-  } else {
-    if (code < 0x10000) {
-      append(0xE0 | code >> 12);
-    } else {
-      append(0xF0 | code >> 18);
-      follow(12);
-    }
-    follow(6);
-  }
-  follow(0);
-}
-
-/// Reads a text without zero bytes by recursive descent (RFC 8259). Beyond the grammar it checks
-/// depth, size, names that occur twice and numbers that are not finite.
-class Parser {
+/// Builds the document while it checks depth, size and names that occur twice.
+class Builder {
  public:
-  Parser(std::string_view text, const Place& place) : text_(text), place_(place) {}
+  using number_integer_t = Json::number_integer_t;
+  using number_unsigned_t = Json::number_unsigned_t;
+  using number_float_t = Json::number_float_t;
+  using string_t = Json::string_t;
+  using binary_t = Json::binary_t;
 
-  JsonValue document() {
-    JsonValue root;
-    readValue(&root, 0);
-    skipSpace();
-    if (at_ < text_.size()) broken();
-    return root;
+  Builder(std::string_view text, const Place& place) : text_(text), place_(place) {}
+
+  bool null() { return add(nullptr), true; }
+  bool boolean(bool value) { return add(value), true; }
+  bool number_integer(number_integer_t value) { return add(value), true; }
+  bool number_unsigned(number_unsigned_t value) { return add(value), true; }
+  bool number_float(number_float_t value, const string_t&) { return add(value), true; }
+  bool string(string_t& value) { return add(std::move(value)), true; }
+  bool binary(binary_t&) { return false; }
+  bool start_object(std::size_t) {
+    open(Json::object());
+    names_.emplace_back();
+    return true;
+  }
+  bool end_object() {
+    names_.pop_back();
+    open_.pop_back();
+    return true;
+  }
+  bool start_array(std::size_t) { return open(Json::array()), true; }
+  bool end_array() { return open_.pop_back(), true; }
+
+  bool key(string_t& name) {
+    if (!names_.back().insert(name).second)
+      place_.fail(place_.shape, "has two entries named " + inQuotes(name) + inParent() +
+                                    "; rename or remove one of them");
+    // Appended without the linear search of ordered_map, which would be quadratic.
+    open_.back()->get_ref<Json::object_t&>().emplace_back(std::move(name), nullptr);
+    return true;
   }
 
- private:
-  using Type = JsonValue::Type;
-
-  /// The byte `ahead` of what comes next, zero beyond the end.
-  unsigned byte(std::size_t ahead = 0) const {
-    return at_ + ahead < text_.size() ? static_cast<unsigned char>(text_[at_ + ahead]) : 0;
-  }
-
-  bool take(char wanted) {
-    const bool there = byte() == static_cast<unsigned char>(wanted);
-    if (there) ++at_;
-    return there;
-  }
-
-  void expect(char wanted) {
-    if (!take(wanted)) broken();
-  }
-
-  void skipSpace() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
-
-  void readValue(JsonValue* value, std::size_t depth) {
-    if (++values_ > kMaxValues)
-      place_.fail(Failure::kTooLarge, "has more than 3 million values; split it");
-    skipSpace();
-    const unsigned first = byte();
-    if (first == '{' || first == '[') {
-      readItems(value, depth);
-    } else if (first == '"') {
-      value->type = Type::kText;
-      value->text = quoted();
-    } else if (first == '-' || (first >= '0' && first <= '9')) {
-      readNumber(value);
-    } else {
-      readWord(value);
-    }
-  }
-
-  void readItems(JsonValue* value, std::size_t depth) {
-    if (depth >= kMaxDepth)
-      place_.fail(Failure::kNotJson,
-                  "nests more than 100 lists or objects; it is no file of this program");
-    const bool named = byte() == '{';
-    const char closing = named ? '}' : ']';
-    ++at_;
-    value->type = named ? Type::kObject : Type::kArray;
-    skipSpace();
-    if (take(closing)) return;
-    do {
-      JsonValue& item = value->items.emplace_back();
-      if (named) {
-        skipSpace();
-        item.name = quoted();
-        skipSpace();
-        expect(':');
-      }
-      readValue(&item, depth + 1);
-      skipSpace();
-    } while (take(','));
-    expect(closing);
-    if (named) checkNames(*value);
-  }
-
-  void checkNames(const JsonValue& object) const {
-    std::set<std::string_view> names;
-    for (const JsonValue& member : object)
-      if (!names.insert(member.name).second)
-        place_.fail(place_.shape, "has two entries named " + inQuotes(member.name) +
-                                      (object.name.empty() ? "" : " in " + inQuotes(object.name)) +
-                                      "; rename or remove one of them");
-  }
-
-  void readNumber(JsonValue* value) {
-    const std::size_t start = at_;
-    take('-');
-    if (!take('0')) skipDigits();
-    if (take('.')) skipDigits();
-    if (take('e') || take('E')) {
-      if (!take('+')) take('-');
-      skipDigits();
-    }
-    value->type = Type::kNumber;
-    value->text = text_.substr(start, at_ - start);
-    if (!std::isfinite(value->toNumber()))
-      place_.fail(place_.number, "has a number that is too large to be finite at " +
-                                     lineAndColumn(text_, at_) + "; correct it");
-  }
-
-  void skipDigits() {
-    const std::size_t start = at_;
-    while (byte() >= '0' && byte() <= '9') ++at_;
-    if (at_ == start) broken();
-  }
-
-  void readWord(JsonValue* value) {
-    for (const std::string_view word : {"null", "true", "false"}) {
-      const std::string_view given = text_.substr(at_, word.size());
-      if (given.empty() || word.substr(0, given.size()) != given) continue;
-      at_ += given.size();
-      if (given.size() < word.size()) broken();
-      value->type = word == "null" ? Type::kNull : Type::kBoolean;
-      value->text = word;
-      return;
-    }
-    broken();
-  }
-
-  std::string quoted() {
-    expect('"');
-    std::string text;
-    while (!take('"')) {
-      if (take('\\'))
-        readEscape(&text);
-      else
-        readCharacter(&text);
-    }
-    return text;
-  }
-
-  /// No control character, and well-formed UTF-8: the shortest form of a code point.
-  void readCharacter(std::string* text) {
-    const unsigned first = byte(), second = byte(1);
-    if (first < 0x20 || (first >= 0x80 && first < 0xC2) || first > 0xF4) broken();
-    const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    for (std::size_t k = 1; k < length; ++k)
-      if ((byte(k) & 0xC0) != 0x80) broken(k);
-    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
-        (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90))
-      broken();
-    text->append(text_.substr(at_, length));
-    at_ += length;
-  }
-
-  /// What follows a backslash.
-  void readEscape(std::string* text) {
-    constexpr std::string_view kLetters = "\"\\/bfnrt", kMeant = "\"\\/\b\f\n\r\t";
-    const std::size_t letter = kLetters.find(static_cast<char>(byte()));
-    if (letter != kLetters.npos) {
-      ++at_;
-      *text += kMeant[letter];
-      return;
-    }
-    unsigned code = readUnit();
-    if (code >= 0xDC00 && code < 0xE000) broken();
-    if (code >= 0xD800 && code < 0xDC00) {
-      expect('\\');
-      const unsigned low = readUnit();
-      if (low < 0xDC00 || low >= 0xE000) broken();
-      code = 0x10000 + ((code & 0x3FF) << 10 | (low & 0x3FF));
-    }
-    appendUtf8(code, text);
-  }
-
-  /// "u" and four hexadecimal digits.
-  unsigned readUnit() {
-    expect('u');
-    unsigned unit = 0;
-    for (int k = 0; k < 4; ++k, ++at_) {
-      const unsigned digit = byte(), letter = digit | 0x20;
-      const bool decimal = digit >= '0' && digit <= '9';
-      if (!decimal && (letter < 'a' || letter > 'f')) broken();
-      unit = unit << 4 | (decimal ? digit - '0' : letter - 'a' + 10);
-    }
-    return unit;
-  }
-
-  /// For what stands `ahead` of the place that was reached.
-  [[noreturn]] void broken(std::size_t ahead = 0) const {
-    const std::size_t position = at_ + ahead;
-    const std::string where = lineAndColumn(text_, position + 1);
-    if (position >= text_.size())
-      place_.fail(Failure::kNotJson,
-                  "is not complete JSON: it ends at " + where + "; save it again");
-    const std::string_view word = text_.substr(position, 3);
-    if (word == "NaN" || word == "nan" || word == "Inf" || word == "inf")
+  bool parse_error(std::size_t position, const std::string&, const Json::exception& error) {
+    constexpr int kNumberOverflow = 406;
+    const std::string where = lineAndColumn(text_, position);
+    if (error.id == kNumberOverflow)
+      place_.fail(place_.number,
+                  "has a number that is too large to be finite at " + where + "; correct it");
+    const std::string_view rest =
+        text_.substr(std::min(text_.size(), position > 0 ? position - 1 : 0));
+    // The token starts up to a letter or two before the place at which the parser gave up.
+    const std::string_view near = text_.substr(position > 9 ? position - 9 : 0, 18);
+    if (near.find("NaN") != near.npos || near.find("nan") != near.npos ||
+        near.find("Inf") != near.npos || near.find("inf") != near.npos)
       place_.fail(Failure::kNotJson, "is not JSON at " + where +
                                          ": NaN and Infinity are not numbers in JSON; "
                                          "write a finite number or remove the field");
+    if (rest.empty() || position > text_.size())
+      place_.fail(Failure::kNotJson,
+                  "is not complete JSON: it ends at " + where + "; save it again");
     place_.fail(Failure::kNotJson,
                 "is not JSON: unexpected characters at " + where + "; correct it there");
   }
 
+  Json take() { return std::move(root_); }
+
+ private:
+  Json* add(Json value) {
+    if (++values_ > kMaxValues)
+      place_.fail(Failure::kTooLarge, "has more than 3 million values; split it");
+    if (open_.empty()) {
+      root_ = std::move(value);
+      return &root_;
+    }
+    Json& parent = *open_.back();
+    if (parent.is_array()) {
+      auto& items = parent.get_ref<Json::array_t&>();
+      items.push_back(std::move(value));
+      return &items.back();
+    }
+    Json& member = parent.get_ref<Json::object_t&>().back().second;
+    member = std::move(value);
+    return &member;
+  }
+
+  void open(Json container) {
+    if (open_.size() >= kMaxDepth)
+      place_.fail(Failure::kNotJson,
+                  "nests more than 100 lists or objects; it is no file of this program");
+    open_.push_back(add(std::move(container)));
+  }
+
+  /// " in 'panels'", for the object that is open.
+  std::string inParent() const {
+    if (open_.size() < 2) return "";
+    const Json& outer = *open_[open_.size() - 2];
+    return outer.is_object()
+               ? " in " + inQuotes(outer.get_ref<const Json::object_t&>().back().first)
+               : "";
+  }
+
   std::string_view text_;
   const Place& place_;
-  std::size_t at_ = 0;
+  Json root_;
+  std::vector<Json*>
+      open_;  // the last child of an open container is the only one that still changes
+  std::vector<std::unordered_set<std::string>> names_;
   std::size_t values_ = 0;
 };
 
 }  // namespace
 
-JsonValue parseDocument(std::string_view text, const Place& place) {
+Json parseDocument(std::string_view text, const Place& place) {
   if (text.size() > kMaxFileBytes)
     place.fail(Failure::kTooLarge, "is larger than 20 MB; split it or remove what is not needed");
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
@@ -249,11 +138,14 @@ JsonValue parseDocument(std::string_view text, const Place& place) {
   if (content.substr(0, kMark.size()) == kMark) content.remove_prefix(kMark.size());
   if (content.find_first_not_of(" \t\r\n") == content.npos)
     place.fail(Failure::kNotJson, "is empty; choose another file");
-  // a zero byte stands for the end
+  // the parser would take it for the end and leave out the rest
   if (const std::size_t end = content.find('\0'); end != content.npos)
     place.fail(Failure::kNotJson, "is not JSON: it holds a zero byte at " +
                                       lineAndColumn(content, end + 1) + "; save it again");
-  return Parser(content, place).document();
+  Builder builder(content, place);
+  if (!Json::sax_parse(content.begin(), content.end(), &builder))
+    place.fail(Failure::kNotJson, "is not JSON; save it again");
+  return builder.take();
 }
 
 }  // namespace seamwise

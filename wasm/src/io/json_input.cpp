@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace seamwise {
+
+void jsonMisused() { throw std::logic_error("a reader took a value for what it is not"); }
 
 Place Place::in(const std::string& part) const {
   Place inner = *this;
@@ -34,83 +37,84 @@ std::string shown(const Vec2& point) {
 
 namespace {
 
-std::string described(const JsonValue& json) {
-  switch (json.type) {
-    case JsonValue::Type::kObject:
+std::string described(const Json& json) {
+  switch (json.type()) {
+    case Json::value_t::null:
+      return "null";
+    case Json::value_t::object:
       return "an object";
-    case JsonValue::Type::kArray:
+    case Json::value_t::array:
       return "a list";
-    case JsonValue::Type::kText:
-      return "the text " + inQuotes(json.text);
-    case JsonValue::Type::kNumber:
-      return "the number " + shown(json.toNumber());
+    case Json::value_t::boolean:
+      return json.get<bool>() ? "true" : "false";
+    case Json::value_t::string:
+      return "the text " + inQuotes(json.get_ref<const std::string&>());
     default:
-      return json.text;
+      return "the number " + json.dump();
   }
 }
 
 }  // namespace
 
-const JsonValue& object(const JsonValue& json, const Place& place, const std::string& what) {
-  if (!json.isObject())
+const Json& object(const Json& json, const Place& place, const std::string& what) {
+  if (!json.is_object())
     place.fail(place.shape, "has " + described(json) + " as " + what + "; write an object {...}");
   return json;
 }
 
-const JsonValue& array(const JsonValue& json, const Place& place, const std::string& what) {
-  if (!json.isArray())
+const Json& array(const Json& json, const Place& place, const std::string& what) {
+  if (!json.is_array())
     place.fail(place.shape, "has " + described(json) + " as " + what + "; write a list [...]");
   return json;
 }
 
-const JsonValue* find(const JsonValue& object, const char* key) {
-  for (const JsonValue& member : object)
-    if (member.name == key) return member.isNull() ? nullptr : &member;
-  return nullptr;
+const Json* find(const Json& object, const char* key) {
+  const auto it = object.find(key);
+  return it == object.end() || it->is_null() ? nullptr : &*it;
 }
 
-const JsonValue& need(const JsonValue& object, const char* key, const Place& place) {
-  const JsonValue* member = find(object, key);
+const Json& need(const Json& object, const char* key, const Place& place) {
+  const Json* member = find(object, key);
   if (!member) place.fail(place.shape, "has no '" + std::string(key) + "'; add it");
   return *member;
 }
 
-double number(const JsonValue& json, const Place& place, const std::string& what, double limit) {
-  if (!json.isNumber())
+double number(const Json& json, const Place& place, const std::string& what, double limit) {
+  if (!json.is_number())
     place.fail(place.number, "has " + described(json) + " as " + what + "; write a number");
-  const double value = json.toNumber();
+  const double value = json.get<double>();
   if (!(std::abs(value) <= limit))
     place.fail(place.number, "has " + shown(value) + " as " + what + ", which is beyond " +
                                  shown(limit) + "; correct it");
   return value;
 }
 
-int integer(const JsonValue& json, const Place& place, const std::string& what) {
+int integer(const Json& json, const Place& place, const std::string& what) {
   const double value = number(json, place, what, 1e9);
   if (value != std::floor(value))
     place.fail(place.number, "has " + shown(value) + " as " + what + "; write a whole number");
   return static_cast<int>(value);
 }
 
-bool boolean(const JsonValue& json, const Place& place, const std::string& what) {
-  if (!json.isBoolean())
+bool boolean(const Json& json, const Place& place, const std::string& what) {
+  if (!json.is_boolean())
     place.fail(place.shape, "has " + described(json) + " as " + what + "; write true or false");
-  return json.isTrue();
+  return json.get<bool>();
 }
 
-std::string text(const JsonValue& json, const Place& place, const std::string& what) {
-  if (!json.isText())
+std::string text(const Json& json, const Place& place, const std::string& what) {
+  if (!json.is_string())
     place.fail(place.shape, "has " + described(json) + " as " + what + "; write a text in quotes");
-  return json.text;
+  return json.get<std::string>();
 }
 
-Vec2 point(const JsonValue& json, const Place& place, const std::string& what, double scale,
+Vec2 point(const Json& json, const Place& place, const std::string& what, double scale,
            double limit) {
-  if (!json.isArray() || json.size() != 2)
-    place.fail(place.number,
-               "has " +
-                   (json.isArray() ? "a list of " + std::to_string(json.size()) : described(json)) +
-                   " as " + what + "; write two numbers [x, y]");
+  if (!json.is_array() || json.size() != 2)
+    place.fail(
+        place.number,
+        "has " + (json.is_array() ? "a list of " + std::to_string(json.size()) : described(json)) +
+            " as " + what + "; write two numbers [x, y]");
   // Numbers that are merely too large are judged in centimetres, where the limit has a meaning.
   const Vec2 p(scale * number(json[0], place, "x of " + what, 1e300),
                scale * number(json[1], place, "y of " + what, 1e300));
@@ -120,31 +124,27 @@ Vec2 point(const JsonValue& json, const Place& place, const std::string& what, d
   return p;
 }
 
-Polyline polyline(const JsonValue& json, const Place& place, const std::string& what,
-                  double scale) {
+Polyline polyline(const Json& json, const Place& place, const std::string& what, double scale) {
   if (array(json, place, what).size() < 2)
     place.fail(place.shape,
                "has fewer than two points as " + what + "; write [[x, y], [x, y], ...]");
   Polyline line;
-  for (const JsonValue& p : json) line.push_back(point(p, place, "a point of " + what, scale));
+  for (const Json& p : json) line.push_back(point(p, place, "a point of " + what, scale));
   return line;
 }
 
-void onlyKnown(const JsonValue& object, const Place& place,
-               std::initializer_list<const char*> known) {
+void onlyKnown(const Json& object, const Place& place, std::initializer_list<const char*> known) {
   if (place.keeps_unknown) return;
-  for (const JsonValue& member : object) {
-    if (std::find(known.begin(), known.end(), member.name) != known.end()) continue;
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     std::string names;
     for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
-    place.fail(place.shape,
-               "has an unknown field " + inQuotes(member.name) + "; known are " + names);
+    place.fail(place.shape, "has an unknown field " + inQuotes(key) + "; known are " + names);
   }
 }
 
-int checkFormat(const JsonValue& document, const Place& place, const std::string& name,
-                int version) {
-  const JsonValue* member = find(document, "format");
+int checkFormat(const Json& document, const Place& place, const std::string& name, int version) {
+  const Json* member = find(document, "format");
   if (!member) return version;
   const std::string format = text(*member, place, "'format'"), stem = name + "/";
   const std::string digits = format.substr(std::min(stem.size(), format.size()));

@@ -1,29 +1,10 @@
 #include "io/json_writer.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "io/json.h"
 
 namespace seamwise {
-
-void appendQuoted(std::string_view value, std::string* text) {
-  *text += '"';
-  for (const char c : value) {
-    constexpr std::string_view kShort = "\"\\\b\f\n\r\t", kLetters = "\"\\bfnrt";
-    constexpr char kHex[] = "0123456789abcdef";
-    const auto code = static_cast<unsigned char>(c);
-    if (const std::size_t k = kShort.find(c); k != kShort.npos) {
-      *text += '\\';
-      *text += kLetters[k];
-    } else if (code < 0x20) {
-      *text += "\\u00";
-      *text += kHex[code >> 4];
-      *text += kHex[code & 15];
-    } else {
-      *text += c;
-    }
-  }
-  *text += '"';
-}
 
 /// Whatever follows a value is parted from it.
 void JsonWriter::separate() {
@@ -69,7 +50,22 @@ void JsonWriter::put(bool value) {
 
 void JsonWriter::put(std::string_view value) {
   separate();
-  appendQuoted(value, &text_);
+  text_ += '"';
+  for (const char c : value) {
+    constexpr char kHex[] = "0123456789abcdef";
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      text_ += '\\';
+      text_ += c;
+    } else if (code < 0x20) {
+      text_ += "\\u00";
+      text_ += kHex[code >> 4];
+      text_ += kHex[code & 15];
+    } else {
+      text_ += c;
+    }
+  }
+  text_ += '"';
 }
 
 void JsonWriter::put(const Vec2& point) {

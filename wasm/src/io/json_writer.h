@@ -10,9 +10,6 @@
 
 namespace seamwise {
 
-/// Appends a text as JSON has it: in quotes, with escapes.
-void appendQuoted(std::string_view value, std::string* text);
-
 /// Writes JSON as text, value by value, without a document in between. Numbers are as short as
 /// reading them back exactly allows.
 class JsonWriter {

@@ -32,13 +32,14 @@ double outside(const Polyline& line, const Panel& panel) {
   outline.push_back(closed.front());
   double farthest = 0;
   for (const Vec2& p : line)
-    if (!contains(closed, p)) farthest = std::max(farthest, nearestOnPolyline(outline, p).distance);
+    if (!contains(closed, p))
+      farthest = std::max(farthest, nearestOnPolyline(outline, p).distance);
   return farthest;
 }
 
-Side readSide(const JsonValue& match, const char* key, const Place& outer, const Garment& garment) {
+Side readSide(const Json& match, const char* key, const Place& outer, const Garment& garment) {
   const Place place = outer.in(std::string("side ") + key);
-  const JsonValue& json = object(need(match, key, outer), place, "side");
+  const Json& json = object(need(match, key, outer), place, "side");
   onlyKnown(json, place, {"piece", "line"});
   const std::string name = text(need(json, "piece", place), place, "'piece'");
   Side side;
@@ -82,8 +83,7 @@ Polyline resampled(const Polyline& line, double length, std::size_t count) {
 
 }  // namespace
 
-std::vector<MatchLine> readMatches(const JsonValue& json, const Place& outer,
-                                   const Garment& garment) {
+std::vector<MatchLine> readMatches(const Json& json, const Place& outer, const Garment& garment) {
   array(json, outer, "'matches'");
   std::vector<MatchLine> matches;
   for (std::size_t n = 0; n < json.size(); ++n) {
@@ -99,7 +99,7 @@ std::vector<MatchLine> readMatches(const JsonValue& json, const Place& outer,
     const auto count = 1 + static_cast<std::size_t>(std::ceil(longest / kSpacingCm - 1e-9));
     match.a = resampled(a.line, a.length, count);
     match.b = resampled(b.line, b.length, count);
-    if (const JsonValue* weight = find(json[n], "weight")) {
+    if (const Json* weight = find(json[n], "weight")) {
       match.weight = number(*weight, place, "'weight'", 1e6);
       if (match.weight < 0) place.fail(place.number, "has a negative weight; write 0 or more");
     }

@@ -35,25 +35,23 @@ int seamNumber(const std::string& key, const Garment& garment, const Place& plac
   return checkedSeam(std::stoi(key), garment, place, "'weights'");
 }
 
-void readGrain(const JsonValue& json, const Garment& garment, const Place& place,
+void readGrain(const Json& json, const Garment& garment, const Place& place,
                SolveOptions* options) {
   object(json, place, "'grain'");
   onlyKnown(json, place.in("'grain'"), {"default", "toleranceDeg", "pieces"});
-  if (const JsonValue* degrees = find(json, "toleranceDeg"))
+  if (const Json* degrees = find(json, "toleranceDeg"))
     options->grain.tolerance = readGrainTolerance(*degrees, place);
-  if (const JsonValue* lock = find(json, "default"))
-    options->grain.lock = readGrainLock(*lock, place);
-  const JsonValue* pieces = find(json, "pieces");
+  if (const Json* lock = find(json, "default")) options->grain.lock = readGrainLock(*lock, place);
+  const Json* pieces = find(json, "pieces");
   if (!pieces) return;
-  for (const JsonValue& rule_json : object(*pieces, place, "grain.pieces")) {
-    const std::string& name = rule_json.name;
+  for (const auto& [name, rule_json] : object(*pieces, place, "grain.pieces").items()) {
     const int piece = pieceNamed(name, garment, place, "grain.pieces");
     const Place here = place.in("grain of " + inQuotes(name));
     GrainRule rule{GrainLock::kFree, options->grain.tolerance};
-    if (rule_json.isObject()) {
+    if (rule_json.is_object()) {
       onlyKnown(rule_json, here, {"lock", "toleranceDeg"});
       rule.lock = readGrainLock(need(rule_json, "lock", here), here);
-      if (const JsonValue* degrees = find(rule_json, "toleranceDeg"))
+      if (const Json* degrees = find(rule_json, "toleranceDeg"))
         rule.tolerance = readGrainTolerance(*degrees, here);
     } else {
       rule.lock = readGrainLock(rule_json, here);
@@ -62,11 +60,10 @@ void readGrain(const JsonValue& json, const Garment& garment, const Place& place
   }
 }
 
-void readPins(const JsonValue& json, const Garment& garment, const Place& place,
-              SolveOptions* options) {
-  for (const JsonValue& pin : object(json, place, "'pins'")) {
-    const int piece = pieceNamed(pin.name, garment, place, "'pins'");
-    const Place here = place.in("pin of " + inQuotes(pin.name));
+void readPins(const Json& json, const Garment& garment, const Place& place, SolveOptions* options) {
+  for (const auto& [name, pin] : object(json, place, "'pins'").items()) {
+    const int piece = pieceNamed(name, garment, place, "'pins'");
+    const Place here = place.in("pin of " + inQuotes(name));
     object(pin, here, "pin");
     onlyKnown(pin, here, {"angle", "translation"});
     Alignment alignment;
@@ -77,43 +74,41 @@ void readPins(const JsonValue& json, const Garment& garment, const Place& place,
 }
 
 SolveOptions read(std::string_view content, const Garment& garment, const Place& place) {
-  const JsonValue document = parseDocument(content, place);
+  const Json document = parseDocument(content, place);
   object(document, place, "content");
   onlyKnown(document, place,
             {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
              "averageSeamShapes", "grain", "pins", "weights", "unmatched", "plain", "matches"});
   checkFormat(document, place, "seamwise-options", 1);
-  for (const JsonValue& value : document)
-    if (value.isNull())
+  for (const auto& [key, value] : document.items())
+    if (value.is_null())
       place.fail(place.shape,
-                 "has null for " + inQuotes(value.name) + "; leave it out or give it a value");
+                 "has null for " + inQuotes(key) + "; leave it out or give it a value");
   SolveOptions options;
   const auto real = [&](const char* key) {
-    return number(*find(document, key), place, inQuotes(key), 1e9);
+    return number(document[key], place, inQuotes(key), 1e9);
   };
-  const auto flag = [&](const char* key) {
-    return boolean(*find(document, key), place, inQuotes(key));
-  };
+  const auto flag = [&](const char* key) { return boolean(document[key], place, inQuotes(key)); };
   if (find(document, "maxChangeCm")) options.max_change_cm = real("maxChangeCm");
   if (find(document, "edgeLengthCm")) options.edge_length_cm = real("edgeLengthCm");
   if (find(document, "alpha")) options.alpha = real("alpha");
   if (find(document, "continuousOnly")) options.continuous_only = flag("continuousOnly");
   if (find(document, "averageSeamShapes")) options.average_seam_shapes = flag("averageSeamShapes");
-  if (const JsonValue* grain = find(document, "grain")) readGrain(*grain, garment, place, &options);
-  if (const JsonValue* pins = find(document, "pins")) readPins(*pins, garment, place, &options);
-  if (const JsonValue* weights = find(document, "weights"))
-    for (const JsonValue& weight : object(*weights, place, "'weights'"))
-      options.weights[seamNumber(weight.name, garment, place)] =
-          number(weight, place, "weight of seam " + weight.name, 1e6);
-  if (const JsonValue* unmatched = find(document, "unmatched"))
-    for (const JsonValue& seam : array(*unmatched, place, "'unmatched'"))
+  if (const Json* grain = find(document, "grain")) readGrain(*grain, garment, place, &options);
+  if (const Json* pins = find(document, "pins")) readPins(*pins, garment, place, &options);
+  if (const Json* weights = find(document, "weights"))
+    for (const auto& [key, weight] : object(*weights, place, "'weights'").items())
+      options.weights[seamNumber(key, garment, place)] =
+          number(weight, place, "weight of seam " + key, 1e6);
+  if (const Json* unmatched = find(document, "unmatched"))
+    for (const Json& seam : array(*unmatched, place, "'unmatched'"))
       options.unmatched.push_back(checkedSeam(integer(seam, place, "a seam of 'unmatched'"),
                                               garment, place, "'unmatched'"));
-  if (const JsonValue* plain = find(document, "plain"))
-    for (const JsonValue& name : array(*plain, place, "'plain'"))
+  if (const Json* plain = find(document, "plain"))
+    for (const Json& name : array(*plain, place, "'plain'"))
       options.plain.push_back(
           pieceNamed(text(name, place, "a piece of 'plain'"), garment, place, "'plain'"));
-  if (const JsonValue* matches = find(document, "matches"))
+  if (const Json* matches = find(document, "matches"))
     options.matches = readMatches(*matches, place, garment);
   const std::string problem = options.problem();
   if (!problem.empty()) throw InputError{inFile({Failure::kOptions, problem}, place.name)};

@@ -7,10 +7,10 @@
 namespace seamwise {
 namespace {
 
-void readGrain(const JsonValue& json, const PanelUnits& units, const Place& outer, Panel* panel) {
+void readGrain(const Json& json, const PanelUnits& units, const Place& outer, Panel* panel) {
   const Place place = outer.in("grain");
   object(json, place, "grain");
-  if (const JsonValue* line = find(json, "line")) {
+  if (const Json* line = find(json, "line")) {
     const Polyline ends = polyline(*line, place, "'line'", units.cm);
     Vec2 d = ends.back() - ends.front();
     if (ends.size() != 2 || !(d.norm() > 1e-3))
@@ -18,12 +18,12 @@ void readGrain(const JsonValue& json, const PanelUnits& units, const Place& oute
     if (panel->mirrored_from_input) d.x() = -d.x();
     panel->grain_angle = std::atan2(d.y(), d.x());
   }
-  if (const JsonValue* lock = find(json, "lock")) panel->grain_lock = readGrainLock(*lock, place);
-  if (const JsonValue* degrees = find(json, "toleranceDeg"))
+  if (const Json* lock = find(json, "lock")) panel->grain_lock = readGrainLock(*lock, place);
+  if (const Json* degrees = find(json, "toleranceDeg"))
     panel->grain_tolerance = readGrainTolerance(*degrees, place);
 }
 
-void readHoles(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
+void readHoles(const Json& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
                const Place& place, Panel* panel) {
   array(json, place, "'holes'");
   for (std::size_t h = 0; h < json.size(); ++h) {
@@ -41,7 +41,7 @@ void readHoles(const JsonValue& json, const std::vector<Vec2>& vertices, const P
   }
 }
 
-void checkNotches(const JsonValue& json, const Place& place, std::size_t edges) {
+void checkNotches(const Json& json, const Place& place, std::size_t edges) {
   array(json, place, "'notches'");
   for (std::size_t n = 0; n < json.size(); ++n) {
     const Place here = numbered(place, "notch", n);
@@ -56,7 +56,7 @@ void checkNotches(const JsonValue& json, const Place& place, std::size_t edges) 
 
 }  // namespace
 
-GrainLock readGrainLock(const JsonValue& json, const Place& place) {
+GrainLock readGrainLock(const Json& json, const Place& place) {
   const std::string lock = text(json, place, "grain lock");
   if (lock == "free") return GrainLock::kFree;
   if (lock == "on") return GrainLock::kOn;
@@ -65,20 +65,19 @@ GrainLock readGrainLock(const JsonValue& json, const Place& place) {
              "has an unknown grain lock " + inQuotes(lock) + "; write free, on or bias");
 }
 
-double readGrainTolerance(const JsonValue& json, const Place& place) {
+double readGrainTolerance(const Json& json, const Place& place) {
   const double degrees = number(json, place, "'toleranceDeg'", 90);
   if (degrees < 0) place.fail(place.number, "has a negative 'toleranceDeg'; write 0 to 90");
   return degrees * kPi / 180;
 }
 
-void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
+void readExtras(const Json& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
                 const Place& place, Panel* panel) {
-  if (const JsonValue* grain = find(json, "grain")) readGrain(*grain, units, place, panel);
-  if (const JsonValue* holes = find(json, "holes"))
-    readHoles(*holes, vertices, units, place, panel);
+  if (const Json* grain = find(json, "grain")) readGrain(*grain, units, place, panel);
+  if (const Json* holes = find(json, "holes")) readHoles(*holes, vertices, units, place, panel);
   for (const char* key : {"cutLine", "sewLine"})
-    if (const JsonValue* line = find(json, key)) polyline(*line, place, inQuotes(key), units.cm);
-  if (const JsonValue* notches = find(json, "notches"))
+    if (const Json* line = find(json, key)) polyline(*line, place, inQuotes(key), units.cm);
+  if (const Json* notches = find(json, "notches"))
     checkNotches(*notches, place, panel->edges.size());
 }
 

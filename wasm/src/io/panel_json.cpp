@@ -15,9 +15,9 @@ constexpr std::size_t kMaxEdges = 10'000;
 
 const RigidMotion kTurnOver{0.0, Vec2::Zero(), true};  // (x, y) -> (-x, y)
 
-std::array<int, 2> readEndpoints(const JsonValue& edge, const Place& place, std::size_t vertices) {
-  const JsonValue* ends = find(edge, "endpoints");
-  if (!ends || !ends->isArray() || ends->size() != 2)
+std::array<int, 2> readEndpoints(const Json& edge, const Place& place, std::size_t vertices) {
+  const Json* ends = find(edge, "endpoints");
+  if (!ends || !ends->is_array() || ends->size() != 2)
     place.fail(Failure::kEdgeIndex, "has no pair of 'endpoints'; write two vertex numbers");
   std::array<int, 2> numbers{};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -31,7 +31,7 @@ std::array<int, 2> readEndpoints(const JsonValue& edge, const Place& place, std:
   return numbers;
 }
 
-Vec2 readControl(const JsonValue& json, const Place& place, const PanelUnits& units, const Vec2& a,
+Vec2 readControl(const Json& json, const Place& place, const PanelUnits& units, const Vec2& a,
                  const Vec2& b) {
   Place here = place;
   here.number = Failure::kCurvature;
@@ -44,7 +44,7 @@ Vec2 readControl(const JsonValue& json, const Place& place, const PanelUnits& un
 }
 
 /// Radius in units of the file, never of the chord; flags as true/false or 0/1.
-Curve readArc(const JsonValue& params, const Place& place, const PanelUnits& units, const Vec2& a,
+Curve readArc(const Json& params, const Place& place, const PanelUnits& units, const Vec2& a,
               const Vec2& b) {
   Place here = place;
   here.number = Failure::kCurvature;
@@ -52,22 +52,22 @@ Curve readArc(const JsonValue& params, const Place& place, const PanelUnits& uni
   if (!(radius > 0) || radius > kLargestRadiusCm)
     here.fail(Failure::kCurvature, "is an arc of radius " + shown(radius) +
                                        " cm; write a positive radius of usual size");
-  const auto flag = [&](const JsonValue& json, const char* what) {
-    return json.isBoolean() ? json.isTrue() : number(json, here, what, 1e300) != 0;
+  const auto flag = [&](const Json& json, const char* what) {
+    return json.is_boolean() ? json.get<bool>() : number(json, here, what, 1e300) != 0;
   };
   return Curve::arc(a, b, radius, flag(params[1], "'large arc'"), flag(params[2], "'right'"));
 }
 
-Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& units, const Vec2& a,
+Curve readCurve(const Json& edge, const Place& place, const PanelUnits& units, const Vec2& a,
                 const Vec2& b) {
-  const JsonValue* curvature = find(edge, "curvature");
+  const Json* curvature = find(edge, "curvature");
   if (!curvature) return Curve::line(a, b);
-  const auto control = [&](const JsonValue& json) { return readControl(json, place, units, a, b); };
-  if (curvature->isArray()) return Curve::quadratic(a, control(*curvature), b);
+  const auto control = [&](const Json& json) { return readControl(json, place, units, a, b); };
+  if (curvature->is_array()) return Curve::quadratic(a, control(*curvature), b);
 
-  const JsonValue* type = curvature->isObject() ? find(*curvature, "type") : nullptr;
-  const JsonValue* params = curvature->isObject() ? find(*curvature, "params") : nullptr;
-  if (!type || !type->isText() || !params || !params->isArray())
+  const Json* type = curvature->is_object() ? find(*curvature, "type") : nullptr;
+  const Json* params = curvature->is_object() ? find(*curvature, "params") : nullptr;
+  if (!type || !type->is_string() || !params || !params->is_array())
     place.fail(Failure::kCurvature,
                "has a malformed 'curvature'; write {\"type\": ..., \"params\": [...]}");
   const auto expect = [&](std::size_t count, const char* what) {
@@ -76,7 +76,7 @@ Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& uni
                                           what + ", which needs " + std::to_string(count) +
                                           "; correct them");
   };
-  const std::string name = type->text;
+  const std::string name = type->get<std::string>();
   if (name == "quadratic") {
     expect(1, "quadratic curve");
     return Curve::quadratic(a, control((*params)[0]), b);
@@ -93,11 +93,11 @@ Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& uni
                                       "; known are quadratic, cubic, circle");
 }
 
-Vec3 readTriple(const JsonValue& panel, const char* key, const Place& place, double scale) {
-  const JsonValue* json = find(panel, key);
+Vec3 readTriple(const Json& panel, const char* key, const Place& place, double scale) {
+  const Json* json = find(panel, key);
   if (!json) return Vec3::Zero();
   const std::string what = "'" + std::string(key) + "'";
-  if (!json->isArray() || json->size() != 3)
+  if (!json->is_array() || json->size() != 3)
     place.fail(place.number, "has a malformed " + what + "; write three numbers");
   Vec3 triple;
   for (int i = 0; i < 3; ++i)
@@ -107,7 +107,7 @@ Vec3 readTriple(const JsonValue& panel, const char* key, const Place& place, dou
 
 }  // namespace
 
-std::vector<Curve> readLoop(const JsonValue& edges, const std::vector<Vec2>& vertices,
+std::vector<Curve> readLoop(const Json& edges, const std::vector<Vec2>& vertices,
                             const PanelUnits& units, const Place& place) {
   array(edges, place, "'edges'");
   if (edges.size() < 2)
@@ -143,15 +143,16 @@ std::vector<Curve> readLoop(const JsonValue& edges, const std::vector<Vec2>& ver
   return loop;
 }
 
-Panel readPanel(const JsonValue& json, const PanelUnits& units, const Place& place) {
+Panel readPanel(const std::string& name, const Json& json, const PanelUnits& units,
+                const Place& place) {
   object(json, place, "panel");
   std::vector<Vec2> vertices;
-  const JsonValue& points = array(need(json, "vertices", place), place, "'vertices'");
+  const Json& points = array(need(json, "vertices", place), place, "'vertices'");
   for (std::size_t i = 0; i < points.size(); ++i)
     vertices.push_back(point(points[i], place, "vertex " + std::to_string(i), units.cm));
 
   Panel panel;
-  panel.name = json.name;
+  panel.name = name;
   panel.edges = readLoop(need(json, "edges", place), vertices, units, place);
   checkOutline(panel.edges, place);
   panel.mirrored_from_input = signedArea(panel.edges) < 0;

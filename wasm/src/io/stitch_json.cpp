@@ -6,9 +6,9 @@
 namespace seamwise {
 namespace {
 
-EdgeRef readSide(const JsonValue& json, const Place& place, const Garment& garment) {
-  const JsonValue* panel = json.isObject() ? find(json, "panel") : nullptr;
-  const JsonValue* edge = json.isObject() ? find(json, "edge") : nullptr;
+EdgeRef readSide(const Json& json, const Place& place, const Garment& garment) {
+  const Json* panel = json.is_object() ? find(json, "panel") : nullptr;
+  const Json* edge = json.is_object() ? find(json, "edge") : nullptr;
   if (!panel || !edge)
     place.fail(Failure::kSeamMalformed,
                "has a malformed side; write {\"panel\": \"name\", \"edge\": number}");
@@ -32,19 +32,19 @@ EdgeRef readSide(const JsonValue& json, const Place& place, const Garment& garme
 
 }  // namespace
 
-void readStitches(const JsonValue& stitches, const Place& outer, Garment* garment) {
+void readStitches(const Json& stitches, const Place& outer, Garment* garment) {
   array(stitches, outer, "'stitches'");
   std::map<std::pair<int, int>, std::size_t> used;  // edge -> stitch
   for (std::size_t n = 0; n < stitches.size(); ++n) {
     Place place = numbered(outer, "stitch", n);
     place.seam = static_cast<int>(n);
-    const JsonValue& sides = stitches[n];
-    if (!sides.isArray() || sides.size() < 2 || sides.size() > 3)
+    const Json& sides = stitches[n];
+    if (!sides.is_array() || sides.size() < 2 || sides.size() > 3)
       place.fail(Failure::kSeamMalformed,
                  "is not a list of two sides (and \"right_wrong\"); correct it");
     Stitch stitch{readSide(sides[0], place, *garment), readSide(sides[1], place, *garment)};
-    if (sides.size() == 3 && !sides[2].isNull()) {
-      if (sides[2].text != "right_wrong")
+    if (sides.size() == 3 && !sides[2].is_null()) {
+      if (sides[2] != "right_wrong")
         place.fail(Failure::kSeamMalformed,
                    "has an unknown third element; write \"right_wrong\" or leave it out");
       stitch.same_direction = true;
@@ -65,7 +65,7 @@ void readStitches(const JsonValue& stitches, const Place& outer, Garment* garmen
   }
 }
 
-void readSeams(const JsonValue& seams, const Place& outer, Garment* garment,
+void readSeams(const Json& seams, const Place& outer, Garment* garment,
                std::vector<std::string>* notes) {
   Place listed = outer;
   listed.shape = Failure::kSeamMalformed;
@@ -73,7 +73,7 @@ void readSeams(const JsonValue& seams, const Place& outer, Garment* garment,
   std::map<int, std::size_t> described;  // stitch -> entry
   for (std::size_t k = 0; k < seams.size(); ++k) {
     Place place = numbered(listed, "seam", k);
-    const JsonValue& seam = object(seams[k], place, "seam");
+    const Json& seam = object(seams[k], place, "seam");
     const int n = integer(need(seam, "stitch", place), place, "'stitch'");
     if (n < 0 || static_cast<std::size_t>(n) >= garment->stitches.size())
       place.fail(Failure::kSeamMalformed,
@@ -84,14 +84,14 @@ void readSeams(const JsonValue& seams, const Place& outer, Garment* garment,
       place.fail(Failure::kSeamMalformed,
                  "describes stitch " + std::to_string(n) + " a second time; remove one entry");
     Stitch& stitch = garment->stitches[static_cast<std::size_t>(n)];
-    if (const JsonValue* name = find(seam, "name")) text(*name, place, "'name'");
-    if (const JsonValue* weight = find(seam, "weight")) {
+    if (const Json* name = find(seam, "name")) text(*name, place, "'name'");
+    if (const Json* weight = find(seam, "weight")) {
       stitch.weight = number(*weight, place, "'weight'", 1e6);
       if (stitch.weight < 0) place.fail(Failure::kNumber, "has a negative weight; write 0 or more");
     }
-    if (const JsonValue* matched = find(seam, "matched"))
+    if (const Json* matched = find(seam, "matched"))
       stitch.matched = boolean(*matched, place, "'matched'");
-    if (const JsonValue* direction = find(seam, "direction")) {
+    if (const Json* direction = find(seam, "direction")) {
       const std::string word = text(*direction, place, "'direction'");
       if (word != (stitch.same_direction ? "same" : "opposite"))
         place.fail(Failure::kSeamMalformed, "has the direction " + inQuotes(word) +
@@ -99,7 +99,7 @@ void readSeams(const JsonValue& seams, const Place& outer, Garment* garment,
                                                 (stitch.same_direction ? "same" : "opposite") +
                                                 "'; add or remove \"right_wrong\" there");
     }
-    if (const JsonValue* stated = find(seam, "lengthRatio")) {
+    if (const Json* stated = find(seam, "lengthRatio")) {
       const double ratio = number(*stated, place, "'lengthRatio'", 1e4);
       if (!(ratio > 0)) place.fail(Failure::kNumber, "has no positive 'lengthRatio'; correct it");
       const auto length = [&](const EdgeRef& side) {

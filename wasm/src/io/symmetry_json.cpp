@@ -9,10 +9,10 @@
 namespace seamwise {
 namespace {
 
-SymmetryRequest readPair(const JsonValue& json, const Place& place) {
+SymmetryRequest readPair(const Json& json, const Place& place) {
   onlyKnown(json, place, {"kind", "pieces", "residual", "map", "mirrors"});
-  const JsonValue& pieces = need(json, "pieces", place);
-  if (!pieces.isArray() || pieces.size() != 2)
+  const Json& pieces = need(json, "pieces", place);
+  if (!pieces.is_array() || pieces.size() != 2)
     place.fail(place.shape, "has no two 'pieces'; write [\"one\", \"other\"]");
   PairRequest pair{text(pieces[0], place, "a piece"), text(pieces[1], place, "a piece")};
   if (pair.first == pair.second)
@@ -21,11 +21,11 @@ SymmetryRequest readPair(const JsonValue& json, const Place& place) {
   return pair;
 }
 
-SymmetryRequest readSingle(const JsonValue& json, const Place& place) {
+SymmetryRequest readSingle(const Json& json, const Place& place) {
   onlyKnown(json, place, {"kind", "piece", "axis", "seams", "residual", "map", "mirrors"});
   const std::string piece = text(need(json, "piece", place), place, "'piece'");
-  const JsonValue* axis = find(json, "axis");
-  const JsonValue* edges = find(json, "seams");
+  const Json* axis = find(json, "axis");
+  const Json* edges = find(json, "seams");
   if (axis && edges) place.fail(place.shape, "has both 'axis' and 'seams'; keep one");
   if (axis) {
     const Polyline ends = polyline(*axis, place, "'axis'");
@@ -34,7 +34,7 @@ SymmetryRequest readSingle(const JsonValue& json, const Place& place) {
     return AxisRequest{piece, ends[0], ends[1]};
   }
   if (edges) {
-    if (!edges->isArray() || edges->size() != 2)
+    if (!edges->is_array() || edges->size() != 2)
       place.fail(place.shape, "needs two edge numbers as 'seams'; correct it");
     EdgesRequest request{piece, integer((*edges)[0], place, "an edge"),
                          integer((*edges)[1], place, "an edge")};
@@ -73,8 +73,9 @@ void writeSymmetry(JsonWriter& out, const Garment& garment, const BodySymmetry& 
   out.field("kind", symmetry.single() ? "piece" : "pair");
   if (symmetry.single()) {
     out.field("piece", first.name);
-    out.list("axis", axisThrough(first, symmetry.map),
-             [&](const Vec2& p) { out.put(Vec2(shortened(p.x()), shortened(p.y()))); });
+    out.list("axis", axisThrough(first, symmetry.map), [&](const Vec2& p) {
+      out.put(Vec2(shortened(p.x()), shortened(p.y())));
+    });
   } else {
     out.field("pieces", std::vector{first.name, garment.panels[symmetry.pieces[1]].name});
   }
@@ -84,7 +85,7 @@ void writeSymmetry(JsonWriter& out, const Garment& garment, const BodySymmetry& 
 
 }  // namespace
 
-std::vector<SymmetryRequest> readSymmetryList(const JsonValue& json, const Place& outer) {
+std::vector<SymmetryRequest> readSymmetryList(const Json& json, const Place& outer) {
   array(json, outer, "'symmetries'");
   std::vector<SymmetryRequest> requests;
   for (std::size_t n = 0; n < json.size(); ++n) {
@@ -105,7 +106,7 @@ Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
                                                      const std::string& file) {
   const Place place{file, Failure::kSymmetryMalformed, Failure::kSymmetryMalformed};
   return guarded<std::vector<SymmetryRequest>>(place, [&] {
-    const JsonValue document = parseDocument(text, place);
+    const Json document = parseDocument(text, place);
     object(document, place, "content");
     onlyKnown(document, place, {"$schema", "format", "symmetries"});
     checkFormat(document, place, "seamwise-symmetries", 1);
