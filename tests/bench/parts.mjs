@@ -97,7 +97,7 @@ export async function measureYardstick({programs, garments, prints, thorough, sa
         garment: garment.name,
         triangles,
         edgeLength,
-        factorisation: await programs.onBoth({...named('factorise', files), edgeLength, times: 9}),
+        factorisation: await programs.onBoth({...named('factorise', files), edgeLength, ...often}),
         best: await programs.onBoth({...named('solve', files), edgeLength, ...often}),
       };
     };
@@ -195,7 +195,7 @@ export async function measureEdits({programs, garments, prints, thorough, say, f
     const measure = async () => {
       const {edgeLength} = await meshOf(programs, files, paperTriangles);
       const [factorisation, edit] = await programs.ask('wasm', [
-        {...named('factorise', files), edgeLength, times: 9},
+        {...named('factorise', files), edgeLength, ...often},
         {...named('edit', files), edgeLength, ...often},
       ]);
       return {garment: garment.name, group: print.group, factorisation, edit};
