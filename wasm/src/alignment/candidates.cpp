@@ -6,13 +6,13 @@
 namespace seamwise {
 namespace {
 
-/// The alignment that brings the seam of a piece best onto `image` of its neighbour's side, where
-/// that neighbour lies (weighted Procrustes), turned to what the piece's freedom admits.
-Alignment onto(const Freedom& freedom, const MatchSeam& seam, bool from_a, const Alignment& other,
+/// The alignment that brings a stretch of a piece's seam best onto `image` of its neighbour's side,
+/// where that neighbour lies (weighted Procrustes), turned to what the piece's freedom admits.
+Alignment onto(const Freedom& freedom, const Stretch& stretch, bool from_a, const Alignment& other,
                const Element& image) {
-  const Vec2 &mine = from_a ? seam.mean_a : seam.mean_b,
-             &theirs = from_a ? seam.mean_b : seam.mean_a;
-  const Mat2 covariance = from_a ? seam.covariance : Mat2(seam.covariance.transpose());
+  const Vec2 &mine = from_a ? stretch.mean_a : stretch.mean_b,
+             &theirs = from_a ? stretch.mean_b : stretch.mean_a;
+  const Mat2 covariance = from_a ? stretch.covariance : Mat2(stretch.covariance.transpose());
   const Mat2 linear = image.A * rotation(-other.angle);
   const double dot = linear.cwiseProduct(covariance).sum();
   const double cross = linear.row(1).dot(covariance.row(0)) - linear.row(0).dot(covariance.row(1));
@@ -30,30 +30,37 @@ void addForMirrored(const MatchProblem& problem, int l, std::vector<Alignment>& 
   }
 }
 
+/// From one edge to half of the seam.
+Stretch randomStretch(const MatchSeam& seam, Random& random) {
+  const int edges = static_cast<int>(seam.w.size());
+  const int size = 1 + random.below(1 + edges / 2), first = random.below(edges - size + 1);
+  return seam.stretch(first, first + size);
+}
+
 }  // namespace
 
 std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alignments& at,
-                                  const std::vector<char>& placed) {
+                                  const std::vector<char>& placed, int stretches, Random& random) {
   std::vector<Alignment> out;
   const Leader& leader = problem.leaders[l];
   if (leader.freedom.isPinned()) return {leader.freedom.nearest({}, leader.centre)};
-  if (leader.freedom.isMirrored()) {
-    addForMirrored(problem, l, out);
-    return out;
-  }
+  if (leader.freedom.isMirrored()) addForMirrored(problem, l, out);
   const auto& elements = problem.group.elements();
   for (int s : leader.seams) {
     const MatchSeam& seam = problem.seams[s];
     const int other = seam.a == l ? seam.b : seam.a;
     if (other == l || !placed[other]) continue;
-    bool seen[2] = {false, false};
-    for (const Element& e : elements) {
-      if (!problem.allows(seam, e)) continue;
-      // Elements of one orientation differ by a rotation of the print: the same print on the piece,
-      // unless its angle is bound.
-      if (leader.freedom.turns() && seen[e.mirrored]) continue;
-      seen[e.mirrored] = true;
-      out.push_back(onto(leader.freedom, seam, seam.a == l, at[other], e));
+    for (int k = 0; k <= stretches; ++k) {
+      const Stretch part = k == 0 ? seam.whole : randomStretch(seam, random);
+      bool seen[2] = {false, false};
+      for (const Element& e : elements) {
+        if (!problem.allows(seam, e)) continue;
+        // Elements of one orientation differ by a rotation of the print: the same print on the
+        // piece, unless its angle is bound.
+        if (leader.freedom.turns() && seen[e.mirrored]) continue;
+        seen[e.mirrored] = true;
+        out.push_back(onto(leader.freedom, part, seam.a == l, at[other], e));
+      }
     }
   }
   return out;

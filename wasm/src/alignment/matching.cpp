@@ -101,16 +101,22 @@ void addSeam(MatchProblem& problem, const std::vector<RigidMotion>& back,
   problem.seams.push_back(std::move(seam));
 }
 
-void setMoments(MatchSeam& seam) {
-  for (std::size_t i = 0; i < seam.w.size(); ++i)
-    seam.mean_a += seam.w[i] / seam.weight * seam.pa[i],
-        seam.mean_b += seam.w[i] / seam.weight * seam.pb[i];
-  for (std::size_t i = 0; i < seam.w.size(); ++i)
-    seam.covariance +=
-        seam.w[i] * (seam.pa[i] - seam.mean_a) * (seam.pb[i] - seam.mean_b).transpose();
-}
-
 }  // namespace
+
+Stretch MatchSeam::stretch(std::size_t first, std::size_t last) const {
+  Stretch part;
+  double total = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    total += w[i];
+    part.mean_a += w[i] * pa[i], part.mean_b += w[i] * pb[i];
+  }
+  part.mean_a /= total, part.mean_b /= total;
+  // each edge about the mean, and about its own middle
+  for (std::size_t i = first; i < last; ++i)
+    part.covariance += w[i] * ((pa[i] - part.mean_a) * (pb[i] - part.mean_b).transpose() +
+                               da[i] * db[i].transpose() / 12);
+  return part;
+}
 
 MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
                               const std::vector<Mirror>& mirrors, const MatchRules& rules,
@@ -181,7 +187,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     }
     addSeam(problem, back, own, std::move(m));
   }
-  for (MatchSeam& seam : problem.seams) setMoments(seam);
+  for (MatchSeam& seam : problem.seams) seam.whole = seam.stretch(0, seam.w.size());
   for (std::size_t s = 0; s < problem.seams.size(); ++s) {
     problem.leaders[problem.seams[s].a].seams.push_back(static_cast<int>(s));
     if (problem.seams[s].b != problem.seams[s].a)

@@ -12,6 +12,12 @@
 
 namespace seamwise {
 
+/// A stretch of a seam, as far as a rigid motion that lays one side on the other depends on it.
+struct Stretch {
+  Vec2 mean_a = Vec2::Zero(), mean_b = Vec2::Zero();  ///< weighted means of pa and pb
+  Mat2 covariance = Mat2::Zero();                     ///< sum of w (pa - mean_a) (pb - mean_b)^T
+};
+
 /// A seam as the alignment search sees it: pairs of points that should fall on equivalent points of
 /// the print, in the coordinates of the leading pieces (a mirrored follower's points are mapped
 /// back to its leader, where the print is equivalent).
@@ -22,9 +28,11 @@ struct MatchSeam {
   std::vector<Vec2> da, db;  ///< directions of those edges in sewing order
   std::vector<double> w;     ///< seam weight x mean edge length, cm
   double weight = 0;         ///< sum of w
-  Vec2 mean_a = Vec2::Zero(), mean_b = Vec2::Zero();  ///< weighted means of pa and pb
-  Mat2 covariance = Mat2::Zero();                     ///< sum of w (pa - mean_a) (pb - mean_b)^T
-  int seam = -1;                                      ///< index in Pattern::seams, -1: a match line
+  Stretch whole;
+  int seam = -1;  ///< index in Pattern::seams, -1: a match line
+
+  /// The edges first .. last - 1.
+  Stretch stretch(std::size_t first, std::size_t last) const;
 };
 
 /// The variables of an alignment: one leader per mirrored pair or single piece.

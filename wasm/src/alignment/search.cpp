@@ -9,8 +9,13 @@
 namespace seamwise {
 namespace {
 
-constexpr double kFresh = 0.7;  ///< share of starts from nothing once the first trees are grown
-constexpr std::size_t kFinalists = 3;
+constexpr double kFresh = 0.7;      ///< share of starts from nothing once the first trees are grown
+constexpr double kScattered = 0.3;  ///< share of these whose pieces lie anywhere, not grown
+constexpr double kOther = 0.3;      ///< share of regrowths of another answer than the best
+constexpr double kDetached = 0.5;   ///< share of regrowths that begin anywhere, apart from the rest
+constexpr std::size_t kFinalists = 16;
+constexpr int kGlance = 3;  ///< iterations on all edges that tell which finalists go on
+constexpr std::size_t kPolished = 4;
 constexpr int kPolish = 30;  ///< iterations at most
 
 }  // namespace
@@ -107,30 +112,47 @@ void AlignmentSearch::offer(const Alignments& at) {
   }
 }
 
+/// The answer that a step goes on from: now and then one of the others that are good.
+Alignments AlignmentSearch::before(const Searched& c) {
+  Alignments at = best_;
+  if (moves_.uniform() >= kOther) return at;
+  const Alignments& own = c.finalists[moves_.below(static_cast<int>(c.finalists.size()))].second;
+  for (std::size_t i = 0; i < own.size(); ++i) at[c.leaders[i]] = own[i];
+  return at;
+}
+
 bool AlignmentSearch::step() {
   if (done_) return false;
   Searched& c = components_[current_];
-  const double before = moves_.spent();
+  const double spent = moves_.spent();
   const int n = static_cast<int>(c.leaders.size());
-  Layout layout = moves_.layoutOf(best_);
-  std::vector<char> placed(problem_.leaders.size(), 1), fresh(problem_.leaders.size(), 0);
-  std::vector<int> part = c.leaders;
-  const bool anew = c.starts < budget_.trees || c.cost < 0 || moves_.uniform() < kFresh;
+  const bool anew = c.starts < budget_.trees || moves_.uniform() < kFresh;
+  Layout layout = moves_.layoutOf(anew ? best_ : before(c));
+  Component part = c;
   if (anew)
     ++c.starts;
   else
-    part = moves_.randomPart(c);
-  for (int l : part) placed[l] = 0, fresh[l] = 1;
-  if (part.size() == 1 && n > 1 && moves_.uniform() < 0.5) {
-    moves_.layAnywhere(part[0], layout);
-    placed[part[0]] = 1;
+    part.leaders = moves_.randomPart(c);
+  std::vector<char> fresh(problem_.leaders.size(), 0);
+  for (int l : part.leaders) fresh[l] = 1;
+  // the very first answer is shown, so it is grown
+  if (c.cost < 0 || moves_.uniform() >= (anew ? kScattered : kDetached)) {
+    std::vector<char> placed(fresh.size());
+    for (std::size_t l = 0; l < placed.size(); ++l) placed[l] = !fresh[l];
+    moves_.grow(part, layout, placed);
+  } else if (anew) {
+    for (int l : part.leaders) moves_.layAnywhere(l, layout);
+  } else {
+    std::vector<char> placed(fresh.size(), 0);
+    moves_.layAnywhere(part.leaders[0], layout);
+    placed[part.leaders[0]] = 1;
+    moves_.grow(part, layout, placed);
   }
-  moves_.grow(c, layout, placed);
   const double cost = moves_.improve(c, layout, fresh, c.cost), known = c.cost;
   keep(c, layout, cost);
   if (known < 0 || c.cost < known * (1 - SearchMoves::kSame)) c.hits = 0;
   if (anew && cost < c.cost * (1 + SearchMoves::kSame)) ++c.hits;
-  c.spent += moves_.spent() - before;
+  c.spent += moves_.spent() - spent;
   const int patience = budget_.idle * (n + 4);
   const bool enough = c.starts >= budget_.trees && (c.hits >= budget_.hits || c.idle >= patience);
   double share =
@@ -153,15 +175,23 @@ void AlignmentSearch::polish(Searched& c) {
     c.finalists.emplace_back();
     for (int l : c.leaders) c.finalists.back().second.push_back(at[l]);
   }
-  double least = std::numeric_limits<double>::infinity();
+  for (auto& [cost, own] : c.finalists) cost = polished(c, own, exact, kGlance);
+  const auto cheaper = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::sort(c.finalists.begin(), c.finalists.end(), cheaper);
+  if (c.finalists.size() > kPolished) c.finalists.resize(kPolished);
+  for (auto& [cost, own] : c.finalists) cost = polished(c, own, exact, kPolish);
+  const Alignments& own = std::min_element(c.finalists.begin(), c.finalists.end(), cheaper)->second;
+  for (std::size_t i = 0; i < own.size(); ++i) best_[c.leaders[i]] = own[i];
+}
+
+/// Improves an answer for a component on `seams`. Returns its cost.
+double AlignmentSearch::polished(const Searched& c, Alignments& own,
+                                 const SampledSeams<double>& seams, int iterations) const {
   Alignments at = best_;
-  for (const auto& [cost, own] : c.finalists) {
-    for (std::size_t i = 0; i < own.size(); ++i) at[c.leaders[i]] = own[i];
-    const double reached = refine(problem_, exact, at, c.leaders, kPolish, moves_.slack());
-    if (reached >= least) continue;
-    least = reached;
-    best_ = at;
-  }
+  for (std::size_t i = 0; i < own.size(); ++i) at[c.leaders[i]] = own[i];
+  const double cost = refine(problem_, seams, at, c.leaders, iterations, moves_.slack());
+  for (std::size_t i = 0; i < own.size(); ++i) own[i] = at[c.leaders[i]];
+  return cost;
 }
 
 }  // namespace seamwise

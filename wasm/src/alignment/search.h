@@ -8,11 +8,11 @@ namespace seamwise {
 /// How long to look. Counted in distance evaluations, never in seconds, so that results do not
 /// depend on the machine.
 struct SearchBudget {
-  int trees = 12;  ///< spanning-tree starts for each component, at least
-  int idle = 10;   ///< stop after so many steps without gain, for each free piece and four more
-  int hits = 5;    ///< or after so many starts that ended at the same, best answer
+  int trees = 40;  ///< spanning-tree starts for each component, at least
+  int idle = 12;   ///< stop after so many steps without gain, for each free piece and four more
+  int hits = 8;    ///< or after so many starts that ended at the same, best answer
   double evaluations = 5e6;  ///< stop after so many element distances for each free piece
-  double samples = 6;        ///< along the print's shortest repeat, while searching
+  double samples = 12;       ///< along the print's shortest repeat, while searching
 };
 
 /// Finds alignments that no local iteration finds: starts grown along random spanning trees of the
@@ -53,7 +53,10 @@ class AlignmentSearch {
   };
   void findComponents();
   void keep(Searched& c, const Layout& layout, double cost);
+  Alignments before(const Searched& c);
   void polish(Searched& c);
+  double polished(const Searched& c, Alignments& own, const SampledSeams<double>& seams,
+                  int iterations) const;
 
   const MatchProblem& problem_;
   SearchBudget budget_;

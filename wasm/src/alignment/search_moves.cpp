@@ -13,7 +13,8 @@ namespace {
 constexpr double kWorthRefining = 1.5;
 constexpr double kHopeless = 1.5;    ///< an answer this much worse than the best is dropped
 constexpr double kClose = 1.1;       ///< one this much worse is polished
-constexpr double kSecondBest = 0.2;  ///< share of pieces placed at their second best candidate
+constexpr double kSecondBest = 0.5;  ///< share of pieces placed at their second best candidate
+constexpr int kStretches = 4;        ///< of a seam, that a piece is laid along besides the whole
 constexpr double kSkip = 0.35;       ///< share of neighbours that a lifted part leaves in place
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
@@ -80,7 +81,8 @@ double SearchMoves::costOf(const Component& c, const Layout& layout, double slac
 
 void SearchMoves::place(int leader, Layout& layout, std::vector<char>& placed) {
   placed[leader] = 1;
-  const std::vector<Alignment> choices = candidates(problem_, leader, layout.at, placed);
+  const std::vector<Alignment> choices =
+      candidates(problem_, leader, layout.at, placed, kStretches, random_);
   if (choices.empty()) {
     layAnywhere(leader, layout);
     return;
@@ -151,7 +153,7 @@ bool SearchMoves::moveSingles(const Component& c, Layout& layout, std::vector<ch
     if (before < perfect()) continue;
     double least = kWorthRefining * before;
     const Alignment* best = nullptr;
-    const std::vector<Alignment> choices = candidates(problem_, l, layout.at, all);
+    const std::vector<Alignment> choices = candidates(problem_, l, layout.at, all, 0, random_);
     for (const Alignment& choice : choices) {
       const double cost = costAt(choice, l, layout, nullptr, least);
       if (cost < least) least = cost, best = &choice;

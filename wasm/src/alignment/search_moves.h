@@ -44,6 +44,7 @@ class SearchMoves {
   double improve(const Component& c, Layout& layout, std::vector<char> fresh, double known);
 
   double uniform() { return random_.uniform(); }
+  int below(int n) { return random_.below(n); }
   /// Element distances evaluated so far.
   double spent() const { return spent_; }
 

@@ -53,8 +53,8 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
     stage_ = Stage::kSymmetricSearch;
   } else {
     searching_ = std::make_unique<AlignmentSearch>(match_, seed, SearchBudget{});
-    searching_->watch(slack_);
   }
+  searching_->watch(slack_);
   leaders_ = match_.ofLeaders(Alignments(pattern.pieces.size()));
   alignment_ = search_result_ = match_.expanded(leaders_);
 }
@@ -66,10 +66,11 @@ bool BestRun::advance() {
       progress_ = 0.5 * kSearchShare * searching_->fraction();
       alignment_ = symmetric_->expanded(searching_->best());
       if (!more) {
+        const Alignments watched = symmetric_->expanded(searching_->watched());
         searching_ =
             std::make_unique<AlignmentSearch>(match_, problem_.options.seed, SearchBudget{});
         searching_->watch(slack_);
-        searching_->offer(match_.ofLeaders(alignment_));
+        for (const Alignments& at : {alignment_, watched}) searching_->offer(match_.ofLeaders(at));
         stage_ = Stage::kSearch;
       }
       break;
@@ -111,7 +112,7 @@ void BestRun::endSearch() {
   if (match_.cost(leaders_) < kPerfect) return;
   const Alignments watched = searching_->watched();
   SearchBudget little;
-  little.trees = 2, little.idle = 5, little.evaluations = 1.5e6;
+  little.trees = 8, little.idle = 8, little.evaluations = 3e6;
   searching_ = std::make_unique<AlignmentSearch>(match_, problem_.options.seed + 1, little, slack_);
   searching_->offer(leaders_);
   searching_->offer(watched);
