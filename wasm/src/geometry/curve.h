@@ -39,12 +39,14 @@ class Curve {
   Curve transformed(const RigidMotion& motion) const;
   Curve reversed() const;
   bool straight() const { return kind_ == Kind::kLine; }
+  bool operator==(const Curve&) const = default;
 
  private:
   enum class Kind : std::uint8_t { kLine, kQuadratic, kCubic, kArc };
   /// Up to parameter t the curve is s cm long. Between two marks one Gauss rule is exact enough.
   struct Mark {
     double t, s;
+    bool operator==(const Mark&) const = default;
   };
 
   static Curve bezier(Kind kind, const Vec2& a, const Vec2& c1, const Vec2& c2, const Vec2& b);

@@ -9,6 +9,7 @@ struct RigidMotion {
   double angle = 0.0;         ///< counter-clockwise
   Vec2 shift = Vec2::Zero();  ///< cm
   bool mirrored = false;      ///< true for the orientation-reversing half
+  bool operator==(const RigidMotion&) const = default;
 
   Mat2 linear() const {
     Mat2 m = rotation(angle);

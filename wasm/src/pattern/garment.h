@@ -23,6 +23,7 @@ struct Panel {
   double grain_tolerance = 0;             ///< rad
   Vec3 placement_shift = Vec3::Zero();    ///< cm, of the input panel
   Vec3 placement_turn = Vec3::Zero();     ///< XYZ Euler angles, rad
+  bool operator==(const Panel&) const = default;
 };
 
 struct EdgeRef {
@@ -37,6 +38,7 @@ struct Stitch {
   bool same_direction = false;  ///< "right_wrong" in GarmentCode
   double weight = 1.0;
   bool matched = true;  ///< false: sewn, but the print need not match
+  bool operator==(const Stitch&) const = default;
 };
 
 /// Two lines drawn on pieces that lie on each other without being sewn (a button front, a patch
@@ -45,6 +47,7 @@ struct MatchLine {
   int piece_a = -1, piece_b = -1;
   Polyline a, b;
   double weight = 1.0;
+  bool operator==(const MatchLine&) const = default;
 };
 
 /// A mirror symmetry of the body: maps points of pieces[0] to points of pieces[1] (the same piece
@@ -54,6 +57,7 @@ struct BodySymmetry {
   RigidMotion map;      ///< face-up coordinates, p' = R F p + t (Wolff et al. 2019, Eq. 3)
   double residual = 0;  ///< greatest distance between the mapped outline and its image. [cm]
   bool single() const { return pieces[0] == pieces[1]; }
+  bool operator==(const BodySymmetry&) const = default;
 };
 
 /// A sewing pattern as read: panels and stitches, in the order of the file.
@@ -61,6 +65,7 @@ struct Garment {
   std::vector<Panel> panels;
   std::vector<Stitch> stitches;
   std::vector<MatchLine> matches;
+  bool operator==(const Garment&) const = default;
 
   int find(const std::string& name) const {
     for (std::size_t i = 0; i < panels.size(); ++i)

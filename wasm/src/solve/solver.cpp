@@ -55,11 +55,11 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 Solver::~Solver() = default;
 
-Outcome<Solver> Solver::make(Problem problem) {
+Outcome<Solver> Solver::make(Problem problem, MeshMemo* memo) {
   auto state = std::make_unique<State>(std::move(problem));
   Problem& p = state->problem;
   if (p.options.method == Method::kWs19) p.imposed.clear();  // it knows no symmetry of the body
-  Outcome<Pattern> mesh = preparedPattern(p);
+  Outcome<Pattern> mesh = preparedPattern(p, memo);
   if (!mesh.ok()) return mesh.error();
   state->pattern = std::move(mesh).value();
   applySeamOptions(p.options, state->pattern);
@@ -122,8 +122,8 @@ Outcome<Result> Solver::finish() {
   result.search = run.search();
   for (std::size_t s = 0; s < result.pattern.seams.size(); ++s) {
     const Seam& seam = result.pattern.seams[s];
-    result.joins[s] = bestJoin(group, seam, result.shapes, result.alignment,
-                               problem.options.continuous_only);
+    result.joins[s] =
+        bestJoin(group, seam, result.shapes, result.alignment, problem.options.continuous_only);
     result.mismatch[s] = joinMismatch(result.joins[s], seam, result.shapes, result.alignment);
   }
   result.fit_search = fitAny(group, result.pattern, rest, result.search);

@@ -9,11 +9,14 @@
 
 namespace seamwise {
 
+struct MeshMemo;
+
 /// A solve in small steps, so that progress is honest and cancelling needs no threads.
 class Solver {
  public:
-  /// Samples and meshes the garment. Errors: kMesh.
-  static Outcome<Solver> make(Problem problem);
+  /// Samples and meshes the garment. Errors: kMesh, kSymmetryConflict.
+  /// @param memo   of this solve's mesh and the one before; null: every mesh is made anew
+  static Outcome<Solver> make(Problem problem, MeshMemo* memo = nullptr);
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
   ~Solver();
@@ -21,10 +24,10 @@ class Solver {
   /// At most `steps` steps of a few milliseconds. False when finished.
   bool advance(int steps);
   Phase phase() const;
-  double fraction() const;                 ///< 0..1, monotone
+  double fraction() const;  ///< 0..1, monotone
   /// Grows when the deformation starts over; the time of earlier attempts does not count.
   int attempt() const;
-  const Alignments& partial() const;       ///< best alignment so far, of every piece
+  const Alignments& partial() const;  ///< best alignment so far, of every piece
   const std::vector<std::string>& notes() const;
   const Pattern& pattern() const;
 
