@@ -51,30 +51,44 @@ Json editTask(const Json& task) {
   const Timed before = timedSolve([&] { return problemOf(task); });
   const int seam = weightiest(before.result.pattern);
   const auto [pinned, at] = pinOf(before.result);
-  MeshMemo memo;
-  required(Solver::make(problemOf(task), &memo));
+  const auto meshOf = [](const Json& solved) {
+    MeshMemo memo;
+    required(Solver::make(problemOf(solved), &memo));
+    return memo;
+  };
+  const MeshMemo mesh = meshOf(task);
   Json changes = Json::object();
-  auto change = [&](const char* name, const std::function<Problem()>& make) {
-    const Timed timed = quickest(task, make, memo);
+  auto change = [&](const char* name, const std::function<Problem()>& make, const MeshMemo& known) {
+    const Timed timed = quickest(task, make, known);
     changes[name] = {{"first", timed.first},
                      {"firstFit", timed.first_fit},
                      {"final", timed.total()},
                      {"fit", timed.result.fit.any}};
   };
-  change("weight", [&, s = seam] {
-    Problem problem = problemOf(task);
-    problem.options.weights[s] = kWeight;
-    return problem;
-  });
-  change("size", [&] { return problemOf(task, kScale); });
-  change("turn", [&] { return problemOf(task, 1, kTurn); });
-  change("pin", [&, p = pinned, a = at] {
-    Problem problem = problemOf(task);
-    problem.options.pins[p] = a;
-    return problem;
-  });
-  change("symmetryAdded", [&] { return problemOf(with); });
-  change("symmetryRemoved", [&] { return problemOf(without); });
+  change(
+      "weight",
+      [&, s = seam] {
+        Problem problem = problemOf(task);
+        problem.options.weights[s] = kWeight;
+        return problem;
+      },
+      mesh);
+  change(
+      "size", [&] { return problemOf(task, kScale); }, mesh);
+  change(
+      "turn", [&] { return problemOf(task, 1, kTurn); }, mesh);
+  change(
+      "pin",
+      [&, p = pinned, a = at] {
+        Problem problem = problemOf(task);
+        problem.options.pins[p] = a;
+        return problem;
+      },
+      mesh);
+  change(
+      "symmetryAdded", [&] { return problemOf(with); }, meshOf(without));
+  change(
+      "symmetryRemoved", [&] { return problemOf(without); }, meshOf(with));
   return {{"triangles", trianglesOf(before.result.pattern)},
           {"fit", before.result.fit.any},
           {"solve", before.total()},
