@@ -10,29 +10,16 @@
 namespace seamwise::bench {
 namespace {
 
-/// The mean over sixty random alignments of the shapes of the fit with one element a seam: to
-/// Fit::seam what fitRandom is to Fit::any, from the same sequence of alignments.
+/// The mean over random alignments of the shapes of the fit with one element a seam: to Fit::seam
+/// what fitRandom is to Fit::any.
 double seamFitRandom(const WallpaperGroup& group, const Pattern& pattern) {
-  constexpr int kDraws = 60;
-  std::uint32_t state = 12345;
-  auto draw = [&] {
-    state = state * 1664525u + 1013904223u;
-    return static_cast<double>(state) / 4294967296.0;
-  };
-  const double cell = group.w1().norm() + group.w2().norm();
   const Shapes rest = restShapes(pattern);
-  std::vector<Alignment> at(pattern.pieces.size());
+  const auto draws = randomAlignments(group, pattern.pieces.size());
   double total = 0;
-  for (int k = 0; k < kDraws; ++k) {
-    for (Alignment& a : at) {
-      a.angle = draw() * 2 * kPi;
-      a.translation.x() = draw() * cell;
-      a.translation.y() = draw() * cell;
-    }
+  for (const auto& at : draws)
     for (const Seam& seam : pattern.seams)
       if (seam.matched && !seam.twin) total += bestJoin(group, seam, rest, at).cost;
-  }
-  return total / kDraws;
+  return total / static_cast<double>(draws.size());
 }
 
 /// Pieces whose alignment is a variable of its own.

@@ -63,7 +63,8 @@ Fit measureFit(const WallpaperGroup& group, const Pattern& pattern, const Shapes
   return fit;
 }
 
-double fitRandom(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes) {
+std::vector<std::vector<Alignment>> randomAlignments(const WallpaperGroup& group,
+                                                     std::size_t pieces) {
   constexpr int kDraws = 60;
   std::uint32_t state = 12345;
   auto draw = [&] {
@@ -71,17 +72,21 @@ double fitRandom(const WallpaperGroup& group, const Pattern& pattern, const Shap
     return static_cast<double>(state) / 4294967296.0;
   };
   const double cell = group.w1().norm() + group.w2().norm();
-  std::vector<Alignment> at(pattern.pieces.size());
-  double total = 0;
-  for (int k = 0; k < kDraws; ++k) {
+  std::vector<std::vector<Alignment>> draws(kDraws, std::vector<Alignment>(pieces));
+  for (auto& at : draws)
     for (Alignment& a : at) {
       a.angle = draw() * 2 * kPi;
       a.translation.x() = draw() * cell;
       a.translation.y() = draw() * cell;
     }
-    total += fitAny(group, pattern, shapes, at);
-  }
-  return total / kDraws;
+  return draws;
+}
+
+double fitRandom(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes) {
+  const auto draws = randomAlignments(group, pattern.pieces.size());
+  double total = 0;
+  for (const auto& at : draws) total += fitAny(group, pattern, shapes, at);
+  return total / static_cast<double>(draws.size());
 }
 
 double greatestMovement(const Pattern& pattern, const Shapes& shapes) {

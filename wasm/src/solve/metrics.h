@@ -19,8 +19,12 @@ double fitAny(const WallpaperGroup& group, const Pattern& pattern, const Shapes&
 Fit measureFit(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
                const std::vector<Alignment>& at);
 
-/// The mean of fitAny over sixty random alignments of the shapes. The alignments come from one fixed
-/// sequence, so that the figures of two runs compare.
+/// Sixty alignments of as many pieces, from one fixed sequence, so that the figures of two runs
+/// compare.
+std::vector<std::vector<Alignment>> randomAlignments(const WallpaperGroup& group,
+                                                     std::size_t pieces);
+
+/// The mean of fitAny over random alignments of the shapes.
 double fitRandom(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes);
 
 /// Greatest movement of an outline vertex of any piece, as it lies or after the piece's best rigid
