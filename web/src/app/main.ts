@@ -1,5 +1,6 @@
 /** Puts the page together. */
 import {
+  defineParts,
   keepPreferences,
   loadSamples,
   storedPreferences,
@@ -11,6 +12,8 @@ import type {Design} from '../model/design.js';
 import {askedFor, firstDesign} from './first-design.js';
 import {Keeper} from './keeper.js';
 import {SeamwisePage} from './page.js';
+import {RecentMenu} from './recent-menu.js';
+import {SaveMenu} from './save-menu.js';
 
 const samples = loadSamples();
 const desk = new Workbench({}, storedPreferences());
@@ -19,6 +22,10 @@ const keeper = new Keeper(desk, (trouble) => {
   desk.say({tone: 'error', text: textsOf(desk.preferences.language).storage[trouble]});
 });
 
+defineParts();
+customElements.define('sw-recent-menu', RecentMenu);
+customElements.define('sw-save-menu', SaveMenu);
+customElements.define('seamwise-page', SeamwisePage);
 const page = new SeamwisePage();
 page.desk = desk;
 page.keeper = keeper;

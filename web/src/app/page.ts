@@ -17,8 +17,6 @@ import type {Keeper} from './keeper.js';
 import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
 import {pageKeys} from './page-keys.js';
-import './recent-menu.js';
-import './save-menu.js';
 import {saveProject, saveResult} from './save.js';
 
 export class SeamwisePage extends DeskElement {
@@ -206,5 +204,3 @@ export class SeamwisePage extends DeskElement {
     </button>`;
   }
 }
-
-customElements.define('seamwise-page', SeamwisePage);

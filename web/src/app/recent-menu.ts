@@ -88,5 +88,3 @@ export class RecentMenu extends DeskElement {
     if (history) this.desk.begin(history);
   }
 }
-
-customElements.define('sw-recent-menu', RecentMenu);

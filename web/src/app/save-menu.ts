@@ -86,5 +86,3 @@ export class SaveMenu extends DeskElement {
     `;
   }
 }
-
-customElements.define('sw-save-menu', SaveMenu);

@@ -5,7 +5,6 @@ import type {GrainLock} from '../../model/options.js';
 import {methods, type Method} from '../../model/problem.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
-import './number-field.js';
 import {
   fittingOf,
   presetNames,
@@ -185,5 +184,3 @@ export class FitPanel extends DeskElement {
     if (design) this.desk.change(withFitting(design, {...fittingOf(design), ...change}), kind);
   }
 }
-
-customElements.define('sw-fit-panel', FitPanel);

@@ -96,5 +96,3 @@ export class NumberField extends LitElement {
     this.dispatchEvent(new CustomEvent<number>('entered', {detail: value}));
   }
 }
-
-customElements.define('sw-number-field', NumberField);

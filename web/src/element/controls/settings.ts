@@ -92,5 +92,3 @@ export class Settings extends DeskElement {
     </label>`;
   }
 }
-
-customElements.define('sw-settings', Settings);

@@ -7,7 +7,6 @@ import {DeskElement, PatientElement} from '../desk-element.js';
 import type {SeamRow} from '../lists/rows.js';
 import type {LensCursor} from '../pattern/marks.js';
 import {tileOf} from '../pattern/tile.js';
-import '../pattern/wipe-handle.js';
 import {controls} from '../style/controls.js';
 import {rulerOf} from './ruler.js';
 
@@ -202,5 +201,3 @@ export class LensStrip extends PatientElement {
     this.dispatchEvent(new CustomEvent('sw-lens-cursor', {detail, bubbles: true, composed: true}));
   }
 }
-
-customElements.define('sw-lens-strip', LensStrip);

@@ -191,5 +191,3 @@ export class SeamLens extends PatientElement {
     </button>`;
   }
 }
-
-customElements.define('sw-lens', SeamLens);

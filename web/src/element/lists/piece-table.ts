@@ -122,5 +122,3 @@ export class PieceTable extends ListTable<PieceRow> {
     if (design) this.desk.change({options: change(design.options)});
   }
 }
-
-customElements.define('sw-piece-table', PieceTable);

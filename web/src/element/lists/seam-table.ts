@@ -118,5 +118,3 @@ const bar = (severity: number): TemplateResult =>
     ${svg`<rect width=${Math.max(2, 44 * severity).toFixed(1)} height="4" rx="2"
       fill=${mismatchColour(severity * worstMismatch)} />`}
   </svg>`;
-
-customElements.define('sw-seam-table', SeamTable);

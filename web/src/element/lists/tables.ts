@@ -2,8 +2,6 @@
 import {html, type TemplateResult} from 'lit';
 
 import {DeskElement} from '../desk-element.js';
-import './piece-table.js';
-import './seam-table.js';
 
 export class Tables extends DeskElement {
   protected override render(): TemplateResult {
@@ -11,5 +9,3 @@ export class Tables extends DeskElement {
       ><sw-seam-table .desk=${this.desk}></sw-seam-table>`;
   }
 }
-
-customElements.define('sw-tables', Tables);

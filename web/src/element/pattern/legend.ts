@@ -77,5 +77,3 @@ export class Legend extends DeskElement {
     `;
   }
 }
-
-customElements.define('sw-legend', Legend);

@@ -14,7 +14,6 @@ import {lastOf} from '../workbench/last-of.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import {SceneMaker} from '../workbench/scenes.js';
 import type {Workbench} from '../workbench/workbench.js';
-import './legend.js';
 import {overlayOf, type LensCursor} from './marks.js';
 import {patternKeys} from './pattern-keys.js';
 import {optionId, patternOptions} from './pattern-options.js';
@@ -24,13 +23,6 @@ import {Pointing} from './pointing.js';
 import {SheetIndex} from './sheet-index.js';
 import {emptyNote, noteStyle, noWebGlNote, stateNote} from './state-note.js';
 import {tileOf} from './tile.js';
-import './ties-menu.js';
-import './tool-hint.js';
-import './toolbar.js';
-import './wipe-handle.js';
-
-/** Begun at once: the drawing is the page's heaviest part. */
-const drawing = import('../../viewer/pattern-view.js');
 
 export class PatternPane extends PatientElement {
   static override styles = [controls, paneStyle, noteStyle];
@@ -96,7 +88,8 @@ export class PatternPane extends PatientElement {
   }
 
   async #open(signal: AbortSignal): Promise<void> {
-    const {PatternView} = await drawing;
+    // begun before anything is laid out: the drawing is the heaviest part
+    const {PatternView} = await import('../../viewer/pattern-view.js');
     await this.updateComplete;
     const stage = this.#stage;
     if (signal.aborted || !stage) return;
@@ -318,5 +311,3 @@ function tiedText(
   const piece = scenes?.now.pieces[target.piece]?.label ?? '';
   return `${target.kind === 'seam' ? (rows[target.seam]?.name ?? '') : edge}, ${piece}`;
 }
-
-customElements.define('sw-pattern', PatternPane);

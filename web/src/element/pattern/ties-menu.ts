@@ -82,5 +82,3 @@ export class TiesMenu extends LitElement {
     items[(at + step + items.length) % items.length]?.focus();
   }
 }
-
-customElements.define('sw-ties-menu', TiesMenu);

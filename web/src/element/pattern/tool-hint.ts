@@ -70,5 +70,3 @@ export class ToolHint extends DeskElement {
     return html`${preset('motif', symmetry.centreMotif)} ${preset('line', symmetry.centreLine)}`;
   }
 }
-
-customElements.define('sw-tool-hint', ToolHint);

@@ -69,5 +69,3 @@ export class Toolbar extends DeskElement {
     </button>`;
   }
 }
-
-customElements.define('sw-toolbar', Toolbar);

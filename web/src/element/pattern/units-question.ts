@@ -58,5 +58,3 @@ export class UnitsQuestion extends DeskElement {
     </div>`;
   }
 }
-
-customElements.define('sw-units-question', UnitsQuestion);

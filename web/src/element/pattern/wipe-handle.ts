@@ -107,5 +107,3 @@ export class WipeHandle extends DeskElement {
     `;
   }
 }
-
-customElements.define('sw-wipe-handle', WipeHandle);

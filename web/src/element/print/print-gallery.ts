@@ -205,5 +205,3 @@ export class PrintGallery extends PatientElement {
     this.#choose(next);
   }
 }
-
-customElements.define('sw-print-gallery', PrintGallery);

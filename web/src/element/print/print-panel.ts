@@ -8,9 +8,6 @@ import {icon} from '../style/icons.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import type {Samples} from '../workbench/samples.js';
 import {openPrint, printFiles} from './own-tile.js';
-import './print-gallery.js';
-import './repeat-fields.js';
-import './tile-report.js';
 
 export class PrintPanel extends DeskElement {
   static override properties = {
@@ -83,5 +80,3 @@ export class PrintPanel extends DeskElement {
     input.value = ''; // the same file may be opened again
   }
 }
-
-customElements.define('sw-print-panel', PrintPanel);

@@ -181,5 +181,3 @@ export class RepeatFields extends DeskElement {
     if (this.desk.design?.print === print) this.desk.change({print: smaller});
   }
 }
-
-customElements.define('sw-repeat-fields', RepeatFields);

@@ -152,5 +152,3 @@ export class TileReport extends DeskElement {
     if (this.desk.design?.print === print) this.desk.change({print: taken});
   }
 }
-
-customElements.define('sw-tile-report', TileReport);

@@ -92,5 +92,3 @@ export class GarmentChoice extends DeskElement {
     }
   }
 }
-
-customElements.define('sw-garment-choice', GarmentChoice);

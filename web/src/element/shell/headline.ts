@@ -141,5 +141,3 @@ export class Headline extends DeskElement {
     </details>`;
   }
 }
-
-customElements.define('sw-headline', Headline);

@@ -85,5 +85,3 @@ export class KeyMap extends DeskElement {
     </div>`;
   }
 }
-
-customElements.define('sw-key-map', KeyMap);

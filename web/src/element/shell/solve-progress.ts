@@ -78,5 +78,3 @@ export class SolveProgress extends DeskElement {
     }
   }
 }
-
-customElements.define('sw-progress', SolveProgress);

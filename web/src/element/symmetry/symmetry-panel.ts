@@ -112,5 +112,3 @@ export class SymmetryPanel extends DeskElement {
       : symmetry.both(label(one.pieces[0]), label(one.pieces[1]));
   }
 }
-
-customElements.define('sw-symmetry-panel', SymmetryPanel);

@@ -1,0 +1,59 @@
+/** The parts by the names that templates call them. Importing a part registers nothing: whoever uses them does. */
+import {FitPanel} from './controls/fit-panel.js';
+import {NumberField} from './controls/number-field.js';
+import {Settings} from './controls/settings.js';
+import {LensStrip} from './lens/lens-strip.js';
+import {SeamLens} from './lens/lens.js';
+import {PieceTable} from './lists/piece-table.js';
+import {SeamTable} from './lists/seam-table.js';
+import {Tables} from './lists/tables.js';
+import {Legend} from './pattern/legend.js';
+import {PatternPane} from './pattern/pattern-pane.js';
+import {TiesMenu} from './pattern/ties-menu.js';
+import {ToolHint} from './pattern/tool-hint.js';
+import {Toolbar} from './pattern/toolbar.js';
+import {UnitsQuestion} from './pattern/units-question.js';
+import {WipeHandle} from './pattern/wipe-handle.js';
+import {PrintGallery} from './print/print-gallery.js';
+import {PrintPanel} from './print/print-panel.js';
+import {RepeatFields} from './print/repeat-fields.js';
+import {TileReport} from './print/tile-report.js';
+import {GarmentChoice} from './shell/garment-choice.js';
+import {Headline} from './shell/headline.js';
+import {KeyMap} from './shell/key-map.js';
+import {SolveProgress} from './shell/solve-progress.js';
+import {SymmetryPanel} from './symmetry/symmetry-panel.js';
+
+const parts: Readonly<Record<string, CustomElementConstructor>> = {
+  'sw-fit-panel': FitPanel,
+  'sw-garment-choice': GarmentChoice,
+  'sw-headline': Headline,
+  'sw-key-map': KeyMap,
+  'sw-legend': Legend,
+  'sw-lens': SeamLens,
+  'sw-lens-strip': LensStrip,
+  'sw-number-field': NumberField,
+  'sw-pattern': PatternPane,
+  'sw-piece-table': PieceTable,
+  'sw-print-gallery': PrintGallery,
+  'sw-print-panel': PrintPanel,
+  'sw-progress': SolveProgress,
+  'sw-repeat-fields': RepeatFields,
+  'sw-seam-table': SeamTable,
+  'sw-settings': Settings,
+  'sw-symmetry-panel': SymmetryPanel,
+  'sw-tables': Tables,
+  'sw-ties-menu': TiesMenu,
+  'sw-tile-report': TileReport,
+  'sw-tool-hint': ToolHint,
+  'sw-toolbar': Toolbar,
+  'sw-units-question': UnitsQuestion,
+  'sw-wipe-handle': WipeHandle,
+};
+
+/** Registers what is not yet registered: two who use the parts on one page do not get in each other's way. */
+export function defineParts(): void {
+  for (const [name, part] of Object.entries(parts)) {
+    if (!customElements.get(name)) customElements.define(name, part);
+  }
+}
