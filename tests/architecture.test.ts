@@ -30,6 +30,7 @@ const webLayers: Readonly<Record<string, readonly string[]>> = {
   app: ['model', 'element'], // uses only the public API
   node: ['model', 'solver', 'picture'],
   cli: ['model', 'node', 'picture'],
+  '': ['model', 'solver'], // index.ts, the entry of the package
 };
 
 /** Every layer may use all the layers before its own. */

@@ -1,4 +1,5 @@
 // The worker's entry; whoever hosts it elsewhere needs this file's imports and the .wasm file beside it.
 import {serve} from './worker.js';
 
-serve(self);
+// Where there is nobody to serve, on a server that follows every import, this does nothing.
+if ('DedicatedWorkerGlobalScope' in globalThis) serve(self);

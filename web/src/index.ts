@@ -1,0 +1,20 @@
+/** The package for pages: the solver in workers, and the files that a page may be handed. */
+export type {Alignment, Point} from './model/geometry.js';
+export type * from './model/garment.js';
+export {garmentTitle, type GarmentTitle} from './model/garment-marks.js';
+export type * from './model/options.js';
+export * from './model/print.js';
+export * from './model/problem.js';
+export type * from './model/result.js';
+export type * from './model/symmetries.js';
+export {failureCodes, SolverError, type Failure, type FailureCode} from './model/failure.js';
+
+export {printOf, problemOf} from './model/design.js';
+export type {Design, DesignGarment, DesignPrint} from './model/design.js';
+export {linkOf, readLink, type LinkedDesign} from './model/link.js';
+export {FileError, isProject, readProject, writeProject} from './model/project.js';
+export type {Project, ProjectView} from './model/project.js';
+export {repeatOf, type RepeatSize} from './model/repeat.js';
+export {solvedDesign, type SolvedFiles} from './model/solved-design.js';
+
+export * from './solver/client.js';
