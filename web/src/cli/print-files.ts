@@ -1,6 +1,6 @@
 import {dirname, extname, isAbsolute, join} from 'node:path';
 
-import type {Print} from '../model/print.js';
+import {colourwayOf, type Print} from '../model/print.js';
 import {UsageError} from './arguments.js';
 import {readBytes, readText} from './files.js';
 
@@ -26,7 +26,7 @@ export async function readPrint(path: string): Promise<string> {
 /** The print in one of its colourways. @throws {UsageError} naming those there are */
 export function inColourway(print: Print, name: string, path: string): Print {
   const {colourways = []} = print;
-  const found = colourways.find((one) => one.name.toLowerCase() === name.toLowerCase());
+  const found = colourwayOf(print, name);
   if (found) return {...print, image: found.image};
   const known = colourways.map((one) => one.name).join(', ');
   throw new UsageError(

@@ -27,7 +27,10 @@ const fileStem = text(/^[\w-]{1,80}$/, 'the name of a sample');
 const locks = oneOf(['free', 'on', 'bias']);
 const degrees = number(0, 90);
 
-const alignment: Read<Alignment> = shape({angle: number(-1000, 1000), translation: point});
+export const readAlignment: Read<Alignment> = shape({
+  angle: number(-1000, 1000),
+  translation: point,
+});
 
 const grainRule: Read<GrainRule> = (value, at) =>
   typeof value === 'string'
@@ -45,7 +48,7 @@ const options: Read<SolveOptions> = shape(
     continuousOnly: flag,
     averageSeamShapes: flag,
     grain: shape({}, {default: locks, toleranceDeg: degrees, pieces: recordOf(grainRule)}),
-    pins: recordOf(alignment),
+    pins: recordOf(readAlignment),
     weights: recordOf(number(0, 1e6)),
     unmatched: listOf(wholeNumber),
     plain: listOf(text()),
@@ -63,21 +66,26 @@ const symmetry: Read<Symmetry> = (value, at) => {
 export const garmentSample = shape({style: fileStem, size: fileStem});
 export const printSample = shape({name: fileStem, colourway: text()});
 
-/** The repeat of a print, without its picture. */
-export const printMeasures = shape({
+/** The fields of a print's repeat. */
+export const repeatFields = {
   group: oneOf(groupNames),
   size: shape({width: repeat, height: repeat, angleDeg: number(1, 179)}),
   turnDeg: number(-360, 360),
   oneWay: flag,
   cell: oneOf(['primitive', 'rectangular']),
-});
+};
 
-/** What is decided about garment and print together. */
-export const decisions = shape({
+/** The repeat of a print, without its picture. */
+export const printMeasures = shape(repeatFields);
+
+/** The fields that are decided about garment and print together. */
+export const decisionFields = {
   symmetries: listOf(symmetry),
   method: oneOf(methods),
   options,
-});
+};
+
+export const decisions = shape(decisionFields);
 
 /** Pictures lie in the file itself or are those of a sample: no file may make the page ask another host. */
 const picture: Read<string> = (value, at) => {

@@ -49,3 +49,7 @@ export interface Print {
   /** The first is the one that `image` shows. */
   readonly colourways?: readonly Colourway[];
 }
+
+/** The colourway of that name, however it is capitalised. */
+export const colourwayOf = ({colourways = []}: Print, name: string): Colourway | undefined =>
+  colourways.find((one) => one.name.toLowerCase() === name.toLowerCase());

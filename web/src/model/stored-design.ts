@@ -1,0 +1,227 @@
+/** A design as shops store it: what was chosen, which files it was chosen for, and what the answer was. */
+import type {DesignPrint} from './design.js';
+import {decisionFields, readAlignment, repeatFields} from './design-reader.js';
+import type {Alignment, Point} from './geometry.js';
+import type {SolveOptions} from './options.js';
+import {colourwayOf, groupNames, type Print} from './print.js';
+import type {Method, Problem} from './problem.js';
+import {
+  fail,
+  listOf,
+  Malformed,
+  number,
+  oneOf,
+  pairOf,
+  recordOf,
+  shape,
+  text,
+  type Read,
+} from './read.js';
+import {latticeVectors, repeatOf} from './repeat.js';
+import {resultText, sha256Of} from './result-text.js';
+import type {SolveResult} from './result.js';
+import type {Symmetry} from './symmetries.js';
+import {FileError, readVersioned, type FileKind} from './versioned-file.js';
+import {packageVersion} from './version.js';
+
+/** A file by its place, and by the sha256 of its bytes in lower-case hexadecimal digits. */
+export interface StoredFile {
+  /** http:, https: or file:, or relative to the design. */
+  readonly url: string;
+  readonly sha256: string;
+}
+
+/** What was changed of a print; what is left out is as the print's file has it. */
+export type PrintChanges = Partial<
+  Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell'>
+> & {
+  /** One of the print file's colourways. */
+  readonly colourway?: string;
+};
+
+/** Everything that the answer depends on. */
+export interface StoredProblem {
+  /** `size` is what the shop calls it. */
+  readonly garment: StoredFile & {readonly size?: string};
+  readonly print: StoredFile & PrintChanges;
+  readonly symmetry: 'auto' | 'none' | readonly Symmetry[];
+  readonly method: Method;
+  readonly options: SolveOptions;
+  readonly seed: number;
+}
+
+/** `seamwise-design/1`. */
+export interface StoredDesign extends StoredProblem {
+  /** Where each piece lies on the print, by its name. */
+  readonly alignments: Readonly<Record<string, Alignment>>;
+  /** The sha256 of the result's text, as `resultText` writes it. */
+  readonly result: string;
+  /** The version of this package that found the result. */
+  readonly solver: string;
+}
+
+const version = 1;
+/** The largest garments need a few thousand. [characters] */
+const greatestLength = 200_000;
+
+const name = text(/^\P{Cc}{1,200}$/u, 'a name of at most 200 characters');
+const hash = text(/^[\da-f]{64}$/, 'a sha256 in 64 lower-case hexadecimal digits');
+const semver = text(/^\d{1,6}\.\d{1,6}\.\d{1,6}(-[\w.-]{1,80})?$/, 'a version such as 1.0.0');
+
+/** No scheme that runs or holds something itself, no other host behind a path, nothing that a parser would drop. */
+const url: Read<string> = (value, at) => {
+  const address = text()(value, at);
+  const isPlain = /^[^\p{Cc}\\]{1,2000}$/u.test(address) && address.trim() === address;
+  const isKnown =
+    /^(https?|file):\/\//i.test(address) || !/^([a-z][a-z\d+.-]*:|\/\/)/i.test(address);
+  return isPlain && isKnown
+    ? address
+    : fail(at, 'an http:, https: or file: URL, or a path relative to the design');
+};
+
+const seed: Read<number> = (value, at) =>
+  Number.isInteger(value)
+    ? number(0, 0xffffffff)(value, at)
+    : fail(at, 'a whole number, 0 or more');
+
+const asked: Read<StoredProblem['symmetry']> = (value, at) =>
+  Array.isArray(value)
+    ? decisionFields.symmetries(value, at)
+    : typeof value === 'string'
+      ? oneOf(['auto', 'none'])(value, at)
+      : fail(at, "'auto', 'none' or a list of symmetries");
+
+const kind: FileKind<StoredDesign> = {
+  format: 'seamwise-design',
+  version,
+  read: shape({
+    garment: shape({url, sha256: hash}, {size: name}),
+    print: shape({url, sha256: hash}, {colourway: name, ...repeatFields}),
+    symmetry: asked,
+    method: decisionFields.method,
+    options: decisionFields.options,
+    seed,
+    alignments: recordOf(readAlignment),
+    result: hash,
+    solver: semver,
+  }),
+  notJson: 'is not JSON; give it a design that was stored by Seamwise.',
+  otherKind: `is no design; its 'format' must be 'seamwise-design/${version}'.`,
+  newer: (written) =>
+    `was stored by a newer Seamwise (design format ${written}, this one reads ${version}); update this package.`,
+  damaged: (what) => `is damaged: ${what}; correct it, or take an earlier copy.`,
+};
+
+/** @throws {FileError} when the text is no design, or not a sound one */
+export function readStoredDesign(content: string, called: string): StoredDesign {
+  if (content.length > greatestLength) {
+    throw new FileError(
+      called,
+      `is longer than a design's ${greatestLength} characters; store garment and print by their URLs.`,
+    );
+  }
+  return readVersioned(content, called, kind);
+}
+
+export const writeStoredDesign = (design: StoredDesign): string =>
+  `${JSON.stringify({format: `${kind.format}/${version}`, ...design}, null, 1)}\n`;
+
+/** What is to be stored of a problem that was solved; the result must be that of `problemOfStored`. */
+export const designOf = (problem: StoredProblem, result: SolveResult): StoredDesign => ({
+  ...problem,
+  alignments: Object.fromEntries(result.pieces.map((piece) => [piece.name, piece.alignment])),
+  result: sha256Of(resultText(result)),
+  solver: packageVersion,
+});
+
+/** Nearer than anybody measures. [cm, degrees] */
+const near = (one: number, other: number): boolean => Math.abs(one - other) < 1e-9;
+
+/** Where a print as it is shown differs from its file. */
+export function changesOf(
+  {group, size, turnDeg, oneWay, cell}: Required<Omit<PrintChanges, 'colourway'>>,
+  file: Print,
+): PrintChanges {
+  const own = repeatOf(file);
+  const isResized = (['width', 'height', 'angleDeg'] as const).some(
+    (side) => !near(size[side], own.size[side]),
+  );
+  return {
+    ...(group !== file.group && {group}),
+    ...(isResized && {size}),
+    ...(!near(turnDeg, own.turnDeg) && {turnDeg}),
+    ...(oneWay !== (file.oneWay ?? false) && {oneWay}),
+    ...(cell !== (file.cell ?? 'primitive') && {cell}),
+  };
+}
+
+const length = number(-10_000, 10_000);
+const printFields: Read<Print> = shape(
+  {group: oneOf(groupNames), w1: pairOf(length), w2: pairOf(length)},
+  {
+    image: text(),
+    colourways: listOf(shape({name: text(), image: text()})),
+    oneWay: repeatFields.oneWay,
+    cell: repeatFields.cell,
+  },
+);
+
+/** Browsers differ in the last digit of a sine, and must not in that of a result. [cm] */
+const settled = ([x, y]: Point): Point => [
+  Math.round(x * 1e9) / 1e9 + 0,
+  Math.round(y * 1e9) / 1e9 + 0,
+];
+
+/** The print of a design, as its file and the changes make it. @throws {FileError} naming the print's file */
+export function printOfStored({print}: Pick<StoredProblem, 'print'>, content: string): Print {
+  const file = printFile(content, print.url);
+  const {colourway, group = file.group, size, turnDeg, oneWay, cell} = print;
+  const worn = colourway === undefined ? undefined : colourwayOf(file, colourway);
+  if (colourway !== undefined && !worn) {
+    throw new FileError(print.url, `has no colourway '${colourway}'; choose one that it has.`);
+  }
+  const own = repeatOf(file);
+  const [w1, w2] = latticeVectors(group, size ?? own.size, turnDeg ?? own.turnDeg);
+  return {
+    ...file,
+    ...(worn && {image: worn.image}),
+    ...(hasNewLattice(print) && {group, w1: settled(w1), w2: settled(w2)}),
+    ...(oneWay !== undefined && {oneWay}),
+    ...(cell !== undefined && {cell}),
+  };
+}
+
+const hasNewLattice = ({group, size, turnDeg}: PrintChanges): boolean =>
+  group !== undefined || size !== undefined || turnDeg !== undefined;
+
+function printFile(content: string, called: string): Print {
+  try {
+    const file: unknown = JSON.parse(content);
+    return {...(file as object), ...printFields(file, '')};
+  } catch (cause) {
+    if (!(cause instanceof Malformed || cause instanceof SyntaxError)) throw cause;
+    const what = cause instanceof Malformed ? cause.message : 'it is not JSON';
+    throw new FileError(called, `is no print file: ${what}; correct it.`, {cause});
+  }
+}
+
+/**
+ * The one problem that a stored design stands for, wherever it is solved.
+ * @param texts of the two files @throws {FileError} naming the print's file
+ */
+export function problemOfStored(
+  stored: StoredProblem,
+  texts: {readonly garment: string; readonly print: string},
+): Problem {
+  const {symmetry, method, options, seed: start, print} = stored;
+  const shown = printOfStored(stored, texts.print);
+  const isAsInFile = !hasNewLattice(print) && print.oneWay === undefined;
+  return {
+    garment: texts.garment,
+    print: isAsInFile ? texts.print : shown,
+    symmetry: typeof symmetry === 'string' ? symmetry : {symmetries: symmetry},
+    method,
+    options,
+    seed: start,
+  };
+}

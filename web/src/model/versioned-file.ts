@@ -1,0 +1,59 @@
+/** Files of the project's own that say which version of their format they are written in. */
+import {fieldOf, Malformed, type Read} from './read.js';
+
+/** A file that cannot be used. The message is one sentence for people: it names the file and the remedy. */
+export class FileError extends Error {
+  override readonly name = 'FileError';
+  readonly file: string;
+
+  constructor(file: string, complaint: string, options?: ErrorOptions) {
+    super(`${file} ${complaint}`, options);
+    this.file = file;
+  }
+}
+
+/** One kind of file; a complaint ends the sentence that begins with the file's name. */
+export interface FileKind<T> {
+  /** The `format` without its version. */
+  readonly format: string;
+  /** The newest that can be read. */
+  readonly version: number;
+  readonly read: Read<T>;
+  readonly notJson: string;
+  readonly otherKind: string;
+  readonly newer: (written: number) => string;
+  readonly damaged: (what: string) => string;
+}
+
+/** The version of its format that a file states, if it is of this kind at all. */
+export function versionOf(
+  file: unknown,
+  {format}: Pick<FileKind<unknown>, 'format'>,
+): number | undefined {
+  const stated = fieldOf(file, 'format');
+  if (typeof stated !== 'string' || !stated.startsWith(`${format}/`)) return undefined;
+  const digits = stated.slice(format.length + 1);
+  return /^\d{1,9}$/.test(digits) ? Number(digits) : undefined;
+}
+
+/** @throws {FileError} when the text is of another kind, or not a sound one */
+export function readVersioned<T>(text: string, name: string, kind: FileKind<T>): T {
+  const file = parsed(text, name, kind);
+  const written = versionOf(file, kind);
+  if (written === undefined) throw new FileError(name, kind.otherKind);
+  if (written > kind.version) throw new FileError(name, kind.newer(written));
+  try {
+    return kind.read(file, '');
+  } catch (cause) {
+    if (!(cause instanceof Malformed)) throw cause;
+    throw new FileError(name, kind.damaged(cause.message), {cause});
+  }
+}
+
+function parsed(text: string, name: string, {notJson}: FileKind<unknown>): unknown {
+  try {
+    return JSON.parse(text);
+  } catch (cause) {
+    throw new FileError(name, notJson, {cause});
+  }
+}
