@@ -20,20 +20,35 @@ import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 const moduleFolder = 'web/src/solver/module';
 const at = (...parts) => join(root, ...parts);
 
-/** Builds what is missing or out of date: the module first, then everything in TypeScript. */
+/** The parts of a build, each made from those before it; `from` is what it is made from besides. */
+const parts = {
+  module: {
+    from: ['CMakeLists.txt', 'CMakePresets.json', 'wasm'],
+    make: buildModule,
+    products: [`${moduleFolder}/seamwise.mjs`, `${moduleFolder}/seamwise.wasm`],
+  },
+  scripts: {
+    from: ['package.json', 'tsconfig.json', 'tsconfig.build.json', 'web/src'],
+    make: buildScripts,
+    products: ['dist/cli/main.js', 'dist/solver/module/seamwise.wasm'],
+  },
+};
+
+/** Builds what is missing or out of date. */
 export async function build() {
-  const module = signature(['CMakeLists.txt', 'CMakePresets.json', 'wasm']);
-  const scripts = signature(
-    ['package.json', 'tsconfig.json', 'tsconfig.build.json', 'web/src'],
-    module,
-  );
-  if (isFresh('module', module) && isFresh('scripts', scripts)) return;
+  let state = '';
+  const states = Object.keys(parts).map((part) => [
+    part,
+    (state = signature(parts[part].from, state)),
+  ]);
+  if (states.every(([part, state]) => isFresh(part, state))) return;
   const unlock = await lock();
   try {
-    if (!isFresh('module', module)) await buildModule();
-    stamp('module', module);
-    if (!isFresh('scripts', scripts)) await buildScripts();
-    stamp('scripts', scripts);
+    for (const [part, state] of states) {
+      if (isFresh(part, state)) continue;
+      await parts[part].make();
+      stamp(part, state);
+    }
   } finally {
     unlock();
   }
@@ -74,7 +89,10 @@ async function buildScripts() {
   say('Compiling TypeScript ...');
   rmSync(at('dist'), {recursive: true, force: true});
   const [node, tsc] = tool('typescript', 'tsc');
-  await must(node, [tsc, '-p', 'tsconfig.build.json']);
+  const compile = [tsc, '-p', 'tsconfig.build.json'];
+  // Scripts are downloaded and need no comments; declarations keep them, for editors to show.
+  await must(node, [...compile, '--declaration', 'false', '--noCheck', '--removeComments']);
+  await must(node, [...compile, '--emitDeclarationOnly']);
   mkdirSync(at('dist/solver/module'), {recursive: true});
   for (const file of ['seamwise.mjs', 'seamwise.wasm', 'seamwise.d.mts']) {
     copyFileSync(at(moduleFolder, file), at('dist/solver/module', file));
@@ -85,7 +103,7 @@ async function buildScripts() {
 function signature(paths, ...more) {
   const hash = createHash('sha256');
   const visit = (path) => {
-    if (products.module.includes(path)) return;
+    if (parts.module.products.includes(path)) return;
     const state = statSync(at(path));
     if (state.isDirectory()) {
       for (const name of readdirSync(at(path)).sort()) visit(`${path}/${name}`);
@@ -97,15 +115,10 @@ function signature(paths, ...more) {
   return hash.update(more.join()).digest('hex');
 }
 
-const products = {
-  module: [`${moduleFolder}/seamwise.mjs`, `${moduleFolder}/seamwise.wasm`],
-  scripts: ['dist/cli/main.js', 'dist/solver/module/seamwise.wasm'],
-};
-
 function isFresh(part, state) {
   const file = at('build', `${part}.stamp`);
   return (
-    [...products[part].map((path) => at(path)), file].every((path) => existsSync(path)) &&
+    [...parts[part].products.map((path) => at(path)), file].every((path) => existsSync(path)) &&
     readFileSync(file, 'utf8') === state
   );
 }
