@@ -2,6 +2,7 @@
 import {
   defineParts,
   keepPreferences,
+  leaseSolver,
   loadSamples,
   storedPreferences,
   textsOf,
@@ -16,7 +17,14 @@ import {RecentMenu} from './recent-menu.js';
 import {SaveMenu} from './save-menu.js';
 
 const samples = loadSamples();
-const desk = new Workbench({}, storedPreferences());
+const desk: Workbench = new Workbench(
+  leaseSolver({
+    onBlocked: ({message}) => {
+      desk.say({tone: 'info', text: message});
+    },
+  }),
+  storedPreferences(),
+);
 keepPreferences(desk);
 const keeper = new Keeper(desk, (trouble) => {
   desk.say({tone: 'error', text: textsOf(desk.preferences.language).storage[trouble]});

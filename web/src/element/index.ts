@@ -18,3 +18,4 @@ export * from './workbench/preferences.js';
 export * from './workbench/samples.js';
 export * from './workbench/workbench.js';
 export {toFailure} from './workbench/latest-solve.js';
+export {leaseSolver} from '../solver/pool.js';

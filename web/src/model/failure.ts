@@ -1,4 +1,4 @@
-/** Why a solve could not deliver. Names and numbers only ever grow: both are part of the API. */
+/** Why a solve could not deliver, as the core counts it. Names and numbers only ever grow: both are part of the API. */
 export const failureCodes = {
   cancelled: 1,
   internal: 2,
@@ -29,7 +29,23 @@ export const failureCodes = {
   options: 80,
 } as const;
 
-export type FailureCode = keyof typeof failureCodes;
+/** What keeps a page from being served where the core was never asked. The names are part of the API, too. */
+export const pageFailureCodes = [
+  /** The solver's worker cannot be started; solving goes on in the page itself. */
+  'worker-blocked',
+  /** WebAssembly, or the solver's .wasm file, is missing or not allowed. */
+  'no-wasm',
+  /** A file is not where it was looked for. */
+  'not-found',
+  'network',
+  'timeout',
+  'no-webgl',
+  /** A file is larger than the page reads. */
+  'too-large',
+  'not-an-image',
+] as const;
+
+export type FailureCode = keyof typeof failureCodes | (typeof pageFailureCodes)[number];
 
 /** A failure as plain data, fit to be posted between threads. */
 export interface Failure {

@@ -1,8 +1,5 @@
 import {SolverError, type Failure} from '../model/failure.js';
-import type {Garment} from '../model/garment.js';
-import type {Problem, SolveHooks} from '../model/problem.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
-import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import type {SolveHooks} from '../model/problem.js';
 import {internalError} from './broken.js';
 import {
   protocolVersion,
@@ -10,28 +7,19 @@ import {
   type Answers,
   type FromWorker,
   type JobRequest,
+  type QuestionOf,
 } from './protocol.js';
-import {
-  jsonText,
-  mirrorTexts,
-  plainNames,
-  problemTexts,
-  type NamedPrepareHooks,
-  type NamedSolveHooks,
-} from './texts.js';
+import {TextService} from './service.js';
 import {WatchedWorker, type WorkerOwner, type WorkerPlaces} from './watched-worker.js';
 
 export type {NamedPrepareHooks, NamedSolveHooks, ProblemNames} from './texts.js';
+export type {GarmentHooks, SolverService} from './service.js';
 export type {WorkerPlaces} from './watched-worker.js';
 
-/** For questions about a garment alone. */
-export interface GarmentHooks {
-  readonly signal?: AbortSignal;
-  /** What to call the garment in messages: the name of its file. */
-  readonly name?: string;
-}
-
-/** A worker sees a cancel between two slices; one that has not after this long is replaced. [ms] */
+/**
+ * A worker sees a cancel between two slices; one that has not after this long is replaced, unless it is
+ * at work for somebody else as well. [ms]
+ */
 const cancelPatience = 1000;
 
 /** Reading and meshing cannot be interrupted and take their time on a slow device. [ms] */
@@ -51,7 +39,7 @@ interface Job {
  * starts with the first call; jobs share it. What a caller hands over is copied, never taken away.
  * A call never stays pending: if the worker breaks, it is rejected, and the next call starts another.
  */
-export class SolverClient implements Disposable {
+export class SolverClient extends TextService implements Disposable {
   readonly #places: WorkerPlaces;
   readonly #jobs = new Map<number, Job>();
   /** Jobs whose callers have gone, and which the worker has not yet dropped. */
@@ -70,84 +58,15 @@ export class SolverClient implements Disposable {
   #disposed = false;
 
   constructor(places: WorkerPlaces = {}) {
+    super();
     this.#places = places;
   }
 
-  /**
-   * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its seams.
-   * @throws {SolverError} for bad input; the signal's reason, an `AbortError` by default, when it
-   *   fires; what a listener throws
-   */
-  async solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
-    hooks.signal?.throwIfAborted();
-    const texts = problemTexts(problem, hooks.names);
-    const showsPattern = hooks.onPattern !== undefined;
-    return this.#ask<'solve'>({kind: 'solve', job: ++this.#lastJob, texts, showsPattern}, hooks);
-  }
-
-  /**
-   * The garment as a solve would begin with it: checked, meshed, its symmetries settled.
-   * @throws {SolverError} as `solve` does
-   */
-  async prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
-    hooks.signal?.throwIfAborted();
-    const texts = problemTexts(problem, hooks.names);
-    return this.#ask<'prepare'>({kind: 'prepare', job: ++this.#lastJob, texts}, hooks);
-  }
-
-  /**
-   * Measures one symmetry on a garment, whether or not the garment mirrors so.
-   * @throws {SolverError} for bad input, such as a piece that the garment does not have
-   */
-  async mirror(
-    garment: Garment | string,
-    symmetry: Symmetry,
-    {signal, name = plainNames.garment}: GarmentHooks = {},
-  ): Promise<MeasuredSymmetry> {
-    signal?.throwIfAborted();
-    const texts = mirrorTexts(garment, symmetry, name);
-    return this.#ask<'mirror'>(
-      {kind: 'mirror', job: ++this.#lastJob, texts},
-      signal ? {signal} : {},
-    );
-  }
-
-  /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */
-  async symmetries(
-    garment: Garment | string,
-    hooks: GarmentHooks = {},
-  ): Promise<DetectedSymmetries> {
-    return this.#askAbout('symmetries', garment, hooks);
-  }
-
-  /** A garment of any readable format as the text of a seamwise-garment/1 file. */
-  async convert(garment: Garment | string, hooks: GarmentHooks = {}): Promise<string> {
-    return this.#askAbout('convert', garment, hooks);
-  }
-
-  /** Ends the worker; what is pending, and what is asked from now on, is rejected as cancelled. */
-  dispose(): void {
-    this.#disposed = true;
-    this.#breakDown({code: 'cancelled', message: 'The solver was disposed of.'});
-  }
-
-  [Symbol.dispose](): void {
-    this.dispose();
-  }
-
-  #askAbout<K extends 'symmetries' | 'convert'>(
-    kind: K,
-    garment: Garment | string,
-    {signal, name = plainNames.garment}: GarmentHooks,
-  ): Promise<Answers[K]> {
-    signal?.throwIfAborted();
-    const request = {kind, job: ++this.#lastJob, garment: jsonText(garment, name), name};
-    return this.#ask<K>(request, signal ? {signal} : {});
-  }
-
-  #ask<K extends keyof Answers>(request: JobRequest, hooks: SolveHooks): Promise<Answers[K]> {
+  /** @throws {SolverError} `worker-blocked`, before anything else is heard, if there can be no worker */
+  ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: SolveHooks): Promise<Answers[K]> {
     return new Promise((resolve, reject) => {
-      const {job} = request;
+      const job = ++this.#lastJob;
+      const request = {...question, job};
       const {signal} = hooks;
       this.#running().post(request);
       const abort = () => {
@@ -171,6 +90,16 @@ export class SolverClient implements Disposable {
     });
   }
 
+  /** Ends the worker; what is pending, and what is asked from now on, is rejected as cancelled. */
+  dispose(): void {
+    this.#disposed = true;
+    this.#breakDown({code: 'cancelled', message: 'The solver was disposed of.'});
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+
   #running(): WatchedWorker {
     if (this.#disposed) {
       throw new SolverError({code: 'cancelled', message: 'The solver was disposed of.'});
@@ -178,6 +107,7 @@ export class SolverClient implements Disposable {
     try {
       return (this.#worker ??= new WatchedWorker(this.#places, this.#owner));
     } catch (error) {
+      if (error instanceof SolverError) throw error;
       throw internalError('The solver could not be started', error);
     }
   }
@@ -244,8 +174,9 @@ export class SolverClient implements Disposable {
   }
 
   #patience(): number | null {
-    if (this.#leaving.size > 0) return cancelPatience;
-    return this.#jobs.size > 0 ? workPatience : null;
+    if (this.#jobs.size + this.#leaving.size === 0) return null;
+    const wanted = this.#leaving.size === 0 || [...this.#jobs.values()].some((job) => job.begun);
+    return wanted ? workPatience : cancelPatience;
   }
 
   /** A worker that kept silent over a cancelled job takes no job with it that it has not begun. */

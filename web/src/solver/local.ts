@@ -2,25 +2,59 @@ import {SolverError} from '../model/failure.js';
 import type {SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
-import {internalError} from './broken.js';
+import {internalError, loadingError} from './broken.js';
 import {SharedModule, type SeamwiseModule} from './load.js';
-import {run} from './run.js';
+import type {Answer, Answers, Question, QuestionOf} from './protocol.js';
+import {ownThread, run, type Pace} from './run.js';
 import {convertGarment, detectSymmetries, measureSymmetries, Solver} from './solver.js';
 import {plainNames, type MirrorTexts, type ProblemTexts} from './texts.js';
+import {Turns} from './turns.js';
 import type {ModuleSettings} from './module/seamwise.mjs';
 
-/** The solver on the thread that calls it; several calls share the thread, and one module instance. */
+/** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
+const solvesAtOnce = 2;
+
+/**
+ * The solver on the thread that calls it, with one module instance. Solves take turns in the order they
+ * came, two of them in slices side by side; everything else is answered at once.
+ */
 export class LocalSolver {
   readonly #shared: SharedModule;
+  readonly #pace: Pace;
+  readonly #turns = new Turns(solvesAtOnce);
 
   /** @param settings how to find the .wasm file; in a page or worker it is found by itself */
-  constructor(settings?: () => ModuleSettings | Promise<ModuleSettings>) {
+  constructor(settings?: () => ModuleSettings | Promise<ModuleSettings>, pace = ownThread) {
     this.#shared = new SharedModule(settings);
+    this.#pace = pace;
+  }
+
+  /** Answers any question. @throws {SolverError}; the signal's reason, as soon as it fires */
+  answer<K extends keyof Answers>(question: QuestionOf<K>, hooks: SolveHooks): Promise<Answers[K]> {
+    return this.#answer(question, hooks) as Promise<Answers[K]>;
+  }
+
+  #answer(question: Question, hooks: SolveHooks): Promise<Answer> {
+    switch (question.kind) {
+      case 'solve':
+        return this.solve(question.texts, hooks);
+      case 'prepare':
+        return this.prepare(question.texts, hooks.signal);
+      case 'mirror':
+        return this.mirror(question.texts, hooks.signal);
+      case 'symmetries':
+      case 'convert':
+        return this[question.kind](question.garment, question.name, hooks.signal);
+      default:
+        return question satisfies never;
+    }
   }
 
   /** @throws {SolverError} for bad input; the signal's reason, as soon as it fires */
   solve(texts: ProblemTexts, hooks: SolveHooks): Promise<SolveResult> {
-    return this.#withSolver(texts, hooks.signal, (solver) => run(solver, hooks));
+    const solve = () =>
+      this.#withSolver(texts, hooks.signal, (solver) => run(solver, hooks, this.#pace));
+    return this.#turns.take(solve, hooks.signal);
   }
 
   /** The garment as a solve would begin with it. @throws {SolverError}; the signal's reason */
@@ -29,24 +63,28 @@ export class LocalSolver {
   }
 
   /** @throws {SolverError} */
-  symmetries(garment: string, name: string): Promise<DetectedSymmetries> {
+  symmetries(garment: string, name: string, signal?: AbortSignal): Promise<DetectedSymmetries> {
     return this.#withModule(
       (module) => JSON.parse(detectSymmetries(module, garment, name)) as DetectedSymmetries,
+      signal,
     );
   }
 
   /** One symmetry, measured on the garment whether or not it mirrors. @throws {SolverError} */
-  mirror({garment, name, symmetries}: MirrorTexts): Promise<MeasuredSymmetry> {
+  mirror(
+    {garment, name, symmetries}: MirrorTexts,
+    signal?: AbortSignal,
+  ): Promise<MeasuredSymmetry> {
     return this.#withModule((module) => {
       const text = measureSymmetries(module, garment, name, symmetries, plainNames.symmetry);
       const [measured] = (JSON.parse(text) as {symmetries: [MeasuredSymmetry]}).symmetries;
       return measured;
-    });
+    }, signal);
   }
 
   /** @throws {SolverError} */
-  convert(garment: string, name: string): Promise<string> {
-    return this.#withModule((module) => convertGarment(module, garment, name));
+  convert(garment: string, name: string, signal?: AbortSignal): Promise<string> {
+    return this.#withModule((module) => convertGarment(module, garment, name), signal);
   }
 
   /** Memory of the module: its size, and what is in use of it. [bytes] */
@@ -60,19 +98,21 @@ export class LocalSolver {
     work: (solver: Solver) => T | Promise<T>,
   ): Promise<T> {
     return this.#withModule(async (module) => {
-      signal?.throwIfAborted();
       const solver = new Solver(module, texts);
       try {
         return await work(solver);
       } finally {
         solver[Symbol.dispose]();
       }
-    });
+    }, signal);
   }
 
   /** Runs `work` on the shared module. An instance that broke, or ran out of memory, is not trusted again. */
-  async #withModule<T>(work: (module: SeamwiseModule) => T | Promise<T>): Promise<T> {
-    const module = await this.#load();
+  async #withModule<T>(
+    work: (module: SeamwiseModule) => T | Promise<T>,
+    signal?: AbortSignal,
+  ): Promise<T> {
+    const module = await unlessAborted(this.#load(), signal);
     try {
       return await work(module);
     } catch (error) {
@@ -89,7 +129,24 @@ export class LocalSolver {
     try {
       return await this.#shared.load();
     } catch (error) {
-      throw internalError('The solver could not be loaded', error);
+      throw loadingError(error);
     }
   }
+}
+
+/** @throws the signal's reason, as soon as it fires; whatever comes of the promise is not wanted any more */
+function unlessAborted<T>(promise: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
+  if (!signal) return promise;
+  return new Promise((resolve, reject) => {
+    const abort = () => {
+      // eslint-disable-next-line @typescript-eslint/prefer-promise-reject-errors -- the caller's own
+      reject(signal.reason);
+    };
+    if (signal.aborted) abort();
+    else signal.addEventListener('abort', abort, {once: true});
+    const heed = () => {
+      signal.removeEventListener('abort', abort);
+    };
+    promise.then(resolve, reject).finally(heed);
+  });
 }

@@ -7,7 +7,7 @@ import type {MirrorTexts, ProblemTexts} from './texts.js';
 /** Grows with every change of the messages: a page must not talk to a worker from an old cache. */
 export const protocolVersion = '2';
 
-/** What a job of each kind delivers. */
+/** What the answer to each kind of question is. */
 export interface Answers {
   readonly solve: SolveResult;
   readonly prepare: MeshedPattern;
@@ -18,24 +18,27 @@ export interface Answers {
 
 export type Answer = Answers[keyof Answers];
 
-/** Starts a job. Its number is the page's and is never used again. */
-export type JobRequest =
+/** What a solver can be asked, in texts. */
+export type Question =
   | {
       readonly kind: 'solve';
-      readonly job: number;
       readonly texts: ProblemTexts;
       /** Whether the page wants to see the pattern first. */
       readonly showsPattern: boolean;
     }
-  | {readonly kind: 'prepare'; readonly job: number; readonly texts: ProblemTexts}
-  | {readonly kind: 'mirror'; readonly job: number; readonly texts: MirrorTexts}
+  | {readonly kind: 'prepare'; readonly texts: ProblemTexts}
+  | {readonly kind: 'mirror'; readonly texts: MirrorTexts}
   | {
       readonly kind: 'symmetries' | 'convert';
-      readonly job: number;
       readonly garment: string;
       /** What to call the garment in messages. */
       readonly name: string;
     };
+
+export type QuestionOf<K extends keyof Answers> = Question & {readonly kind: K};
+
+/** Starts a job. Its number is the page's and is never used again. */
+export type JobRequest = Question & {readonly job: number};
 
 /** Everything the page may say. */
 export type ToWorker =

@@ -2,14 +2,25 @@ import type {SolveHooks} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
 import type {Solver} from './solver.js';
 
-/** Short enough for a page to stay responsive, long enough for pauses not to matter. [ms] */
-const sliceMilliseconds = 40;
+/** How a solve shares its thread with everything else. */
+export interface Pace {
+  /** How long it works at a stretch. [ms] */
+  readonly slice: number;
+  /** Lets pending events run. */
+  readonly pause: () => Promise<void>;
+}
+
+/** Long enough for pauses not to matter; setTimeout, because a MessageChannel would starve events in Node. */
+export const ownThread: Pace = {
+  slice: 40,
+  pause: () => new Promise((resolve) => setTimeout(resolve, 0)),
+};
 
 /**
  * Runs a solver to its end in slices, letting everything else run in between. Does not dispose of it.
- * @throws {SolverError}; the signal's reason, an `AbortError` by default, as soon as it fires
+ * @throws {SolverError}; the signal's reason, an `AbortError` by default, before the next slice
  */
-export async function run(solver: Solver, hooks: SolveHooks): Promise<SolveResult> {
+export async function run(solver: Solver, hooks: SolveHooks, pace: Pace): Promise<SolveResult> {
   const report = () => {
     hooks.onProgress?.({phase: solver.phase, fraction: solver.fraction});
     hooks.onPartial?.(solver.partial());
@@ -18,26 +29,10 @@ export async function run(solver: Solver, hooks: SolveHooks): Promise<SolveResul
   report();
   let more = true;
   while (more) {
-    await pause(hooks.signal);
-    more = solver.advance(sliceMilliseconds);
+    await pace.pause();
+    hooks.signal?.throwIfAborted();
+    more = solver.advance(pace.slice);
     report();
   }
   return solver.result();
-}
-
-/** Lets pending events run; setTimeout, because a MessageChannel would starve them in Node. */
-function pause(signal: AbortSignal | undefined): Promise<void> {
-  return new Promise((resolve, reject) => {
-    const abort = () => {
-      clearTimeout(timer);
-      // eslint-disable-next-line @typescript-eslint/prefer-promise-reject-errors -- the caller's own
-      reject(signal?.reason);
-    };
-    const timer = setTimeout(() => {
-      signal?.removeEventListener('abort', abort);
-      resolve();
-    }, 0);
-    if (signal?.aborted) abort();
-    else signal?.addEventListener('abort', abort, {once: true});
-  });
 }

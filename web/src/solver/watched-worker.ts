@@ -1,5 +1,5 @@
 import {SolverError} from '../model/failure.js';
-import {internalError} from './broken.js';
+import {internalError, reasonOf, workerBlocked} from './broken.js';
 import type {FromWorker, ToWorker} from './protocol.js';
 
 /** Where the worker's script and the .wasm file are, if not where the build has put them. */
@@ -7,6 +7,8 @@ export interface WorkerPlaces {
   /** A module script that does what `solver.worker.js` does; from the page's own origin. */
   readonly workerUrl?: string | URL;
   readonly wasmUrl?: string | URL;
+  /** How long the worker's script may take to be fetched and run: 20 s, unless said otherwise. [ms] */
+  readonly loadingPatience?: number;
 }
 
 /** What a worker's owner hears of it. */
@@ -21,13 +23,18 @@ export interface WorkerOwner {
 /** Silence is counted in ticks, so that a page that was busy or asleep itself counts as one. [ms] */
 const tick = 250;
 
-/** A script that has to be fetched first may take this long. [ms] */
-const loadingPatience = 60_000;
+/** Long enough for a script of a few kilobytes on a bad line. [ms] */
+const usualLoadingPatience = 20_000;
+
+/** Served as compiled, the script is this file's neighbour. */
+const usualScript = 'solver.worker.js';
 
 /** A worker, and the watch over it: it is ended when it breaks, or owes an answer for too long. */
 export class WatchedWorker {
   readonly #worker: Worker;
   readonly #owner: WorkerOwner;
+  readonly #script: string | URL;
+  readonly #loadingPatience: number;
   readonly #listening = new AbortController();
   /** Runs while something is expected. */
   #clock: ReturnType<typeof setInterval> | undefined;
@@ -35,9 +42,11 @@ export class WatchedWorker {
   /** For how long nothing has been heard. [ms] */
   #silence = 0;
 
-  /** @throws whatever the browser says against such a worker */
+  /** @throws {SolverError} `worker-blocked` if the browser says so at once */
   constructor(places: WorkerPlaces, owner: WorkerOwner) {
     this.#owner = owner;
+    this.#script = places.workerUrl ?? usualScript;
+    this.#loadingPatience = places.loadingPatience ?? usualLoadingPatience;
     this.#worker = start(places.workerUrl);
     this.#listen();
     if (places.wasmUrl !== undefined) {
@@ -73,7 +82,7 @@ export class WatchedWorker {
     };
     const fail = (event: Event) => {
       event.preventDefault(); // it need not be reported as the page's own as well
-      this.#lose(brokenBy(event, this.#ready));
+      this.#lose(this.#brokenBy(event));
     };
     this.#worker.addEventListener('message', receive, {signal});
     this.#worker.addEventListener('error', fail, {signal});
@@ -89,7 +98,11 @@ export class WatchedWorker {
       return;
     }
     this.#silence += tick;
-    if (this.#silence > (this.#ready ? expected : loadingPatience)) {
+    if (!this.#ready && this.#silence > this.#loadingPatience) {
+      this.#lose(
+        workerBlocked(this.#script, `nothing is heard of it for ${this.#silence / 1000} s`),
+      );
+    } else if (this.#ready && this.#silence > expected) {
       this.#lose(broken('The solver stopped answering; try again.'), true);
     } else {
       this.post({kind: 'ping'});
@@ -100,20 +113,24 @@ export class WatchedWorker {
     this.end();
     this.#owner.lost(failure, silent);
   }
+
+  #brokenBy(event: Event): SolverError {
+    const reason = event instanceof ErrorEvent ? event.message : '';
+    if (!this.#ready) return workerBlocked(this.#script, reasonOf(reason));
+    return reason === ''
+      ? broken('The solver broke; try again.')
+      : internalError('The solver broke', reason);
+  }
 }
 
 function start(workerUrl: string | URL | undefined): Worker {
-  if (workerUrl !== undefined) return new Worker(workerUrl, {type: 'module'});
-  // Bundlers look for exactly this; served as compiled, the file is this one's neighbour.
-  return new Worker(new URL('./solver.worker.js', import.meta.url), {type: 'module'});
-}
-
-function brokenBy(event: Event, ready: boolean): SolverError {
-  if (event instanceof ErrorEvent && event.message) {
-    return internalError('The solver broke', event.message);
+  try {
+    if (workerUrl !== undefined) return new Worker(workerUrl, {type: 'module'});
+    // Bundlers look for exactly this.
+    return new Worker(new URL('./solver.worker.js', import.meta.url), {type: 'module'});
+  } catch (error) {
+    throw workerBlocked(workerUrl ?? usualScript, reasonOf(error));
   }
-  if (ready) return broken('The solver broke; try again.');
-  return broken('The solver could not be loaded; check the connection, then try again.');
 }
 
 function broken(message: string): SolverError {

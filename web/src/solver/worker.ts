@@ -1,14 +1,9 @@
 import {SolverError, type Failure} from '../model/failure.js';
+import type {SolveHooks} from '../model/problem.js';
 import type {MeshedPattern} from '../model/result.js';
 import {internalError} from './broken.js';
 import {LocalSolver} from './local.js';
-import {
-  protocolVersion,
-  type Answer,
-  type FromWorker,
-  type JobRequest,
-  type ToWorker,
-} from './protocol.js';
+import {protocolVersion, type FromWorker, type JobRequest, type ToWorker} from './protocol.js';
 
 /** What a worker's global scope has; written out, since its types exclude those of a page. */
 export interface WorkerScope {
@@ -16,7 +11,7 @@ export interface WorkerScope {
   addEventListener(type: 'message', listener: (event: MessageEvent<ToWorker>) => void): void;
 }
 
-/** Solves for a page. Jobs share the thread in slices, so that a cancel is seen between any two. */
+/** Solves for a page, in slices, so that a cancel is seen between any two. */
 export function serve(scope: WorkerScope): void {
   const service = new Service(scope);
   scope.addEventListener('message', ({data}) => {
@@ -62,7 +57,8 @@ class Service {
     const controller = new AbortController();
     this.#jobs.set(job, controller);
     try {
-      const answer = await this.#answer(request, controller.signal);
+      const hooks = this.#hooks(request, controller.signal);
+      const answer = await this.#solver.answer(request, hooks);
       this.#scope.postMessage({kind: 'done', job, answer});
     } catch (error) {
       const failure = toFailure(error, controller.signal);
@@ -72,29 +68,14 @@ class Service {
     }
   }
 
-  #answer(request: JobRequest, signal: AbortSignal): Promise<Answer> {
-    switch (request.kind) {
-      case 'solve':
-        return this.#solve(request, signal);
-      case 'prepare':
-        return this.#solver.prepare(request.texts, signal);
-      case 'mirror':
-        return this.#solver.mirror(request.texts);
-      case 'symmetries':
-      case 'convert':
-        return this.#solver[request.kind](request.garment, request.name);
-      default:
-        return request satisfies never;
-    }
-  }
-
-  #solve({job, texts, showsPattern}: JobRequest & {kind: 'solve'}, signal: AbortSignal) {
+  #hooks(request: JobRequest, signal: AbortSignal): SolveHooks {
+    const {job} = request;
     const onPattern = (pattern: MeshedPattern) => {
       this.#scope.postMessage({kind: 'pattern', job, pattern});
     };
-    return this.#solver.solve(texts, {
+    return {
       signal,
-      ...(showsPattern && {onPattern}),
+      ...(request.kind === 'solve' && request.showsPattern && {onPattern}),
       onProgress: (progress) => {
         this.#scope.postMessage({kind: 'progress', job, ...progress});
       },
@@ -102,7 +83,7 @@ class Service {
         const transfer = [alignments.buffer as ArrayBuffer];
         this.#scope.postMessage({kind: 'partial', job, alignments}, {transfer});
       },
-    });
+    };
   }
 }
 

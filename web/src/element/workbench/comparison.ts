@@ -1,18 +1,18 @@
 /** What the symmetries of a design cost: the same design solved without them, when nothing else is to be done. */
 import {problemOf, type Design} from '../../model/design.js';
 import type {Metrics} from '../../model/result.js';
-import type {SolverClient} from '../../solver/client.js';
+import type {SolverService} from '../../solver/service.js';
 
 export class Comparison {
-  readonly #client: SolverClient;
+  readonly #solver: SolverService;
   readonly #changed: () => void;
   readonly #known = new WeakMap<Design, Metrics>();
   /** The last design without symmetries, and what it reached. */
   #free: {readonly design: Design; readonly metrics: Metrics} | undefined;
   #running: AbortController | undefined;
 
-  constructor(client: SolverClient, changed: () => void) {
-    this.#client = client;
+  constructor(solver: SolverService, changed: () => void) {
+    this.#solver = solver;
     this.#changed = changed;
   }
 
@@ -43,7 +43,7 @@ export class Comparison {
   async #run(design: Design, signal: AbortSignal): Promise<void> {
     const free = {...design, symmetries: []};
     try {
-      const {metrics} = await this.#client.solve(problemOf(free), {signal});
+      const {metrics} = await this.#solver.solve(problemOf(free), {signal});
       this.#free = {design: free, metrics};
       this.#known.set(design, metrics);
       this.#changed();

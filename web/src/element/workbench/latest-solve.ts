@@ -3,7 +3,7 @@ import {problemOf, type Design} from '../../model/design.js';
 import {SolverError, type Failure} from '../../model/failure.js';
 import type {Progress} from '../../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
-import type {SolverClient} from '../../solver/client.js';
+import type {SolverService} from '../../solver/service.js';
 
 export interface SolveListeners {
   pattern(design: Design, pattern: MeshedPattern): void;
@@ -27,15 +27,15 @@ export const toFailure = (error: unknown): Failure => {
 const leastTime = 150;
 
 export class LatestSolve {
-  readonly #client: SolverClient;
+  readonly #solver: SolverService;
   readonly #listeners: SolveListeners;
   #current: AbortController | undefined;
   #started = -Infinity;
   /** Starts what is to come after the solve that is running. */
   #next: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(client: SolverClient, listeners: SolveListeners) {
-    this.#client = client;
+  constructor(solver: SolverService, listeners: SolveListeners) {
+    this.#solver = solver;
     this.#listeners = listeners;
   }
 
@@ -76,7 +76,7 @@ export class LatestSolve {
     const {name} = design.garment;
     const print = design.print.title;
     try {
-      const result = await this.#client.solve(problemOf(design), {
+      const result = await this.#solver.solve(problemOf(design), {
         signal,
         names: {garment: name, print},
         onPattern: (pattern) => {

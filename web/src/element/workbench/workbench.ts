@@ -4,7 +4,8 @@ import type {Alignment} from '../../model/geometry.js';
 import {amended, redone, stepped, undone, type History} from '../../model/history.js';
 import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
-import {SolverClient, type WorkerPlaces} from '../../solver/client.js';
+import {leaseSolver, type SolverLease} from '../../solver/pool.js';
+import type {SolverService} from '../../solver/service.js';
 import {alignmentsFrom} from '../../viewer/scene.js';
 import {textsOf} from '../texts/texts.js';
 import {Comparison} from './comparison.js';
@@ -28,9 +29,10 @@ import {concernsSame} from './symmetry-steps.js';
 export type * from './state.js';
 
 export class Workbench extends Observable {
-  readonly client: SolverClient;
+  readonly solver: SolverService;
   /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
   view: SheetWindow | undefined;
+  readonly #lease: SolverLease;
   readonly #results = new ResultCache();
   readonly #unasked = lastOf(
     (found: readonly DetectedSymmetry[], asked: readonly Symmetry[] = []) =>
@@ -55,14 +57,19 @@ export class Workbench extends Observable {
   /** The kind of change that may still be amended, and until when. */
   #amendable = {kind: '', until: 0};
 
-  constructor(places: WorkerPlaces = {}, preferences = preferencesFor(navigator.language)) {
+  /** @param lease given back by `dispose` */
+  constructor(
+    lease: SolverLease = leaseSolver(),
+    preferences = preferencesFor(navigator.language),
+  ) {
     super();
-    this.client = new SolverClient(places);
+    this.solver = lease.solver;
+    this.#lease = lease;
     this.#preferences = preferences;
-    this.#comparison = new Comparison(this.client, () => {
+    this.#comparison = new Comparison(this.solver, () => {
       this.changed();
     });
-    this.#solve = new LatestSolve(this.client, {
+    this.#solve = new LatestSolve(this.solver, {
       pattern: (design, pattern) => {
         if (design.garment !== this.#garment) return;
         this.#pattern = pattern;
@@ -259,7 +266,7 @@ export class Workbench extends Observable {
   /** A garment as it lies in its file. @throws {SolverError} when it cannot be read */
   meshed({garment, print}: Pick<Design, 'garment' | 'print'>): Promise<MeshedPattern> {
     const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};
-    return this.client.prepare(problem, {names: {garment: garment.name}});
+    return this.solver.prepare(problem, {names: {garment: garment.name}});
   }
 
   /** Solves the present design, whatever is under way. */
@@ -282,11 +289,11 @@ export class Workbench extends Observable {
   /** How well a symmetry fits the present garment. @throws {SolverError} */
   measure(symmetry: Symmetry, signal?: AbortSignal): Promise<MeasuredSymmetry> {
     const {text, name} = this.design?.garment ?? {text: '', name: ''};
-    return this.client.mirror(text, symmetry, {name, ...(signal && {signal})});
+    return this.solver.mirror(text, symmetry, {name, ...(signal && {signal})});
   }
 
   override dispose(): void {
-    this.client.dispose();
+    this.#lease.release();
     super.dispose();
   }
 
@@ -326,7 +333,7 @@ export class Workbench extends Observable {
   async #showUnsolved(design: Design): Promise<void> {
     const {garment, print} = design;
     const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};
-    const pattern = await this.client.prepare(problem).catch(() => undefined);
+    const pattern = await this.solver.prepare(problem).catch(() => undefined);
     if (!pattern || this.#garment !== garment || this.#pattern) return;
     this.#pattern = pattern;
     this.changed();
@@ -340,7 +347,7 @@ export class Workbench extends Observable {
     this.#found = [];
     this.#selected = undefined;
     this.#pointed = undefined;
-    this.client.symmetries(garment.text, {name: garment.name}).then(
+    this.solver.symmetries(garment.text, {name: garment.name}).then(
       ({symmetries}) => {
         if (this.#garment !== garment) return;
         this.#found = symmetries;

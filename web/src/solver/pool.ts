@@ -1,0 +1,166 @@
+import {SolverError, type Failure} from '../model/failure.js';
+import type {SolveHooks} from '../model/problem.js';
+import {SolverClient} from './client.js';
+import {MainThreadSolver} from './main-thread.js';
+import type {Answers, QuestionOf} from './protocol.js';
+import {TextService, type SolverService} from './service.js';
+import type {WorkerPlaces} from './watched-worker.js';
+
+/** Where to find the solver, and who hears when it can have no worker. */
+export interface LeasePlaces extends WorkerPlaces {
+  /**
+   * Hears at most once, with the code `worker-blocked`, that no worker can be had. The lease goes on
+   * without: on the page's own thread, with the same results, and more slowly.
+   */
+  readonly onBlocked?: (failure: Failure) => void;
+}
+
+/** A share in a solver. */
+export interface SolverLease {
+  readonly solver: SolverService;
+  /** Gives it back: what is pending, and what is asked from now on, is rejected as cancelled. */
+  release(): void;
+}
+
+/** A worker that nobody has leased is kept this long, for whoever comes next. [ms] */
+const idlePatience = 5000;
+
+/** A device's cores beyond these are better left to others. */
+const mostWorkers = 4;
+
+const pools = new Map<string, SolverPool>();
+
+/**
+ * A share in the page's solvers, of which there are at most four, one core left free: the same worker for
+ * all calls of a lease, since it keeps the last mesh; it starts with the first call.
+ */
+export function leaseSolver(places: LeasePlaces = {}): SolverLease {
+  const key = JSON.stringify([placeOf(places.workerUrl), placeOf(places.wasmUrl)]);
+  let pool = pools.get(key);
+  if (!pool) {
+    pool = new SolverPool(places, () => pools.delete(key));
+    pools.set(key, pool);
+  }
+  return pool.lease(places.onBlocked);
+}
+
+function placeOf(url: string | URL | undefined): string | null {
+  return url === undefined ? null : new URL(url, document.baseURI).href;
+}
+
+function workersWanted(): number {
+  return Math.max(1, Math.min(mostWorkers, navigator.hardwareConcurrency - 1));
+}
+
+/** Workers with the same script and .wasm file, shared by leases. */
+export class SolverPool {
+  readonly #places: WorkerPlaces;
+  readonly #emptied: () => void;
+  readonly #seats = new Set<Seat>();
+  readonly #page: MainThreadSolver;
+
+  /** @param emptied called when the last worker has been ended */
+  constructor(places: WorkerPlaces = {}, emptied: () => void = () => undefined) {
+    this.#places = places;
+    this.#emptied = emptied;
+    this.#page = new MainThreadSolver(places);
+  }
+
+  lease(onBlocked?: (failure: Failure) => void): SolverLease {
+    const seat = this.#freest();
+    seat.leases += 1;
+    clearTimeout(seat.ending);
+    const solver = new LeasedSolver(seat, this.#page, onBlocked);
+    let released = false;
+    const release = () => {
+      if (released) return;
+      released = true;
+      solver.end();
+      seat.leases -= 1;
+      if (seat.leases > 0) return;
+      seat.ending = setTimeout(() => {
+        this.#close(seat);
+      }, idlePatience);
+    };
+    return {solver, release};
+  }
+
+  /** The seat with the fewest leases; a new one only if all have some. */
+  #freest(): Seat {
+    const [freest] = [...this.#seats].sort((a, b) => a.leases - b.leases);
+    if (freest && (freest.leases === 0 || this.#seats.size >= workersWanted())) return freest;
+    const blocked = [...this.#seats].find((seat) => seat.blocked)?.blocked;
+    const seat = new Seat(new SolverClient(this.#places), blocked);
+    this.#seats.add(seat);
+    return seat;
+  }
+
+  #close(seat: Seat): void {
+    seat.client.dispose();
+    this.#seats.delete(seat);
+    if (this.#seats.size === 0) this.#emptied();
+  }
+}
+
+/** A worker's place in the pool; the worker itself starts with the first job. */
+class Seat {
+  leases = 0;
+  ending: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    readonly client: SolverClient,
+    /** Why there can be no worker, once that is known. */
+    public blocked: SolverError | undefined,
+  ) {}
+}
+
+/** A seat's worker, as one lease sees it; the page itself where there can be no worker. */
+class LeasedSolver extends TextService {
+  readonly #seat: Seat;
+  readonly #page: MainThreadSolver;
+  readonly #released = new AbortController();
+  #onBlocked: ((failure: Failure) => void) | undefined;
+
+  constructor(seat: Seat, page: MainThreadSolver, onBlocked?: (failure: Failure) => void) {
+    super();
+    this.#seat = seat;
+    this.#page = page;
+    this.#onBlocked = onBlocked;
+  }
+
+  async ask<K extends keyof Answers>(
+    question: QuestionOf<K>,
+    hooks: SolveHooks,
+  ): Promise<Answers[K]> {
+    const {signal: released} = this.#released;
+    const signal = hooks.signal ? AbortSignal.any([hooks.signal, released]) : released;
+    signal.throwIfAborted();
+    const all = {...hooks, signal};
+    if (!this.#seat.blocked) {
+      try {
+        return await this.#seat.client.ask<K>(question, all);
+      } catch (error) {
+        if (!(error instanceof SolverError) || error.code !== 'worker-blocked') throw error;
+        this.#seat.blocked = error;
+      }
+    }
+    this.#tell(this.#seat.blocked);
+    return this.#page.ask<K>(question, all);
+  }
+
+  end(): void {
+    const message = 'The solver was released.';
+    this.#released.abort(new SolverError({code: 'cancelled', message}));
+  }
+
+  /** In a task of its own: what the listener throws is the page's, and ends no job. */
+  #tell(failure: SolverError): void {
+    const tell = this.#onBlocked;
+    this.#onBlocked = undefined;
+    if (tell) {
+      queueMicrotask(() => {
+        tell(failure);
+      });
+    }
+  }
+}
