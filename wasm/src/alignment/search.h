@@ -37,6 +37,7 @@ class AlignmentSearch {
   /// One start or one regrowth. False when the search has ended.
   bool step();
   double fraction() const { return fraction_; }  ///< of the budget, 0..1, never falls
+  double spent() const { return moves_.spent(); }  ///< element distances evaluated so far
 
   /// Of the leaders, polished on all edges once the search has ended.
   const Alignments& best() const { return best_; }

@@ -22,7 +22,18 @@ constexpr double kSlack = 1.3;
 constexpr double kMostReach =
     2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
 constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies, nothing needs to move
-constexpr double kSearchShare = 0.5, kSlackShare = 0.6, kFitShare = 0.3;  ///< of progress
+constexpr double kSearchStep = 1e6;  ///< element distances: some milliseconds
+
+/// Progress at the end of each stage, by the share of time that it takes as a rule; the search takes
+/// more of it the more pieces there are to place and symmetries to try. What is perfect as it lies
+/// has only its set-up left.
+constexpr double kPrepared = 0.13, kFitted = 0.95;
+double searchedShare(double pieces, double symmetries) {
+  return kPrepared +
+         0.62 * symmetries / (symmetries + 1) * (0.5 + 0.5 * pieces / (pieces + 4));
+}
+constexpr double kSlackShare = 0.16;
+constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
 
 /// Limits that a finished shape keeps, a little inside what is promised.
 constexpr double kLengthError = 5e-5;       ///< cm an edge; a seam has up to a hundred
@@ -55,15 +66,27 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
     searching_ = std::make_unique<AlignmentSearch>(match_, seed, SearchBudget{});
   }
   searching_->watch(slack_);
+  progress_ = kPrepared;
+  searched_ = searchedShare(static_cast<double>(match_.leaders.size()),
+                            problem.print.group.data().order);
   leaders_ = match_.ofLeaders(Alignments(pattern.pieces.size()));
   alignment_ = search_result_ = match_.expanded(leaders_);
 }
 
+/// Some steps of the search, of which the shortest take microseconds. False when it has ended.
+bool BestRun::searchOn(double from, double to) {
+  const double until = searching_->spent() + kSearchStep;
+  bool more = true;
+  while (more && searching_->spent() < until) more = searching_->step();
+  progress_ = std::max(progress_, from + (to - from) * searching_->fraction());
+  return more;
+}
+
 bool BestRun::advance() {
+  const double half_searched = (kPrepared + searched_) / 2;
   switch (stage_) {
     case Stage::kSymmetricSearch: {
-      const bool more = searching_->step();
-      progress_ = 0.5 * kSearchShare * searching_->fraction();
+      const bool more = searchOn(kPrepared, half_searched);
       alignment_ = symmetric_->expanded(searching_->best());
       if (!more) {
         const Alignments watched = symmetric_->expanded(searching_->watched());
@@ -71,25 +94,20 @@ bool BestRun::advance() {
             std::make_unique<AlignmentSearch>(match_, problem_.options.seed, SearchBudget{});
         searching_->watch(slack_);
         for (const Alignments& at : {alignment_, watched}) searching_->offer(match_.ofLeaders(at));
+        if (match_.cost(match_.ofLeaders(alignment_)) < kPerfect) progress_ = kPerfectlySearched;
         stage_ = Stage::kSearch;
       }
       break;
     }
     case Stage::kSearch: {
-      const bool more = searching_->step();
-      const double from = symmetric_ ? 0.5 * kSearchShare : 0;
-      progress_ = std::max(progress_, from + (kSearchShare - from) * searching_->fraction());
+      const bool more = searchOn(symmetric_ ? half_searched : kPrepared, searched_);
       alignment_ = match_.expanded(searching_->best());
       if (!more) endSearch();
       break;
     }
-    case Stage::kSlackSearch: {
-      const bool more = searching_->step();
-      progress_ =
-          std::max(progress_, kSearchShare + (kSlackShare - kSearchShare) * searching_->fraction());
-      if (!more) stage_ = Stage::kStartFit;
+    case Stage::kSlackSearch:
+      if (!searchOn(searched_, searched_ + kSlackShare)) stage_ = Stage::kStartFit;
       break;
-    }
     case Stage::kStartFit:
       startFit();
       break;
@@ -109,7 +127,10 @@ void BestRun::endSearch() {
   leaders_ = searching_->best();
   search_result_ = alignment_ = match_.expanded(leaders_);
   stage_ = Stage::kStartFit;
-  if (match_.cost(leaders_) < kPerfect) return;
+  if (match_.cost(leaders_) < kPerfect) {
+    progress_ = kPerfectlySearched;
+    return;
+  }
   const Alignments watched = searching_->watched();
   SearchBudget little;
   little.trees = 8, little.idle = 8, little.evaluations = 3e6;
@@ -148,7 +169,9 @@ void BestRun::resume(std::size_t start) {
   double mismatch = 0;
   for (std::size_t s = 0; s < pattern_.seams.size(); ++s)
     if (pattern_.seams[s].matched && !pattern_.seams[s].twin) mismatch += fitting_->joins()[s].cost;
-  if (mismatch < kPerfect) stage_ = Stage::kSettle;
+  if (mismatch >= kPerfect) return;
+  stage_ = Stage::kSettle;
+  progress_ = std::max(progress_, kPerfectlySetUp);
 }
 
 void BestRun::realign() {
@@ -167,7 +190,8 @@ void BestRun::fitStep() {
   ++iterations_, ++fit_steps_, ++start.steps;
   if (start.steps % kRealignEvery == 0 && start.steps < kFitSteps) realign();
   const int planned = kFitSteps + kTrialSteps * (static_cast<int>(starts_.size()) - 1);
-  progress_ = std::max(progress_, kSlackShare + kFitShare * fit_steps_ / planned);
+  const double from = searched_ + kSlackShare;
+  progress_ = std::max(progress_, from + (kFitted - from) * fit_steps_ / planned);
   if (start.steps >= kFitSteps) stage_ = Stage::kSettle;
   if (start.steps != kTrialSteps || starts_.size() == 1) return;
   start.leaders = leaders_;
@@ -209,7 +233,7 @@ void BestRun::settleStep() {
   }
   fitting_->collectShapes();
   ++settled_;
-  progress_ = std::max(progress_, 0.9 + 0.1 * (1 - 1.0 / (1 + settled_)));
+  progress_ = std::max(progress_, 1 - (1 - kFitted) / (1 + settled_));
   if (!all_kept) ++iterations_;
   if (!all_kept && settled_ <= kMostSettling) return;
   restUnsound();

@@ -38,6 +38,7 @@ class BestRun : public Run {
     kSettle,
     kDone
   };
+  bool searchOn(double from, double to);
   void endSearch();
   void startFit();
   void resume(std::size_t start);
@@ -71,7 +72,7 @@ class BestRun : public Run {
   std::size_t current_ = 0;  ///< of the starts
   int fit_steps_ = 0;
   int iterations_ = 0, settled_ = 0;
-  double slack_ = 0, progress_ = 0;
+  double slack_ = 0, progress_ = 0, searched_ = 0;
 };
 
 }  // namespace seamwise
