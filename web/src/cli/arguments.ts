@@ -86,3 +86,15 @@ export function wholeNumber(args: Arguments, flag: string): number | undefined {
   }
   return Number(value);
 }
+
+/** The flag's value as a length from 0 to `most`. [cm] @throws {UsageError} */
+export function lengthCm(args: Arguments, flag: string, most: number): number | undefined {
+  const value = args.value(flag);
+  if (value === undefined) return undefined;
+  if (!/^\d{1,6}(\.\d{1,6})?$/.test(value) || Number(value) > most) {
+    throw new UsageError(
+      `${flag} is '${value}', but must be a length from 0 to ${String(most)} cm.`,
+    );
+  }
+  return Number(value);
+}

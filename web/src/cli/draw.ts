@@ -3,8 +3,9 @@ import {basename, extname} from 'node:path';
 import {groupNames, type Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {drawResult} from '../picture/draw-result.js';
+import {readText, resultLimit, textOf} from '../node/files.js';
 import {parseArguments, UsageError} from './arguments.js';
-import {checkWritable, readText, resultLimit, writeText} from './files.js';
+import {checkWritable, writeText} from './files.js';
 import {imageTypes, inColourway, readPrint, readTile} from './print-files.js';
 import {print} from './terminal.js';
 
@@ -28,7 +29,7 @@ export async function draw(words: readonly string[]): Promise<void> {
     throw new UsageError(`${out ?? ''} would hold SVG; name a file ending in .svg.`);
   }
   const result = asResult(parsed(await readText(resultFile, resultLimit), resultFile), resultFile);
-  const own = asPrint(parsed(await readPrint(printFile), printFile), printFile);
+  const own = asPrint(parsed(textOf(await readPrint(printFile)), printFile), printFile);
   const cloth = colourway === undefined ? own : inColourway(own, colourway, printFile);
   if (!sameRepeat(result.print, cloth)) {
     throw new UsageError(

@@ -1,46 +1,10 @@
 import {randomUUID} from 'node:crypto';
 import {constants} from 'node:fs';
-import {access, open, rename, rm, stat, writeFile, type FileHandle} from 'node:fs/promises';
+import {access, rename, rm, stat, writeFile} from 'node:fs/promises';
 import {dirname, resolve} from 'node:path';
 
+import {fileError} from '../node/files.js';
 import {UsageError} from './arguments.js';
-
-/** Real garments stay below 1 MB. [bytes] */
-export const inputLimit = 20_000_000;
-/** A result holds every vertex twice. [bytes] */
-export const resultLimit = 200_000_000;
-
-/** The text of a file, which may be a pipe. @throws {UsageError} naming the file and what is wrong */
-export async function readText(path: string, limit?: number): Promise<string> {
-  // also drops the mark that some editors put before UTF-8
-  return new TextDecoder().decode(await readBytes(path, limit));
-}
-
-/** The bytes of a file, which may be a pipe. @throws {UsageError} naming the file and what is wrong */
-export async function readBytes(path: string, limit: number = inputLimit): Promise<Buffer> {
-  const tooLarge = () =>
-    new UsageError(
-      `${path} is larger than ${String(limit / 1e6)} MB, the limit for such a file; choose another.`,
-    );
-  let file: FileHandle | undefined;
-  try {
-    file = await open(path, 'r');
-    const {size} = await file.stat();
-    if (size > limit) throw tooLarge();
-    const chunks: Buffer[] = [];
-    let length = 0;
-    for await (const chunk of file.createReadStream({autoClose: false}) as AsyncIterable<Buffer>) {
-      length += chunk.length;
-      if (length > limit) throw tooLarge();
-      chunks.push(chunk);
-    }
-    return Buffer.concat(chunks);
-  } catch (error) {
-    throw fileError(error, path, 'read');
-  } finally {
-    await file?.close();
-  }
-}
 
 /**
  * Finds out before a long solve that its result could not be written, or would be written over what is read.
@@ -93,22 +57,4 @@ export async function writeText(path: string, text: string): Promise<void> {
   } catch (error) {
     throw fileError(error, path, 'written');
   }
-}
-
-const reasons: Readonly<Record<string, string>> = {
-  ENOENT: 'there is no such file or directory',
-  ENOTDIR: 'a part of the path is not a directory',
-  EACCES: 'permission is denied',
-  EPERM: 'permission is denied',
-  EROFS: 'the file system is read-only',
-  ENOSPC: 'the disk is full',
-  ENAMETOOLONG: 'the name is too long',
-  ELOOP: 'its links run in circles',
-};
-
-function fileError(error: unknown, path: string, verb: 'read' | 'written'): unknown {
-  const code = error instanceof Error && 'code' in error ? String(error.code) : '';
-  if (code === '') return error;
-  if (code === 'EISDIR') return new UsageError(`${path} is a directory; name a file in it.`);
-  return new UsageError(`${path} cannot be ${verb}: ${reasons[code] ?? code}.`);
 }

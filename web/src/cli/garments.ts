@@ -1,6 +1,7 @@
 import {convert, symmetries} from '../node/index.js';
+import {readText} from '../node/files.js';
 import {parseArguments} from './arguments.js';
-import {checkWritable, readText, writeText} from './files.js';
+import {checkWritable, writeText} from './files.js';
 import {print} from './terminal.js';
 
 const grammar = {files: ['the garment file'], valued: ['--out'], switches: []};

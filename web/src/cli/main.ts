@@ -1,16 +1,18 @@
 #!/usr/bin/env node
-import {readFile} from 'node:fs/promises';
-
 import {SolverError} from '../model/failure.js';
+import {packageVersion} from '../model/version.js';
+import {FileError} from '../model/versioned-file.js';
 import {align} from './align.js';
 import {UsageError} from './arguments.js';
 import {draw} from './draw.js';
 import {convertFile, listSymmetries} from './garments.js';
+import {order} from './order.js';
 import {print} from './terminal.js';
 import {usage} from './usage.js';
 
 const commands: Readonly<Record<string, (words: readonly string[]) => Promise<void>>> = {
   align,
+  order,
   symmetries: listSymmetries,
   convert: convertFile,
   draw,
@@ -22,7 +24,7 @@ async function main([command, ...words]: readonly string[]): Promise<void> {
     return;
   }
   if (command === '--version') {
-    print(await version());
+    print(packageVersion);
     return;
   }
   if (command === undefined) throw new UsageError('a command is missing; see --help.');
@@ -34,15 +36,9 @@ async function main([command, ...words]: readonly string[]): Promise<void> {
   await run(words);
 }
 
-/** The version in package.json, which is two folders up from here, in the package as in the repository. */
-async function version(): Promise<string> {
-  const text = await readFile(new URL('../../package.json', import.meta.url), 'utf8');
-  return (JSON.parse(text) as {readonly version: string}).version;
-}
-
 /** 2: the input is at fault. 1: anything else. */
 function exitCode(error: unknown): 1 | 2 {
-  if (error instanceof UsageError) return 2;
+  if (error instanceof UsageError || error instanceof FileError) return 2;
   return error instanceof SolverError && error.code !== 'internal' ? 2 : 1;
 }
 

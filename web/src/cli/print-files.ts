@@ -1,8 +1,10 @@
 import {dirname, extname, isAbsolute, join} from 'node:path';
 
 import {colourwayOf, type Print} from '../model/print.js';
+import {FileError} from '../model/versioned-file.js';
+import {addressFrom, readAddress} from '../node/addresses.js';
+import {readBytes, textOf} from '../node/files.js';
 import {UsageError} from './arguments.js';
-import {readBytes, readText} from './files.js';
 
 /** Kinds of image that every browser shows, by the file's extension. */
 export const imageTypes: Readonly<Record<string, string>> = {
@@ -15,12 +17,12 @@ export const imageTypes: Readonly<Record<string, string>> = {
   '.avif': 'image/avif',
 };
 
-/** The text of a print file. Its picture, which often lies beside it, is named by mistake. @throws {UsageError} */
-export async function readPrint(path: string): Promise<string> {
+/** The bytes of a print file. Its picture, which often lies beside it, is named by mistake. @throws {UsageError} */
+export async function readPrint(path: string): Promise<Uint8Array> {
   if (extname(path).toLowerCase() in imageTypes) {
     throw new UsageError(`${path} is a picture; name the print file, JSON with group, w1 and w2.`);
   }
-  return readText(path);
+  return readBytes(path);
 }
 
 /** The print in one of its colourways. @throws {UsageError} naming those there are */
@@ -40,15 +42,31 @@ export function inColourway(print: Print, name: string, path: string): Print {
 export async function readTile({image}: Print, printFile: string): Promise<string | undefined> {
   if (image === undefined || /^(data|https?):/.test(image)) return image;
   const path = isAbsolute(image) ? image : join(dirname(printFile), image);
+  return tileIn(path, path, readBytes);
+}
+
+/** The same for a print that lies at an address, from where its image is fetched. @throws {UsageError} */
+export async function fetchTile({image}: Print, print: URL): Promise<string | undefined> {
+  if (image === undefined || image.startsWith('data:')) return image;
+  const address = addressFrom(print, image);
+  return tileIn(address.pathname, image, () => readAddress(address));
+}
+
+async function tileIn(
+  path: string,
+  called: string,
+  read: (path: string) => Promise<Uint8Array>,
+): Promise<string> {
   const extension = extname(path).toLowerCase();
-  if (extension === '.svg') return readText(path);
   const type = imageTypes[extension];
   if (type === undefined) {
     throw new UsageError(
-      `${path}, the print's image, is none of svg, png, jpg, webp, gif, avif; convert it.`,
+      `${called}, the print's image, is none of svg, png, jpg, webp, gif, avif; convert it.`,
     );
   }
-  return `data:${type};base64,${(await readBytes(path)).toString('base64')}`;
+  const bytes = await read(path);
+  if (extension === '.svg') return textOf(bytes);
+  return `data:${type};base64,${Buffer.from(bytes).toString('base64')}`;
 }
 
 /** The print's picture as a design holds it: with all of its bytes; none where there is no such file. */
@@ -58,7 +76,7 @@ export async function readPicture(print: Print, printFile: string): Promise<stri
     if (tile === undefined || tile.startsWith('http')) return undefined;
     return tile.startsWith('data:') ? tile : `data:image/svg+xml,${encodeURIComponent(tile)}`;
   } catch (error) {
-    if (error instanceof UsageError) return undefined; // a solve needs no picture
+    if (error instanceof UsageError || error instanceof FileError) return undefined; // a solve needs no picture
     throw error;
   }
 }

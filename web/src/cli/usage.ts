@@ -9,7 +9,18 @@ seamwise align GARMENT.json --print PRINT.json [flags]
     --seed N                    same seed, same input, same result; default 1
     --out RESULT.json           writes the solved pattern
     --json                      prints the figures as JSON
-    --no-times                  writes 0 for times, so that equal runs give equal bytes
+    --no-times                  writes what equal runs give equal bytes of: times are 0, and
+                                design and notes, which name files, are left out
+    --design DESIGN.json        writes what was solved as a design that can be ordered
+
+seamwise order DESIGN.json [flags]
+  Solves a stored design again, from the garment and the print that it names, and says whether
+  the answer is, byte for byte, the one that was sold: reproduced true or false.
+    --base URL|FOLDER           what its relative URLs count from; default its own folder
+    --out RESULT.json           writes the result, without times
+    --svg FILE.svg              writes the pieces to cut, at true scale
+    --allowance CM              around them; default 1
+    --json                      prints the line as JSON
 
 seamwise symmetries GARMENT.json [--out FILE.json]
   Lists the symmetries that the garment shows by itself, in the format of a symmetry file.

@@ -3,6 +3,7 @@ import {readFile} from 'node:fs/promises';
 import type {Garment} from '../model/garment.js';
 import type {Problem} from '../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import {LocalSolver} from '../solver/local.js';
 import {
@@ -13,6 +14,7 @@ import {
   type NamedPrepareHooks,
   type NamedSolveHooks,
 } from '../solver/texts.js';
+import {orderWith, type Order, type OrderHooks} from './order.js';
 
 export type {Alignment, Point} from '../model/geometry.js';
 export type * from '../model/garment.js';
@@ -27,6 +29,10 @@ export type {
   ProblemNames,
 } from '../solver/texts.js';
 export {SolverError, type Failure, type FailureCode} from '../model/failure.js';
+export * from '../model/stored-design.js';
+export {resultText, sha256Of} from '../model/result-text.js';
+export {FileError} from '../model/versioned-file.js';
+export type {Order, OrderHooks} from './order.js';
 
 const solver = new LocalSolver(async () => ({
   wasmBinary: await readFile(new URL('../solver/module/seamwise.wasm', import.meta.url)),
@@ -40,6 +46,16 @@ const solver = new LocalSolver(async () => ({
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
   hooks.signal?.throwIfAborted();
   return solver.solve(problemTexts(problem, hooks.names), hooks);
+}
+
+/**
+ * Solves a stored design again, from the very files that it was made with.
+ * @param design an object, or its JSON text
+ * @throws {FileError} when the design is damaged, or when a file cannot be read or is another one;
+ *   {SolverError} for a bad garment or print; the signal's reason, when it fires
+ */
+export async function order(design: StoredDesign | string, hooks: OrderHooks = {}): Promise<Order> {
+  return orderWith(solve, design, hooks);
 }
 
 /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */

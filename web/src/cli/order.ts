@@ -1,0 +1,109 @@
+import {resolve} from 'node:path';
+
+import type {Garment} from '../model/garment.js';
+import {garmentTitle, panelMarks} from '../model/garment-marks.js';
+import {packageVersion} from '../model/version.js';
+import {addressFrom, addressOf, folderOf, readAddress} from '../node/addresses.js';
+import {textOf} from '../node/files.js';
+import {order as solveOrder, type Order} from '../node/index.js';
+import {cuttingFile} from '../picture/cutting/cutting-file.js';
+import {lengthCm, parseArguments, UsageError} from './arguments.js';
+import {figuresLine} from './figures.js';
+import {checkWritable, writeText} from './files.js';
+import {fetchTile} from './print-files.js';
+import {print, ProgressLine, remark} from './terminal.js';
+
+const grammar = {
+  files: ['the design file'],
+  valued: ['--base', '--out', '--svg', '--allowance'],
+  switches: ['--json'],
+};
+
+/** What the page adds unless told otherwise, and more than anybody sews with. [cm] */
+const usualAllowance = 1;
+const greatestAllowance = 10;
+
+/** `order`: solves a stored design again, for production, and says whether the answer is the one that was sold. */
+export async function order(words: readonly string[]): Promise<void> {
+  const args = parseArguments(words, grammar);
+  const [designFile = ''] = args.files;
+  const allowanceCm = lengthCm(args, '--allowance', greatestAllowance) ?? usualAllowance;
+  const [outFile, cutFile, baseWord] = ['--out', '--svg', '--base'].map((flag) => args.value(flag));
+  if (cutFile === undefined && args.value('--allowance') !== undefined) {
+    throw new UsageError('--allowance belongs to --svg FILE.svg, which is missing.');
+  }
+  if (outFile !== undefined && cutFile !== undefined && resolve(outFile) === resolve(cutFile)) {
+    throw new UsageError('--out and --svg name the same file; name two.');
+  }
+  for (const file of [outFile, cutFile]) {
+    if (file !== undefined) await checkWritable(file, [designFile]);
+  }
+  const address = addressOf(designFile);
+  const base = baseWord === undefined ? new URL('.', address) : folderOf(baseWord);
+  const stored = textOf(await readAddress(address));
+
+  const progress = new ProgressLine();
+  let done: Order;
+  try {
+    done = await solveOrder(stored, {
+      base,
+      name: designFile,
+      onProgress: (step) => {
+        progress.show(step);
+      },
+    });
+  } finally {
+    progress.clear();
+  }
+  if (cutFile !== undefined) await writeText(cutFile, await toCut(done, base, allowanceCm));
+  if (outFile !== undefined) await writeText(outFile, done.text);
+  report(designFile, done, args.has('--json'));
+}
+
+async function toCut(
+  {design, garment: text, print: cloth, result}: Order,
+  base: URL,
+  allowanceCm: number,
+): Promise<string> {
+  const garment = JSON.parse(text) as Garment;
+  const tile = await fetchTile(cloth, addressFrom(base, design.print.url));
+  const {size} = design.garment;
+  return cuttingFile(
+    result,
+    {...cloth, ...(tile !== undefined && {tile})},
+    {...garmentTitle(garment), ...(size !== undefined && {size}), panels: panelMarks(garment)},
+    {allowanceCm, units: 'cm', plain: design.options.plain ?? []},
+  );
+}
+
+function report(designFile: string, done: Order, asJson: boolean): void {
+  const {design, result, reproduced, differenceCm} = done;
+  if (asJson) {
+    print(
+      JSON.stringify({
+        design: designFile,
+        reproduced,
+        ...{differenceCm, soldWith: design.solver, solver: packageVersion},
+        group: result.print.group,
+        ...result.metrics,
+        notes: result.notes,
+      }),
+    );
+  } else {
+    result.notes.forEach(remark);
+    print(`${figuresLine(designFile, result)}; reproduced ${String(reproduced)}`);
+  }
+  if (!reproduced) remark(difference(designFile, done));
+}
+
+function difference(designFile: string, {design, differenceCm}: Order): string {
+  const where =
+    differenceCm === null
+      ? 'and its alignments are of other pieces'
+      : `and the print lies up to ${differenceCm.toFixed(3)} cm from where it was sold`;
+  const remedy =
+    design.solver === packageVersion
+      ? `it was sold with this version, ${packageVersion}, so check that nobody changed the design or the solver's module`
+      : `for the very answer that was sold, use npx seamwise@${design.solver} order ${designFile}`;
+  return `the answer differs from the one that was sold, ${where}; ${remedy}.`;
+}

@@ -1,0 +1,56 @@
+import {dirname} from 'node:path';
+import {pathToFileURL} from 'node:url';
+
+import type {SolveOptions} from '../model/options.js';
+import type {Method} from '../model/problem.js';
+import {sha256Of} from '../model/result-text.js';
+import type {SolveResult} from '../model/result.js';
+import {designOf, readStoredDesign, writeStoredDesign} from '../model/stored-design.js';
+import type {Symmetries} from '../model/symmetries.js';
+
+export interface InputFile {
+  readonly path: string;
+  readonly bytes: Uint8Array;
+}
+
+/** What `align` was given. */
+export interface Aligned {
+  readonly garment: InputFile;
+  readonly print: InputFile;
+  /** `auto`, `none` or the text of a symmetry file. */
+  readonly symmetry: string;
+  readonly method: Method;
+  readonly options: string;
+  readonly seed: number;
+}
+
+/** The text of a design that names its files from where it lies itself. @throws {FileError} */
+export function storedText(designFile: string, given: Aligned, result: SolveResult): string {
+  const {symmetry, options, method, seed} = given;
+  const stored = ({path, bytes}: InputFile) => ({
+    url: relativeUrl(designFile, path),
+    sha256: sha256Of(bytes),
+  });
+  const asked =
+    symmetry === 'auto' || symmetry === 'none'
+      ? symmetry
+      : (JSON.parse(symmetry) as Symmetries).symmetries;
+  const design = designOf(
+    {
+      ...{garment: stored(given.garment), print: stored(given.print)},
+      ...{symmetry: asked, method, options: JSON.parse(options) as SolveOptions, seed},
+    },
+    result,
+  );
+  // reading leaves out what no solve depends on, and finds out now what an order would refuse
+  return writeStoredDesign(readStoredDesign(writeStoredDesign(design), designFile));
+}
+
+function relativeUrl(from: string, to: string): string {
+  const [folder, target] = [dirname(from), to].map((path) => pathToFileURL(path).pathname);
+  const [own = [], other = []] = [folder, target].map((path) => path?.split('/'));
+  const parting = own.findIndex((part, k) => part !== other[k]);
+  const shared = parting < 0 ? own.length : parting;
+  const way = [...own.slice(shared).map(() => '..'), ...other.slice(shared)].join('/');
+  return /^[^/]*:/.test(way) ? `./${way}` : way; // a colon would end a scheme
+}

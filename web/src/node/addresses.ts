@@ -1,0 +1,106 @@
+/** What lies at an address: on this machine, or on another that speaks http. */
+import {resolve} from 'node:path';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+
+import {FileError} from '../model/versioned-file.js';
+import {inputLimit, readBytes} from './files.js';
+
+export interface ReadingLimits {
+  readonly signal?: AbortSignal;
+  /** For one file. [ms] Default 30 000. */
+  readonly timeoutMs?: number;
+}
+
+const isWeb = (address: URL): boolean => /^https?:$/.test(address.protocol);
+
+/** A URL as it is, and anything else as a path of this machine. @throws {FileError} */
+export function addressOf(word: string): URL {
+  if (!/^(https?|file):\/\//i.test(word)) return pathToFileURL(resolve(word));
+  if (URL.canParse(word)) return new URL(word);
+  throw new FileError(word, 'is not a whole URL; correct it.');
+}
+
+/** The address of a folder, to which the addresses in it are relative. @throws {FileError} */
+export function folderOf(word: string): URL {
+  const address = addressOf(word);
+  if (!address.pathname.endsWith('/')) address.pathname += '/';
+  return address;
+}
+
+/**
+ * Where a file names another one.
+ * @throws {FileError} when that is no address, or when a file from the web names one of this machine
+ */
+export function addressFrom(base: URL, url: string): URL {
+  if (!URL.canParse(url, base.href))
+    throw new FileError(url, 'is no URL; correct it in the design.');
+  const address = new URL(url, base);
+  if (isWeb(address) || (address.protocol === 'file:' && !isWeb(base))) return address;
+  throw new FileError(url, 'is not on the web, but named from there; put it beside the design.');
+}
+
+/** How messages call an address. */
+export const calledAs = (address: URL): string =>
+  address.protocol === 'file:' && address.host === '' ? fileURLToPath(address) : address.href;
+
+/** @throws {FileError} naming the address and what is wrong; the signal's reason, when it fires */
+export async function readAddress(address: URL, limits: ReadingLimits = {}): Promise<Uint8Array> {
+  limits.signal?.throwIfAborted();
+  if (isWeb(address)) return fetchBytes(address, limits);
+  let path: string;
+  try {
+    path = fileURLToPath(address);
+  } catch (cause) {
+    throw new FileError(address.href, 'names no file of this machine; correct it.', {cause});
+  }
+  return readBytes(path);
+}
+
+async function fetchBytes(
+  address: URL,
+  {signal, timeoutMs = 30_000}: ReadingLimits,
+): Promise<Uint8Array> {
+  const timeout = AbortSignal.timeout(timeoutMs);
+  const either = signal ? AbortSignal.any([signal, timeout]) : timeout;
+  try {
+    const response = await fetch(address, {signal: either});
+    if (!response.ok) {
+      await response.body?.cancel();
+      throw new FileError(
+        address.href,
+        `cannot be fetched: the server answered ${String(response.status)}; put the file there, or correct the address.`,
+      );
+    }
+    return await bytesOf(response, address);
+  } catch (error) {
+    if (error instanceof FileError) throw error;
+    signal?.throwIfAborted();
+    const why = timeout.aborted
+      ? `the server did not answer within ${String(timeoutMs / 1000)} s; try again`
+      : `${reasonOf(error)}; check the address and the connection`;
+    throw new FileError(address.href, `cannot be fetched: ${why}.`, {cause: error});
+  }
+}
+
+async function bytesOf(response: Response, address: URL): Promise<Uint8Array> {
+  const chunks: Uint8Array[] = [];
+  let length = 0;
+  for await (const chunk of (response.body ?? []) as AsyncIterable<Uint8Array>) {
+    length += chunk.length;
+    if (length > inputLimit) {
+      throw new FileError(
+        address.href,
+        `is larger than ${String(inputLimit / 1e6)} MB, the limit for such a file; choose another.`,
+      );
+    }
+    chunks.push(chunk);
+  }
+  return Buffer.concat(chunks);
+}
+
+/** What fetch hides in its error's cause, such as ECONNREFUSED. */
+function reasonOf(error: unknown): string {
+  const cause = error instanceof Error ? (error.cause ?? error) : error;
+  if (cause instanceof Error) return 'code' in cause ? String(cause.code) : cause.message;
+  return String(cause);
+}

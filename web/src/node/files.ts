@@ -1,0 +1,62 @@
+/** Files of this machine as they are read, and what is said when they cannot be. */
+import {open, type FileHandle} from 'node:fs/promises';
+
+import {FileError} from '../model/versioned-file.js';
+
+/** Real garments stay below 1 MB. [bytes] */
+export const inputLimit = 20_000_000;
+/** A result holds every vertex twice. [bytes] */
+export const resultLimit = 200_000_000;
+
+/** The text of a file, which may be a pipe. @throws {FileError} naming the file and what is wrong */
+export const readText = async (path: string, limit?: number): Promise<string> =>
+  textOf(await readBytes(path, limit));
+
+/** Also drops the mark that some editors put before UTF-8. */
+export const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
+
+/** The bytes of a file, which may be a pipe. @throws {FileError} naming the file and what is wrong */
+export async function readBytes(path: string, limit: number = inputLimit): Promise<Buffer> {
+  const tooLarge = () =>
+    new FileError(
+      path,
+      `is larger than ${String(limit / 1e6)} MB, the limit for such a file; choose another.`,
+    );
+  let file: FileHandle | undefined;
+  try {
+    file = await open(path, 'r');
+    const {size} = await file.stat();
+    if (size > limit) throw tooLarge();
+    const chunks: Buffer[] = [];
+    let length = 0;
+    for await (const chunk of file.createReadStream({autoClose: false}) as AsyncIterable<Buffer>) {
+      length += chunk.length;
+      if (length > limit) throw tooLarge();
+      chunks.push(chunk);
+    }
+    return Buffer.concat(chunks);
+  } catch (error) {
+    throw fileError(error, path, 'read');
+  } finally {
+    await file?.close();
+  }
+}
+
+const reasons: Readonly<Record<string, string>> = {
+  ENOENT: 'there is no such file or directory',
+  ENOTDIR: 'a part of the path is not a directory',
+  EACCES: 'permission is denied',
+  EPERM: 'permission is denied',
+  EROFS: 'the file system is read-only',
+  ENOSPC: 'the disk is full',
+  ENAMETOOLONG: 'the name is too long',
+  ELOOP: 'its links run in circles',
+};
+
+/** An error of the file system as a sentence; any other as it is. */
+export function fileError(error: unknown, path: string, verb: 'read' | 'written'): unknown {
+  const code = error instanceof Error && 'code' in error ? String(error.code) : '';
+  if (code === '') return error;
+  if (code === 'EISDIR') return new FileError(path, 'is a directory; name a file in it.');
+  return new FileError(path, `cannot be ${verb}: ${reasons[code] ?? code}.`);
+}

@@ -1,0 +1,115 @@
+/** An order: a stored design, solved again from the files that it names. */
+import type {Print} from '../model/print.js';
+import type {Problem, SolveHooks} from '../model/problem.js';
+import {resultText, sha256Of} from '../model/result-text.js';
+import type {SolveResult} from '../model/result.js';
+import {
+  printOfStored,
+  problemOfStored,
+  readStoredDesign,
+  writeStoredDesign,
+  type StoredDesign,
+  type StoredFile,
+} from '../model/stored-design.js';
+import {FileError} from '../model/versioned-file.js';
+import {printDistance} from '../model/wallpaper.js';
+import {onPrint} from '../picture/fit.js';
+import type {NamedSolveHooks} from '../solver/texts.js';
+import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
+import {textOf} from './files.js';
+
+export interface OrderHooks extends SolveHooks, ReadingLimits {
+  /** The bytes of a file, by its URL as the design gives it. Without it they are fetched, or read from disk. */
+  readonly read?: (url: string, signal?: AbortSignal) => Promise<Uint8Array>;
+  /** URL or folder that relative URLs count from; by default the folder of the process. */
+  readonly base?: string | URL;
+  /** What messages call the design. Default 'design'. */
+  readonly name?: string;
+}
+
+export interface Order {
+  readonly design: StoredDesign;
+  /** The text of the garment's file. */
+  readonly garment: string;
+  /** In the colourway and the repeat of the design. */
+  readonly print: Print;
+  readonly result: SolveResult;
+  /** What production takes: the result's text, which says so first where it is not the one that was sold. */
+  readonly text: string;
+  /** Whether the result is, byte for byte, the one that was sold. */
+  readonly reproduced: boolean;
+  /**
+   * How far the print lies, at most, from where it was sold, over all pieces' outlines and modulo the print's
+   * symmetries; null when the design's alignments are not those of the garment's pieces. [cm]
+   */
+  readonly differenceCm: number | null;
+}
+
+type Solve = (problem: Problem, hooks: NamedSolveHooks) => Promise<SolveResult>;
+
+/** @throws as `order` does */
+export async function orderWith(
+  solve: Solve,
+  stored: StoredDesign | string,
+  hooks: OrderHooks,
+): Promise<Order> {
+  const {name = 'design'} = hooks;
+  const text = typeof stored === 'string' ? stored : writeStoredDesign(stored);
+  const design = readStoredDesign(text, name);
+  const read = hooks.read ?? readerFrom(hooks);
+  const [garment, printText] = await Promise.all([
+    textAt(design.garment, name, read, hooks.signal),
+    textAt(design.print, name, read, hooks.signal),
+  ]);
+  const print = printOfStored(design, printText);
+  const result = await solve(problemOfStored(design, {garment, print: printText}), {
+    ...hooks,
+    names: {garment: design.garment.url, print: design.print.url, symmetry: name, options: name},
+  });
+  const production = resultText(result);
+  const reproduced = sha256Of(production) === design.result;
+  return {
+    ...{design, garment, print, result, reproduced},
+    text: reproduced ? production : production.replace('{', '{"reproduced":false,'),
+    differenceCm: greatestDifference(design, result),
+  };
+}
+
+function readerFrom({base, ...limits}: OrderHooks): NonNullable<OrderHooks['read']> {
+  const folder = base instanceof URL ? base : folderOf(base ?? '.');
+  return (url) => readAddress(addressFrom(folder, url), limits);
+}
+
+/** @throws {FileError} when it is not the file that the design was made with */
+async function textAt(
+  {url, sha256}: StoredFile,
+  design: string,
+  read: NonNullable<OrderHooks['read']>,
+  signal: AbortSignal | undefined,
+): Promise<string> {
+  const bytes = await read(url, signal);
+  const found = sha256Of(bytes);
+  if (found !== sha256) {
+    throw new FileError(
+      url,
+      `is not the file that ${design} was made with (its sha256 is ${found}, not ${sha256}); put the earlier file back, or make the design again.`,
+    );
+  }
+  return textOf(bytes);
+}
+
+function greatestDifference({alignments}: StoredDesign, result: SolveResult): number | null {
+  const sold = new Map(Object.entries(alignments));
+  const apart = printDistance(result.print);
+  let greatest = 0;
+  for (const {name, alignment, rest, outline} of result.pieces) {
+    const before = sold.get(name);
+    if (!before) return null;
+    for (const vertex of outline) {
+      const point = rest[vertex];
+      if (point)
+        greatest = Math.max(greatest, apart(onPrint(alignment, point), onPrint(before, point)));
+    }
+  }
+  return greatest;
+}
