@@ -13,7 +13,7 @@ import {chromiumPath} from '../../web/setup/chromium.mjs';
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
 /** What a careful host allows: nothing from elsewhere, no inline script, no eval, no blob. */
-const strictPolicy = [
+export const strictPolicy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
   "worker-src 'self'",
@@ -48,11 +48,11 @@ export async function serveSources(folder: string): Promise<Served> {
   return {url: addressOf(server.httpServer), close: () => server.close()};
 }
 
-/** The same, as Vite builds it for production, under a strict content security policy. */
-export async function serveBuilt(folder: string): Promise<Served> {
+/** The same, as Vite builds it for production, under a content security policy: a strict one by itself. */
+export async function serveBuilt(folder: string, policy = strictPolicy): Promise<Served> {
   const outDir = await mkdtemp(join(tmpdir(), 'seamwise-page-'));
   await build({...settings(folder), base: './', build: {outDir, emptyOutDir: true}});
-  const {url, close} = await serveFiles(outDir);
+  const {url, close} = await serveFiles(outDir, policy);
   return {
     url,
     close: async () => {
@@ -63,12 +63,12 @@ export async function serveBuilt(folder: string): Promise<Served> {
 }
 
 /** A folder as it is, under the same policy. */
-export async function serveFiles(outDir: string): Promise<Served> {
+export async function serveFiles(outDir: string, policy = strictPolicy): Promise<Served> {
   const server = await preview({
     ...settings(project),
     appType: 'mpa',
     build: {outDir},
-    preview: {port: 0, headers: {'Content-Security-Policy': strictPolicy}},
+    preview: {port: 0, headers: {'Content-Security-Policy': policy}},
   });
   return {url: addressOf(server.httpServer), close: () => server.close()};
 }

@@ -25,14 +25,19 @@ export async function run(solver: Solver, hooks: SolveHooks, pace: Pace): Promis
     hooks.onProgress?.({phase: solver.phase, fraction: solver.fraction});
     hooks.onPartial?.(solver.partial());
   };
+  const breathe = async () => {
+    await pace.pause();
+    hooks.signal?.throwIfAborted();
+  };
+  await breathe(); // the solver has just been made, which takes longer than most slices
   hooks.onPattern?.(solver.pattern());
   report();
   let more = true;
   while (more) {
-    await pace.pause();
-    hooks.signal?.throwIfAborted();
+    await breathe();
     more = solver.advance(pace.slice);
     report();
   }
+  await breathe();
   return solver.result();
 }

@@ -1,0 +1,117 @@
+import {fileURLToPath} from 'node:url';
+
+import type {Page} from 'playwright-core';
+import {mirror, prepare, solve, type Symmetry} from 'seamwise/node';
+import {afterEach, beforeEach, expect, it} from 'vitest';
+
+import {checks, twoStrips} from '../wasm/garments.js';
+import {jacket, tee, useFixture, withoutTimes} from './fixture/open.js';
+
+const strips = {garment: JSON.stringify(twoStrips()), print: checks};
+/** As Vite serves a file outside of its root. */
+const moduleUrl = `/@fs${fileURLToPath(new URL('../../web/src/solver/module/seamwise.wasm', import.meta.url))}`;
+const openPage = useFixture();
+let page: Page;
+
+beforeEach(async () => {
+  page = await openPage();
+});
+
+afterEach(() => page.close());
+
+it("solves to the worker's bytes on the page's own thread", async () => {
+  const [inPage, inWorker] = await page.evaluate(
+    (problem) => Promise.all([new InPage().solve(problem), new Client().solve(problem)]),
+    tee,
+  );
+  expect(withoutTimes(inPage)).toBe(withoutTimes(inWorker));
+});
+
+it('answers the other questions, too, with a .wasm file from where it is told', async () => {
+  const asked: Symmetry = {kind: 'pair', pieces: ['front', 'back']};
+  const answers = await page.evaluate(
+    async ([problem, symmetry, whereItIs]) => {
+      const [here, there] = [new InPage({wasmUrl: whereItIs}), new Client()];
+      return Promise.all([
+        here.prepare(problem),
+        here.mirror(problem.garment, symmetry),
+        here.symmetries(problem.garment),
+        there.symmetries(problem.garment),
+        here.convert(problem.garment),
+        there.convert(problem.garment),
+      ]);
+    },
+    [tee, asked, moduleUrl] as const,
+  );
+  const [prepared, mirrored, symmetries, alsoSymmetries, converted, alsoConverted] = answers;
+  expect([prepared, mirrored]).toEqual([await prepare(tee), await mirror(tee.garment, asked)]);
+  expect([symmetries, converted]).toEqual([alsoSymmetries, alsoConverted]);
+});
+
+// Another program that holds up the whole machine lengthens a slice too; one of ours comes back.
+it(
+  'works in slices of some milliseconds, and lets the page work in between',
+  {retry: 5},
+  async () => {
+    const [slices, ticks] = await page.evaluate(async (problem) => {
+      const solver = new InPage();
+      await solver.solve(problem); // the module is compiled, the garment meshed
+      const slices: number[] = [];
+      let ticks = 0;
+      const clock = setInterval(() => (ticks += 1), 4);
+      let before = 0;
+      const onProgress = () => {
+        const now = performance.now();
+        if (before > 0) slices.push(now - before);
+        before = now;
+      };
+      await solver.solve({...problem, seed: 2}, {onProgress});
+      clearInterval(clock);
+      return [slices, ticks] as const;
+    }, tee);
+    expect(slices.length).toBeGreaterThan(5);
+    expect(Math.max(...slices)).toBeLessThan(16);
+    expect(ticks).toBeGreaterThan(slices.length / 4);
+  },
+);
+
+it('is aborted between any two slices, and goes on answering', async () => {
+  const [ends, result] = await page.evaluate(
+    async ([large, small]) => {
+      const solver = new InPage();
+      const ends: [unknown, number][] = [];
+      for (const slices of [0, 1, 2, 5, 10, 20]) {
+        const controller = new AbortController();
+        let [seen, aborted] = [0, 0];
+        if (slices === 0) controller.abort('enough');
+        const onProgress = () => {
+          seen += 1;
+          if (seen === slices) {
+            setTimeout(() => {
+              aborted = seen;
+              controller.abort('enough');
+            });
+          }
+        };
+        const {signal} = controller;
+        const reason: unknown = await solver
+          .solve(large, {signal, onProgress})
+          .catch((thrown: unknown) => thrown);
+        ends.push([reason, seen - aborted]);
+      }
+      return [ends, await solver.solve(small)] as const;
+    },
+    [jacket, strips] as const,
+  );
+  expect(ends).toEqual(Array(6).fill(['enough', 0]));
+  expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
+});
+
+it('can be aborted while the module is on its way', async () => {
+  await page.route('**/*.wasm', () => undefined); // and never comes
+  const reason = await page.evaluate(async (problem) => {
+    const signal = AbortSignal.timeout(100);
+    return new InPage().solve(problem, {signal}).catch((thrown: unknown) => (thrown as Error).name);
+  }, strips);
+  expect(reason).toBe('TimeoutError');
+});
