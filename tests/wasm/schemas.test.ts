@@ -2,19 +2,34 @@ import {readdirSync, readFileSync} from 'node:fs';
 
 import {Ajv2020} from 'ajv/dist/2020.js';
 import * as fc from 'fast-check';
-import {convert, mirror, solve, symmetries} from 'seamwise/node';
+import {
+  convert,
+  designOf,
+  mirror,
+  readStoredDesign,
+  solve,
+  symmetries,
+  writeStoredDesign,
+} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
+import {storedDesign} from '../support/designs.js';
 import {problem} from '../support/random-problems.js';
 import {checks, sample, twoStrips} from './garments.js';
 
 const publicFolder = new URL('../../public/', import.meta.url);
 
+const kinds = ['design', 'garment', 'options', 'print', 'symmetries'] as const;
+
 /** What the schema of one kind of file says about a document. */
-function schema(kind: 'garment' | 'options' | 'print' | 'symmetries') {
-  const file = new URL(`schema/seamwise-${kind}-1.schema.json`, publicFolder);
+function schema(kind: (typeof kinds)[number]) {
   const ajv = new Ajv2020({strict: true, strictTypes: false, strictTuples: false});
-  const validate = ajv.compile(JSON.parse(readFileSync(file, 'utf8')) as object);
+  for (const name of kinds) {
+    const file = new URL(`schema/seamwise-${name}-1.schema.json`, publicFolder);
+    ajv.addSchema(JSON.parse(readFileSync(file, 'utf8')) as object, name);
+  }
+  const validate = ajv.getSchema(kind);
+  if (!validate) throw new Error(`there is no schema of a ${kind}`);
   return (document: unknown) => (validate(document) ? [] : validate.errors);
 }
 
@@ -45,6 +60,14 @@ describe('the schemas accept', () => {
     expect(schema('symmetries')({symmetries: [measured]})).toEqual([]);
   });
 
+  it('designs as they are written', async () => {
+    const written = writeStoredDesign(storedDesign);
+    expect(schema('design')(JSON.parse(written))).toEqual([]);
+    const solved = await solve({garment: twoStrips(), print: checks});
+    const again = writeStoredDesign(designOf(storedDesign, solved));
+    expect(schema('design')(JSON.parse(again))).toEqual([]);
+  });
+
   it('whatever the solver is tried with', () => {
     const [print, options] = [schema('print'), schema('options')];
     fc.assert(
@@ -54,6 +77,26 @@ describe('the schemas accept', () => {
       }),
       {seed: 1, numRuns: 200},
     );
+  });
+});
+
+describe('schema and reader both refuse', () => {
+  it.each([
+    ['no hash of the garment', 'garment', {url: 'tee.json'}],
+    ['a script for a URL', 'print', {...storedDesign.print, url: 'javascript:alert(1)'}],
+    ['another host behind a path', 'print', {...storedDesign.print, url: '//example.org/p.json'}],
+    ['an unknown symmetry', 'symmetry', 'all'],
+    ['an unknown method', 'method', 'worst'],
+    ['a negative seed', 'seed', -1],
+    ['a piece without a place', 'alignments', {front: {angle: 0}}],
+    ['half a hash', 'result', 'abc'],
+    ['no version', 'solver', 'newest'],
+    ['another format', 'format', 'seamwise-design/2'],
+  ])('a design with %s', (_, field, value) => {
+    const written = JSON.parse(writeStoredDesign(storedDesign)) as object;
+    const document = {...written, [field]: value};
+    expect(schema('design')(document)).not.toEqual([]);
+    expect(() => readStoredDesign(JSON.stringify(document), 'x')).toThrow();
   });
 });
 
