@@ -2,7 +2,7 @@ import {PatternView} from '../../../web/src/viewer/pattern-view.js';
 import type {PatternScene} from '../../../web/src/viewer/scene.js';
 import {realigned} from '../../../web/src/viewer/scene.js';
 import {SeamStrip} from '../../../web/src/viewer/seam-strip.js';
-import {loadTile, svgTile} from '../../../web/src/viewer/tile-texture.js';
+import {loadTile, svgTile} from '../../../web/src/viewer/tile.js';
 
 declare global {
   /** The view under test, the scene it shows, and what it takes to change that. */

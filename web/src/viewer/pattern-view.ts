@@ -17,7 +17,8 @@ import {millimetres, SeamNotes, type LengthText} from './seam-notes.js';
 import {fitted, panned, toScreen, toSheet, zoomed, type SheetView} from './sheet-view.js';
 import {snapshot} from './snapshot.js';
 import type {Appearance} from './strokes.js';
-import {TileTexture, type Tile} from './tile-texture.js';
+import {TileTexture} from './tile-texture.js';
+import type {Tile} from './tile.js';
 
 /** After this long without a change an SVG tile is drawn as densely as the zoom asks for. [ms] */
 const rest = 150;

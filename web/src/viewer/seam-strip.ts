@@ -18,7 +18,8 @@ import {
 } from './seam-ribbon.js';
 import {StripMesh} from './strip-mesh.js';
 import {inks, type Appearance} from './strokes.js';
-import {TileTexture, type Tile} from './tile-texture.js';
+import {TileTexture} from './tile-texture.js';
+import type {Tile} from './tile.js';
 
 /** [CSS px per cm] */
 const greatestScale = 40;

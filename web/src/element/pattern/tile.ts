@@ -1,5 +1,5 @@
 /** The picture of a print's cell, from wherever a design has it. */
-import {loadTile, svgTile, type Tile} from '../../viewer/tile-texture.js';
+import {loadTile, svgTile, type Tile} from '../../viewer/tile.js';
 
 /** `data:` URLs are read here: a strict policy does not let a page fetch them. */
 export async function tileOf(image: string, signal?: AbortSignal): Promise<Tile> {
