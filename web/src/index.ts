@@ -15,6 +15,10 @@ export {linkOf, readLink, type LinkedDesign} from './model/link.js';
 export {FileError, isProject, readProject, writeProject} from './model/project.js';
 export type {Project, ProjectView} from './model/project.js';
 export {repeatOf, type RepeatSize} from './model/repeat.js';
+export {resultText} from './model/result-text.js';
 export {solvedDesign, type SolvedFiles} from './model/solved-design.js';
+export * from './model/stored-design.js';
 
 export * from './solver/client.js';
+export * from './solver/main-thread.js';
+export * from './solver/pool.js';
