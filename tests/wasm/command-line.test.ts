@@ -150,6 +150,24 @@ describe('bad input exits with 2 and one sentence that names it', () => {
       ['draw', file('hollow.json'), '--print', file('checks.json')],
       'hollow.json is not a whole result file',
     ],
+    'an order of what is no design': () => [['order', file('strips.json')], 'strips.json is no'],
+    'an order that is not there': () => [['order', file('none.json')], 'none.json'],
+    'an allowance that is none': () => [
+      ['order', file('d.json'), '--svg', file('c.svg'), '--allowance', '-1'],
+      '--allowance',
+    ],
+    'an allowance around nothing': () => [['order', 'd.json', '--allowance', '1'], '--svg'],
+    'two files under one name': () => [
+      ['order', 'd.json', '--out', file('c.svg'), '--svg', file('c.svg')],
+      'name two',
+    ],
+    'a design on top of the result': () => [
+      [
+        ...['align', file('strips.json'), '--print', file('checks.json')],
+        ...['--out', file('r.json'), '--design', file('r.json')],
+      ],
+      'name two',
+    ],
     'a result on top of a directory': () => [
       ['align', file('strips.json'), '--print', file('checks.json'), '--out', file('folder')],
       'folder',
@@ -186,6 +204,62 @@ it('says its version', async () => {
   const {code, out} = await seamwise('--version');
   expect(code).toBe(0);
   expect(out).toMatch(/^\d+\.\d+\.\d+\n$/);
+});
+
+describe('order', () => {
+  const text = (name: string) => readFileSync(file(name), 'utf8');
+  /** Stores a design, after a change of its text. */
+  const store = async (name: string, change = (design: string) => design) => {
+    const made = await align('--no-times', '--out', file('sold.json'), '--design', file(name));
+    expect(made).toMatchObject({code: 0, err: ''});
+    writeFileSync(file(name), change(text(name)));
+  };
+
+  it('writes the very bytes that were sold, and the pieces to cut', async () => {
+    await store('d.json');
+    const [out, svg] = [file('made.json'), file('cut.svg')];
+    const done = await seamwise('order', file('d.json'), '--out', out, '--svg', svg, '--json');
+    expect(done).toMatchObject({code: 0, err: ''});
+    expect(JSON.parse(done.out)).toMatchObject({reproduced: true, differenceCm: 0, group: 'p4m'});
+    expect(text('made.json')).toBe(text('sold.json'));
+    expect(text('cut.svg')).toContain('Solid: cut. Dashed: sew, 1 cm inside.');
+  });
+
+  it('counts relative URLs from --base when it is given', async () => {
+    await store('far.json');
+    mkdirSync(file('far'));
+    writeFileSync(file('far/d.json'), text('far.json'));
+    expect(await seamwise('order', file('far/d.json'))).toMatchObject({code: 2, out: ''});
+    const {code, out} = await seamwise('order', file('far/d.json'), '--base', folder);
+    expect({code, out: out.trimEnd().split('; ').at(-1)}).toEqual({
+      code: 0,
+      out: 'reproduced true',
+    });
+  });
+
+  it('says so, and what to do, when the answer is not the one that was sold', async () => {
+    const older = (design: string) =>
+      design
+        .replace(/"result": "\w+"/, `"result": "${'0'.repeat(64)}"`)
+        .replace(/"solver": "[^"]+"/, '"solver": "0.0.7"');
+    await store('old.json', older);
+    const {code, out, err} = await seamwise('order', file('old.json'), '--out', file('new.json'));
+    expect({code, out: out.trimEnd().split('; ').at(-1)}).toEqual({
+      code: 0,
+      out: 'reproduced false',
+    });
+    expect(err).toMatch(/^note: the answer differs from the one that was sold, .* 0\.000 cm /);
+    expect(err).toContain(`use npx seamwise@0.0.7 order ${file('old.json')}`);
+    expect(text('new.json')).toBe(text('sold.json').replace('{', '{"reproduced":false,'));
+  });
+
+  it('draws nothing from a garment that was changed since', async () => {
+    await store('d.json', (design) => design.replace(/(?<="sha256": ")\w{4}/, '0000'));
+    const {code, out, err} = await seamwise('order', file('d.json'), '--out', file('none.json'));
+    expect({code, out}).toEqual({code: 2, out: ''});
+    expect(err).toMatch(/strips\.json is not the file that .* was made with .*; put the earlier/);
+    expect(readdirSync(folder)).not.toContain('none.json');
+  });
 });
 
 it('draws a print in each of its colourways, and in no other', async () => {

@@ -111,5 +111,5 @@ function greatestDifference({alignments}: StoredDesign, result: SolveResult): nu
         greatest = Math.max(greatest, apart(onPrint(alignment, point), onPrint(before, point)));
     }
   }
-  return greatest;
+  return Math.round(greatest * 1e6) / 1e6; // below lies the rounding of the calculation
 }

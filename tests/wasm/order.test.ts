@@ -1,0 +1,211 @@
+import {readFileSync} from 'node:fs';
+import {createServer, type Server} from 'node:http';
+import type {AddressInfo} from 'node:net';
+
+import {
+  designOf,
+  order,
+  problemOfStored,
+  resultText,
+  sha256Of,
+  solve,
+  type StoredDesign,
+  type StoredProblem,
+} from 'seamwise/node';
+import {afterAll, beforeAll, describe, expect, it} from 'vitest';
+
+import {checks, twoStrips} from './garments.js';
+
+const garment = `\ufeff${JSON.stringify(twoStrips())}\n`;
+const print = JSON.stringify({...checks, colourways: [{name: 'Day', image: 'day.svg'}]});
+const shelf = new Map([
+  ['strips.json', garment],
+  ['checks.json', print],
+]);
+const read = (url: string) => Promise.resolve(new TextEncoder().encode(shelf.get(url)));
+
+const chosen: StoredProblem = {
+  garment: {url: 'strips.json', sha256: sha256Of(garment)},
+  print: {url: 'checks.json', sha256: sha256Of(print)},
+  symmetry: 'auto',
+  method: 'best',
+  options: {},
+  seed: 3,
+};
+
+/** What a shop would store of a choice. */
+async function sold(problem: StoredProblem = chosen): Promise<StoredDesign> {
+  return designOf(
+    problem,
+    await solve(problemOfStored(problem, {garment: garment.slice(1), print})),
+  );
+}
+
+describe('an order', () => {
+  it.each<[string, Partial<StoredProblem>]>([
+    ['as it was chosen', {}],
+    ['without symmetry', {symmetry: 'none', method: 'ws19'}],
+    ['with a symmetry of its own', {symmetry: [{kind: 'pair', pieces: ['left', 'right']}]}],
+    ['with pins', {options: {pins: {left: {angle: 0, translation: [1, 2]}}, maxChangeCm: 0.5}}],
+    [
+      'with a print that was changed',
+      {print: {...chosen.print, colourway: 'Day', turnDeg: 33, oneWay: true, group: 'p2'}},
+    ],
+  ])('gives the very bytes that were sold, %s', async (_, changes) => {
+    const problem = {...chosen, ...changes};
+    const design = await sold(problem);
+    const answer = await order(JSON.stringify({format: 'seamwise-design/1', ...design}), {read});
+    expect(answer).toMatchObject({reproduced: true, differenceCm: 0});
+    expect(sha256Of(answer.text)).toBe(design.result);
+    expect(answer.text).toBe(resultText(answer.result));
+  });
+
+  it('is the same whatever its files are called', async () => {
+    // without units a note names the file
+    const {pattern} = twoStrips();
+    const bare = JSON.stringify({pattern});
+    const results = await Promise.all(
+      ['a.json', 'b.json'].map((name) => solve({garment: bare, print}, {names: {garment: name}})),
+    );
+    expect(results[0]?.notes).not.toEqual(results[1]?.notes);
+    const [one, other] = results.map(resultText);
+    expect(one).toBe(other);
+  });
+
+  it('says so when the answer is another one than was sold, and how far apart they are', async () => {
+    const design = await sold();
+    const {left, ...others} = design.alignments;
+    const [x = NaN, y = NaN] = left?.translation ?? [];
+    const moved = (by: number) => ({
+      ...design,
+      result: '0'.repeat(64),
+      alignments: {...others, left: {angle: left?.angle ?? NaN, translation: [x + by, y] as const}},
+    });
+    const near = await order(moved(0.25), {read});
+    expect(near.reproduced).toBe(false);
+    expect(near.differenceCm).toBeGreaterThan(0.01);
+    expect(near.differenceCm).toBeLessThan(0.25 + 1e-9);
+    expect(near.text.startsWith('{"reproduced":false,"format":"seamwise-result/1",')).toBe(true);
+    const {reproduced, ...file} = JSON.parse(near.text) as Record<string, unknown>;
+    expect(reproduced).toBe(false);
+    expect(`${JSON.stringify(file)}\n`).toBe(resultText(near.result));
+    const strange = await order({...moved(0), alignments: others}, {read});
+    expect(strange.differenceCm).toBeNull();
+  });
+
+  it('does not count a shift by a whole repeat as a difference', async () => {
+    const design = await sold();
+    const alignments = Object.fromEntries(
+      Object.entries(design.alignments).map(
+        ([
+          name,
+          {
+            angle,
+            translation: [x, y],
+          },
+        ]) => {
+          const along = [4 * Math.cos(angle), 4 * Math.sin(angle)] as const;
+          return [name, {angle, translation: [x + along[0], y + along[1]] as const}];
+        },
+      ),
+    );
+    const {differenceCm} = await order({...design, alignments}, {read});
+    expect(differenceCm).toBe(0);
+  });
+
+  it('is refused when a file is not the one that it was made with', async () => {
+    const design = await sold();
+    const other = (url: string) =>
+      url === 'strips.json' ? Promise.resolve(new TextEncoder().encode(`${garment} `)) : read(url);
+    await expect(order(design, {read: other, name: 'order 17'})).rejects.toThrow(
+      /^strips\.json is not the file that order 17 was made with .*; put the earlier file back, or /,
+    );
+  });
+
+  it('is refused when the design is damaged', async () => {
+    await expect(order('{}', {read})).rejects.toThrow('design is no design');
+    await expect(order({...(await sold()), seed: -1}, {read})).rejects.toThrow("'seed'");
+    await expect(order(undefined as never, {read})).rejects.toThrow("'garment' must be");
+  });
+
+  it('ends when it is told to', async () => {
+    const signal = AbortSignal.abort(new Error('enough'));
+    await expect(order(await sold(), {read, signal})).rejects.toThrow('enough');
+  });
+});
+
+describe('an order from the web', () => {
+  let server: Server;
+  let base = '';
+  beforeAll(async () => {
+    server = createServer(({url = ''}, response) => {
+      const name = url.split('/').at(-1) ?? '';
+      if (name === 'silent.json') return; // never answers
+      if (name === 'endless.json') {
+        response.write('{');
+        const chunk = Buffer.alloc(1_000_000, 32);
+        const more = (): void => {
+          while (!response.destroyed && response.write(chunk));
+        };
+        response.on('drain', more);
+        more();
+        return;
+      }
+      const content = shelf.get(name);
+      response.statusCode = content === undefined ? 404 : 200;
+      response.end(content);
+    });
+    await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+    base = `http://127.0.0.1:${String((server.address() as AddressInfo).port)}/shop`;
+  });
+  afterAll(() => {
+    server.closeAllConnections();
+    server.close();
+  });
+
+  const from = async (url: string): Promise<StoredDesign> => {
+    const design = await sold();
+    return {...design, garment: {...design.garment, url}};
+  };
+
+  it('fetches its files, relative to the base or by whole URLs', async () => {
+    for (const url of ['strips.json', '/strips.json', `${base}/strips.json`]) {
+      expect(await order(await from(url), {base})).toMatchObject({reproduced: true});
+    }
+  });
+
+  it.each([
+    ['missing.json', /missing\.json cannot be fetched: the server answered 404; /],
+    ['silent.json', /silent\.json cannot be fetched: the server did not answer within 0\.5 s; /],
+    ['endless.json', /endless\.json is larger than 20 MB, the limit for such a file; /],
+    ['http://127.0.0.1:1/a.json', /a\.json cannot be fetched: .*; check the address/],
+    ['file:///etc/hostname', /^file:\/\/\/etc\/hostname is not on the web, but named from there; /],
+  ])('names %s', async (url, words) => {
+    const timeoutMs = url === 'silent.json' ? 500 : 30_000;
+    await expect(order(await from(url), {base, timeoutMs})).rejects.toThrow(words);
+  });
+
+  it('can be called off while it waits', async () => {
+    const signal = AbortSignal.timeout(200);
+    await expect(order(await from('silent.json'), {base, signal})).rejects.toThrow('aborted');
+  });
+});
+
+it('names a file that is not there', async () => {
+  const design = {...(await sold()), garment: {...chosen.garment, url: 'no/such.json'}};
+  await expect(order(design, {base: '/tmp'})).rejects.toThrow(
+    '/tmp/no/such.json cannot be read: there is no such file',
+  );
+});
+
+it('solves a sample as the command line did, from the folder of the project', async () => {
+  const publicFolder = new URL('../../public/', import.meta.url);
+  const file = (url: string) => ({url, sha256: sha256Of(readFileSync(new URL(url, publicFolder)))});
+  const problem = {...chosen, garment: file('garments/tee-m.json'), print: file('prints/p4m.json')};
+  const texts = {
+    garment: readFileSync(new URL(problem.garment.url, publicFolder), 'utf8'),
+    print: readFileSync(new URL(problem.print.url, publicFolder), 'utf8'),
+  };
+  const design = designOf(problem, await solve(problemOfStored(problem, texts)));
+  expect(await order(design, {base: publicFolder})).toMatchObject({reproduced: true});
+});
