@@ -64,6 +64,18 @@ it('says so when the solver cannot be loaded, and solves once it can be', async 
   await solved(page);
 });
 
+it('solves in the page itself where the worker cannot be started, and says why', async () => {
+  const page = await openPage({maySay: /404/});
+  await page.route('**/solver.worker*', (route) => route.fulfill({status: 404, body: 'gone'}));
+  await page.reload();
+  await solved(page);
+  await page.getByText(/^The solver's worker could not be started from /).waitFor();
+  expect(page.workers()).toEqual([]);
+  await group(page, 'pgg');
+  await solved(page);
+  expect((await designOf(page)).print.group).toBe('pgg');
+});
+
 it('takes a garment where no sample can be read', async () => {
   const page = await openPage({maySay: /Failed to load resource/});
   await page.route('**/samples.json', (route) => route.abort());

@@ -65,17 +65,28 @@ describe('where a worker cannot be had, a lease solves all the same and says so 
     expect(page.workers()).toEqual([]);
   });
 
-  it('also for leases that come later, which try no more; but again once all are released', async () => {
+  it('also for leases that come later, which try again only once all others are released', async () => {
+    let asked = 0;
+    page.on('request', (request) => (asked += Number(request.url().endsWith('nowhere.js'))));
     const heard = await page.evaluate(async (garment) => {
+      Object.defineProperty(navigator, 'hardwareConcurrency', {value: 5});
       const heard: string[] = [];
       const leases = ['first', 'second'].map((name) =>
         lease({workerUrl: 'nowhere.js', onBlocked: () => heard.push(name)}),
       );
       for (const {solver} of leases) await solver.convert(garment);
+      leases.push(lease({workerUrl: 'nowhere.js', onBlocked: () => heard.push('third')}));
+      await leases[2]?.solver.convert(garment);
       for (const {release} of leases) release();
       return heard;
     }, strips.garment);
-    expect(heard).toEqual(['first', 'second']);
+    expect(heard).toEqual(['first', 'second', 'third']);
+    expect(asked).toBe(2); // the first two had places of their own before anything was known
+    await page.evaluate(async (garment) => {
+      await new Promise((resolve) => setTimeout(resolve, 6000));
+      await lease({workerUrl: 'nowhere.js'}).solver.convert(garment);
+    }, strips.garment);
+    expect(asked).toBe(3);
   });
 
   it('and cancels what is released', async () => {

@@ -1,5 +1,5 @@
 import type {Page} from 'playwright-core';
-import {solve} from 'seamwise/node';
+import {solve, type SolveResult} from 'seamwise/node';
 import {afterEach, beforeEach, describe, expect, it} from 'vitest';
 
 import {checks, twoStrips} from '../wasm/garments.js';
@@ -118,6 +118,32 @@ describe('releasing', () => {
     for (const [k, result] of others.entries()) {
       expect(withoutTimes(result)).toBe(withoutTimes(await solve({...tee, seed: k + 1})));
     }
+  });
+
+  it('does not end a worker that is deaf for a while, and at work for another lease', async () => {
+    const [ended, result] = await page.evaluate(async (problem) => {
+      const places = {workerUrl: 'breaking.worker.ts'};
+      const [leaving, staying] = [lease(places), lease(places)];
+      const deaf = new Promise((resolve) => {
+        new BroadcastChannel('hangs').addEventListener('message', resolve);
+      });
+      let result: Promise<unknown> | undefined;
+      await new Promise<void>((resolve) => {
+        const onProgress = () => {
+          resolve();
+        };
+        result = staying.solver.solve(problem, {onProgress});
+      });
+      const ended = leaving.solver
+        .solve(problem, {names: {garment: 'pauses'}})
+        .catch((error: unknown) => (error as {code: string}).code);
+      await deaf;
+      leaving.release();
+      return [await ended, (await result) as Awaited<ReturnType<typeof staying.solver.solve>>];
+    }, jacket);
+    expect(ended).toBe('cancelled');
+    expect(withoutTimes(result)).toBe(withoutTimes(await solve(jacket)));
+    expect(workers).toBe(1);
   });
 });
 

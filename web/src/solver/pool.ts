@@ -19,7 +19,7 @@ export interface LeasePlaces extends WorkerPlaces {
 export interface SolverLease {
   readonly solver: SolverService;
   /** Gives it back: what is pending, and what is asked from now on, is rejected as cancelled. */
-  release(): void;
+  readonly release: () => void;
 }
 
 /** A worker that nobody has leased is kept this long, for whoever comes next. [ms] */

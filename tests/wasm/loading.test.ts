@@ -1,0 +1,30 @@
+import {readFile} from 'node:fs/promises';
+
+import {convert} from 'seamwise/node';
+import {expect, it} from 'vitest';
+
+import {LocalSolver} from '../../web/src/solver/local.js';
+import {twoStrips} from './garments.js';
+
+const module = await readFile(
+  new URL('../../web/src/solver/module/seamwise.wasm', import.meta.url),
+);
+const garment = JSON.stringify(twoStrips());
+
+it('says that the module is missing, what to do, and tries again with the next call', async () => {
+  const found = [new TextEncoder().encode('not found'), module];
+  const solver = new LocalSolver(() => ({wasmBinary: found.shift() ?? module}));
+  await expect(solver.convert(garment, 'garment')).rejects.toMatchObject({
+    name: 'SolverError',
+    code: 'no-wasm',
+    message: expect.stringMatching(/^The solver could not be loaded: .*; .*[^.]\.$/) as string,
+  });
+  expect(await solver.convert(garment, 'garment')).toBe(await convert(garment));
+});
+
+it('does not wait for a module that nobody wants any more', async () => {
+  const never = new LocalSolver(() => new Promise(() => undefined));
+  const signal = AbortSignal.timeout(20);
+  await expect(never.convert(garment, 'garment', signal)).rejects.toThrow(/timeout/);
+  await expect(never.convert(garment, 'garment', signal)).rejects.toBe(signal.reason);
+});
