@@ -13,11 +13,13 @@ import {join} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
 import {pathToFileURL} from 'node:url';
 
+import {copyDeclarations} from './declarations.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, must, root, say, tool} from './shell.mjs';
 import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const moduleFolder = 'web/src/solver/module';
+const declarations = 'build/declarations';
 const at = (...parts) => join(root, ...parts);
 
 /** The parts of a build, each made from those before it; `from` is what it is made from besides. */
@@ -92,7 +94,9 @@ async function buildScripts() {
   const compile = [tsc, '-p', 'tsconfig.build.json'];
   // Scripts are downloaded and need no comments; declarations keep them, for editors to show.
   await must(node, [...compile, '--declaration', 'false', '--noCheck', '--removeComments']);
-  await must(node, [...compile, '--emitDeclarationOnly']);
+  rmSync(at(declarations), {recursive: true, force: true});
+  await must(node, [...compile, '--emitDeclarationOnly', '--outDir', declarations]);
+  copyDeclarations(declarations);
   mkdirSync(at('dist/solver/module'), {recursive: true});
   for (const file of ['seamwise.mjs', 'seamwise.wasm', 'seamwise.d.mts']) {
     copyFileSync(at(moduleFolder, file), at('dist/solver/module', file));

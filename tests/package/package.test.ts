@@ -1,0 +1,183 @@
+/** What is published, seen from outside: the tarball, installed in an empty folder. */
+import {execFile} from 'node:child_process';
+import {readFile} from 'node:fs/promises';
+import {posix} from 'node:path';
+import {promisify} from 'node:util';
+import {gzipSync} from 'node:zlib';
+
+import {publint} from 'publint';
+import {afterAll, beforeAll, expect, it} from 'vitest';
+
+import {tool} from '../../web/setup/shell.mjs';
+import {packed, type Packed} from '../support/packed.js';
+
+const kilobyte = 1000;
+/** Compressed file by file, as a host would send them; three is not among them. [bytes] */
+const mostForPackage = 450 * kilobyte;
+
+let all: Packed;
+let remove: (() => Promise<void>) | undefined;
+
+beforeAll(async () => {
+  all = await packed();
+  ({remove} = all);
+});
+
+afterAll(() => remove?.());
+
+/** Names of the entries that are modules, as they are imported. */
+const modules = (): readonly string[] =>
+  Object.keys(all.manifest.exports)
+    .filter((entry) => !/\.(json|wasm)$/.test(entry))
+    .map((entry) => `seamwise${entry.slice(1)}`);
+
+it('is a sound package, as publint sees it', async () => {
+  const {buffer} = new Uint8Array(await readFile(all.tarball));
+  const {messages} = await publint({pack: {tarball: buffer}, strict: true});
+  expect(messages).toEqual([]);
+});
+
+it('has types that every resolver of ES modules finds', async () => {
+  const [node, attw] = tool('@arethetypeswrong/cli', 'attw');
+  const asked = ['--profile', 'esm-only', '--format', 'ascii', '--no-definitely-typed'];
+  const data = ['--exclude-entrypoints', './seamwise.wasm']; // no module, so that it has no types
+  const complaint = await promisify(execFile)(node, [attw, all.tarball, ...asked, ...data]).then(
+    () => undefined,
+    (error: unknown) => (error as {stdout: string}).stdout,
+  );
+  expect(complaint).toBeUndefined();
+});
+
+/** Imports, waits for what that may have begun, and tells which globals there are that were not before. */
+const trial = (entry: string): string => `
+  const before = new Set(Object.getOwnPropertyNames(globalThis));
+  const busy = process.getActiveResourcesInfo();
+  await import('${entry}');
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  const news = Object.getOwnPropertyNames(globalThis).filter((name) => !before.has(name));
+  const left = process.getActiveResourcesInfo();
+  console.log(JSON.stringify({news, left: left.slice(busy.length)}));
+`;
+
+it('does nothing when it is imported by Node, in whichever entry', async () => {
+  const {news: ofLit} = JSON.parse((await all.node(trial('lit'))).output) as {news: string[]};
+  for (const entry of modules()) {
+    const {output, complaints} = await all.node(trial(entry));
+    expect(complaints, entry).toBe('');
+    expect(output.trim().split('\n'), entry).toHaveLength(1);
+    const {news, left} = JSON.parse(output) as {news: string[]; left: string[]};
+    expect(
+      news.filter((name) => !ofLit.includes(name)),
+      entry,
+    ).toEqual([]);
+    expect(left, entry).toEqual([]);
+  }
+});
+
+it('solves in Node, from where it is installed', async () => {
+  const square = [
+    [0, 0],
+    [10, 0],
+    [10, 10],
+    [0, 10],
+  ];
+  const edges = square.map((_, k) => ({endpoints: [k, (k + 1) % 4]}));
+  const panel = {vertices: square, edges};
+  const seam = [
+    {panel: 'a', edge: 1},
+    {panel: 'b', edge: 3},
+  ];
+  const garment = {pattern: {panels: {a: panel, b: panel}, stitches: [seam]}};
+  const print = {group: 'p1', w1: [5, 0], w2: [0, 5]};
+  const {output} = await all.node(`
+    import {solve} from 'seamwise/node';
+    const {pieces} = await solve(${JSON.stringify({garment, print})});
+    console.log(pieces.map(({name}) => name).join());
+  `);
+  expect(output).toBe('a,b\n');
+});
+
+it('hands out nothing but its entries', async () => {
+  const {output} = await all.node(`
+    for (const path of ['seamwise/nothing', 'seamwise/dist/index.js']) {
+      await import(path).catch(({code}) => console.log(code));
+    }
+  `);
+  expect(output.trim().split('\n')).toEqual(Array(2).fill('ERR_PACKAGE_PATH_NOT_EXPORTED'));
+});
+
+it('hands out the module of the solver as a file', async () => {
+  const {output} = await all.node(`
+    import {readFileSync} from 'node:fs';
+    const bytes = readFileSync(new URL(import.meta.resolve('seamwise/seamwise.wasm')));
+    console.log(WebAssembly.validate(bytes));
+  `);
+  expect(output).toBe('true\n');
+});
+
+const compressed = (wanted: (file: string) => boolean): number =>
+  [...all.files].reduce(
+    (sum, [file, bytes]) => sum + (wanted(file) ? gzipSync(bytes, {level: 9}).length : 0),
+    0,
+  );
+
+it('is small', () => {
+  const bytes = compressed((file) => !file.startsWith('dist/standalone/'));
+  expect(bytes).toBeGreaterThan(200 * kilobyte); // the solver is in it
+  expect(bytes).toBeLessThan(mostForPackage);
+});
+
+/** What a script or declaration refers to, by its path in the package. */
+function references(file: string, bytes: Buffer): string[] {
+  const code = bytes.toString('latin1');
+  const isDeclaration = /\.d\.m?ts$/.test(file);
+  const imports = [...code.matchAll(/(?:\bfrom|\bimport)\s*\(?\s*["'`](\.[^"'`]+)["'`]/g)];
+  const places = [...code.matchAll(/\bnew URL\(["'`]([\w./-]+)["'`],\s*import\.meta\.url\)/g)];
+  return [...imports, ...(isDeclaration ? [] : places)].map(([, target = '']) =>
+    posix.join(
+      posix.dirname(file),
+      isDeclaration ? target.replace(/\.(m?)js$/, '.d.$1ts') : target,
+    ),
+  );
+}
+
+it('holds all that its entries lead to', () => {
+  const entries = Object.values(all.manifest.exports).flatMap((entry) =>
+    typeof entry === 'string' ? [entry] : Object.values(entry),
+  );
+  const reached = new Set<string>(['README.md']);
+  const follow = (file: string): void => {
+    if (reached.has(file)) return;
+    reached.add(file);
+    const bytes = all.files.get(file);
+    if (bytes && /\.(js|mjs|ts|mts)$/.test(file)) references(file, bytes).forEach(follow);
+  };
+  for (const file of [...entries, ...Object.values(all.manifest.bin)])
+    follow(posix.normalize(file));
+  const missing = [...reached].filter((file) => !all.files.has(file));
+  expect(missing).toEqual([]);
+});
+
+/** Each with what it is in the sentence "no file ...". */
+const banned: Readonly<Record<string, RegExp>> = {
+  'evaluates text': /\beval\(|\bnew Function\b/,
+  'makes a worker of text': /new Blob\(\[[^\]]*\][^)]*(?:java|ecma)script/,
+  'has a script in an address': /\bdata:(?:text|application)\/(?:java|ecma)script/,
+  'names a host, but for the names of formats': /\bhttps?:\/\/(?!www\.w3\.org\/)[\w-]/,
+};
+
+it.each(Object.entries(banned))('has no file that %s', (_, pattern) => {
+  const code = [...all.files].filter(([file]) => /\.(js|mjs)$/.test(file));
+  const offences = code.filter(([, bytes]) => pattern.test(bytes.toString('latin1')));
+  expect(offences.map(([file]) => file)).toEqual([]);
+});
+
+it('finds its worker as bundlers can see it', () => {
+  const starts = [...all.files]
+    .filter(([file]) => file.endsWith('.js') && !file.startsWith('dist/standalone/'))
+    .flatMap(([, bytes]) => bytes.toString('latin1').match(/new Worker\(.*\)/g) ?? [])
+    .filter((start) => start.includes('import.meta.url'));
+  expect(starts).toEqual([
+    "new Worker(new URL('./solver.worker.js', import.meta.url), { type: 'module' })",
+  ]);
+});

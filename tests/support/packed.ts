@@ -1,0 +1,77 @@
+/** The package as its users get it: packed, and installed in an empty folder. */
+import {execFile} from 'node:child_process';
+import {mkdir, mkdtemp, readdir, readFile, rm, symlink} from 'node:fs/promises';
+import {tmpdir} from 'node:os';
+import {dirname, join, relative, sep} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {promisify} from 'node:util';
+
+const run = promisify(execFile);
+const project = fileURLToPath(new URL('../..', import.meta.url));
+
+export interface Manifest {
+  readonly exports: Readonly<Record<string, string | Readonly<Record<string, string>>>>;
+  readonly bin: Readonly<Record<string, string>>;
+  readonly dependencies: Readonly<Record<string, string>>;
+}
+
+/** What a program said and how it ended, all of which may be wrong. */
+export interface Run {
+  readonly output: string;
+  readonly complaints: string;
+}
+
+export interface Packed {
+  /** What `npm pack` wrote. */
+  readonly tarball: string;
+  /** Where the package is installed: with its dependencies, without the peers. */
+  readonly folder: string;
+  readonly manifest: Manifest;
+  /** Every file by its path in the package, with slashes. */
+  readonly files: ReadonlyMap<string, Buffer>;
+  /** Runs a module in Node beside the package. @throws when it fails, or does not end by itself */
+  readonly node: (source: string) => Promise<Run>;
+  readonly remove: () => Promise<void>;
+}
+
+/** Packs and installs. Dependencies are the project's own, so that no registry is asked. */
+export async function packed(): Promise<Packed> {
+  const home = await mkdtemp(join(tmpdir(), 'seamwise-package-'));
+  const {stdout} = await run('npm', ['pack', '--json', '--pack-destination', home], {cwd: project});
+  const [{filename}] = JSON.parse(stdout) as [{filename: string}];
+  const tarball = join(home, filename);
+  const folder = join(home, 'node_modules/seamwise');
+  await mkdir(folder, {recursive: true});
+  await run('tar', ['-xzf', tarball, '-C', folder, '--strip-components=1']);
+  const manifest = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8')) as Manifest;
+  for (const name of Object.keys(manifest.dependencies)) {
+    const place = join(home, 'node_modules', name);
+    await mkdir(dirname(place), {recursive: true});
+    await symlink(join(project, 'node_modules', name), place, 'junction');
+  }
+  return {
+    tarball,
+    folder,
+    manifest,
+    files: await filesIn(folder),
+    node: async (source) => {
+      const args = ['--input-type=module', '--eval', source];
+      const end = await run(process.execPath, args, {cwd: home, timeout: 30_000});
+      return {output: end.stdout, complaints: end.stderr};
+    },
+    remove: () => rm(home, {recursive: true}),
+  };
+}
+
+async function filesIn(folder: string): Promise<ReadonlyMap<string, Buffer>> {
+  const entries = await readdir(folder, {recursive: true, withFileTypes: true});
+  const paths = entries.filter((one) => one.isFile()).map((one) => join(one.parentPath, one.name));
+  return new Map(
+    await Promise.all(
+      paths.map(
+        async (path) =>
+          [relative(folder, path).split(sep).join('/'), await readFile(path)] as const,
+      ),
+    ),
+  );
+}

@@ -1,0 +1,25 @@
+import {copyFileSync, existsSync, mkdirSync, readFileSync} from 'node:fs';
+import {dirname, join, posix} from 'node:path';
+
+import {root} from './shell.mjs';
+
+/** Copies from `folder` into dist what the package's entries lead to; the rest would only weigh. */
+export function copyDeclarations(folder) {
+  const {exports} = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  const copied = new Set();
+  const follow = (file) => {
+    const source = join(root, folder, file);
+    if (copied.has(file) || !existsSync(source)) return; // written by hand, and there already
+    copied.add(file);
+    const target = join(root, 'dist', file);
+    mkdirSync(dirname(target), {recursive: true});
+    copyFileSync(source, target);
+    const imports = readFileSync(source, 'utf8').matchAll(
+      /\b(?:from|import)\s*\(?\s*["'](\.[^"']+)\.js["']/g,
+    );
+    for (const [, name] of imports) follow(posix.join(posix.dirname(file), `${name}.d.ts`));
+  };
+  for (const {types} of Object.values(exports)) {
+    if (types) follow(posix.relative('dist', types));
+  }
+}

@@ -1,0 +1,2 @@
+/** The words that run a program of an installed npm package, on every platform. */
+export function tool(name: string, program?: string): [node: string, script: string];
