@@ -1,5 +1,5 @@
 import type {Page} from 'playwright-core';
-import {solve, type SolveResult} from 'seamwise/node';
+import {solve} from 'seamwise/node';
 import {afterEach, beforeEach, describe, expect, it} from 'vitest';
 
 import {checks, twoStrips} from '../wasm/garments.js';
