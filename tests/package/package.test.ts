@@ -48,29 +48,34 @@ it('has types that every resolver of ES modules finds', async () => {
   expect(complaint).toBeUndefined();
 });
 
-/** Imports, waits for what that may have begun, and tells which globals there are that were not before. */
+/** Imports, waits for what that may have begun, and tells what it has left: elements, globals, open handles. */
 const trial = (entry: string): string => `
+  const elements = [];
+  globalThis.customElements = {get: () => undefined, define: (name) => elements.push(name)};
   const before = new Set(Object.getOwnPropertyNames(globalThis));
   const busy = process.getActiveResourcesInfo();
   await import('${entry}');
   await new Promise((resolve) => setTimeout(resolve, 50));
   const news = Object.getOwnPropertyNames(globalThis).filter((name) => !before.has(name));
   const left = process.getActiveResourcesInfo();
-  console.log(JSON.stringify({news, left: left.slice(busy.length)}));
+  console.log(JSON.stringify({elements, news, left: left.slice(busy.length)}));
 `;
 
+interface Traces {
+  readonly elements: readonly string[];
+  readonly news: readonly string[];
+  readonly left: readonly string[];
+}
+
 it('does nothing when it is imported by Node, in whichever entry', async () => {
-  const {news: ofLit} = JSON.parse((await all.node(trial('lit'))).output) as {news: string[]};
+  const lit = JSON.parse((await all.node(trial('lit'))).output) as Traces;
   for (const entry of modules()) {
     const {output, complaints} = await all.node(trial(entry));
     expect(complaints, entry).toBe('');
     expect(output.trim().split('\n'), entry).toHaveLength(1);
-    const {news, left} = JSON.parse(output) as {news: string[]; left: string[]};
-    expect(
-      news.filter((name) => !ofLit.includes(name)),
-      entry,
-    ).toEqual([]);
-    expect(left, entry).toEqual([]);
+    const {elements, news, left} = JSON.parse(output) as Traces;
+    const own = news.filter((name) => !lit.news.includes(name));
+    expect({elements, own, left}, entry).toEqual({elements: [], own: [], left: []});
   }
 });
 
