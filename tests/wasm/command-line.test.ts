@@ -8,6 +8,8 @@ import {
   truncateSync,
   writeFileSync,
 } from 'node:fs';
+import {createServer} from 'node:http';
+import type {AddressInfo} from 'node:net';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -251,6 +253,32 @@ describe('order', () => {
     expect(err).toMatch(/^note: the answer differs from the one that was sold, .* 0\.000 cm /);
     expect(err).toContain(`use npx seamwise@0.0.7 order ${file('old.json')}`);
     expect(text('new.json')).toBe(text('sold.json').replace('{', '{"reproduced":false,'));
+  });
+
+  it('takes design, garment, print and picture from the web', async () => {
+    const image = '<svg xmlns="http://www.w3.org/2000/svg"><title>the night</title></svg>';
+    const ways = {...checks, colourways: [{name: 'Night', image: 'night.svg'}]};
+    writeFileSync(file('shop.json'), JSON.stringify(ways));
+    const [strips, print] = [file('strips.json'), file('shop.json')];
+    await seamwise('align', strips, '--print', print, '--design', file('web.json'));
+    const design = text('web.json').replace('shop.json",', '$&"colourway": "night",');
+    const shelf: Record<string, string> = {
+      '/web.json': design,
+      '/night.svg': image,
+      '/strips.json': text('strips.json'),
+      '/shop.json': text('shop.json'),
+    };
+    const server = createServer(({url = ''}, response) => response.end(shelf[url]));
+    await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+    const base = `http://127.0.0.1:${String((server.address() as AddressInfo).port)}`;
+    try {
+      const done = await seamwise('order', `${base}/web.json`, '--svg', file('night.svg'));
+      expect(done).toMatchObject({code: 0, err: ''});
+      expect(done.out).toContain('; reproduced true');
+    } finally {
+      server.close();
+    }
+    expect(text('night.svg')).toContain(encodeURIComponent('<title>the night</title>'));
   });
 
   it('draws nothing from a garment that was changed since', async () => {
