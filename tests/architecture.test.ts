@@ -125,3 +125,10 @@ it('names every failure of the core in the JavaScript API, with the same number'
     .filter(([name]) => name !== 'none');
   expect(Object.fromEntries(declared)).toEqual(failureCodes);
 });
+
+it('has other names for what fails outside the core', async () => {
+  const {failureCodes, pageFailureCodes} = await import('../web/src/model/failure.js');
+  const names = [...Object.keys(failureCodes), ...pageFailureCodes];
+  expect(new Set(names).size).toBe(names.length);
+  expect(pageFailureCodes.filter((name) => !/^[a-z]+(-[a-z]+)*$/.test(name))).toEqual([]);
+});

@@ -7,7 +7,13 @@ export * from './model/print.js';
 export * from './model/problem.js';
 export type * from './model/result.js';
 export type * from './model/symmetries.js';
-export {failureCodes, SolverError, type Failure, type FailureCode} from './model/failure.js';
+export {
+  failureCodes,
+  pageFailureCodes,
+  SolverError,
+  type Failure,
+  type FailureCode,
+} from './model/failure.js';
 
 export {printOf, problemOf} from './model/design.js';
 export type {Design, DesignGarment, DesignPrint} from './model/design.js';
