@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace seamwise {
 namespace {
+
+constexpr double kEased = 0.1;  ///< sides that differ by a larger share of their length
+constexpr int kDirections = 8;  ///< tried, to find images that are as far apart as wanted
 
 /// The alignment that brings a stretch of a piece's seam best onto `image` of its neighbour's side,
 /// where that neighbour lies (weighted Procrustes), turned to what the piece's freedom admits.
@@ -37,6 +42,38 @@ Stretch randomStretch(const MatchSeam& seam, Random& random) {
   return seam.stretch(first, first + size);
 }
 
+/// Where a seam is gathered or eased, the print may still meet wherever the sides cross its repeats
+/// in step: the alignment that lays two edges of a piece's seam, drawn at random, on images of
+/// their partners which are about as far apart as they are.
+std::optional<Alignment> inStep(const MatchProblem& problem, const Freedom& freedom,
+                                const MatchSeam& seam, bool from_a, const Alignment& other,
+                                Random& random) {
+  const int edges = static_cast<int>(seam.w.size());
+  if (edges < 2) return std::nullopt;
+  const int i = random.below(edges - 1), j = i + 1 + random.below(edges - 1 - i);
+  const auto &mine = from_a ? seam.pa : seam.pb, &theirs = from_a ? seam.pb : seam.pa;
+  const Vec2 along = mine[j] - mine[i];
+  const double apart = along.norm(), theirs_apart = (theirs[j] - theirs[i]).norm();
+  if (std::abs(apart - theirs_apart) < kEased * std::max(apart, theirs_apart)) return std::nullopt;
+  const auto& elements = problem.group.elements();
+  const int count = static_cast<int>(elements.size());
+  const Element &e = elements[random.below(count)], &f = elements[random.below(count)];
+  if (!problem.allows(seam, e) || !problem.allows(seam, f)) return std::nullopt;
+  const Vec2 from = e(other.toPrint(theirs[i])), to = f(other.toPrint(theirs[j]));
+  Vec2 best = Vec2::Zero();
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = 2 * kPi * random.uniform();
+    const Vec2 wanted = apart * Vec2(std::cos(angle), std::sin(angle));
+    const Vec2 step = wanted - problem.group.reduce(from + wanted - to);
+    const double off = std::abs(step.norm() - apart);
+    if (off < least) least = off, best = step;
+  }
+  const double turn = std::atan2(cross(along, best), along.dot(best));
+  const Vec2 middle = (mine[i] + mine[j]) / 2;
+  return freedom.nearest({wrapAngle(-turn), middle - rotation(-turn) * (from + best / 2)}, middle);
+}
+
 }  // namespace
 
 std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alignments& at,
@@ -61,6 +98,9 @@ std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alig
         seen[e.mirrored] = true;
         out.push_back(onto(leader.freedom, part, seam.a == l, at[other], e));
       }
+      if (k > 0)
+        if (auto stepped = inStep(problem, leader.freedom, seam, seam.a == l, at[other], random))
+          out.push_back(*stepped);
     }
   }
   return out;

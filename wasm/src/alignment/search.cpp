@@ -1,6 +1,7 @@
 #include "alignment/search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -18,12 +19,22 @@ constexpr int kGlance = 3;  ///< iterations on all edges that tell which finalis
 constexpr std::size_t kPolished = 4;
 constexpr int kPolish = 30;  ///< iterations at most
 
+/// The more symmetries a print has, the more answers there are to choose from.
+SearchBudget enlarged(SearchBudget budget, int symmetries) {
+  const double more = std::max(1.0, std::pow(symmetries / 4.0, 1.25));
+  budget.trees = static_cast<int>(budget.trees * more);
+  budget.idle = static_cast<int>(budget.idle * more);
+  budget.hits = static_cast<int>(budget.hits * more);
+  budget.evaluations *= more;
+  return budget;
+}
+
 }  // namespace
 
 AlignmentSearch::AlignmentSearch(const MatchProblem& problem, std::uint64_t seed,
                                  SearchBudget budget, double slack)
     : problem_(problem),
-      budget_(budget),
+      budget_(enlarged(budget, problem.group.data().order)),
       moves_(problem, seed, budget.samples, slack),
       best_(problem.leaders.size()) {
   for (std::size_t l = 0; l < problem.leaders.size(); ++l) {

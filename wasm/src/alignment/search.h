@@ -5,7 +5,8 @@
 
 namespace seamwise {
 
-/// How long to look. Counted in distance evaluations, never in seconds, so that results do not
+/// How long to look, for a print of up to four symmetries besides its shifts; for one of more, the
+/// search takes longer. Counted in distance evaluations, never in seconds, so that results do not
 /// depend on the machine.
 struct SearchBudget {
   int trees = 40;  ///< spanning-tree starts for each component, at least
