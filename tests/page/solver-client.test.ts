@@ -87,7 +87,8 @@ describe('the client', () => {
       return {fractions, phases: [...phases], partials};
     }, tee);
     expect(fractions).toEqual([...fractions].sort((a, b) => a - b));
-    expect([fractions[0], fractions.at(-1)]).toEqual([0, 1]);
+    expect(fractions[0]).toBeLessThan(0.2); // by then the garment has been meshed
+    expect(fractions.at(-1)).toBe(1);
     expect(phases).toEqual(['alignment', 'deformation']);
     expect(partials).toHaveLength(fractions.length);
     expect(partials.every((alignments) => alignments.length === 12)).toBe(true);

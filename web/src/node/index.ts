@@ -40,7 +40,7 @@ const solver = new LocalSolver(async () => ({
 
 /**
  * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its seams.
- * Runs on this thread in slices of about 40 ms; several solves share it fairly.
+ * Runs on this thread in slices of about 40 ms, two solves at a time, in the order they came.
  * @throws {SolverError} for bad input; the signal's reason, an `AbortError` by default, when it fires
  */
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
