@@ -28,7 +28,8 @@ export abstract class DeskElement extends LitElement {
 
   /** All words, in the language of the user. */
   protected get texts(): Texts {
-    return textsOf(this.desk.preferences.language);
+    const {language, messages} = this.desk.preferences;
+    return textsOf(language, messages);
   }
 
   /** All numbers, in the language and units of the user. */

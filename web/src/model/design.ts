@@ -3,6 +3,7 @@ import type {SolveOptions} from './options.js';
 import type {GroupName, Print} from './print.js';
 import type {Method, Problem} from './problem.js';
 import {latticeVectors, type RepeatSize} from './repeat.js';
+import type {StoredFile} from './stored-design.js';
 import type {Symmetry} from './symmetries.js';
 
 export interface DesignGarment {
@@ -12,6 +13,16 @@ export interface DesignGarment {
   readonly text: string;
   /** Which of the garments that come with the page, if it is one. */
   readonly sample?: {readonly style: string; readonly size: string};
+  /** Where it was read from, if it has a place; `size` is what a shop calls it. */
+  readonly file?: StoredFile & {readonly size?: string};
+}
+
+/** The print file that a print was made of. */
+export interface DesignPrintFile {
+  readonly text: string;
+  /** Where it was read from, if it has a place. */
+  readonly place?: StoredFile;
+  readonly colourway?: string;
 }
 
 export interface DesignPrint {
@@ -26,6 +37,7 @@ export interface DesignPrint {
   readonly image: string;
   /** Which of the prints that come with the page, if it is one. */
   readonly sample?: {readonly name: string; readonly colourway: string};
+  readonly file?: DesignPrintFile;
 }
 
 /** A print without a picture shows bare cloth, and the edges of its cell. */

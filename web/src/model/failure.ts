@@ -43,6 +43,8 @@ export const pageFailureCodes = [
   /** A file is larger than the page reads. */
   'too-large',
   'not-an-image',
+  /** A file is not the one that a design was made with. */
+  'file-changed',
 ] as const;
 
 export type FailureCode = keyof typeof failureCodes | (typeof pageFailureCodes)[number];

@@ -2,11 +2,10 @@
 import {css, html, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {SeamStrip, ShownSeam} from '../../viewer/seam-strip.js';
-import {AppearanceController} from '../appearance.js';
+import {AppearanceController, colourScheme} from '../appearance.js';
 import {DeskElement, PatientElement} from '../desk-element.js';
 import type {SeamRow} from '../lists/rows.js';
 import type {LensCursor} from '../pattern/marks.js';
-import {tileOf} from '../pattern/tile.js';
 import {controls} from '../style/controls.js';
 import {rulerOf} from './ruler.js';
 
@@ -17,6 +16,7 @@ export class LensStrip extends PatientElement {
 
   static override styles = [
     controls,
+    colourScheme,
     css`
       :host {
         display: grid;
@@ -135,7 +135,7 @@ export class LensStrip extends PatientElement {
     if (image === undefined || image === this.#image) return;
     this.#image = image;
     // the pattern says when a picture cannot be read
-    const tile = await tileOf(image, this.#life?.signal).catch(() => undefined);
+    const tile = await this.desk.tileOf(image, this.#life?.signal).catch(() => undefined);
     if (this.#image === image) strip.setTile(tile);
   }
 

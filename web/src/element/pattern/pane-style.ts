@@ -19,10 +19,6 @@ export const paneStyle = css`
   .application:focus-visible {
     outline-offset: -2px;
   }
-  .stage {
-    position: absolute;
-    inset: 0;
-  }
   sw-toolbar {
     padding: var(--sw-space-2) var(--sw-space-3);
   }

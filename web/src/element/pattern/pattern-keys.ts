@@ -97,6 +97,7 @@ function viewKey(pane: PatternPane, key: string): boolean {
       view?.fit();
       return true;
     case 'w':
+      if (pane.tools.isFixed) return false;
       pane.split = 1;
       return true;
     case 'l':
@@ -104,8 +105,8 @@ function viewKey(pane: PatternPane, key: string): boolean {
       return true;
     default: {
       const number = Number(key);
-      if (!(number >= 1 && number <= 9)) return false;
-      const texts = textsOf(desk.preferences.language);
+      if (pane.tools.isFixed || !(number >= 1 && number <= 9)) return false;
+      const texts = textsOf(desk.preferences.language, desk.preferences.messages);
       const row = worstSeams(seamRows(desk, texts), number)[number - 1];
       if (row) desk.select({kind: 'seam', seam: row.seam, side: 'a'});
       return true;

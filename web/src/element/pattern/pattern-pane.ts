@@ -1,19 +1,17 @@
 /** The pattern: its drawing, what lies over it, and the same as words for those who do not see it. */
-import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+import {html, nothing, type TemplateResult} from 'lit';
 
 import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import {movementOf} from '../../viewer/movement.js';
-import type {PatternView} from '../../viewer/pattern-view.js';
-import {AppearanceController} from '../appearance.js';
-import {PatientElement, type DeskElement} from '../desk-element.js';
+import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
+import type {DeskElement} from '../desk-element.js';
 import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {lastOf} from '../workbench/last-of.js';
-import {toFailure} from '../workbench/latest-solve.js';
-import {SceneMaker} from '../workbench/scenes.js';
 import type {Workbench} from '../workbench/workbench.js';
+import {PatternDrawing} from './drawing.js';
 import {overlayOf, type LensCursor} from './marks.js';
 import {patternKeys} from './pattern-keys.js';
 import {optionId, patternOptions} from './pattern-options.js';
@@ -22,49 +20,39 @@ import {PatternTools, pointedAt} from './pattern-tools.js';
 import {Pointing} from './pointing.js';
 import {SheetIndex} from './sheet-index.js';
 import {emptyNote, noteStyle, noWebGlNote, stateNote} from './state-note.js';
-import {tileOf} from './tile.js';
 
-export class PatternPane extends PatientElement {
-  static override styles = [controls, paneStyle, noteStyle];
+export class PatternPane extends PatternDrawing {
+  static override properties = {...PatternDrawing.properties, purpose: {}};
+  static override styles = [...PatternDrawing.styles, controls, paneStyle, noteStyle];
+  /** `place`: for who moves the print, and does nothing else. */
+  declare purpose: 'edit' | 'place';
 
-  readonly #maker = new SceneMaker();
   readonly #index = new SheetIndex();
   readonly #movementOf = lastOf(movementOf);
-  readonly #appearance = new AppearanceController(this);
-  #view: PatternView | undefined;
-  #noWebGl = false;
   #tools: PatternTools | undefined;
-  /** Whose tile is shown, or being fetched. */
-  #image: string | undefined;
-  #life: AbortController | undefined;
   #pointing: Pointing | undefined;
-  /** Of the stage. Asking for it at every update would lay the page out each time. [CSS px] */
-  #size: {readonly width: number; readonly height: number} | undefined;
   /** How much of the width shows the garment as it comes; undefined when none does. */
   #split: number | undefined;
   #showsMovement = false;
   #cursor: LensCursor | undefined;
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#life = new AbortController();
-    void this.#open(this.#life.signal);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#life?.abort();
-    this.#view?.dispose();
-    this.#view = undefined;
-    this.#image = undefined;
+  constructor() {
+    super();
+    this.purpose = 'edit';
   }
 
   get tools(): PatternTools {
-    return (this.#tools ??= new PatternTools(this.desk, () => {
-      this.requestUpdate();
-      for (const part of this.renderRoot.querySelectorAll<DeskElement>('sw-toolbar, sw-tool-hint'))
-        part.requestUpdate();
-    }));
+    return (this.#tools ??= new PatternTools(
+      this.desk,
+      () => {
+        this.requestUpdate();
+        for (const part of this.renderRoot.querySelectorAll<DeskElement>(
+          'sw-toolbar, sw-tool-hint',
+        ))
+          part.requestUpdate();
+      },
+      this.purpose,
+    ));
   }
 
   /** Where the lens is pointed at, to be shown on both pieces. */
@@ -83,47 +71,33 @@ export class PatternPane extends PatientElement {
     return this.#split;
   }
 
-  get view(): PatternView | undefined {
-    return this.#view;
+  protected override hasSeams(): boolean {
+    return this.purpose === 'edit';
   }
 
-  async #open(signal: AbortSignal): Promise<void> {
-    // begun before anything is laid out: the drawing is the heaviest part
-    const {PatternView} = await import('../../viewer/pattern-view.js');
-    await this.updateComplete;
-    const stage = this.#stage;
-    if (signal.aborted || !stage) return;
-    try {
-      this.#view = new PatternView(stage, {
-        appearance: this.#appearance.value,
-        lengthText: (cm) => this.#missText(cm),
-        onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
-      });
-    } catch {
-      this.#noWebGl = true;
-    }
-    const {desk} = this;
-    const view = this.#view;
-    if (view) {
-      desk.view = {
-        get: () => view.state,
-        picture: () => view.toBlob(),
-        set: (state) => {
-          view.state = state;
-        },
-      };
-    }
+  protected override viewOptions(): PatternViewOptions {
+    return {
+      lengthText: (cm) => this.#missText(cm),
+      onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
+    };
+  }
+
+  protected override opened(stage: HTMLElement, signal: AbortSignal): void {
     this.#pointing = new Pointing(this, stage, signal);
     stage.tabIndex = -1; // the pattern as a whole has the focus
-    const resized = new ResizeObserver(([entry]) => {
-      if (entry) this.#size = entry.contentRect;
-      this.requestUpdate();
-    });
-    resized.observe(stage);
-    signal.addEventListener('abort', () => {
-      resized.disconnect();
-    });
-    this.requestUpdate();
+  }
+
+  protected override drew(view: PatternView): void {
+    const {desk} = this;
+    const {scenes} = desk;
+    if (!scenes) return;
+    view.setWipe(
+      this.#split === undefined ? undefined : {before: scenes.before, split: this.#split},
+    );
+    view.setMovement(
+      this.#showsMovement && desk.result ? this.#movementOf(desk.result.pieces) : undefined,
+    );
+    view.setOverlay(overlayOf(desk, scenes.now, this.tools, this.#cursor, this.texts, this.format));
   }
 
   /** Beyond what chance gives, how far two places are apart says nothing: they do not match. */
@@ -132,10 +106,6 @@ export class PatternPane extends PatientElement {
     return cm > chance
       ? `> ${this.format.fine(chance)}`
       : this.texts.pattern.upTo(this.format.fine(cm));
-  }
-
-  get #stage(): HTMLElement | null {
-    return this.renderRoot.querySelector('.stage');
   }
 
   /** The keys of the pattern work again. */
@@ -148,53 +118,18 @@ export class PatternPane extends PatientElement {
     return scenes && this.#index.of(scenes.now);
   }
 
-  protected override willUpdate(changed: PropertyValues<this>): void {
-    super.willUpdate(changed);
-    if (this.#size) this.desk.scenes = this.#maker.scenes(this.desk, this.#size);
-  }
-
-  protected override updated(): void {
-    const view = this.#view;
-    if (!view) return;
-    view.setAppearance(this.#appearance.value);
-    const {desk} = this;
-    const {scenes} = desk;
-    if (scenes) {
-      view.show(scenes.now);
-      view.setWipe(
-        this.#split === undefined ? undefined : {before: scenes.before, split: this.#split},
-      );
-      view.setMovement(
-        this.#showsMovement && desk.result ? this.#movementOf(desk.result.pieces) : undefined,
-      );
-      view.setOverlay(
-        overlayOf(desk, scenes.now, this.tools, this.#cursor, this.texts, this.format),
-      );
-    }
-    void this.#showTile(view);
-  }
-
-  async #showTile(view: PatternView): Promise<void> {
-    const image = this.desk.design?.print.image;
-    if (image === undefined || image === this.#image) return;
-    this.#image = image;
-    const signal = this.#life?.signal;
-    try {
-      const tile = await tileOf(image, signal);
-      if (this.#image === image) view.setTile(tile);
-    } catch (error) {
-      if (this.#image !== image || signal?.aborted) return;
-      view.setTile(undefined);
-      this.desk.say({tone: 'error', text: toFailure(error).message});
-    }
-  }
-
   protected override render(): TemplateResult {
     const {pattern} = this.texts;
     const {desk, index} = this;
     const empty = desk.state.kind === 'empty';
+    const places = this.purpose === 'place';
     return html`
-      ${empty ? emptyNote(this.texts) : html`<sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>`}
+      ${empty ? emptyNote(this.texts) : nothing}
+      ${
+        empty || places
+          ? nothing
+          : html`<sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>`
+      }
       <div
         class="application"
         role="application"
@@ -238,23 +173,28 @@ export class PatternPane extends PatientElement {
             : html`<sw-legend .desk=${desk}></sw-legend>`
         }
         <div class="view" role="group" aria-label=${pattern.view}>
-          ${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
-            this.split = this.#split === undefined ? 0.5 : undefined;
-          })}
-          ${this.#toggle(pattern.movement, icon.movement, this.#showsMovement, () => {
-            this.#showsMovement = !this.#showsMovement;
-            this.requestUpdate();
-          })}
-          ${this.#button(pattern.zoomOut, icon.minus, () => this.#view?.zoomBy(1 / 1.4))}
-          ${this.#button(pattern.fit, icon.fit, () => this.#view?.fit())}
-          ${this.#button(pattern.zoomIn, icon.plus, () => this.#view?.zoomBy(1.4))}
+          ${places ? nothing : this.#comparing()}
+          ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4))}
+          ${this.#button(pattern.fit, icon.fit, () => this.view?.fit())}
+          ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4))}
         </div>
       </div>
     `;
   }
 
+  #comparing(): TemplateResult {
+    const {pattern} = this.texts;
+    return html`${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
+      this.split = this.#split === undefined ? 0.5 : undefined;
+    })}
+    ${this.#toggle(pattern.movement, icon.movement, this.#showsMovement, () => {
+      this.#showsMovement = !this.#showsMovement;
+      this.requestUpdate();
+    })}`;
+  }
+
   #note(): TemplateResult | typeof nothing {
-    if (this.#noWebGl) return noWebGlNote(this.texts);
+    if (this.isUndrawable) return noWebGlNote(this.texts);
     return stateNote(this.desk, this.texts, () => {
       const {result, scenes} = this.desk;
       if (!this.#showsMovement || !result) return undefined;

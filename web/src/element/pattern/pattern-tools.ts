@@ -27,13 +27,18 @@ const turnStep = Math.PI / 180;
 
 export class PatternTools {
   readonly chooser: SymmetryChooser;
+  /** There is one tool, and it is at work. */
+  readonly isFixed: boolean;
   readonly #desk: Workbench;
   readonly #changed: () => void;
-  #moving = false;
+  #moving: boolean;
   #byPoints = false;
   #hovered: (Snapped & {readonly piece: number}) | undefined;
 
-  constructor(desk: Workbench, changed: () => void) {
+  /** @param purpose with `place` the print is moved, and there is no other tool */
+  constructor(desk: Workbench, changed: () => void, purpose: 'edit' | 'place' = 'edit') {
+    this.isFixed = purpose === 'place';
+    this.#moving = this.isFixed;
     this.#desk = desk;
     this.#changed = changed;
     this.chooser = new SymmetryChooser(desk, changed);
@@ -46,6 +51,7 @@ export class PatternTools {
   }
 
   toggle(tool: Tool): void {
+    if (this.isFixed) return;
     if (tool === 'move') {
       this.chooser.leave();
       this.#moving = !this.#moving;
@@ -60,7 +66,8 @@ export class PatternTools {
 
   /** One step back. @returns whether there was one */
   back(): boolean {
-    const {active} = this;
+    const {active, isFixed} = this;
+    if (isFixed) return false;
     if (active === 'move') this.toggle('move');
     else if (active) this.chooser.send({type: 'back'});
     return active !== undefined;

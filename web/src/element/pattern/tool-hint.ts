@@ -45,13 +45,17 @@ export class ToolHint extends DeskElement {
           : nothing
       }
       ${this.tools.active === 'move' ? this.#presets() : nothing}
-      <button
-        @click=${() => {
-          this.tools.back();
-        }}
-      >
-        ${symmetry.back}
-      </button>
+      ${
+        this.tools.isFixed
+          ? nothing
+          : html`<button
+              @click=${() => {
+                this.tools.back();
+              }}
+            >
+              ${symmetry.back}
+            </button>`
+      }
     </div>`;
   }
 

@@ -327,4 +327,32 @@ export const de: Texts = {
       wrongLattice: (name, group) => `In ${name} spannen w1 und w2 kein Gitter von ${group} auf.`,
     },
   },
+  garment: {
+    label: 'Schnittmuster im Stoffmuster',
+    required: 'Das Muster ist noch nicht angepasst; bitte warten oder ein anderes wählen.',
+    prints: 'Stoffmuster',
+    scale: (unit) => `Rapportbreite (${unit})`,
+    noGarment: 'Es gibt nichts zu zeigen: Schnitt und Stoffmuster angeben.',
+    noSize: (url) => `${url} enthält einen Platz für die Größe; sie im Attribut 'size' angeben.`,
+    noAddress: (url) => `${url} ist keine Adresse; bitte berichtigen.`,
+    notFound: (url) => `${url} gibt es nicht; Adresse berichtigen oder die Datei dort ablegen.`,
+    network: (url, reason) => `${url} ist nicht lesbar (${reason}); Verbindung und Server prüfen.`,
+    timeout: (url, seconds) =>
+      `${url} wurde nicht in ${seconds} s gelesen; bitte erneut versuchen.`,
+    tooLarge: (url, most) => `${url} ist größer als ${most}; bitte eine kleinere Datei wählen.`,
+    noPrint: (url) =>
+      `${url} ist keine Musterdatei; ein Bild bitte in einem Muster mit group, w1 und w2 angeben.`,
+    notJson: (url) => `${url} ist kein JSON; bitte eine andere Datei wählen.`,
+    noSymmetries: (url) => `${url} enthält keine Liste von Symmetrien; bitte berichtigen.`,
+    notAnImage: (url) => `${url} ist nicht als Bild lesbar; bitte ein anderes wählen.`,
+    fileChanged: (url) =>
+      `${url} ist nicht die Datei, mit der der Entwurf gemacht wurde; die frühere zurücklegen oder den Entwurf neu machen.`,
+    notStorable: (what) =>
+      `${what} wurde als Objekt gegeben; damit der Entwurf gespeichert werden kann, bitte die URL angeben.`,
+    garment: 'Der Schnitt',
+    print: 'Das Stoffmuster',
+    noAnswer: 'Es gibt noch keine Lösung zu speichern; mit solve() darauf warten.',
+    noDrawing: 'Es ist noch nichts gezeichnet; mit solve() darauf warten.',
+    cancelled: 'Die Anpassung wurde abgebrochen.',
+  },
 };

@@ -323,6 +323,35 @@ export const en = {
         `In ${name}, w1 and w2 do not span a lattice of ${group}.`,
     },
   },
+  garment: {
+    label: 'Sewing pattern in its print',
+    required: 'The print is not fitted yet; wait until it is, or choose another.',
+    prints: 'Prints',
+    scale: (unit: string) => `Repeat width (${unit})`,
+    noGarment: 'There is nothing to show: name a garment and a print.',
+    noSize: (url: string) => `${url} has a place for a size; name one in the attribute 'size'.`,
+    noAddress: (url: string) => `${url} is no address; correct it.`,
+    notFound: (url: string) => `${url} is not there; correct the address, or put the file there.`,
+    network: (url: string, reason: string) =>
+      `${url} cannot be read (${reason}); check the connection and the host.`,
+    timeout: (url: string, seconds: string) =>
+      `${url} was not read within ${seconds} s; try again.`,
+    tooLarge: (url: string, most: string) => `${url} is larger than ${most}; choose a smaller one.`,
+    noPrint: (url: string) =>
+      `${url} is no print file; give a picture as part of a print, with group, w1 and w2.`,
+    notJson: (url: string) => `${url} is not JSON; choose another file.`,
+    noSymmetries: (url: string) => `${url} holds no list of symmetries; correct it.`,
+    notAnImage: (url: string) => `${url} cannot be read as a picture; choose another.`,
+    fileChanged: (url: string) =>
+      `${url} is not the file that the design was made with; put the earlier one back, or make the design again.`,
+    notStorable: (what: string) =>
+      `The ${what} was given as an object; give its URL, so that the design can be stored.`,
+    garment: 'garment',
+    print: 'print',
+    noAnswer: 'There is no answer to store yet; wait for it with solve().',
+    noDrawing: 'Nothing is drawn yet; wait for it with solve().',
+    cancelled: 'The solve was cancelled.',
+  },
 };
 
 export type Texts = typeof en;

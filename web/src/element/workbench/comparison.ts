@@ -1,18 +1,21 @@
 /** What the symmetries of a design cost: the same design solved without them, when nothing else is to be done. */
-import {problemOf, type Design} from '../../model/design.js';
+import type {Design} from '../../model/design.js';
+import type {Problem} from '../../model/problem.js';
 import type {Metrics} from '../../model/result.js';
 import type {SolverService} from '../../solver/service.js';
 
 export class Comparison {
   readonly #solver: SolverService;
+  readonly #problemOf: (design: Design) => Problem;
   readonly #changed: () => void;
   readonly #known = new WeakMap<Design, Metrics>();
   /** The last design without symmetries, and what it reached. */
   #free: {readonly design: Design; readonly metrics: Metrics} | undefined;
   #running: AbortController | undefined;
 
-  constructor(solver: SolverService, changed: () => void) {
+  constructor(solver: SolverService, problemOf: (design: Design) => Problem, changed: () => void) {
     this.#solver = solver;
+    this.#problemOf = problemOf;
     this.#changed = changed;
   }
 
@@ -43,7 +46,10 @@ export class Comparison {
   async #run(design: Design, signal: AbortSignal): Promise<void> {
     const free = {...design, symmetries: []};
     try {
-      const {metrics} = await this.#solver.solve(problemOf(free), {signal});
+      const {metrics} = await this.#solver.solve(
+        {...this.#problemOf(free), symmetry: 'none'},
+        {signal},
+      );
       this.#free = {design: free, metrics};
       this.#known.set(design, metrics);
       this.#changed();

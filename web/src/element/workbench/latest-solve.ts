@@ -1,7 +1,7 @@
 /** Solves the newest design only: a new one takes the place of the one before, whose answers are heard no more. */
-import {problemOf, type Design} from '../../model/design.js';
+import type {Design} from '../../model/design.js';
 import {SolverError, type Failure} from '../../model/failure.js';
-import type {Progress} from '../../model/problem.js';
+import type {Problem, Progress} from '../../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
 import type {SolverService} from '../../solver/service.js';
 
@@ -28,14 +28,20 @@ const leastTime = 150;
 
 export class LatestSolve {
   readonly #solver: SolverService;
+  readonly #problemOf: (design: Design) => Problem;
   readonly #listeners: SolveListeners;
   #current: AbortController | undefined;
   #started = -Infinity;
   /** Starts what is to come after the solve that is running. */
   #next: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(solver: SolverService, listeners: SolveListeners) {
+  constructor(
+    solver: SolverService,
+    problemOf: (design: Design) => Problem,
+    listeners: SolveListeners,
+  ) {
     this.#solver = solver;
+    this.#problemOf = problemOf;
     this.#listeners = listeners;
   }
 
@@ -76,7 +82,7 @@ export class LatestSolve {
     const {name} = design.garment;
     const print = design.print.title;
     try {
-      const result = await this.#solver.solve(problemOf(design), {
+      const result = await this.#solver.solve(this.#problemOf(design), {
         signal,
         names: {garment: name, print},
         onPattern: (pattern) => {

@@ -1,5 +1,6 @@
 /** How a person wants to be shown things; not part of any design. */
 import type {Units} from '../../model/units.js';
+import type {Messages} from '../texts/messages.js';
 
 export const languages = ['en', 'de'] as const;
 export type Language = (typeof languages)[number];
@@ -12,6 +13,8 @@ export interface Preferences {
   readonly solveAsIGo: boolean;
   /** What is drawn as the worst mismatch: chance, or 2 cm as in the paper. */
   readonly scale: 'chance' | 'paper';
+  /** Words to be used in place of the language's own. */
+  readonly messages?: Messages | undefined;
 }
 
 /** What the browser says about its user. */

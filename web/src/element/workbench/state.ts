@@ -13,7 +13,8 @@ export interface ViewState {
 export interface SheetWindow {
   get(): ViewState | null;
   set(view: ViewState): void;
-  picture(): Promise<Blob>;
+  /** A PNG, by default as wide as is good to keep. [px] */
+  picture(width?: number): Promise<Blob>;
 }
 
 /** One step of the history: a design, and how it was looked at. */

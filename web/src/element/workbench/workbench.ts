@@ -1,12 +1,15 @@
 /** What a page or element works on: a design with its history, and what the solver knows of it. */
-import {printOf, type Design, type DesignGarment} from '../../model/design.js';
+import {printOf, problemOf, type Design, type DesignGarment} from '../../model/design.js';
 import type {Alignment} from '../../model/geometry.js';
 import {amended, redone, stepped, undone, type History} from '../../model/history.js';
+import type {Problem} from '../../model/problem.js';
 import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {leaseSolver, type SolverLease} from '../../solver/pool.js';
 import type {SolverService} from '../../solver/service.js';
 import {alignmentsFrom} from '../../viewer/scene.js';
+import type {Tile} from '../../viewer/tile.js';
+import {tileOf} from '../pattern/tile.js';
 import {textsOf} from '../texts/texts.js';
 import {Comparison} from './comparison.js';
 import {lastOf} from './last-of.js';
@@ -28,8 +31,16 @@ import {concernsSame} from './symmetry-steps.js';
 
 export type * from './state.js';
 
+export interface WorkbenchOptions {
+  /** What the solver is asked for a design. */
+  readonly problemOf?: (design: Design) => Problem;
+  /** The picture of a print's cell, by its URL; none shows bare cloth. */
+  readonly tileOf?: (image: string, signal?: AbortSignal) => Promise<Tile | undefined>;
+}
+
 export class Workbench extends Observable {
   readonly solver: SolverService;
+  readonly tileOf: NonNullable<WorkbenchOptions['tileOf']>;
   /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
   view: SheetWindow | undefined;
   readonly #lease: SolverLease;
@@ -52,6 +63,7 @@ export class Workbench extends Observable {
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
   #scenes: Scenes | undefined;
+  #isEdited = true;
   #selected: Target | undefined;
   #pointed: Target | undefined;
   /** The kind of change that may still be amended, and until when. */
@@ -61,15 +73,17 @@ export class Workbench extends Observable {
   constructor(
     lease: SolverLease = leaseSolver(),
     preferences = preferencesFor(navigator.language),
+    {problemOf: asked = problemOf, tileOf: read = tileOf}: WorkbenchOptions = {},
   ) {
     super();
     this.solver = lease.solver;
     this.#lease = lease;
     this.#preferences = preferences;
-    this.#comparison = new Comparison(this.solver, () => {
+    this.tileOf = read;
+    this.#comparison = new Comparison(this.solver, asked, () => {
       this.changed();
     });
-    this.#solve = new LatestSolve(this.solver, {
+    this.#solve = new LatestSolve(this.solver, asked, {
       pattern: (design, pattern) => {
         if (design.garment !== this.#garment) return;
         this.#pattern = pattern;
@@ -89,7 +103,7 @@ export class Workbench extends Observable {
         if (design !== this.design) return;
         if (this.#pattern) this.#results.keep(design, {pattern: this.#pattern, result});
         this.#state = {kind: 'done'};
-        this.#comparison.follow(design, result.metrics);
+        this.#compare();
         this.changedNext();
       },
       failed: (design, failure) => {
@@ -98,7 +112,8 @@ export class Workbench extends Observable {
           this.#retried = design;
           this.#notice = {
             tone: 'info',
-            text: textsOf(this.#preferences.language).progress.restarted,
+            text: textsOf(this.#preferences.language, this.#preferences.messages).progress
+              .restarted,
           };
           this.align();
           return;
@@ -207,6 +222,17 @@ export class Workbench extends Observable {
     if (sameTarget(target, this.#pointed)) return;
     this.#pointed = target;
     this.changed();
+  }
+
+  /** Whether somebody is going to ask for symmetries and what they cost: otherwise neither is looked for. */
+  set isEdited(isEdited: boolean) {
+    if (isEdited === this.#isEdited) return;
+    this.#isEdited = isEdited;
+    if (!isEdited) this.#comparison.stop();
+    else if (this.#garment) {
+      this.#find(this.#garment);
+      this.#compare();
+    }
   }
 
   /** Starts with nothing. */
@@ -320,7 +346,7 @@ export class Workbench extends Observable {
     if (known) {
       this.#pattern = known.pattern;
       this.#state = {kind: 'done'};
-      this.#comparison.follow(design, known.result.metrics);
+      this.#compare();
     } else if (this.#preferences.solveAsIGo) {
       this.align();
     } else {
@@ -347,6 +373,15 @@ export class Workbench extends Observable {
     this.#found = [];
     this.#selected = undefined;
     this.#pointed = undefined;
+    if (this.#isEdited) this.#find(garment);
+  }
+
+  #compare(): void {
+    const {design, result} = this;
+    if (this.#isEdited && design && result) this.#comparison.follow(design, result.metrics);
+  }
+
+  #find(garment: DesignGarment): void {
     this.solver.symmetries(garment.text, {name: garment.name}).then(
       ({symmetries}) => {
         if (this.#garment !== garment) return;

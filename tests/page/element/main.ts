@@ -1,0 +1,1 @@
+import '../../../web/src/element/auto.js';

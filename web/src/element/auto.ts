@@ -1,0 +1,7 @@
+/** Registers `<seamwise-garment>`: importing this is all that a page has to do. */
+import {register} from './register.js';
+import {SeamwiseGarment} from './seamwise-garment.js';
+
+export * from './seamwise-garment.js';
+
+if (typeof customElements !== 'undefined') register('seamwise-garment', SeamwiseGarment);

@@ -1,0 +1,51 @@
+/** What the element's attributes mean. Whatever is written in them, they mean something. */
+import type {Units} from '../../model/units.js';
+
+export type GarmentView = 'pattern';
+export type GarmentMode = 'preview' | 'place' | 'edit';
+export type GarmentLoading = 'lazy' | 'eager';
+
+/** In the order of the documentation. */
+export const attributes = [
+  ...['garment', 'size', 'print', 'colourway', 'symmetry', 'max-change-mm'],
+  ...['view', 'mode', 'loading', 'units', 'locale', 'lang', 'alt', 'worker-url', 'wasm-url'],
+  ...['name', 'required', 'disabled'],
+] as const;
+
+/** A change of one of these is another question to the solver. */
+export const asking: ReadonlySet<string> = new Set([
+  ...['garment', 'size', 'print', 'colourway', 'symmetry', 'max-change-mm'],
+  ...['worker-url', 'wasm-url'],
+]);
+
+const usualChange = 10;
+const greatestChange = 1000;
+
+/** One of the words, however it is capitalised; the first if it is another. */
+export const wordOf = <const T extends string>(
+  written: string | null,
+  words: readonly [T, ...T[]],
+): T => words.find((word) => word === written?.trim().toLowerCase()) ?? words[0];
+
+/** [mm] */
+export function changeOf(written: string | null): number {
+  const value = written?.trim() ? Number(written) : usualChange;
+  return value >= 0 && value <= greatestChange ? value : usualChange;
+}
+
+export const unitsOf = (written: string | null): Units =>
+  wordOf(written, ['cm', 'inch', 'in']) === 'cm' ? 'cm' : 'inch';
+
+/** The first that names a language. */
+export function localeOf(...candidates: readonly (string | null | undefined)[]): string {
+  return candidates.find((one) => isLocale(one)) ?? 'en';
+}
+
+function isLocale(written: string | null | undefined): written is string {
+  if (!written) return false;
+  try {
+    return new Intl.Locale(written).language !== '';
+  } catch {
+    return false;
+  }
+}

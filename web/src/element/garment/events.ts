@@ -1,0 +1,42 @@
+/** What the element tells the page, and what it can be called. */
+import type {Failure} from '../../model/failure.js';
+import type {Progress} from '../../model/problem.js';
+import type {Metrics} from '../../model/result.js';
+import type {StoredDesign} from '../../model/stored-design.js';
+
+/** `stale`: what is shown is not the answer to what is asked; nothing is under way. */
+export type GarmentState = 'idle' | 'loading' | 'solving' | 'ready' | 'stale' | 'error';
+
+export interface DesignFile {
+  readonly name: string;
+  /** Null for what was given as an object. */
+  readonly url: string | null;
+}
+
+/** The details of the events; all are plain data. */
+export interface GarmentEvents {
+  /** Garment and print have been read. */
+  readonly load: {readonly garment: DesignFile; readonly print: DesignFile};
+  readonly progress: Progress;
+  readonly error: Failure;
+  /** The user has changed the design, and the answer is there. Null when it cannot be stored. */
+  readonly change: {readonly design: StoredDesign | null};
+  readonly solve: {readonly metrics: Metrics; readonly milliseconds: number};
+  /** The user has picked a piece, by its name, or a seam, by its number, on one of its pieces. */
+  readonly select: {
+    readonly kind: 'none' | 'piece' | 'seam';
+    readonly piece: string | null;
+    readonly seam: number | null;
+  };
+}
+
+/** These are what the user does, and what comes of it: whoever is around the element hears them, too. */
+export const bubbling: ReadonlySet<keyof GarmentEvents> = new Set([
+  'change',
+  'solve',
+  'select',
+] as const);
+
+type OwnEventMap = {readonly [Type in keyof GarmentEvents]: CustomEvent<GarmentEvents[Type]>};
+
+export type SeamwiseGarmentEventMap = Omit<HTMLElementEventMap, keyof OwnEventMap> & OwnEventMap;

@@ -1,0 +1,161 @@
+/** Under a pattern whose print is placed: how large the print is, and which it is, where there are several. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {DesignPrint} from '../../model/design.js';
+import {coupledSize} from '../../model/repeat.js';
+import {lengthUnit} from '../controls/number-field.js';
+import {DeskElement} from '../desk-element.js';
+import {swatch} from '../print/swatch.js';
+import {controls} from '../style/controls.js';
+import type {OfferedPrint} from './offered-prints.js';
+
+/** The slider's ends, as shares of the repeat that the print's maker gave it. */
+const [least, most] = [0.25, 4];
+const steps = 100;
+
+/** Fires `sw-print` with the offered print as `detail`, when one is chosen. */
+export class PlaceBar extends DeskElement {
+  static override properties = {...DeskElement.properties, prints: {attribute: false}, chosen: {}};
+  declare prints: readonly OfferedPrint[];
+  /** The URL of the print that is shown. */
+  declare chosen: string;
+  /** The repeat that the slider's middle stands for, as long as the print is the same. [cm] */
+  #usual: {readonly image: string; readonly width: number} | undefined;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: var(--sw-space-2);
+        padding: var(--sw-space-2) var(--sw-space-3) var(--sw-space-3);
+        border-top: 1px solid var(--sw-line);
+        background: var(--sw-paper);
+      }
+      .scale {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) 7.5rem;
+        align-items: end;
+        gap: var(--sw-space-4);
+      }
+      input[type='range'] {
+        width: 100%;
+        height: 2rem;
+        margin: 0;
+        accent-color: var(--sw-accent);
+      }
+      .prints {
+        display: flex;
+        gap: var(--sw-space-2);
+        padding: 2px;
+        overflow-x: auto;
+        scrollbar-width: thin;
+      }
+      .prints button {
+        display: grid;
+        flex: none;
+        width: 4.5rem;
+        min-height: 0;
+        padding: var(--sw-space-1);
+        font-size: var(--sw-text-small);
+        white-space: normal;
+      }
+      svg,
+      .blank {
+        display: block;
+        width: 100%;
+        aspect-ratio: 1;
+        border-radius: calc(var(--sw-radius) - 2px);
+        background: var(--sw-tint);
+      }
+      .prints span {
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+        max-width: 100%;
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const print = this.desk.design?.print;
+    if (!print) return nothing;
+    return html`${this.#gallery()} ${this.#scale(print)}`;
+  }
+
+  #scale(print: DesignPrint): TemplateResult {
+    const {garment, controls: words} = this.texts;
+    if (this.#usual?.image !== print.image) {
+      this.#usual = {image: print.image, width: print.size.width};
+    }
+    const {name, cm} = lengthUnit[this.desk.preferences.units];
+    const label = garment.scale(name);
+    const usual = this.#usual.width;
+    const [from, to] = [least * usual, most * usual];
+    const {width} = print.size;
+    return html`<div class="scale">
+      <input
+        type="range"
+        aria-label=${label}
+        aria-valuetext=${this.format.length(width)}
+        min="0"
+        max=${steps}
+        .value=${String(Math.round(steps * share(width, from, to)))}
+        @input=${(event: Event) => {
+          const {valueAsNumber} = event.target as HTMLInputElement;
+          this.#resize(print, from * (to / from) ** (valueAsNumber / steps));
+        }}
+      />
+      <sw-number-field
+        .label=${label}
+        .value=${width / cm}
+        .subject=${print.image}
+        .least=${from / cm}
+        .most=${to / cm}
+        .step=${0.1}
+        .wrong=${words.between(this.format.length(from), this.format.length(to))}
+        @entered=${({detail}: CustomEvent<number>) => {
+          this.#resize(print, detail * cm);
+        }}
+      ></sw-number-field>
+    </div>`;
+  }
+
+  #gallery(): TemplateResult | typeof nothing {
+    if (this.prints.length === 0) return nothing;
+    return html`<div class="prints" role="group" aria-label=${this.texts.garment.prints}>
+      ${this.prints.map(
+        (offered, k) =>
+          html`<button
+            aria-pressed=${offered.url === this.chosen}
+            title=${offered.title}
+            @click=${() => {
+              this.dispatchEvent(new CustomEvent<OfferedPrint>('sw-print', {detail: offered}));
+            }}
+          >
+            ${
+              offered.print
+                ? swatch(`print-${k}`, offered.print, offered.print.image)
+                : html`<i class="blank"></i>`
+            }
+            <span>${offered.title}</span>
+          </button>`,
+      )}
+    </div>`;
+  }
+
+  /** Both sides of the cell by the same factor, rounded to what can be measured. */
+  #resize(print: DesignPrint, wanted: number): void {
+    const width = Math.round(wanted * 100) / 100;
+    const {size, group} = print;
+    const height = (size.height * width) / size.width;
+    this.desk.change(
+      {print: {...print, size: coupledSize(group, {...size, width, height})}},
+      'print size',
+    );
+  }
+}
+
+/** From 0 to 1 by ratios: in the middle between half and twice lies the same. */
+const share = (value: number, from: number, to: number): number =>
+  Math.min(1, Math.max(0, Math.log(value / from) / Math.log(to / from)));

@@ -1,0 +1,37 @@
+/** A stored design, made into one to work on again. */
+import type {Design, DesignPrint} from '../../model/design.js';
+import {SolverError} from '../../model/failure.js';
+import type {StoredDesign} from '../../model/stored-design.js';
+import type {FileWords} from './files.js';
+import type {Loaded} from './sources.js';
+
+/** @throws {SolverError} `file-changed` when a file is not the one that the design was made with */
+export function restored({garment, print}: Loaded, stored: StoredDesign, words: FileWords): Design {
+  for (const [found, sold] of [
+    [garment.file, stored.garment],
+    [print.file?.place, stored.print],
+  ] as const) {
+    if (found?.sha256 !== sold.sha256) {
+      throw new SolverError({code: 'file-changed', message: words.fileChanged(sold.url)});
+    }
+  }
+  const {symmetry, method, options} = stored;
+  return {
+    garment,
+    print: changed(print, stored.print),
+    symmetries: typeof symmetry === 'string' ? [] : symmetry,
+    method,
+    options,
+  };
+}
+
+function changed(print: DesignPrint, stored: StoredDesign['print']): DesignPrint {
+  const {
+    group = print.group,
+    size = print.size,
+    turnDeg = print.turnDeg,
+    oneWay = print.oneWay,
+    cell = print.cell,
+  } = stored;
+  return {...print, group, size, turnDeg, oneWay, cell};
+}

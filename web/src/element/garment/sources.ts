@@ -1,0 +1,169 @@
+/** What an element is given, read: garment, print and symmetries, by their URLs or as objects. */
+import {noPicture, type DesignGarment, type DesignPrint} from '../../model/design.js';
+import {decisionFields} from '../../model/design-reader.js';
+import {SolverError} from '../../model/failure.js';
+import {colourwayOf, type Print} from '../../model/print.js';
+import {fieldOf, Malformed} from '../../model/read.js';
+import {repeatOf} from '../../model/repeat.js';
+import {printOfStored, type StoredFile} from '../../model/stored-design.js';
+import type {Symmetry} from '../../model/symmetries.js';
+import {FileError} from '../../model/versioned-file.js';
+import {fetchText, type FileWords} from './files.js';
+
+/** Strings are URLs, relative to the document. */
+export interface Asked {
+  readonly garment: string | object | undefined;
+  /** What `{size}` in the garment's URL stands for. */
+  readonly size: string | undefined;
+  readonly print: string | object | undefined;
+  readonly colourway: string | undefined;
+  /** `auto`, `none`, a URL, or the symmetries. */
+  readonly symmetry: string | object;
+  /** [cm] */
+  readonly maxChangeCm: number;
+}
+
+/** As it came; the same objects again while the same is asked for. */
+export interface Loaded {
+  readonly garment: DesignGarment;
+  readonly print: DesignPrint;
+  readonly symmetries: readonly Symmetry[];
+  /** What holds where there are none. */
+  readonly symmetry: 'auto' | 'none';
+}
+
+/** The last thing that was read, by what it was read from. */
+class Kept<T> {
+  #last: {readonly from: readonly unknown[]; readonly value: T} | undefined;
+
+  async of(from: readonly unknown[], read: () => Promise<T>): Promise<T> {
+    if (!this.#last?.from.every((part, k) => part === from[k])) {
+      this.#last = {from, value: await read()};
+    }
+    return this.#last.value;
+  }
+}
+
+export class Sources {
+  readonly #words: () => FileWords;
+  readonly #garment = new Kept<DesignGarment>();
+  readonly #print = new Kept<DesignPrint>();
+  readonly #symmetries = new Kept<readonly Symmetry[]>();
+
+  constructor(words: () => FileWords) {
+    this.#words = words;
+  }
+
+  /** @throws {SolverError} with one sentence; the signal's reason when it fires */
+  async load(asked: Asked, signal: AbortSignal): Promise<Loaded> {
+    const [garment, print, symmetries] = await Promise.all([
+      this.#readGarment(asked, signal),
+      this.#readPrint(asked, signal),
+      this.#readSymmetries(asked, signal),
+    ]);
+    return {garment, print, symmetries, symmetry: asked.symmetry === 'auto' ? 'auto' : 'none'};
+  }
+
+  async #readGarment({garment, size}: Asked, signal: AbortSignal): Promise<DesignGarment> {
+    const words = this.#words();
+    if (garment === undefined) {
+      throw new SolverError({code: 'notAGarment', message: words.noGarment});
+    }
+    return this.#garment.of([garment, size], async () => {
+      if (typeof garment === 'object') return {name: 'garment', text: JSON.stringify(garment)};
+      if (size === undefined && garment.includes('{size}')) {
+        throw new SolverError({code: 'not-found', message: words.noSize(garment)});
+      }
+      const named = garmentUrl(garment, size);
+      const {place, text} = await fetchText(absolute(named, words), words, signal);
+      return {name: nameOf(place.url), text, file: {...place, ...(size !== undefined && {size})}};
+    });
+  }
+
+  async #readPrint({print, colourway}: Asked, signal: AbortSignal): Promise<DesignPrint> {
+    const words = this.#words();
+    if (print === undefined) throw new SolverError({code: 'notAPrint', message: words.noGarment});
+    return this.#print.of([print, colourway], async () => {
+      if (typeof print === 'object') {
+        return printFrom(JSON.stringify(print), undefined, colourway, words);
+      }
+      const {place, text} = await fetchText(absolute(print, words), words, signal);
+      return printFrom(text, place, colourway, words);
+    });
+  }
+
+  async #readSymmetries({symmetry}: Asked, signal: AbortSignal): Promise<readonly Symmetry[]> {
+    if (symmetry === 'auto' || symmetry === 'none') return [];
+    return this.#symmetries.of([symmetry], async () => {
+      if (typeof symmetry === 'object') return this.#symmetriesIn(symmetry, 'symmetry');
+      const words = this.#words();
+      const {text, place} = await fetchText(absolute(symmetry, words), words, signal);
+      return this.#symmetriesIn(parsed(text, place.url, words), place.url);
+    });
+  }
+
+  #symmetriesIn(value: unknown, called: string): readonly Symmetry[] {
+    try {
+      return decisionFields.symmetries(
+        Array.isArray(value) ? value : fieldOf(value, 'symmetries'),
+        called,
+      );
+    } catch (error) {
+      if (!(error instanceof Malformed)) throw error;
+      const message = this.#words().noSymmetries(called);
+      throw new SolverError({code: 'symmetryMalformed', message});
+    }
+  }
+}
+
+/** The file of one size. */
+export const garmentUrl = (template: string, size: string | undefined): string =>
+  size === undefined ? template : template.replaceAll('{size}', encodeURIComponent(size));
+
+function absolute(url: string, words: FileWords): string {
+  if (URL.canParse(url, document.baseURI)) return new URL(url, document.baseURI).href;
+  throw new SolverError({code: 'not-found', message: words.noAddress(url)});
+}
+
+const nameOf = (url: string): string => new URL(url).pathname.split('/').at(-1) ?? url;
+
+function parsed(text: string, called: string, words: FileWords): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new SolverError({code: 'notJson', message: words.notJson(called)});
+  }
+}
+
+/** A colourway that the print does not have is its first. @throws {SolverError} */
+export function printFrom(
+  text: string,
+  place: StoredFile | undefined,
+  wanted: string | undefined,
+  words: FileWords,
+): DesignPrint {
+  const called = place?.url ?? 'print';
+  if (!/^\s*\{/.test(text)) {
+    throw new SolverError({code: 'notAPrint', message: words.noPrint(called)});
+  }
+  const file = checked(text, place);
+  const worn = wanted === undefined ? undefined : colourwayOf(file, wanted);
+  const {title, group, oneWay = false, cell = 'primitive'} = file;
+  const image = worn?.image ?? file.image;
+  const base = place?.url ?? document.baseURI;
+  return {
+    title: typeof title === 'string' ? title : group,
+    ...{group, oneWay, cell, ...repeatOf(file)},
+    image: image && URL.canParse(image, base) ? new URL(image, base).href : noPicture,
+    file: {text, ...(place && {place}), ...(worn && {colourway: worn.name})},
+  };
+}
+
+function checked(text: string, place: StoredFile | undefined): Print {
+  try {
+    return printOfStored({print: place ?? {url: 'print', sha256: ''}}, text);
+  } catch (error) {
+    if (!(error instanceof FileError)) throw error;
+    throw new SolverError({code: 'notAPrint', message: error.message});
+  }
+}

@@ -1,0 +1,79 @@
+import {css} from 'lit';
+
+export const garmentStyle = css`
+  :host {
+    display: block;
+    position: relative;
+    aspect-ratio: 4 / 3;
+    contain: content;
+    background: var(--sw-ground);
+  }
+  :host([hidden]) {
+    display: none;
+  }
+  :host([mode='edit' i]) {
+    aspect-ratio: auto;
+    min-height: 20rem;
+  }
+  .frame {
+    display: grid;
+    grid-template-rows: auto minmax(0, 1fr) auto;
+    height: 100%;
+    min-height: inherit;
+  }
+  .stage {
+    display: grid;
+    grid-template: minmax(0, 1fr) / minmax(0, 1fr);
+    position: relative;
+    min-height: 0;
+  }
+  .poster {
+    position: absolute;
+    inset: 0;
+    display: grid;
+    place-content: center;
+    place-items: center;
+    padding: var(--sw-space-4);
+    overflow: hidden;
+    background: var(--sw-ground);
+    color: var(--sw-soft);
+    text-align: center;
+    text-wrap: balance;
+  }
+  .poster[hidden] {
+    display: none;
+  }
+  ::slotted([slot='poster']) {
+    max-width: 100%;
+    max-height: 100%;
+  }
+  progress {
+    position: absolute;
+    inset: auto 0 0;
+    appearance: none;
+    width: 100%;
+    height: 3px;
+    border: 0;
+    background: transparent;
+  }
+  progress::-webkit-progress-bar {
+    background: transparent;
+  }
+  progress::-webkit-progress-value {
+    background: var(--sw-accent);
+  }
+  progress::-moz-progress-bar {
+    background: var(--sw-accent);
+  }
+  .message {
+    position: absolute;
+    inset: auto var(--sw-space-3) var(--sw-space-3);
+    max-height: 50%;
+    overflow: auto;
+    padding: var(--sw-space-2) var(--sw-space-3);
+    border: 1px solid var(--sw-bad);
+    border-radius: var(--sw-radius);
+    background: var(--sw-bad-tint);
+    overflow-wrap: anywhere;
+  }
+`;

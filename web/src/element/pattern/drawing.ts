@@ -1,0 +1,168 @@
+/** The pattern as it is drawn, and nothing else: the pieces of a workbench in their print. */
+import {css, html, type PropertyValues, type TemplateResult} from 'lit';
+
+import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
+import {AppearanceController, colourScheme} from '../appearance.js';
+import {PatientElement} from '../desk-element.js';
+import {toFailure} from '../workbench/latest-solve.js';
+import {SceneMaker} from '../workbench/scenes.js';
+import type {SheetWindow} from '../workbench/workbench.js';
+
+/** The print of the pattern is on the screen. */
+export const drawnEvent = 'sw-drawn';
+/** Nothing can be drawn; the failure is the `detail`. */
+export const undrawableEvent = 'sw-undrawable';
+
+export class PatternDrawing extends PatientElement {
+  static override styles = [
+    colourScheme,
+    css`
+      :host {
+        display: block;
+        position: relative;
+        overflow: hidden;
+      }
+      .stage {
+        position: absolute;
+        inset: 0;
+      }
+    `,
+  ];
+
+  readonly #maker = new SceneMaker();
+  readonly #appearance = new AppearanceController(this);
+  #view: PatternView | undefined;
+  #window: SheetWindow | undefined;
+  #isUndrawable = false;
+  /** Whose tile is shown, or being fetched. */
+  #image: string | undefined;
+  #life: AbortController | undefined;
+  /** Of the stage. Asking for it at every update would lay the page out each time. [CSS px] */
+  #size: {readonly width: number; readonly height: number} | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#life = new AbortController();
+    void this.#open(this.#life.signal);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#life?.abort();
+    this.#view?.dispose();
+    this.#view = undefined;
+    this.#image = undefined;
+    if (this.desk.view === this.#window) this.desk.view = undefined;
+  }
+
+  get view(): PatternView | undefined {
+    return this.#view;
+  }
+
+  /** The browser has no WebGL 2, or the code that draws could not be loaded. */
+  protected get isUndrawable(): boolean {
+    return this.#isUndrawable;
+  }
+
+  /** Whether seams are drawn by how they match. */
+  protected hasSeams?(): boolean;
+
+  /** What a drawing that somebody works on adds. */
+  protected viewOptions(): PatternViewOptions {
+    return {};
+  }
+
+  /** The stage is there for somebody to work on, until `signal` fires. */
+  protected opened?(stage: HTMLElement, signal: AbortSignal): void;
+
+  /** The scenes of the workbench are shown. */
+  protected drew?(view: PatternView): void;
+
+  async #open(signal: AbortSignal): Promise<void> {
+    // begun before anything is laid out: the drawing is the heaviest part
+    const code = import('../../viewer/pattern-view.js').catch((error: unknown) => toFailure(error));
+    const [viewer] = await Promise.all([code, this.updateComplete]);
+    const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
+    if (signal.aborted || !stage) return;
+    if ('code' in viewer) this.#giveUp(viewer);
+    else this.#show(viewer, stage);
+    stage.inert = !this.opened;
+    this.opened?.(stage, signal);
+    const resized = new ResizeObserver(([entry]) => {
+      if (entry) this.#size = entry.contentRect;
+      this.requestUpdate();
+    });
+    resized.observe(stage);
+    signal.addEventListener('abort', () => {
+      resized.disconnect();
+    });
+    this.requestUpdate();
+  }
+
+  #show({PatternView}: typeof import('../../viewer/pattern-view.js'), stage: HTMLElement): void {
+    const options = {appearance: this.#appearance.value, ...this.viewOptions()};
+    try {
+      this.#view = new PatternView(stage, options);
+    } catch {
+      const message = this.texts.pattern.noWebGl;
+      this.#giveUp({code: 'no-webgl', message, piece: null, seam: null});
+      return;
+    }
+    const view = this.#view;
+    view.setSeams(this.hasSeams?.() ?? false);
+    this.#window = {
+      get: () => view.state,
+      picture: (width) => view.toBlob(width),
+      set: (state) => {
+        view.state = state;
+      },
+    };
+    this.desk.view = this.#window;
+  }
+
+  #giveUp(detail: ReturnType<typeof toFailure>): void {
+    this.#isUndrawable = true;
+    this.#tell(undrawableEvent, detail);
+  }
+
+  #tell(type: string, detail?: unknown): void {
+    this.dispatchEvent(new CustomEvent(type, {detail, bubbles: true, composed: true}));
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    if (this.#size) this.desk.scenes = this.#maker.scenes(this.desk, this.#size);
+  }
+
+  protected override updated(): void {
+    const view = this.#view;
+    if (!view) return;
+    view.setAppearance(this.#appearance.value);
+    const {scenes} = this.desk;
+    if (scenes) {
+      view.show(scenes.now);
+      this.drew?.(view);
+    }
+    void this.#showTile(view);
+  }
+
+  async #showTile(view: PatternView): Promise<void> {
+    const image = this.desk.design?.print.image;
+    if (image === undefined || !this.desk.scenes || image === this.#image) return;
+    this.#image = image;
+    const signal = this.#life?.signal;
+    try {
+      const tile = await this.desk.tileOf(image, signal);
+      if (this.#image === image) view.setTile(tile);
+    } catch (error) {
+      if (this.#image !== image || signal?.aborted) return;
+      view.setTile(undefined);
+      this.desk.say({tone: 'error', text: toFailure(error).message});
+    }
+    if (this.#image === image) this.#tell(drawnEvent);
+  }
+
+  protected override render(): TemplateResult {
+    return html`<div class="stage"></div>`;
+  }
+}

@@ -1,0 +1,34 @@
+/** Words that whoever embeds the element gives in place of its own. */
+import type {Texts} from './en.js';
+
+type Some<T> = T extends (...given: never) => string
+  ? T | string
+  : T extends string
+    ? string
+    : T extends readonly unknown[]
+      ? T
+      : {readonly [Name in keyof T]?: Some<T[Name]>};
+
+/** Any of the texts, by their names in `texts/en.ts`; a plain sentence may stand for one with figures in it. */
+export type Messages = Some<Texts>;
+
+/** What is of another kind than the text in its place is left out. */
+export const withMessages = (texts: Texts, messages: Messages): Texts =>
+  merged(texts, messages) as Texts;
+
+function merged(own: unknown, given: unknown): unknown {
+  switch (typeof own) {
+    case 'string':
+      return typeof given === 'string' ? given : own;
+    case 'function':
+      if (typeof given === 'string') return () => given;
+      return typeof given === 'function' ? given : own;
+    default: {
+      if (typeof given !== 'object' || given === null || Array.isArray(own)) return own;
+      const words = Object.entries(own as Record<string, unknown>);
+      return Object.fromEntries(
+        words.map(([name, word]) => [name, merged(word, Reflect.get(given, name))]),
+      );
+    }
+  }
+}
