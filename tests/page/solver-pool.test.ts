@@ -40,6 +40,17 @@ describe('the pool', () => {
     }
   });
 
+  it('starts a worker before it is asked anything, if somebody wants it warm', async () => {
+    await page.evaluate(() => {
+      lease().warm();
+      lease().warm();
+    });
+    await expect.poll(() => workers).toBe(1);
+    const result = await page.evaluate((problem) => lease().solver.solve(problem), strips);
+    expect(workers).toBe(1);
+    expect(withoutTimes(result)).toBe(withoutTimes(await solve(strips)));
+  });
+
   it('leaves a core to the page, and has four workers at most', async () => {
     for (const [cores, most] of [
       [3, 2],

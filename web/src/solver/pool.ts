@@ -4,6 +4,7 @@ import {SolverClient} from './client.js';
 import {MainThreadSolver} from './main-thread.js';
 import type {Answers, QuestionOf} from './protocol.js';
 import {TextService, type SolverService} from './service.js';
+import {warmUpProblem} from './warm-up.js';
 import type {WorkerPlaces} from './watched-worker.js';
 
 /** Where to find the solver, and who hears when it can have no worker. */
@@ -18,6 +19,11 @@ export interface LeasePlaces extends WorkerPlaces {
 /** A share in a solver. */
 export interface SolverLease {
   readonly solver: SolverService;
+  /**
+   * Starts the worker, if it has not started, and lets its engine compile what a solve needs: for the
+   * time in which files are still on their way. Nobody hears of it.
+   */
+  warm(): void;
   /** Gives it back: what is pending, and what is asked from now on, is rejected as cancelled. */
   readonly release: () => void;
 }
@@ -82,7 +88,10 @@ export class SolverPool {
         this.#close(seat);
       }, idlePatience);
     };
-    return {solver, release};
+    const warm = () => {
+      if (!released) seat.warm();
+    };
+    return {solver, warm, release};
   }
 
   /** The seat with the fewest leases; a new one only if all have some. */
@@ -105,6 +114,7 @@ export class SolverPool {
 /** A worker's place in the pool; the worker itself starts with the first job. */
 class Seat {
   leases = 0;
+  #isWarm = false;
   ending: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
@@ -112,6 +122,13 @@ class Seat {
     /** Why there can be no worker, once that is known. */
     public blocked: SolverError | undefined,
   ) {}
+
+  /** Once; what goes wrong goes wrong again for the first who asks for something. */
+  warm(): void {
+    if (this.#isWarm || this.blocked) return;
+    this.#isWarm = true;
+    this.client.solve(warmUpProblem).catch(() => undefined);
+  }
 }
 
 /** A seat's worker, as one lease sees it; the page itself where there can be no worker. */
