@@ -554,8 +554,8 @@ export class SeamwiseGarment extends FormElement {
     return this.#objects.get(name) ?? this.getAttribute(name) ?? '';
   }
 
-  #give(name: 'garment' | 'print' | 'symmetry', value: unknown): void {
-    if (typeof value !== 'object' || value === null) {
+  #give(name: 'garment' | 'print' | 'symmetry', value: string | object | null | undefined): void {
+    if (value === null || typeof value !== 'object') {
       const had = this.#objects.delete(name);
       this.#write(name, value);
       if (had) this.#ask();
@@ -566,9 +566,9 @@ export class SeamwiseGarment extends FormElement {
     this.#ask();
   }
 
-  #write(name: string, value: unknown): void {
+  #write(name: string, value: string | null | undefined): void {
     if (value === null || value === undefined) this.removeAttribute(name);
-    else this.setAttribute(name, String(value));
+    else this.setAttribute(name, value);
   }
 
   /** Properties that were set before the element was known hide its own. */
