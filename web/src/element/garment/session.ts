@@ -109,6 +109,7 @@ export class GarmentSession {
     this.#loading = loading;
     this.#failure = undefined;
     this.desk.cancel();
+    if (!this.#last) this.#lease.warm(); // while the files are on their way
     this.#owner.changed();
     try {
       const loaded = await this.#sources.load(asked, loading.signal);
