@@ -8,30 +8,40 @@ import {root, SetupError} from '../../web/setup/shell.mjs';
 
 export class Programs {
   #commands;
+  #warmUp;
 
-  /** @param commands  per platform, the words that start the program */
-  constructor(commands) {
+  /**
+   * @param commands  per platform, the words that start the program
+   * @param warmUp  the problem that workers solve while files are still on their way
+   */
+  constructor(commands, warmUp) {
     this.#commands = commands;
+    this.#warmUp = warmUp;
   }
 
   /**
-   * Runs tasks in one fresh process, one after the other.
+   * Runs tasks in one fresh process, one after the other, once it is warm.
    * @returns their answers, in order
    * @throws {SetupError} when a task cannot be done, or the process breaks
    */
   async ask(platform, tasks) {
     const folder = mkdtempSync(join(tmpdir(), 'seamwise-bench-'));
     try {
-      const file = join(folder, 'tasks.jsonl');
-      writeFileSync(file, tasks.map((task) => `${JSON.stringify(task)}\n`).join(''));
+      const at = (name) => join(folder, name);
+      const file = at('tasks.jsonl');
+      writeFileSync(at('garment.json'), this.#warmUp.garment);
+      writeFileSync(at('print.json'), JSON.stringify(this.#warmUp.print));
+      const warmUp = {task: 'solve', garment: at('garment.json'), print: at('print.json')};
+      const lines = [warmUp, ...tasks].map((task) => `${JSON.stringify(task)}\n`);
+      writeFileSync(file, lines.join(''));
       const [command, ...words] = this.#commands[platform];
       const answers = (await output(command, [...words, file])).trim().split('\n');
-      if (answers.length !== tasks.length)
+      if (answers.length !== lines.length)
         throw new SetupError(`the ${platform} program broke off`);
       const read = answers.map((line) => JSON.parse(line));
       const broken = read.find(({failure}) => failure !== undefined);
       if (broken) throw new SetupError(`${platform}: ${broken.failure}`);
-      return read;
+      return read.slice(1);
     } finally {
       rmSync(folder, {recursive: true});
     }

@@ -1,9 +1,10 @@
 import {readFile} from 'node:fs/promises';
 
-import {convert} from 'seamwise/node';
+import {convert, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
 import {LocalSolver} from '../../web/src/solver/local.js';
+import {warmUpProblem} from '../../web/src/solver/warm-up.js';
 import {twoStrips} from './garments.js';
 
 const module = await readFile(
@@ -27,4 +28,11 @@ it('does not wait for a module that nobody wants any more', async () => {
   const signal = AbortSignal.timeout(20);
   await expect(never.convert(garment, 'garment', signal)).rejects.toThrow(/timeout/);
   await expect(never.convert(garment, 'garment', signal)).rejects.toBe(signal.reason);
+});
+
+it('takes a solver that is to be warm through all its stages', async () => {
+  const {metrics, symmetries} = await solve(warmUpProblem);
+  expect(symmetries).toHaveLength(1);
+  expect(metrics.factorisations).toBeGreaterThan(0);
+  expect(metrics.fit).toBeLessThan(metrics.fitAligned);
 });
