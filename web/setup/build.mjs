@@ -34,15 +34,17 @@ const parts = {
     make: buildScripts,
     products: ['dist/cli/main.js', 'dist/solver/module/seamwise.wasm'],
   },
+  standalone: {
+    from: ['vite.standalone.config.ts', 'package-lock.json'],
+    make: buildStandalone,
+    products: ['dist/standalone/seamwise.js', 'dist/standalone/seamwise.wasm'],
+  },
 };
 
-/** Builds what is missing or out of date. */
-export async function build() {
+/** Builds what is missing or out of date: solver and scripts, or the whole package. */
+export async function build(wanted = ['module', 'scripts']) {
   let state = '';
-  const states = Object.keys(parts).map((part) => [
-    part,
-    (state = signature(parts[part].from, state)),
-  ]);
+  const states = wanted.map((part) => [part, (state = signature(parts[part].from, state))]);
   if (states.every(([part, state]) => isFresh(part, state))) return;
   const unlock = await lock();
   try {
@@ -55,6 +57,9 @@ export async function build() {
     unlock();
   }
 }
+
+/** All that the package holds. */
+export const buildPackage = () => build(Object.keys(parts));
 
 async function buildModule() {
   await ensureSystem(forModule);
@@ -101,6 +106,14 @@ async function buildScripts() {
   for (const file of ['seamwise.mjs', 'seamwise.wasm', 'seamwise.d.mts']) {
     copyFileSync(at(moduleFolder, file), at('dist/solver/module', file));
   }
+}
+
+async function buildStandalone() {
+  say('Building the element as one script ...');
+  const [node, vite] = tool('vite');
+  const build = [vite, 'build', '-c', 'vite.standalone.config.ts', '--logLevel', 'warn'];
+  // also when it is begun by tests, which set another: Lit would come in the build for its developers
+  await must(node, build, {env: {NODE_ENV: 'production'}});
 }
 
 /** Stands for the state of files and folders: their names, sizes and times of change. */
@@ -160,4 +173,4 @@ function isAbandoned(file) {
   }
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await main(build);
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await main(buildPackage);

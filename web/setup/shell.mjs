@@ -48,8 +48,8 @@ export function run(command, args, {output = 'always', env = {}} = {}) {
 }
 
 /** Runs a command that has to succeed, quietly. @throws {SetupError} when it fails */
-export async function must(command, args) {
-  if (!(await run(command, args, {output: 'on failure'}))) {
+export async function must(command, args, {env = {}} = {}) {
+  if (!(await run(command, args, {output: 'on failure', env}))) {
     throw new SetupError(`failed: ${[command, ...args].join(' ')}`);
   }
 }

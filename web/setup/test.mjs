@@ -2,7 +2,7 @@
 // fails. `npm test -- native web` runs only the checks named.
 import {availableParallelism} from 'node:os';
 
-import {build} from './build.mjs';
+import {buildPackage} from './build.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, run, say, SetupError, tool} from './shell.mjs';
 import {ensureSystem, forBrowserTests, forModule, forNativeTests} from './system.mjs';
@@ -17,7 +17,7 @@ let building = null;
 
 /** The same on the compiled package, which is what its users and its tests see. */
 async function runToolOnBuild(name, ...args) {
-  await (building ??= build());
+  await (building ??= buildPackage());
   return runTool(name, ...args);
 }
 

@@ -4,4 +4,4 @@ import {SeamwiseGarment} from './seamwise-garment.js';
 
 export * from './seamwise-garment.js';
 
-if (typeof customElements !== 'undefined') register('seamwise-garment', SeamwiseGarment);
+if ('document' in globalThis) register('seamwise-garment', SeamwiseGarment);
