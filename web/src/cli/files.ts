@@ -38,7 +38,7 @@ async function checkFolder(path: string): Promise<void> {
   }
 }
 
-/** Writes a file whole or not at all. @throws {UsageError} naming the file and what is wrong */
+/** Writes a file whole or not at all, even when the power fails. @throws {UsageError} naming the file and what is wrong */
 export async function writeText(path: string, text: string): Promise<void> {
   const existing = await stat(path).catch(() => null);
   try {
@@ -49,7 +49,7 @@ export async function writeText(path: string, text: string): Promise<void> {
     if (existing === null) await checkFolder(path);
     const draft = `${path}.${randomUUID().slice(0, 8)}.tmp`;
     try {
-      await writeFile(draft, text);
+      await writeFile(draft, text, {flush: true});
       await rename(draft, path);
     } finally {
       await rm(draft, {force: true});

@@ -4,6 +4,7 @@ import {packageVersion} from '../model/version.js';
 import {FileError} from '../model/versioned-file.js';
 import {align} from './align.js';
 import {UsageError} from './arguments.js';
+import {batch} from './batch/command.js';
 import {draw} from './draw.js';
 import {convertFile, listSymmetries} from './garments.js';
 import {order} from './order.js';
@@ -13,6 +14,7 @@ import {usage} from './usage.js';
 const commands: Readonly<Record<string, (words: readonly string[]) => Promise<void>>> = {
   align,
   order,
+  batch,
   symmetries: listSymmetries,
   convert: convertFile,
   draw,

@@ -2,14 +2,12 @@ import type {Progress} from '../model/problem.js';
 
 const words = {alignment: 'Aligning', deformation: 'Deforming'} as const;
 
-/** One line of progress on standard error, drawn over and over; silent when that is no terminal. */
-export class ProgressLine {
+/** One line on standard error, drawn over and over; silent when that is no terminal. */
+export class StatusLine {
   #shown = '';
 
-  show({phase, fraction}: Progress): void {
-    if (!process.stderr.isTTY) return;
-    const line = `${words[phase]}, ${String(Math.floor(100 * fraction))} %`;
-    if (line === this.#shown) return;
+  write(line: string): void {
+    if (!process.stderr.isTTY || line === this.#shown) return;
     this.#shown = line;
     process.stderr.write(`\r\u001b[K${line}`);
   }
@@ -17,6 +15,13 @@ export class ProgressLine {
   clear(): void {
     if (this.#shown !== '') process.stderr.write('\r\u001b[K');
     this.#shown = '';
+  }
+}
+
+/** How far a solve is. */
+export class ProgressLine extends StatusLine {
+  show({phase, fraction}: Progress): void {
+    this.write(`${words[phase]}, ${String(Math.floor(100 * fraction))} %`);
   }
 }
 

@@ -22,6 +22,16 @@ seamwise order DESIGN.json [flags]
     --allowance CM              around them; default 1
     --json                      prints the line as JSON
 
+seamwise batch JOBS.ndjson --out FOLDER [flags]
+  Solves every job of a file, one a line, on all cores, and goes on where an earlier run was cut short.
+  Results lie in FOLDER/results, and FOLDER/done.ndjson has a line for each job that has ended.
+    --workers N                 threads; default one per core
+    --queue redis://HOST:PORT[/DB]   hands the jobs to a queue, from which others take them, too;
+                                needs the packages bullmq and ioredis
+    --json                      prints the sum as JSON
+seamwise batch --work --queue redis://HOST:PORT[/DB] --out FOLDER [--workers N]
+  Takes jobs from the queue of that folder, which all machines share, until it is interrupted.
+
 seamwise symmetries GARMENT.json [--out FILE.json]
   Lists the symmetries that the garment shows by itself, in the format of a symmetry file.
 
@@ -34,5 +44,6 @@ seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.s
 seamwise --version
 seamwise --help
 
-Exit code: 0 done; 2 bad input, with one sentence that says what is wrong; 1 anything else.
+Exit code: 0 done; 2 bad input, with one sentence that says what is wrong; 1 anything else, such as
+a job of a batch that failed; 130 a batch that was interrupted.
 `;

@@ -1,0 +1,149 @@
+/** Jobs as lines of a file: what is to be solved, and by which key its answer is known. */
+import {FileError} from '../../model/versioned-file.js';
+import {fail, fieldOf, listOf, Malformed, oneOf, shape, text, type Read} from '../../model/read.js';
+import {methods, type Method} from '../../model/problem.js';
+import type {SolveOptions} from '../../model/options.js';
+import type {Symmetry} from '../../model/symmetries.js';
+import {sha256Of} from '../../model/result-text.js';
+import {packageVersion} from '../../model/version.js';
+import {addressFrom} from '../../node/addresses.js';
+
+/** A garment in a print. Addresses are whole; the options and symmetries are as the line has them. */
+export interface Job {
+  readonly label: Label;
+  readonly garment: string;
+  readonly print: string;
+  readonly symmetry: 'auto' | 'none' | readonly Symmetry[];
+  readonly method: Method;
+  readonly options: SolveOptions;
+  readonly seed: number;
+}
+
+/** What a job is called; nothing in it but the files it names changes the answer. */
+export interface Label {
+  readonly name: string | null;
+  /** As the line has it. */
+  readonly garment: string;
+  readonly print: string;
+  readonly size: string | null;
+}
+
+/** A job with the sha256 of its files, and of all that its answer depends on: its key. */
+export interface KeyedJob extends Job {
+  readonly key: string;
+  readonly garmentSha256: string;
+  readonly printSha256: string;
+}
+
+const singles = ['garment', 'print', 'size'] as const;
+const known = [
+  ...singles,
+  ...singles.map((name) => `${name}s`),
+  ...['symmetry', 'method', 'options', 'seed', 'name'],
+];
+const mark = '{size}';
+
+const word = text(/\S/, 'text');
+const seedField: Read<number> = (value, at) =>
+  Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 0xffffffff
+    ? Number(value)
+    : fail(at, 'a whole number from 0 to 4294967295');
+/** The core looks into it. */
+const object: Read<SolveOptions> = (value, at) =>
+  typeof value === 'object' && value !== null && !Array.isArray(value)
+    ? value
+    : fail(at, 'an object');
+const symmetryField: Read<Job['symmetry']> = (value, at) =>
+  value === 'auto' || value === 'none'
+    ? value
+    : Array.isArray(value)
+      ? (value as readonly Symmetry[])
+      : fail(at, "'auto', 'none' or a list of symmetries");
+
+const fields = shape(
+  {},
+  {
+    ...{garment: word, print: word, size: word, name: word},
+    ...{garments: listOf(word), prints: listOf(word), sizes: listOf(word)},
+    ...{symmetry: symmetryField, method: oneOf(methods), options: object, seed: seedField},
+  },
+);
+
+/**
+ * The jobs of a line: one, or every garment in every size and print that it lists, one after the other.
+ * @param base what relative addresses count from @throws {Malformed}, {FileError}
+ */
+export function* jobsOf(line: string, base: URL): Generator<Job> {
+  let value: unknown;
+  try {
+    value = JSON.parse(line);
+  } catch {
+    throw new Malformed('it is not JSON');
+  }
+  const given = fields(value, '');
+  const unknown = Object.keys(value as object).find((name) => !known.includes(name));
+  if (unknown !== undefined) {
+    throw new Malformed(`there is no field '${unknown}', but ${known.join(', ')}`);
+  }
+  const garments = oneOrList(given, 'garment');
+  const prints = oneOrList(given, 'print');
+  const sizes =
+    (fieldOf(given, 'size') ?? fieldOf(given, 'sizes')) ? oneOrList(given, 'size') : [null];
+  const unsized = garments.find((garment) => sizes.length > 1 && !garment.includes(mark));
+  if (unsized !== undefined) fail('garment', `a name with ${mark} in it, since there are sizes`);
+  const {name = null, symmetry = 'auto', method = 'best', options = {}, seed = 1} = given;
+  for (const garment of garments) {
+    for (const size of sizes) {
+      const file = size === null ? garment : garment.replaceAll(mark, size);
+      const garmentAddress = addressFrom(base, file).href;
+      for (const print of prints) {
+        yield {
+          label: {name, garment: file, print, size},
+          garment: garmentAddress,
+          print: addressFrom(base, print).href,
+          ...{symmetry, method, options, seed},
+        };
+      }
+    }
+  }
+}
+
+function oneOrList(
+  given: ReturnType<typeof fields>,
+  name: (typeof singles)[number],
+): readonly string[] {
+  const [one, list] = [given[name], given[`${name}s`]];
+  if (one !== undefined && list !== undefined) {
+    throw new Malformed(`'${name}' and '${name}s' are both given, but only one may be`);
+  }
+  const all = list ?? (one === undefined ? [] : [one]);
+  return all.length > 0 ? all : fail(name, 'given');
+}
+
+/** @throws {FileError} when a file cannot be read */
+export async function keyed(
+  job: Job,
+  sha256At: (address: string) => Promise<string>,
+): Promise<KeyedJob> {
+  const [garmentSha256, printSha256] = [await sha256At(job.garment), await sha256At(job.print)];
+  const {symmetry, method, options, seed} = job;
+  const content = sorted({
+    ...{garment: garmentSha256, print: printSha256},
+    ...{symmetry, method, options, seed, solver: packageVersion},
+  });
+  return {...job, garmentSha256, printSha256, key: sha256Of(JSON.stringify(content))};
+}
+
+/** With the fields of all objects in one order. */
+function sorted(value: unknown): unknown {
+  if (Array.isArray(value)) return value.map(sorted);
+  if (typeof value !== 'object' || value === null) return value;
+  const entries = Object.entries(value).sort(([one], [other]) => (one < other ? -1 : 1));
+  return Object.fromEntries(entries.map(([name, entry]) => [name, sorted(entry)]));
+}
+
+/** Why a line holds no job, as one sentence. */
+export const complaintAbout = (error: unknown): string | undefined =>
+  error instanceof Malformed || error instanceof FileError
+    ? error.message.replace(/\.$/, '')
+    : undefined;

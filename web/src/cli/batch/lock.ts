@@ -1,0 +1,71 @@
+/** Keeps two batches out of one folder. */
+import {randomUUID} from 'node:crypto';
+import {link, readFile, rename, rm, writeFile} from 'node:fs/promises';
+import {hostname} from 'node:os';
+
+import {UsageError} from '../arguments.js';
+
+interface Owner {
+  readonly host: string;
+  readonly process: number;
+}
+
+/** @returns what ends the exclusion @throws {UsageError} when another batch is at work there */
+export async function lockFolder(folder: string): Promise<() => Promise<void>> {
+  const file = `${folder}/batch.lock`;
+  const own = `${file}.${randomUUID()}`;
+  const words = JSON.stringify({host: hostname(), process: process.pid} satisfies Owner);
+  await writeFile(own, words);
+  try {
+    while (!(await linked(own, file))) await removeStale(file, folder);
+  } finally {
+    await rm(own, {force: true});
+  }
+  return () => rm(file, {force: true});
+}
+
+/** Puts the lock there, whole from the first moment; false where there is one. */
+async function linked(own: string, file: string): Promise<boolean> {
+  try {
+    await link(own, file);
+    return true;
+  } catch (error) {
+    if (codeOf(error) === 'EEXIST') return false;
+    throw error;
+  }
+}
+
+async function removeStale(file: string, folder: string): Promise<void> {
+  const aside = `${file}.${randomUUID()}`;
+  try {
+    const words = await readFile(file, 'utf8');
+    const owner = JSON.parse(words) as Owner;
+    if (isAtWork(owner)) {
+      throw new UsageError(
+        `another batch, process ${owner.process} on ${owner.host}, is at work in ${folder}; wait for its end, or, if it has ended, remove ${file}.`,
+      );
+    }
+    await rename(file, aside);
+    // somebody else may have been faster and have put a lock of his own there
+    if ((await readFile(aside, 'utf8')) !== words) await linked(aside, file);
+  } catch (error) {
+    if (codeOf(error) !== 'ENOENT') throw error;
+  } finally {
+    await rm(aside, {force: true});
+  }
+}
+
+/** On other machines, nobody can tell. In a container, an earlier life may have had the same number. */
+function isAtWork(owner: Owner): boolean {
+  if (owner.host !== hostname()) return true;
+  if (owner.process === process.pid) return false;
+  try {
+    process.kill(owner.process, 0);
+    return true;
+  } catch (error) {
+    return codeOf(error) !== 'ESRCH';
+  }
+}
+
+const codeOf = (error: unknown): unknown =>
+  error instanceof Error && 'code' in error ? error.code : undefined;

@@ -1,0 +1,114 @@
+/** `done.ndjson`: one line for each job that has ended, in the order in which they did. */
+import {createWriteStream} from 'node:fs';
+import {open, rename, rm, type FileHandle} from 'node:fs/promises';
+import {join} from 'node:path';
+import {pipeline} from 'node:stream/promises';
+
+import {fieldOf} from '../../model/read.js';
+import {sha256Of} from '../../model/result-text.js';
+import {fileError} from '../../node/files.js';
+import type {Label} from './jobs.js';
+import {linesOf} from './lines.js';
+import type {JobFailure, Outcome} from './outcome.js';
+import type {Status, Store} from './store.js';
+
+export class DoneRecord {
+  readonly #store: Store;
+  readonly #path: string;
+  #file: FileHandle | undefined;
+  /** How many lines there are for each key under each label. */
+  readonly #lines = new Map<string, number>();
+  /** The end of the last write. */
+  #written: Promise<unknown> = Promise.resolve();
+
+  constructor(store: Store) {
+    this.#store = store;
+    this.#path = join(store.folder, 'done.ndjson');
+  }
+
+  /**
+   * Keeps the lines of an earlier run whose jobs have ended. A line that a crash tore goes, and so does that
+   * of a job without a file, which is tried again. @throws {FileError}
+   */
+  async open(ended: ReadonlyMap<string, Status>): Promise<void> {
+    const draft = `${this.#path}.tmp`;
+    try {
+      const earlier = await open(this.#path, 'a'); // so that there is one to read
+      await earlier.close();
+      await pipeline(() => this.#kept(ended), createWriteStream(draft, {flush: true}));
+      await rename(draft, this.#path);
+      this.#file = await open(this.#path, 'a');
+    } catch (error) {
+      throw fileError(error, this.#path, 'written');
+    } finally {
+      await rm(draft, {force: true});
+    }
+  }
+
+  async *#kept(ended: ReadonlyMap<string, Status>): AsyncGenerator<string> {
+    for await (const {text, isWhole} of linesOf(this.#path)) {
+      const line = text === undefined || !isWhole ? undefined : parsed(text);
+      const key = fieldOf(line, 'key');
+      if (typeof key !== 'string' || ended.get(key) !== fieldOf(line, 'status')) continue;
+      this.#count(key, line as Label);
+      yield `${text ?? ''}\n`;
+    }
+  }
+
+  #count(key: string, label: Label): void {
+    const identity = identityOf(key, label);
+    this.#lines.set(identity, (this.#lines.get(identity) ?? 0) + 1);
+  }
+
+  /** Takes one earlier line for this job, if there is one; each is taken once. */
+  take(key: string, label: Label): boolean {
+    const identity = identityOf(key, label);
+    const left = this.#lines.get(identity) ?? 0;
+    if (left === 1) this.#lines.delete(identity);
+    else if (left > 1) this.#lines.set(identity, left - 1);
+    return left > 0;
+  }
+
+  /** @throws {FileError} */
+  add(key: string, label: Label, outcome: Outcome): Promise<void> {
+    const {status, milliseconds} = outcome;
+    const isFiled = status === 'done' || outcome.isFinal;
+    return this.#append({
+      ...{key, ...label, status},
+      ...(status === 'done' ? {metrics: outcome.metrics} : {failure: outcome.failure}),
+      milliseconds,
+      file: isFiled ? this.#store.fileOf(key, status) : null,
+    });
+  }
+
+  /** For a line that holds no job, or one whose files cannot be read. @throws {FileError} */
+  addFailed(line: number, label: Label | null, failure: JobFailure): Promise<void> {
+    return this.#append({key: null, line, ...label, status: 'failed', failure, file: null});
+  }
+
+  #append(content: object): Promise<void> {
+    const write = this.#written.then(() => this.#file?.appendFile(`${JSON.stringify(content)}\n`));
+    this.#written = write.catch(() => undefined);
+    return write.catch((error: unknown) => {
+      throw fileError(error, this.#path, 'written');
+    });
+  }
+
+  async close(): Promise<void> {
+    await this.#written;
+    await this.#file?.sync();
+    await this.#file?.close();
+  }
+}
+
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
+
+/** Short, because there is one for every line. */
+const identityOf = (key: string, {name, garment, print, size}: Label): string =>
+  sha256Of(JSON.stringify([key, name, garment, print, size])).slice(0, 32);

@@ -1,0 +1,171 @@
+/** A batch: every job of a file, those in front while the ones behind them are not even read. */
+import {pathToFileURL} from 'node:url';
+import {basename, resolve} from 'node:path';
+
+import {sha256Of} from '../../model/result-text.js';
+import {addressOf, readAddress} from '../../node/addresses.js';
+import type {Crew} from './crew.js';
+import {complaintAbout, jobsOf, keyed, type Job, type KeyedJob} from './jobs.js';
+import {linesOf} from './lines.js';
+import type {Outcome} from './outcome.js';
+import type {DoneRecord} from './record.js';
+import type {Status, Store} from './store.js';
+
+/** How far a batch is. */
+export interface Tally {
+  done: number;
+  failed: number;
+  /** Of both, those that this run put on record. */
+  now: number;
+}
+
+export interface Batch {
+  readonly jobsFile: string;
+  readonly store: Store;
+  readonly record: DoneRecord;
+  readonly crew: Crew;
+  /** Ends the batch: no more jobs are begun. */
+  readonly signal: AbortSignal;
+  readonly onTally: (tally: Readonly<Tally>) => void;
+}
+
+interface Listed {
+  /** Where in the file, from 1. */
+  readonly line: number;
+  readonly entry: Job | {readonly complaint: string};
+}
+
+/** The jobs of a file, and what is wrong where there is none. @throws {FileError} */
+export async function* listedIn(jobsFile: string): AsyncGenerator<Listed> {
+  const base = new URL('.', pathToFileURL(resolve(jobsFile)));
+  for await (const {number: line, text} of linesOf(jobsFile)) {
+    if (text?.trim() === '') continue;
+    const complain = (what: string): Listed => {
+      const complaint = `line ${line} of ${basename(jobsFile)} is no job: ${what}; correct it.`;
+      return {line, entry: {complaint}};
+    };
+    if (text === undefined) {
+      yield complain('it is too long');
+      continue;
+    }
+    try {
+      for (const entry of jobsOf(text, base)) yield {line, entry};
+    } catch (error) {
+      const complaint = complaintAbout(error);
+      if (complaint === undefined) throw error;
+      yield complain(complaint);
+    }
+  }
+}
+
+/** Runs what has not ended yet. @throws {FileError}; {Error} when a result cannot be put on disk */
+export async function runBatch(batch: Batch): Promise<Tally> {
+  const run = new BatchRun(batch, await batch.store.ended());
+  await run.all();
+  return run.tally;
+}
+
+class BatchRun {
+  readonly tally: Tally = {done: 0, failed: 0, now: 0};
+  readonly #batch: Batch;
+  readonly #ended: Map<string, Status>;
+  /** Jobs at work, by their key: the same job in another line waits for the one answer. */
+  readonly #atWork = new Map<string, Promise<Outcome>>();
+  readonly #hashes = new Map<string, Promise<string>>();
+  /** What makes it useless to go on. */
+  #broken: {readonly cause: unknown} | undefined;
+
+  constructor(batch: Batch, ended: Map<string, Status>) {
+    this.#batch = batch;
+    this.#ended = ended;
+  }
+
+  async all(): Promise<void> {
+    const {jobsFile, crew, signal} = this.#batch;
+    const begun = new Set<Promise<void>>();
+    for await (const listed of listedIn(jobsFile)) {
+      if (signal.aborted || this.#broken) break;
+      const one = this.#handle(listed)
+        .catch((cause: unknown) => {
+          this.#broken ??= {cause};
+        })
+        .finally(() => begun.delete(one));
+      begun.add(one);
+      if (begun.size >= crew.atOnce) await Promise.race(begun);
+    }
+    await Promise.all(begun);
+    if (this.#broken && !signal.aborted) throw this.#broken.cause;
+  }
+
+  async #handle({line, entry}: Listed): Promise<void> {
+    const {record, signal} = this.#batch;
+    if ('complaint' in entry) {
+      await record.addFailed(line, null, failureOf('bad-line', entry.complaint));
+      this.#count('failed', true);
+      return;
+    }
+    const job = await this.#keyed(entry);
+    if ('message' in job) {
+      await record.addFailed(line, entry.label, failureOf('not-found', job.message));
+      this.#count('failed', true);
+      return;
+    }
+    const ended = this.#ended.get(job.key);
+    if (ended !== undefined && record.take(job.key, job.label)) {
+      this.#count(ended, false);
+      return;
+    }
+    const outcome = await this.#outcome(job);
+    if (signal.aborted && !this.#ended.has(job.key)) return; // it was called off
+    await record.add(job.key, job.label, outcome);
+    this.#count(outcome.status, true);
+  }
+
+  async #keyed(job: Job): Promise<KeyedJob | {readonly message: string}> {
+    try {
+      return await keyed(job, (address) => this.#sha256At(address));
+    } catch (error) {
+      const complaint = complaintAbout(error);
+      if (complaint === undefined) throw error;
+      return {message: `${complaint}.`};
+    }
+  }
+
+  #sha256At(address: string): Promise<string> {
+    const known = this.#hashes.get(address);
+    if (known) return known;
+    const reading = readAddress(addressOf(address), {signal: this.#batch.signal}).then(sha256Of);
+    this.#hashes.set(address, reading);
+    return reading;
+  }
+
+  async #outcome(job: KeyedJob): Promise<Outcome> {
+    if (this.#ended.has(job.key)) {
+      const found = await this.#batch.store.outcome(job.key);
+      if (found) return found;
+    }
+    const atWork = this.#atWork.get(job.key) ?? this.#solve(job);
+    return atWork;
+  }
+
+  #solve(job: KeyedJob): Promise<Outcome> {
+    const solving = this.#batch.crew.run(job).then((outcome) => {
+      if (outcome.status === 'done' || outcome.isFinal) this.#ended.set(job.key, outcome.status);
+      return outcome;
+    });
+    this.#atWork.set(job.key, solving);
+    const forget = () => this.#atWork.delete(job.key);
+    solving.then(forget, forget);
+    return solving;
+  }
+
+  #count(status: Status, isNew: boolean): void {
+    this.tally[status] += 1;
+    if (isNew) this.tally.now += 1;
+    this.#batch.onTally(this.tally);
+  }
+}
+
+const failureOf = (code: 'bad-line' | 'not-found', message: string) => ({
+  ...{code, message, piece: null, seam: null},
+});

@@ -1,0 +1,88 @@
+/** What each thread of a batch runs: one job after the other, with a solver's module of its own. */
+import {SolverError} from '../../model/failure.js';
+import {resultText, sha256Of} from '../../model/result-text.js';
+import {FileError} from '../../model/versioned-file.js';
+import {addressOf, readAddress} from '../../node/addresses.js';
+import {textOf} from '../../node/files.js';
+import {solve} from '../../node/index.js';
+import type {KeyedJob} from './jobs.js';
+import {failedFor, figuresOf, type Outcome} from './outcome.js';
+import {Store} from './store.js';
+
+export interface Task {
+  readonly job: KeyedJob;
+  /** Where the results lie. */
+  readonly folder: string;
+}
+
+/** The outcome, once it is on disk; or why it could not be put there. */
+export type Answer = Outcome | {readonly status: 'unwritten'; readonly reason: string};
+
+/** Solves a job that has not ended yet. */
+export default async function solveJob({job, folder}: Task): Promise<Answer> {
+  const started = performance.now();
+  const store = new Store(folder);
+  const known = await store.outcome(job.key); // another process may have been faster
+  if (known) return known;
+  const {outcome, text} = await solved(job);
+  if (text === undefined) return outcome;
+  try {
+    await store.write(job.key, outcome.status, text);
+  } catch (error) {
+    return {status: 'unwritten', reason: error instanceof Error ? error.message : String(error)};
+  }
+  return {...outcome, milliseconds: Math.round(performance.now() - started)};
+}
+
+interface Solved {
+  readonly outcome: Outcome;
+  /** Of the file that makes it the job's end; undefined when it may end better another time. */
+  readonly text?: string;
+}
+
+async function solved(job: KeyedJob): Promise<Solved> {
+  const {label, symmetry, method, options, seed} = job;
+  try {
+    const result = await solve(
+      {
+        garment: await textAt(job.garment, label.garment, job.garmentSha256),
+        print: await textAt(job.print, label.print, job.printSha256),
+        symmetry: typeof symmetry === 'string' ? symmetry : {symmetries: symmetry},
+        ...{method, options, seed},
+      },
+      {names: {garment: label.garment, print: label.print}},
+    );
+    const metrics = figuresOf(result);
+    return {outcome: {status: 'done', metrics, milliseconds: null}, text: resultText(result)};
+  } catch (error) {
+    if (error instanceof SolverError) return refused(error);
+    if (error instanceof FileError) return {outcome: failedFor('not-found', error.message)};
+    throw error;
+  }
+}
+
+function refused({code, message, piece, seam}: SolverError): Solved {
+  // the machine's fault, not the garment's
+  if (code === 'internal' || code === 'no-wasm') return {outcome: failedFor(code, message)};
+  const failure = {code, message, piece, seam};
+  const outcome: Outcome = {status: 'failed', failure, milliseconds: null, isFinal: true};
+  return {outcome, text: `${JSON.stringify(failure)}\n`};
+}
+
+/** Files that were read last, by their sha256: jobs come garment by garment, and print by print. */
+const recent = new Map<string, string>();
+const mostRecent = 8;
+
+async function textAt(address: string, called: string, sha256: string): Promise<string> {
+  const bytes = recent.get(sha256) ?? (await readAddress(addressOf(address)));
+  if (typeof bytes === 'string') return bytes;
+  if (sha256Of(bytes) !== sha256) {
+    throw new FileError(called, 'was changed after the batch had begun; start the batch again.');
+  }
+  const text = textOf(bytes);
+  for (const oldest of [...recent.keys()].slice(0, Math.max(0, recent.size + 1 - mostRecent))) {
+    recent.delete(oldest);
+  }
+  recent.set(sha256, text);
+  return text;
+}
