@@ -1,0 +1,185 @@
+/** Files that are not there, late, too large or not what they should be: one event, one sentence, nothing broken. */
+import {expect, it} from 'vitest';
+
+import type {ElementPage} from './element/open.js';
+import {sample, tee, useElementPage} from './element/open.js';
+
+const openPage = useElementPage();
+
+/** Waits for the error of the element's next load, and what a solve says of it. */
+const failing = ({run}: ElementPage) =>
+  run(async (element) => {
+    const told: {code: string; message: string}[] = [];
+    element.addEventListener('error', ({detail}) => {
+      told.push(structuredClone(detail));
+    });
+    element.print = 'prints/p4m.json?again';
+    const code = await element.solve().then(
+      () => 'solved',
+      (error: unknown) => (error as {code: string}).code,
+    );
+    await element.updateComplete;
+    const shown = element.shadowRoot?.querySelector('[part=message]')?.textContent;
+    const poster = element.shadowRoot?.querySelector<HTMLElement>('[part=poster]')?.hidden;
+    const states = [element.state, element.error?.code, element.matches(':state(error)'), poster];
+    return {told, code, shown, states};
+  });
+
+const network = /Failed to load resource/;
+
+it.each([
+  ['not-found', 404],
+  ['network', 500],
+])('says %s where a host answers %i', async (code, status) => {
+  const open = await openPage({maySay: network});
+  await open.answer('garments/tee-m.json', (route) => route.fulfill({status}));
+  await open.put(tee);
+  const seen = await failing(open);
+  expect(seen.code).toBe(code);
+  expect(seen.told.map((one) => one.code)).toEqual([code]);
+  expect(seen.shown).toContain('garments/tee-m.json');
+  expect(seen.states).toEqual(['error', code, true, false]);
+});
+
+it('says network where there is no host, and recovers with the next garment', async () => {
+  const open = await openPage({maySay: network});
+  await open.answer('garments/tee-m.json', (route) => route.abort());
+  await open.put(tee);
+  expect((await failing(open)).code).toBe('network');
+  const state = await open.run(async (element) => {
+    element.size = 'l';
+    await element.solve();
+    return [element.state, element.error];
+  });
+  expect(state).toEqual(['ready', undefined]);
+});
+
+it('gives up after half a minute', async () => {
+  const open = await openPage();
+  await open.page.clock.install();
+  await open.answer('garments/tee-m.json', () => new Promise(() => undefined));
+  await open.put(tee);
+  const failed = failing(open);
+  await open.page.waitForTimeout(500);
+  await open.page.clock.fastForward(31_000);
+  expect((await failed).code).toBe('timeout');
+});
+
+it('shows hostile names as the text that they are', async () => {
+  const open = await openPage();
+  const name = '<img src=x onerror=alert(1)><style>*{display:none}</style>';
+  const print = {...(JSON.parse(sample('prints/p4m.json')) as object), title: name};
+  await open.answer('prints/p4m.json', (route) => route.fulfill({json: print}));
+  await open.put(tee.replace('alt="A tee"', 'mode="place"'));
+  const seen = await open.run(async (element) => {
+    element.alt = '<script>alert(2)</script>';
+    element.prints = [{url: 'prints/p4m.json', title: '"><b>bold</b>'}];
+    const told = new Promise<string>((resolve) => {
+      element.addEventListener('load', ({detail}) => {
+        resolve(detail.print.name);
+      });
+    });
+    await element.solve();
+    const loaded = await told;
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    const root = element.shadowRoot?.querySelector('sw-place-bar')?.shadowRoot;
+    const shown = root?.querySelector('.prints span')?.textContent;
+    return [loaded, shown, root?.querySelector('b')];
+  });
+  expect(seen).toEqual([name, '"><b>bold</b>', null]);
+});
+
+it.each([
+  ['notAPrint', 'a picture in the place of a print', 'image/png', '\u0089PNG'],
+  ['notAPrint', 'a print without a lattice', 'application/json', '{"group":"p4m"}'],
+])('says %s for %s', async (code, _, contentType, body) => {
+  const open = await openPage();
+  await open.answer('prints/p4m.json?again', (route) => route.fulfill({contentType, body}));
+  await open.put(tee);
+  expect((await failing(open)).code).toBe(code);
+});
+
+it('refuses a picture of too many pixels before it is decoded, and solves all the same', async () => {
+  const open = await openPage();
+  const head = Buffer.alloc(33);
+  head.write('\u0089PNG\r\n\u001a\n', 'latin1');
+  head.writeUInt32BE(30_000, 16);
+  head.writeUInt32BE(100, 20);
+  const print = {...(JSON.parse(sample('prints/p4m.json')) as object), image: 'huge.png'};
+  await open.answer('prints/p4m.json', (route) => route.fulfill({json: print}));
+  await open.answer('prints/huge.png', (route) =>
+    route.fulfill({contentType: 'image/png', body: head}),
+  );
+  await open.put(tee);
+  const seen = await open.run(async (element) => {
+    const told = new Promise((resolve) => {
+      element.addEventListener('error', ({detail}) => {
+        resolve(detail.code);
+      });
+    });
+    await element.solve();
+    return [await told, element.state];
+  });
+  expect(seen).toEqual(['too-large', 'ready']);
+});
+
+it('solves where nothing can be drawn, and keeps its poster', async () => {
+  const open = await openPage({
+    before: () => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    },
+    maySay: /WebGL/,
+  });
+  await open.put('<p></p>');
+  const seen = await open.page.evaluate(
+    async (markup) => {
+      const codes: string[] = [];
+      document.addEventListener(
+        'error',
+        (event) => codes.push((event as CustomEvent<{code: string}>).detail.code),
+        true,
+      );
+      document.body.innerHTML = markup;
+      const element = document.querySelector('seamwise-garment');
+      const result = await element?.solve();
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      const poster = element?.shadowRoot?.querySelector<HTMLElement>('[part=poster]');
+      return [
+        codes,
+        typeof result?.metrics.fit,
+        element?.state,
+        poster?.hidden,
+        poster?.textContent.trim(),
+      ];
+    },
+    tee.replace('></', '><p slot="poster">A picture</p></'),
+  );
+  expect(seen.slice(0, 4)).toEqual([['no-webgl'], 'number', 'ready', false]);
+});
+
+it('goes on in the page where a worker is refused, and says so once', async () => {
+  const open = await openPage({maySay: /./});
+  await open.put('<p></p>');
+  const seen = await open.page.evaluate(
+    async (markup) => {
+      const codes: string[] = [];
+      document.addEventListener(
+        'error',
+        (event) => codes.push((event as CustomEvent<{code: string}>).detail.code),
+        true,
+      );
+      document.body.innerHTML = markup;
+      const element = document.querySelector('seamwise-garment');
+      const result = await element?.solve();
+      return [codes, typeof result?.metrics.fit, element?.state];
+    },
+    tee.replace('alt=', 'worker-url="nowhere.js" alt='),
+  );
+  expect(seen).toEqual([['worker-blocked'], 'number', 'ready']);
+});
+
+it('says no-wasm where the module is missing', async () => {
+  const open = await openPage({maySay: /Failed to load|wasm|ArrayBuffer/});
+  await open.put(tee.replace('alt=', 'wasm-url="nowhere.wasm" alt='));
+  expect((await failing(open)).code).toBe('no-wasm');
+});

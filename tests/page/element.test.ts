@@ -1,0 +1,251 @@
+/** The element by its tag: what it is told, what it says, and what it can be asked. */
+import {order} from 'seamwise/node';
+import {expect, it} from 'vitest';
+
+import {sample, tee, useElementPage} from './element/open.js';
+
+const openPage = useElementPage();
+
+it('solves and draws what its attributes name, and says so in order', async () => {
+  const {put, run, asked} = await openPage();
+  await put(tee.replace('print=', 'data-print='));
+  const heard = await run(async (element) => {
+    const heard: string[] = [element.state];
+    element.print = element.dataset.print;
+    for (const type of ['load', 'progress', 'solve', 'change', 'error', 'select'] as const) {
+      element.addEventListener(type, ({detail, bubbles, composed}) => {
+        structuredClone(detail);
+        const line = `${type} ${bubbles ? 'bubbles' : 'stays'} ${composed ? 'leaves' : ''}`.trim();
+        if (heard.at(-1) !== line) heard.push(line);
+      });
+    }
+    const result = await element.solve();
+    heard.push(element.state, String(element.matches(':state(ready)')));
+    heard.push(String(result === element.result), String(element.error));
+    return heard;
+  });
+  expect(heard).toEqual([
+    'idle',
+    'load stays',
+    'progress stays',
+    'solve bubbles leaves',
+    'ready',
+    'true',
+    'true',
+    'undefined',
+  ]);
+  expect(asked.filter((path) => path.endsWith('.json')).sort()).toEqual([
+    'garments/tee-m.json',
+    'prints/p4m.json',
+  ]);
+});
+
+it('mirrors attributes as properties, and makes sense of whatever is written in them', async () => {
+  const {put, run} = await openPage();
+  await put('<seamwise-garment></seamwise-garment>');
+  const seen = await run((element) => {
+    const usual = {
+      ...{garment: element.garment, print: element.print, symmetry: element.symmetry},
+      ...{view: element.view, mode: element.mode, loading: element.loading, units: element.units},
+      ...{maxChangeMm: element.maxChangeMm, size: element.size, alt: element.alt},
+      ...{state: element.state, value: element.value},
+    };
+    element.setAttribute('mode', 'dance');
+    element.setAttribute('view', 'moon');
+    element.setAttribute('loading', '');
+    element.setAttribute('units', 'parsec');
+    element.setAttribute('locale', '???');
+    element.setAttribute('max-change-mm', 'lots');
+    const wrong = {
+      ...{mode: element.mode, view: element.view, loading: element.loading},
+      ...{units: element.units, maxChangeMm: element.maxChangeMm},
+    };
+    element.mode = 'place';
+    element.size = 'xl';
+    element.maxChangeMm = 4;
+    element.units = 'inch';
+    element.workerUrl = 'w.js';
+    const written = element.getAttributeNames().map((name) => [name, element.getAttribute(name)]);
+    return {usual, wrong, written: Object.fromEntries(written) as Record<string, string>};
+  });
+  expect(seen.usual).toEqual({
+    ...{garment: '', print: '', symmetry: 'auto', view: 'pattern', mode: 'preview'},
+    ...{loading: 'lazy', units: 'cm', maxChangeMm: 10, size: '', alt: '', state: 'idle', value: ''},
+  });
+  expect(seen.wrong).toEqual({
+    ...{mode: 'preview', view: 'pattern', loading: 'lazy', units: 'cm', maxChangeMm: 10},
+  });
+  expect(seen.written).toMatchObject({
+    ...{mode: 'place', size: 'xl', 'max-change-mm': '4', units: 'inch', 'worker-url': 'w.js'},
+  });
+});
+
+it('takes garment, print and symmetries as objects, but has then nothing to store', async () => {
+  const {put, page} = await openPage();
+  await put('<seamwise-garment></seamwise-garment>');
+  const [fit, message, value] = await page.evaluate(
+    async ([garment, print]) => {
+      const element = document.querySelector('seamwise-garment');
+      if (!element) throw new Error('It is gone.');
+      element.garment = JSON.parse(garment) as object as typeof element.garment;
+      element.print = JSON.parse(print) as object as typeof element.print;
+      element.symmetry = {symmetries: [{kind: 'pair', pieces: ['sleeve_left', 'sleeve_right']}]};
+      const {symmetries} = await element.solve();
+      const message = (() => {
+        try {
+          return JSON.stringify(element.getDesign());
+        } catch (error) {
+          return (error as Error).message;
+        }
+      })();
+      return [symmetries.map(({kind}) => kind), message, element.value] as const;
+    },
+    [sample('garments/tee-m.json'), '{"group":"p4m","w1":[11,0],"w2":[0,11]}'] as const,
+  );
+  expect(fit).toEqual(['pair']);
+  expect(message).toBe(
+    'The garment was given as an object; give its URL, so that the design can be stored.',
+  );
+  expect(value).toBe('');
+});
+
+it('stores a design that is solved again in Node, to the byte', async () => {
+  const {put, run, page} = await openPage();
+  await put(tee);
+  const design = await run(async (element) => {
+    await element.solve();
+    return JSON.stringify(element.getDesign());
+  });
+  const read = (url: string) => {
+    expect(url.startsWith(page.url())).toBe(true);
+    return Promise.resolve(Buffer.from(sample(url.slice(page.url().length))));
+  };
+  const {reproduced} = await order(design, {read});
+  expect(reproduced).toBe(true);
+});
+
+it('restores a stored design, and keeps the template of its sizes', async () => {
+  const {put, run} = await openPage();
+  await put(tee);
+  const seen = await run(async (element) => {
+    await element.solve();
+    const stored = element.getDesign();
+    const changed = {
+      ...stored,
+      garment: stored.garment,
+      print: {...stored.print, size: {width: 8, height: 8, angleDeg: 90}, colourway: 'Night'},
+      options: {...stored.options, maxChangeCm: 0.5},
+      seed: 7,
+    };
+    element.size = 'l';
+    await element.setDesign(JSON.stringify(changed));
+    const again = element.getDesign();
+    const wrong = {...changed, garment: {...changed.garment, sha256: '0'.repeat(64)}};
+    const code = await element.setDesign(wrong).then(
+      () => 'none',
+      (error: unknown) => (error as {code: string}).code,
+    );
+    const noDesign = await element.setDesign('{}').catch((error: unknown) => String(error));
+    return {changed, again, code, noDesign, garment: element.garment, size: element.size};
+  });
+  const {result, alignments, ...asked} = seen.changed;
+  expect(seen.again).toMatchObject(asked);
+  expect(seen.again.result).not.toBe(result);
+  expect(Object.keys(seen.again.alignments)).toEqual(Object.keys(alignments));
+  expect(seen.code).toBe('file-changed');
+  expect(seen.noDesign).toMatch(/^FileError: design is no design/);
+  expect([seen.garment, seen.size]).toEqual(['garments/tee-{size}.json', 'm']);
+});
+
+it('ends with the last of changes that follow each other', async () => {
+  const {put, run} = await openPage();
+  await put(tee);
+  const seen = await run(async (element) => {
+    const solves: unknown[] = [];
+    element.addEventListener('solve', () => solves.push(element.print));
+    for (const print of ['cm', 'pgg', 'p1', 'pmm']) {
+      element.print = `prints/${print}.json`;
+      await new Promise((resolve) => setTimeout(resolve, print === 'p1' ? 0 : 40));
+    }
+    const result = await element.solve();
+    return {solves, group: result.print.group, print: element.print};
+  });
+  expect(seen).toMatchObject({group: 'pmm', print: 'prints/pmm.json'});
+  expect(seen.solves.at(-1)).toBe('prints/pmm.json');
+});
+
+it('settles a solve whenever it is ended, and can be asked again', async () => {
+  const {put, run} = await openPage();
+  await put(tee.replace('tee-{size}', 'patchwork-jacket-{size}'));
+  const ends = await run(async (element) => {
+    const ends: string[] = [];
+    for (const delay of [0, 1, 5, 20, 60, 150, 400]) {
+      const late = new AbortController();
+      setTimeout(() => {
+        late.abort();
+      }, delay);
+      const end = await element.solve({signal: late.signal}).then(
+        () => 'solved',
+        (error: unknown) => (error as Error).name,
+      );
+      ends.push(end);
+    }
+    const aborted = await element
+      .solve({signal: AbortSignal.abort()})
+      .catch((e: unknown) => String(e));
+    const cancelled = element.solve().catch((error: unknown) => (error as Error).name);
+    element.cancel();
+    ends.push(aborted.slice(0, 10), String(await cancelled), element.state);
+    return [...ends, typeof (await element.solve()).metrics.fit, element.state];
+  });
+  expect(ends).toEqual([
+    ...Array.from({length: 7}, () => 'AbortError'),
+    ...['AbortError', 'AbortError', expect.stringMatching(/^(stale|idle)$/), 'number', 'ready'],
+  ]);
+});
+
+it('gives pictures of the formats that browsers write', async () => {
+  const {put, run, page} = await openPage();
+  await put(tee);
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const pictures = await run(async (element) => {
+    await element.solve();
+    const pictures: unknown[] = [];
+    for (const type of [undefined, 'image/jpeg', 'image/webp', 'text/html']) {
+      const blob = await element.toBlob({width: 600, ...(type && {type})});
+      const {width} = await createImageBitmap(blob);
+      pictures.push([blob.type, width]);
+    }
+    return pictures;
+  });
+  expect(pictures).toEqual([
+    ['image/png', 600],
+    ['image/jpeg', 600],
+    ['image/webp', 600],
+    ['image/png', 600],
+  ]);
+});
+
+it('waits until it is near, and shows itself again elsewhere without asking for anything', async () => {
+  const {put, page, run, asked} = await openPage();
+  await put(`<div class="far"></div>${tee}`);
+  await page.waitForTimeout(500);
+  expect(asked).toEqual([]);
+  expect(await run(({state}) => state)).toBe('idle');
+  await run((element) => {
+    element.scrollIntoView();
+  });
+  await page.locator('seamwise-garment:state(ready)').waitFor();
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const before = asked.length;
+  const same = await run(async (element) => {
+    const {result} = element;
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    document.body.append(element);
+    return result !== undefined && element.result === result && element.state === 'ready';
+  });
+  expect(same).toBe(true);
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  expect(asked.length).toBe(before);
+});

@@ -1,0 +1,99 @@
+/** A page with elements in it, as it is built for users and under a strict policy, and the files that they name. */
+import {readFileSync} from 'node:fs';
+import {fileURLToPath} from 'node:url';
+
+import type {Browser, BrowserContextOptions, Page, Route} from 'playwright-core';
+import {afterAll, afterEach, beforeAll, expect, vi} from 'vitest';
+
+import type {SeamwiseGarment} from '../../../web/src/element/seamwise-garment.js';
+import {openBrowser, serveBuilt, strictPolicy, type Served} from '../../support/browser.js';
+
+const fixture = fileURLToPath(new URL('.', import.meta.url));
+const policy = `${strictPolicy}; style-src 'self'; img-src 'self'`;
+
+/** A file of the samples. */
+export const sample = (path: string): string =>
+  readFileSync(new URL(`../../../public/${path}`, import.meta.url), 'utf8');
+
+export const tee =
+  '<seamwise-garment garment="garments/tee-{size}.json" size="m" print="prints/p4m.json" alt="A tee"></seamwise-garment>';
+
+export interface ElementPageOptions extends BrowserContextOptions {
+  /** What the page may say on its console, where something is broken on purpose. */
+  readonly maySay?: RegExp;
+  /** Before anything of the page runs. */
+  readonly before?: () => void;
+}
+
+export interface ElementPage {
+  readonly page: Page;
+  /** Paths of the samples' files that were asked for. */
+  readonly asked: string[];
+  /** Answers a file in another way. */
+  readonly answer: (path: string, how: (route: Route) => Promise<void>) => Promise<void>;
+  /** Puts markup into the page, and runs something with the first element in it. */
+  readonly put: (markup: string) => Promise<void>;
+  readonly run: <T>(work: (element: SeamwiseGarment) => T | Promise<T>) => Promise<T>;
+}
+
+/** Whatever the page says on its console fails the test, and so does every rejection that nobody handles. */
+export function useElementPage(): (options?: ElementPageOptions) => Promise<ElementPage> {
+  vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
+  let browser: Browser | undefined;
+  let served: Served | undefined;
+  const said: string[] = [];
+  const pages: Page[] = [];
+  beforeAll(async () => {
+    [browser, served] = await Promise.all([openBrowser(), serveBuilt(fixture, policy)]);
+  });
+  afterEach(async () => {
+    await Promise.all(pages.splice(0).map((page) => page.context().close()));
+    expect(said.splice(0)).toEqual([]);
+  });
+  afterAll(async () => {
+    await browser?.close();
+    await served?.close();
+  });
+  return async ({maySay, before, ...context} = {}) => {
+    if (!browser || !served) throw new Error('The browser is not open yet.');
+    const page = await (await browser.newContext(context)).newPage();
+    pages.push(page);
+    const hear = (text: string): void => {
+      // software rendering is slow to give pixels back; in a test's build, Lit is not the one of production
+      if (!/GPU stall|Lit is in dev mode/.test(text) && !maySay?.test(text)) said.push(text);
+    };
+    page.on('console', (message) => {
+      hear(message.text());
+    });
+    page.on('pageerror', (error) => {
+      hear(error.message);
+    });
+    const asked: string[] = [];
+    await page.route(/\/(garments|prints)\//, async (route) => {
+      const path = new URL(route.request().url()).pathname.slice(1);
+      asked.push(path);
+      await route.fulfill({
+        path: fileURLToPath(new URL(`../../../public/${path}`, import.meta.url)),
+      });
+    });
+    if (before) await page.addInitScript(before);
+    await page.goto(served.url);
+    await page.waitForFunction(() => customElements.get('seamwise-garment'), undefined, {
+      timeout: 15_000,
+    });
+    return {
+      page,
+      asked,
+      answer: (path, how) =>
+        page.route(`**/${path}`, async (route) => {
+          asked.push(path);
+          await how(route);
+        }),
+      put: (markup) =>
+        page.evaluate((html) => {
+          document.body.innerHTML = html;
+        }, markup),
+      run: (work) => page.locator('seamwise-garment').first().evaluate(work) as never,
+    };
+  };
+}
