@@ -11,6 +11,10 @@ export const garmentStyle = css`
   :host([hidden]) {
     display: none;
   }
+  :host([mode='place' i]) {
+    aspect-ratio: auto;
+    min-height: 36rem; /* room for the pattern above what is under it */
+  }
   :host([mode='edit' i]) {
     aspect-ratio: auto;
     min-height: 20rem;

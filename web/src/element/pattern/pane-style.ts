@@ -42,6 +42,12 @@ export const paneStyle = css`
   sw-legend {
     flex: 1;
   }
+  :host([purpose='place']) .foot {
+    flex-wrap: wrap;
+  }
+  :host([purpose='place']) sw-tool-hint {
+    flex: 1 1 16rem;
+  }
   .view {
     display: flex;
     flex: none;

@@ -22,7 +22,7 @@ import {SheetIndex} from './sheet-index.js';
 import {emptyNote, noteStyle, noWebGlNote, stateNote} from './state-note.js';
 
 export class PatternPane extends PatternDrawing {
-  static override properties = {...PatternDrawing.properties, purpose: {}};
+  static override properties = {...PatternDrawing.properties, purpose: {reflect: true}};
   static override styles = [...PatternDrawing.styles, controls, paneStyle, noteStyle];
   /** `place`: for who moves the print, and does nothing else. */
   declare purpose: 'edit' | 'place';

@@ -15,11 +15,12 @@ export class ToolHint extends DeskElement {
     css`
       .hint {
         display: flex;
+        flex-wrap: wrap;
         align-items: center;
         gap: var(--sw-space-1) var(--sw-space-2);
       }
       .hint > span {
-        flex: 1;
+        flex: 1 1 12rem;
         line-height: 1.3;
       }
     `,

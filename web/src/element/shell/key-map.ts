@@ -68,10 +68,13 @@ export class KeyMap extends DeskElement {
         else if (this.shadowRoot?.activeElement && this.#before instanceof HTMLElement)
           this.#before.focus();
       }}
+      @toggle=${({newState}: ToggleEvent) => {
+        if (newState === 'open') this.renderRoot.querySelector('button')?.focus();
+      }}
     >
       <header>
         <h2>${app.keys}</h2>
-        <button autofocus aria-label=${app.close} popovertarget="keys" popovertargetaction="hide">
+        <button aria-label=${app.close} popovertarget="keys" popovertargetaction="hide">
           ${icon.close}
         </button>
       </header>

@@ -1,0 +1,173 @@
+/** What the element is for who looks at it, places its print, or edits it all. */
+import type {Page} from 'playwright-core';
+import {expect, it} from 'vitest';
+
+import type {PatternPane} from '../../web/src/element/pattern/pattern-pane.js';
+import {tee, useElementPage} from './element/open.js';
+
+const openPage = useElementPage();
+
+/** Role and name of the element, as a screen reader has them. */
+async function described(page: Page): Promise<readonly [string, string]> {
+  const client = await page.context().newCDPSession(page);
+  const {root} = await client.send('DOM.getDocument');
+  const {nodeId} = await client.send('DOM.querySelector', {
+    nodeId: root.nodeId,
+    selector: 'seamwise-garment',
+  });
+  const {nodes} = await client.send('Accessibility.getPartialAXTree', {
+    nodeId,
+    fetchRelatives: false,
+  });
+  const [node] = nodes;
+  return [String(node?.role?.value), String(node?.name?.value)];
+}
+
+it('is a picture for who looks at it: no key and no wheel stops there, and no editor is loaded', async () => {
+  const {put, page, run} = await openPage();
+  const scripts: string[] = [];
+  page.on('request', (request) => {
+    if (request.url().endsWith('.js')) scripts.push(request.url());
+  });
+  await put(`${tee}<div class="far"></div><button>after</button>`);
+  await run(async (element) => {
+    await element.solve();
+  });
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  expect(await described(page)).toEqual(['image', 'A tee']);
+  await page.mouse.move(200, 200);
+  await page.mouse.wheel(0, 300);
+  await page.waitForFunction(() => scrollY > 0);
+  await page.keyboard.press('Tab');
+  expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('after');
+  expect(scripts.filter((url) => /editor|placing|parts/.test(url))).toEqual([]);
+  await run((element) => {
+    element.mode = 'edit';
+  });
+  await page.locator('seamwise-garment sw-editor').waitFor();
+  expect(scripts.some((url) => /editor/.test(url))).toBe(true);
+  expect(await described(page)).toEqual(['group', 'A tee']);
+});
+
+it('lets the print be dragged inside a piece, and tells the page of it', async () => {
+  const {put, page, run} = await openPage({viewport: {width: 900, height: 700}});
+  await put(tee.replace('alt=', 'mode="place" alt='));
+  await run(async (element) => {
+    await element.solve();
+  });
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  await run((element) => {
+    const heard: string[] = [];
+    for (const type of ['input', 'change', 'select', 'solve'] as const) {
+      document.addEventListener(type, (event) => {
+        heard.push(`${type} ${event instanceof CustomEvent}`);
+        if (type === 'change') Object.assign(element, {design: (event as CustomEvent).detail});
+      });
+    }
+    Object.assign(element, {heard});
+  });
+  const at = await run((element) => {
+    const pane = element.shadowRoot?.querySelector<PatternPane>('sw-pattern');
+    const stage = pane?.shadowRoot?.querySelector('.stage')?.getBoundingClientRect();
+    const piece = pane?.desk.scenes?.now.pieces[0];
+    if (!pane?.view || !stage || !piece) throw new Error('Nothing is drawn.');
+    const [x, y] = pane.view.screenOf([piece.offset[0], piece.offset[1] + 20]);
+    return [stage.left + x, stage.top + y] as const;
+  });
+  await page.mouse.move(...at);
+  await page.mouse.down();
+  await page.mouse.move(at[0] + 12, at[1] - 9, {steps: 4});
+  await page.mouse.up();
+  await page.waitForFunction(() => 'design' in (document.querySelector('seamwise-garment') ?? {}));
+  const seen = await run((element) => {
+    const {heard, design} = element as unknown as {
+      heard: readonly string[];
+      design: {design: {options: {pins?: object}; alignments: object}};
+    };
+    const {options} = design.design;
+    return {
+      heard: [...new Set(heard)],
+      pins: Object.keys(options.pins ?? {}),
+      state: element.state,
+    };
+  });
+  expect(seen).toEqual({
+    heard: ['select true', 'solve true', 'change true'],
+    pins: ['front'],
+    state: 'ready',
+  });
+});
+
+it('lets the print be scaled and exchanged, by keys as well', async () => {
+  const {put, page, run} = await openPage({viewport: {width: 900, height: 700}});
+  await put(tee.replace('alt=', 'mode="place" alt='));
+  await run(async (element) => {
+    element.prints = ['prints/p4m.json', {url: 'prints/cm.json', title: 'Tulips'}];
+    await element.solve();
+  });
+  const slider = page.getByRole('slider', {name: 'Repeat width (cm)'});
+  await slider.focus();
+  /** What the next change is, once `act` has been done. */
+  const changedBy = async (act: () => Promise<void>): Promise<string> => {
+    await run((element) => {
+      const next = new Promise<string>((resolve) => {
+        element.addEventListener('change', () => {
+          resolve(element.value);
+        });
+      });
+      Object.assign(element, {next});
+    });
+    await act();
+    return run((element) => (element as unknown as {next: Promise<string>}).next);
+  };
+  const scaled = await changedBy(() => page.keyboard.press('ArrowRight'));
+  const {print} = JSON.parse(scaled) as {print: {size: {width: number}}};
+  expect(print.size.width).toBeCloseTo(11.31, 1);
+  const exchanged = await changedBy(() => page.getByRole('button', {name: 'Tulips'}).click());
+  const other = JSON.parse(exchanged) as {print: {url: string; size?: object}};
+  expect(other.print.url).toMatch(/prints\/cm\.json$/);
+  expect(other.print.size).toBeUndefined();
+  expect(await run((element) => element.print)).toMatch(/prints\/cm\.json$/);
+});
+
+it('speaks the language around it, its own, or the words that it is given', async () => {
+  const {put, run, page} = await openPage();
+  await put(`<div lang="de-AT">${tee.replace('alt="A tee"', 'mode="place"')}</div>`);
+  await run(async (element) => {
+    await element.solve();
+  });
+  await page.getByRole('slider', {name: 'Rapportbreite (cm)'}).waitFor();
+  expect(await described(page)).toEqual(['group', 'Schnittmuster im Stoffmuster']);
+  await run((element) => {
+    element.locale = 'en';
+    element.units = 'inch';
+  });
+  await page.getByRole('slider', {name: 'Repeat width (in)'}).waitFor();
+  await run((element) => {
+    element.messages = {garment: {scale: 'How large?', label: 'Yours'}};
+  });
+  await page.getByRole('slider', {name: 'How large?'}).waitFor();
+  expect(await described(page)).toEqual(['group', 'Yours']);
+});
+
+it('is as light or dark as what is around it', async () => {
+  const {put, run, page} = await openPage({colorScheme: 'light'});
+  await put(tee);
+  await run(async (element) => {
+    await element.solve();
+  });
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const brightness = () =>
+    run(async (element) => {
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      const picture = await createImageBitmap(await element.toBlob({width: 200}));
+      const context = new OffscreenCanvas(4, 4).getContext('2d');
+      context?.drawImage(picture, 0, 0);
+      return context?.getImageData(1, 1, 1, 1).data[0] ?? -1;
+    });
+  expect(await brightness()).toBeGreaterThan(200);
+  await run((element) => {
+    element.classList.add('dark');
+  });
+  expect(await brightness()).toBeLessThan(60);
+});
