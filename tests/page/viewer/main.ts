@@ -1,8 +1,17 @@
-import {PatternView} from '../../../web/src/viewer/pattern-view.js';
+import {PatternView, type PatternViewOptions} from '../../../web/src/viewer/pattern-view.js';
 import type {PatternScene} from '../../../web/src/viewer/scene.js';
 import {realigned} from '../../../web/src/viewer/scene.js';
+import {Screen} from '../../../web/src/viewer/screen.js';
 import {SeamStrip} from '../../../web/src/viewer/seam-strip.js';
 import {loadTile, svgTile} from '../../../web/src/viewer/tile.js';
+
+/** Where something lies on the page. [CSS px] */
+export interface Box {
+  readonly left?: number;
+  readonly top?: number;
+  readonly width: number;
+  readonly height: number;
+}
 
 declare global {
   /** The view under test, the scene it shows, and what it takes to change that. */
@@ -12,6 +21,10 @@ declare global {
     readonly realigned: typeof realigned;
     /** A view of one seam, in a box of its own over the other. */
     readonly openStrip: (width: number, height: number) => SeamStrip;
+    /** Another view, in a box of its own over the first. */
+    readonly openView: (box: Box, options?: PatternViewOptions) => PatternView;
+    /** The shared renderer, as somebody sees it who never draws. */
+    readonly openScreen: () => Screen;
     /** Whether the page follows a press itself. */
     takesPress: boolean;
     readonly loadTile: typeof loadTile;
@@ -21,17 +34,23 @@ declare global {
 
 const host = document.querySelector('main');
 if (!host) throw new Error('The page has no main element.');
+
+function boxed({left = 0, top = 0, width, height}: Box): HTMLElement {
+  const box = document.createElement('div');
+  const sides = Object.entries({left, top, width, height}).map(([side, px]) => [side, `${px}px`]);
+  const style = {position: 'absolute', background: '#fbfaf8', overflow: 'hidden'};
+  Object.assign(box.style, style, Object.fromEntries(sides));
+  document.body.append(box);
+  return box;
+}
+
 globalThis.Viewer = {
   view: new PatternView(host, {onPress: () => Viewer.takesPress}),
-  openStrip: (width, height) => {
-    const box = document.createElement('div');
-    Object.assign(box.style, {
-      ...{position: 'absolute', left: '0', top: '0', background: '#fbfaf8'},
-      width: `${width}px`,
-      height: `${height}px`,
-    });
-    document.body.append(box);
-    return new SeamStrip(box);
+  openStrip: (width, height) => new SeamStrip(boxed({width, height})),
+  openView: (box, options) => new PatternView(boxed(box), options),
+  openScreen: () => {
+    const nothing = (): void => undefined;
+    return new Screen(document.createElement('div'), {resized: nothing, draw: nothing}, 'aside');
   },
   takesPress: false,
   scene: undefined,

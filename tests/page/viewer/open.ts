@@ -21,6 +21,8 @@ export interface Window {
   readonly height?: number;
   /** Device pixels per CSS pixel. */
   readonly ratio?: number;
+  /** Runs in the page before anything else. */
+  readonly before?: () => void;
 }
 
 /** Opens browser and server once for a file of tests; no page may report an error. @returns what opens the page anew */
@@ -43,7 +45,7 @@ export function useViewer(): (window?: Window) => Promise<Page> {
     await browser?.close();
     await served?.close();
   });
-  return async ({width = 900, height = 600, ratio = 1} = {}) => {
+  return async ({width = 900, height = 600, ratio = 1, before} = {}) => {
     if (!browser || !served) throw new Error('The browser is not open yet.');
     const page = await browser.newPage({viewport: {width, height}, deviceScaleFactor: ratio});
     pages.push(page);
@@ -52,6 +54,7 @@ export function useViewer(): (window?: Window) => Promise<Page> {
     page.on('console', (message) => {
       if (message.type() === 'error') errors.push(message.text());
     });
+    if (before) await page.addInitScript(before);
     await page.goto(served.url);
     await page.waitForFunction(() => 'Viewer' in globalThis);
     return page;

@@ -25,6 +25,8 @@ const rest = 150;
 /** Of a picture of the sheet. [px] */
 const pictureWidth = 2400;
 const greatestPictureSide = 8192;
+/** For the picture of a view that is narrower, or has no size yet. [CSS px] */
+const leastRoom = 320;
 
 export interface PatternViewOptions {
   readonly appearance?: Appearance;
@@ -32,6 +34,8 @@ export interface PatternViewOptions {
   readonly onPress?: TakesPress;
   /** How the numbers at seams are written. Default: millimetres. */
   readonly lengthText?: LengthText;
+  /** The browser has taken the graphics context away, or given it back, which it may never do. */
+  readonly onLost?: (isLost: boolean) => void;
 }
 
 /** Another scene of the same sheet, to the left of a line at this part of the width. */
@@ -82,6 +86,10 @@ export class PatternView {
       draw: () => {
         this.#draw();
       },
+      arrange: () => {
+        this.#arrange();
+      },
+      lost: (isLost) => options.onLost?.(isLost),
     });
     this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
       this.#cloth.uniforms.tile.value = texture;
@@ -193,7 +201,8 @@ export class PatternView {
     const scene = this.#scene;
     if (!scene) throw new Error('There is no sheet to draw yet.');
     const {size} = this.#screen;
-    const room = {width: size.width, height: (size.width * scene.size[1]) / scene.size[0]};
+    const across = Math.max(size.width, leastRoom);
+    const room = {width: across, height: (across * scene.size[1]) / scene.size[0]};
     const view = fitted(scene.size, room);
     const ratio = Math.min(
       width / room.width,
@@ -311,20 +320,27 @@ export class PatternView {
     if (!this.#scene) return;
     const {renderer, size, raster} = this.#screen;
     look(this.#camera, this.#line, this.#view, raster);
-    renderer.clear();
-    const split = Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) * size.width;
     if (this.#wipe) {
-      renderer.setScissorTest(true);
-      renderer.setScissor(0, 0, split, size.height);
+      this.#screen.clip(0, this.#split);
       renderer.render(this.#before.object, this.#camera);
-      renderer.setScissor(split, 0, size.width - split, size.height);
-      renderer.render(this.#after.object, this.#camera);
-      renderer.setScissorTest(false);
-    } else renderer.render(this.#after.object, this.#camera);
+    }
+    this.#screen.clip(this.#split, size.width);
+    renderer.render(this.#after.object, this.#camera);
+    this.#screen.clip(0, size.width);
     renderer.render(this.#over, this.#camera);
+  }
+
+  /** Where the scene before ends. [CSS px from the left] */
+  get #split(): number {
+    return Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) * this.#screen.size.width;
+  }
+
+  #arrange(): void {
+    if (!this.#scene) return;
+    const {size} = this.#screen;
     const taken = this.#labels.place(this.#view, size);
     // numbers are those of the scene on the right
-    const left = {left: 0, top: 0, right: split, bottom: size.height};
+    const left = {left: 0, top: 0, right: this.#split, bottom: size.height};
     if (this.#hasSeams) this.#notes.place(this.#view, size, [...taken, left]);
     this.#chips.place(this.#view, size);
   }

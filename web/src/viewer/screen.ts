@@ -1,19 +1,14 @@
 /** A canvas that fills an element, in whole device pixels; it is drawn only when somebody asks. */
-import {OrthographicCamera, WebGLRenderer} from 'three';
+import type {OrthographicCamera, WebGLRenderer} from 'three';
 
 import type {LineMaterial} from './line-layer.js';
 import type {ScreenSize, SheetView} from './sheet-view.js';
+import {enter, type Drawable, type Raster, type Stage} from './stage.js';
 
 /** Lines are thinner at scales below this. [CSS px per cm] */
 const thinBelow = 4;
-
-/** A picture of so many pixels. */
-export interface Raster {
-  readonly width: number;
-  readonly height: number;
-  /** [device px per CSS px] */
-  readonly ratio: number;
-}
+/** So far from what is visible of the page it is drawn already. */
+const rootMargin = '128px';
 
 /** Lets `camera` see what the view shows, and lines keep their width there. */
 export function look(
@@ -36,44 +31,45 @@ export function look(
 }
 
 export interface ScreenEvents {
-  /** The element has another size. What is on the canvas is lost; it is drawn right after. */
+  /** The element has another size. It is drawn right after. */
   readonly resized: () => void;
+  /** Draws onto an empty canvas; also again, where nothing has changed. */
   readonly draw: () => void;
+  /** Lays out what lies over the canvas, in the frame that draws a change. */
+  readonly arrange?: () => void;
+  /** The browser has taken the graphics context away, or given it back, which it may never do. */
+  readonly lost?: (isLost: boolean) => void;
 }
 
-export class Screen {
-  readonly renderer: WebGLRenderer;
+export class Screen implements Drawable {
+  readonly isAside: boolean;
   readonly #host: HTMLElement;
   readonly #events: ScreenEvents;
+  readonly #stage: Stage;
   readonly #life = new AbortController();
-  readonly #resized: ResizeObserver;
   #size: ScreenSize = {width: 1, height: 1};
-  #frame = 0;
+  #raster: Raster = {width: 1, height: 1, ratio: 1};
+  #hasSize = false;
+  #isInView = true; // until the browser says otherwise
+  /** What is shown: the renderer's canvas, or that of `#copied`. */
+  #canvas: HTMLCanvasElement | undefined;
+  #copied: CanvasRenderingContext2D | null = null;
 
   /** @throws {Error} where the browser has no WebGL 2 */
-  constructor(host: HTMLElement, events: ScreenEvents) {
+  constructor(host: HTMLElement, events: ScreenEvents, kind: 'main' | 'aside' = 'main') {
     this.#host = host;
     this.#events = events;
-    this.renderer = new WebGLRenderer({alpha: true, antialias: false, depth: false});
-    this.renderer.setClearColor(0x000000, 0); // the page's own background shows through
-    this.renderer.autoClear = false;
-    const {domElement: canvas} = this.renderer;
-    Object.assign(canvas.style, {display: 'block', position: 'absolute', left: '0', top: '0'});
-    if (getComputedStyle(host).position === 'static') host.style.position = 'relative';
-    host.append(canvas);
-    canvas.addEventListener(
-      'webglcontextrestored',
-      () => {
-        this.request();
-      },
-      {signal: this.signal},
-    );
-    this.#resized = new ResizeObserver(() => {
-      this.#resize();
-    });
-    this.#resized.observe(host);
-    this.#watchRatio();
+    this.isAside = kind === 'aside';
     this.#measure();
+    this.#stage = enter(this);
+    if (getComputedStyle(host).position === 'static') host.style.position = 'relative';
+    this.#watch();
+    this.#watchRatio();
+  }
+
+  /** Shared by all screens; to be drawn with in `draw`, or into a target of one's own. */
+  get renderer(): WebGLRenderer {
+    return this.#stage.renderer;
   }
 
   /** Fires when the screen is disposed of. */
@@ -81,59 +77,115 @@ export class Screen {
     return this.#life.signal;
   }
 
+  /** While the element has none, the one that it had last. */
   get size(): ScreenSize {
     return this.#size;
   }
 
   get raster(): Raster {
-    const {width, height} = this.renderer.domElement;
-    return {width, height, ratio: this.renderer.getPixelRatio()};
+    return this.#raster;
   }
 
-  /** Draws with the next frame. */
+  get isSeen(): boolean {
+    return this.#isInView && this.#hasSize;
+  }
+
+  /** Draws with one of the next frames, once the element is in view and has a size. */
   request(): void {
-    this.#frame ||= requestAnimationFrame(() => {
-      this.#draw();
+    if (!this.signal.aborted) this.#stage.request(this);
+  }
+
+  /** Draws only this part of the width, until the next frame. [CSS px from the left] */
+  clip(from: number, to: number): void {
+    const {height, ratio} = this.#raster;
+    const [left, right] = [Math.round(from * ratio), Math.round(to * ratio)];
+    this.renderer.setScissor(left, 0, right - left, height);
+  }
+
+  draw(): void {
+    this.#events.draw();
+  }
+
+  arrange(): void {
+    this.#events.arrange?.();
+  }
+
+  lost(isLost: boolean): void {
+    this.#events.lost?.(isLost);
+  }
+
+  hang(canvas: HTMLCanvasElement): void {
+    const {width, height} = this.#size;
+    Object.assign(canvas.style, {
+      ...{display: 'block', position: 'absolute', left: '0', top: '0'},
+      ...{width: `${width}px`, height: `${height}px`},
     });
+    if (this.#canvas === canvas) return;
+    if (this.#canvas) this.#canvas.replaceWith(canvas);
+    else this.#host.prepend(canvas); // below all that lies over the picture
+    this.#canvas = canvas;
+    if (this.#copied?.canvas !== canvas) this.#copied = null;
+  }
+
+  copy(source: HTMLCanvasElement): void {
+    this.#copied ??= document.createElement('canvas').getContext('2d');
+    if (!this.#copied) return;
+    const {canvas} = this.#copied;
+    const {width, height} = this.#raster;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    this.#copied.globalCompositeOperation = 'copy';
+    const top = source.height - height;
+    this.#copied.drawImage(source, 0, top, width, height, 0, 0, width, height);
+    this.hang(canvas);
   }
 
   dispose(): void {
     this.#life.abort();
-    this.#resized.disconnect();
-    cancelAnimationFrame(this.#frame);
-    this.renderer.dispose();
-    this.renderer.domElement.remove();
-  }
-
-  #draw(): void {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
-    if (!this.signal.aborted) this.#events.draw();
+    this.#stage.leave(this);
+    this.#canvas?.remove();
   }
 
   /** @returns whether anything has changed */
   #measure(): boolean {
     const {clientWidth, clientHeight} = this.#host;
+    const had = this.#hasSize;
+    this.#hasSize = clientWidth > 0 && clientHeight > 0;
+    if (!this.#hasSize) return false;
     const ratio = globalThis.devicePixelRatio;
     // whole device pixels, so that every one of them is drawn
-    const [width, height] = [clientWidth, clientHeight].map(
-      (side) => Math.max(1, Math.round(side * ratio)) / ratio,
+    const [width, height] = [clientWidth, clientHeight].map((side) =>
+      Math.max(1, Math.round(side * ratio)),
     ) as [number, number];
-    const same =
-      width === this.#size.width &&
-      height === this.#size.height &&
-      ratio === this.renderer.getPixelRatio();
-    this.#size = {width, height};
-    if (same) return false;
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height);
-    return true;
+    const before = this.#raster;
+    this.#raster = {width, height, ratio};
+    this.#size = {width: width / ratio, height: height / ratio};
+    return !had || width !== before.width || height !== before.height || ratio !== before.ratio;
   }
 
   #resize(): void {
     if (!this.#measure()) return;
     this.#events.resized();
-    this.#draw(); // a canvas is empty after a change of size
+    this.#stage.resized(this);
+  }
+
+  #watch(): void {
+    const resized = new ResizeObserver(() => {
+      this.#resize();
+    });
+    const moved = new IntersectionObserver(
+      (entries) => {
+        this.#isInView = entries.at(-1)?.isIntersecting ?? true;
+        this.#stage.wake();
+      },
+      {rootMargin},
+    );
+    for (const observer of [resized, moved]) {
+      observer.observe(this.#host);
+      this.signal.addEventListener('abort', () => {
+        observer.disconnect();
+      });
+    }
   }
 
   /** The ratio changes when a window moves to another screen, or the page is zoomed. */

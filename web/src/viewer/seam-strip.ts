@@ -8,7 +8,7 @@ import type {OnPiece} from './overlay.js';
 import type {Wipe} from './pattern-view.js';
 import {PrintMaterial} from './print-layer.js';
 import type {PatternScene} from './scene.js';
-import {look, Screen} from './screen.js';
+import {look, Screen, type ScreenEvents} from './screen.js';
 import {
   onPieceAt,
   ribbonDepth,
@@ -61,14 +61,15 @@ export class SeamStrip {
    */
   constructor(host: HTMLElement, {appearance = 'light'}: {appearance?: Appearance} = {}) {
     this.#appearance = appearance;
-    this.#screen = new Screen(host, {
+    const events: ScreenEvents = {
       resized: () => {
         this.#sharpen();
       },
       draw: () => {
         this.#draw();
       },
-    });
+    };
+    this.#screen = new Screen(host, events, 'aside');
     this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
       this.#cloth.uniforms.tile.value = texture;
       this.#screen.request();
@@ -218,10 +219,8 @@ export class SeamStrip {
 
   #draw(): void {
     const {renderer, raster, size} = this.#screen;
-    renderer.clear();
     if (!this.#after) return;
     const split = Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) * size.width;
-    renderer.setScissorTest(true);
     for (const [strip, from, to] of [
       [this.#before, 0, split],
       [this.#after, split, size.width],
@@ -229,10 +228,10 @@ export class SeamStrip {
       if (!strip) continue;
       const centre: Point = [strip.straight.length / 2, 0];
       look(this.#camera, this.#line, {centre, scale: this.scale}, raster);
-      renderer.setScissor(from, 0, to - from, size.height);
+      this.#screen.clip(from, to);
       renderer.render(strip.object, this.#camera);
     }
-    renderer.setScissorTest(false);
+    this.#screen.clip(0, size.width);
     renderer.render(this.#over, this.#camera);
   }
 }

@@ -51,8 +51,10 @@ function pixelsOf(
   {width, height}: Shot,
   appearance: Appearance,
 ): ImageData {
+  if (renderer.getContext().isContextLost()) throw new Error('The picture cannot be drawn now.');
   const target = new WebGLRenderTarget(width, height, {depthBuffer: false});
   const upsideDown = new Uint8Array(4 * width * height);
+  const [clearColour, clearAlpha] = [renderer.getClearColor(new Color()), renderer.getClearAlpha()];
   try {
     renderer.setRenderTarget(target);
     const [r, g, b] = inks[appearance].paper;
@@ -62,7 +64,7 @@ function pixelsOf(
     renderer.readRenderTargetPixels(target, 0, 0, width, height, upsideDown);
   } finally {
     renderer.setRenderTarget(null);
-    renderer.setClearColor(0x000000, 0);
+    renderer.setClearColor(clearColour, clearAlpha);
     target.dispose();
   }
   const pixels = new ImageData(width, height);

@@ -1,0 +1,211 @@
+/** The one drawing context of the document, shared by all its screens: a browser drops contexts beyond the sixteenth. */
+import {WebGLRenderer} from 'three';
+
+/** Screens drawn in one frame; the others follow in the next ones. */
+const atOnce = 4;
+/** How long the context outlives its last screen, which may only be on its way to another place of the document. [ms] */
+const grace = 1000;
+
+/** A picture of so many pixels. */
+export interface Raster {
+  readonly width: number;
+  readonly height: number;
+  /** [device px per CSS px] */
+  readonly ratio: number;
+}
+
+/** What the stage knows of a screen. */
+export interface Drawable {
+  /** Small, and beside a main one: it never gets the renderer's canvas itself. */
+  readonly isAside: boolean;
+  readonly raster: Raster;
+  /** Whether it is in view and has a size. */
+  readonly isSeen: boolean;
+  /** Draws into the lower left corner of the renderer's canvas; also again, where nothing has changed. */
+  readonly draw: () => void;
+  /** Lays out what lies over the picture, after a change. */
+  readonly arrange: () => void;
+  /** Shows the renderer's own canvas. */
+  readonly hang: (canvas: HTMLCanvasElement) => void;
+  /** Shows a copy of what was drawn. */
+  readonly copy: (canvas: HTMLCanvasElement) => void;
+  /** The context was lost, or has come back. */
+  readonly lost: (isLost: boolean) => void;
+}
+
+let current: Stage | undefined;
+
+/** Lets a screen be drawn until it leaves. @throws {Error} where the browser has no WebGL 2 */
+export function enter(screen: Drawable): Stage {
+  current ??= new Stage(() => {
+    current = undefined;
+  });
+  current.add(screen);
+  return current;
+}
+
+/**
+ * A single main screen is drawn directly: it shows the renderer's canvas. Where there are several, each shows a copy of
+ * what was drawn for it.
+ */
+export class Stage {
+  readonly renderer: WebGLRenderer;
+  readonly #ended: () => void;
+  readonly #life = new AbortController();
+  readonly #screens = new Set<Drawable>();
+  /** Whoever asked first comes first. */
+  readonly #dirty = new Set<Drawable>();
+  /** Who shows the renderer's canvas. */
+  #direct: Drawable | undefined;
+  #isLost = false;
+  #frame = 0;
+  #end: ReturnType<typeof setTimeout> | undefined;
+
+  /** @throws {Error} where the browser has no WebGL 2 */
+  constructor(ended: () => void) {
+    this.#ended = ended;
+    this.renderer = new WebGLRenderer({alpha: true, antialias: false, depth: false});
+    this.renderer.autoClear = false;
+    this.#prepare();
+    const {signal} = this.#life;
+    for (const [type, isLost] of [
+      ['webglcontextlost', true],
+      ['webglcontextrestored', false],
+    ] as const) {
+      const changed = (): void => {
+        this.#turn(isLost);
+      };
+      this.renderer.domElement.addEventListener(type, changed, {signal});
+    }
+  }
+
+  add(screen: Drawable): void {
+    clearTimeout(this.#end);
+    this.#screens.add(screen);
+    if (this.#isLost) screen.lost(true);
+    this.request(screen);
+  }
+
+  leave(screen: Drawable): void {
+    this.#screens.delete(screen);
+    this.#dirty.delete(screen);
+    if (this.#direct === screen) {
+      this.#direct = undefined;
+      this.renderer.domElement.remove();
+    }
+    if (this.#screens.size > 0) this.#schedule();
+    else {
+      const end = (): void => {
+        this.#dispose();
+      };
+      this.#end = setTimeout(end, this.#isLost ? 0 : grace);
+    }
+  }
+
+  /** Draws with one of the next frames, once the screen is seen. */
+  request(screen: Drawable): void {
+    this.#dirty.add(screen);
+    this.#schedule();
+  }
+
+  /** The screen has another size. A canvas is empty after that, so where there is no copy it is drawn at once. */
+  resized(screen: Drawable): void {
+    this.request(screen);
+    if (screen === this.#direct) this.#play();
+  }
+
+  /** A screen is seen again. */
+  wake(): void {
+    this.#schedule();
+  }
+
+  #schedule(): void {
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#play();
+    });
+  }
+
+  /** The only main screen, if the renderer's canvas then has room for those beside it. */
+  #soloist(): Drawable | undefined {
+    const screens = [...this.#screens];
+    const [main, other] = screens.filter(({isAside}) => !isAside);
+    if (!main || other) return undefined;
+    const {width, height} = main.raster;
+    const hasRoom = screens.every(({raster}) => raster.width <= width && raster.height <= height);
+    return hasRoom ? main : undefined;
+  }
+
+  #play(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    if (this.#isLost) return; // everybody keeps the last picture
+    const [before, direct] = [this.#direct, this.#soloist()];
+    this.#direct = direct;
+    const isOther = before !== direct;
+    // whoever gives the canvas back needs a copy in this very frame
+    const queue = new Set(isOther && before ? [before] : []);
+    for (const screen of this.#dirty) if (screen.isSeen) queue.add(screen);
+    if (direct) queue.delete(direct);
+    const next = [...queue].slice(0, direct ? atOnce - 1 : atOnce);
+    for (const screen of next) {
+      this.#grow(screen.raster);
+      this.#draw(screen);
+      screen.copy(this.renderer.domElement);
+    }
+    // the others were drawn over what is shown directly
+    const isDue = direct?.isSeen && this.#dirty.has(direct);
+    if (direct && (isOther || isDue || next.length > 0)) this.#drawDirectly(direct);
+    if (next.length < queue.size) this.#schedule();
+  }
+
+  #drawDirectly(screen: Drawable): void {
+    const {width, height} = screen.raster;
+    this.#resize(width, height);
+    this.#draw(screen);
+    screen.hang(this.renderer.domElement);
+  }
+
+  #draw(screen: Drawable): void {
+    const {width, height} = screen.raster;
+    this.renderer.setViewport(0, 0, width, height);
+    this.renderer.setScissor(0, 0, width, height);
+    this.renderer.clear();
+    screen.draw();
+    if (this.#dirty.delete(screen)) screen.arrange();
+  }
+
+  #grow({width, height}: Raster): void {
+    const {domElement: canvas} = this.renderer;
+    this.#resize(Math.max(width, canvas.width), Math.max(height, canvas.height));
+  }
+
+  #resize(width: number, height: number): void {
+    const {domElement: canvas} = this.renderer;
+    if (width === canvas.width && height === canvas.height) return;
+    this.renderer.setSize(width, height, false);
+  }
+
+  /** A context that comes back has forgotten this. */
+  #prepare(): void {
+    this.renderer.setClearColor(0x000000, 0); // the page's own background shows through
+    this.renderer.setScissorTest(true);
+  }
+
+  /** three.js makes all else anew when the context comes back. */
+  #turn(isLost: boolean): void {
+    this.#isLost = isLost;
+    if (!isLost) this.#prepare();
+    for (const screen of this.#screens) {
+      screen.lost(isLost);
+      this.request(screen);
+    }
+  }
+
+  #dispose(): void {
+    this.#ended();
+    this.#life.abort();
+    cancelAnimationFrame(this.#frame);
+    this.renderer.dispose();
+    if (!this.#isLost) this.renderer.forceContextLoss();
+  }
+}
