@@ -81,10 +81,19 @@ const chromium = {
   brew: 'google-chrome',
 };
 
-/** What it takes to build the module, to run the native tests, and those in a browser. */
+const redis = {
+  found: () => has('redis-server'),
+  apt: 'redis-server',
+  dnf: 'redis',
+  pacman: 'redis',
+  brew: 'redis',
+};
+
+/** What it takes to build the module, to run the native tests, those in a browser, and those of batches. */
 export const forModule = [cmake, ninja, eigen, json, emscripten];
 export const forNativeTests = [cmake, ninja, eigen, json, compiler, googletest];
 export const forBrowserTests = [chromium];
+export const forWebTests = [redis];
 
 /** Installs what is missing where that is allowed. @throws {SetupError} saying what to install */
 export async function ensureSystem(needs) {

@@ -5,7 +5,7 @@ import {availableParallelism} from 'node:os';
 import {buildPackage} from './build.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, run, say, SetupError, tool} from './shell.mjs';
-import {ensureSystem, forBrowserTests, forModule, forNativeTests} from './system.mjs';
+import {ensureSystem, forBrowserTests, forModule, forNativeTests, forWebTests} from './system.mjs';
 
 /** Runs a program of an npm package. */
 function runTool(name, ...args) {
@@ -34,6 +34,12 @@ async function native(preset) {
 
 const pageTests = 'tests/page';
 
+/** All that needs neither compiler nor browser. */
+async function web() {
+  await ensureSystem(forWebTests);
+  return runToolOnBuild('vitest', 'run', '--exclude', `${pageTests}/**`);
+}
+
 /** What only a browser can show; one file at a time, because they measure how pages respond. */
 async function browser() {
   await ensureSystem(forBrowserTests);
@@ -46,7 +52,7 @@ const checks = {
   format: () => runTool('prettier', '--check', '--log-level=warn', '.'),
   types: () => runToolOnBuild('typescript', '-p', 'tsconfig.json'),
   lint: () => runToolOnBuild('eslint', '.', '--max-warnings=0'),
-  web: () => runToolOnBuild('vitest', 'run', '--exclude', `${pageTests}/**`),
+  web,
   browser,
 };
 
@@ -57,7 +63,9 @@ await main(async () => {
     throw new SetupError(`no check '${unknown}'; there are ${Object.keys(checks).join(', ')}`);
   // All at once, so that whoever has to install by hand is asked only once.
   if (asked.length === 0) {
-    await ensureSystem([...new Set([...forModule, ...forNativeTests, ...forBrowserTests])]);
+    await ensureSystem([
+      ...new Set([...forModule, ...forNativeTests, ...forBrowserTests, ...forWebTests]),
+    ]);
   }
   await ensurePackages();
   const failed = [];

@@ -80,8 +80,11 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
   } catch {
     throw new Malformed('it is not JSON');
   }
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    throw new Malformed('it is not an object');
+  }
   const given = fields(value, '');
-  const unknown = Object.keys(value as object).find((name) => !known.includes(name));
+  const unknown = Object.keys(value).find((name) => !known.includes(name));
   if (unknown !== undefined) {
     throw new Malformed(`there is no field '${unknown}', but ${known.join(', ')}`);
   }

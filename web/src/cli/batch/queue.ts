@@ -35,6 +35,9 @@ export interface QueuePlace {
 
 /** @throws {UsageError} when the packages are missing, or no server answers */
 export async function queueAt(url: string, store: Store): Promise<QueuePlace> {
+  if (!/^rediss?:\/\//.test(url) || !URL.canParse(url)) {
+    throw new UsageError(`--queue is '${url}', but must be redis://HOST:PORT[/DB].`);
+  }
   const packages = await optionalPackages();
   await checkServer(packages, url);
   return {packages, url, name: `seamwise-${packageVersion}-${await idOf(store)}`};
@@ -55,9 +58,6 @@ async function optionalPackages(): Promise<Packages> {
 }
 
 async function checkServer({Redis: Client}: Packages, url: string): Promise<void> {
-  if (!/^rediss?:\/\//.test(url) || !URL.canParse(url)) {
-    throw new UsageError(`--queue is '${url}', but must be redis://HOST:PORT[/DB].`);
-  }
   const settings = {lazyConnect: true, retryStrategy: () => null, connectTimeout: 5000};
   const client = new Client(url, settings);
   let reason = '';

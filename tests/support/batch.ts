@@ -1,0 +1,124 @@
+/** Batches as a shop runs them: a folder with garments, prints and jobs, and the program beside it. */
+import {spawn, type ChildProcess} from 'node:child_process';
+import {mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {setTimeout as sleep} from 'node:timers/promises';
+import {fileURLToPath} from 'node:url';
+
+import {checks, twoStrips} from '../wasm/garments.js';
+
+const program = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
+
+export interface Outcome {
+  /** Null when a signal ended it. */
+  readonly code: number | null;
+  readonly out: string;
+  readonly err: string;
+}
+
+/** A line of done.ndjson; what is not asked for by a test is left out. */
+export interface DoneLine {
+  readonly key: string | null;
+  readonly line?: number;
+  readonly name?: string | null;
+  readonly garment?: string;
+  readonly print?: string;
+  readonly size?: string | null;
+  readonly status: 'done' | 'failed';
+  readonly metrics?: {readonly fit: number; readonly seed: number};
+  readonly failure?: {readonly code: string; readonly message: string};
+  readonly milliseconds?: number | null;
+  readonly file: string | null;
+}
+
+export type JobLine = Readonly<Record<string, unknown>>;
+
+/** A program that was started, and its end. */
+export interface Started {
+  readonly child: ChildProcess;
+  readonly end: Promise<Outcome>;
+}
+
+export class Shop {
+  readonly folder = mkdtempSync(join(tmpdir(), 'seamwise-batch-'));
+
+  /** With garments of two strips, 8 and 10 cm high, and a print that fits both. */
+  constructor() {
+    for (const height of [8, 10]) {
+      this.write(`strips-${height}.json`, JSON.stringify(twoStrips(height)));
+    }
+    this.write('checks.json', JSON.stringify(checks));
+    this.write('waves.json', JSON.stringify({...checks, group: 'p1'}));
+  }
+
+  at = (...names: string[]): string => join(this.folder, ...names);
+
+  write(name: string, text: string): void {
+    writeFileSync(this.at(name), text);
+  }
+
+  read = (...names: string[]): string => readFileSync(this.at(...names), 'utf8');
+
+  /** Lines that are no objects are written as they are. */
+  writeJobs(name: string, lines: readonly (JobLine | string)[]): void {
+    const texts = lines.map((line) => (typeof line === 'string' ? line : JSON.stringify(line)));
+    this.write(name, `${texts.join('\n')}\n`);
+  }
+
+  start(words: readonly string[], script = program): Started {
+    const child = spawn(process.execPath, [script, ...words], {cwd: this.folder});
+    let [out, err] = ['', ''];
+    child.stdout.on('data', (chunk: Buffer) => (out += chunk.toString()));
+    child.stderr.on('data', (chunk: Buffer) => (err += chunk.toString()));
+    const end = new Promise<Outcome>((resolve, reject) => {
+      child.on('error', reject);
+      child.on('close', (code) => {
+        resolve({code, out, err});
+      });
+    });
+    return {child, end};
+  }
+
+  run(...words: string[]): Promise<Outcome> {
+    return this.start(words).end;
+  }
+
+  batch(jobs: string, out: string, ...words: string[]): Promise<Outcome> {
+    return this.run('batch', jobs, '--out', out, '--workers', '2', ...words);
+  }
+
+  done(out: string): DoneLine[] {
+    const lines = this.read(out, 'done.ndjson').split('\n');
+    return lines.slice(0, -1).map((line) => JSON.parse(line) as DoneLine);
+  }
+
+  /** Names of the files of jobs that have ended well. */
+  results(out: string): string[] {
+    return readdirSync(this.at(out, 'results')).sort();
+  }
+
+  /** All that is the same in every run of a batch: its results, byte for byte, and its lines without times. */
+  truth(out: string): {readonly files: readonly string[]; readonly lines: readonly string[]} {
+    const files = ['results', 'failures'].flatMap((kind) =>
+      readdirSync(this.at(out, kind))
+        .sort()
+        .map((name) => `${name} ${this.read(out, kind, name)}`),
+    );
+    const lines = this.done(out).map((line) => JSON.stringify({...line, milliseconds: 0}));
+    return {files, lines: lines.sort()};
+  }
+
+  remove(): void {
+    rmSync(this.folder, {recursive: true, force: true});
+  }
+}
+
+/** Waits, looking every few milliseconds. @throws {Error} after half a minute */
+export async function until(isSo: () => boolean): Promise<void> {
+  const end = performance.now() + 30_000;
+  while (!isSo()) {
+    if (performance.now() > end) throw new Error('it did not happen within 30 s');
+    await sleep(5);
+  }
+}

@@ -1,0 +1,54 @@
+import {existsSync} from 'node:fs';
+import {setTimeout as sleep} from 'node:timers/promises';
+
+import * as fc from 'fast-check';
+import {afterAll, beforeAll, expect, it} from 'vitest';
+
+import {Shop, until} from '../support/batch.js';
+
+let shop: Shop;
+beforeAll(() => {
+  shop = new Shop();
+});
+afterAll(() => {
+  shop.remove();
+});
+
+const jobs = 500;
+const kills = 20;
+
+/** When to kill: so many milliseconds after the start, or after the first result of the run. */
+const moments = fc.sample(
+  fc.record({afterResult: fc.boolean(), milliseconds: fc.integer({min: 0, max: 150})}),
+  {seed: 12, numRuns: kills},
+);
+
+it('loses nothing and does nothing twice, whenever it is killed', async () => {
+  const lines = Array.from({length: jobs}, (_, seed) => ({
+    garment: 'strips-8.json',
+    print: 'checks.json',
+    seed,
+  }));
+  shop.writeJobs('jobs.ndjson', [...lines, {garment: 'checks.json', print: 'checks.json'}]);
+  const count = () => (existsSync(shop.at('out/results')) ? shop.results('out').length : 0);
+  const words = ['batch', 'jobs.ndjson', '--out', 'out', '--workers', '2'];
+  for (const {afterResult, milliseconds} of moments) {
+    const before = count();
+    const {child, end} = shop.start(words);
+    if (afterResult) await until(() => count() > before || child.exitCode !== null);
+    await sleep(milliseconds);
+    child.kill('SIGKILL');
+    expect((await end).code).toBe(null); // it was still at work
+  }
+  const survived = count();
+  expect(survived).toBeGreaterThan(0);
+  expect(survived).toBeLessThan(jobs);
+
+  expect(await shop.batch('jobs.ndjson', 'out')).toMatchObject({code: 1, err: ''});
+  await shop.batch('jobs.ndjson', 'clean');
+  const keys = shop.done('out').map(({key}) => key);
+  expect(keys).toHaveLength(jobs + 1);
+  expect(new Set(keys).size).toBe(jobs + 1);
+  expect(shop.results('out')).toHaveLength(jobs);
+  expect(shop.truth('out')).toEqual(shop.truth('clean'));
+});
