@@ -84,16 +84,17 @@ export function useElementPage(): (options?: ElementPageOptions) => Promise<Elem
     return {
       page,
       asked,
-      answer: (path, how) =>
-        page.route(`**/${path}`, async (route) => {
+      answer: async (path, how) => {
+        await page.route(`**/${path}`, async (route) => {
           asked.push(path);
           await how(route);
-        }),
+        });
+      },
       put: (markup) =>
         page.evaluate((html) => {
           document.body.innerHTML = html;
         }, markup),
-      run: (work) => page.locator('seamwise-garment').first().evaluate(work) as never,
+      run: (work) => page.locator('seamwise-garment').first().evaluate(work),
     };
   };
 }

@@ -6,25 +6,11 @@ import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Failure} from '../model/failure.js';
 import {SolverError} from '../model/failure.js';
-import type {Garment} from '../model/garment.js';
-import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/stored-design.js';
-import type {Symmetries, Symmetry} from '../model/symmetries.js';
-import type {LeasePlaces} from '../solver/pool.js';
-import {
-  asking,
-  attributes,
-  changeOf,
-  localeOf,
-  unitsOf,
-  wordOf,
-  type GarmentLoading,
-  type GarmentMode,
-  type GarmentView,
-} from './garment/attributes.js';
+import {asking, attributes, localeOf, type GarmentMode} from './garment/attributes.js';
 import type {GarmentState} from './garment/events.js';
-import {FormElement} from './garment/form-element.js';
+import {AttributeElement} from './garment/attribute-element.js';
 import {
   offeredPrints,
   withPrints,
@@ -33,14 +19,14 @@ import {
 } from './garment/offered-prints.js';
 import {pictureAs} from './garment/picture.js';
 import {asError, GarmentSession, type LoadReason} from './garment/session.js';
-import {garmentUrl, type Asked} from './garment/sources.js';
+import {garmentUrl} from './garment/sources.js';
 import {garmentStyle} from './garment/style.js';
 import {drawnEvent, PatternDrawing, undrawableEvent} from './pattern/drawing.js';
 import {register} from './register.js';
 import {controls} from './style/controls.js';
 import {tokens} from './style/tokens.js';
 import {textsOf, type Messages, type Texts} from './texts/texts.js';
-import {preferencesFor, type Preferences} from './workbench/preferences.js';
+import {preferencesFor} from './workbench/preferences.js';
 
 export type * from './garment/attributes.js';
 export type * from './garment/events.js';
@@ -72,7 +58,7 @@ const properties = [
 /** Events of the parts that would leave the element as if they were its own. */
 const innerEvents = ['input', 'change', 'select', 'sw-lens-cursor', 'sw-lens-wanted'];
 
-export class SeamwiseGarment extends FormElement {
+export class SeamwiseGarment extends AttributeElement {
   static override styles = [tokens, controls, garmentStyle];
 
   static override get observedAttributes(): string[] {
@@ -80,8 +66,6 @@ export class SeamwiseGarment extends FormElement {
   }
 
   readonly #session: GarmentSession;
-  /** What was given as an object, by the name of the attribute in whose place it is. */
-  readonly #objects = new Map<string, object>();
   #messages: Messages | undefined;
   #offered: readonly OfferedPrint[] = [];
   #offering: AbortController | undefined;
@@ -102,7 +86,12 @@ export class SeamwiseGarment extends FormElement {
     register('sw-drawing', PatternDrawing);
     this.#session = new GarmentSession(
       {
-        places: () => this.#places(),
+        places: () => ({
+          ...this.solverPlaces,
+          onBlocked: (failure) => {
+            this.#session.report(new SolverError(failure));
+          },
+        }),
         emit: (type, detail) => {
           this.emit(type, detail);
         },
@@ -112,126 +101,6 @@ export class SeamwiseGarment extends FormElement {
       },
       preferencesFor(localeOf(navigator.language)),
     );
-  }
-
-  /** URL of the garment's file, or the garment; `{size}` in it stands for the size. Empty: none. */
-  get garment(): string | Garment {
-    return this.#given('garment') as string | Garment;
-  }
-
-  set garment(garment: string | Garment | null | undefined) {
-    this.#give('garment', garment);
-  }
-
-  /** URL of the print's file, or the print. Empty: none. */
-  get print(): string | Print {
-    return this.#given('print') as string | Print;
-  }
-
-  set print(print: string | Print | null | undefined) {
-    this.#give('print', print);
-  }
-
-  /** `auto`: what the garment shows by itself; `none`; the URL of a file of symmetries; or these. */
-  get symmetry(): string | Symmetries | readonly Symmetry[] {
-    const given = this.#given('symmetry');
-    return given === '' ? 'auto' : (given as string | Symmetries | readonly Symmetry[]);
-  }
-
-  set symmetry(symmetry: string | Symmetries | readonly Symmetry[] | null | undefined) {
-    this.#give('symmetry', symmetry);
-  }
-
-  get size(): string {
-    return this.getAttribute('size') ?? '';
-  }
-
-  set size(size: string | null | undefined) {
-    this.#write('size', size);
-  }
-
-  /** One of the print's, by its name; the first where it has no such. */
-  get colourway(): string {
-    return this.getAttribute('colourway') ?? '';
-  }
-
-  set colourway(colourway: string | null | undefined) {
-    this.#write('colourway', colourway);
-  }
-
-  /** No outline moves further than this. [mm] */
-  get maxChangeMm(): number {
-    return changeOf(this.getAttribute('max-change-mm'));
-  }
-
-  set maxChangeMm(most: number) {
-    this.#write('max-change-mm', String(most));
-  }
-
-  get view(): GarmentView {
-    return wordOf(this.getAttribute('view'), ['pattern']);
-  }
-
-  set view(view: string | null | undefined) {
-    this.#write('view', view);
-  }
-
-  get mode(): GarmentMode {
-    return wordOf(this.getAttribute('mode'), ['preview', 'place', 'edit']);
-  }
-
-  set mode(mode: string | null | undefined) {
-    this.#write('mode', mode);
-  }
-
-  /** `lazy`: begins when it is scrolled near. */
-  get loading(): GarmentLoading {
-    return wordOf(this.getAttribute('loading'), ['lazy', 'eager']);
-  }
-
-  set loading(loading: string | null | undefined) {
-    this.#write('loading', loading);
-  }
-
-  get units(): Preferences['units'] {
-    return unitsOf(this.getAttribute('units'));
-  }
-
-  set units(units: string | null | undefined) {
-    this.#write('units', units);
-  }
-
-  /** Empty: that of the document around, else the user's. */
-  get locale(): string {
-    return this.getAttribute('locale') ?? '';
-  }
-
-  set locale(locale: string | null | undefined) {
-    this.#write('locale', locale);
-  }
-
-  get alt(): string {
-    return this.getAttribute('alt') ?? '';
-  }
-
-  set alt(alt: string | null | undefined) {
-    this.#write('alt', alt);
-  }
-
-  get workerUrl(): string {
-    return this.getAttribute('worker-url') ?? '';
-  }
-
-  set workerUrl(url: string | null | undefined) {
-    this.#write('worker-url', url);
-  }
-
-  get wasmUrl(): string {
-    return this.getAttribute('wasm-url') ?? '';
-  }
-
-  set wasmUrl(url: string | null | undefined) {
-    this.#write('wasm-url', url);
   }
 
   /** Words to be shown in place of the element's own. */
@@ -296,7 +165,7 @@ export class SeamwiseGarment extends FormElement {
     this.#upgrade();
     this.#isWanted = true;
     const {state} = this.#session;
-    if (!this.#isAskable && (state === 'idle' || this.#isDue)) {
+    if (!this.isAskable && (state === 'idle' || this.#isDue)) {
       throw new SolverError({code: 'notAGarment', message: this.#texts.garment.noGarment});
     }
     const isStuck = state === 'idle' || state === 'error' || state === 'stale';
@@ -334,8 +203,8 @@ export class SeamwiseGarment extends FormElement {
     const template = this.getAttribute('garment');
     const isThis = template !== null && sameUrl(garmentUrl(template, garment.size), garment.url);
     if (!isThis) this.garment = garment.url;
-    else this.#objects.delete('garment');
-    this.#write('size', garment.size);
+    else this.forget('garment');
+    this.write('size', garment.size);
     this.print = print.url;
     this.colourway = print.colourway;
     this.symmetry = symmetry;
@@ -388,8 +257,8 @@ export class SeamwiseGarment extends FormElement {
     super.attributeChangedCallback(name, before, now);
     if (before === now) return;
     if (asking.has(name)) {
-      if (now !== null) this.#objects.delete(name);
-      this.#ask();
+      if (now !== null) this.forget(name);
+      this.ask();
     } else if (name === 'loading') {
       if (this.isConnected) this.#watch();
       this.#schedule();
@@ -538,39 +407,6 @@ export class SeamwiseGarment extends FormElement {
     this.#session.desk.prefer({language, units, messages});
   }
 
-  #places(): LeasePlaces {
-    const {workerUrl, wasmUrl} = this;
-    const at = (url: string): string => new URL(url, document.baseURI).href;
-    return {
-      ...(URL.canParse(workerUrl, document.baseURI) && workerUrl && {workerUrl: at(workerUrl)}),
-      ...(URL.canParse(wasmUrl, document.baseURI) && wasmUrl && {wasmUrl: at(wasmUrl)}),
-      onBlocked: (failure) => {
-        this.#session.report(new SolverError(failure));
-      },
-    };
-  }
-
-  #given(name: 'garment' | 'print' | 'symmetry'): string | object {
-    return this.#objects.get(name) ?? this.getAttribute(name) ?? '';
-  }
-
-  #give(name: 'garment' | 'print' | 'symmetry', value: string | object | null | undefined): void {
-    if (value === null || typeof value !== 'object') {
-      const had = this.#objects.delete(name);
-      this.#write(name, value);
-      if (had) this.#ask();
-      return;
-    }
-    this.removeAttribute(name);
-    this.#objects.set(name, value);
-    this.#ask();
-  }
-
-  #write(name: string, value: string | null | undefined): void {
-    if (value === null || value === undefined) this.removeAttribute(name);
-    else this.setAttribute(name, value);
-  }
-
   /** Properties that were set before the element was known hide its own. */
   #upgrade(): void {
     for (const name of properties) {
@@ -582,7 +418,7 @@ export class SeamwiseGarment extends FormElement {
   }
 
   /** Something else is asked for. Changes in one task are one. */
-  #ask(): void {
+  protected override ask(): void {
     this.#isDue = true;
     this.#schedule();
   }
@@ -596,28 +432,12 @@ export class SeamwiseGarment extends FormElement {
     });
   }
 
-  get #isAskable(): boolean {
-    return this.#given('garment') !== '' && this.#given('print') !== '';
-  }
-
   #begin(): void {
-    if (!this.#isAskable) return;
+    if (!this.isAskable) return;
     this.#isDue = false;
     const reason = this.#reason;
     this.#reason = {};
-    void this.#session.load(this.#asked(), reason);
-  }
-
-  #asked(): Asked {
-    const {size, colourway} = this;
-    return {
-      garment: this.#given('garment') || undefined,
-      print: this.#given('print') || undefined,
-      symmetry: this.symmetry,
-      size: size || undefined,
-      colourway: colourway || undefined,
-      maxChangeCm: this.maxChangeMm / 10,
-    };
+    void this.#session.load(this.asked, reason);
   }
 
   /** Begins when it is near; an eager one, or one that has begun before, at once. */

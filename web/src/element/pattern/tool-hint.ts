@@ -20,7 +20,7 @@ export class ToolHint extends DeskElement {
         gap: var(--sw-space-1) var(--sw-space-2);
       }
       .hint > span {
-        flex: 1 1 12rem;
+        flex: 1 1 16rem;
         line-height: 1.3;
       }
     `,

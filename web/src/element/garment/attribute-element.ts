@@ -1,0 +1,197 @@
+/** What the element is told by attributes, as properties. Three of them may be given as objects, too. */
+import type {Garment} from '../../model/garment.js';
+import type {Print} from '../../model/print.js';
+import type {Symmetries, Symmetry} from '../../model/symmetries.js';
+import type {WorkerPlaces} from '../../solver/client.js';
+import type {Preferences} from '../workbench/preferences.js';
+import {
+  changeOf,
+  unitsOf,
+  wordOf,
+  type GarmentLoading,
+  type GarmentMode,
+  type GarmentView,
+} from './attributes.js';
+import {FormElement} from './form-element.js';
+import type {Asked} from './sources.js';
+
+export abstract class AttributeElement extends FormElement {
+  /** What was given as an object, by the name of the attribute in whose place it is. */
+  readonly #objects = new Map<string, object>();
+
+  /** URL of the garment's file, or the garment; `{size}` in it stands for the size. Empty: none. */
+  get garment(): string | Garment {
+    return this.#given('garment') as string | Garment;
+  }
+
+  set garment(garment: string | Garment | null | undefined) {
+    this.#give('garment', garment);
+  }
+
+  /** URL of the print's file, or the print. Empty: none. */
+  get print(): string | Print {
+    return this.#given('print') as string | Print;
+  }
+
+  set print(print: string | Print | null | undefined) {
+    this.#give('print', print);
+  }
+
+  /** `auto`: what the garment shows by itself; `none`; the URL of a file of symmetries; or these. */
+  get symmetry(): string | Symmetries | readonly Symmetry[] {
+    const given = this.#given('symmetry');
+    return given === '' ? 'auto' : (given as string | Symmetries | readonly Symmetry[]);
+  }
+
+  set symmetry(symmetry: string | Symmetries | readonly Symmetry[] | null | undefined) {
+    this.#give('symmetry', symmetry);
+  }
+
+  get size(): string {
+    return this.getAttribute('size') ?? '';
+  }
+
+  set size(size: string | null | undefined) {
+    this.write('size', size);
+  }
+
+  /** One of the print's, by its name; the first where it has no such. */
+  get colourway(): string {
+    return this.getAttribute('colourway') ?? '';
+  }
+
+  set colourway(colourway: string | null | undefined) {
+    this.write('colourway', colourway);
+  }
+
+  /** No outline moves further than this. [mm] */
+  get maxChangeMm(): number {
+    return changeOf(this.getAttribute('max-change-mm'));
+  }
+
+  set maxChangeMm(most: number) {
+    this.write('max-change-mm', String(most));
+  }
+
+  get view(): GarmentView {
+    return wordOf(this.getAttribute('view'), ['pattern']);
+  }
+
+  set view(view: string | null | undefined) {
+    this.write('view', view);
+  }
+
+  get mode(): GarmentMode {
+    return wordOf(this.getAttribute('mode'), ['preview', 'place', 'edit']);
+  }
+
+  set mode(mode: string | null | undefined) {
+    this.write('mode', mode);
+  }
+
+  /** `lazy`: begins when it is scrolled near. */
+  get loading(): GarmentLoading {
+    return wordOf(this.getAttribute('loading'), ['lazy', 'eager']);
+  }
+
+  set loading(loading: string | null | undefined) {
+    this.write('loading', loading);
+  }
+
+  get units(): Preferences['units'] {
+    return unitsOf(this.getAttribute('units'));
+  }
+
+  set units(units: string | null | undefined) {
+    this.write('units', units);
+  }
+
+  /** Empty: that of the document around, else the user's. */
+  get locale(): string {
+    return this.getAttribute('locale') ?? '';
+  }
+
+  set locale(locale: string | null | undefined) {
+    this.write('locale', locale);
+  }
+
+  get alt(): string {
+    return this.getAttribute('alt') ?? '';
+  }
+
+  set alt(alt: string | null | undefined) {
+    this.write('alt', alt);
+  }
+
+  get workerUrl(): string {
+    return this.getAttribute('worker-url') ?? '';
+  }
+
+  set workerUrl(url: string | null | undefined) {
+    this.write('worker-url', url);
+  }
+
+  get wasmUrl(): string {
+    return this.getAttribute('wasm-url') ?? '';
+  }
+
+  set wasmUrl(url: string | null | undefined) {
+    this.write('wasm-url', url);
+  }
+
+  /** Something else is asked for. */
+  protected abstract ask(): void;
+
+  /** There is an attribute again, in place of an object. */
+  protected forget(name: string): void {
+    this.#objects.delete(name);
+  }
+
+  #given(name: 'garment' | 'print' | 'symmetry'): string | object {
+    return this.#objects.get(name) ?? this.getAttribute(name) ?? '';
+  }
+
+  #give(name: 'garment' | 'print' | 'symmetry', value: string | object | null | undefined): void {
+    if (value === null || typeof value !== 'object') {
+      const had = this.#objects.delete(name);
+      this.write(name, value);
+      if (had) this.ask();
+      return;
+    }
+    this.removeAttribute(name);
+    this.#objects.set(name, value);
+    this.ask();
+  }
+
+  protected write(name: string, value: string | null | undefined): void {
+    if (value === null || value === undefined) this.removeAttribute(name);
+    else this.setAttribute(name, value);
+  }
+
+  protected get isAskable(): boolean {
+    return this.#given('garment') !== '' && this.#given('print') !== '';
+  }
+
+  protected get asked(): Asked {
+    const {size, colourway} = this;
+    return {
+      garment: this.#given('garment') || undefined,
+      print: this.#given('print') || undefined,
+      symmetry: this.symmetry,
+      size: size || undefined,
+      colourway: colourway || undefined,
+      maxChangeCm: this.maxChangeMm / 10,
+    };
+  }
+
+  /** Where the solver is, if the page says so. */
+  protected get solverPlaces(): WorkerPlaces {
+    const {workerUrl, wasmUrl} = this;
+    const isPlace = (url: string): boolean => url !== '' && URL.canParse(url, document.baseURI);
+    const at = (url: string): string => new URL(url, document.baseURI).href;
+    return {
+      ...(isPlace(workerUrl) && {workerUrl: at(workerUrl)}),
+      ...(isPlace(wasmUrl) && {wasmUrl: at(wasmUrl)}),
+    };
+  }
+}
