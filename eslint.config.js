@@ -7,6 +7,7 @@ export default defineConfig(
   globalIgnores(['build/', 'dist/', 'out/', 'web/src/solver/module/seamwise.mjs']),
   js.configs.recommended,
   {files: ['**/*.{js,mjs}'], languageOptions: {globals: globals.node}},
+  {files: ['web/examples/**/*.js'], languageOptions: {globals: globals.browser}},
   {
     files: ['**/*.ts', '**/*.mts'],
     extends: [ts.configs.strictTypeChecked, ts.configs.stylisticTypeChecked],

@@ -1,0 +1,238 @@
+// A small shop for clothes whose print meets at the seams. `node server.mjs [--port 8080] [--samples FOLDER]`
+//
+// Every answer carries the strictest policy that the element works under. No cookies, nothing kept in the browser:
+// a cart is known by an address that cannot be guessed, and gone when the server ends.
+import {readFile} from 'node:fs/promises';
+import {createServer} from 'node:http';
+import {extname, join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {parseArgs} from 'node:util';
+
+import {FileError, order, SolverError, writeStoredDesign} from 'seamwise/node';
+
+import {Carts} from './carts.mjs';
+import {openCatalogue, sizes} from './catalogue.mjs';
+import {acceptDesign, estimate, plainDesign, Refused} from './designs.mjs';
+import {cartPage, messagePage, money, productPage, shelfPage} from './pages.mjs';
+
+const policy =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; " +
+  "img-src 'self'; connect-src 'self'; form-action 'self'";
+
+const types = {
+  '.css': 'text/css; charset=utf-8',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json; charset=utf-8',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+};
+
+/** A form with one design in it. [bytes] */
+const mostOfForm = 1e6;
+/** For the workshop's answer. [ms] */
+const patience = 120_000;
+
+const {values} = parseArgs({options: {port: {type: 'string'}, samples: {type: 'string'}}});
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const samples = values.samples ?? here('../../../public'); // in the repository
+const standalone = fileURLToPath(new URL('.', standaloneUrl()));
+const catalogue = await openCatalogue(samples);
+const carts = new Carts();
+
+/** Node itself is given another file of that entry: it has no element. */
+function standaloneUrl() {
+  return new URL('./dist/standalone/seamwise.js', import.meta.resolve('seamwise/package.json'));
+}
+
+class HttpError extends Error {
+  constructor(status, message) {
+    super(message);
+    this.status = status;
+  }
+}
+
+const missing = () => new HttpError(404, 'There is no such page here.');
+
+/** What there is, each with a function from the request, and the parts of its path, to the answer. */
+const routes = [
+  ['GET', /^\/$/, shelf],
+  ['GET', /^\/garment\/([\w-]+)$/, product],
+  ['POST', /^\/estimate$/, price],
+  ['POST', /^\/cart$/, addToCart],
+  ['GET', /^\/cart\/([\w-]+)$/, cart],
+  ['GET', /^\/cart\/([\w-]+)\/([\w-]+)\/design\.json$/, lineDesign],
+  ['POST', /^\/cart\/([\w-]+)\/([\w-]+)\/order$/, orderFile],
+  ['POST', /^\/cart\/([\w-]+)\/([\w-]+)\/remove$/, removeLine],
+  ['GET', /^\/(shop\.(?:js|css))$/, (_, name) => file(here(name), name)],
+  ['GET', /^\/seamwise\/([\w.-]+)$/, (_, name) => file(join(standalone, name), name)],
+  ['GET', /^(\/(?:garments|prints)\/[\w-]+\.\w+|\/icon\.svg)$/, (_, path) => sample(path)],
+];
+
+const page = (body, status = 200) => ({status, type: '.html', body});
+const json = (value, headers = {}) => ({status: 200, type: '.json', body: value, headers});
+const seeOther = (location) => ({status: 303, type: '.html', body: '', headers: {location}});
+
+async function file(path, name) {
+  return {status: 200, type: extname(name), body: await readFile(path)};
+}
+
+function sample(path) {
+  const found = catalogue.files.get(path);
+  if (!found) throw missing();
+  return {status: 200, type: extname(path), body: found.bytes};
+}
+
+async function shelf({query}) {
+  const offers = catalogue.garments.map(async (garment) => {
+    const print = catalogue.prints.find(({name}) => name === garment.print);
+    const [from] = await Promise.all(sizes.map((size) => priceOf(garment, size, print)));
+    return {garment, print, from};
+  });
+  return page(shelfPage(await Promise.all(offers), cartFor(query.get('cart'))));
+}
+
+const priceOf = (garment, size, print) => estimate(plainDesign(garment, size, print), catalogue);
+
+async function product({query}, name) {
+  const garment = catalogue.garments.find((one) => one.name === name);
+  if (!garment) throw missing();
+  const inCart = cartFor(query.get('cart'));
+  const lineId = query.get('line');
+  const line = lineId === null ? undefined : lineOf(inCart?.id, lineId);
+  if (line && line.garment !== garment) throw missing();
+  const chosen = line ?? choiceIn(query, garment);
+  const cost = await estimate(line ?? plainDesign(garment, chosen.size, chosen.print), catalogue);
+  return page(
+    productPage({catalogue, garment, chosen, cost, cart: inCart, lineId: line && lineId}),
+  );
+}
+
+/** What the address asks for, as far as there is such a thing. */
+function choiceIn(query, garment) {
+  const named = (list, name, usual) => list.find((one) => one.name === name) ?? usual;
+  const {prints} = catalogue;
+  const print = named(prints, query.get('print'), named(prints, garment.print));
+  return {
+    print,
+    size: sizes.find((size) => size === query.get('size')) ?? 'm',
+    colourway: named(print.colourways, query.get('colourway'), print.colourways[0]),
+  };
+}
+
+async function price({request, host}) {
+  const line = acceptDesign(await bodyOf(request), catalogue, host);
+  const cost = await estimate(line, catalogue);
+  return json(
+    JSON.stringify({
+      price: money(cost.cents),
+      pieces: cost.piecesM2.toFixed(2),
+      cloth: cost.clothM2.toFixed(2),
+    }),
+  );
+}
+
+async function addToCart({request, host}) {
+  const form = new URLSearchParams(await bodyOf(request));
+  const line = acceptDesign(form.get('design') ?? '', catalogue, host);
+  const {cents} = await estimate(line, catalogue);
+  const id = carts.put(form.get('cart'), form.get('line'), {...line, cents});
+  return seeOther(`/cart/${id}`);
+}
+
+function cart(_, id) {
+  const found = cartFor(id);
+  if (!found) throw new HttpError(404, 'This cart is empty, or was given up; choose anew.');
+  return page(cartPage(found));
+}
+
+function cartFor(id) {
+  const lines = id === null ? undefined : carts.lines(id);
+  return lines && {id, lines: [...lines].map(([lineId, line]) => ({lineId, ...line}))};
+}
+
+function lineOf(id, lineId) {
+  const line = carts.lines(id)?.get(lineId);
+  if (!line) throw new HttpError(404, 'This is not in the cart any more; choose it anew.');
+  return line;
+}
+
+function lineDesign(_, id, lineId) {
+  return json(writeStoredDesign(lineOf(id, lineId).design));
+}
+
+/** What the workshop cuts by: the design solved again here, from the shop's own files. */
+async function orderFile({signal}, id, lineId) {
+  const {design, garment, size} = lineOf(id, lineId);
+  const read = (url) => Promise.resolve(catalogue.files.get(url).bytes);
+  const {text} = await order(design, {
+    read,
+    signal: AbortSignal.any([signal, AbortSignal.timeout(patience)]),
+  });
+  const name = `${garment.name}-${size}-${design.result.slice(0, 8)}.json`;
+  return json(text, {'Content-Disposition': `attachment; filename="${name}"`});
+}
+
+function removeLine(_, id, lineId) {
+  carts.remove(id, lineId);
+  return seeOther(`/cart/${id}`);
+}
+
+async function bodyOf(request) {
+  const parts = [];
+  let size = 0;
+  for await (const part of request) {
+    size += part.length;
+    if (size > mostOfForm) throw new HttpError(413, 'That is more than a design needs.');
+    parts.push(part);
+  }
+  return Buffer.concat(parts).toString();
+}
+
+async function answer(request, signal) {
+  const host = request.headers.host ?? '';
+  if (!URL.canParse(request.url, `http://${host}`)) throw missing();
+  const {pathname, searchParams} = new URL(request.url, `http://${host}`);
+  const method = request.method === 'HEAD' ? 'GET' : request.method;
+  for (const [verb, pattern, serve] of routes) {
+    const parts = verb === method ? pattern.exec(pathname) : null;
+    if (parts) return serve({request, host, signal, query: searchParams}, ...parts.slice(1));
+  }
+  throw missing();
+}
+
+function refusal(error) {
+  if (error instanceof Refused) return page(messagePage('We cannot make this', error.message), 400);
+  if (error instanceof HttpError) {
+    return page(messagePage('Not here', error.message), error.status);
+  }
+  if (error.code === 'ENOENT') return refusal(missing());
+  if (error instanceof FileError || error instanceof SolverError) {
+    return page(messagePage('The workshop cannot make this', error.message), 422);
+  }
+  console.error(error);
+  return page(messagePage('Our fault', 'Something broke here; please try again.'), 500);
+}
+
+const server = createServer((request, response) => {
+  const left = new AbortController();
+  response.on('close', () => left.abort());
+  answer(request, left.signal)
+    .catch(refusal)
+    .then(({status, type, body, headers}) => {
+      response.writeHead(status, {
+        'Content-Security-Policy': policy,
+        'Content-Type': types[type],
+        'X-Content-Type-Options': 'nosniff',
+        'Referrer-Policy': 'same-origin', // the address of a cart is nobody else's
+        'Cache-Control': type === '.html' ? 'no-store' : 'no-cache',
+        ...headers,
+      });
+      response.end(body);
+    });
+});
+
+server.listen(Number(values.port ?? 8080), 'localhost', () => {
+  console.log(`http://localhost:${server.address().port}/`);
+});

@@ -1,0 +1,120 @@
+// The product page: what is chosen goes to the element, and what the element says to the page.
+// Everything works by the element's public attributes, events and methods.
+
+const form = document.querySelector('#product');
+if (form) sell(form);
+
+function sell(form) {
+  const garment = form.querySelector('seamwise-garment');
+  const find = (id) => document.getElementById(id);
+  const [status, problem, place, add] = ['progress', 'problem', 'place', 'add'].map(find);
+
+  const chosen = (name) => form.querySelector(`input[name="${name}"]:checked`).value;
+
+  function choose({target}) {
+    if (target.name === 'size') garment.size = target.value;
+    if (target.name === 'print') {
+      for (const colours of form.querySelectorAll('.colours')) {
+        colours.hidden = colours.dataset.print !== target.value;
+      }
+      garment.print = `/prints/${target.value}.json`;
+    }
+    const print = chosen('print');
+    garment.colourway = chosen(`colourway-${print}`);
+    if (garment.dataset.design) return;
+    const address = new URL(location.href); // a reload, or a friend, finds the same
+    address.searchParams.set('size', chosen('size'));
+    address.searchParams.set('print', print);
+    address.searchParams.set('colourway', garment.colourway);
+    history.replaceState(null, '', address);
+  }
+
+  const say = (sentence) => {
+    if (status.textContent !== sentence) status.textContent = sentence;
+  };
+
+  /** @param error an event's detail, or what a method was refused with */
+  function complain({message}) {
+    problem.firstElementChild.textContent = message;
+    problem.hidden = false;
+    if (garment.state === 'error') say('The print is not on the pieces yet.');
+  }
+
+  let asking = new AbortController();
+
+  /** The price is the server's; a later question makes an earlier answer worthless. */
+  async function askPrice() {
+    asking.abort();
+    asking = new AbortController();
+    const {signal} = asking;
+    const headers = {'Content-Type': 'application/json'};
+    try {
+      const response = await fetch('/estimate', {
+        ...{method: 'POST', headers, body: garment.value, signal},
+      });
+      if (!response.ok) throw new Error('This design has no price; please choose again.');
+      const {price, pieces, cloth} = await response.json();
+      find('price').textContent = price;
+      find('pieces').textContent = pieces;
+      find('cloth').textContent = cloth;
+    } catch (error) {
+      if (!signal.aborted) complain(error);
+    }
+  }
+
+  form.addEventListener('change', (event) => {
+    if (event.target !== garment) choose(event);
+  });
+  garment.addEventListener('load', () => {
+    problem.hidden = true;
+  });
+  garment.addEventListener('progress', ({detail: {phase, fraction}}) => {
+    const quarter = Math.floor(4 * fraction) * 25;
+    const what = phase === 'alignment' ? 'The print finds its place' : 'The seams are made to meet';
+    say(`${what}, ${quarter} %`);
+  });
+  garment.addEventListener('solve', ({detail: {metrics}}) => {
+    const share = Math.round(100 * (1 - metrics.fit / metrics.fitRandom));
+    say(`The print meets ${share} % better than if it lay as it fell.`);
+    void askPrice();
+  });
+  garment.addEventListener('error', ({detail}) => {
+    complain(detail);
+  });
+
+  problem.querySelector('button').addEventListener('click', () => {
+    problem.hidden = true;
+    garment.solve().catch(() => undefined); // the event has told it
+  });
+
+  place.addEventListener('click', () => {
+    const isPlacing = garment.mode !== 'place';
+    garment.mode = isPlacing ? 'place' : 'preview';
+    place.setAttribute('aria-pressed', String(isPlacing));
+  });
+
+  // pressed early, the button waits for the print
+  form.addEventListener('submit', async (event) => {
+    if (garment.value !== '') return;
+    event.preventDefault();
+    add.setAttribute('aria-disabled', 'true');
+    try {
+      await garment.solve();
+      form.requestSubmit(add);
+    } catch (error) {
+      complain(error);
+    } finally {
+      add.removeAttribute('aria-disabled');
+    }
+  });
+
+  if (garment.dataset.design) {
+    fetch(garment.dataset.design)
+      .then((response) => {
+        if (!response.ok) throw new Error('This is not in the cart any more.');
+        return response.text();
+      })
+      .then((design) => garment.setDesign(design))
+      .catch(complain);
+  }
+}
