@@ -11,7 +11,7 @@ import {toFailure} from '../workbench/latest-solve.js';
 import type {Preferences} from '../workbench/preferences.js';
 import {Workbench} from '../workbench/workbench.js';
 import type {FileWords} from './files.js';
-import type {DesignFile, GarmentEvents, GarmentState} from './events.js';
+import type {GarmentEvents, GarmentState} from './events.js';
 import {LastingSolver} from './lasting-solver.js';
 import {problemFor, storedDesign, type Terms} from './problem.js';
 import {restored} from './restored.js';
@@ -124,7 +124,7 @@ export class GarmentSession {
         seed: stored?.seed ?? (this.#last ? this.#terms.seed : 1),
       };
       this.#last = {asked, loaded};
-      this.#owner.emit('load', {garment: fileOf(loaded.garment), print: fileOf(loaded.print)});
+      this.#tellLoaded(loaded);
       this.#begin(design, byUser);
     } catch (error) {
       loading.abort(); // what else is being read is not needed any more
@@ -278,6 +278,13 @@ export class GarmentSession {
     this.#settle();
   }
 
+  #tellLoaded({garment, print}: Loaded): void {
+    this.#owner.emit('load', {
+      garment: {name: garment.name, url: garment.file?.url ?? null},
+      print: {name: print.title, url: print.file?.place?.url ?? null},
+    });
+  }
+
   #storable(): StoredDesign | null {
     try {
       return this.stored();
@@ -341,22 +348,6 @@ function pinsFor(
   if (!pins) return undefined;
   const kept = Object.entries(pins).filter(([name]) => text.includes(JSON.stringify(name)));
   return kept.length > 0 ? Object.fromEntries(kept) : undefined;
-}
-
-const fileOf = (source: {
-  readonly name?: string;
-  readonly title?: string;
-  readonly file?: object;
-}): DesignFile => ({
-  name: source.title ?? source.name ?? '',
-  url: urlOf(source.file),
-});
-
-function urlOf(file: object | undefined): string | null {
-  if (!file) return null;
-  if ('url' in file && typeof file.url === 'string') return file.url;
-  const place: unknown = Reflect.get(file, 'place');
-  return typeof place === 'object' && place ? urlOf(place) : null;
 }
 
 /** As the one kind of error that the element knows. */
