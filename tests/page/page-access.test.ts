@@ -1,11 +1,8 @@
 /** The page for those who do not see it, and for those who have no pointer. */
-import {readFile} from 'node:fs/promises';
-import {createRequire} from 'node:module';
-
-import type {AxeResults} from 'axe-core';
 import type {Locator, Page} from 'playwright-core';
 import {describe, expect, it, vi} from 'vitest';
 
+import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {button, showSample, solved, usePage} from '../support/page.js';
 import {clickPiece, clickSeam} from '../support/page-pattern.js';
@@ -13,25 +10,6 @@ import {clickPiece, clickSeam} from '../support/page-pattern.js';
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
-const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
-
-/** What would keep somebody out, as "rule: where". */
-async function barriers(page: Page): Promise<readonly string[]> {
-  await page.evaluate(await readFile(axe, 'utf8'));
-  const {violations} = await page.evaluate(() =>
-    (
-      window as unknown as {
-        axe: {run(root: Document, options: object): Promise<AxeResults>};
-      }
-    ).axe.run(document, {resultTypes: ['violations']}),
-  );
-  return violations
-    .filter(({impact}) => impact === 'serious' || impact === 'critical')
-    .flatMap(({id, nodes}) =>
-      nodes.map(({target, failureSummary}) => `${id}: ${target.join(' ')} ${failureSummary ?? ''}`),
-    );
-}
-
 describe.each(['light', 'dark'] as const)('in %s colours', (colorScheme) => {
   it('keeps nobody out of the garment, its lens, a tool, or the settings', async () => {
     const page = await openPage({colorScheme});

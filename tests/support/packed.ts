@@ -29,6 +29,8 @@ export interface Packed {
   readonly manifest: Manifest;
   /** Every file by its path in the package, with slashes. */
   readonly files: ReadonlyMap<string, Buffer>;
+  /** Installs the package in another folder, with packages of the project that are not its dependencies. */
+  readonly installIn: (folder: string, others: readonly string[]) => Promise<void>;
   /** Runs a module in Node beside the package. @throws when it fails, or does not end by itself */
   readonly node: (source: string) => Promise<Run>;
   readonly remove: () => Promise<void>;
@@ -40,20 +42,19 @@ export async function packed(): Promise<Packed> {
   const {stdout} = await run('npm', ['pack', '--json', '--pack-destination', home], {cwd: project});
   const [{filename}] = JSON.parse(stdout) as [{filename: string}];
   const tarball = join(home, filename);
-  const folder = join(home, 'node_modules/seamwise');
-  await mkdir(folder, {recursive: true});
-  await run('tar', ['-xzf', tarball, '-C', folder, '--strip-components=1']);
+  const folder = await install(tarball, home);
   const manifest = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8')) as Manifest;
-  for (const name of Object.keys(manifest.dependencies)) {
-    const place = join(home, 'node_modules', name);
-    await mkdir(dirname(place), {recursive: true});
-    await symlink(join(project, 'node_modules', name), place, 'junction');
-  }
+  const installIn = async (other: string, others: readonly string[]): Promise<void> => {
+    await install(tarball, other);
+    await link(other, [...Object.keys(manifest.dependencies), ...others]);
+  };
+  await link(home, Object.keys(manifest.dependencies));
   return {
     tarball,
     folder,
     manifest,
     files: await filesIn(folder),
+    installIn,
     node: async (source) => {
       const args = ['--input-type=module', '--eval', source];
       const end = await run(process.execPath, args, {cwd: home, timeout: 30_000});
@@ -61,6 +62,22 @@ export async function packed(): Promise<Packed> {
     },
     remove: () => rm(home, {recursive: true}),
   };
+}
+
+/** @returns where the package is */
+async function install(tarball: string, home: string): Promise<string> {
+  const folder = join(home, 'node_modules/seamwise');
+  await mkdir(folder, {recursive: true});
+  await run('tar', ['-xzf', tarball, '-C', folder, '--strip-components=1']);
+  return folder;
+}
+
+async function link(home: string, names: readonly string[]): Promise<void> {
+  for (const name of names) {
+    const place = join(home, 'node_modules', name);
+    await mkdir(dirname(place), {recursive: true});
+    await symlink(join(project, 'node_modules', name), place, 'junction');
+  }
 }
 
 async function filesIn(folder: string): Promise<ReadonlyMap<string, Buffer>> {
