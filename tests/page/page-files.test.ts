@@ -158,9 +158,9 @@ it('says so when a file has no seams', async () => {
   garment.pattern.stitches = [];
   await choose(page, 'Open garment', jsonFile('loose.json', garment));
   const words = 'This file has no seams, so there is nothing to match.';
-  await page.getByRole('main').getByText(words).waitFor();
+  await page.locator('sw-pattern').getByText(words).waitFor();
   await solved(page);
-  await page.getByRole('main').getByText(words).waitFor();
+  await page.locator('sw-pattern').getByText(words).waitFor();
 });
 
 it('asks about the unit of a garment that fits nobody', async () => {

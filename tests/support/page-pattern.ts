@@ -1,27 +1,23 @@
 /** Where things lie on the screen that somebody would click in the page's pattern. */
-import type {Page} from 'playwright-core';
+import type {Locator, Page} from 'playwright-core';
 
 import type {Point} from '../../web/src/model/geometry.js';
 import type {PatternPane} from '../../web/src/element/index.js';
 
-/** Runs in the page: a point of a piece, as a share along a side of a seam or in the middle of the piece. */
-function locate({
-  seam,
-  side,
-  piece,
-  share,
-}: {
+const pattern = (page: Page): Locator => page.locator('sw-pattern');
+
+interface Place {
   readonly seam?: number;
   readonly side?: 'a' | 'b';
   readonly piece?: string;
   readonly share: number;
-}): Point | null {
-  const pane = document
-    .querySelector('seamwise-page')
-    ?.shadowRoot?.querySelector<PatternPane>('sw-pattern');
-  const stage = pane?.shadowRoot?.querySelector('.stage');
-  const scene = pane?.desk.scenes?.now;
-  if (!pane?.view || !stage || !scene) return null;
+}
+
+/** Runs in the page: a point of a piece, as a share along a side of a seam or in the middle of the piece. */
+function locate(pane: PatternPane, {seam, side, piece, share}: Place): Point | null {
+  const stage = pane.shadowRoot?.querySelector('.stage');
+  const scene = pane.desk.scenes?.now;
+  if (!pane.view || !stage || !scene) return null;
   const line = seam === undefined ? undefined : scene.seams[seam]?.[side ?? 'a'];
   const shape = scene.pieces.find(({name}, k) => (line ? k === line.piece : name === piece));
   if (!shape) return null;
@@ -42,8 +38,8 @@ function locate({
   return [left + x, top + y];
 }
 
-async function clickAt(page: Page, what: Parameters<typeof locate>[0]): Promise<void> {
-  const at = await page.evaluate(locate, what);
+async function clickAt(page: Page, what: Place): Promise<void> {
+  const at = await pattern(page).evaluate(locate, what);
   if (!at) throw new Error(`${JSON.stringify(what)} is not on the screen.`);
   await page.mouse.click(...(at as [number, number]));
 }
@@ -60,13 +56,10 @@ export async function seamOf(
   name: string,
   piece: string,
 ): Promise<{readonly seam: number; readonly side: 'a' | 'b'}> {
-  const found = await page.evaluate(
-    ([wanted, owner]) => {
-      const desk = document
-        .querySelector('seamwise-page')
-        ?.shadowRoot?.querySelector<PatternPane>('sw-pattern')?.desk;
-      const scene = desk?.scenes?.now;
-      const file = JSON.parse(desk?.design?.garment.text ?? '{}') as {seams?: {name?: string}[]};
+  const found = await pattern(page).evaluate(
+    ({desk}: PatternPane, [wanted, owner]) => {
+      const scene = desk.scenes?.now;
+      const file = JSON.parse(desk.design?.garment.text ?? '{}') as {seams?: {name?: string}[]};
       const seam = file.seams?.findIndex((one) => one.name === wanted) ?? -1;
       const {a} = scene?.seams[seam] ?? {};
       if (!scene || !a) return null;

@@ -10,7 +10,7 @@ import type {Browser, BrowserContextOptions, Locator, Page} from 'playwright-cor
 import {preview, type PreviewServer} from 'vite';
 import {afterAll, afterEach, beforeAll, expect} from 'vitest';
 
-import type {PatternPane} from '../../web/src/element/index.js';
+import type {SeamwisePage} from '../../web/src/app/page.js';
 import {openBrowser} from './browser.js';
 
 const run = promisify(execFile);
@@ -96,10 +96,8 @@ export const solved = (page: Page): Promise<void> =>
 export async function showSample(page: Page, style: string): Promise<void> {
   await page.getByLabel('Garment', {exact: true}).selectOption(style);
   await page.waitForFunction((wanted) => {
-    const pane = document
-      .querySelector('seamwise-page')
-      ?.shadowRoot?.querySelector<PatternPane>('sw-pattern');
-    return pane?.desk.design?.garment.sample?.style === wanted;
+    const shown = document.querySelector<SeamwisePage>('seamwise-page');
+    return shown?.desk.design?.garment.sample?.style === wanted;
   }, style);
   await solved(page);
 }

@@ -1,6 +1,6 @@
 /** Puts the page together. */
 import {
-  defineParts,
+  defineEditor,
   keepPreferences,
   leaseSolver,
   loadSamples,
@@ -30,7 +30,7 @@ const keeper = new Keeper(desk, (trouble) => {
   desk.say({tone: 'error', text: textsOf(desk.preferences.language).storage[trouble]});
 });
 
-defineParts();
+defineEditor();
 customElements.define('sw-recent-menu', RecentMenu);
 customElements.define('sw-save-menu', SaveMenu);
 customElements.define('seamwise-page', SeamwisePage);

@@ -28,7 +28,7 @@ export class SaveMenu extends DeskElement {
       .rows button {
         justify-content: start;
       }
-      @media (width < 40rem) {
+      @container (width < 40rem) {
         .label {
           ${unseen}
         }

@@ -18,6 +18,7 @@ import {PrintGallery} from './print/print-gallery.js';
 import {PrintPanel} from './print/print-panel.js';
 import {RepeatFields} from './print/repeat-fields.js';
 import {TileReport} from './print/tile-report.js';
+import {register} from './register.js';
 import {GarmentChoice} from './shell/garment-choice.js';
 import {Headline} from './shell/headline.js';
 import {KeyMap} from './shell/key-map.js';
@@ -51,9 +52,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-wipe-handle': WipeHandle,
 };
 
-/** Registers what is not yet registered: two who use the parts on one page do not get in each other's way. */
+/** Registers all of them. */
 export function defineParts(): void {
-  for (const [name, part] of Object.entries(parts)) {
-    if (!customElements.get(name)) customElements.define(name, part);
-  }
+  for (const [name, part] of Object.entries(parts)) register(name, part);
 }

@@ -62,15 +62,6 @@ export class Settings extends DeskElement {
     `;
   }
 
-  /** The document itself speaks the language, and wears the colours, that were chosen. */
-  protected override updated(): void {
-    const {language, theme} = this.desk.preferences;
-    const root = document.documentElement;
-    root.lang = language;
-    if (theme === 'system') delete root.dataset.theme;
-    else root.dataset.theme = theme;
-  }
-
   #choice<Name extends 'language' | 'units' | 'theme'>(
     name: Name,
     label: string,

@@ -25,14 +25,6 @@ export class SeamLens extends PatientElement {
         padding: var(--sw-space-2) var(--sw-space-4);
         background: var(--sw-paper);
       }
-      @media (width >= 64rem) {
-        :host {
-          position: sticky;
-          top: 0;
-          z-index: 1;
-          border-bottom: 1px solid var(--sw-line);
-        }
-      }
       .lens {
         display: grid;
         grid-template-columns: minmax(0, 1fr);
