@@ -89,23 +89,48 @@ const redis = {
   brew: 'redis',
 };
 
+const display = {
+  found: () => has('xvfb-run'),
+  apt: 'xvfb xauth',
+};
+const firefox = {
+  found: () => has('firefox-esr'),
+  apt: 'firefox-esr',
+};
+const webKit = {
+  found: () => has('WebKitWebDriver'),
+  apt: 'webkit2gtk-driver',
+};
+
 /** What it takes to build the module, to run the native tests, those in a browser, and those of batches. */
 export const forModule = [cmake, ninja, eigen, json, emscripten];
 export const forNativeTests = [cmake, ninja, eigen, json, compiler, googletest];
 export const forBrowserTests = [chromium];
 export const forWebTests = [redis];
+/** Without one of these, only what needs it is left out. */
+const forOtherBrowsers = [display, firefox, webKit];
 
 /** Installs what is missing where that is allowed. @throws {SetupError} saying what to install */
 export async function ensureSystem(needs) {
+  await installMissing(needs);
   const missing = needs.filter((need) => !need.found());
-  if (missing.length === 0) return;
-  const names = missing.map((need) => need.apt).join(' ');
+  if (missing.length > 0) throw new SetupError(advice(missing));
+}
+
+/** One by one, since not every distribution has all of them. */
+export async function installOtherBrowsers() {
+  for (const need of forOtherBrowsers) await installMissing([need]);
+}
+
+/** Installs what is missing where that is allowed; elsewhere it is done without. */
+async function installMissing(needs) {
+  const missing = needs.filter((need) => !need.found());
+  if (missing.length === 0 || !has('apt-get')) return;
   const administrator = await asAdministrator();
-  if (has('apt-get') && administrator) {
-    say(`Installing ${names} ...`);
-    await aptInstall(administrator, names.split(' '));
-  }
-  if (missing.some((need) => !need.found())) throw new SetupError(advice(missing));
+  if (!administrator) return;
+  const names = missing.map((need) => need.apt).join(' ');
+  say(`Installing ${names} ...`);
+  await aptInstall(administrator, names.split(' '));
 }
 
 /** The words to put before a command that needs root; null where that is not to be had. */

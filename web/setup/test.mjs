@@ -5,7 +5,14 @@ import {availableParallelism} from 'node:os';
 import {buildPackage} from './build.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, run, say, SetupError, tool} from './shell.mjs';
-import {ensureSystem, forBrowserTests, forModule, forNativeTests, forWebTests} from './system.mjs';
+import {
+  ensureSystem,
+  forBrowserTests,
+  forModule,
+  forNativeTests,
+  forWebTests,
+  installOtherBrowsers,
+} from './system.mjs';
 
 /** Runs a program of an npm package. */
 function runTool(name, ...args) {
@@ -32,18 +39,20 @@ async function native(preset) {
   return built && run('ctest', ['--preset', preset, '-j', String(availableParallelism())]);
 }
 
-const pageTests = 'tests/page';
+const browserTests = ['tests/page', 'tests/examples'];
 
 /** All that needs neither compiler nor browser. */
 async function web() {
   await ensureSystem(forWebTests);
-  return runToolOnBuild('vitest', 'run', '--exclude', `${pageTests}/**`);
+  const others = browserTests.flatMap((folder) => ['--exclude', `${folder}/**`]);
+  return runToolOnBuild('vitest', 'run', ...others);
 }
 
 /** What only a browser can show; one file at a time, because they measure how pages respond. */
 async function browser() {
   await ensureSystem(forBrowserTests);
-  return runToolOnBuild('vitest', 'run', pageTests, '--no-file-parallelism');
+  await installOtherBrowsers();
+  return runToolOnBuild('vitest', 'run', ...browserTests, '--no-file-parallelism');
 }
 
 const checks = {
