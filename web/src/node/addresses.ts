@@ -32,11 +32,13 @@ export function folderOf(word: string): URL {
  * @throws {FileError} when that is no address, or when a file from the web names one of this machine
  */
 export function addressFrom(base: URL, url: string): URL {
-  if (!URL.canParse(url, base.href))
-    throw new FileError(url, 'is no URL; correct it in the design.');
+  if (!URL.canParse(url, base.href)) throw new FileError(url, 'is no URL; correct it.');
   const address = new URL(url, base);
   if (isWeb(address) || (address.protocol === 'file:' && !isWeb(base))) return address;
-  throw new FileError(url, 'is not on the web, but named from there; put it beside the design.');
+  throw new FileError(
+    url,
+    'is not on the web, but named from there; put it beside the file that names it.',
+  );
 }
 
 /** How messages call an address. */

@@ -36,7 +36,8 @@ export async function batch(words: readonly string[]): Promise<void> {
   for (const name of ['SIGINT', 'SIGTERM'] as const) process.once(name, interrupt);
   const store = new Store(out);
   await (isWork ? work(args, store, interruption.signal) : lead(args, store, interruption.signal));
-  if (interruption.signal.aborted) process.exitCode = interruptedCode;
+  // not by itself: the connection to a server that is gone would be tried for ever
+  if (interruption.signal.aborted) process.exit(interruptedCode);
 }
 
 function workersOf(args: Arguments): number {

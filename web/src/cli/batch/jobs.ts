@@ -1,6 +1,6 @@
 /** Jobs as lines of a file: what is to be solved, and by which key its answer is known. */
 import {FileError} from '../../model/versioned-file.js';
-import {fail, fieldOf, listOf, Malformed, oneOf, shape, text, type Read} from '../../model/read.js';
+import {fail, listOf, Malformed, oneOf, shape, text, type Read} from '../../model/read.js';
 import {methods, type Method} from '../../model/problem.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {Symmetry} from '../../model/symmetries.js';
@@ -90,8 +90,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
   }
   const garments = oneOrList(given, 'garment');
   const prints = oneOrList(given, 'print');
-  const sizes =
-    (fieldOf(given, 'size') ?? fieldOf(given, 'sizes')) ? oneOrList(given, 'size') : [null];
+  const sizes = (given.size ?? given.sizes) ? oneOrList(given, 'size') : [null];
   const unsized = garments.find((garment) => sizes.length > 1 && !garment.includes(mark));
   if (unsized !== undefined) fail('garment', `a name with ${mark} in it, since there are sizes`);
   const {name = null, symmetry = 'auto', method = 'best', options = {}, seed = 1} = given;

@@ -120,10 +120,10 @@ export class QueueWorker {
   /** Within about a second. What is left undone is taken up by others. */
   async close(): Promise<void> {
     this.#isClosing = true;
-    await this.#worker.pause(true); // takes no more jobs
+    await inTime(this.#worker.pause(true)); // takes no more jobs
     await this.#threads.close();
     await sleep(50); // for the last words of those that have just ended
-    await this.#worker.close(true);
+    await inTime(this.#worker.close(true));
     this.#client.disconnect();
   }
 }
@@ -222,7 +222,7 @@ export class QueueCrew implements Crew {
     clearInterval(this.#looking);
     this.#leave();
     await this.#worker?.close();
-    await Promise.all([this.#queue.close(), this.#events.close()]).catch(ignore);
+    await inTime(Promise.all([this.#queue.close(), this.#events.close()]));
     for (const client of this.#clients) client.disconnect();
   }
 }
@@ -232,5 +232,9 @@ function connection({Redis: Client}: Packages, url: string): Redis {
   client.on('error', ignore); // it tries again until it is disconnected
   return client;
 }
+
+/** A farewell to a server that may not be there any more. */
+const inTime = (farewell: Promise<unknown>): Promise<unknown> =>
+  Promise.race([farewell.catch(ignore), sleep(300)]);
 
 const ignore = (): void => undefined;
