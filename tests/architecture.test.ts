@@ -27,7 +27,7 @@ const webLayers: Readonly<Record<string, readonly string[]>> = {
   picture: ['model'],
   viewer: ['model', 'clicks', 'picture'], // never the solver: views read a result
   element: ['model', 'solver', 'clicks', 'picture', 'viewer'],
-  app: ['model', 'element'], // uses only the public API
+  app: ['model', 'element', 'picture'],
   node: ['model', 'solver', 'picture'],
   cli: ['model', 'node', 'picture'],
   '': ['model', 'solver'], // index.ts, the entry of the package

@@ -15,7 +15,7 @@ import {
   withFitting,
   withPreset,
 } from '../../web/src/element/controls/presets.js';
-import {storedPreferences} from '../../web/src/element/controls/stored-preferences.js';
+import {storedPreferences} from '../../web/src/app/storage/preferences.js';
 import {en} from '../../web/src/element/texts/en.js';
 import type {Design} from '../../web/src/model/design.js';
 import {groupNames} from '../../web/src/model/print.js';

@@ -1,10 +1,8 @@
 /** Puts the page together. */
 import {
   defineEditor,
-  keepPreferences,
   leaseSolver,
   loadSamples,
-  storedPreferences,
   textsOf,
   toFailure,
   Workbench,
@@ -15,16 +13,16 @@ import {Keeper} from './keeper.js';
 import {SeamwisePage} from './page.js';
 import {RecentMenu} from './recent-menu.js';
 import {SaveMenu} from './save-menu.js';
+import {keepPreferences, storedPreferences} from './storage/preferences.js';
 
 const samples = loadSamples();
-const desk: Workbench = new Workbench(
-  leaseSolver({
-    onBlocked: ({message}) => {
-      desk.say({tone: 'info', text: message});
-    },
-  }),
-  storedPreferences(),
-);
+const lease = leaseSolver({
+  onBlocked: ({message}) => {
+    desk.say({tone: 'info', text: message});
+  },
+});
+lease.warm(); // while the first files are on their way
+const desk: Workbench = new Workbench(lease, storedPreferences());
 keepPreferences(desk);
 const keeper = new Keeper(desk, (trouble) => {
   desk.say({tone: 'error', text: textsOf(desk.preferences.language).storage[trouble]});

@@ -1,7 +1,8 @@
 /** What a user takes away. */
 import {linkOf} from '../model/link.js';
 import {writeProject} from '../model/project.js';
-import {cuttingSvg, textsOf, toFailure, type Workbench} from '../element/index.js';
+import {textsOf, toFailure, type Workbench} from '../element/index.js';
+import {cuttingSvg} from './cutting-svg.js';
 import {saveFile} from './files.js';
 
 const stem = (desk: Workbench): string =>

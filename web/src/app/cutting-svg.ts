@@ -1,8 +1,8 @@
 /** The pieces of a solved design to cut along, as one file that stands alone. */
-import {printOf} from '../../model/design.js';
-import type {Garment} from '../../model/garment.js';
-import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
-import type {Workbench} from './workbench.js';
+import {printOf} from '../model/design.js';
+import type {Garment} from '../model/garment.js';
+import {garmentTitle, panelMarks} from '../model/garment-marks.js';
+import type {Workbench} from '../element/index.js';
 
 /** The picture of a cell as something a file may hold: SVG text, or a `data:` URL. */
 async function embedded(image: string): Promise<string> {
@@ -32,7 +32,7 @@ export async function cuttingSvg(
 ): Promise<string | undefined> {
   if (!design || !result) return undefined;
   const [{cuttingFile}, tile] = await Promise.all([
-    import('../../picture/cutting/cutting-file.js'), // offsetting is a matter of this file alone
+    import('../picture/cutting/cutting-file.js'), // offsetting is a matter of this file alone
     embedded(design.print.image),
   ]);
   const garment = JSON.parse(design.garment.text) as Garment;

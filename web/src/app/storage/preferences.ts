@@ -1,6 +1,5 @@
 /** Preferences stay with the browser, not with a design. */
-import {languages, preferencesFor, type Preferences} from '../workbench/preferences.js';
-import type {Workbench} from '../workbench/workbench.js';
+import {languages, preferencesFor, type Preferences, type Workbench} from '../../element/index.js';
 
 const key = 'seamwise.preferences';
 
