@@ -23,7 +23,7 @@ export interface Examples {
 }
 
 export function useExamples(): Examples {
-  vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
+  vi.setConfig({testTimeout: 180_000, hookTimeout: 300_000}); // a busy machine is slow at everything
   let all: Packed | undefined;
   const folders: string[] = [];
   const servers: ChildProcess[] = [];
@@ -67,13 +67,18 @@ export function useExamples(): Examples {
   };
 }
 
+export interface ChromiumOptions extends BrowserContextOptions {
+  /** What this page may say, where something is broken on purpose. */
+  readonly maySay?: RegExp;
+}
+
 /**
  * Chromium. Whatever a page says on its console fails the test, and so does a request to another host.
  * @param maySay what is another's, and no fault
  */
 export function useChromium(
   maySay?: RegExp,
-): (url: string, context?: BrowserContextOptions) => Promise<Page> {
+): (url: string, options?: ChromiumOptions) => Promise<Page> {
   let browser: Browser;
   const said: string[] = [];
 
@@ -86,13 +91,13 @@ export function useChromium(
   });
   afterAll(() => browser.close());
 
-  return async (url, context = {}) => {
+  return async (url, {maySay: here, ...context} = {}) => {
     const page = await (
       await browser.newContext({viewport: {width: 1440, height: 900}, ...context})
     ).newPage();
     const hear = (text: string): void => {
       // software rendering is slow to give pixels back, and says so
-      if (!text.includes('GPU stall') && !maySay?.test(text)) said.push(text);
+      if (!text.includes('GPU stall') && !maySay?.test(text) && !here?.test(text)) said.push(text);
     };
     page.on('console', (message) => {
       hear(message.text());
