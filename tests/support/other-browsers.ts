@@ -1,0 +1,155 @@
+/** Browsers as they are installed, beside Chromium: Firefox and WebKit, each driven by what it brings for that. */
+import {spawn, type ChildProcess} from 'node:child_process';
+import {mkdtemp, rm, writeFile} from 'node:fs/promises';
+import {createRequire} from 'node:module';
+import {createServer, type AddressInfo} from 'node:net';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {setTimeout as sleep} from 'node:timers/promises';
+
+import {Builder, Capabilities} from 'selenium-webdriver';
+import type {Index} from 'selenium-webdriver/bidi/index.js';
+
+import {has} from '../../web/setup/shell.mjs';
+
+/** A page in one of them. */
+export interface OtherPage {
+  /** What an expression, or the promise that it is, comes to: a text. @throws {Error} when it fails */
+  readonly evaluate: (expression: string) => Promise<string>;
+  readonly close: () => Promise<void>;
+}
+
+export interface OtherBrowser {
+  readonly name: string;
+  /** The programs that it takes. */
+  readonly needs: readonly string[];
+  readonly open: (url: string) => Promise<OtherPage>;
+}
+
+/** Not all of them draw without a display; this is one that nobody sees. */
+function start(command: string, ...words: readonly string[]): ChildProcess {
+  const stdio: ['ignore', 'ignore', 'pipe'] = ['ignore', 'ignore', 'pipe'];
+  return spawn('xvfb-run', ['--auto-servernum', command, ...words], {stdio, detached: true});
+}
+
+/** With the display, and whatever else it has started. */
+async function end(program: ChildProcess): Promise<void> {
+  if (program.exitCode !== null || program.pid === undefined) return;
+  const ended = new Promise((resolve) => program.once('exit', resolve));
+  process.kill(-program.pid);
+  await ended;
+}
+
+/** What a program says on standard error, as far as the pattern's first group has it. */
+const hear = (program: ChildProcess, pattern: RegExp): Promise<string> =>
+  new Promise((resolve, reject) => {
+    let said = '';
+    program.stderr?.on('data', (text: Buffer) => {
+      said += text.toString();
+      const found = pattern.exec(said)?.[1];
+      if (found !== undefined) resolve(found);
+    });
+    program.on('exit', () => {
+      reject(new Error(`The browser has ended: ${said}`));
+    });
+  });
+
+// the class is the module itself, whatever its types say
+const Connection = createRequire(import.meta.url)('selenium-webdriver/bidi') as typeof Index;
+
+/** An answer of WebDriver BiDi, as far as it is read here. */
+interface Answer {
+  readonly type: 'success' | 'error';
+  readonly message?: string;
+  readonly result: {
+    readonly contexts: readonly {readonly context: string}[];
+    readonly type: 'success' | 'exception';
+    readonly result: {readonly value: string};
+    readonly exceptionDetails: {readonly text: string};
+  };
+}
+
+/** Firefox speaks WebDriver BiDi by itself; the older protocol would take geckodriver, which Debian does not have. */
+const firefox: OtherBrowser = {
+  name: 'Firefox',
+  needs: ['xvfb-run', 'firefox-esr'],
+  open: async (url) => {
+    const profile = await mkdtemp(join(tmpdir(), 'seamwise-firefox-'));
+    // a machine of tests has no graphics of its own
+    await writeFile(join(profile, 'user.js'), 'user_pref("webgl.force-enabled", true);\n');
+    const words = ['--no-remote', '--profile', profile, '--remote-debugging-port', '0'];
+    const program = start('firefox-esr', ...words, 'about:blank');
+    const address = await hear(program, /WebDriver BiDi listening on (ws:\S+)/);
+    const connection = new Connection(`${address}/session`);
+    await connection.waitForConnection();
+    const ask = async (method: string, params: object): Promise<Answer['result']> => {
+      const {type, message, result} = (await connection.send({method, params})) as Answer;
+      if (type === 'error') throw new Error(message);
+      return result;
+    };
+    await ask('session.new', {capabilities: {}});
+    const {contexts} = await ask('browsingContext.getTree', {});
+    const context = contexts[0]?.context;
+    await ask('browsingContext.navigate', {context, url, wait: 'complete'});
+    return {
+      evaluate: async (expression) => {
+        const asked = {expression, target: {context}, awaitPromise: true};
+        const {type, result, exceptionDetails} = await ask('script.evaluate', asked);
+        if (type === 'exception') throw new Error(exceptionDetails.text);
+        return result.value;
+      },
+      close: async () => {
+        await connection.close();
+        await end(program);
+        await rm(profile, {recursive: true, maxRetries: 5});
+      },
+    };
+  },
+};
+
+async function freePort(): Promise<number> {
+  const server = createServer().listen(0);
+  await new Promise((resolve) => server.once('listening', resolve));
+  const {port} = server.address() as AddressInfo;
+  await new Promise((resolve) => server.close(resolve));
+  return port;
+}
+
+/** WebKit's driver brings a small browser with it. */
+const webKit: OtherBrowser = {
+  name: 'WebKit',
+  needs: ['xvfb-run', 'WebKitWebDriver'],
+  open: async (url) => {
+    const port = await freePort();
+    const program = start('WebKitWebDriver', `--port=${port}`);
+    const server = `http://127.0.0.1:${port}`;
+    for (let tries = 0; tries < 100 && program.exitCode === null; tries++) {
+      if (
+        await fetch(`${server}/status`)
+          .then(({ok}) => ok)
+          .catch(() => false)
+      )
+        break;
+      await sleep(100);
+    }
+    const driver = await new Builder()
+      .disableEnvironmentOverrides()
+      .usingServer(server)
+      .withCapabilities(new Capabilities({browserName: 'MiniBrowser'}))
+      .build();
+    await driver.get(url);
+    return {
+      evaluate: (expression) => driver.executeScript<string>(`return ${expression}`),
+      close: async () => {
+        await driver.quit();
+        await end(program);
+      },
+    };
+  },
+};
+
+export const otherBrowsers = [firefox, webKit];
+
+/** The programs that are missing here. */
+export const missingOf = ({needs}: OtherBrowser): readonly string[] =>
+  needs.filter((program) => !has(program));
