@@ -167,7 +167,7 @@ it('draws the strip of a seam beside a view that stays drawn directly', async ()
     },
     [scene, tile.png] as const,
   );
-  await frames(page, 3);
+  await settled(page);
   expect(await canvases(page)).toEqual({direct: 1, copied: 1});
   expect(colours(await picture(page, {width: 200, height: 150}))).toBeGreaterThan(5);
   for (const {points, wrong} of await compared(page, sceneFor(1), tile.pixels)) {

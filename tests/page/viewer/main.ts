@@ -25,6 +25,8 @@ declare global {
     readonly openView: (box: Box, options?: PatternViewOptions) => PatternView;
     /** The shared renderer, as somebody sees it who never draws. */
     readonly openScreen: () => Screen;
+    /** Pictures that are still to be read back from the graphics card. */
+    reading: number;
     /** Whether the page follows a press itself. */
     takesPress: boolean;
     readonly loadTile: typeof loadTile;
@@ -44,6 +46,18 @@ function boxed({left = 0, top = 0, width, height}: Box): HTMLElement {
   return box;
 }
 
+const {prototype: context} = WebGL2RenderingContext;
+for (const [name, step] of [
+  ['fenceSync', 1],
+  ['deleteSync', -1],
+] as const) {
+  const method = Reflect.get(context, name) as (...given: unknown[]) => unknown;
+  Reflect.set(context, name, function (this: unknown, ...given: unknown[]) {
+    Viewer.reading += step;
+    return Reflect.apply(method, this, given);
+  });
+}
+
 globalThis.Viewer = {
   view: new PatternView(host, {onPress: () => Viewer.takesPress}),
   openStrip: (width, height) => new SeamStrip(boxed({width, height})),
@@ -53,6 +67,7 @@ globalThis.Viewer = {
     return new Screen(document.createElement('div'), {resized: nothing, draw: nothing}, 'aside');
   },
   takesPress: false,
+  reading: 0,
   scene: undefined,
   ...{realigned, loadTile, svgTile},
 };

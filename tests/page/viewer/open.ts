@@ -66,16 +66,12 @@ export const eventually = <T>(ask: () => Promise<T>) => expect.poll(ask, {timeou
 
 /** Waits until what was asked for is on the screen. */
 export const settled = (page: Page): Promise<void> =>
-  page.evaluate(
-    () =>
-      new Promise<void>((resolve) =>
-        requestAnimationFrame(() =>
-          requestAnimationFrame(() => {
-            resolve();
-          }),
-        ),
-      ),
-  );
+  page.evaluate(async () => {
+    // what was read back may have let something else begin
+    for (let quiet = 0; quiet < 3; quiet = Viewer.reading > 0 ? 0 : quiet + 1) {
+      await new Promise(requestAnimationFrame);
+    }
+  });
 
 export async function show(page: Page, scene: PatternScene): Promise<void> {
   await page.evaluate((plain) => {

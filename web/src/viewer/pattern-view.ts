@@ -196,7 +196,7 @@ export class PatternView {
     return this.#scene && pieceAt(this.#scene, this.sheetPointAt(x, y));
   }
 
-  /** The whole sheet as a PNG of so many pixels across, in the colours of the page. @throws {Error} before anything is shown */
+  /** The whole sheet as a PNG of so many pixels across, in the colours of the page. @throws {Error} before anything is shown, or while the graphics context is lost */
   async toBlob(width = pictureWidth): Promise<Blob> {
     const scene = this.#scene;
     if (!scene) throw new Error('There is no sheet to draw yet.');

@@ -128,22 +128,31 @@ export class Screen implements Drawable {
   }
 
   copy(source: HTMLCanvasElement): void {
-    this.#copied ??= document.createElement('canvas').getContext('2d');
-    if (!this.#copied) return;
-    const {canvas} = this.#copied;
     const {width, height} = this.#raster;
-    if (canvas.width !== width) canvas.width = width;
-    if (canvas.height !== height) canvas.height = height;
-    this.#copied.globalCompositeOperation = 'copy';
     const top = source.height - height;
-    this.#copied.drawImage(source, 0, top, width, height, 0, 0, width, height);
-    this.hang(canvas);
+    this.#paper(width, height)?.drawImage(source, 0, top, width, height, 0, 0, width, height);
+  }
+
+  paint(picture: ImageData): void {
+    this.#paper(picture.width, picture.height)?.putImageData(picture, 0, 0);
   }
 
   dispose(): void {
     this.#life.abort();
     this.#stage.leave(this);
     this.#canvas?.remove();
+  }
+
+  /** A canvas of its own, which is shown from now on, and empty. */
+  #paper(width: number, height: number): CanvasRenderingContext2D | null {
+    this.#copied ??= document.createElement('canvas').getContext('2d');
+    if (!this.#copied) return null;
+    const {canvas} = this.#copied;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    this.#copied.clearRect(0, 0, width, height);
+    this.hang(canvas);
+    return this.#copied;
   }
 
   /** @returns whether anything has changed */

@@ -2,12 +2,12 @@
 import {
   Color,
   LinearSRGBColorSpace,
-  WebGLRenderTarget,
   type OrthographicCamera,
   type Scene,
   type WebGLRenderer,
 } from 'three';
 
+import {readBack} from './read-back.js';
 import {labelLines, labelSize, type PatternScene} from './scene.js';
 import {toScreen, type SheetView} from './sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
@@ -31,12 +31,14 @@ export async function snapshot(
   appearance: Appearance,
 ): Promise<Blob> {
   const {width, height} = shot;
+  const pixels = await drawn(renderer, [object, camera], shot, appearance);
+  if (!pixels) throw new Error('The browser has taken the graphics context away.');
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext('2d');
   if (!context) throw new Error('The picture cannot be drawn.');
-  context.putImageData(pixelsOf(renderer, [object, camera], shot, appearance), 0, 0);
+  context.putImageData(pixels, 0, 0);
   drawNames(context, scene, shot, appearance);
   const blob = await new Promise<Blob | null>((resolve) => {
     canvas.toBlob(resolve, 'image/png');
@@ -45,34 +47,20 @@ export async function snapshot(
   return blob;
 }
 
-function pixelsOf(
+function drawn(
   renderer: WebGLRenderer,
   [object, camera]: readonly [Scene, OrthographicCamera],
-  {width, height}: Shot,
+  shot: Shot,
   appearance: Appearance,
-): ImageData {
-  if (renderer.getContext().isContextLost()) throw new Error('The picture cannot be drawn now.');
-  const target = new WebGLRenderTarget(width, height, {depthBuffer: false});
-  const upsideDown = new Uint8Array(4 * width * height);
-  const [clearColour, clearAlpha] = [renderer.getClearColor(new Color()), renderer.getClearAlpha()];
-  try {
-    renderer.setRenderTarget(target);
+): Promise<ImageData | undefined> {
+  return readBack(renderer, shot, () => {
     const [r, g, b] = inks[appearance].paper;
+    const [colour, alpha] = [renderer.getClearColor(new Color()), renderer.getClearAlpha()];
     renderer.setClearColor(new Color().setRGB(r / 255, g / 255, b / 255, LinearSRGBColorSpace), 1);
     renderer.clear();
+    renderer.setClearColor(colour, alpha);
     renderer.render(object, camera);
-    renderer.readRenderTargetPixels(target, 0, 0, width, height, upsideDown);
-  } finally {
-    renderer.setRenderTarget(null);
-    renderer.setClearColor(clearColour, clearAlpha);
-    target.dispose();
-  }
-  const pixels = new ImageData(width, height);
-  for (let row = 0; row < height; row++) {
-    const from = 4 * width * (height - 1 - row);
-    pixels.data.set(upsideDown.subarray(from, from + 4 * width), 4 * width * row);
-  }
-  return pixels;
+  });
 }
 
 function drawNames(

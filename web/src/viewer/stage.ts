@@ -1,6 +1,8 @@
 /** The one drawing context of the document, shared by all its screens: a browser drops contexts beyond the sixteenth. */
 import {WebGLRenderer} from 'three';
 
+import {readBack} from './read-back.js';
+
 /** Screens drawn in one frame; the others follow in the next ones. */
 const atOnce = 4;
 /** How long the context outlives its last screen, which may only be on its way to another place of the document. [ms] */
@@ -16,19 +18,21 @@ export interface Raster {
 
 /** What the stage knows of a screen. */
 export interface Drawable {
-  /** Small, and beside a main one: it never gets the renderer's canvas itself. */
+  /** Small, and beside a main one: it is drawn beside the canvas, and its picture comes when it is ready. */
   readonly isAside: boolean;
   readonly raster: Raster;
   /** Whether it is in view and has a size. */
   readonly isSeen: boolean;
-  /** Draws into the lower left corner of the renderer's canvas; also again, where nothing has changed. */
+  /** Draws into the lower left corner of whatever the renderer draws to; also again, where nothing has changed. */
   readonly draw: () => void;
   /** Lays out what lies over the picture, after a change. */
   readonly arrange: () => void;
   /** Shows the renderer's own canvas. */
   readonly hang: (canvas: HTMLCanvasElement) => void;
-  /** Shows a copy of what was drawn. */
+  /** Shows a copy of what was drawn into the renderer's canvas. */
   readonly copy: (canvas: HTMLCanvasElement) => void;
+  /** Shows what was drawn beside that. */
+  readonly paint: (picture: ImageData) => void;
   /** The context was lost, or has come back. */
   readonly lost: (isLost: boolean) => void;
 }
@@ -46,7 +50,8 @@ export function enter(screen: Drawable): Stage {
 
 /**
  * A single main screen is drawn directly: it shows the renderer's canvas. Where there are several, each shows a copy of
- * what was drawn for it.
+ * what was drawn for it. Asides disturb neither: a copy has to wait for the graphics card, which a page of one pattern
+ * and a seam from near would feel.
  */
 export class Stage {
   readonly renderer: WebGLRenderer;
@@ -57,6 +62,8 @@ export class Stage {
   readonly #dirty = new Set<Drawable>();
   /** Who shows the renderer's canvas. */
   #direct: Drawable | undefined;
+  /** Drawn, but not read back yet. */
+  readonly #away = new Set<Drawable>();
   #isLost = false;
   #frame = 0;
   #end: ReturnType<typeof setTimeout> | undefined;
@@ -125,14 +132,10 @@ export class Stage {
     });
   }
 
-  /** The only main screen, if the renderer's canvas then has room for those beside it. */
+  /** The only main screen. */
   #soloist(): Drawable | undefined {
-    const screens = [...this.#screens];
-    const [main, other] = screens.filter(({isAside}) => !isAside);
-    if (!main || other) return undefined;
-    const {width, height} = main.raster;
-    const hasRoom = screens.every(({raster}) => raster.width <= width && raster.height <= height);
-    return hasRoom ? main : undefined;
+    const [main, other] = [...this.#screens].filter(({isAside}) => !isAside);
+    return other ? undefined : main;
   }
 
   #play(): void {
@@ -144,17 +147,17 @@ export class Stage {
     const isOther = before !== direct;
     // whoever gives the canvas back needs a copy in this very frame
     const queue = new Set(isOther && before ? [before] : []);
-    for (const screen of this.#dirty) if (screen.isSeen) queue.add(screen);
+    for (const screen of this.#dirty) {
+      if (screen.isSeen && !this.#away.has(screen)) queue.add(screen);
+    }
     if (direct) queue.delete(direct);
     const next = [...queue].slice(0, direct ? atOnce - 1 : atOnce);
     for (const screen of next) {
-      this.#grow(screen.raster);
-      this.#draw(screen);
-      screen.copy(this.renderer.domElement);
+      if (screen.isAside) void this.#drawAside(screen);
+      else this.#drawCopy(screen);
     }
-    // the others were drawn over what is shown directly
     const isDue = direct?.isSeen && this.#dirty.has(direct);
-    if (direct && (isOther || isDue || next.length > 0)) this.#drawDirectly(direct);
+    if (direct && (isOther || isDue)) this.#drawDirectly(direct);
     if (next.length < queue.size) this.#schedule();
   }
 
@@ -165,6 +168,27 @@ export class Stage {
     screen.hang(this.renderer.domElement);
   }
 
+  #drawCopy(screen: Drawable): void {
+    const {domElement: canvas} = this.renderer;
+    const {width, height} = screen.raster;
+    this.#resize(Math.max(width, canvas.width), Math.max(height, canvas.height));
+    this.#draw(screen);
+    screen.copy(canvas);
+  }
+
+  async #drawAside(screen: Drawable): Promise<void> {
+    this.#away.add(screen);
+    try {
+      const picture = await readBack(this.renderer, screen.raster, () => {
+        this.#draw(screen);
+      });
+      if (picture && this.#screens.has(screen)) screen.paint(picture);
+    } finally {
+      this.#away.delete(screen);
+      if (this.#dirty.has(screen)) this.#schedule();
+    }
+  }
+
   #draw(screen: Drawable): void {
     const {width, height} = screen.raster;
     this.renderer.setViewport(0, 0, width, height);
@@ -172,11 +196,6 @@ export class Stage {
     this.renderer.clear();
     screen.draw();
     if (this.#dirty.delete(screen)) screen.arrange();
-  }
-
-  #grow({width, height}: Raster): void {
-    const {domElement: canvas} = this.renderer;
-    this.#resize(Math.max(width, canvas.width), Math.max(height, canvas.height));
   }
 
   #resize(width: number, height: number): void {

@@ -1,0 +1,48 @@
+/** Pictures that are drawn beside the canvas and read back, without waiting for a graphics card that is busy. */
+import {WebGLRenderTarget, type WebGLRenderer} from 'three';
+
+/** Whatever `draw` draws. @returns nothing where the context is lost, or was meanwhile */
+export async function readBack(
+  renderer: WebGLRenderer,
+  {width, height}: {readonly width: number; readonly height: number},
+  draw: () => void,
+): Promise<ImageData | undefined> {
+  const context = renderer.getContext();
+  if (context.isContextLost()) return undefined;
+  const pixels = new Uint8Array(4 * width * height);
+  const target = new WebGLRenderTarget(width, height, {depthBuffer: false});
+  target.scissorTest = true;
+  let reading: Promise<unknown>;
+  try {
+    renderer.setRenderTarget(target);
+    draw();
+    reading = renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height, pixels);
+  } finally {
+    renderer.setRenderTarget(null);
+    target.dispose();
+  }
+  try {
+    await reading;
+  } catch (error) {
+    // three.js gives no reason when a context is lost before the pixels are there
+    if (error !== undefined) throw error;
+    return undefined;
+  }
+  return context.isContextLost() ? undefined : upright(pixels, width, height);
+}
+
+/** From rows that begin below, with colours multiplied by their opacity, to what a 2D canvas takes. */
+function upright(pixels: Uint8Array, width: number, height: number): ImageData {
+  const image = new ImageData(width, height);
+  for (let row = 0; row < height; row++) {
+    const from = 4 * width * (height - 1 - row);
+    image.data.set(pixels.subarray(from, from + 4 * width), 4 * width * row);
+  }
+  const {data} = image;
+  for (let at = 0; at < data.length; at += 4) {
+    const alpha = data[at + 3] ?? 0;
+    if (alpha === 0 || alpha === 255) continue;
+    for (let k = at; k < at + 3; k++) data[k] = ((data[k] ?? 0) * 255) / alpha;
+  }
+  return image;
+}
