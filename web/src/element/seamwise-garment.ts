@@ -2,25 +2,24 @@
  * `<seamwise-garment>`: a sewing pattern in a print that meets at its seams. This module registers nothing;
  * `auto.ts` does.
  */
-import {html, nothing, type TemplateResult} from 'lit';
+import type {PropertyValues, TemplateResult} from 'lit';
 
 import type {Failure} from '../model/failure.js';
 import {SolverError} from '../model/failure.js';
 import type {SolveResult} from '../model/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/stored-design.js';
-import {asking, attributes, localeOf, type GarmentMode} from './garment/attributes.js';
-import type {GarmentState} from './garment/events.js';
 import {AttributeElement} from './garment/attribute-element.js';
-import {
-  offeredPrints,
-  withPrints,
-  type OfferedPrint,
-  type PrintOffer,
-} from './garment/offered-prints.js';
+import {asking, attributes, localeOf, type GarmentMode} from './garment/attributes.js';
+import {Beginning} from './garment/beginning.js';
+import type {GarmentState} from './garment/events.js';
+import {faceOf} from './garment/face.js';
+import {Modes} from './garment/modes.js';
+import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/offered-prints.js';
 import {pictureAs} from './garment/picture.js';
-import {asError, GarmentSession, type LoadReason} from './garment/session.js';
+import {asError, GarmentSession} from './garment/session.js';
 import {garmentUrl} from './garment/sources.js';
 import {garmentStyle} from './garment/style.js';
+import {upgrade} from './garment/upgrade.js';
 import {drawnEvent, PatternDrawing, undrawableEvent} from './pattern/drawing.js';
 import {register} from './register.js';
 import {controls} from './style/controls.js';
@@ -35,26 +34,6 @@ export type {Messages} from './texts/texts.js';
 
 /** An element that is taken out of the document may only be on its way to another place. [ms] */
 const grace = 1000;
-/** So far from what is visible of the page it begins. */
-const rootMargin = '200px';
-
-/** What may have been set before the element was known. */
-const properties = [
-  ...[
-    'garment',
-    'size',
-    'print',
-    'colourway',
-    'symmetry',
-    'maxChangeMm',
-    'view',
-    'mode',
-    'loading',
-  ],
-  ...['units', 'locale', 'alt', 'workerUrl', 'wasmUrl', 'messages', 'prints', 'name', 'required'],
-  ...['disabled', 'value'],
-] as const;
-
 /** Events of the parts that would leave the element as if they were its own. */
 const innerEvents = ['input', 'change', 'select', 'sw-lens-cursor', 'sw-lens-wanted'];
 
@@ -66,20 +45,15 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   readonly #session: GarmentSession;
+  readonly #beginning: Beginning;
+  readonly #modes: Modes;
+  readonly #offers = new PrintOffers(() => {
+    this.requestUpdate();
+  });
   #messages: Messages | undefined;
-  #offered: readonly OfferedPrint[] = [];
-  #offering: AbortController | undefined;
-  #near: IntersectionObserver | undefined;
-  /** Seen, or asked for. */
-  #isWanted = false;
-  /** Something is asked for that has not been begun. */
-  #isDue = false;
-  #reason: LoadReason = {};
-  #isScheduled = false;
+  #shown: GarmentMode = 'preview';
   #isDrawn = false;
   #resting: ReturnType<typeof setTimeout> | undefined;
-  /** What is needed for a mode has been loaded, or was tried to. */
-  readonly #modes = new Set<GarmentMode>(['preview']);
 
   constructor() {
     super();
@@ -101,6 +75,23 @@ export class SeamwiseGarment extends AttributeElement {
       },
       preferencesFor(localeOf(navigator.language)),
     );
+    this.#beginning = new Beginning(
+      {
+        element: this,
+        isEager: () => this.loading === 'eager',
+        asked: () => (this.isAskable ? this.asked : undefined),
+      },
+      this.#session,
+    );
+    this.#modes = new Modes(
+      () => {
+        this.#present();
+      },
+      (error) => {
+        const message = this.#texts.garment.noTools(asError(error).message);
+        this.#session.report(new SolverError({code: 'network', message}));
+      },
+    );
   }
 
   /** Words to be shown in place of the element's own. */
@@ -115,14 +106,11 @@ export class SeamwiseGarment extends AttributeElement {
 
   /** With `mode="place"`: the prints to choose from. */
   get prints(): readonly PrintOffer[] {
-    return this.#offered.map(({url, title}) => ({url, title}));
+    return this.#offers.all.map(({url, title}) => ({url, title}));
   }
 
   set prints(prints: readonly PrintOffer[] | null | undefined) {
-    this.#offered = offeredPrints(prints);
-    this.#offering?.abort();
-    this.#offering = undefined;
-    this.requestUpdate();
+    this.#offers.set(prints);
   }
 
   get state(): GarmentState {
@@ -162,15 +150,16 @@ export class SeamwiseGarment extends AttributeElement {
    */
   async solve({signal}: {readonly signal?: AbortSignal} = {}): Promise<SolveResult> {
     signal?.throwIfAborted();
-    this.#upgrade();
-    this.#isWanted = true;
+    upgrade(this);
     const {state} = this.#session;
-    if (!this.isAskable && (state === 'idle' || this.#isDue)) {
+    if (!this.isAskable && (state === 'idle' || this.#beginning.isDue)) {
       throw new SolverError({code: 'notAGarment', message: this.#texts.garment.noGarment});
     }
     const isStuck = state === 'idle' || state === 'error' || state === 'stale';
-    if (isStuck && !this.#isDue && !this.#session.solveAgain()) this.#isDue = true;
-    if (this.#isDue) this.#begin();
+    if (isStuck && !this.#beginning.isDue && !this.#session.solveAgain()) {
+      this.#beginning.askAgain();
+    }
+    this.#beginning.now();
     try {
       return await this.#session.answer(signal);
     } finally {
@@ -209,14 +198,13 @@ export class SeamwiseGarment extends AttributeElement {
     this.colourway = print.colourway;
     this.symmetry = symmetry;
     if (options.maxChangeCm !== undefined) this.maxChangeMm = options.maxChangeCm * 10;
-    this.#reason = {stored};
-    this.#isDue = true;
+    this.#beginning.ask({stored});
     await this.solve();
   }
 
   /**
    * The whole pattern as a picture, so many pixels wide: `image/png`, `image/jpeg` or `image/webp`.
-   * @throws {SolverError} while nothing is drawn
+   * @throws {SolverError} while nothing is drawn, and where the browser makes no picture of this size
    */
   async toBlob({
     type,
@@ -226,7 +214,11 @@ export class SeamwiseGarment extends AttributeElement {
     if (!view || !this.#isDrawn) {
       throw new SolverError({code: 'no-webgl', message: this.#texts.garment.noDrawing});
     }
-    return pictureAs(await view.picture(width), type);
+    try {
+      return await pictureAs(await view.picture(width), type);
+    } catch {
+      throw new SolverError({code: 'internal', message: this.#texts.garment.noPicture});
+    }
   }
 
   formResetCallback(): void {
@@ -240,15 +232,15 @@ export class SeamwiseGarment extends AttributeElement {
   override connectedCallback(): void {
     super.connectedCallback();
     clearTimeout(this.#resting);
-    this.#upgrade();
+    upgrade(this);
     this.#prefer();
-    this.#watch();
-    this.#schedule();
+    this.#beginning.watch();
+    this.#beginning.schedule();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#near?.disconnect();
+    this.#beginning.unwatch();
     this.#isDrawn = false;
     this.#rest();
   }
@@ -260,8 +252,8 @@ export class SeamwiseGarment extends AttributeElement {
       if (now !== null) this.forget(name);
       this.ask();
     } else if (name === 'loading') {
-      if (this.isConnected) this.#watch();
-      this.#schedule();
+      if (this.isConnected) this.#beginning.watch();
+      this.#beginning.schedule();
     } else if (['units', 'locale', 'lang'].includes(name)) {
       this.#prefer();
     }
@@ -287,103 +279,35 @@ export class SeamwiseGarment extends AttributeElement {
     return root;
   }
 
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    if (this.#shown === 'place') this.#offers.read(this.#texts.garment);
+  }
+
   protected override render(): TemplateResult {
-    const {error} = this;
-    const {state, desk} = this.#session;
-    const shows = this.#shownMode;
-    const hides = !this.#isDrawn || (state === 'error' && shows === 'preview');
-    const isBusy = state === 'loading' || state === 'solving';
-    // the editor says itself what its user can mend
-    const says = error && !(shows === 'edit' && desk.state.kind === 'failed');
-    return html`<div class="frame" ?inert=${this.isDisabled}>
-        <div part="toolbar"><slot name="toolbar"></slot></div>
-        <div class="stage" part="stage">
-          ${this.#stage(shows)}
-          <div class="poster" part="poster" ?hidden=${!hides || shows === 'edit'}>
-            <slot name="poster"><p>${this.alt || this.#texts.garment.label}</p></slot>
-          </div>
-          <progress
-            part="progress"
-            aria-hidden="true"
-            ?hidden=${!isBusy || shows === 'edit'}
-            max="1"
-            .value=${desk.state.kind === 'solving' ? desk.state.fraction : 0}
-          ></progress>
-        </div>
-        ${this.#panel(shows)}
-      </div>
-      ${says ? html`<p class="message" part="message" role="alert">${error.message}</p>` : nothing}`;
-  }
-
-  #stage(shows: GarmentMode): TemplateResult {
-    const {desk} = this.#session;
-    switch (shows) {
-      case 'preview':
-        return html`<sw-drawing .desk=${desk}></sw-drawing>`;
-      case 'place':
-        return html`<sw-pattern .desk=${desk} .purpose=${'place'}></sw-pattern>`;
-      case 'edit':
-        return html`<sw-editor .desk=${desk}></sw-editor>`;
-    }
-  }
-
-  #panel(shows: GarmentMode): TemplateResult | typeof nothing {
-    if (shows !== 'place') return nothing;
-    this.#readOffers();
-    return html`<sw-place-bar
-      part="panel"
-      .desk=${this.#session.desk}
-      .prints=${this.#offered}
-      .chosen=${this.#session.desk.design?.print.file?.place?.url ?? ''}
-      @sw-print=${({detail}: CustomEvent<OfferedPrint>) => {
-        this.colourway = null;
-        this.print = detail.url;
-        this.#reason = {byUser: true};
-      }}
-    ></sw-place-bar>`;
-  }
-
-  /** Their pictures are fetched once somebody is to see them. */
-  #readOffers(): void {
-    if (this.#offering || this.#offered.length === 0) return;
-    const offering = new AbortController();
-    this.#offering = offering;
-    void withPrints(this.#offered, this.#texts.garment, offering.signal).then((offered) => {
-      if (offering.signal.aborted) return;
-      this.#offered = offered;
-      this.requestUpdate();
+    return faceOf({
+      ...{session: this.#session, texts: this.#texts, mode: this.#shown, alt: this.alt},
+      ...{isDisabled: this.isDisabled, isDrawn: this.#isDrawn, prints: this.#offers.all},
+      choose: (print) => {
+        this.#choose(print);
+      },
     });
   }
 
-  /** What the mode needs is loaded with it; until then there is the preview. */
-  get #shownMode(): GarmentMode {
-    const {mode} = this;
-    return this.#modes.has(mode) ? mode : 'preview';
+  /** The user has. */
+  #choose({url}: OfferedPrint): void {
+    this.colourway = null;
+    this.print = url;
+    if (this.#beginning.isDue) this.#beginning.ask({byUser: true});
   }
-
-  async #loadMode(mode: GarmentMode): Promise<void> {
-    if (mode === 'preview' || this.#modes.has(mode)) return;
-    try {
-      if (mode === 'place') (await import('./garment/placing.js')).definePlacing();
-      else (await import('./editor/editor.js')).defineEditor();
-      this.#modes.add(mode);
-      this.#present();
-    } catch (error) {
-      const {message} = asError(error);
-      this.#session.report(new SolverError({code: 'network', message}));
-    }
-  }
-
-  #shown: GarmentMode = 'preview';
 
   /** Tells what has become of the element, outwards and inwards. */
   #present(): void {
-    // the constructor has not made it yet
-    if (!(#session in this)) return;
-    void this.#loadMode(this.mode);
-    if (this.#shown !== this.#shownMode) this.#isDrawn = false;
-    this.#shown = this.#shownMode;
-    this.#session.desk.isEdited = this.#shown === 'edit';
+    void this.#modes.load(this.mode);
+    const shown = this.#modes.shown(this.mode);
+    if (this.#shown !== shown) this.#isDrawn = false;
+    this.#shown = shown;
+    this.#session.desk.isEdited = shown === 'edit';
     const {garment} = this.#texts;
     this.enter(this.#session.state);
     this.present(this.value, garment.required);
@@ -407,66 +331,17 @@ export class SeamwiseGarment extends AttributeElement {
     this.#session.desk.prefer({language, units, messages});
   }
 
-  /** Properties that were set before the element was known hide its own. */
-  #upgrade(): void {
-    for (const name of properties) {
-      if (!Object.hasOwn(this, name)) continue;
-      const value: unknown = Reflect.get(this, name);
-      Reflect.deleteProperty(this, name);
-      Reflect.set(this, name, value);
-    }
-  }
-
-  /** Something else is asked for. Changes in one task are one. */
   protected override ask(): void {
-    this.#isDue = true;
-    this.#schedule();
-  }
-
-  #schedule(): void {
-    if (this.#isScheduled) return;
-    this.#isScheduled = true;
-    queueMicrotask(() => {
-      this.#isScheduled = false;
-      if (this.#isWanted && this.#isDue && this.isConnected) this.#begin();
-    });
-  }
-
-  #begin(): void {
-    if (!this.isAskable) return;
-    this.#isDue = false;
-    const reason = this.#reason;
-    this.#reason = {};
-    void this.#session.load(this.asked, reason);
-  }
-
-  /** Begins when it is near; an eager one, or one that has begun before, at once. */
-  #watch(): void {
-    this.#near?.disconnect();
-    if (this.#isWanted || this.loading === 'eager') {
-      this.#isWanted = true;
-      return;
-    }
-    this.#near = new IntersectionObserver(
-      (entries) => {
-        if (!entries.some(({isIntersecting}) => isIntersecting)) return;
-        this.#near?.disconnect();
-        this.#isWanted = true;
-        this.#schedule();
-      },
-      {rootMargin},
-    );
-    this.#near.observe(this);
+    this.#beginning.ask();
   }
 
   /** Gives back what others may need, unless it is put into the document again soon. */
   #rest(): void {
     clearTimeout(this.#resting);
     this.#resting = setTimeout(() => {
-      if (this.isConnected) return;
-      this.#offering?.abort();
-      this.#offering = undefined;
-      if (this.#session.pause()) this.#isDue = true;
+      if (this.isConnected || this.#session.isAwaited) return;
+      this.#offers.stop();
+      if (this.#session.pause()) this.#beginning.askAgain();
     }, grace);
   }
 }

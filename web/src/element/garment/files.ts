@@ -9,8 +9,8 @@ export type FileWords = Texts['garment'];
 /** For a file as a whole. [ms] */
 const patience = 30_000;
 const megabyte = 2 ** 20;
-/** Of JSON, and of a picture as it is stored. [bytes] */
-const most = 64 * megabyte;
+/** Of a picture as it is stored, and of JSON, of which the solver reads no more. [MB] */
+const most = {picture: 64, text: 20};
 
 export interface ReadFile {
   readonly place: StoredFile;
@@ -25,6 +25,7 @@ export async function fetchBlob(
   url: string,
   words: FileWords,
   signal?: AbortSignal,
+  kind: keyof typeof most = 'picture',
 ): Promise<Blob> {
   signal?.throwIfAborted();
   const late = new AbortController();
@@ -35,7 +36,7 @@ export async function fetchBlob(
     const either = signal ? AbortSignal.any([signal, late.signal]) : late.signal;
     const response = await fetch(url, {credentials: 'same-origin', signal: either});
     if (!response.ok) throw refused(url, response.status, words);
-    return await limited(url, response, words);
+    return await limited(url, response, words, most[kind]);
   } catch (error) {
     signal?.throwIfAborted();
     if (error instanceof SolverError) throw error;
@@ -53,15 +54,20 @@ const refused = (url: string, status: number, words: FileWords): SolverError =>
     ? failure('not-found', words.notFound(url))
     : failure('network', words.network(url, `HTTP ${status}`));
 
-async function limited(url: string, response: Response, words: FileWords): Promise<Blob> {
+async function limited(
+  url: string,
+  response: Response,
+  words: FileWords,
+  megabytes: number,
+): Promise<Blob> {
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let size = Number(response.headers.get('Content-Length') ?? 0);
   let read = 0;
   const reader = response.body?.getReader();
   for (;;) {
-    if (Math.max(size, read) > most) {
+    if (Math.max(size, read) > megabytes * megabyte) {
       void reader?.cancel().catch(() => undefined);
-      throw failure('too-large', words.tooLarge(url, `${most / megabyte} MB`));
+      throw failure('too-large', words.tooLarge(url, `${megabytes} MB`));
     }
     size = 0;
     const next = await reader?.read();
@@ -78,6 +84,6 @@ export async function fetchText(
   words: FileWords,
   signal: AbortSignal,
 ): Promise<ReadFile> {
-  const bytes = new Uint8Array(await (await fetchBlob(url, words, signal)).arrayBuffer());
+  const bytes = new Uint8Array(await (await fetchBlob(url, words, signal, 'text')).arrayBuffer());
   return {place: {url, sha256: sha256Of(bytes)}, text: new TextDecoder().decode(bytes)};
 }

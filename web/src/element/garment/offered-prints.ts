@@ -17,7 +17,7 @@ export interface OfferedPrint {
 export type PrintOffer = string | {readonly url: string; readonly title?: string};
 
 /** What has no address is left out. */
-export function offeredPrints(offers: unknown): readonly OfferedPrint[] {
+function offeredPrints(offers: unknown): readonly OfferedPrint[] {
   if (!Array.isArray(offers)) return [];
   return (offers as readonly unknown[]).flatMap((offer) => {
     const given: unknown = typeof offer === 'string' ? {url: offer} : offer;
@@ -30,20 +30,58 @@ export function offeredPrints(offers: unknown): readonly OfferedPrint[] {
 }
 
 /** One that cannot be read is offered without its picture: choosing it says what is wrong. */
-export function withPrints(
-  offered: readonly OfferedPrint[],
+async function withPrint(
+  offered: OfferedPrint,
   words: FileWords,
   signal: AbortSignal,
-): Promise<readonly OfferedPrint[]> {
-  return Promise.all(
-    offered.map(async (one) => {
-      try {
-        const {place, text} = await fetchText(one.url, words, signal);
-        const print = printOf(printFrom(text, place, undefined, words));
-        return {...one, title: one.title || (print.title ?? ''), print};
-      } catch {
-        return one;
-      }
-    }),
-  );
+): Promise<OfferedPrint> {
+  try {
+    const {place, text} = await fetchText(offered.url, words, signal);
+    const print = printOf(printFrom(text, place, undefined, words));
+    return {...offered, title: offered.title || (print.title ?? ''), print};
+  } catch {
+    return offered;
+  }
+}
+
+/** The prints that an element offers. Their files are read once somebody is to see them. */
+export class PrintOffers {
+  readonly #changed: () => void;
+  #all: readonly OfferedPrint[] = [];
+  #reading: AbortController | undefined;
+  #isRead = true;
+
+  constructor(changed: () => void) {
+    this.#changed = changed;
+  }
+
+  get all(): readonly OfferedPrint[] {
+    return this.#all;
+  }
+
+  set(offers: unknown): void {
+    this.stop();
+    this.#all = offeredPrints(offers);
+    this.#isRead = this.#all.length === 0;
+    this.#changed();
+  }
+
+  read(words: FileWords): void {
+    if (this.#isRead || this.#reading) return;
+    const reading = new AbortController();
+    this.#reading = reading;
+    const all = this.#all.map((one) => withPrint(one, words, reading.signal));
+    void Promise.all(all).then((read) => {
+      if (reading.signal.aborted) return;
+      this.#all = read;
+      this.#isRead = true;
+      this.#changed();
+    });
+  }
+
+  /** What has not been read yet is read when it is asked for again. */
+  stop(): void {
+    this.#reading?.abort();
+    this.#reading = undefined;
+  }
 }

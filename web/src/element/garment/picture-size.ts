@@ -5,17 +5,16 @@ export interface PictureSize {
   readonly height: number;
 }
 
-/** Undefined for what is no PNG, JPEG, WebP or GIF. */
+/** Undefined for what is no PNG, JPEG, WebP, GIF or AVIF. */
 export function pictureSize(bytes: Uint8Array): PictureSize | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   try {
     if (view.getUint32(0) === 0x89504e47) {
       return {width: view.getUint32(16), height: view.getUint32(20)};
     }
-    if (view.getUint32(0) === 0x47494638) {
-      return {width: view.getUint16(6, true), height: view.getUint16(8, true)};
-    }
+    if (view.getUint32(0) === 0x47494638) return gif(view);
     if (view.getUint32(0) === 0x52494646 && view.getUint32(8) === 0x57454250) return webp(view);
+    if (view.getUint32(4) === 0x66747970) return avif(view);
     return view.getUint16(0) === 0xffd8 ? jpeg(view) : undefined;
   } catch (error) {
     if (error instanceof RangeError) return undefined; // the file ends too early
@@ -25,14 +24,35 @@ export function pictureSize(bytes: Uint8Array): PictureSize | undefined {
 
 /** The first frame's segment says it; those before it are passed over. */
 function jpeg(view: DataView): PictureSize | undefined {
-  for (let at = 2; ; at += 2 + view.getUint16(at + 2)) {
+  for (let at = 2; ;) {
     const marker = view.getUint16(at);
-    if (marker < 0xff00) return undefined;
-    const isFrame = marker >= 0xffc0 && marker <= 0xffcf;
-    if (isFrame && ![0xffc4, 0xffc8, 0xffcc].includes(marker)) {
+    if (marker === 0xffff)
+      at++; // padding
+    else if (marker === 0xff01 || (marker >= 0xffd0 && marker <= 0xffd7))
+      at += 2; // alone
+    else if (marker >= 0xffc0 && marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker)) {
       return {width: view.getUint16(at + 7), height: view.getUint16(at + 5)};
-    }
+    } else if (marker > 0xff01) at += 2 + view.getUint16(at + 2);
+    else return undefined;
   }
+}
+
+/** The first frame may be larger than the whole. */
+function gif(view: DataView): PictureSize | undefined {
+  const colours = (flags: number): number => (flags & 0x80 ? 3 * 2 ** ((flags & 7) + 1) : 0);
+  let at = 13 + colours(view.getUint8(10));
+  while (view.getUint8(at) === 0x21) {
+    at += 2; // an extension: blocks, the last of which is empty
+    while (view.getUint8(at) > 0) at += 1 + view.getUint8(at);
+    at++;
+  }
+  if (view.getUint8(at) !== 0x2c) return undefined;
+  const side = (whole: number, offset: number): number =>
+    Math.max(
+      view.getUint16(whole, true),
+      view.getUint16(at + offset, true) + view.getUint16(at + offset + 4, true),
+    );
+  return {width: side(6, 1), height: side(8, 3)};
 }
 
 function webp(view: DataView): PictureSize | undefined {
@@ -51,4 +71,24 @@ function webp(view: DataView): PictureSize | undefined {
     default:
       return undefined;
   }
+}
+
+/** Its parts have sizes of their own (`ispe`), in the boxes before the data: the largest is that of the whole. */
+function avif(view: DataView): PictureSize | undefined {
+  let [width, height] = [0, 0];
+  for (let at = 0; at + 8 <= view.byteLength;) {
+    const length = view.getUint32(at);
+    const type = view.getUint32(at + 4);
+    const end = Math.min(at + length, view.byteLength);
+    if (type === 0x6d657461) {
+      for (let k = at + 8; k + 16 <= end; k++) {
+        if (view.getUint32(k) !== 0x69737065) continue;
+        width = Math.max(width, view.getUint32(k + 8));
+        height = Math.max(height, view.getUint32(k + 12));
+      }
+    }
+    if (length < 8) break; // to the end of the file, or longer than any picture that is read
+    at += length;
+  }
+  return width > 0 && height > 0 ? {width, height} : undefined;
 }

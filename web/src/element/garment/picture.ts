@@ -1,9 +1,7 @@
 /** A picture in the format that somebody wants. */
-import {SolverError} from '../../model/failure.js';
-
 const types = ['image/png', 'image/jpeg', 'image/webp'];
 
-/** A type that cannot be written gives a PNG. */
+/** A type that cannot be written gives a PNG. @throws {Error} where the browser makes no picture of this size */
 export async function pictureAs(png: Blob, type = 'image/png'): Promise<Blob> {
   if (type === png.type || !types.includes(type)) return png;
   const picture = await createImageBitmap(png);
@@ -12,9 +10,11 @@ export async function pictureAs(png: Blob, type = 'image/png'): Promise<Blob> {
   canvas.height = picture.height;
   canvas.getContext('2d')?.drawImage(picture, 0, 0);
   picture.close();
-  const blob = await new Promise<Blob | null>((resolve) => {
-    canvas.toBlob(resolve, type, 0.92);
+  return new Promise((resolve, reject) => {
+    const written = (blob: Blob | null): void => {
+      if (blob) resolve(blob);
+      else reject(new Error(`There is no ${type} of ${canvas.width} x ${canvas.height} pixels.`));
+    };
+    canvas.toBlob(written, type, 0.92);
   });
-  if (!blob) throw new SolverError({code: 'internal', message: 'The picture cannot be written.'});
-  return blob;
 }

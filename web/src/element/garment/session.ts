@@ -6,22 +6,24 @@ import {writeStoredDesign, type StoredDesign} from '../../model/stored-design.js
 import {FileError} from '../../model/versioned-file.js';
 import type {LeasePlaces} from '../../solver/pool.js';
 import {textsOf} from '../texts/texts.js';
-import {newDesign} from '../workbench/samples.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import type {Preferences} from '../workbench/preferences.js';
 import {Workbench} from '../workbench/workbench.js';
+import {Announcer, type Emit} from './announcer.js';
+import type {GarmentState} from './events.js';
 import type {FileWords} from './files.js';
-import type {GarmentEvents, GarmentState} from './events.js';
 import {LastingSolver} from './lasting-solver.js';
+import {nextDesign, type Answered} from './next-design.js';
 import {problemFor, storedDesign, type Terms} from './problem.js';
 import {restored} from './restored.js';
-import {Sources, type Asked, type Loaded} from './sources.js';
+import {Sources, type Asked} from './sources.js';
 import {Tiles} from './tiles.js';
+import {Waiting} from './waiting.js';
 
 /** Whoever has the session. */
 export interface SessionOwner {
   readonly places: () => LeasePlaces;
-  readonly emit: <K extends keyof GarmentEvents>(type: K, detail: GarmentEvents[K]) => void;
+  readonly emit: Emit;
   /** State, result or design may be others than before. */
   readonly changed: () => void;
 }
@@ -33,11 +35,6 @@ export interface LoadReason {
   readonly byUser?: boolean;
 }
 
-interface Waiting {
-  readonly resolve: (result: SolveResult) => void;
-  readonly reject: (reason: unknown) => void;
-}
-
 const states: Readonly<Record<Workbench['state']['kind'], GarmentState>> = {
   ...{opening: 'idle', empty: 'idle', stale: 'stale', solving: 'solving'},
   ...{done: 'ready', failed: 'error'},
@@ -46,23 +43,24 @@ const states: Readonly<Record<Workbench['state']['kind'], GarmentState>> = {
 export class GarmentSession {
   readonly desk: Workbench;
   readonly #owner: SessionOwner;
+  readonly #tell: Announcer;
   readonly #lease: LastingSolver;
   readonly #sources = new Sources(() => this.#words);
-  readonly #waiting = new Set<Waiting>();
+  readonly #waiting = new Waiting<SolveResult>();
   #loading: AbortController | undefined;
   /** Why the files could not be loaded. */
   #failure: SolverError | undefined;
-  #last: {readonly asked: Asked; readonly loaded: Loaded} | undefined;
+  /** Something else is asked for, and nobody is loading it. */
+  #isOutdated = false;
+  #last: Answered | undefined;
   #terms: Terms = {symmetry: 'auto', seed: 1};
   /** As the program has it; any other is the user's. */
   #given: Design | undefined;
   #isTouched = false;
-  #wasSolving = false;
-  #told = '';
-  #selected: Workbench['selected'];
 
   constructor(owner: SessionOwner, preferences: Preferences) {
     this.#owner = owner;
+    this.#tell = new Announcer(owner.emit);
     this.#lease = new LastingSolver(owner.places);
     const tiles = new Tiles(() => this.#words);
     this.desk = new Workbench(this.#lease, preferences, {
@@ -84,12 +82,13 @@ export class GarmentSession {
 
   get state(): GarmentState {
     if (this.#loading) return 'loading';
+    if (this.#isOutdated) return this.desk.design ? 'stale' : 'idle';
     return this.#failure ? 'error' : states[this.desk.state.kind];
   }
 
   get error(): SolverError | undefined {
+    if (this.state !== 'error') return undefined;
     const {state} = this.desk;
-    if (this.#loading) return undefined;
     return this.#failure ?? (state.kind === 'failed' ? new SolverError(state.failure) : undefined);
   }
 
@@ -97,95 +96,96 @@ export class GarmentSession {
     return this.state === 'ready' ? this.desk.result : undefined;
   }
 
+  /** Whether a promise of an answer has not been kept yet. */
+  get isAwaited(): boolean {
+    return !this.#waiting.isEmpty;
+  }
+
   get #words(): FileWords {
     const {language, messages} = this.desk.preferences;
     return textsOf(language, messages).garment;
   }
 
-  /** Reads what is asked for, as far as it is new, and solves it. What the user has changed of the rest stays. */
-  async load(asked: Asked, {stored, byUser = false}: LoadReason = {}): Promise<void> {
+  /** Something else is asked for, which is going to be loaded. */
+  outdate(): void {
+    this.#isOutdated = true;
+    this.#owner.changed();
+  }
+
+  /**
+   * Reads what is asked for, as far as it is new, and solves it. What the user has changed of the rest stays.
+   * @returns whether it was read, and nothing else took its place
+   */
+  async load(asked: Asked, {stored, byUser = false}: LoadReason = {}): Promise<boolean> {
     this.#loading?.abort();
     const loading = new AbortController();
     this.#loading = loading;
     this.#failure = undefined;
+    this.#isOutdated = false;
     this.desk.cancel();
     if (!this.#last) this.#lease.warm(); // while the files are on their way
     this.#owner.changed();
     try {
       const loaded = await this.#sources.load(asked, loading.signal);
-      if (loading.signal.aborted) return;
+      if (loading.signal.aborted) return false;
+      const answered = {asked, loaded};
       const design = stored
         ? restored(loaded, stored, this.#words)
-        : this.#designFor(asked, loaded);
+        : nextDesign(answered, this.#last, this.desk.design);
       this.#loading = undefined;
       const symmetry = stored && typeof stored.symmetry === 'string' ? stored.symmetry : undefined;
       this.#terms = {
         symmetry: symmetry ?? loaded.symmetry,
         seed: stored?.seed ?? (this.#last ? this.#terms.seed : 1),
       };
-      this.#last = {asked, loaded};
-      this.#tellLoaded(loaded);
+      this.#last = answered;
+      this.#tell.loaded(loaded);
       this.#begin(design, byUser);
+      return true;
     } catch (error) {
       loading.abort(); // what else is being read is not needed any more
-      if (this.#loading !== loading) return;
-      this.#loading = undefined;
-      this.#fail(asError(error));
+      if (this.#loading === loading) {
+        this.#loading = undefined;
+        this.#fail(asError(error));
+      }
+      return false;
     }
   }
 
   /** As the program gave it, without what the user has changed. */
   reset(): void {
-    if (!this.#last || this.#loading) return;
-    const {asked, loaded} = this.#last;
-    this.#last = undefined;
-    this.#terms = {symmetry: loaded.symmetry, seed: 1};
-    const design = this.#designFor(asked, loaded);
-    this.#last = {asked, loaded};
-    this.#begin(design);
+    const last = this.#last;
+    this.#last = undefined; // nothing of it stays, whenever the next is loaded
+    if (!last || this.#loading || this.#isOutdated || this.#failure) return;
+    this.#last = last;
+    this.#terms = {symmetry: last.loaded.symmetry, seed: 1};
+    this.#begin(nextDesign(last, undefined, undefined));
   }
 
   /** @returns whether there was anything to solve again */
   solveAgain(): boolean {
-    if (this.#failure || !this.desk.design) return false;
+    if (this.#failure || this.#isOutdated || !this.desk.design) return false;
     this.desk.align();
     return true;
   }
 
   /** The answer to what is asked for now, or to what takes its place before it is there. */
   answer(signal?: AbortSignal): Promise<SolveResult> {
-    return new Promise((resolve, reject) => {
-      const left = new AbortController();
-      const waiting: Waiting = {
-        resolve: (result) => {
-          left.abort();
-          resolve(result);
-        },
-        reject: (reason) => {
-          left.abort();
-          // eslint-disable-next-line @typescript-eslint/prefer-promise-reject-errors -- may be the caller's own
-          reject(reason);
-        },
-      };
-      this.#waiting.add(waiting);
-      const abort = (): void => {
-        this.#waiting.delete(waiting);
-        waiting.reject(signal?.reason);
-        if (this.#waiting.size === 0) this.cancel();
-      };
-      signal?.addEventListener('abort', abort, {once: true, signal: left.signal});
-      this.#settle();
+    const answer = this.#waiting.join(signal, () => {
+      if (this.#waiting.isEmpty) this.cancel();
     });
+    this.#settle();
+    return answer;
   }
 
   /** Ends what is under way. What is shown stays. */
   cancel(): void {
     this.#loading?.abort();
     const wasLoading = this.#loading !== undefined;
+    this.#isOutdated ||= wasLoading;
     this.#loading = undefined;
     this.desk.cancel();
-    const message = this.#words.cancelled;
-    for (const {reject} of this.#taken()) reject(new DOMException(message, 'AbortError'));
+    this.#waiting.reject(new DOMException(this.#words.cancelled, 'AbortError'));
     if (wasLoading) this.#owner.changed();
   }
 
@@ -209,37 +209,12 @@ export class GarmentSession {
 
   /** Says something that keeps nothing from going on. */
   report(error: SolverError): void {
-    const {code, message, piece, seam} = error;
-    this.#owner.emit('error', {code, message, piece, seam});
-  }
-
-  #designFor({maxChangeCm, symmetry}: Asked, loaded: Loaded): Design {
-    const {garment, print, symmetries} = loaded;
-    const [before, now] = [this.#last, this.desk.design];
-    const fresh = newDesign(garment, print);
-    const isSameGarment = before?.loaded.garment === garment;
-    const kept = now && before ? now : fresh;
-    const {pins, ...options} = isSameGarment || !before ? kept.options : fresh.options;
-    const most = before?.asked.maxChangeCm === maxChangeCm ? options.maxChangeCm : maxChangeCm;
-    const placed = pins ?? pinsFor(garment.text, kept.options.pins);
-    return {
-      garment,
-      print: before?.loaded.print === print ? kept.print : print,
-      symmetries:
-        isSameGarment && before.asked.symmetry === symmetry ? kept.symmetries : symmetries,
-      method: kept.method,
-      options: {
-        ...options,
-        ...(most !== undefined && {maxChangeCm: most}),
-        ...(placed && {pins: placed}),
-      },
-    };
+    this.#tell.failed(error);
   }
 
   #begin(design: Design, byUser = false): void {
     this.#given = design;
     this.#isTouched = byUser;
-    this.#wasSolving = false;
     this.desk.begin({past: [], present: {design, view: null}, future: []});
   }
 
@@ -253,101 +228,37 @@ export class GarmentSession {
   /** The workbench has changed: by a program, by its user, or by an answer. */
   #follow(): void {
     const {desk} = this;
-    const {state, design, result} = desk;
-    if (design !== this.#given) {
-      this.#given = design;
+    if (desk.design !== this.#given) {
+      this.#given = desk.design;
       this.#isTouched = true;
     }
     this.#owner.changed();
-    if (state.kind === 'solving') {
-      this.#wasSolving = true;
-      this.#tellProgress(state);
-    } else if (this.#wasSolving) {
-      this.#wasSolving = false;
-      if (state.kind === 'failed') this.report(new SolverError(state.failure));
-      if (state.kind === 'done' && result) {
-        const {metrics} = result;
-        this.#owner.emit('solve', {metrics, milliseconds: metrics.milliseconds.total});
-      }
-    }
+    this.#tell.solved(desk);
     if (this.state === 'ready' && this.#isTouched) {
       this.#isTouched = false;
       this.#owner.emit('change', {design: this.#storable()});
     }
-    this.#tellSelected();
+    this.#tell.selected(desk);
     this.#settle();
-  }
-
-  #tellLoaded({garment, print}: Loaded): void {
-    this.#owner.emit('load', {
-      garment: {name: garment.name, url: garment.file?.url ?? null},
-      print: {name: print.title, url: print.file?.place?.url ?? null},
-    });
   }
 
   #storable(): StoredDesign | null {
     try {
       return this.stored();
     } catch {
-      return null;
-    }
-  }
-
-  #tellProgress({
-    phase,
-    fraction,
-  }: {
-    phase: GarmentEvents['progress']['phase'];
-    fraction: number;
-  }): void {
-    const told = `${phase} ${fraction}`;
-    if (told === this.#told) return;
-    this.#told = told;
-    this.#owner.emit('progress', {phase, fraction});
-  }
-
-  #tellSelected(): void {
-    const {selected, pattern} = this.desk;
-    if (selected === this.#selected) return;
-    this.#selected = selected;
-    const pieceAt = (k: number): string | null => pattern?.pieces[k]?.name ?? null;
-    if (!selected) {
-      this.#owner.emit('select', {kind: 'none', piece: null, seam: null});
-    } else if (selected.kind === 'piece') {
-      this.#owner.emit('select', {kind: 'piece', piece: pieceAt(selected.piece), seam: null});
-    } else {
-      const {seam, side} = selected;
-      const piece = pieceAt(pattern?.seams[seam]?.[side].piece ?? -1);
-      this.#owner.emit('select', {kind: 'seam', piece, seam});
+      return null; // given as objects
     }
   }
 
   /** Everybody who waits hears what there is to be heard. */
   #settle(): void {
     const {state, result, error} = this;
-    if (state === 'ready' && result) for (const {resolve} of this.#taken()) resolve(result);
-    else if (state === 'error') for (const {reject} of this.#taken()) reject(error);
-    else if (this.desk.state.kind === 'stale' && this.desk.state.cancelled && state === 'stale') {
-      const message = this.#words.cancelled;
-      for (const {reject} of this.#taken()) reject(new DOMException(message, 'AbortError'));
+    if (state === 'ready' && result) this.#waiting.resolve(result);
+    else if (state === 'error') this.#waiting.reject(error);
+    else if (state === 'stale' && this.desk.state.kind === 'stale' && !this.#isOutdated) {
+      this.#waiting.reject(new DOMException(this.#words.cancelled, 'AbortError'));
     }
   }
-
-  #taken(): readonly Waiting[] {
-    const all = [...this.#waiting];
-    this.#waiting.clear();
-    return all;
-  }
-}
-
-/** Of the pieces that another size of a garment still has, the prints stay where they were put. */
-function pinsFor(
-  text: string,
-  pins: Design['options']['pins'],
-): Design['options']['pins'] | undefined {
-  if (!pins) return undefined;
-  const kept = Object.entries(pins).filter(([name]) => text.includes(JSON.stringify(name)));
-  return kept.length > 0 ? Object.fromEntries(kept) : undefined;
 }
 
 /** As the one kind of error that the element knows. */

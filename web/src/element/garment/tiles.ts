@@ -1,8 +1,8 @@
 /** The pictures of an element's prints. A picture is fetched once, for as long as the element is in use. */
 import {SolverError} from '../../model/failure.js';
 import {noPicture} from '../../model/design.js';
-import type {Tile} from '../../viewer/tile.js';
-import {tileOf} from '../pattern/tile.js';
+import {svgTile, type Tile} from '../../viewer/tile.js';
+import {blobOf} from '../pattern/tile.js';
 import {fetchBlob, type FileWords} from './files.js';
 import {pictureSize} from './picture-size.js';
 
@@ -37,31 +37,39 @@ export class Tiles {
   async #open(image: string): Promise<() => Promise<Tile>> {
     const words = this.#words();
     const called = image.startsWith('data:') ? image.slice(0, 40) : image;
-    const decoded = async (read: () => Promise<Tile>): Promise<Tile> => {
+    const notAnImage = new SolverError({code: 'not-an-image', message: words.notAnImage(called)});
+    const decoded = async <T>(read: () => Promise<T>): Promise<T> => {
       try {
         return await read();
       } catch {
-        throw new SolverError({code: 'not-an-image', message: words.notAnImage(called)});
+        throw notAnImage;
       }
     };
-    if (image.startsWith('data:')) return () => decoded(() => tileOf(image));
-    const blob = await fetchBlob(image, words);
+    const isHere = image.startsWith('data:');
+    const blob = isHere
+      ? await decoded(() => Promise.resolve(blobOf(image)))
+      : await fetchBlob(image, words);
     if (blob.type.startsWith('image/svg')) {
-      const tile = await decoded(async () => {
-        const vector = new Image();
-        vector.src = image; // the URL itself: a policy need not allow others
-        await vector.decode();
-        return {vector};
-      });
+      // it is drawn at the size that a screen asks for, whatever it says of itself
+      const tile = await decoded(async () => (isHere ? svgTile(await blob.text()) : vector(image)));
       return () => Promise.resolve(tile);
     }
     const size = pictureSize(new Uint8Array(await blob.arrayBuffer()));
-    if (size && !isSmallEnough(size)) {
+    if (!size) throw notAnImage;
+    if (!isSmallEnough(size)) {
       const message = words.tooLarge(called, `${mostPixels / 1e6} MP`);
       throw new SolverError({code: 'too-large', message});
     }
     return () => decoded(() => createImageBitmap(blob, {colorSpaceConversion: 'none'}));
   }
+}
+
+/** From the URL itself: a policy need not allow others. */
+async function vector(url: string): Promise<Tile> {
+  const image = new Image();
+  image.src = url;
+  await image.decode();
+  return {vector: image};
 }
 
 const isSmallEnough = ({width, height}: {width: number; height: number}): boolean =>

@@ -9,7 +9,8 @@ export async function tileOf(image: string, signal?: AbortSignal): Promise<Tile>
   return createImageBitmap(blob, {colorSpaceConversion: 'none'});
 }
 
-function blobOf(url: string): Blob {
+/** @throws {Error} for what is not well-formed */
+export function blobOf(url: string): Blob {
   const comma = url.indexOf(',');
   const head = url.slice('data:'.length, comma);
   const body = url.slice(comma + 1);

@@ -353,6 +353,9 @@ export const de: Texts = {
     print: 'Das Stoffmuster',
     noAnswer: 'Es gibt noch keine Lösung zu speichern; mit solve() darauf warten.',
     noDrawing: 'Es ist noch nichts gezeichnet; mit solve() darauf warten.',
+    noPicture: 'Dieser Browser kann das Bild nicht schreiben; bitte ein kleineres verlangen.',
+    noTools: (reason) =>
+      `Was dieser Modus braucht, ist nicht ladbar (${reason}); Verbindung prüfen und die Seite neu laden.`,
     cancelled: 'Die Anpassung wurde abgebrochen.',
   },
 };

@@ -350,6 +350,9 @@ export const en = {
     print: 'print',
     noAnswer: 'There is no answer to store yet; wait for it with solve().',
     noDrawing: 'Nothing is drawn yet; wait for it with solve().',
+    noPicture: 'This browser cannot write the picture; ask for a smaller one.',
+    noTools: (reason: string) =>
+      `What this mode needs cannot be loaded (${reason}); check the connection and load the page again.`,
     cancelled: 'The solve was cancelled.',
   },
 };

@@ -1,0 +1,68 @@
+/** Tells the page, by events, what becomes of a workbench: each thing once. */
+import {SolverError} from '../../model/failure.js';
+import type {Progress} from '../../model/problem.js';
+import type {Workbench} from '../workbench/workbench.js';
+import type {GarmentEvents} from './events.js';
+import type {Loaded} from './sources.js';
+
+export type Emit = <K extends keyof GarmentEvents>(type: K, detail: GarmentEvents[K]) => void;
+
+export class Announcer {
+  readonly #emit: Emit;
+  #wasSolving = false;
+  #progress = '';
+  #selected: Workbench['selected'];
+
+  constructor(emit: Emit) {
+    this.#emit = emit;
+  }
+
+  failed({code, message, piece, seam}: SolverError): void {
+    this.#emit('error', {code, message, piece, seam});
+  }
+
+  loaded({garment, print}: Loaded): void {
+    this.#emit('load', {
+      garment: {name: garment.name, url: garment.file?.url ?? null},
+      print: {name: print.title, url: print.file?.place?.url ?? null},
+    });
+    this.#wasSolving = false;
+  }
+
+  /** How far a solve is, and how it ended. */
+  solved({state, result}: Workbench): void {
+    if (state.kind === 'solving') {
+      this.#wasSolving = true;
+      this.#tellProgress(state);
+    } else if (this.#wasSolving) {
+      this.#wasSolving = false;
+      if (state.kind === 'failed') this.failed(new SolverError(state.failure));
+      if (state.kind === 'done' && result) {
+        const {metrics} = result;
+        this.#emit('solve', {metrics, milliseconds: metrics.milliseconds.total});
+      }
+    }
+  }
+
+  selected({selected, pattern}: Workbench): void {
+    if (selected === this.#selected) return;
+    this.#selected = selected;
+    const pieceAt = (k: number): string | null => pattern?.pieces[k]?.name ?? null;
+    if (!selected) {
+      this.#emit('select', {kind: 'none', piece: null, seam: null});
+    } else if (selected.kind === 'piece') {
+      this.#emit('select', {kind: 'piece', piece: pieceAt(selected.piece), seam: null});
+    } else {
+      const {seam, side} = selected;
+      const piece = pieceAt(pattern?.seams[seam]?.[side].piece ?? -1);
+      this.#emit('select', {kind: 'seam', piece, seam});
+    }
+  }
+
+  #tellProgress({phase, fraction}: Progress): void {
+    const progress = `${phase} ${fraction}`;
+    if (progress === this.#progress) return;
+    this.#progress = progress;
+    this.#emit('progress', {phase, fraction});
+  }
+}

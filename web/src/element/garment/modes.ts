@@ -1,0 +1,34 @@
+/** The code behind the modes, which is loaded by whoever shows them. */
+import type {GarmentMode} from './attributes.js';
+
+export class Modes {
+  readonly #loaded = new Set<GarmentMode>(['preview']);
+  readonly #changed: () => void;
+  readonly #failed: (error: unknown) => void;
+  #asked: GarmentMode = 'preview';
+
+  constructor(changed: () => void, failed: (error: unknown) => void) {
+    this.#changed = changed;
+    this.#failed = failed;
+  }
+
+  /** What can be shown of a mode by now: until its code is there, the preview. */
+  shown(mode: GarmentMode): GarmentMode {
+    return this.#loaded.has(mode) ? mode : 'preview';
+  }
+
+  /** Once; what fails is tried again after another mode was asked for. */
+  async load(mode: GarmentMode): Promise<void> {
+    if (mode === this.#asked) return;
+    this.#asked = mode;
+    if (mode === 'preview' || this.#loaded.has(mode)) return;
+    try {
+      if (mode === 'place') (await import('./placing.js')).definePlacing();
+      else (await import('../editor/editor.js')).defineEditor();
+      this.#loaded.add(mode);
+      this.#changed();
+    } catch (error) {
+      this.#failed(error);
+    }
+  }
+}
