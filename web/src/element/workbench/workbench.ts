@@ -1,7 +1,7 @@
 /** What a page or element works on: a design with its history, and what the solver knows of it. */
 import {printOf, problemOf, type Design, type DesignGarment} from '../../model/design.js';
 import type {Alignment} from '../../model/geometry.js';
-import {amended, redone, stepped, undone, type History} from '../../model/history.js';
+import type {History} from '../../model/history.js';
 import type {Problem} from '../../model/problem.js';
 import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
@@ -11,23 +11,15 @@ import {alignmentsFrom} from '../../viewer/scene.js';
 import type {Tile} from '../../viewer/tile.js';
 import {tileOf} from '../pattern/tile.js';
 import {textsOf} from '../texts/texts.js';
+import {Attention} from './attention.js';
 import {Comparison} from './comparison.js';
-import {lastOf} from './last-of.js';
+import {FoundSymmetries} from './found-symmetries.js';
 import {LatestSolve} from './latest-solve.js';
-import {Observable} from './observable.js';
 import {preferencesFor, type Preferences} from './preferences.js';
 import {ResultCache} from './result-cache.js';
 import {bareCloth, newDesign} from './samples.js';
-import type {Scenes} from './scenes.js';
-import {
-  sameTarget,
-  type Notice,
-  type SheetWindow,
-  type SolveState,
-  type Step,
-  type Target,
-} from './state.js';
-import {concernsSame} from './symmetry-steps.js';
+import type {SolveState, Step} from './state.js';
+import {Steps} from './steps.js';
 
 export type * from './state.js';
 
@@ -38,36 +30,23 @@ export interface WorkbenchOptions {
   readonly tileOf?: (image: string, signal?: AbortSignal) => Promise<Tile | undefined>;
 }
 
-export class Workbench extends Observable {
+export class Workbench extends Attention {
   readonly solver: SolverService;
   readonly tileOf: NonNullable<WorkbenchOptions['tileOf']>;
-  /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
-  view: SheetWindow | undefined;
   readonly #lease: SolverLease;
   readonly #results = new ResultCache();
-  readonly #unasked = lastOf(
-    (found: readonly DetectedSymmetry[], asked: readonly Symmetry[] = []) =>
-      found.filter((one) => !asked.some((other) => concernsSame(one, other))),
-  );
+  readonly #steps = new Steps();
   readonly #solve: LatestSolve;
   readonly #comparison: Comparison;
-  #history: History<Step> | undefined;
-  #preferences: Preferences;
+  readonly #found: FoundSymmetries;
   #pattern: MeshedPattern | undefined;
-  /** What `#found` is about. */
+  /** What `#pattern` is of. */
   #garment: DesignGarment | undefined;
-  #found: readonly DetectedSymmetry[] = [];
   #partial: readonly Alignment[] | undefined;
   #state: SolveState = {kind: 'opening'};
-  #notice: Notice | undefined;
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
-  #scenes: Scenes | undefined;
   #isEdited = true;
-  #selected: Target | undefined;
-  #pointed: Target | undefined;
-  /** The kind of change that may still be amended, and until when. */
-  #amendable = {kind: '', until: 0};
 
   /** @param lease given back by `dispose` */
   constructor(
@@ -75,14 +54,15 @@ export class Workbench extends Observable {
     preferences = preferencesFor(navigator.language),
     {problemOf: asked = problemOf, tileOf: read = tileOf}: WorkbenchOptions = {},
   ) {
-    super();
+    super(preferences);
     this.solver = lease.solver;
     this.#lease = lease;
-    this.#preferences = preferences;
     this.tileOf = read;
-    this.#comparison = new Comparison(this.solver, asked, () => {
+    const changed = (): void => {
       this.changed();
-    });
+    };
+    this.#comparison = new Comparison(this.solver, asked, changed);
+    this.#found = new FoundSymmetries(this.solver, changed);
     this.#solve = new LatestSolve(this.solver, asked, {
       pattern: (design, pattern) => {
         if (design.garment !== this.#garment) return;
@@ -110,11 +90,8 @@ export class Workbench extends Observable {
         if (design !== this.design) return;
         if (failure.code === 'internal' && design !== this.#retried) {
           this.#retried = design;
-          this.#notice = {
-            tone: 'info',
-            text: textsOf(this.#preferences.language, this.#preferences.messages).progress
-              .restarted,
-          };
+          const {language, messages} = this.preferences;
+          this.say({tone: 'info', text: textsOf(language, messages).progress.restarted});
           this.align();
           return;
         }
@@ -127,23 +104,19 @@ export class Workbench extends Observable {
 
   /** Undefined until a garment is there. */
   get design(): Design | undefined {
-    return this.#history?.present.design;
+    return this.history?.present.design;
   }
 
   get history(): History<Step> | undefined {
-    return this.#history;
+    return this.#steps.history;
   }
 
   get canUndo(): boolean {
-    return (this.#history?.past.length ?? 0) > 0;
+    return (this.history?.past.length ?? 0) > 0;
   }
 
   get canRedo(): boolean {
-    return (this.#history?.future.length ?? 0) > 0;
-  }
-
-  get preferences(): Preferences {
-    return this.#preferences;
+    return (this.history?.future.length ?? 0) > 0;
   }
 
   get state(): SolveState {
@@ -167,7 +140,7 @@ export class Workbench extends Observable {
 
   /** Symmetries the garment shows by itself and nobody has asked for yet. */
   get found(): readonly DetectedSymmetry[] {
-    return this.#unasked(this.#found, this.design?.symmetries);
+    return this.#found.beside(this.design?.symmetries);
   }
 
   /** What the present design reaches without its symmetries, if it has any. */
@@ -175,53 +148,10 @@ export class Workbench extends Observable {
     return this.design && this.#comparison.of(this.design);
   }
 
-  get notice(): Notice | undefined {
-    return this.#notice;
-  }
-
-  say(notice: Notice | undefined): void {
-    this.#notice = notice;
-    this.changed();
-  }
-
-  prefer(change: Partial<Preferences>): void {
-    const wasOff = !this.#preferences.solveAsIGo;
-    this.#preferences = {...this.#preferences, ...change};
+  override prefer(change: Partial<Preferences>): void {
+    const wasOff = !this.preferences.solveAsIGo;
+    super.prefer(change);
     if (wasOff && change.solveAsIGo && this.#state.kind === 'stale') this.align();
-    this.changed();
-  }
-
-  /** The sheets that the pattern shows, for everything beside it that speaks of the same. */
-  get scenes(): Scenes | undefined {
-    return this.#scenes;
-  }
-
-  set scenes(scenes: Scenes | undefined) {
-    if (scenes?.now === this.#scenes?.now && scenes?.before === this.#scenes?.before) return;
-    this.#scenes = scenes;
-    this.changed();
-  }
-
-  /** What was picked last: it stays when the pointer moves on. */
-  get selected(): Target | undefined {
-    return this.#selected;
-  }
-
-  select(target: Target | undefined): void {
-    if (sameTarget(target, this.#selected)) return;
-    this.#selected = target;
-    this.changed();
-  }
-
-  /** What the pointer is over, in the picture or in a list. */
-  get pointed(): Target | undefined {
-    return this.#pointed;
-  }
-
-  point(target: Target | undefined): void {
-    if (sameTarget(target, this.#pointed)) return;
-    this.#pointed = target;
-    this.changed();
   }
 
   /** Whether somebody is going to ask for symmetries and what they cost: otherwise neither is looked for. */
@@ -230,7 +160,7 @@ export class Workbench extends Observable {
     this.#isEdited = isEdited;
     if (!isEdited) this.#comparison.stop();
     else if (this.#garment) {
-      this.#find(this.#garment);
+      this.#found.follow(this.#garment);
       this.#compare();
     }
   }
@@ -243,7 +173,8 @@ export class Workbench extends Observable {
 
   /** Starts, or starts over, with a history of its own. */
   begin(history: History<Step>): void {
-    this.#travel(history);
+    this.#steps.begin(history);
+    this.#travel();
   }
 
   /**
@@ -251,30 +182,24 @@ export class Workbench extends Observable {
    * are one step.
    */
   change(change: Partial<Design>, kind = ''): void {
-    if (!this.#history) return;
-    const design = {...this.#history.present.design, ...change};
-    const view = this.view?.get() ?? null;
-    const now = performance.now();
-    const amends = kind !== '' && kind === this.#amendable.kind && now < this.#amendable.until;
-    this.#amendable = {kind, until: now + 1000};
-    const seen = amended(this.#history, {...this.#history.present, view});
-    this.#history = amends ? amended(seen, {design, view}) : stepped(seen, {design, view});
-    this.#notice = undefined;
+    if (!this.history) return;
+    this.#steps.change(change, kind, this.view?.get() ?? null);
+    this.unsay();
     this.#arrive();
   }
 
   /** Takes another design as a whole; the first one begins a history. */
   replace(design: Design): void {
-    if (this.#history) this.change(design);
+    if (this.history) this.change(design);
     else this.begin({past: [], present: {design, view: null}, future: []});
   }
 
   undo(): void {
-    this.#travel(this.#history && undone(this.#history));
+    if (this.#steps.undo()) this.#travel();
   }
 
   redo(): void {
-    this.#travel(this.#history && redone(this.#history));
+    if (this.#steps.redo()) this.#travel();
   }
 
   /**
@@ -323,13 +248,11 @@ export class Workbench extends Observable {
     super.dispose();
   }
 
-  #travel(history: History<Step> | undefined): void {
-    if (!history) return;
-    this.#history = history;
-    this.#amendable = {kind: '', until: 0};
-    this.#notice = undefined;
+  #travel(): void {
+    this.unsay();
     this.#arrive();
-    if (history.present.view) this.view?.set(history.present.view);
+    const view = this.history?.present.view;
+    if (view) this.view?.set(view);
   }
 
   /** The present design may be any other than before. */
@@ -339,7 +262,7 @@ export class Workbench extends Observable {
     this.#comparison.stop();
     if (design.garment !== this.#garment) this.#meet(design.garment);
     const known = this.#results.of(design);
-    if (known ?? !this.#preferences.solveAsIGo) {
+    if (known ?? !this.preferences.solveAsIGo) {
       this.#solve.cancel();
       this.#partial = undefined;
     }
@@ -347,7 +270,7 @@ export class Workbench extends Observable {
       this.#pattern = known.pattern;
       this.#state = {kind: 'done'};
       this.#compare();
-    } else if (this.#preferences.solveAsIGo) {
+    } else if (this.preferences.solveAsIGo) {
       this.align();
     } else {
       this.#state = {kind: 'stale', cancelled: false};
@@ -357,10 +280,8 @@ export class Workbench extends Observable {
 
   /** What cannot be solved may still be shown. */
   async #showUnsolved(design: Design): Promise<void> {
-    const {garment, print} = design;
-    const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};
-    const pattern = await this.solver.prepare(problem).catch(() => undefined);
-    if (!pattern || this.#garment !== garment || this.#pattern) return;
+    const pattern = await this.meshed(design).catch(() => undefined);
+    if (!pattern || this.#garment !== design.garment || this.#pattern) return;
     this.#pattern = pattern;
     this.changed();
   }
@@ -370,25 +291,13 @@ export class Workbench extends Observable {
     this.#garment = garment;
     this.#pattern = undefined;
     this.#partial = undefined;
-    this.#found = [];
-    this.#selected = undefined;
-    this.#pointed = undefined;
-    if (this.#isEdited) this.#find(garment);
+    this.lookAway();
+    if (this.#isEdited) this.#found.follow(garment);
+    else this.#found.forget();
   }
 
   #compare(): void {
     const {design, result} = this;
     if (this.#isEdited && design && result) this.#comparison.follow(design, result.metrics);
-  }
-
-  #find(garment: DesignGarment): void {
-    this.solver.symmetries(garment.text, {name: garment.name}).then(
-      ({symmetries}) => {
-        if (this.#garment !== garment) return;
-        this.#found = symmetries;
-        this.changed();
-      },
-      () => undefined, // a garment that cannot be read fails to solve as well, and that is said
-    );
   }
 }

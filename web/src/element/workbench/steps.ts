@@ -1,0 +1,51 @@
+/** A design with its history, and where it was looked at. */
+import type {Design} from '../../model/design.js';
+import {amended, redone, stepped, undone, type History} from '../../model/history.js';
+import type {Step, ViewState} from './state.js';
+
+/** Changes of one kind that follow each other within this are one step. [ms] */
+const pause = 1000;
+
+export class Steps {
+  #history: History<Step> | undefined;
+  /** The kind of change that may still be amended, and until when. */
+  #amendable = {kind: '', until: 0};
+
+  /** Undefined until it is begun. */
+  get history(): History<Step> | undefined {
+    return this.#history;
+  }
+
+  begin(history: History<Step>): void {
+    this.#history = history;
+    this.#amendable = {kind: '', until: 0};
+  }
+
+  /** @param kind changes of which may be one step; empty for one that stands alone */
+  change(change: Partial<Design>, kind: string, view: ViewState | null): void {
+    if (!this.#history) return;
+    const {present} = this.#history;
+    const step = {design: {...present.design, ...change}, view};
+    const now = performance.now();
+    const amends = kind !== '' && kind === this.#amendable.kind && now < this.#amendable.until;
+    this.#amendable = {kind, until: now + pause};
+    this.#history = amends
+      ? amended(this.#history, step)
+      : stepped(amended(this.#history, {...present, view}), step);
+  }
+
+  /** @returns whether there was a step to take back */
+  undo(): boolean {
+    return this.#travel(this.#history && undone(this.#history));
+  }
+
+  /** @returns whether there was a step to take again */
+  redo(): boolean {
+    return this.#travel(this.#history && redone(this.#history));
+  }
+
+  #travel(history: History<Step> | undefined): boolean {
+    if (history) this.begin(history);
+    return history !== undefined;
+  }
+}
