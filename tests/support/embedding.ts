@@ -1,0 +1,32 @@
+/** What docs/embedding.md says, to be compared with what is so. */
+import {readFileSync} from 'node:fs';
+
+const text = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8');
+
+/** The rows of the tables whose first column is called so, without their backticks. */
+export function rowsOf(column: string): readonly (readonly string[])[] {
+  const tables = text.matchAll(/(?:^\|.*\|\n)+/gm);
+  const rows = [...tables].map(([table]) => table.trim().split('\n').map(cellsOf));
+  return rows.filter(([head]) => head?.[0] === column).flatMap((all) => all.slice(2));
+}
+
+const cellsOf = (row: string): string[] =>
+  row
+    .slice(1, -1)
+    .split('|')
+    .map((cell) => cell.trim().replaceAll('`', ''));
+
+/** The snippets in a language, in their order. */
+export const snippetsIn = (language: string): readonly string[] =>
+  [...text.matchAll(new RegExp(`^\`\`\`${language}\\n([^]*?)^\`\`\`$`, 'gm'))].map(
+    ([, code = '']) => code,
+  );
+
+/** The one snippet in a language that holds these words. @throws {Error} when there is none, or several */
+export function snippetWith(language: string, words: string): string {
+  const [code, ...more] = snippetsIn(language).filter((snippet) => snippet.includes(words));
+  if (code === undefined || more.length > 0) {
+    throw new Error(`docs/embedding.md has not one ${language} snippet with '${words}'.`);
+  }
+  return code;
+}
