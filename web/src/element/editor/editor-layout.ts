@@ -6,7 +6,7 @@ import {css} from 'lit';
  */
 export const editorLayout = css`
   :host {
-    --sw-editor-height: min(100dvh, 48rem);
+    --height: var(--sw-editor-height, min(100dvh, 48rem));
     display: block;
     container-type: inline-size;
   }
@@ -16,7 +16,7 @@ export const editorLayout = css`
     grid:
       'header header header' auto
       'setup pattern report' minmax(0, 1fr) / 20rem minmax(0, 1fr) 24rem;
-    height: var(--sw-editor-height);
+    height: var(--height);
     background: var(--sw-ground);
   }
   header {
@@ -108,11 +108,11 @@ export const editorLayout = css`
       display: flex;
       flex-direction: column;
       height: auto;
-      min-height: var(--sw-editor-height);
+      min-height: var(--height);
       background: var(--sw-paper);
     }
     .pattern {
-      height: calc(0.62 * var(--sw-editor-height));
+      height: calc(0.62 * var(--height));
       min-height: 22rem;
     }
     /* what is asked most often comes first: how well it fits, then the print; the tables last */
