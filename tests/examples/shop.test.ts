@@ -1,0 +1,277 @@
+/** The shop, as a customer, its workshop and somebody with bad intentions meet it. */
+import {execFile} from 'node:child_process';
+import {readFile} from 'node:fs/promises';
+import {join} from 'node:path';
+import {promisify} from 'node:util';
+
+import type {Locator, Page} from 'playwright-core';
+import {order, readStoredDesign, resultText, sha256Of} from 'seamwise/node';
+import {beforeAll, expect, it} from 'vitest';
+
+import type {SeamwiseGarment} from '../../web/src/element/seamwise-garment.js';
+import {barriers} from '../support/barriers.js';
+import {samples, solved, useChromium, useExamples} from '../support/examples.js';
+
+const {copy, serve} = useExamples();
+const open = useChromium();
+const policy =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; " +
+  "img-src 'self'; connect-src 'self'; form-action 'self'";
+let folder: string;
+let shop: string;
+
+beforeAll(async () => {
+  folder = await copy('shop');
+  shop = await serve(folder, ['server.mjs', '--port', '0', '--samples', samples]);
+});
+
+const garment = (page: Page): Locator => page.locator('#product seamwise-garment');
+const price = (page: Page): Locator => page.locator('#price');
+const readSample = (path: string): Promise<Uint8Array> => readFile(join(samples, path));
+
+/** The design that the page would sell, and the sha256 of what it shows. */
+const shown = async (page: Page): Promise<{readonly design: string; readonly sha256: string}> => {
+  const {value, result} = await garment(page).evaluate((element: SeamwiseGarment) => ({
+    value: element.value,
+    result: element.result,
+  }));
+  if (!result) throw new Error('The page shows no result.');
+  return {design: value, sha256: sha256Of(resultText(result))};
+};
+
+/** Once the element has another answer than the one before. */
+async function solvedAnew(page: Page, before: string): Promise<void> {
+  await page.waitForFunction((old) => {
+    const element = document.querySelector<SeamwiseGarment>('#product seamwise-garment');
+    return element?.state === 'ready' && element.value !== old;
+  }, before);
+}
+
+it('sells what was chosen, gives it back, and has the workshop cut the same bytes', async () => {
+  const page = await open(shop);
+  const refused: string[] = [];
+  page.on('response', (response) => {
+    const headers = response.headers();
+    const isRight =
+      response.ok() || response.status() === 303
+        ? headers['content-security-policy'] === policy
+        : false;
+    const isIsolated = 'cross-origin-opener-policy' in headers;
+    if (!isRight || isIsolated) refused.push(`${response.status()} ${response.url()}`);
+  });
+  await page.getByRole('link', {name: 'Tee'}).click();
+  await page.getByText('L', {exact: true}).click();
+  await page.getByText('Snow crystal', {exact: true}).click();
+  await page.locator('.colours:visible').getByText('Mist').click();
+  await page.getByRole('status').filter({hasText: 'The print meets'}).waitFor();
+  await solved(page);
+  await page.getByRole('button', {name: 'Place the print yourself'}).click();
+  const before = await shown(page);
+  await dragPrint(page);
+  await solvedAnew(page, before.design);
+  const sold = await shown(page);
+  expect(sold.sha256).not.toBe(before.sha256);
+  const cost = await price(page).textContent();
+  await page.getByRole('button', {name: 'Add to cart'}).click();
+  await page.waitForURL(/\/cart\//);
+  await page.reload();
+  expect(await page.locator('.total').textContent()).toContain(cost);
+  expect(await page.locator('.line').textContent()).toContain('Snow crystal, Mist');
+
+  const cart = page.url();
+  await page.getByRole('link', {name: 'Tee, L', exact: true}).click();
+  await solved(page);
+  const restored = await shown(page);
+  expect(restored).toEqual({...sold, design: restored.design});
+  expect(JSON.parse(restored.design)).toEqual(JSON.parse(sold.design));
+  expect(await page.getByRole('radio', {name: 'L', exact: true}).isChecked()).toBe(true);
+  expect(await page.getByRole('radio', {name: 'Snow crystal'}).isChecked()).toBe(true);
+
+  await page.goto(cart);
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', {name: /^Order file for the workshop/}).click();
+  const cut = await readFile(await (await download).path(), 'utf8');
+  expect(sha256Of(cut)).toBe(sold.sha256);
+  const address = await page.getByRole('link', {name: /^Design/}).getAttribute('href');
+  const stored = new URL(address ?? '', shop).href;
+  const design = await (await fetch(stored)).text();
+  const {reproduced, text} = await order(design, {read: readSample});
+  expect({reproduced, sha256: sha256Of(text)}).toEqual({reproduced: true, sha256: sold.sha256});
+  const program = join(folder, 'node_modules/seamwise/dist/cli/main.js');
+  const words = [program, 'order', stored, '--out', 'cut.json', '--json'];
+  const {stdout} = await promisify(execFile)(process.execPath, words, {cwd: folder});
+  expect(JSON.parse(stdout)).toMatchObject({reproduced: true});
+  expect(sha256Of(await readFile(join(folder, 'cut.json')))).toBe(sold.sha256);
+  expect(refused).toEqual([]);
+});
+
+/** In the middle of the first piece, as it is drawn. */
+async function dragPrint(page: Page): Promise<void> {
+  const pane = garment(page).locator('sw-pattern');
+  await pane.getByRole('button', {name: 'Show all'}).waitFor();
+  const box = await pane.boundingBox();
+  if (!box) throw new Error('The pattern is not shown.');
+  const [x, y] = [box.x + 0.35 * box.width, box.y + 0.5 * box.height];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 14, y - 9, {steps: 4});
+  await page.mouse.up();
+}
+
+it('can be walked by keys alone', async () => {
+  const page = await open(shop);
+  const focused = (): Promise<string> =>
+    page.evaluate(() => {
+      let at = document.activeElement;
+      while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
+      if (at instanceof HTMLInputElement && at.type === 'radio') return `${at.name} ${at.value}`;
+      return at?.getAttribute('aria-label') ?? at?.textContent.trim() ?? '';
+    });
+  const tabTo = async (wanted: RegExp): Promise<void> => {
+    const passed: string[] = [];
+    while (!wanted.test(passed.at(-1) ?? '')) {
+      if (passed.length > 60) throw new Error(`${String(wanted)} is not among ${passed.join()}`);
+      await page.keyboard.press('Tab');
+      passed.push(await focused());
+    }
+  };
+  await tabTo(/^Skip/);
+  await page.keyboard.press('Enter');
+  await tabTo(/Six-gore skirt/);
+  await page.keyboard.press('Enter');
+  await page.waitForURL(/six-gore/);
+  await tabTo(/^size m$/);
+  await page.keyboard.press('ArrowLeft');
+  expect(await focused()).toBe('size s');
+  await tabTo(/^print cmm$/);
+  await page.keyboard.press('ArrowRight');
+  await tabTo(/^colourway-ditsy/);
+  await page.keyboard.press('ArrowRight');
+  await solved(page);
+  await page.keyboard.press('Shift+Tab');
+  while (!(await focused()).startsWith('Place the print')) await page.keyboard.press('Shift+Tab');
+  const before = await shown(page);
+  await page.keyboard.press('Space');
+  await garment(page).locator('sw-place-bar').waitFor();
+  while ((await focused()) !== 'Repeat width (cm)') await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('ArrowRight');
+  await solvedAnew(page, before.design);
+  const {print, garment: chosen} = readStoredDesign((await shown(page)).design, 'design');
+  expect(chosen.size).toBe('s');
+  expect(print).toMatchObject({colourway: 'Blush', url: `${shop}prints/ditsy.json`});
+  expect(print.size?.width).toBeGreaterThan(7); // the file's own
+  await tabTo(/^Add to cart$/);
+  await page.keyboard.press('Enter');
+  await page.waitForURL(/\/cart\//);
+  await tabTo(/^Six-gore skirt, S$/);
+  await page.keyboard.press('Enter');
+  await page.waitForURL(/line=/);
+});
+
+it.each(['light', 'dark'] as const)('keeps nobody out, in %s colours', async (colorScheme) => {
+  const page = await open(shop, {colorScheme});
+  const all = ['minor', 'moderate', 'serious', 'critical'] as const;
+  expect(await barriers(page, all)).toEqual([]);
+  await page.goto(`${shop}garment/tee`);
+  await solved(page);
+  expect(await barriers(page, all)).toEqual([]);
+  await page.getByRole('button', {name: 'Place the print yourself'}).click();
+  await garment(page).locator('sw-place-bar').waitFor();
+  expect(await barriers(page, all)).toEqual([]);
+  await page.getByRole('button', {name: 'Add to cart'}).click();
+  await page.waitForURL(/\/cart\//);
+  expect(await barriers(page, all)).toEqual([]);
+});
+
+it('adds to the cart what is still being solved, as soon as it is there', async () => {
+  const page = await open(shop);
+  let deliver: (() => void) | undefined;
+  const pressed = new Promise<void>((resolve) => (deliver = resolve));
+  await page.route('**/garments/tee-xs.json', async (route) => {
+    await pressed;
+    await route.continue();
+  });
+  await page.goto(`${shop}garment/tee?size=xs&print=check`);
+  await page.getByRole('button', {name: 'Add to cart'}).click();
+  deliver?.();
+  await page.waitForURL(/\/cart\//);
+  expect(await page.locator('.line').textContent()).toContain('Tee, XS');
+});
+
+it('says in words what is wrong, and tries again when asked', async () => {
+  const page = await open(shop, {maySay: /404/});
+  await page.route('**/prints/p4m.json', (route) => route.fulfill({status: 404}));
+  await page.goto(`${shop}garment/tee`);
+  const problem = page.getByRole('alert').filter({hasText: 'p4m.json'});
+  await problem.waitFor();
+  expect(await barriers(page, ['minor', 'moderate', 'serious', 'critical'])).toEqual([]);
+  await page.unroute('**/prints/p4m.json');
+  await problem.getByRole('button', {name: 'Try again'}).click();
+  await solved(page);
+  await problem.waitFor({state: 'hidden'});
+});
+
+it('takes no design but one of its own', async () => {
+  const page = await open(`${shop}garment/tee`);
+  await solved(page);
+  const {design} = await shown(page);
+  const own = readStoredDesign(design, 'design');
+  const post = (text: string): Promise<Response> =>
+    fetch(`${shop}cart`, {
+      ...{method: 'POST', redirect: 'manual', body: new URLSearchParams({design: text})},
+    });
+  expect((await post(design)).status).toBe(303);
+  const {garment: pattern, print} = own;
+  const size = {width: 400, height: 400, angleDeg: 90};
+  const wrong: readonly object[] = [
+    {...own, garment: {...pattern, url: 'http://example.org/garments/tee-m.json'}},
+    {...own, garment: {...pattern, url: '/garments/../../etc/passwd'}},
+    {...own, garment: {...pattern, url: '/garments/hoodie-m.json'}},
+    {...own, garment: {...pattern, url: 'file:///etc/passwd'}},
+    {...own, garment: {...pattern, size: 'xl'}},
+    {...own, garment: {...pattern, sha256: '0'.repeat(64)}},
+    {...own, print: {...print, url: '/prints/p1.json'}},
+    {...own, print: {...print, colourway: 'Gold'}},
+    {...own, print: {...print, group: 'p1'}},
+    {...own, print: {...print, size}},
+    {...own, options: {...own.options, maxChangeCm: 5}},
+    {...own, method: 'paper'},
+    {...own, alignments: {front: 'anywhere'}},
+  ];
+  for (const text of ['', '{}', '<script>', ...wrong.map((one) => JSON.stringify(one))]) {
+    const answer = await post(text);
+    expect(`${answer.status} ${text}`).toBe(`400 ${text}`);
+    expect(answer.headers.get('content-security-policy')).toBe(policy);
+    expect(await answer.text()).not.toContain('<script>');
+  }
+});
+
+it('has its own price, and no other files than its own', async () => {
+  const page = await open(`${shop}garment/tee`);
+  await solved(page);
+  const {design} = await shown(page);
+  const body = JSON.stringify({...(JSON.parse(design) as object), price: '€0.01'});
+  const answer = await fetch(`${shop}estimate`, {method: 'POST', body});
+  const told = (await answer.json()) as {readonly price: string; readonly pieces: string};
+  expect(told.price).toBe(await price(page).textContent());
+  const area = await garment(page).evaluate((element: SeamwiseGarment) =>
+    (element.result?.pieces ?? [])
+      .flatMap(({rest, triangles}) => triangles.map((corners) => corners.map((k) => rest[k])))
+      .reduce((sum, [a = [0, 0], b = [0, 0], c = [0, 0]]) => {
+        return sum + ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
+      }, 0),
+  );
+  expect(Number(told.pieces)).toBeCloseTo(area / 1e4, 2);
+  for (const path of [
+    'server.mjs',
+    'seamwise/..%2f..%2fpackage.json',
+    'garments/p1.json',
+    'cart/0',
+  ]) {
+    const refused = await fetch(`${shop}${path}`);
+    expect(`${refused.status} ${path}`).toBe(`404 ${path}`);
+    expect(refused.headers.get('content-security-policy')).toBe(policy);
+  }
+  const marked = await fetch(`${shop}garment/tee?cart="><script>&size="><script>`);
+  expect(await marked.text()).not.toContain('"><script>');
+});
