@@ -16,11 +16,12 @@ export {
 } from './model/failure.js';
 
 export {printOf, problemOf} from './model/design.js';
-export type {Design, DesignGarment, DesignPrint} from './model/design.js';
+export type {Design, DesignGarment, DesignPrint, DesignPrintFile} from './model/design.js';
 export {linkOf, readLink, type LinkedDesign} from './model/link.js';
 export {FileError, isProject, readProject, writeProject} from './model/project.js';
 export type {Project, ProjectView} from './model/project.js';
 export {repeatOf, type RepeatSize} from './model/repeat.js';
+export type {Repeat} from './model/wallpaper.js';
 export {resultText} from './model/result-text.js';
 export {solvedDesign, type SolvedFiles} from './model/solved-design.js';
 export * from './model/stored-design.js';

@@ -27,10 +27,11 @@ import {tokens} from './style/tokens.js';
 import {textsOf, type Messages, type Texts} from './texts/texts.js';
 import {preferencesFor} from './workbench/preferences.js';
 
-export type * from './garment/attributes.js';
+export type {GarmentLoading, GarmentMode, GarmentView} from './garment/attributes.js';
 export type * from './garment/events.js';
+export type {Units} from '../model/units.js';
 export type {PrintOffer} from './garment/offered-prints.js';
-export type {Messages} from './texts/texts.js';
+export type {Messages, Texts} from './texts/texts.js';
 
 /** An element that is taken out of the document may only be on its way to another place. [ms] */
 const grace = 1000;
@@ -38,6 +39,7 @@ const grace = 1000;
 const innerEvents = ['input', 'change', 'select', 'sw-lens-cursor', 'sw-lens-wanted'];
 
 export class SeamwiseGarment extends AttributeElement {
+  /** The variables of `style/tokens.ts` are the page's to set. */
   static override styles = [tokens, controls, garmentStyle];
 
   static override get observedAttributes(): string[] {
