@@ -21,7 +21,7 @@ constexpr int kPolish = 30;  ///< iterations at most
 
 /// The more symmetries a print has, the more answers there are to choose from.
 SearchBudget enlarged(SearchBudget budget, int symmetries) {
-  const double more = std::max(1.0, std::pow(symmetries / 4.0, 1.25));
+  const double ratio = symmetries / 4.0, more = std::max(1.0, ratio * std::sqrt(std::sqrt(ratio)));
   budget.trees = static_cast<int>(budget.trees * more);
   budget.idle = static_cast<int>(budget.idle * more);
   budget.hits = static_cast<int>(budget.hits * more);
