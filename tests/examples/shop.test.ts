@@ -202,7 +202,9 @@ it('says in words what is wrong, and tries again when asked', async () => {
   const page = await open(shop, {maySay: /404/});
   await page.route('**/prints/p4m.json', (route) => route.fulfill({status: 404}));
   await page.goto(`${shop}garment/tee`);
-  const problem = page.getByRole('alert').filter({hasText: 'p4m.json'});
+  const problem = page
+    .getByRole('alert')
+    .filter({hasText: 'We could not fetch the pattern or its print.'});
   await problem.waitFor();
   expect(await barriers(page, ['minor', 'moderate', 'serious', 'critical'])).toEqual([]);
   await page.unroute('**/prints/p4m.json');

@@ -10,12 +10,10 @@ import {garmentPath, printPath, sizes} from './catalogue.mjs';
 export class Refused extends Error {}
 
 /** Of the pieces' area, for what is lost between them. */
-const waste = 0.3;
-const centsPerM2 = 2600;
+export const waste = 0.3;
+export const centsPerM2 = 2600;
 /** A print may be made so much smaller or larger than it was drawn. */
 const [least, most] = [0.25, 4];
-
-export const priceRule = `${(centsPerM2 / 100).toFixed(2)} € per m² of cloth: the pieces, ${waste * 100} % for what is lost between them, and one repeat of the print over the whole width to match it`;
 
 /** @param host of the shop, as the request named it @throws {Refused} with a sentence for the customer */
 export function acceptDesign(text, catalogue, host) {

@@ -1,6 +1,6 @@
 // The shop's pages. Whatever stands in `${}` is text, and is written as such, unless `html` made it.
 import {printPath, sizes} from './catalogue.mjs';
-import {priceRule} from './designs.mjs';
+import {centsPerM2, waste} from './designs.mjs';
 
 class Html {
   constructor(text) {
@@ -20,6 +20,8 @@ const html = ({raw}, ...values) => new Html(String.raw({raw}, ...values.map(writ
 
 const euros = new Intl.NumberFormat('en-IE', {style: 'currency', currency: 'EUR'});
 export const money = (cents) => euros.format(cents / 100);
+
+const priceRule = `${money(centsPerM2)} per m² of cloth: the pieces, ${100 * waste} % for what is lost between them, and one repeat of the print over the whole width to match it`;
 
 /** An address of the shop, which keeps the cart. */
 const to = (path, cart, more = {}) =>

@@ -34,8 +34,10 @@ function sell(form) {
   };
 
   /** @param error an event's detail, or what a method was refused with */
-  function complain({message}) {
-    problem.firstElementChild.textContent = message;
+  function complain({code, message}) {
+    const isOurs = ['not-found', 'network', 'timeout'].includes(code);
+    const apology = isOurs ? 'We could not fetch the pattern or its print. ' : '';
+    problem.firstElementChild.textContent = `${apology}${message}`;
     problem.hidden = false;
     if (garment.state === 'error') say('The print is not on the pieces yet.');
   }
