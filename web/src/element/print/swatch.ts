@@ -1,8 +1,12 @@
 /** A small window on a print, drawn by its real lattice. */
 import {html, svg, type TemplateResult} from 'lit';
 
+import {noPicture} from '../../model/design.js';
 import type {Print} from '../../model/print.js';
 import {imageCell} from '../../model/wallpaper.js';
+
+const bareCloth = '#f1ede3';
+const hasPicture = (image: string): boolean => image !== '' && image !== noPicture;
 
 /** How much a swatch shows: the longer of w1, w2 fits this often across. */
 const repeats = 2.4;
@@ -19,7 +23,9 @@ export function swatch(id: string, print: Print, image = print.image ?? ''): Tem
     preserveAspectRatio="xMidYMid slice"
     aria-hidden="true"
   >
-    ${svg`<pattern
+    ${
+      hasPicture(image)
+        ? svg`<pattern
         id=${id}
         patternUnits="userSpaceOnUse"
         width=${width}
@@ -28,6 +34,8 @@ export function swatch(id: string, print: Print, image = print.image ?? ''): Tem
       >
         <image href=${image} width=${width} height=${height} preserveAspectRatio="none"></image>
       </pattern>
-      <rect width="100%" height="100%" fill="url(#${id})"></rect>`}
+      <rect width="100%" height="100%" fill="url(#${id})"></rect>`
+        : svg`<rect width="100%" height="100%" fill=${bareCloth}></rect>`
+    }
   </svg>`;
 }
