@@ -17,7 +17,6 @@ import {Modes} from './garment/modes.js';
 import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/offered-prints.js';
 import {pictureAs} from './garment/picture.js';
 import {asError, GarmentSession} from './garment/session.js';
-import {garmentUrl} from './garment/sources.js';
 import {garmentStyle} from './garment/style.js';
 import {upgrade} from './garment/upgrade.js';
 import {drawnEvent, PatternDrawing, undrawableEvent} from './pattern/drawing.js';
@@ -190,16 +189,7 @@ export class SeamwiseGarment extends AttributeElement {
   async setDesign(design: StoredDesign | string): Promise<void> {
     const text = typeof design === 'string' ? design : JSON.stringify(design);
     const stored = readStoredDesign(text, 'design');
-    const {garment, print, symmetry, options} = stored;
-    const template = this.getAttribute('garment');
-    const isThis = template !== null && sameUrl(garmentUrl(template, garment.size), garment.url);
-    if (!isThis) this.garment = garment.url;
-    else this.forget('garment');
-    this.write('size', garment.size);
-    this.print = print.url;
-    this.colourway = print.colourway;
-    this.symmetry = symmetry;
-    if (options.maxChangeCm !== undefined) this.maxChangeMm = options.maxChangeCm * 10;
+    this.writeDesign(stored);
     this.#beginning.ask({stored});
     await this.solve();
   }
@@ -347,11 +337,6 @@ export class SeamwiseGarment extends AttributeElement {
     }, grace);
   }
 }
-
-const sameUrl = (one: string, other: string): boolean =>
-  URL.canParse(one, document.baseURI) &&
-  URL.canParse(other, document.baseURI) &&
-  new URL(one, document.baseURI).href === new URL(other, document.baseURI).href;
 
 declare global {
   interface HTMLElementTagNameMap {

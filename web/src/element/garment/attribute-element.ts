@@ -1,6 +1,7 @@
 /** What the element is told by attributes, as properties. Three of them may be given as objects, too. */
 import type {Garment} from '../../model/garment.js';
 import type {Print} from '../../model/print.js';
+import type {StoredDesign} from '../../model/stored-design.js';
 import type {Symmetries, Symmetry} from '../../model/symmetries.js';
 import type {WorkerPlaces} from '../../solver/client.js';
 import type {Preferences} from '../workbench/preferences.js';
@@ -13,7 +14,7 @@ import {
   type GarmentView,
 } from './attributes.js';
 import {FormElement} from './form-element.js';
-import type {Asked} from './sources.js';
+import {garmentUrl, type Asked} from './sources.js';
 
 export abstract class AttributeElement extends FormElement {
   /** What was given as an object, by the name of the attribute in whose place it is. */
@@ -147,6 +148,19 @@ export abstract class AttributeElement extends FormElement {
     this.#objects.delete(name);
   }
 
+  /** As attributes: a garment's template stays where it gives the same file. */
+  protected writeDesign({garment, print, symmetry, options}: StoredDesign): void {
+    const template = this.getAttribute('garment');
+    const isThis = template !== null && sameUrl(garmentUrl(template, garment.size), garment.url);
+    if (isThis) this.forget('garment');
+    else this.garment = garment.url;
+    this.write('size', garment.size);
+    this.print = print.url;
+    this.colourway = print.colourway;
+    this.symmetry = symmetry;
+    if (options.maxChangeCm !== undefined) this.maxChangeMm = options.maxChangeCm * 10;
+  }
+
   #given(name: 'garment' | 'print' | 'symmetry'): string | object {
     return this.#objects.get(name) ?? this.getAttribute(name) ?? '';
   }
@@ -163,6 +177,7 @@ export abstract class AttributeElement extends FormElement {
     this.ask();
   }
 
+  /** Null or undefined: none. */
   protected write(name: string, value: string | null | undefined): void {
     if (value === null || value === undefined) this.removeAttribute(name);
     else this.setAttribute(name, value);
@@ -195,3 +210,8 @@ export abstract class AttributeElement extends FormElement {
     };
   }
 }
+
+const sameUrl = (one: string, other: string): boolean =>
+  URL.canParse(one, document.baseURI) &&
+  URL.canParse(other, document.baseURI) &&
+  new URL(one, document.baseURI).href === new URL(other, document.baseURI).href;

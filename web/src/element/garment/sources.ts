@@ -8,6 +8,7 @@ import {repeatOf} from '../../model/repeat.js';
 import {printOfStored, type StoredFile} from '../../model/stored-design.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {FileError} from '../../model/versioned-file.js';
+import {jsonText} from '../../solver/texts.js';
 import {fetchText, type FileWords} from './files.js';
 
 /** Strings are URLs, relative to the document. */
@@ -70,7 +71,7 @@ export class Sources {
       throw new SolverError({code: 'notAGarment', message: words.noGarment});
     }
     return this.#garment.of([garment, size], async () => {
-      if (typeof garment === 'object') return {name: 'garment', text: JSON.stringify(garment)};
+      if (typeof garment === 'object') return {name: 'garment', text: jsonText(garment, 'garment')};
       if (size === undefined && garment.includes('{size}')) {
         throw new SolverError({code: 'not-found', message: words.noSize(garment)});
       }
@@ -85,7 +86,7 @@ export class Sources {
     if (print === undefined) throw new SolverError({code: 'notAPrint', message: words.noGarment});
     return this.#print.of([print, colourway], async () => {
       if (typeof print === 'object') {
-        return printFrom(JSON.stringify(print), undefined, colourway, words);
+        return printFrom(jsonText(print, 'print'), undefined, colourway, words);
       }
       const {place, text} = await fetchText(absolute(print, words), words, signal);
       return printFrom(text, place, colourway, words);

@@ -4,11 +4,13 @@ import {noPicture} from '../../model/design.js';
 import {svgTile, type Tile} from '../../viewer/tile.js';
 import {blobOf} from '../pattern/tile.js';
 import {fetchBlob, type FileWords} from './files.js';
-import {pictureSize} from './picture-size.js';
+import {pictureSize, type PictureSize} from './picture-size.js';
 
 /** What is decoded takes 4 bytes for each pixel. */
 const mostPixels = 64e6;
 const longestSide = 20_000;
+/** No texture has more: a larger picture is made smaller where it is decoded, beside the page's own thread. [px] */
+const finest = 4096;
 
 export class Tiles {
   readonly #words: () => FileWords;
@@ -51,7 +53,9 @@ export class Tiles {
       : await fetchBlob(image, words);
     if (blob.type.startsWith('image/svg')) {
       // it is drawn at the size that a screen asks for, whatever it says of itself
-      const tile = await decoded(async () => (isHere ? svgTile(await blob.text()) : vector(image)));
+      const tile = await decoded(async () =>
+        readable(isHere ? await svgTile(await blob.text()) : await vector(image)),
+      );
       return () => Promise.resolve(tile);
     }
     const size = pictureSize(new Uint8Array(await blob.arrayBuffer()));
@@ -60,17 +64,37 @@ export class Tiles {
       const message = words.tooLarge(called, `${mostPixels / 1e6} MP`);
       throw new SolverError({code: 'too-large', message});
     }
-    return () => decoded(() => createImageBitmap(blob, {colorSpaceConversion: 'none'}));
+    const options: ImageBitmapOptions = {colorSpaceConversion: 'none', ...reduced(size)};
+    return () => decoded(() => createImageBitmap(blob, options));
   }
 }
 
 /** From the URL itself: a policy need not allow others. */
 async function vector(url: string): Promise<Tile> {
   const image = new Image();
+  image.crossOrigin = 'anonymous'; // else what comes from elsewhere may be seen, but not drawn with
   image.src = url;
   await image.decode();
   return {vector: image};
 }
 
-const isSmallEnough = ({width, height}: {width: number; height: number}): boolean =>
+/** @throws {Error} for an SVG whose pixels the browser keeps from the page, as some do where it holds HTML */
+function readable(tile: Tile): Tile {
+  const context = document.createElement('canvas').getContext('2d');
+  if ('vector' in tile) context?.drawImage(tile.vector, 0, 0, 1, 1);
+  context?.getImageData(0, 0, 1, 1);
+  return tile;
+}
+
+/** Undefined for a picture that may stay as it is. */
+function reduced({width, height}: PictureSize): ImageBitmapOptions | undefined {
+  const shrink = finest / Math.max(width, height);
+  if (shrink >= 1) return undefined;
+  const side = (length: number): number => Math.max(1, Math.round(length * shrink));
+  // four neighbours are enough down to half the size, and quickest
+  const resizeQuality = shrink < 0.5 ? 'medium' : 'low';
+  return {resizeWidth: side(width), resizeHeight: side(height), resizeQuality};
+}
+
+const isSmallEnough = ({width, height}: PictureSize): boolean =>
   Math.max(width, height) <= longestSide && width * height <= mostPixels;
