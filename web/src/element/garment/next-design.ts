@@ -21,7 +21,7 @@ export function nextDesign(
   const kept = now && before ? now : fresh;
   const {pins, ...options} = isSameGarment || !before ? kept.options : fresh.options;
   const isSameMost = before?.asked.maxChangeCm === asked.maxChangeCm;
-  const most = isSameMost ? options.maxChangeCm : asked.maxChangeCm;
+  const most = isSameMost ? kept.options.maxChangeCm : asked.maxChangeCm;
   const placed = pins ?? pinsFor(garment.text, kept.options.pins);
   const isSameSymmetry = isSameGarment && before.asked.symmetry === asked.symmetry;
   return {
