@@ -33,18 +33,26 @@ export interface ElementPage {
   readonly answer: (path: string, how: (route: Route) => Promise<void>) => Promise<void>;
   /** Puts markup into the page, and runs something with the first element in it. */
   readonly put: (markup: string) => Promise<void>;
-  readonly run: <T>(work: (element: SeamwiseGarment) => T | Promise<T>) => Promise<T>;
+  readonly run: <T, Given = undefined>(
+    work: (element: SeamwiseGarment, given: Given) => T | Promise<T>,
+    given?: Given,
+  ) => Promise<T>;
 }
 
-/** Whatever the page says on its console fails the test, and so does every rejection that nobody handles. */
-export function useElementPage(): (options?: ElementPageOptions) => Promise<ElementPage> {
+/**
+ * Whatever the page says on its console fails the test, and so does every rejection that nobody handles.
+ * @param allowed a content security policy
+ */
+export function useElementPage(
+  allowed = policy,
+): (options?: ElementPageOptions) => Promise<ElementPage> {
   vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
   let browser: Browser | undefined;
   let served: Served | undefined;
   const said: string[] = [];
   const pages: Page[] = [];
   beforeAll(async () => {
-    [browser, served] = await Promise.all([openBrowser(), serveBuilt(fixture, policy)]);
+    [browser, served] = await Promise.all([openBrowser(), serveBuilt(fixture, allowed)]);
   });
   afterEach(async () => {
     await Promise.all(pages.splice(0).map((page) => page.context().close()));
@@ -94,7 +102,11 @@ export function useElementPage(): (options?: ElementPageOptions) => Promise<Elem
         page.evaluate((html) => {
           document.body.innerHTML = html;
         }, markup),
-      run: (work) => page.locator('seamwise-garment').first().evaluate(work),
+      run: (work, given) =>
+        page
+          .locator('seamwise-garment')
+          .first()
+          .evaluate(work as never, given),
     };
   };
 }

@@ -1,0 +1,397 @@
+/** Files made to do harm: nothing of them runs, nothing is asked for elsewhere, and the page goes on. */
+import {createServer, type Server} from 'node:http';
+import type {AddressInfo} from 'node:net';
+import {deflateSync} from 'node:zlib';
+
+import {afterAll, beforeAll, expect, it} from 'vitest';
+
+import {twoStrips} from '../wasm/garments.js';
+import {sample, useElementPage, type ElementPage} from './element/open.js';
+
+/** No policy at all: what holds here holds by itself. */
+const openPage = useElementPage('');
+
+/** Between two ticks of a clock in the page, beyond what the drawing of any garment takes. [ms] */
+const longestPause = 500;
+
+const names = [
+  '<img src="x" onerror="hurt()">',
+  '<script>hurt()</script>',
+  '"><svg onload=hurt()>',
+  '\u202Ereversed\u2066',
+  '${hurt()} {{hurt()}}',
+] as const;
+
+const print = JSON.parse(sample('prints/p4m.json')) as object;
+
+/** Rectangles, each sewn to the next, by their names. */
+function strips(called: readonly string[]): object {
+  const {pattern, properties} = twoStrips();
+  const {left} = pattern.panels;
+  return {
+    pattern: {
+      panels: Object.fromEntries(called.map((name) => [name, left])),
+      stitches: called.slice(1).map((panel, k) => [
+        {panel: called[k], edge: 1},
+        {panel, edge: 3},
+      ]),
+    },
+    properties,
+  };
+}
+
+declare global {
+  var hurt: () => void;
+  var hurts: number;
+  /** The longest time that the page was not free. [ms] */
+  var pause: number;
+}
+
+function watch(): void {
+  globalThis.hurts = 0;
+  globalThis.hurt = () => {
+    globalThis.hurts++;
+  };
+  globalThis.pause = 0;
+  let before = performance.now();
+  setInterval(() => {
+    const now = performance.now();
+    globalThis.pause = Math.max(globalThis.pause, now - before);
+    before = now;
+  }, 20);
+}
+
+/** What the drawing of a harmless garment takes on this machine. [ms] */
+async function usualPause(open: ElementPage): Promise<number> {
+  const pauses: number[] = [];
+  for (let k = 0; k < 3; k++) {
+    pauses.push((await heard(open, {garment: twoStrips(), print: 'prints/p4m.json'})).pause);
+  }
+  return Math.max(...pauses);
+}
+
+/** A host that sends what a careless one would not. */
+let host: Server | undefined;
+let hostUrl = '';
+beforeAll(async () => {
+  host = createServer((request, response) => {
+    const isEndless = request.url === '/endless.json';
+    response.writeHead(200, {
+      'Access-Control-Allow-Origin': '*',
+      'Content-Type': 'application/json',
+      ...(!isEndless && {'Content-Length': 60e6}),
+    });
+    const part = Buffer.alloc(1e6, ' ');
+    const send = (): void => {
+      while (!response.destroyed && response.write(part));
+    };
+    response.on('drain', send);
+    send();
+  });
+  await new Promise<void>((resolve) => host?.listen(0, resolve));
+  hostUrl = `http://localhost:${(host.address() as AddressInfo).port}`;
+});
+afterAll(() => {
+  host?.closeAllConnections();
+  host?.close();
+});
+
+/** Solves one with these files, and says what was heard. */
+async function heard(
+  {page}: ElementPage,
+  given: {readonly garment: unknown; readonly print: unknown},
+): Promise<{codes: string[]; messages: string[]; state: string; pause: number; time: number}> {
+  return page.evaluate(async ({garment, print}) => {
+    document.body.replaceChildren();
+    const element = document.createElement('seamwise-garment');
+    const [codes, messages]: [string[], string[]] = [[], []];
+    element.addEventListener('error', ({detail}) => {
+      codes.push(detail.code);
+      messages.push(detail.message);
+    });
+    Object.assign(element, {garment, print, loading: 'eager'});
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    globalThis.pause = 0;
+    const start = performance.now();
+    document.body.append(element);
+    await element.solve().catch(() => undefined);
+    const time = performance.now() - start;
+    const poster = element.shadowRoot?.querySelector<HTMLElement>('[part=poster]');
+    for (let k = 0; k < 100 && element.state === 'ready' && !poster?.hidden; k++) {
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    return {codes, messages, state: element.state, pause: globalThis.pause, time};
+  }, given);
+}
+
+it('shows names as the text that they are, in every mode', async () => {
+  const open = await openPage({before: watch, viewport: {width: 1200, height: 900}});
+  await open.answer('garments/hostile.json', (route) => route.fulfill({json: strips(names)}));
+  await open.answer('prints/hostile.json', (route) =>
+    route.fulfill({
+      json: {...print, title: names[0], colourways: [{name: names[1], image: 'p4m.svg'}]},
+    }),
+  );
+  await open.put(
+    '<seamwise-garment garment="garments/hostile.json" print="prints/hostile.json"></seamwise-garment>',
+  );
+  for (const mode of ['preview', 'place', 'edit'] as const) {
+    const seen = await open.run(
+      async (element, [mode, names]) => {
+        element.mode = mode;
+        element.alt = names[0];
+        element.prints = [{url: 'prints/hostile.json', title: names[1]}, 'prints/hostile.json'];
+        await element.solve();
+        await new Promise((resolve) => setTimeout(resolve, 1500));
+        const all: Element[] = [];
+        const walk = (root: ParentNode): void => {
+          for (const one of root.querySelectorAll('*')) {
+            all.push(one);
+            if (one.shadowRoot) walk(one.shadowRoot);
+          }
+        };
+        if (element.shadowRoot) walk(element.shadowRoot);
+        const texts = all.flatMap((one) => [
+          one.getAttribute('title') ?? '',
+          ...[...one.childNodes].map((node) => (node instanceof Text ? node.data : '')),
+        ]);
+        return {
+          count: all.length,
+          made: all.filter(
+            (one) =>
+              one.matches('script, img[src=x], svg[onload]') ||
+              one.getAttributeNames().some((name) => name.startsWith('on')),
+          ).length,
+          shown: names.filter((name) => texts.some((text) => text.includes(name))),
+        };
+      },
+      [mode, names] as const,
+    );
+    expect(seen.made).toBe(0);
+    expect(seen.shown, mode).toEqual(mode === 'preview' ? expect.arrayContaining([]) : [...names]);
+  }
+  expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
+});
+
+it('runs nothing of an SVG and asks for nothing that it names', async () => {
+  const open = await openPage({before: watch});
+  const usual = await usualPause(open);
+  const elsewhere: string[] = [];
+  open.page.on('request', (request) => {
+    if (request.url().includes('elsewhere')) elsewhere.push(request.url());
+  });
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"
+    width="1000000000" height="1000000000" viewBox="0 0 10 10" onload="parent.hurt()">
+    <script>parent.hurt(); hurt()</script><script href="https://elsewhere.test/a.js"/>
+    <style>@import url(https://elsewhere.test/a.css); rect {fill: url(https://elsewhere.test/b.svg#b)}</style>
+    <image href="https://elsewhere.test/c.png" width="5" height="5" onerror="parent.hurt()"/>
+    <use href="https://elsewhere.test/d.svg#d"/><use xlink:href="https://elsewhere.test/e.svg#e"/>
+    <foreignObject width="9" height="9"><body xmlns="http://www.w3.org/1999/xhtml" onload="parent.hurt()">
+      <img src="https://elsewhere.test/f.png" onerror="parent.hurt()"/>
+      <iframe src="https://elsewhere.test/g.html"/></body></foreignObject>
+    <animate attributeName="x" onbegin="parent.hurt()"/><rect width="5" height="5"/></svg>`;
+  await open.answer('prints/hostile.svg', (route) =>
+    route.fulfill({contentType: 'image/svg+xml', body: svg}),
+  );
+  const plain = svg.replace(/<foreignObject.*<\/foreignObject>/s, '');
+  await open.answer('prints/plain.svg', (route) =>
+    route.fulfill({contentType: 'image/svg+xml', body: plain}),
+  );
+  const data = (text: string): string =>
+    `data:image/svg+xml;base64,${Buffer.from(text).toString('base64')}`;
+  const at = (path: string): string => `${open.page.url()}${path}`;
+  // with HTML in it, browsers keep its pixels to themselves, or draw it
+  const cases: readonly (readonly [string, RegExp])[] = [
+    [at('prints/plain.svg'), /^$/],
+    [data(plain), /^$/],
+    [at('prints/hostile.svg'), /^(not-an-image)?$/],
+    [data(svg), /^(not-an-image)?$/],
+  ];
+  for (const [image, code] of cases) {
+    const given = {garment: twoStrips(), print: {...print, image, colourways: undefined}};
+    const seen = await heard(open, given);
+    expect(seen.codes.join()).toMatch(code);
+    expect(seen.state).toBe('ready');
+    expect.soft(seen.pause).toBeLessThan(usual + longestPause);
+  }
+  expect(elsewhere).toEqual([]);
+  expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
+});
+
+it('refuses, or goes on with, whatever is too much, and stays free meanwhile', async () => {
+  const open = await openPage({before: watch});
+  const usual = await usualPause(open);
+  const deep = `${'['.repeat(1e6)}${']'.repeat(1e6)}`;
+  const far = JSON.stringify(twoStrips()).replaceAll('10', '1e300');
+  const files: Record<string, string> = {deep, far, endless: JSON.stringify(twoStrips(Infinity))};
+  for (const [name, body] of Object.entries(files)) {
+    await open.answer(`garments/${name}.json`, (route) =>
+      route.fulfill({contentType: 'application/json', body}),
+    );
+  }
+  const many = strips(Array.from({length: 10_000}, (_, k) => `piece ${k}`));
+  await open.answer('garments/many.json', (route) => route.fulfill({json: many}));
+  await open.answer('garments/html.json', (route) =>
+    route.fulfill({contentType: 'text/html', body: '<!doctype html><script>hurt()</script>'}),
+  );
+  await open.answer('garments/typed.json', (route) =>
+    route.fulfill({contentType: 'image/png', body: JSON.stringify(twoStrips())}),
+  );
+  const cases: readonly (readonly [string, unknown, RegExp])[] = [
+    ['60 MB', `${hostUrl}/large.json`, /^too-large$/],
+    ['without end', `${hostUrl}/endless.json`, /^too-large$/],
+    ['deep', 'garments/deep.json', /^notJson$/],
+    ['far', 'garments/far.json', /^\w+$/],
+    ['infinite', 'garments/endless.json', /^\w+$/],
+    ['an HTML page', 'garments/html.json', /^notJson$/],
+    ['of another type', 'garments/typed.json', /^$/],
+    ['10,000 pieces', 'garments/many.json', /^\w*$/],
+  ];
+  for (const [what, garment, code] of cases) {
+    const seen = await heard(open, {garment, print: 'prints/p4m.json'});
+    expect.soft(seen.codes.join(), what).toMatch(code);
+    expect.soft(seen.pause, what).toBeLessThan(usual + longestPause);
+    for (const message of seen.messages) expect(message).toMatch(/^.{10,400}\.$/s);
+  }
+  const objects = await open.page.evaluate(async (text) => {
+    const codes: string[] = [];
+    const cyclic: Record<string, unknown> = {};
+    cyclic.pattern = cyclic;
+    let nested: object = {};
+    for (let k = 0; k < 1e5; k++) nested = {nested};
+    const numberless = JSON.parse(text, (_, value: unknown) =>
+      value === 10 ? NaN : value,
+    ) as object;
+    for (const garment of [cyclic, nested, numberless, [], {}]) {
+      const element = document.createElement('seamwise-garment');
+      Object.assign(element, {garment, print: 'prints/p4m.json'});
+      const code = await element.solve().then(
+        () => 'solved',
+        (error: unknown) => (error as {code: string}).code,
+      );
+      codes.push(code);
+    }
+    return codes;
+  }, JSON.stringify(twoStrips()));
+  expect(objects).toEqual(['notJson', 'notJson', 'number', 'notAGarment', 'notAGarment']);
+});
+
+/** A PNG of one colour, however large, in a few kilobytes. */
+function png(width: number, height: number, content = true): Buffer {
+  const chunk = (type: string, data: Buffer): Buffer => {
+    const head = Buffer.alloc(8);
+    head.writeUInt32BE(data.length, 0);
+    head.write(type, 4, 'latin1');
+    const sum = Buffer.alloc(4);
+    sum.writeUInt32BE(crc(Buffer.concat([head.subarray(4), data])));
+    return Buffer.concat([head, data, sum]);
+  };
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
+  header[8] = 1; // one bit, grey
+  const rows = content ? Buffer.alloc((1 + Math.ceil(width / 8)) * height) : Buffer.alloc(1);
+  return Buffer.concat([
+    Buffer.from('\u0089PNG\r\n\u001a\n', 'latin1'),
+    chunk('IHDR', header),
+    chunk('IDAT', deflateSync(rows, {level: 9})),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
+}
+
+function crc(bytes: Buffer): number {
+  let sum = 0xffffffff;
+  for (const byte of bytes) {
+    sum ^= byte;
+    for (let k = 0; k < 8; k++) sum = sum & 1 ? (sum >>> 1) ^ 0xedb88320 : sum >>> 1;
+  }
+  return (sum ^ 0xffffffff) >>> 0;
+}
+
+const bytes = (text: string): Buffer => Buffer.from(text.replaceAll(' ', ''), 'hex');
+
+it('refuses a picture of too many pixels by its first bytes, and scales what it can', async () => {
+  const open = await openPage({before: watch});
+  const box = (type: string, ...data: Buffer[]): Buffer => {
+    const head = Buffer.alloc(8);
+    const all = Buffer.concat(data);
+    head.writeUInt32BE(8 + all.length, 0);
+    head.write(type, 4, 'latin1');
+    return Buffer.concat([head, all]);
+  };
+  const pictured = (image: string) =>
+    heard(open, {garment: twoStrips(), print: {...print, image, colourways: undefined}});
+  await open.answer('prints/largest.png', (route) =>
+    route.fulfill({contentType: 'image/png', body: png(4096, 4096)}),
+  );
+  // the largest texture that there is
+  const {pause: usual} = await pictured(`${open.page.url()}prints/largest.png`);
+  const cases: readonly (readonly [string, string, string, Buffer])[] = [
+    ['PNG head', 'too-large', 'image/png', png(20_000, 20_000, false)],
+    ['PNG', 'too-large', 'image/png', png(20_000, 20_000)],
+    [
+      'JPEG',
+      'too-large',
+      'image/jpeg',
+      bytes('ffd8 ffe00004 0000 ffff ffc0 0011 08 4e20 4e20 03 000000000000'),
+    ],
+    [
+      'WebP',
+      'too-large',
+      'image/webp',
+      bytes('52494646 00100000 57454250 56503858 0a000000 00000000 1f4e00 1f4e00 00000000'),
+    ],
+    [
+      'GIF',
+      'too-large',
+      'image/gif',
+      bytes('474946383961 0100 0100 00 00 00 21f904 01000000 00 2c 0000 0000 204e 204e 00 02'),
+    ],
+    [
+      'AVIF',
+      'too-large',
+      'image/avif',
+      Buffer.concat([
+        box('ftyp', Buffer.from('avif\0\0\0\0mif1', 'latin1')),
+        box(
+          'meta',
+          Buffer.alloc(4),
+          box('iprp', box('ipco', box('ispe', bytes('00000000 00004e20 00004e20')))),
+        ),
+      ]),
+    ],
+    [
+      'BMP',
+      'not-an-image',
+      'image/bmp',
+      bytes('424d 36000000 00000000 36000000 28000000 204e0000 204e0000 0100 1800'),
+    ],
+    ['cut short', 'not-an-image', 'image/png', png(100, 100).subarray(0, 20)],
+    ['a lie', 'not-an-image', 'image/png', png(100, 100, false).subarray(0, 60)],
+    ['HTML', 'not-an-image', 'text/html', Buffer.from('<script>hurt()</script>')],
+    ['a PNG as an SVG', 'not-an-image', 'image/svg+xml', png(100, 100)],
+    [
+      'an SVG of another type',
+      'not-an-image',
+      'image/png',
+      Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" onload="hurt()"/>'),
+    ],
+    ['a PNG of another type', '', 'text/html', png(100, 100)],
+    ['60 megapixels', '', 'image/png', png(20_000, 3000)],
+  ];
+  for (const [what, code, contentType, body] of cases) {
+    const path = `prints/${encodeURIComponent(what)}.bin`;
+    await open.answer(path, (route) => route.fulfill({contentType, body}));
+    const urls = [`${open.page.url()}${path}`];
+    if (body.length < 1000 && !contentType.includes('svg')) {
+      urls.push(`data:${contentType};base64,${body.toString('base64')}`);
+    }
+    for (const image of urls) {
+      const seen = await pictured(image);
+      expect.soft([seen.codes.join(), seen.state], what).toEqual([code, 'ready']);
+      expect.soft(seen.pause, what).toBeLessThan(usual + longestPause);
+    }
+  }
+  expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
+});
