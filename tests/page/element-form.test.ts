@@ -59,6 +59,24 @@ it('is set back with its form, and restored from what a form has kept', async ()
   expect(seen).toMatchObject({changed: true, restored: true});
 });
 
+it('says what is wrong with a value that is no design, and stays as it is', async () => {
+  const {put, run} = await openPage();
+  await put(inForm('name="design"'));
+  const seen = await run(async (element) => {
+    await element.solve();
+    const {value} = element;
+    const told = new Promise<string>((resolve) => {
+      element.addEventListener('error', ({detail}) => {
+        resolve(`${detail.code}: ${detail.message}`);
+      });
+    });
+    element.value = 'nonsense';
+    return {told: await told, kept: element.value === value, state: element.state};
+  });
+  expect(seen.told).toMatch(/^options: design is not JSON; .*\.$/);
+  expect(seen).toMatchObject({kept: true, state: 'ready'});
+});
+
 it('is out of reach while it or its fieldset is disabled, and submits nothing then', async () => {
   const {put, run} = await openPage();
   await put(inForm('name="design" mode="place"'));

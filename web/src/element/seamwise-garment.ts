@@ -8,6 +8,7 @@ import type {Failure} from '../model/failure.js';
 import {SolverError} from '../model/failure.js';
 import type {SolveResult} from '../model/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/stored-design.js';
+import {FileError} from '../model/versioned-file.js';
 import {AttributeElement} from './garment/attribute-element.js';
 import {asking, attributes, localeOf, type GarmentMode} from './garment/attributes.js';
 import {Beginning} from './garment/beginning.js';
@@ -139,8 +140,14 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   set value(value: string | null | undefined) {
-    if (value) this.setDesign(value).catch(() => undefined);
-    else this.#session.reset();
+    if (!value) {
+      this.#session.reset();
+      return;
+    }
+    this.setDesign(value).catch((error: unknown) => {
+      // of everything else the session has told
+      if (error instanceof FileError) this.#session.report(asError(error));
+    });
   }
 
   /**
