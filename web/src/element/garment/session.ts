@@ -6,6 +6,7 @@ import {writeStoredDesign, type StoredDesign} from '../../model/stored-design.js
 import {FileError} from '../../model/versioned-file.js';
 import type {LeasePlaces} from '../../solver/pool.js';
 import {textsOf} from '../texts/texts.js';
+import {lastOf} from '../workbench/last-of.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import type {Preferences} from '../workbench/preferences.js';
 import {Workbench} from '../workbench/workbench.js';
@@ -46,6 +47,10 @@ export class GarmentSession {
   readonly #tell: Announcer;
   readonly #lease: LastingSolver;
   readonly #sources = new Sources(() => this.#words);
+  /** Remembered: it takes the sha256 of the whole result, and is asked for at every change of the workbench. */
+  readonly #storedText = lastOf((design: Design, result: SolveResult, terms: Terms) =>
+    writeStoredDesign(storedDesign(design, result, terms, this.#words)),
+  );
   readonly #waiting = new Waiting<SolveResult>();
   #loading: AbortController | undefined;
   /** Why the files could not be loaded. */
@@ -203,8 +208,8 @@ export class GarmentSession {
     if (this.state !== 'ready' || !design || !result) {
       throw new SolverError({code: 'options', message: this.#words.noAnswer});
     }
-    const stored = storedDesign(design, result, this.#terms, this.#words);
-    return JSON.parse(writeStoredDesign(stored)) as StoredDesign & {readonly format: string};
+    const text = this.#storedText(design, result, this.#terms);
+    return JSON.parse(text) as StoredDesign & {readonly format: string};
   }
 
   /** Says something that keeps nothing from going on. */
