@@ -1,4 +1,5 @@
 /** Files that are not there, late, too large or not what they should be: one event, one sentence, nothing broken. */
+import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {ElementPage} from './element/open.js';
@@ -124,6 +125,24 @@ it('refuses a picture of too many pixels before it is decoded, and solves all th
   expect(seen).toEqual(['too-large', 'ready']);
 });
 
+/** Solves an element from the start. @returns the codes of all errors, what came of it, and whether its poster is hidden */
+function solvedFromStart(page: Page, markup: string): Promise<unknown[]> {
+  return page.evaluate(async (text) => {
+    const codes: string[] = [];
+    document.addEventListener(
+      'error',
+      (event) => codes.push((event as Event as CustomEvent<{code: string}>).detail.code),
+      true,
+    );
+    document.body.innerHTML = text;
+    const element = document.querySelector('seamwise-garment');
+    const result = await element?.solve();
+    await new Promise((resolve) => setTimeout(resolve, 500)); // until it is drawn, or cannot be
+    const poster = element?.shadowRoot?.querySelector<HTMLElement>('[part=poster]');
+    return [codes, typeof result?.metrics.fit, element?.state, poster?.hidden];
+  }, markup);
+}
+
 it('solves where nothing can be drawn, and keeps its poster', async () => {
   const open = await openPage({
     before: () => {
@@ -132,51 +151,17 @@ it('solves where nothing can be drawn, and keeps its poster', async () => {
     maySay: /WebGL/,
   });
   await open.put('<p></p>');
-  const seen = await open.page.evaluate(
-    async (markup) => {
-      const codes: string[] = [];
-      document.addEventListener(
-        'error',
-        (event) => codes.push((event as Event as CustomEvent<{code: string}>).detail.code),
-        true,
-      );
-      document.body.innerHTML = markup;
-      const element = document.querySelector('seamwise-garment');
-      const result = await element?.solve();
-      await new Promise((resolve) => setTimeout(resolve, 500));
-      const poster = element?.shadowRoot?.querySelector<HTMLElement>('[part=poster]');
-      return [
-        codes,
-        typeof result?.metrics.fit,
-        element?.state,
-        poster?.hidden,
-        poster?.textContent.trim(),
-      ];
-    },
-    tee.replace('></', '><p slot="poster">A picture</p></'),
-  );
-  expect(seen.slice(0, 4)).toEqual([['no-webgl'], 'number', 'ready', false]);
+  const markup = tee.replace('></', '><p slot="poster">A picture</p></');
+  const seen = await solvedFromStart(open.page, markup);
+  expect(seen).toEqual([['no-webgl'], 'number', 'ready', false]);
 });
 
 it('goes on in the page where a worker is refused, and says so once', async () => {
   const open = await openPage({maySay: /./});
   await open.put('<p></p>');
-  const seen = await open.page.evaluate(
-    async (markup) => {
-      const codes: string[] = [];
-      document.addEventListener(
-        'error',
-        (event) => codes.push((event as Event as CustomEvent<{code: string}>).detail.code),
-        true,
-      );
-      document.body.innerHTML = markup;
-      const element = document.querySelector('seamwise-garment');
-      const result = await element?.solve();
-      return [codes, typeof result?.metrics.fit, element?.state];
-    },
-    tee.replace('alt=', 'worker-url="nowhere.js" alt='),
-  );
-  expect(seen).toEqual([['worker-blocked'], 'number', 'ready']);
+  const markup = tee.replace('alt=', 'worker-url="nowhere.js" alt=');
+  const seen = await solvedFromStart(open.page, markup);
+  expect(seen.slice(0, 3)).toEqual([['worker-blocked'], 'number', 'ready']);
 });
 
 it('says no-wasm where the module is missing', async () => {
