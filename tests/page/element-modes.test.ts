@@ -79,7 +79,11 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
   await page.mouse.down();
   await page.mouse.move(at[0] + 12, at[1] - 9, {steps: 4});
   await page.mouse.up();
-  await page.waitForFunction(() => 'design' in (document.querySelector('seamwise-garment') ?? {}));
+  // A drag may be answered on its way as well as at its end.
+  await page.waitForFunction(() => {
+    const element = document.querySelector('seamwise-garment');
+    return element !== null && 'design' in element && element.state === 'ready';
+  });
   const seen = await run((element) => {
     const {heard, design} = element as unknown as {
       heard: readonly string[];
