@@ -40,6 +40,27 @@ it('solves and draws what its attributes name, and says so in order', async () =
   ]);
 });
 
+it('has told all there is to be told once it is solved, however early it is asked', async () => {
+  const {put, run} = await openPage();
+  await put(tee.replace('alt=', 'loading="eager" alt='));
+  const seen = await run(async (element) => {
+    const heard: string[] = [];
+    element.addEventListener('solve', () => heard.push('solve'));
+    const task = (): Promise<void> =>
+      new Promise((resolve) => {
+        const {port1, port2} = new MessageChannel();
+        port1.onmessage = () => {
+          resolve();
+        };
+        port2.postMessage(null);
+      });
+    while (element.state !== 'ready') await task(); // the very next task after the answer
+    await element.solve();
+    return {heard, isReady: element.matches(':state(ready)')};
+  });
+  expect(seen).toEqual({heard: ['solve'], isReady: true});
+});
+
 it('mirrors attributes as properties, and makes sense of whatever is written in them', async () => {
   const {put, run} = await openPage();
   await put('<seamwise-garment></seamwise-garment>');

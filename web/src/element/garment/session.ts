@@ -179,7 +179,7 @@ export class GarmentSession {
     const answer = this.#waiting.join(signal, () => {
       if (this.#waiting.isEmpty) this.cancel();
     });
-    this.#settle();
+    this.#follow(); // the workbench tells of an answer a little later than it has it
     return answer;
   }
 
