@@ -71,12 +71,12 @@ struct Timed {
 
 /// @param make   makes the problem; part of what is timed
 /// @param memo   of the solve before it; a mesh that has not changed is taken from there
-Timed timedSolve(const std::function<Problem()>& make, const MeshMemo& memo = {});
+Timed timedSolve(const std::function<Problem()>& make, const SolveMemo& memo = {});
 
 /// The quickest of as many solves as the task asks for in `times`, and more until `atLeast` ms are
 /// spent: an engine compiles WebAssembly once more, and better, while it runs. What users meet
 /// once, the first answer and the memory, is also told of the first one.
-Timed quickest(const Json& task, const std::function<Problem()>& make, const MeshMemo& memo = {});
+Timed quickest(const Json& task, const std::function<Problem()>& make, const SolveMemo& memo = {});
 
 Json solveTask(const Json& task);
 Json meshTask(const Json& task);

@@ -44,21 +44,22 @@ std::pair<int, Alignment> pinOf(const Result& solved) {
 
 }  // namespace
 
-/// As a worker solves them: the mesh of the answer before is at hand, alignments are sought anew.
+/// As a worker solves them: what the solve before has left is at hand.
 Json editTask(const Json& task) {
   Json with = task, without = task;
   with["symmetry"] = "auto", without["symmetry"] = "none";
   const Timed before = timedSolve([&] { return problemOf(task); });
   const int seam = weightiest(before.result.pattern);
   const auto [pinned, at] = pinOf(before.result);
-  const auto meshOf = [](const Json& solved) {
-    MeshMemo memo;
-    required(Solver::make(problemOf(solved), &memo));
+  const auto memoOf = [](const Json& solved) {
+    SolveMemo memo;
+    required(required(Solver::make(problemOf(solved), &memo)).finish());
     return memo;
   };
-  const MeshMemo mesh = meshOf(task);
+  const SolveMemo memo = memoOf(task);
   Json changes = Json::object();
-  auto change = [&](const char* name, const std::function<Problem()>& make, const MeshMemo& known) {
+  auto change = [&](const char* name, const std::function<Problem()>& make,
+                    const SolveMemo& known) {
     const Timed timed = quickest(task, make, known);
     changes[name] = {{"first", timed.first},
                      {"firstFit", timed.first_fit},
@@ -72,11 +73,11 @@ Json editTask(const Json& task) {
         problem.options.weights[s] = kWeight;
         return problem;
       },
-      mesh);
+      memo);
   change(
-      "size", [&] { return problemOf(task, kScale); }, mesh);
+      "size", [&] { return problemOf(task, kScale); }, memo);
   change(
-      "turn", [&] { return problemOf(task, 1, kTurn); }, mesh);
+      "turn", [&] { return problemOf(task, 1, kTurn); }, memo);
   change(
       "pin",
       [&, p = pinned, a = at] {
@@ -84,11 +85,11 @@ Json editTask(const Json& task) {
         problem.options.pins[p] = a;
         return problem;
       },
-      mesh);
+      memo);
   change(
-      "symmetryAdded", [&] { return problemOf(with); }, meshOf(without));
+      "symmetryAdded", [&] { return problemOf(with); }, memoOf(without));
   change(
-      "symmetryRemoved", [&] { return problemOf(without); }, meshOf(with));
+      "symmetryRemoved", [&] { return problemOf(without); }, memoOf(with));
   return {{"triangles", trianglesOf(before.result.pattern)},
           {"fit", before.result.fit.any},
           {"solve", before.total()},

@@ -44,8 +44,7 @@ Problem problemOf(const Json& task, double print_scale, double print_turn) {
   Problem problem = required(makeProblem(texts));
   problem.options.edge_length_cm = task.value("edgeLength", problem.options.edge_length_cm);
   if (task.value("evenSeams", false)) {
-    for (std::size_t s = 0; s < problem.garment.stitches.size(); ++s)
-      problem.options.weights[static_cast<int>(s)] = 1;
+    for (Stitch& stitch : problem.garment.stitches) stitch.weight = 1;
     problem.options.matches.clear();
   }
   return problem;

@@ -33,9 +33,9 @@ int freePieces(const Problem& problem, const Pattern& pattern) {
 
 }  // namespace
 
-Timed timedSolve(const std::function<Problem()>& make, const MeshMemo& memo) {
+Timed timedSolve(const std::function<Problem()>& make, const SolveMemo& memo) {
   Timed timed;
-  MeshMemo before_this = memo;
+  SolveMemo before_this = memo;
   std::vector<std::pair<double, double>> reports;  // time, fraction
   const Watch all;
   Solver solver = required(Solver::make(make(), &before_this));
@@ -71,7 +71,7 @@ Timed timedSolve(const std::function<Problem()>& make, const MeshMemo& memo) {
   return timed;
 }
 
-Timed quickest(const Json& task, const std::function<Problem()>& make, const MeshMemo& memo) {
+Timed quickest(const Json& task, const std::function<Problem()>& make, const SolveMemo& memo) {
   const int times = task.value("times", 1);
   const double long_enough = task.value("atLeast", 0.0);
   const Watch watch;

@@ -10,6 +10,7 @@ namespace seamwise {
 /// print, within a tolerance of given angles (grain), or both of the last two.
 class Freedom {
  public:
+  bool operator==(const Freedom&) const = default;
   static Freedom anywhere() { return {}; }
   static Freedom pinned(const Alignment& at);
   /// @param map   the piece's own reflection; the group must carry single pieces
@@ -30,6 +31,7 @@ class Freedom {
     Vec2 along;      ///< unit vector of the line in print space
     double period;   ///< the print repeats after this shift along the line. [cm]
     double spacing;  ///< distance of equal parallel lines. [cm]
+    bool operator==(const Place&) const = default;
   };
   /// Those places that put different prints on the piece (others are turns of the print onto
   /// itself).

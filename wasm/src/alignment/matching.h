@@ -16,6 +16,7 @@ namespace seamwise {
 struct Stretch {
   Vec2 mean_a = Vec2::Zero(), mean_b = Vec2::Zero();  ///< weighted means of pa and pb
   Mat2 covariance = Mat2::Zero();                     ///< sum of w (pa - mean_a) (pb - mean_b)^T
+  bool operator==(const Stretch&) const = default;
 };
 
 /// A seam as the alignment search sees it: pairs of points that should fall on equivalent points of
@@ -33,6 +34,7 @@ struct MatchSeam {
 
   /// The edges first .. last - 1.
   Stretch stretch(std::size_t first, std::size_t last) const;
+  bool operator==(const MatchSeam&) const = default;
 };
 
 /// The variables of an alignment: one leader per mirrored pair or single piece.
@@ -41,6 +43,7 @@ struct Leader {
   Freedom freedom;
   Vec2 centre = Vec2::Zero();  ///< of the piece's matched points; turns are about it
   std::vector<int> seams;      ///< indices in MatchProblem::seams
+  bool operator==(const Leader&) const = default;
 };
 
 /// What the alignment must heed besides the seams.
@@ -62,12 +65,14 @@ class MatchProblem {
     bool mirrored = false;
     RigidMotion map;             ///< leader piece -> this piece, when mirrored
     std::vector<double> angles;  ///< wanted of a mirrored piece, rad; empty: any
+    bool operator==(const Follow&) const = default;
   };
   std::vector<Follow> pieces;  ///< per piece of the pattern
   WallpaperGroup group;
   bool continuous_only = false;
 
   explicit MatchProblem(WallpaperGroup wallpaper) : group(std::move(wallpaper)) {}
+  bool operator==(const MatchProblem&) const = default;
 
   /// Sum of w d over all seams. [cm2]
   double cost(const Alignments& at) const;

@@ -14,6 +14,7 @@ struct SearchBudget {
   int hits = 8;    ///< or after so many starts that ended at the same, best answer
   double evaluations = 5e6;  ///< stop after so many element distances for each free piece
   double samples = 12;       ///< along the print's shortest repeat, while searching
+  bool operator==(const SearchBudget&) const = default;
 };
 
 /// Finds alignments that no local iteration finds: starts grown along random spanning trees of the

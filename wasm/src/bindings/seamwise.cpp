@@ -17,7 +17,6 @@
 #include "io/problem_json.h"
 #include "io/result_json.h"
 #include "io/symmetry_json.h"
-#include "solve/prepare.h"
 #include "solve/solver.h"
 
 namespace seamwise {
@@ -85,7 +84,7 @@ ProblemTexts problemTexts(const val& problem) {
 }
 
 /// A page changes one thing at a time, and its worker solves again with the same module.
-MeshMemo mesh_memo;
+SolveMemo memo;
 
 /// A solve as JavaScript holds it. After a failure every call is harmless and does nothing.
 class SolverHandle {
@@ -94,7 +93,7 @@ class SolverHandle {
     error_ = caught([&]() -> std::optional<Error> {
       Outcome<Problem> made = makeProblem(problemTexts(problem));
       if (!made.ok()) return made.error();
-      Outcome<Solver> solver = Solver::make(std::move(made).value(), &mesh_memo);
+      Outcome<Solver> solver = Solver::make(std::move(made).value(), &memo);
       if (!solver.ok()) return solver.error();
       solver_.emplace(std::move(solver).value());
       return std::nullopt;

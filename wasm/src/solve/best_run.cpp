@@ -21,18 +21,10 @@ constexpr double kRemedyReach = 0.6;
 constexpr double kSlack = 1.3;
 constexpr double kMostReach =
     2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
-constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies, nothing needs to move
-constexpr double kSearchStep = 1e6;  ///< element distances: some milliseconds
 
-/// Progress at the end of each stage, by the share of time that it takes as a rule; the search takes
-/// more of it the more pieces there are to place and symmetries to try. What is perfect as it lies
-/// has only its set-up left.
+/// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
+/// it lies has only its set-up left.
 constexpr double kPrepared = 0.13, kFitted = 0.95;
-double searchedShare(double pieces, double symmetries) {
-  return kPrepared +
-         0.62 * symmetries / (symmetries + 1) * (0.5 + 0.5 * pieces / (pieces + 4));
-}
-constexpr double kSlackShare = 0.16;
 constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
 
 /// Limits that a finished shape keeps, a little inside what is promised.
@@ -47,66 +39,37 @@ constexpr double kReachMargin = 0.985;
 }  // namespace
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-                 const MatchRules& rules)
+                 const MatchRules& rules, SearchMemo* memo)
     : problem_(problem),
       pattern_(pattern),
       rules_(rules),
       reach_(std::min(problem.options.max_change_cm, kMostReach)),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
-                              problem.print.group)) {
-  // two sides that may each move by the greatest change meet across somewhat less than twice that
-  slack_ = kSlack * reach_;
-  const std::uint64_t seed = problem.options.seed;
-  if (pattern.mirrors.empty() && !known.empty()) {
-    symmetric_ = std::make_unique<MatchProblem>(
-        makeMatchProblem(pattern, restShapes(pattern), known, rules, problem.print.group));
-    searching_ = std::make_unique<AlignmentSearch>(*symmetric_, seed, SearchBudget{});
-    stage_ = Stage::kSymmetricSearch;
-  } else {
-    searching_ = std::make_unique<AlignmentSearch>(match_, seed, SearchBudget{});
-  }
-  searching_->watch(slack_);
-  progress_ = kPrepared;
-  searched_ = searchedShare(static_cast<double>(match_.leaders.size()),
-                            problem.print.group.data().order);
-  leaders_ = match_.ofLeaders(Alignments(pattern.pieces.size()));
+                              problem.print.group)),
+      // two sides that may each move by the greatest change meet across somewhat less than twice it
+      searching_(problem, pattern, match_, known, rules, kSlack * reach_, memo),
+      progress_(kPrepared) {
+  leaders_ = searching_.best();
   alignment_ = search_result_ = match_.expanded(leaders_);
 }
 
-/// Some steps of the search, of which the shortest take microseconds. False when it has ended.
-bool BestRun::searchOn(double from, double to) {
-  const double until = searching_->spent() + kSearchStep;
-  bool more = true;
-  while (more && searching_->spent() < until) more = searching_->step();
-  progress_ = std::max(progress_, from + (to - from) * searching_->fraction());
-  return more;
+void BestRun::search() {
+  const bool more = searching_.advance();
+  alignment_ = match_.expanded(searching_.best());
+  progress_ = std::max(progress_, searching_.isPerfect()
+                                      ? kPerfectlySearched
+                                      : kPrepared + searching_.share() * searching_.fraction());
+  if (more) return;
+  leaders_ = searching_.best();
+  search_result_ = alignment_;
+  searched_ = kPrepared + searching_.share();
+  stage_ = Stage::kStartFit;
 }
 
 bool BestRun::advance() {
-  const double half_searched = (kPrepared + searched_) / 2;
   switch (stage_) {
-    case Stage::kSymmetricSearch: {
-      const bool more = searchOn(kPrepared, half_searched);
-      alignment_ = symmetric_->expanded(searching_->best());
-      if (!more) {
-        const Alignments watched = symmetric_->expanded(searching_->watched());
-        searching_ =
-            std::make_unique<AlignmentSearch>(match_, problem_.options.seed, SearchBudget{});
-        searching_->watch(slack_);
-        for (const Alignments& at : {alignment_, watched}) searching_->offer(match_.ofLeaders(at));
-        if (match_.cost(match_.ofLeaders(alignment_)) < kPerfect) progress_ = kPerfectlySearched;
-        stage_ = Stage::kSearch;
-      }
-      break;
-    }
-    case Stage::kSearch: {
-      const bool more = searchOn(symmetric_ ? half_searched : kPrepared, searched_);
-      alignment_ = match_.expanded(searching_->best());
-      if (!more) endSearch();
-      break;
-    }
-    case Stage::kSlackSearch:
-      if (!searchOn(searched_, searched_ + kSlackShare)) stage_ = Stage::kStartFit;
+    case Stage::kSearch:
+      search();
       break;
     case Stage::kStartFit:
       startFit();
@@ -123,23 +86,6 @@ bool BestRun::advance() {
   return stage_ != Stage::kDone;
 }
 
-void BestRun::endSearch() {
-  leaders_ = searching_->best();
-  search_result_ = alignment_ = match_.expanded(leaders_);
-  stage_ = Stage::kStartFit;
-  if (match_.cost(leaders_) < kPerfect) {
-    progress_ = kPerfectlySearched;
-    return;
-  }
-  const Alignments watched = searching_->watched();
-  SearchBudget little;
-  little.trees = 8, little.idle = 8, little.evaluations = 3e6;
-  searching_ = std::make_unique<AlignmentSearch>(match_, problem_.options.seed + 1, little, slack_);
-  searching_->offer(leaders_);
-  searching_->offer(watched);
-  stage_ = Stage::kSlackSearch;
-}
-
 /// Fits from the answer under slack and, where it differs, from the search's own; after a few steps
 /// only the better one goes on.
 void BestRun::startFit() {
@@ -150,11 +96,11 @@ void BestRun::startFit() {
   rules.continuous_only = options.continuous_only;
   rules.average_shapes = options.average_seam_shapes.value_or(false);
   fitting_ = std::make_unique<SeamFitting>(pattern_, problem_.print.group, rules);
-  std::vector<Alignments> from = {searching_->best()};
-  const Alignments plain = match_.ofLeaders(search_result_);
-  if (std::abs(match_.cost(plain) - match_.cost(from[0])) > kPerfect) from.push_back(plain);
+  std::vector<Alignments> from = {searching_.underSlack()};
+  const Alignments& plain = searching_.best();
+  if (std::abs(match_.cost(plain) - match_.cost(from[0])) > SearchRun::kPerfect)
+    from.push_back(plain);
   for (Alignments& leaders : from) starts_.push_back({std::move(leaders), fitting_->restStates()});
-  searching_.reset();
   stage_ = Stage::kFit;
   resume(0);
   if (problem_.options.max_change_cm < kLeastChange) finish();
@@ -169,7 +115,7 @@ void BestRun::resume(std::size_t start) {
   double mismatch = 0;
   for (std::size_t s = 0; s < pattern_.seams.size(); ++s)
     if (pattern_.seams[s].matched && !pattern_.seams[s].twin) mismatch += fitting_->joins()[s].cost;
-  if (mismatch >= kPerfect) return;
+  if (mismatch >= SearchRun::kPerfect) return;
   stage_ = Stage::kSettle;
   progress_ = std::max(progress_, kPerfectlySetUp);
 }
@@ -190,8 +136,7 @@ void BestRun::fitStep() {
   ++iterations_, ++fit_steps_, ++start.steps;
   if (start.steps % kRealignEvery == 0 && start.steps < kFitSteps) realign();
   const int planned = kFitSteps + kTrialSteps * (static_cast<int>(starts_.size()) - 1);
-  const double from = searched_ + kSlackShare;
-  progress_ = std::max(progress_, from + (kFitted - from) * fit_steps_ / planned);
+  progress_ = std::max(progress_, searched_ + (kFitted - searched_) * fit_steps_ / planned);
   if (start.steps >= kFitSteps) stage_ = Stage::kSettle;
   if (start.steps != kTrialSteps || starts_.size() == 1) return;
   start.leaders = leaders_;

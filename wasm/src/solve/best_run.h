@@ -1,23 +1,23 @@
 #pragma once
 #include <memory>
 
-#include "alignment/search.h"
 #include "deform/fitting.h"
 #include "solve/problem.h"
 #include "solve/run.h"
+#include "solve/search_run.h"
 
 namespace seamwise {
 
-/// The default method: a search over spanning trees of the seam graph with symmetry built in, then
-/// shape and alignment improved in turns, never beyond the greatest change, then whatever it takes
-/// to keep seams sewable and outlines smooth.
+/// The default method: alignments are sought with symmetry built in, then shape and alignment
+/// improved in turns, never beyond the greatest change, then whatever it takes to keep seams
+/// sewable and outlines smooth.
 class BestRun : public Run {
  public:
   /// @param known   mirrors of the pattern's known symmetries that the group carries; with none
-  /// imposed
-  ///                the symmetric answer is one of the starts
+  ///                imposed the symmetric answer is one of the starts
+  /// @param memo    of searches; may be null
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-          const MatchRules& rules);
+          const MatchRules& rules, SearchMemo* memo);
 
   bool advance() override;
   Phase phase() const override;
@@ -29,17 +29,8 @@ class BestRun : public Run {
   int factorisations() const override { return fitting_ ? fitting_->factorisations() : 0; }
 
  private:
-  enum class Stage : std::uint8_t {
-    kSymmetricSearch,
-    kSearch,
-    kSlackSearch,
-    kStartFit,
-    kFit,
-    kSettle,
-    kDone
-  };
-  bool searchOn(double from, double to);
-  void endSearch();
+  enum class Stage : std::uint8_t { kSearch, kStartFit, kFit, kSettle, kDone };
+  void search();
   void startFit();
   void resume(std::size_t start);
   void fitStep();
@@ -55,8 +46,7 @@ class BestRun : public Run {
   MatchRules rules_;
   double reach_;  ///< how far an outline vertex may move, cm
   MatchProblem match_;
-  std::unique_ptr<MatchProblem> symmetric_;
-  std::unique_ptr<AlignmentSearch> searching_;
+  SearchRun searching_;
   std::unique_ptr<SeamFitting> fitting_;
   Stage stage_ = Stage::kSearch;
   Alignments leaders_;  ///< present alignment of the leaders
@@ -72,7 +62,7 @@ class BestRun : public Run {
   std::size_t current_ = 0;  ///< of the starts
   int fit_steps_ = 0;
   int iterations_ = 0, settled_ = 0;
-  double slack_ = 0, progress_ = 0, searched_ = 0;
+  double progress_, searched_ = 0;  ///< now, and once all was searched
 };
 
 }  // namespace seamwise

@@ -6,7 +6,6 @@
 #include "solve/best_run.h"
 #include "solve/paper_run.h"
 #include "solve/placing_rules.h"
-#include "solve/prepare.h"
 #include "solve/promise.h"
 #include "solve/remarks.h"
 
@@ -55,11 +54,11 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 Solver::~Solver() = default;
 
-Outcome<Solver> Solver::make(Problem problem, MeshMemo* memo) {
+Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
   auto state = std::make_unique<State>(std::move(problem));
   Problem& p = state->problem;
   if (p.options.method == Method::kWs19) p.imposed.clear();  // it knows no symmetry of the body
-  Outcome<Pattern> mesh = preparedPattern(p, memo);
+  Outcome<Pattern> mesh = preparedPattern(p, memo ? &memo->mesh : nullptr);
   if (!mesh.ok()) return mesh.error();
   state->pattern = std::move(mesh).value();
   applySeamOptions(p.options, state->pattern);
@@ -67,7 +66,8 @@ Outcome<Solver> Solver::make(Problem problem, MeshMemo* memo) {
   std::vector<std::string>* const notes = &state->problem.notes;
   for (std::string& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
-    state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules);
+    state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules,
+                                           memo ? &memo->searches : nullptr);
   else
     state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, notes);
   return Solver(std::move(state));

@@ -3,20 +3,27 @@
 #include <string>
 #include <vector>
 
+#include "alignment/search_memo.h"
+#include "solve/prepare.h"
 #include "solve/problem.h"
 #include "solve/result.h"
 #include "solve/run.h"
 
 namespace seamwise {
 
-struct MeshMemo;
+/// What a solve leaves for the next one, which mostly differs in one thing. With it or without,
+/// results are the same.
+struct SolveMemo {
+  MeshMemo mesh;
+  SearchMemo searches;
+};
 
 /// A solve in small steps, so that progress is honest and cancelling needs no threads.
 class Solver {
  public:
   /// Samples and meshes the garment. Errors: kMesh, kSymmetryConflict.
-  /// @param memo   of this solve's mesh and the one before; null: every mesh is made anew
-  static Outcome<Solver> make(Problem problem, MeshMemo* memo = nullptr);
+  /// @param memo   of the solves before; null: all is made anew. Outlives the solver.
+  static Outcome<Solver> make(Problem problem, SolveMemo* memo = nullptr);
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
   ~Solver();

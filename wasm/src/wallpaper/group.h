@@ -55,6 +55,7 @@ struct Element {
   bool mirrored = false;  ///< det A < 0
   double angle = 0;  ///< A = R(angle), or A = R(angle) diag(1,-1) (axis at angle / 2) if mirrored
   Vec2 operator()(const Vec2& p) const { return A * p + a; }
+  bool operator==(const Element&) const = default;
 };
 
 /// A wallpaper group on a given lattice: closure, distances modulo the group, mirror lines. [cm]
@@ -64,6 +65,8 @@ class WallpaperGroup {
   /// within 1e-6 (relative) of its type is accepted and corrected to it: read w1() and w2()
   /// afterwards.
   static Outcome<WallpaperGroup> make(std::string_view name, const Vec2& w1, const Vec2& w2);
+
+  bool operator==(const WallpaperGroup&) const = default;
 
   const GroupData& data() const { return *data_; }
   const Vec2& w1() const { return w_[0]; }
@@ -88,6 +91,7 @@ class WallpaperGroup {
   /// An element in the coordinates of the reduced basis; the entries of m are whole numbers.
   struct ReducedElement {
     double m00, m01, m10, m11, a0, a1;
+    bool operator==(const ReducedElement&) const = default;
   };
   WallpaperGroup() = default;
 

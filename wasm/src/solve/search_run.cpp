@@ -1,0 +1,160 @@
+#include "solve/search_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seamwise {
+namespace {
+
+constexpr double kSearchStep = 1e6;  ///< element distances: some milliseconds
+
+/// Of the time of a whole solve, as a rule. A full search takes more of it the more pieces there
+/// are to place and symmetries to try.
+constexpr double kSlackShare = 0.16, kNearShare = 0.08, kTouchUpShare = 0.02;
+double fullShare(double pieces, double symmetries) {
+  return 0.62 * symmetries / (symmetries + 1) * (0.5 + 0.5 * pieces / (pieces + 4));
+}
+
+/// To go on from answers to almost the same question.
+SearchBudget slackBudget() {
+  SearchBudget budget;
+  budget.trees = 8, budget.idle = 8, budget.evaluations = 3e6;
+  return budget;
+}
+SearchBudget nearBudget() {
+  SearchBudget budget;
+  budget.trees = 4, budget.idle = 4, budget.evaluations = 1.5e6;
+  return budget;
+}
+
+/// For answers that only rounding keeps from being the best.
+SearchBudget touchUpBudget() {
+  SearchBudget budget;
+  budget.trees = budget.idle = budget.hits = 0;
+  return budget;
+}
+
+/// The same print with w1 along the x-axis, to about eight digits: equal however it was turned.
+WallpaperGroup straightened(const WallpaperGroup& group) {
+  const Mat2 back = rotation(-std::atan2(group.w1().y(), group.w1().x()));
+  const double unit = std::ldexp(1.0, std::ilogb(group.w1().norm()) - 24);
+  const auto rounded = [&](const Vec2& w) {
+    const Vec2 turned = back * w;
+    return Vec2(std::round(turned.x() / unit) * unit + 0.0,
+                std::round(turned.y() / unit) * unit + 0.0);  // never a negative zero
+  };
+  auto straight = WallpaperGroup::make(group.data().name, rounded(group.w1()), rounded(group.w2()));
+  return straight.ok() ? std::move(straight).value() : group;
+}
+
+/// The pattern with the weights of its file.
+Pattern asDrafted(const Problem& problem, Pattern pattern) {
+  for (const auto& [seam, weight] : problem.options.weights)
+    pattern.seams[seam].weight = problem.garment.stitches[seam].weight;
+  return pattern;
+}
+
+}  // namespace
+
+SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
+                     const std::vector<Mirror>& known, const MatchRules& rules, double slack,
+                     SearchMemo* memo)
+    : match_(match), slack_(slack), memo_(memo) {
+  const WallpaperGroup& group = match.group;
+  const std::uint64_t seed = problem.options.seed;
+  MatchRules unpinned = rules;
+  for (PieceRule& rule : unpinned.pieces) rule.pin.reset();
+  const bool turns = std::all_of(rules.pieces.begin(), rules.pieces.end(),
+                                 [](const PieceRule& rule) { return rule.angles.empty(); });
+  const WallpaperGroup straight = turns ? straightened(group) : group;
+  const double turn = turns ? std::atan2(group.w1().y(), group.w1().x()) : 0;
+  const Pattern drafted = asDrafted(problem, pattern);
+  const auto plainProblem = [&](const std::vector<Mirror>& mirrors) {
+    return makeMatchProblem(drafted, restShapes(drafted), mirrors, unpinned, straight);
+  };
+
+  const double full = fullShare(static_cast<double>(match.leaders.size()), group.data().order);
+  const bool guided = pattern.mirrors.empty() && !known.empty();
+  if (guided) searches_.push_back({plainProblem(known), {}, seed, full / 2, {}, 0, turn});
+  const std::size_t plain = searches_.size();
+  searches_.push_back(
+      {plainProblem(pattern.mirrors), {}, seed, guided ? full / 2 : full, {}, 0, turn});
+  if (guided) searches_[plain].after = {0};
+  searches_.push_back(
+      {searches_[plain].problem, slackBudget(), seed + 1, kSlackShare, {plain}, slack, turn});
+  if (searches_[plain].problem != match) {
+    const bool turned_only = problem.options.weights.empty() && problem.options.pins.empty();
+    const SearchBudget budget = turned_only ? touchUpBudget() : nearBudget();
+    const double share = turned_only ? kTouchUpShare : kNearShare;
+    searches_.push_back({match, budget, seed, share, {plain}});
+    searches_.push_back({match, budget, seed + 1, share, {plain + 2, plain + 1}, slack});
+  }
+  for (const Search& search : searches_) share_ += search.share;
+  best_ = under_slack_ = match.ofLeaders(Alignments(pattern.pieces.size()));
+}
+
+/// Of the pieces on the print as it lies, from those of the leaders of a search.
+Alignments SearchRun::placed(const Search& search, const Alignments& leaders) const {
+  Alignments pieces = search.problem.expanded(leaders);
+  for (Alignment& at : pieces) at.angle -= search.turn;
+  return pieces;
+}
+
+void SearchRun::begin() {
+  const Search& search = searches_[current_];
+  std::vector<Alignments> offered;
+  for (const std::size_t before : search.after) {
+    for (Alignments pieces : found_[before]) {
+      for (Alignment& at : pieces) at.angle += search.turn;
+      offered.push_back(search.problem.ofLeaders(pieces));
+    }
+  }
+  if (search.slack > 0 && search.problem.cost(offered[0]) < kPerfect) {
+    share_ -= search.share;
+    return end({offered[0], offered[0]});  // nothing has to move
+  }
+  const double watched = search.slack > 0 ? 0 : slack_;
+  if (memo_) {
+    inputs_ = {search.problem, search.budget, search.seed, search.slack, watched, offered};
+    if (const SearchMemo::Outcome* known = memo_->find(*inputs_)) {
+      share_ -= search.share;
+      return end(*known);
+    }
+  }
+  searching_ =
+      std::make_unique<AlignmentSearch>(search.problem, search.seed, search.budget, search.slack);
+  searching_->watch(watched);
+  for (const Alignments& leaders : offered) searching_->offer(leaders);
+}
+
+void SearchRun::end(const SearchMemo::Outcome& outcome) {
+  const Search& search = searches_[current_];
+  found_.push_back({placed(search, outcome.best), placed(search, outcome.watched)});
+  under_slack_ = match_.ofLeaders(found_.back()[0]);
+  if (search.slack == 0) best_ = under_slack_;
+  perfect_ = match_.cost(best_) < kPerfect;
+  ++current_;
+}
+
+bool SearchRun::advance() {
+  if (current_ == searches_.size()) return false;
+  if (!searching_) begin();
+  if (searching_) {
+    const Search& search = searches_[current_];
+    const double until = searching_->spent() + kSearchStep;
+    bool more = true;
+    while (more && searching_->spent() < until) more = searching_->step();
+    if (search.slack == 0) best_ = match_.ofLeaders(placed(search, searching_->best()));
+    fraction_ = std::max(fraction_, (before_ + search.share * searching_->fraction()) / share_);
+    if (!more) {
+      before_ += search.share;
+      SearchMemo::Outcome outcome{searching_->best(), searching_->watched()};
+      searching_.reset();
+      end(outcome);
+      if (memo_) memo_->add(std::move(*inputs_), std::move(outcome));
+    }
+  }
+  return current_ < searches_.size();
+}
+
+}  // namespace seamwise

@@ -1,0 +1,71 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "alignment/search_memo.h"
+#include "solve/problem.h"
+
+namespace seamwise {
+
+/// Seeks the alignments of the pattern as drafted, in up to five searches that hand on what they
+/// find: of the garment with its known symmetry, where none is imposed; of the garment by itself,
+/// on the print lying straight, and of what comes near there once seams may move; then both again
+/// with the weights and pins that are asked for, on the print as it lies, where that makes a
+/// difference. So whoever changes a weight, a pin or the print's turn has most of it done already,
+/// and comes to the same answer as who has not.
+class SearchRun {
+ public:
+  static constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies
+
+  /// @param pattern   with the weights that are asked for
+  /// @param match     its seams and leaders, with pins
+  /// @param slack     cm of mismatch that shapes may take up
+  /// @param memo      may be null
+  SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
+            const std::vector<Mirror>& known, const MatchRules& rules, double slack,
+            SearchMemo* memo);
+
+  /// Some milliseconds of work. False when it has ended.
+  bool advance();
+  double fraction() const { return fraction_; }  ///< 0..1, never falls
+  /// What it takes as a rule, as a share of the time of a whole solve; less once something turns
+  /// out to be remembered.
+  double share() const { return share_; }
+  /// Whether the print meets everywhere as the pieces lie.
+  bool isPerfect() const { return perfect_; }
+
+  /// The best so far; once it has ended, the best of rest. Of the leaders, pins heeded.
+  const Alignments& best() const { return best_; }
+  /// The best of what may move; the same when nothing needs to.
+  const Alignments& underSlack() const { return under_slack_; }
+
+ private:
+  struct Search {
+    MatchProblem problem;
+    SearchBudget budget;
+    std::uint64_t seed;
+    double share;                    ///< of the time of a whole solve
+    std::vector<std::size_t> after;  ///< searches whose answers it begins with
+    double slack = 0;                ///< cm
+    double turn = 0;                 ///< of the print as it lies, against this problem's. [rad]
+  };
+  void begin();
+  void end(const SearchMemo::Outcome& outcome);
+  Alignments placed(const Search& search, const Alignments& leaders) const;
+
+  const MatchProblem& match_;
+  double slack_;
+  SearchMemo* memo_;
+  std::vector<Search> searches_;
+  std::size_t current_ = 0;
+  std::unique_ptr<AlignmentSearch> searching_;
+  std::optional<SearchMemo::Inputs> inputs_;  ///< of the search at work
+  Alignments best_, under_slack_;
+  /// By each search: its best and what it watched, of the pieces on the print as it lies.
+  std::vector<std::vector<Alignments>> found_;
+  bool perfect_ = false;
+  double share_ = 0, before_ = 0, fraction_ = 0;
+};
+
+}  // namespace seamwise
