@@ -1,0 +1,129 @@
+#include "alignment/boxes.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace seamwise {
+
+Boxes::Boxes(const MatchProblem& problem, int leader, bool first)
+    : problem_(problem), leader_(leader) {
+  const auto& [piece, freedom, centre, seams] = problem.leaders[leader];
+  double weight = 0;
+  for (const int s : seams) {
+    const MatchSeam& seam = problem.seams[s];
+    for (std::size_t i = 0; i < seam.w.size(); ++i) {
+      if (seam.a == leader) reach_ += seam.w[i] * (seam.pa[i] - centre).norm();
+      if (seam.b == leader) reach_ += seam.w[i] * (seam.pb[i] - centre).norm();
+    }
+    weight += seam.weight * ((seam.a == leader) + (seam.b == leader));
+  }
+  reach_ /= weight;
+  Box& root = boxes_.emplace_back();
+  root.at = freedom.nearest({0, centre}, centre);
+  if (freedom.isPinned()) return;
+  if (freedom.turns()) {
+    // turning a piece by a rotation of the print leaves the print on it as it is
+    int rotations = 0;
+    for (const Element& e : problem.group.elements()) rotations += !e.mirrored;
+    root.turn = freedom.angles().empty() ? kPi / rotations : kPi;
+    root.at = {0, centre};
+    root.half = cell(first);
+    return;
+  }
+  root.open = true;
+  if (freedom.isMirrored())
+    addPlaces(first);
+  else
+    for (const double angle : freedom.angles()) add(0, {angle, centre}, 0, cell(first));
+}
+
+void Boxes::add(int parent, const Alignment& at, double turn, const std::array<Vec2, 2>& half) {
+  boxes_[parent].children.push_back(static_cast<int>(boxes_.size()));
+  boxes_.push_back({at, turn, half, false, {}});
+}
+
+/// Whether the shift, given to both points, changes no distance modulo the group.
+bool Boxes::neutral(const Vec2& shift) const {
+  const auto& elements = problem_.group.elements();
+  return std::all_of(elements.begin(), elements.end(), [&](const Element& e) {
+    return problem_.group.reduce(e.A * shift - shift).norm() < 1e-9;
+  });
+}
+
+/// Half the sides of a cell of shifts.
+std::array<Vec2, 2> Boxes::cell(bool first) const {
+  const auto& [r1, r2] = problem_.group.reducedBasis();
+  std::array<Vec2, 2> half{r1 / 2, r2 / 2};
+  if (!first) return half;
+  // what all elements leave as it is: everything, one direction or nothing
+  Mat2 kept = Mat2::Zero();
+  for (const Element& e : problem_.group.elements()) kept += e.A;
+  kept /= static_cast<double>(problem_.group.elements().size());
+  if (kept.trace() > 1.5) return {Vec2::Zero(), Vec2::Zero()};
+  if (kept.trace() > 0.5) {
+    const Mat2 basis = (Mat2() << r1, r2).finished();
+    const Vec2 along = basis.inverse() * kept.col(kept(0, 0) > kept(1, 1) ? 0 : 1);
+    half[std::abs(along.x()) > std::abs(along.y()) ? 0 : 1].setZero();
+    return half;
+  }
+  if (neutral(r1 / 2) || neutral((r1 + r2) / 2)) half[0] /= 2;
+  if (neutral(r2 / 2)) half[1] /= 2;
+  return half;
+}
+
+void Boxes::addPlaces(bool first) {
+  const Leader& leader = problem_.leaders[leader_];
+  const auto& [r1, r2] = problem_.group.reducedBasis();
+  std::vector<Freedom::Place> taken;
+  for (const Freedom::Place& place : leader.freedom.places()) {
+    const auto reached = [&](const Freedom::Place& other) {
+      if ((place.along - other.along).norm() > 1e-9) return false;
+      for (const Vec2& shift : {Vec2(r1 / 2), Vec2(r2 / 2), Vec2((r1 + r2) / 2)}) {
+        const double lines =
+            perp(place.along).dot(other.on_line + shift - place.on_line) / place.spacing;
+        if (neutral(shift) && std::abs(lines - std::round(lines)) < 1e-9) return true;
+      }
+      return false;
+    };
+    if (first && std::any_of(taken.begin(), taken.end(), reached)) continue;
+    taken.push_back(place);
+    Vec2 half = place.along * (place.period / 2);
+    // a hundredth is no part of a lattice: all shifts along the line are neutral
+    if (first && neutral(half / 100))
+      half.setZero();
+    else if (first && neutral(half))
+      half /= 2;
+    add(0, leader.freedom.onPlace(place, leader.centre, 0), 0, {half, Vec2::Zero()});
+  }
+}
+
+const std::vector<int>& Boxes::split(int index) {
+  const Box box = boxes_[index];
+  if (!box.children.empty()) return boxes_[index].children;
+  const Leader& leader = problem_.leaders[leader_];
+  const double sides[3] = {box.turn * reach_, box.half[0].norm(), box.half[1].norm()};
+  const auto widest = std::max_element(sides, sides + 3) - sides;
+  for (const double side : {-0.5, 0.5}) {
+    if (widest > 0) {
+      std::array<Vec2, 2> half = box.half;
+      half[widest - 1] /= 2;
+      add(index, moved(box.at, leader.centre, 0, side * box.half[widest - 1]), box.turn, half);
+      continue;
+    }
+    const Alignment at = moved(box.at, leader.centre, side * box.turn, Vec2::Zero());
+    const double admissible = leader.freedom.nearest(at, leader.centre).angle;
+    if (std::abs(wrapAngle(admissible - at.angle)) <= box.turn / 2 + 1e-9)
+      add(index, at, box.turn / 2, box.half);
+  }
+  return boxes_[index].children;
+}
+
+double Boxes::effort(int index, double fine) const {
+  const Box& box = boxes_[index];
+  if (box.open)
+    return std::log2(static_cast<double>(box.children.size())) + effort(box.children[0], fine);
+  return std::log2(1 + box.turn * reach_ / fine) + std::log2(1 + box.half[0].norm() / fine) +
+         std::log2(1 + box.half[1].norm() / fine);
+}
+
+}  // namespace seamwise
