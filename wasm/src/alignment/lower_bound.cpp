@@ -10,7 +10,6 @@
 namespace seamwise {
 namespace {
 
-constexpr double kCoarse = 0.25;    ///< radius of samples, as a share of how far points move
 constexpr double kDescents = 0.1;   ///< share of the evaluations that go into better answers
 constexpr int kIterations = 12;     ///< of a descent, at most
 constexpr double kNode = 20;        ///< evaluations that a known seam of a box costs as much as
@@ -18,38 +17,7 @@ constexpr double kFine = 0.12;      ///< share of the shortest repeat at which b
 constexpr double kPerfect = 2e-5;   ///< cm: nobody looks for a cost below it, times all weight
 constexpr double kEasierFirst = 2;  ///< an effort of one halving more counts as so much work
 
-/// Edges in groups of 1, 2, 4 ..., the last of them the whole seam.
-template <class Sample>
-std::vector<std::vector<Sample>> levelsOf(const MatchSeam& seam, const Vec2& ca, const Vec2& cb) {
-  std::vector<std::vector<Sample>> levels;
-  const std::size_t edges = seam.w.size();
-  for (std::size_t size = 1; size == 1 || size < 2 * edges; size *= 2) {
-    std::vector<Sample>& level = levels.emplace_back();
-    for (std::size_t first = 0; first < edges; first += size) {
-      const std::size_t last = std::min(edges, first + size), middle = (first + last) / 2;
-      Sample sample{seam.pa[middle] - ca, seam.pb[middle] - cb, 0, 0};
-      for (std::size_t i = first; i < last; ++i) {
-        sample.w += seam.w[i];
-        sample.radius += seam.w[i] * ((seam.pa[i] - seam.pa[middle]).norm() +
-                                      (seam.pb[i] - seam.pb[middle]).norm());
-      }
-      if (sample.w <= 0) continue;
-      sample.radius /= sample.w;
-      level.push_back(sample);
-    }
-  }
-  return levels;
-}
-
 }  // namespace
-
-double BoxSearch::Pair::steepness() const {
-  double sum = 0;
-  for (const double g : slope) sum += std::abs(g);
-  return sum;
-}
-
-double BoxSearch::Pair::bound() const { return std::max(flat, middle - steepness()); }
 
 BoxSearch::BoxSearch(const MatchProblem& problem, const SampledSeams<double>& edges,
                      const std::vector<int>& seams, const Alignments& known)
@@ -66,13 +34,7 @@ BoxSearch::BoxSearch(const MatchProblem& problem, const SampledSeams<double>& ed
       index[l] = static_cast<int>(boxes_.size());
       boxes_.emplace_back(problem, l, free && boxes_.empty());
     }
-    joints_.push_back(
-        {index[seam.a],
-         index[seam.b],
-         &seam,
-         levelsOf<Sample>(seam, problem.leaders[seam.a].centre, problem.leaders[seam.b].centre),
-         {},
-         {}});
+    joints_.push_back({index[seam.a], index[seam.b], SeamBound(problem, seam), {}, {}});
   }
   cost_ = costAt(known);
   Node root{0, std::vector<int>(boxes_.size(), 0), {}};
@@ -86,69 +48,12 @@ int BoxSearch::pairOf(Joint& joint, int a, int b) {
   const auto [found, fresh] =
       joint.known.try_emplace((static_cast<std::uint64_t>(a) << 32) + static_cast<std::uint64_t>(b),
                               static_cast<int>(joint.pairs.size()));
-  if (fresh) joint.pairs.push_back(evaluated(joint, boxes_[joint.a][a], boxes_[joint.b][b]));
+  if (fresh) {
+    const Boxes &of_a = boxes_[joint.a], &of_b = boxes_[joint.b];
+    joint.pairs.push_back(
+        joint.bound.between(of_a[a], of_a.reach(), of_b[b], of_b.reach(), spent_));
+  }
   return found->second;
-}
-
-BoxSearch::Pair BoxSearch::evaluated(const Joint& joint, const Box& a, const Box& b) {
-  Pair pair;
-  if (a.open || b.open) return pair;
-  const WallpaperGroup& group = problem_.group;
-  const auto& [r1, r2] = group.reducedBasis();
-  const Vec2 repeats[3] = {r1, r2, r1 - r2};
-  const double swing_a = a.swing(), swing_b = b.swing(), shift = a.shift() + b.shift();
-  const double typical =
-      boxes_[joint.a].reach() * swing_a + boxes_[joint.b].reach() * swing_b + shift;
-  const std::vector<Sample>* level = &joint.levels[0];
-  for (const auto& coarser : joint.levels) {
-    double radius = 0, weight = 0;
-    for (const Sample& s : coarser) radius += s.w * s.radius, weight += s.w;
-    if (radius <= kCoarse * typical * weight) level = &coarser;
-  }
-  const bool own = joint.a == joint.b;
-  const Mat2 turn_a = rotation(-a.at.angle), turn_b = rotation(-b.at.angle);
-  const Vec2 at_a = a.at.toPrint(problem_.leaders[joint.seam->a].centre),
-             at_b = b.at.toPrint(problem_.leaders[joint.seam->b].centre);
-  for (const Sample& s : *level) {
-    const Vec2 za = turn_a * s.a, zb = turn_b * s.b, x = at_a + za, y = at_b + zb;
-    const double rho = s.a.norm() * swing_a + s.b.norm() * swing_b + shift;
-    double nearest = std::numeric_limits<double>::max(), second = nearest, flat = nearest;
-    Vec2 r = Vec2::Zero();
-    const Element* element = nullptr;
-    for (const Element& e : group.elements()) {
-      if (!problem_.allows(*joint.seam, e)) continue;
-      const Vec2 off = group.reduce(x - e(y));
-      const double d = off.squaredNorm();
-      if (own && !e.mirrored) {
-        // both sides move together: only their difference counts
-        const double room =
-            (za - e.A * zb).norm() * swing_a + a.shift() * 2 * std::abs(std::sin(e.angle / 2));
-        flat = std::min(flat, std::sqrt(d) - std::min(room, rho));
-      }
-      if (d < nearest)
-        second = nearest, nearest = d, r = off, element = &e;
-      else
-        second = std::min(second, d);
-    }
-    for (const Vec2& repeat : repeats)
-      second = std::min(second, nearest - 2 * std::abs(r.dot(repeat)) + repeat.squaredNorm());
-    const double d = std::sqrt(nearest);
-    flat = own ? std::min(flat, d - rho) : d - rho;
-    pair.cost += s.w * d;
-    pair.flat += s.w * std::max(0.0, flat - s.radius);
-    // Others come as near as second - rho, this one as far as d + rho: a share of it is below both.
-    const double share =
-        s.w * std::clamp((std::sqrt(std::max(0.0, second)) - rho) / (d + rho), 0.0, 1.0);
-    const double bend = (a.turn * a.turn * s.a.norm() + b.turn * b.turn * s.b.norm()) / 2;
-    pair.middle += share * (d - bend) - s.w * s.radius;
-    if (d < 1e-12) continue;
-    const Vec2 u = r * (share / d), v = element->A.transpose() * u;
-    pair.slope[0] -= a.turn * u.dot(perp(za)), pair.slope[3] += b.turn * v.dot(perp(zb));
-    for (int k = 0; k < 2; ++k)
-      pair.slope[1 + k] += u.dot(a.half[k]), pair.slope[4 + k] -= v.dot(b.half[k]);
-  }
-  spent_ += static_cast<double>(level->size() * (4 + group.elements().size()));
-  return pair;
 }
 
 /// Seams whose slopes say little count with their flat bounds.
@@ -157,7 +62,7 @@ double BoxSearch::boundOf(const Node& node) const {
   std::vector<double> slopes(3 * boxes_.size(), 0);
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const Joint& joint = joints_[j];
-    const Pair& pair = joint.pairs[node.pairs[j]];
+    const SeamBound::Pair& pair = joint.pairs[node.pairs[j]];
     apart += pair.bound();
     if (pair.flat >= pair.middle - pair.steepness() / 2) {
       together += pair.flat;
@@ -189,9 +94,9 @@ int BoxSearch::choice(const Node& node) const {
     if (!(by_a + by_b > 0)) continue;
     const double effort =
         1 + of_a.effort(a, fine) + (joint.a == joint.b ? 0 : of_b.effort(b, fine));
-    const Pair& pair = joint.pairs[node.pairs[j]];
+    const SeamBound::Pair& pair = joint.pairs[node.pairs[j]];
     const double gain =
-        of_a[a].open || of_b[b].open ? joint.seam->weight * fine : pair.cost - pair.bound();
+        of_a[a].open || of_b[b].open ? joint.bound.seam().weight * fine : pair.cost - pair.bound();
     if (gain / (effort * effort) > most)
       most = gain / (effort * effort), best = by_a >= by_b ? joint.a : joint.b;
   }
@@ -224,9 +129,9 @@ void BoxSearch::step() {
 double BoxSearch::costAt(const Alignments& at) const {
   double cost = 0;
   for (const Joint& joint : joints_) {
-    const int a = joint.seam->a, b = joint.seam->b;
-    cost += edges_.cost(static_cast<int>(joint.seam - problem_.seams.data()), edges_.pose(a, at[a]),
-                        edges_.pose(b, at[b]), 0);
+    const int a = joint.bound.seam().a, b = joint.bound.seam().b;
+    cost += edges_.cost(static_cast<int>(&joint.bound.seam() - problem_.seams.data()),
+                        edges_.pose(a, at[a]), edges_.pose(b, at[b]), 0);
   }
   return cost;
 }
@@ -243,7 +148,7 @@ void BoxSearch::descend(const Node& node) {
     if (!leader.freedom.isPinned()) active.push_back(l);
   }
   // each step of it counts the cost and the model
-  for (const Joint& joint : joints_) edges += static_cast<double>(joint.seam->w.size());
+  for (const Joint& joint : joints_) edges += static_cast<double>(joint.bound.seam().w.size());
   const double work =
       3 * kIterations * edges * static_cast<double>(4 + problem_.group.elements().size());
   spent_ += work, descents_ += work;

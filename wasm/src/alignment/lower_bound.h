@@ -1,20 +1,18 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
 
 #include "alignment/boxes.h"
 #include "alignment/sampled_seams.h"
+#include "alignment/seam_bound.h"
 #include "alignment/search_moves.h"
 
 namespace seamwise {
 
 /// Branch and bound on some seams: boxes of alignments, best first, each with a cost that nothing
-/// in it falls below. It stands on two facts. A distance modulo the group changes by no more than
-/// its two points move, so that d - rho is a bound in a box of centre distance d; and where one
-/// element is nearest, the distance is at least its slope at the centre says, and slopes of seams
-/// cancel where the answer is in balance. What a pair of boxes says of a seam is found once.
+/// in it falls below: the sum of the flat bounds of its seams, or of their slopes, which cancel
+/// where the answer is in balance. What a pair of boxes says of a seam is found once.
 class BoxSearch {
  public:
   /// An answer whose cost exceeds the bound by no more than this share of it is proven.
@@ -37,25 +35,11 @@ class BoxSearch {
   double effort() const;
 
  private:
-  /// A few edges that lie together: one stands for all, which are `radius` away in the mean.
-  struct Sample {
-    Vec2 a, b;  ///< from the leaders' centres
-    double w, radius;
-  };
-  /// A seam between two boxes.
-  struct Pair {
-    double cost = 0;                ///< at the centres, about
-    double flat = 0;                ///< a bound
-    double middle = 0;              ///< middle + slope . x is a bound at x in [-1, 1]^6
-    std::array<double, 6> slope{};  ///< for turn and shifts of a, then of b
-    double steepness() const;
-    double bound() const;
-  };
+  /// A seam, and what pairs of boxes say of it.
   struct Joint {
     int a, b;  ///< indices of boxes_
-    const MatchSeam* seam;
-    std::vector<std::vector<Sample>> levels;  ///< finest first
-    std::vector<Pair> pairs;
+    SeamBound bound;
+    std::vector<SeamBound::Pair> pairs;
     std::unordered_map<std::uint64_t, int> known;  ///< boxes of both sides -> pair
   };
   struct Node {
@@ -66,7 +50,6 @@ class BoxSearch {
   };
 
   int pairOf(Joint& joint, int a, int b);
-  Pair evaluated(const Joint& joint, const Box& a, const Box& b);
   double boundOf(const Node& node) const;
   int choice(const Node& node) const;
   double costAt(const Alignments& at) const;
