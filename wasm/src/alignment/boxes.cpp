@@ -73,12 +73,13 @@ std::array<Vec2, 2> Boxes::cell(bool first) const {
 
 void Boxes::addPlaces(bool first) {
   const Leader& leader = problem_.leaders[leader_];
-  const auto& [r1, r2] = problem_.group.reducedBasis();
+  const auto& repeats = problem_.group.reducedBasis();
+  const Vec2 shifts[3] = {repeats[0] / 2, repeats[1] / 2, (repeats[0] + repeats[1]) / 2};
   std::vector<Freedom::Place> taken;
   for (const Freedom::Place& place : leader.freedom.places()) {
     const auto reached = [&](const Freedom::Place& other) {
       if ((place.along - other.along).norm() > 1e-9) return false;
-      for (const Vec2& shift : {Vec2(r1 / 2), Vec2(r2 / 2), Vec2((r1 + r2) / 2)}) {
+      for (const Vec2& shift : shifts) {
         const double lines =
             perp(place.along).dot(other.on_line + shift - place.on_line) / place.spacing;
         if (neutral(shift) && std::abs(lines - std::round(lines)) < 1e-9) return true;
