@@ -10,7 +10,11 @@
 namespace seamwise {
 namespace {
 
-constexpr double kFresh = 0.7;      ///< share of starts from nothing once the first trees are grown
+/// Share of starts from nothing once the first trees are grown; of many pieces, some lie badly in
+/// each of them, and parts of the best are worth more.
+double freshShare(int pieces) { return std::min(0.7, 5.0 / pieces); }
+/// And the more of them, the longer it takes until nothing is to be gained.
+double patienceFor(double pieces) { return std::clamp(pieces / 10, 1.0, 2.0); }
 constexpr double kScattered = 0.3;  ///< share of these whose pieces lie anywhere, not grown
 constexpr double kOther = 0.3;      ///< share of regrowths of another answer than the best
 constexpr double kDetached = 0.5;   ///< share of regrowths that begin anywhere, apart from the rest
@@ -68,7 +72,9 @@ void AlignmentSearch::findComponents() {
     components_[at].leaders.push_back(static_cast<int>(l));
   }
   for (Searched& c : components_) {
-    c.allowed = budget_.evaluations * static_cast<double>(c.leaders.size());
+    const double pieces = static_cast<double>(c.leaders.size());
+    c.allowed = budget_.evaluations * pieces * patienceFor(pieces);
+    c.patience = budget_.idle * (pieces + 4) * patienceFor(pieces);
     for (int l : c.leaders)
       c.seams.insert(c.seams.end(), problem_.leaders[l].seams.begin(),
                      problem_.leaders[l].seams.end());
@@ -137,7 +143,7 @@ bool AlignmentSearch::step() {
   Searched& c = components_[current_];
   const double spent = moves_.spent();
   const int n = static_cast<int>(c.leaders.size());
-  const bool anew = c.starts < budget_.trees || moves_.uniform() < kFresh;
+  const bool anew = c.starts < budget_.trees || moves_.uniform() < freshShare(n);
   Layout layout = moves_.layoutOf(anew ? best_ : before(c));
   Component part = c;
   if (anew)
@@ -164,10 +170,8 @@ bool AlignmentSearch::step() {
   if (known < 0 || c.cost < known * (1 - SearchMoves::kSame)) c.hits = 0;
   if (anew && cost < c.cost * (1 + SearchMoves::kSame)) ++c.hits;
   c.spent += moves_.spent() - spent;
-  const int patience = budget_.idle * (n + 4);
-  const bool enough = c.starts >= budget_.trees && (c.hits >= budget_.hits || c.idle >= patience);
-  double share =
-      std::min(1.0, std::max(c.spent / c.allowed, static_cast<double>(c.idle) / patience));
+  const bool enough = c.starts >= budget_.trees && (c.hits >= budget_.hits || c.idle >= c.patience);
+  double share = std::min(1.0, std::max(c.spent / c.allowed, c.idle / c.patience));
   if (c.cost < moves_.perfect() || enough || c.spent > c.allowed) {
     polish(c);
     ++current_;

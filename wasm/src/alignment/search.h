@@ -38,7 +38,7 @@ class AlignmentSearch {
 
   /// One start or one regrowth. False when the search has ended.
   bool step();
-  double fraction() const { return fraction_; }  ///< of the budget, 0..1, never falls
+  double fraction() const { return fraction_; }    ///< of the budget, 0..1, never falls
   double spent() const { return moves_.spent(); }  ///< element distances evaluated so far
 
   /// Of the leaders, polished on all edges once the search has ended.
@@ -53,6 +53,7 @@ class AlignmentSearch {
     int starts = 0, idle = 0;
     int hits = 0;  ///< starts from nothing that ended at the best answer
     double spent = 0, allowed = 0;
+    double patience = 0;  ///< steps without gain
   };
   void findComponents();
   void keep(Searched& c, const Layout& layout, double cost);
