@@ -30,7 +30,7 @@ TEST(OptionsFile, KeepsTheDefaultsOfWhatItLeavesOut) {
 TEST(OptionsFile, IsReadInAllItsFields) {
   const auto read = options(R"({
       "maxChangeCm": 0.5, "alpha": 2, "edgeLengthCm": 0.8, "continuousOnly": true,
-      "averageSeamShapes": false,
+      "averageSeamShapes": false, "proof": 0.5,
       "grain": {"default": "bias", "toleranceDeg": 9,
                 "pieces": {"front": "on", "back": {"lock": "free", "toleranceDeg": 18}}},
       "pins": {"back": {"angle": 0.25, "translation": [1, 2]}},
@@ -44,6 +44,7 @@ TEST(OptionsFile, IsReadInAllItsFields) {
   EXPECT_EQ(o.edge_length_cm, 0.8);
   EXPECT_TRUE(o.continuous_only);
   EXPECT_EQ(o.average_seam_shapes, false);
+  EXPECT_EQ(o.proof, 0.5);
   EXPECT_EQ(o.grain.lock, GrainLock::kBias);
   EXPECT_EQ(o.piece_grain.at(0).lock, GrainLock::kOn);
   EXPECT_NEAR(o.piece_grain.at(0).tolerance, kPi / 20, 1e-12);
@@ -68,6 +69,7 @@ TEST(OptionsFile, ThatIsUnusableNamesTheField) {
   };
   refuse(R"({"maxChange": 1})", {"unknown field 'maxChange'", "maxChangeCm"});
   refuse(R"({"maxChangeCm": -1})", {"maxChangeCm"});
+  refuse(R"({"proof": -1})", {"proof"});
   refuse(R"({"maxChangeCm": "1"})", {"'maxChangeCm'", "the text '1'"});
   refuse(R"({"maxChangeCm": null})", {"null for 'maxChangeCm'", "leave it out"});
   refuse(R"({"edgeLengthCm": 2})", {"edgeLengthCm", "1.05"});

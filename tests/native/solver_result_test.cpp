@@ -252,5 +252,22 @@ TEST(Solver, ReportsPhasesInOrderProgressThatNeverFallsAndAnAlignmentThroughout)
   }
 }
 
+TEST(SearchBound, SaysHowMuchBetterAnAlignmentCouldBe) {
+  const auto boundOf = [](Task t, double proof) {
+    t.options["proof"] = proof;
+    return solved(t).search_bound;
+  };
+  EXPECT_EQ(boundOf(task("apron", "pmm"), 0), 1);  // meets everywhere: nothing is better
+  const Task hard = task("gathered-skirt", "cm");
+  const double none = boundOf(hard, 0), little = boundOf(hard, 0.02), much = boundOf(hard, 0.3);
+  EXPECT_EQ(none, 0);
+  EXPECT_GT(little, 0);
+  EXPECT_LT(little, 1);
+  EXPECT_EQ(much, 1);
+  Task paper = hard;
+  paper.method = Method::kPaper;
+  EXPECT_EQ(solved(paper).search_bound, 0);
+}
+
 }  // namespace
 }  // namespace seamwise

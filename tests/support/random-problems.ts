@@ -84,6 +84,7 @@ function options({garment, names}: DraftedGarment): fc.Arbitrary<SolveOptions> {
       edgeLengthCm: between(0.3, 1.05),
       continuousOnly: fc.boolean(),
       averageSeamShapes: fc.boolean(),
+      proof: between(0, 0.3),
       grain: fc.record(
         {default: lock, toleranceDeg: between(0, 90), pieces: forSome(names, rule)},
         {requiredKeys: []},

@@ -163,7 +163,15 @@ function fileOf(options: Partial<CuttingOptions> = {}): string {
     ...pattern,
     search: [],
     metrics: {
-      ...{fitRandom: 1, fitSearch: 1, fitAligned: 1, fit: 1, fitStrict: 1, fitSeam: 1},
+      ...{
+        fitRandom: 1,
+        fitSearch: 1,
+        searchBound: 1,
+        fitAligned: 1,
+        fit: 1,
+        fitStrict: 1,
+        fitSeam: 1,
+      },
       ...{maxMovedCm: 0, iterations: 1, factorisations: 1, method: 'best', seed: 1},
       milliseconds: {alignment: 1, deformation: 1, total: 2},
     },

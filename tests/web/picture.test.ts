@@ -20,6 +20,7 @@ function twoSquares(second: Alignment, symmetries: readonly ResultSymmetry[] = [
     metrics: {
       fitRandom: 1,
       fitSearch: 1,
+      searchBound: 1,
       fitAligned: 1,
       fit: 1,
       fitStrict: 1,

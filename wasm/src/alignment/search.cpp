@@ -23,6 +23,10 @@ constexpr int kGlance = 3;  ///< iterations on all edges that tell which finalis
 constexpr std::size_t kPolished = 4;
 constexpr int kPolish = 30;  ///< iterations at most
 
+constexpr double kProof = 0.03;       ///< share of the evaluations that may go into a proof,
+constexpr int kProvable = 5;          ///< where no more unknowns than these make it likely
+constexpr double kProofDistance = 6;  ///< a distance there takes as long as so many elsewhere
+
 /// The more symmetries a print has, the more answers there are to choose from.
 SearchBudget enlarged(SearchBudget budget, int symmetries) {
   const double ratio = symmetries / 4.0, more = std::max(1.0, ratio * std::sqrt(std::sqrt(ratio)));
@@ -141,6 +145,11 @@ Alignments AlignmentSearch::before(const Searched& c) {
 bool AlignmentSearch::step() {
   if (done_) return false;
   Searched& c = components_[current_];
+  if (proof_) {
+    if (proof_->spent() < proofAllowed(c) && proof_->step()) return true;
+    endProof(c);
+    return endComponent();
+  }
   const double spent = moves_.spent();
   const int n = static_cast<int>(c.leaders.size());
   const bool anew = c.starts < budget_.trees || moves_.uniform() < freshShare(n);
@@ -174,13 +183,44 @@ bool AlignmentSearch::step() {
   double share = std::min(1.0, std::max(c.spent / c.allowed, c.idle / c.patience));
   if (c.cost < moves_.perfect() || enough || c.spent > c.allowed) {
     polish(c);
-    ++current_;
-    share = 0;
+    if (moves_.slack() > 0) return endComponent();
+    proof_ = std::make_unique<LowerBound>(problem_, c, best_);
+    share = 1;
   }
-  done_ = current_ == components_.size();
   fraction_ = std::max(
       fraction_, (static_cast<double>(current_) + share) / static_cast<double>(components_.size()));
+  return true;
+}
+
+double AlignmentSearch::proofAllowed(const Searched& c) const {
+  int unknowns = 0;
+  for (int l : c.leaders)
+    unknowns += static_cast<int>(problem_.leaders[l].freedom.basis(best_[l]).cols());
+  return budget_.proof.value_or(unknowns > kProvable ? 0 : kProof) * c.allowed;
+}
+
+/// Whatever better answer the proof has met is the best.
+void AlignmentSearch::endProof(const Searched& c) {
+  for (int l : c.leaders) best_[l] = proof_->best()[l];
+  cost_ += proof_->cost();
+  bound_ += proof_->proven() ? proof_->cost() : proof_->bound();
+  proof_spent_ += proof_->spent();
+  proof_.reset();
+}
+
+bool AlignmentSearch::endComponent() {
+  ++current_;
+  fraction_ = static_cast<double>(current_) / static_cast<double>(components_.size());
+  done_ = current_ == components_.size();
   return !done_;
+}
+
+double AlignmentSearch::bound() const {
+  return cost_ > 0 ? bound_ / cost_ : 1;
+}
+
+double AlignmentSearch::spent() const {
+  return moves_.spent() + kProofDistance * (proof_spent_ + (proof_ ? proof_->spent() : 0));
 }
 
 /// Compares the finalists and what was offered on all edges of the seams.

@@ -1,6 +1,9 @@
 #pragma once
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "alignment/lower_bound.h"
 #include "alignment/search_moves.h"
 
 namespace seamwise {
@@ -14,6 +17,9 @@ struct SearchBudget {
   int hits = 8;    ///< or after so many starts that ended at the same, best answer
   double evaluations = 5e6;  ///< stop after so many element distances for each free piece
   double samples = 12;       ///< along the print's shortest repeat, while searching
+  /// Work for a proof that nothing better is left, as a share of `evaluations`; unset: a little,
+  /// where that may be enough.
+  std::optional<double> proof;
   bool operator==(const SearchBudget&) const = default;
 };
 
@@ -21,7 +27,8 @@ struct SearchBudget {
 /// seam graph, each seam continuous or mirrored, polished by a joint Newton; then random parts of
 /// the best are regrown and single pieces moved while that helps. Components of the seam graph are
 /// searched one by one, on samples of the seams; the best few answers are compared on all edges at
-/// the end. Anytime: best() is valid after the first step.
+/// the end, and the best one's cost is bounded from below. Anytime: best() is valid after the first
+/// step.
 class AlignmentSearch {
  public:
   /// @param slack   as in SampledSeams::cost: distances up to it are nearly free
@@ -39,10 +46,14 @@ class AlignmentSearch {
   /// One start or one regrowth. False when the search has ended.
   bool step();
   double fraction() const { return fraction_; }    ///< of the budget, 0..1, never falls
-  double spent() const { return moves_.spent(); }  ///< element distances evaluated so far
+  /// Element distances evaluated so far, or work that takes as long.
+  double spent() const;
 
   /// Of the leaders, polished on all edges once the search has ended.
   const Alignments& best() const { return best_; }
+  /// No alignment costs less than this share of best(), once a search without slack has ended: 1
+  /// when it is proven the best, 0 when nothing is known.
+  double bound() const;
 
  private:
   /// A component and what is known of it.
@@ -59,6 +70,9 @@ class AlignmentSearch {
   void keep(Searched& c, const Layout& layout, double cost);
   Alignments before(const Searched& c);
   void polish(Searched& c);
+  void endProof(const Searched& c);
+  bool endComponent();
+  double proofAllowed(const Searched& c) const;
   double polished(const Searched& c, Alignments& own, const SampledSeams<double>& seams,
                   int iterations) const;
 
@@ -70,6 +84,9 @@ class AlignmentSearch {
   std::size_t current_ = 0;
   Alignments best_, watched_;
   std::vector<Alignments> offered_;
+  std::unique_ptr<LowerBound> proof_;  ///< at work on the present component
+  double proof_spent_ = 0;
+  double cost_ = 0, bound_ = 0;  ///< of the components that are done
   bool done_ = false;
   double fraction_ = 0;
 };

@@ -21,6 +21,7 @@ class SearchMemo {
   /// Of the leaders.
   struct Outcome {
     Alignments best, watched;
+    double bound;  ///< as in AlignmentSearch
   };
 
   /// Null when there was no such search lately.

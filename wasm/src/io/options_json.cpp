@@ -78,7 +78,8 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
   object(document, place, "content");
   onlyKnown(document, place,
             {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
-             "averageSeamShapes", "grain", "pins", "weights", "unmatched", "plain", "matches"});
+             "averageSeamShapes", "grain", "pins", "weights", "unmatched", "plain", "matches",
+             "proof"});
   checkFormat(document, place, "seamwise-options", 1);
   for (const auto& [key, value] : document.items())
     if (value.is_null())
@@ -92,6 +93,7 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
   if (find(document, "maxChangeCm")) options.max_change_cm = real("maxChangeCm");
   if (find(document, "edgeLengthCm")) options.edge_length_cm = real("edgeLengthCm");
   if (find(document, "alpha")) options.alpha = real("alpha");
+  if (find(document, "proof")) options.proof = real("proof");
   if (find(document, "continuousOnly")) options.continuous_only = flag("continuousOnly");
   if (find(document, "averageSeamShapes")) options.average_seam_shapes = flag("averageSeamShapes");
   if (const Json* grain = find(document, "grain")) readGrain(*grain, garment, place, &options);

@@ -116,6 +116,7 @@ std::string writeResult(const Result& r) {
   out.field("seed", r.seed);
   out.field("fitRandom", r.fit_random);
   out.field("fitSearch", r.fit_search);
+  out.field("searchBound", r.search_bound);
   out.field("fitAligned", r.fit_aligned);
   out.field("fit", r.fit.any);
   out.field("fitStrict", r.fit.strict);

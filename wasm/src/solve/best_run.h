@@ -24,6 +24,7 @@ class BestRun : public Run {
   double fraction() const override;
   const Alignments& alignment() const override { return alignment_; }
   const Alignments& search() const override { return search_result_; }
+  double searchBound() const override { return searching_.bound(); }
   const Shapes& shapes() const override;
   int iterations() const override { return iterations_; }
   int factorisations() const override { return fitting_ ? fitting_->factorisations() : 0; }

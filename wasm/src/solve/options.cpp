@@ -25,6 +25,7 @@ std::string SolveOptions::problem() const {
   if (!(edge_length_cm >= kMinEdgeLengthCm && edge_length_cm <= kMaxEdgeLengthCm))
     return "edgeLengthCm must be between 0.1 and 1.05 cm.";
   if (alpha && !(*alpha > 0 && *alpha <= 1e9)) return "alpha must be positive and at most 1e9.";
+  if (proof && !(*proof >= 0 && *proof <= 1e6)) return "proof must be between 0 and 1e6.";
   if (!usableRule(grain)) return "grain.toleranceDeg must be between 0 and 90 degrees.";
   for (const auto& [piece, rule] : piece_grain)
     if (piece < 0 || !usableRule(rule))

@@ -33,6 +33,9 @@ struct SolveOptions {
   std::vector<int> unmatched;                ///< stitch numbers
   std::vector<int> plain;                    ///< piece indices
   std::vector<MatchLine> matches;
+  /// Work for a proof of the alignment, as a multiple of the search's; unset: a little, where that
+  /// may be enough.
+  std::optional<double> proof;
 
   /// Empty when usable, else one sentence that names the field.
   std::string problem() const;

@@ -26,6 +26,7 @@ struct PrintedPattern {
 struct Result : PrintedPattern {
   std::vector<Alignment> search;  ///< where the alignment search ended, before anything deformed
   double fit_search = 0, fit_aligned = 0;
+  double search_bound = 0;  ///< no alignment at rest costs less than this share of `search`
   Fit fit;
   double max_moved_cm = 0;
   int iterations = 0;      ///< of the deformation

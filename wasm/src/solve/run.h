@@ -18,6 +18,9 @@ class Run {
   virtual double fraction() const = 0;                ///< 0..1, monotone
   virtual const Alignments& alignment() const = 0;    ///< of the pieces; the best so far
   virtual const Alignments& search() const = 0;       ///< where the alignment search ended
+  /// No alignment at rest costs less than this share of search(): 1 when it is proven the best, 0
+  /// when nothing is known.
+  virtual double searchBound() const { return 0; }
   virtual const Shapes& shapes() const = 0;
   virtual int iterations() const = 0;
   virtual int factorisations() const = 0;

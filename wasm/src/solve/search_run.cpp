@@ -15,21 +15,28 @@ double fullShare(double pieces, double symmetries) {
   return 0.62 * symmetries / (symmetries + 1) * (0.5 + 0.5 * pieces / (pieces + 4));
 }
 
+/// To seek from nothing.
+SearchBudget fullBudget(std::optional<double> proof) {
+  SearchBudget budget;
+  budget.proof = proof;
+  return budget;
+}
+
 /// To go on from answers to almost the same question.
 SearchBudget slackBudget() {
   SearchBudget budget;
   budget.trees = 8, budget.idle = 8, budget.evaluations = 3e6;
   return budget;
 }
-SearchBudget nearBudget() {
-  SearchBudget budget;
+SearchBudget nearBudget(std::optional<double> proof) {
+  SearchBudget budget = fullBudget(proof);
   budget.trees = 4, budget.idle = 4, budget.evaluations = 1.5e6;
   return budget;
 }
 
 /// For answers that only rounding keeps from being the best.
-SearchBudget touchUpBudget() {
-  SearchBudget budget;
+SearchBudget touchUpBudget(std::optional<double> proof) {
+  SearchBudget budget = fullBudget(proof);
   budget.trees = budget.idle = budget.hits = 0;
   return budget;
 }
@@ -62,6 +69,7 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
     : match_(match), slack_(slack), memo_(memo) {
   const WallpaperGroup& group = match.group;
   const std::uint64_t seed = problem.options.seed;
+  const std::optional<double> proof = problem.options.proof;
   MatchRules unpinned = rules;
   for (PieceRule& rule : unpinned.pieces) rule.pin.reset();
   const bool turns = std::all_of(rules.pieces.begin(), rules.pieces.end(),
@@ -75,16 +83,16 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
 
   const double full = fullShare(static_cast<double>(match.leaders.size()), group.data().order);
   const bool guided = pattern.mirrors.empty() && !known.empty();
-  if (guided) searches_.push_back({plainProblem(known), {}, seed, full / 2, {}, 0, turn});
+  if (guided) searches_.push_back({plainProblem(known), fullBudget(0), seed, full / 2, {}, 0, turn});
   const std::size_t plain = searches_.size();
   searches_.push_back(
-      {plainProblem(pattern.mirrors), {}, seed, guided ? full / 2 : full, {}, 0, turn});
+      {plainProblem(pattern.mirrors), fullBudget(proof), seed, guided ? full / 2 : full, {}, 0, turn});
   if (guided) searches_[plain].after = {0};
   searches_.push_back(
       {searches_[plain].problem, slackBudget(), seed + 1, kSlackShare, {plain}, slack, turn});
   if (searches_[plain].problem != match) {
     const bool turned_only = problem.options.weights.empty() && problem.options.pins.empty();
-    const SearchBudget budget = turned_only ? touchUpBudget() : nearBudget();
+    const SearchBudget budget = turned_only ? touchUpBudget(proof) : nearBudget(proof);
     const double share = turned_only ? kTouchUpShare : kNearShare;
     searches_.push_back({match, budget, seed, share, {plain}});
     searches_.push_back({match, budget, seed + 1, share, {plain + 2, plain + 1}, slack});
@@ -111,7 +119,7 @@ void SearchRun::begin() {
   }
   if (search.slack > 0 && search.problem.cost(offered[0]) < kPerfect) {
     share_ -= search.share;
-    return end({offered[0], offered[0]});  // nothing has to move
+    return end({offered[0], offered[0], 0});  // nothing has to move
   }
   const double watched = search.slack > 0 ? 0 : slack_;
   if (memo_) {
@@ -131,7 +139,7 @@ void SearchRun::end(const SearchMemo::Outcome& outcome) {
   const Search& search = searches_[current_];
   found_.push_back({placed(search, outcome.best), placed(search, outcome.watched)});
   under_slack_ = match_.ofLeaders(found_.back()[0]);
-  if (search.slack == 0) best_ = under_slack_;
+  if (search.slack == 0) best_ = under_slack_, bound_ = outcome.bound;
   perfect_ = match_.cost(best_) < kPerfect;
   ++current_;
 }
@@ -148,7 +156,8 @@ bool SearchRun::advance() {
     fraction_ = std::max(fraction_, (before_ + search.share * searching_->fraction()) / share_);
     if (!more) {
       before_ += search.share;
-      SearchMemo::Outcome outcome{searching_->best(), searching_->watched()};
+      SearchMemo::Outcome outcome{searching_->best(), searching_->watched(),
+                                  searching_->bound()};
       searching_.reset();
       end(outcome);
       if (memo_) memo_->add(std::move(*inputs_), std::move(outcome));

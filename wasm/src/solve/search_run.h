@@ -39,6 +39,8 @@ class SearchRun {
   const Alignments& best() const { return best_; }
   /// The best of what may move; the same when nothing needs to.
   const Alignments& underSlack() const { return under_slack_; }
+  /// No alignment at rest costs less than this share of the best: 1 when it is proven.
+  double bound() const { return bound_; }
 
  private:
   struct Search {
@@ -65,6 +67,7 @@ class SearchRun {
   /// By each search: its best and what it watched, of the pieces on the print as it lies.
   std::vector<std::vector<Alignments>> found_;
   bool perfect_ = false;
+  double bound_ = 0;
   double share_ = 0, before_ = 0, fraction_ = 0;
 };
 

@@ -120,6 +120,7 @@ Outcome<Result> Solver::finish() {
       return unsewable(static_cast<int>(s));
   result.alignment = run.alignment();
   result.search = run.search();
+  result.search_bound = run.searchBound();
   for (std::size_t s = 0; s < result.pattern.seams.size(); ++s) {
     const Seam& seam = result.pattern.seams[s];
     result.joins[s] =

@@ -53,6 +53,7 @@ const options: Read<SolveOptions> = shape(
     unmatched: listOf(wholeNumber),
     plain: listOf(text()),
     matches: listOf(shape({a: markedLine, b: markedLine}, {weight: number(0, 1e6)})),
+    proof: number(0, 1e6),
   },
 );
 

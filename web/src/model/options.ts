@@ -33,6 +33,8 @@ export interface SolveOptions {
   /** Pieces, by name, that are cut from unprinted cloth. */
   readonly plain?: readonly string[];
   readonly matches?: readonly MatchedLines[];
+  /** Work for a proof of the alignment, as a multiple of the search's. Default: a little, where that may do. */
+  readonly proof?: number;
 }
 
 /** Two marked lines that lie on each other without being sewn (a button front, a patch pocket). */

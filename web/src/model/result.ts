@@ -68,6 +68,8 @@ export interface Metrics {
   readonly fitRandom: number;
   /** What the alignment search reached on `rest`. */
   readonly fitSearch: number;
+  /** No alignment of `rest` costs less than this share of the one found: 1 when it is proven the best. */
+  readonly searchBound: number;
   /** Fit of `rest` under the final alignment. */
   readonly fitAligned: number;
   /** Fit of `shape` under the final alignment. */

@@ -79,7 +79,7 @@ export class Headline extends DeskElement {
     return html`
       <h2>${result.seams.length > 0 ? fits : headline.noSeams}</h2>
       <output aria-label=${headline.fit}>${this.#fit(result.metrics)}</output>
-      ${this.#cost(result.metrics)} ${this.#notes(result.notes)}
+      ${this.#proof(result.metrics)} ${this.#cost(result.metrics)} ${this.#notes(result.notes)}
     `;
   }
 
@@ -111,6 +111,15 @@ export class Headline extends DeskElement {
     const {value, unit} = this.format.area(fit);
     const share = this.format.percent(fitRandom > 0 ? fit / fitRandom : 0);
     return html`${value} ${unit}<sup>2</sup>, ${this.texts.headline.percentOfRandom(share)}`;
+  }
+
+  /** Of the placing that was found before anything was deformed. */
+  #proof({method, searchBound}: Metrics): TemplateResult | typeof nothing {
+    if (method !== 'best') return nothing;
+    const {proven, nearlyProven, unproven} = this.texts.headline;
+    const left = this.format.percent(1 - searchBound);
+    const text = searchBound === 1 ? proven : searchBound > 0.5 ? nearlyProven(left) : unproven;
+    return html`<p class="soft">${text}</p>`;
   }
 
   #cost(metrics: Metrics): TemplateResult | typeof nothing {
