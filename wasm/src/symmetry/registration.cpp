@@ -14,7 +14,7 @@ constexpr double kStalled = 0.99;
 constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
 constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
-constexpr double kReported = 1e3;      // cm; residuals beyond are all the same to a reader
+constexpr std::size_t kFew = 4;        // every so manieth sample tells whether a start is hopeless
 
 struct CornerPairs {
   std::vector<Vec2> from, to;
@@ -86,30 +86,36 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
   return map;
 }
 
-RigidMotion closestPoints(const Outline& a, const Outline& b, RigidMotion map) {
+/// @param stride   every so manieth sample
+/// @return the map, and the root mean square of the distances before its last step
+std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b, RigidMotion map,
+                                             std::size_t stride) {
   const bool single = &a == &b;
-  std::vector<Vec2> to(a.samples().size());
+  std::vector<Vec2> from;
+  for (std::size_t i = 0; i < a.samples().size(); i += stride) from.push_back(a.samples()[i]);
+  std::vector<Vec2> to(from.size());
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kMaxIcpSteps; ++k) {
     double sum = 0;
     const Mat2 linear = map.linear();
     for (std::size_t i = 0; i < to.size(); ++i) {
-      const OutlinePoint foot = b.nearest(linear * a.samples()[i] + map.shift);
+      const OutlinePoint foot = b.nearest(linear * from[i] + map.shift);
       to[i] = foot.point;
       sum += foot.distance * foot.distance;
     }
     // The mean only falls; where it stalls above the limit, the greatest distance stays above it
     // too.
     const double rms = std::sqrt(sum / static_cast<double>(to.size()));
-    if (rms > kMirrorTolerance && rms > kStalled * before) break;
+    const bool stalled = rms > kMirrorTolerance && rms > kStalled * before;
     before = rms;
-    const RigidMotion next = fitMirror(a.samples(), to, single);
+    if (stalled) break;
+    const RigidMotion next = fitMirror(from, to, single);
     const double moved = std::abs(wrapAngle(next.angle - map.angle)) * a.length() +
                          (next(a.corners()[0]) - map(a.corners()[0])).norm();
     map = next;
     if (moved < kIcpSettled) break;
   }
-  return map;
+  return {map, before};
 }
 
 struct Start {
@@ -215,15 +221,22 @@ double mirrorResidual(const Outline& a, const Outline& b, const RigidMotion& map
   return worst;
 }
 
-MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& start) {
+MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& start,
+                       double enough) {
   const double gate = a.length() / Outline::kEven;
   const RigidMotion begin = &a == &b ? withoutGlide(start) : start;
   const auto measured = [&](const RigidMotion& map) {
-    return MirrorFit{map, mirrorResidual(a, b, map, kReported)};
+    return MirrorFit{map, mirrorResidual(a, b, map, std::max(enough, gate))};
   };
   MirrorFit direct = measured(polishOnCorners(a, b, begin, gate));
   if (direct.residual <= 2 * Outline::kFlatness) return direct;
-  MirrorFit settled = measured(closestPoints(a, b, direct.residual < gate ? direct.map : begin));
+  RigidMotion near = direct.residual < gate ? direct.map : begin;
+  if (enough < kFarApart) {  // most starts lead nowhere, as a few points tell
+    const auto [few, apart] = closestPoints(a, b, near, kFew);
+    if (apart > enough) return direct;
+    near = few;
+  }
+  MirrorFit settled = measured(closestPoints(a, b, near, 1).first);
   MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
   // Corners win when they fit as well as flattening can tell.
   if (polished.residual <= settled.residual + Outline::kFlatness &&
@@ -240,7 +253,7 @@ std::vector<MirrorFit> findMirrors(const Outline& a, const Outline& b) {
   const double limit = 0.75 * a.length() / Outline::kEven + 2 * kMirrorTolerance;
   for (const Start& start : startMaps(a, b)) {
     if (start.rms > limit) break;
-    const MirrorFit fit = refineMirror(a, b, start.map);
+    const MirrorFit fit = refineMirror(a, b, start.map, kMirrorTolerance);
     if (fit.residual > kMirrorTolerance) continue;
     const bool known = std::any_of(found.begin(), found.end(), [&](const MirrorFit& other) {
       return sameMap(a, fit.map, other.map);

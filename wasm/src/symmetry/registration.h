@@ -5,6 +5,8 @@
 
 namespace seamwise {
 
+constexpr double kFarApart = 1e3;  ///< cm; residuals beyond are all the same to a reader
+
 /// An orientation-reversing rigid map of one outline onto another.
 struct MirrorFit {
   RigidMotion map;  ///< `map.mirrored` is true
@@ -23,7 +25,9 @@ RigidMotion withoutGlide(RigidMotion motion);
 /// Registers the mirrored outline a onto b from a start: iterative closest points [Besl & McKay
 /// 1992], then closed form on the corners that correspond, which is exact for pieces drafted as
 /// exact mirror images. a and b are the same object for a piece that is symmetric in itself.
-MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& start);
+/// @param enough   of a fit that is worse than this nobody needs to know by how much. [cm]
+MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& start,
+                       double enough = kFarApart);
 
 /// Greatest distance between either outline and the image of the other, corners included; the
 /// search stops beyond `enough`. [cm]
