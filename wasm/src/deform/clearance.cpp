@@ -24,11 +24,13 @@ std::vector<double> outsideClearance(const Piece& piece, double horizon) {
       const int next = (k + 1) % n;
       if (k == i || next == i) continue;
       const Vec2 a = rim[k], d = rim[next] - a;
+      const double length = along[k + 1] - along[k];
+      if ((rim[i] - a).squaredNorm() > (clear[i] + length) * (clear[i] + length)) continue;
       const double t = std::clamp((rim[i] - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
       const Vec2 q = a + t * d;
       const double distance = (q - rim[i]).norm();
       if (distance >= clear[i]) continue;
-      double way = std::abs(along[k] + t * d.norm() - along[i]);
+      double way = std::abs(along[k] + t * length - along[i]);
       way = std::min(way, along[n] - way);
       if (distance > kDetour * way || contains(rim, (q + rim[i]) / 2)) continue;
       clear[i] = distance;

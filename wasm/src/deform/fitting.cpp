@@ -76,7 +76,7 @@ void SeamFitting::addTarget(int piece, int vertex, const Vec2& position, double 
                             const Cloth* only) {
   const Follower& f = parts_.pieces[piece];
   if (only && only != &cloths_[f.part]) return;
-  const RigidMotion& back = f.reflected[vertex] ? to_part_mirror_[piece] : to_part_direct_[piece];
+  const PointMap& back = f.reflected[vertex] ? to_part_mirror_[piece] : to_part_direct_[piece];
   cloths_[f.part].addTarget(f.source[vertex], back(position), weight);
 }
 
@@ -97,13 +97,16 @@ IdealLines SeamFitting::linesOf(const Seam& seam, const Join& join,
   const Alignment &wa = at[seam.a.piece], &wb = at[seam.b.piece];
   const Element& g = join.element;
   const Mat2 back = g.A.inverse();
+  // as Alignment::toPrint and toPiece, with sines and cosines once for all points
+  const Mat2 to_a = rotation(wa.angle), to_b = rotation(wb.angle);
+  const Mat2 from_a = to_a.transpose(), from_b = to_b.transpose();
   IdealLines lines;
   for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
-    const Vec2 x = wa.toPrint(shapes_[seam.a.piece][seam.a.vertices[k]]);
-    const Vec2 y = g(wb.toPrint(shapes_[seam.b.piece][seam.b.vertices[k]]));
+    const Vec2 x = from_a * (shapes_[seam.a.piece][seam.a.vertices[k]] - wa.translation);
+    const Vec2 y = g(from_b * (shapes_[seam.b.piece][seam.b.vertices[k]] - wb.translation));
     const Vec2 middle = (x + y) / 2;
-    lines.a.push_back(wa.toPiece(middle));
-    lines.b.push_back(wb.toPiece(back * (middle - g.a)));
+    lines.a.push_back(to_a * middle + wa.translation);
+    lines.b.push_back(to_b * (back * (middle - g.a)) + wb.translation);
   }
   return lines;
 }

@@ -58,7 +58,7 @@ class SeamFitting {
   FittingRules rules_;
   Parts parts_;
   std::vector<Cloth> cloths_;
-  std::vector<RigidMotion> to_part_direct_, to_part_mirror_;  ///< per piece
+  std::vector<PointMap> to_part_direct_, to_part_mirror_;  ///< per piece
   std::vector<std::vector<double>>
       vertex_length_;  ///< per seam and vertex: cm of seam it stands for
   std::vector<Join> joins_;

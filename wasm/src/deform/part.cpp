@@ -111,6 +111,8 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
     part.piece = static_cast<int>(p);
     part.half = mirror && mirror->single();
     if (part.half) part.frame = axisFrame(mirror->map);
+    const PointMap frame(part.frame);
+    const PointMap unmirror(mirror ? mirror->map.inverse() : RigidMotion{});
     Follower self;
     self.part = static_cast<int>(result.parts.size());
     self.source.assign(n, -1), self.reflected.assign(n, 0);
@@ -119,10 +121,10 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
     // Rest positions, evened out between mirror images so that the problem is exactly symmetric.
     std::vector<Vec2> rest(n);
     for (int v = 0; v < n; ++v) {
-      rest[v] = part.frame(piece.rest[v]);
+      rest[v] = frame(piece.rest[v]);
       if (!mirror) continue;
       const Vec2& image = pattern.pieces[mirror->pieces[1]].rest[mirror->image[v]];
-      rest[v] = (rest[v] + part.frame(mirror->map.inverse()(image))) / 2;
+      rest[v] = (rest[v] + frame(unmirror(image))) / 2;
       if (part.half && mirror->image[v] == v) rest[v].x() = 0;
     }
     for (int v = 0; v < n; ++v) {
@@ -131,8 +133,9 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
       part.vertices.push_back(v);
       part.rest.push_back(rest[v]);
     }
-    self.direct = part.frame.inverse();
-    self.mirror = mirror ? mirror->map.after(self.direct) : self.direct;
+    const RigidMotion direct = part.frame.inverse();
+    self.direct = PointMap(direct);
+    self.mirror = mirror ? PointMap(mirror->map.after(direct)) : self.direct;
     if (part.half) {
       for (int v = 0; v < n; ++v) {
         if (self.source[v] >= 0) continue;
@@ -154,10 +157,10 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
     for (std::size_t i = 0; i < part.vertices.size(); ++i) {
       const int v = part.vertices[i];
       if (!rim[v]) continue;
-      double off = (part.frame(piece.rest[v]) - part.rest[i]).norm();
+      double off = (frame(piece.rest[v]) - part.rest[i]).norm();
       if (mirror) {
         const Vec2& image = pattern.pieces[mirror->pieces[1]].rest[mirror->image[v]];
-        off = std::max(off, (part.frame(mirror->map.inverse()(image)) - part.rest[i]).norm());
+        off = std::max(off, (frame(unmirror(image)) - part.rest[i]).norm());
       }
       const double gap = v < static_cast<int>(clear.size()) ? kGapShare * clear[v] : max_change;
       part.reach[i] = std::max(kLeastReach, std::min(max_change - off, gap));
@@ -168,7 +171,7 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
       twin.source.assign(n, -1), twin.reflected.assign(n, 1);
       for (int v = 0; v < n; ++v) twin.source[mirror->image[v]] = v;
       twin.direct = self.direct;
-      twin.mirror = mirror->map.after(self.direct);
+      twin.mirror = self.mirror;
       result.pieces[mirror->pieces[1]] = twin;
     }
     result.parts.push_back(std::move(part));

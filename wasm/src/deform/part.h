@@ -41,7 +41,7 @@ struct Follower {
   int part = -1;
   std::vector<int> source;          ///< piece vertex -> local vertex of the part
   std::vector<char> reflected;      ///< whether the vertex is the mirror image of its source
-  RigidMotion direct, mirror;       ///< part frame -> piece, for plain and for reflected vertices
+  PointMap direct, mirror;          ///< part frame -> piece, for plain and for reflected vertices
   Vec2 at(int v, const Vec2& local) const { return reflected[v] ? mirror(local) : direct(local); }
 };
 

@@ -42,4 +42,22 @@ struct RigidMotion {
   }
 };
 
+/// A rigid motion with its matrix at hand, for many points: a RigidMotion works out sine and cosine
+/// for each.
+struct PointMap {
+  Mat2 linear = Mat2::Identity();
+  Vec2 shift = Vec2::Zero();
+
+  PointMap() = default;
+  explicit PointMap(const RigidMotion& motion) : linear(motion.linear()), shift(motion.shift) {}
+  Vec2 operator()(const Vec2& p) const { return linear * p + shift; }
+
+  PointMap inverse() const {
+    PointMap back;
+    back.linear = linear.transpose();
+    back.shift = -(back.linear * shift);
+    return back;
+  }
+};
+
 }  // namespace seamwise

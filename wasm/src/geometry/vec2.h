@@ -27,7 +27,7 @@ inline Mat2 rotation(double angle) {
 
 /// The same direction in (-pi, pi].
 inline double wrapAngle(double angle) {
-  const double a = std::remainder(angle, 2 * kPi);
+  const double a = angle - 2 * kPi * std::nearbyint(angle / (2 * kPi));
   return a <= -kPi ? a + 2 * kPi : a;
 }
 
