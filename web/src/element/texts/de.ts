@@ -193,7 +193,7 @@ export const de: Texts = {
     percentOfRandom: (percent) => `${percent} von zufällig`,
     proven: 'Keine andere Lage passt besser.',
     nearlyProven: (percent) => `Keine andere Lage passt mehr als ${percent} besser.`,
-    unproven: 'Die beste Lage, die gefunden wurde.',
+    unproven: 'Die beste aller versuchten Lagen.',
     cost: 'Was die Symmetrie kostet',
     withSymmetry: 'Mit Symmetrie',
     withoutSymmetry: 'Ohne',

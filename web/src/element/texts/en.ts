@@ -189,7 +189,7 @@ export const en = {
     percentOfRandom: (percent: string) => `${percent} of random`,
     proven: 'No other placing fits better.',
     nearlyProven: (percent: string) => `No other placing fits more than ${percent} better.`,
-    unproven: 'The best placing found.',
+    unproven: 'The best of all placings tried.',
     cost: 'What the symmetry costs',
     withSymmetry: 'With symmetry',
     withoutSymmetry: 'Without',
