@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "alignment/refine.h"
 
@@ -178,11 +177,19 @@ double BoxSearch::effort() const {
 LowerBound::LowerBound(const MatchProblem& problem, const Component& component,
                        const Alignments& known)
     : edges_(problem, 0), whole_(problem, edges_, component.seams, known) {
-  std::map<std::pair<int, int>, std::vector<int>> between;
-  for (const int s : component.seams)
-    between[std::minmax({problem.seams[s].a, problem.seams[s].b})].push_back(s);
-  if (between.size() > 1)
-    for (const auto& [leaders, seams] : between) parts_.emplace_back(problem, edges_, seams, known);
+  const auto leaders = [&](int seam) {
+    return std::minmax({problem.seams[seam].a, problem.seams[seam].b});
+  };
+  std::vector<int> seams = component.seams;
+  std::stable_sort(seams.begin(), seams.end(),
+                   [&](int s, int t) { return leaders(s) < leaders(t); });
+  for (auto first = seams.begin(); first != seams.end();) {
+    const auto last =
+        std::find_if(first, seams.end(), [&](int s) { return leaders(s) != leaders(*first); });
+    if (first == seams.begin() && last == seams.end()) break;  // the whole
+    parts_.emplace_back(problem, edges_, std::vector<int>(first, last), known);
+    first = last;
+  }
 }
 
 bool LowerBound::step() {
