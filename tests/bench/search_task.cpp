@@ -100,7 +100,9 @@ Json startsTask(const Json& task) {
 /// With `long` milliseconds, the search of the default budget once more with that much time.
 Json searchTask(const Json& task) {
   const Timed solved = quickest(task, [&] { return problemOf(task); });
-  Json answer = {{"fitSearch", solved.result.fit_search}, {"milliseconds", solved.alignment}};
+  Json answer = {{"fitSearch", solved.result.fit_search},
+                 {"milliseconds", solved.alignment},
+                 {"bound", solved.result.search_bound}};
   const double time = task.value("long", 0.0);
   if (time <= 0) return answer;
   const Searchable garment(task);

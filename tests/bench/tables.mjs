@@ -106,6 +106,7 @@ function searchRows(rows) {
     ms(starts.milliseconds),
     ms(search.milliseconds),
     share(search.milliseconds / starts.milliseconds),
+    search.bound === 1 ? 'proven' : share(search.bound),
     ...(search.longFit >= 0
       ? [
           fit(search.longFit),
@@ -125,6 +126,7 @@ const searchHead = [
   'starts ms',
   'search ms',
   'ratio',
+  'bound',
   'long fit',
   'ratio',
   'long s',
