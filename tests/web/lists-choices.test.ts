@@ -14,6 +14,7 @@ const seam = {seam: 3, ownWeight: 1};
 describe('how much a seam has to match', () => {
   it('is its weight, and whether it is matched at all', () => {
     expect(matchOf({matched: true, weight: 1})).toBe('full');
+    expect(matchOf({matched: true, weight: 2})).toBe('double');
     expect(matchOf({matched: true, weight: 0.5})).toBe('half');
     expect(matchOf({matched: true, weight: 0.75})).toBeUndefined();
     expect(matchOf({matched: false, weight: 1})).toBe('none');

@@ -15,25 +15,29 @@ import type {FileWords} from './files.js';
 
 /** What a design does not say by itself. */
 export interface Terms {
-  /** What holds while the design asks for no symmetry. */
+  /** What holds while the design asks for no symmetry, and nobody has taken the last one away. */
   readonly symmetry: 'auto' | 'none';
+  /** The design's symmetries as they were given. */
+  readonly given: Design['symmetries'];
   readonly seed: number;
 }
+
+/** What to solve in place of a list of symmetries that is empty. */
+export const unasked = ({symmetries}: Design, {symmetry, given}: Terms): 'auto' | 'none' =>
+  symmetries === given ? symmetry : 'none';
 
 /** For what has no place: it can be solved all the same. */
 const nowhere = {url: 'print', sha256: ''};
 
-function storedProblem(
-  {garment, print, symmetries, method, options}: Design,
-  terms: Terms,
-): StoredProblem {
+function storedProblem(design: Design, terms: Terms): StoredProblem {
+  const {garment, print, symmetries, method, options} = design;
   const {text = '', place = nowhere, colourway} = print.file ?? {};
   const worn = {...place, ...(colourway !== undefined && {colourway})};
   const file = printOfStored({print: worn}, text);
   return {
     garment: garment.file ?? nowhere,
     print: {...worn, ...changesOf(print, file)},
-    symmetry: symmetries.length > 0 ? symmetries : terms.symmetry,
+    symmetry: symmetries.length > 0 ? symmetries : unasked(design, terms),
     method,
     options,
     seed: terms.seed,
@@ -50,7 +54,7 @@ export function problemFor(design: Design, terms: Terms): Problem {
   return {
     garment: garment.text,
     print: printOf(print),
-    symmetry: symmetries.length > 0 ? {symmetries} : terms.symmetry,
+    symmetry: symmetries.length > 0 ? {symmetries} : unasked(design, terms),
     method,
     options,
     seed: terms.seed,

@@ -15,7 +15,7 @@ import type {GarmentState} from './events.js';
 import type {FileWords} from './files.js';
 import {LastingSolver} from './lasting-solver.js';
 import {nextDesign, type Answered} from './next-design.js';
-import {problemFor, storedDesign, type Terms} from './problem.js';
+import {problemFor, storedDesign, unasked, type Terms} from './problem.js';
 import {restored} from './restored.js';
 import {Sources, type Asked} from './sources.js';
 import {Tiles} from './tiles.js';
@@ -58,7 +58,7 @@ export class GarmentSession {
   /** Something else is asked for, and nobody is loading it. */
   #isOutdated = false;
   #last: Answered | undefined;
-  #terms: Terms = {symmetry: 'auto', seed: 1};
+  #terms: Terms = {symmetry: 'auto', given: [], seed: 1};
   /** As the program has it; any other is the user's. */
   #given: Design | undefined;
   #isTouched = false;
@@ -70,6 +70,7 @@ export class GarmentSession {
     const tiles = new Tiles(() => this.#words);
     this.desk = new Workbench(this.#lease, preferences, {
       problemOf: (design) => problemFor(design, this.#terms),
+      isAuto: (design) => unasked(design, this.#terms) === 'auto',
       tileOf: async (image, signal) => {
         try {
           return await tiles.tile(image, signal);
@@ -139,8 +140,13 @@ export class GarmentSession {
         : nextDesign(answered, this.#last, this.desk.design);
       this.#loading = undefined;
       const symmetry = stored && typeof stored.symmetry === 'string' ? stored.symmetry : undefined;
+      // where the user has taken the last one away, and the rest is as it was, none is kept
+      const isKept =
+        this.#last?.asked.symmetry === asked.symmetry &&
+        design.symmetries === this.desk.design?.symmetries;
       this.#terms = {
-        symmetry: symmetry ?? loaded.symmetry,
+        symmetry: symmetry ?? (isKept ? unasked(design, this.#terms) : loaded.symmetry),
+        given: design.symmetries,
         seed: stored?.seed ?? (this.#last ? this.#terms.seed : 1),
       };
       this.#last = answered;
@@ -163,8 +169,9 @@ export class GarmentSession {
     this.#last = undefined; // nothing of it stays, whenever the next is loaded
     if (!last || this.#loading || this.#isOutdated || this.#failure) return;
     this.#last = last;
-    this.#terms = {symmetry: last.loaded.symmetry, seed: 1};
-    this.#begin(nextDesign(last, undefined, undefined));
+    const design = nextDesign(last, undefined, undefined);
+    this.#terms = {symmetry: last.loaded.symmetry, given: design.symmetries, seed: 1};
+    this.#begin(design);
   }
 
   /** @returns whether there was anything to solve again */

@@ -2,10 +2,10 @@
 import type {GrainLock, SolveOptions} from '../../model/options.js';
 import type {SeamRow} from './rows.js';
 
-export const matches = ['full', 'half', 'none'] as const;
+export const matches = ['double', 'full', 'half', 'none'] as const;
 export type Match = (typeof matches)[number];
 
-const weights = {full: 1, half: 0.5} as const;
+const weights = {double: 2, full: 1, half: 0.5} as const;
 
 /** Undefined for a weight of its own. */
 export function matchOf({matched, weight}: Pick<SeamRow, 'matched' | 'weight'>): Match | undefined {

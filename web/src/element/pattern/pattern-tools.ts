@@ -75,12 +75,12 @@ export class PatternTools {
 
   /** @returns false when the print can keep none of them */
   acceptAll(): boolean {
-    const {design, found} = this.#desk;
+    const {design, kept, found} = this.#desk;
     if (!design) return false;
-    const change = withAll(design, found);
-    if (change.symmetries?.length === design.symmetries.length) return false;
+    const symmetries = withAll(kept, design.print.group, found);
+    if (symmetries.length === kept.length) return false;
     this.chooser.leave();
-    this.#desk.change(change);
+    this.#desk.change({symmetries});
     return true;
   }
 

@@ -62,7 +62,7 @@ export class SymmetryChooser {
     this.#set(next);
     if (next.stage === 'candidate' && !next.measured) void this.#measure(next.symmetry, next.asked);
     if (next.stage === 'committed') {
-      this.#desk.change(withSymmetry(this.#desk.design, next.symmetry));
+      this.#desk.change(withSymmetry(this.#desk.kept, next.symmetry));
       this.#set({stage: 'idle', tool: next.tool, asked: next.asked});
     }
   }

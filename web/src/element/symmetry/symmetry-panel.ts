@@ -34,17 +34,16 @@ export class SymmetryPanel extends DeskElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design, found} = this.desk;
+    const {design, kept, found} = this.desk;
     if (!design) return nothing;
     const {symmetry} = this.texts;
-    const kept = design.symmetries;
     return html`<section aria-label=${symmetry.list}>
       <h2>${symmetry.list}</h2>
       ${
         kept.length === 0
           ? html`<p class="soft">${symmetry.none}</p>`
           : this.#list(symmetry.kept, kept, symmetry.remove, (one) => {
-              this.desk.change(withoutSymmetry(design, one));
+              this.desk.change(withoutSymmetry(kept, one));
             })
       }
       ${
@@ -56,7 +55,7 @@ export class SymmetryPanel extends DeskElement {
               symmetry.accept,
               (_, k) => {
                 const chosen = found[k];
-                if (chosen) this.desk.change(withSymmetry(design, asked(chosen)));
+                if (chosen) this.desk.change(withSymmetry(kept, asked(chosen)));
               },
               ({kind}) => carries(design.print.group, kind),
             )

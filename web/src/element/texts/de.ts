@@ -215,7 +215,7 @@ export const de: Texts = {
     asAll: 'Wie alle',
     pinned: 'Festgesteckt',
     free: 'Lösen',
-    matches: {full: 'Voll', half: 'Halb', none: 'Gar nicht'},
+    matches: {double: 'Doppelt', full: 'Voll', half: 'Halb', none: 'Gar nicht'},
     weight: (factor) => `× ${factor}`,
     size: (width, height) => `${width} × ${height}`,
     worst: (length) => `höchstens ${length}`,

@@ -211,7 +211,7 @@ export const en = {
     asAll: 'As all',
     pinned: 'Pinned',
     free: 'Free',
-    matches: {full: 'Full', half: 'Half', none: "Don't match"},
+    matches: {double: 'Double', full: 'Full', half: 'Half', none: "Don't match"},
     weight: (factor: string) => `× ${factor}`,
     size: (width: string, height: string) => `${width} × ${height}`,
     worst: (length: string) => `worst ${length}`,

@@ -15,13 +15,15 @@ const compatible = (a: Symmetry, b: Symmetry): boolean =>
   !piecesOf(a).some((name) => piecesOf(b).includes(name));
 
 /** The newest goes before those it does not go with. */
-export function withSymmetry(design: Design | undefined, symmetry: Symmetry): Partial<Design> {
-  const kept = (design?.symmetries ?? []).filter((other) => compatible(symmetry, other));
-  return {symmetries: [...kept, symmetry]};
-}
+export const withSymmetry = (kept: readonly Symmetry[], symmetry: Symmetry): Partial<Design> => ({
+  symmetries: [...kept.filter((other) => compatible(symmetry, other)), symmetry],
+});
 
-export const withoutSymmetry = (design: Design, symmetry: Symmetry): Partial<Design> => ({
-  symmetries: design.symmetries.filter((other) => other !== symmetry),
+export const withoutSymmetry = (
+  kept: readonly Symmetry[],
+  symmetry: Symmetry,
+): Partial<Design> => ({
+  symmetries: kept.filter((other) => other !== symmetry),
 });
 
 /** Without what only says how well it was found. */
@@ -36,12 +38,15 @@ export const asked = (found: DetectedSymmetry): Symmetry =>
       };
 
 /** All that were found and go with what there is and with the print. */
-export function withAll(design: Design, found: readonly DetectedSymmetry[]): Partial<Design> {
-  const {group} = design.print;
-  let symmetries = design.symmetries;
+export function withAll(
+  kept: readonly Symmetry[],
+  group: Design['print']['group'],
+  found: readonly DetectedSymmetry[],
+): readonly Symmetry[] {
+  let symmetries = kept;
   for (const one of found) {
     if (carries(group, one.kind) && symmetries.every((other) => compatible(one, other)))
       symmetries = [...symmetries, asked(one)];
   }
-  return {symmetries};
+  return symmetries;
 }

@@ -26,6 +26,8 @@ export type * from './state.js';
 export interface WorkbenchOptions {
   /** What the solver is asked for a design. */
   readonly problemOf?: (design: Design) => Problem;
+  /** Whether a design's answer keeps symmetries that it does not ask for. None does so by itself. */
+  readonly isAuto?: (design: Design) => boolean;
   /** The picture of a print's cell, by its URL; none shows bare cloth. */
   readonly tileOf?: (image: string, signal?: AbortSignal) => Promise<Tile | undefined>;
 }
@@ -33,6 +35,7 @@ export interface WorkbenchOptions {
 export class Workbench extends Attention {
   readonly solver: SolverService;
   readonly tileOf: NonNullable<WorkbenchOptions['tileOf']>;
+  readonly #isAuto: WorkbenchOptions['isAuto'];
   readonly #lease: SolverLease;
   readonly #results = new ResultCache();
   readonly #steps = new Steps();
@@ -52,12 +55,13 @@ export class Workbench extends Attention {
   constructor(
     lease: SolverLease = leaseSolver(),
     preferences = preferencesFor(navigator.language),
-    {problemOf: asked = problemOf, tileOf: read = tileOf}: WorkbenchOptions = {},
+    {problemOf: asked = problemOf, isAuto, tileOf: read = tileOf}: WorkbenchOptions = {},
   ) {
     super(preferences);
     this.solver = lease.solver;
     this.#lease = lease;
     this.tileOf = read;
+    this.#isAuto = isAuto;
     const changed = (): void => {
       this.changed();
     };
@@ -138,9 +142,16 @@ export class Workbench extends Attention {
     return this.#partial;
   }
 
-  /** Symmetries the garment shows by itself and nobody has asked for yet. */
+  /** Symmetries that are asked for; where none is, those that the answer keeps all the same. */
+  get kept(): readonly Symmetry[] {
+    const {design} = this;
+    const isHeld = design?.symmetries.length === 0 && this.#isAuto?.(design);
+    return isHeld && this.#pattern ? this.#found.heldBy(this.#pattern) : (design?.symmetries ?? []);
+  }
+
+  /** Symmetries the garment shows by itself and that are not kept yet. */
   get found(): readonly DetectedSymmetry[] {
-    return this.#found.beside(this.design?.symmetries);
+    return this.#found.beside(this.kept);
   }
 
   /** What the present design reaches without its symmetries, if it has any. */
