@@ -47,7 +47,9 @@ describe('solve', () => {
   });
 
   it('counts the time spent in each phase', async () => {
-    const {milliseconds} = (await solve({garment: sample('tee'), print: checks})).metrics;
+    const seed = 4711; // what was sought before is remembered, and takes no time
+    const {metrics} = await solve({garment: sample('tee'), print: checks, seed});
+    const {milliseconds} = metrics;
     expect(milliseconds.alignment).toBeGreaterThan(0);
     expect(milliseconds.deformation).toBeGreaterThan(0);
     expect(milliseconds.total).toBeGreaterThanOrEqual(

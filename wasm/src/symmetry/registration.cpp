@@ -15,6 +15,7 @@ constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
 constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
 constexpr std::size_t kFew = 4;        // every so manieth sample tells whether a start is hopeless
+constexpr double kHopeless = 5;        // times the residual wanted, as root mean square over those
 
 struct CornerPairs {
   std::vector<Vec2> from, to;
@@ -230,12 +231,9 @@ MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& st
   };
   MirrorFit direct = measured(polishOnCorners(a, b, begin, gate));
   if (direct.residual <= 2 * Outline::kFlatness) return direct;
-  RigidMotion near = direct.residual < gate ? direct.map : begin;
-  if (enough < kFarApart) {  // most starts lead nowhere, as a few points tell
-    const auto [few, apart] = closestPoints(a, b, near, kFew);
-    if (apart > enough) return direct;
-    near = few;
-  }
+  const RigidMotion near = direct.residual < gate ? direct.map : begin;
+  if (enough < kFarApart && closestPoints(a, b, near, kFew).second > kHopeless * enough)
+    return direct;
   MirrorFit settled = measured(closestPoints(a, b, near, 1).first);
   MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
   // Corners win when they fit as well as flattening can tell.
