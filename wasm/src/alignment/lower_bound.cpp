@@ -13,7 +13,6 @@ constexpr double kDescents = 0.1;   ///< share of the evaluations that go into b
 constexpr int kIterations = 12;     ///< of a descent, at most
 constexpr double kNode = 20;        ///< evaluations that a known seam of a box costs as much as
 constexpr double kFine = 0.12;      ///< share of the shortest repeat at which boxes begin to tell
-constexpr double kPerfect = 2e-5;   ///< cm: nobody looks for a cost below it, times all weight
 constexpr double kEasierFirst = 2;  ///< an effort of one halving more counts as so much work
 
 }  // namespace
@@ -164,7 +163,7 @@ double BoxSearch::bound() const {
 }
 
 bool BoxSearch::proven() const {
-  return cost_ < kPerfect * edges_.weight() || bound() >= cost_ * (1 - kProven);
+  return cost_ < SearchMoves::kPerfect * edges_.weight() || bound() >= cost_ * (1 - kProven);
 }
 
 double BoxSearch::effort() const {

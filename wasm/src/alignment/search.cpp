@@ -182,8 +182,12 @@ bool AlignmentSearch::step() {
   const bool enough = c.starts >= budget_.trees && (c.hits >= budget_.hits || c.idle >= c.patience);
   double share = std::min(1.0, std::max(c.spent / c.allowed, c.idle / c.patience));
   if (c.cost < moves_.perfect() || enough || c.spent > c.allowed) {
-    polish(c);
-    if (moves_.slack() > 0) return endComponent();
+    const double polished = polish(c);
+    if (polished < moves_.perfect() || proofAllowed(c) == 0) {
+      cost_ += polished;
+      bound_ += polished < moves_.perfect() ? polished : 0;
+      return endComponent();
+    }
     proof_ = std::make_unique<LowerBound>(problem_, c, best_);
     share = 1;
   }
@@ -193,6 +197,7 @@ bool AlignmentSearch::step() {
 }
 
 double AlignmentSearch::proofAllowed(const Searched& c) const {
+  if (moves_.slack() > 0) return 0;
   int unknowns = 0;
   for (int l : c.leaders)
     unknowns += static_cast<int>(problem_.leaders[l].freedom.basis(best_[l]).cols());
@@ -215,16 +220,14 @@ bool AlignmentSearch::endComponent() {
   return !done_;
 }
 
-double AlignmentSearch::bound() const {
-  return cost_ > 0 ? bound_ / cost_ : 1;
-}
+double AlignmentSearch::bound() const { return cost_ > 0 ? bound_ / cost_ : 1; }
 
 double AlignmentSearch::spent() const {
   return moves_.spent() + kProofDistance * (proof_spent_ + (proof_ ? proof_->spent() : 0));
 }
 
-/// Compares the finalists and what was offered on all edges of the seams.
-void AlignmentSearch::polish(Searched& c) {
+/// Compares the finalists and what was offered on all edges of the seams. Returns the least cost.
+double AlignmentSearch::polish(Searched& c) {
   const SampledSeams<double> exact(problem_, 0);
   for (const Alignments& at : offered_) {
     c.finalists.emplace_back();
@@ -235,8 +238,9 @@ void AlignmentSearch::polish(Searched& c) {
   std::sort(c.finalists.begin(), c.finalists.end(), cheaper);
   if (c.finalists.size() > kPolished) c.finalists.resize(kPolished);
   for (auto& [cost, own] : c.finalists) cost = polished(c, own, exact, kPolish);
-  const Alignments& own = std::min_element(c.finalists.begin(), c.finalists.end(), cheaper)->second;
+  const auto& [cost, own] = *std::min_element(c.finalists.begin(), c.finalists.end(), cheaper);
   for (std::size_t i = 0; i < own.size(); ++i) best_[c.leaders[i]] = own[i];
+  return cost;
 }
 
 /// Improves an answer for a component on `seams`. Returns its cost.

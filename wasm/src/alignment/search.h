@@ -45,7 +45,7 @@ class AlignmentSearch {
 
   /// One start or one regrowth. False when the search has ended.
   bool step();
-  double fraction() const { return fraction_; }    ///< of the budget, 0..1, never falls
+  double fraction() const { return fraction_; }  ///< of the budget, 0..1, never falls
   /// Element distances evaluated so far, or work that takes as long.
   double spent() const;
 
@@ -69,7 +69,7 @@ class AlignmentSearch {
   void findComponents();
   void keep(Searched& c, const Layout& layout, double cost);
   Alignments before(const Searched& c);
-  void polish(Searched& c);
+  double polish(Searched& c);
   void endProof(const Searched& c);
   bool endComponent();
   double proofAllowed(const Searched& c) const;

@@ -23,6 +23,8 @@ struct Component {
 class SearchMoves {
  public:
   static constexpr double kSame = 2e-3;  ///< answers whose costs differ by less count as one
+  /// cm of mean distance below which nothing is left to find in single precision
+  static constexpr double kPerfect = 2e-5;
 
   /// @param samples   along the print's shortest repeat
   /// @param slack     as in SampledSeams::cost
@@ -30,8 +32,8 @@ class SearchMoves {
 
   Layout layoutOf(const Alignments& at) const;
   double costOf(const Component& c, const Layout& layout, double slack);
-  /// A cost below which nothing is left to find in single precision.
-  double perfect() const { return 2e-5 * samples_.weight(); }
+  /// The cost that kPerfect makes of all seams.
+  double perfect() const { return kPerfect * samples_.weight(); }
   double slack() const { return slack_; }
 
   /// A random connected part of a component, up to half of it.

@@ -76,17 +76,25 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
                                  [](const PieceRule& rule) { return rule.angles.empty(); });
   const WallpaperGroup straight = turns ? straightened(group) : group;
   const double turn = turns ? std::atan2(group.w1().y(), group.w1().x()) : 0;
-  const Pattern drafted = asDrafted(problem, pattern);
+  Pattern reweighted;
+  const Pattern& drafted =
+      problem.options.weights.empty() ? pattern : (reweighted = asDrafted(problem, pattern));
   const auto plainProblem = [&](const std::vector<Mirror>& mirrors) {
     return makeMatchProblem(drafted, restShapes(drafted), mirrors, unpinned, straight);
   };
 
   const double full = fullShare(static_cast<double>(match.leaders.size()), group.data().order);
   const bool guided = pattern.mirrors.empty() && !known.empty();
-  if (guided) searches_.push_back({plainProblem(known), fullBudget(0), seed, full / 2, {}, 0, turn});
+  if (guided)
+    searches_.push_back({plainProblem(known), fullBudget(0), seed, full / 2, {}, 0, turn});
   const std::size_t plain = searches_.size();
-  searches_.push_back(
-      {plainProblem(pattern.mirrors), fullBudget(proof), seed, guided ? full / 2 : full, {}, 0, turn});
+  searches_.push_back({plainProblem(pattern.mirrors),
+                       fullBudget(proof),
+                       seed,
+                       guided ? full / 2 : full,
+                       {},
+                       0,
+                       turn});
   if (guided) searches_[plain].after = {0};
   searches_.push_back(
       {searches_[plain].problem, slackBudget(), seed + 1, kSlackShare, {plain}, slack, turn});
@@ -139,9 +147,11 @@ void SearchRun::end(const SearchMemo::Outcome& outcome) {
   const Search& search = searches_[current_];
   found_.push_back({placed(search, outcome.best), placed(search, outcome.watched)});
   under_slack_ = match_.ofLeaders(found_.back()[0]);
-  if (search.slack == 0) best_ = under_slack_, bound_ = outcome.bound;
-  perfect_ = match_.cost(best_) < kPerfect;
   ++current_;
+  if (search.slack > 0) return;
+  best_ = under_slack_;
+  bound_ = outcome.bound;
+  perfect_ = match_.cost(best_) < kPerfect;
 }
 
 bool SearchRun::advance() {
@@ -156,8 +166,7 @@ bool SearchRun::advance() {
     fraction_ = std::max(fraction_, (before_ + search.share * searching_->fraction()) / share_);
     if (!more) {
       before_ += search.share;
-      SearchMemo::Outcome outcome{searching_->best(), searching_->watched(),
-                                  searching_->bound()};
+      SearchMemo::Outcome outcome{searching_->best(), searching_->watched(), searching_->bound()};
       searching_.reset();
       end(outcome);
       if (memo_) memo_->add(std::move(*inputs_), std::move(outcome));
