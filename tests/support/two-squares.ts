@@ -1,9 +1,16 @@
 import type {Point} from '../../web/src/model/geometry.js';
 import type {Print} from '../../web/src/model/print.js';
-import type {Pattern, ResultPiece} from '../../web/src/model/result.js';
+import type {Metrics, Pattern, ResultPiece} from '../../web/src/model/result.js';
 
 /** A 10 x 10 cm print without any symmetry. */
 export const plainPrint: Print & Pattern['print'] = {group: 'p1', w1: [10, 0], w2: [0, 10]};
+
+/** For who does not look at the figures of a result. */
+export const plainMetrics: Metrics = {
+  ...{fitRandom: 1, fitSearch: 1, searchBound: 1, fitAligned: 1, fit: 1, fitStrict: 1, fitSeam: 1},
+  ...{maxMovedCm: 0, iterations: 1, factorisations: 1, method: 'best', seed: 1},
+  milliseconds: {alignment: 1, deformation: 1, total: 2},
+};
 
 /** 4 cm wide and high, its lower left corner at the origin. */
 export const square: readonly Point[] = [

@@ -12,7 +12,7 @@ import {notchMark, shapePoint} from '../../web/src/picture/cutting/follow.js';
 import {matchMarks} from '../../web/src/picture/cutting/match-marks.js';
 import {onPrint} from '../../web/src/picture/fit.js';
 import {isInside} from '../../web/src/picture/marks.js';
-import {plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
+import {plainMetrics, plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 const extent = (points: readonly Point[]): number[] => [
   Math.min(...points.map(([x]) => x)),
@@ -162,19 +162,7 @@ function fileOf(options: Partial<CuttingOptions> = {}): string {
     units: 'cm',
     ...pattern,
     search: [],
-    metrics: {
-      ...{
-        fitRandom: 1,
-        fitSearch: 1,
-        searchBound: 1,
-        fitAligned: 1,
-        fit: 1,
-        fitStrict: 1,
-        fitSeam: 1,
-      },
-      ...{maxMovedCm: 0, iterations: 1, factorisations: 1, method: 'best', seed: 1},
-      milliseconds: {alignment: 1, deformation: 1, total: 2},
-    },
+    metrics: plainMetrics,
     notes: [],
   };
   return cuttingFile(

@@ -5,7 +5,13 @@ import type {ResultSymmetry, SolveResult} from '../../web/src/model/result.js';
 import {mismatchColour, mismatchDash, mismatchWidth} from '../../web/src/picture/colours.js';
 import {drawResult} from '../../web/src/picture/draw-result.js';
 import {fitOf, seamFitOf} from '../../web/src/picture/fit.js';
-import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
+import {
+  plainMetrics,
+  plainPrint as print,
+  square,
+  squarePair,
+  squarePiece,
+} from '../support/two-squares.js';
 
 /** Two squares on a 10 x 10 cm print in p1, as a result. */
 function twoSquares(second: Alignment, symmetries: readonly ResultSymmetry[] = []): SolveResult {
@@ -17,21 +23,7 @@ function twoSquares(second: Alignment, symmetries: readonly ResultSymmetry[] = [
       symmetries,
     }),
     search: [],
-    metrics: {
-      fitRandom: 1,
-      fitSearch: 1,
-      searchBound: 1,
-      fitAligned: 1,
-      fit: 1,
-      fitStrict: 1,
-      fitSeam: 1,
-      maxMovedCm: 0.25,
-      iterations: 1,
-      factorisations: 1,
-      milliseconds: {alignment: 1, deformation: 1, total: 2},
-      method: 'best',
-      seed: 1,
-    },
+    metrics: {...plainMetrics, maxMovedCm: 0.25},
     notes: [],
   };
 }
