@@ -105,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(Tee, ClothOf, ::testing::Bool(), [](const auto& test) {
 
 TEST_P(ClothOf, StaysWhereItIsWithoutTargets) {
   for (const Part& part : parts_.parts) {
-    Cloth cloth(part, {});
+    const ClothPlan plan(part, {});
+    Cloth cloth(plan);
     for (int k = 0; k < 10; ++k) cloth.step();
     for (std::size_t i = 0; i < part.rest.size(); ++i)
       EXPECT_LT((cloth.shape()[i] - part.rest[i]).norm(), 0.02);
@@ -121,7 +122,8 @@ TEST_P(ClothOf, KeepsSeamLengthsReachAndUprightTrianglesHoweverFarItsTargetsLie)
   for (const std::function<Vec2(const Vec2&)>& offset :
        {std::function<Vec2(const Vec2&)>(anywhere), std::function<Vec2(const Vec2&)>(smoothly)}) {
     for (const Part& part : parts_.parts) {
-      Cloth cloth(part, {});
+      const ClothPlan plan(part, {});
+      Cloth cloth(plan);
       const auto sewn = sewnVertices(part);
       for (std::size_t i = 0; i < part.rest.size(); ++i)
         if (sewn[i]) cloth.addTarget(static_cast<int>(i), part.rest[i] + offset(part.rest[i]), 0.1);
@@ -135,7 +137,8 @@ TEST_P(ClothOf, KeepsSeamLengthsReachAndUprightTrianglesHoweverFarItsTargetsLie)
 TEST_P(ClothOf, NeverTurnsATriangleOverHoweverStrongThePull) {
   Random random(12);
   for (const Part& part : parts_.parts) {
-    Cloth cloth(part, {});
+    const ClothPlan plan(part, {});
+    Cloth cloth(plan);
     for (std::size_t i = 0; i < part.rest.size(); ++i)
       if (part.reach[i] > 0)
         cloth.addTarget(static_cast<int>(i), part.rest[i] + random.point() / 5, 20);
@@ -148,7 +151,8 @@ TEST_P(ClothOf, NeverTurnsATriangleOverHoweverStrongThePull) {
 
 TEST_P(ClothOf, ReportsWhatItViolates) {
   for (const Part& part : parts_.parts) {
-    Cloth cloth(part, {});
+    const ClothPlan plan(part, {});
+    Cloth cloth(plan);
     cloth.addTarget(part.edges[0].i, part.rest[part.edges[0].i] + Vec2(0, 5), 10);
     for (int k = 0; k < 3; ++k) cloth.step();
     const auto& x = cloth.shape();
@@ -175,7 +179,8 @@ TEST(ClothWithoutMirror, FollowsTargetsThatAreARigidShiftWithinItsReach) {
   const Pattern pattern = meshedPattern(small::tee(1.5), false);
   const Parts parts = splitIntoParts(pattern, kReach);
   for (const Part& part : parts.parts) {
-    Cloth cloth(part, {});
+    const ClothPlan plan(part, {});
+    Cloth cloth(plan);
     const auto sewn = sewnVertices(part);
     const Vec2 shift(0.3, -0.5);
     for (std::size_t i = 0; i < part.rest.size(); ++i)
@@ -194,7 +199,8 @@ TEST(ClothWithStiffenedKinks, BendsLess) {
   const Pattern pattern = meshedPattern(small::skirt(), false);
   const Parts parts = splitIntoParts(pattern, kReach);
   const Part& part = parts.parts[0];
-  Cloth cloth(part, {});
+  const ClothPlan plan(part, {});
+  Cloth cloth(plan);
   ASSERT_FALSE(part.bends.empty());
   const int pulled = part.bends[part.bends.size() / 2].i;
   cloth.addTarget(pulled, part.rest[pulled] + perp(part.rest[pulled]).normalized(), 50);
@@ -218,9 +224,8 @@ TEST(SeamFitting, BringsTheSidesOfSeamsTogetherWhileSeamsStaySewable) {
     return total;
   };
   for (bool average : {false, true}) {
-    FittingRules rules;
-    rules.max_change = kReach, rules.average_shapes = average;
-    SeamFitting fitting(pattern, group, rules);
+    const FittingPlan plan(pattern, {}, kReach);
+    SeamFitting fitting(plan, pattern, group, {false, average});
     fitting.chooseJoins(at);
     const double before = mismatch(fitting);
     for (int k = 0; k < 20; ++k) fitting.step(at);

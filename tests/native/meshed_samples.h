@@ -9,12 +9,13 @@
 
 namespace seamwise::testing {
 
-/// The pattern of a garment, outline edges about 1 cm, with its own symmetries imposed or not.
-inline Pattern meshedPattern(const Garment& garment, bool symmetric) {
+/// The pattern of a garment, with its own symmetries imposed or not.
+/// @param edge_length   of the outlines, about, cm
+inline Pattern meshedPattern(const Garment& garment, bool symmetric, double edge_length = 1) {
   const std::vector<BodySymmetry> known = detectSymmetries(garment);
   EXPECT_FALSE(known.empty());
   Outcome<Pattern> sampled =
-      discretise(garment, known, symmetric ? known : std::vector<BodySymmetry>{}, 1);
+      discretise(garment, known, symmetric ? known : std::vector<BodySymmetry>{}, edge_length);
   EXPECT_TRUE(sampled.ok()) << sampled.error().message;
   Outcome<Pattern> mesh = meshed(std::move(sampled).value(), 6);
   EXPECT_TRUE(mesh.ok()) << mesh.error().message;

@@ -1,19 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "deform/part.h"
-#include "deform/sparse.h"
+#include "deform/cloth_plan.h"
 
 namespace seamwise {
-
-/// Weights of the terms that keep a part a part. Lengths in cm, energies per cm of outline.
-struct ClothWeights {
-  double conformal = 0.3;  ///< LSCM energy of the map from rest to shape, per cm2 of cloth
-  double bend = 12.0;      ///< change of the outline's direction, per rad2 at a vertex
-  double corner = 4.0;     ///< the same at a corner
-  double rest = 0.01;      ///< pull of the outline to its rest position, per cm2
-  double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
-};
 
 /// Deforms one part towards targets with a safeguarded Newton iteration: conformal, bending and
 /// target terms are quadratic; sewn edges keep their length and vertices their reach by an
@@ -23,9 +13,10 @@ struct ClothWeights {
 /// u
 class Cloth {
  public:
-  Cloth(const Part& part, const ClothWeights& weights);
+  /// @param plan   outlives the cloth
+  explicit Cloth(const ClothPlan& plan);
 
-  const Part& part() const { return *part_; }
+  const Part& part() const { return plan_->part(); }
   const std::vector<Vec2>& shape() const { return state_.shape; }
 
   void clearTargets();
@@ -38,7 +29,6 @@ class Cloth {
   /// What steps change, targets apart: to go back to it later.
   struct State {
     std::vector<Vec2> shape;
-    VectorX u;
     std::vector<double> length_force;
   };
   const State& state() const { return state_; }
@@ -68,28 +58,22 @@ class Cloth {
   void restart(double reach_factor);
 
  private:
-  VectorX quadraticForce(const VectorX& u) const;
-  double energy(const std::vector<Vec2>& shape, const VectorX& u) const;
+  VectorX moves() const;  ///< of the unknowns
+  double outlineEnergy(const std::vector<Vec2>& shape) const;
   double stiffness(const Part::Edge& edge) const;
-  void assemble();
   void setUp();
-  void addConformal();
-  void addBend(const Part::Bend& bend, double weight);
+  void assemble(const VectorX& quadratic_force);
   double kink(const Part::Bend& bend) const;  ///< change of the turn at a smooth vertex, rad
-  double triangleArea(const std::vector<Vec2>& x, int t) const;
 
-  const Part* part_;
-  ClothWeights weights_;
+  const ClothPlan* plan_;
   State state_;
   std::vector<double> reach_;
-  std::vector<double> rest_area_;
   SparseHessian hessian_;
   std::vector<double> constant_;       ///< values of the quadratic terms, in the hessian's pattern
   std::vector<double> target_weight_;  ///< per vertex
   std::vector<Vec2> target_pull_;      ///< per vertex: sum of w x*
   std::vector<double> bend_factor_;    ///< per bend, 1 at first
   VectorX gradient_;
-  std::vector<std::array<int, 10>> edge_slots_;  ///< per edge: its entries of the hessian
   double last_move_ = 0;
   int factorisations_ = 0;
 };

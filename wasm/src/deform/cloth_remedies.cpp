@@ -16,7 +16,7 @@ constexpr double kNearTrouble = 6.0;    ///< cm
 }  // namespace
 
 Cloth::Violations Cloth::violations() const {
-  const Part& part = *part_;
+  const Part& part = plan_->part();
   Violations v;
   v.moved = last_move_;
   for (const Part::Edge& e : part.edges) {
@@ -31,7 +31,7 @@ Cloth::Violations Cloth::violations() const {
   for (const Part::Bend& b : part.bends)
     if (!b.corner) v.kink = std::max(v.kink, std::abs(kink(b)));
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
-    v.area = std::min(v.area, triangleArea(state_.shape, static_cast<int>(t)) / rest_area_[t]);
+    v.area = std::min(v.area, areaOf(part.triangles[t], state_.shape) / plan_->restArea(t));
   return v;
 }
 
@@ -41,61 +41,64 @@ double Cloth::kink(const Part::Bend& b) const {
     const Vec2 in = x[b.i] - h, out = x[b.j] - x[b.i];
     return std::atan2(cross(in, out), in.dot(out));
   };
-  return turn(state_.shape) - turn(part_->rest);
+  return turn(state_.shape) - turn(part().rest);
 }
 
 bool Cloth::stiffenKinks(double limit) {
-  if (constant_.empty()) setUp();
+  setUp();
   bool any = false;
-  for (std::size_t b = 0; b < part_->bends.size(); ++b) {
-    if (part_->bends[b].corner) continue;
-    const double excess = std::abs(kink(part_->bends[b])) / limit;
+  for (std::size_t b = 0; b < part().bends.size(); ++b) {
+    if (part().bends[b].corner) continue;
+    const double excess = std::abs(kink(part().bends[b])) / limit;
     if (excess <= 1) continue;
     if (!any) std::copy(constant_.begin(), constant_.end(), hessian_.values());
     any = true;
     const double before = bend_factor_[b];
     bend_factor_[b] *= 1.5 * excess * excess;
-    addBend(part_->bends[b], weights_.bend * (bend_factor_[b] - before));
+    plan_->terms().addBend(hessian_, part().bends[b],
+                           plan_->weights().bend * (bend_factor_[b] - before));
   }
   if (any) constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
   return any;
 }
 
 void Cloth::holdShape() {
-  if (constant_.empty()) setUp();
+  setUp();
   clearTargets();
   // The outline is pulled by just what the cloth pulls back, so that nothing but lengths and reach
   // is left to settle. Interior vertices are in balance without.
-  const VectorX force = quadraticForce(state_.u);
-  for (std::size_t i = 0; i < part_->rest.size(); ++i) {
-    if (part_->reach[i] <= 0) continue;
+  const VectorX force = hessian_.times(constant_, moves());
+  const std::vector<int>& unknown = plan_->terms().unknown;
+  for (std::size_t i = 0; i < part().rest.size(); ++i) {
+    if (part().reach[i] <= 0) continue;
     Vec2 pull = Vec2::Zero();
     for (int c = 0; c < 2; ++c)
-      if (const int k = part_->unknown[2 * i + c]; k >= 0) pull[c] = force[k];
+      if (const int k = unknown[2 * i + c]; k >= 0) pull[c] = force[k];
     addTarget(static_cast<int>(i), state_.shape[i] + pull / (2 * kHold), kHold);
   }
   std::fill(state_.length_force.begin(), state_.length_force.end(), 0.0);
 }
 
 void Cloth::restart(double reach_factor) {
+  const Part& part = plan_->part();
   // where it went wrong: squeezed triangles, lengths that are not kept
-  std::vector<char> trouble(part_->rest.size(), 0);
+  std::vector<char> trouble(part.rest.size(), 0);
   bool any = false;
   auto mark = [&](int v) {
     trouble[v] = 1;
     any = true;
   };
-  for (std::size_t t = 0; t < part_->triangles.size(); ++t)
-    if (triangleArea(state_.shape, static_cast<int>(t)) < kSqueezed * rest_area_[t])
-      for (int v : part_->triangles[t]) mark(v);
-  for (const Part::Edge& e : part_->edges)
+  for (std::size_t t = 0; t < part.triangles.size(); ++t)
+    if (areaOf(part.triangles[t], state_.shape) < kSqueezed * plan_->restArea(t))
+      for (int v : part.triangles[t]) mark(v);
+  for (const Part::Edge& e : part.edges)
     if (e.sewn &&
         std::abs((state_.shape[e.i] - state_.shape[e.j]).norm() - e.length) > kMissedLength)
       mark(e.i), mark(e.j);
   for (std::size_t i = 0; i < reach_.size(); ++i) {
     bool near = !any;
     for (std::size_t k = 0; k < trouble.size() && !near; ++k)
-      near = trouble[k] && (part_->rest[i] - part_->rest[k]).norm() < kNearTrouble;
+      near = trouble[k] && (part.rest[i] - part.rest[k]).norm() < kNearTrouble;
     if (near) reach_[i] *= reach_factor;
   }
   state_ = restState();

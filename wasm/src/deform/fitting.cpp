@@ -13,37 +13,22 @@ constexpr double kGatheredPull = 0.3;  ///< of a seam that cannot match all alon
 
 }  // namespace
 
-SeamFitting::SeamFitting(const Pattern& pattern, const WallpaperGroup& group,
-                         const FittingRules& rules)
-    : pattern_(pattern),
+SeamFitting::SeamFitting(const FittingPlan& plan, const Pattern& pattern,
+                         const WallpaperGroup& group, const FittingRules& rules)
+    : plan_(plan),
+      pattern_(pattern),
       group_(group),
       rules_(rules),
-      parts_(splitIntoParts(pattern, rules.max_change)),
-      joins_(pattern.seams.size()) {
-  cloths_.reserve(parts_.parts.size());
-  for (const Part& part : parts_.parts) cloths_.emplace_back(part, rules.weights);
-  for (const Follower& f : parts_.pieces) {
-    to_part_direct_.push_back(f.direct.inverse());
-    to_part_mirror_.push_back(f.mirror.inverse());
-  }
-  shapes_.resize(pattern.pieces.size());
-  for (std::size_t p = 0; p < shapes_.size(); ++p) shapes_[p] = pattern.pieces[p].rest;
+      joins_(pattern.seams.size()),
+      shapes_(restShapes(pattern)) {
+  cloths_.reserve(plan.cloths.size());
+  for (const ClothPlan& cloth : plan.cloths) cloths_.emplace_back(cloth);
   collectShapes();
-  vertex_length_.resize(pattern.seams.size());
-  for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
-    const SeamSide& a = pattern.seams[s].a;
-    const auto& rest = pattern.pieces[a.piece].rest;
-    vertex_length_[s].assign(a.vertices.size(), 0);
-    for (std::size_t i = 0; i + 1 < a.vertices.size(); ++i) {
-      const double l = (rest[a.vertices[i + 1]] - rest[a.vertices[i]]).norm();
-      vertex_length_[s][i] += l / 2, vertex_length_[s][i + 1] += l / 2;
-    }
-  }
 }
 
 void SeamFitting::collectShapes() {
   for (std::size_t p = 0; p < shapes_.size(); ++p) {
-    const Follower& f = parts_.pieces[p];
+    const Follower& f = plan_.parts.pieces[p];
     const auto& local = cloths_[f.part].shape();
     for (std::size_t v = 0; v < shapes_[p].size(); ++v)
       shapes_[p][v] = f.at(static_cast<int>(v), local[f.source[v]]);
@@ -74,9 +59,10 @@ void SeamFitting::chooseJoins(const std::vector<Alignment>& at) {
 
 void SeamFitting::addTarget(int piece, int vertex, const Vec2& position, double weight,
                             const Cloth* only) {
-  const Follower& f = parts_.pieces[piece];
+  const Follower& f = plan_.parts.pieces[piece];
   if (only && only != &cloths_[f.part]) return;
-  const PointMap& back = f.reflected[vertex] ? to_part_mirror_[piece] : to_part_direct_[piece];
+  const PointMap& back =
+      f.reflected[vertex] ? plan_.to_part_mirror[piece] : plan_.to_part_direct[piece];
   cloths_[f.part].addTarget(f.source[vertex], back(position), weight);
 }
 
@@ -125,7 +111,7 @@ void SeamFitting::aim(const std::vector<Alignment>& at, const Cloth* only) {
       // what both sides have to move together: the mismatch, when they meet in the middle
       const double apart = (lines.a[k] - shapes_[seam.a.piece][va]).norm() +
                            (lines.b[k] - shapes_[seam.b.piece][vb]).norm();
-      const double weight = pull * vertex_length_[s][k] / std::max(apart, kFloor);
+      const double weight = pull * plan_.vertex_length[s][k] / std::max(apart, kFloor);
       addTarget(seam.a.piece, va, lines.a[k], weight, only);
       addTarget(seam.b.piece, vb, lines.b[k], weight, only);
     }

@@ -2,14 +2,13 @@
 #include <vector>
 
 #include "deform/cloth.h"
+#include "deform/fitting_plan.h"
 #include "seam/ideal_line.h"
 
 namespace seamwise {
 
 /// What the deformation heeds besides the pattern.
 struct FittingRules {
-  ClothWeights weights;
-  double max_change = 1;         ///< cm
   bool continuous_only = false;  ///< forbid mirrored seams
   bool average_shapes = false;   ///< seam lines take the mean of both sides' turning angles
 };
@@ -20,7 +19,9 @@ struct FittingRules {
 /// of distances fall, not of squares.
 class SeamFitting {
  public:
-  SeamFitting(const Pattern& pattern, const WallpaperGroup& group, const FittingRules& rules);
+  /// @param plan   for this pattern; it and the others outlive the fitting
+  SeamFitting(const FittingPlan& plan, const Pattern& pattern, const WallpaperGroup& group,
+              const FittingRules& rules);
 
   /// Chooses each seam's join for the present shapes.
   void chooseJoins(const std::vector<Alignment>& at);
@@ -37,8 +38,10 @@ class SeamFitting {
   std::vector<Cloth::State> restStates() const;
 
   std::vector<Cloth>& cloths() { return cloths_; }
+  const std::vector<Cloth>& cloths() const { return cloths_; }
+  const Parts& parts() const { return plan_.parts; }
   /// Index of the cloth that a piece, or what mirrors it, is made of.
-  int clothOf(int piece) const { return parts_.pieces[piece].part; }
+  int clothOf(int piece) const { return plan_.parts.pieces[piece].part; }
   const Shapes& shapes() const { return shapes_; }
   const std::vector<Join>& joins() const { return joins_; }
   int factorisations() const;
@@ -53,14 +56,11 @@ class SeamFitting {
   void aim(const std::vector<Alignment>& at, const Cloth* only);
   IdealLines linesOf(const Seam& seam, const Join& join, const std::vector<Alignment>& at) const;
 
+  const FittingPlan& plan_;
   const Pattern& pattern_;
   const WallpaperGroup& group_;
   FittingRules rules_;
-  Parts parts_;
   std::vector<Cloth> cloths_;
-  std::vector<PointMap> to_part_direct_, to_part_mirror_;  ///< per piece
-  std::vector<std::vector<double>>
-      vertex_length_;  ///< per seam and vertex: cm of seam it stands for
   std::vector<Join> joins_;
   Shapes shapes_;
 };

@@ -38,13 +38,11 @@ void addOutline(Part& part, const Piece& piece, const std::vector<double>& kept,
       const int h = part.local[u], i = part.local[v], j = part.local[w];
       if (i >= 0 && j >= 0) {
         const bool rim = v < outer;
-        const double length =
-            rim ? kept[v] : (piece.rest[w] - piece.rest[v]).norm();
+        const double length = rim ? kept[v] : (piece.rest[w] - piece.rest[v]).norm();
         part.edges.push_back({i, j, length, rim && sewn[v]});
       }
       if (i < 0) continue;
-      const bool corner =
-          std::abs(turnAt(piece.rest[u], piece.rest[v], piece.rest[w])) >= kSmooth;
+      const bool corner = std::abs(turnAt(piece.rest[u], piece.rest[v], piece.rest[w])) >= kSmooth;
       const double before = (piece.rest[v] - piece.rest[u]).norm();
       const double after = (piece.rest[w] - piece.rest[v]).norm();
       if (h >= 0 && j >= 0)
@@ -57,17 +55,11 @@ void addOutline(Part& part, const Piece& piece, const std::vector<double>& kept,
   }
 }
 
-/// Triangles wholly inside, unknowns and movement bounds.
-void finish(Part& part, const Piece& piece) {
+/// Triangles wholly inside.
+void addTriangles(Part& part, const Piece& piece) {
   for (const auto& t : piece.triangles) {
     const std::array<int, 3> l{part.local[t[0]], part.local[t[1]], part.local[t[2]]};
     if (l[0] >= 0 && l[1] >= 0 && l[2] >= 0) part.triangles.push_back(l);
-  }
-  part.unknown.assign(2 * part.vertices.size(), 0);
-  for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-    const bool on_axis = part.half && part.rest[i].x() == 0;
-    part.unknown[2 * i] = on_axis ? -1 : part.unknowns++;
-    part.unknown[2 * i + 1] = part.unknowns++;
   }
 }
 
@@ -144,7 +136,7 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
       }
     }
     addOutline(part, piece, kept[p], sewn[p]);
-    finish(part, piece);
+    addTriangles(part, piece);
     result.pieces[p] = self;
 
     // The true rest may lie up to the mirror tolerance away from the evened one. And two sides of a

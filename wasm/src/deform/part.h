@@ -6,16 +6,17 @@
 
 namespace seamwise {
 
-/// The cloth that deforms by itself once the seams' targets are known: a piece, the first piece of a
-/// mirrored pair, or one half of a piece that is symmetric in itself. What mirrors it follows exactly.
+/// The cloth that deforms by itself once the seams' targets are known: a piece, the first piece of
+/// a mirrored pair, or one half of a piece that is symmetric in itself. What mirrors it follows
+/// exactly.
 struct Part {
   struct Edge {
-    int i, j;        ///< local vertices
-    double length;   ///< kept length, cm
+    int i, j;       ///< local vertices
+    double length;  ///< kept length, cm
     bool sewn;
   };
-  /// Neighbours h, j of an outline vertex i. On the axis of a half, h is -1 and stands for the mirror
-  /// image of j.
+  /// Neighbours h, j of an outline vertex i. On the axis of a half, h is -1 and stands for the
+  /// mirror image of j.
   struct Bend {
     int h, i, j;
     double before, after;  ///< rest lengths h-i and i-j, cm
@@ -32,16 +33,16 @@ struct Part {
   std::vector<Edge> edges;                    ///< of outline and holes
   std::vector<Bend> bends;
   std::vector<double> reach;  ///< how far an outline vertex may move from `rest`, cm; interior: 0
-  std::vector<int> unknown;   ///< 2 per vertex; -1 where the axis holds the coordinate
-  int unknowns = 0;
+  /// Whether the axis holds a vertex: it may move along it only, in y.
+  bool onAxis(int vertex) const { return half && rest[vertex].x() == 0; }
 };
 
 /// How the vertices of every piece follow from the parts.
 struct Follower {
   int part = -1;
-  std::vector<int> source;          ///< piece vertex -> local vertex of the part
-  std::vector<char> reflected;      ///< whether the vertex is the mirror image of its source
-  PointMap direct, mirror;          ///< part frame -> piece, for plain and for reflected vertices
+  std::vector<int> source;      ///< piece vertex -> local vertex of the part
+  std::vector<char> reflected;  ///< whether the vertex is the mirror image of its source
+  PointMap direct, mirror;      ///< part frame -> piece, for plain and for reflected vertices
   Vec2 at(int v, const Vec2& local) const { return reflected[v] ? mirror(local) : direct(local); }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,15 +12,26 @@ namespace seamwise {
 
 using VectorX = Eigen::VectorXd;
 
+/// When each node of a graph is to be eliminated, so that little fills in (AMD).
+/// @param pairs   neighbours; either order, duplicates welcome
+/// @return   per node its place in the order
+std::vector<int> eliminationOrder(int size, const std::vector<std::pair<int, int>>& pairs);
+
 /// A symmetric matrix with a fixed pattern, filled again at each step of a Newton iteration, and
-/// its LDLT factorisation (AMD order), analysed once. Kept in the order of elimination, so that no
-/// step permutes it.
+/// its LDLT factorisation, analysed once. Kept in the order of elimination, so that no step
+/// permutes it. A copy has the same pattern and values and is analysed by itself.
 class SparseHessian {
  public:
+  enum class Order : std::uint8_t { kSought, kGiven };
+
   SparseHessian() = default;
   /// @param pairs   entries that may be non-zero; either triangle, diagonal added, duplicates
-  /// welcome
-  SparseHessian(int size, const std::vector<std::pair<int, int>>& pairs);
+  ///                welcome
+  /// @param order   kGiven: unknowns are numbered as they are to be eliminated
+  SparseHessian(int size, const std::vector<std::pair<int, int>>& pairs,
+                Order order = Order::kSought);
+  SparseHessian(const SparseHessian& other);
+  SparseHessian& operator=(SparseHessian other) noexcept;
 
   int size() const { return static_cast<int>(matrix_.rows()); }
   void setZero() { std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0); }
@@ -37,6 +49,8 @@ class SparseHessian {
   /// The product of a symmetric matrix of this pattern, given by its values, with x.
   VectorX times(const std::vector<double>& values, const VectorX& x) const;
 
+  /// Prepares for factorising, which otherwise does so the first time.
+  void analyse();
   /// False when the matrix is not positive definite.
   bool factorise();
   VectorX solve(const VectorX& b) const;
@@ -44,8 +58,12 @@ class SparseHessian {
  private:
   using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor>;
   using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>;
-  Matrix matrix_;  ///< upper triangle, in the order of elimination
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> position_;
+  int positionOf(int i) const { return position_.empty() ? i : position_[i]; }
+  VectorX permuted(const VectorX& x) const;    ///< into the order of elimination
+  VectorX unpermuted(const VectorX& x) const;  ///< and back
+
+  Matrix matrix_;              ///< upper triangle, in the order of elimination
+  std::vector<int> position_;  ///< of an unknown in the order; empty: its number
   std::unique_ptr<Factor> ldlt_;
 };
 

@@ -1,9 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "deform/fitting.h"
+#include "solve/fit_run.h"
 #include "solve/problem.h"
-#include "solve/run.h"
 #include "solve/search_run.h"
 
 namespace seamwise {
@@ -15,9 +14,10 @@ class BestRun : public Run {
  public:
   /// @param known   mirrors of the pattern's known symmetries that the group carries; with none
   ///                imposed the symmetric answer is one of the starts
-  /// @param memo    of searches; may be null
+  /// @param searches   remembered; may be null
+  /// @param plans   remembered, of this mesh; may be null
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-          const MatchRules& rules, SearchMemo* memo);
+          const MatchRules& rules, SearchMemo* searches, std::shared_ptr<FittingPlans>* plans);
 
   bool advance() override;
   Phase phase() const override;
@@ -26,20 +26,18 @@ class BestRun : public Run {
   const Alignments& search() const override { return search_result_; }
   double searchBound() const override { return searching_.bound(); }
   const Shapes& shapes() const override;
-  int iterations() const override { return iterations_; }
-  int factorisations() const override { return fitting_ ? fitting_->factorisations() : 0; }
+  int iterations() const override { return settling_ + (fit_ ? fit_->iterations() : 0); }
+  int factorisations() const override { return fit_ ? fit_->factorisations() : 0; }
 
  private:
   enum class Stage : std::uint8_t { kSearch, kStartFit, kFit, kSettle, kDone };
   void search();
   void startFit();
-  void resume(std::size_t start);
   void fitStep();
   void settleStep();
   void restUnsound();
   void restIfBetter();
   void finish();
-  void realign();
   bool kept(const Cloth& cloth) const;
 
   const Problem& problem_;
@@ -48,21 +46,11 @@ class BestRun : public Run {
   double reach_;  ///< how far an outline vertex may move, cm
   MatchProblem match_;
   SearchRun searching_;
-  std::unique_ptr<SeamFitting> fitting_;
+  std::shared_ptr<FittingPlans> plans_;
+  std::unique_ptr<FitRun> fit_;
   Stage stage_ = Stage::kSearch;
-  Alignments leaders_;  ///< present alignment of the leaders
   Alignments alignment_, search_result_;
-  /// An alignment to fit from, and how far that has come.
-  struct Start {
-    Alignments leaders;
-    std::vector<Cloth::State> states;
-    double fit = 0;
-    int steps = 0;
-  };
-  std::vector<Start> starts_;
-  std::size_t current_ = 0;  ///< of the starts
-  int fit_steps_ = 0;
-  int iterations_ = 0, settled_ = 0;
+  int settling_ = 0, settled_ = 0;  ///< iterations; with the last, which finds nothing to do
   double progress_, searched_ = 0;  ///< now, and once all was searched
 };
 

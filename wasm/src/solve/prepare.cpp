@@ -16,8 +16,6 @@
 namespace seamwise {
 namespace {
 
-constexpr double kCoarsest = 6.0;  ///< cm: greatest triangles inside; the interior is smooth
-
 // What evening out may take of what a finished shape may change; the rest is left to the fit.
 constexpr double kEvenedShare = 0.98;    ///< of the greatest change
 constexpr double kEvenedAlready = 5e-7;  ///< cm that are no movement at all
@@ -89,7 +87,7 @@ Outcome<Pattern> sampledAndMeshed(const Problem& problem, double edge_length) {
   Outcome<Pattern> sampled =
       discretise(problem.garment, problem.known, problem.imposed, edge_length);
   if (!sampled.ok()) return sampled.error();
-  return meshed(std::move(sampled).value(), kCoarsest);
+  return meshed(std::move(sampled).value());
 }
 
 /// Drops a found symmetry, with a note. Error when it was asked for, with advice that ends the
@@ -184,7 +182,8 @@ Outcome<Pattern> preparedPattern(Problem& problem, MeshMemo* memo) {
                   pattern.value(),
                   problem.imposed,
                   problem.known,
-                  {problem.notes.begin() + before, problem.notes.end()}};
+                  {problem.notes.begin() + before, problem.notes.end()},
+                  nullptr};
   return pattern;
 }
 

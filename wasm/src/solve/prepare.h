@@ -1,8 +1,10 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "deform/fitting_plan.h"
 #include "geometry/outcome.h"
 #include "pattern/pattern.h"
 #include "solve/problem.h"
@@ -25,6 +27,7 @@ struct MeshMemo {
     Pattern pattern;
     std::vector<BodySymmetry> imposed, known;  ///< that were left
     std::vector<std::string> notes;            ///< that were added
+    std::shared_ptr<FittingPlans> plans;       ///< for the pattern; null until it was deformed
   };
   std::optional<Mesh> last;
 };

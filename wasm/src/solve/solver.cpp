@@ -67,7 +67,8 @@ Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
   for (std::string& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
     state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules,
-                                           memo ? &memo->searches : nullptr);
+                                           memo ? &memo->searches : nullptr,
+                                           memo ? &memo->mesh.last->plans : nullptr);
   else
     state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, notes);
   return Solver(std::move(state));

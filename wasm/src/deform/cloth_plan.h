@@ -1,0 +1,69 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "deform/part.h"
+#include "deform/sparse.h"
+
+namespace seamwise {
+
+/// Weights of the terms that keep a part a part. Lengths in cm, energies per cm of outline.
+struct ClothWeights {
+  double conformal = 0.3;  ///< LSCM energy of the map from rest to shape, per cm2 of cloth
+  double bend = 12.0;      ///< change of the outline's direction, per rad2 at a vertex
+  double corner = 4.0;     ///< the same at a corner
+  double rest = 0.01;      ///< pull of the outline to its rest position, per cm2
+  double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
+  bool operator==(const ClothWeights&) const = default;
+};
+
+/// The quadratic terms of a part's energy, which no deformation changes, and where everything is in
+/// its Hessian. Unknowns are the vertices' moves, numbered in the order of elimination.
+struct ClothTerms {
+  ClothTerms(const Part& part, const ClothWeights& weights);
+
+  /// Adds w |(u_j - u_i) / after - (u_i - u_h) / before|^2: the outline's direction keeps turning
+  /// as at rest.
+  void addBend(SparseHessian& to, const Part::Bend& bend, double weight) const;
+
+  std::vector<int> unknown;  ///< 2 per vertex; -1 where the axis holds the coordinate
+  int unknowns = 0;
+  SparseHessian quadratic;  ///< conformal, bends and the pull to rest
+  /// Per edge of the outline: its entries, of the lower triangles of the blocks (i, i) and (j, j),
+  /// then of the block (i, j).
+  std::vector<std::array<int, 10>> edge_slots;
+
+ private:
+  void number(const Part& part);
+  void addConformal(const Part& part, double weight);
+};
+
+/// Of a triangle of a part, of which vertex v is at x[v]. [cm2]
+inline double areaOf(const std::array<int, 3>& triangle, const std::vector<Vec2>& x) {
+  const auto& [i, j, k] = triangle;
+  return cross(x[j] - x[i], x[k] - x[i]) / 2;
+}
+
+/// What all deformations of a part have in common. Parts that rest never ask for the terms.
+class ClothPlan {
+ public:
+  /// @param part   outlives the plan
+  ClothPlan(const Part& part, const ClothWeights& weights);
+
+  const Part& part() const { return *part_; }
+  const ClothWeights& weights() const { return weights_; }
+  double restArea(std::size_t triangle) const { return rest_area_[triangle]; }  ///< cm2
+  const ClothTerms& terms() const {
+    if (!terms_) terms_ = std::make_unique<const ClothTerms>(*part_, weights_);
+    return *terms_;
+  }
+
+ private:
+  const Part* part_;
+  ClothWeights weights_;
+  std::vector<double> rest_area_;
+  mutable std::unique_ptr<const ClothTerms> terms_;
+};
+
+}  // namespace seamwise

@@ -1,0 +1,49 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "deform/cloth_plan.h"
+#include "deform/coarser.h"
+
+namespace seamwise {
+
+/// A pattern's parts, ready to deform however its seams weigh and whatever the print.
+struct FittingPlan {
+  /// @param max_change   greatest movement of an outline vertex, cm
+  FittingPlan(const Pattern& pattern, const ClothWeights& weights, double max_change);
+
+  Parts parts;
+  std::vector<ClothPlan> cloths;                         ///< per part
+  std::vector<PointMap> to_part_direct, to_part_mirror;  ///< per piece
+  std::vector<std::vector<double>>
+      vertex_length;  ///< per seam and vertex: cm of seam it stands for
+};
+
+/// The same for the coarser pattern.
+struct CoarserPlan {
+  CoarserPattern coarser;
+  FittingPlan plan;
+};
+
+/// Plans for one mesh, each made when it is first asked for.
+class FittingPlans {
+ public:
+  FittingPlans(const ClothWeights& weights, double max_change)
+      : weights_(weights), max_change_(max_change) {}
+
+  bool areFor(const ClothWeights& weights, double max_change) const {
+    return weights_ == weights && max_change_ == max_change;
+  }
+  /// @param pattern   the mesh; weights of its seams may differ from call to call
+  const FittingPlan& fine(const Pattern& pattern);
+  /// Null where there is little to leave out.
+  const CoarserPlan* coarse(const Pattern& pattern);
+
+ private:
+  ClothWeights weights_;
+  double max_change_;
+  std::unique_ptr<const FittingPlan> fine_;
+  std::optional<std::unique_ptr<const CoarserPlan>> coarse_;
+};
+
+}  // namespace seamwise
