@@ -25,7 +25,12 @@ std::vector<double> outsideClearance(const Piece& piece, double horizon) {
       if (k == i || next == i) continue;
       const Vec2 a = rim[k], d = rim[next] - a;
       const double length = along[k + 1] - along[k];
-      if ((rim[i] - a).squaredNorm() > (clear[i] + length) * (clear[i] + length)) continue;
+      // the outline has to go this far before it can come near enough
+      const double skipped = along[k] + (rim[i] - a).norm() - clear[i];
+      if (skipped >= along[k + 1]) {
+        while (k + 1 < n && along[k + 2] <= skipped) ++k;
+        continue;
+      }
       const double t = std::clamp((rim[i] - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
       const Vec2 q = a + t * d;
       const double distance = (q - rim[i]).norm();
