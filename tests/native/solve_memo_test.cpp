@@ -73,6 +73,20 @@ TEST(SolveMemo, GivesTheSameResultsAsNoMemo) {
   for (const Task& t : changes) EXPECT_EQ(solved(t, &memo), solved(t, nullptr)) << t.options;
 }
 
+TEST(SolveMemo, DeformsAsIfForTheFirstTime) {
+  SolveMemo memo;
+  const Task plain = task("tee", "pmm");
+  solved(plain, &memo);
+  const auto* const plans = memo.mesh.last->plans.get();
+  Task changed = plain;
+  changed.options["weights"] = {{"0", 3}};
+  EXPECT_EQ(solved(changed, &memo), solved(changed, nullptr));
+  EXPECT_EQ(solved(plain, &memo), solved(plain, nullptr));
+  EXPECT_EQ(memo.mesh.last->plans.get(), plans);
+  changed.options["alpha"] = 2;
+  EXPECT_EQ(solved(changed, &memo), solved(changed, nullptr));
+}
+
 TEST(SolveMemo, KeepsTheMeshOverChangesThatLeaveItAsItIs) {
   SolveMemo memo;
   Task t = task("apron", "pmm");
@@ -100,6 +114,16 @@ TEST(SolveMemo, SeeksAnewOnlyWhatHasChanged) {
   EXPECT_LT(searchSteps(changed, &memo), 0.7 * anew);
   changed.print = testing::samplePrint("pmm", 9);
   EXPECT_GT(searchSteps(changed, &memo), 0.7 * anew);
+}
+
+TEST(SolveMemo, KnowsTheSymmetricAnswerWhetherItIsAskedForOrNot) {
+  Task with = task("trousers", "pmm"), without = with;
+  without.symmetry = "none";
+  for (const auto& [first, then] : {std::pair(with, without), std::pair(without, with)}) {
+    SolveMemo memo;
+    solved(first, &memo);
+    EXPECT_LT(searchSteps(then, &memo), 0.8 * searchSteps(then, nullptr));
+  }
 }
 
 TEST(SolveMemo, RemembersWhichSymmetryWasDroppedAndSaysSoAgain) {

@@ -86,7 +86,7 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
   const double full = fullShare(static_cast<double>(match.leaders.size()), group.data().order);
   const bool guided = pattern.mirrors.empty() && !known.empty();
   if (guided)
-    searches_.push_back({plainProblem(known), fullBudget(0), seed, full / 2, {}, 0, turn});
+    searches_.push_back({plainProblem(known), fullBudget(proof), seed, full / 2, {}, 0, turn});
   const std::size_t plain = searches_.size();
   searches_.push_back({plainProblem(pattern.mirrors),
                        fullBudget(proof),
@@ -120,8 +120,10 @@ void SearchRun::begin() {
   const Search& search = searches_[current_];
   std::vector<Alignments> offered;
   for (const std::size_t before : search.after) {
+    const double turn = search.turn - searches_[before].turn;
     for (Alignments pieces : found_[before]) {
-      for (Alignment& at : pieces) at.angle += search.turn;
+      if (turn != 0)
+        for (Alignment& at : pieces) at.angle += turn;
       offered.push_back(search.problem.ofLeaders(pieces));
     }
   }
@@ -145,8 +147,9 @@ void SearchRun::begin() {
 
 void SearchRun::end(const SearchMemo::Outcome& outcome) {
   const Search& search = searches_[current_];
-  found_.push_back({placed(search, outcome.best), placed(search, outcome.watched)});
-  under_slack_ = match_.ofLeaders(found_.back()[0]);
+  found_.push_back(
+      {search.problem.expanded(outcome.best), search.problem.expanded(outcome.watched)});
+  under_slack_ = match_.ofLeaders(placed(search, outcome.best));
   ++current_;
   if (search.slack > 0) return;
   best_ = under_slack_;

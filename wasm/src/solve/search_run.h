@@ -64,7 +64,7 @@ class SearchRun {
   std::unique_ptr<AlignmentSearch> searching_;
   std::optional<SearchMemo::Inputs> inputs_;  ///< of the search at work
   Alignments best_, under_slack_;
-  /// By each search: its best and what it watched, of the pieces on the print as it lies.
+  /// By each search: its best and what it watched, of the pieces on its own print.
   std::vector<std::vector<Alignments>> found_;
   bool perfect_ = false;
   double bound_ = 0;
