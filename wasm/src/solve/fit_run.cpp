@@ -10,10 +10,14 @@
 namespace seamwise {
 namespace {
 
-constexpr int kSteps = 7;         ///< Newton steps before lengths and reach must settle
-constexpr int kFineSteps = 2;     ///< besides, where they were taken on a coarser mesh
-constexpr int kTrialSteps = 2;    ///< of them, from each start
-constexpr int kRealignEvery = 3;  ///< steps between new joins and alignments
+/// Newton steps before lengths and reach must settle, and those of them from each start.
+struct Steps {
+  int all, trial;
+};
+constexpr Steps kSteps = {7, 2};
+constexpr Steps kCoarseSteps = {10, 3};  ///< they take little time
+constexpr int kFineSteps = 2;            ///< after coarse ones
+constexpr int kRealignEvery = 3;         ///< steps between new joins and alignments
 
 std::size_t verticesOf(const Pattern& pattern) {
   std::size_t count = 0;
@@ -30,8 +34,7 @@ FitRun::FitRun(const Pattern& pattern, const MatchProblem& match, const MatchRul
       rules_(rules),
       fitting_rules_(fitting),
       plans_(plans),
-      fitting_(std::make_unique<SeamFitting>(plans.fine(pattern), pattern, match.group, fitting)),
-      planned_(kSteps + kTrialSteps * (static_cast<double>(starts.size()) - 1)) {
+      fitting_(std::make_unique<SeamFitting>(plans.fine(pattern), pattern, match.group, fitting)) {
   for (Alignments& leaders : starts) starts_.push_back({std::move(leaders), {}});
   place(starts_[0].leaders);
   double mismatch = 0;
@@ -55,8 +58,11 @@ void FitRun::goCoarse() {
         std::make_unique<SeamFitting>(coarse->plan, coarse_pattern_, match_.group, fitting_rules_);
     fine_step_ = static_cast<double>(verticesOf(pattern_)) /
                  static_cast<double>(verticesOf(coarse_pattern_));
-    planned_ += kFineSteps * fine_step_;
   }
+  const Steps steps = coarser_ ? kCoarseSteps : kSteps;
+  steps_ = steps.all, trial_steps_ = steps.trial;
+  planned_ = steps.all + steps.trial * (static_cast<double>(starts_.size()) - 1) +
+             (coarser_ ? kFineSteps * fine_step_ : 0);
   for (Start& start : starts_) start.states = fitting_->restStates();
   resume(0);
 }
@@ -105,9 +111,9 @@ bool FitRun::advance() {
   done_ += 1;
   Start& start = starts_[current_];
   ++start.steps;
-  if (start.steps % kRealignEvery == 0 && start.steps < kSteps) realign();
-  if (start.steps == kTrialSteps && starts_.size() > 1) compareStarts();
-  if (starts_[current_].steps < kSteps) return true;
+  if (start.steps % kRealignEvery == 0 && start.steps < steps_) realign();
+  if (start.steps == trial_steps_ && starts_.size() > 1) compareStarts();
+  if (starts_[current_].steps < steps_) return true;
   if (fine_) goFine();
   return coarser_ != nullptr;
 }

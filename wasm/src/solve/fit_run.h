@@ -59,7 +59,8 @@ class FitRun {
   std::size_t current_ = 0;  ///< of the starts
   Alignments leaders_, alignment_;
   bool perfect_ = false, begun_ = false;
-  int fine_steps_ = 0;  ///< done, after coarse ones
+  int steps_ = 0, trial_steps_ = 0;  ///< to do, all and from each start
+  int fine_steps_ = 0;               ///< done, after coarse ones
   int iterations_ = 0, coarse_factorisations_ = 0;
   double done_ = 0, planned_ = 1;  ///< steps, in coarse ones
   double fine_step_ = 1;           ///< coarse ones that take as long as a fine one
