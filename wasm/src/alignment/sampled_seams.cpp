@@ -12,6 +12,8 @@ constexpr int kFewest = 4;       ///< samples a seam
 constexpr double kLeak =
     0.1;  ///< share of a distance that counts inside the slack: ties go to the better
 
+constexpr double kSquare = 1e-12;  ///< cosine of an angle that is a right one
+
 using internal::roundNear;
 
 }  // namespace
@@ -24,13 +26,16 @@ SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing) {
   to_reduced_ = basis.inverse();
   const auto real = [](double v) { return static_cast<Real>(v); };
   u0x_ = real(u1.x()), u0y_ = real(u1.y()), u1x_ = real(u2.x()), u1y_ = real(u2.y());
-  g11_ = real(u1.squaredNorm()), g12_ = real(u1.dot(u2)), g22_ = real(u2.squaredNorm());
+  rectangular_ = std::abs(u1.dot(u2)) < kSquare * u1.squaredNorm();
+  g11_ = real(u1.squaredNorm()), g12_ = real(rectangular_ ? 0 : u1.dot(u2));
+  g22_ = real(u2.squaredNorm());
   for (const seamwise::Element& e : group.elements()) {
     const Mat2 m = (to_reduced_ * e.A * basis).array().round();
     const Vec2 a = to_reduced_ * e.a;
     const Element reduced{real(m(0, 0)),   real(m(0, 1)),   real(m(1, 0)),
                           real(m(1, 1)),   real(a.x()),     real(a.y()),
-                          real(e.A(0, 0)), real(e.A(1, 0)), real(e.mirrored ? -1 : 1)};
+                          real(e.A(0, 0)), real(e.A(1, 0)), real(e.mirrored ? -1 : 1),
+                          m(0, 0) == 0};
     all_.push_back(reduced);
     (e.mirrored ? improper_ : proper_).push_back(reduced);
   }
@@ -131,8 +136,32 @@ template <class Real>
                  p.x1 - (e.m10 * p.y0 + e.m11 * p.y1 + e.a1));
 }
 
+/// As offset().squared() on a rectangular lattice, whose nearest point is that of each coordinate.
+template <class Real>
+[[gnu::always_inline]] inline typename SampledSeams<Real>::Vector
+SampledSeams<Real>::squaredOnRectangles(const Placed& p, const Element& e) const {
+  const Vector s0 = p.x0 - ((e.swaps ? e.m01 * p.y1 : e.m00 * p.y0) + e.a0);
+  const Vector t0 = p.x1 - ((e.swaps ? e.m10 * p.y0 : e.m11 * p.y1) + e.a1);
+  const Vector s = s0 - roundNear(s0), t = t0 - roundNear(t0);
+  return s * (s * g11_) + t * (t * g22_);
+}
+
 template <class Real>
 double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double slack) const {
+  return rectangular_ ? costOver(seam, a, b, slack,
+                                 [this](const Placed& p, const Element& e) {
+                                   return squaredOnRectangles(p, e);
+                                 })
+                      : costOver(seam, a, b, slack, [this](const Placed& p, const Element& e) {
+                          return offset(p, e).squared();
+                        });
+}
+
+template <class Real>
+template <class Squared>
+[[gnu::always_inline]] inline double SampledSeams<Real>::costOver(int seam, const Pose& a,
+                                                                  const Pose& b, double slack,
+                                                                  const Squared& squared) const {
   const Samples& samples = seams_[seam];
   const Real allowance = static_cast<Real>(slack);
   const Real leak = static_cast<Real>(slack > 0 ? kLeak : 0);
@@ -141,7 +170,7 @@ double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double s
   for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
     const Placed p = placed(from, a, b);
     Vector best = none + std::numeric_limits<Real>::max();
-    for (const Element& e : *samples.elements) best = least(best, offset(p, e).squared());
+    for (const Element& e : *samples.elements) best = least(best, squared(p, e));
     const Vector d = squareRoots(greatest(best, none));
     total += loaded(&w_[from]) * (greatest(d - allowance, none) + leak * d);
   }

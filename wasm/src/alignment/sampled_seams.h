@@ -47,6 +47,7 @@ class SampledSeams {
   struct Element {
     Real m00, m01, m10, m11, a0, a1;
     Real cos, sin, det;  ///< in print space A = (cos, -det sin; sin, det cos)
+    bool swaps;          ///< of a rectangular lattice: m00 = m11 = 0; otherwise m01 = m10 = 0
   };
   struct Samples {
     int count = 0, from = 0;
@@ -57,6 +58,10 @@ class SampledSeams {
   Placed placed(int from, const Pose& a, const Pose& b) const;
   Offset reduced(const Vector& s0, const Vector& t0) const;
   Offset offset(const Placed& p, const Element& e) const;
+  Vector squaredOnRectangles(const Placed& p, const Element& e) const;
+  template <class Squared>
+  double costOver(int seam, const Pose& a, const Pose& b, double slack,
+                  const Squared& squared) const;
 
   std::vector<Element> all_, proper_, improper_;
   std::vector<Samples> seams_;
@@ -65,6 +70,7 @@ class SampledSeams {
   Mat2 to_reduced_;
   Real u0x_, u0y_, u1x_, u1y_;  ///< the reduced basis
   Real g11_, g12_, g22_;        ///< metric in reduced coordinates, 0 <= 2 g12 <= g11 <= g22
+  bool rectangular_;            ///< g12 = 0
   double weight_ = 0;
 };
 
