@@ -89,7 +89,16 @@ std::optional<Crossing> findCrossing(const std::vector<Polyline>& loops) {
                                 extent.maxCoeff() / (4 * count)});
   const int columns = 1 + static_cast<int>(extent.x() / cell);
   const int rows = 1 + static_cast<int>(extent.y() / cell);
-  std::vector<std::vector<int>> grid(static_cast<std::size_t>(columns) * rows);
+  // A cell's segments in order of their number, each with the place of the next one.
+  struct Entry {
+    int segment, next;
+  };
+  struct Bucket {
+    int first = -1, last = -1;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(3 * segments.size());
+  std::vector<Bucket> grid(static_cast<std::size_t>(columns) * rows);
   const auto cellOf = [&](double value, double from, int limit) {
     return std::clamp(static_cast<int>((value - from) / cell), 0, limit - 1);
   };
@@ -107,12 +116,15 @@ std::optional<Crossing> findCrossing(const std::vector<Polyline>& loops) {
         const Vec2 centre = low + cell * Vec2(x + 0.5, y + 0.5);
         if (x1 > x0 && y1 > y0 && std::abs(cross(d, centre - s.a)) > reach) continue;
         auto& bucket = grid[static_cast<std::size_t>(y) * columns + x];
-        for (const int j : bucket) {
-          const Segment& t = segments[j];
+        for (int k = bucket.first; k >= 0; k = entries[k].next) {
+          const Segment& t = segments[entries[k].segment];
           const auto at = collide(t, s, static_cast<int>(loops[s.loop].size()));
           if (at) return Crossing{t.loop, t.edge, s.loop, s.edge, *at};
         }
-        bucket.push_back(static_cast<int>(i));
+        (bucket.first < 0 ? bucket.first : entries[bucket.last].next) =
+            static_cast<int>(entries.size());
+        bucket.last = static_cast<int>(entries.size());
+        entries.push_back({static_cast<int>(i), -1});
       }
     }
   }

@@ -33,7 +33,8 @@ int Breakpoints::nodeAt(int loop, double position) const {
   return static_cast<int>(std::lower_bound(all.begin(), all.end(), position) - all.begin());
 }
 
-Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::size_t most) {
+Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::size_t most,
+                            bool settled) {
   Breakpoints result;
   TiedNodes tied(outlines);
   if (!tied.close(tolerance, most)) {
@@ -41,18 +42,16 @@ Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::siz
     result.troubled_panel = outlines.loops[tied.nodes().back().loop].panel;
     return result;
   }
-  tied.settle();
 
   std::vector<int> rank(tied.nodes().size());
   int count = 0;
   for (std::size_t l = 0; l < outlines.loops.size(); ++l) {
     result.nodes.emplace_back();
     result.first_interval.push_back(count);
-    for (const int node : tied.order(static_cast<int>(l))) {
-      rank[node] = static_cast<int>(result.nodes.back().size());
-      result.nodes.back().push_back(tied.nodes()[node].position);
-      ++count;
-    }
+    const std::vector<int>& order = tied.order(static_cast<int>(l));
+    for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<int>(i);
+    result.nodes.back().resize(order.size());
+    count += static_cast<int>(order.size());
   }
   Groups groups(count);
   for (const Tie& tie : tied.ties()) {
@@ -77,6 +76,10 @@ Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::siz
     if (tie.mirror) result.image_of_first.push_back(((rank[a.first] + rank[b.first]) % n + n) % n);
   }
   for (int i = 0; i < count; ++i) result.group.push_back(groups.find(i));
+  if (settled) tied.settle();
+  for (std::size_t l = 0; l < result.nodes.size(); ++l)
+    for (std::size_t i = 0; i < result.nodes[l].size(); ++i)
+      result.nodes[l][i] = tied.nodes()[tied.order(static_cast<int>(l))[i]].position;
   return result;
 }
 

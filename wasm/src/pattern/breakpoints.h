@@ -49,6 +49,9 @@ struct Breakpoints {
 /// it, so seams and symmetries that disagree a little do not chase each other round the garment;
 /// the difference is then spread over the neighbouring intervals.
 /// More than `most` breakpoints are trouble.
-Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::size_t most);
+/// @param settled   whether they move to where tied intervals have like proportions; to know of
+///                  trouble they need not
+Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::size_t most,
+                            bool settled = true);
 
 }  // namespace seamwise

@@ -214,7 +214,7 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
   for (const Outlines* attempt : attempts) {
     for (const std::size_t most : limits) {
       // where the most tolerant chase does not end, the others do not either
-      breakpoints = findBreakpoints(*attempt, 0.5 * edge_length, most);
+      breakpoints = findBreakpoints(*attempt, 0.5 * edge_length, most, false);
       if (!breakpoints.trouble.empty()) continue;
       for (const double tolerance : {kCornerTolerance, measured, 0.03 * edge_length,
                                      0.1 * edge_length, 0.3 * edge_length, 0.5 * edge_length}) {

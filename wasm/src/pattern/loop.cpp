@@ -23,11 +23,16 @@ Loop::Loop(const std::vector<Curve>* edges) : edges_(edges), corner_{0} {
   samples_.push_back({length(), samples_.front().point});
 }
 
-double Loop::wrapped(double position) const {
-  if (position >= 0 && position < length()) return position;
-  double p = std::fmod(position, length());
-  if (p < 0) p += length();
-  return p < length() ? p : 0;
+/// wrapped() of what lies outside; only what is turns away takes a division.
+double Loop::turned(double position) const {
+  const double turn = length();
+  double p = position;
+  if (position >= turn && position < 2 * turn)
+    p -= turn;
+  else if (!(std::abs(position) < turn))
+    p = std::fmod(position, turn);
+  if (p < 0) p += turn;
+  return p < turn ? p : 0;
 }
 
 int Loop::edgeAt(double position) const {

@@ -18,7 +18,9 @@ class Loop {
   /// Where edge k starts; corner(edges()) is the length.
   double corner(int k) const { return corner_[k]; }
   /// The position in [0, length()).
-  double wrapped(double position) const;
+  double wrapped(double position) const {
+    return position >= 0 && position < length() ? position : turned(position);
+  }
   /// The edge that holds a position (the later one at a corner).
   int edgeAt(double position) const;
   Vec2 at(double position) const;
@@ -36,6 +38,8 @@ class Loop {
   const std::vector<Sample>& samples() const { return samples_; }
 
  private:
+  double turned(double position) const;
+
   const std::vector<Curve>* edges_;
   std::vector<double> corner_;
   std::vector<Sample> samples_;

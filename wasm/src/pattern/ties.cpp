@@ -30,9 +30,7 @@ TiedNodes::TiedNodes(const Outlines& outlines)
 int TiedNodes::add(int loop, double position, bool pinned) {
   auto& order = order_[loop];
   const double p = loopOf(loop).wrapped(position);
-  const auto next = std::lower_bound(order.begin(), order.end(), p, [&](int node, double value) {
-    return nodes_[node].position < value;
-  });
+  const auto next = order.begin() + static_cast<std::ptrdiff_t>(indexAt(loop, p));
   for (const auto at : {next, next == order.begin() ? order.end() : next - 1})
     if (at != order.end() && std::abs(nodes_[*at].position - p) <= kSame) {
       nodes_[*at].pinned = nodes_[*at].pinned || pinned;
@@ -97,37 +95,75 @@ void TiedNodes::addMirror(const LoopTie& mirror) {
   ties_.push_back(std::move(tie));
 }
 
-TiedNodes::Bracket TiedNodes::bracketOf(const Tie& tie, int side, double at) const {
+/// Index in a loop's order of the first node that does not lie before a position.
+std::size_t TiedNodes::indexAt(int loop, double position) const {
+  const auto& order = order_[loop];
+  const auto found =
+      std::lower_bound(order.begin(), order.end(), position,
+                       [&](int node, double value) { return nodes_[node].position < value; });
+  return static_cast<std::size_t>(found - order.begin());
+}
+
+TiedNodes::Bracket TiedNodes::bracketOf(const Tie& tie, int side, int node) const {
   const Tie::Side &own = tie.side[side], &other = tie.side[1 - side];
-  Bracket b{0, own.length, 0, other.length};
-  for (const int node : order_[own.loop]) {
-    const int match = counterpart(tie, side, node);
-    if (match < 0 || !holds(own, node)) continue;
-    const double x = coordinate(own, node);
-    if (x < at && x > b.low) b.low = x, b.other_low = coordinate(other, match);
-    if (x > at && x < b.high) b.high = x, b.other_high = coordinate(other, match);
+  const auto& order = order_[own.loop];
+  const std::size_t n = order.size(), start = indexAt(own.loop, nodes_[node].position);
+  const double at = coordinate(own, node);
+  Bracket b{at, 0, own.length, 0, other.length};
+  // away from the node in either sense, to the first that is matched
+  for (const bool up : {false, true}) {
+    const std::size_t step = up == (own.sense > 0) ? 1 : n - 1;
+    for (std::size_t k = 1, i = start; k < n; ++k) {
+      i = (i + step) % n;
+      const double x = coordinate(own, order[i]);
+      if (up ? x <= at || x >= b.high : x >= at || x <= b.low) break;
+      if (!holds(own, order[i])) continue;
+      const int match = counterpart(tie, side, order[i]);
+      if (match < 0) continue;
+      (up ? b.high : b.low) = x;
+      (up ? b.other_high : b.other_low) = coordinate(other, match);
+      break;
+    }
   }
   return b;
 }
 
+/// The node of a tie's side between the bracket's ends that lies nearest to a coordinate, at most
+/// `reach` away; -1 when there is none.
+int TiedNodes::nearestTo(const Tie::Side& side, double x, double reach, const Bracket& b) const {
+  const auto& order = order_[side.loop];
+  const std::size_t n = order.size();
+  const std::size_t start =
+      indexAt(side.loop, loopOf(side.loop).wrapped(side.origin + side.sense * x));
+  int found = -1;
+  std::size_t found_at = 0;
+  double nearest = reach;
+  for (const bool ahead : {true, false}) {
+    std::size_t i = ahead ? start % n : (start + n - 1) % n;
+    for (std::size_t k = 0; k < n; ++k, i = (i + (ahead ? 1 : n - 1)) % n) {
+      const double y = coordinate(side, order[i]), gap = std::abs(y - x);
+      if (gap > nearest) break;
+      if (y <= b.other_low || y >= b.other_high || !holds(side, order[i])) continue;
+      if (found >= 0 && gap == nearest && i < found_at) continue;  // of two the later one
+      nearest = gap;
+      found = order[i];
+      found_at = i;
+    }
+  }
+  return found;
+}
+
 void TiedNodes::place(Tie& tie, int side, int node, double tolerance, const double* wanted) {
   const Tie::Side &own = tie.side[side], &other = tie.side[1 - side];
-  const double at = coordinate(own, node);
-  const Bracket b = bracketOf(tie, side, at);
+  const Bracket b = bracketOf(tie, side, node);
   const double gap = b.other_high - b.other_low, margin = std::min(0.05 * gap, kApart);
-  double x = b.other_low + gap * (at - b.low) / (b.high - b.low);
+  double x = b.other_low + gap * (b.at - b.low) / (b.high - b.low);
   if (wanted) x = loopOf(other.loop).wrapped(other.sense * (*wanted - other.origin));
   x = std::clamp(x, b.other_low + margin, b.other_high - margin);
   // The same fraction of a seam on both sides, so that what is one here is one there.
-  double nearest = tolerance * (tie.mirror ? 1 : other.length / std::max(own.length, other.length));
-  int found = -1;
-  for (const int m : order_[other.loop]) {
-    if (!holds(other, m)) continue;
-    const double y = coordinate(other, m);
-    if (y <= b.other_low || y >= b.other_high || std::abs(y - x) > nearest) continue;
-    nearest = std::abs(y - x);
-    found = m;
-  }
+  const double reach =
+      tolerance * (tie.mirror ? 1 : other.length / std::max(own.length, other.length));
+  int found = nearestTo(other, x, reach, b);
   if (found < 0) found = add(other.loop, other.origin + other.sense * x, false);
   match(tie, side, node, found);
 }
@@ -177,12 +213,14 @@ TiedNodes::Wish TiedNodes::wishOf(const Tie& tie, int side, int before, int node
     if (!low && n == own.last) return other.last;
     return counterpart(tie, side, n);
   };
-  return {image(before, ahead), image(node, ahead), image(after, !ahead), own.sense * other.sense};
+  return {image(before, ahead), image(node, ahead), image(after, !ahead), own.sense * other.sense,
+          &loopOf(other.loop)};
 }
 
 void TiedNodes::settle() {
   struct Free {
     int before, node, after;
+    const Loop* loop;
     std::vector<Wish> wishes;
   };
   std::vector<Free> free;
@@ -190,27 +228,29 @@ void TiedNodes::settle() {
     const auto& order = order_[l];
     for (std::size_t i = 1; i < order.size(); ++i) {  // node 0 is a corner
       if (nodes_[order[i]].pinned) continue;
-      Free f{order[i - 1], order[i], order[(i + 1) % order.size()], {}};
+      const Loop& own = loopOf(static_cast<int>(l));
+      Free f{order[i - 1], order[i], order[(i + 1) % order.size()], &own, {}};
       for (const auto& [t, side] : ties_of_[l])
         if (holds(ties_[t].side[side], f.node))
           f.wishes.push_back(wishOf(ties_[t], side, f.before, f.node, f.after));
       if (!f.wishes.empty()) free.push_back(std::move(f));
     }
   }
-  const auto distance = [&](int from, int to, double sense) {
-    return loopOf(nodes_[from].loop).wrapped(sense * (nodes_[to].position - nodes_[from].position));
+  const auto distance = [&](const Loop& loop, int from, int to, double sense) {
+    return loop.wrapped(sense * (nodes_[to].position - nodes_[from].position));
   };
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     double moved = 0;
     for (const Free& f : free) {
       double sum = 0;
       for (const Wish& w : f.wishes) {
-        const double part = distance(w.before, w.at, w.sense);
-        const double whole = part + distance(w.at, w.after, w.sense);
+        const double part = distance(*w.loop, w.before, w.at, w.sense);
+        const double whole = part + distance(*w.loop, w.at, w.after, w.sense);
         sum += whole > 0 ? part / whole : 0.5;  // neighbours that meet say nothing
       }
       const double share = sum / static_cast<double>(f.wishes.size());
-      const double position = nodes_[f.before].position + share * distance(f.before, f.after, 1);
+      const double position =
+          nodes_[f.before].position + share * distance(*f.loop, f.before, f.after, 1);
       moved = std::max(moved, std::abs(position - nodes_[f.node].position));
       nodes_[f.node].position = position;
     }

@@ -47,13 +47,14 @@ class TiedNodes {
  private:
   /// Neighbouring matched pairs around a place: coordinates on the place's side and on the other.
   struct Bracket {
-    double low = 0, high = 0, other_low = 0, other_high = 0;
+    double at = 0, low = 0, high = 0, other_low = 0, other_high = 0;
   };
 
   /// Where a tie wants a node between its neighbours: as the counterparts lie, seen in `sense`.
   struct Wish {
     int before, at, after;
     double sense;
+    const Loop* loop;  ///< of all three
   };
 
   const Loop& loopOf(int loop) const { return outlines_->loops[loop].loop; }
@@ -62,7 +63,9 @@ class TiedNodes {
   bool holds(const Tie::Side& side, int node) const;
   int counterpart(const Tie& tie, int side, int node) const;
   void match(Tie& tie, int side, int node, int other);
-  Bracket bracketOf(const Tie& tie, int side, double at) const;
+  std::size_t indexAt(int loop, double position) const;
+  Bracket bracketOf(const Tie& tie, int side, int node) const;
+  int nearestTo(const Tie::Side& side, double x, double reach, const Bracket& b) const;
   void place(Tie& tie, int side, int node, double tolerance, const double* wanted);
   void addSeam(const Stitch& stitch);
   void addMirror(const LoopTie& mirror);

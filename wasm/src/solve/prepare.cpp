@@ -83,11 +83,13 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
   return {};
 }
 
-Outcome<Pattern> sampledAndMeshed(const Problem& problem, double edge_length) {
-  Outcome<Pattern> sampled =
-      discretise(problem.garment, problem.known, problem.imposed, edge_length);
-  if (!sampled.ok()) return sampled.error();
-  return meshed(std::move(sampled).value());
+/// @param sampled   what discretise() gives, where it is known
+Outcome<Pattern> sampledAndMeshed(const Problem& problem, double edge_length,
+                                  std::optional<Pattern> sampled) {
+  if (sampled) return meshed(*std::move(sampled));
+  Outcome<Pattern> now = discretise(problem.garment, problem.known, problem.imposed, edge_length);
+  if (!now.ok()) return now.error();
+  return meshed(std::move(now).value());
 }
 
 /// Drops a found symmetry, with a note. Error when it was asked for, with advice that ends the
@@ -126,11 +128,14 @@ std::optional<Error> heedRules(Problem& problem) {
 
 /// As preparedPattern(), after pins and grain.
 Outcome<Pattern> made(Problem& problem) {
-  if (const auto error = reconcile(problem)) return *error;
+  Outcome<std::optional<Pattern>> reconciled = reconcile(problem);
+  if (!reconciled.ok()) return reconciled.error();
+  std::optional<Pattern> sampled = std::move(reconciled).value();
   const double max_change = problem.options.max_change_cm;
   double edge_length = problem.options.edge_length_cm;
   for (;;) {
-    Outcome<Pattern> ready = sampledAndMeshed(problem, edge_length);
+    Outcome<Pattern> ready =
+        sampledAndMeshed(problem, edge_length, std::exchange(sampled, std::nullopt));
     std::optional<Obstacle> found;
     if (ready.ok()) {
       const Pattern& pattern = ready.value();

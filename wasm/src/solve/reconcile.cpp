@@ -6,6 +6,7 @@
 
 #include "deform/lengths.h"
 #include "pattern/discretise.h"
+#include "pattern/seam_measure.h"
 #include "symmetry/symmetry.h"
 
 namespace seamwise {
@@ -52,11 +53,12 @@ double conflict(const Pattern& pattern) {
   return worst;
 }
 
-/// conflict(), or infinity when the outlines cannot even be sampled so.
-double conflictOf(const Problem& problem, const Symmetries& symmetries) {
-  const auto sampled = discretise(problem.garment, symmetries, symmetries,
-                                  problem.options.edge_length_cm, Effort::kTrial);
-  return sampled.ok() ? conflict(sampled.value()) : std::numeric_limits<double>::infinity();
+/// The sampled pattern, where the symmetries can hold together.
+std::optional<Pattern> heldTogether(const Problem& problem, const Symmetries& symmetries) {
+  auto sampled = discretise(problem.garment, symmetries, symmetries, problem.options.edge_length_cm,
+                            Effort::kTrial);
+  if (!sampled.ok() || conflict(sampled.value()) >= 1) return {};
+  return std::move(sampled).value();
 }
 
 bool contains(const Symmetries& list, const BodySymmetry& s) {
@@ -100,7 +102,9 @@ double unmappedSeams(const Garment& garment, const Symmetries& known, const Body
 
 /// As many of the known symmetries as hold together: the fixed ones, then those first that fit the
 /// seams best.
-Symmetries consistent(const Problem& problem, const Symmetries& fixed) {
+/// @param sampled   by the fixed ones; in the end by all
+Symmetries consistent(const Problem& problem, const Symmetries& fixed,
+                      std::optional<Pattern>* sampled) {
   Symmetries rest;
   for (const BodySymmetry& s : problem.known)
     if (!contains(fixed, s)) rest.push_back(s);
@@ -111,9 +115,22 @@ Symmetries consistent(const Problem& problem, const Symmetries& fixed) {
   Symmetries kept = fixed;
   for (const BodySymmetry& s : rest) {
     kept.push_back(s);
-    if (conflictOf(problem, kept) >= 1) kept.pop_back();
+    if (auto more = heldTogether(problem, kept))
+      *sampled = std::move(more);
+    else
+      kept.pop_back();
   }
   return kept;
+}
+
+/// What was sampled by the known symmetries, with the mirrors of the imposed ones, if the sampling
+/// is the same by these.
+std::optional<Pattern> asImposed(const Problem& problem, std::optional<Pattern> sampled) {
+  if (!sampled || problem.imposed == problem.known) return sampled;
+  if (!problem.imposed.empty()) return {};
+  sampled->mirrors.clear();
+  measureSeams(*sampled);
+  return sampled;
 }
 
 }  // namespace
@@ -122,10 +139,11 @@ std::string called(const Garment& garment, const BodySymmetry& s) {
   return (s.single() ? "piece " : "the pair ") + namesOf(garment, s);
 }
 
-std::optional<Error> reconcile(Problem& problem) {
-  if (conflictOf(problem, problem.known) < 1) return {};
+Outcome<std::optional<Pattern>> reconcile(Problem& problem) {
+  std::optional<Pattern> sampled = heldTogether(problem, problem.known);
+  if (sampled) return asImposed(problem, std::move(sampled));
   const Symmetries fixed = problem.symmetries_optional ? Symmetries{} : problem.imposed;
-  if (!fixed.empty() && conflictOf(problem, fixed) >= 1) {
+  if (!fixed.empty() && !(sampled = heldTogether(problem, fixed))) {
     std::string names;
     for (const BodySymmetry& s : fixed)
       names += (names.empty() ? "" : ", ") + called(problem.garment, s);
@@ -135,7 +153,7 @@ std::optional<Error> reconcile(Problem& problem) {
                      "Leave one of them out.",
                  fixed.front().pieces[0]};
   }
-  const Symmetries kept = consistent(problem, fixed);
+  const Symmetries kept = consistent(problem, fixed, &sampled);
   Symmetries imposed;
   for (const BodySymmetry& s : problem.imposed) {
     if (contains(kept, s))
@@ -147,7 +165,7 @@ std::optional<Error> reconcile(Problem& problem) {
   }
   problem.imposed = std::move(imposed);
   problem.known = kept;
-  return {};
+  return asImposed(problem, std::move(sampled));
 }
 
 }  // namespace seamwise

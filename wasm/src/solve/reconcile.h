@@ -3,13 +3,15 @@
 #include <string>
 
 #include "geometry/outcome.h"
+#include "pattern/pattern.h"
 #include "solve/problem.h"
 
 namespace seamwise {
 
 /// Drops detected symmetries that contradict each other, with a note: shortens problem.imposed and
 /// problem.known. Errors: kSymmetryConflict when those asked for do.
-std::optional<Error> reconcile(Problem& problem);
+/// @return the garment as discretise() samples it by what is left, where that is known by then
+Outcome<std::optional<Pattern>> reconcile(Problem& problem);
 
 /// "piece 'front'" or "the pair 'a' and 'b'".
 std::string called(const Garment& garment, const BodySymmetry& symmetry);

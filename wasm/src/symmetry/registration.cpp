@@ -144,10 +144,12 @@ std::vector<Start> startMaps(const Outline& a, const Outline& b) {
   for (int k = 0; k < n; ++k) energy += p[k].squaredNorm() + q[k].squaredNorm();
   EvenPoints product;
   std::array<double, n> square;
+  std::array<Vec2, 2 * n> backwards;  // twice round, so that every shift is a stretch of it
+  for (int k = 0; k < 2 * n; ++k) backwards[k] = q[(2 * n - 1 - k) % n];
   for (int shift = 0; shift < n; ++shift) {
     double re = 0, im = 0;
     for (int k = 0; k < n; ++k) {
-      const Vec2 &u = p[k], &v = q[(shift - k + n) % n];
+      const Vec2 &u = p[k], &v = backwards[n - 1 - shift + k];
       re += u.x() * v.x() - u.y() * v.y();
       im += u.x() * v.y() + u.y() * v.x();
     }
