@@ -133,7 +133,7 @@ ${tablesOf(results)}`;
 const notes = `- **fit** and its kin are those of [the life of a print](life-of-a-print.md#10-the-result). *free* pieces are
   those whose alignment is a variable of its own. *random* is the mean over random alignments; *fit/random*
   and *seam/random* compare with it. *first ms*: from the files to the first alignment that can be drawn, in the
-  first solve of a process, but for the small one that a page has its worker warm with while files are on their way. *progress off*: the greatest distance of the progress reported from the share of time
+  first solve of a process, but for the small ones that a page has its worker warm with while files are on their way. *progress off*: the greatest distance of the progress reported from the share of time
   spent. *memory*: the most in use beyond what the program held before.
 - **paper** and **ws19** are timed by their last attempt: they are solved with growing stiffness until the greatest
   change holds. Under *Methods*, two of them run at once.
@@ -182,8 +182,8 @@ async function run() {
     names.some((name) => parts[name].platforms.includes(platform)),
   );
   await build();
-  const {warmUpProblem} = await import('../../dist/solver/warm-up.js');
-  settings.programs = new Programs(await buildBench(platforms), warmUpProblem);
+  const {warmUpProblems} = await import('../../dist/solver/warm-up.js');
+  settings.programs = new Programs(await buildBench(platforms), warmUpProblems);
   const results = circumstances();
   for (const name of names) {
     try {

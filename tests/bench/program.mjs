@@ -8,15 +8,15 @@ import {root, SetupError} from '../../web/setup/shell.mjs';
 
 export class Programs {
   #commands;
-  #warmUp;
+  #warmUps;
 
   /**
    * @param commands  per platform, the words that start the program
-   * @param warmUp  the problem that workers solve while files are still on their way
+   * @param warmUps  the problems that workers solve while files are still on their way
    */
-  constructor(commands, warmUp) {
+  constructor(commands, warmUps) {
     this.#commands = commands;
-    this.#warmUp = warmUp;
+    this.#warmUps = warmUps;
   }
 
   /**
@@ -29,10 +29,13 @@ export class Programs {
     try {
       const at = (name) => join(folder, name);
       const file = at('tasks.jsonl');
-      writeFileSync(at('garment.json'), this.#warmUp.garment);
-      writeFileSync(at('print.json'), JSON.stringify(this.#warmUp.print));
-      const warmUp = {task: 'solve', garment: at('garment.json'), print: at('print.json')};
-      const lines = [warmUp, ...tasks].map((task) => `${JSON.stringify(task)}\n`);
+      const warmUps = this.#warmUps.map(({garment, print}, k) => {
+        const files = {garment: at(`garment-${k}.json`), print: at(`print-${k}.json`)};
+        writeFileSync(files.garment, garment);
+        writeFileSync(files.print, JSON.stringify(print));
+        return {task: 'solve', ...files};
+      });
+      const lines = [...warmUps, ...tasks].map((task) => `${JSON.stringify(task)}\n`);
       writeFileSync(file, lines.join(''));
       const [command, ...words] = this.#commands[platform];
       const answers = (await output(command, [...words, file])).trim().split('\n');
@@ -41,7 +44,7 @@ export class Programs {
       const read = answers.map((line) => JSON.parse(line));
       const broken = read.find(({failure}) => failure !== undefined);
       if (broken) throw new SetupError(`${platform}: ${broken.failure}`);
-      return read.slice(1);
+      return read.slice(warmUps.length);
     } finally {
       rmSync(folder, {recursive: true});
     }

@@ -4,7 +4,7 @@ import {SolverClient} from './client.js';
 import {MainThreadSolver} from './main-thread.js';
 import type {Answers, QuestionOf} from './protocol.js';
 import {TextService, type SolverService} from './service.js';
-import {warmUpProblem} from './warm-up.js';
+import {warmUpProblems} from './warm-up.js';
 import type {WorkerPlaces} from './watched-worker.js';
 
 /** Where to find the solver, and who hears when it can have no worker. */
@@ -21,7 +21,7 @@ export interface SolverLease {
   readonly solver: SolverService;
   /**
    * Starts the worker, if it has not started, and lets its engine compile what a solve needs: for the
-   * time in which files are still on their way. Nobody hears of it.
+   * time in which files are still on their way. It ends with the first question; nobody hears of it.
    */
   warm(): void;
   /** Gives it back: what is pending, and what is asked from now on, is rejected as cancelled. */
@@ -114,7 +114,7 @@ export class SolverPool {
 /** A worker's place in the pool; the worker itself starts with the first job. */
 class Seat {
   leases = 0;
-  #isWarm = false;
+  #warming: AbortController | undefined;
   ending: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
@@ -125,9 +125,19 @@ class Seat {
 
   /** Once; what goes wrong goes wrong again for the first who asks for something. */
   warm(): void {
-    if (this.#isWarm || this.blocked) return;
-    this.#isWarm = true;
-    this.client.solve(warmUpProblem).catch(() => undefined);
+    if (this.#warming || this.blocked) return;
+    this.#warming = new AbortController();
+    this.#solveAll(this.#warming.signal).catch(() => undefined);
+  }
+
+  async #solveAll(signal: AbortSignal): Promise<void> {
+    for (const problem of warmUpProblems) await this.client.solve(problem, {signal});
+  }
+
+  /** Asks the worker, which is to do nothing else but what it is asked. */
+  ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: SolveHooks): Promise<Answers[K]> {
+    (this.#warming ??= new AbortController()).abort();
+    return this.client.ask<K>(question, hooks);
   }
 }
 
@@ -155,7 +165,7 @@ class LeasedSolver extends TextService {
     const all = {...hooks, signal};
     if (!this.#seat.blocked) {
       try {
-        return await this.#seat.client.ask<K>(question, all);
+        return await this.#seat.ask<K>(question, all);
       } catch (error) {
         if (!(error instanceof SolverError) || error.code !== 'worker-blocked') throw error;
         this.#seat.blocked = error;
