@@ -20,7 +20,7 @@ constexpr double kMostReach =
 
 /// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
 /// it lies has only its set-up left.
-constexpr double kPrepared = 0.13, kFitted = 0.95;
+constexpr double kPrepared = 0.15, kFitted = 0.95;
 constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
 
 /// Limits that a finished shape keeps, a little inside what is promised.

@@ -8,12 +8,18 @@ namespace {
 
 constexpr double kSearchStep = 1e6;  ///< element distances: some milliseconds
 
-/// Of the time of a whole solve, as a rule. A full search takes more of it the more pieces there
-/// are to place and symmetries to try.
-constexpr double kSlackShare = 0.16, kNearShare = 0.08, kTouchUpShare = 0.02;
-double fullShare(double pieces, double symmetries) {
-  return 0.62 * symmetries / (symmetries + 1) * (0.5 + 0.5 * pieces / (pieces + 4));
+/// Of the time of a whole solve, as a rule: all searches together. They take more of it the more
+/// pieces there are to place and symmetries to try.
+double searchShare(double pieces, double symmetries) {
+  return 0.85 - 0.42 / (1 + pieces / 8) * (0.85 + 0.6 / symmetries);
 }
+
+/// Of the searches' time, as a rule; more is shared out where more follow.
+struct SearchParts {
+  double guide, plain, slack;
+};
+constexpr SearchParts kGuided{0.22, 0.45, 0.33}, kUnguided{0, 0.62, 0.38};
+constexpr double kNearPart = 0.15, kTouchUpPart = 0.04;
 
 /// To seek from nothing.
 SearchBudget fullBudget(std::optional<double> proof) {
@@ -83,29 +89,27 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
     return makeMatchProblem(drafted, restShapes(drafted), mirrors, unpinned, straight);
   };
 
-  const double full = fullShare(static_cast<double>(match.leaders.size()), group.data().order);
   const bool guided = pattern.mirrors.empty() && !known.empty();
+  const SearchParts& parts = guided ? kGuided : kUnguided;
   if (guided)
-    searches_.push_back({plainProblem(known), fullBudget(proof), seed, full / 2, {}, 0, turn});
+    searches_.push_back({plainProblem(known), fullBudget(proof), seed, parts.guide, {}, 0, turn});
   const std::size_t plain = searches_.size();
-  searches_.push_back({plainProblem(pattern.mirrors),
-                       fullBudget(proof),
-                       seed,
-                       guided ? full / 2 : full,
-                       {},
-                       0,
-                       turn});
+  searches_.push_back(
+      {plainProblem(pattern.mirrors), fullBudget(proof), seed, parts.plain, {}, 0, turn});
   if (guided) searches_[plain].after = {0};
   searches_.push_back(
-      {searches_[plain].problem, slackBudget(), seed + 1, kSlackShare, {plain}, slack, turn});
+      {searches_[plain].problem, slackBudget(), seed + 1, parts.slack, {plain}, slack, turn});
   if (searches_[plain].problem != match) {
     const bool turned_only = problem.options.weights.empty() && problem.options.pins.empty();
     const SearchBudget budget = turned_only ? touchUpBudget(proof) : nearBudget(proof);
-    const double share = turned_only ? kTouchUpShare : kNearShare;
-    searches_.push_back({match, budget, seed, share, {plain}});
-    searches_.push_back({match, budget, seed + 1, share, {plain + 2, plain + 1}, slack});
+    const double part = turned_only ? kTouchUpPart : kNearPart;
+    searches_.push_back({match, budget, seed, part, {plain}});
+    searches_.push_back({match, budget, seed + 1, part, {plain + 2, plain + 1}, slack});
   }
-  for (const Search& search : searches_) share_ += search.share;
+  share_ = searchShare(static_cast<double>(match.leaders.size()), group.data().order);
+  double whole = 0;
+  for (const Search& search : searches_) whole += search.share;
+  for (Search& search : searches_) search.share *= share_ / whole;
   best_ = under_slack_ = match.ofLeaders(Alignments(pattern.pieces.size()));
 }
 
