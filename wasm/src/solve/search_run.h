@@ -47,7 +47,7 @@ class SearchRun {
     MatchProblem problem;
     SearchBudget budget;
     std::uint64_t seed;
-    double share;                    ///< of the time of a whole solve
+    double share;                    ///< of the time of a whole solve, once all are known
     std::vector<std::size_t> after;  ///< searches whose answers it begins with
     double slack = 0;                ///< cm
     double turn = 0;                 ///< of the print as it lies, against this problem's. [rad]
