@@ -32,6 +32,7 @@ SearchBudget fullBudget(std::optional<double> proof) {
 SearchBudget slackBudget() {
   SearchBudget budget;
   budget.trees = 8, budget.idle = 8, budget.evaluations = 3e6;
+  budget.samples = 6;  // what counts there changes slowly
   return budget;
 }
 SearchBudget nearBudget(std::optional<double> proof) {
