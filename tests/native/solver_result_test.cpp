@@ -259,7 +259,7 @@ TEST(SearchBound, SaysHowMuchBetterAnAlignmentCouldBe) {
   };
   EXPECT_EQ(boundOf(task("apron", "pmm"), 0), 1);  // meets everywhere: nothing is better
   const Task hard = task("gathered-skirt", "cm");
-  const double none = boundOf(hard, 0), little = boundOf(hard, 0.02), much = boundOf(hard, 0.3);
+  const double none = boundOf(hard, 0), little = boundOf(hard, 0.005), much = boundOf(hard, 0.3);
   EXPECT_EQ(none, 0);
   EXPECT_GT(little, 0);
   EXPECT_LT(little, 1);

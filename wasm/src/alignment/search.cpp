@@ -13,8 +13,11 @@ namespace {
 /// Share of starts from nothing once the first trees are grown; of many pieces, some lie badly in
 /// each of them, and parts of the best are worth more.
 double freshShare(int pieces) { return std::min(0.7, 5.0 / pieces); }
-/// And the more of them, the longer it takes until nothing is to be gained.
-double patienceFor(double pieces) { return std::clamp(pieces / 10, 1.0, 2.0); }
+/// And the more of them, the longer it takes until nothing is to be gained. With few, thousands of
+/// answers are within reach, and looking at more of them takes little time.
+double patienceFor(double pieces) {
+  return std::clamp(std::max(pieces / 10, 8 / pieces), 1.0, 2.0);
+}
 constexpr double kScattered = 0.3;  ///< share of these whose pieces lie anywhere, not grown
 constexpr double kOther = 0.3;      ///< share of regrowths of another answer than the best
 constexpr double kDetached = 0.5;   ///< share of regrowths that begin anywhere, apart from the rest
@@ -238,9 +241,27 @@ double AlignmentSearch::polish(Searched& c) {
   std::sort(c.finalists.begin(), c.finalists.end(), cheaper);
   if (c.finalists.size() > kPolished) c.finalists.resize(kPolished);
   for (auto& [cost, own] : c.finalists) cost = polished(c, own, exact, kPolish);
-  const auto& [cost, own] = *std::min_element(c.finalists.begin(), c.finalists.end(), cheaper);
+  std::sort(c.finalists.begin(), c.finalists.end(), cheaper);
+  const auto same = [](const auto& a, const auto& b) {
+    return b.first - a.first <= SearchMoves::kSame * a.first;
+  };
+  c.finalists.erase(std::unique(c.finalists.begin(), c.finalists.end(), same), c.finalists.end());
+  const auto& [cost, own] = c.finalists.front();
   for (std::size_t i = 0; i < own.size(); ++i) best_[c.leaders[i]] = own[i];
   return cost;
+}
+
+std::vector<Alignments> AlignmentSearch::bestFew() const {
+  std::size_t count = 1;
+  for (const Searched& c : components_) count = std::max(count, c.finalists.size());
+  std::vector<Alignments> few(count, best_);
+  for (const Searched& c : components_) {
+    for (std::size_t k = 1; k < count; ++k) {
+      const Alignments& own = c.finalists[std::min(k, c.finalists.size() - 1)].second;
+      for (std::size_t i = 0; i < own.size(); ++i) few[k][c.leaders[i]] = own[i];
+    }
+  }
+  return few;
 }
 
 /// Improves an answer for a component on `seams`. Returns its cost.

@@ -51,6 +51,8 @@ class AlignmentSearch {
 
   /// Of the leaders, polished on all edges once the search has ended.
   const Alignments& best() const { return best_; }
+  /// Once the search has ended: the best, then a few others that are good, cheaper ones first.
+  std::vector<Alignments> bestFew() const;
   /// No alignment costs less than this share of best(), once a search without slack has ended: 1
   /// when it is proven the best, 0 when nothing is known.
   double bound() const;

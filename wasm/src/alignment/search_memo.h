@@ -20,8 +20,9 @@ class SearchMemo {
   };
   /// Of the leaders.
   struct Outcome {
-    Alignments best, watched;
-    double bound;  ///< as in AlignmentSearch
+    std::vector<Alignments> few;  ///< the best and some more
+    Alignments watched;
+    double bound;  ///< all as in AlignmentSearch
   };
 
   /// Null when there was no such search lately.

@@ -18,6 +18,9 @@ constexpr double kSlack = 1.3;
 constexpr double kMostReach =
     2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
 
+/// Answers under slack to fit from: which of them cloth can make the most of, no slack tells.
+constexpr std::size_t kStarts = 3;
+
 /// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
 /// it lies has only its set-up left.
 constexpr double kPrepared = 0.15, kFitted = 0.95;
@@ -89,11 +92,14 @@ bool BestRun::advance() {
   return stage_ != Stage::kDone;
 }
 
-/// Fits from the answer under slack and, where it differs, from the search's own.
+/// Fits from the best few answers under slack and, where it differs, from the search's own.
 void BestRun::startFit() {
-  std::vector<Alignments> from = {searching_.underSlack()};
+  std::vector<Alignments> from = searching_.underSlack();
+  if (from.size() > kStarts) from.resize(kStarts);
   const Alignments& plain = searching_.best();
-  if (std::abs(match_.cost(plain) - match_.cost(from[0])) > SearchRun::kPerfect)
+  if (std::none_of(from.begin(), from.end(), [&](const Alignments& at) {
+        return std::abs(match_.cost(plain) - match_.cost(at)) <= SearchRun::kPerfect;
+      }))
     from.push_back(plain);
   const FittingRules rules{problem_.options.continuous_only,
                            problem_.options.average_seam_shapes.value_or(false)};

@@ -118,16 +118,16 @@ bool FitRun::advance() {
   return coarser_ != nullptr;
 }
 
-/// After a start's few steps: the next one, or back to the better.
+/// After a start's few steps: the next one, or back to the best.
 void FitRun::compareStarts() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.states = fitting_->states();
   start.fit = fitAny(match_.group, fitted(), fitting_->shapes(), alignment_);
   if (current_ + 1 < starts_.size()) return resume(current_ + 1);
-  const auto better = std::min_element(
+  const auto best = std::min_element(
       starts_.begin(), starts_.end(), [](const Start& a, const Start& b) { return a.fit < b.fit; });
-  resume(static_cast<std::size_t>(better - starts_.begin()));
+  resume(static_cast<std::size_t>(best - starts_.begin()));
 }
 
 double FitRun::fraction() const { return std::min(1.0, done_ / planned_); }

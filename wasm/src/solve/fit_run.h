@@ -8,7 +8,7 @@
 namespace seamwise {
 
 /// Shape and alignment improved in turns: a few steps from each of several answers of the search,
-/// then on from the better one. Where edges are short this happens on a coarser mesh, and the whole
+/// then on from the best one. Where edges are short this happens on a coarser mesh, and the whole
 /// one only takes the last steps. Seam lengths and limits are left to settle.
 class FitRun {
  public:

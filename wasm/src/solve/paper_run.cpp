@@ -11,7 +11,7 @@ namespace seamwise {
 namespace {
 
 constexpr double kMostAlpha = 65536;
-constexpr double kLost = 3;  ///< times the greatest change
+constexpr double kLost = 3;              ///< times the greatest change
 constexpr double kLeastDraw = 1.0 / 32;  ///< share of the way to their targets that seams still go
 
 bool crossesItself(const Pattern& pattern, const Shapes& shapes) {
@@ -28,15 +28,18 @@ bool crossesItself(const Pattern& pattern, const Shapes& shapes) {
 
 }  // namespace
 
-PaperRun::PaperRun(const Problem& problem, const Pattern& pattern,
-                   const MatchRules& rules, std::vector<std::string>* notes)
-    : problem_(problem), pattern_(pattern),
+PaperRun::PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,
+                   std::vector<std::string>* notes)
+    : problem_(problem),
+      pattern_(pattern),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
                               problem.print.group)),
       sweeps_(match_, problem.options.seed),
       deformation_(pattern, problem.options.method == Method::kPaper),
-      alignment_(match_.expanded(sweeps_.at())), shapes_(restShapes(pattern)),
-      alpha_(problem.options.alpha.value_or(1)), notes_(notes) {}
+      alignment_(match_.expanded(sweeps_.at())),
+      shapes_(restShapes(pattern)),
+      alpha_(problem.options.alpha.value_or(1)),
+      notes_(notes) {}
 
 bool PaperRun::advance() {
   if (phase_ == Phase::kAlignment) {
@@ -67,14 +70,14 @@ void PaperRun::startDeformation() {
     return;
   }
   phase_ = Phase::kDeformation;
-  const bool average = problem_.options.average_seam_shapes.value_or(
-      problem_.options.method == Method::kPaper);
+  const bool average =
+      problem_.options.average_seam_shapes.value_or(problem_.options.method == Method::kPaper);
   const IdealShape shape = average ? IdealShape::kAveraged : IdealShape::kTransported;
   const Shapes rest = restShapes(pattern_);
   for (const Seam& seam : pattern_.seams) {
     if (!seam.matched) continue;
-    const Join join = bestJoin(problem_.print.group, seam, rest, alignment_,
-                               problem_.options.continuous_only);
+    const Join join =
+        bestJoin(problem_.print.group, seam, rest, alignment_, problem_.options.continuous_only);
     const IdealLines ideal = idealLines(seam, join, rest, alignment_, shape);
     for (const auto& [side, line] : {std::pair{&seam.a, &ideal.a}, std::pair{&seam.b, &ideal.b}}) {
       const auto& p = rest[side->piece];
@@ -101,8 +104,9 @@ bool PaperRun::endAttempt() {
     return false;
   }
   if (draw_ == 1)
-    notes_->push_back("No weight of the conformal term keeps the outlines simple and within the "
-                      "greatest change, so the seams go only part of the way to their ideal lines.");
+    notes_->push_back(
+        "No weight of the conformal term keeps the outlines simple and within the "
+        "greatest change, so the seams go only part of the way to their ideal lines.");
   draw_ /= 2;
   if (draw_ < kLeastDraw) {
     shapes_ = evenedShapes(pattern_);

@@ -37,7 +37,7 @@ SearchBudget slackBudget() {
 }
 SearchBudget nearBudget(std::optional<double> proof) {
   SearchBudget budget = fullBudget(proof);
-  budget.trees = 4, budget.idle = 4, budget.evaluations = 1.5e6;
+  budget.trees = 2, budget.idle = 3, budget.evaluations = 1e6;
   return budget;
 }
 
@@ -111,7 +111,8 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
   double whole = 0;
   for (const Search& search : searches_) whole += search.share;
   for (Search& search : searches_) search.share *= share_ / whole;
-  best_ = under_slack_ = match.ofLeaders(Alignments(pattern.pieces.size()));
+  best_ = match.ofLeaders(Alignments(pattern.pieces.size()));
+  under_slack_ = {best_};
 }
 
 /// Of the pieces on the print as it lies, from those of the leaders of a search.
@@ -134,7 +135,7 @@ void SearchRun::begin() {
   }
   if (search.slack > 0 && search.problem.cost(offered[0]) < kPerfect) {
     share_ -= search.share;
-    return end({offered[0], offered[0], 0});  // nothing has to move
+    return end({{offered[0]}, offered[0], 0});  // nothing has to move
   }
   const double watched = search.slack > 0 ? 0 : slack_;
   if (memo_) {
@@ -153,11 +154,13 @@ void SearchRun::begin() {
 void SearchRun::end(const SearchMemo::Outcome& outcome) {
   const Search& search = searches_[current_];
   found_.push_back(
-      {search.problem.expanded(outcome.best), search.problem.expanded(outcome.watched)});
-  under_slack_ = match_.ofLeaders(placed(search, outcome.best));
+      {search.problem.expanded(outcome.few[0]), search.problem.expanded(outcome.watched)});
+  under_slack_.clear();
+  for (const Alignments& leaders : outcome.few)
+    under_slack_.push_back(match_.ofLeaders(placed(search, leaders)));
   ++current_;
   if (search.slack > 0) return;
-  best_ = under_slack_;
+  best_ = under_slack_[0];
   bound_ = outcome.bound;
   perfect_ = match_.cost(best_) < kPerfect;
 }
@@ -174,7 +177,8 @@ bool SearchRun::advance() {
     fraction_ = std::max(fraction_, (before_ + search.share * searching_->fraction()) / share_);
     if (!more) {
       before_ += search.share;
-      SearchMemo::Outcome outcome{searching_->best(), searching_->watched(), searching_->bound()};
+      SearchMemo::Outcome outcome{searching_->bestFew(), searching_->watched(),
+                                  searching_->bound()};
       searching_.reset();
       end(outcome);
       if (memo_) memo_->add(std::move(*inputs_), std::move(outcome));

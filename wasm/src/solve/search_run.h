@@ -37,8 +37,8 @@ class SearchRun {
 
   /// The best so far; once it has ended, the best of rest. Of the leaders, pins heeded.
   const Alignments& best() const { return best_; }
-  /// The best of what may move; the same when nothing needs to.
-  const Alignments& underSlack() const { return under_slack_; }
+  /// The best few of what may move, the very best first; as at rest when nothing needs to.
+  const std::vector<Alignments>& underSlack() const { return under_slack_; }
   /// No alignment at rest costs less than this share of the best: 1 when it is proven.
   double bound() const { return bound_; }
 
@@ -63,7 +63,8 @@ class SearchRun {
   std::size_t current_ = 0;
   std::unique_ptr<AlignmentSearch> searching_;
   std::optional<SearchMemo::Inputs> inputs_;  ///< of the search at work
-  Alignments best_, under_slack_;
+  Alignments best_;
+  std::vector<Alignments> under_slack_;
   /// By each search: its best and what it watched, of the pieces on its own print.
   std::vector<std::vector<Alignments>> found_;
   bool perfect_ = false;
