@@ -81,8 +81,10 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
         to.push_back(pairs.to[i]);
       }
     if (from.size() < 2 || !spread(from)) return map;
-    trimmed = fitMirror(from, to, single);
-    if (limit == kExactCorner) return 2 * from.size() >= a.corners().size() ? trimmed : map;
+    const RigidMotion next = fitMirror(from, to, single);
+    if (limit == kExactCorner) return 2 * from.size() >= a.corners().size() ? next : map;
+    if (next == trimmed) break;  // and will be for ever
+    trimmed = next;
   }
   return map;
 }
