@@ -26,9 +26,10 @@ constexpr int kGlance = 3;  ///< iterations on all edges that tell which finalis
 constexpr std::size_t kPolished = 4;
 constexpr int kPolish = 30;  ///< iterations at most
 
-constexpr double kProof = 0.03;       ///< share of the evaluations that may go into a proof,
+constexpr double kProof = 0.015;      ///< share of the evaluations that may go into a proof,
 constexpr int kProvable = 5;          ///< where no more unknowns than these make it likely
 constexpr double kProofDistance = 6;  ///< a distance there takes as long as so many elsewhere
+constexpr double kSought = 0.6;       ///< share of the time before a proof, as a rule
 
 /// The more symmetries a print has, the more answers there are to choose from.
 SearchBudget enlarged(SearchBudget budget, int symmetries) {
@@ -149,7 +150,10 @@ bool AlignmentSearch::step() {
   if (done_) return false;
   Searched& c = components_[current_];
   if (proof_) {
-    if (proof_->spent() < proofAllowed(c) && proof_->step()) return true;
+    const double allowed = proofAllowed(c);
+    const bool more = proof_->spent() < allowed && proof_->step();
+    progress(kSought + (1 - kSought) * std::min(1.0, proof_->spent() / allowed));
+    if (more) return true;
     endProof(c);
     return endComponent();
   }
@@ -183,7 +187,7 @@ bool AlignmentSearch::step() {
   if (anew && cost < c.cost * (1 + SearchMoves::kSame)) ++c.hits;
   c.spent += moves_.spent() - spent;
   const bool enough = c.starts >= budget_.trees && (c.hits >= budget_.hits || c.idle >= c.patience);
-  double share = std::min(1.0, std::max(c.spent / c.allowed, c.idle / c.patience));
+  const double share = std::min(1.0, std::max(c.spent / c.allowed, c.idle / c.patience));
   if (c.cost < moves_.perfect() || enough || c.spent > c.allowed) {
     const double polished = polish(c);
     if (polished < moves_.perfect() || proofAllowed(c) == 0) {
@@ -192,11 +196,15 @@ bool AlignmentSearch::step() {
       return endComponent();
     }
     proof_ = std::make_unique<LowerBound>(problem_, c, best_);
-    share = 1;
   }
+  progress(proof_ ? kSought : proofAllowed(c) > 0 ? kSought * share : share);
+  return true;
+}
+
+/// Of the present component, `share` is done.
+void AlignmentSearch::progress(double share) {
   fraction_ = std::max(
       fraction_, (static_cast<double>(current_) + share) / static_cast<double>(components_.size()));
-  return true;
 }
 
 double AlignmentSearch::proofAllowed(const Searched& c) const {

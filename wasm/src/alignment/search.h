@@ -72,6 +72,7 @@ class AlignmentSearch {
   void keep(Searched& c, const Layout& layout, double cost);
   Alignments before(const Searched& c);
   double polish(Searched& c);
+  void progress(double share);
   void endProof(const Searched& c);
   bool endComponent();
   double proofAllowed(const Searched& c) const;
