@@ -26,9 +26,10 @@ class Thinning {
     fixed_.assign(count, 0), left_out_.assign(count, 0);
     for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
       const int n = static_cast<int>(pattern.pieces[p].outline.size());
-      for (int v = 0; v < n; ++v)
-        next_[first_[p] + v] = first_[p] + (v + 1) % n,
-                          before_[first_[p] + v] = first_[p] + (v + n - 1) % n;
+      for (int v = 0; v < n; ++v) {
+        next_[first_[p] + v] = first_[p] + (v + 1) % n;
+        before_[first_[p] + v] = first_[p] + (v + n - 1) % n;
+      }
       for (int v : pattern.pieces[p].edge_start) fixed_[first_[p] + v] = 1;
     }
     for (const Seam& seam : pattern.seams) tie(seam);
@@ -89,12 +90,14 @@ class Thinning {
     const Vec2 in = at(i) - at(h), out = at(j) - at(i);
     return std::abs(std::atan2(cross(in, out), in.dot(out)));
   }
+  /// Whether edges stay short enough and bends blunt without a vertex.
   bool mayGo(int v) const {
     const int h = before_[v], j = next_[v];
     if (h == next_[j] || (at(j) - at(h)).norm() > longest_) return false;
     return turn(h, v, j) < kSharp && (fixed_[h] || turn(before_[h], h, j) < kSharp) &&
            (fixed_[j] || turn(h, j, next_[j]) < kSharp);
   }
+  /// Whether one of a class lies beside another or beside its neighbour.
   bool areNeighbours(const std::vector<int>& all) const {
     for (int a : all)
       for (int b : all)
@@ -105,7 +108,8 @@ class Thinning {
   const Pattern& pattern_;
   double longest_;
   std::vector<int> first_, piece_;  ///< per piece its first vertex, per vertex its piece
-  std::vector<int> class_, next_, before_;
+  std::vector<int> class_;          ///< per vertex another of its class; a root is its own
+  std::vector<int> next_, before_;  ///< on the outline, of those that are left
   std::vector<char> fixed_, left_out_;
   std::vector<std::vector<int>> members_;  ///< of the class of a root
 };
