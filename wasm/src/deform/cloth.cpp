@@ -11,17 +11,15 @@ constexpr double kReachPenalty = 4e3;  ///< per cm2; pulls are about 1 a cm, so 
 constexpr double kUpright = 0.33;      ///< least area of a triangle, as a share of its rest area
 constexpr double kLongestStep = 0.4;   ///< cm: beyond it the linearised lengths are worthless
 
-Cloth::State restStateOf(const Part& part) {
-  return {part.rest, std::vector<double>(part.edges.size(), 0)};
-}
-
 }  // namespace
 
-Cloth::State Cloth::restState() const { return restStateOf(part()); }
+Cloth::State Cloth::restState() const {
+  return {part().rest, std::vector<double>(part().edges.size(), 0)};
+}
 
 Cloth::Cloth(const ClothPlan& plan)
     : plan_(&plan),
-      state_(restStateOf(plan.part())),
+      state_(restState()),
       reach_(plan.part().reach),
       target_weight_(plan.part().rest.size(), 0),
       target_pull_(plan.part().rest.size(), Vec2::Zero()),

@@ -27,7 +27,6 @@ class FitRun {
 
   const Alignments& alignment() const { return alignment_; }  ///< of every piece
   SeamFitting& fitting() { return *fitting_; }                ///< at the end: of the pattern
-  const SeamFitting& fitting() const { return *fitting_; }
   int iterations() const { return iterations_; }
   int factorisations() const { return coarse_factorisations_ + fitting_->factorisations(); }
 
