@@ -5,7 +5,7 @@ import {describe, expect, it, vi} from 'vitest';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {button, showSample, solved, usePage} from '../support/page.js';
-import {clickPiece, clickSeam} from '../support/page-pattern.js';
+import {clickPiece, clickSeam, middleOfPiece} from '../support/page-pattern.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -130,6 +130,23 @@ it('moves a print by keys alone, and says that its piece is pinned', async () =>
   await row.filter({hasText: 'Pinned'}).waitFor();
   await press(page, 'Control+z');
   expect((await designOf(page)).options.pins).toBeUndefined();
+});
+
+it('takes a drag that rests on its way back in one step', async () => {
+  const page = await openPage();
+  await solved(page);
+  await button(page, 'Move print').click();
+  const before = await designOf(page);
+  const [x, y] = await middleOfPiece(page, 'back');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 10, y);
+  await page.waitForTimeout(1300);
+  await page.mouse.move(x + 10, y + 10);
+  await page.mouse.up();
+  expect((await designOf(page)).options.pins).toBeDefined();
+  await button(page, 'Undo').click();
+  expect(await designOf(page)).toEqual(before);
 });
 
 it('chooses a group by arrow keys', async () => {

@@ -38,11 +38,19 @@ function locate(pane: PatternPane, {seam, side, piece, share}: Place): Point | n
   return [left + x, top + y];
 }
 
-async function clickAt(page: Page, what: Place): Promise<void> {
+async function placeOf(page: Page, what: Place): Promise<[number, number]> {
   const at = await pattern(page).evaluate(locate, what);
   if (!at) throw new Error(`${JSON.stringify(what)} is not on the screen.`);
-  await page.mouse.click(...(at as [number, number]));
+  return [at[0], at[1]];
 }
+
+async function clickAt(page: Page, what: Place): Promise<void> {
+  await page.mouse.click(...(await placeOf(page, what)));
+}
+
+/** The middle of a piece in the window. [CSS px] */
+export const middleOfPiece = (page: Page, piece: string): Promise<[number, number]> =>
+  placeOf(page, {piece, share: 0});
 
 export const clickSeam = (page: Page, seam: number, side: 'a' | 'b', share = 0.5): Promise<void> =>
   clickAt(page, {seam, side, share});

@@ -7,6 +7,7 @@ import {lengthUnit} from '../controls/number-field.js';
 import {DeskElement} from '../desk-element.js';
 import {swatch} from '../print/swatch.js';
 import {controls} from '../style/controls.js';
+import {holdWhilePressed} from '../workbench/hold.js';
 import type {OfferedPrint} from './offered-prints.js';
 
 /** The slider's ends, as shares of the repeat that the print's maker gave it. */
@@ -101,6 +102,9 @@ export class PlaceBar extends DeskElement {
         min="0"
         max=${steps}
         .value=${String(Math.round(steps * share(width, from, to)))}
+        @pointerdown=${(event: PointerEvent) => {
+          holdWhilePressed(this.desk, event);
+        }}
         @input=${(event: Event) => {
           const {valueAsNumber} = event.target as HTMLInputElement;
           this.#resize(print, from * (to / from) ** (valueAsNumber / steps));

@@ -3,6 +3,7 @@ import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import type {Point} from '../../model/geometry.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
+import {holdWhilePressed} from '../workbench/hold.js';
 import type {Workbench} from '../workbench/workbench.js';
 import {pointedAt, reachOf, type PatternTools} from './pattern-tools.js';
 
@@ -73,6 +74,7 @@ export class Pointing {
     const follow = desk.scenes && pressed && tools.drag(desk.scenes.now, pressed.piece);
     if (!view || !follow) return false;
     const [x, y] = view.sheetPointAt(...at);
+    holdWhilePressed(desk, event);
     const done = new AbortController();
     const {signal} = done;
     this.#stage.setPointerCapture(event.pointerId);

@@ -3,13 +3,14 @@ import type {Design} from '../../model/design.js';
 import {amended, redone, stepped, undone, type History} from '../../model/history.js';
 import type {Step, ViewState} from './state.js';
 
-/** Changes of one kind that follow each other within this are one step. [ms] */
+/** Changes of one kind that follow each other within this are one step, unless something is held. [ms] */
 const pause = 1000;
 
 export class Steps {
   #history: History<Step> | undefined;
   /** The kind of change that may still be amended, and until when. */
   #amendable = {kind: '', until: 0};
+  #isHeld = false;
 
   /** Undefined until it is begun. */
   get history(): History<Step> | undefined {
@@ -21,13 +22,29 @@ export class Steps {
     this.#amendable = {kind: '', until: 0};
   }
 
+  get isHeld(): boolean {
+    return this.#isHeld;
+  }
+
+  /** From now until it is let go, changes of one kind are one step of their own, however long they pause. */
+  hold(): void {
+    this.#isHeld = true;
+    this.#amendable = {kind: '', until: 0};
+  }
+
+  letGo(): void {
+    this.#isHeld = false;
+    this.#amendable = {kind: '', until: 0};
+  }
+
   /** @param kind changes of which may be one step; empty for one that stands alone */
   change(change: Partial<Design>, kind: string, view: ViewState | null): void {
     if (!this.#history) return;
     const {present} = this.#history;
     const step = {design: {...present.design, ...change}, view};
     const now = performance.now();
-    const amends = kind !== '' && kind === this.#amendable.kind && now < this.#amendable.until;
+    const isSoon = this.#isHeld || now < this.#amendable.until;
+    const amends = kind !== '' && kind === this.#amendable.kind && isSoon;
     this.#amendable = {kind, until: now + pause};
     this.#history = amends
       ? amended(this.#history, step)

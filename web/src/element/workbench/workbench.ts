@@ -199,6 +199,20 @@ export class Workbench extends Attention {
     this.#arrive();
   }
 
+  /** Whether a drag is under way, whose changes are one step. */
+  get isHeld(): boolean {
+    return this.#steps.isHeld;
+  }
+
+  /** For a drag: until it ends, its changes are one step, however long it rests. @returns what ends it */
+  hold(): () => void {
+    this.#steps.hold();
+    return () => {
+      this.#steps.letGo();
+      this.changed();
+    };
+  }
+
   /** Takes another design as a whole; the first one begins a history. */
   replace(design: Design): void {
     if (this.history) this.change(design);
