@@ -40,3 +40,11 @@ describe.each(wardrobe.map((draft) => draft(bodyOf('m'))))('the $name', ({name, 
     expect(result.metrics.fit).toBeLessThan(result.metrics.fitRandom);
   });
 });
+
+it('meets at the waistband of the apron with every piece on grain, and nothing bent', async () => {
+  const garment = file('garments/apron-m.json');
+  const options = {grain: {default: 'on'}} as const;
+  const {metrics} = await solve({garment, print: printNamed('pmm'), options});
+  expect(metrics.fit).toBeLessThan(1e-6);
+  expect(metrics.maxMovedCm).toBeLessThan(1e-3);
+});

@@ -3,6 +3,7 @@ import {readFileSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
+import {draftApron} from '../../web/drafting/apron.js';
 import {bodyOf, sizeNames} from '../../web/drafting/body.js';
 import {garmentFile, grainLine} from '../../web/drafting/garment-file.js';
 import {length, minus, norm, type Point} from '../../web/drafting/geometry.js';
@@ -24,15 +25,20 @@ it('ships a list of all garments and prints', () => {
   expect(readFileSync('public/samples.json', 'utf8')).toBe(sampleList());
 });
 
-it('lays the grain along every band of woven cloth, and across ribs', () => {
+it('lays the grain across every band, so that its print runs on from what it is sewn to', () => {
   for (const garment of wardrobe.map((draft) => draft(medium))) {
     for (const panel of garment.panels) {
-      if (!/waistband|stand|cuff|band_/.test(panel.name)) continue;
+      if (!/waistband|stand|collar|yoke|cuff|band_/.test(panel.name)) continue;
       const [low, high] = grainLine(panel);
-      const isRib = garment.name === 'hoodie';
-      expect((isRib ? minus(high, low)[0] : minus(high, low)[1]) + 0, panel.name).toBeCloseTo(0, 9);
+      expect(minus(high, low)[0] + 0, panel.name).toBeCloseTo(0, 9);
     }
   }
+});
+
+it('lays the grain along the strap, which goes on up from the bib of the apron', () => {
+  const strap = draftApron(medium).panels.find(({name}) => name === 'neck_strap');
+  const [low, high] = strap ? grainLine(strap) : [];
+  expect(low?.[1]).toBe(high?.[1]);
 });
 
 interface File {

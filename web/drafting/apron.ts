@@ -18,7 +18,6 @@ import {
 } from './geometry.js';
 import {
   edge,
-  lengthwise,
   onBothSides,
   sew,
   symmetricPanel,
@@ -106,26 +105,23 @@ function bandPanel(body: Body): Panel {
     [half, 0],
     [bibBottom, bandHeight],
   ];
-  return {
-    ...symmetricPanel(
-      'waistband',
-      {
-        bottom: edge('skirt', line(mirror(low), low)),
-        half: [
-          edge('tie lower', line(low, [end, 0])),
-          edge('tie end', line([end, 0], [end, bandHeight])),
-          edge('tie upper', line([end, bandHeight], high)),
-        ],
-        top: edge('bib', line(high, mirror(high))),
-        side: 'left',
-      },
-      inFront(body, -bandHeight, 10),
-    ),
-    grain: lengthwise,
-  };
+  return symmetricPanel(
+    'waistband',
+    {
+      bottom: edge('skirt', line(mirror(low), low)),
+      half: [
+        edge('tie lower', line(low, [end, 0])),
+        edge('tie end', line([end, 0], [end, bandHeight])),
+        edge('tie upper', line([end, bandHeight], high)),
+      ],
+      top: edge('bib', line(high, mirror(high))),
+      side: 'left',
+    },
+    inFront(body, -bandHeight, 10),
+  );
 }
 
-/** Lies behind the neck, seen from behind. Origin: the middle of the lower edge. */
+/** Lies behind the neck, seen from behind; its grain goes on up from the bib. Origin: the middle of the lower edge. */
 function strapPanel(body: Body): Panel {
   const rise = body.backLength + 3 - widths(body).bibHeight;
   const half = rise + body.neck / 4 + 4;
@@ -147,7 +143,7 @@ function strapPanel(body: Body): Panel {
         rotation: [0, 180, 0],
       },
     ),
-    grain: lengthwise,
+    grain: [1, 0],
   };
 }
 

@@ -12,9 +12,6 @@ export interface Placement {
   readonly rotation: readonly [number, number, number];
 }
 
-/** The grain of a band that lies level: cut along the length of the cloth, which stretches least. */
-export const lengthwise: Point = [1, 0];
-
 /** One edge of an outline. Its name is unique in its panel and says what it is sewn as. */
 export interface Edge {
   readonly name: string;
@@ -26,7 +23,7 @@ export interface Panel {
   readonly name: string;
   readonly edges: readonly Edge[];
   readonly placement: Placement;
-  /** The direction of the grain in the panel; +y when left out. */
+  /** The direction of the grain in the panel; +y when left out, as on a band, whose print so runs on from what it is sewn to. */
   readonly grain?: Point;
 }
 

@@ -18,7 +18,7 @@ import {
   type Curve,
   type Point,
 } from './geometry.js';
-import {edge, lengthwise, symmetricPanel, type Panel, type Placement} from './panel.js';
+import {edge, symmetricPanel, type Panel, type Placement} from './panel.js';
 
 /** The neckline that the stand is sewn to, one side of it from the middle of the back to the button stand. [cm] */
 export interface NecklineLengths {
@@ -81,7 +81,7 @@ export function standPanel(body: Body, neckline: NecklineLengths): Panel {
     0.6 * standHeight.front,
     0.6 * buttonStand,
   );
-  const stand = symmetricPanel(
+  return symmetricPanel(
     'stand',
     {
       bottom: edge('back', line(mirror(middle), middle)),
@@ -96,7 +96,6 @@ export function standPanel(body: Body, neckline: NecklineLengths): Panel {
     },
     behindTheNeck(body, 6),
   );
-  return {...stand, grain: lengthwise};
 }
 
 /** @param seamLength of the upper edge of the stand, in cm */

@@ -27,7 +27,7 @@ import {
   type Curve,
   type Point,
 } from './geometry.js';
-import {edge, lengthwise, pairOf, symmetricPanel, type Panel} from './panel.js';
+import {edge, pairOf, symmetricPanel, type Panel} from './panel.js';
 import {armholeLengths, hungSleeve, taperedSleeve} from './sleeve.js';
 
 /** What is pleated into each centimetre of cuff. */
@@ -224,7 +224,6 @@ export function sleevesAndCuffs(body: Body, cut: Cut): readonly Panel[] {
       edge('end back', line(mirror(high), mirror(low))),
     ],
     hungSleeve(body, tip, cap.height, sleeveLength - cap.height + cuff.height + 4),
-    lengthwise,
   );
   return [...sleeves, ...cuffs];
 }

@@ -13,15 +13,7 @@ import {
   type Curve,
   type Point,
 } from './geometry.js';
-import {
-  edge,
-  lengthwise,
-  symmetricPanel,
-  type Edge,
-  type Panel,
-  type Placement,
-  type Side,
-} from './panel.js';
+import {edge, symmetricPanel, type Edge, type Panel, type Placement, type Side} from './panel.js';
 
 /** The direction of travel at parameter t, as a unit vector. */
 export function heading(seam: Curve, t: number): Point {
@@ -92,7 +84,7 @@ export function bandPanel(
   const lower = strip(low, outward);
   const end = lower.at(-1)?.curve.to ?? low;
   const high = plus(end, [0, height]);
-  const band = symmetricPanel(
+  return symmetricPanel(
     name,
     {
       bottom: edge(middle[0], line(mirror(low), low)),
@@ -102,5 +94,4 @@ export function bandPanel(
     },
     placement,
   );
-  return {...band, grain: lengthwise};
 }

@@ -4,7 +4,6 @@ import type {DartedEdge} from './darts.js';
 import {length, line, moved, plus, type Point} from './geometry.js';
 import {
   edge,
-  lengthwise,
   onBothSides,
   pairOf,
   sew,
@@ -55,7 +54,6 @@ function waistbands(body: Body, front: DartedEdge, back: DartedEdge): readonly [
       translation: [radiusOf(body.waist) + 8, body.waistHeight + 2, end[0] / 2],
       rotation: [0, 90, 0],
     },
-    lengthwise,
   );
 }
 
