@@ -29,6 +29,7 @@ export interface DoneLine {
   readonly metrics?: {readonly fit: number; readonly seed: number};
   readonly failure?: {readonly code: string; readonly message: string};
   readonly milliseconds?: number | null;
+  readonly sha256?: string;
   readonly file: string | null;
 }
 

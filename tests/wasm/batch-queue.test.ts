@@ -5,13 +5,16 @@ import {createServer} from 'node:net';
 import type {AddressInfo} from 'node:net';
 import {dirname} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
-import {fileURLToPath} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 
+import {Queue, QueueEvents} from 'bullmq';
 import * as fc from 'fast-check';
 import {Redis} from 'ioredis';
 import {afterAll, afterEach, beforeAll, describe, expect, it} from 'vitest';
 
 import {has} from '../../web/setup/shell.mjs';
+import {sha256Of} from '../../web/src/model/result-text.js';
+import {packageVersion} from '../../web/src/model/version.js';
 import {Shop, until, type Started} from '../support/batch.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
@@ -161,6 +164,51 @@ describe.skipIf(!has('redis-server'))('a queue (needs redis-server)', () => {
       shop.truth(out).files.filter((file) => !file.includes('.tmp '));
     expect(results('many')).toEqual(results('many-clean'));
     expect(shop.truth('many').lines).toEqual(shop.truth('many-clean').lines);
+  });
+
+  it('does nothing that a stranger has put there', async () => {
+    shop.writeJobs('public.ndjson', seeds(1));
+    const words = ['--out', 'public', '--queue', queue(3), '--workers', '1'];
+    expect((await shop.run('batch', 'public.ndjson', ...words)).code).toBe(0);
+    const id = shop.read('public', 'queue-id');
+    const file = (path: string) => ({
+      address: pathToFileURL(shop.at(path)).href,
+      sha256: sha256Of(shop.read(path)),
+    });
+    const [garment, print] = [file('strips-8.json'), file('checks.json')];
+    const genuine = {
+      label: {name: null, garment: 'g', print: 'p', size: null},
+      ...{garment: garment.address, print: print.address},
+      ...{symmetry: 'auto', method: 'best', options: {}, seed: 9},
+      ...{garmentSha256: garment.sha256, printSha256: print.sha256},
+    };
+    const strange = [
+      {...genuine, key: '../../../outside'},
+      {...genuine, key: '0'.repeat(64)},
+      {...genuine, key: 7},
+      {key: '1'.repeat(64)},
+      null,
+    ];
+    start('--work', ...words);
+    const place = new Queue(`seamwise-${packageVersion}-${id}`, {
+      connection: {host: '127.0.0.1', port, db: 3},
+    });
+    const events = new QueueEvents(place.name, {connection: {host: '127.0.0.1', port, db: 3}});
+    try {
+      await events.waitUntilReady();
+      for (const data of strange) {
+        const added = await place.add('solve', data);
+        const outcome = (await added.waitUntilFinished(events, 20_000)) as {failure: object};
+        expect(outcome.failure).toMatchObject({
+          code: 'bad-line',
+          message: expect.stringMatching(/^What came from the queue is no job: /) as string,
+        });
+      }
+    } finally {
+      await Promise.all([place.close(), events.close()]);
+    }
+    expect(count('public')).toBe(1);
+    expect(existsSync(shop.at('outside.json'))).toBe(false);
   });
 
   it('goes on when the server forgets everything', async () => {

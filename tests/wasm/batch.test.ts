@@ -1,8 +1,10 @@
+import {execFileSync} from 'node:child_process';
 import {appendFileSync, existsSync, mkdirSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {hostname} from 'node:os';
 
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
+import {sha256Of} from '../../web/src/model/result-text.js';
 import {progressText} from '../../web/src/cli/batch/progress.js';
 import {Shop, until, type JobLine} from '../support/batch.js';
 
@@ -18,6 +20,13 @@ const job: JobLine = {garment: 'strips-8.json', print: 'checks.json'};
 /** `count` jobs that differ in their seed. */
 const seeds = (count: number): JobLine[] =>
   Array.from({length: count}, (_, seed) => ({...job, seed}));
+
+/** A job whose options lie in each other so often. */
+const nested = (times: number): string =>
+  JSON.stringify({...job, options: 0}).replace(
+    '0',
+    `${'{"a":'.repeat(times)}0${'}'.repeat(times)}`,
+  );
 
 describe('the result of a job', () => {
   const pins = {left: {angle: 0, translation: [1, 2]}};
@@ -108,6 +117,7 @@ describe('what cannot be solved', () => {
     [{...job, sizes: ['8', '10']}, "'garment' must be a name with {size} in it"],
     [{...job, garment: 'ftp://x/y'}, 'ftp://x/y is not on the web'],
     ['x'.repeat(1_100_000), 'it is too long'],
+    [nested(20_000), 'it is nested too deep'],
   ];
 
   it('is a line of its own that says why, and not the end of the batch', async () => {
@@ -176,6 +186,70 @@ it('mends a record that a crash has torn, or that somebody has lost', async () =
   expect(shop.truth('torn')).toEqual(whole);
 });
 
+it('solves again what a broken disk has left empty or damaged, and puts a sha256 on record', async () => {
+  shop.writeJobs('disk.ndjson', seeds(6));
+  await shop.batch('disk.ndjson', 'disk');
+  const whole = shop.truth('disk');
+  const [empty, half] = shop.done('disk').map(({file}) => file ?? 'none');
+  shop.write(`disk/${empty}`, '');
+  shop.write(`disk/${half}`, shop.read('disk', half ?? '').slice(0, 99));
+  shop.write('disk/done.ndjson', '');
+  expect(await shop.batch('disk.ndjson', 'disk')).toMatchObject({code: 0, err: ''});
+  expect(shop.truth('disk')).toEqual(whole);
+  for (const {file, sha256} of shop.done('disk')) {
+    expect(sha256).toBe(sha256Of(shop.read('disk', file ?? 'none')));
+  }
+});
+
+it('finds on request which results are not those on record, and solves them again', async () => {
+  shop.writeJobs('rot.ndjson', seeds(4));
+  await shop.batch('rot.ndjson', 'rot');
+  const whole = shop.truth('rot');
+  const {file = ''} = shop.done('rot')[2] ?? {};
+  shop.write(`rot/${file}`, shop.read('rot', file ?? '').replace('1', '2'));
+  const {out} = await shop.batch('rot.ndjson', 'rot', '--json');
+  expect(JSON.parse(out)).toMatchObject({now: 0}); // reading all of them would take long
+  const checked = await shop.batch('rot.ndjson', 'rot', '--json', '--check');
+  expect(checked.err).toBe(
+    `note: rot/${file} is not what it was when it was written; it is solved again.\n`,
+  );
+  expect(JSON.parse(checked.out)).toMatchObject({done: 4, now: 1});
+  expect(shop.truth('rot')).toEqual(whole);
+});
+
+it('ends a job that takes too long, records it, and tries it again on request only', async () => {
+  const samples = new URL('../../public/', import.meta.url).href;
+  const endless = {
+    garment: `${samples}garments/patchwork-jacket-m.json`,
+    print: `${samples}prints/p1.json`,
+    options: {proof: 1_000_000},
+    name: 'endless',
+  };
+  shop.writeJobs('endless.ndjson', [endless, ...seeds(3)]);
+  const words = ['batch', 'endless.ndjson', '--out', 'endless', '--workers', '1', '--json'];
+  const tries = [
+    [['--job-timeout', '4'], 4],
+    [[], 0],
+    [['--job-timeout', '4', '--retry-timeouts'], 1],
+  ] as const;
+  for (const [more, now] of tries) {
+    const {code, out} = await shop.run(...words, ...more);
+    expect(code).toBe(1);
+    expect(JSON.parse(out)).toMatchObject({done: 3, failed: 1, now});
+    const {failure, file} = shop.done('endless').find(({name}) => name === 'endless') ?? {};
+    expect(failure).toMatchObject({code: 'timeout'});
+    expect(failure?.message).toMatch(/^The job was not done within 4 s; .*--retry-timeouts\.$/);
+    expect(JSON.parse(shop.read('endless', file ?? ''))).toEqual(failure);
+  }
+});
+
+it('does not wait for a pipe that nobody writes into', async () => {
+  execFileSync('mkfifo', [shop.at('pipe.json')]);
+  shop.writeJobs('pipe.ndjson', [{...job, garment: 'pipe.json'}]);
+  expect((await shop.batch('pipe.ndjson', 'pipe')).code).toBe(1);
+  expect(shop.done('pipe')[0]?.failure?.message).toMatch(/pipe\.json is a pipe, which can be read/);
+});
+
 describe('two batches', () => {
   it('do not get into one folder', async () => {
     shop.writeJobs('many.ndjson', seeds(5000));
@@ -208,6 +282,17 @@ describe('two batches', () => {
     expect(err).toContain('remove far/batch.lock');
     shop.write('far/batch.lock', lock(hostname())); // no process has that number
     expect((await shop.batch('few.ndjson', 'far')).code).toBe(0);
+  });
+
+  it('are not stopped by a damaged lock without a word about which file that is', async () => {
+    mkdirSync(shop.at('torn-lock'));
+    shop.write('torn-lock/batch.lock', '{"host":');
+    shop.writeJobs('few.ndjson', seeds(3));
+    const {code, err} = await shop.batch('few.ndjson', 'torn-lock');
+    expect({code, err}).toEqual({
+      code: 2,
+      err: 'seamwise: torn-lock/batch.lock is damaged; if no other batch is at work in torn-lock, remove that file.\n',
+    });
   });
 
   it('that find the same stale lock let one pass, or at most one', async () => {
@@ -256,6 +341,10 @@ describe('bad input exits with 2 and one sentence', () => {
     'with a folder for jobs': [['results', '--out', 'o'], 'results'],
     'with a file for a folder': [['few.ndjson', '--out', 'checks.json'], 'checks.json is a file'],
     'without workers': [['few.ndjson', '--out', 'o', '--workers', '0'], '--workers'],
+    'with a time limit of a year': [
+      ['few.ndjson', '--out', 'o', '--job-timeout', '31536000'],
+      '--job-timeout is 31536000',
+    ],
     'with work from nowhere': [['--work', '--out', 'o'], '--queue'],
     'with a queue that is none': [['few.ndjson', '--out', 'o', '--queue', 'x'], '--queue is'],
     'with a queue that does not answer': [

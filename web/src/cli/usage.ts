@@ -26,10 +26,13 @@ seamwise batch JOBS.ndjson --out FOLDER [flags]
   Solves every job of a file, one a line, on all cores, and goes on where an earlier run was cut short.
   Results lie in FOLDER/results, and FOLDER/done.ndjson has a line for each job that has ended.
     --workers N                 threads; default one per core
+    --job-timeout SECONDS       ends a job that takes longer, and records it as failed; default 600, 0 for never
+    --retry-timeouts            tries the jobs again that took too long
+    --check                     solves again what is not the result on record any more
     --queue redis://HOST:PORT[/DB]   hands the jobs to a queue, from which others take them, too;
-                                needs the packages bullmq and ioredis
+                                needs the packages bullmq and ioredis, and a private server
     --json                      prints the sum as JSON
-seamwise batch --work --queue redis://HOST:PORT[/DB] --out FOLDER [--workers N]
+seamwise batch --work --queue redis://HOST:PORT[/DB] --out FOLDER [--workers N] [--job-timeout SECONDS]
   Takes jobs from the queue of that folder, which all machines share, until it is interrupted.
 
 seamwise symmetries GARMENT.json [--out FILE.json]

@@ -12,6 +12,20 @@ export function fail(at: string, demand: string): never {
   throw new Malformed(`'${at}' must be ${demand}`);
 }
 
+/** No file of this project's formats comes near it; engines give up some thousands of levels down. */
+const deepest = 100;
+
+/** Whether objects and lists lie in each other deeper than anything that recurses should follow. */
+export function isTooDeep(value: unknown): boolean {
+  let level: readonly unknown[] = [value];
+  for (let depth = 0; depth <= deepest; depth++) {
+    level = level.filter((one) => typeof one === 'object' && one !== null);
+    if (level.length === 0) return false;
+    level = level.flatMap((one) => Object.values(one as object) as unknown[]);
+  }
+  return true;
+}
+
 /** A field of what may be anything; undefined where there is none. */
 export const fieldOf = (value: unknown, name: string | number): unknown =>
   typeof value === 'object' && value !== null ? Reflect.get(value, name) : undefined;

@@ -1,5 +1,5 @@
 /** Files of the project's own that say which version of their format they are written in. */
-import {fieldOf, Malformed, type Read} from './read.js';
+import {fieldOf, isTooDeep, Malformed, type Read} from './read.js';
 
 /** A file that cannot be used. The message is one sentence for people: it names the file and the remedy. */
 export class FileError extends Error {
@@ -39,6 +39,7 @@ export function versionOf(
 /** @throws {FileError} when the text is of another kind, or not a sound one */
 export function readVersioned<T>(text: string, name: string, kind: FileKind<T>): T {
   const file = parsed(text, name, kind);
+  if (isTooDeep(file)) throw new FileError(name, kind.damaged('it is nested too deep'));
   const written = versionOf(file, kind);
   if (written === undefined) throw new FileError(name, kind.otherKind);
   if (written > kind.version) throw new FileError(name, kind.newer(written));

@@ -55,7 +55,7 @@ export async function readAddress(address: URL, limits: ReadingLimits = {}): Pro
   } catch (cause) {
     throw new FileError(address.href, 'names no file of this machine; correct it.', {cause});
   }
-  return readBytes(path);
+  return readBytes(path, inputLimit, limits.signal);
 }
 
 async function fetchBytes(

@@ -1,5 +1,7 @@
 /** Files of this machine as they are read, and what is said when they cannot be. */
-import {open, type FileHandle} from 'node:fs/promises';
+import {closeSync, constants, openSync} from 'node:fs';
+import {open, stat, type FileHandle} from 'node:fs/promises';
+import {Socket} from 'node:net';
 
 import {FileError} from '../model/versioned-file.js';
 
@@ -15,30 +17,53 @@ export const readText = async (path: string, limit?: number): Promise<string> =>
 /** Also drops the mark that some editors put before UTF-8. */
 export const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
 
-/** The bytes of a file, which may be a pipe. @throws {FileError} naming the file and what is wrong */
-export async function readBytes(path: string, limit: number = inputLimit): Promise<Buffer> {
+/**
+ * The bytes of a file, which may be a pipe.
+ * @throws {FileError} naming the file and what is wrong; the signal's reason, when it fires
+ */
+export async function readBytes(
+  path: string,
+  limit: number = inputLimit,
+  signal?: AbortSignal,
+): Promise<Buffer> {
   const tooLarge = () =>
     new FileError(
       path,
       `is larger than ${String(limit / 1e6)} MB, the limit for such a file; choose another.`,
     );
-  let file: FileHandle | undefined;
-  try {
-    file = await open(path, 'r');
-    const {size} = await file.stat();
-    if (size > limit) throw tooLarge();
+  const whole = async (stream: AsyncIterable<Buffer>): Promise<Buffer> => {
     const chunks: Buffer[] = [];
     let length = 0;
-    for await (const chunk of file.createReadStream({autoClose: false}) as AsyncIterable<Buffer>) {
+    for await (const chunk of stream) {
       length += chunk.length;
       if (length > limit) throw tooLarge();
       chunks.push(chunk);
     }
     return Buffer.concat(chunks);
+  };
+  let file: FileHandle | undefined;
+  try {
+    if ((await stat(path)).isFIFO()) return await whole(pipeAt(path, signal));
+    file = await open(path, 'r');
+    const {size} = await file.stat();
+    if (size > limit) throw tooLarge();
+    return await whole(file.createReadStream({autoClose: false}) as AsyncIterable<Buffer>);
   } catch (error) {
+    signal?.throwIfAborted();
     throw fileError(error, path, 'read');
   } finally {
     await file?.close();
+  }
+}
+
+/** A pipe that nobody writes into would hold a thread of Node for ever, and no signal would end that. */
+function pipeAt(path: string, signal: AbortSignal | undefined): AsyncIterable<Buffer> {
+  const fd = openSync(path, constants.O_RDONLY | constants.O_NONBLOCK);
+  try {
+    return new Socket({fd, readable: true, writable: false, ...(signal && {signal})});
+  } catch (error) {
+    closeSync(fd);
+    throw error;
   }
 }
 

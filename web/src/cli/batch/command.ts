@@ -14,12 +14,16 @@ import {Store} from './store.js';
 
 const grammar = {
   files: ['the file of jobs'],
-  valued: ['--out', '--workers', '--queue'],
-  switches: ['--json'],
+  valued: ['--out', '--workers', '--queue', '--job-timeout'],
+  switches: ['--json', '--check', '--retry-timeouts'],
 };
 const workGrammar = {files: [], valued: grammar.valued, switches: ['--work']};
 
 const mostWorkers = 256;
+/** Far more than any garment needs, and less than a night is worth. [s] */
+const usualTimeout = 600;
+/** What timers can hold. [s] */
+const greatestTimeout = 2_000_000;
 /** What a shell reports of a program that was interrupted. */
 const interruptedCode = 130;
 
@@ -47,14 +51,23 @@ function workersOf(args: Arguments): number {
   throw new UsageError(`--workers is ${count}, but must be from ${least} to ${mostWorkers}.`);
 }
 
+function timeoutOf(args: Arguments): number {
+  const timeout = wholeNumber(args, '--job-timeout') ?? usualTimeout;
+  if (timeout <= greatestTimeout) return timeout;
+  throw new UsageError(
+    `--job-timeout is ${timeout}, but must be from 1 to ${greatestTimeout} seconds, or 0 for none.`,
+  );
+}
+
 /** Solves what others hand out, until it is interrupted. */
 async function work(args: Arguments, store: Store, signal: AbortSignal): Promise<void> {
   const url = args.value('--queue');
   if (url === undefined) throw new UsageError('--work belongs to --queue, which is missing.');
   const count = workersOf(args);
+  const timeout = timeoutOf(args);
   await store.open();
   const place = await queueAt(url, store);
-  const worker = new QueueWorker(place, new Threads(store.folder, count), count);
+  const worker = new QueueWorker(place, new Threads(store, count, timeout), count);
   await new Promise<void>((resolve) => {
     if (signal.aborted) resolve();
     signal.addEventListener('abort', () => {
@@ -68,7 +81,7 @@ async function work(args: Arguments, store: Store, signal: AbortSignal): Promise
 async function lead(args: Arguments, store: Store, signal: AbortSignal): Promise<void> {
   const [jobsFile = ''] = args.files;
   const count = workersOf(args);
-  const url = args.value('--queue');
+  const [url, timeout] = [args.value('--queue'), timeoutOf(args)];
   await checkJobs(jobsFile);
   await store.open();
   const unlock = await lockFolder(store.folder);
@@ -77,10 +90,11 @@ async function lead(args: Arguments, store: Store, signal: AbortSignal): Promise
   let tally: Tally;
   try {
     await store.sweep(url !== undefined);
+    if (args.has('--retry-timeouts')) await store.forgetTimeouts();
     const record = new DoneRecord(store);
-    await record.open(await store.ended());
+    await record.open(await store.ended(), args.has('--check') ? checkIn(store) : undefined);
     if (progress.isShown) await progress.expect(jobsFile);
-    const crew = await crewFor(url, store, count);
+    const crew = await crewFor(url, store, count, timeout);
     const leave = () => void crew.close();
     signal.addEventListener('abort', leave);
     if (signal.aborted) leave();
@@ -103,6 +117,16 @@ async function lead(args: Arguments, store: Store, signal: AbortSignal): Promise
   else if (tally.failed > 0) process.exitCode = 1;
 }
 
+/** Looks whether results are still what they were when they were put on record. */
+const checkIn =
+  (store: Store) =>
+  async (key: string, sha256: string): Promise<boolean> => {
+    if (await store.check(key, sha256)) return true;
+    const file = `${store.folder}/${store.fileOf(key, 'done')}`;
+    remark(`${file} is not what it was when it was written; it is solved again.`);
+    return false;
+  };
+
 /** @throws {UsageError}, {FileError} */
 async function checkJobs(path: string): Promise<void> {
   const found = await stat(path).catch((error: unknown) => {
@@ -112,11 +136,16 @@ async function checkJobs(path: string): Promise<void> {
 }
 
 /** Threads of this process; or, with a queue, whoever takes jobs from it, threads of this process among them. */
-async function crewFor(url: string | undefined, store: Store, count: number): Promise<Crew> {
-  if (url === undefined) return new Threads(store.folder, count);
+async function crewFor(
+  url: string | undefined,
+  store: Store,
+  count: number,
+  timeout: number,
+): Promise<Crew> {
+  if (url === undefined) return new Threads(store, count, timeout);
   const place = await queueAt(url, store);
   if (count === 0) return QueueCrew.open(place, store);
-  const worker = new QueueWorker(place, new Threads(store.folder, count), count);
+  const worker = new QueueWorker(place, new Threads(store, count, timeout), count);
   return QueueCrew.open(place, store, worker);
 }
 

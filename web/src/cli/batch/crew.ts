@@ -2,8 +2,9 @@
 import {Piscina} from 'piscina';
 
 import type {KeyedJob} from './jobs.js';
-import {failedFor, type Outcome} from './outcome.js';
+import {failedFor, failureText, type Outcome} from './outcome.js';
 import type {Answer, Task} from './solve-job.js';
+import type {Store} from './store.js';
 
 export interface Crew {
   /** How many jobs may be handed over before the first of them has ended. */
@@ -19,13 +20,22 @@ const farewell = 1000;
 
 export class Threads implements Crew {
   readonly atOnce: number;
-  readonly #folder: string;
+  readonly #store: Store;
+  readonly #timeout: number;
   readonly #pool: Piscina<Task, Answer>;
+  /** Jobs that wait for a thread: the time of a job begins when it has one. */
+  readonly #waiting: (() => void)[] = [];
+  #free: number;
   #closing: Promise<void> | undefined;
 
-  /** @param folder where the results lie */
-  constructor(folder: string, threads: number) {
-    this.#folder = folder;
+  /**
+   * @param store where the results lie
+   * @param timeout a job that takes longer is ended, with its thread; 0 for none [s]
+   */
+  constructor(store: Store, threads: number, timeout: number) {
+    this.#store = store;
+    this.#timeout = timeout;
+    this.#free = threads;
     this.atOnce = 2 * threads;
     this.#pool = new Piscina<Task, Answer>({
       filename: new URL('./solve-job.js', import.meta.url).href,
@@ -36,15 +46,44 @@ export class Threads implements Crew {
   }
 
   async run(job: KeyedJob): Promise<Outcome> {
+    if (this.#free > 0) this.#free -= 1;
+    else await new Promise<void>((resolve) => this.#waiting.push(resolve));
+    try {
+      return await this.#solve(job);
+    } finally {
+      const next = this.#waiting.shift();
+      if (next) next();
+      else this.#free += 1;
+    }
+  }
+
+  async #solve(job: KeyedJob): Promise<Outcome> {
+    const seconds = this.#timeout;
+    const late = new AbortController();
+    const end = () => {
+      if (!this.#closing) late.abort();
+    };
+    const timer = seconds > 0 ? setTimeout(end, 1000 * seconds) : undefined;
     let answer: Answer;
     try {
-      answer = await this.#pool.run({job, folder: this.#folder});
+      answer = await this.#pool.run({job, folder: this.#store.folder}, {signal: late.signal});
     } catch (error) {
+      if (late.signal.aborted) return await this.#ended(job, seconds);
       const why = error instanceof Error ? error.message : String(error);
       return failedFor('internal', `The thread that solved the job broke: ${why}.`);
+    } finally {
+      clearTimeout(timer);
     }
     if (answer.status === 'unwritten') throw new Error(answer.reason);
     return answer;
+  }
+
+  /** A job that took too long has ended: no later run should lose its time with it unasked. */
+  async #ended(job: KeyedJob, seconds: number): Promise<Outcome> {
+    const message = `The job was not done within ${seconds} s; give it more with --job-timeout, and --retry-timeouts.`;
+    const failure = {code: 'timeout', message, piece: null, seam: null} as const;
+    await this.#store.write(job.key, 'failed', failureText(failure));
+    return {status: 'failed', failure, milliseconds: 1000 * seconds, isFinal: true};
   }
 
   close(): Promise<void> {

@@ -1,6 +1,15 @@
 /** Jobs as lines of a file: what is to be solved, and by which key its answer is known. */
 import {FileError} from '../../model/versioned-file.js';
-import {fail, listOf, Malformed, oneOf, shape, text, type Read} from '../../model/read.js';
+import {
+  fail,
+  isTooDeep,
+  listOf,
+  Malformed,
+  oneOf,
+  shape,
+  text,
+  type Read,
+} from '../../model/read.js';
 import {methods, type Method} from '../../model/problem.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {Symmetry} from '../../model/symmetries.js';
@@ -83,6 +92,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) {
     throw new Malformed('it is not an object');
   }
+  if (isTooDeep(value)) throw new Malformed('it is nested too deep');
   const given = fields(value, '');
   const unknown = Object.keys(value).find((name) => !known.includes(name));
   if (unknown !== undefined) {
@@ -128,12 +138,33 @@ export async function keyed(
   sha256At: (address: string) => Promise<string>,
 ): Promise<KeyedJob> {
   const [garmentSha256, printSha256] = [await sha256At(job.garment), await sha256At(job.print)];
-  const {symmetry, method, options, seed} = job;
+  const hashed = {...job, garmentSha256, printSha256};
+  return {...hashed, key: keyOf(hashed)};
+}
+
+/** What the answer of a job depends on, as one sha256. */
+function keyOf(job: Omit<KeyedJob, 'key'>): string {
+  const {garmentSha256, printSha256, symmetry, method, options, seed} = job;
   const content = sorted({
     ...{garment: garmentSha256, print: printSha256},
     ...{symmetry, method, options, seed, solver: packageVersion},
   });
-  return {...job, garmentSha256, printSha256, key: sha256Of(JSON.stringify(content))};
+  return sha256Of(JSON.stringify(content));
+}
+
+const hash = text(/^[\da-f]{64}$/, 'a sha256');
+const wordOrNull: Read<string | null> = (value, at) => (value === null ? null : word(value, at));
+const keyedFields: Read<KeyedJob> = shape({
+  label: shape({name: wordOrNull, garment: word, print: word, size: wordOrNull}),
+  ...{garment: word, print: word, symmetry: symmetryField, method: oneOf(methods)},
+  ...{options: object, seed: seedField, key: hash, garmentSha256: hash, printSha256: hash},
+});
+
+/** A job as it came from a queue, where others may write, too. @throws {Malformed} unless its key is its own */
+export function checkedJob(value: unknown): KeyedJob {
+  if (isTooDeep(value)) throw new Malformed('it is nested too deep');
+  const job = keyedFields(value, '');
+  return job.key === keyOf(job) ? job : fail('key', "the sha256 of the job's content");
 }
 
 /** With the fields of all objects in one order. */

@@ -3,6 +3,7 @@ import {randomUUID} from 'node:crypto';
 import {link, readFile, rename, rm, writeFile} from 'node:fs/promises';
 import {hostname} from 'node:os';
 
+import {fieldOf} from '../../model/read.js';
 import {UsageError} from '../arguments.js';
 
 interface Owner {
@@ -39,7 +40,12 @@ async function removeStale(file: string, folder: string): Promise<void> {
   const aside = `${file}.${randomUUID()}`;
   try {
     const words = await readFile(file, 'utf8');
-    const owner = JSON.parse(words) as Owner;
+    const owner = ownerIn(words);
+    if (owner === undefined) {
+      throw new UsageError(
+        `${file} is damaged; if no other batch is at work in ${folder}, remove that file.`,
+      );
+    }
     if (isAtWork(owner)) {
       throw new UsageError(
         `another batch, process ${owner.process} on ${owner.host}, is at work in ${folder}; wait for its end, or, if it has ended, remove ${file}.`,
@@ -52,6 +58,18 @@ async function removeStale(file: string, folder: string): Promise<void> {
     if (codeOf(error) !== 'ENOENT') throw error;
   } finally {
     await rm(aside, {force: true});
+  }
+}
+
+/** Who wrote the lock; undefined when nobody can tell. */
+function ownerIn(words: string): Owner | undefined {
+  try {
+    const owner: unknown = JSON.parse(words);
+    const [host, number] = [fieldOf(owner, 'host'), fieldOf(owner, 'process')];
+    const isSound = typeof host === 'string' && Number.isSafeInteger(number);
+    return isSound ? {host, process: Number(number)} : undefined;
+  } catch {
+    return undefined;
   }
 }
 

@@ -16,7 +16,13 @@ export interface JobFailure extends Omit<Failure, 'code'> {
 
 /** How a job ended. `milliseconds` are null when it is not known any more how long it took. */
 export type Outcome =
-  | {readonly status: 'done'; readonly metrics: Figures; readonly milliseconds: number | null}
+  | {
+      readonly status: 'done';
+      readonly metrics: Figures;
+      /** Of the result's file. */
+      readonly sha256: string;
+      readonly milliseconds: number | null;
+    }
   | {
       readonly status: 'failed';
       readonly failure: JobFailure;
@@ -24,6 +30,9 @@ export type Outcome =
       /** The solver's last word: another try would end in the same way. */
       readonly isFinal: boolean;
     };
+
+/** What stands in the file of a job that failed for good. */
+export const failureText = (failure: JobFailure): string => `${JSON.stringify(failure)}\n`;
 
 /** A failure that is none of the solver's, and that may not come again. */
 export const failedFor = (code: JobFailure['code'], message: string): Outcome => ({

@@ -10,7 +10,7 @@ import type {Redis} from 'ioredis';
 import {packageVersion} from '../../model/version.js';
 import {UsageError} from '../arguments.js';
 import type {Crew, Threads} from './crew.js';
-import type {KeyedJob} from './jobs.js';
+import {checkedJob, complaintAbout, type KeyedJob} from './jobs.js';
 import {failedFor, type Outcome} from './outcome.js';
 import type {Store} from './store.js';
 
@@ -104,7 +104,7 @@ export class QueueWorker {
     this.#threads = threads;
     this.#client = connection(packages, url);
     const solve = async ({data}: QueuedJob<KeyedJob, Outcome>) => {
-      const outcome = await threads.run(data);
+      const outcome = await this.#outcome(data);
       if (!this.#isClosing || outcome.status === 'done' || outcome.isFinal) return outcome;
       return new Promise<never>(() => undefined); // it was called off, and is left to others
     };
@@ -115,6 +115,18 @@ export class QueueWorker {
       ...{removeOnComplete: {count: 0}, removeOnFail: {count: 0}},
     });
     this.#worker.on('error', ignore); // the connection comes back, or the lock passes to another worker
+  }
+
+  async #outcome(data: unknown): Promise<Outcome> {
+    let job: KeyedJob;
+    try {
+      job = checkedJob(data);
+    } catch (error) {
+      const complaint = complaintAbout(error);
+      if (complaint === undefined) throw error;
+      return failedFor('bad-line', `What came from the queue is no job: ${complaint}.`);
+    }
+    return this.#threads.run(job);
   }
 
   /** Within about a second. What is left undone is taken up by others. */

@@ -29,13 +29,17 @@ export class DoneRecord {
   /**
    * Keeps the lines of an earlier run whose jobs have ended. A line that a crash tore goes, and so does that
    * of a job without a file, which is tried again. @throws {FileError}
+   * @param isSound asked of each job that has ended well, with the sha256 on record
    */
-  async open(ended: ReadonlyMap<string, Status>): Promise<void> {
+  async open(
+    ended: ReadonlyMap<string, Status>,
+    isSound: (key: string, sha256: string) => Promise<boolean> = () => Promise.resolve(true),
+  ): Promise<void> {
     const draft = `${this.#path}.tmp`;
     try {
       const earlier = await open(this.#path, 'a'); // so that there is one to read
       await earlier.close();
-      await pipeline(() => this.#kept(ended), createWriteStream(draft, {flush: true}));
+      await pipeline(() => this.#kept(ended, isSound), createWriteStream(draft, {flush: true}));
       await rename(draft, this.#path);
       this.#file = await open(this.#path, 'a');
     } catch (error) {
@@ -45,11 +49,16 @@ export class DoneRecord {
     }
   }
 
-  async *#kept(ended: ReadonlyMap<string, Status>): AsyncGenerator<string> {
+  async *#kept(
+    ended: ReadonlyMap<string, Status>,
+    isSound: (key: string, sha256: string) => Promise<boolean>,
+  ): AsyncGenerator<string> {
     for await (const {text, isWhole} of linesOf(this.#path)) {
       const line = text === undefined || !isWhole ? undefined : parsed(text);
       const key = fieldOf(line, 'key');
       if (typeof key !== 'string' || ended.get(key) !== fieldOf(line, 'status')) continue;
+      const sha256 = fieldOf(line, 'sha256');
+      if (typeof sha256 === 'string' && !(await isSound(key, sha256))) continue;
       this.#count(key, line as Label);
       yield `${text ?? ''}\n`;
     }
@@ -75,7 +84,9 @@ export class DoneRecord {
     const isFiled = status === 'done' || outcome.isFinal;
     return this.#append({
       ...{key, ...label, status},
-      ...(status === 'done' ? {metrics: outcome.metrics} : {failure: outcome.failure}),
+      ...(status === 'done'
+        ? {metrics: outcome.metrics, sha256: outcome.sha256}
+        : {failure: outcome.failure}),
       milliseconds,
       file: isFiled ? this.#store.fileOf(key, status) : null,
     });

@@ -1,9 +1,11 @@
 /** A batch: every job of a file, those in front while the ones behind them are not even read. */
-import {pathToFileURL} from 'node:url';
+import {stat} from 'node:fs/promises';
 import {basename, resolve} from 'node:path';
+import {pathToFileURL} from 'node:url';
 
 import {sha256Of} from '../../model/result-text.js';
-import {addressOf, readAddress} from '../../node/addresses.js';
+import {FileError} from '../../model/versioned-file.js';
+import {addressOf, calledAs, readAddress} from '../../node/addresses.js';
 import type {Crew} from './crew.js';
 import {complaintAbout, jobsOf, keyed, type Job, type KeyedJob} from './jobs.js';
 import {linesOf} from './lines.js';
@@ -134,9 +136,18 @@ class BatchRun {
   #sha256At(address: string): Promise<string> {
     const known = this.#hashes.get(address);
     if (known) return known;
-    const reading = readAddress(addressOf(address), {signal: this.#batch.signal}).then(sha256Of);
+    const reading = this.#bytesAt(addressOf(address)).then(sha256Of);
     this.#hashes.set(address, reading);
     return reading;
+  }
+
+  async #bytesAt(address: URL): Promise<Uint8Array> {
+    const path = calledAs(address);
+    const found = address.protocol === 'file:' ? await stat(path).catch(() => null) : null;
+    if (found?.isFIFO()) {
+      throw new FileError(path, 'is a pipe, which can be read only once; name a file.');
+    }
+    return readAddress(address, {signal: this.#batch.signal});
   }
 
   async #outcome(job: KeyedJob): Promise<Outcome> {

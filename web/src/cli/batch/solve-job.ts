@@ -6,7 +6,7 @@ import {addressOf, readAddress} from '../../node/addresses.js';
 import {textOf} from '../../node/files.js';
 import {solve} from '../../node/index.js';
 import type {KeyedJob} from './jobs.js';
-import {failedFor, figuresOf, type Outcome} from './outcome.js';
+import {failedFor, failureText, figuresOf, type Outcome} from './outcome.js';
 import {Store} from './store.js';
 
 export interface Task {
@@ -52,8 +52,9 @@ async function solved(job: KeyedJob): Promise<Solved> {
       },
       {names: {garment: label.garment, print: label.print}},
     );
-    const metrics = figuresOf(result);
-    return {outcome: {status: 'done', metrics, milliseconds: null}, text: resultText(result)};
+    const text = resultText(result);
+    const figures = {metrics: figuresOf(result), sha256: sha256Of(text)};
+    return {outcome: {status: 'done', ...figures, milliseconds: null}, text};
   } catch (error) {
     if (error instanceof SolverError) return refused(error);
     if (error instanceof FileError) return {outcome: failedFor('not-found', error.message)};
@@ -66,7 +67,7 @@ function refused({code, message, piece, seam}: SolverError): Solved {
   if (code === 'internal' || code === 'no-wasm') return {outcome: failedFor(code, message)};
   const failure = {code, message, piece, seam};
   const outcome: Outcome = {status: 'failed', failure, milliseconds: null, isFinal: true};
-  return {outcome, text: `${JSON.stringify(failure)}\n`};
+  return {outcome, text: failureText(failure)};
 }
 
 /** Files that were read last, by their sha256: jobs come garment by garment, and print by print. */

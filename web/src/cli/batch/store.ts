@@ -5,6 +5,8 @@
 import {mkdir, readdir, readFile, rm, stat} from 'node:fs/promises';
 import {join} from 'node:path';
 
+import {fieldOf} from '../../model/read.js';
+import {sha256Of} from '../../model/result-text.js';
 import type {SolveResult} from '../../model/result.js';
 import {fileError} from '../../node/files.js';
 import {UsageError} from '../arguments.js';
@@ -14,6 +16,16 @@ import {figuresOf, type JobFailure, type Outcome} from './outcome.js';
 export type Status = Outcome['status'];
 
 const kinds: Readonly<Record<Status, string>> = {done: 'results', failed: 'failures'};
+
+const isKey = (word: string): boolean => /^[\da-f]{64}$/.test(word);
+
+function parsed(text: string | undefined): unknown {
+  try {
+    return text === undefined ? undefined : JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
 
 /** A draft older than this was left behind by a process that was killed. [ms] */
 const greatestDraftAge = 60_000;
@@ -43,31 +55,67 @@ export class Store {
 
   /** Where the file of a job lies, counted from the folder. */
   fileOf(key: string, status: Status): string {
+    if (!isKey(key)) throw new Error(`'${key}' is no key of a job.`); // nor part of a path
     return `${kinds[status]}/${key}.json`;
   }
 
-  /** Every job that has ended. */
+  /** Every job that has ended. An empty file, as some broken disks leave them, is no end. */
   async ended(): Promise<Map<string, Status>> {
     const found = new Map<string, Status>();
     for (const status of ['failed', 'done'] as const) {
-      for (const name of await readdir(join(this.folder, kinds[status]))) {
-        if (/^[\da-f]{64}\.json$/.test(name)) found.set(name.slice(0, 64), status);
+      const keys = await this.#keys(status);
+      for (let k = 0; k < keys.length; k += 100) {
+        const some = keys.slice(k, k + 100);
+        const sizes = await Promise.all(some.map((key) => this.#size(key, status)));
+        for (const [n, key] of some.entries()) if (sizes[n] !== 0) found.set(key, status);
       }
     }
     return found;
   }
 
-  /** How a job ended; undefined when it has not. */
-  async outcome(key: string): Promise<Outcome | undefined> {
-    const result = await this.#read(key, 'done');
-    if (result !== undefined) {
-      const metrics = figuresOf(JSON.parse(result) as SolveResult);
-      return {status: 'done', metrics, milliseconds: null};
+  async #keys(status: Status): Promise<readonly string[]> {
+    const names = await readdir(join(this.folder, kinds[status]));
+    return names
+      .filter((name) => name.endsWith('.json') && isKey(name.slice(0, -5)))
+      .map((name) => name.slice(0, -5));
+  }
+
+  async #size(key: string, status: Status): Promise<number> {
+    return (await stat(join(this.folder, this.fileOf(key, status)))).size;
+  }
+
+  /** Lets jobs be tried again that took too long. */
+  async forgetTimeouts(): Promise<void> {
+    for (const key of await this.#keys('failed')) {
+      const outcome = await this.outcome(key);
+      if (outcome?.status === 'failed' && outcome.failure.code === 'timeout') {
+        await rm(join(this.folder, this.fileOf(key, 'failed')), {force: true});
+      }
     }
-    const record = await this.#read(key, 'failed');
-    if (record === undefined) return undefined;
-    const failure = JSON.parse(record) as JobFailure;
-    return {status: 'failed', failure, milliseconds: null, isFinal: true};
+  }
+
+  /** Whether the result of a job is what it was; if not, it goes, and the job is solved again. */
+  async check(key: string, sha256: string): Promise<boolean> {
+    const result = await this.#read(key, 'done');
+    if (result !== undefined && sha256Of(result) === sha256) return true;
+    await rm(join(this.folder, this.fileOf(key, 'done')), {force: true});
+    return false;
+  }
+
+  /** How a job ended; undefined when it has not, or when its file is damaged: it is solved again then. */
+  async outcome(key: string): Promise<Outcome | undefined> {
+    const text = await this.#read(key, 'done');
+    const result = parsed(text);
+    if (text !== undefined && typeof fieldOf(result, 'metrics') === 'object') {
+      const metrics = figuresOf(result as SolveResult);
+      return {status: 'done', metrics, sha256: sha256Of(text), milliseconds: null};
+    }
+    const failure = parsed(await this.#read(key, 'failed'));
+    if (typeof fieldOf(failure, 'code') !== 'string') return undefined;
+    return {
+      ...{status: 'failed', failure: failure as JobFailure},
+      ...{milliseconds: null, isFinal: true},
+    };
   }
 
   async #read(key: string, status: Status): Promise<string | undefined> {
