@@ -48,7 +48,7 @@ const alongSeam = (page: Page, scene: PatternScene, piece: number): Promise<Colo
     Array.from({length: 41}, (_, k): Point => [piece === 0 ? 4 : 0, 0.5 + k / 40]), // below what marks the middle
   );
 
-it('draws seams green and whole where the print meets, red, wider and broken where by chance only', async () => {
+it('draws seams green and whole where the print meets, red, wider and broken where it misses by far', async () => {
   const page = await openPage();
   const scene = twoSquares();
   await show(page, scene);

@@ -6,7 +6,15 @@ import type {SeamRow} from '../../web/src/element/lists/rows.js';
 
 const row = (seam: number, after: number, counts = true): SeamRow => ({
   ...{seam, name: '', between: undefined, sides: ['', ''], length: 1, before: 0, after},
-  ...{worst: 0, severity: 0, kind: 'continuous', weight: 1, ownWeight: 1, matched: true},
+  ...{
+    worst: 0,
+    drift: undefined,
+    severity: 0,
+    kind: 'continuous',
+    weight: 1,
+    ownWeight: 1,
+    matched: true,
+  },
   ...{canMatch: true, counts},
 });
 /** By mismatch: 2, 0, 1; seam 3 does not count. */

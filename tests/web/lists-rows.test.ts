@@ -133,6 +133,16 @@ describe('the text of a seam', () => {
     ]);
   });
 
+  it('tells where the print runs off along the seam', () => {
+    const row = {...seams({high: [2, 0.2]})[0], drift: {start: 0.1, end: 4, most: 4.2}};
+    const other = {...row, drift: {start: 1, end: 2, most: 2.5}};
+    const texts = [row, other].map((one) => seamText(one as SeamRow, en, format));
+    expect(texts.map((text) => text.split(', ').slice(4).join(', '))).toEqual([
+      'meets at one end, 40 mm off at the other',
+      'followed all along, up to 25 mm off',
+    ]);
+  });
+
   it('says that a seam is not counted in place of its kind', () => {
     const pattern = squarePair();
     const off = {...pattern, seams: pattern.seams.map((one) => ({...one, matched: false}))};
@@ -145,7 +155,15 @@ describe('the text of a seam', () => {
 it('finds the worst of the seams that count', () => {
   const row = (number: number, after: number, counts = true): SeamRow => ({
     ...{seam: number, name: '', between: undefined, sides: ['', ''], length: 1, before: 0, after},
-    ...{worst: 0, severity: 0, kind: 'continuous', weight: 1, ownWeight: 1, matched: true},
+    ...{
+      worst: 0,
+      drift: undefined,
+      severity: 0,
+      kind: 'continuous',
+      weight: 1,
+      ownWeight: 1,
+      matched: true,
+    },
     ...{canMatch: true, counts},
   });
   const rows = [row(0, 1), row(1, 3), row(2, 9, false), row(3, 2)];

@@ -2,9 +2,9 @@ import {describe, expect, it} from 'vitest';
 
 import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import type {ResultSymmetry, SolveResult} from '../../web/src/model/result.js';
-import {mismatchColour, mismatchDash, mismatchWidth} from '../../web/src/picture/colours.js';
+import {mismatchLine} from '../../web/src/picture/colours.js';
 import {drawResult} from '../../web/src/picture/draw-result.js';
-import {fitOf, seamFitOf} from '../../web/src/picture/fit.js';
+import {driftOf, finalFit, fitOf, meanOf, seamFitOf, worstOf} from '../../web/src/picture/fit.js';
 import {
   plainMetrics,
   plainPrint as print,
@@ -71,6 +71,46 @@ describe('the fit of a result', () => {
   });
 });
 
+describe('the figures of a result', () => {
+  /** Two squares joined by two seams of 4 cm and a third of 8 cm, which miss by 1, 2 and 0.25 cm. */
+  const three = (): SolveResult => {
+    const [seam] = squarePair().seams;
+    if (!seam) throw new Error('no seam');
+    const long: Point[] = [
+      [0, 0],
+      [8, 0],
+    ];
+    const strips = [0, 0.25, 0, 1, 0, 2].map((high, k) =>
+      squarePiece(`strip ${k}`, {
+        shape: k < 2 ? long : long.map(([x, y]): Point => [x / 2, y]),
+        alignment: {angle: 0, translation: [0, high]},
+      }),
+    );
+    const seams = [0, 2, 4].map((piece) => ({
+      ...seam,
+      a: {piece, vertices: [0, 1]},
+      b: {piece: piece + 1, vertices: [0, 1]},
+    }));
+    return {...twoSquares(runsOn), pieces: strips, seams};
+  };
+
+  it('are a mean of the seams by their lengths, which no worst seam is below', () => {
+    const fit = finalFit(three());
+    expect(fit.seams.map(meanOf)).toEqual(
+      [0.25, 1, 2].map((cm): unknown => expect.closeTo(cm, 12)),
+    );
+    expect(fit.mean).toBeCloseTo((8 * 0.25 + 4 * 1 + 4 * 2) / 16, 12);
+    expect(worstOf(fit)).toEqual({seam: 2, mean: expect.closeTo(2, 12) as number});
+  });
+
+  it('leave out what does not count', () => {
+    const result = three();
+    const seams = result.seams.map((seam, k) => ({...seam, matched: k !== 2}));
+    expect(worstOf(finalFit({...result, seams}))?.seam).toBe(1);
+    expect(worstOf(finalFit({...result, seams: []}))).toBeUndefined();
+  });
+});
+
 describe('the fit with one symmetry of the print per seam', () => {
   /** The seam of two squares in two edges of 2 cm; the second edge of the right side is `off` to the right. */
   function twoEdges(group: 'p1' | 'pm', off: number): SolveResult {
@@ -108,6 +148,18 @@ describe('the fit with one symmetry of the print per seam', () => {
     const [seam] = seamFitOf(result, 'shape', alignments(result)).seams;
     expect(seam?.mismatch[0]).toBeCloseTo(10, 12);
     expect(seam?.mismatch[1]).toBeCloseTo(0, 12); // that edge is the longer one
+  });
+
+  it('tells where the print runs off along the seam', () => {
+    const result = twoEdges('p1', 10);
+    const [local] = fitOf(result, 'shape', alignments(result)).seams;
+    const [whole] = seamFitOf(result, 'shape', alignments(result)).seams;
+    if (!local || !whole) throw new Error('no seam');
+    const drift = driftOf(local, whole);
+    expect(drift?.start).toBeCloseTo(10, 12);
+    expect(drift?.end).toBeCloseTo(0, 12);
+    expect(drift?.most).toBeCloseTo(10, 12);
+    expect(driftOf(whole, whole)).toBeUndefined();
   });
 
   it('tells whether the print runs on or is mirrored', () => {
@@ -171,20 +223,49 @@ describe('the picture', () => {
   it('says the figures in words', () => {
     expect(svg).toMatch(/<desc>Mean print mismatch along seams [\d.]+ mm before, [\d.]+ mm after/);
   });
+
+  it('has the same figures as everything else that shows the result', () => {
+    const {mean} = finalFit(result);
+    expect(svg).toContain(`→ ${(10 * mean).toFixed(1)} mm`);
+    expect(svg).toContain(`worst seam ${(10 * mean).toFixed(1)} mm`); // of one
+  });
+
+  it('shows the pieces before as the result says that they were drafted', () => {
+    const drafted: Alignment[] = [
+      {angle: 0, translation: [0, 0]},
+      {angle: 0, translation: [-4, 1]},
+    ];
+    const before = drawResult({...result, drafted}, {...print, tile: '<svg/>'});
+    expect(before).toContain('seams 10.0 mm before');
+  });
 });
 
-it('colours from green at 0 to red at 2 cm and beyond, and thickens', () => {
-  expect(mismatchColour(0)).toBe('#2b9358');
-  expect(mismatchColour(2)).toBe('#c83028');
-  expect(mismatchColour(7)).toBe(mismatchColour(2));
-  expect(mismatchWidth(2)).toBeGreaterThan(mismatchWidth(0));
-});
+describe('the line along a seam', () => {
+  const increase = (values: readonly number[]): void => {
+    expect(values).toEqual([...new Set(values)].toSorted((a, b) => a - b));
+  };
 
-it('breaks a line where the print does not meet, with gaps that grow', () => {
-  expect(mismatchDash(0)).toBeUndefined();
-  expect(mismatchDash(0.3)).toBeUndefined();
-  const gaps = [0.6, 1.2, 2].map((cm) => mismatchDash(cm)?.[1] ?? 0);
-  expect(gaps).toEqual(gaps.toSorted((a, b) => a - b));
-  expect(new Set(gaps).size).toBe(3);
-  expect(gaps[0]).toBeGreaterThan(mismatchWidth(2)); // round caps do not close it
+  it('has steps at 1, 3 and 6 mm, whatever the print', () => {
+    const at = [0, 0.1, 0.101, 0.3, 0.301, 0.6, 0.601, 7].map((cm) => mismatchLine(cm).colour);
+    expect(new Set(at).size).toBe(4);
+    for (const k of [0, 2, 4, 6]) expect(at[k]).toBe(at[k + 1]);
+    expect([at[0], at[7]]).toEqual(['#2b9358', '#c83028']);
+  });
+
+  it('is told apart by its width and its gaps, too', () => {
+    const lines = [0.05, 0.2, 0.5, 2].map((cm) => mismatchLine(cm));
+    increase(lines.map(({width}) => width));
+    expect(lines[0]?.dash).toBeUndefined();
+    increase(lines.map(({width, dash}) => (dash ? dash[1] - width : 0))); // round caps close none
+  });
+
+  it('goes from green at 0 to red at 2 cm and beyond on the scale of the paper', () => {
+    const lines = [0, 0.3, 0.6, 1.2, 2].map((cm) => mismatchLine(cm, 'paper'));
+    expect(lines[0]?.colour).toBe('#2b9358');
+    expect(lines[1]?.dash).toBeUndefined();
+    expect(lines[4]?.colour).toBe('#c83028');
+    expect(mismatchLine(7, 'paper')).toEqual(lines[4]);
+    increase(lines.map(({width}) => width));
+    increase(lines.slice(2).map(({dash}) => dash?.[1] ?? 0));
+  });
 });

@@ -5,7 +5,6 @@ import type {Print} from '../../web/src/model/print.js';
 import type {Pattern} from '../../web/src/model/result.js';
 import {apply} from '../../web/src/model/wallpaper.js';
 import {onPrint} from '../../web/src/picture/fit.js';
-import {chanceMismatch} from '../../web/src/viewer/chance.js';
 import {panelMarks} from '../../web/src/model/garment-marks.js';
 import {imageCoordinates} from '../../web/src/viewer/print-coordinates.js';
 import {
@@ -14,7 +13,6 @@ import {
   realigned,
   reprinted,
   sceneOf,
-  uncut,
 } from '../../web/src/viewer/scene.js';
 import {seamStrokes} from '../../web/src/viewer/strokes.js';
 import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
@@ -54,7 +52,6 @@ describe('a scene', () => {
     });
     const next = reprinted(scene, half);
     expect(next.seams[0]?.mismatch[0]).toBeCloseTo(0, 12);
-    expect(next.chance).toBeCloseTo(scene.chance / 20, 12);
   });
 
   it('knows where and how far a seam misses, and on which pieces there is no print', () => {
@@ -67,17 +64,6 @@ describe('a scene', () => {
     expect(seam?.worst.mismatch).toBeCloseTo(0.5, 12);
     expect(seam?.mean).toBeCloseTo(0.5, 12);
     expect(scene.pieces.map(({plain}) => plain)).toEqual([false, true]);
-  });
-
-  it('shows one length of cloth before anything is aligned', () => {
-    const scene = sceneOf(squarePair(), print);
-    const alignments = uncut(scene);
-    scene.pieces.forEach(({offset}, k) => {
-      const {angle, translation} = alignments[k] ?? {angle: NaN, translation: [NaN, NaN]};
-      expect(angle).toBe(0);
-      expect(translation[0] + offset[0]).toBeCloseTo(0, 12);
-      expect(translation[1] + offset[1]).toBeCloseTo(0, 12);
-    });
   });
 
   it('stays within its size, and no pieces touch, on wide and on narrow screens', () => {
@@ -237,34 +223,23 @@ describe('coordinates in the image of a print', () => {
   });
 });
 
-describe('the mismatch by chance', () => {
-  it('of a square lattice is the mean distance in a square from its centre', () => {
-    // (sqrt 2 + asinh 1) / 6 of the side
-    const mean = (10 * (Math.SQRT2 + Math.asinh(1))) / 6;
-    expect(chanceMismatch(print)).toBeCloseTo(mean, 1);
+describe('the lines along seams', () => {
+  const styleAt = (mismatch: number, scale: 'absolute' | 'paper' = 'absolute'): unknown => {
+    const scene = sceneOf(squarePair(), print, {scale});
+    const seams = scene.seams.map((seam) => ({...seam, mismatch: [mismatch]}));
+    const {styles} = seamStrokes({...scene, seams}, 'light').at(-1) ?? {styles: []};
+    return 'width' in styles ? styles : styles[0];
+  };
+
+  it('are green to 1 mm, and red and as wide as they get above 6 mm, on every print', () => {
+    expect(styleAt(0.1)).toEqual({colour: [43, 147, 88], width: 2.4});
+    expect(styleAt(0.61)).toMatchObject({colour: [200, 48, 40], width: 4.6});
+    expect(styleAt(3)).toEqual(styleAt(0.61));
+    expect(styleAt(0.5)).not.toEqual(styleAt(0.61));
   });
 
-  it('is less for a print with more symmetries', () => {
-    expect(chanceMismatch({...print, group: 'p4m'})).toBeLessThan(chanceMismatch(print) / 1.5);
-  });
-
-  it('is where a seam is drawn red, and as wide as it gets', () => {
-    const scene = sceneOf(squarePair(), print);
-    const styleAt = (mismatch: number): unknown => {
-      const seams = scene.seams.map((seam) => ({...seam, mismatch: [mismatch]}));
-      const {styles} = seamStrokes({...scene, seams}, 'light').at(-1) ?? {styles: []};
-      return 'width' in styles ? styles : styles[0];
-    };
-    expect(styleAt(0)).toEqual({colour: [43, 147, 88], width: 2.4});
-    expect(styleAt(scene.chance)).toMatchObject({colour: [200, 48, 40], width: 4.6});
-    expect(styleAt(2 * scene.chance)).toEqual(styleAt(scene.chance));
-    expect(styleAt(scene.chance / 2)).not.toEqual(styleAt(scene.chance));
-  });
-
-  it('gives way to 2 cm on the scale that is the same for all prints', () => {
-    const scene = sceneOf(squarePair(), print, {scale: 'paper'});
-    const seams = scene.seams.map((seam) => ({...seam, mismatch: [2]}));
-    const styles = seamStrokes({...scene, seams}, 'light').at(-1)?.styles;
-    expect(styles).toMatchObject([{colour: [200, 48, 40], width: 4.6}]);
+  it('are red from 2 cm on the scale of the paper', () => {
+    expect(styleAt(2, 'paper')).toMatchObject({colour: [200, 48, 40], width: 4.6});
+    expect(styleAt(1.9, 'paper')).not.toEqual(styleAt(2, 'paper'));
   });
 });

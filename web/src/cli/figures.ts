@@ -1,26 +1,27 @@
 import type {SolveResult} from '../model/result.js';
+import {finalFit, fitOf, worstOf} from '../picture/fit.js';
 
-/** How good the placing is that the search found, before anything was deformed. */
-function proof(bound: number): string {
-  if (bound === 1) return 'placing proven best';
-  const above = 100 * (1 / bound - 1);
-  return bound > 0.1
-    ? `placing at most ${above.toFixed(above < 10 ? 1 : 0)} % above the least`
-    : 'placing not improved further';
+const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
+
+/** How far the print misses at the seams: the mean, the worst of their means, and the mean as drafted. */
+function mismatch(result: SolveResult): string[] {
+  const fit = finalFit(result);
+  const worst = worstOf(fit);
+  if (!worst) return ['no seams to match'];
+  const before = result.drafted && fitOf(result, 'rest', result.drafted).mean;
+  return [
+    `seams meet within ${millimetres(fit.mean)} on average, the worst within ${millimetres(worst.mean)}`,
+    ...(before === undefined ? [] : [`before ${millimetres(before)}`]),
+  ];
 }
 
 /** The figures of a result as one line for people. */
-export function figuresLine(name: string, {print, pieces, seams, metrics}: SolveResult): string {
-  const share = (fit: number) =>
-    metrics.fitRandom > 0 ? ` (${((100 * fit) / metrics.fitRandom).toFixed(1)} %)` : '';
+export function figuresLine(name: string, result: SolveResult): string {
+  const {print, pieces, seams, metrics} = result;
   return [
     `${name}: ${String(pieces.length)} pieces, ${String(seams.length)} seams, ${print.group}, ${metrics.method}, seed ${String(metrics.seed)}`,
-    `mismatch random ${metrics.fitRandom.toFixed(1)} cm2`,
-    `aligned ${metrics.fitAligned.toFixed(1)}${share(metrics.fitAligned)}`,
-    ...(metrics.method === 'best' ? [proof(metrics.searchBound)] : []),
-    `deformed ${metrics.fit.toFixed(1)}${share(metrics.fit)}`,
-    `moved at most ${metrics.maxMovedCm.toFixed(2)} cm`,
-    `${String(metrics.iterations)} iterations`,
+    ...mismatch(result),
+    `moved at most ${millimetres(metrics.maxMovedCm)}`,
     `${String(metrics.milliseconds.total)} ms`,
   ].join('; ');
 }

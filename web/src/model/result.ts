@@ -34,9 +34,32 @@ export interface ResultSeam {
   readonly lengthRatio: number;
   /** Whether the print continues across the seam or is mirrored at it. */
   readonly kind: 'continuous' | 'mirrored';
-  /** Print mismatch per seam edge. [cm] */
+  /** Print mismatch per seam edge, by the one symmetry of the print that carries the whole seam: it shows where the print runs off. [cm] */
   readonly mismatch: readonly number[];
+  /** The mean of that. [cm] */
+  readonly whole?: number;
+  readonly local?: LocalMismatch;
+  /** `drafted`: shaping has left the seam as it was. */
+  readonly line?: 'shaped' | 'drafted';
+  /** Why the seam stays above 3 mm; absent where it does not. */
+  readonly why?: SeamReason;
 }
+
+/** Mean mismatch along a seam point by point, each under the symmetry of the print that suits it. [cm] */
+export interface LocalMismatch {
+  /** Of the pieces as drafted, laid on grain. */
+  readonly drafted: number;
+  /** Of the pieces as drafted, under the final alignment. */
+  readonly placed: number;
+  /** Of the result. */
+  readonly final: number;
+}
+
+/**
+ * Why a print does not meet at a seam: the `grain` of its pieces runs across each other; one side is gathered; the
+ * print's `group` has no mirror for it; the repeat's `size`; what `others` of the garment ask for; it is `locked`.
+ */
+export type SeamReason = 'grain' | 'gather' | 'group' | 'size' | 'others' | 'locked';
 
 /** An imposed symmetry, p' = R F p + t with F = diag(-1, 1); `pairs` cover every outline vertex. */
 export type ResultSymmetry =
@@ -79,6 +102,10 @@ export interface Metrics {
   /** As `fit`, but with one symmetry of the print for the whole seam. */
   readonly fitSeam: number;
   readonly maxMovedCm: number;
+  /** By length over the seams that count; `worst` is the greatest mean of a seam of the result. [cm] */
+  readonly localCm?: LocalMismatch & {readonly worst: number};
+  /** How much seam misses by more than 5 mm. [cm] */
+  readonly offCm?: number;
   /** Of the deformation. */
   readonly iterations: number;
   /** Of sparse matrices, the costly part. */
@@ -96,6 +123,8 @@ export interface SolveResult {
   readonly pieces: readonly ResultPiece[];
   readonly seams: readonly ResultSeam[];
   readonly symmetries: readonly ResultSymmetry[];
+  /** The pieces as drafted, laid on grain as one would cut them without a thought for the print: with `rest`, what "before" means. */
+  readonly drafted?: readonly Alignment[];
   /** Each piece's alignment when the alignment search ended. */
   readonly search: readonly Alignment[];
   readonly metrics: Metrics;
@@ -106,13 +135,13 @@ export interface SolveResult {
 /** What there is to draw of a garment: of a result, or of pieces and seams that are not solved yet. */
 export type Pattern = Pick<SolveResult, 'print' | 'pieces' | 'seams' | 'symmetries'>;
 
-/** A piece as drafted and meshed: `shape` is `rest`, and the alignment is that of the file. */
+/** A piece as drafted and meshed: `shape` is `rest`, and it lies on grain as one would cut it without a thought for the print. */
 export interface MeshedPiece extends ResultPiece {
   /** Per outline edge (from outline[k] to outline[k+1]): the number of the panel's edge in the file that it is part of. */
   readonly edges: readonly number[];
 }
 
-/** A garment before it is solved: no piece is turned or moved, no mismatch is measured yet. */
+/** A garment before it is solved: no piece is shaped, no mismatch is measured yet. */
 export interface MeshedPattern extends Pattern {
   readonly pieces: readonly MeshedPiece[];
   /** As in the metrics of a result. [cm2] */

@@ -3,7 +3,7 @@ import type {Alignment, Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {ResultPiece, SeamSide, SolveResult} from '../model/result.js';
 import {clothUnder} from './cloth.js';
-import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
+import {mismatchLine} from './colours.js';
 import type {Fit} from './fit.js';
 import type {Layout} from './layout.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
@@ -28,8 +28,6 @@ export interface Scene {
 
 const outlineColour = '#4a4d52';
 const quiet = '#8d9096';
-/** Mismatch is drawn in steps, so that a seam is a few long strokes. [cm] */
-const step = 0.1;
 
 /** Piece coordinates -> page. */
 function toPage(scene: Scene, piece: number): (p: Point) => Point {
@@ -46,21 +44,24 @@ function body(scene: Scene, piece: ResultPiece, index: number): string {
   return `<path d="${path}" fill="url(#${scene.id}-${index})" fill-rule="evenodd" stroke="${outlineColour}" stroke-width="1" stroke-linejoin="round"/>`;
 }
 
+/** How a line is drawn, as attributes. */
+export function strokeOf(line = mismatchLine(0)): string {
+  const {colour, width, dash} = line;
+  const gaps = dash ? ` stroke-dasharray="${dash.map(short).join(' ')}"` : '';
+  return `stroke="${colour}" stroke-width="${short(width)}"${gaps}`;
+}
+
 /** One side of a seam, as strokes of equal mismatch over a light casing. */
 function seamSide(scene: Scene, side: SeamSide, mismatch: readonly number[]): string {
   const line = pick(scene.result.pieces[side.piece]?.[scene.outline] ?? [], side.vertices).map(
     toPage(scene, side.piece),
   );
-  const level = (k: number): number =>
-    Math.min(worstMismatch, Math.round((mismatch[k] ?? 0) / step) * step);
+  const drawn = mismatch.map((one) => mismatchLine(one)); // one of a few, so that a seam is a few long strokes
   const strokes: string[] = [];
-  for (let from = 0; from < mismatch.length;) {
+  for (let from = 0; from < drawn.length;) {
     let to = from + 1;
-    while (to < mismatch.length && level(to) === level(from)) to++;
-    const d = level(from);
-    strokes.push(
-      `<path d="${polyline(line.slice(from, to + 1))}" stroke="${mismatchColour(d)}" stroke-width="${short(mismatchWidth(d))}"/>`,
-    );
+    while (to < drawn.length && drawn[to] === drawn[from]) to++;
+    strokes.push(`<path d="${polyline(line.slice(from, to + 1))}" ${strokeOf(drawn[from])}/>`);
     from = to;
   }
   return `<path d="${polyline(line)}" stroke="#fff" stroke-opacity="0.9" stroke-width="6"/>${strokes.join('')}`;

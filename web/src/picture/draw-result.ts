@@ -1,20 +1,18 @@
 /** One picture of a result: the pattern on the print before and after, with its figures and a key. */
-import type {Alignment, Point} from '../model/geometry.js';
+import type {Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
 import {clothTile, type PrintWithTile} from './cloth.js';
-import {mismatchColour, mismatchWidth, worstMismatch} from './colours.js';
-import {drawPieces, nameLeading, nameRoom, type Scene} from './draw-pieces.js';
-import {fitOf, type Fit} from './fit.js';
+import {mismatchSteps, stepLines} from './colours.js';
+import {drawPieces, nameLeading, nameRoom, strokeOf, type Scene} from './draw-pieces.js';
+import {finalFit, fitOf, worstOf, type Fit} from './fit.js';
 import {layOutNamed} from './layout.js';
 import {escaped, nameLines, short, text, textWidth} from './svg.js';
 
 export interface PictureOptions {
   /** Headline; the print's group and repeat by default. */
   readonly title?: string;
-  /** Where the pieces lie before; by default on grain on one length of cloth, just as they are laid out in the picture. */
-  readonly before?: readonly Alignment[];
   /** Starts every id in the picture, for pages that hold several. */
   readonly id?: string;
 }
@@ -26,7 +24,6 @@ const ink = '#26282c';
 const soft = '#6a6d73';
 
 const millimetres = (cm: number): string => `${(cm * 10).toFixed(1)} mm`;
-const squared = (cm2: number): string => `${cm2.toFixed(cm2 < 10 ? 1 : 0)} cm²`;
 /** The sides of the cell a maker would name: of the centred cell when the lattice is rhombic. */
 function repeatOf(print: Print): string {
   const cell =
@@ -59,21 +56,19 @@ function heading(y: number, title: string, note: string, fit: Fit): string {
 
 /** What the lines mean, and how long 10 cm are. */
 function legend(y: number, scale: number, result: SolveResult, fit: Fit): string {
-  const length = 180;
+  const length = 64;
   const parts: string[] = [text([margin, y], 'Print mismatch along seams', {size: 13, fill: soft})];
-  for (let k = 0; k < 20; k++) {
-    const d = (worstMismatch * (k + 0.5)) / 20;
-    const h = mismatchWidth(d) * 1.6;
+  stepLines.forEach((line, k) => {
+    const from = margin + k * (length + 12);
+    const bound = mismatchSteps[k];
+    const label = bound === undefined ? 'more' : `to ${(10 * bound).toFixed(0)} mm`;
     parts.push(
-      `<rect x="${short(margin + (k * length) / 20)}" y="${short(y + 16 - h / 2)}" width="${short(length / 20 + 0.4)}" height="${short(h)}" fill="${mismatchColour(d)}"/>`,
+      `<path d="M${from} ${y + 16}h${length}" fill="none" stroke-linecap="round" ${strokeOf(line)}/>`,
+      text([from + length / 2, y + 38], label, {size: 12, fill: soft, anchor: 'middle'}),
     );
-  }
-  ['0', '1', '2 cm'].forEach((label, k) => {
-    const anchor = (['start', 'middle', 'end'] as const)[k] ?? 'end';
-    parts.push(text([margin + (k * length) / 2, y + 38], label, {size: 12, fill: soft, anchor}));
   });
 
-  let x = margin + length + 64;
+  let x = margin + stepLines.length * (length + 12) + 48;
   const entry = (drawing: string, label: string): void => {
     parts.push(
       `<g transform="translate(${x} ${y + 16})">${drawing}</g>`,
@@ -137,13 +132,11 @@ export function drawResult(
   const left = (width - layout.width * scale) / 2;
   const tall = layout.height * scale;
 
-  const asLaidOut = layout.offsets.map(([x, y]): Alignment => ({
-    angle: 0,
-    translation: [0 - x, 0 - y],
-  }));
-  const before = options.before ?? asLaidOut;
+  // files of earlier versions do not say how the pieces lay before: upright, then, on one length of cloth
+  const before = result.drafted ?? result.pieces.map(() => ({angle: 0, translation: [0, 0]}));
   const after = result.pieces.map(({alignment}) => alignment);
-  const fits = {before: fitOf(result, 'rest', before), after: fitOf(result, 'shape', after)};
+  const fits = {before: fitOf(result, 'rest', before), after: finalFit(result)};
+  const worst = worstOf(fits.after)?.mean ?? 0;
 
   const title = options.title ?? `Print ${print.group}`;
   const top = {before: 140, after: 140 + 52 + tall + 20};
@@ -161,7 +154,7 @@ export function drawResult(
     outline: name === 'before' ? 'rest' : 'shape',
     alignments: name === 'before' ? before : after,
   });
-  const summary = `Mean print mismatch along seams ${millimetres(fits.before.mean)} before, ${millimetres(fits.after.mean)} after; fit ${squared(fits.before.total)} before, ${squared(fits.after.total)} after.`;
+  const summary = `Mean print mismatch along seams ${millimetres(fits.before.mean)} before, ${millimetres(fits.after.mean)} after; worst seam ${millimetres(worst)}.`;
 
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" role="img" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif" style="font-variant-numeric: tabular-nums">`,
@@ -184,12 +177,7 @@ export function drawResult(
       'Mean mismatch',
       `${(fits.before.mean * 10).toFixed(1)} → ${millimetres(fits.after.mean)}`,
     ),
-    figure(
-      width - margin - 350,
-      64,
-      'Fit',
-      `${fits.before.total.toFixed(0)} → ${squared(fits.after.total)}`,
-    ),
+    figure(width - margin - 310, 64, 'Worst seam', millimetres(worst)),
     figure(width - margin - 110, 64, 'Largest change', millimetres(result.metrics.maxMovedCm)),
     heading(top.before, 'Before', 'cut on grain, as it comes', fits.before),
     drawPieces(scene('before', [left, top.before + 52]), nameSize),

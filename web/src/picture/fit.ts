@@ -1,4 +1,7 @@
-/** How well a print meets along the seams of a result, under any alignment of its pieces. */
+/**
+ * How well a print meets along the seams of a result, under any alignment of its pieces: point by point, which is
+ * what every figure for people says, and by one symmetry of the print for all of a seam, which tells where it runs off.
+ */
 import type {Alignment, Point} from '../model/geometry.js';
 import type {Pattern, ResultSeam, SeamSide} from '../model/result.js';
 import {
@@ -91,6 +94,42 @@ function edgesOf(
   return {a: middles(seam.a), b: middles(seam.b), lengths};
 }
 
+/** By length. [cm] */
+export function meanOf({mismatch, lengths}: Pick<SeamFit, 'mismatch' | 'lengths'>): number {
+  const length = lengths.reduce((sum, one) => sum + one, 0);
+  const total = mismatch.reduce((sum, one, k) => sum + one * (lengths[k] ?? 0), 0);
+  return length > 0 ? total / length : 0;
+}
+
+/** A seam along which the print does not run on as one: what it misses by at both ends when followed all along. [cm] */
+export interface Drift {
+  readonly start: number;
+  readonly end: number;
+  /** The most anywhere. */
+  readonly most: number;
+}
+
+/** A print that is further off than this along the whole seam than it is point by point has run off. [cm] */
+const leastDrift = 0.3;
+/** What counts as the end of a seam, as a part of its length. */
+const endPart = 0.1;
+
+/** Undefined where following the print along the seam makes no difference. */
+export function driftOf(local: SeamFit, whole: SeamFit): Drift | undefined {
+  if (meanOf(whole) - meanOf(local) <= leastDrift) return undefined;
+  const {mismatch, lengths} = whole;
+  const part = endPart * lengths.reduce((sum, one) => sum + one, 0);
+  const endOf = (step: 1 | -1): number => {
+    const at = (values: readonly number[]): number[] =>
+      step > 0 ? [...values] : values.toReversed();
+    const [some, long] = [at(mismatch), at(lengths)];
+    let way = 0;
+    const count = long.findIndex((one) => (way += one) >= part) + 1;
+    return meanOf({mismatch: some.slice(0, count), lengths: long.slice(0, count)});
+  };
+  return {start: endOf(1), end: endOf(-1), most: Math.max(...mismatch)};
+}
+
 /** Adds the seams up. */
 function summed<S extends SeamFit>(seams: readonly S[]): Fit & {readonly seams: readonly S[]} {
   let [total, length] = [0, 0];
@@ -114,9 +153,9 @@ export function fitOf(
   result: Pattern,
   outline: 'rest' | 'shape',
   alignments: readonly Alignment[],
+  counted: readonly boolean[] = countedSeams(result),
 ): Fit {
   const apart = printDistance(result.print);
-  const counted = countedSeams(result);
   return summed(
     result.seams.map((seam, number) => {
       const {a, b, lengths} = edgesOf(result, seam, outline, alignments);
@@ -127,6 +166,25 @@ export function fitOf(
       };
     }),
   );
+}
+
+/** The fit of a result as it was solved: what the headline and every table say. */
+export const finalFit = (result: Pattern, counted?: readonly boolean[]): Fit =>
+  fitOf(
+    result,
+    'shape',
+    result.pieces.map(({alignment}) => alignment),
+    counted,
+  );
+
+/** The worst seam of those that count: its number and mean. [cm] Undefined where none counts. */
+export function worstOf({seams}: Fit): {readonly seam: number; readonly mean: number} | undefined {
+  return seams
+    .flatMap((fit, seam) => (fit.counts ? [{seam, mean: meanOf(fit)}] : []))
+    .reduce<ReturnType<typeof worstOf>>(
+      (worst, one) => (worst && worst.mean >= one.mean ? worst : one),
+      undefined,
+    );
 }
 
 /** A seam across which one symmetry of the print carries it: what the eye sees. */

@@ -3,11 +3,20 @@ import type {Alignment, Point} from '../model/geometry.js';
 import type {Garment} from '../model/garment.js';
 import type {Print} from '../model/print.js';
 import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
-import {countedSeams, seamFitOf, type JoinedSeam} from '../picture/fit.js';
+import type {MismatchScale} from '../picture/colours.js';
+import {
+  countedSeams,
+  driftOf,
+  fitOf,
+  meanOf,
+  seamFitOf,
+  type Drift,
+  type JoinedSeam,
+  type SeamFit,
+} from '../picture/fit.js';
 import {layOutNamed, type Layout} from '../picture/layout.js';
 import {axisAlong, innermost, isInside, mirrorImage, pick} from '../picture/marks.js';
 import {nameLines, textWidth} from '../picture/svg.js';
-import {chanceMismatch} from './chance.js';
 import {panelMarks, type PanelMarks} from '../model/garment-marks.js';
 import {screenMargin} from './sheet-view.js';
 
@@ -29,15 +38,17 @@ export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b'>, SeamMatch {
   readonly counts: boolean;
 }
 
-/** How the print meets along a seam as the pieces lie in a scene, carried across by one symmetry of the print. */
+/** How the print meets along a seam as the pieces lie in a scene. */
 export interface SeamMatch {
   readonly kind: ResultSeam['kind'];
-  /** Per edge. [cm] */
+  /** Per edge, each under the symmetry of the print that suits it. [cm] */
   readonly mismatch: readonly number[];
   /** The edge where it misses most. [cm] */
   readonly worst: {readonly edge: number; readonly mismatch: number};
   /** By length. [cm] */
   readonly mean: number;
+  /** Where no symmetry of the print carries all of the seam. */
+  readonly drift: Drift | undefined;
 }
 
 /** A place for a letter, in the coordinates of a piece, and how far the outline is from there. */
@@ -60,13 +71,8 @@ export interface PatternScene {
   readonly symmetries: readonly SceneSymmetry[];
   /** The sheet reaches from (0, 0) to here. */
   readonly size: Point;
-  /** Mean mismatch of two random points of the print. [cm] */
-  readonly chance: number;
   readonly scale: MismatchScale;
 }
-
-/** What is drawn as the worst mismatch: what chance would give on this print, or 2 cm on every print. */
-export type MismatchScale = 'chance' | 'paper';
 
 export interface SceneOptions {
   /** Which of a piece's two states. Default `shape`. */
@@ -79,7 +85,7 @@ export interface SceneOptions {
   readonly viewport?: {readonly width: number; readonly height: number};
   /** Names of the pieces that are cut from unprinted cloth. */
   readonly plain?: ReadonlySet<string>;
-  /** Default `chance`. */
+  /** Default `absolute`. */
   readonly scale?: MismatchScale;
 }
 
@@ -201,8 +207,7 @@ export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = 
   );
   const scene: PatternScene = {
     ...{pattern, outline, print, symmetries, size: [width, height]},
-    chance: chanceMismatch(print),
-    scale: options.scale ?? 'chance',
+    scale: options.scale ?? 'absolute',
     pieces: pattern.pieces.map((piece, k) => {
       const {name, triangles, outline: loop, holes, alignment} = piece;
       return {
@@ -222,7 +227,7 @@ export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = 
 function unmatched(pattern: Pattern): readonly SceneSeam[] {
   const counted = countedSeams(pattern);
   return pattern.seams.map(({a, b, kind}, k) => ({
-    ...{a, b, kind, mismatch: [], worst: {edge: 0, mismatch: 0}, mean: 0},
+    ...{a, b, kind, mismatch: [], worst: {edge: 0, mismatch: 0}, mean: 0, drift: undefined},
     counts: counted[k] ?? false,
   }));
 }
@@ -230,25 +235,29 @@ function unmatched(pattern: Pattern): readonly SceneSeam[] {
 /** The same sheet with the pieces lying otherwise on the print. Shares all geometry with `scene`, so that showing it is cheap. */
 export function realigned(scene: PatternScene, alignments: readonly Alignment[]): PatternScene {
   const counted = scene.seams.map(({counts}) => counts);
-  const fit = seamFitOf(scene.pattern, scene.outline, alignments, counted);
+  const {pattern, outline} = scene;
+  const local = fitOf(pattern, outline, alignments, counted).seams;
+  const whole = seamFitOf(pattern, outline, alignments, counted).seams;
   return {
     ...scene,
     pieces: scene.pieces.map((piece, k) => ({
       ...piece,
       alignment: alignments[k] ?? piece.alignment,
     })),
-    seams: scene.seams.map((seam, k) => ({...seam, ...matchOf(fit.seams[k])})),
+    seams: scene.seams.map((seam, k) => ({...seam, ...matchOf(local[k], whole[k])})),
   };
 }
 
-function matchOf(fit: JoinedSeam | undefined): Partial<SeamMatch> {
-  if (!fit) return {};
-  const {kind, mismatch, lengths} = fit;
+function matchOf(local: SeamFit | undefined, whole: JoinedSeam | undefined): SeamMatch | undefined {
+  if (!local || !whole) return undefined;
+  const {mismatch} = local;
   const most = Math.max(0, ...mismatch);
   const worst = {edge: Math.max(0, mismatch.indexOf(most)), mismatch: most};
-  const length = lengths.reduce((sum, one) => sum + one, 0);
-  const sum = mismatch.reduce((all, one, k) => all + one * (lengths[k] ?? 0), 0);
-  return {kind, mismatch, worst, mean: length > 0 ? sum / length : 0};
+  return {
+    ...{kind: whole.kind, mismatch, worst},
+    mean: meanOf(local),
+    drift: driftOf(local, whole),
+  };
 }
 
 /** The same sheet in another print. */
@@ -256,14 +265,10 @@ export function reprinted(scene: PatternScene, print: Print): PatternScene {
   const {group, w1, w2} = print;
   const pattern = {...scene.pattern, print: {group, w1, w2}};
   return realigned(
-    {...scene, pattern, print, chance: chanceMismatch(print)},
+    {...scene, pattern, print},
     scene.pieces.map(({alignment}) => alignment),
   );
 }
-
-/** How the pieces lie on one length of cloth, just as they are laid out: where every garment starts. */
-export const uncut = ({pieces}: Pick<PatternScene, 'pieces'>): readonly Alignment[] =>
-  pieces.map(({offset: [x, y]}) => ({angle: 0, translation: [0 - x, 0 - y]}));
 
 /** Alignments as a solve reports them on its way: angle, x, y per piece. */
 export const alignmentsFrom = (numbers: Float64Array): readonly Alignment[] =>

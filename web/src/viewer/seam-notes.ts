@@ -7,7 +7,7 @@ import {atShare, lineOf, type OnLine} from './seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
 
-/** No more seams than this get a number, and none that misses by less. */
+/** No more seams than this get a number, and none whose mean is less. */
 const mostNumbers = 3;
 const leastNumber = 0.1; // cm
 /** From here on every seam shows its kind. [CSS px per cm] */
@@ -70,8 +70,8 @@ export class SeamNotes {
       for (const stroke of ink) stroke.setAttribute('d', path);
     }
     const worst = scene.seams
-      .filter(({counts, worst: {mismatch}}) => counts && mismatch > leastNumber)
-      .sort((a, b) => b.worst.mismatch - a.worst.mismatch)
+      .filter(({counts, mean}) => counts && mean > leastNumber)
+      .sort((a, b) => b.mean - a.mean)
       .slice(0, mostNumbers);
     const texts = worst.map((seam) => lengthText(seam.worst.mismatch));
     const chips = texts.map((text) => textChip(text, appearance));

@@ -1,6 +1,6 @@
 /** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. */
 import type {Point} from '../model/geometry.js';
-import {mismatchColour, mismatchDash, mismatchWidth, worstMismatch} from '../picture/colours.js';
+import {mismatchLine} from '../picture/colours.js';
 import {pick} from '../picture/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
 import type {PatternScene, ScenePiece, SceneSeam} from './scene.js';
@@ -70,21 +70,19 @@ export function outlineStrokes(scene: PatternScene, appearance: Appearance): rea
   );
 }
 
-/** Green at 0, red at the worst of the scene's scale; the wider and the more broken, the worse. Dotted where it does not count. */
+/** From green to red on the scene's scale; the wider and the more broken, the worse. Dotted where it does not count. */
 function seamStyles(
   {counts, mismatch}: SceneSeam,
-  {scale, chance}: PatternScene,
+  {scale}: PatternScene,
   quiet: Colour,
 ): LineStyle | LineStyle[] {
   if (!counts) return {colour: quiet, width: 2, dash: [0.5, 5]};
-  const worst = scale === 'paper' ? worstMismatch : chance;
   return mismatch.map((one) => {
-    const relative = worst > 0 ? (one / worst) * worstMismatch : 0;
-    const rgb = Number.parseInt(mismatchColour(relative).slice(1), 16);
-    const dash = mismatchDash(relative);
+    const {colour, width, dash} = mismatchLine(one, scale);
+    const rgb = Number.parseInt(colour.slice(1), 16);
     return {
       colour: [rgb >> 16, (rgb >> 8) & 255, rgb & 255],
-      width: mismatchWidth(relative),
+      width,
       ...(dash && {dash}),
     };
   });

@@ -9,7 +9,7 @@ const answers: {readonly [Name in keyof Preferences]: readonly Preferences[Name]
   language: languages,
   theme: ['system', 'light', 'dark'],
   solveAsIGo: [true, false],
-  scale: ['chance', 'paper'],
+  scale: ['absolute', 'paper'],
 };
 
 /** What was stored, as far as it is understood; the rest as the browser says. */

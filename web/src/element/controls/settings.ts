@@ -53,7 +53,7 @@ export class Settings extends DeskElement {
             .checked=${scale === 'paper'}
             @change=${(event: Event) => {
               const {checked} = event.target as HTMLInputElement;
-              this.desk.prefer({scale: checked ? 'paper' : 'chance'});
+              this.desk.prefer({scale: checked ? 'paper' : 'absolute'});
             }}
           />
           ${texts.paperScale}

@@ -3,8 +3,8 @@ import type {Design} from '../../model/design.js';
 import type {Point} from '../../model/geometry.js';
 import type {GrainLock} from '../../model/options.js';
 import type {Pattern, SeamSide} from '../../model/result.js';
-import {worstMismatch} from '../../picture/colours.js';
-import {onPrint} from '../../picture/fit.js';
+import {mismatchSteps, severity} from '../../picture/colours.js';
+import {onPrint, type Drift} from '../../picture/fit.js';
 import {pick} from '../../picture/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../viewer/scene.js';
 import type {Format} from '../texts/format.js';
@@ -45,11 +45,13 @@ export interface SeamRow {
   readonly sides: readonly [string, string];
   /** Mean of both sides, as drafted. [cm] */
   readonly length: number;
-  /** Mean mismatches, with one symmetry of the print for the whole seam. [cm] */
+  /** Mean mismatches, point by point. [cm] */
   readonly before: number;
   readonly after: number;
   /** The worst mismatch of any edge. [cm] */
   readonly worst: number;
+  /** Where the print, followed along the whole seam, runs off. */
+  readonly drift: Drift | undefined;
   /** `after` on the scale of the picture: 0 is perfect, 1 is drawn as the worst. */
   readonly severity: number;
   readonly kind: SceneSeam['kind'];
@@ -88,10 +90,25 @@ export const worstSeams = (rows: readonly SeamRow[], most = rows.length): readon
     .slice(0, most);
 
 /** "Side seam, left, Front to Back, 41 cm, mismatch 2 mm, mirrored" */
-export function seamText(row: SeamRow, {pattern}: Texts, format: Format): string {
+export function seamText(row: SeamRow, texts: Texts, format: Format): string {
+  const {pattern} = texts;
   const name = row.between === undefined ? row.name : `${row.name}, ${row.between}`;
   const kind = row.counts ? pattern[row.kind] : pattern.notCounted;
-  return pattern.seam(name, format.length(row.length), format.fine(row.after), kind);
+  const text = pattern.seam(name, format.length(row.length), format.fine(row.after), kind);
+  const drift = driftText(row, texts, format);
+  return drift === undefined ? text : `${text}, ${drift}`;
+}
+
+/** "meets at one end, 40 mm off at the other" */
+export function driftText(
+  {drift}: Pick<SeamRow, 'drift'>,
+  {lists}: Texts,
+  format: Format,
+): string | undefined {
+  if (!drift) return undefined;
+  const [near, far] = [Math.min(drift.start, drift.end), Math.max(drift.start, drift.end)];
+  const meets = near <= mismatchSteps[1] && far > mismatchSteps[1];
+  return meets ? lists.runsOff(format.fine(far)) : lists.offAlong(format.fine(drift.most));
 }
 
 const fileSeams = lastOf(garmentSeams);
@@ -183,8 +200,7 @@ const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts
   const file = fileSeams(garment.text);
   const names = seamNames(now, file, texts);
   const {lengths} = measures(now.pattern);
-  const worst = now.scale === 'paper' ? worstMismatch : now.chance;
-  return now.seams.map(({a, b, mean, worst: {mismatch}, kind, counts}, seam): SeamRow => {
+  return now.seams.map(({a, b, mean, worst: {mismatch}, drift, kind, counts}, seam): SeamRow => {
     const {sides = ['', ''] as const, name = '', between} = names[seam] ?? {};
     const {weight = 1, matched = true} = file.get(seam) ?? {};
     const canMatch = matched && ![a, b].some(({piece}) => now.pieces[piece]?.plain);
@@ -194,7 +210,8 @@ const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts
       before: before.seams[seam]?.mean ?? 0,
       after: mean,
       worst: mismatch,
-      severity: worst > 0 ? Math.min(1, mean / worst) : 0,
+      drift: counts ? drift : undefined,
+      severity: severity(mean, now.scale),
       weight: options.weights?.[seam] ?? weight,
       ownWeight: weight,
       matched: canMatch && !options.unmatched?.includes(seam),

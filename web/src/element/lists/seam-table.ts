@@ -1,14 +1,14 @@
 /** The seams of a garment: how well the print meets at each, and how much that matters. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import {mismatchColour, worstMismatch} from '../../picture/colours.js';
+import {mismatchLine, type MismatchScale} from '../../picture/colours.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Target} from '../workbench/workbench.js';
 import {matches, matchOf, withMatch} from './choices.js';
 import {listStyle} from './list-style.js';
 import {ListTable, type Column} from './list-table.js';
-import {seamRows, type SeamRow} from './rows.js';
+import {driftText, seamRows, type SeamRow} from './rows.js';
 
 /** What does not count is no match, good or bad. */
 const counted =
@@ -59,15 +59,17 @@ export class SeamTable extends ListTable<SeamRow> {
     const {format} = this;
     const {lists, pattern} = this.texts;
     const {counts, kind, between} = row;
+    const drift = driftText(row, this.texts, format);
     return html`
       <th scope="row" title=${between ?? nothing}>
         ${row.name}
         ${counts ? this.#kind(kind) : html`<span class="soft">(${pattern.notCounted})</span>`}
+        ${drift === undefined ? nothing : html`<span class="soft">${drift}</span>`}
       </th>
       <td class="number">${format.length(row.length)}</td>
       <td class="number soft">${format.fine(row.before)}</td>
       <td class="number" title=${lists.worst(format.fine(row.worst))}>
-        ${format.fine(row.after)} ${counts ? bar(row.severity) : nothing}
+        ${format.fine(row.after)} ${counts ? bar(row, this.desk.preferences.scale) : nothing}
       </td>
       <td>${this.#match(row, tabIndex)}</td>
     `;
@@ -113,8 +115,8 @@ export class SeamTable extends ListTable<SeamRow> {
 }
 
 /** How bad a mismatch is, by length and colour; the number is beside it. */
-const bar = (severity: number): TemplateResult =>
+const bar = ({after, severity}: SeamRow, scale: MismatchScale): TemplateResult =>
   html`<svg class="bar" viewBox="0 0 44 4" preserveAspectRatio="none" aria-hidden="true">
     ${svg`<rect width=${Math.max(2, 44 * severity).toFixed(1)} height="4" rx="2"
-      fill=${mismatchColour(severity * worstMismatch)} />`}
+      fill=${mismatchLine(after, scale).colour} />`}
   </svg>`;

@@ -1,23 +1,33 @@
 /** What the colours along the seams mean. */
 import {css, html, nothing, svg, type TemplateResult} from 'lit';
 
-import {mismatchColour, mismatchDash, mismatchWidth, worstMismatch} from '../../picture/colours.js';
+import {
+  mismatchLine,
+  mismatchSteps,
+  stepLines,
+  worstMismatch,
+  type MismatchLine,
+} from '../../picture/colours.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 
-const steps = 24;
-const width = 96;
-
-/** The line of a seam from perfect to worst, as it is drawn on the pattern. */
-const ramp = Array.from({length: steps}, (_, k) => {
-  const mismatch = (worstMismatch * (k + 0.5)) / steps;
-  const [dash, gap] = mismatchDash(mismatch) ?? [0, 0];
-  const [from, to] = [(k * width) / steps, ((k + 1) * width) / steps];
-  return svg`<path d="M${from} 5H${to + 0.3}" stroke=${mismatchColour(mismatch)}
-    stroke-width=${mismatchWidth(mismatch)}
-    stroke-dasharray=${gap > 0 ? `${dash / 2} ${gap / 2}` : 'none'}
+/** A stretch of a seam's line, as it is drawn on the pattern. [px] */
+const stretch = ({colour, width, dash}: MismatchLine, from: number, to: number) =>
+  svg`<path d="M${from} 5H${to}" stroke=${colour} stroke-width=${width}
+    stroke-dasharray=${dash ? dash.map((part) => part / 2).join(' ') : 'none'}
     stroke-dashoffset=${from} />`;
+
+const rampSteps = 24;
+const rampWidth = 96;
+
+/** From perfect to worst on the scale of the paper. */
+const ramp = Array.from({length: rampSteps}, (_, k) => {
+  const line = mismatchLine((worstMismatch.paper * (k + 0.5)) / rampSteps, 'paper');
+  const to = ((k + 1) * rampWidth) / rampSteps;
+  return stretch(line, (k * rampWidth) / rampSteps, to + 0.3);
 });
+
+const sampleWidth = 26;
 
 export class Legend extends DeskElement {
   static override styles = [
@@ -39,6 +49,12 @@ export class Legend extends DeskElement {
       svg {
         display: block;
       }
+      .step {
+        display: inline-flex;
+        align-items: center;
+        gap: var(--sw-space-1);
+        white-space: nowrap;
+      }
       button {
         min-height: 1.75rem;
         padding: 0 var(--sw-space-2);
@@ -52,14 +68,9 @@ export class Legend extends DeskElement {
     const {legend} = this.texts;
     const {scale} = this.desk.preferences;
     const scene = this.desk.scenes?.now;
-    const chance = scene?.chance ?? 0;
-    const worst = scale === 'paper' ? worstMismatch : chance;
-    const words = scale === 'paper' ? legend.paper : legend.chance;
     return html`
       <span>${legend.title}</span>
-      <span>${legend.none}</span>
-      <svg width=${width} height="10" viewBox="0 0 ${width} 10" aria-hidden="true">${ramp}</svg>
-      <span>${words(this.format.fine(worst))}</span>
+      ${scale === 'paper' ? this.#ramp() : this.#steps()}
       ${
         scene?.seams.some(({counts}) => !counts)
           ? html`<span class="dotted">${legend.notCounted}</span>`
@@ -69,11 +80,35 @@ export class Legend extends DeskElement {
         aria-pressed=${scale === 'paper'}
         title=${legend.asPaperNote}
         @click=${() => {
-          this.desk.prefer({scale: scale === 'paper' ? 'chance' : 'paper'});
+          this.desk.prefer({scale: scale === 'paper' ? 'absolute' : 'paper'});
         }}
       >
         ${legend.asPaper}
       </button>
     `;
+  }
+
+  /** 1 mm, 3 mm, 6 mm and more: each with the line that it is drawn with. */
+  #steps(): TemplateResult[] {
+    const {legend} = this.texts;
+    return stepLines.map((line, k) => {
+      const bound = mismatchSteps[k] ?? mismatchSteps[2];
+      const words = k < mismatchSteps.length ? legend.upTo : legend.over;
+      return html`<span class="step">
+        <svg width=${sampleWidth} height="10" viewBox="0 0 ${sampleWidth} 10" aria-hidden="true">
+          ${stretch(line, 0, sampleWidth)}
+        </svg>
+        ${words(this.format.fine(bound))}
+      </span>`;
+    });
+  }
+
+  #ramp(): TemplateResult {
+    const {legend} = this.texts;
+    return html`<span>${legend.none}</span>
+      <svg width=${rampWidth} height="10" viewBox="0 0 ${rampWidth} 10" aria-hidden="true">
+        ${ramp}
+      </svg>
+      <span>${legend.andMore(this.format.fine(worstMismatch.paper))}</span>`;
   }
 }

@@ -77,7 +77,7 @@ export class PatternPane extends PatternDrawing {
 
   protected override viewOptions(): PatternViewOptions {
     return {
-      lengthText: (cm) => this.#missText(cm),
+      lengthText: (cm) => this.texts.pattern.upTo(this.format.fine(cm)),
       onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
     };
   }
@@ -98,14 +98,6 @@ export class PatternPane extends PatternDrawing {
       this.#showsMovement && desk.result ? this.#movementOf(desk.result.pieces) : undefined,
     );
     view.setOverlay(overlayOf(desk, scenes.now, this.tools, this.#cursor, this.texts, this.format));
-  }
-
-  /** Beyond what chance gives, how far two places are apart says nothing: they do not match. */
-  #missText(cm: number): string {
-    const chance = this.desk.scenes?.now.chance ?? Infinity;
-    return cm > chance
-      ? `> ${this.format.fine(chance)}`
-      : this.texts.pattern.upTo(this.format.fine(cm));
   }
 
   /** The keys of the pattern work again. */

@@ -3,11 +3,12 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Failure} from '../../model/failure.js';
 import {carries, groupsThatCarry} from '../../model/repeat.js';
-import type {Metrics} from '../../model/result.js';
+import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
+import {finalFit, fitOf, worstOf, type Fit} from '../../picture/fit.js';
+import {seamRows} from '../lists/rows.js';
 import {lastOf} from '../workbench/last-of.js';
-import {matchOf} from '../workbench/match.js';
 
 export class Headline extends DeskElement {
   static override styles = [
@@ -61,10 +62,10 @@ export class Headline extends DeskElement {
   ];
 
   /** Asked for with every change of anything. */
-  readonly #matchOf = lastOf(matchOf);
+  readonly #fits = lastOf(fits);
 
   protected override render(): TemplateResult | typeof nothing {
-    const {result, state} = this.desk;
+    const {pattern, result, state} = this.desk;
     const {headline, progress} = this.texts;
     if (state.kind === 'failed') {
       return this.#failed(state.failure);
@@ -74,13 +75,24 @@ export class Headline extends DeskElement {
       const text = state.kind === 'stale' ? progress.failed : progress.solving;
       return html`<h2 class="soft">${text}</h2>`;
     }
-    const {mean, chance} = this.#matchOf(result);
-    const fits = headline.fits(this.format.fine(mean), this.format.fine(chance));
+    const {before, after} = this.#fits(result, pattern);
+    const worst = worstOf(after);
     return html`
-      <h2>${result.seams.length > 0 ? fits : headline.noSeams}</h2>
-      <output aria-label=${headline.fit}>${this.#fit(result.metrics)}</output>
-      ${this.#proof(result.metrics)} ${this.#cost(result.metrics)} ${this.#notes(result.notes)}
+      <h2>${worst ? headline.fits(this.format.fine(after.mean)) : headline.noSeams}</h2>
+      ${
+        worst
+          ? html`<output aria-label=${headline.fit}>
+              ${headline.worst(this.format.fine(worst.mean), this.#seamName(worst.seam))}
+              ${before && headline.before(this.format.fine(before.mean))}
+            </output>`
+          : nothing
+      }
+      ${this.#cost(after.mean)} ${this.#more(result.metrics)} ${this.#notes(result.notes)}
     `;
+  }
+
+  #seamName(seam: number): string {
+    return seamRows(this.desk, this.texts)[seam]?.name ?? '';
   }
 
   /** What went wrong, and the way out where there is one. */
@@ -107,10 +119,17 @@ export class Headline extends DeskElement {
       </button>`;
   }
 
-  #fit({fit, fitRandom}: Metrics): TemplateResult {
+  /** For who compares with the paper. */
+  #more(metrics: Metrics): TemplateResult {
+    const {fit, fitRandom} = metrics;
     const {value, unit} = this.format.area(fit);
     const share = this.format.percent(fitRandom > 0 ? fit / fitRandom : 0);
-    return html`${value} ${unit}<sup>2</sup>, ${this.texts.headline.percentOfRandom(share)}`;
+    const {headline} = this.texts;
+    return html`<details>
+      <summary>${headline.more}</summary>
+      <p>${headline.area}: ${value} ${unit}<sup>2</sup>, ${headline.percentOfRandom(share)}</p>
+      ${this.#proof(metrics)}
+    </details>`;
   }
 
   /** Of the placing that was found before anything was deformed. */
@@ -119,23 +138,22 @@ export class Headline extends DeskElement {
     const {proven, nearlyProven, unproven} = this.texts.headline;
     const left = this.format.percent(1 - searchBound);
     const text = searchBound === 1 ? proven : searchBound > 0.5 ? nearlyProven(left) : unproven;
-    return html`<p class="soft">${text}</p>`;
+    return html`<p>${text}</p>`;
   }
 
-  #cost(metrics: Metrics): TemplateResult | typeof nothing {
-    const without = this.desk.withoutSymmetry;
-    if (!without) return nothing;
-    // both are searches; without symmetry one is free to keep it
-    const free = without.fit < metrics.fit ? without : metrics;
+  /** @param mean with symmetry [cm] */
+  #cost(mean: number): TemplateResult | typeof nothing {
+    const free = this.desk.withoutSymmetry;
+    if (free === undefined) return nothing;
     const {headline} = this.texts;
     return html`<dl aria-label=${headline.cost}>
       <div>
         <dt>${headline.withSymmetry}</dt>
-        <dd>${this.#fit(metrics)}</dd>
+        <dd>${this.format.fine(mean)}</dd>
       </div>
       <div>
         <dt>${headline.withoutSymmetry}</dt>
-        <dd>${this.#fit(free)}</dd>
+        <dd>${this.format.fine(free)}</dd>
       </div>
     </dl>`;
   }
@@ -149,4 +167,13 @@ export class Headline extends DeskElement {
       </ul>
     </details>`;
   }
+}
+
+/** Of the pieces as drafted, and of the answer. */
+function fits(
+  result: SolveResult,
+  pattern: MeshedPattern | undefined,
+): {readonly before: Fit | undefined; readonly after: Fit} {
+  const alignments = pattern?.pieces.map(({alignment}) => alignment) ?? [];
+  return {before: pattern && fitOf(pattern, 'rest', alignments), after: finalFit(result)};
 }

@@ -1,5 +1,6 @@
 /** How a person wants to be shown things; not part of any design. */
 import type {Units} from '../../model/units.js';
+import type {MismatchScale} from '../../picture/colours.js';
 import type {Messages} from '../texts/messages.js';
 
 export const languages = ['en', 'de'] as const;
@@ -11,8 +12,8 @@ export interface Preferences {
   readonly theme: 'system' | 'light' | 'dark';
   /** Solve after every change, without being asked. */
   readonly solveAsIGo: boolean;
-  /** What is drawn as the worst mismatch: chance, or 2 cm as in the paper. */
-  readonly scale: 'chance' | 'paper';
+  /** How mismatch is coloured. */
+  readonly scale: MismatchScale;
   /** Words to be used in place of the language's own. */
   readonly messages?: Messages | undefined;
 }
@@ -25,6 +26,6 @@ export function preferencesFor(locale: string): Preferences {
     language: languages.find((one) => one === language) ?? 'en',
     theme: 'system',
     solveAsIGo: true,
-    scale: 'chance',
+    scale: 'absolute',
   };
 }

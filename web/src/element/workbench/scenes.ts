@@ -6,19 +6,13 @@ import type {Alignment} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
-import {
-  realigned,
-  sceneOf,
-  uncut,
-  type MismatchScale,
-  type PatternScene,
-  type SceneOptions,
-} from '../../viewer/scene.js';
+import type {MismatchScale} from '../../picture/colours.js';
+import {realigned, sceneOf, type PatternScene, type SceneOptions} from '../../viewer/scene.js';
 import {lastOf} from './last-of.js';
 import type {Workbench} from './workbench.js';
 
 export interface Scenes {
-  /** The pieces as they come, cut on grain without a thought. */
+  /** The pieces as drafted, cut on grain without a thought; the same in any window. */
   readonly before: PatternScene;
   /** The answer, what is known of it so far, or the one before. */
   readonly now: PatternScene;
@@ -86,10 +80,8 @@ const withEdges = (scene: PatternScene, {pieces}: MeshedPattern): PatternScene =
   pieces: scene.pieces.map((piece, k) => ({...piece, edges: pieces[k]?.edges ?? []})),
 });
 
-function sheetAtRest(pattern: MeshedPattern, print: Print, settings: SceneOptions): PatternScene {
-  const scene = withEdges(sceneOf(pattern, print, {...settings, outline: 'rest'}), pattern);
-  return realigned(scene, uncut(scene));
-}
+const sheetAtRest = (pattern: MeshedPattern, print: Print, settings: SceneOptions): PatternScene =>
+  withEdges(sceneOf(pattern, print, {...settings, outline: 'rest'}), pattern);
 
 const sheetSolved = (
   pattern: MeshedPattern,

@@ -3,7 +3,7 @@ import {printOf, problemOf, type Design, type DesignGarment} from '../../model/d
 import type {Alignment} from '../../model/geometry.js';
 import type {History} from '../../model/history.js';
 import type {Problem} from '../../model/problem.js';
-import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
+import type {MeshedPattern, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {leaseSolver, type SolverLease} from '../../solver/pool.js';
 import type {SolverService} from '../../solver/service.js';
@@ -154,8 +154,8 @@ export class Workbench extends Attention {
     return this.#found.beside(this.kept);
   }
 
-  /** What the present design reaches without its symmetries, if it has any. */
-  get withoutSymmetry(): Metrics | undefined {
+  /** The mean mismatch of the present design without its symmetries, if it has any. [cm] */
+  get withoutSymmetry(): number | undefined {
     return this.design && this.#comparison.of(this.design);
   }
 
@@ -323,6 +323,6 @@ export class Workbench extends Attention {
 
   #compare(): void {
     const {design, result} = this;
-    if (this.#isEdited && design && result) this.#comparison.follow(design, result.metrics);
+    if (this.#isEdited && design && result) void this.#comparison.follow(design, result);
   }
 }

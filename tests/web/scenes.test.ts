@@ -1,0 +1,50 @@
+import {expect, it} from 'vitest';
+
+import {SceneMaker} from '../../web/src/element/workbench/scenes.js';
+import type {Workbench} from '../../web/src/element/workbench/workbench.js';
+import type {Design} from '../../web/src/model/design.js';
+import type {MeshedPattern} from '../../web/src/model/result.js';
+import {squarePair, squarePiece} from '../support/two-squares.js';
+
+const design: Design = {
+  garment: {name: 'strips.json', text: '{}'},
+  print: {
+    ...{title: '', group: 'p1', turnDeg: 0, oneWay: false, cell: 'primitive', image: ''},
+    size: {width: 10, height: 10, angleDeg: 90},
+  },
+  ...{symmetries: [], method: 'best', options: {}},
+};
+
+/** A row of squares, each sewn to the next, as they were drafted: each a little higher than that. */
+function row(): MeshedPattern {
+  const {print, symmetries, seams} = squarePair();
+  const pieces = Array.from({length: 9}, (_, k) => ({
+    ...squarePiece(`piece ${k}`, {
+      alignment: {angle: 0, translation: [-4 * k, (0.1 * k * (k + 1)) / 2]},
+    }),
+    edges: [0, 1, 2, 3],
+  }));
+  const [seam] = seams;
+  if (!seam) throw new Error('no seam');
+  const joined = pieces.slice(1).map((_, k) => ({
+    ...seam,
+    a: {piece: k, vertices: [1, 2]},
+    b: {piece: k + 1, vertices: [0, 3]},
+  }));
+  return {...{print, symmetries, pieces, seams: joined}, fitRandom: 0, notes: []};
+}
+
+it('shows the same figures before in every window', () => {
+  const pattern = row();
+  const desk = {design, pattern, preferences: {scale: 'absolute'}} as unknown as Workbench;
+  const all = [390, 820, 1280, 2560].map((width) =>
+    new SceneMaker().scenes(desk, {width, height: 800}),
+  );
+  const offsets = all.map((scenes) => JSON.stringify(scenes?.before.pieces.map((p) => p.offset)));
+  expect(new Set(offsets).size).toBeGreaterThan(1);
+  for (const scenes of all) {
+    scenes?.before.seams.forEach(({mean}, k) => {
+      expect(mean).toBeCloseTo(0.1 * (k + 1), 9);
+    });
+  }
+});
