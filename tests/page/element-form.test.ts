@@ -1,6 +1,7 @@
 /** The element in a form: what it submits, when it is valid, and how it is set back. */
 import {expect, it} from 'vitest';
 
+import {snippetWith} from '../support/embedding.js';
 import {tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
@@ -103,3 +104,64 @@ it('is out of reach while it or its fieldset is disabled, and submits nothing th
     [true, true, false],
   ]);
 });
+
+const documented = snippetWith('html', '<form method="post"');
+
+it('is pointed at by the browser when its form is submitted too early, and begins then', async () => {
+  const {put, page, run, asked} = await openPage();
+  const early = '<button form="cart">Now</button>';
+  await put(`${early}<div class="far"></div>${documented.replace('<form', '<form id="cart"')}`);
+  await page.evaluate(() => {
+    document.addEventListener('submit', (event) => {
+      event.preventDefault();
+      const sent = new FormData(event.target as HTMLFormElement).get('design');
+      document.title = typeof sent === 'string' ? `sent ${sent}` : 'sent nothing';
+    });
+  });
+  await page.waitForTimeout(300);
+  expect(asked).toEqual([]);
+  const button = page.getByRole('button', {name: 'Now'});
+  await button.click();
+  expect(await run((element) => document.activeElement === element)).toBe(true);
+  expect(await page.title()).not.toMatch(/^sent/);
+  await page.locator('seamwise-garment:state(ready)').waitFor();
+  await page.evaluate(() => {
+    scrollTo(0, 0);
+  });
+  await button.click();
+  await page.waitForFunction(() => document.title.startsWith('sent'));
+  expect(await page.title()).toMatch(/^sent \{"format":"seamwise-design\/1"/);
+});
+
+it('begins when its form asks whether it is valid, in view or not', async () => {
+  const {put, run} = await openPage();
+  await put(`<div class="far"></div>${inForm('name="design" required')}`);
+  const seen = await run(async (element) => {
+    const before = [element.state, element.form?.checkValidity()];
+    const answered = new Promise((resolve) => {
+      element.addEventListener('solve', resolve);
+    });
+    await answered;
+    return [...before, element.form?.checkValidity()];
+  });
+  expect(seen).toEqual(['idle', false, true]);
+});
+
+it.each(['preview', 'place', 'edit'])(
+  'says with mode="%s" why there is nothing to submit while it is in error',
+  async (mode) => {
+    const {put, page, run, answer} = await openPage({maySay: /Failed to load resource/});
+    await answer('garments/tee-m.json', (route) => route.fulfill({status: 404}));
+    const form = inForm(`name="design" required mode="${mode}"`);
+    await put(form.replace('</form>', '<button>Buy</button></form>'));
+    await page.locator('seamwise-garment:state(error)').waitFor();
+    if (mode !== 'preview')
+      await page.locator(`sw-${mode === 'edit' ? 'editor' : 'pattern'}`).waitFor();
+    await page.getByRole('button', {name: 'Buy'}).click();
+    const seen = await run((element) => [
+      document.activeElement === element,
+      element.validationMessage,
+    ]);
+    expect(seen).toEqual([true, expect.stringMatching(/tee-m\.json is not there; .*\.$/)]);
+  },
+);

@@ -41,11 +41,15 @@ it('solves and draws what its attributes name, and says so in order', async () =
 });
 
 it('has told all there is to be told once it is solved, however early it is asked', async () => {
-  const {put, run} = await openPage();
+  const {put, page, run} = await openPage();
+  await page.evaluate(() => {
+    const heard: string[] = []; // before there is an element, which may be quick
+    document.addEventListener('solve', () => heard.push('solve'));
+    Object.assign(globalThis, {heard});
+  });
   await put(tee.replace('alt=', 'loading="eager" alt='));
   const seen = await run(async (element) => {
-    const heard: string[] = [];
-    element.addEventListener('solve', () => heard.push('solve'));
+    const {heard} = globalThis as unknown as {heard: readonly string[]};
     const task = (): Promise<void> =>
       new Promise((resolve) => {
         const {port1, port2} = new MessageChannel();
@@ -198,37 +202,91 @@ it('ends with the last of changes that follow each other', async () => {
 it('settles a solve whenever it is ended, and can be asked again', async () => {
   const {put, run} = await openPage();
   await put(tee.replace('tee-{size}', 'patchwork-jacket-{size}'));
-  const ends = await run(async (element) => {
+  const seen = await run(async (element) => {
+    const nameOf = (error: unknown): string => (error as Error).name;
     const ends: string[] = [];
     for (const delay of [0, 1, 5, 20, 60, 150, 400]) {
+      // each is another question: the one before goes on by itself
+      element.maxChangeMm = 10 + delay / 1000;
       const late = new AbortController();
       setTimeout(() => {
         late.abort();
       }, delay);
-      const end = await element.solve({signal: late.signal}).then(
-        () => 'solved',
-        (error: unknown) => (error as Error).name,
-      );
-      ends.push(end);
+      ends.push(await element.solve({signal: late.signal}).then(() => 'solved', nameOf));
     }
-    const nameOf = (error: unknown): string => (error as Error).name;
+    element.maxChangeMm = 10;
     const aborted = await element.solve({signal: AbortSignal.abort()}).catch(nameOf);
     const cancelled = element.solve().catch(nameOf);
     element.cancel();
-    for (const end of [aborted, await cancelled]) ends.push(typeof end === 'string' ? end : '');
-    ends.push(element.state);
-    return [...ends, typeof (await element.solve()).metrics.fit, element.state];
+    const asked = [aborted, await cancelled, element.state];
+    return {ends, asked, again: [typeof (await element.solve()).metrics.fit, element.state]};
   });
-  expect(ends).toEqual([
-    ...Array.from({length: 7}, () => 'AbortError'),
-    ...[
-      'AbortError',
-      'AbortError',
-      expect.stringMatching(/^(stale|idle)$/) as string,
-      'number',
-      'ready',
-    ],
+  // a quick machine may answer before the last of them is aborted
+  expect(seen.ends.join(' ')).toMatch(/^(AbortError ){6}(AbortError|solved)$/);
+  expect(seen.asked).toEqual([
+    ...['AbortError', 'AbortError'],
+    expect.stringMatching(/^(stale|idle)$/) as string,
   ]);
+  expect(seen.again).toEqual(['number', 'ready']);
+});
+
+it('is loading until all have heard that its files are there, and may be told otherwise then', async () => {
+  const {put, run} = await openPage();
+  await put(tee.replace('print=', 'data-print='));
+  const seen = await run(async (element) => {
+    const states: string[] = [];
+    element.addEventListener('load', () => states.push(element.state), {once: true});
+    element.print = element.dataset.print;
+    await element.solve();
+    states.push(element.state);
+    element.addEventListener(
+      'load',
+      () => {
+        element.cancel();
+      },
+      {once: true},
+    );
+    element.print = 'prints/cm.json';
+    const end = await element.solve().catch((error: unknown) => (error as Error).name);
+    return [...states, end, element.state];
+  });
+  expect(seen).toEqual(['loading', 'ready', 'AbortError', 'stale']);
+});
+
+it('goes on with what it does by itself when somebody who waited has gone', async () => {
+  const {put, page, run} = await openPage();
+  await put(tee.replace('tee-{size}', 'patchwork-jacket-{size}'));
+  const end = await run(async (element) => {
+    const late = new AbortController();
+    const solved = element.solve({signal: late.signal});
+    late.abort();
+    return solved.catch((error: unknown) => (error as Error).name);
+  });
+  expect(end).toBe('AbortError');
+  await page.locator('seamwise-garment:state(ready)').waitFor();
+});
+
+it('ends what it does for nobody else when they have gone, and begins again when it is near', async () => {
+  const {put, page, run} = await openPage();
+  await put(`<div class="far"></div>${tee.replace('tee-{size}', 'patchwork-jacket-{size}')}`);
+  const seen = await run(async (element) => {
+    const states: string[] = [element.state];
+    for (const phase of ['loading', 'solving']) {
+      const late = new AbortController();
+      const solved = element.solve({signal: late.signal});
+      while (element.state !== phase) await new Promise((resolve) => setTimeout(resolve));
+      late.abort();
+      const end = await solved.catch((error: unknown) => (error as Error).name);
+      states.push(end as string, element.state);
+    }
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    return [...states, element.state];
+  });
+  expect(seen).toEqual(['idle', 'AbortError', 'idle', 'AbortError', 'stale', 'stale']);
+  await run((element) => {
+    element.scrollIntoView();
+  });
+  await page.locator('seamwise-garment:state(ready)').waitFor();
 });
 
 it('gives pictures of the formats that browsers write', async () => {

@@ -3,6 +3,10 @@ import {readFileSync} from 'node:fs';
 
 const text = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8');
 
+/** What stands under a heading, up to the next one. */
+export const textOf = (heading: string): string =>
+  text.split(/^##+ /m).find((part) => part.startsWith(`${heading}\n`)) ?? '';
+
 /** The rows of the tables whose first column is called so, without their backticks. */
 export function rowsOf(column: string): readonly (readonly string[])[] {
   const tables = text.matchAll(/(?:^\|.*\|\n)+/gm);

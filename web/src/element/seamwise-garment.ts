@@ -82,6 +82,9 @@ export class SeamwiseGarment extends AttributeElement {
         element: this,
         isEager: () => this.loading === 'eager',
         asked: () => (this.isAskable ? this.asked : undefined),
+        begun: () => {
+          this.#present();
+        },
       },
       this.#session,
     );
@@ -94,6 +97,9 @@ export class SeamwiseGarment extends AttributeElement {
         this.#session.report(new SolverError({code: 'network', message}));
       },
     );
+    this.addEventListener('invalid', () => {
+      if (this.isAskable && this.state !== 'error') this.#start();
+    });
   }
 
   /** Words to be shown in place of the element's own. */
@@ -163,16 +169,24 @@ export class SeamwiseGarment extends AttributeElement {
     if (!this.isAskable && (state === 'idle' || this.#beginning.isDue)) {
       throw new SolverError({code: 'notAGarment', message: this.#texts.garment.noGarment});
     }
+    this.#start();
+    try {
+      return await this.#session.answer(signal, () => {
+        this.#beginning.abandon();
+      });
+    } finally {
+      if (!this.isConnected) this.#rest();
+    }
+  }
+
+  /** Begins what is asked for, unless it is under way or answered. */
+  #start(): void {
+    const {state} = this.#session;
     const isStuck = state === 'idle' || state === 'error' || state === 'stale';
     if (isStuck && !this.#beginning.isDue && !this.#session.solveAgain()) {
       this.#beginning.askAgain();
     }
     this.#beginning.now();
-    try {
-      return await this.#session.answer(signal);
-    } finally {
-      if (!this.isConnected) this.#rest();
-    }
   }
 
   /** Ends what is under way; what is shown stays. */
@@ -287,6 +301,7 @@ export class SeamwiseGarment extends AttributeElement {
     return faceOf({
       ...{session: this.#session, texts: this.#texts, mode: this.#shown, alt: this.alt},
       ...{isDisabled: this.isDisabled, isDrawn: this.#isDrawn, prints: this.#offers.all},
+      ...{hasBegun: this.#beginning.hasBegun, isMissing: this.isMissing},
       choose: (print) => {
         this.#choose(print);
       },
@@ -302,15 +317,17 @@ export class SeamwiseGarment extends AttributeElement {
 
   /** Tells what has become of the element, outwards and inwards. */
   #present(): void {
-    void this.#modes.load(this.mode);
+    if (this.#beginning.hasBegun) void this.#modes.load(this.mode);
     const shown = this.#modes.shown(this.mode);
     if (this.#shown !== shown) this.#isDrawn = false;
     this.#shown = shown;
     this.#session.desk.isEdited = shown === 'edit';
     const {garment} = this.#texts;
     this.enter(this.#session.state);
-    this.present(this.value, garment.required);
-    this.describe(this.mode === 'preview' ? 'img' : 'group', this.alt || garment.label);
+    this.present(this.value, this.error?.message ?? garment.required);
+    // a picture has nothing in it that could have the focus
+    const isPicture = this.mode === 'preview' && !this.isMissing;
+    this.describe(isPicture ? 'img' : 'group', this.alt || garment.label);
     this.requestUpdate();
   }
 

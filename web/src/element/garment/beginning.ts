@@ -11,14 +11,19 @@ export interface Beginner {
   readonly isEager: () => boolean;
   /** Undefined where garment or print are missing. */
   readonly asked: () => Asked | undefined;
+  /** It has something to show from now on. */
+  readonly begun: () => void;
 }
 
 export class Beginning {
   readonly #beginner: Beginner;
   readonly #session: GarmentSession;
   #near: IntersectionObserver | undefined;
+  /** It is near, or was, or has no need to be: it begins by itself. */
+  #isSeen = false;
   /** Seen, or asked for. */
   #isWanted = false;
+  #hasBegun = false;
   #isDue = false;
   #reason: LoadReason = {};
   #isScheduled = false;
@@ -31,6 +36,11 @@ export class Beginning {
   /** Something is asked for that has not been begun. */
   get isDue(): boolean {
     return this.#isDue;
+  }
+
+  /** Before that it is not worth loading anything for. */
+  get hasBegun(): boolean {
+    return this.#hasBegun;
   }
 
   /** Something else is asked for, for another reason than before. */
@@ -48,8 +58,15 @@ export class Beginning {
 
   /** Begins what is due, seen or not. */
   now(): void {
-    this.#isWanted = true;
+    this.#want();
     if (this.#isDue) this.#begin();
+  }
+
+  /** Nobody waits any more. What it would not do by itself ends, until it is near. */
+  abandon(): void {
+    if (this.#isSeen && this.#beginner.element.isConnected) return;
+    this.#isWanted = this.#isSeen;
+    if (this.#session.pause()) this.#isDue = true;
   }
 
   schedule(): void {
@@ -65,15 +82,15 @@ export class Beginning {
   /** Begins when it is near; an eager one, or one that has begun before, at once. */
   watch(): void {
     this.unwatch();
-    if (this.#isWanted || this.#beginner.isEager()) {
-      this.#isWanted = true;
+    if (this.#isSeen || this.#beginner.isEager()) {
+      this.#see();
       return;
     }
     this.#near = new IntersectionObserver(
       (entries) => {
         if (!entries.some(({isIntersecting}) => isIntersecting)) return;
         this.unwatch();
-        this.#isWanted = true;
+        this.#see();
         this.schedule();
       },
       {rootMargin},
@@ -83,6 +100,18 @@ export class Beginning {
 
   unwatch(): void {
     this.#near?.disconnect();
+  }
+
+  #see(): void {
+    this.#isSeen = true;
+    this.#want();
+  }
+
+  #want(): void {
+    this.#isWanted = true;
+    if (this.#hasBegun) return;
+    this.#hasBegun = true;
+    this.#beginner.begun();
   }
 
   #begin(): void {

@@ -15,6 +15,10 @@ export interface Face {
   readonly alt: string;
   readonly isDisabled: boolean;
   readonly isDrawn: boolean;
+  /** Before it has, nothing that draws is loaded. */
+  readonly hasBegun: boolean;
+  /** Its form is going to point at it. */
+  readonly isMissing: boolean;
   readonly prints: readonly OfferedPrint[];
   readonly choose: (print: OfferedPrint) => void;
 }
@@ -28,8 +32,8 @@ export function faceOf(face: Face): TemplateResult {
   const says = error && !(mode === 'edit' && desk.state.kind === 'failed');
   return html`<div class="frame" ?inert=${face.isDisabled}>
       <div part="toolbar"><slot name="toolbar"></slot></div>
-      <div class="stage" part="stage">
-        ${stage(mode, desk)}
+      <div class="stage" part="stage" tabindex=${face.isMissing ? -1 : nothing}>
+        ${face.hasBegun ? stage(mode, desk) : nothing}
         <div class="poster" part="poster" ?hidden=${!hidesDrawing || mode === 'edit'}>
           <slot name="poster"><p>${face.alt || texts.garment.label}</p></slot>
         </div>

@@ -11,6 +11,8 @@ export abstract class FormElement extends LitElement {
   readonly #internals: Internals;
   #isDisabled = false;
   #state = '';
+  /** What is said of a value that is missing; empty while none is. */
+  #missing = '';
 
   constructor() {
     super();
@@ -82,13 +84,31 @@ export abstract class FormElement extends LitElement {
     return this.#isDisabled || this.disabled;
   }
 
+  /** A value is required, and there is none: the part `stage` can have the focus then. */
+  protected get isMissing(): boolean {
+    return this.#missing !== '';
+  }
+
   /** @param missing what is said of an empty value where one is required */
   protected present(value: string, missing: string): void {
     this.#internals.setFormValue?.(value === '' ? null : value);
-    const isMissing = this.required && value === '';
+    this.#missing = this.required && value === '' ? missing : '';
+    this.#validate();
+  }
+
+  protected override firstUpdated(): void {
+    this.#validate();
+  }
+
+  /** A browser shows what is wrong only with what can have the focus: without an anchor it says nothing at all. */
+  #validate(): void {
+    const anchor = !this.hasUpdated
+      ? null
+      : this.renderRoot.querySelector<HTMLElement>('[part=stage]');
     this.#internals.setValidity?.(
-      isMissing ? {valueMissing: true} : {},
-      isMissing ? missing : undefined,
+      {valueMissing: this.isMissing},
+      this.#missing,
+      anchor ?? undefined,
     );
   }
 

@@ -138,6 +138,8 @@ export class GarmentSession {
       const design = stored
         ? restored(loaded, stored, this.#words)
         : nextDesign(answered, this.#last, this.desk.design);
+      this.#tell.loaded(loaded);
+      if (this.#loading !== loading) return false; // whoever heard it wants something else
       this.#loading = undefined;
       const symmetry = stored && typeof stored.symmetry === 'string' ? stored.symmetry : undefined;
       // where the user has taken the last one away, and the rest is as it was, none is kept
@@ -150,7 +152,6 @@ export class GarmentSession {
         seed: stored?.seed ?? (this.#last ? this.#terms.seed : 1),
       };
       this.#last = answered;
-      this.#tell.loaded(loaded);
       this.#begin(design, byUser);
       return true;
     } catch (error) {
@@ -181,10 +182,13 @@ export class GarmentSession {
     return true;
   }
 
-  /** The answer to what is asked for now, or to what takes its place before it is there. */
-  answer(signal?: AbortSignal): Promise<SolveResult> {
+  /**
+   * The answer to what is asked for now, or to what takes its place before it is there.
+   * @param left called when the last who waited has left
+   */
+  answer(signal: AbortSignal | undefined, left: () => void): Promise<SolveResult> {
     const answer = this.#waiting.join(signal, () => {
-      if (this.#waiting.isEmpty) this.cancel();
+      if (this.#waiting.isEmpty) left();
     });
     this.#follow(); // the workbench tells of an answer a little later than it has it
     return answer;

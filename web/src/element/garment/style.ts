@@ -31,6 +31,9 @@ export const garmentStyle = css`
     position: relative;
     min-height: 0;
   }
+  .stage:focus-visible {
+    outline-offset: -2px;
+  }
   .poster {
     position: absolute;
     inset: 0;
