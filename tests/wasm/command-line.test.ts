@@ -225,6 +225,7 @@ describe('order', () => {
     expect(JSON.parse(done.out)).toMatchObject({reproduced: true, differenceCm: 0, group: 'p4m'});
     expect(text('made.json')).toBe(text('sold.json'));
     expect(text('cut.svg')).toContain('Solid: cut. Dashed: sew, 1 cm inside.');
+    expect(text('cut.svg')).not.toContain('NOT AS IT WAS SOLD');
   });
 
   it('counts relative URLs from --base when it is given', async () => {
@@ -245,14 +246,19 @@ describe('order', () => {
         .replace(/"result": "\w+"/, `"result": "${'0'.repeat(64)}"`)
         .replace(/"solver": "[^"]+"/, '"solver": "0.0.7"');
     await store('old.json', older);
-    const {code, out, err} = await seamwise('order', file('old.json'), '--out', file('new.json'));
+    const outputs = ['--out', file('new.json'), '--svg', file('new.svg')];
+    const {code, out, err} = await seamwise('order', file('old.json'), ...outputs);
     expect({code, out: out.trimEnd().split('; ').at(-1)}).toEqual({
-      code: 0,
+      code: 3,
       out: 'reproduced false',
     });
     expect(err).toMatch(/^note: the answer differs from the one that was sold, .* 0\.000 cm /);
-    expect(err).toContain(`use npx seamwise@0.0.7 order ${file('old.json')}`);
+    expect(err).toContain('(npm install seamwise-0.0.7@file:seamwise-0.0.7.tgz)');
     expect(text('new.json')).toBe(text('sold.json').replace('{', '{"reproduced":false,'));
+    // whoever cuts by it must see it, too
+    expect(text('new.svg')).toContain('>NOT AS IT WAS SOLD</text>');
+    const drawn = await seamwise('draw', file('new.json'), '--print', file('checks.json'));
+    expect(drawn.out).toContain('>NOT AS IT WAS SOLD</text>');
   });
 
   it('takes design, garment, print and picture from the web', async () => {
@@ -281,11 +287,18 @@ describe('order', () => {
     expect(text('night.svg')).toContain(encodeURIComponent('<title>the night</title>'));
   });
 
+  it('reads what a design names where it lies itself, or where one stands, and nowhere else', async () => {
+    await store('near.json', (design) => design.replace('strips.json', '/etc/hostname'));
+    const {code, err} = await seamwise('order', file('near.json'));
+    expect(code).toBe(2);
+    expect(err).toContain('/etc/hostname lies outside of ');
+  });
+
   it('draws nothing from a garment that was changed since', async () => {
     await store('d.json', (design) => design.replace(/(?<="sha256": ")\w{4}/, '0000'));
     const {code, out, err} = await seamwise('order', file('d.json'), '--out', file('none.json'));
     expect({code, out}).toEqual({code: 2, out: ''});
-    expect(err).toMatch(/strips\.json is not the file that .* was made with .*; put the earlier/);
+    expect(err).toMatch(/strips\.json is not the file that .* was made with, .*; put the earlier/);
     expect(readdirSync(folder)).not.toContain('none.json');
   });
 });
@@ -307,6 +320,61 @@ it('draws a print in each of its colourways, and in no other', async () => {
   const {code, err} = await draw('--colourway', 'Noon');
   expect(code).toBe(2);
   expect(err).toContain("no colourway 'Noon'; there are Day, Night");
+});
+
+it('puts a picture from the web into what it draws', async () => {
+  const image = '<svg xmlns="http://www.w3.org/2000/svg"><title>far away</title></svg>';
+  const server = createServer((_, response) => response.end(image));
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const {port} = server.address() as AddressInfo;
+  const far = {...checks, image: `http://127.0.0.1:${String(port)}/cell.svg`};
+  writeFileSync(file('far-image.json'), JSON.stringify(far));
+  await align('--out', file('near-result.json'));
+  const words = ['draw', file('near-result.json'), '--print', file('far-image.json')];
+  try {
+    const {code, out} = await seamwise(...words);
+    expect(code).toBe(0);
+    expect(out).not.toContain('127.0.0.1');
+    expect(out).toContain(encodeURIComponent('<title>far away</title>'));
+  } finally {
+    server.close();
+  }
+  expect(await seamwise(...words)).toMatchObject({
+    code: 2,
+    err: expect.stringContaining('cell.svg cannot be fetched') as string,
+  });
+});
+
+describe('a forged result', () => {
+  type Forge = (result: Record<string, never>) => unknown;
+  const forged: Record<string, readonly [Forge, string]> = {
+    'with a symmetry of no kind': [
+      (result) => ({...result, symmetries: [{kind: 'x'}]}),
+      "'symmetries[0].kind' must be one of piece, pair",
+    ],
+    'with a symmetry of a piece that is not there': [
+      (result) => ({
+        ...result,
+        symmetries: [{kind: 'piece', piece: 9, map: {angle: 0, translation: [0, 0]}, pairs: []}],
+      }),
+      "'symmetries[0].piece' must be a number below 2",
+    ],
+    'with a seam of nothing': [(result) => ({...result, seams: [{}]}), "'seams[0].a' must be"],
+    'with text for figures': [(result) => ({...result, metrics: 'x'}), "'metrics' must be"],
+    'with a name that is none': [
+      (result) => ({...result, pieces: [{...(result.pieces?.[0] as object | undefined), name: 3}]}),
+      "'pieces[0].name' must be text",
+    ],
+  };
+
+  it.each(Object.entries(forged))('%s is refused with one sentence', async (_, [forge, words]) => {
+    await align('--out', file('true.json'));
+    const result = JSON.parse(readFileSync(file('true.json'), 'utf8')) as Record<string, never>;
+    writeFileSync(file('forged.json'), JSON.stringify(forge(result)));
+    const {code, err} = await seamwise('draw', file('forged.json'), '--print', file('checks.json'));
+    expect({code, lines: err.trimEnd().split('\n').length}).toEqual({code: 2, lines: 1});
+    expect(err).toContain(`forged.json is not a whole result file (seamwise-result/1): ${words}`);
+  });
 });
 
 it('draws a result on its print, and on no other', async () => {

@@ -1,6 +1,7 @@
 import {readFileSync} from 'node:fs';
 import {createServer, type Server} from 'node:http';
 import type {AddressInfo} from 'node:net';
+import {fileURLToPath} from 'node:url';
 
 import {
   designOf,
@@ -118,7 +119,7 @@ describe('an order', () => {
     const other = (url: string) =>
       url === 'strips.json' ? Promise.resolve(new TextEncoder().encode(`${garment} `)) : read(url);
     await expect(order(design, {read: other, name: 'order 17'})).rejects.toThrow(
-      /^strips\.json is not the file that order 17 was made with .*; put the earlier file back, or /,
+      /^strips\.json is not the file that order 17 was made with, .*; put the earlier file back, or /,
     );
   });
 
@@ -137,10 +138,15 @@ describe('an order', () => {
 describe('an order from the web', () => {
   let server: Server;
   let base = '';
+  let redirection = '';
   beforeAll(async () => {
     server = createServer(({url = ''}, response) => {
       const name = url.split('/').at(-1) ?? '';
       if (name === 'silent.json') return; // never answers
+      if (name === 'moved.json') {
+        response.writeHead(302, {location: redirection}).end();
+        return;
+      }
       if (name === 'endless.json') {
         response.write('{');
         const chunk = Buffer.alloc(1_000_000, 32);
@@ -163,6 +169,33 @@ describe('an order from the web', () => {
     server.close();
   });
 
+  it('does not follow a redirection to another host', async () => {
+    const asked: string[] = [];
+    const inner = createServer((request, response) => {
+      asked.push(request.url ?? '');
+      response.end(garment);
+    });
+    await new Promise<void>((resolve) => inner.listen(0, '127.0.0.1', resolve));
+    const secret = `http://127.0.0.1:${String((inner.address() as AddressInfo).port)}/secret`;
+    redirection = secret;
+    try {
+      await expect(order(await from('moved.json'), {base})).rejects.toThrow(
+        `${secret} lies outside of ${new URL(base).origin}, and only there may be read; `,
+      );
+      expect(asked).toEqual([]);
+      const within = [new URL(base), new URL(secret)];
+      expect(await order(await from('moved.json'), {base, within})).toMatchObject({
+        reproduced: true,
+      });
+      redirection = '/strips.json';
+      expect(await order(await from('moved.json'), {base})).toMatchObject({reproduced: true});
+      redirection = '/moved.json';
+      await expect(order(await from('moved.json'), {base})).rejects.toThrow('in circles');
+    } finally {
+      inner.close();
+    }
+  });
+
   const from = async (url: string): Promise<StoredDesign> => {
     const design = await sold();
     return {...design, garment: {...design.garment, url}};
@@ -178,7 +211,7 @@ describe('an order from the web', () => {
     ['missing.json', /missing\.json cannot be fetched: the server answered 404; /],
     ['silent.json', /silent\.json cannot be fetched: the server did not answer within 0\.5 s; /],
     ['endless.json', /endless\.json is larger than 20 MB, the limit for such a file; /],
-    ['http://127.0.0.1:1/a.json', /a\.json cannot be fetched: .*; check the address/],
+    ['http://127.0.0.1:1/a.json', /a\.json lies outside of http:.*, and only there may be read; /],
     ['file:///etc/hostname', /^file:\/\/\/etc\/hostname is not on the web, but named from there; /],
   ])('names %s', async (url, words) => {
     const timeoutMs = url === 'silent.json' ? 500 : 30_000;
@@ -188,6 +221,43 @@ describe('an order from the web', () => {
   it('can be called off while it waits', async () => {
     const signal = AbortSignal.timeout(200);
     await expect(order(await from('silent.json'), {base, signal})).rejects.toThrow('aborted');
+  });
+});
+
+it('says so when nobody is there', async () => {
+  const gone = 'http://127.0.0.1:1/a.json';
+  const design = {...(await sold()), garment: {...chosen.garment, url: gone}};
+  await expect(order(design, {base: gone})).rejects.toThrow(
+    /a\.json cannot be fetched: .*; check the address/,
+  );
+});
+
+describe('an order of a stranger', () => {
+  it('is refused where nobody has said what it may read', async () => {
+    const design = await sold();
+    await expect(order(design)).rejects.toThrow(/^order\(\) reads what the design names: give it/);
+  });
+
+  it.each([
+    'file:///etc/hostname',
+    '/etc/hostname',
+    '../../etc/hostname',
+    '%2e%2e/%2e%2e/etc/hostname',
+    'http://127.0.0.1:1/inside.json',
+  ])('reads nothing outside of its base: %s', async (url) => {
+    const design = {...(await sold()), garment: {...chosen.garment, url}};
+    const base = fileURLToPath(new URL('.', import.meta.url));
+    const failed = await order(design, {base}).catch((error: unknown) => String(error));
+    expect(failed).toMatch(/ lies outside of .*tests\/wasm\/, and only there may be read; /);
+  });
+
+  it('does not tell the sha256 of a file', async () => {
+    const design = {...(await sold()), garment: {...chosen.garment, url: 'order.test.ts'}};
+    const own = sha256Of(readFileSync(new URL(import.meta.url)));
+    const base = new URL('.', import.meta.url);
+    const failed = await order(design, {base}).catch((error: unknown) => String(error));
+    expect(failed).toContain('order.test.ts is not the file that design was made with');
+    expect(failed).not.toContain(own);
   });
 });
 

@@ -197,6 +197,11 @@ describe('the picture', () => {
     expect(svg).toContain('left half');
   });
 
+  it('shows a sign in place of characters that XML cannot hold', () => {
+    const strange = drawResult(result, print, {title: 'a\u0000b\u001bc\ud800d\uffffe\tf😀'});
+    expect(strange).toContain('<title>a\ufffdb\ufffdc\ufffdd\ufffde\tf😀</title>');
+  });
+
   it('is free of NaN and of ids used twice', () => {
     expect(svg).not.toMatch(/NaN|undefined|Infinity/);
     const ids = [...svg.matchAll(/ id="([^"]+)"/g)].map(([, id]) => id);

@@ -3,10 +3,12 @@ import {basename, extname} from 'node:path';
 import {groupNames, type Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {drawResult} from '../picture/draw-result.js';
+import {notAsSold} from '../picture/mark.js';
 import {readText, resultLimit, textOf} from '../node/files.js';
 import {parseArguments, UsageError} from './arguments.js';
 import {checkWritable, writeText} from './files.js';
 import {imageTypes, inColourway, readPrint, readTile} from './print-files.js';
+import {asResult} from './result-file.js';
 import {print} from './terminal.js';
 
 const grammar = {
@@ -41,7 +43,10 @@ export async function draw(words: readonly string[]): Promise<void> {
   const picture = drawResult(
     result,
     {...cloth, ...(tile === undefined ? {} : {tile})},
-    {title: title ?? basename(resultFile, extname(resultFile))},
+    {
+      title: title ?? basename(resultFile, extname(resultFile)),
+      ...(result.reproduced === false && {mark: notAsSold}),
+    },
   );
   if (out === undefined) print(picture);
   else await writeText(out, picture);
@@ -61,34 +66,6 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 
 const isPoint = (value: unknown): boolean =>
   Array.isArray(value) && value.length === 2 && value.every(Number.isFinite);
-
-/** What a picture needs of a piece. */
-function isPiece(value: unknown): boolean {
-  if (!isObject(value) || !isObject(value.alignment)) return false;
-  const {rest, shape, outline, alignment} = value;
-  return (
-    [rest, shape].every((list) => Array.isArray(list) && list.every(isPoint)) &&
-    Array.isArray(outline) &&
-    outline.length > 2 &&
-    Number.isFinite(alignment.angle) &&
-    isPoint(alignment.translation)
-  );
-}
-
-function asResult(value: unknown, path: string): SolveResult {
-  const complete =
-    isObject(value) &&
-    value.format === 'seamwise-result/1' &&
-    ['pieces', 'seams', 'symmetries'].every((field) => Array.isArray(value[field])) &&
-    (value.pieces as readonly unknown[]).length > 0 &&
-    ['print', 'metrics'].every((field) => isObject(value[field])) &&
-    (value.pieces as readonly unknown[]).every(isPiece);
-  if (!complete)
-    throw new UsageError(
-      `${path} is not a whole result file (seamwise-result/1); align the garment again with --out.`,
-    );
-  return value as unknown as SolveResult;
-}
 
 function asPrint(value: unknown, path: string): Print {
   const complete =

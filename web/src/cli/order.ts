@@ -7,6 +7,7 @@ import {addressFrom, addressOf, folderOf, readAddress} from '../node/addresses.j
 import {textOf} from '../node/files.js';
 import {order as solveOrder, type Order} from '../node/index.js';
 import {cuttingFile} from '../picture/cutting/cutting-file.js';
+import {notAsSold} from '../picture/mark.js';
 import {lengthCm, parseArguments, UsageError} from './arguments.js';
 import {figuresLine} from './figures.js';
 import {checkWritable, writeText} from './files.js';
@@ -22,6 +23,8 @@ const grammar = {
 /** What the page adds unless told otherwise, and more than anybody sews with. [cm] */
 const usualAllowance = 1;
 const greatestAllowance = 10;
+/** For scripts: what was written is an answer, but not the one that was sold. */
+const notReproducedCode = 3;
 
 /** `order`: solves a stored design again, for production, and says whether the answer is the one that was sold. */
 export async function order(words: readonly string[]): Promise<void> {
@@ -40,14 +43,16 @@ export async function order(words: readonly string[]): Promise<void> {
   }
   const address = addressOf(designFile);
   const base = baseWord === undefined ? new URL('.', address) : folderOf(baseWord);
+  // what a stranger's design names elsewhere is not read
+  const within =
+    baseWord === undefined && base.protocol === 'file:' ? [base, folderOf('.')] : [base];
   const stored = textOf(await readAddress(address));
 
   const progress = new ProgressLine();
   let done: Order;
   try {
     done = await solveOrder(stored, {
-      base,
-      name: designFile,
+      ...{base, within, name: designFile},
       onProgress: (step) => {
         progress.show(step);
       },
@@ -55,24 +60,29 @@ export async function order(words: readonly string[]): Promise<void> {
   } finally {
     progress.clear();
   }
-  if (cutFile !== undefined) await writeText(cutFile, await toCut(done, base, allowanceCm));
+  if (cutFile !== undefined)
+    await writeText(cutFile, await toCut(done, {base, within}, allowanceCm));
   if (outFile !== undefined) await writeText(outFile, done.text);
   report(designFile, done, args.has('--json'));
+  if (!done.reproduced) process.exitCode = notReproducedCode;
 }
 
 async function toCut(
-  {design, garment: text, print: cloth, result}: Order,
-  base: URL,
+  {design, garment: text, print: cloth, result, reproduced}: Order,
+  {base, within}: {readonly base: URL; readonly within: readonly URL[]},
   allowanceCm: number,
 ): Promise<string> {
   const garment = JSON.parse(text) as Garment;
-  const tile = await fetchTile(cloth, addressFrom(base, design.print.url));
+  const tile = await fetchTile(cloth, addressFrom(base, design.print.url), {within});
   const {size} = design.garment;
   return cuttingFile(
     result,
     {...cloth, ...(tile !== undefined && {tile})},
     {...garmentTitle(garment), ...(size !== undefined && {size}), panels: panelMarks(garment)},
-    {allowanceCm, units: 'cm', plain: design.options.plain ?? []},
+    {
+      ...{allowanceCm, units: 'cm', plain: design.options.plain ?? []},
+      ...(!reproduced && {mark: notAsSold}),
+    },
   );
 }
 
@@ -104,6 +114,6 @@ function difference(designFile: string, {design, differenceCm}: Order): string {
   const remedy =
     design.solver === packageVersion
       ? `it was sold with this version, ${packageVersion}, so check that nobody changed the design or the solver's module`
-      : `for the very answer that was sold, use npx seamwise@${design.solver} order ${designFile}`;
+      : `for the very answer that was sold, keep version ${design.solver} beside this one (npm install seamwise-${design.solver}@file:seamwise-${design.solver}.tgz) and order with that: node node_modules/seamwise-${design.solver}/dist/cli/main.js order ${designFile}`;
   return `the answer differs from the one that was sold, ${where}; ${remedy}.`;
 }

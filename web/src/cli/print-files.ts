@@ -1,8 +1,9 @@
-import {dirname, extname, isAbsolute, join} from 'node:path';
+import {dirname, extname, isAbsolute, join, resolve} from 'node:path';
+import {pathToFileURL} from 'node:url';
 
 import {colourwayOf, type Print} from '../model/print.js';
 import {FileError} from '../model/versioned-file.js';
-import {addressFrom, readAddress} from '../node/addresses.js';
+import {addressFrom, readAddress, type ReadingLimits} from '../node/addresses.js';
 import {readBytes, textOf} from '../node/files.js';
 import {UsageError} from './arguments.js';
 
@@ -16,6 +17,8 @@ export const imageTypes: Readonly<Record<string, string>> = {
   '.gif': 'image/gif',
   '.avif': 'image/avif',
 };
+
+const isOnWeb = (image: string): boolean => /^https?:/i.test(image);
 
 /** The bytes of a print file. Its picture, which often lies beside it, is named by mistake. @throws {UsageError} */
 export async function readPrint(path: string): Promise<Uint8Array> {
@@ -39,17 +42,23 @@ export function inColourway(print: Print, name: string, path: string): Print {
 }
 
 /** The print's image as a picture takes it: SVG text, or a URL that holds all of its bytes. @throws {UsageError} */
-export async function readTile({image}: Print, printFile: string): Promise<string | undefined> {
-  if (image === undefined || /^(data|https?):/.test(image)) return image;
+export async function readTile(print: Print, printFile: string): Promise<string | undefined> {
+  const {image} = print;
+  if (image === undefined || image.startsWith('data:')) return image;
+  if (isOnWeb(image)) return fetchTile(print, pathToFileURL(resolve(printFile)));
   const path = isAbsolute(image) ? image : join(dirname(printFile), image);
   return tileIn(path, path, readBytes);
 }
 
 /** The same for a print that lies at an address, from where its image is fetched. @throws {UsageError} */
-export async function fetchTile({image}: Print, print: URL): Promise<string | undefined> {
+export async function fetchTile(
+  {image}: Print,
+  print: URL,
+  limits: ReadingLimits = {},
+): Promise<string | undefined> {
   if (image === undefined || image.startsWith('data:')) return image;
   const address = addressFrom(print, image);
-  return tileIn(address.pathname, image, () => readAddress(address));
+  return tileIn(address.pathname, image, () => readAddress(address, limits));
 }
 
 async function tileIn(
@@ -71,9 +80,10 @@ async function tileIn(
 
 /** The print's picture as a design holds it: with all of its bytes; none where there is no such file. */
 export async function readPicture(print: Print, printFile: string): Promise<string | undefined> {
+  if (print.image === undefined || isOnWeb(print.image)) return undefined;
   try {
     const tile = await readTile(print, printFile);
-    if (tile === undefined || tile.startsWith('http')) return undefined;
+    if (tile === undefined) return undefined;
     return tile.startsWith('data:') ? tile : `data:image/svg+xml,${encodeURIComponent(tile)}`;
   } catch (error) {
     if (error instanceof UsageError || error instanceof FileError) return undefined; // a solve needs no picture

@@ -16,7 +16,8 @@ seamwise align GARMENT.json --print PRINT.json [flags]
 seamwise order DESIGN.json [flags]
   Solves a stored design again, from the garment and the print that it names, and says whether
   the answer is, byte for byte, the one that was sold: reproduced true or false.
-    --base URL|FOLDER           what its relative URLs count from; default its own folder
+    --base URL|FOLDER           what its relative URLs count from, and where its files have to be;
+                                default its own folder, with files of the folder where you stand, too
     --out RESULT.json           writes the result, without times
     --svg FILE.svg              writes the pieces to cut, at true scale
     --allowance CM              around them; default 1
@@ -47,6 +48,6 @@ seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.s
 seamwise --version
 seamwise --help
 
-Exit code: 0 done; 2 bad input, with one sentence that says what is wrong; 1 anything else, such as
-a job of a batch that failed; 130 a batch that was interrupted.
+Exit code: 0 done; 2 bad input, with one sentence that says what is wrong; 3 an order whose answer is not
+the one that was sold; 1 anything else, such as a job of a batch that failed; 130 a batch that was interrupted.
 `;

@@ -7,9 +7,13 @@ import {inputLimit, readBytes} from './files.js';
 
 export interface ReadingLimits {
   readonly signal?: AbortSignal;
+  /** Folders, or hosts of the web, out of which nothing is read; without them, no bounds. */
+  readonly within?: readonly URL[];
   /** For one file. [ms] Default 30 000. */
   readonly timeoutMs?: number;
 }
+
+const mostRedirections = 5;
 
 const isWeb = (address: URL): boolean => /^https?:$/.test(address.protocol);
 
@@ -48,6 +52,7 @@ export const calledAs = (address: URL): string =>
 /** @throws {FileError} naming the address and what is wrong; the signal's reason, when it fires */
 export async function readAddress(address: URL, limits: ReadingLimits = {}): Promise<Uint8Array> {
   limits.signal?.throwIfAborted();
+  checkWithin(address, limits.within);
   if (isWeb(address)) return fetchBytes(address, limits);
   let path: string;
   try {
@@ -58,14 +63,45 @@ export async function readAddress(address: URL, limits: ReadingLimits = {}): Pro
   return readBytes(path, inputLimit, limits.signal);
 }
 
+function checkWithin(address: URL, within: ReadingLimits['within']): void {
+  const isIn = ({protocol, host, pathname}: URL): boolean =>
+    address.protocol === protocol &&
+    address.host === host &&
+    (isWeb(address) || address.pathname.startsWith(pathname.replace(/\/*$/, '/')));
+  if (within === undefined || within.some(isIn)) return;
+  const places = within.map((one) => (isWeb(one) ? one.origin : calledAs(one))).join(' and ');
+  throw new FileError(
+    calledAs(address),
+    `lies outside of ${places}, and only there may be read; put it there, or name its folder or host as the base.`,
+  );
+}
+
+/** Follows redirections as far as they stay within the bounds. */
+async function fetched(
+  address: URL,
+  {within}: ReadingLimits,
+  signal: AbortSignal,
+): Promise<Response> {
+  let at = address;
+  for (let steps = 0; steps <= mostRedirections; steps++) {
+    const response = await fetch(at, {signal, redirect: 'manual'});
+    const location = response.headers.get('location');
+    if (response.status < 300 || response.status > 399 || location === null) return response;
+    await response.body?.cancel();
+    at = addressFrom(at, location);
+    checkWithin(at, within);
+  }
+  throw new FileError(address.href, 'is redirected in circles; correct the address.');
+}
+
 async function fetchBytes(
   address: URL,
-  {signal, timeoutMs = 30_000}: ReadingLimits,
+  {signal, timeoutMs = 30_000, within}: ReadingLimits,
 ): Promise<Uint8Array> {
   const timeout = AbortSignal.timeout(timeoutMs);
   const either = signal ? AbortSignal.any([signal, timeout]) : timeout;
   try {
-    const response = await fetch(address, {signal: either});
+    const response = await fetched(address, {...(within && {within})}, either);
     if (!response.ok) {
       await response.body?.cancel();
       throw new FileError(

@@ -19,10 +19,15 @@ import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresse
 import {textOf} from './files.js';
 
 export interface OrderHooks extends SolveHooks, ReadingLimits {
-  /** The bytes of a file, by its URL as the design gives it. Without it they are fetched, or read from disk. */
+  /**
+   * The bytes of a file, by its URL as the design gives it. Without it they are fetched, or read from disk, which
+   * takes a `base`.
+   */
   readonly read?: (url: string, signal?: AbortSignal) => Promise<Uint8Array>;
-  /** URL or folder that relative URLs count from; by default the folder of the process. */
+  /** URL or folder that relative URLs count from. */
   readonly base?: string | URL;
+  /** Folders and hosts that files may come from, redirections included; the folder or host of `base` by default. */
+  readonly within?: readonly URL[];
   /** What messages call the design. Default 'design'. */
   readonly name?: string;
 }
@@ -57,10 +62,8 @@ export async function orderWith(
   const text = typeof stored === 'string' ? stored : writeStoredDesign(stored);
   const design = readStoredDesign(text, name);
   const read = hooks.read ?? readerFrom(hooks);
-  const [garment, printText] = await Promise.all([
-    textAt(design.garment, name, read, hooks.signal),
-    textAt(design.print, name, read, hooks.signal),
-  ]);
+  const garment = await textAt(design.garment, name, read, hooks.signal);
+  const printText = await textAt(design.print, name, read, hooks.signal);
   const print = printOfStored(design, printText);
   const result = await solve(problemOfStored(design, {garment, print: printText}), {
     ...hooks,
@@ -76,8 +79,14 @@ export async function orderWith(
 }
 
 function readerFrom({base, ...limits}: OrderHooks): NonNullable<OrderHooks['read']> {
-  const folder = base instanceof URL ? base : folderOf(base ?? '.');
-  return (url) => readAddress(addressFrom(folder, url), limits);
+  if (base === undefined) {
+    throw new TypeError(
+      "order() reads what the design names: give it 'read', a function that knows your files, or 'base', the folder or host they are on.",
+    );
+  }
+  const folder = base instanceof URL ? base : folderOf(base);
+  const {within = [new URL('.', folder)]} = limits;
+  return (url) => readAddress(addressFrom(folder, url), {...limits, within});
 }
 
 /** @throws {FileError} when it is not the file that the design was made with */
@@ -88,11 +97,10 @@ async function textAt(
   signal: AbortSignal | undefined,
 ): Promise<string> {
   const bytes = await read(url, signal);
-  const found = sha256Of(bytes);
-  if (found !== sha256) {
+  if (sha256Of(bytes) !== sha256) {
     throw new FileError(
       url,
-      `is not the file that ${design} was made with (its sha256 is ${found}, not ${sha256}); put the earlier file back, or make the design again.`,
+      `is not the file that ${design} was made with, whose sha256 is ${sha256}; put the earlier file back, or make the design again.`,
     );
   }
   return textOf(bytes);

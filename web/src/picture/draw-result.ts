@@ -8,11 +8,14 @@ import {mismatchSteps, stepLines} from './colours.js';
 import {drawPieces, nameLeading, nameRoom, strokeOf, type Scene} from './draw-pieces.js';
 import {finalFit, fitOf, worstOf, type Fit} from './fit.js';
 import {layOutNamed} from './layout.js';
+import {markAcross} from './mark.js';
 import {escaped, nameLines, short, text, textWidth} from './svg.js';
 
 export interface PictureOptions {
   /** Headline; the print's group and repeat by default. */
   readonly title?: string;
+  /** Words across the whole picture, such as `notAsSold`. */
+  readonly mark?: string;
   /** Starts every id in the picture, for pages that hold several. */
   readonly id?: string;
 }
@@ -184,6 +187,7 @@ export function drawResult(
     heading(top.after, 'After', 'aligned and reshaped', fits.after),
     drawPieces(scene('after', [left, top.after + 52]), nameSize),
     legend(foot + 12, scale, result, fits.after),
+    options.mark === undefined ? '' : markAcross(options.mark, width, height),
     '</svg>\n',
   ].join('\n');
 }

@@ -1,8 +1,11 @@
 /** Small helpers for writing SVG text. */
 import type {Point} from '../model/geometry.js';
 
+/** What XML cannot hold, not even escaped: most control characters, halves of surrogate pairs, U+FFFE and U+FFFF. */
+const unwritable = /[^\t\n\r\u{20}-\u{d7ff}\u{e000}-\u{fffd}\u{10000}-\u{10ffff}]/gu;
+
 export const escaped = (text: string): string =>
-  text.replace(/[&<>"']/g, (c) => `&#${c.codePointAt(0) ?? 0};`);
+  text.replace(unwritable, '\u{fffd}').replace(/[&<>"']/g, (c) => `&#${c.codePointAt(0) ?? 0};`);
 
 export const short = (value: number): string => String(Number(value.toFixed(2)) + 0);
 

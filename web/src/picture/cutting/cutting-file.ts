@@ -5,6 +5,7 @@ import type {SolveResult} from '../../model/result.js';
 import {formatLength, type Units} from '../../model/units.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../cloth.js';
 import {layOut, type Layout} from '../layout.js';
+import {markAcross} from '../mark.js';
 import {escaped, short, text} from '../svg.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
 import {drawCutPiece} from './draw-cut-piece.js';
@@ -18,6 +19,8 @@ export interface CuttingOptions {
   readonly units: Units;
   /** How numbers are written. Default 'en'. */
   readonly locale?: string;
+  /** Words across the whole sheet, such as `notAsSold`. */
+  readonly mark?: string;
   /** Pieces, by name, that are cut from unprinted cloth. */
   readonly plain?: readonly string[];
 }
@@ -63,7 +66,7 @@ export function cuttingFile(
   result: SolveResult,
   print: PrintWithTile,
   {title, size, panels}: CuttingMarks,
-  {allowanceCm, units, locale = 'en', plain = []}: CuttingOptions,
+  {allowanceCm, units, locale = 'en', mark, plain = []}: CuttingOptions,
 ): string {
   const cuts = result.pieces.map((piece) =>
     cutPiece(piece, print, panels.get(piece.name) ?? {}, {
@@ -112,6 +115,7 @@ export function cuttingFile(
     ...facts.map((line, k) =>
       text([margin + 122, below + 18 + 7 * k], line, {size: 4.5, fill: ink}),
     ),
+    mark === undefined ? '' : markAcross(mark, width, height),
     '</svg>\n',
   ].join('\n');
 }

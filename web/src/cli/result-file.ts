@@ -1,0 +1,86 @@
+/** A result file as a picture is drawn of it. It may have been written, or changed, by anybody. */
+import {readAlignment} from '../model/design-reader.js';
+import type {Point} from '../model/geometry.js';
+import {groupNames} from '../model/print.js';
+import {
+  fail,
+  fieldOf,
+  flag,
+  isTooDeep,
+  listOf,
+  Malformed,
+  number,
+  oneOf,
+  pairOf,
+  shape,
+  wholeNumber,
+  type Read,
+} from '../model/read.js';
+import type {SolveResult} from '../model/result.js';
+import {UsageError} from './arguments.js';
+
+/** What `order` writes of a result says first if it is not the one that was sold. */
+export type ResultFile = SolveResult & {readonly reproduced?: boolean};
+
+const finite = number(-1e9, 1e9);
+const point: Read<Point> = pairOf(finite);
+
+const below =
+  (count: number): Read<number> =>
+  (value, at) =>
+    wholeNumber(value, at) < count ? Number(value) : fail(at, `a number below ${count}`);
+
+function piece(value: unknown, at: string): void {
+  const {rest, shape: after} = shape({rest: listOf(point), shape: listOf(point)})(value, at);
+  if (rest.length !== after.length) fail(`${at}.shape`, `as long as '${at}.rest'`);
+  const vertex = below(rest.length);
+  const {outline} = shape({
+    name: (name: unknown, where: string) => (typeof name === 'string' ? name : fail(where, 'text')),
+    ...{outline: listOf(vertex), holes: listOf(listOf(vertex)), alignment: readAlignment},
+  })(value, at);
+  if (outline.length < 3) fail(`${at}.outline`, 'a list of at least three');
+}
+
+function checkSeams(value: unknown, pieces: number): void {
+  const side = shape({piece: below(pieces), vertices: listOf(wholeNumber)});
+  listOf(shape({a: side, b: side, weight: finite, matched: flag, mismatch: listOf(finite)}))(
+    value,
+    'seams',
+  );
+}
+
+function checkSymmetries(value: unknown, pieces: number): void {
+  const index = below(pieces);
+  const maps = {map: readAlignment, pairs: listOf(pairOf(wholeNumber))};
+  const kinds = {
+    piece: shape({...maps, piece: index}),
+    pair: shape({...maps, pieces: pairOf(index)}),
+  };
+  listOf((entry, at) => {
+    const kind = oneOf(['piece', 'pair'])(fieldOf(entry, 'kind'), `${at}.kind`);
+    return kinds[kind](entry, at);
+  })(value, 'symmetries');
+}
+
+/** @throws {UsageError} naming the file and the field that is wrong */
+export function asResult(value: unknown, path: string): ResultFile {
+  const complain = (what: string): UsageError =>
+    new UsageError(
+      `${path} is not a whole result file (seamwise-result/1)${what}; align the garment again with --out.`,
+    );
+  if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
+  try {
+    const {pieces} = shape({
+      pieces: listOf(piece),
+      print: shape({group: oneOf(groupNames), w1: point, w2: point}),
+      metrics: shape({maxMovedCm: finite}),
+    })(value, '');
+    if (pieces.length === 0) throw complain('');
+    checkSeams(fieldOf(value, 'seams'), pieces.length);
+    checkSymmetries(fieldOf(value, 'symmetries'), pieces.length);
+  } catch (error) {
+    if (error instanceof Malformed) throw complain(`: ${error.message}`);
+    throw error;
+  }
+  return value as ResultFile;
+}
