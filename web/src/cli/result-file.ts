@@ -70,11 +70,14 @@ export function asResult(value: unknown, path: string): ResultFile {
     );
   if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
   try {
-    const {pieces} = shape({
-      pieces: listOf(piece),
-      print: shape({group: oneOf(groupNames), w1: point, w2: point}),
-      metrics: shape({maxMovedCm: finite}),
-    })(value, '');
+    const {pieces} = shape(
+      {
+        pieces: listOf(piece),
+        print: shape({group: oneOf(groupNames), w1: point, w2: point}),
+        metrics: shape({maxMovedCm: finite}),
+      },
+      {drafted: listOf(readAlignment)},
+    )(value, '');
     if (pieces.length === 0) throw complain('');
     checkSeams(fieldOf(value, 'seams'), pieces.length);
     checkSymmetries(fieldOf(value, 'symmetries'), pieces.length);
