@@ -3,6 +3,7 @@ import {describe, expect, it} from 'vitest';
 
 import type {Point} from '../../web/src/model/geometry.js';
 import {groupNames, type GroupName} from '../../web/src/model/print.js';
+import {latticeVectors} from '../../web/src/model/repeat.js';
 import {
   apply,
   determinant,
@@ -10,6 +11,7 @@ import {
   latticeType,
   printDistance,
   printElements,
+  reducedBasis,
   type Repeat,
 } from '../../web/src/model/wallpaper.js';
 
@@ -120,6 +122,15 @@ it('tells mirrors from glides: where the image of (1, 2) lies', () => {
   expect(printDistance({...repeat, group: 'pg'})([1, 2], [1, -2])).toBeCloseTo(4, 12);
   expect(printDistance({...repeat, group: 'pmg'})([1, 2], [1, 2 - 8])).toBeCloseTo(0, 12);
   expect(printDistance({...repeat, group: 'pmg'})([1, 1], [1, 3])).toBeCloseTo(0, 12);
+});
+
+it('reduces hexagonal lattices at any turn, whose shortest vectors are equally long', () => {
+  for (let turn = -180; turn <= 180; turn += 0.25) {
+    const [w1, w2] = latticeVectors('p6m', {width: 2.9, height: 5, angleDeg: 90}, turn);
+    const [a, b] = reducedBasis(w1, w2);
+    expect(Math.hypot(...a)).toBeCloseTo(2.9, 9);
+    expect(Math.hypot(...b)).toBeCloseTo(2.9, 9);
+  }
 });
 
 it('finds the rectangular cell of a centred and of a hexagonal lattice', () => {

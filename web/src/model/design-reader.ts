@@ -1,7 +1,7 @@
 /** Designs that come from outside: each value is checked, so that the rest of the page may trust it. */
 import type {Design} from './design.js';
 import type {Alignment, Point} from './geometry.js';
-import type {GrainRule, SolveOptions} from './options.js';
+import type {GrainRule, Lock, SolveOptions} from './options.js';
 import {groupNames} from './print.js';
 import {methods} from './problem.js';
 import {
@@ -39,6 +39,8 @@ const grainRule: Read<GrainRule> = (value, at) =>
 
 const markedLine = shape({piece: text(), line: listOf(point)});
 
+const lock: Read<Lock> = (value, at) => (value === true ? value : listOf(wholeNumber)(value, at));
+
 const options: Read<SolveOptions> = shape(
   {},
   {
@@ -53,6 +55,8 @@ const options: Read<SolveOptions> = shape(
     unmatched: listOf(wholeNumber),
     plain: listOf(text()),
     matches: listOf(shape({a: markedLine, b: markedLine}, {weight: number(0, 1e6)})),
+    locked: recordOf(lock),
+    openEdges: oneOf(['kept', 'free']),
     proof: number(0, 1e6),
   },
 );

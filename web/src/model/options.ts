@@ -33,9 +33,20 @@ export interface SolveOptions {
   /** Pieces, by name, that are cut from unprinted cloth. */
   readonly plain?: readonly string[];
   readonly matches?: readonly MatchedLines[];
+  /** What stays as drafted, by the name of the piece; mirror images follow. */
+  readonly locked?: Locks;
+  /** Whether hems and other edges that are not sewn keep their line. Default `kept`. */
+  readonly openEdges?: OpenEdges;
   /** Work for a proof of the alignment, as a multiple of the search's. Default: a little, where that may do. */
   readonly proof?: number;
 }
+
+/** All of a piece, or edges of its outline by their number in the garment file. */
+export type Lock = true | readonly number[];
+
+export type Locks = Readonly<Record<string, Lock>>;
+
+export type OpenEdges = 'kept' | 'free';
 
 /** Two marked lines that lie on each other without being sewn (a button front, a patch pocket). */
 export interface MatchedLines {

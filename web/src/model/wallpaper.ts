@@ -125,8 +125,10 @@ export function reducedBasis(w1: Point, w2: Point): readonly [Point, Point] {
   for (;;) {
     if (Math.hypot(...a) > Math.hypot(...b)) [a, b] = [b, a];
     const q = Math.round((a[0] * b[0] + a[1] * b[1]) / (a[0] * a[0] + a[1] * a[1]));
-    if (q === 0) return [a, b];
-    b = [b[0] - q * a[0], b[1] - q * a[1]];
+    const shorter: Point = [b[0] - q * a[0], b[1] - q * a[1]];
+    // rounding alone could go on for ever between vectors of equal length, as on hexagonal lattices
+    if (Math.hypot(...shorter) >= Math.hypot(...b) * (1 - 1e-9)) return [a, b];
+    b = shorter;
   }
 }
 
