@@ -1,12 +1,21 @@
 /** What there is to take away beside project and result: a picture, and the pieces to cut. */
 import {css, html, type TemplateResult} from 'lit';
 
-import {controls, DeskElement, icon, lengthUnit, placeUnder} from '../element/index.js';
+import {
+  controls,
+  DeskElement,
+  icon,
+  lengthUnit,
+  placeUnder,
+  type NumberField,
+} from '../element/index.js';
 import {unseen} from './page-layout.js';
 import {copyLink, saveCutting, savePicture} from './save.js';
 
 /** What most sewing patterns have. [cm] */
 const usualAllowance = 1;
+/** More than any hem. [cm] */
+const greatestAllowance = 5;
 
 export class SaveMenu extends DeskElement {
   static override properties = {...DeskElement.properties, allowance: {state: true}};
@@ -42,7 +51,7 @@ export class SaveMenu extends DeskElement {
   }
 
   protected override render(): TemplateResult {
-    const {app} = this.texts;
+    const {app, controls: controlTexts} = this.texts;
     const {desk} = this;
     const {cm, name} = lengthUnit[desk.preferences.units];
     return html`
@@ -60,22 +69,24 @@ export class SaveMenu extends DeskElement {
           <button class="outlined" @click=${() => void savePicture(desk)}>
             ${icon.save} ${app.savePicture}
           </button>
-          <label>
-            ${app.allowance(name)}
-            <input
-              type="number"
-              min="0"
-              max=${5 / cm}
-              step=${0.1}
-              .value=${String(Number((this.allowance / cm).toFixed(3)))}
-              @change=${(event: Event) => {
-                const value = (event.target as HTMLInputElement).valueAsNumber * cm;
-                if (value >= 0 && value <= 5) this.allowance = value;
-                else this.requestUpdate();
-              }}
-            />
-          </label>
-          <button class="outlined" @click=${() => void saveCutting(desk, this.allowance)}>
+          <sw-number-field
+            .label=${app.allowance(name)}
+            .value=${this.allowance / cm}
+            .least=${0}
+            .most=${greatestAllowance / cm}
+            .step=${0.1}
+            .digits=${3}
+            .wrong=${controlTexts.between(this.format.length(0), this.format.length(greatestAllowance))}
+            @entered=${({detail}: CustomEvent<number>) => {
+              this.allowance = detail * cm;
+            }}
+          ></sw-number-field>
+          <button
+            class="outlined"
+            @click=${() => {
+              this.#saveCutting();
+            }}
+          >
             ${icon.save} ${app.saveCutting}
           </button>
           <button class="outlined" @click=${() => void copyLink(desk)}>
@@ -84,5 +95,12 @@ export class SaveMenu extends DeskElement {
         </div>
       </div>
     `;
+  }
+
+  /** Not with another allowance than the one that is typed. */
+  #saveCutting(): void {
+    const field = this.renderRoot.querySelector<NumberField>('sw-number-field');
+    if (field?.isWrong) field.focus();
+    else void saveCutting(this.desk, this.allowance);
   }
 }

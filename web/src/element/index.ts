@@ -8,7 +8,7 @@ export type {PatternPane} from './pattern/pattern-pane.js';
 export {textsOf} from './texts/texts.js';
 export {placeUnder} from './style/place-under.js';
 export {tokens} from './style/tokens.js';
-export {lengthUnit} from './controls/number-field.js';
+export {lengthUnit, type NumberField} from './controls/number-field.js';
 export * from './workbench/preferences.js';
 export * from './workbench/samples.js';
 export * from './workbench/workbench.js';

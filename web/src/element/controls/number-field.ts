@@ -58,6 +58,15 @@ export class NumberField extends LitElement {
     this.digits = 2;
   }
 
+  /** What was typed last is no good: `value` is not what the field shows. */
+  get isWrong(): boolean {
+    return this.typed !== undefined;
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector('input')?.focus(options);
+  }
+
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('value') || changed.has('subject')) this.typed = undefined;
   }

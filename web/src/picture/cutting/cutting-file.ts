@@ -28,7 +28,7 @@ export interface CuttingOptions {
 /** [mm] */
 const unit = 10;
 const margin = 15;
-const foot = 75;
+const foot = 82;
 /** Between cut lines. [cm] */
 const gap = 1.5;
 /** Width to height of a sheet. */
@@ -89,10 +89,15 @@ export function cuttingFile(
     allowanceCm > 0
       ? `Solid: cut. Dashed: sew, ${formatLength(allowanceCm, units, locale)} inside.`
       : 'Without allowance: sew along the solid line.',
-    'Numbered crosses of a piece lie on the same point of the print.',
+    ...(cuts.some(({matches}) => matches.length > 0)
+      ? [
+          'Numbered crosses of a piece lie on the same point of the print;',
+          'the faint frame around each shows one repeat.',
+        ]
+      : []),
     'Print at 100 %; measure the squares.',
   ];
-  const below = height - margin - 51;
+  const below = height - margin - 58;
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}mm" height="${short(height)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
     `<title>${escaped(heading)}</title>`,

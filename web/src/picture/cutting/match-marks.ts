@@ -96,7 +96,8 @@ function diagonal(points: readonly Point[]): number {
 
 /**
  * Three points of the piece, or fewer where it is small, that lie on the print a whole number of repeats
- * from each other: on its origin if that serves, else on the point of it that serves best.
+ * from each other: on its origin, which is the middle of a motif, if two of them lie well there, else on the
+ * point of it that serves best.
  * @param loops outline and holes of the shape
  */
 export function matchMarks(
@@ -111,7 +112,7 @@ export function matchMarks(
     const [s, t] = [Math.floor(k / parts) / parts, (k % parts) / parts];
     const motif: Point = [s * w1[0] + t * w2[0], s * w1[1] + t * w2[1]];
     const marks = farApart(placesOf(motif, basis, alignment, loops));
-    if (marks.length === 3 && spread(marks) >= wide) return marks;
+    if (marks.length >= (k === 0 ? 2 : 3) && spread(marks) >= wide) return marks;
     if ((marks.length - best.length || spread(marks) - spread(best)) > 0) best = marks;
   }
   return best;
