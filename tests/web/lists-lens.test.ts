@@ -15,7 +15,7 @@ const row = (seam: number, after: number, counts = true): SeamRow => ({
     ownWeight: 1,
     matched: true,
   },
-  ...{canMatch: true, counts},
+  ...{canMatch: true, keptOn: [], counts},
 });
 /** By mismatch: 2, 0, 1; seam 3 does not count. */
 const rows = [row(0, 2), row(1, 1), row(2, 3), row(3, 9, false)];

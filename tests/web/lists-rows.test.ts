@@ -164,7 +164,7 @@ it('finds the worst of the seams that count', () => {
       ownWeight: 1,
       matched: true,
     },
-    ...{canMatch: true, counts},
+    ...{canMatch: true, keptOn: [], counts},
   });
   const rows = [row(0, 1), row(1, 3), row(2, 9, false), row(3, 2)];
   expect(worstSeams(rows, 2).map(({seam: number}) => number)).toEqual([1, 3]);

@@ -4,14 +4,15 @@ import {describe, expect, it} from 'vitest';
 
 import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import {
+  axisLine,
   footOnAxis,
   inverse,
-  isOnMotif,
   mirrorAlignment,
   mirrorLines,
   mirrors,
   nearestMirrored,
   nextMirrored,
+  turnToGrain,
 } from '../../web/src/model/placing.js';
 import {groupsThatCarry, latticeVectors} from '../../web/src/model/repeat.js';
 import {
@@ -112,10 +113,7 @@ describe.each(groupsThatCarry('piece'))('a symmetric piece on %s', (group) => {
       fc.property(repeatIn(group), ownMap, alignment, (repeat, map, wanted) => {
         const at = nearestMirrored(repeat, map, wanted, [0, 0]) ?? wanted;
         const axis = (map.angle - Math.PI) / 2;
-        const lines = mirrorLines(repeat).filter(
-          ({along: [x, y]}) => Math.abs(Math.sin(Math.atan2(y, x) + at.angle - axis)) < 1e-6,
-        );
-        const spacing = Math.min(...lines.map((line) => line.spacing));
+        const {spacing = NaN} = axisLine(repeat, map, at) ?? {};
         const moved = (share: number): Alignment | undefined => {
           const [dx, dy] = turned([0, share * spacing], axis);
           const [x, y] = at.translation;
@@ -178,6 +176,47 @@ describe.each(groupsThatCarry('pair'))('a mirrored pair on %s', (group) => {
   });
 });
 
+const withTurn = (repeat: Repeat, turn: number): Repeat => ({
+  ...repeat,
+  w1: turned(repeat.w1, turn),
+  w2: turned(repeat.w2, turn),
+});
+
+it.each(groupsThatCarry('piece'))(
+  'turns a print of %s so that symmetry and grain go together',
+  (group) => {
+    const rule = {angles: [0.3, 0.3 + Math.PI], tolerance: 0};
+    fc.assert(
+      fc.property(repeatIn(group), ownMap, (repeat, map) => {
+        const turn = turnToGrain(repeat, map, [rule, rule], true);
+        const after = withTurn(repeat, turn);
+        const at = nearestMirrored(after, map, {angle: 0, translation: [0, 0]}, [0, 0], rule);
+        expect(at && missed(after, map, at, at)).toBeLessThan(1e-9);
+        expect(turnToGrain(after, map, [rule, rule], true)).toBe(0);
+      }),
+      runs,
+    );
+  },
+);
+
+it.each(groupsThatCarry('pair'))(
+  'turns a print of %s so that a pair and its grain go together',
+  (group) => {
+    const [one, other] = [0.3, -0.8].map((angle) => ({
+      angles: [angle, angle + Math.PI],
+      tolerance: 0,
+    }));
+    fc.assert(
+      fc.property(repeatIn(group), ownMap, (repeat, map) => {
+        const turn = turnToGrain(repeat, map, [one, other], false);
+        expect(turnToGrain(withTurn(repeat, turn), map, [one, other], false)).toBe(0);
+        expect(turnToGrain(repeat, map, [one, undefined], false)).toBe(0);
+      }),
+      runs,
+    );
+  },
+);
+
 it('knows glides from mirrors', () => {
   const lattice = {w1: [10, 0], w2: [0, 8]} as const;
   expect(mirrorLines({...lattice, group: 'pg'})).toEqual([]);
@@ -193,9 +232,10 @@ it('says whether an axis runs through motifs or between them', () => {
   const map = reflection([3, 0], Math.PI / 2);
   const lying = (x: number): Alignment => ({angle: 0, translation: [x, 1]});
   expect(footOnAxis(map, [7, 5])).toEqual([expect.closeTo(3, 9), expect.closeTo(5, 9)]);
-  expect(isOnMotif(repeat, map, lying(3))).toBe(true);
-  expect(isOnMotif(repeat, map, lying(13))).toBe(true);
-  expect(isOnMotif(repeat, map, lying(8))).toBe(false);
+  expect(axisLine(repeat, map, lying(3))).toMatchObject({spacing: 5, isOnMotif: true});
+  expect(axisLine(repeat, map, lying(13))?.isOnMotif).toBe(true);
+  expect(axisLine(repeat, map, lying(8))?.isOnMotif).toBe(false);
+  expect(axisLine(repeat, map, {angle: 0.3, translation: [3, 1]})).toBeUndefined();
 });
 
 it('keeps to the angles of the grain, and says so when none is left', () => {

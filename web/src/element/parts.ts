@@ -7,6 +7,7 @@ import {SeamLens} from './lens/lens.js';
 import {PieceTable} from './lists/piece-table.js';
 import {SeamTable} from './lists/seam-table.js';
 import {Tables} from './lists/tables.js';
+import {KeepMenu} from './pattern/keep-menu.js';
 import {Legend} from './pattern/legend.js';
 import {PatternPane} from './pattern/pattern-pane.js';
 import {TiesMenu} from './pattern/ties-menu.js';
@@ -23,12 +24,14 @@ import {GarmentChoice} from './shell/garment-choice.js';
 import {Headline} from './shell/headline.js';
 import {KeyMap} from './shell/key-map.js';
 import {SolveProgress} from './shell/solve-progress.js';
+import {WaysOut} from './shell/ways-out.js';
 import {SymmetryPanel} from './symmetry/symmetry-panel.js';
 
 const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-fit-panel': FitPanel,
   'sw-garment-choice': GarmentChoice,
   'sw-headline': Headline,
+  'sw-keep-menu': KeepMenu,
   'sw-key-map': KeyMap,
   'sw-legend': Legend,
   'sw-lens': SeamLens,
@@ -49,6 +52,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-tool-hint': ToolHint,
   'sw-toolbar': Toolbar,
   'sw-units-question': UnitsQuestion,
+  'sw-ways-out': WaysOut,
   'sw-wipe-handle': WipeHandle,
 };
 

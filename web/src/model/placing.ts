@@ -96,7 +96,7 @@ export interface AngleRule {
   readonly tolerance: number;
 }
 
-const isAllowed = (angle: number, rule: AngleRule | undefined): boolean =>
+export const isAllowed = (angle: number, rule: AngleRule | undefined): boolean =>
   !rule || rule.angles.some((one) => Math.abs(wrapped(angle - one)) <= rule.tolerance + 1e-6);
 
 /** A way for a symmetric piece to lie: its axis on any of these lines, at this angle. */
@@ -180,12 +180,13 @@ export function nextMirrored(
   from: Alignment,
   about: Point,
   sense: 1 | -1,
+  rule?: AngleRule,
 ): Alignment | undefined {
   const turn = (angle: number): number => {
     const way = sense * wrapped(angle - from.angle);
     return way > 1e-6 ? way : way + 2 * Math.PI;
   };
-  const angles = mirrorPlaces(repeat, map).map(({angle}) => angle);
+  const angles = mirrorPlaces(repeat, map, rule).map(({angle}) => angle);
   const next = angles.sort((one, other) => turn(one) - turn(other))[0];
   if (next === undefined) return undefined;
   const foot = footOnAxis(map, about);
@@ -193,15 +194,35 @@ export function nextMirrored(
   return nearestMirrored(repeat, map, wanted, about);
 }
 
-/** Whether the axis of a symmetric piece runs through motifs, which are at the print's origin. */
-export function isOnMotif(repeat: Repeat, map: Alignment, alignment: Alignment): boolean {
-  const angle = axisAngle(map) - alignment.angle;
-  const point = printPoint(alignment, footOnAxis(map, [0, 0]));
-  return mirrorLines(repeat).some(({along, motifs}) => {
-    const isParallel = Math.abs(Math.sin(Math.atan2(along[1], along[0]) - angle)) < 1e-6;
-    const lines = dot(point, normalOf(along)) / motifs;
-    return isParallel && Math.abs(lines - Math.round(lines)) * motifs < 1e-3;
-  });
+/** The line of the print on which the axis of a symmetric piece lies. */
+export interface AxisLine {
+  /** Of the axis, in the piece's coordinates; of length 1. */
+  readonly along: Point;
+  /** To the next line on which the axis could lie. [cm] */
+  readonly spacing: number;
+  /** The axis runs through motifs, which are at the print's origin. */
+  readonly isOnMotif: boolean;
+}
+
+/** Undefined where the axis is not along mirror lines of the print. */
+export function axisLine(
+  repeat: Repeat,
+  map: Alignment,
+  alignment: Alignment,
+): AxisLine | undefined {
+  const axis = axisAngle(map);
+  const angle = axis - alignment.angle;
+  const lines = mirrorLines(repeat).find(
+    ({along}) => Math.abs(Math.sin(Math.atan2(along[1], along[0]) - angle)) < 1e-6,
+  );
+  if (!lines) return undefined;
+  const {spacing, motifs} = lines;
+  const off = dot(printPoint(alignment, footOnAxis(map, [0, 0])), normalOf(lines.along)) / motifs;
+  return {
+    along: [Math.cos(axis), Math.sin(axis)],
+    spacing,
+    isOnMotif: Math.abs(off - Math.round(off)) * motifs < 1e-3,
+  };
 }
 
 /** The other way round: from the second piece of a pair to the first. */
@@ -267,4 +288,31 @@ export function mirrors(
       Math.hypot(...reduced(repeat, rotated(off, -angle))) < exact / 2
     );
   });
+}
+
+/**
+ * The least turn of the print, counter-clockwise, that lets two pieces of a pair, or one symmetric piece, mirror
+ * each other and keep their angles; 0 when they can as it is. The group must carry the symmetry. [rad]
+ */
+export function turnToGrain(
+  repeat: Repeat,
+  map: Alignment,
+  [first, second]: readonly [AngleRule | undefined, AngleRule | undefined],
+  isSingle: boolean,
+): number {
+  if (!first || !second) return 0;
+  // R(turn) diag(1, -1) is what turns the print over
+  const overs = isSingle
+    ? mirrorLines(repeat).map(({along}) => 2 * Math.atan2(along[1], along[0]))
+    : mirrored(repeat).map(({xx, yx}) => Math.atan2(yx, xx));
+  const turns = overs.flatMap((over) =>
+    first.angles.flatMap((angle, k) =>
+      (isSingle ? first.angles.slice(k, k + 1) : second.angles).map(
+        // a print that is turned by a turns its axes by as much, and `over` by twice that
+        (other) => wrapped(map.angle - angle - other - over - Math.PI) / 2,
+      ),
+    ),
+  );
+  const least = turns.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one), 4);
+  return Math.abs(2 * least) <= first.tolerance + second.tolerance + 1e-6 ? 0 : least;
 }

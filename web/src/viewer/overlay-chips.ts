@@ -1,7 +1,7 @@
 /** The words of an overlay: names of marked points, letters of pairs that were found, and messages. */
 import type {Point} from '../model/geometry.js';
 import {chipColours, chipLayer, move, placeable, textChip} from './chips.js';
-import {onSheet, type Overlay} from './overlay.js';
+import {onSheet, type Overlay, type Sign} from './overlay.js';
 import type {PatternScene} from './scene.js';
 import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
 import type {Appearance} from './strokes.js';
@@ -24,7 +24,7 @@ export class OverlayChips {
   #message: HTMLElement | undefined;
 
   show(scene: PatternScene, overlay: Overlay, appearance: Appearance): void {
-    const {points = [], ghosts = [], message} = overlay;
+    const {points = [], ghosts = [], signs = [], message} = overlay;
     const beside = {share: [0, -0.5], by: [reach, 0]} as const;
     const named = points.flatMap(({piece, point, label}): Chip[] =>
       label === undefined
@@ -40,13 +40,18 @@ export class OverlayChips {
             off: {share: [-0.5, -0.5], by: [0, 0]},
           })),
     );
+    const decided = signs.map(({piece, point, sign}): Chip => ({
+      element: signChip(sign, appearance),
+      at: onSheet(scene, piece, point),
+      off: {share: [-0.5, -0.5], by: [0, 0]},
+    }));
     const said = message && {
       element: messageChip(message.text, message.tone, appearance),
       at: onSheet(scene, message.piece, message.point),
       off: {share: [-0.5, -1], by: [0, -reach]} as const,
     };
     this.#message = said?.element;
-    this.#chips = [...letters, ...named, ...(said ? [said] : [])];
+    this.#chips = [...letters, ...decided, ...named, ...(said ? [said] : [])];
     this.element.replaceChildren(...this.#chips.map(({element}) => element));
   }
 
@@ -99,5 +104,38 @@ function messageChip(text: string, tone: 'error' | 'info', appearance: Appearanc
     border: `1px solid ${colour}`,
     ...(tone === 'error' && {color: alert}),
   });
+  return element;
+}
+
+/** Drawn with one stroke on a square of 16 by 16. */
+const signPaths: Readonly<Record<Sign, string>> = {
+  pin: 'M5.5 2.5h5M6.5 2.5v4.5L4 9.5h8L9.5 7V2.5M8 9.5V14',
+  lock: 'M4 7.5h8v6H4zM5.5 7.5V5a2.5 2.5 0 0 1 5 0v2.5',
+};
+
+function signChip(sign: Sign, appearance: Appearance): HTMLElement {
+  const {text, paper, ring} = chipColours[appearance];
+  const element = placeable(document.createElement('span'), {
+    boxSizing: 'border-box',
+    width: `${letterSize}px`,
+    height: `${letterSize}px`,
+    padding: '2px',
+    borderRadius: '50%',
+    border: `1px solid ${ring}`,
+    background: paper,
+  });
+  element.dataset.sign = sign;
+  const picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  picture.setAttribute('viewBox', '0 0 16 16');
+  Object.assign(picture.style, {display: 'block', width: '100%', height: '100%'});
+  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+  for (const [name, value] of Object.entries({
+    ...{d: signPaths[sign], fill: 'none', stroke: text, 'stroke-width': '1.6'},
+    ...{'stroke-linecap': 'round', 'stroke-linejoin': 'round'},
+  })) {
+    path.setAttribute(name, value);
+  }
+  picture.append(path);
+  element.append(picture);
   return element;
 }

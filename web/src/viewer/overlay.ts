@@ -24,8 +24,14 @@ export interface Overlay {
   readonly points?: readonly (OnPiece & {readonly label?: string})[];
   readonly lines?: readonly {readonly piece: number; readonly line: readonly Point[]}[];
   readonly cursors?: readonly OnPiece[];
+  /** Lines that something may click over to. */
+  readonly rails?: readonly {readonly piece: number; readonly line: readonly [Point, Point]}[];
+  /** What is decided about a piece, as a sign on it. */
+  readonly signs?: readonly (OnPiece & {readonly sign: Sign})[];
   readonly message?: OnPiece & {readonly text: string; readonly tone: 'error' | 'info'};
 }
+
+export type Sign = 'pin' | 'lock';
 
 /** Of the thread between two sides: how far it bends out, in parts of its length. */
 const bend = 0.16;
@@ -70,7 +76,15 @@ export function overlayStrokes(
     const dashed = line(piece, ends, {colour, width: 1.6, dash: [5, 7]});
     return [cased(dashed, casing), dashed];
   };
-  const {ghosts = [], candidate, points = [], lines = [], cursors = [], highlight} = overlay;
+  const {
+    ghosts = [],
+    candidate,
+    points = [],
+    lines = [],
+    cursors = [],
+    rails = [],
+    highlight,
+  } = overlay;
   const seam = highlight && scene.seams[highlight.seam];
   return [
     ...outline(overlay.hoverPiece, {colour: accent, width: 2}),
@@ -78,6 +92,10 @@ export function overlayStrokes(
     ...ghosts.flatMap((ghost) =>
       ghost.kind === 'piece' ? axis(ghost.piece, ghost.axis, quiet) : [],
     ),
+    ...rails.flatMap(({piece, line: ends}) => {
+      const rail = line(piece, ends, {colour: mark, width: 1, dash: [1, 4]});
+      return [cased(rail, casing), rail];
+    }),
     ...(candidate ? axis(candidate.piece, candidate.axis, accent) : []),
     ...lines.flatMap(({piece, line: marked}) => {
       const chosen = line(piece, marked, {colour: accent, width: 3.5});

@@ -4,7 +4,7 @@ import {Scene} from 'three';
 import {LineLayer, type LineMaterial} from './line-layer.js';
 import {PrintLayer, type PrintMaterial} from './print-layer.js';
 import type {PatternScene} from './scene.js';
-import {markStrokes, outlineStrokes, seamStrokes, type Appearance} from './strokes.js';
+import {keptStrokes, markStrokes, outlineStrokes, seamStrokes, type Appearance} from './strokes.js';
 
 /** Shared by all scenes of a view. */
 export interface Materials {
@@ -15,6 +15,7 @@ export interface Materials {
 interface Layers {
   readonly print: PrintLayer;
   readonly outlines: LineLayer;
+  readonly kept: LineLayer;
   readonly seams: LineLayer;
   readonly marks: LineLayer;
 }
@@ -22,6 +23,7 @@ interface Layers {
 /** Whether two scenes differ in nothing but how the pieces lie on the print. */
 const sameGeometry = (a: PatternScene, b: PatternScene): boolean =>
   a.symmetries === b.symmetries &&
+  a.kept === b.kept &&
   a.seams.length === b.seams.length &&
   a.seams.every(({a: side}, k) => side === b.seams[k]?.a) &&
   a.pieces.length === b.pieces.length &&
@@ -79,8 +81,9 @@ export class SceneLayers {
     this.#layers = {
       print: new PrintLayer(scene.pieces, cloth),
       outlines: lines(outlineStrokes, 1),
-      seams: lines(seamStrokes, 2),
-      marks: lines(markStrokes, 3),
+      kept: lines(keptStrokes, 2),
+      seams: lines(seamStrokes, 3),
+      marks: lines(markStrokes, 4),
     };
     this.object.add(...Object.values(this.#layers).map(({object}: Layers[keyof Layers]) => object));
   }

@@ -62,6 +62,14 @@ export type SceneSymmetry =
   | {readonly kind: 'piece'; readonly piece: number; readonly axis: readonly [Point, Point]}
   | {readonly kind: 'pair'; readonly letter: string; readonly marks: readonly PairMark[]};
 
+/** A run of vertices of a piece. */
+export interface KeptLine {
+  readonly piece: number;
+  readonly vertices: readonly number[];
+  /** A seam is drawn along it. */
+  readonly isSewn: boolean;
+}
+
 export interface PatternScene {
   readonly pattern: Pattern;
   readonly outline: 'rest' | 'shape';
@@ -69,6 +77,8 @@ export interface PatternScene {
   readonly pieces: readonly ScenePiece[];
   readonly seams: readonly SceneSeam[];
   readonly symmetries: readonly SceneSymmetry[];
+  /** Parts of outlines that stay as drafted. */
+  readonly kept?: readonly KeptLine[];
   /** The sheet reaches from (0, 0) to here. */
   readonly size: Point;
   readonly scale: MismatchScale;

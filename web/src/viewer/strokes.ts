@@ -42,6 +42,9 @@ export const inks: Readonly<Record<Appearance, Inks>> = {
   },
 };
 
+/** Between the lines beside a kept edge, for the widest seam and its casing. [CSS px] */
+const keptRoom = 7;
+
 export const placed = (
   {points, offset}: Pick<ScenePiece, 'points' | 'offset'>,
   vertices: readonly number[],
@@ -100,6 +103,19 @@ export function seamStrokes(
     return [seam.a, seam.b].map((side): Stroke => ({points: lineOf(scene, side), styles}));
   });
   return [...sides.map((side) => cased(side, casing)), ...sides];
+}
+
+/** Two lines beside each part of an outline that stays as drafted; a seam lies between them. */
+export function keptStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
+  const {casing, mark} = inks[appearance];
+  return (scene.kept ?? []).flatMap(({piece, vertices, isSewn}): Stroke[] => {
+    const points = lineOf(scene, {piece, vertices});
+    const inner = isSewn ? keptRoom : 2.4;
+    return [
+      {points, styles: {colour: mark, width: inner + 2.4}},
+      {points, styles: {colour: casing, width: inner}},
+    ];
+  });
 }
 
 /** An arrow head at `tip`, seen from `tail`. */

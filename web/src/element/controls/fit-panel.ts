@@ -128,6 +128,17 @@ export class FitPanel extends DeskElement {
         </label>
         <p id="continuous" class="soft beside">${texts.continuousNote}</p>
       </div>
+      <label class="inline">
+        <input
+          type="checkbox"
+          .checked=${design.options.openEdges !== 'free'}
+          @change=${({target}: Event) => {
+            const openEdges = (target as HTMLInputElement).checked ? 'kept' : 'free';
+            this.desk.change({options: {...design.options, openEdges}});
+          }}
+        />
+        ${this.texts.keep.openEdges}
+      </label>
       <label>
         ${texts.method}
         <select

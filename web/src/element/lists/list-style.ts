@@ -101,6 +101,7 @@ export const listStyle = css`
     color: var(--sw-soft);
     white-space: nowrap;
   }
+  .line svg,
   .kind svg {
     width: 0.8125rem;
     height: 0.8125rem;

@@ -1,8 +1,11 @@
 /** The pieces of a garment, and what is decided about each. */
 import {html, nothing, type TemplateResult} from 'lit';
+import {live} from 'lit/directives/live.js';
 
 import type {GrainLock} from '../../model/options.js';
+import {togglePart} from '../pattern/keeping.js';
 import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
 import type {Target} from '../workbench/workbench.js';
 import {withGrain, withoutPin, withPrinted} from './choices.js';
 import {listStyle} from './list-style.js';
@@ -30,6 +33,7 @@ export class PieceTable extends ListTable<PieceRow> {
       {title: lists.offGrain, key: ({offGrain}) => offGrain, numeric: true},
       {title: lists.grain},
       {title: lists.printed},
+      {title: this.texts.keep.column},
     ];
   }
 
@@ -78,6 +82,7 @@ export class PieceTable extends ListTable<PieceRow> {
           }}
         />
       </td>
+      <td class="middle">${this.#keep(row, tabIndex)}</td>
     `;
   }
 
@@ -100,10 +105,25 @@ export class PieceTable extends ListTable<PieceRow> {
     </select>`;
   }
 
+  #keep(row: PieceRow, tabIndex: number): TemplateResult {
+    const {lists, keep} = this.texts;
+    return html`<input
+      type="checkbox"
+      tabindex=${tabIndex}
+      aria-label=${lists.of(keep.kept, row.label)}
+      title=${row.kept === 'some' ? keep.some : keep.kept}
+      .checked=${live(row.kept === 'all')}
+      .indeterminate=${live(row.kept === 'some')}
+      @change=${() => {
+        togglePart(this.desk, {piece: row.piece});
+      }}
+    />`;
+  }
+
   #pin(row: PieceRow, tabIndex: number): TemplateResult {
     const {lists} = this.texts;
     return html`<span class="line"
-      >${lists.pinned}
+      >${icon.pin} ${lists.pinned}
       <button
         class="link"
         tabindex=${tabIndex}

@@ -32,6 +32,8 @@ export interface PieceRow {
   readonly grain: GrainLock | 'all';
   readonly printed: boolean;
   readonly pinned: boolean;
+  /** How much of its outline stays as drafted. */
+  readonly kept: 'all' | 'some' | 'none';
 }
 
 export interface SeamRow {
@@ -60,6 +62,8 @@ export interface SeamRow {
   /** What the garment file says about the weight. */
   readonly ownWeight: number;
   readonly matched: boolean;
+  /** Labels of the pieces whose side of it stays as drafted. */
+  readonly keptOn: readonly string[];
   /** Whether it is for its match switch to say so: no plain piece, no word of the file is against it. */
   readonly canMatch: boolean;
   /** False as well for a seam that meets however the print lies. */
@@ -156,6 +160,21 @@ function offGrain({grain, alignment}: ScenePiece, oneWay: boolean): number {
   return (Math.atan2(Math.abs(across), oneWay ? along : Math.abs(along)) * 180) / Math.PI;
 }
 
+/** Whether all of an outline, or some of it, stays as drafted. */
+function keptOf({kept = [], pieces}: PatternScene, piece: number): PieceRow['kept'] {
+  const count = kept
+    .filter((line) => line.piece === piece)
+    .reduce((sum, {vertices}) => sum + vertices.length - 1, 0);
+  if (count === 0) return 'none';
+  return count === pieces[piece]?.outline.length ? 'all' : 'some';
+}
+
+/** Whether all of a side of a seam stays as drafted. */
+const isKeptSide = ({kept = []}: PatternScene, {piece, vertices}: SeamSide): boolean =>
+  kept.some(
+    (line) => line.piece === piece && vertices.every((vertex) => line.vertices.includes(vertex)),
+  );
+
 const piecesOf = lastOf((options: Design['options'], scene: PatternScene): readonly PieceRow[] => {
   const known = measures(scene.pattern).pieces;
   return scene.pieces.map((piece, k): PieceRow => {
@@ -169,6 +188,7 @@ const piecesOf = lastOf((options: Design['options'], scene: PatternScene): reado
       grain: typeof rule === 'string' ? rule : rule.lock,
       printed: !plain,
       pinned: options.pins !== undefined && Object.hasOwn(options.pins, name),
+      kept: keptOf(scene, k),
     };
   });
 });
@@ -206,6 +226,7 @@ const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts
     const canMatch = matched && ![a, b].some(({piece}) => now.pieces[piece]?.plain);
     return {
       ...{seam, name, between, sides, kind, counts, canMatch},
+      keptOn: [a, b].flatMap((side, k) => (isKeptSide(now, side) ? [sides[k] ?? ''] : [])),
       length: lengths[seam] ?? 0,
       before: before.seams[seam]?.mean ?? 0,
       after: mean,

@@ -65,6 +65,13 @@ export class SeamTable extends ListTable<SeamRow> {
         ${row.name}
         ${counts ? this.#kind(kind) : html`<span class="soft">(${pattern.notCounted})</span>`}
         ${drift === undefined ? nothing : html`<span class="soft">${drift}</span>`}
+        ${
+          row.keptOn.length === 0
+            ? nothing
+            : html`<span class="line"
+                >${icon.lock} ${this.texts.keep.keptOn(row.keptOn.join(', '))}</span
+              >`
+        }
       </th>
       <td class="number">${format.length(row.length)}</td>
       <td class="number soft">${format.fine(row.before)}</td>

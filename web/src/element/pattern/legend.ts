@@ -46,6 +46,15 @@ export class Legend extends DeskElement {
         font-weight: 700;
         letter-spacing: 0.05em;
       }
+      .kept::before {
+        content: '';
+        display: inline-block;
+        width: 1.5rem;
+        height: 3px;
+        margin-right: 0.4em;
+        border-block: 1px solid currentcolor;
+        vertical-align: 0.25em;
+      }
       svg {
         display: block;
       }
@@ -76,6 +85,7 @@ export class Legend extends DeskElement {
           ? html`<span class="dotted">${legend.notCounted}</span>`
           : nothing
       }
+      ${scene?.kept ? html`<span class="kept">${this.texts.keep.kept}</span>` : nothing}
       <button
         aria-pressed=${scale === 'paper'}
         title=${legend.asPaperNote}

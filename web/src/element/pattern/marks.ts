@@ -1,7 +1,8 @@
 /** What is drawn over the pattern: what is pointed at and selected, found symmetries, choices, cursors. */
+import type {SolveOptions} from '../../model/options.js';
 import type {Pattern} from '../../model/result.js';
 import type {DetectedSymmetry} from '../../model/symmetries.js';
-import {pick} from '../../picture/marks.js';
+import {innermost, pick} from '../../picture/marks.js';
 import type {OnPiece, Overlay} from '../../viewer/overlay.js';
 import {symmetriesOf, type PatternScene, type SceneSymmetry} from '../../viewer/scene.js';
 import {atShare} from '../../viewer/seam-line.js';
@@ -34,6 +35,7 @@ export function overlayOf(
     ...(pointed?.kind === 'piece' && {hoverPiece: pointed.piece}),
     ...(selected?.kind === 'piece' && {selectPiece: selected.piece}),
     cursors: cursorsOf(scene, cursor),
+    signs: signsOf(scene, desk.design?.options),
     ...marks,
     ghosts: [...ghostsOf(desk.found, scene.pattern, scene.outline), ...(marks.ghosts ?? [])],
   };
@@ -61,6 +63,16 @@ const ghostsOf = lastOf(
     const kept = pattern.symmetries.filter(({kind}) => kind === 'pair').length;
     return symmetriesOf({...pattern, symmetries}, outline, kept);
   },
+);
+
+/** A sign stands below the place for the letter of a pair. */
+const signsOf = lastOf(
+  (scene: PatternScene, {pins}: SolveOptions = {}): NonNullable<Overlay['signs']> =>
+    scene.pieces.flatMap(({name, points, outline}, piece) => {
+      if (!pins?.[name]) return [];
+      const {at, room} = innermost(pick(points, outline));
+      return [{piece, point: [at[0], at[1] - 0.6 * room], sign: 'pin'}];
+    }),
 );
 
 function cursorsOf(scene: PatternScene, cursor: LensCursor | undefined): readonly OnPiece[] {

@@ -52,7 +52,8 @@ function chosen({tools, index, desk}: PatternPane, key: string): boolean {
   }
   const chooses =
     key === ' ' || (key === 'Enter' && (tools.active === 'pair' || desk.selected?.kind === 'seam'));
-  if (!index || !chooser.tool || !chooses) return false;
+  const takes = chooser.tool !== undefined || tools.active === 'keep';
+  if (!index || !takes || !chooses) return false;
   tools.takeSelected(index);
   return true;
 }
@@ -71,6 +72,9 @@ function toolKey(pane: PatternPane, key: string): boolean {
       return true;
     case 'm':
       tools.toggle('move');
+      return true;
+    case 'k':
+      tools.toggle('keep');
       return true;
     case 'Escape': {
       if (tools.back() || !desk.selected) return true;

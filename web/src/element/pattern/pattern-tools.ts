@@ -7,14 +7,19 @@ import {notchMark} from '../../picture/cutting/follow.js';
 import type {Overlay} from '../../viewer/overlay.js';
 import type {PatternScene} from '../../viewer/scene.js';
 import type {Format} from '../texts/format.js';
-import type {Texts} from '../texts/texts.js';
+import {textsOf, type Texts} from '../texts/texts.js';
 import {withAll} from '../workbench/symmetry-steps.js';
 import type {Target, Workbench} from '../workbench/workbench.js';
-import {middleOf, pin, shifted, turned, unpin} from './print-mover.js';
+import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js';
+import {keepMarks, toggleKept} from './keeping.js';
+import {railsOf} from './rails.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
 
-/** `axis`: a symmetric piece by two points, even where a line is near. */
-export type Tool = 'piece' | 'axis' | 'pair' | 'move';
+/**
+ * `axis`: a symmetric piece by two points, even where a line is near. `keep`: what is pressed stays as drafted,
+ * or is let go.
+ */
+export type Tool = 'piece' | 'axis' | 'pair' | 'move' | 'keep';
 
 /** How near a pointer has to come to a line. [CSS px] */
 export const reachOf = (pointerType: string): number => (pointerType === 'touch' ? 22 : 6);
@@ -22,41 +27,41 @@ export const reachOf = (pointerType: string): number => (pointerType === 'touch'
 /** Lines no further apart than this are as good as each other. [CSS px] */
 const tie = 2;
 
-/** Of a turn by a key. [radians] */
-const turnStep = Math.PI / 180;
-
 export class PatternTools {
   readonly chooser: SymmetryChooser;
   /** There is one tool, and it is at work. */
   readonly isFixed: boolean;
   readonly #desk: Workbench;
   readonly #changed: () => void;
-  #moving: boolean;
+  /** A tool that names no symmetry. */
+  #own: 'move' | 'keep' | undefined;
   #byPoints = false;
+  /** What a press would keep or let go. */
+  #pointed: Picked | undefined;
   #hovered: (Snapped & {readonly piece: number}) | undefined;
 
   /** @param purpose with `place` the print is moved, and there is no other tool */
   constructor(desk: Workbench, changed: () => void, purpose: 'edit' | 'place' = 'edit') {
     this.isFixed = purpose === 'place';
-    this.#moving = this.isFixed;
+    if (this.isFixed) this.#own = 'move';
     this.#desk = desk;
     this.#changed = changed;
     this.chooser = new SymmetryChooser(desk, changed);
   }
 
   get active(): Tool | undefined {
-    if (this.#moving) return 'move';
+    if (this.#own) return this.#own;
     const {tool} = this.chooser;
     return tool === 'piece' && this.#byPoints ? 'axis' : tool;
   }
 
   toggle(tool: Tool): void {
     if (this.isFixed) return;
-    if (tool === 'move') {
+    if (tool === 'move' || tool === 'keep') {
       this.chooser.leave();
-      this.#moving = !this.#moving;
+      this.#own = this.#own === tool ? undefined : tool;
     } else {
-      this.#moving = false;
+      this.#own = undefined;
       if (tool === this.active) this.chooser.leave();
       else this.chooser.send({type: 'start', tool: tool === 'pair' ? 'pair' : 'piece'});
       this.#byPoints = tool === 'axis';
@@ -68,7 +73,7 @@ export class PatternTools {
   back(): boolean {
     const {active, isFixed} = this;
     if (isFixed) return false;
-    if (active === 'move') this.toggle('move');
+    if (active === 'move' || active === 'keep') this.toggle(active);
     else if (active) this.chooser.send({type: 'back'});
     return active !== undefined;
   }
@@ -85,7 +90,8 @@ export class PatternTools {
   }
 
   words(texts: Texts, format: Format): string {
-    return this.#moving ? texts.symmetry.moving : this.chooser.words(texts, format);
+    if (!this.#own) return this.chooser.words(texts, format);
+    return this.#own === 'move' ? texts.symmetry.moving : texts.keep.hint;
   }
 
   /** What a press may have meant: one thing, or several as good as each other. */
@@ -100,13 +106,14 @@ export class PatternTools {
 
   /** Where a press just here would be taken to be; undefined when it would not be a point. */
   hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
+    this.#pointed = this.#own === 'keep' ? target : undefined;
     const isPoint = this.active === 'axis' || (this.active === 'piece' && target?.kind === 'piece');
     const before = this.#hovered;
     this.#hovered =
       target && isPoint
         ? {piece: target.piece, ...this.#snapped(index, target, reachCm)}
         : undefined;
-    if (before || this.#hovered) this.#changed();
+    if (before || this.#hovered || this.#own === 'keep') this.#changed();
   }
 
   #snapped(index: PickIndex, {piece, point}: Picked, reachCm: number): Snapped {
@@ -124,6 +131,7 @@ export class PatternTools {
           : {type: 'pick', target, snapped: point},
       );
     }
+    if (this.#own === 'keep') toggleKept(this.#desk, target);
     this.#desk.select(
       target.kind === 'seam'
         ? {kind: 'seam', seam: target.seam, side: target.side}
@@ -146,32 +154,38 @@ export class PatternTools {
   /** As if what is selected had been pressed. */
   takeSelected(index: PickIndex): void {
     const {selected} = this.#desk;
-    if (!selected || !this.chooser.tool) return;
-    if (selected.kind === 'seam') {
-      const target = seamTarget(index, selected.seam, selected.side);
-      if (target) this.chooser.send({type: 'pick', target});
-    } else {
-      const piece = this.#desk.scenes?.now.pieces[selected.piece];
-      if (!piece) return;
-      const point = middleOf(piece);
-      this.chooser.send({type: 'pick', target: {kind: 'piece', piece: selected.piece, point}});
-    }
+    const target = selected && this.#targetOf(index, selected);
+    if (!target) return;
+    if (this.#own === 'keep') toggleKept(this.#desk, target);
+    else if (this.chooser.tool) this.chooser.send({type: 'pick', target});
   }
 
-  /** The print of the selected piece, moved by a way [cm] and turned by steps of a degree. */
-  nudge(way: Point, turns = 0): boolean {
+  #targetOf(index: PickIndex, selected: Target): Picked | undefined {
+    if (selected.kind === 'seam') return seamTarget(index, selected.seam, selected.side);
+    const piece = this.#desk.scenes?.now.pieces[selected.piece];
+    return piece && {kind: 'piece', piece: selected.piece, point: middleOf(piece)};
+  }
+
+  /** The print of the selected piece, moved by a way [cm] or turned by degrees. */
+  nudge(way: Point, degrees = 0): boolean {
     const {selected, scenes} = this.#desk;
     const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
-    if (!this.#moving || !piece) return false;
-    const moved = shifted(piece.alignment, way);
-    pin(this.#desk, piece, turns === 0 ? moved : turned(moved, turns * turnStep, middleOf(piece)));
+    if (this.#own !== 'move' || !piece) return false;
+    const wanted =
+      degrees === 0 ? stepped(this.#desk, piece, way) : turnedOn(this.#desk, piece, degrees);
+    if (wanted) pin(this.#desk, piece, wanted);
+    else {
+      const {language, messages} = this.#desk.preferences;
+      const {cannotTurn} = textsOf(language, messages).symmetry;
+      this.#desk.say({tone: 'info', text: cannotTurn(piece.label)});
+    }
     return true;
   }
 
   /** Drags the print of a piece from where it lies. @returns what follows the pointer by ways on the sheet [cm] */
   drag(scene: PatternScene, piece: number): ((way: Point) => void) | undefined {
     const dragged = scene.pieces[piece];
-    if (!this.#moving || !dragged) return undefined;
+    if (this.#own !== 'move' || !dragged) return undefined;
     const from: Alignment = dragged.alignment;
     this.#desk.select({kind: 'piece', piece});
     return (way) => {
@@ -182,10 +196,12 @@ export class PatternTools {
   /** Lets go of a print that had been moved. */
   free(piece: number): void {
     const freed = this.#desk.scenes?.now.pieces[piece];
-    if (this.#moving && freed) unpin(this.#desk, freed);
+    if (this.#own === 'move' && freed) unpin(this.#desk, freed);
   }
 
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
+    if (this.#own === 'move') return railsOf(scene, this.#desk.selected, texts);
+    if (this.#own === 'keep') return keepMarks(this.#desk, scene, this.#pointed, texts);
     const marks = this.chooser.marks(scene, texts, format);
     if (!this.#hovered || !this.chooser.tool) return marks;
     const {piece, point, snapped} = this.#hovered;

@@ -4,7 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import type {PatternTools} from './pattern-tools.js';
-import {centred, frontOf, pin} from './print-mover.js';
+import {centred, frontOf, pin, unpin} from './print-mover.js';
 
 export class ToolHint extends DeskElement {
   static override properties = {...DeskElement.properties, tools: {attribute: false}};
@@ -45,7 +45,8 @@ export class ToolHint extends DeskElement {
             </button>`
           : nothing
       }
-      ${this.tools.active === 'move' ? this.#presets() : nothing}
+      ${this.tools.active === 'move' ? html`${this.#presets()} ${this.#free()}` : nothing}
+      ${this.tools.active === 'keep' ? html`<sw-keep-menu .desk=${this.desk}></sw-keep-menu>` : nothing}
       ${
         this.tools.isFixed
           ? nothing
@@ -58,6 +59,21 @@ export class ToolHint extends DeskElement {
             </button>`
       }
     </div>`;
+  }
+
+  /** For the selected piece, while it is pinned. */
+  #free(): TemplateResult | typeof nothing {
+    const {selected, scenes, design} = this.desk;
+    const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
+    if (!piece || !design?.options.pins?.[piece.name]) return nothing;
+    return html`<button
+      class="outlined"
+      @click=${() => {
+        unpin(this.desk, piece);
+      }}
+    >
+      ${this.texts.symmetry.freePiece(piece.label)}
+    </button>`;
   }
 
   #presets(): TemplateResult {

@@ -36,12 +36,17 @@ export class Toolbar extends DeskElement {
       <div class="tools" role="toolbar" aria-label=${symmetry.tools}>
         ${this.#tool('piece', symmetry.piece, icon.piece)}
         ${this.#tool('pair', symmetry.pair, icon.pair)}
-        ${this.#tool('move', symmetry.move, icon.move)} ${this.#acceptAll()}
+        ${this.#tool('move', symmetry.move, icon.move)}
+        ${this.#tool('keep', this.texts.keep.tool, icon.lock)} ${this.#acceptAll()}
       </div>
     `;
   }
 
-  #tool(name: 'piece' | 'pair' | 'move', label: string, picture: TemplateResult): TemplateResult {
+  #tool(
+    name: 'piece' | 'pair' | 'move' | 'keep',
+    label: string,
+    picture: TemplateResult,
+  ): TemplateResult {
     return html`<button
       aria-pressed=${this.tools.active === name}
       @click=${() => {

@@ -2,7 +2,6 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Failure} from '../../model/failure.js';
-import {carries, groupsThatCarry} from '../../model/repeat.js';
 import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
@@ -95,28 +94,9 @@ export class Headline extends DeskElement {
     return seamRows(this.desk, this.texts)[seam]?.name ?? '';
   }
 
-  /** What went wrong, and the way out where there is one. */
-  #failed({code, message}: Failure): TemplateResult {
-    const {progress, symmetry} = this.texts;
-    const {design} = this.desk;
-    if (code !== 'symmetryGroup' || !design) {
-      return html`<h2>${progress.failed}</h2>
-        <p class="error" role="alert">${message}</p>`;
-    }
-    const {group} = design.print;
-    return html`<h2>${progress.failed}</h2>
-      <p class="error" role="alert">
-        ${symmetry.wouldCarry(group, groupsThatCarry('piece').join(', '))}
-      </p>
-      <button
-        class="outlined"
-        @click=${() => {
-          const symmetries = design.symmetries.filter(({kind}) => carries(group, kind));
-          this.desk.change({symmetries});
-        }}
-      >
-        ${symmetry.leaveOut}
-      </button>`;
+  #failed(failure: Failure): TemplateResult {
+    return html`<h2>${this.texts.progress.failed}</h2>
+      <sw-ways-out .desk=${this.desk} .failure=${failure}></sw-ways-out>`;
   }
 
   /** For who compares with the paper. */

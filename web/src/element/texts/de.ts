@@ -131,6 +131,25 @@ export const de: Texts = {
       outline: 'Auf der Kante',
       none: 'Punkt',
     },
+    cannotTurn: (piece: string) =>
+      `${piece} kann auf diesem Druck nicht anders liegen. Zum Drehen in der Tabelle der Teile jeden Winkel erlauben.`,
+    snapped:
+      'Ein festgestecktes Teil liegt nun an der nächsten Stelle, die seine Symmetrie erlaubt.',
+    waysOut: 'Auswege',
+    mirrorTwin: (piece: string, twin: string) => `${piece} als Spiegelbild von ${twin}`,
+    freePiece: (piece: string) => `${piece} lösen`,
+    anyAngle: (pieces: string) => `Für ${pieces} jeden Winkel erlauben`,
+    turnPrint: (degrees: string) => `Druck um ${degrees}° drehen`,
+    dropFor: (pieces: string) => `Symmetrie aufgeben: ${pieces}`,
+    cleanUp: 'Weglassen, was dieser Schnitt nicht hat',
+    lacks: {
+      piece: (group: string, groups: string) =>
+        `Ein Druck der Gruppe ${group} hat keine Spiegel, kein Teil kann also in sich symmetrisch sein; ${groups} haben welche.`,
+      pair: (group: string, groups: string) =>
+        `Ein Druck der Gruppe ${group} hat weder Spiegel noch Gleitspiegel, keine Teile können sich also spiegeln; ${groups} haben welche.`,
+    },
+    onMotif: 'Motivmitte',
+    onMirror: 'Spiegellinie',
     centreMotif: 'Motiv mittig',
     centreLine: 'Linie mittig',
     list: 'Symmetrie',
@@ -144,6 +163,20 @@ export const de: Texts = {
     wouldCarry: (group, groups) =>
       `Ein Muster der Gruppe ${group} kann nicht alle davon halten; eines von ${groups} könnte es.`,
   },
+  keep: {
+    tool: 'Form behalten',
+    hint: 'Kante oder Teil anklicken, das bleiben soll, wie es gezeichnet ist; noch einmal klicken gibt es frei.',
+    keep: 'Form behalten',
+    release: 'Freigeben',
+    edges: (piece: string) => `Kanten von ${piece}`,
+    whole: 'Das ganze Teil',
+    openEdge: (length: string) => `Offene Kante, ${length}`,
+    kept: 'Bleibt wie gezeichnet',
+    some: 'Einige Kanten bleiben wie gezeichnet',
+    keptOn: (pieces: string) => `bleibt auf ${pieces}`,
+    column: 'Fest',
+    openEdges: 'Säume und offene Kanten behalten ihre Linie',
+  },
   keys: [
     ['←  →  ↑  ↓', 'Von Teil zu Teil oder entlang der Nähte eines Teils'],
     ['Eingabe', 'Zu den Nähten eines Teils; übernehmen'],
@@ -154,6 +187,7 @@ export const de: Texts = {
     ['P', 'Symmetrisches Paar'],
     ['Leertaste', 'Ausgewähltes nehmen'],
     ['M', 'Muster verschieben; dann Pfeile 1 mm, mit Umschalt 10 mm, [ ] ein Grad'],
+    ['K', 'Form behalten'],
     ['L', 'Lupe auf die ausgewählte Naht'],
     ['W', 'Halten für vorher'],
     ['1 bis 9', 'Die schlechtesten Nähte'],

@@ -128,6 +128,24 @@ export const en = {
       outline: 'On the outline',
       none: 'Point',
     },
+    cannotTurn: (piece: string) =>
+      `${piece} has no other angle on this print. Let it lie at any angle in the table of pieces to turn it.`,
+    snapped: 'A pinned piece went to the nearest place that keeps its symmetry.',
+    waysOut: 'Ways out',
+    mirrorTwin: (piece: string, twin: string) => `Let ${piece} mirror ${twin}`,
+    freePiece: (piece: string) => `Unpin ${piece}`,
+    anyAngle: (pieces: string) => `Let ${pieces} lie at any angle`,
+    turnPrint: (degrees: string) => `Turn the print by ${degrees}°`,
+    dropFor: (pieces: string) => `Drop the symmetry: ${pieces}`,
+    cleanUp: 'Leave out what this garment has not',
+    lacks: {
+      piece: (group: string, groups: string) =>
+        `A print of the group ${group} has no mirrors, so no piece can be symmetric in itself; ${groups} have.`,
+      pair: (group: string, groups: string) =>
+        `A print of the group ${group} has neither mirrors nor glides, so no pieces can mirror each other; ${groups} have.`,
+    },
+    onMotif: 'Middle of a motif',
+    onMirror: 'Mirror line',
     centreMotif: 'Centre a motif',
     centreLine: 'Centre a line',
     list: 'Symmetry',
@@ -141,6 +159,20 @@ export const en = {
     wouldCarry: (group: string, groups: string) =>
       `A print of the group ${group} cannot keep all of these; one of ${groups} could.`,
   },
+  keep: {
+    tool: 'Keep as drafted',
+    hint: 'Click an edge or a piece that has to stay as drafted; click it again to let it go.',
+    keep: 'Keep as drafted',
+    release: 'Let go',
+    edges: (piece: string) => `Edges of ${piece}`,
+    whole: 'The whole piece',
+    openEdge: (length: string) => `Open edge, ${length}`,
+    kept: 'Kept as drafted',
+    some: 'Some edges kept as drafted',
+    keptOn: (pieces: string) => `kept on ${pieces}`,
+    column: 'Keep',
+    openEdges: 'Hems and open edges keep their line',
+  },
   keys: [
     ['←  →  ↑  ↓', 'From piece to piece, or along the seams of one'],
     ['Enter', 'Into the seams of a piece; accept'],
@@ -151,6 +183,7 @@ export const en = {
     ['P', 'Symmetric pair'],
     ['Space', 'Choose what is selected'],
     ['M', 'Move print; then arrows 1 mm, with Shift 10 mm, [ ] one degree'],
+    ['K', 'Keep as drafted'],
     ['L', 'Lens on the selected seam'],
     ['W', 'Hold for before'],
     ['1 to 9', 'The worst seams'],

@@ -4,10 +4,12 @@ import {panelMarks, type PanelMarks} from '../../model/garment-marks.js';
 import type {Garment} from '../../model/garment.js';
 import type {Alignment} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
+import {mirroringsOf, pinnedPlace} from '../../model/pins.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
 import type {MismatchScale} from '../../picture/colours.js';
 import {realigned, sceneOf, type PatternScene, type SceneOptions} from '../../viewer/scene.js';
+import {keptLines} from './kept-lines.js';
 import {lastOf} from './last-of.js';
 import type {Workbench} from './workbench.js';
 
@@ -29,6 +31,10 @@ export class SceneMaker {
   readonly #rest = lastOf(sheetAtRest);
   readonly #solved = lastOf(sheetSolved);
   readonly #lying = lastOf(lying);
+  readonly #kept = lastOf(keptLines);
+  readonly #marked = lastOf((scene: PatternScene, kept: PatternScene['kept']) =>
+    kept ? {...scene, kept} : scene,
+  );
   /** Before anything is known the pieces stay as they lay. */
   readonly #waiting = lastOf((rest: PatternScene, pins: Pins) =>
     lying(
@@ -49,7 +55,7 @@ export class SceneMaker {
     const garment = this.#garment(design.garment.text);
     if (garment !== this.#lastGarment) this.#last = new Map();
     this.#lastGarment = garment;
-    const {plain, pins} = design.options;
+    const {plain, pins, locked} = design.options;
     const settings = this.#settings(garment, plain, desk.preferences.scale, width, height);
     const before = this.#rest(pattern, print, settings);
     const now = result
@@ -57,8 +63,9 @@ export class SceneMaker {
       : partial
         ? this.#lying(before, partial, pins)
         : this.#waiting(before, pins);
+    const kept = this.#kept(pattern, locked);
     this.#last = new Map(now.pieces.map(({name, alignment}) => [name, alignment]));
-    return {before, now, marks: this.#marks(garment)};
+    return {before, now: this.#marked(now, kept), marks: this.#marks(garment)};
   }
 }
 
@@ -90,9 +97,14 @@ const sheetSolved = (
   settings: SceneOptions,
 ): PatternScene => withEdges(sceneOf(result, print, settings), pattern);
 
-/** What is pinned lies where it is pinned, whatever an answer to an earlier question says. */
-const lying = (scene: PatternScene, alignments: readonly Alignment[], pins: Pins): PatternScene =>
-  realigned(
+/** What is pinned lies where it is pinned, and its twin as its mirror image, whatever an answer to an earlier question says. */
+function lying(scene: PatternScene, alignments: readonly Alignment[], pins: Pins): PatternScene {
+  const mirrorings = mirroringsOf(scene.pattern);
+  return realigned(
     scene,
-    scene.pieces.map(({name, alignment}, k) => pins?.[name] ?? alignments[k] ?? alignment),
+    scene.pieces.map(({name, alignment}, k) => {
+      const at = alignments[k] ?? alignment;
+      return pinnedPlace(scene.print, mirrorings, pins, name, at) ?? at;
+    }),
   );
+}

@@ -51,6 +51,11 @@ export class Steps {
       : stepped(amended(this.#history, {...present, view}), step);
   }
 
+  /** Mends the present design, as a part of the step that led to it. */
+  mend(design: Design): void {
+    if (this.#history) this.#history = amended(this.#history, {...this.#history.present, design});
+  }
+
   /** @returns whether there was a step to take back */
   undo(): boolean {
     return this.#travel(this.#history && undone(this.#history));

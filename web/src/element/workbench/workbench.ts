@@ -1,7 +1,9 @@
 /** What a page or element works on: a design with its history, and what the solver knows of it. */
 import {printOf, problemOf, type Design, type DesignGarment} from '../../model/design.js';
 import type {Alignment} from '../../model/geometry.js';
+import type {Failure} from '../../model/failure.js';
 import type {History} from '../../model/history.js';
+import {mirroringsOf} from '../../model/pins.js';
 import type {Problem} from '../../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
@@ -15,6 +17,7 @@ import {Attention} from './attention.js';
 import {Comparison} from './comparison.js';
 import {FoundSymmetries} from './found-symmetries.js';
 import {LatestSolve} from './latest-solve.js';
+import {askedOf, measuredMirrorings, withKeptPins} from './kept-pins.js';
 import {preferencesFor, type Preferences} from './preferences.js';
 import {ResultCache} from './result-cache.js';
 import {bareCloth, newDesign} from './samples.js';
@@ -99,9 +102,9 @@ export class Workbench extends Attention {
           this.align();
           return;
         }
-        this.#state = {kind: 'failed', failure};
-        if (!this.#pattern) void this.#showUnsolved(design);
-        this.changed();
+        if (failure.code === 'symmetryConflict' && design.options.pins)
+          void this.#snap(design, failure);
+        else this.#fail(design, failure);
       },
     });
   }
@@ -195,6 +198,14 @@ export class Workbench extends Attention {
   change(change: Partial<Design>, kind = ''): void {
     if (!this.history) return;
     this.#steps.change(change, kind, this.view?.get() ?? null);
+    const {design} = this;
+    if (design?.options.pins && this.#pattern) {
+      const isAuto = design.symmetries.length === 0 && this.#isAuto?.(design);
+      const known = mirroringsOf(this.#pattern);
+      this.#steps.mend(
+        withKeptPins(design, this.#pattern, isAuto ? known : askedOf(design, known)),
+      );
+    }
     this.unsay();
     this.#arrive();
   }
@@ -301,6 +312,27 @@ export class Workbench extends Attention {
       this.#state = {kind: 'stale', cancelled: false};
     }
     this.changed();
+  }
+
+  #fail(design: Design, failure: Failure): void {
+    this.#state = {kind: 'failed', failure};
+    if (!this.#pattern) void this.#showUnsolved(design);
+    this.changed();
+  }
+
+  /** Pins that a symmetry is against go to the nearest places that are not, as a part of the step that led there. */
+  async #snap(design: Design, failure: Failure): Promise<void> {
+    const known = await measuredMirrorings(design, (symmetry) => this.measure(symmetry));
+    if (design !== this.design) return;
+    const next = withKeptPins(design, this.#pattern, known);
+    if (next === design) {
+      this.#fail(design, failure);
+      return;
+    }
+    const {language, messages} = this.preferences;
+    this.#steps.mend(next);
+    this.#arrive();
+    this.say({tone: 'info', text: textsOf(language, messages).symmetry.snapped});
   }
 
   /** What cannot be solved may still be shown. */

@@ -1,0 +1,41 @@
+/** The angles that a piece may have on its cloth. */
+import type {Design} from './design.js';
+import type {Point} from './geometry.js';
+import {isAllowed, wrapped, type AngleRule} from './placing.js';
+
+const radians = Math.PI / 180;
+
+/** Files that give no grain line mean this one. */
+const upright: readonly [Point, Point] = [
+  [0, 0],
+  [0, 1],
+];
+
+/** Undefined when the piece may lie at any angle. @param grain its grain line, as it lies face up */
+export function grainRule(
+  {options, print}: Pick<Design, 'options' | 'print'>,
+  name: string,
+  [from, to]: readonly [Point, Point] = upright,
+): AngleRule | undefined {
+  const {default: all = 'free', toleranceDeg = 0, pieces = {}} = options.grain ?? {};
+  const own = pieces[name] ?? all;
+  const {lock, toleranceDeg: room = toleranceDeg} = typeof own === 'string' ? {lock: own} : own;
+  if (lock === 'free') return undefined;
+  // the grain line runs along +y of the print, the length of the cloth
+  const straight = Math.atan2(to[1] - from[1], to[0] - from[0]) - Math.PI / 2;
+  const angles = lock === 'on' ? [straight] : [straight - Math.PI / 4, straight + Math.PI / 4];
+  const turned = print.oneWay ? [] : angles.map((angle) => angle + Math.PI);
+  return {angles: [...angles, ...turned], tolerance: room * radians};
+}
+
+/** The angle that a turn by so many degrees leads to: where the rule forbids it, the next one in that sense. [rad] */
+export function angleAfter(rule: AngleRule | undefined, from: number, degrees: number): number {
+  const wanted = from + degrees * radians;
+  if (!rule || isAllowed(wanted, rule)) return wanted;
+  const sense = Math.sign(degrees);
+  const ways = rule.angles.map((angle) => {
+    const way = sense * wrapped(angle - from);
+    return way > 1e-6 ? way : way + 2 * Math.PI;
+  });
+  return from + sense * Math.min(...ways);
+}
