@@ -4,33 +4,13 @@ import {expect, it, vi} from 'vitest';
 
 import type {SeamwisePage} from '../../web/src/app/page.js';
 import {designOf} from '../support/page-design.js';
-import {button, showSample, solved, usePage} from '../support/page.js';
+import {chooseGroup, groupOf, quiet, reloaded} from '../support/page-quiet.js';
+import {button, showSample, solved, usePage, type PageOptions} from '../support/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
-
-/** Nothing here needs an answer, nor much of a picture. */
-const quietPage = async (options: Parameters<typeof openPage>[0] = {}): Promise<Page> => {
-  const page = await openPage({viewport: {width: 640, height: 480}, ...options});
-  const live = page.getByRole('switch', {name: 'Solve as I go', checked: true});
-  await page.getByRole('switch', {name: 'Solve as I go'}).waitFor();
-  if ((await live.count()) > 0) await live.press('Space');
-  return page;
-};
-
-const choose = async (page: Page, group: string): Promise<void> => {
-  await page.getByRole('radio', {name: new RegExp(`^${group},`)}).press('Space');
-  await page.getByRole('radio', {name: new RegExp(`^${group},`), checked: true}).waitFor();
-};
-
-const groupOf = async (page: Page): Promise<string> => (await designOf(page)).print.group;
-
-/** Once the page is there again. */
-const reloaded = async (page: Page): Promise<void> => {
-  await page.reload();
-  await page.getByRole('radiogroup', {name: 'Wallpaper group'}).waitFor();
-};
+const quietPage = (options?: PageOptions): Promise<Page> => quiet(openPage, options);
 
 it('comes back to the same design after a reload during a solve, and solves it', async () => {
   const page = await openPage();
@@ -111,7 +91,7 @@ it('carries a design of samples in a link', async () => {
 
 it('takes up a link in a tab that shows something else, and keeps what is made of it', async () => {
   const page = await quietPage({permissions: ['clipboard-read', 'clipboard-write']});
-  await choose(page, 'cmm');
+  await chooseGroup(page, 'cmm');
   await page.evaluate(() => {
     const hash = `#design=${btoa(
       JSON.stringify({
@@ -128,7 +108,7 @@ it('takes up a link in a tab that shows something else, and keeps what is made o
   await expect
     .poll(async () => (await designOf(page)).garment.name, {timeout: 20_000})
     .toBe('apron-s.json');
-  await choose(page, 'p6m');
+  await chooseGroup(page, 'p6m');
   await reloaded(page);
   const {garment, print} = await designOf(page);
   expect([garment.name, print.group]).toEqual(['apron-s.json', 'p6m']);
@@ -136,7 +116,7 @@ it('takes up a link in a tab that shows something else, and keeps what is made o
 
 it('keeps work on a file that the address names', async () => {
   const page = await quietPage({query: '?garment=garments/tee-s.json'});
-  await choose(page, 'pgg');
+  await chooseGroup(page, 'pgg');
   await reloaded(page);
   const {garment, print} = await designOf(page);
   expect([garment.name, print.group]).toEqual(['tee-s.json', 'pgg']);
@@ -144,7 +124,7 @@ it('keeps work on a file that the address names', async () => {
 
 it('keeps two tabs apart that began with the same project', async () => {
   const page = await quietPage();
-  await choose(page, 'pgg');
+  await chooseGroup(page, 'pgg');
   await reloaded(page); // by now it is kept
   const [twin] = await Promise.all([
     page.context().waitForEvent('page'),
@@ -154,25 +134,8 @@ it('keeps two tabs apart that began with the same project', async () => {
   ]);
   await twin.getByRole('radiogroup', {name: 'Wallpaper group'}).waitFor();
   expect(await groupOf(twin)).toBe('pgg');
-  await choose(twin, 'cmm');
-  await choose(page, 'p6m');
+  await chooseGroup(twin, 'cmm');
+  await chooseGroup(page, 'p6m');
   await Promise.all([reloaded(twin), reloaded(page)]);
   expect([await groupOf(page), await groupOf(twin)]).toEqual(['p6m', 'cmm']);
-});
-
-it('lists recent projects, and opens one of them', async () => {
-  const page = await quietPage();
-  await page.getByLabel('Garment', {exact: true}).selectOption('apron');
-  await expect.poll(async () => (await designOf(page)).garment.name).toBe('apron-m.json');
-  const before = await designOf(page);
-  await reloaded(page);
-  const other = await quietPage({beside: page});
-  expect((await designOf(other)).garment.name).toBe('asymmetric-dress-m.json');
-  await button(other, 'Recent projects').click();
-  const list = other.getByRole('region', {name: 'Recent projects'});
-  await list.getByRole('button', {name: /apron-m\.json/}).click();
-  await expect.poll(async () => (await designOf(other)).garment.name).toBe('apron-m.json');
-  expect(await designOf(other)).toEqual(before);
-  await button(other, 'Undo').click();
-  expect((await designOf(other)).garment.name).toBe('asymmetric-dress-m.json');
 });

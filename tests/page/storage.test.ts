@@ -88,13 +88,14 @@ describe('a project', () => {
     expect(await troubles(page)).toEqual([]);
   });
 
-  it('is undefined when it was never there, or was removed', async () => {
+  it('is undefined when it was never there, or was thrown away an hour ago', async () => {
     const page = await tab(await newcomer());
     const found = await page.evaluate(async () => {
       const {autosave} = Storing;
       await autosave.save('a', {name: 'Tee', state: 1});
-      await autosave.remove('a');
-      return [await autosave.load('a'), await autosave.load('b'), await autosave.recent()];
+      await autosave.change('a', {deleted: Date.now() - 3_600_000});
+      await autosave.tidy();
+      return [await autosave.load('a'), await autosave.load('b'), await autosave.list()];
     });
     expect(found).toEqual([undefined, undefined, []]);
   });
@@ -114,18 +115,107 @@ describe('a project', () => {
   });
 });
 
-it('lists the twenty projects that were changed last, the newest first', async () => {
+it('lists all projects, the one that was changed last first', async () => {
   const page = await tab(await newcomer());
   const names = await page.evaluate(async () => {
     const {autosave} = Storing;
-    for (let k = 0; k < 22; k++) {
+    for (let k = 0; k < 30; k++) {
       await autosave.save(`p${k}`, {name: `Project ${k}`, state: 'y'.repeat(5000 + k)});
       await new Promise((resolve) => setTimeout(resolve, 2));
     }
-    return (await autosave.recent()).map(({name}) => name);
+    return (await autosave.list()).map(({name}) => name);
   });
-  expect(names).toEqual(Array.from({length: 20}, (_, k) => `Project ${21 - k}`));
-  expect(await textLengths(page)).toEqual(Array.from({length: 20}, (_, k) => 5002 + k));
+  expect(names).toEqual(Array.from({length: 30}, (_, k) => `Project ${29 - k}`));
+});
+
+describe('the list', () => {
+  it('keeps a title and a picture over later saves, and lets a title go again', async () => {
+    const page = await tab(await newcomer());
+    const records = await page.evaluate(async () => {
+      const {autosave} = Storing;
+      await autosave.save('a', {name: 'Tee', state: 1});
+      await autosave.change('a', {title: 'For Ada', thumbnail: new Blob(['picture'])});
+      await autosave.save('a', {name: 'Tee, L', state: 2});
+      const [kept] = await autosave.list();
+      await autosave.change('a', {title: undefined});
+      const [untitled] = await autosave.list();
+      return [kept?.title, kept?.name, await kept?.thumbnail?.text(), untitled?.title];
+    });
+    expect(records).toEqual(['For Ada', 'Tee, L', 'picture', undefined]);
+  });
+
+  it('holds what was thrown away for ten minutes, and a draft for a day', async () => {
+    const context = await newcomer();
+    const page = await tab(context);
+    await page.clock.install();
+    const listed = () =>
+      page.evaluate(async () => {
+        await Storing.autosave.tidy();
+        return (await Storing.autosave.list()).map(({id}) => id).sort();
+      });
+    await page.evaluate(async () => {
+      const {autosave} = Storing;
+      await autosave.save('kept', {name: 'Kept', state: 1});
+      await autosave.save('draft', {name: 'Draft', state: 1, isDraft: true});
+      for (const id of ['deleted', 'restored']) {
+        await autosave.save(id, {name: id, state: 1});
+        await autosave.change(id, {deleted: Date.now()});
+      }
+      await autosave.change('restored', {deleted: undefined});
+    });
+    await page.clock.fastForward('09:00');
+    expect(await listed()).toEqual(['deleted', 'draft', 'kept', 'restored']);
+    await page.clock.fastForward('02:00');
+    expect(await listed()).toEqual(['draft', 'kept', 'restored']);
+    expect(await page.evaluate(() => Storing.autosave.load('deleted'))).toBeUndefined();
+    await page.clock.fastForward('24:00:00');
+    expect(await listed()).toEqual(['kept', 'restored']);
+  });
+
+  it('tells another tab of a change', async () => {
+    const context = await newcomer();
+    const [first, second] = [await tab(context), await tab(context)];
+    const heard = second.evaluate(
+      () =>
+        new Promise((resolve) => {
+          Storing.autosave.subscribe((renamed) => {
+            if (renamed) resolve(renamed);
+          });
+        }),
+    );
+    await first.evaluate(async () => {
+      await Storing.autosave.save('a', {name: 'Tee', state: 1});
+      await Storing.autosave.change('a', {title: 'For Ada'});
+    });
+    expect(await heard).toEqual({id: 'a', title: 'For Ada'});
+  });
+
+  it('holds what was kept before there were titles', async () => {
+    const page = await tab(await newcomer());
+    await page.evaluate(async () => {
+      await Storing.autosave.save('b', {name: 'b', state: 1}); // makes the database
+      await new Promise<void>((resolve) => {
+        const open = indexedDB.open('seamwise', 1);
+        open.onsuccess = () => {
+          const stores = ['projects', 'states', 'texts'];
+          const transaction = open.result.transaction(stores, 'readwrite');
+          const put = (store: string, value: unknown, key?: string) =>
+            transaction.objectStore(store).put(value, key);
+          put('projects', {id: 'old', name: 'tee-m.json', changed: 5, texts: ['hash']});
+          put('states', {garment: {'seamwise-text': 'hash'}}, 'old');
+          put('texts', 'long', 'hash');
+          transaction.oncomplete = () => {
+            open.result.close();
+            resolve();
+          };
+        };
+      });
+    });
+    const old = await page.evaluate(() => Storing.autosave.load('old'));
+    expect(old).toEqual({id: 'old', name: 'tee-m.json', changed: 5, state: {garment: 'long'}});
+    const ids = await page.evaluate(async () => (await Storing.autosave.list()).map(({id}) => id));
+    expect(ids).toEqual(['b', 'old']);
+  });
 });
 
 describe('a long text', () => {
@@ -158,7 +248,10 @@ describe('a long text', () => {
     await save('b', 4000);
     await save('a', 6000);
     expect(await textLengths(page)).toEqual([4000, 6000]);
-    await page.evaluate(() => Storing.autosave.remove('b'));
+    await page.evaluate(async () => {
+      await Storing.autosave.change('b', {deleted: 0});
+      await Storing.autosave.tidy();
+    });
     expect(await textLengths(page)).toEqual([6000]);
   });
 });
@@ -171,9 +264,9 @@ describe('two tabs', () => {
       await Storing.autosave.save('a', {name: 'Tee', state: 's'.repeat(2000)});
       return Storing.autosave.claim('a');
     });
-    expect(own).toEqual({id: 'a', copied: false});
+    expect(own).toEqual({id: 'a', isCopy: false});
     const copy = await second.evaluate(() => Storing.autosave.claim('a'));
-    expect(copy.copied).toBe(true);
+    expect(copy.isCopy).toBe(true);
     expect(copy.id).not.toBe('a');
     const states = await second.evaluate(async (id) => {
       await Storing.autosave.save(id, {name: 'Tee', state: 'changed'});
@@ -202,12 +295,12 @@ describe('two tabs', () => {
     await first.evaluate(() => Storing.autosave.claim('b'));
     expect(await second.evaluate(() => Storing.autosave.claim('a'))).toEqual({
       id: 'a',
-      copied: false,
+      isCopy: false,
     });
     await first.close();
     expect(await second.evaluate(() => Storing.autosave.claim('b'))).toEqual({
       id: 'b',
-      copied: false,
+      isCopy: false,
     });
   });
 
@@ -218,7 +311,7 @@ describe('two tabs', () => {
     await page.waitForFunction(() => 'Storing' in globalThis);
     expect(await page.evaluate(() => Storing.autosave.claim('a'))).toEqual({
       id: 'a',
-      copied: false,
+      isCopy: false,
     });
   });
 });
@@ -240,10 +333,13 @@ describe('what goes wrong', () => {
     });
     expect(saved).toBe(false);
     expect(await troubles(page)).toEqual(['full']);
-    expect(state).toBe('small');
+    expect(state).toHaveLength(40); // for as long as the tab lives
+    await page.reload();
+    await page.waitForFunction(() => 'Storing' in globalThis);
+    expect((await page.evaluate(() => Storing.autosave.load('a')))?.state).toBe('small');
   });
 
-  it('is reported where the browser keeps nothing', async () => {
+  it('is reported where the browser keeps nothing; the tab then keeps it as long as it lives', async () => {
     const context = await newcomer();
     await context.addInitScript(() => {
       Object.defineProperty(globalThis, 'indexedDB', {value: undefined});
@@ -251,10 +347,10 @@ describe('what goes wrong', () => {
     const page = await tab(context);
     const answers = await page.evaluate(async () => [
       await Storing.autosave.save('a', {name: 'Tee', state: 1}),
-      await Storing.autosave.recent(),
+      (await Storing.autosave.list()).map(({id}) => id),
     ]);
-    expect(answers).toEqual([false, []]);
-    expect(await troubles(page)).toEqual(['unavailable', 'unavailable']);
+    expect(answers).toEqual([false, ['a']]);
+    expect(await troubles(page)).toEqual(['unavailable']);
   });
 
   it('is reported when a state cannot be kept, and the next one can', async () => {

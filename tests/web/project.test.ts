@@ -1,8 +1,11 @@
+import {deflateRawSync} from 'node:zlib';
+
 import {describe, expect, it} from 'vitest';
 
 import type {Design} from '../../web/src/model/design.js';
-import {linkOf, readLink} from '../../web/src/model/link.js';
+import {LinkError, linkOf, readLink} from '../../web/src/model/link.js';
 import {FileError, isProject, readProject, writeProject} from '../../web/src/model/project.js';
+import {fileNameOf, nameOf} from '../../web/src/model/project-name.js';
 
 const design: Design = {
   garment: {name: 'tee-m.json', text: '{"pattern": {}}', sample: {style: 'tee', size: 'm'}},
@@ -75,6 +78,8 @@ describe('a project', () => {
   it('is read as it was written', () => {
     expect(readProject(writeProject(design, {view}), 'x')).toEqual({design, view});
     expect(readProject(writeProject(design), 'x')).toEqual({design});
+    const title = 'Für Ada';
+    expect(readProject(writeProject(design, {title}), 'x')).toEqual({design, title});
   });
 
   it('may hold a garment and a picture of its own', () => {
@@ -127,6 +132,7 @@ describe('a project', () => {
     ['design.options.grain.default', 'off'],
     ['design.options.unmatched', [1.5]],
     ['design.options.pins.front.angle', 'left'],
+    ['title', ''],
     ['view', {centre: [0, 0], scale: 0}],
   ])('is refused when %s is %j', (path, value) => {
     const field = path.replace(/\.(\d)/, '[$1]').replace(/^view$/, 'view.scale');
@@ -147,48 +153,101 @@ describe('a project', () => {
 });
 
 describe('a link', () => {
-  const link = linkOf(design) ?? '';
+  const own: Design = {
+    ...design,
+    garment: {name: 'größe.json', text: JSON.stringify({panels: 'x'.repeat(9000)})},
+    print: {
+      ...{title: 'Tulpen 茶', group: 'cm', size: {width: 12, height: 9.25, angleDeg: 90}},
+      ...{turnDeg: 90, oneWay: true, cell: 'rectangular', image: 'data:image/png;base64,AAAA'},
+    },
+  };
+  const {garment, print, symmetries, method, options} = design;
+  const {group, size, turnDeg, oneWay, cell, sample} = print;
+  const samples = {
+    garment: garment.sample,
+    print: {group, size, turnDeg, oneWay, cell, sample},
+    ...{symmetries, method, options},
+  };
 
-  it('holds all of a design of samples but the samples', () => {
-    expect(link).toMatch(/^#design=[\w-]+$/);
-    const {garment, print, symmetries, method, options} = design;
-    const {group, size, turnDeg, oneWay, cell, sample} = print;
-    expect(readLink(link)).toEqual({
-      garment: garment.sample,
-      print: {group, size, turnDeg, oneWay, cell, sample},
-      ...{symmetries, method, options},
+  it('holds all of a design of samples but the samples', async () => {
+    const link = await linkOf(design);
+    expect(link).toMatch(/^#project=[\w-]+$/);
+    expect(link.length).toBeLessThan(1000);
+    expect(await readLink(link)).toEqual({...samples, garment: {sample: garment.sample}});
+  });
+
+  it('carries a garment, a print and a name of its own', async () => {
+    const link = await linkOf(own, 'Für Ada');
+    expect(link.length).toBeLessThan(1500);
+    expect(await readLink(link)).toEqual({...own, title: 'Für Ada'});
+  });
+
+  it('carries the picture of a sample that was redrawn', async () => {
+    const image = 'data:image/png;base64,AAAA';
+    const read = await readLink(await linkOf({...design, print: {...print, image}}));
+    expect(read?.print).toEqual({title: print.title, group, size, turnDeg, oneWay, cell, image});
+  });
+
+  const plain = (value: unknown): string =>
+    `#design=${Buffer.from(JSON.stringify(value)).toString('base64url')}`;
+
+  it('that was made before links were deflated can still be read', async () => {
+    expect(await readLink(plain(samples))).toEqual({
+      ...samples,
+      garment: {sample: garment.sample},
     });
   });
 
-  it('keeps words of any language', () => {
-    const print = {...design.print, sample: {name: 'cm', colourway: 'Größe 茶'}};
-    expect(readLink(linkOf({...design, print}) ?? '')?.print.sample.colourway).toBe('Größe 茶');
+  it.each(['', '#top', '#projects'])('is not meant by %j', async (fragment) => {
+    expect(await readLink(fragment)).toBeUndefined();
   });
 
-  it('is not made of files of the user', () => {
-    const garment = {name: 'mine.json', text: '{}'};
-    expect(linkOf({...design, garment})).toBeUndefined();
-    const {title, image, group, size, turnDeg, oneWay, cell} = design.print;
-    const print = {title, image, group, size, turnDeg, oneWay, cell};
-    expect(linkOf({...design, print})).toBeUndefined();
-  });
-
-  const withText = (text: string): string => `#design=${Buffer.from(text).toString('base64url')}`;
+  const packed = (text: string | Buffer): string =>
+    `#project=${deflateRawSync(text).toString('base64url')}`;
+  const changed = (change: object): string => packed(JSON.stringify({...own, ...change}));
 
   it.each([
-    ['nothing', ''],
-    ['another fragment', '#top'],
     ['no base64', '#design=%%%'],
-    ['half a link', link.slice(0, link.length / 2)],
-    ['no UTF-8', `#design=${Buffer.from([0x22, 0xff, 0x22]).toString('base64url')}`],
-    ['no design', withText('{"garment": 1}')],
-    ['null', withText('null')],
-    [
-      'a path for a style',
-      withText(JSON.stringify({...readLink(link), garment: {style: '../x', size: 'm'}})),
-    ],
-    ['endlessly much', `#design=${'A'.repeat(300_000)}`],
-  ])('is undefined of %s', (_, fragment) => {
-    expect(readLink(fragment)).toBeUndefined();
+    ['no base64 either', '#project=%%%'],
+    ['nothing', '#project='],
+    ['no deflated text', '#project=AAAA'],
+    ['no UTF-8', packed(Buffer.from([0x22, 0xff, 0x22]))],
+    ['no JSON', packed('{')],
+    ['no design', packed('{"garment": 1}')],
+    ['null', packed('null')],
+    ['a plain null', plain(null)],
+    ['a path for a style', plain({...samples, garment: {style: '../x', size: 'm'}})],
+    ['a garment without a text', changed({garment: {name: 'x.json'}})],
+    ['a picture of another host', changed({print: {...own.print, image: 'https://x.org/a.png'}})],
+    ['a picture that is a sample’s', changed({print: {...own.print, image: 'prints/cm.svg'}})],
+    ['an endless repeat', changed({print: {...own.print, size: {...size, width: 1e9}}})],
+    ['an endless name', changed({title: 'x'.repeat(1000)})],
+    ['endlessly much', `#project=${'A'.repeat(300_000)}`],
+    ['a text that unfolds to endlessly much', packed(' '.repeat(20_000_000))],
+  ])('is refused when it holds %s', async (_, fragment) => {
+    await expect(readLink(fragment)).rejects.toThrow(LinkError);
+  });
+
+  it('is refused when it was cut anywhere', async () => {
+    const link = await linkOf(own);
+    for (let length = '#project='.length; length < link.length; length += 7) {
+      await expect(readLink(link.slice(0, length))).rejects.toThrow(LinkError);
+    }
+  });
+});
+
+describe('the name of a project', () => {
+  it('is that of its garment’s file, or of a sample and its size', () => {
+    expect(nameOf({name: 'Jacke_v2.json', text: '{}'})).toBe('Jacke_v2');
+    expect(nameOf({name: 'hoody.seamwise.json', text: '{}'})).toBe('hoody');
+    const text = '{"title": "Tee", "size": "M"}';
+    expect(nameOf({...design.garment, text})).toBe('Tee, M');
+    expect(nameOf(design.garment)).toBe('tee, M');
+  });
+
+  it('makes a file’s name on any system', () => {
+    expect(fileNameOf('Für Ada: 1/2 "rot"')).toBe('Für Ada 1 2 rot');
+    expect(fileNameOf('..')).toBe('garment');
+    expect(fileNameOf('')).toBe('garment');
   });
 });

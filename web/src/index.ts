@@ -17,7 +17,8 @@ export {
 
 export {printOf, problemOf} from './model/design.js';
 export type {Design, DesignGarment, DesignPrint, DesignPrintFile} from './model/design.js';
-export {linkOf, readLink, type LinkedDesign} from './model/link.js';
+export {LinkError, linkOf, readLink} from './model/link.js';
+export type {LinkedGarment, LinkedPrint, LinkedProject} from './model/link.js';
 export {FileError, isProject, readProject, writeProject} from './model/project.js';
 export type {Project, ProjectView} from './model/project.js';
 export {repeatOf, type RepeatSize} from './model/repeat.js';

@@ -8,7 +8,7 @@ declare global {
 const troubles: StorageTrouble[] = [];
 globalThis.Storing = {
   troubles,
-  autosave: new Autosave((trouble) => {
-    troubles.push(trouble);
+  autosave: new Autosave((trouble, isLoss) => {
+    if (isLoss) troubles.push(trouble);
   }),
 };

@@ -1,6 +1,5 @@
-/** What the page shows at first: what its address asks for, or the opening sample. */
+/** What the page shows at first: the files that its address names, or the opening sample. */
 import type {Design} from '../model/design.js';
-import {readLink, type LinkedDesign} from '../model/link.js';
 import {
   newDesign,
   opening,
@@ -11,9 +10,7 @@ import {
 } from '../element/index.js';
 
 /** @throws {Error} with one sentence when a sample cannot be read */
-export async function firstDesign(samples: Promise<Samples>, address: URL): Promise<Design> {
-  const linked = readLink(address.hash);
-  if (linked) return fromLink(linked, await samples);
+export async function firstDesign(samples: Promise<Samples>): Promise<Design> {
   const [garment, {prints}] = await Promise.all([
     sampleGarment(opening.style, opening.size),
     samples,
@@ -21,20 +18,6 @@ export async function firstDesign(samples: Promise<Samples>, address: URL): Prom
   const print = prints.find(({name}) => name === opening.print);
   if (!print) throw new Error('The list of samples lacks the first print; load the page again.');
   return newDesign(garment, samplePrint(print));
-}
-
-async function fromLink(
-  {garment, print, ...rest}: LinkedDesign,
-  samples: Samples,
-): Promise<Design> {
-  const known = samples.prints.find(({name}) => name === print.sample.name);
-  if (!known) throw new Error('The link names a print that is not here; choose another.');
-  const shipped = samplePrint(known, print.sample.colourway);
-  return {
-    ...rest,
-    garment: await sampleGarment(garment.style, garment.size),
-    print: {...shipped, ...print},
-  };
 }
 
 /** The files that an address names by `?garment=URL&print=URL`. @throws {Error} with one sentence */

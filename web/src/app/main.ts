@@ -9,9 +9,11 @@ import {
 } from '../element/index.js';
 import type {Design} from '../model/design.js';
 import {askedFor, firstDesign} from './first-design.js';
-import {Keeper} from './keeper.js';
+import {openLink} from './links/open-link.js';
 import {SeamwisePage} from './page.js';
-import {RecentMenu} from './recent-menu.js';
+import {ProjectList} from './projects/project-list.js';
+import {Projects} from './projects/projects.js';
+import {illustrate} from './projects/thumbnails.js';
 import {SaveMenu} from './save-menu.js';
 import {keepPreferences, storedPreferences} from './storage/preferences.js';
 
@@ -24,17 +26,18 @@ const lease = leaseSolver({
 lease.warm(); // while the first files are on their way
 const desk: Workbench = new Workbench(lease, storedPreferences());
 keepPreferences(desk);
-const keeper = new Keeper(desk, (trouble) => {
+const projects = new Projects(desk, (trouble) => {
   desk.say({tone: 'error', text: textsOf(desk.preferences.language).storage[trouble]});
 });
 
 defineEditor();
-customElements.define('sw-recent-menu', RecentMenu);
+customElements.define('sw-project-list', ProjectList);
 customElements.define('sw-save-menu', SaveMenu);
 customElements.define('seamwise-page', SeamwisePage);
 const page = new SeamwisePage();
 page.desk = desk;
-page.keeper = keeper;
+page.projects = projects;
+page.blank = () => firstDesign(samples);
 document.body.append(page);
 
 const sayFailure = (error: unknown): void => {
@@ -42,23 +45,46 @@ const sayFailure = (error: unknown): void => {
 };
 
 async function begin(address: URL): Promise<void> {
-  const resumed = address.hash === '' && address.search === '' ? await keeper.resumed() : undefined;
-  if (resumed) {
-    desk.begin(resumed);
-    return;
-  }
-  const design = await firstDesign(samples, address);
+  await projects.rescue();
+  if (address.hash === '' && address.search === '' && (await projects.resume())) return;
+  if (await followed(address)) return;
+  const design = await firstDesign(samples);
   const [asked] = await Promise.allSettled([soundlyAsked(address, design)]);
   const present = (asked.status === 'fulfilled' ? asked.value : undefined) ?? design;
-  desk.replace(present);
+  projects.beginWith(present, {origin: 'given'});
   // said last, since a beginning takes back what was said before
   if (asked.status === 'rejected') sayFailure(asked.reason);
-  // once something is changed, the tab shows what is made of it
+  forgetAddress();
+}
+
+/** Once something is changed or opened, the tab comes back to what is made of it. */
+function forgetAddress(): void {
+  const {beginnings} = desk;
   const end = desk.subscribe(() => {
-    if (!desk.canUndo) return;
+    if (!desk.canUndo && desk.beginnings === beginnings) return;
     end();
-    history.replaceState(null, '', address.pathname);
+    history.replaceState(null, '', location.pathname);
   });
+}
+
+/** Opens the link that the page was called by; the page shows what it showed before where that is damaged. */
+async function followed(address: URL): Promise<boolean> {
+  try {
+    const isOpen = await openLink(address.hash, desk, projects, samples);
+    if (!isOpen) return false;
+    await projects.present?.flush();
+    // where nothing is kept, a reload comes back to the link
+    if (projects.present?.unwritten) forgetAddress();
+    else history.replaceState(null, '', address.pathname);
+    return true;
+  } catch (error) {
+    history.replaceState(null, '', address.pathname);
+    if (!desk.design && !(await projects.resume())) {
+      projects.beginWith(await firstDesign(samples), {origin: 'given'});
+    }
+    sayFailure(error);
+    return true;
+  }
 }
 
 /** What the address asks for, if it can be read. */
@@ -77,8 +103,9 @@ try {
   desk.beginEmpty();
   sayFailure(error);
 }
-keeper.follow(new AbortController().signal);
+projects.keep(new AbortController().signal);
+illustrate(desk, projects);
 // a link that is followed from here to here does not load the page by itself
 addEventListener('hashchange', () => {
-  location.reload();
+  if (location.hash !== '') void followed(new URL(location.href));
 });

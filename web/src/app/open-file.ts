@@ -1,7 +1,9 @@
 /** Opens whatever a user hands over: a garment, a print, a project, or a result. */
 import {FileError, isProject, readProject} from '../model/project.js';
+import {longestName, withoutEnding} from '../model/project-name.js';
 import {fieldOf} from '../model/read.js';
 import {openPrint, textsOf, toFailure, type Workbench} from '../element/index.js';
+import type {Projects} from './projects/projects.js';
 
 /** Nobody's pattern is larger, and a browser would choke on it. [bytes] */
 const most = 64 * 2 ** 20;
@@ -12,6 +14,7 @@ type How = 'chosen as garment' | 'handed over';
 /** What cannot be opened is said, and leaves everything as it is. */
 export async function openFile(
   desk: Workbench,
+  projects: Projects,
   file: File,
   how: How = 'handed over',
 ): Promise<void> {
@@ -21,7 +24,7 @@ export async function openFile(
         file.name,
         'is a picture; open it as a print, or choose a sewing pattern.',
       );
-    await opened(desk, file);
+    await opened(desk, projects, file);
     if (isPicture(file))
       desk.say({
         tone: 'info',
@@ -34,7 +37,7 @@ export async function openFile(
   }
 }
 
-async function opened(desk: Workbench, file: File): Promise<void> {
+async function opened(desk: Workbench, projects: Projects, file: File): Promise<void> {
   const {name} = file;
   if (isPicture(file)) return openPrint(desk, file);
   if (file.size > most)
@@ -42,11 +45,12 @@ async function opened(desk: Workbench, file: File): Promise<void> {
   const text = await file.text();
   const content = parsed(text);
   if (isProject(content)) {
-    desk.replace(readProject(text, name).design);
+    const {design, view = null, title = withoutEnding(name)} = readProject(text, name);
+    projects.beginWith(design, {origin: 'own', title: title.slice(0, longestName)}, view);
   } else if (hasFormat(content, 'seamwise-print') || looksLikePrint(content)) {
     await openPrint(desk, file);
   } else if (hasFormat(content, 'seamwise-result')) {
-    desk.replace(designIn(content, name));
+    projects.beginWith(designIn(content, name), {origin: 'own'});
   } else {
     await desk.open({name, text});
   }

@@ -34,7 +34,7 @@ export const pageLayout = css`
   /* the garment and its files make a row of their own */
   @container (width < 40rem) {
     h1,
-    sw-recent-menu,
+    sw-project-list,
     sw-settings {
       order: -1;
     }

@@ -1,34 +1,42 @@
 /** The page: the editor, with files to open and to take away. */
 import {html, type TemplateResult} from 'lit';
 
+import type {Design} from '../model/design.js';
 import {controls, DeskElement, icon, tokens, type Editor, type Samples} from '../element/index.js';
 import {chooseFile, takeFiles} from './files.js';
-import type {Keeper} from './keeper.js';
 import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
 import {pageKeys} from './page-keys.js';
+import type {Projects} from './projects/projects.js';
 import {saveProject, saveResult} from './save.js';
 
 export class SeamwisePage extends DeskElement {
   static override properties = {
     ...DeskElement.properties,
     samples: {attribute: false},
-    keeper: {attribute: false},
+    projects: {attribute: false},
+    blank: {attribute: false},
   };
   static override styles = [tokens, controls, pageLayout];
   declare samples: Samples | undefined;
-  declare keeper: Keeper;
+  declare projects: Projects;
+  /** What is shown when there is no project. */
+  declare blank: () => Promise<Design>;
   #life: AbortController | undefined;
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.#life = new AbortController();
     const {signal} = this.#life;
-    takeFiles((file) => void openFile(this.desk, file), signal);
+    const end = this.projects.subscribe(() => {
+      this.requestUpdate();
+    });
+    signal.addEventListener('abort', end);
+    takeFiles((file) => void openFile(this.desk, this.projects, file), signal);
     pageKeys(
       {
         save: () => {
-          saveProject(this.desk);
+          saveProject(this);
         },
         open: () => void this.#open(),
         other: (event) => this.renderRoot.querySelector<Editor>('sw-editor')?.press(event),
@@ -43,38 +51,45 @@ export class SeamwisePage extends DeskElement {
   }
 
   protected override render(): TemplateResult {
-    const {desk, samples} = this;
+    const {desk, projects, samples} = this;
     const {app} = this.texts;
     return html`<main>
       <sw-editor .desk=${desk} .samples=${samples}>
         <h1 slot="start">${app.name}</h1>
-        <sw-recent-menu slot="start" .desk=${desk} .keeper=${this.keeper}></sw-recent-menu>
+        <sw-project-list
+          slot="start"
+          .desk=${desk}
+          .projects=${projects}
+          .blank=${this.blank}
+        ></sw-project-list>
         <sw-garment-choice slot="start" .desk=${desk} .samples=${samples}></sw-garment-choice>
         ${this.#button('start', app.openGarment, icon.open, true, () => void this.#open())}
         ${this.#button('actions', app.saveProject, icon.project, desk.design !== undefined, () => {
-          saveProject(desk);
+          saveProject(this);
         })}
         ${this.#button('actions', app.saveResult, icon.result, desk.result !== undefined, () => {
-          saveResult(desk);
+          saveResult(this);
         })}
-        <sw-save-menu slot="actions" .desk=${desk}></sw-save-menu>
+        <sw-save-menu slot="actions" .desk=${desk} .projects=${projects}></sw-save-menu>
         <sw-settings slot="actions" .desk=${desk}></sw-settings>
       </sw-editor>
     </main>`;
   }
 
-  /** The document itself speaks the language, and wears the colours, that were chosen. */
+  /** The document itself speaks the language, wears the colours and has the name that were chosen. */
   protected override updated(): void {
     const {language, theme} = this.desk.preferences;
     const root = document.documentElement;
     root.lang = language;
+    const {name} = this.projects;
+    document.title = name ? `${name} – ${this.texts.app.name}` : this.texts.app.name;
     if (theme === 'system') delete root.dataset.theme;
     else root.dataset.theme = theme;
   }
 
   async #open(): Promise<void> {
     const file = await chooseFile('.json,application/json');
-    if (file) await openFile(this.desk, file, 'chosen as garment');
+    if (file) await openFile(this.desk, this.projects, file, 'chosen as garment');
   }
 
   #button(

@@ -9,8 +9,10 @@ import {
   placeUnder,
   type NumberField,
 } from '../element/index.js';
+import {copyLink} from './links/share-link.js';
 import {unseen} from './page-layout.js';
-import {copyLink, saveCutting, savePicture} from './save.js';
+import type {Projects} from './projects/projects.js';
+import {saveCutting, savePicture} from './save.js';
 
 /** What most sewing patterns have. [cm] */
 const usualAllowance = 1;
@@ -18,7 +20,12 @@ const usualAllowance = 1;
 const greatestAllowance = 5;
 
 export class SaveMenu extends DeskElement {
-  static override properties = {...DeskElement.properties, allowance: {state: true}};
+  static override properties = {
+    ...DeskElement.properties,
+    projects: {attribute: false},
+    allowance: {state: true},
+  };
+  declare projects: Projects;
   declare allowance: number;
 
   static override styles = [
@@ -66,7 +73,7 @@ export class SaveMenu extends DeskElement {
         }}
       >
         <div class="rows">
-          <button class="outlined" @click=${() => void savePicture(desk)}>
+          <button class="outlined" @click=${() => void savePicture(this)}>
             ${icon.save} ${app.savePicture}
           </button>
           <sw-number-field
@@ -89,7 +96,7 @@ export class SaveMenu extends DeskElement {
           >
             ${icon.save} ${app.saveCutting}
           </button>
-          <button class="outlined" @click=${() => void copyLink(desk)}>
+          <button class="outlined" @click=${() => void copyLink(desk, this.projects)}>
             ${icon.link} ${app.copyLink}
           </button>
         </div>
@@ -101,6 +108,6 @@ export class SaveMenu extends DeskElement {
   #saveCutting(): void {
     const field = this.renderRoot.querySelector<NumberField>('sw-number-field');
     if (field?.isWrong) field.focus();
-    else void saveCutting(this.desk, this.allowance);
+    else void saveCutting(this, this.allowance);
   }
 }

@@ -92,18 +92,29 @@ export const decisionFields = {
 
 export const decisions = shape(decisionFields);
 
+const isOwnPicture = (source: string): boolean => /^data:image\/[\w.+-]+[;,]/.test(source);
+
+/** A picture in the file itself. */
+export const ownPicture: Read<string> = (value, at) => {
+  const source = text()(value, at);
+  return isOwnPicture(source) ? source : fail(at, 'a data: URL of an image');
+};
+
 /** Pictures lie in the file itself or are those of a sample: no file may make the page ask another host. */
 const picture: Read<string> = (value, at) => {
   const source = text()(value, at);
-  const isOwn = /^data:image\/[\w.+-]+[;,]/.test(source);
+  const isOwn = isOwnPicture(source);
   const isSample = /^[\w-]+(\/[\w-]+)*(\.[\w-]+)?$/.test(source);
   return isOwn || isSample ? source : fail(at, 'a data: URL of an image, or the path of a sample');
 };
 
-const garment = shape(
-  {name: text(/^.{1,255}$/su, 'a name'), text: text(/\S/, 'the text of a garment file')},
-  {sample: garmentSample},
-);
+const garmentFile = {
+  name: text(/^.{1,255}$/su, 'a name'),
+  text: text(/\S/, 'the text of a garment file'),
+};
+/** A garment that comes with its text. */
+export const ownGarment = shape(garmentFile);
+const garment = shape(garmentFile, {sample: garmentSample});
 const picturedPrint = shape({title: text(), image: picture}, {sample: printSample});
 
 export const readDesign: Read<Design> = (value, at) => {

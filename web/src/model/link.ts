@@ -1,58 +1,109 @@
-/** A design made of samples as the fragment of an address, to be passed on. */
+/** A project as the fragment of an address, to be passed on: all of it but what samples hold themselves. */
+import {bytesOf, deflated, Inflated, inflated} from './deflated.js';
 import type {Design, DesignGarment, DesignPrint} from './design.js';
-import {decisions, garmentSample, printMeasures, printSample} from './design-reader.js';
-import {Malformed, shape} from './read.js';
+import {
+  decisions,
+  garmentSample,
+  ownGarment,
+  ownPicture,
+  printMeasures,
+  printSample,
+} from './design-reader.js';
+import {projectTitle} from './project-name.js';
+import {fieldOf, Malformed, shape, text, type Read} from './read.js';
 
-/** All of a design but what the samples themselves hold. */
-export interface LinkedDesign extends Pick<Design, 'symmetries' | 'method' | 'options'> {
-  readonly garment: NonNullable<DesignGarment['sample']>;
-  readonly print: Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell'> & {
-    readonly sample: NonNullable<DesignPrint['sample']>;
+/** By the name of a sample, or as a whole. */
+export type LinkedGarment =
+  {readonly sample: NonNullable<DesignGarment['sample']>} | Pick<DesignGarment, 'name' | 'text'>;
+
+export type LinkedPrint = Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell'> &
+  ({readonly sample: NonNullable<DesignPrint['sample']>} | Pick<DesignPrint, 'title' | 'image'>);
+
+export interface LinkedProject extends Omit<Design, 'garment' | 'print'> {
+  readonly garment: LinkedGarment;
+  readonly print: LinkedPrint;
+  /** What its sender calls it. */
+  readonly title?: string;
+}
+
+/** A fragment that was meant to be a project, and is none. */
+export class LinkError extends Error {
+  override readonly name = 'LinkError';
+}
+
+const start = '#project=';
+/** Of links as they were made before they were deflated. */
+const plainStart = '#design=';
+/** Browsers and servers take no endless addresses. [characters] */
+export const longestLink = 200_000;
+/** Of a project that a link unfolds to. [bytes] */
+const largest = 8 * 2 ** 20;
+
+const either =
+  <A, B>(sample: Read<A>, own: Read<B>): Read<A | B> =>
+  (value, at) =>
+    fieldOf(value, 'sample') === undefined ? own(value, at) : sample(value, at);
+
+const garment = either(shape({sample: garmentSample}), ownGarment);
+const print = either(
+  shape({sample: printSample}),
+  shape({title: text(/^.{0,255}$/su, 'a title'), image: ownPicture}),
+);
+
+const linked: Read<LinkedProject> = (value, at) => {
+  const found = shape(
+    {garment, print: (entry, place) => ({...printMeasures(entry, place), ...print(entry, place)})},
+    {title: projectTitle},
+  )(value, at);
+  return {...found, ...decisions(value, at)};
+};
+
+/** A sample's picture may have been redrawn for another group. */
+const isSample = (print: DesignPrint): print is DesignPrint & {sample: object} =>
+  print.sample !== undefined && !print.image.startsWith('data:');
+
+/** "#...", of whatever length. @param title what its owner calls it */
+export async function linkOf(design: Design, title?: string): Promise<string> {
+  const {garment: own, print: shown, ...decided} = design;
+  const {group, size, turnDeg, oneWay, cell} = shown;
+  const project: LinkedProject = {
+    garment: own.sample ? {sample: own.sample} : {name: own.name, text: own.text},
+    print: {
+      ...{group, size, turnDeg, oneWay, cell},
+      ...(isSample(shown) ? {sample: shown.sample} : {title: shown.title, image: shown.image}),
+    },
+    ...decided,
+    ...(title !== undefined && {title}),
   };
+  return start + (await deflated(JSON.stringify(project)));
 }
 
-const start = '#design=';
-/** Longer ones are none of ours. */
-const greatestLength = 200_000;
-
-const linked = shape({
-  garment: garmentSample,
-  print: (value, at) => ({...printMeasures(value, at), ...shape({sample: printSample})(value, at)}),
-});
-
-function encoded(text: string): string {
-  const bytes = Array.from(new TextEncoder().encode(text), (byte) => String.fromCodePoint(byte));
-  return btoa(bytes.join('')).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
-}
-
-function decoded(base64: string): string {
-  const bytes = atob(base64.replaceAll('-', '+').replaceAll('_', '/'));
-  const codes = Uint8Array.from(bytes, (byte) => byte.codePointAt(0) ?? 0);
-  return new TextDecoder('utf-8', {fatal: true}).decode(codes);
-}
-
-/** "#...", or undefined when the design holds files of the user's own. */
-export function linkOf({garment, print, symmetries, method, options}: Design): string | undefined {
-  if (!garment.sample || !print.sample) return undefined;
-  const {group, size, turnDeg, oneWay, cell, sample} = print;
-  const design: LinkedDesign = {
-    garment: garment.sample,
-    print: {group, size, turnDeg, oneWay, cell, sample},
-    ...{symmetries, method, options},
-  };
-  return start + encoded(JSON.stringify(design));
-}
-
-/** Undefined for a fragment that is no design, or not a sound one. */
-export function readLink(fragment: string): LinkedDesign | undefined {
-  if (!fragment.startsWith(start) || fragment.length > greatestLength) return undefined;
+/**
+ * Undefined for a fragment that means no project.
+ * @throws {LinkError} for one that does, and is damaged or too large
+ */
+export async function readLink(fragment: string): Promise<LinkedProject | undefined> {
+  const isPlain = fragment.startsWith(plainStart);
+  if (!isPlain && !fragment.startsWith(start)) return undefined;
   try {
-    const value: unknown = JSON.parse(decoded(fragment.slice(start.length)));
-    return {...linked(value, ''), ...decisions(value, '')};
-  } catch (error) {
-    // no base64, no UTF-8, no JSON, no design
-    if (error instanceof DOMException || error instanceof TypeError) return undefined;
-    if (error instanceof SyntaxError || error instanceof Malformed) return undefined;
-    throw error;
+    if (fragment.length > longestLink) throw new LinkError('too long');
+    return isPlain
+      ? fromPlain(plainText(fragment.slice(plainStart.length)))
+      : linked(JSON.parse(await inflated(fragment.slice(start.length), largest)), '');
+  } catch (cause) {
+    const isDamaged = [LinkError, Inflated, SyntaxError, TypeError, Malformed].some(
+      (kind) => cause instanceof kind,
+    );
+    throw isDamaged ? new LinkError('damaged', {cause}) : cause;
   }
+}
+
+const plainText = (letters: string): string =>
+  new TextDecoder('utf-8', {fatal: true}).decode(bytesOf(letters.replace(/=+$/, '')));
+
+/** The garment was the name of a sample itself. */
+function fromPlain(json: string): LinkedProject {
+  const value: unknown = JSON.parse(json);
+  const {garment: sample} = shape({garment: garmentSample})(value, '');
+  return linked({...Object(value), garment: {sample}}, '');
 }

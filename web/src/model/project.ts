@@ -2,6 +2,7 @@
 import type {Design} from './design.js';
 import {readDesign} from './design-reader.js';
 import type {Point} from './geometry.js';
+import {projectTitle} from './project-name.js';
 import {number, pairOf, shape} from './read.js';
 import {readVersioned, versionOf, type FileKind} from './versioned-file.js';
 
@@ -16,6 +17,8 @@ export interface ProjectView {
 export interface Project {
   readonly design: Design;
   readonly view?: ProjectView;
+  /** What its owner calls it. */
+  readonly title?: string;
 }
 
 const version = 1;
@@ -25,7 +28,10 @@ const kind: FileKind<Project> = {
   version,
   read: shape(
     {design: readDesign},
-    {view: shape({centre: pairOf(number(-1e6, 1e6)), scale: number(1e-3, 1e5)})},
+    {
+      view: shape({centre: pairOf(number(-1e6, 1e6)), scale: number(1e-3, 1e5)}),
+      title: projectTitle,
+    },
   ),
   notJson: 'is not JSON; choose a project that was saved by Seamwise.',
   otherKind: 'is no project; choose a file that was saved as a Seamwise project.',
@@ -34,8 +40,8 @@ const kind: FileKind<Project> = {
   damaged: (what) => `is damaged: ${what}; correct it, or open an earlier copy.`,
 };
 
-export const writeProject = (design: Design, {view}: Pick<Project, 'view'> = {}): string =>
-  JSON.stringify({format: `${kind.format}/${version}`, design, ...(view && {view})});
+export const writeProject = (design: Design, more: Omit<Project, 'design'> = {}): string =>
+  JSON.stringify({format: `${kind.format}/${version}`, design, ...more});
 
 /** Whether a file says that it is a project, of whatever version. */
 export const isProject = (file: unknown): boolean => versionOf(file, kind) !== undefined;

@@ -128,6 +128,11 @@ export class Editor extends DeskElement {
           ? html`<button class="link" @click=${this.#commands.undo}>${app.undo}</button>`
           : nothing
       }
+      ${
+        notice.action
+          ? html`<button class="link" @click=${notice.action.act}>${notice.action.label}</button>`
+          : nothing
+      }
       ${this.#icon(app.dismiss, icon.close, true, () => {
         desk.say(undefined);
       })}

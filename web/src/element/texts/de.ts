@@ -17,12 +17,7 @@ export const de: Texts = {
     saveCutting: 'Teile zum Zuschneiden',
     saveMore: 'Sichern …',
     allowance: (unit) => `Nahtzugabe (${unit})`,
-    recent: 'Letzte Projekte',
-    noRecent: 'Noch nichts. Was hier geändert wird, bleibt in diesem Browser.',
     copyLink: 'Link kopieren',
-    linkCopied: 'Der Link ist in der Zwischenablage.',
-    noLink:
-      'Nur Entwürfe aus Mustern dieser Seite passen in einen Link; bitte das Projekt sichern.',
     settings: 'Einstellungen',
     language: 'Sprache',
     units: 'Einheiten',
@@ -34,6 +29,43 @@ export const de: Texts = {
     takenAsPrint: (name) => `${name} wurde als Muster genommen.`,
     setup: 'Muster und Zuschnitt',
     report: 'Teile und Nähte',
+  },
+  projects: {
+    title: 'Projekte',
+    none: 'Noch nichts anderes. Jeder Schnitt, der geöffnet wird, wird ein Projekt und bleibt in diesem Browser.',
+    name: 'Name des Projekts',
+    open: (name) => `${name} öffnen`,
+    here: 'hier offen',
+    elsewhere: 'in einem anderen Tab offen',
+    duplicate: (name) => `${name} verdoppeln`,
+    delete: (name) => `${name} löschen`,
+    deleted: (name) => `${name} wurde gelöscht.`,
+    restore: (name) => `Rückgängig: ${name} zurückholen`,
+    undo: 'Rückgängig',
+    gone: 'Dieses Projekt gibt es nicht mehr.',
+    isCopy: 'Das Projekt ist in einem anderen Tab offen; hier ist eine Kopie.',
+    isKept: (name) => `„${name}“ bleibt unter Projekte.`,
+    back: 'Dorthin zurück',
+  },
+  link: {
+    copied: 'Der Link ist in der Zwischenablage.',
+    long: (size) =>
+      `Der Link ist in der Zwischenablage. Er ist ${size} lang; manche Mailprogramme schneiden solche Links ab.`,
+    smaller: 'Das Bild des Musters wurde dafür verkleinert.',
+    tooLong: (size) =>
+      `Der Link wäre ${size} lang, und das ist zu viel; bitte „Projekt sichern“ und die Datei senden.`,
+    notCopied:
+      'Der Browser lässt die Seite nicht an die Zwischenablage; bitte „Projekt sichern“ wählen.',
+    damaged:
+      'Der Link ist beschädigt oder unterwegs abgeschnitten worden; bitte noch einmal schicken lassen. Hier ist alles, wie es war.',
+    noSample:
+      'Der Link nennt einen Schnitt oder ein Muster, das es hier nicht gibt; bitte das Projekt als Datei schicken lassen.',
+  },
+  offline: {
+    waits: (what) =>
+      `${what} ist noch nicht auf diesem Gerät und kommt von selbst, sobald das Netz wieder da ist.`,
+    newVersion: 'Eine neue Version ist da.',
+    reload: 'Neu laden',
   },
   progress: {
     label: 'Fortschritt',

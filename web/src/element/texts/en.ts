@@ -15,11 +15,7 @@ export const en = {
     saveCutting: 'Pieces to cut',
     saveMore: 'Save …',
     allowance: (unit: string) => `Seam allowance (${unit})`,
-    recent: 'Recent projects',
-    noRecent: 'Nothing yet. What you change here is kept in this browser.',
     copyLink: 'Copy link',
-    linkCopied: 'The link is in the clipboard.',
-    noLink: 'Only designs made of samples travel in a link; save the project instead.',
     settings: 'Settings',
     language: 'Language',
     units: 'Units',
@@ -31,6 +27,41 @@ export const en = {
     takenAsPrint: (name: string) => `${name} was taken as a print.`,
     setup: 'Print and cutting',
     report: 'Pieces and seams',
+  },
+  projects: {
+    title: 'Projects',
+    none: 'Nothing else yet. Each garment that you open becomes a project, and is kept in this browser.',
+    name: 'Name of the project',
+    open: (name: string) => `Open ${name}`,
+    here: 'open here',
+    elsewhere: 'open in another tab',
+    duplicate: (name: string) => `Duplicate ${name}`,
+    delete: (name: string) => `Delete ${name}`,
+    deleted: (name: string) => `${name} was deleted.`,
+    restore: (name: string) => `Undo: bring ${name} back`,
+    undo: 'Undo',
+    gone: 'This project is not there any more.',
+    isCopy: 'The project is open in another tab; here you work on a copy.',
+    isKept: (name: string) => `“${name}” is kept under Projects.`,
+    back: 'Back to it',
+  },
+  link: {
+    copied: 'The link is in the clipboard.',
+    long: (size: string) =>
+      `The link is in the clipboard. It is ${size} long; some mail programs cut such links.`,
+    smaller: 'The picture of the print was made smaller for it.',
+    tooLong: (size: string) =>
+      `The link would be ${size} long, which is too much; choose Save project and send the file.`,
+    notCopied: 'The browser does not let the page use the clipboard; choose Save project.',
+    damaged:
+      'The link is damaged or was cut on its way; ask for it again. Nothing has changed here.',
+    noSample: 'The link names a garment or print that is not here; ask for the project as a file.',
+  },
+  offline: {
+    waits: (what: string) =>
+      `${what} is not on this device yet; it comes by itself as soon as the network is back.`,
+    newVersion: 'A new version is ready.',
+    reload: 'Reload',
   },
   progress: {
     label: 'Progress',

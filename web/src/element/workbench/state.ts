@@ -36,6 +36,8 @@ export interface Notice {
   readonly text: string;
   /** Offers to take the last step back. */
   readonly undo?: boolean;
+  /** Offers something else. */
+  readonly action?: {readonly label: string; readonly act: () => void};
 }
 
 /** A part of the pattern that somebody means. */

@@ -2,7 +2,7 @@
 import {printOf, problemOf, type Design, type DesignGarment} from '../../model/design.js';
 import type {Alignment} from '../../model/geometry.js';
 import type {Failure} from '../../model/failure.js';
-import type {History} from '../../model/history.js';
+import {begun, type History} from '../../model/history.js';
 import {mirroringsOf} from '../../model/pins.js';
 import type {Problem} from '../../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
@@ -53,6 +53,7 @@ export class Workbench extends Attention {
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
   #isEdited = true;
+  #beginnings = 0;
 
   /** @param lease given back by `dispose` */
   constructor(
@@ -116,6 +117,11 @@ export class Workbench extends Attention {
 
   get history(): History<Step> | undefined {
     return this.#steps.history;
+  }
+
+  /** How many histories were begun: another number is another piece of work. */
+  get beginnings(): number {
+    return this.#beginnings;
   }
 
   get canUndo(): boolean {
@@ -187,6 +193,7 @@ export class Workbench extends Attention {
 
   /** Starts, or starts over, with a history of its own. */
   begin(history: History<Step>): void {
+    this.#beginnings++;
     this.#steps.begin(history);
     this.#travel();
   }
@@ -224,12 +231,6 @@ export class Workbench extends Attention {
     };
   }
 
-  /** Takes another design as a whole; the first one begins a history. */
-  replace(design: Design): void {
-    if (this.history) this.change(design);
-    else this.begin({past: [], present: {design, view: null}, future: []});
-  }
-
   undo(): void {
     if (this.#steps.undo()) this.#travel();
   }
@@ -239,13 +240,14 @@ export class Workbench extends Attention {
   }
 
   /**
-   * Puts another garment in the place of the present one, once it has been read.
+   * Begins with another garment in the present print, once it has been read.
    * @throws {SolverError} and leaves everything as it is
    */
   async open(garment: DesignGarment): Promise<void> {
     const design = newDesign(garment, this.design?.print ?? bareCloth);
     const pattern = await this.meshed(design);
-    this.replace({...design, method: this.design?.method ?? design.method});
+    const method = this.design?.method ?? design.method;
+    this.begin(begun({design: {...design, method}, view: null}));
     this.#pattern ??= pattern;
     this.changed();
   }

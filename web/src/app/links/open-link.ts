@@ -1,0 +1,69 @@
+/** Opens the project that an address carries. Nothing in it is trusted. */
+import type {Design, DesignPrint} from '../../model/design.js';
+import {LinkError, readLink, type LinkedGarment, type LinkedPrint} from '../../model/link.js';
+import {
+  sampleGarment,
+  samplePrint,
+  textsOf,
+  type Samples,
+  type Workbench,
+} from '../../element/index.js';
+import type {Projects} from '../projects/projects.js';
+import {loaded} from './pictures.js';
+
+/**
+ * Opens what a fragment carries as a project of its own. What cannot be opened leaves everything as it is.
+ * @returns false when it carries nothing
+ * @throws {Error} with one sentence when it cannot be opened
+ */
+export async function openLink(
+  fragment: string,
+  desk: Workbench,
+  projects: Projects,
+  samples: Promise<Samples>,
+): Promise<boolean> {
+  const {link: words} = textsOf(desk.preferences.language);
+  try {
+    const link = await readLink(fragment);
+    if (!link) return false;
+    const {title, garment, print, ...decided} = link;
+    const design: Design = {
+      ...decided,
+      garment: await garmentOf(garment, await samples, words.noSample),
+      print: await printOf(print, await samples, words.noSample),
+    };
+    await desk.meshed(design);
+    projects.beginWith(design, {origin: 'own', ...(title !== undefined && {title})});
+    return true;
+  } catch (error) {
+    throw error instanceof LinkError ? new Error(words.damaged, {cause: error}) : error;
+  }
+}
+
+async function garmentOf(
+  garment: LinkedGarment,
+  {garments}: Samples,
+  missing: string,
+): Promise<Design['garment']> {
+  if (!('sample' in garment)) return garment;
+  const {style, size} = garment.sample;
+  const known = garments.find((one) => one.style === style);
+  if (!known?.sizes.includes(size)) throw new Error(missing);
+  return sampleGarment(style, size);
+}
+
+async function printOf(
+  print: LinkedPrint,
+  {prints}: Samples,
+  missing: string,
+): Promise<DesignPrint> {
+  if (!('sample' in print)) {
+    await loaded(print.image).catch((cause: unknown) => {
+      throw new LinkError('no picture', {cause});
+    });
+    return print;
+  }
+  const known = prints.find(({name}) => name === print.sample.name);
+  if (!known) throw new Error(missing);
+  return {...samplePrint(known, print.sample.colourway), ...print};
+}

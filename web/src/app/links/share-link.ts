@@ -1,0 +1,52 @@
+/** A link to the present project, for the clipboard. */
+import type {Design} from '../../model/design.js';
+import {linkOf, longestLink} from '../../model/link.js';
+import {textsOf, type Workbench} from '../../element/index.js';
+import type {Projects} from '../projects/projects.js';
+import {smaller} from './pictures.js';
+
+/** Mail programs and chats are known to cut longer ones. [characters] */
+const safeLength = 2000;
+/** A picture that makes a link too long is tried with fewer pixels along its longer side. [px] */
+const sides = [1024, 512, 256];
+
+interface Link {
+  readonly text: string;
+  readonly hasSmallerPicture: boolean;
+}
+
+async function shortest(design: Design, title: string | undefined): Promise<Link> {
+  let text = await linkOf(design, title);
+  let hasSmallerPicture = false;
+  for (const side of sides) {
+    if (text.length <= longestLink) break;
+    const image =
+      design.print.image.startsWith('data:') && (await smaller(design.print.image, side));
+    if (!image) continue;
+    hasSmallerPicture = true;
+    text = await linkOf({...design, print: {...design.print, image}}, title);
+  }
+  return {text, hasSmallerPicture};
+}
+
+/** Says how long it is; what is too long to travel is refused. */
+export async function copyLink(desk: Workbench, projects: Projects): Promise<void> {
+  const {design} = desk;
+  if (!design) return;
+  const {link} = textsOf(desk.preferences.language);
+  const {text, hasSmallerPicture} = await shortest(design, projects.present?.title);
+  const {href} = new URL(text, location.href);
+  const size = `${Math.ceil(href.length / 1000).toLocaleString(desk.preferences.language)} kB`;
+  if (text.length > longestLink) {
+    desk.say({tone: 'error', text: link.tooLong(size)});
+    return;
+  }
+  try {
+    await navigator.clipboard.writeText(href);
+  } catch {
+    desk.say({tone: 'error', text: link.notCopied});
+    return;
+  }
+  const said = href.length > safeLength ? link.long(size) : link.copied;
+  desk.say({tone: 'info', text: hasSmallerPicture ? `${said} ${link.smaller}` : said});
+}
