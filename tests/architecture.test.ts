@@ -26,10 +26,11 @@ const webLayers: Readonly<Record<string, readonly string[]>> = {
   clicks: ['model'],
   picture: ['model'],
   viewer: ['model', 'clicks', 'picture'], // never the solver: views read a result
-  element: ['model', 'solver', 'clicks', 'picture', 'viewer'],
+  remedies: ['model', 'picture'],
+  element: ['model', 'solver', 'clicks', 'picture', 'viewer', 'remedies'],
   app: ['model', 'element', 'picture'],
-  node: ['model', 'solver', 'picture'],
-  cli: ['model', 'node', 'picture'],
+  node: ['model', 'solver', 'picture', 'remedies'],
+  cli: ['model', 'node', 'picture', 'remedies'],
   '': ['model', 'solver'], // index.ts, the entry of the package
 };
 

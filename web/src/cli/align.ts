@@ -7,19 +7,26 @@ import {resultText, withoutTimes} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
 import {solvedDesign} from '../model/solved-design.js';
 import {readBytes, readText, textOf} from '../node/files.js';
-import {solve} from '../node/index.js';
-import {choice, parseArguments, UsageError, wholeNumber} from './arguments.js';
-import {figuresLine} from './figures.js';
+import {remedies, solve, type ProblemNames, type Remedy} from '../node/index.js';
+import {choice, factor, lengthCm, parseArguments, UsageError, wholeNumber} from './arguments.js';
+import {figuresLine, remedyLine} from './figures.js';
 import {checkWritable, writeText} from './files.js';
 import {readPicture, readPrint} from './print-files.js';
 import {storedText, type Aligned} from './stored.js';
-import {print, ProgressLine, remark} from './terminal.js';
+import {advise, print, ProgressLine, remark} from './terminal.js';
 
 const grammar = {
   files: ['the garment file'],
-  valued: ['--print', '--symmetry', '--method', '--options', '--seed', '--out', '--design'],
-  switches: ['--json', '--no-times'],
+  valued: [
+    ...['--print', '--symmetry', '--method', '--options', '--max-change', '--effort', '--seed'],
+    ...['--out', '--design'],
+  ],
+  switches: ['--json', '--no-times', '--no-remedies'],
 };
+
+/** [cm] */
+const mostChangeCm = 100;
+const mostEffort = 1000;
 
 /** `align`: solves a garment and prints its figures. */
 export async function align(words: readonly string[]): Promise<void> {
@@ -31,6 +38,10 @@ export async function align(words: readonly string[]): Promise<void> {
   const seed = wholeNumber(args, '--seed') ?? 1;
   const symmetryFile = args.value('--symmetry') ?? 'auto';
   const optionsFile = args.value('--options');
+  const decided = {
+    maxChangeCm: lengthCm(args, '--max-change', mostChangeCm),
+    effort: factor(args, '--effort', mostEffort),
+  };
   const outFile = args.value('--out');
   const designFile = args.value('--design');
   const named = symmetryFile === 'auto' || symmetryFile === 'none';
@@ -39,7 +50,7 @@ export async function align(words: readonly string[]): Promise<void> {
     garment: {path: garmentFile, bytes: await readBytes(garmentFile)},
     print: {path: printFile, bytes: await readPrint(printFile)},
     symmetry: named ? symmetryFile : await readText(symmetryFile),
-    options: optionsFile === undefined ? '{}' : await readText(optionsFile),
+    options: withDecided(optionsFile === undefined ? '{}' : await readText(optionsFile), decided),
     ...{method, seed},
   };
   const inputs = [garmentFile, printFile];
@@ -47,30 +58,16 @@ export async function align(words: readonly string[]): Promise<void> {
   if (optionsFile !== undefined) inputs.push(optionsFile);
   await checkOutputs(outFile, designFile, inputs);
 
-  const progress = new ProgressLine();
-  let result: SolveResult;
-  try {
-    result = await solve(
-      {...given, garment: textOf(given.garment.bytes), print: textOf(given.print.bytes)},
-      {
-        onProgress: (step) => {
-          progress.show(step);
-        },
-        names: {
-          garment: garmentFile,
-          print: printFile,
-          symmetry: symmetryFile,
-          options: optionsFile ?? 'options',
-        },
-      },
-    );
-  } finally {
-    progress.clear();
-  }
-  if (args.has('--no-times')) result = withoutTimes(result);
+  const exact = args.has('--no-times');
+  const names: ProblemNames = {
+    garment: garmentFile,
+    print: printFile,
+    symmetry: symmetryFile,
+    options: optionsFile ?? 'options',
+  };
+  const {result, found} = await solved(given, names, !exact && !args.has('--no-remedies'));
   if (outFile !== undefined) {
-    const text = args.has('--no-times') ? resultText(result) : await openable(given, result);
-    await writeText(outFile, text);
+    await writeText(outFile, exact ? resultText(result) : await openable(given, result, found));
   }
   if (designFile !== undefined) await writeText(designFile, storedText(designFile, given, result));
   if (args.has('--json')) {
@@ -78,13 +75,55 @@ export async function align(words: readonly string[]): Promise<void> {
       JSON.stringify({
         garment: garmentFile,
         group: result.print.group,
-        ...result.metrics,
+        ...(exact ? withoutTimes(result) : result).metrics,
         notes: result.notes,
+        ...(found && {remedies: found}),
       }),
     );
   } else {
     result.notes.forEach(remark);
-    print(figuresLine(garmentFile, result));
+    print(figuresLine(garmentFile, exact ? withoutTimes(result) : result));
+    found?.map(remedyLine).forEach(advise);
+  }
+}
+
+interface Solved {
+  readonly result: SolveResult;
+  /** Undefined when nobody asked for them. */
+  readonly found?: readonly Remedy[];
+}
+
+/** Shows how far it is, and looks for remedies if they are wanted. */
+async function solved(given: Aligned, names: ProblemNames, wantsMore: boolean): Promise<Solved> {
+  const progress = new ProgressLine();
+  const problem = {
+    ...given,
+    garment: textOf(given.garment.bytes),
+    print: textOf(given.print.bytes),
+  };
+  try {
+    const result = await solve(problem, {
+      onProgress: (step) => {
+        progress.show(step);
+      },
+      names,
+    });
+    if (!wantsMore) return {result};
+    progress.write('Looking for remedies');
+    return {result, found: await remedies(problem, result, {names})};
+  } finally {
+    progress.clear();
+  }
+}
+
+/** What flags decide goes over the file. What is no JSON stays as it is: the solver says so. */
+function withDecided(options: string, decided: Readonly<Record<string, unknown>>): string {
+  const given = Object.entries(decided).filter(([, value]) => value !== undefined);
+  if (given.length === 0) return options;
+  try {
+    return JSON.stringify({...(JSON.parse(options) as object), ...Object.fromEntries(given)});
+  } catch {
+    return options;
   }
 }
 
@@ -101,8 +140,12 @@ async function checkOutputs(
   }
 }
 
-/** A result with the design that it answers, which lets a page open it. */
-async function openable({garment, print, options}: Aligned, result: SolveResult): Promise<string> {
+/** A result with the design that it answers, which lets a page open it, and with what would make it better. */
+async function openable(
+  {garment, print, options}: Aligned,
+  result: SolveResult,
+  found: readonly Remedy[] | undefined,
+): Promise<string> {
   const cloth = JSON.parse(textOf(print.bytes)) as Print;
   const design = solvedDesign(
     {
@@ -113,5 +156,5 @@ async function openable({garment, print, options}: Aligned, result: SolveResult)
     },
     result,
   );
-  return `${JSON.stringify({...result, design})}\n`;
+  return `${JSON.stringify({...result, ...(found && {remedies: found}), design})}\n`;
 }

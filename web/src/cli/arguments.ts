@@ -87,6 +87,16 @@ export function wholeNumber(args: Arguments, flag: string): number | undefined {
   return Number(value);
 }
 
+/** The flag's value as a number from 1 to `most`. @throws {UsageError} */
+export function factor(args: Arguments, flag: string, most: number): number | undefined {
+  const value = args.value(flag);
+  if (value === undefined) return undefined;
+  if (!/^\d{1,6}(\.\d{1,6})?$/.test(value) || Number(value) < 1 || Number(value) > most) {
+    throw new UsageError(`${flag} is '${value}', but must be a number from 1 to ${String(most)}.`);
+  }
+  return Number(value);
+}
+
 /** The flag's value as a length from 0 to `most`. [cm] @throws {UsageError} */
 export function lengthCm(args: Arguments, flag: string, most: number): number | undefined {
   const value = args.value(flag);

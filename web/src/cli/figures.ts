@@ -1,4 +1,5 @@
 import type {SolveResult} from '../model/result.js';
+import type {Remedy} from '../node/index.js';
 import {finalFit, fitOf, worstOf} from '../picture/fit.js';
 
 const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
@@ -25,3 +26,16 @@ export function figuresLine(name: string, result: SolveResult): string {
     `${String(metrics.milliseconds.total)} ms`,
   ].join('; ');
 }
+
+const quoted = (names: readonly string[]): string => names.map((name) => `'${name}'`).join(' and ');
+
+const what: Readonly<Record<Remedy['kind'], (names: readonly string[]) => string>> = {
+  turn: (names) => `Turn ${quoted(names)} by 90 degrees`,
+  ungather: () => 'Leave out the gathers',
+  mirrors: () => 'Take a print with mirrors',
+  smaller: () => 'Take a print of half the repeat',
+};
+
+/** Turn 'waistband' by 90 degrees: 148.7 -> 0.6 mm */
+export const remedyLine = ({kind, pieces, before, after}: Remedy): string =>
+  `${what[kind](pieces)}: ${(10 * before).toFixed(1)} -> ${millimetres(after)}`;

@@ -30,6 +30,11 @@ export function remark(sentence: string): void {
   process.stderr.write(`note: ${sentence}\n`);
 }
 
+/** What would help, beside the result. */
+export function advise(sentence: string): void {
+  process.stderr.write(`${sentence}\n`);
+}
+
 export function print(text: string): void {
   process.stdout.write(text.endsWith('\n') ? text : `${text}\n`);
 }

@@ -6,11 +6,14 @@ seamwise align GARMENT.json --print PRINT.json [flags]
     --symmetry FILE|auto|none   mirror symmetries to keep; auto, the default, finds them
     --method best|paper|ws19    best, the default; the others are published methods to compare with
     --options FILE              weights, grain, pins and limits, as JSON
+    --max-change CM             no outline moves further; 0 keeps every outline and only places
+    --effort N                  looks N times as long, from 1, the default; never worse for it
     --seed N                    same seed, same input, same result; default 1
     --out RESULT.json           writes the solved pattern
     --json                      prints the figures as JSON
     --no-times                  writes what equal runs give equal bytes of: times are 0, and
                                 design and notes, which name files, are left out
+    --no-remedies               does not look for what would make seams meet that stay off
     --design DESIGN.json        writes what was solved as a design that can be ordered
 
 seamwise order DESIGN.json [flags]

@@ -37,6 +37,8 @@ export interface SolveOptions {
   readonly locked?: Locks;
   /** Whether hems and other edges that are not sewn keep their line. Default `kept`. */
   readonly openEdges?: OpenEdges;
+  /** How long to look for an answer, from 1, the default: one with more is never worse. */
+  readonly effort?: number;
   /** Work for a proof of the alignment, as a multiple of the search's. Default: a little, where that may do. */
   readonly proof?: number;
 }

@@ -5,6 +5,8 @@ import type {Problem} from '../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import {remediesOf} from '../remedies/remedies.js';
+import type {Remedy} from '../remedies/remedy.js';
 import {LocalSolver} from '../solver/local.js';
 import {
   jsonText,
@@ -33,6 +35,7 @@ export * from '../model/stored-design.js';
 export {resultText, sha256Of} from '../model/result-text.js';
 export {FileError} from '../model/versioned-file.js';
 export type {Order, OrderHooks} from './order.js';
+export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
 
 const solver = new LocalSolver(async () => ({
   wasmBinary: await readFile(new URL('../solver/module/seamwise.wasm', import.meta.url)),
@@ -46,6 +49,25 @@ const solver = new LocalSolver(async () => ({
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
   hooks.signal?.throwIfAborted();
   return solver.solve(problemTexts(problem, hooks.names), hooks);
+}
+
+/**
+ * What would make the seams of a result meet that stay off, each tried by solving once more and kept only where it
+ * clearly helps; the first is the most likely. At most four are tried, none where all seams meet to within 3 mm.
+ * @param problem that of the result
+ * @throws the signal's reason, an `AbortError` by default, when it fires
+ */
+export async function remedies(
+  problem: Problem,
+  result: SolveResult,
+  {signal, names}: NamedPrepareHooks = {},
+): Promise<readonly Remedy[]> {
+  return remediesOf(
+    problem,
+    result,
+    (changed, stop) => solve(changed, {...(stop && {signal: stop}), ...(names && {names})}),
+    {signal},
+  );
 }
 
 /**

@@ -1,0 +1,70 @@
+/** Which pieces to turn where grains run across each other: the bands, not what they are sewn to. */
+import type {Pattern, ResultSeam} from '../model/result.js';
+import {pick} from '../picture/marks.js';
+
+function lengthOf({pieces}: Pattern, {a: {piece, vertices}}: ResultSeam): number {
+  const line = pick(pieces[piece]?.rest ?? [], vertices);
+  return line.slice(1).reduce((sum, [x, y], k) => {
+    const [fromX, fromY] = line[k] ?? [x, y];
+    return sum + Math.hypot(x - fromX, y - fromY);
+  }, 0);
+}
+
+/**
+ * Sets of pieces to be turned together, each with the seams that it is about. Of every seam the side with less other
+ * seam to it is turned, and with it its mirror image and what it is sewn to of its own kind: turned alone, a band in
+ * two halves would no longer meet where they join.
+ * @param crossed numbers of the seams at which the grains cross
+ * @param canTurn whether a piece lies on a grain that can be turned
+ */
+export function bandsOf(
+  pattern: Pattern,
+  crossed: readonly number[],
+  canTurn: (piece: number) => boolean,
+): readonly {readonly pieces: readonly number[]; readonly seams: readonly number[]}[] {
+  const {seams, symmetries} = pattern;
+  const at = crossed.flatMap((number) => {
+    const seam = seams[number];
+    return seam && seam.a.piece !== seam.b.piece ? [{number, seam}] : [];
+  });
+  const other = new Map<number, number>();
+  seams.forEach((seam, number) => {
+    if (crossed.includes(number)) return;
+    for (const {piece} of [seam.a, seam.b]) {
+      other.set(piece, (other.get(piece) ?? 0) + lengthOf(pattern, seam));
+    }
+  });
+  const bands = new Set(
+    at.flatMap(({seam: {a, b}}) => {
+      const sides = [a.piece, b.piece].filter(canTurn);
+      return sides.toSorted((p, q) => (other.get(p) ?? 0) - (other.get(q) ?? 0)).slice(0, 1);
+    }),
+  );
+  const twins = symmetries.flatMap((one) => (one.kind === 'pair' ? [one.pieces] : []));
+  for (const [first, second] of twins) {
+    if (bands.has(first) || bands.has(second)) bands.add(first).add(second);
+  }
+  const joins = [...twins, ...seams.map(({a, b}) => [a.piece, b.piece] as const)];
+  return connected([...bands], joins).map((pieces) => ({
+    pieces,
+    seams: at
+      .filter(({seam: {a, b}}) => pieces.includes(a.piece) !== pieces.includes(b.piece))
+      .map(({number}) => number),
+  }));
+}
+
+/** The sets into which pieces fall that are joined, directly or by others of them. */
+function connected(
+  pieces: readonly number[],
+  joins: readonly (readonly [number, number])[],
+): readonly (readonly number[])[] {
+  const sets: number[][] = pieces.map((piece) => [piece]);
+  for (const [first, second] of joins) {
+    const one = sets.find((set) => set.includes(first));
+    const other = sets.find((set) => set.includes(second));
+    if (!one || !other || one === other) continue;
+    one.push(...other);
+    sets.splice(sets.indexOf(other), 1);
+  }
+  return sets;
+}

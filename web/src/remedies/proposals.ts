@@ -1,0 +1,91 @@
+/** What might make the seams of a result meet that stay off. Whether it does is another matter: `remedies.ts`. */
+import type {GrainLock, GrainRule, SolveOptions} from '../model/options.js';
+import type {GroupName, Print} from '../model/print.js';
+import type {Problem} from '../model/problem.js';
+import type {SeamReason, SolveResult} from '../model/result.js';
+import type {Repeat} from '../model/wallpaper.js';
+import {bandsOf} from './bands.js';
+import {parsed, type Proposal} from './remedy.js';
+
+/** No more than this is tried: each is a solve. */
+const most = 4;
+
+/** In the order in which they are worth a try. */
+export function proposals(problem: Problem, result: SolveResult): readonly Proposal[] {
+  const options = parsed(problem.options);
+  const off = (...reasons: readonly SeamReason[]): number[] =>
+    result.seams.flatMap(({why}, seam) => (why && reasons.includes(why) ? [seam] : []));
+  return [
+    ...turns(options, result, off('grain')),
+    ...ungathered(options, off('gather')),
+    ...mirrored(parsed(problem.print), off('group')),
+    ...smaller(parsed(problem.print), off('size', 'others')),
+  ].slice(0, most);
+}
+
+/** How a piece lies, as far as the options say. */
+function lockOf({grain}: SolveOptions, name: string): GrainLock | undefined {
+  const rule = grain?.pieces?.[name];
+  return (typeof rule === 'object' ? rule.lock : rule) ?? grain?.default;
+}
+
+const quarter = {on: 'across', across: 'on'} as Readonly<Partial<Record<GrainLock, GrainLock>>>;
+
+function turns(
+  options: SolveOptions,
+  result: SolveResult,
+  crossed: readonly number[],
+): readonly Proposal[] {
+  const {pieces} = result;
+  const nameOf = (piece: number): string => pieces[piece]?.name ?? '';
+  // a piece without a rule lies as its file says, on grain or the seam would not be crossed
+  const turnedLock = (name: string): GrainLock | undefined =>
+    quarter[lockOf(options, name) ?? 'on'];
+  const canTurn = (piece: number): boolean => {
+    const name = nameOf(piece);
+    return turnedLock(name) !== undefined && options.pins?.[name] === undefined;
+  };
+  return bandsOf(result, crossed, canTurn).map((band): Proposal => {
+    const names = band.pieces.map(nameOf);
+    const rules = names.map((name): [string, GrainRule] => {
+      const rule = options.grain?.pieces?.[name];
+      const lock = turnedLock(name) ?? 'across';
+      return [name, typeof rule === 'object' ? {...rule, lock} : lock];
+    });
+    const all = {...options.grain?.pieces, ...Object.fromEntries(rules)};
+    return {
+      ...{kind: 'turn', pieces: names, seams: band.seams},
+      change: {options: {grain: {...options.grain, pieces: all}}},
+    };
+  });
+}
+
+function ungathered({unmatched = []}: SolveOptions, seams: readonly number[]): readonly Proposal[] {
+  if (seams.length === 0) return [];
+  const change = {options: {unmatched: [...unmatched, ...seams]}};
+  return [{kind: 'ungather', pieces: [], seams, change}];
+}
+
+/** By a group without mirrors, or with mirrors in one direction only: a group with more of them on the same lattice. */
+const mirrorsOf: Readonly<Partial<Record<GroupName, GroupName>>> = {
+  ...{pm: 'pmm', pg: 'pmm', pmg: 'pmm', pgg: 'pmm', cm: 'cmm'},
+  ...{p4: 'p4m', p4g: 'p4m', p3: 'p6m', p3m1: 'p6m', p31m: 'p6m', p6: 'p6m'},
+};
+
+/** Undefined where no group on this lattice has more mirrors. */
+export function groupWithMirrors({group, w1, w2}: Repeat): GroupName | undefined {
+  if (group !== 'p1' && group !== 'p2') return mirrorsOf[group];
+  const cosine = (w1[0] * w2[0] + w1[1] * w2[1]) / (Math.hypot(...w1) * Math.hypot(...w2));
+  return Math.abs(cosine) < 1e-6 ? 'pmm' : undefined;
+}
+
+function mirrored(print: Print, seams: readonly number[]): readonly Proposal[] {
+  const group = seams.length > 0 ? groupWithMirrors(print) : undefined;
+  return group ? [{kind: 'mirrors', pieces: [], seams, change: {print: {group}}}] : [];
+}
+
+function smaller({w1, w2}: Print, seams: readonly number[]): readonly Proposal[] {
+  if (seams.length === 0) return [];
+  const print = {w1: [w1[0] / 2, w1[1] / 2], w2: [w2[0] / 2, w2[1] / 2]} as const;
+  return [{kind: 'smaller', pieces: [], seams, change: {print}}];
+}

@@ -1,0 +1,69 @@
+/** Tries what might help a result, and keeps what does. */
+import type {Problem} from '../model/problem.js';
+import type {SolveResult} from '../model/result.js';
+import {countedSeams, finalFit, meanOf, type Fit} from '../picture/fit.js';
+import {proposals} from './proposals.js';
+import {withRemedy, type Proposal, type Remedy} from './remedy.js';
+
+/** What is left of a mismatch at most, for a remedy to be worth a word. A print half as large halves it by itself. */
+const leftAtMost = {turn: 0.6, ungather: 0.6, mirrors: 0.6, smaller: 0.35} as const;
+/** What is gained at least. [cm] */
+const leastGain = 0.1;
+/** How much worse the whole may become, over all seams. [cm] */
+const patience = 0.02;
+
+export interface RemedyHooks {
+  readonly signal?: AbortSignal | undefined;
+  /** Waits until nobody minds another solve. */
+  readonly idle?: () => Promise<void>;
+  /** As soon as one is found. */
+  readonly onRemedy?: (remedy: Remedy) => void;
+}
+
+/**
+ * Solves the problem with each proposal, one after the other. One that cannot be solved is no remedy.
+ * @throws the signal's reason, when it fires
+ */
+export async function remediesOf(
+  problem: Problem,
+  result: SolveResult,
+  solve: (problem: Problem, signal?: AbortSignal) => Promise<SolveResult>,
+  {signal, idle, onRemedy}: RemedyHooks = {},
+): Promise<readonly Remedy[]> {
+  const found: Remedy[] = [];
+  for (const proposal of proposals(problem, result)) {
+    await idle?.();
+    signal?.throwIfAborted();
+    const tried = await solve(withRemedy(problem, proposal.change), signal).catch(() => undefined);
+    signal?.throwIfAborted();
+    const remedy = tried && asRemedy(proposal, result, tried);
+    if (!remedy) continue;
+    found.push(remedy);
+    onRemedy?.(remedy);
+  }
+  return found;
+}
+
+/** Undefined where it does not clearly help. */
+function asRemedy(proposal: Proposal, result: SolveResult, tried: SolveResult): Remedy | undefined {
+  // the same seams in both: under other symmetries other seams meet by themselves
+  const counted = countedSeams(result);
+  const left = counted.map((counts, k) => counts && tried.seams[k]?.matched !== false);
+  const [before, after] = [finalFit(result, counted), finalFit(tried, left)];
+  const [was, is] =
+    proposal.kind === 'ungather'
+      ? [before.mean, after.mean]
+      : [meanAlong(before, proposal.seams), meanAlong(after, proposal.seams)];
+  const helps = is <= leftAtMost[proposal.kind] * was && was - is >= leastGain;
+  return helps && after.mean <= before.mean + patience
+    ? {...proposal, before: was, after: is}
+    : undefined;
+}
+
+function meanAlong({seams}: Fit, numbers: readonly number[]): number {
+  const some = numbers.flatMap((number) => seams.slice(number, number + 1));
+  return meanOf({
+    mismatch: some.flatMap(({mismatch}) => mismatch),
+    lengths: some.flatMap(({lengths}) => lengths),
+  });
+}
