@@ -1,5 +1,6 @@
 /** The design that follows when something else is asked for: what the user has changed of the rest stays. */
 import type {Design} from '../../model/design.js';
+import {fieldOf} from '../../model/read.js';
 import {newDesign} from '../workbench/samples.js';
 import type {Asked, Loaded} from './sources.js';
 
@@ -8,6 +9,8 @@ export interface Answered {
   readonly asked: Asked;
   readonly loaded: Loaded;
 }
+
+type Pins = Design['options']['pins'];
 
 /** @param before undefined to begin anew; `now` is what has become of it */
 export function nextDesign(
@@ -22,7 +25,9 @@ export function nextDesign(
   const {pins, ...options} = isSameGarment || !before ? kept.options : fresh.options;
   const isSameMost = before?.asked.maxChangeCm === asked.maxChangeCm;
   const most = isSameMost ? kept.options.maxChangeCm : asked.maxChangeCm;
-  const placed = pins ?? pinsFor(garment.text, kept.options.pins);
+  const placed =
+    pins ??
+    (before && !isSameGarment ? pinsFor({asked, loaded}, before, kept.options.pins) : undefined);
   const isSameSymmetry = isSameGarment && before.asked.symmetry === asked.symmetry;
   return {
     garment,
@@ -37,12 +42,33 @@ export function nextDesign(
   };
 }
 
-/** Of the pieces that another size of a garment still has, the prints stay where they were put. */
-function pinsFor(
-  text: string,
-  pins: Design['options']['pins'],
-): Design['options']['pins'] | undefined {
-  if (!pins) return undefined;
-  const kept = Object.entries(pins).filter(([name]) => text.includes(JSON.stringify(name)));
+/**
+ * What was put on the pieces of one size stays on those of another. Another pattern may have pieces of the same names,
+ * which say nothing of where a customer wants its print.
+ */
+function pinsFor(next: Answered, before: Answered, pins: Pins): Pins {
+  const file = contentOf(next);
+  if (!pins || !isOtherSize(next, before, file)) return undefined;
+  const panels = fieldOf(fieldOf(file, 'pattern'), 'panels');
+  const names = typeof panels === 'object' && panels !== null ? Object.keys(panels) : [];
+  const kept = Object.entries(pins).filter(([name]) => names.includes(name));
   return kept.length > 0 ? Object.fromEntries(kept) : undefined;
+}
+
+/** By the same template, or as both files say by their title. */
+function isOtherSize(next: Answered, before: Answered, file: unknown): boolean {
+  if (typeof next.asked.garment === 'string' && next.asked.garment === before.asked.garment) {
+    return true;
+  }
+  const title = fieldOf(file, 'title');
+  return typeof title === 'string' && title === fieldOf(contentOf(before), 'title');
+}
+
+/** Whatever is in the file: the solver says what is wrong with it. */
+function contentOf({loaded}: Answered): unknown {
+  try {
+    return JSON.parse(loaded.garment.text);
+  } catch {
+    return undefined;
+  }
 }

@@ -1,0 +1,70 @@
+/** What stays of a customer's design when the page asks for something else. */
+import {expect, it} from 'vitest';
+
+import {nextDesign, type Answered} from '../../web/src/element/garment/next-design.js';
+import type {Asked} from '../../web/src/element/garment/sources.js';
+import type {Design} from '../../web/src/model/design.js';
+import {bareCloth} from '../../web/src/element/workbench/samples.js';
+
+const pins = {
+  front: {angle: 0.1, translation: [3, 4]},
+  sleeve: {angle: 0, translation: [1, 2]},
+} as const;
+
+/** A garment of these pieces, as it was read for what was asked. */
+function answered(garment: string, file: object, change: Partial<Asked> = {}): Answered {
+  return {
+    asked: {
+      ...{garment, size: 'm', print: 'p.json', colourway: undefined, symmetry: 'auto'},
+      ...{maxChangeCm: 1, ...change},
+    },
+    loaded: {
+      garment: {name: 'garment.json', text: JSON.stringify(file)},
+      ...{print: bareCloth, symmetries: [], symmetry: 'auto'},
+    },
+  };
+}
+
+const pieces = (...names: string[]): object => ({
+  pattern: {panels: Object.fromEntries(names.map((name) => [name, {label: 'front'}]))},
+});
+
+/** The design of one garment, on which the customer has put the print. */
+function placedOn(before: Answered): Design {
+  const design = nextDesign(before, undefined, undefined);
+  return {...design, options: {...design.options, pins}};
+}
+
+const keptPins = (before: Answered, after: Answered): string[] =>
+  Object.keys(nextDesign(after, before, placedOn(before)).options.pins ?? {});
+
+it('keeps where a print was put on another size of the same template, on the pieces that it has', () => {
+  const before = answered('tee-{size}.json', pieces('front', 'sleeve'));
+  const after = answered('tee-{size}.json', pieces('front', 'back'), {size: 'l'});
+  expect(keptPins(before, after)).toEqual(['front']);
+});
+
+it('keeps it on another file that bears the same title', () => {
+  const before = answered('tee-m.json', {title: 'Tee', ...pieces('front', 'sleeve')});
+  const after = answered('tee-l.json', {title: 'Tee', ...pieces('front', 'sleeve')});
+  expect(keptPins(before, after)).toEqual(['front', 'sleeve']);
+});
+
+it('puts no print on another garment that has a piece of the same name', () => {
+  const before = answered('tee-m.json', {title: 'Tee', ...pieces('front', 'sleeve')});
+  for (const after of [
+    answered('dress-m.json', {title: 'Dress', ...pieces('front', 'sleeve')}),
+    answered('dress-m.json', pieces('front', 'sleeve')),
+  ]) {
+    expect(keptPins(before, after)).toEqual([]);
+  }
+  const untitled = answered('tee-m.json', pieces('front'));
+  expect(keptPins(untitled, answered('dress-m.json', pieces('front')))).toEqual([]);
+});
+
+it('keeps it while only the print or the greatest change is another', () => {
+  const before = answered('tee-m.json', pieces('front', 'sleeve'));
+  const {asked, loaded} = before;
+  const after = {asked: {...asked, maxChangeCm: 0.5, print: 'q.json'}, loaded: {...loaded}};
+  expect(keptPins(before, after)).toEqual(['front', 'sleeve']);
+});
