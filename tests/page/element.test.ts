@@ -105,6 +105,27 @@ it('mirrors attributes as properties, and makes sense of whatever is written in 
   });
 });
 
+it('understands properties that a server has written as attributes, which have no capitals', async () => {
+  const {put, run} = await openPage();
+  await put(tee.replace('alt=', 'maxChangeMm="3" workerUrl="" wasmUrl="nowhere" alt='));
+  const seen = await run(async (element) => {
+    const {workerUrl, wasmUrl} = element;
+    const before = [element.maxChangeMm, workerUrl, wasmUrl];
+    element.wasmUrl = null;
+    const attributes = ['wasm-url', 'wasmurl'].map((name) => element.hasAttribute(name));
+    await element.solve();
+    const solved = element.getDesign().options.maxChangeCm;
+    element.setAttribute('maxchangemm', '4');
+    await element.solve();
+    return {before, attributes, solved: [solved, element.getDesign().options.maxChangeCm]};
+  });
+  expect(seen).toEqual({
+    before: [3, '', 'nowhere'],
+    attributes: [false, false],
+    solved: [0.3, 0.4],
+  });
+});
+
 it('takes garment, print and symmetries as objects, but has then nothing to store', async () => {
   const {put, page} = await openPage();
   await put('<seamwise-garment></seamwise-garment>');

@@ -10,7 +10,7 @@ import type {SolveResult} from '../model/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/stored-design.js';
 import {FileError} from '../model/versioned-file.js';
 import {AttributeElement} from './garment/attribute-element.js';
-import {asking, attributes, localeOf, type GarmentMode} from './garment/attributes.js';
+import {asking, attributes, localeOf, spellings, type GarmentMode} from './garment/attributes.js';
 import {Beginning} from './garment/beginning.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf} from './garment/face.js';
@@ -43,7 +43,7 @@ export class SeamwiseGarment extends AttributeElement {
   static override styles = [tokens, controls, garmentStyle];
 
   static override get observedAttributes(): string[] {
-    return [...super.observedAttributes, ...attributes];
+    return [...super.observedAttributes, ...attributes, ...spellings.keys()];
   }
 
   readonly #session: GarmentSession;
@@ -261,7 +261,7 @@ export class SeamwiseGarment extends AttributeElement {
   override attributeChangedCallback(name: string, before: string | null, now: string | null): void {
     super.attributeChangedCallback(name, before, now);
     if (before === now) return;
-    if (asking.has(name)) {
+    if (asking.has(spellings.get(name) ?? name)) {
       if (now !== null) this.forget(name);
       this.ask();
     } else if (name === 'loading') {

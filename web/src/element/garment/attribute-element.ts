@@ -67,7 +67,7 @@ export abstract class AttributeElement extends FormElement {
 
   /** No outline moves further than this. [mm] */
   get maxChangeMm(): number {
-    return changeOf(this.getAttribute('max-change-mm'));
+    return changeOf(this.#read('max-change-mm'));
   }
 
   set maxChangeMm(most: number) {
@@ -125,7 +125,7 @@ export abstract class AttributeElement extends FormElement {
   }
 
   get workerUrl(): string {
-    return this.getAttribute('worker-url') ?? '';
+    return this.#read('worker-url') ?? '';
   }
 
   set workerUrl(url: string | null | undefined) {
@@ -133,7 +133,7 @@ export abstract class AttributeElement extends FormElement {
   }
 
   get wasmUrl(): string {
-    return this.getAttribute('wasm-url') ?? '';
+    return this.#read('wasm-url') ?? '';
   }
 
   set wasmUrl(url: string | null | undefined) {
@@ -177,8 +177,15 @@ export abstract class AttributeElement extends FormElement {
     this.ask();
   }
 
+  /** However it is spelled. */
+  #read(name: string): string | null {
+    return this.getAttribute(name) ?? this.getAttribute(name.replaceAll('-', ''));
+  }
+
   /** Null or undefined: none. */
   protected write(name: string, value: string | null | undefined): void {
+    const spelling = name.replaceAll('-', '');
+    if (spelling !== name) this.removeAttribute(spelling);
     if (value === null || value === undefined) this.removeAttribute(name);
     else this.setAttribute(name, value);
   }

@@ -12,6 +12,16 @@ export const attributes = [
   ...['name', 'required', 'disabled'],
 ] as const;
 
+/**
+ * As a server writes a property into markup, which has no capitals: the attribute that is meant. Frameworks that
+ * take such markup over do not set the property again.
+ */
+export const spellings: ReadonlyMap<string, string> = new Map(
+  attributes
+    .filter((name) => name.includes('-'))
+    .map((name) => [name.replaceAll('-', ''), name] as const),
+);
+
 /** A change of one of these is another question to the solver. */
 export const asking: ReadonlySet<string> = new Set([
   ...['garment', 'size', 'print', 'colourway', 'symmetry', 'max-change-mm'],
