@@ -108,9 +108,21 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
   });
   await page.mouse.move(...at);
   await page.mouse.down();
-  await page.mouse.move(at[0] + 12, at[1] - 9, {steps: 4});
+  /** How often it was said that something goes on, and that something has changed. */
+  const told = (): Promise<readonly number[]> =>
+    run((element) => {
+      const {heard} = element as unknown as {heard: readonly string[]};
+      return ['input', 'change'].map((type) => heard.filter((one) => one.startsWith(type)).length);
+    });
+  for (const k of [1, 2, 3]) {
+    await page.mouse.move(at[0] + 4 * k, at[1] - 3 * k);
+    await expect.poll(told, {timeout: 60_000}).toEqual([k, 0]);
+    await page.waitForTimeout(k === 2 ? 1200 : 200); // longer than changes are taken together by themselves
+  }
   await page.mouse.up();
-  // A drag may be answered on its way as well as at its end.
+  await expect.poll(told).toEqual([3, 1]);
+  await page.waitForTimeout(500);
+  expect(await told()).toEqual([3, 1]);
   await page.waitForFunction(() => {
     const element = document.querySelector('seamwise-garment');
     return element !== null && 'design' in element && element.state === 'ready';
@@ -128,7 +140,7 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
     };
   });
   expect(seen).toEqual({
-    heard: ['select true', 'solve true', 'change true'],
+    heard: ['select true', 'solve true', 'input true', 'change true'],
     pins: ['front'],
     state: 'ready',
   });

@@ -19,6 +19,8 @@ export interface GarmentEvents {
   readonly load: {readonly garment: DesignFile; readonly print: DesignFile};
   readonly progress: Progress;
   readonly error: Failure;
+  /** The user is dragging something, and this is what it is so far. */
+  readonly input: {readonly design: StoredDesign | null};
   /** The user has changed the design, and the answer is there. Null when it cannot be stored. */
   readonly change: {readonly design: StoredDesign | null};
   readonly solve: {readonly metrics: Metrics; readonly milliseconds: number};
@@ -33,6 +35,7 @@ export interface GarmentEvents {
 /** These are what the user does, and what comes of it: whoever is around the element hears them, too. */
 export const bubbling: ReadonlySet<keyof GarmentEvents> = new Set([
   'change',
+  'input',
   'solve',
   'select',
 ] as const);

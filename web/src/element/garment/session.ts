@@ -62,6 +62,8 @@ export class GarmentSession {
   /** As the program has it; any other is the user's. */
   #given: Design | undefined;
   #isTouched = false;
+  /** What was told last of a drag. */
+  #told: Design | undefined;
 
   constructor(owner: SessionOwner, preferences: Preferences) {
     this.#owner = owner;
@@ -250,12 +252,18 @@ export class GarmentSession {
     }
     this.#owner.changed();
     this.#tell.solved(desk);
-    if (this.state === 'ready' && this.#isTouched) {
-      this.#isTouched = false;
-      this.#owner.emit('change', {design: this.#storable()});
-    }
+    if (this.state === 'ready' && this.#isTouched) this.#tellOfUser();
     this.#tell.selected(desk);
     this.#settle();
+  }
+
+  /** Once for a whole drag, and meanwhile as something that goes on. */
+  #tellOfUser(): void {
+    const {isHeld, design} = this.desk;
+    if (isHeld && design === this.#told) return;
+    this.#told = isHeld ? design : undefined;
+    this.#isTouched = isHeld;
+    this.#owner.emit(isHeld ? 'input' : 'change', {design: this.#storable()});
   }
 
   #storable(): StoredDesign | null {
