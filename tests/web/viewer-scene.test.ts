@@ -13,6 +13,7 @@ import {
   realigned,
   reprinted,
   sceneOf,
+  symmetriesOf,
 } from '../../web/src/viewer/scene.js';
 import {seamStrokes} from '../../web/src/viewer/strokes.js';
 import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
@@ -100,6 +101,28 @@ describe('a scene', () => {
     expect(second?.at[1]).toBeCloseTo(first?.at[1] ?? NaN, 12);
     expect(axis.axis.map(([x]) => x)).toEqual([2, 2]);
     expect(axis.axis.map(([, y]) => y)).toEqual([0, 4]);
+  });
+
+  it('gives a pair its letter whatever other pairs there are', () => {
+    const four = squarePair({
+      pieces: ['a', 'b', 'c', 'd'].map((name) => squarePiece(name)),
+      seams: [],
+    });
+    const map = {angle: 0, translation: [4, 0]} as const;
+    const [one, other] = (
+      [
+        [0, 2],
+        [3, 1],
+      ] as const
+    ).map((pieces) => ({kind: 'pair', pieces, map, pairs: []}) as const);
+    if (!one || !other) throw new Error('There are no pairs.');
+    const lettersOf = (symmetries: Pattern['symmetries']): unknown[] =>
+      symmetriesOf({...four, symmetries}, 'rest').map((pair) => 'letter' in pair && pair.letter);
+    const [first, second] = lettersOf([one, other]);
+    expect(first).not.toBe(second);
+    expect(lettersOf([other, one])).toEqual([second, first]);
+    expect(lettersOf([other])).toEqual([second]);
+    expect(lettersOf([one])).toEqual([first]);
   });
 
   it('finds the piece under a point, and nothing in a cut-out or beside the pieces', () => {

@@ -150,13 +150,18 @@ function sheet(
   return (named.scale < leastShare * bare.scale ? bare : named).layout;
 }
 
+/** Of a pair, the same whatever other symmetries there are just now: no two pairs share a piece. */
+function letterOf(pieces: readonly [number, number]): string {
+  const first = Math.min(...pieces);
+  const round = Math.floor(first / 26);
+  return `${String.fromCharCode(65 + (first % 26))}${round || ''}`;
+}
+
 /** Axes and letters of symmetries, as they are drawn. */
 export function symmetriesOf(
   {pieces, symmetries}: Pattern,
   outline: 'rest' | 'shape',
-  firstPair = 0,
 ): readonly SceneSymmetry[] {
-  let pairs = firstPair;
   const outlineOf = (piece: number): Point[] => {
     const {[outline]: points = [], outline: loop = []} = pieces[piece] ?? {};
     return pick(points, loop);
@@ -168,10 +173,9 @@ export function symmetriesOf(
     }
     const [first, second] = symmetry.pieces;
     const {at, room} = innermost(outlineOf(first));
-    const round = Math.floor(pairs / 26);
     return {
       kind: 'pair',
-      letter: `${String.fromCharCode(65 + (pairs++ % 26))}${round || ''}`,
+      letter: letterOf(symmetry.pieces),
       marks: [
         {piece: first, at, room},
         {piece: second, at: mirrorImage(symmetry.map, at), room},

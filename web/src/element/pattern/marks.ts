@@ -30,6 +30,8 @@ export function overlayOf(
   const seam =
     pointed?.kind === 'seam' ? pointed : selected?.kind === 'seam' ? selected : undefined;
   const marks = tools.marks(scene, texts, format);
+  const chosen = marks.ghosts ?? [];
+  const found = ghostsOf(desk.found, scene.pattern, scene.outline);
   return {
     ...(seam && {highlight: {seam: seam.seam, side: seam.side}}),
     ...(pointed?.kind === 'piece' && {hoverPiece: pointed.piece}),
@@ -37,9 +39,12 @@ export function overlayOf(
     cursors: cursorsOf(scene, cursor),
     signs: signsOf(scene, desk.design?.options),
     ...marks,
-    ghosts: [...ghostsOf(desk.found, scene.pattern, scene.outline), ...(marks.ghosts ?? [])],
+    ghosts: [...found.filter((one) => !chosen.some((other) => isSamePair(one, other))), ...chosen],
   };
 }
+
+const isSamePair = (one: SceneSymmetry, other: SceneSymmetry): boolean =>
+  one.kind === 'pair' && other.kind === 'pair' && one.letter === other.letter;
 
 /** Found symmetries as the scene would draw them if they were imposed. */
 const ghostsOf = lastOf(
@@ -60,8 +65,7 @@ const ghostsOf = lastOf(
             pairs: [],
           } as const),
     );
-    const kept = pattern.symmetries.filter(({kind}) => kind === 'pair').length;
-    return symmetriesOf({...pattern, symmetries}, outline, kept);
+    return symmetriesOf({...pattern, symmetries}, outline);
   },
 );
 
