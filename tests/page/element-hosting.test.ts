@@ -16,8 +16,10 @@ const project = fileURLToPath(new URL('../..', import.meta.url));
 const elsewhere = 'https://cdn.example';
 
 const policyIn = (snippet = ''): string => snippet.replace('Content-Security-Policy:', '').trim();
-const [ownPolicy, crossPolicy] = snippetsIn('http').map(policyIn);
-if (!ownPolicy || !crossPolicy) throw new Error('docs/embedding.md has not both policies.');
+const [ownPolicy, trustedPolicy, crossPolicy] = snippetsIn('http').map(policyIn);
+if (!ownPolicy || !trustedPolicy || !crossPolicy) {
+  throw new Error('docs/embedding.md has not all policies.');
+}
 
 let browser: Browser;
 let folder: string;
@@ -46,6 +48,7 @@ afterAll(async () => {
 interface Visit {
   readonly state: string;
   readonly codes: readonly string[];
+  readonly sentences: readonly string[];
   /** Paths of the workers' scripts. */
   readonly workers: readonly string[];
   /** What the browser complained of. */
@@ -75,13 +78,16 @@ async function visit(policy: string, markup: string): Promise<Visit> {
   page.on('worker', (worker) => workers.push(new URL(worker.url()).pathname));
   try {
     await page.addInitScript(() => {
-      const codes: string[] = [];
-      Object.assign(globalThis, {codes});
+      const [codes, sentences]: [string[], string[]] = [[], []];
+      Object.assign(globalThis, {codes, sentences});
       addEventListener(
         'error',
         ({target, detail}: Event & {detail?: unknown}) => {
           const isElement = target instanceof Element && target.localName === 'seamwise-garment';
-          if (isElement) codes.push((detail as {code: string}).code);
+          if (!isElement) return;
+          const {code, message} = detail as {code: string; message: string};
+          codes.push(code);
+          sentences.push(message);
         },
         true,
       );
@@ -97,8 +103,11 @@ async function visit(policy: string, markup: string): Promise<Visit> {
     if (state === 'ready') {
       await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
     }
-    const codes = await page.evaluate(() => (globalThis as unknown as {codes: string[]}).codes);
-    return {state, codes, workers, said};
+    const heard = await page.evaluate(() => {
+      const {codes, sentences} = globalThis as unknown as Record<string, string[]>;
+      return {codes: codes ?? [], sentences: sentences ?? []};
+    });
+    return {state, ...heard, workers, said};
   } finally {
     await page.close();
     await served.close();
@@ -110,7 +119,7 @@ const cross = snippetWith('html', `src="${elsewhere}`);
 
 describe('on its own host', () => {
   it('solves in a worker and draws, under a policy that allows nothing else', async () => {
-    expect(await visit(ownPolicy, own)).toEqual({
+    expect(await visit(ownPolicy, own)).toMatchObject({
       ...{state: 'ready', codes: [], said: []},
       workers: ['/seamwise/solver.worker.js'],
     });
@@ -129,9 +138,32 @@ describe('on its own host', () => {
   });
 });
 
+describe('where the page demands trusted types', () => {
+  const demand = "require-trusted-types-for 'script'";
+
+  it('solves in a worker and draws, under the names that are said', async () => {
+    const directive = trustedPolicy.split('; ').find((one) => one.startsWith('trusted-types'));
+    const seen = await visit(`${ownPolicy}; ${demand}; ${String(directive)}`, own);
+    expect(seen).toMatchObject({
+      ...{state: 'ready', codes: []},
+      workers: ['/seamwise/solver.worker.js'],
+    });
+  });
+
+  it("says which name is missing where the worker may have none, and solves on the page's thread", async () => {
+    const seen = await visit(`${ownPolicy}; ${demand}; trusted-types lit-html`, own);
+    expect(seen).toMatchObject({state: 'ready', codes: ['worker-blocked'], workers: []});
+    expect(seen.sentences).toEqual([
+      expect.stringMatching(
+        /demands trusted types; let it allow ours: trusted-types seamwise lit-html\.$/,
+      ),
+    ]);
+  });
+});
+
 describe('with its scripts on another host', () => {
   it("has a worker by one line of the page's own", async () => {
-    expect(await visit(crossPolicy, cross)).toEqual({
+    expect(await visit(crossPolicy, cross)).toMatchObject({
       ...{state: 'ready', codes: [], said: []},
       workers: ['/seamwise-worker.js'],
     });

@@ -3,6 +3,7 @@ import {readFile} from 'node:fs/promises';
 import {convert, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
+import {SharedModule} from '../../web/src/solver/load.js';
 import {LocalSolver} from '../../web/src/solver/local.js';
 import {warmUpProblems} from '../../web/src/solver/warm-up.js';
 import {twoStrips} from './garments.js';
@@ -28,6 +29,18 @@ it('does not wait for a module that nobody wants any more', async () => {
   const signal = AbortSignal.timeout(20);
   await expect(never.convert(garment, 'garment', signal)).rejects.toThrow(/timeout/);
   await expect(never.convert(garment, 'garment', signal)).rejects.toBe(signal.reason);
+});
+
+it('gives up a module that does not come, and says so', async () => {
+  const never: object = {instantiateWasm: () => ({})}; // as where a host sends nothing
+  await expect(new SharedModule(() => never, 50).load()).rejects.toThrow(
+    'seamwise.wasm has not come within 0.05 s',
+  );
+  const solver = new LocalSolver(() => never, undefined, 50);
+  await expect(solver.convert(garment, 'garment')).rejects.toMatchObject({
+    code: 'no-wasm',
+    message: expect.stringMatching(/within 0\.05 s; check the connection.*[^.]\.$/) as string,
+  });
 });
 
 it('takes a solver that is to be warm through all its stages', async () => {

@@ -1,4 +1,5 @@
 import {SolverError} from '../model/failure.js';
+import {policyName} from '../model/trusted.js';
 
 /** A failure of the solver's own, not of what it was given: what happened and why, as one sentence. */
 export function internalError(what: string, cause: unknown): SolverError {
@@ -21,6 +22,16 @@ export function workerBlocked(script: string | URL, reason = ''): SolverError {
     message:
       `The solver's worker could not be started from '${String(script)}'${because}; serve this script ` +
       "from the page's own origin and let the page's policy allow it: worker-src 'self'.",
+  });
+}
+
+/** The page demands Trusted Types, and knows none of ours. */
+export function workerNotTrusted(script: string | URL, reason: string): SolverError {
+  return new SolverError({
+    code: 'worker-blocked',
+    message:
+      `The solver's worker could not be started from '${String(script)}' (${reason}): the page's policy demands ` +
+      `trusted types; let it allow ours: trusted-types ${policyName} lit-html.`,
   });
 }
 

@@ -23,9 +23,16 @@ export class LocalSolver {
   readonly #pace: Pace;
   readonly #turns = new Turns(solvesAtOnce);
 
-  /** @param settings how to find the .wasm file; in a page or worker it is found by itself */
-  constructor(settings?: () => ModuleSettings | Promise<ModuleSettings>, pace = ownThread) {
-    this.#shared = new SharedModule(settings);
+  /**
+   * @param settings how to find the .wasm file; in a page or worker it is found by itself
+   * @param patience how long that may take [ms]
+   */
+  constructor(
+    settings?: () => ModuleSettings | Promise<ModuleSettings>,
+    pace = ownThread,
+    patience?: number,
+  ) {
+    this.#shared = new SharedModule(settings, patience);
     this.#pace = pace;
   }
 

@@ -1,6 +1,7 @@
 import {SolverError} from '../model/failure.js';
-import {internalError, reasonOf, workerBlocked} from './broken.js';
+import {internalError, reasonOf, workerBlocked, workerNotTrusted} from './broken.js';
 import type {FromWorker, ToWorker} from './protocol.js';
+import {madeWithTrust, mayWantTrust} from './trusted-worker.js';
 
 /** Where the worker's script and the .wasm file are, if not where the build has put them. */
 export interface WorkerPlaces {
@@ -124,12 +125,21 @@ export class WatchedWorker {
 }
 
 function start(workerUrl: string | URL | undefined): Worker {
-  try {
+  const script = workerUrl ?? usualScript;
+  const make = (): Worker => {
     if (workerUrl !== undefined) return new Worker(workerUrl, {type: 'module'});
     // Bundlers look for exactly this.
     return new Worker(new URL('./solver.worker.js', import.meta.url), {type: 'module'});
-  } catch (error) {
-    throw workerBlocked(workerUrl ?? usualScript, reasonOf(error));
+  };
+  try {
+    return make();
+  } catch (refusal) {
+    if (!mayWantTrust(refusal)) throw workerBlocked(script, reasonOf(refusal));
+  }
+  try {
+    return madeWithTrust(make);
+  } catch (refusal) {
+    throw workerNotTrusted(script, reasonOf(refusal));
   }
 }
 

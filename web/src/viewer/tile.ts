@@ -1,4 +1,5 @@
 /** The picture of a print's cell, as it is loaded: before anything is drawn, and without what draws it. */
+import {trustedMarkup} from '../model/trusted.js';
 import {imageHref} from '../picture/svg.js';
 
 /** One cell of a print: pixels, or an image of an SVG, which can be drawn at any size. */
@@ -23,7 +24,7 @@ export async function loadTile(url: string | URL, signal?: AbortSignal): Promise
 
 /** A tile from the text of an SVG, whatever size it gives itself. The page's policy has to allow `data:` images. */
 export async function svgTile(svg: string): Promise<Tile> {
-  const document = new DOMParser().parseFromString(svg, 'image/svg+xml');
+  const document = new DOMParser().parseFromString(trustedMarkup(svg), 'image/svg+xml');
   const root = document.documentElement;
   const side = (name: string): number => Number.parseFloat(root.getAttribute(name) ?? '') || 100;
   if (!root.hasAttribute('viewBox')) {
