@@ -2,6 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import type {ResultSymmetry, SolveResult} from '../../web/src/model/result.js';
+import {hasOutsidePictures} from '../../web/src/picture/svg.js';
 import {mismatchLine} from '../../web/src/picture/colours.js';
 import {drawResult} from '../../web/src/picture/draw-result.js';
 import {driftOf, finalFit, fitOf, meanOf, seamFitOf, worstOf} from '../../web/src/picture/fit.js';
@@ -273,4 +274,26 @@ describe('the line along a seam', () => {
     increase(lines.map(({width}) => width));
     increase(lines.slice(2).map(({dash}) => dash?.[1] ?? 0));
   });
+});
+
+it('knows an SVG that takes in pictures from elsewhere, which no browser shows in a print', () => {
+  const svg = (inside: string): string => `<svg xmlns="http://www.w3.org/2000/svg">${inside}</svg>`;
+  for (const inside of [
+    '<image width="4" href="https://a.example/b.png"/>',
+    "<image xlink:href='b.png'/>",
+    '<svg:image x="1" href = "//a.example/b.png" />',
+    '<filter><feImage href="c.svg#d"/></filter>',
+    '<use href="c.svg#d"/>',
+  ]) {
+    expect(hasOutsidePictures(svg(inside)), inside).toBe(true);
+  }
+  for (const inside of [
+    '<image href="data:image/png;base64,AA"/>',
+    '<use href="#leaf"/><use xlink:href="#leaf"/>',
+    '<a href="https://a.example"><rect/></a>',
+    '<!-- <image href="b.png"/> -->',
+    '<image/>',
+  ]) {
+    expect(hasOutsidePictures(svg(inside)), inside).toBe(false);
+  }
 });

@@ -45,3 +45,9 @@ export function nameLines(name: string, room: number, size: number): readonly st
 /** A picture as something `href` can name: SVG text becomes a data URL, anything else stays. */
 export const imageHref = (image: string): string =>
   image.trimStart().startsWith('<') ? `data:image/svg+xml,${encodeURIComponent(image)}` : image;
+
+/** Whether an SVG takes in pictures from elsewhere: as an image it may not, and shows the sign of a broken one instead. */
+export const hasOutsidePictures = (svg: string): boolean =>
+  /<(?:\w+:)?(?:image|feImage|use)\b[^>]*?\s(?:\w+:)?href\s*=\s*(["'])\s*(?!#|data:|\1)/i.test(
+    svg.replaceAll(/<!--[^]*?-->/g, ''),
+  );

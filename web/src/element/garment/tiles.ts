@@ -2,8 +2,10 @@
 import {SolverError} from '../../model/failure.js';
 import {noPicture} from '../../model/design.js';
 import {svgTile, type Tile} from '../../viewer/tile.js';
+import {hasOutsidePictures} from '../../picture/svg.js';
+import type {Texts} from '../texts/texts.js';
 import {blobOf} from '../pattern/tile.js';
-import {fetchBlob, type FileWords} from './files.js';
+import {fetchBlob} from './files.js';
 import {pictureSize, type PictureSize} from './picture-size.js';
 
 /** What is decoded takes 4 bytes for each pixel. */
@@ -13,12 +15,12 @@ const longestSide = 20_000;
 const finest = 4096;
 
 export class Tiles {
-  readonly #words: () => FileWords;
+  readonly #texts: () => Texts;
   /** The last picture: as a file where it is made of pixels, which take far more room. */
   #last: {readonly image: string; readonly open: Promise<() => Promise<Tile>>} | undefined;
 
-  constructor(words: () => FileWords) {
-    this.#words = words;
+  constructor(texts: () => Texts) {
+    this.#texts = texts;
   }
 
   /** @throws {SolverError} as `fetchBlob` does, `too-large`, `not-an-image`; the signal's reason when it fires */
@@ -37,7 +39,7 @@ export class Tiles {
   }
 
   async #open(image: string): Promise<() => Promise<Tile>> {
-    const words = this.#words();
+    const {garment: words, print} = this.#texts();
     const called = image.startsWith('data:') ? image.slice(0, 40) : image;
     const notAnImage = new SolverError({code: 'not-an-image', message: words.notAnImage(called)});
     const decoded = async <T>(read: () => Promise<T>): Promise<T> => {
@@ -52,9 +54,14 @@ export class Tiles {
       ? await decoded(() => Promise.resolve(blobOf(image)))
       : await fetchBlob(image, words);
     if (blob.type.startsWith('image/svg')) {
+      const text = await blob.text();
+      if (hasOutsidePictures(text)) {
+        const message = print.files.outsidePictures(called);
+        throw new SolverError({code: 'not-an-image', message});
+      }
       // it is drawn at the size that a screen asks for, whatever it says of itself
       const tile = await decoded(async () =>
-        readable(isHere ? await svgTile(await blob.text()) : await vector(image)),
+        readable(isHere ? await svgTile(text) : await vector(image)),
       );
       return () => Promise.resolve(tile);
     }

@@ -3,6 +3,7 @@ import {noPicture, type DesignPrint} from '../../model/design.js';
 import {groupNames, type GroupName, type Print} from '../../model/print.js';
 import {latticeVectors, repeatOf} from '../../model/repeat.js';
 import type {Point} from '../../model/geometry.js';
+import {hasOutsidePictures} from '../../picture/svg.js';
 import {en, type Texts} from '../texts/en.js';
 import {textsOf} from '../texts/texts.js';
 import type {Workbench} from '../workbench/workbench.js';
@@ -58,6 +59,9 @@ export async function openPrint(desk: Workbench, file: File): Promise<void> {
 }
 
 async function readPicture(file: File, type: string, words: Words): Promise<DesignPrint> {
+  if (type === pictureTypes.svg && hasOutsidePictures(await file.text())) {
+    throw new Error(words.outsidePictures(file.name));
+  }
   const image = await dataUrl(new Blob([file], {type}));
   const picture = await loadPicture(image).catch(() => {
     throw new Error(words.unreadable(file.name));

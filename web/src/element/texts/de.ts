@@ -89,6 +89,7 @@ export const de: Texts = {
       'Pfeiltasten gehen von Teil zu Teil, Eingabe zu den Nähten eines Teils, T zur Gegenseite einer Naht, Escape zurück.',
     noWebGl:
       'Dieser Browser kann den Schnitt nicht zeichnen: WebGL 2 fehlt. Tabellen und Dateien gehen trotzdem.',
+    lost: 'Der Browser hat die Grafik weggenommen und nicht zurückgegeben; die Seite neu laden, um den Schnitt zu sehen.',
     nothing: 'Zuerst einen Schnitt öffnen',
     howToOpen:
       '„Schnitt öffnen“ wählen, oder einen Schnitt hier ablegen oder einfügen: GarmentCode, oder ein Projekt oder Ergebnis von Seamwise.',
@@ -397,6 +398,8 @@ export const de: Texts = {
       tooLarge: (name) => `${name} ist größer als 12 MB; bitte das Bild verkleinern.`,
       tooWide: (name) =>
         `${name} hat mehr als 8192 Pixel an einer Seite; bitte das Bild verkleinern.`,
+      outsidePictures: (name) =>
+        `${name} nimmt Bilder von anderswo herein, die Browser weglassen; bitte in die Datei aufnehmen oder als PNG speichern.`,
       unreadable: (name) => `${name} ist nicht als Bild lesbar.`,
       noPrint: (name) =>
         `${name} ist kein Muster: ein Bild (PNG, JPEG, WebP, SVG) öffnen oder eine Musterdatei mit group, w1 und w2.`,
@@ -429,6 +432,7 @@ export const de: Texts = {
     print: 'Das Stoffmuster',
     noAnswer: 'Es gibt noch keine Lösung zu speichern; mit solve() darauf warten.',
     noDrawing: 'Es ist noch nichts gezeichnet; mit solve() darauf warten.',
+    pictureWidth: (most) => `Ein Bild ist 1 bis ${most} Pixel breit; bitte eines davon verlangen.`,
     noPicture: 'Dieser Browser kann das Bild nicht schreiben; bitte ein kleineres verlangen.',
     noTools: (reason) =>
       `Was dieser Modus braucht, ist nicht ladbar (${reason}); Verbindung prüfen und die Seite neu laden.`,

@@ -85,6 +85,7 @@ export const en = {
       'Arrow keys walk the pieces, Enter goes into a piece’s seams, T to the twin of a seam, Escape back.',
     noWebGl:
       'This browser cannot draw the pattern: it has no WebGL 2. The tables and files still work.',
+    lost: 'The browser has taken the graphics away and not given them back; load the page again to see the pattern.',
     nothing: 'Open a garment to begin',
     howToOpen:
       'Choose Open garment, or drop or paste a sewing pattern here: GarmentCode, or a project or result of Seamwise.',
@@ -389,6 +390,8 @@ export const en = {
       tooLarge: (name: string) => `${name} is larger than 12 MB; make the picture smaller.`,
       tooWide: (name: string) =>
         `${name} has more than 8192 pixels along a side; make the picture smaller.`,
+      outsidePictures: (name: string) =>
+        `${name} takes in pictures from elsewhere, which browsers leave out; put them into the file, or save it as PNG.`,
       unreadable: (name: string) => `${name} cannot be read as a picture.`,
       noPrint: (name: string) =>
         `${name} is no print: open a picture (PNG, JPEG, WebP, SVG), or a print file with group, w1 and w2.`,
@@ -423,6 +426,7 @@ export const en = {
     print: 'print',
     noAnswer: 'There is no answer to store yet; wait for it with solve().',
     noDrawing: 'Nothing is drawn yet; wait for it with solve().',
+    pictureWidth: (most: string) => `A picture is 1 to ${most} pixels wide; ask for one of these.`,
     noPicture: 'This browser cannot write the picture; ask for a smaller one.',
     noTools: (reason: string) =>
       `What this mode needs cannot be loaded (${reason}); check the connection and load the page again.`,
