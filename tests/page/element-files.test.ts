@@ -125,6 +125,31 @@ it('refuses a picture of too many pixels before it is decoded, and solves all th
   expect(seen).toEqual(['too-large', 'ready']);
 });
 
+it('says once in the editor what is wrong with a picture, which several of its parts show', async () => {
+  const open = await openPage();
+  const svg =
+    '<svg xmlns="http://www.w3.org/2000/svg"><image href="https://a.example/b.png"/></svg>';
+  await open.answer('prints/p4m.svg', (route) =>
+    route.fulfill({contentType: 'image/svg+xml', body: svg}),
+  );
+  await open.page.evaluate(() => {
+    const told: string[] = [];
+    Object.assign(globalThis, {told});
+    const hear = ({detail}: Event & {detail?: {code: string; message: string}}): void => {
+      told.push(`${detail?.code ?? ''}: ${detail?.message ?? ''}`);
+    };
+    document.addEventListener('error', hear, true);
+  });
+  await open.put(tee.replace('alt=', 'mode="edit" alt='));
+  await open.page.locator('seamwise-garment sw-lens-strip canvas').first().waitFor();
+  await open.page.locator('seamwise-garment .notice').waitFor();
+  await open.page.waitForTimeout(500);
+  const told = await open.page.evaluate(() => (globalThis as unknown as {told: string[]}).told);
+  expect(told).toEqual([
+    expect.stringMatching(/^not-an-image: .*p4m.svg takes in pictures from elsewhere.*\.$/),
+  ]);
+});
+
 /** Solves an element from the start. @returns the codes of all errors, what came of it, and whether its poster is hidden */
 function solvedFromStart(page: Page, markup: string): Promise<unknown[]> {
   return page.evaluate(async (text) => {
@@ -167,5 +192,7 @@ it('goes on in the page where a worker is refused, and says so once', async () =
 it('says no-wasm where the module is missing', async () => {
   const open = await openPage({maySay: /./});
   await open.put(tee.replace('alt=', 'wasm-url="nowhere.wasm" alt='));
-  expect((await failing(open)).code).toBe('no-wasm');
+  const seen = await failing(open);
+  expect(seen.code).toBe('no-wasm');
+  expect(seen.shown).toMatch(/nowhere\.wasm is answered with HTTP 404; .*\.$/);
 });

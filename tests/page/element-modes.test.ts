@@ -198,6 +198,73 @@ it('speaks the language around it, its own, or the words that it is given', asyn
   expect(await described(page)).toEqual(['group', 'Yours']);
 });
 
+it('follows the language of the page, through a shadow root, too', async () => {
+  const {put, run, page} = await openPage();
+  await put('<main></main>');
+  await page.evaluate(
+    (markup) => {
+      const root = document.querySelector('main')?.attachShadow({mode: 'open'});
+      if (root) root.innerHTML = `<p>${markup}</p>`;
+      document.documentElement.lang = 'de';
+    },
+    tee.replace('alt="A tee"', 'mode="place"'),
+  );
+  const slider = (name: string): Promise<void> => page.getByRole('slider', {name}).waitFor();
+  await slider('Rapportbreite (cm)');
+  await page.evaluate(() => {
+    document.documentElement.lang = 'en';
+  });
+  await slider('Repeat width (cm)');
+  await run((element) => element.parentElement?.setAttribute('lang', 'de'));
+  await slider('Rapportbreite (cm)');
+  await run((element) => {
+    element.locale = 'en';
+  });
+  await slider('Repeat width (cm)');
+});
+
+it('leaves the wheel to the page while a print is placed, and zooms with ctrl', async () => {
+  const {put, run, page} = await openPage({viewport: {width: 900, height: 700}});
+  await put(`${tee.replace('alt=', 'mode="place" alt=')}<div class="far"></div>`);
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const scale = (): Promise<number | undefined> =>
+    run((element) => element.shadowRoot?.querySelector<PatternPane>('sw-pattern')?.view?.scale);
+  await expect.poll(scale).toBeGreaterThan(1);
+  const before = (await scale()) ?? 0;
+  await page.mouse.move(300, 300);
+  await page.keyboard.down('Control');
+  await page.mouse.wheel(0, -100);
+  await page.keyboard.up('Control');
+  await expect.poll(scale).toBeGreaterThan(before * 1.1);
+  const zoomed = await scale();
+  await page.mouse.wheel(0, 200);
+  await page.waitForFunction(() => scrollY > 0);
+  expect(await scale()).toBe(zoomed);
+});
+
+it.each([
+  ['its own', '', 700],
+  ['that of its variable', '--sw-editor-height', 500],
+  ['that of the page', 'height', 420],
+])('keeps in its editor to a height, where it is narrow, too: %s', async (_, property, height) => {
+  const {put, run, page} = await openPage({viewport: {width: 820, height: 700}});
+  await put(tee.replace('alt=', 'mode="edit" alt='));
+  await run(
+    (element, [name, px]) => {
+      if (name) element.style.setProperty(name, px);
+    },
+    [property, `${height}px`] as const,
+  );
+  await page.locator('seamwise-garment sw-editor sw-tables').waitFor();
+  const seen = await run((element) => {
+    const stage = element.shadowRoot?.querySelector('[part=stage]');
+    stage?.scrollTo(0, 1e6);
+    return [element.offsetHeight, stage?.scrollTop];
+  });
+  expect(seen[0]).toBe(height);
+  expect(seen[1]).toBeGreaterThan(100); // what is below can be reached
+});
+
 it('is as light or dark as what is around it', async () => {
   const {put, run, page} = await openPage({colorScheme: 'light'});
   await put(tee);

@@ -107,7 +107,8 @@ it('mirrors attributes as properties, and makes sense of whatever is written in 
 
 it('understands properties that a server has written as attributes, which have no capitals', async () => {
   const {put, run} = await openPage();
-  await put(tee.replace('alt=', 'maxChangeMm="3" workerUrl="" wasmUrl="nowhere" alt='));
+  const written = tee.replace('alt=', 'maxChangeMm="3" workerUrl="" wasmUrl="nowhere" alt=');
+  await put(`<div class="far"></div>${written}`);
   const seen = await run(async (element) => {
     const {workerUrl, wasmUrl} = element;
     const before = [element.maxChangeMm, workerUrl, wasmUrl];
@@ -124,6 +125,23 @@ it('understands properties that a server has written as attributes, which have n
     attributes: [false, false],
     solved: [0.3, 0.4],
   });
+});
+
+it('tells how far it is as the solver says it, from nothing to all', async () => {
+  const {put, run} = await openPage();
+  await put(tee.replace('tee-{size}', 'princess-dress-{size}').replace('print=', 'data-print='));
+  const told = await run(async (element) => {
+    const told: number[] = [];
+    element.addEventListener('progress', ({detail}) => told.push(detail.fraction));
+    element.addEventListener('solve', () => told.push(2));
+    element.print = element.dataset.print;
+    await element.solve();
+    return told;
+  });
+  expect(told.slice(-2)).toEqual([1, 2]);
+  expect(told[0]).toBe(0);
+  expect(told).toEqual([...told].sort((a, b) => a - b));
+  expect(told.length).toBeGreaterThan(5);
 });
 
 it('takes garment, print and symmetries as objects, but has then nothing to store', async () => {

@@ -14,9 +14,10 @@ import {asking, attributes, localeOf, spellings, type GarmentMode} from './garme
 import {Beginning} from './garment/beginning.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf} from './garment/face.js';
+import {LanguageAround} from './garment/language-around.js';
 import {Modes} from './garment/modes.js';
 import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/offered-prints.js';
-import {pictureAs} from './garment/picture.js';
+import {pictureOf} from './garment/picture.js';
 import {asError, GarmentSession} from './garment/session.js';
 import {garmentStyle} from './garment/style.js';
 import {upgrade} from './garment/upgrade.js';
@@ -51,6 +52,9 @@ export class SeamwiseGarment extends AttributeElement {
   readonly #modes: Modes;
   readonly #offers = new PrintOffers(() => {
     this.requestUpdate();
+  });
+  readonly #language = new LanguageAround(this, () => {
+    this.#prefer();
   });
   #messages: Messages | undefined;
   #shown: GarmentMode = 'preview';
@@ -217,21 +221,13 @@ export class SeamwiseGarment extends AttributeElement {
 
   /**
    * The whole pattern as a picture, so many pixels wide: `image/png`, `image/jpeg` or `image/webp`.
-   * @throws {SolverError} while nothing is drawn, and where the browser makes no picture of this size
+   * @throws {SolverError} while nothing is drawn, and for a width that no picture can have
    */
   async toBlob({
     type,
     width,
   }: {readonly type?: string; readonly width?: number} = {}): Promise<Blob> {
-    const {view} = this.#session.desk;
-    if (!view || !this.#isDrawn) {
-      throw new SolverError({code: 'no-webgl', message: this.#texts.garment.noDrawing});
-    }
-    try {
-      return await pictureAs(await view.picture(width), type);
-    } catch {
-      throw new SolverError({code: 'internal', message: this.#texts.garment.noPicture});
-    }
+    return pictureOf(this.#session.desk.view, this.#isDrawn, {type, width}, this.#texts);
   }
 
   formResetCallback(): void {
@@ -287,7 +283,9 @@ export class SeamwiseGarment extends AttributeElement {
     });
     root.addEventListener(undrawableEvent, (event) => {
       event.stopPropagation();
+      this.#isDrawn = false;
       this.#session.report(new SolverError((event as CustomEvent<Failure>).detail));
+      this.requestUpdate();
     });
     return root;
   }
@@ -337,7 +335,7 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   #prefer(): void {
-    const around = this.closest('[lang]')?.getAttribute('lang');
+    const {around} = this.#language;
     const {language} = preferencesFor(localeOf(this.locale, around, navigator.language));
     const {messages, units} = this;
     const known = this.#session.desk.preferences;

@@ -37,12 +37,18 @@ function spread(points: readonly Point[]): number {
 /** Whether somebody else follows this press, at a point of the element: then nothing here moves for it. */
 export type TakesPress = (event: PointerEvent, at: Point) => boolean;
 
+export interface NavigationOptions {
+  readonly takesPress?: TakesPress | undefined;
+  /** Where the view is a part of a page that is read on: a wheel scrolls that, unless ctrl is held. */
+  readonly leavesWheel?: boolean | undefined;
+}
+
 /** Listens on `element` until `signal` fires. The element is made focusable, for the keys. */
 export function navigate(
   element: HTMLElement,
   view: Navigable,
   signal: AbortSignal,
-  takesPress: TakesPress = () => false,
+  {takesPress = () => false, leavesWheel = false}: NavigationOptions = {},
 ): void {
   const fingers = new Map<number, Point>();
   let start: Point | undefined; // of a press that may still become a click
@@ -107,6 +113,7 @@ export function navigate(
   );
 
   listen('wheel', (event) => {
+    if (leavesWheel && !event.ctrlKey && !event.metaKey) return;
     event.preventDefault();
     if (isNotched(event)) {
       const notches =

@@ -32,6 +32,8 @@ export interface PatternViewOptions {
   readonly appearance?: Appearance;
   /** True: the page follows this press itself, and nothing pans. */
   readonly onPress?: TakesPress;
+  /** The wheel scrolls the page, and zooms with ctrl only. */
+  readonly leavesWheel?: boolean;
   /** How the numbers at seams are written. Default: millimetres. */
   readonly lengthText?: LengthText;
   /** The browser has taken the graphics context away, or given it back, which it may never do. */
@@ -97,7 +99,10 @@ export class PatternView {
     });
     this.#labels = new Labels(this.#appearance);
     host.append(this.#labels.element, this.#notes.element, this.#chips.element);
-    navigate(host, this, this.#screen.signal, options.onPress);
+    navigate(host, this, this.#screen.signal, {
+      takesPress: options.onPress,
+      leavesWheel: options.leavesWheel,
+    });
   }
 
   /** [CSS px per cm] */
@@ -196,6 +201,13 @@ export class PatternView {
     return this.#scene && pieceAt(this.#scene, this.sheetPointAt(x, y));
   }
 
+  /** The greatest width of a picture of the whole sheet. [px] */
+  get widestPicture(): number {
+    const [width, height] = this.#scene?.size ?? [1, 1];
+    const most = Math.min(greatestPictureSide, this.#screen.renderer.capabilities.maxTextureSize);
+    return Math.floor(most * Math.min(1, width / height));
+  }
+
   /** The whole sheet as a PNG of so many pixels across, in the colours of the page. @throws {Error} before anything is shown, or while the graphics context is lost */
   async toBlob(width = pictureWidth): Promise<Blob> {
     const scene = this.#scene;
@@ -204,10 +216,7 @@ export class PatternView {
     const across = Math.max(size.width, leastRoom);
     const room = {width: across, height: (across * scene.size[1]) / scene.size[0]};
     const view = fitted(scene.size, room);
-    const ratio = Math.min(
-      width / room.width,
-      greatestPictureSide / Math.max(room.width, room.height),
-    );
+    const ratio = Math.min(width, this.widestPicture) / room.width;
     const shot = {
       ...{view, ratio},
       width: Math.round(room.width * ratio),

@@ -33,11 +33,12 @@ export class Announcer {
   solved({state, result}: Workbench): void {
     if (state.kind === 'solving') {
       this.#wasSolving = true;
-      this.#tellProgress(state);
+      this.progress(state);
     } else if (this.#wasSolving) {
       this.#wasSolving = false;
       if (state.kind === 'failed') this.failed(new SolverError(state.failure));
       if (state.kind === 'done' && result) {
+        this.progress({phase: 'deformation', fraction: 1});
         const {metrics} = result;
         this.#emit('solve', {metrics, milliseconds: metrics.milliseconds.total});
       }
@@ -59,7 +60,7 @@ export class Announcer {
     }
   }
 
-  #tellProgress({phase, fraction}: Progress): void {
+  progress({phase, fraction}: Progress): void {
     const progress = `${phase} ${fraction}`;
     if (progress === this.#progress) return;
     this.#progress = progress;

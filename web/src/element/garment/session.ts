@@ -5,7 +5,7 @@ import type {SolveResult} from '../../model/result.js';
 import {writeStoredDesign, type StoredDesign} from '../../model/stored-design.js';
 import {FileError} from '../../model/versioned-file.js';
 import type {LeasePlaces} from '../../solver/pool.js';
-import {textsOf} from '../texts/texts.js';
+import {textsOf, type Texts} from '../texts/texts.js';
 import {lastOf} from '../workbench/last-of.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import type {Preferences} from '../workbench/preferences.js';
@@ -62,6 +62,8 @@ export class GarmentSession {
   /** As the program has it; any other is the user's. */
   #given: Design | undefined;
   #isTouched = false;
+  /** A picture of which that was told: several parts of the editor show it. */
+  #unreadable: string | undefined;
   /** What was told last of a drag. */
   #told: Design | undefined;
 
@@ -69,17 +71,24 @@ export class GarmentSession {
     this.#owner = owner;
     this.#tell = new Announcer(owner.emit);
     this.#lease = new LastingSolver(owner.places);
-    const tiles = new Tiles(() => this.#words);
+    const tiles = new Tiles(() => this.#texts);
     this.desk = new Workbench(this.#lease, preferences, {
       problemOf: (design) => problemFor(design, this.#terms),
       isAuto: (design) => unasked(design, this.#terms) === 'auto',
       tileOf: async (image, signal) => {
+        if (image !== this.#unreadable) this.#unreadable = undefined;
         try {
           return await tiles.tile(image, signal);
         } catch (error) {
-          if (!signal?.aborted) this.report(asError(error));
+          if (!signal?.aborted && image !== this.#unreadable) {
+            this.#unreadable = image;
+            this.report(asError(error));
+          }
           throw error;
         }
+      },
+      progress: (progress) => {
+        this.#tell.progress(progress);
       },
     });
     this.desk.isEdited = false;
@@ -109,9 +118,13 @@ export class GarmentSession {
     return !this.#waiting.isEmpty;
   }
 
-  get #words(): FileWords {
+  get #texts(): Texts {
     const {language, messages} = this.desk.preferences;
-    return textsOf(language, messages).garment;
+    return textsOf(language, messages);
+  }
+
+  get #words(): FileWords {
+    return this.#texts.garment;
   }
 
   /** Something else is asked for, which is going to be loaded. */

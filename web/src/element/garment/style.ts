@@ -34,6 +34,11 @@ export const garmentStyle = css`
   .stage:focus-visible {
     outline-offset: -2px;
   }
+  /* where the editor has no room for columns it is higher than that, and scrolls */
+  :host([mode='edit' i]) .stage {
+    max-height: var(--sw-editor-height, min(100dvh, 48rem));
+    overflow: hidden auto;
+  }
   .poster {
     position: absolute;
     inset: 0;

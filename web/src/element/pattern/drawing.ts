@@ -10,7 +10,9 @@ import type {SheetWindow} from '../workbench/workbench.js';
 
 /** The print of the pattern is on the screen. */
 export const drawnEvent = 'sw-drawn';
-/** Nothing can be drawn; the failure is the `detail`. */
+/** A graphics context that has not come back within this is not expected any more. [ms] */
+const lossPatience = 3000;
+/** Nothing can be drawn, or nothing any more; the failure is the `detail`. */
 export const undrawableEvent = 'sw-undrawable';
 
 export class PatternDrawing extends PatientElement {
@@ -26,6 +28,9 @@ export class PatternDrawing extends PatientElement {
         position: absolute;
         inset: 0;
       }
+      .stage.gone {
+        visibility: hidden; /* what was drawn last is not what there is */
+      }
     `,
   ];
 
@@ -33,7 +38,10 @@ export class PatternDrawing extends PatientElement {
   readonly #appearance = new AppearanceController(this);
   #view: PatternView | undefined;
   #window: SheetWindow | undefined;
-  #isUndrawable = false;
+  /** Why nothing can be drawn. */
+  #undrawable: string | undefined;
+  #isLost = false;
+  #waiting: ReturnType<typeof setTimeout> | undefined;
   /** Whose tile is shown, or being fetched. */
   #image: string | undefined;
   #life: AbortController | undefined;
@@ -49,8 +57,10 @@ export class PatternDrawing extends PatientElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#life?.abort();
+    clearTimeout(this.#waiting);
     this.#view?.dispose();
     this.#view = undefined;
+    this.#isLost = false;
     this.#image = undefined;
     if (this.desk.view === this.#window) this.desk.view = undefined;
   }
@@ -59,9 +69,9 @@ export class PatternDrawing extends PatientElement {
     return this.#view;
   }
 
-  /** The browser has no WebGL 2, or the code that draws could not be loaded. */
-  protected get isUndrawable(): boolean {
-    return this.#isUndrawable;
+  /** A sentence where nothing can be drawn: without WebGL 2, without its context, or without the code for it. */
+  protected get undrawable(): string | undefined {
+    return this.#undrawable;
   }
 
   /** Whether seams are drawn by how they match. */
@@ -100,7 +110,13 @@ export class PatternDrawing extends PatientElement {
   }
 
   #show({PatternView}: typeof import('../../viewer/pattern-view.js'), stage: HTMLElement): void {
-    const options = {appearance: this.#appearance.value, ...this.viewOptions()};
+    const options = {
+      appearance: this.#appearance.value,
+      onLost: (isLost: boolean) => {
+        this.#turn(isLost);
+      },
+      ...this.viewOptions(),
+    };
     try {
       this.#view = new PatternView(stage, options);
     } catch {
@@ -110,7 +126,14 @@ export class PatternDrawing extends PatientElement {
     }
     const view = this.#view;
     view.setSeams(this.hasSeams?.() ?? false);
+    const isLost = (): boolean => this.#isLost;
     this.#window = {
+      get isLost() {
+        return isLost();
+      },
+      get widest() {
+        return view.widestPicture;
+      },
       get: () => view.state,
       picture: (width) => view.toBlob(width),
       set: (state) => {
@@ -120,9 +143,30 @@ export class PatternDrawing extends PatientElement {
     this.desk.view = this.#window;
   }
 
+  /** What was taken away usually comes back within a second. */
+  #turn(isLost: boolean): void {
+    this.#isLost = isLost;
+    clearTimeout(this.#waiting);
+    if (isLost) {
+      this.#waiting = setTimeout(() => {
+        const message = this.texts.pattern.lost;
+        this.#giveUp({code: 'no-webgl', message, piece: null, seam: null});
+      }, lossPatience);
+    } else if (this.#undrawable !== undefined) {
+      this.#setUndrawable(undefined);
+      this.#tell(drawnEvent);
+    }
+  }
+
   #giveUp(detail: ReturnType<typeof toFailure>): void {
-    this.#isUndrawable = true;
+    this.#setUndrawable(detail.message);
     this.#tell(undrawableEvent, detail);
+  }
+
+  #setUndrawable(why: string | undefined): void {
+    this.#undrawable = why;
+    this.renderRoot.querySelector('.stage')?.classList.toggle('gone', why !== undefined);
+    this.requestUpdate();
   }
 
   #tell(type: string, detail?: unknown): void {

@@ -19,7 +19,7 @@ import {paneStyle} from './pane-style.js';
 import {PatternTools, pointedAt} from './pattern-tools.js';
 import {Pointing} from './pointing.js';
 import {SheetIndex} from './sheet-index.js';
-import {emptyNote, noteStyle, noWebGlNote, stateNote} from './state-note.js';
+import {emptyNote, noteStyle, stateNote, undrawableNote} from './state-note.js';
 
 export class PatternPane extends PatternDrawing {
   static override properties = {...PatternDrawing.properties, purpose: {reflect: true}};
@@ -77,6 +77,7 @@ export class PatternPane extends PatternDrawing {
 
   protected override viewOptions(): PatternViewOptions {
     return {
+      leavesWheel: this.purpose === 'place',
       lengthText: (cm) => this.texts.pattern.upTo(this.format.fine(cm)),
       onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
     };
@@ -186,7 +187,7 @@ export class PatternPane extends PatternDrawing {
   }
 
   #note(): TemplateResult | typeof nothing {
-    if (this.isUndrawable) return noWebGlNote(this.texts);
+    if (this.undrawable !== undefined) return undrawableNote(this.undrawable);
     return stateNote(this.desk, this.texts, () => {
       const {result, scenes} = this.desk;
       if (!this.#showsMovement || !result) return undefined;

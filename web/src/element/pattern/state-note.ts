@@ -65,4 +65,4 @@ export const emptyNote = ({pattern}: Texts): TemplateResult =>
     <p>${pattern.howToOpen}</p>
   </div>`;
 
-export const noWebGlNote = ({pattern}: Texts): TemplateResult => state(pattern.noWebGl);
+export const undrawableNote = (why: string): TemplateResult => state(why);

@@ -15,6 +15,10 @@ export interface SheetWindow {
   set(view: ViewState): void;
   /** A PNG, by default as wide as is good to keep. [px] */
   picture(width?: number): Promise<Blob>;
+  /** The greatest width of such a picture. [px] */
+  readonly widest: number;
+  /** The browser has taken the graphics context away, and has not given it back. */
+  readonly isLost: boolean;
 }
 
 /** One step of the history: a design, and how it was looked at. */

@@ -4,7 +4,7 @@ import type {Alignment} from '../../model/geometry.js';
 import type {Failure} from '../../model/failure.js';
 import {begun, type History} from '../../model/history.js';
 import {mirroringsOf} from '../../model/pins.js';
-import type {Problem} from '../../model/problem.js';
+import type {Problem, Progress} from '../../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {leaseSolver, type SolverLease} from '../../solver/pool.js';
@@ -31,6 +31,8 @@ export interface WorkbenchOptions {
   readonly problemOf?: (design: Design) => Problem;
   /** Whether a design's answer keeps symmetries that it does not ask for. None does so by itself. */
   readonly isAuto?: (design: Design) => boolean;
+  /** Hears all that the solver says of a solve, of which the rest is told at a slower pace. */
+  readonly progress?: (progress: Progress) => void;
   /** The picture of a print's cell, by its URL; none shows bare cloth. */
   readonly tileOf?: (image: string, signal?: AbortSignal) => Promise<Tile | undefined>;
 }
@@ -59,7 +61,7 @@ export class Workbench extends Attention {
   constructor(
     lease: SolverLease = leaseSolver(),
     preferences = preferencesFor(navigator.language),
-    {problemOf: asked = problemOf, isAuto, tileOf: read = tileOf}: WorkbenchOptions = {},
+    {problemOf: asked = problemOf, isAuto, progress, tileOf: read = tileOf}: WorkbenchOptions = {},
   ) {
     super(preferences);
     this.solver = lease.solver;
@@ -83,8 +85,9 @@ export class Workbench extends Attention {
         this.#partial = alignmentsFrom(alignments);
         this.changedOften();
       },
-      progress: (_, progress) => {
-        this.#state = {kind: 'solving', ...progress};
+      progress: (_, told) => {
+        this.#state = {kind: 'solving', ...told};
+        progress?.(told);
         this.changedOften();
       },
       done: (design, result) => {

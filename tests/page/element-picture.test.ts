@@ -1,0 +1,90 @@
+/** What is drawn of an element, and what pictures of it there are: also where the browser takes the graphics away. */
+import {expect, it} from 'vitest';
+
+import {tee, useElementPage} from './element/open.js';
+
+const openPage = useElementPage();
+
+/** What somebody hears who asks for a picture of these widths. */
+const asked = async (
+  {run}: Awaited<ReturnType<typeof openPage>>,
+  widths: readonly number[],
+): Promise<readonly string[]> =>
+  run(async (element, all) => {
+    const heard: string[] = [];
+    for (const width of all) {
+      const one = await element.toBlob({width}).then(
+        async (blob) => String((await createImageBitmap(blob)).width),
+        (error: unknown) => {
+          const {code, message} = error as {code: string; message: string};
+          return `${code}: ${message}`;
+        },
+      );
+      heard.push(one);
+    }
+    return heard;
+  }, widths);
+
+it('refuses a picture of a width that there cannot be, and says which there can', async () => {
+  const open = await openPage();
+  await open.put(tee);
+  await open.page.locator('seamwise-garment:state(ready)').waitFor();
+  await open.page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const heard = await asked(open, [1, 301.4, 0, -1, NaN, Infinity, 1e6]);
+  const [, widest] = /1 to (\d+) pixels/.exec(heard[2] ?? '') ?? [];
+  const refused = `options: A picture is 1 to ${String(widest)} pixels wide; ask for one of these.`;
+  expect(heard).toEqual(['1', '301', refused, refused, refused, refused, refused]);
+  expect(Number(widest)).toBeGreaterThan(4000);
+  expect(Number(widest)).toBeLessThanOrEqual(8192);
+});
+
+it.each(['preview', 'place', 'edit'])(
+  'says with mode="%s" when the graphics context is taken away for good, and draws again when it is not',
+  async (mode) => {
+    const open = await openPage({
+      maySay: /Context (Lost|Restored)/,
+      viewport: {width: 1300, height: 800},
+    });
+    const {page, run} = open;
+    await page.evaluate(() => {
+      const told: string[] = [];
+      Object.assign(globalThis, {told});
+      const hear = ({detail}: Event & {detail?: {code: string}}): void => {
+        told.push(detail?.code ?? '');
+      };
+      document.addEventListener('error', hear, true);
+    });
+    await open.put(tee.replace('alt=', `mode="${mode}" alt=`));
+    await page.locator('seamwise-garment:state(ready)').waitFor();
+    const tag = {preview: 'sw-drawing', place: 'sw-pattern', edit: 'sw-pattern'}[mode] ?? '';
+    const canvas = page.locator(`seamwise-garment ${tag} canvas`).first();
+    await canvas.waitFor();
+    await expect.poll(async () => asked(open, [50])).toEqual(['50']);
+    await canvas.evaluate((one: HTMLCanvasElement) => {
+      const extension = one.getContext('webgl2')?.getExtension('WEBGL_lose_context');
+      Object.assign(globalThis, {extension});
+      extension?.loseContext();
+    });
+    const told = (): Promise<string[]> =>
+      page.evaluate(() => (globalThis as unknown as {told: string[]}).told);
+    await expect.poll(told, {timeout: 20_000}).toEqual(['no-webgl']);
+    expect(await asked(open, [50])).toEqual([
+      expect.stringMatching(/^no-webgl: The browser has taken the graphics away .*\.$/),
+    ]);
+    const isShown = await run(async (element) => {
+      await element.updateComplete;
+      const poster = element.shadowRoot?.querySelector<HTMLElement>('[part=poster]');
+      return poster?.hidden === false;
+    });
+    expect(isShown).toBe(mode !== 'edit'); // which says it in words
+    if (mode === 'edit') await page.getByText('The browser has taken the graphics away').waitFor();
+    expect(await canvas.isVisible()).toBe(false);
+    expect(await run(({state}) => state)).toBe('ready');
+    await page.evaluate(() => {
+      (globalThis as unknown as {extension: WEBGL_lose_context}).extension.restoreContext();
+    });
+    await expect.poll(async () => asked(open, [50]), {timeout: 20_000}).toEqual(['50']);
+    await expect.poll(() => canvas.isVisible()).toBe(true);
+    expect(await told()).toEqual(['no-webgl']);
+  },
+);
