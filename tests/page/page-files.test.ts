@@ -228,3 +228,25 @@ it('gives the pieces to cut in millimetres, and a picture', async () => {
   const png = await readFile(await download.path());
   expect(png.subarray(1, 4).toString()).toBe('PNG');
 });
+
+it.each(['-1', '7', ''])(
+  'refuses to cut with an allowance of "%s", and keeps what was typed',
+  async (typed) => {
+    const page = await openPage();
+    await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
+    await garmentShown(page, 'squares.json');
+    await solved(page);
+    let downloads = 0;
+    page.on('download', () => downloads++);
+    await button(page, 'Save …').click();
+    const field = page.getByLabel('Seam allowance (cm)');
+    await field.fill(typed);
+    await button(page, 'Pieces to cut').click();
+    await page.getByRole('alert').filter({hasText: 'Enter a number from 0 cm to 5 cm.'}).waitFor();
+    expect(await field.inputValue()).toBe(typed);
+    await field.fill('2');
+    const svg = await saved(page, 'Pieces to cut');
+    expect(svg).toContain('2 cm inside');
+    expect(downloads).toBe(1);
+  },
+);

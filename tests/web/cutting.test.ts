@@ -134,6 +134,18 @@ describe('matching marks', () => {
     }
   });
 
+  it('stand on motifs where two of them lie well there, though three would elsewhere', () => {
+    const dots = {w1: [12, 0], w2: [0, 12]} as const;
+    const upright: Alignment = {angle: 0, translation: [4, 1.6]};
+    const found = matchMarks(dots, upright, [box(28, 10)]);
+    expect(found).toHaveLength(2);
+    for (const p of found) {
+      const [x, y] = onPrint(upright, p);
+      expect(Math.abs(x / 12 - Math.round(x / 12))).toBeLessThan(1e-9);
+      expect(y).toBeCloseTo(0, 9);
+    }
+  });
+
   it('are fewer on a piece that is smaller than the repeat', () => {
     expect(matchMarks(lattice, alignment, [box(7, 6)])).toHaveLength(1);
     expect(matchMarks(lattice, alignment, [box(2, 2)])).toHaveLength(0);
@@ -227,6 +239,11 @@ describe('the file to cut by', () => {
     const [[x0 = 0, y0 = 0] = []] = paths(group(svg, 0));
     const notch = [x0 + 150, y0, x0 + 150, y0 + 10];
     expect(paths(group(svg, 0))).toContainEqual(notch.map((v) => Number(v.toFixed(2))));
+  });
+
+  it('says what the frames around its crosses are, where there are any', () => {
+    expect(svg).toContain('the faint frame around each shows one repeat');
+    expect(fileOf({plain: ['left_half', 'right_half']})).not.toContain('faint frame');
   });
 
   it('keeps pieces apart by their cut lines', () => {

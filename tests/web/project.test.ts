@@ -39,6 +39,8 @@ const design: Design = {
     weights: {'3': 2},
     unmatched: [8, 9],
     plain: ['yoke'],
+    locked: {front: true, back: [0, 3]},
+    openEdges: 'free',
     matches: [
       {
         a: {

@@ -35,7 +35,7 @@ export class NumberField extends LitElement {
   declare wrong: string;
   /** What has this number: a wrong entry is forgotten with it. */
   declare subject: unknown;
-  /** A wrong entry. */
+  /** A wrong entry, and what it is being mended to. */
   declare protected typed: string | undefined;
 
   static override styles = [
@@ -60,7 +60,7 @@ export class NumberField extends LitElement {
 
   /** What was typed last is no good: `value` is not what the field shows. */
   get isWrong(): boolean {
-    return this.typed !== undefined;
+    return this.typed !== undefined && !this.#isRight(this.typed);
   }
 
   override focus(options?: FocusOptions): void {
@@ -72,7 +72,7 @@ export class NumberField extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    const isWrong = this.typed !== undefined;
+    const {isWrong} = this;
     return html`
       <label>
         ${this.label}
@@ -83,6 +83,10 @@ export class NumberField extends LitElement {
           .value=${live(this.typed ?? this.#shown)}
           aria-invalid=${isWrong ? 'true' : nothing}
           aria-describedby=${isWrong ? 'wrong' : nothing}
+          @input=${(event: Event) => {
+            // once it is right, the words below go, and not just when somebody presses what is under them
+            if (this.typed !== undefined) this.typed = (event.target as HTMLInputElement).value;
+          }}
           @change=${(event: Event) => {
             this.#enter(event.target as HTMLInputElement);
           }}
@@ -97,11 +101,15 @@ export class NumberField extends LitElement {
   }
 
   #enter(input: HTMLInputElement): void {
-    const value = input.valueAsNumber;
-    // what is no number at all compares as false, too
-    const isRight = value >= this.least && value <= this.most;
+    const isRight = this.#isRight(input.value);
     this.typed = isRight ? undefined : input.value;
+    const value = input.valueAsNumber;
     if (!isRight || value === Number(this.#shown)) return;
     this.dispatchEvent(new CustomEvent<number>('entered', {detail: value}));
+  }
+
+  #isRight(typed: string): boolean {
+    const value = Number(typed);
+    return typed !== '' && value >= this.least && value <= this.most;
   }
 }

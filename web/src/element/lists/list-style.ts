@@ -101,7 +101,12 @@ export const listStyle = css`
     color: var(--sw-soft);
     white-space: nowrap;
   }
+  .kept {
+    display: block;
+    color: var(--sw-soft);
+  }
   .line svg,
+  .kept svg,
   .kind svg {
     width: 0.8125rem;
     height: 0.8125rem;

@@ -68,7 +68,7 @@ export class SeamTable extends ListTable<SeamRow> {
         ${
           row.keptOn.length === 0
             ? nothing
-            : html`<span class="line"
+            : html`<span class="kept"
                 >${icon.lock} ${this.texts.keep.keptOn(row.keptOn.join(', '))}</span
               >`
         }

@@ -33,6 +33,14 @@ export class KeepMenu extends DeskElement {
     `,
   ];
 
+  constructor() {
+    super();
+    // who clicks here is not back at the pattern, whose keys would close the tool with the list
+    this.addEventListener('click', (event) => {
+      event.stopPropagation();
+    });
+  }
+
   protected override render(): TemplateResult | typeof nothing {
     const {selected, scenes, design, pattern} = this.desk;
     const number = selected?.kind === 'piece' ? selected.piece : -1;
@@ -57,6 +65,9 @@ export class KeepMenu extends DeskElement {
         popover
         role="group"
         aria-label=${keep.edges(piece.label)}
+        @keydown=${(event: KeyboardEvent) => {
+          if (event.key === 'Escape') event.stopPropagation(); // it closes the list, not the tool
+        }}
         @beforetoggle=${({currentTarget}: Event) => {
           this.#place(currentTarget as HTMLElement);
         }}

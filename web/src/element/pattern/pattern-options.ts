@@ -3,7 +3,7 @@ import {html, type TemplateResult} from 'lit';
 
 import type {PickIndex} from '../../clicks/pick-index.js';
 import {readingOrder, seamsRound} from '../../clicks/walk.js';
-import {pieceRows, seamRows, seamText} from '../lists/rows.js';
+import {pieceRows, seamRows, seamText, type PieceRow} from '../lists/rows.js';
 import type {Format} from '../texts/format.js';
 import type {Texts} from '../texts/texts.js';
 import type {Target, Workbench} from '../workbench/workbench.js';
@@ -30,7 +30,7 @@ export function patternOptions(
       const row = pieces[piece];
       if (!row) return undefined;
       return [
-        option({kind: 'piece', piece}, pattern.piece(row.label, pattern.seams(row.seams))),
+        option({kind: 'piece', piece}, pieceText(row, texts)),
         ...seamsRound(index, piece).map(({seam, side}) => {
           const words = seams[seam];
           return words && option({kind: 'seam', seam, side}, seamText(words, texts, format));
@@ -38,4 +38,13 @@ export function patternOptions(
       ];
     })}
   </div>`;
+}
+
+/** "Front, 6 seams, pinned" */
+function pieceText({label, seams, pinned, kept}: PieceRow, {pattern, lists, keep}: Texts): string {
+  const states = [
+    ...(pinned ? [lists.pinned] : []),
+    ...(kept === 'none' ? [] : [kept === 'all' ? keep.kept : keep.some]),
+  ];
+  return [pattern.piece(label, pattern.seams(seams)), ...states].join(', ');
 }

@@ -1,0 +1,105 @@
+/** What stays as drafted: by clicks, by keys, from the list of edges and from the table. */
+import type {Page} from 'playwright-core';
+import {expect, it} from 'vitest';
+
+import type {PatternPane} from '../../web/src/element/index.js';
+import type {Point} from '../../web/src/model/geometry.js';
+import type {SolveOptions} from '../../web/src/model/options.js';
+import {designOf} from '../support/page-design.js';
+import {clickPiece, clickSeam, seamOf} from '../support/page-pattern.js';
+import {button, showSample, solved, usePage} from '../support/page.js';
+
+const openPage = usePage();
+
+const lockedOf = async (page: Page): Promise<SolveOptions['locked']> =>
+  (await designOf(page)).options.locked;
+
+async function symmetricTee(): Promise<Page> {
+  const page = await openPage();
+  await showSample(page, 'tee');
+  await button(page, 'Accept all symmetries').click();
+  await expect.poll(async () => (await designOf(page)).symmetries.length).toBe(3);
+  await solved(page);
+  return page;
+}
+
+/** Clicks in the middle of an edge of a piece, by its number in the file. */
+async function clickEdge(page: Page, name: string, edge: number): Promise<void> {
+  const at = await page.locator('sw-pattern').evaluate(
+    (pane: PatternPane, [wanted, number]): Point | null => {
+      const scene = pane.desk.scenes?.now;
+      const piece = scene?.pieces.find((one) => one.name === wanted);
+      const stage = pane.shadowRoot?.querySelector('.stage')?.getBoundingClientRect();
+      const numbers = piece?.outline.flatMap((v, k) => (piece.edges?.[k] === number ? [v] : []));
+      const middle = piece?.points[numbers?.[Math.floor(numbers.length / 2)] ?? -1];
+      if (!pane.view || !piece || !middle || !stage) return null;
+      const [x, y] = pane.view.screenOf([middle[0] + piece.offset[0], middle[1] + piece.offset[1]]);
+      return [stage.left + x, stage.top + y];
+    },
+    [name, edge] as const,
+  );
+  if (!at) throw new Error(`Edge ${edge} of ${name} is not on the screen.`);
+  await page.mouse.click(at[0], at[1]);
+}
+
+it('keeps a hem that is clicked, lets it go with the next click, and undoes both', async () => {
+  const page = await openPage();
+  await showSample(page, 'tee');
+  await button(page, 'Keep as drafted').click();
+  await clickEdge(page, 'front', 0);
+  await expect.poll(() => lockedOf(page)).toEqual({front: [0]});
+  await page.keyboard.press('k');
+  await page.locator('sw-legend').getByText('Kept as drafted', {exact: true}).waitFor();
+  await page.keyboard.press('k');
+  await clickEdge(page, 'front', 0);
+  await expect.poll(() => lockedOf(page)).toBeUndefined();
+  await button(page, 'Undo').click();
+  await expect.poll(() => lockedOf(page)).toEqual({front: [0]});
+  await button(page, 'Undo').click();
+  await expect.poll(() => lockedOf(page)).toBeUndefined();
+});
+
+it('keeps a sewn edge and its mirror image, and says so in both tables', async () => {
+  const page = await symmetricTee();
+  await button(page, 'Keep as drafted').click();
+  const {seam, side} = await seamOf(page, 'Side seam, left', 'front');
+  await clickSeam(page, seam, side);
+  const kept = page.getByRole('row').filter({hasText: 'kept on Front'});
+  await expect.poll(() => kept.count()).toBe(2);
+  const box = page.getByRole('checkbox', {name: 'Kept as drafted: Front'});
+  expect(await box.evaluate((input: HTMLInputElement) => input.indeterminate)).toBe(true);
+  expect(await lockedOf(page)).toEqual({front: [1]});
+});
+
+it('keeps a whole piece and its twin, from the picture or from the table', async () => {
+  const page = await symmetricTee();
+  await button(page, 'Keep as drafted').click();
+  await clickPiece(page, 'sleeve_left');
+  await expect.poll(() => lockedOf(page)).toEqual({sleeve_left: true});
+  const right = page.getByRole('checkbox', {name: 'Kept as drafted: Sleeve right'});
+  await expect.poll(() => right.isChecked()).toBe(true);
+  await right.click();
+  await expect.poll(() => lockedOf(page)).toBeUndefined();
+});
+
+it('keeps edges by keys alone', async () => {
+  const page = await openPage();
+  await showSample(page, 'tee');
+  await page.getByRole('application', {name: 'Pattern'}).focus();
+  await page.keyboard.press('k');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press(' ');
+  await expect.poll(async () => Object.values((await lockedOf(page)) ?? {})).toEqual([true]);
+  await page.keyboard.press(' ');
+  await expect.poll(() => lockedOf(page)).toBeUndefined();
+  const edges = page.getByRole('button', {name: /^Edges of /});
+  await edges.focus();
+  await page.keyboard.press('Enter');
+  await page
+    .getByRole('checkbox', {name: /^Open edge/})
+    .first()
+    .press(' ');
+  await expect.poll(async () => Object.values((await lockedOf(page)) ?? {}).flat().length).toBe(1);
+  await page.keyboard.press('Escape');
+  expect(await button(page, 'Keep as drafted').getAttribute('aria-pressed')).toBe('true');
+});
