@@ -9,6 +9,7 @@ const row = (seam: number, after: number, counts = true): SeamRow => ({
   ...{
     worst: 0,
     drift: undefined,
+    why: undefined,
     severity: 0,
     kind: 'continuous',
     weight: 1,

@@ -158,6 +158,7 @@ it('finds the worst of the seams that count', () => {
     ...{
       worst: 0,
       drift: undefined,
+      why: undefined,
       severity: 0,
       kind: 'continuous',
       weight: 1,

@@ -20,6 +20,8 @@ import {PrintPanel} from './print/print-panel.js';
 import {RepeatFields} from './print/repeat-fields.js';
 import {TileReport} from './print/tile-report.js';
 import {register} from './register.js';
+import {KeepImproving} from './remedies/keep-improving.js';
+import {StaysOff} from './remedies/stays-off.js';
 import {GarmentChoice} from './shell/garment-choice.js';
 import {Headline} from './shell/headline.js';
 import {KeyMap} from './shell/key-map.js';
@@ -34,6 +36,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-keep-menu': KeepMenu,
   'sw-key-map': KeyMap,
   'sw-legend': Legend,
+  'sw-keep-improving': KeepImproving,
   'sw-lens': SeamLens,
   'sw-lens-strip': LensStrip,
   'sw-number-field': NumberField,
@@ -45,6 +48,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-repeat-fields': RepeatFields,
   'sw-seam-table': SeamTable,
   'sw-settings': Settings,
+  'sw-stays-off': StaysOff,
   'sw-symmetry-panel': SymmetryPanel,
   'sw-tables': Tables,
   'sw-ties-menu': TiesMenu,

@@ -76,7 +76,7 @@ export class Editor extends DeskElement {
       </div>
       <section class="report" aria-label=${app.report}>
         <sw-key-map .desk=${desk}></sw-key-map>
-        <sw-headline .desk=${desk}></sw-headline>
+        <sw-headline .desk=${desk} .samples=${this.samples}></sw-headline>
         <sw-lens
           .desk=${desk}
           @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {

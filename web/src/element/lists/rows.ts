@@ -2,7 +2,7 @@
 import type {Design} from '../../model/design.js';
 import type {Point} from '../../model/geometry.js';
 import type {GrainLock} from '../../model/options.js';
-import type {Pattern, SeamSide} from '../../model/result.js';
+import type {Pattern, SeamReason, SeamSide} from '../../model/result.js';
 import {mismatchSteps, severity} from '../../picture/colours.js';
 import {onPrint, type Drift} from '../../picture/fit.js';
 import {pick} from '../../picture/marks.js';
@@ -54,6 +54,8 @@ export interface SeamRow {
   readonly worst: number;
   /** Where the print, followed along the whole seam, runs off. */
   readonly drift: Drift | undefined;
+  /** Why it stays off, if it does and an answer says so. */
+  readonly why: SeamReason | undefined;
   /** `after` on the scale of the picture: 0 is perfect, 1 is drawn as the worst. */
   readonly severity: number;
   readonly kind: SceneSeam['kind'];
@@ -92,6 +94,10 @@ export const worstSeams = (rows: readonly SeamRow[], most = rows.length): readon
     .filter(({counts}) => counts)
     .sort((a, b) => b.after - a.after)
     .slice(0, most);
+
+/** Those that miss by more than a step back lets one overlook, the worst first. */
+export const offSeams = (rows: readonly SeamRow[]): readonly SeamRow[] =>
+  worstSeams(rows).filter(({after}) => after > mismatchSteps[1]);
 
 /** "Side seam, left, Front to Back, 41 cm, mismatch 2 mm, mirrored" */
 export function seamText(row: SeamRow, texts: Texts, format: Format): string {
@@ -232,6 +238,7 @@ const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts
       after: mean,
       worst: mismatch,
       drift: counts ? drift : undefined,
+      why: counts ? now.pattern.seams[seam]?.why : undefined,
       severity: severity(mean, now.scale),
       weight: options.weights?.[seam] ?? weight,
       ownWeight: weight,

@@ -8,8 +8,12 @@ import {controls} from '../style/controls.js';
 import {finalFit, fitOf, worstOf, type Fit} from '../../picture/fit.js';
 import {seamRows} from '../lists/rows.js';
 import {lastOf} from '../workbench/last-of.js';
+import type {Samples} from '../workbench/samples.js';
 
 export class Headline extends DeskElement {
+  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+  declare samples: Samples | undefined;
+
   static override styles = [
     controls,
     css`
@@ -86,6 +90,8 @@ export class Headline extends DeskElement {
             </output>`
           : nothing
       }
+      <sw-keep-improving .desk=${this.desk}></sw-keep-improving>
+      <sw-stays-off .desk=${this.desk} .samples=${this.samples}></sw-stays-off>
       ${this.#cost(after.mean)} ${this.#more(result.metrics)} ${this.#notes(result.notes)}
     `;
   }
@@ -123,7 +129,8 @@ export class Headline extends DeskElement {
 
   /** @param mean with symmetry [cm] */
   #cost(mean: number): TemplateResult | typeof nothing {
-    const free = this.desk.withoutSymmetry;
+    const {afterwards, design} = this.desk;
+    const free = design && afterwards.withoutSymmetry(design);
     if (free === undefined) return nothing;
     const {headline} = this.texts;
     return html`<dl aria-label=${headline.cost}>

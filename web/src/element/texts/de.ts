@@ -271,6 +271,36 @@ export const de: Texts = {
     withoutSymmetry: 'Ohne',
     notes: 'Hinweise',
   },
+  remedies: {
+    title: (count) =>
+      count === 1 ? 'Eine Naht trifft sich nicht' : `${count} Nähte treffen sich nicht`,
+    more: (count) => `und ${count} weitere`,
+    help: 'Was helfen würde',
+    why: {
+      grain: 'das Muster läuft auf einer Seite quer',
+      gather: 'eine Seite ist gekräuselt',
+      group: 'dem Muster fehlt die Spiegelung dafür',
+      size: 'das Muster ist zu groß dafür',
+      others: 'andere Nähte dieser Teile gehen vor',
+      locked: 'sie ist gesperrt',
+    },
+    what: {
+      turn: (pieces) => `${pieces} um 90° drehen`,
+      ungather: () => 'Kräuselungen weglassen',
+      mirrors: () => 'Ein Muster mit Spiegelungen',
+      smaller: () => 'Ein halb so großes Muster',
+    },
+    effect: (before, after) => `${before} → ${after}`,
+  },
+  improve: {
+    begin: 'Weiter verbessern',
+    note: 'Sucht länger nach einer besseren Lösung, nebenbei',
+    looking: 'Eine bessere Lösung wird gesucht …',
+    soFar: (length) => `Bisher ${length} besser …`,
+    gained: (length) => `${length} besser.`,
+    nothing: 'Nichts Besseres gefunden.',
+    stop: 'Genug',
+  },
   lists: {
     pieces: 'Teile',
     seams: 'Nähte',

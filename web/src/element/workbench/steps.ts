@@ -6,6 +6,9 @@ import type {Step, ViewState} from './state.js';
 /** Changes of one kind that follow each other within this are one step, unless something is held. [ms] */
 const pause = 1000;
 
+/** The kind of change that is one step however long it takes: one better answer after the other. */
+export const improving = 'improve';
+
 export class Steps {
   #history: History<Step> | undefined;
   /** The kind of change that may still be amended, and until when. */
@@ -43,7 +46,7 @@ export class Steps {
     const {present} = this.#history;
     const step = {design: {...present.design, ...change}, view};
     const now = performance.now();
-    const isSoon = this.#isHeld || now < this.#amendable.until;
+    const isSoon = this.#isHeld || kind === improving || now < this.#amendable.until;
     const amends = kind !== '' && kind === this.#amendable.kind && isSoon;
     this.#amendable = {kind, until: now + pause};
     this.#history = amends

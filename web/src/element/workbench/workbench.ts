@@ -13,8 +13,8 @@ import {alignmentsFrom} from '../../viewer/scene.js';
 import type {Tile} from '../../viewer/tile.js';
 import {tileOf} from '../pattern/tile.js';
 import {textsOf} from '../texts/texts.js';
+import {Afterwards} from './afterwards.js';
 import {Attention} from './attention.js';
-import {Comparison} from './comparison.js';
 import {FoundSymmetries} from './found-symmetries.js';
 import {LatestSolve} from './latest-solve.js';
 import {askedOf, measuredMirrorings, withKeptPins} from './kept-pins.js';
@@ -22,7 +22,7 @@ import {preferencesFor, type Preferences} from './preferences.js';
 import {ResultCache} from './result-cache.js';
 import {bareCloth, newDesign} from './samples.js';
 import type {SolveState, Step} from './state.js';
-import {Steps} from './steps.js';
+import {improving, Steps} from './steps.js';
 
 export type * from './state.js';
 
@@ -40,12 +40,13 @@ export interface WorkbenchOptions {
 export class Workbench extends Attention {
   readonly solver: SolverService;
   readonly tileOf: NonNullable<WorkbenchOptions['tileOf']>;
+  /** What is worked on once an answer is there. */
+  readonly afterwards: Afterwards;
   readonly #isAuto: WorkbenchOptions['isAuto'];
   readonly #lease: SolverLease;
   readonly #results = new ResultCache();
   readonly #steps = new Steps();
   readonly #solve: LatestSolve;
-  readonly #comparison: Comparison;
   readonly #found: FoundSymmetries;
   #pattern: MeshedPattern | undefined;
   /** What `#pattern` is of. */
@@ -71,7 +72,11 @@ export class Workbench extends Attention {
     const changed = (): void => {
       this.changed();
     };
-    this.#comparison = new Comparison(this.solver, asked, changed);
+    this.afterwards = new Afterwards(this.solver, {
+      problemOf: asked,
+      changed,
+      improved: (design, effort, result) => this.#improved(design, effort, result),
+    });
     this.#found = new FoundSymmetries(this.solver, changed);
     this.#solve = new LatestSolve(this.solver, asked, {
       pattern: (design, pattern) => {
@@ -94,7 +99,7 @@ export class Workbench extends Attention {
         if (design !== this.design) return;
         if (this.#pattern) this.#results.keep(design, {pattern: this.#pattern, result});
         this.#state = {kind: 'done'};
-        this.#compare();
+        this.#follow();
         this.changedNext();
       },
       failed: (design, failure) => {
@@ -166,11 +171,6 @@ export class Workbench extends Attention {
     return this.#found.beside(this.kept);
   }
 
-  /** The mean mismatch of the present design without its symmetries, if it has any. [cm] */
-  get withoutSymmetry(): number | undefined {
-    return this.design && this.#comparison.of(this.design);
-  }
-
   override prefer(change: Partial<Preferences>): void {
     const wasOff = !this.preferences.solveAsIGo;
     super.prefer(change);
@@ -181,10 +181,10 @@ export class Workbench extends Attention {
   set isEdited(isEdited: boolean) {
     if (isEdited === this.#isEdited) return;
     this.#isEdited = isEdited;
-    if (!isEdited) this.#comparison.stop();
+    if (!isEdited) this.afterwards.stop();
     else if (this.#garment) {
       this.#found.follow(this.#garment);
-      this.#compare();
+      this.#follow();
     }
   }
 
@@ -206,18 +206,10 @@ export class Workbench extends Attention {
    * are one step.
    */
   change(change: Partial<Design>, kind = ''): void {
-    if (!this.history) return;
-    this.#steps.change(change, kind, this.view?.get() ?? null);
-    const {design} = this;
-    if (design?.options.pins && this.#pattern) {
-      const isAuto = design.symmetries.length === 0 && this.#isAuto?.(design);
-      const known = mirroringsOf(this.#pattern);
-      this.#steps.mend(
-        withKeptPins(design, this.#pattern, isAuto ? known : askedOf(design, known)),
-      );
-    }
-    this.unsay();
-    this.#arrive();
+    if (!this.design) return;
+    // how long was looked for an answer belongs to that answer, not to the next question
+    const {effort, ...options} = change.options ?? this.design.options;
+    this.#take(effort === undefined ? change : {...change, options}, kind);
   }
 
   /** Whether a drag is under way, whose changes are one step. */
@@ -264,7 +256,7 @@ export class Workbench extends Attention {
   /** Solves the present design, whatever is under way. */
   align(): void {
     if (!this.design) return;
-    this.#comparison.stop();
+    this.afterwards.stop();
     this.#state = {kind: 'solving', phase: 'alignment', fraction: 0};
     this.#solve.start(this.design);
     this.changed();
@@ -289,6 +281,30 @@ export class Workbench extends Attention {
     super.dispose();
   }
 
+  #take(change: Partial<Design>, kind = ''): void {
+    this.#steps.change(change, kind, this.view?.get() ?? null);
+    const {design} = this;
+    if (design?.options.pins && this.#pattern) {
+      const isAuto = design.symmetries.length === 0 && this.#isAuto?.(design);
+      const known = mirroringsOf(this.#pattern);
+      this.#steps.mend(
+        withKeptPins(design, this.#pattern, isAuto ? known : askedOf(design, known)),
+      );
+    }
+    this.unsay();
+    this.#arrive();
+  }
+
+  /** All better answers that are found in one go are one step. */
+  #improved(design: Design, effort: number, result: SolveResult): Design {
+    const options = {...design.options, effort};
+    this.#steps.change({options}, improving, this.view?.get() ?? null);
+    const present = this.design ?? design;
+    if (this.#pattern) this.#results.keep(present, {pattern: this.#pattern, result});
+    this.changed();
+    return present;
+  }
+
   #travel(): void {
     this.unsay();
     this.#arrive();
@@ -300,7 +316,7 @@ export class Workbench extends Attention {
   #arrive(): void {
     const {design} = this;
     if (!design) return;
-    this.#comparison.stop();
+    this.afterwards.stop();
     if (design.garment !== this.#garment) this.#meet(design.garment);
     const known = this.#results.of(design);
     if (known ?? !this.preferences.solveAsIGo) {
@@ -310,7 +326,7 @@ export class Workbench extends Attention {
     if (known) {
       this.#pattern = known.pattern;
       this.#state = {kind: 'done'};
-      this.#compare();
+      this.#follow();
     } else if (this.preferences.solveAsIGo) {
       this.align();
     } else {
@@ -358,8 +374,8 @@ export class Workbench extends Attention {
     else this.#found.forget();
   }
 
-  #compare(): void {
+  #follow(): void {
     const {design, result} = this;
-    if (this.#isEdited && design && result) void this.#comparison.follow(design, result);
+    if (this.#isEdited && design && result) void this.afterwards.follow(design, result);
   }
 }
