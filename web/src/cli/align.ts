@@ -25,7 +25,7 @@ const grammar = {
 };
 
 /** [cm] */
-const mostChangeCm = 100;
+const mostChangeCm = 50;
 const mostEffort = 1000;
 
 /** `align`: solves a garment and prints its figures. */

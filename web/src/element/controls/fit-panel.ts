@@ -22,7 +22,7 @@ const changeUnit = {
   cm: {name: 'mm', cm: 0.1, step: 1, digits: 1},
   inch: {name: 'in', cm: 2.54, step: 0.05, digits: 3},
 } as const;
-const leastChangeCm = 0.01;
+const leastChangeCm = 0;
 const mostChangeCm = 2;
 
 const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;

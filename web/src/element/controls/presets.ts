@@ -3,7 +3,7 @@ import type {Design} from '../../model/design.js';
 import type {GrainLock, SolveOptions} from '../../model/options.js';
 import type {Method} from '../../model/problem.js';
 
-export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit'] as const;
+export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit', 'placeOnly'] as const;
 export type PresetName = (typeof presetNames)[number];
 
 /** What decides how pieces may lie and change; every field is a decision, whether or not it is the default. */
@@ -20,6 +20,7 @@ const presets: Readonly<Record<PresetName, Fitting>> = {
   homeSewist: {...usual, grain: 'on', maxChangeCm: 1},
   wovenShirt: {...usual, grain: 'on', maxChangeCm: 0.4},
   bestFit: {...usual, grain: 'free', maxChangeCm: 1},
+  placeOnly: {...usual, grain: 'on', maxChangeCm: 0},
 };
 
 export const fittingOf = ({method, options}: Design): Fitting => ({

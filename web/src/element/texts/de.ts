@@ -349,6 +349,7 @@ export const de: Texts = {
       homeSewist: 'Zu Hause genäht, im Fadenlauf',
       wovenShirt: 'Gewebtes Hemd',
       bestFit: 'Beste Passung, jeder Winkel',
+      placeOnly: 'Nur auflegen, jede Kante bleibt',
     },
     presetNotes: {
       homeSewist: 'Teile liegen im Fadenlauf und ändern sich um höchstens 10 mm.',
@@ -356,6 +357,7 @@ export const de: Texts = {
         'Teile liegen im Fadenlauf und ändern sich um höchstens 4 mm, damit Kragen und Manschetten ihren Schnitt behalten.',
       bestFit:
         'Teile liegen in jedem Winkel und ändern sich um höchstens 10 mm; so trifft sich das Muster am besten.',
+      placeOnly: 'Teile liegen im Fadenlauf und behalten die Umrisse des Schnitts.',
     },
     greatestChange: (unit) => `Größte Änderung (${unit})`,
     between: (least, most) => `Bitte eine Zahl von ${least} bis ${most} eingeben.`,

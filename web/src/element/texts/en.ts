@@ -340,12 +340,14 @@ export const en = {
       homeSewist: 'Home sewist, on grain',
       wovenShirt: 'Woven shirt',
       bestFit: 'Best fit, any angle',
+      placeOnly: 'Placing only, keep every outline',
     },
     presetNotes: {
       homeSewist: 'Pieces lie on grain and change by 10 mm at most.',
       wovenShirt:
         'Pieces lie on grain and change by 4 mm at most, so that collar and cuffs keep their cut.',
       bestFit: 'Pieces lie at any angle and change by 10 mm at most; the print meets best.',
+      placeOnly: 'Pieces lie on grain and keep their outlines just as drafted.',
     },
     greatestChange: (unit: string) => `Greatest change (${unit})`,
     between: (least: string, most: string) => `Enter a number from ${least} to ${most}.`,
