@@ -11,7 +11,7 @@ const inForm = (attributes: string): string =>
 
 it('submits its design under its name once there is an answer, and is invalid until then', async () => {
   const {put, run} = await openPage();
-  await put(inForm('name="design" required'));
+  await put(`<div class="far"></div>${inForm('name="design" required')}`); // it waits to be asked
   const seen = await run(async (element) => {
     const {form} = element;
     if (!form) throw new Error('It is in no form.');

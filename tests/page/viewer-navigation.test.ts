@@ -165,7 +165,6 @@ it('stays fitted when the window changes, unless somebody has moved it', async (
 });
 
 it('draws only when something changes', async () => {
-  await page.waitForTimeout(400); // what follows a change at some distance has happened
   await page.evaluate(() => {
     const original = requestAnimationFrame;
     document.title = '0';
@@ -174,8 +173,15 @@ it('draws only when something changes', async () => {
       return original(callback);
     };
   });
-  await page.waitForTimeout(400);
-  expect(await page.title()).toBe('0');
+  /** Frames that are asked for while nothing is done; what follows a change comes at some distance. */
+  const whileResting = async (): Promise<string> => {
+    await page.evaluate(() => {
+      document.title = '0';
+    });
+    await page.waitForTimeout(400);
+    return page.title();
+  };
+  await expect.poll(whileResting, {timeout: 20_000}).toBe('0');
   await page.evaluate(() => {
     for (let k = 0; k < 5; k++) Viewer.view.panBy(1, 0);
   });

@@ -31,6 +31,9 @@ export class SeamLens extends PatientElement {
         gap: var(--sw-space-1);
         border-radius: var(--sw-radius);
       }
+      .lens:focus-visible {
+        outline-offset: 5px; /* in the margin, off words and picture */
+      }
       header {
         display: flex;
         align-items: start;
