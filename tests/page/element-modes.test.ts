@@ -136,12 +136,16 @@ it('lets the print be dragged inside a piece, and tells the page of it', async (
     return {
       heard: [...new Set(heard)],
       pins: Object.keys(options.pins ?? {}),
+      isSymmetric: element.result?.symmetries.some(
+        (one) => one.kind === 'piece' && one.piece === 0,
+      ),
       state: element.state,
     };
   });
   expect(seen).toEqual({
     heard: ['select true', 'solve true', 'input true', 'change true'],
     pins: ['front'],
+    isSymmetric: true,
     state: 'ready',
   });
 });

@@ -1,7 +1,7 @@
 /** The angles that a piece may have on its cloth. */
 import type {Design} from './design.js';
 import type {Point} from './geometry.js';
-import {isAllowed, wrapped, type AngleRule} from './placing.js';
+import {isAllowed, wrapped, type AngleRule} from './mirror-lines.js';
 
 const radians = Math.PI / 180;
 
@@ -11,19 +11,30 @@ const upright: readonly [Point, Point] = [
   [0, 1],
 ];
 
-/** Undefined when the piece may lie at any angle. @param grain its grain line, as it lies face up */
+/** Of the grain line against the length of the cloth. [degrees] */
+const offsets: Readonly<Record<string, readonly number[]>> = {
+  on: [0],
+  across: [90],
+  bias: [-45, 45],
+};
+
+/** Undefined when the piece may lie at any angle. @param line its grain line, as it lies face up */
 export function grainRule(
   {options, print}: Pick<Design, 'options' | 'print'>,
   name: string,
   [from, to]: readonly [Point, Point] = upright,
 ): AngleRule | undefined {
   const {default: all = 'free', toleranceDeg = 0, pieces = {}} = options.grain ?? {};
-  const own = pieces[name] ?? all;
-  const {lock, toleranceDeg: room = toleranceDeg} = typeof own === 'string' ? {lock: own} : own;
-  if (lock === 'free') return undefined;
+  const given = pieces[name] ?? all;
+  const own = typeof given === 'string' ? {lock: given} : given;
+  const room = own.toleranceDeg ?? toleranceDeg;
+  const off = offsets[own.lock];
+  if (!off) return undefined;
+  const drawn = Math.atan2(to[1] - from[1], to[0] - from[0]);
+  const line =
+    'angleDeg' in own && typeof own.angleDeg === 'number' ? own.angleDeg * radians : drawn;
   // the grain line runs along +y of the print, the length of the cloth
-  const straight = Math.atan2(to[1] - from[1], to[0] - from[0]) - Math.PI / 2;
-  const angles = lock === 'on' ? [straight] : [straight - Math.PI / 4, straight + Math.PI / 4];
+  const angles = off.map((degrees) => line - Math.PI / 2 + degrees * radians);
   const turned = print.oneWay ? [] : angles.map((angle) => angle + Math.PI);
   return {angles: [...angles, ...turned], tolerance: room * radians};
 }

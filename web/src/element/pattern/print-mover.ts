@@ -9,7 +9,7 @@ import {
   withPin,
   type PieceFacts,
 } from '../../model/pins.js';
-import {axisLine, nextMirrored} from '../../model/placing.js';
+import {axisLine, nextMirrored} from '../../model/mirror-lines.js';
 import {onPrint} from '../../picture/fit.js';
 import {pick} from '../../picture/marks.js';
 import type {ScenePiece} from '../../viewer/scene.js';

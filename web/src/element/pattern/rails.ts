@@ -1,7 +1,7 @@
 /** Where the print of a symmetric piece may go: its axis on one of the print's mirror lines. */
 import type {Point} from '../../model/geometry.js';
 import {mirroringsOf, ownMirroring} from '../../model/pins.js';
-import {axisLine, footOnAxis} from '../../model/placing.js';
+import {axisLine, footOnAxis} from '../../model/mirror-lines.js';
 import {pick} from '../../picture/marks.js';
 import type {Overlay} from '../../viewer/overlay.js';
 import type {PatternScene} from '../../viewer/scene.js';

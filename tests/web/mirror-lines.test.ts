@@ -13,7 +13,7 @@ import {
   nearestMirrored,
   nextMirrored,
   turnToGrain,
-} from '../../web/src/model/placing.js';
+} from '../../web/src/model/mirror-lines.js';
 import {groupsThatCarry, latticeVectors} from '../../web/src/model/repeat.js';
 import {
   apply,
