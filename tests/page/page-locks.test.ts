@@ -1,13 +1,16 @@
 /** What stays as drafted: by clicks, by keys, from the list of edges and from the table. */
 import type {Page} from 'playwright-core';
-import {expect, it} from 'vitest';
+import {expect, it, vi} from 'vitest';
 
 import type {PatternPane} from '../../web/src/element/index.js';
 import type {Point} from '../../web/src/model/geometry.js';
 import type {SolveOptions} from '../../web/src/model/options.js';
+import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {clickPiece, clickSeam, seamOf} from '../support/page-pattern.js';
 import {button, showSample, solved, usePage} from '../support/page.js';
+
+vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 
@@ -100,6 +103,7 @@ it('keeps edges by keys alone', async () => {
     .first()
     .press(' ');
   await expect.poll(async () => Object.values((await lockedOf(page)) ?? {}).flat().length).toBe(1);
+  expect(await barriers(page)).toEqual([]);
   await page.keyboard.press('Escape');
   expect(await button(page, 'Keep as drafted').getAttribute('aria-pressed')).toBe('true');
 });
