@@ -42,6 +42,10 @@ void Cloth::addTarget(int vertex, const Vec2& position, double weight) {
   target_pull_[vertex] += weight * position;
 }
 
+void Cloth::limitReach(const std::vector<double>& limits) {
+  for (std::size_t i = 0; i < reach_.size(); ++i) reach_[i] = std::min(part().reach[i], limits[i]);
+}
+
 VectorX Cloth::moves() const {
   const ClothTerms& terms = plan_->terms();
   VectorX u(terms.unknowns);

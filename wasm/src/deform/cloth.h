@@ -23,6 +23,10 @@ class Cloth {
   /// @param weight   per cm2; several targets of a vertex add up
   void addTarget(int vertex, const Vec2& position, double weight);
 
+  /// Limits how far outline vertices may move, besides what the part allows; 0 or more. [cm, per
+  /// vertex]
+  void limitReach(const std::vector<double>& limits);
+
   /// One Newton step and one update of the multipliers.
   void step();
 

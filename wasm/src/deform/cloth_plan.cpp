@@ -51,6 +51,7 @@ ClothTerms::ClothTerms(const Part& part, const ClothWeights& weights) {
   addConformal(part, weights.conformal);
   for (const Part::Bend& b : part.bends)
     addBend(quadratic, b, b.corner ? weights.corner : weights.bend);
+  if (weights.line > 0) addLines(part, weights.line);
   for (std::size_t i = 0; i < part.rest.size(); ++i) {
     const double pull = part.reach[i] > 0 ? weights.rest : 1e-4 * weights.rest;
     for (int c = 0; c < 2; ++c) quadratic.add(unknown[2 * i + c], unknown[2 * i + c], 2 * pull);
@@ -89,6 +90,21 @@ void ClothTerms::addConformal(const Part& part, double weight) {
       for (int b = 0; b <= a; ++b)
         quadratic.add(unknown[2 * v[a / 2] + a % 2], unknown[2 * v[b / 2] + b % 2],
                       w * (t.rows[0][a] * t.rows[0][b] + t.rows[1][a] * t.rows[1][b]));
+  }
+}
+
+/// Both ends of an unsewn edge stay on its line, w l (n . u)^2: a vertex between two of them moves
+/// along the outline, the corner of two not at all.
+void ClothTerms::addLines(const Part& part, double weight) {
+  for (const Part::Edge& edge : part.edges) {
+    if (edge.sewn) continue;
+    const Vec2 along = part.rest[edge.j] - part.rest[edge.i];
+    const Vec2 normal = perp(along).normalized();
+    const double w = weight * along.norm();
+    for (const int v : {edge.i, edge.j})
+      for (int c = 0; c < 2; ++c)
+        for (int d = 0; d <= c; ++d)
+          quadratic.add(unknown[2 * v + c], unknown[2 * v + d], w * normal[c] * normal[d]);
   }
 }
 

@@ -15,6 +15,7 @@ struct ClothWeights {
   double corner = 4.0;     ///< the same at a corner
   double rest = 0.01;      ///< pull of the outline to its rest position, per cm2
   double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
+  double line = 100.0;     ///< vertices of unsewn edges leave their line, per cm2
   bool operator==(const ClothWeights&) const = default;
 };
 
@@ -29,7 +30,7 @@ struct ClothTerms {
 
   std::vector<int> unknown;  ///< 2 per vertex; -1 where the axis holds the coordinate
   int unknowns = 0;
-  SparseHessian quadratic;  ///< conformal, bends and the pull to rest
+  SparseHessian quadratic;  ///< conformal, bends, lines of unsewn edges, the pull to rest
   /// Per edge of the outline: its entries, of the lower triangles of the blocks (i, i) and (j, j),
   /// then of the block (i, j).
   std::vector<std::array<int, 10>> edge_slots;
@@ -37,6 +38,7 @@ struct ClothTerms {
  private:
   void number(const Part& part);
   void addConformal(const Part& part, double weight);
+  void addLines(const Part& part, double weight);
 };
 
 /// Of a triangle of a part, of which vertex v is at x[v]. [cm2]

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 
 #include "geometry/polygon.h"
 
@@ -10,6 +11,9 @@ namespace {
 
 constexpr double kFloor = 0.05;        ///< cm: mismatch below it pulls no harder than this
 constexpr double kGatheredPull = 0.3;  ///< of a seam that cannot match all along
+/// How far a vertex may leave a line that is kept: a little inside the 1 mm that nobody sees. [cm]
+constexpr double kLineReach = 0.02;
+constexpr double kLockedReach = 1e-5;  ///< cm
 
 }  // namespace
 
@@ -20,10 +24,54 @@ SeamFitting::SeamFitting(const FittingPlan& plan, const Pattern& pattern,
       group_(group),
       rules_(rules),
       joins_(pattern.seams.size()),
+      pulls_(pattern.seams.size(), 1),
       shapes_(restShapes(pattern)) {
   cloths_.reserve(plan.cloths.size());
   for (const ClothPlan& cloth : plan.cloths) cloths_.emplace_back(cloth);
+  lock();
+  setPulls(pulls_);
   collectShapes();
+}
+
+/// Marks the vertices of locked edges, on what a piece and its mirror image are made of.
+void SeamFitting::lock() {
+  for (const Cloth& cloth : cloths_) locked_.emplace_back(cloth.shape().size(), 0);
+  for (const EdgeRef& edge : rules_.locked) {
+    const Piece& piece = pattern_.pieces[edge.piece];
+    const auto& start = piece.edge_start;
+    const std::size_t next = static_cast<std::size_t>(edge.edge) + 1;
+    const int n = static_cast<int>(piece.outline.size());
+    const int last = next < start.size() ? start[next] : n;
+    const Follower& f = plan_.parts.pieces[edge.piece];
+    for (int k = start[edge.edge]; k <= last; ++k)
+      locked_[f.part][f.source[piece.outline[k % n]]] = 1;
+  }
+}
+
+bool SeamFitting::isLocked(int piece, int vertex) const {
+  const Follower& f = plan_.parts.pieces[piece];
+  return locked_[f.part][f.source[vertex]];
+}
+
+void SeamFitting::setPulls(const std::vector<double>& pulls) {
+  pulls_ = pulls;
+  std::vector<std::vector<double>> limits;
+  for (const std::vector<char>& locked : locked_) {
+    limits.emplace_back(locked.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t v = 0; v < locked.size(); ++v)
+      if (locked[v]) limits.back()[v] = kLockedReach;
+  }
+  for (std::size_t s = 0; s < pulls_.size(); ++s) {
+    if (pulls_[s] > 0) continue;
+    for (const SeamSide* side : {&pattern_.seams[s].a, &pattern_.seams[s].b}) {
+      const Follower& f = plan_.parts.pieces[side->piece];
+      for (std::size_t k = 1; k + 1 < side->vertices.size(); ++k) {
+        double& limit = limits[f.part][f.source[side->vertices[k]]];
+        limit = std::min(limit, kLineReach);
+      }
+    }
+  }
+  for (std::size_t c = 0; c < cloths_.size(); ++c) cloths_[c].limitReach(limits[c]);
 }
 
 void SeamFitting::collectShapes() {
@@ -76,7 +124,8 @@ void SeamFitting::aimAtPartners(const Cloth& cloth, const std::vector<Alignment>
   aim(at, &cloth);
 }
 
-/// Where both sides of a seam should lie, on equivalent points of the print.
+/// Where both sides of a seam should lie, on equivalent points of the print: in the middle, or where
+/// the locked side lies.
 IdealLines SeamFitting::linesOf(const Seam& seam, const Join& join,
                                 const std::vector<Alignment>& at) const {
   if (rules_.average_shapes) return idealLines(seam, join, shapes_, at, IdealShape::kAveraged);
@@ -90,7 +139,9 @@ IdealLines SeamFitting::linesOf(const Seam& seam, const Join& join,
   for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
     const Vec2 x = from_a * (shapes_[seam.a.piece][seam.a.vertices[k]] - wa.translation);
     const Vec2 y = g(from_b * (shapes_[seam.b.piece][seam.b.vertices[k]] - wb.translation));
-    const Vec2 middle = (x + y) / 2;
+    const bool a_stays = isLocked(seam.a.piece, seam.a.vertices[k]);
+    const bool b_stays = isLocked(seam.b.piece, seam.b.vertices[k]);
+    const Vec2 middle = a_stays == b_stays ? Vec2((x + y) / 2) : a_stays ? x : y;
     lines.a.push_back(to_a * middle + wa.translation);
     lines.b.push_back(to_b * (back * (middle - g.a)) + wb.translation);
   }
@@ -103,9 +154,9 @@ void SeamFitting::aim(const std::vector<Alignment>& at, const Cloth* only) {
     if (!only || only == &cloth) cloth.clearTargets();
   for (std::size_t s = 0; s < joins_.size(); ++s) {
     const Seam& seam = pattern_.seams[s];
-    if (!seam.matched || seam.twin) continue;
+    if (!seam.matched || seam.twin || pulls_[s] <= 0) continue;
     const IdealLines lines = linesOf(seam, joins_[s], at);
-    const double pull = seam.weight * (isGathered(seam) ? kGatheredPull : 1);
+    const double pull = pulls_[s] * seam.weight * (isGathered(seam) ? kGatheredPull : 1);
     for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
       const int va = seam.a.vertices[k], vb = seam.b.vertices[k];
       // what both sides have to move together: the mismatch, when they meet in the middle

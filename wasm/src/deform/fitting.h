@@ -3,6 +3,7 @@
 
 #include "deform/cloth.h"
 #include "deform/fitting_plan.h"
+#include "pattern/garment.h"
 #include "seam/ideal_line.h"
 
 namespace seamwise {
@@ -11,6 +12,7 @@ namespace seamwise {
 struct FittingRules {
   bool continuous_only = false;  ///< forbid mirrored seams
   bool average_shapes = false;   ///< seam lines take the mean of both sides' turning angles
+  std::vector<EdgeRef> locked;   ///< edges that stay as drafted
 };
 
 /// Deforms all parts together so that the print meets at the seams: in turns, the two sides of
@@ -22,6 +24,10 @@ class SeamFitting {
   /// @param plan   for this pattern; it and the others outlive the fitting
   SeamFitting(const FittingPlan& plan, const Pattern& pattern, const WallpaperGroup& group,
               const FittingRules& rules);
+
+  /// How hard each seam pulls, as a multiple of its weight; 1 at first. What pulls nothing keeps its
+  /// drafted line but for its ends, which other seams may move.
+  void setPulls(const std::vector<double>& pulls);
 
   /// Chooses each seam's join for the present shapes.
   void chooseJoins(const std::vector<Alignment>& at);
@@ -54,6 +60,8 @@ class SeamFitting {
  private:
   void addTarget(int piece, int vertex, const Vec2& position, double weight, const Cloth* only);
   void aim(const std::vector<Alignment>& at, const Cloth* only);
+  bool isLocked(int piece, int vertex) const;
+  void lock();
   IdealLines linesOf(const Seam& seam, const Join& join, const std::vector<Alignment>& at) const;
 
   const FittingPlan& plan_;
@@ -62,6 +70,8 @@ class SeamFitting {
   FittingRules rules_;
   std::vector<Cloth> cloths_;
   std::vector<Join> joins_;
+  std::vector<double> pulls_;              ///< per seam
+  std::vector<std::vector<char>> locked_;  ///< per part and its vertices
   Shapes shapes_;
 };
 

@@ -73,13 +73,41 @@ void readPins(const Json& json, const Garment& garment, const Place& place, Solv
   }
 }
 
+void readLocked(const Json& json, const Garment& garment, const Place& place,
+                SolveOptions* options) {
+  for (const auto& [name, edges] : object(json, place, "'locked'").items()) {
+    const int piece = pieceNamed(name, garment, place, "'locked'");
+    const int count = static_cast<int>(garment.panels[piece].edges.size());
+    if (edges.is_boolean()) {
+      if (!boolean(edges, place, "'locked' of " + inQuotes(name))) continue;
+      for (int edge = 0; edge < count; ++edge) options->locked.push_back({piece, edge});
+      continue;
+    }
+    for (const Json& edge : array(edges, place, "'locked' of " + inQuotes(name))) {
+      const int number = integer(edge, place, "an edge in 'locked' of " + inQuotes(name));
+      if (number < 0 || number >= count)
+        place.fail(place.shape, "locks edge " + std::to_string(number) + " of piece " +
+                                    inQuotes(name) + ", which has " + std::to_string(count) +
+                                    " (counted from 0); correct the number");
+      options->locked.push_back({piece, number});
+    }
+  }
+}
+
+OpenEdges readOpenEdges(const Json& json, const Place& place) {
+  const std::string word = text(json, place, "'openEdges'");
+  if (word == "kept") return OpenEdges::kKept;
+  if (word == "free") return OpenEdges::kFree;
+  place.fail(place.shape, "has " + inQuotes(word) + " for 'openEdges'; write \"kept\" or \"free\"");
+}
+
 SolveOptions read(std::string_view content, const Garment& garment, const Place& place) {
   const Json document = parseDocument(content, place);
   object(document, place, "content");
   onlyKnown(document, place,
             {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
              "averageSeamShapes", "grain", "pins", "weights", "unmatched", "plain", "matches",
-             "proof"});
+             "proof", "locked", "openEdges", "effort"});
   checkFormat(document, place, "seamwise-options", 1);
   for (const auto& [key, value] : document.items())
     if (value.is_null())
@@ -93,6 +121,7 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
   if (find(document, "maxChangeCm")) options.max_change_cm = real("maxChangeCm");
   if (find(document, "edgeLengthCm")) options.edge_length_cm = real("edgeLengthCm");
   if (find(document, "alpha")) options.alpha = real("alpha");
+  if (find(document, "effort")) options.effort = real("effort");
   if (find(document, "proof")) options.proof = real("proof");
   if (find(document, "continuousOnly")) options.continuous_only = flag("continuousOnly");
   if (find(document, "averageSeamShapes")) options.average_seam_shapes = flag("averageSeamShapes");
@@ -110,6 +139,9 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
     for (const Json& name : array(*plain, place, "'plain'"))
       options.plain.push_back(
           pieceNamed(text(name, place, "a piece of 'plain'"), garment, place, "'plain'"));
+  if (const Json* locked = find(document, "locked")) readLocked(*locked, garment, place, &options);
+  if (const Json* open = find(document, "openEdges"))
+    options.open_edges = readOpenEdges(*open, place);
   if (const Json* matches = find(document, "matches"))
     options.matches = readMatches(*matches, place, garment);
   const std::string problem = options.problem();

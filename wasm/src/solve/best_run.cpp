@@ -5,6 +5,7 @@
 
 #include "solve/metrics.h"
 #include "solve/promise.h"
+#include "solve/seam_rules.h"
 
 namespace seamwise {
 namespace {
@@ -20,6 +21,8 @@ constexpr double kMostReach =
 
 /// Answers under slack to fit from: which of them cloth can make the most of, no slack tells.
 constexpr std::size_t kStarts = 3;
+
+constexpr int kSeekAgain = 3;  ///< times
 
 /// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
 /// it lies has only its set-up left.
@@ -51,6 +54,7 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
       progress_(kPrepared) {
   alignment_ = search_result_ = match_.expanded(searching_.best());
   ClothWeights weights;
+  if (problem.options.open_edges == OpenEdges::kFree) weights.line = 0;
   if (problem.options.alpha) weights.conformal *= *problem.options.alpha;
   const double most = kReachMargin * reach_;
   if (plans && *plans && (*plans)->areFor(weights, most))
@@ -83,6 +87,9 @@ bool BestRun::advance() {
     case Stage::kFit:
       fitStep();
       break;
+    case Stage::kSeekAgain:
+      seekAgain();
+      break;
     case Stage::kSettle:
       settleStep();
       break;
@@ -94,16 +101,15 @@ bool BestRun::advance() {
 
 /// Fits from the best few answers under slack and, where it differs, from the search's own.
 void BestRun::startFit() {
-  std::vector<Alignments> from = searching_.underSlack();
-  if (from.size() > kStarts) from.resize(kStarts);
-  const Alignments& plain = searching_.best();
-  if (std::none_of(from.begin(), from.end(), [&](const Alignments& at) {
-        return std::abs(match_.cost(plain) - match_.cost(at)) <= SearchRun::kPerfect;
-      }))
-    from.push_back(plain);
+  std::vector<FitStart> from;
+  for (const Alignments& at : searching_.underSlack())
+    if (from.size() < kStarts) from.push_back({at});
+  from.push_back({searching_.best(), true});
   const FittingRules rules{problem_.options.continuous_only,
-                           problem_.options.average_seam_shapes.value_or(false)};
-  fit_ = std::make_unique<FitRun>(pattern_, match_, rules_, rules, *plans_, std::move(from));
+                           problem_.options.average_seam_shapes.value_or(false),
+                           problem_.options.locked};
+  fit_ = std::make_unique<FitRun>(
+      pattern_, match_, rules_, rules, *plans_, std::move(from), reach_);
   alignment_ = fit_->alignment();
   stage_ = Stage::kFit;
   if (fit_->isPerfect()) {
@@ -115,8 +121,23 @@ void BestRun::startFit() {
 
 void BestRun::fitStep() {
   if (!fit_->advance()) stage_ = Stage::kSettle;
+  if (fit_->isStuck()) {
+    if (sought_again_++ < kSeekAgain) {
+      searching_.seekAgain(fit_->urgency());
+      stage_ = Stage::kSeekAgain;
+    } else {
+      fit_->goOn({});
+    }
+  }
   alignment_ = fit_->alignment();
   progress_ = std::max(progress_, searched_ + (kFitted - searched_) * fit_->fraction());
+}
+
+/// Another answer under slack to fit from, with more weight on what those before it left worse off.
+void BestRun::seekAgain() {
+  if (searching_.advance()) return;
+  fit_->goOn(searching_.underSlack()[0]);
+  stage_ = Stage::kFit;
 }
 
 /// Whether the part keeps everything that is promised of a finished shape.
@@ -153,8 +174,13 @@ void BestRun::settleStep() {
   if (!all_kept) ++settling_;
   if (!all_kept && settled_ <= kMostSettling) return;
   restUnsound();
-  restIfBetter();
-  finish();
+  if (fit_->review()) {
+    restIfBetter();
+    return finish();
+  }
+  for (Cloth& cloth : fit_->fitting().cloths()) cloth.settling = 0;
+  settled_ = 0;
+  stage_ = Stage::kFit;
 }
 
 /// What breaks a promise after all stays as it was drafted, which breaks none.

@@ -30,10 +30,11 @@ class BestRun : public Run {
   int factorisations() const override { return fit_ ? fit_->factorisations() : 0; }
 
  private:
-  enum class Stage : std::uint8_t { kSearch, kStartFit, kFit, kSettle, kDone };
+  enum class Stage : std::uint8_t { kSearch, kStartFit, kFit, kSeekAgain, kSettle, kDone };
   void search();
   void startFit();
   void fitStep();
+  void seekAgain();
   void settleStep();
   void restUnsound();
   void restIfBetter();
@@ -50,6 +51,7 @@ class BestRun : public Run {
   std::unique_ptr<FitRun> fit_;
   Stage stage_ = Stage::kSearch;
   Alignments alignment_, search_result_;
+  int sought_again_ = 0;
   int settling_ = 0, settled_ = 0;  ///< iterations; with the last, which finds nothing to do
   double progress_, searched_ = 0;  ///< now, and once all was searched
 };

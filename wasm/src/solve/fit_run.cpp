@@ -1,11 +1,14 @@
 #include "solve/fit_run.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "alignment/refine.h"
 #include "deform/prolong.h"
 #include "solve/metrics.h"
 #include "solve/search_run.h"
+#include "solve/seam_rules.h"
 
 namespace seamwise {
 namespace {
@@ -18,6 +21,10 @@ constexpr Steps kSteps = {7, 2};
 constexpr Steps kCoarseSteps = {10, 3};  ///< they take little time
 constexpr int kFineSteps = 2;            ///< after coarse ones
 constexpr int kRealignEvery = 3;         ///< steps between new joins and alignments
+constexpr int kMostRounds = 4;           ///< from one start, each with other seams pulling
+constexpr double kUrgent = 4;            ///< factor of what pulls more after each round
+constexpr double kMostUrgent = 64;
+constexpr double kBlame = 3;  ///< the same, for the next search
 
 std::size_t verticesOf(const Pattern& pattern) {
   std::size_t count = 0;
@@ -28,49 +35,66 @@ std::size_t verticesOf(const Pattern& pattern) {
 }  // namespace
 
 FitRun::FitRun(const Pattern& pattern, const MatchProblem& match, const MatchRules& rules,
-               const FittingRules& fitting, FittingPlans& plans, std::vector<Alignments> starts)
+               const FittingRules& fitting, FittingPlans& plans, std::vector<FitStart> starts,
+               double reach)
     : pattern_(pattern),
       match_(match),
       rules_(rules),
       fitting_rules_(fitting),
       plans_(plans),
-      fitting_(std::make_unique<SeamFitting>(plans.fine(pattern), pattern, match.group, fitting)) {
-  for (Alignments& leaders : starts) starts_.push_back({std::move(leaders), {}});
+      reach_(reach),
+      fine_(std::make_unique<SeamFitting>(plans.fine(pattern), pattern, match.group, fitting)),
+      fitting_(fine_.get()),
+      blame_(pattern.seams.size(), 1) {
+  for (FitStart& start : starts) add(std::move(start));
+  placed_ = match.expanded(starts_.back().leaders);
   place(starts_[0].leaders);
   double mismatch = 0;
   for (std::size_t s = 0; s < pattern.seams.size(); ++s)
-    if (pattern.seams[s].matched && !pattern.seams[s].twin) mismatch += fitting_->joins()[s].cost;
+    if (counts(pattern.seams[s])) mismatch += fitting_->joins()[s].cost;
   perfect_ = mismatch < SearchRun::kPerfect;
 }
 
-/// Steps are taken on the coarser mesh from now on, where there is one.
-void FitRun::goCoarse() {
+void FitRun::add(FitStart from) {
+  Start start;
+  static_cast<FitStart&>(start) = std::move(from);
+  start.urgency.assign(pattern_.seams.size(), 1);
+  starts_.push_back(std::move(start));
+}
+
+/// Plans the steps, on the coarser mesh where there is one.
+void FitRun::begin() {
   begun_ = true;
-  if (const CoarserPlan* coarse = plans_.coarse(pattern_)) {
-    coarser_ = &coarse->coarser;
-    coarse_pattern_ = coarser_->pattern;
+  if ((plan_ = plans_.coarse(pattern_))) {
+    coarse_pattern_ = plan_->coarser.pattern;
     for (std::size_t s = 0; s < pattern_.seams.size(); ++s) {
       coarse_pattern_.seams[s].weight = pattern_.seams[s].weight;
       coarse_pattern_.seams[s].matched = pattern_.seams[s].matched;
     }
-    fine_ = std::move(fitting_);
-    fitting_ =
-        std::make_unique<SeamFitting>(coarse->plan, coarse_pattern_, match_.group, fitting_rules_);
+    coarse_fitting_ = std::make_unique<SeamFitting>(plan_->plan, coarse_pattern_, match_.group,
+                                                    fitting_rules_);
     fine_step_ = static_cast<double>(verticesOf(pattern_)) /
                  static_cast<double>(verticesOf(coarse_pattern_));
   }
-  const Steps steps = coarser_ ? kCoarseSteps : kSteps;
+  const Steps steps = plan_ ? kCoarseSteps : kSteps;
   steps_ = steps.all, trial_steps_ = steps.trial;
-  planned_ = steps.all + steps.trial * (static_cast<double>(starts_.size()) - 1) +
-             (coarser_ ? kFineSteps * fine_step_ : 0);
-  for (Start& start : starts_) start.states = fitting_->restStates();
+  planned_ = 3 * steps.all + steps.trial * (static_cast<double>(starts_.size()) - 1) +
+             (plan_ ? kFineSteps * fine_step_ : 0);
+  goCoarse();
   resume(0);
 }
 
+void FitRun::goCoarse() {
+  if (!plan_) return;
+  coarse_ = true, fine_steps_ = 0;
+  fitting_ = coarse_fitting_.get();
+}
+
 void FitRun::goFine() {
-  fine_->setStates(prolonged(*coarser_, *fitting_, *fine_));
-  coarse_factorisations_ = fitting_->factorisations();
-  fitting_ = std::move(fine_);
+  fine_->setStates(prolonged(plan_->coarser, *fitting_, *fine_));
+  fitting_ = fine_.get();
+  coarse_ = false;
+  pull();
   fitting_->chooseJoins(alignment_);
 }
 
@@ -80,17 +104,52 @@ void FitRun::place(const Alignments& leaders) {
   fitting_->chooseJoins(alignment_);
 }
 
-void FitRun::resume(std::size_t start) {
-  current_ = start;
-  fitting_->setStates(starts_[start].states);
-  place(starts_[start].leaders);
+/// Goes on from a start; first from rest, with all seams pulling that shaping may bring to meet.
+void FitRun::resume(std::size_t index) {
+  current_ = index;
+  Start& start = starts_[index];
+  const bool first = start.states.empty();
+  if (first) start.states = fitting_->restStates();
+  fitting_->setStates(start.states);
+  place(start.leaders);
+  const Pattern& pattern = fitted();
+  if (first) start.shaped.assign(pattern.seams.size(), 0);
+  for (std::size_t s = 0; s < pattern.seams.size() && first; ++s)
+    start.shaped[s] = counts(pattern.seams[s]) &&
+                      isWithinReach(joinMismatch(fitting_->joins()[s], pattern.seams[s],
+                                                 fitting_->shapes(), alignment_),
+                                    reach_);
+  pull();
+}
+
+/// From rest once more, with other seams pulling.
+void FitRun::again() {
+  Start& start = starts_[current_];
+  start.leaders = leaders_;
+  start.steps = 0;
+  start.ended = false;
+  start.states = fitting_->restStates();
+  resume(current_);
+}
+
+void FitRun::pull() {
+  const Start& start = starts_[current_];
+  std::vector<double> pulls(start.shaped.size(), 1);
+  for (std::size_t s = 0; s < pulls.size(); ++s)
+    if (counts(fitted().seams[s])) pulls[s] = start.shaped[s] ? start.urgency[s] : 0;
+  fitting_->setPulls(pulls);
 }
 
 void FitRun::realign() {
+  const Start& start = starts_[current_];
+  if (start.stays) return fitting_->chooseJoins(alignment_);
+  Pattern urgent = fitted();
+  for (std::size_t s = 0; s < start.urgency.size(); ++s)
+    urgent.seams[s].weight *= start.urgency[s];
   const MatchProblem now =
-      makeMatchProblem(fitted(), fitting_->shapes(), fitted().mirrors, rules_, match_.group);
+      makeMatchProblem(urgent, fitting_->shapes(), urgent.mirrors, rules_, match_.group);
   std::vector<int> all(now.leaders.size());
-  for (std::size_t l = 0; l < all.size(); ++l) all[l] = static_cast<int>(l);
+  std::iota(all.begin(), all.end(), 0);
   refine(now, SampledSeams<double>(now, 0), leaders_, all, 2);
   alignment_ = now.expanded(leaders_);
   fitting_->chooseJoins(alignment_);
@@ -99,12 +158,14 @@ void FitRun::realign() {
 bool FitRun::advance() {
   if (perfect_) return false;
   if (!begun_) {
-    goCoarse();
+    begin();
     return true;
   }
+  if (stuck_) return true;
+  if (given_up_ || std::exchange(stalled_, false)) return false;
   fitting_->step(alignment_);
   ++iterations_;
-  if (coarser_ && !fine_) {
+  if (plan_ && !coarse_) {
     done_ += fine_step_;
     return ++fine_steps_ < kFineSteps;
   }
@@ -112,22 +173,154 @@ bool FitRun::advance() {
   Start& start = starts_[current_];
   ++start.steps;
   if (start.steps % kRealignEvery == 0 && start.steps < steps_) realign();
-  if (start.steps == trial_steps_ && starts_.size() > 1) compareStarts();
-  if (starts_[current_].steps < steps_) return true;
-  if (fine_) goFine();
-  return coarser_ != nullptr;
+  if (start.steps == trial_steps_ && !start.fit) return leave();
+  return start.steps < steps_ || endSteps();
 }
 
-/// After a start's few steps: the next one, or back to the best.
-void FitRun::compareStarts() {
+/// Judges the seams after a start's steps. Returns whether there are more to take.
+bool FitRun::endSteps() {
+  Start& start = starts_[current_];
+  const Judgement found = judge();
+  if (found == Judgement::kOthersPull && ++start.rounds < kMostRounds) {
+    again();
+    return true;
+  }
+  if (found == Judgement::kGood || start.stays)
+    start.ended = true;
+  else
+    fail();
+  return leave();
+}
+
+void FitRun::fail() {
+  starts_[current_].failed = true;
+  for (std::size_t s = 0; s < worse_.size(); ++s)
+    if (worse_[s]) blame_[s] = std::min(blame_[s] * kBlame, kMostUrgent);
+}
+
+/// Notes how far the present start has come and goes on from the one that fits best. Returns whether
+/// there are more steps to take.
+bool FitRun::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.states = fitting_->states();
   start.fit = fitAny(match_.group, fitted(), fitting_->shapes(), alignment_);
-  if (current_ + 1 < starts_.size()) return resume(current_ + 1);
-  const auto best = std::min_element(
-      starts_.begin(), starts_.end(), [](const Start& a, const Start& b) { return a.fit < b.fit; });
-  resume(static_cast<std::size_t>(best - starts_.begin()));
+  return goOnFromBest();
+}
+
+bool FitRun::goOnFromBest() {
+  std::size_t best = starts_.size();
+  for (std::size_t k = starts_.size(); k-- > 0;) {
+    const Start& start = starts_[k];
+    if (start.failed) continue;
+    if (best == starts_.size() || !start.fit || (starts_[best].fit && *start.fit < *starts_[best].fit))
+      best = k;
+  }
+  if (starts_[best].stays && starts_[best].ended && may_seek_) {
+    stuck_ = true;
+    return true;
+  }
+  if (best != current_) resume(best);
+  if (!starts_[best].ended) return true;
+  if (!plan_) return false;
+  goFine();
+  return true;
+}
+
+void FitRun::goOn(std::optional<Alignments> leaders) {
+  stuck_ = false;
+  if (leaders)
+    add({std::move(*leaders)});
+  else
+    may_seek_ = false;
+  if (!goOnFromBest()) stalled_ = true;
+}
+
+/// Takes the pull from the seams that end where this one does. Returns whether there were any.
+bool FitRun::dropNeighbours(std::size_t seam) {
+  const Seam& own = fitted().seams[seam];
+  std::vector<char>& shaped = starts_[current_].shaped;
+  bool any = false;
+  for (std::size_t t = 0; t < shaped.size(); ++t) {
+    if (!shaped[t]) continue;
+    const Seam& other = fitted().seams[t];
+    for (const SeamSide* x : {&own.a, &own.b})
+      for (const SeamSide* y : {&other.a, &other.b})
+        for (const int v : {x->vertices.front(), x->vertices.back()})
+          if (x->piece == y->piece && (v == y->vertices.front() || v == y->vertices.back()))
+            shaped[t] = 0, any = true;
+  }
+  return any;
+}
+
+/// Takes from the seams that are bent in vain their pull, and gives more to those that are worse
+/// off than by placing alone.
+FitRun::Judgement FitRun::judge() {
+  const Pattern& pattern = fitted();
+  const Shapes rest = restShapes(pattern);
+  const auto shaped = localMismatches(match_.group, pattern, fitting_->shapes(), alignment_);
+  const auto aligned = localMismatches(match_.group, pattern, rest, alignment_);
+  const auto placed = localMismatches(match_.group, pattern, rest, placed_);
+  Start& start = starts_[current_];
+  Judgement found = Judgement::kGood;
+  const auto others = [&] {
+    if (found == Judgement::kGood) found = Judgement::kOthersPull;
+  };
+  worse_.assign(shaped.size(), 0);
+  for (std::size_t s = 0; s < shaped.size(); ++s) {
+    if (!counts(pattern.seams[s])) continue;
+    const double moved = movedOf(pattern.seams[s], pattern, fitting_->shapes());
+    const Verdict verdict = verdictOn({placed[s], aligned[s], shaped[s]}, moved);
+    if (verdict == Verdict::kKept) continue;
+    worse_[s] = verdict == Verdict::kWorse;
+    if (worse_[s] && !start.stays) {
+      if (start.urgency[s] >= kMostUrgent)
+        found = Judgement::kHopeless;
+      else
+        start.urgency[s] *= kUrgent, others();
+    } else if (start.shaped[s] || dropNeighbours(s)) {
+      start.shaped[s] = 0, others();
+    } else {
+      found = Judgement::kHopeless;
+    }
+  }
+  return found;
+}
+
+bool FitRun::review() {
+  if (perfect_ || given_up_) return true;
+  const Judgement found = judge();
+  if (found == Judgement::kGood) return true;
+  Start& start = starts_[current_];
+  const bool another = found == Judgement::kOthersPull && start.reviews++ < kReviewsOfOne;
+  if (++reviews_ == kMostReviews || (start.stays && !another)) {
+    giveUp();
+    return false;
+  }
+  goCoarse();
+  if (another) {
+    again();
+  } else {
+    fail();
+    stalled_ = !goOnFromBest();
+  }
+  return false;
+}
+
+/// Leaves all lines as drafted, where placing alone lays them.
+void FitRun::giveUp() {
+  given_up_ = true;
+  fitting_->setStates(fitting_->restStates());
+  current_ = starts_.size();
+  while (!starts_[--current_].stays) continue;
+  std::fill(starts_[current_].shaped.begin(), starts_[current_].shaped.end(), 0);
+  place(starts_[current_].leaders);
+  pull();
+  for (Cloth& cloth : fitting_->cloths()) cloth.clearTargets();
+}
+
+int FitRun::factorisations() const {
+  return fine_->factorisations() + (coarse_fitting_ ? coarse_fitting_->factorisations() : 0);
 }
 
 double FitRun::fraction() const { return std::min(1.0, done_ / planned_); }

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "solve/seam_rules.h"
+
 namespace seamwise {
 namespace {
 
 constexpr double kStrictTurn = 0.1;  ///< rad
-
-bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
 
 double strictFit(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
                  const std::vector<Alignment>& at) {

@@ -9,6 +9,7 @@ constexpr double kMaxEdgeLengthCm = 1.05;  // coarser edges hide mismatch
 constexpr double kMinEdgeLengthCm = 0.1;
 constexpr double kMaxChangeCm = 50;
 constexpr double kMaxWeight = 1e6;
+constexpr double kMaxEffort = 64;
 
 bool usableWeight(double weight) { return weight >= 0 && weight <= kMaxWeight; }
 
@@ -25,6 +26,7 @@ std::string SolveOptions::problem() const {
   if (!(edge_length_cm >= kMinEdgeLengthCm && edge_length_cm <= kMaxEdgeLengthCm))
     return "edgeLengthCm must be between 0.1 and 1.05 cm.";
   if (alpha && !(*alpha > 0 && *alpha <= 1e9)) return "alpha must be positive and at most 1e9.";
+  if (!(effort >= 1 && effort <= kMaxEffort)) return "effort must be between 1 and 64.";
   if (proof && !(*proof >= 0 && *proof <= 1e6)) return "proof must be between 0 and 1e6.";
   if (!usableRule(grain)) return "grain.toleranceDeg must be between 0 and 90 degrees.";
   for (const auto& [piece, rule] : piece_grain)
@@ -39,6 +41,8 @@ std::string SolveOptions::problem() const {
              std::to_string(seam) + ").";
   for (const int seam : unmatched)
     if (seam < 0) return "unmatched must name seams of the garment.";
+  for (const EdgeRef& edge : locked)
+    if (edge.piece < 0 || edge.edge < 0) return "locked must name edges of the garment.";
   for (const int piece : plain)
     if (piece < 0) return "plain must name pieces of the garment.";
   for (const MatchLine& match : matches)

@@ -12,6 +12,12 @@ namespace seamwise {
 
 enum class Method : std::uint8_t { kBest, kPaper, kWs19 };
 
+/// What shaping may do to edges that are sewn to nothing: hems, necklines, fronts.
+enum class OpenEdges : std::uint8_t {
+  kKept,  ///< they keep their line: their vertices move along it only
+  kFree
+};
+
 struct GrainRule {
   GrainLock lock = GrainLock::kFree;
   double tolerance = 0;  ///< rad
@@ -33,6 +39,10 @@ struct SolveOptions {
   std::vector<int> unmatched;                ///< stitch numbers
   std::vector<int> plain;                    ///< piece indices
   std::vector<MatchLine> matches;
+  std::vector<EdgeRef> locked;  ///< edges that stay as drafted
+  OpenEdges open_edges = OpenEdges::kKept;
+  /// How long to search, as a multiple of what is usual; more never ends worse.
+  double effort = 1;
   /// Work for a proof of the alignment, as a multiple of the search's; unset: a little, where that
   /// may be enough.
   std::optional<double> proof;

@@ -160,9 +160,24 @@ void SearchRun::end(const SearchMemo::Outcome& outcome) {
     under_slack_.push_back(match_.ofLeaders(placed(search, leaders)));
   ++current_;
   if (search.slack > 0) return;
+  at_rest_ = current_ - 1;
   best_ = under_slack_[0];
   bound_ = outcome.bound;
   perfect_ = match_.cost(best_) < kPerfect;
+}
+
+void SearchRun::seekAgain(const std::vector<double>& urgency) {
+  const Search& last = searches_.back();
+  Search next{last.problem, slackBudget(), last.seed + 1, 0, {at_rest_, searches_.size() - 1}, slack_,
+              last.turn};
+  for (MatchSeam& seam : next.problem.seams) {
+    if (seam.seam < 0) continue;
+    const double factor = urgency[static_cast<std::size_t>(seam.seam)];
+    for (double& w : seam.w) w *= factor;
+    seam.weight *= factor;
+    seam.whole = seam.stretch(0, seam.w.size());
+  }
+  searches_.push_back(std::move(next));
 }
 
 bool SearchRun::advance() {

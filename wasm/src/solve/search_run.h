@@ -28,6 +28,10 @@ class SearchRun {
 
   /// Some milliseconds of work. False when it has ended.
   bool advance();
+  /// Once it has ended: seeks once more what comes near when seams may move, with other weights.
+  /// underSlack() is of that search then.
+  /// @param urgency   per seam: multiple of its weight
+  void seekAgain(const std::vector<double>& urgency);
   double fraction() const { return fraction_; }  ///< 0..1, never falls
   /// What it takes as a rule, as a share of the time of a whole solve; less once something turns
   /// out to be remembered.
@@ -69,6 +73,7 @@ class SearchRun {
   std::vector<std::vector<Alignments>> found_;
   bool perfect_ = false;
   double bound_ = 0;
+  std::size_t at_rest_ = 0;  ///< the last search that was without slack
   double share_ = 0, before_ = 0, fraction_ = 0;
 };
 
