@@ -124,8 +124,8 @@ void SeamFitting::aimAtPartners(const Cloth& cloth, const std::vector<Alignment>
   aim(at, &cloth);
 }
 
-/// Where both sides of a seam should lie, on equivalent points of the print: in the middle, or where
-/// the locked side lies.
+/// Where both sides of a seam should lie, on equivalent points of the print: in the middle, or
+/// where the locked side lies.
 IdealLines SeamFitting::linesOf(const Seam& seam, const Join& join,
                                 const std::vector<Alignment>& at) const {
   if (rules_.average_shapes) return idealLines(seam, join, shapes_, at, IdealShape::kAveraged);

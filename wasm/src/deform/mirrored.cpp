@@ -27,7 +27,6 @@ std::vector<Vec2> meanBoundary(const Pattern& pattern, const Mirror& mirror) {
   return mean;
 }
 
-
 /// One half of a piece that is symmetric in itself, cut along the axis.
 struct Half {
   std::vector<Vec2> points;
@@ -194,12 +193,11 @@ Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
   const auto mesh = mirror.single() ? meshHalves(a, mirror, std::move(mean), coarsest)
                                     : meshPair(a, mirror, std::move(mean), coarsest);
   if (!mesh)
-    return Error{
-        Failure::kMesh,
-        "piece " + inQuotes(a.name) +
-            " cannot be meshed as the mirror image it is asked to be: where its two sides "
-            "are averaged the outline crosses itself; leave out that symmetry",
-        mirror.pieces[0]};
+    return Error{Failure::kMesh,
+                 "piece " + inQuotes(a.name) +
+                     " cannot be meshed as the mirror image it is asked to be: where its two sides "
+                     "are averaged the outline crosses itself; leave out that symmetry",
+                 mirror.pieces[0]};
   a.triangles = mesh->triangles;
   a.rest.insert(a.rest.end(), mesh->points.begin() + static_cast<std::ptrdiff_t>(boundary),
                 mesh->points.end());

@@ -8,12 +8,12 @@
 namespace seamwise {
 namespace {
 
-constexpr double kFlipWeight = 0.01;       ///< beta
-constexpr double kSatisfied = 1e-6;        ///< cm2 a vertex, for E_match and for E_sym
-constexpr double kSeamError = 8e-3;        ///< cm between the two sides of a whole seam
-constexpr double kMirrorError = 8e-4;      ///< cm between a vertex and its image
-constexpr int kMostNewton = 60;            ///< steps under one gamma
-constexpr double kStill = 1e-5;            ///< cm: a step that moves nothing further ends a gamma
+constexpr double kFlipWeight = 0.01;   ///< beta
+constexpr double kSatisfied = 1e-6;    ///< cm2 a vertex, for E_match and for E_sym
+constexpr double kSeamError = 8e-3;    ///< cm between the two sides of a whole seam
+constexpr double kMirrorError = 8e-4;  ///< cm between a vertex and its image
+constexpr int kMostNewton = 60;        ///< steps under one gamma
+constexpr double kStill = 1e-5;        ///< cm: a step that moves nothing further ends a gamma
 constexpr double kMostGamma = 1e12;
 
 }  // namespace
@@ -143,8 +143,9 @@ double PenaltyDeformation::greatestSeamError() const {
 double PenaltyDeformation::greatestMirrorError() const {
   double greatest = 0;
   for (const MirrorPair& m : mirrors_)
-    greatest = std::max(greatest, (m.linear * x_.segment<2>(2 * m.source) + m.shift -
-                                   x_.segment<2>(2 * m.image)).norm());
+    greatest = std::max(
+        greatest,
+        (m.linear * x_.segment<2>(2 * m.source) + m.shift - x_.segment<2>(2 * m.image)).norm());
   return greatest;
 }
 

@@ -6,9 +6,9 @@
 
 namespace seamwise {
 
-/// The deformation of Wolff et al. 2019, Eq. (8): one energy over all vertices of all pieces, damped
-/// Newton with line search, sewability and symmetry by quadratic penalties whose weight gamma doubles
-/// from 1 until both hold.
+/// The deformation of Wolff et al. 2019, Eq. (8): one energy over all vertices of all pieces,
+/// damped Newton with line search, sewability and symmetry by quadratic penalties whose weight
+/// gamma doubles from 1 until both hold.
 class PenaltyDeformation {
  public:
   /// @param with_symmetry   whether E_sym is there (not in the method that the paper extends)
@@ -17,8 +17,8 @@ class PenaltyDeformation {
   /// Starts again from rest towards ideal seam lines, or `share` of the way there.
   void start(std::vector<Target> targets, double alpha, double share = 1);
   /// One Newton step. False when E_match and E_sym are below 1e-6 cm2 a vertex, with both sides of
-  /// every seam as long as each other within 0.008 cm and every vertex within 0.0008 cm of its image,
-  /// or when that cannot be had.
+  /// every seam as long as each other within 0.008 cm and every vertex within 0.0008 cm of its
+  /// image, or when that cannot be had.
   bool step();
   int iterations() const { return iterations_; }
   double gamma() const { return gamma_; }

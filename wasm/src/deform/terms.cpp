@@ -40,8 +40,8 @@ double proximityEnergy(const std::vector<Target>& targets, const VectorX& x, Vec
   return energy;
 }
 
-ConformalTriangle conformalTriangle(const std::array<int, 3>& vertices, const Vec2& a, const Vec2& b,
-                                    const Vec2& c) {
+ConformalTriangle conformalTriangle(const std::array<int, 3>& vertices, const Vec2& a,
+                                    const Vec2& b, const Vec2& c) {
   ConformalTriangle t{vertices, cross(b - a, c - a) / 2, {}};
   const Vec2 corner[3] = {a, b, c};
   for (int k = 0; k < 3; ++k) {

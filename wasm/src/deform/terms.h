@@ -7,8 +7,8 @@
 namespace seamwise {
 
 /// The terms of the deformation energy of Wolff et al. 2019, Eq. (8), each a pure function of the
-/// coordinates x = (x0, y0, x1, y1, ...) in cm. Each returns its value and adds, where the pointers are
-/// not null, its gradient and a positive semidefinite Hessian (exact for the quadratic terms,
+/// coordinates x = (x0, y0, x1, y1, ...) in cm. Each returns its value and adds, where the pointers
+/// are not null, its gradient and a positive semidefinite Hessian (exact for the quadratic terms,
 /// Gauss-Newton for the others).
 
 struct Target {
@@ -20,23 +20,25 @@ struct Target {
 double proximityEnergy(const std::vector<Target>& targets, const VectorX& x, VectorX* gradient,
                        SparseHessian* hessian);
 
-/// A triangle's rest state: rows of the linear map from its 6 coordinates to (u_x - v_y, u_y + v_x).
+/// A triangle's rest state: rows of the linear map from its 6 coordinates to (u_x - v_y, u_y +
+/// v_x).
 struct ConformalTriangle {
   std::array<int, 3> vertices;
   double area;  ///< at rest, cm2
   std::array<std::array<double, 6>, 2> rows;
 };
-ConformalTriangle conformalTriangle(const std::array<int, 3>& vertices, const Vec2& a, const Vec2& b,
-                                    const Vec2& c);
+ConformalTriangle conformalTriangle(const std::array<int, 3>& vertices, const Vec2& a,
+                                    const Vec2& b, const Vec2& c);
 /// E_conf = sum A |J - cof J|^2 / 2, J the Jacobian of rest -> shape (Levy et al. 2002)
 double conformalEnergy(const std::vector<ConformalTriangle>& triangles, const VectorX& x,
                        double weight, VectorX* gradient, SparseHessian* hessian);
 
-/// E_flip = sum A phi(d / s), d = area / rest area, phi(t) = 1 / (t^3 - 3 t^2 + 3 t) - 1 for 0 < t < 1,
-/// 0 above, infinite below (Schueller et al. 2013).
+/// E_flip = sum A phi(d / s), d = area / rest area, phi(t) = 1 / (t^3 - 3 t^2 + 3 t) - 1 for 0 < t
+/// < 1, 0 above, infinite below (Schueller et al. 2013).
 double flipEnergy(const std::vector<ConformalTriangle>& triangles, const VectorX& x, double weight,
                   VectorX* gradient, SparseHessian* hessian);
-inline constexpr double kFlipStart = 0.5;  ///< s: the share of the rest area at which the barrier starts
+inline constexpr double kFlipStart =
+    0.5;  ///< s: the share of the rest area at which the barrier starts
 
 /// Two sewn edges (a0 a1), (b0 b1) whose lengths keep the ratio rho.
 struct EdgePair {

@@ -40,7 +40,41 @@ void writePiece(JsonWriter& out, const PrintedPattern& printed, std::size_t p) {
   out.field("mirroredFromInput", piece.mirrored_from_input);
 }
 
-void writeSeam(JsonWriter& out, const PrintedPattern& printed, std::size_t s) {
+const char* reasonName(SeamReason reason) {
+  switch (reason) {
+    case SeamReason::kGrain:
+      return "grain";
+    case SeamReason::kGather:
+      return "gather";
+    case SeamReason::kGroup:
+      return "group";
+    case SeamReason::kSize:
+      return "size";
+    case SeamReason::kOthers:
+      return "others";
+    case SeamReason::kLocked:
+      return "locked";
+    case SeamReason::kNone:
+      break;
+  }
+  return "";
+}
+
+void writeFigures(JsonWriter& out, const SeamFigures& of) {
+  out.key("local");
+  out.open('{');
+  out.field("drafted", of.drafted);
+  out.field("placed", of.placed);
+  out.field("final", of.final);
+  out.close('}');
+  out.field("whole", of.whole);
+  out.field("line", of.shaped ? "shaped" : "drafted");
+  if (of.reason != SeamReason::kNone) out.field("why", reasonName(of.reason));
+}
+
+/// @param figures   of the seam; null before a solve
+void writeSeam(JsonWriter& out, const PrintedPattern& printed, std::size_t s,
+               const SeamFigures* figures) {
   const Seam& seam = printed.pattern.seams[s];
   const auto side = [&](const char* name, const SeamSide& of) {
     out.key(name);
@@ -57,6 +91,7 @@ void writeSeam(JsonWriter& out, const PrintedPattern& printed, std::size_t s) {
   out.field("lengthRatio", seam.length_ratio);
   out.field("kind", printed.joins[s].mirrored() ? "mirrored" : "continuous");
   out.field("mismatch", printed.mismatch[s]);
+  if (figures) writeFigures(out, *figures);
   out.close('}');
 }
 
@@ -75,8 +110,9 @@ void writeMirror(JsonWriter& out, const Pattern& pattern, const Mirror& m) {
   out.close('}');
 }
 
-/// @param meshed   every piece says which edges of the panel its outline consists of
-void writePrinted(JsonWriter& out, const PrintedPattern& printed, bool meshed) {
+/// @param result   null before a solve: then every piece says which edges of the panel its outline
+///                 consists of
+void writePrinted(JsonWriter& out, const PrintedPattern& printed, const Result* result) {
   const Pattern& pattern = printed.pattern;
   out.key("print");
   out.open('{');
@@ -89,13 +125,14 @@ void writePrinted(JsonWriter& out, const PrintedPattern& printed, bool meshed) {
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
     out.open('{');
     writePiece(out, printed, p);
-    if (meshed) out.field("edges", edgesOf(pattern.pieces[p]));
+    if (!result) out.field("edges", edgesOf(pattern.pieces[p]));
     out.close('}');
   }
   out.close(']');
   out.key("seams");
   out.open('[');
-  for (std::size_t s = 0; s < pattern.seams.size(); ++s) writeSeam(out, printed, s);
+  for (std::size_t s = 0; s < pattern.seams.size(); ++s)
+    writeSeam(out, printed, s, result ? &result->figures[s] : nullptr);
   out.close(']');
   out.list("symmetries", pattern.mirrors,
            [&](const Mirror& mirror) { writeMirror(out, pattern, mirror); });
@@ -108,7 +145,8 @@ std::string writeResult(const Result& r) {
   out.open('{');
   out.field("format", "seamwise-result/1");
   out.field("units", "cm");
-  writePrinted(out, r, false);
+  writePrinted(out, r, &r);
+  out.field("drafted", r.drafted);
   out.field("search", r.search);
   out.key("metrics");
   out.open('{');
@@ -121,6 +159,14 @@ std::string writeResult(const Result& r) {
   out.field("fit", r.fit.any);
   out.field("fitStrict", r.fit.strict);
   out.field("fitSeam", r.fit.seam);
+  out.key("localCm");
+  out.open('{');
+  out.field("drafted", r.local.drafted);
+  out.field("placed", r.local.placed);
+  out.field("final", r.local.final);
+  out.field("worst", r.local.worst);
+  out.close('}');
+  out.field("offCm", r.local.off);
   out.field("maxMovedCm", r.max_moved_cm);
   out.field("iterations", r.iterations);
   out.field("factorisations", r.factorisations);
@@ -137,7 +183,7 @@ std::string writeResult(const Result& r) {
 std::string writePattern(const PrintedPattern& printed) {
   JsonWriter out;
   out.open('{');
-  writePrinted(out, printed, true);
+  writePrinted(out, printed, nullptr);
   out.field("fitRandom", printed.fit_random);
   out.field("notes", printed.notes);
   out.close('}');

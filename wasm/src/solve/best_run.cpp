@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solve/metrics.h"
 #include "solve/promise.h"
@@ -41,7 +42,7 @@ constexpr double kReachMargin = 0.985;
 }  // namespace
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-                 const MatchRules& rules, SearchMemo* searches,
+                 const MatchRules& rules, std::vector<Alignments> offered, SearchMemo* searches,
                  std::shared_ptr<FittingPlans>* plans)
     : problem_(problem),
       pattern_(pattern),
@@ -50,7 +51,8 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
                               problem.print.group)),
       // two sides that may each move by the greatest change meet across somewhat less than twice it
-      searching_(problem, pattern, match_, known, rules, kSlack * reach_, searches),
+      searching_(problem, pattern, match_, known, rules, kSlack * reach_, std::move(offered),
+                 searches),
       progress_(kPrepared) {
   alignment_ = search_result_ = match_.expanded(searching_.best());
   ClothWeights weights;
@@ -64,7 +66,7 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
   if (plans) *plans = plans_;
 }
 
-void BestRun::search() {
+void BestRun::searchStep() {
   const bool more = searching_.advance();
   alignment_ = match_.expanded(searching_.best());
   progress_ = std::max(progress_, searching_.isPerfect()
@@ -79,7 +81,7 @@ void BestRun::search() {
 bool BestRun::advance() {
   switch (stage_) {
     case Stage::kSearch:
-      search();
+      searchStep();
       break;
     case Stage::kStartFit:
       startFit();
@@ -108,8 +110,8 @@ void BestRun::startFit() {
   const FittingRules rules{problem_.options.continuous_only,
                            problem_.options.average_seam_shapes.value_or(false),
                            problem_.options.locked};
-  fit_ = std::make_unique<FitRun>(
-      pattern_, match_, rules_, rules, *plans_, std::move(from), reach_);
+  fit_ =
+      std::make_unique<FitRun>(pattern_, match_, rules_, rules, *plans_, std::move(from), reach_);
   alignment_ = fit_->alignment();
   stage_ = Stage::kFit;
   if (fit_->isPerfect()) {

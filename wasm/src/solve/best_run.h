@@ -14,10 +14,12 @@ class BestRun : public Run {
  public:
   /// @param known   mirrors of the pattern's known symmetries that the group carries; with none
   ///                imposed the symmetric answer is one of the starts
+  /// @param offered   alignments of all pieces: the search never ends with worse ones
   /// @param searches   remembered; may be null
   /// @param plans   remembered, of this mesh; may be null
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-          const MatchRules& rules, SearchMemo* searches, std::shared_ptr<FittingPlans>* plans);
+          const MatchRules& rules, std::vector<Alignments> offered, SearchMemo* searches,
+          std::shared_ptr<FittingPlans>* plans);
 
   bool advance() override;
   Phase phase() const override;
@@ -31,7 +33,7 @@ class BestRun : public Run {
 
  private:
   enum class Stage : std::uint8_t { kSearch, kStartFit, kFit, kSeekAgain, kSettle, kDone };
-  void search();
+  void searchStep();
   void startFit();
   void fitStep();
   void seekAgain();

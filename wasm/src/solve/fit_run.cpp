@@ -7,8 +7,8 @@
 #include "alignment/refine.h"
 #include "deform/prolong.h"
 #include "solve/metrics.h"
-#include "solve/search_run.h"
 #include "solve/seam_rules.h"
+#include "solve/search_run.h"
 
 namespace seamwise {
 namespace {
@@ -71,8 +71,8 @@ void FitRun::begin() {
       coarse_pattern_.seams[s].weight = pattern_.seams[s].weight;
       coarse_pattern_.seams[s].matched = pattern_.seams[s].matched;
     }
-    coarse_fitting_ = std::make_unique<SeamFitting>(plan_->plan, coarse_pattern_, match_.group,
-                                                    fitting_rules_);
+    coarse_fitting_ =
+        std::make_unique<SeamFitting>(plan_->plan, coarse_pattern_, match_.group, fitting_rules_);
     fine_step_ = static_cast<double>(verticesOf(pattern_)) /
                  static_cast<double>(verticesOf(coarse_pattern_));
   }
@@ -144,8 +144,7 @@ void FitRun::realign() {
   const Start& start = starts_[current_];
   if (start.stays) return fitting_->chooseJoins(alignment_);
   Pattern urgent = fitted();
-  for (std::size_t s = 0; s < start.urgency.size(); ++s)
-    urgent.seams[s].weight *= start.urgency[s];
+  for (std::size_t s = 0; s < start.urgency.size(); ++s) urgent.seams[s].weight *= start.urgency[s];
   const MatchProblem now =
       makeMatchProblem(urgent, fitting_->shapes(), urgent.mirrors, rules_, match_.group);
   std::vector<int> all(now.leaders.size());
@@ -198,8 +197,8 @@ void FitRun::fail() {
     if (worse_[s]) blame_[s] = std::min(blame_[s] * kBlame, kMostUrgent);
 }
 
-/// Notes how far the present start has come and goes on from the one that fits best. Returns whether
-/// there are more steps to take.
+/// Notes how far the present start has come and goes on from the one that fits best. Returns
+/// whether there are more steps to take.
 bool FitRun::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
@@ -213,7 +212,8 @@ bool FitRun::goOnFromBest() {
   for (std::size_t k = starts_.size(); k-- > 0;) {
     const Start& start = starts_[k];
     if (start.failed) continue;
-    if (best == starts_.size() || !start.fit || (starts_[best].fit && *start.fit < *starts_[best].fit))
+    if (best == starts_.size() || !start.fit ||
+        (starts_[best].fit && *start.fit < *starts_[best].fit))
       best = k;
   }
   if (starts_[best].stays && starts_[best].ended && may_seek_) {

@@ -18,9 +18,9 @@ struct FitStart {
 /// Shape and alignment improved in turns: a few steps from each of several answers of the search,
 /// then on from the best one. Where edges are short this happens on a coarser mesh, and the whole
 /// one only takes the last steps. Seams that shaping cannot bring to meet keep their drafted lines
-/// and pull nothing: once they are known, shapes start again without them. A start that leaves seams
-/// worse off than placing alone does is given up for the next. Seam lengths and limits are left to
-/// settle.
+/// and pull nothing: once they are known, shapes start again without them. A start that leaves
+/// seams worse off than placing alone does is given up for the next. Seam lengths and limits are
+/// left to settle.
 class FitRun {
  public:
   /// All but the starts outlives the run.
@@ -102,8 +102,7 @@ class FitRun {
   Alignments leaders_, alignment_;
   std::vector<double> blame_;  ///< per seam: what failed, for searches
   std::vector<char> worse_;    ///< per seam: by the last judgement
-  bool perfect_ = false, begun_ = false, stuck_ = false, may_seek_ = true,
-       given_up_ = false;
+  bool perfect_ = false, begun_ = false, stuck_ = false, may_seek_ = true, given_up_ = false;
   bool stalled_ = false;             ///< the best start has no steps left to take
   int steps_ = 0, trial_steps_ = 0;  ///< to do, all and from each start
   int fine_steps_ = 0;               ///< done, after coarse ones

@@ -6,12 +6,13 @@
 
 namespace seamwise {
 
-/// The figures by which results are compared; all sums of edge length times distance, cm2, over the seams
-/// that count (matched and not joining a piece to its own mirror twin).
+/// The figures by which results are compared; all sums of edge length times distance, cm2, over the
+/// seams that count (matched and not joining a piece to its own mirror twin).
 struct Fit {
-  double any = 0;     ///< E_fit of Wolff et al. 2019, Sec. 4: each edge with its nearest element
-  double strict = 0;  ///< only elements that also bring the edges' directions within 0.1 rad of the best
-  double seam = 0;    ///< one element for the whole seam: what the eye sees
+  double any = 0;  ///< E_fit of Wolff et al. 2019, Sec. 4: each edge with its nearest element
+  double strict =
+      0;  ///< only elements that also bring the edges' directions within 0.1 rad of the best
+  double seam = 0;  ///< one element for the whole seam: what the eye sees
 };
 
 double fitAny(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,

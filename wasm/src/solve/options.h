@@ -27,17 +27,18 @@ struct GrainRule {
 struct SolveOptions {
   Method method = Method::kBest;
   std::uint32_t seed = 1;
-  double max_change_cm = 1.0;    ///< no outline vertex moves further than this from its rest position
+  double max_change_cm = 1.0;  ///< no outline vertex moves further than this from its rest position
   double edge_length_cm = 1.0;   ///< greatest distance of outline vertices, at most 1.05 on a seam
   std::optional<double> alpha;   ///< weight of the conformal energy; unset: the method's own choice
   bool continuous_only = false;  ///< forbid mirrored seams
-  std::optional<bool> average_seam_shapes;   ///< Wolff et al. 2019, 3.3; unset: the method's own choice
-  GrainRule grain;                           ///< for pieces without a rule of their own
-  std::map<int, GrainRule> piece_grain;      ///< by piece index
-  std::map<int, Alignment> pins;             ///< by piece index
-  std::map<int, double> weights;             ///< by stitch number
-  std::vector<int> unmatched;                ///< stitch numbers
-  std::vector<int> plain;                    ///< piece indices
+  std::optional<bool>
+      average_seam_shapes;               ///< Wolff et al. 2019, 3.3; unset: the method's own choice
+  GrainRule grain;                       ///< for pieces without a rule of their own
+  std::map<int, GrainRule> piece_grain;  ///< by piece index
+  std::map<int, Alignment> pins;         ///< by piece index
+  std::map<int, double> weights;         ///< by stitch number
+  std::vector<int> unmatched;            ///< stitch numbers
+  std::vector<int> plain;                ///< piece indices
   std::vector<MatchLine> matches;
   std::vector<EdgeRef> locked;  ///< edges that stay as drafted
   OpenEdges open_edges = OpenEdges::kKept;

@@ -7,10 +7,11 @@
 
 namespace seamwise {
 
-/// `paper`: Wolff et al. 2019 as written, its slips corrected: one random start, local sweeps, averaged
-/// ideal seam lines, E_sym and quadratic penalties. `ws19`: the method it extends, without symmetry and
-/// without averaging. Neither bounds movement, so alpha is doubled from 1 until the greatest change
-/// holds and outlines are simple; where no alpha does it, the targets are drawn towards rest.
+/// `paper`: Wolff et al. 2019 as written, its slips corrected: one random start, local sweeps,
+/// averaged ideal seam lines, E_sym and quadratic penalties. `ws19`: the method it extends, without
+/// symmetry and without averaging. Neither bounds movement, so alpha is doubled from 1 until the
+/// greatest change holds and outlines are simple; where no alpha does it, the targets are drawn
+/// towards rest.
 class PaperRun : public Run {
  public:
   PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,

@@ -8,8 +8,8 @@
 
 namespace seamwise {
 
-/// Everything a solve needs, checked: numbers are finite, references resolve, the print's group carries
-/// the imposed symmetries.
+/// Everything a solve needs, checked: numbers are finite, references resolve, the print's group
+/// carries the imposed symmetries.
 struct Problem {
   Garment garment;
   Print print;

@@ -6,16 +6,35 @@
 #include "seam/join.h"
 #include "solve/metrics.h"
 #include "solve/options.h"
+#include "solve/seam_reasons.h"
 
 namespace seamwise {
+
+/// Mean mismatch along a seam. [cm]
+struct SeamFigures {
+  /// Point by point, modulo the print's group: of the drafted layout, of placing alone, of the
+  /// result.
+  double drafted = 0, placed = 0, final = 0;
+  double whole = 0;     ///< of the result, through the one join of the whole seam
+  bool shaped = false;  ///< its line has left the drafted one by more than 1 mm
+  SeamReason reason = SeamReason::kNone;
+};
+
+/// The same over all seams that count, by length. [cm]
+struct LocalMeans {
+  double drafted = 0, placed = 0, final = 0;
+  double worst = 0;  ///< greatest mean of a seam in the result
+  double off = 0;    ///< cm of seam that miss by more than 5 mm
+};
 
 /// Pieces on a print: what there is to draw, of a result or of a garment that is not solved yet.
 struct PrintedPattern {
   Pattern pattern;  ///< rest, meshed, with the imposed mirrors
   Shapes shapes;    ///< the pieces as they are now, cm
   std::vector<Alignment> alignment;
-  std::vector<Join> joins;                    ///< per seam
-  std::vector<std::vector<double>> mismatch;  ///< per seam and edge, through its join, cm; none before a solve
+  std::vector<Join> joins;  ///< per seam
+  std::vector<std::vector<double>>
+      mismatch;  ///< per seam and edge, through its join, cm; none before a solve
   std::string group;
   Vec2 w1, w2;
   double fit_random = 0;
@@ -24,6 +43,9 @@ struct PrintedPattern {
 
 /// What a solve found; written as seamwise-result/1.
 struct Result : PrintedPattern {
+  std::vector<Alignment> drafted;    ///< how a cutter lays the pieces as drafted
+  std::vector<SeamFigures> figures;  ///< per seam
+  LocalMeans local;
   std::vector<Alignment> search;  ///< where the alignment search ended, before anything deformed
   double fit_search = 0, fit_aligned = 0;
   double search_bound = 0;  ///< no alignment at rest costs less than this share of `search`

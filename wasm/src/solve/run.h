@@ -15,16 +15,17 @@ class Run {
   /// A few milliseconds of work. False when the method has ended.
   virtual bool advance() = 0;
   virtual Phase phase() const = 0;
-  virtual double fraction() const = 0;                ///< 0..1, monotone
-  virtual const Alignments& alignment() const = 0;    ///< of the pieces; the best so far
-  virtual const Alignments& search() const = 0;       ///< where the alignment search ended
+  virtual double fraction() const = 0;              ///< 0..1, monotone
+  virtual const Alignments& alignment() const = 0;  ///< of the pieces; the best so far
+  virtual const Alignments& search() const = 0;     ///< where the alignment search ended
   /// No alignment at rest costs less than this share of search(): 1 when it is proven the best, 0
   /// when nothing is known.
   virtual double searchBound() const { return 0; }
   virtual const Shapes& shapes() const = 0;
   virtual int iterations() const = 0;
   virtual int factorisations() const = 0;
-  /// Grows when the deformation starts over with other weights; only the last attempt's time counts.
+  /// Grows when the deformation starts over with other weights; only the last attempt's time
+  /// counts.
   virtual int attempt() const { return 0; }
 };
 

@@ -37,8 +37,7 @@ std::vector<double> localMismatches(const WallpaperGroup& group, const Pattern& 
 Verdict verdictOn(const SeamMeans& means, double moved) {
   const bool bent = moved > kStraightEnough;
   const double most = means.shaped > kBroken ? kHalved : kWorthwhile;
-  if (bent && means.shaped > most * means.aligned)
-    return Verdict::kInVain;
+  if (bent && means.shaped > most * means.aligned) return Verdict::kInVain;
   if (means.shaped > kMet && means.shaped > std::min(means.placed, means.aligned) + kUnseen)
     return Verdict::kWorse;
   return Verdict::kKept;
@@ -55,7 +54,8 @@ double movedOf(const Seam& seam, const Pattern& pattern, const Shapes& shapes) {
   for (const SeamSide* side : {&seam.a, &seam.b})
     for (std::size_t k = 1; k + 1 < side->vertices.size(); ++k) {
       const int v = side->vertices[k];
-      moved = std::max(moved, (shapes[side->piece][v] - pattern.pieces[side->piece].rest[v]).norm());
+      moved =
+          std::max(moved, (shapes[side->piece][v] - pattern.pieces[side->piece].rest[v]).norm());
     }
   return moved;
 }

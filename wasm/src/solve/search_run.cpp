@@ -72,8 +72,8 @@ Pattern asDrafted(const Problem& problem, Pattern pattern) {
 
 SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
                      const std::vector<Mirror>& known, const MatchRules& rules, double slack,
-                     SearchMemo* memo)
-    : match_(match), slack_(slack), memo_(memo) {
+                     std::vector<Alignments> offered, SearchMemo* memo)
+    : match_(match), slack_(slack), offered_(std::move(offered)), memo_(memo) {
   const WallpaperGroup& group = match.group;
   const std::uint64_t seed = problem.options.seed;
   const std::optional<double> proof = problem.options.proof;
@@ -125,14 +125,16 @@ Alignments SearchRun::placed(const Search& search, const Alignments& leaders) co
 void SearchRun::begin() {
   const Search& search = searches_[current_];
   std::vector<Alignments> offered;
-  for (const std::size_t before : search.after) {
-    const double turn = search.turn - searches_[before].turn;
-    for (Alignments pieces : found_[before]) {
-      if (turn != 0)
-        for (Alignment& at : pieces) at.angle += turn;
-      offered.push_back(search.problem.ofLeaders(pieces));
-    }
-  }
+  const auto offer = [&](Alignments pieces, double turn) {
+    if (turn != 0)
+      for (Alignment& at : pieces) at.angle += turn;
+    offered.push_back(search.problem.ofLeaders(pieces));
+  };
+  for (const std::size_t before : search.after)
+    for (const Alignments& pieces : found_[before])
+      offer(pieces, search.turn - searches_[before].turn);
+  if (search.slack == 0)
+    for (const Alignments& pieces : offered_) offer(pieces, search.turn);
   if (search.slack > 0 && search.problem.cost(offered[0]) < kPerfect) {
     share_ -= search.share;
     return end({{offered[0]}, offered[0], 0});  // nothing has to move
@@ -168,8 +170,8 @@ void SearchRun::end(const SearchMemo::Outcome& outcome) {
 
 void SearchRun::seekAgain(const std::vector<double>& urgency) {
   const Search& last = searches_.back();
-  Search next{last.problem, slackBudget(), last.seed + 1, 0, {at_rest_, searches_.size() - 1}, slack_,
-              last.turn};
+  Search next{last.problem, slackBudget(), last.seed + 1, 0, {at_rest_, searches_.size() - 1},
+              slack_,       last.turn};
   for (MatchSeam& seam : next.problem.seams) {
     if (seam.seam < 0) continue;
     const double factor = urgency[static_cast<std::size_t>(seam.seam)];

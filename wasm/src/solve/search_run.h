@@ -21,10 +21,11 @@ class SearchRun {
   /// @param pattern   with the weights that are asked for
   /// @param match     its seams and leaders, with pins
   /// @param slack     cm of mismatch that shapes may take up
+  /// @param offered   of all pieces: no search at rest ends worse than one of them
   /// @param memo      may be null
   SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
             const std::vector<Mirror>& known, const MatchRules& rules, double slack,
-            SearchMemo* memo);
+            std::vector<Alignments> offered, SearchMemo* memo);
 
   /// Some milliseconds of work. False when it has ended.
   bool advance();
@@ -62,6 +63,7 @@ class SearchRun {
 
   const MatchProblem& match_;
   double slack_;
+  std::vector<Alignments> offered_;
   SearchMemo* memo_;
   std::vector<Search> searches_;
   std::size_t current_ = 0;

@@ -1,13 +1,17 @@
 #include "solve/solver.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
-#include "solve/best_run.h"
+#include "solve/drafted.h"
+#include "solve/effort_run.h"
 #include "solve/paper_run.h"
 #include "solve/placing_rules.h"
 #include "solve/promise.h"
 #include "solve/remarks.h"
+#include "solve/seam_figures.h"
 
 namespace seamwise {
 namespace {
@@ -45,6 +49,8 @@ struct Solver::State {
   Problem problem;
   Pattern pattern;
   MatchRules rules;
+  std::optional<MatchProblem> match;  ///< the pieces as drafted
+  Alignments drafted;
   std::unique_ptr<Run> run;
   double reported = 0;
 };
@@ -63,12 +69,16 @@ Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
   state->pattern = std::move(mesh).value();
   applySeamOptions(p.options, state->pattern);
   state->rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
+  state->match.emplace(makeMatchProblem(state->pattern, restShapes(state->pattern),
+                                        state->pattern.mirrors, state->rules, p.print.group));
+  state->drafted = draftedLayout(p, *state->match);
   std::vector<std::string>* const notes = &state->problem.notes;
   for (std::string& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
-    state->run = std::make_unique<BestRun>(p, state->pattern, carriedMirrors(p), state->rules,
-                                           memo ? &memo->searches : nullptr,
-                                           memo ? &memo->mesh.last->plans : nullptr);
+    state->run = std::make_unique<EffortRun>(p, static_cast<int>(std::ceil(p.options.effort)),
+                                             state->pattern, carriedMirrors(p), state->rules,
+                                             state->drafted, memo ? &memo->searches : nullptr,
+                                             memo ? &memo->mesh.last->plans : nullptr);
   else
     state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, notes);
   return Solver(std::move(state));
@@ -97,7 +107,7 @@ PrintedPattern Solver::unsolved() const {
   PrintedPattern printed;
   printed.pattern = state_->pattern;
   printed.shapes = restShapes(printed.pattern);
-  printed.alignment.resize(printed.pattern.pieces.size());
+  printed.alignment = state_->drafted;
   printed.joins.resize(printed.pattern.seams.size());
   printed.mismatch.resize(printed.pattern.seams.size());
   printed.group = group.data().name;
@@ -131,6 +141,8 @@ Outcome<Result> Solver::finish() {
   result.fit_search = fitAny(group, result.pattern, rest, result.search);
   result.fit_aligned = fitAny(group, result.pattern, rest, result.alignment);
   result.fit = measureFit(group, result.pattern, result.shapes, result.alignment);
+  result.drafted = state_->drafted;
+  measureSeams(group, *state_->match, problem.options.locked, result);
   result.max_moved_cm = greatestMovement(result.pattern, result.shapes);
   result.iterations = run.iterations();
   result.factorisations = run.factorisations();

@@ -1,0 +1,42 @@
+#include "solve/effort_run.h"
+
+#include <utility>
+
+#include "solve/metrics.h"
+
+namespace seamwise {
+
+EffortRun::EffortRun(const Problem& problem, int effort, const Pattern& pattern,
+                     std::vector<Mirror> known, const MatchRules& rules, const Alignments& drafted,
+                     SearchMemo* searches, std::shared_ptr<FittingPlans>* plans)
+    : problem_(problem),
+      effort_(effort),
+      pattern_(pattern),
+      known_(std::move(known)),
+      rules_(rules),
+      drafted_(drafted),
+      searches_(searches),
+      plans_(plans) {
+  begin({drafted_});
+}
+
+void EffortRun::begin(std::vector<Alignments> offered) {
+  run_ = std::make_unique<BestRun>(problem_, pattern_, known_, rules_, std::move(offered),
+                                   searches_, plans_);
+}
+
+double EffortRun::fit(const BestRun& run) const {
+  return fitAny(problem_.print.group, pattern_, run.shapes(), run.alignment());
+}
+
+bool EffortRun::advance() {
+  if (round_ == effort_) return false;
+  if (run_->advance()) return true;
+  if (!best_ || fit(*run_) < fit(*best_)) best_ = std::move(run_);
+  if (++round_ == effort_) return false;
+  ++problem_.options.seed;
+  begin({drafted_, best_->search()});
+  return true;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,49 @@
+#include "solve/seam_figures.h"
+
+#include <algorithm>
+
+#include "solve/seam_rules.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kFarOff = 0.5;     ///< cm
+constexpr double kMovedLine = 0.1;  ///< cm
+
+}  // namespace
+
+void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
+                  const std::vector<EdgeRef>& locked, Result& result) {
+  const Pattern& pattern = result.pattern;
+  const Shapes rest = restShapes(pattern);
+  LocalMeans& all = result.local;
+  all = {};
+  result.figures.assign(pattern.seams.size(), {});
+  double total = 0;
+  for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
+    const Seam& seam = pattern.seams[s];
+    SeamFigures& of = result.figures[s];
+    of.drafted = localMismatch(group, seam, rest, result.drafted);
+    of.placed = localMismatch(group, seam, rest, result.search);
+    of.final = localMismatch(group, seam, result.shapes, result.alignment);
+    of.shaped = movedOf(seam, pattern, result.shapes) > kMovedLine;
+    const SeamMidpoints m = seamMidpoints(seam, result.shapes, result.alignment);
+    double length = 0;
+    for (std::size_t i = 0; i < m.length.size(); ++i) {
+      length += m.length[i];
+      of.whole += m.length[i] * result.mismatch[s][i];
+      if (counts(seam) && group.distance(m.x[i], m.y[i]) > kFarOff) all.off += m.length[i];
+    }
+    of.whole /= length;
+    if (!counts(seam)) continue;
+    if (of.final > kSeenMismatch) of.reason = reasonOf(pattern, seam, match, locked);
+    total += length;
+    all.drafted += length * of.drafted, all.placed += length * of.placed;
+    all.final += length * of.final;
+    all.worst = std::max(all.worst, of.final);
+  }
+  if (total <= 0) return;
+  all.drafted /= total, all.placed /= total, all.final /= total;
+}
+
+}  // namespace seamwise

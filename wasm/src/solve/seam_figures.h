@@ -1,0 +1,12 @@
+#pragma once
+#include "solve/result.h"
+#include "wallpaper/group.h"
+
+namespace seamwise {
+
+/// Fills in a result's figures of seams and their means, from its shapes, alignments and joins.
+/// @param match   of the pieces as drafted
+void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
+                  const std::vector<EdgeRef>& locked, Result& result);
+
+}  // namespace seamwise

@@ -1,0 +1,98 @@
+#include "solve/seam_reasons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "seam/join.h"
+
+namespace seamwise {
+namespace {
+
+/// How far apart two seam lines lie on average, when one is mapped by `linear` and then shifted to
+/// lie best on the other. [cm]
+double apart(const SeamMidpoints& m, const Mat2& linear) {
+  double length = 0, total = 0;
+  Vec2 mean = Vec2::Zero();
+  for (std::size_t i = 0; i < m.x.size(); ++i) {
+    length += m.length[i];
+    mean += m.length[i] * (m.x[i] - linear * m.y[i]);
+  }
+  mean /= length;
+  for (std::size_t i = 0; i < m.x.size(); ++i)
+    total += m.length[i] * (m.x[i] - linear * m.y[i] - mean).norm();
+  return total / length;
+}
+
+/// The rotation, or with `mirrored` the reflection, that lays y best on x.
+Mat2 bestLinear(const SeamMidpoints& m, bool mirrored) {
+  double length = 0;
+  Vec2 mx = Vec2::Zero(), my = Vec2::Zero();
+  for (std::size_t i = 0; i < m.x.size(); ++i) {
+    length += m.length[i];
+    mx += m.length[i] * m.x[i], my += m.length[i] * m.y[i];
+  }
+  mx /= length, my /= length;
+  double dot = 0, turn = 0;
+  for (std::size_t i = 0; i < m.x.size(); ++i) {
+    Vec2 y = m.y[i] - my;
+    if (mirrored) y.x() = -y.x();
+    dot += m.length[i] * y.dot(m.x[i] - mx), turn += m.length[i] * cross(y, m.x[i] - mx);
+  }
+  Mat2 linear = rotation(std::atan2(turn, dot));
+  if (mirrored) linear.col(0) = -linear.col(0);
+  return linear;
+}
+
+/// Angles at which a piece may lie; empty: any.
+std::vector<double> anglesOf(const MatchProblem& match, int piece) {
+  const MatchProblem::Follow& follow = match.pieces[piece];
+  if (follow.mirrored) return follow.angles;
+  const Freedom& freedom = match.leaders[follow.leader].freedom;
+  if (!freedom.isMirrored()) return freedom.angles();
+  std::vector<double> angles;
+  for (const Freedom::Place& place : freedom.places()) angles.push_back(place.angle);
+  return angles;
+}
+
+bool isLocked(const Pattern& pattern, const SeamSide& side, const std::vector<EdgeRef>& locked) {
+  const Piece& piece = pattern.pieces[side.piece];
+  const int k = outlineEdge(piece, side.vertices[0], side.vertices[1]);
+  const auto next = std::upper_bound(piece.edge_start.begin(), piece.edge_start.end(), k);
+  const int edge = static_cast<int>(next - piece.edge_start.begin()) - 1;
+  return std::any_of(locked.begin(), locked.end(), [&](const EdgeRef& ref) {
+    return ref.piece == side.piece && ref.edge == edge;
+  });
+}
+
+}  // namespace
+
+SeamReason reasonOf(const Pattern& pattern, const Seam& seam, const MatchProblem& match,
+                    const std::vector<EdgeRef>& locked) {
+  if (isLocked(pattern, seam.a, locked) || isLocked(pattern, seam.b, locked))
+    return SeamReason::kLocked;
+  if (isGathered(seam)) return SeamReason::kGather;
+  const Alignments as_drafted(pattern.pieces.size());
+  const SeamMidpoints m = seamMidpoints(seam, restShapes(pattern), as_drafted);
+  const auto& elements = match.group.elements();
+  bool has[2] = {false, false};
+  for (const Element& e : elements)
+    if (!e.mirrored || !match.continuous_only) has[e.mirrored] = true;
+  double free[2];
+  for (const bool mirrored : {false, true}) free[mirrored] = apart(m, bestLinear(m, mirrored));
+  const double possible = has[1] ? std::min(free[0], free[1]) : free[0];
+  if (possible > kSeenMismatch)
+    return free[1] > kSeenMismatch ? SeamReason::kSize : SeamReason::kGroup;
+  const std::vector<double> of_a = anglesOf(match, seam.a.piece);
+  const std::vector<double> of_b = anglesOf(match, seam.b.piece);
+  if (of_a.empty() || of_b.empty()) return SeamReason::kOthers;
+  double allowed = std::numeric_limits<double>::infinity();
+  for (const double a : of_a)
+    for (const double b : of_b)
+      for (const Element& e : elements)
+        if (has[e.mirrored] && (seam.a.piece != seam.b.piece || a == b))
+          allowed = std::min(allowed, apart(m, rotation(a) * e.A * rotation(-b)));
+  return allowed > kSeenMismatch ? SeamReason::kGrain : SeamReason::kOthers;
+}
+
+}  // namespace seamwise
