@@ -9,7 +9,7 @@ it('shows a sample garment, and its live answer without being asked', async () =
   const page = await openPage();
   await page.getByRole('application', {name: 'Pattern'}).waitFor();
   await solved(page);
-  const fit = page.getByLabel('Fit', {exact: true});
+  const fit = page.getByLabel('How well it meets', {exact: true});
   expect(await fit.textContent()).toMatch(/Worst [\d.]+ mm: .+\. Before, [\d.]+ mm on average\./);
 });
 

@@ -4,6 +4,7 @@ import type {GroupName, Print} from '../model/print.js';
 import type {Problem} from '../model/problem.js';
 import type {SeamReason, SolveResult} from '../model/result.js';
 import type {Repeat} from '../model/wallpaper.js';
+import {finalFit, meanOf} from '../picture/fit.js';
 import {bandsOf} from './bands.js';
 import {parsed, type Proposal} from './remedy.js';
 
@@ -13,14 +14,34 @@ const most = 4;
 /** In the order in which they are worth a try. */
 export function proposals(problem: Problem, result: SolveResult): readonly Proposal[] {
   const options = parsed(problem.options);
-  const off = (...reasons: readonly SeamReason[]): number[] =>
-    result.seams.flatMap(({why}, seam) => (why && reasons.includes(why) ? [seam] : []));
+  const known = reasons(result);
+  const off = (...some: readonly SeamReason[]): number[] =>
+    known.flatMap((why, seam) => (why && some.includes(why) ? [seam] : []));
   return [
     ...turns(options, result, off('grain')),
     ...ungathered(options, off('gather')),
     ...mirrored(parsed(problem.print), off('group')),
     ...smaller(parsed(problem.print), off('size', 'others')),
   ].slice(0, most);
+}
+
+/** What a seam misses by at most, on average, without a reason being asked for. [cm] */
+const meets = 0.3;
+/** Sides that differ by more than this part of their length are gathered. */
+const gathered = 0.1;
+
+/**
+ * Why each seam stays off, if it does. Where a result does not say, gathers are known by their lengths; elsewhere the
+ * grain is looked at first, and what does not help is not offered.
+ */
+function reasons(result: SolveResult): readonly (SeamReason | undefined)[] {
+  const {seams} = finalFit(result);
+  return result.seams.map(({why, local, lengthRatio}, k) => {
+    const fit = seams[k];
+    if (why ?? local ?? !fit?.counts) return why;
+    if (fit && meanOf(fit) <= meets) return undefined;
+    return Math.abs(lengthRatio - 1) > gathered ? 'gather' : 'grain';
+  });
 }
 
 /** How a piece lies, as far as the options say. */

@@ -13,9 +13,11 @@ export class KeepImproving extends DeskElement {
         display: flex;
         flex-wrap: wrap;
         align-items: baseline;
-        gap: 0 var(--sw-space-2);
         min-height: 1.5rem;
         color: var(--sw-soft);
+      }
+      span:not(:empty) {
+        margin-inline-end: var(--sw-space-2);
       }
     `,
   ];
@@ -27,7 +29,7 @@ export class KeepImproving extends DeskElement {
     const improving = afterwards.improving(design);
     const isDone = 2 * (design.options.effort ?? 1) > mostEffort;
     return html`
-      <span role="status">${this.#words(improving)}</span>
+      <span role="status" aria-label=${improve.label}>${this.#words(improving)}</span>
       ${
         improving?.isRunning
           ? this.#button(improve.stop, () => {

@@ -19,9 +19,6 @@ export class StaysOff extends DeskElement {
     controls,
     css`
       section {
-        display: grid;
-        gap: var(--sw-space-2);
-        margin-top: var(--sw-space-2);
         padding: var(--sw-space-3);
         border-radius: var(--sw-radius);
         background: var(--sw-tint);
@@ -29,7 +26,7 @@ export class StaysOff extends DeskElement {
       ul {
         display: grid;
         gap: var(--sw-space-1);
-        margin: 0;
+        margin: var(--sw-space-1) 0 0;
         padding: 0;
         list-style: none;
       }
@@ -45,6 +42,7 @@ export class StaysOff extends DeskElement {
         width: 100%;
         height: auto;
         min-height: 2.25rem;
+        margin-top: var(--sw-space-2);
         justify-content: start;
         padding-block: var(--sw-space-1);
         text-align: start;

@@ -90,6 +90,7 @@ export class Headline extends DeskElement {
             </output>`
           : nothing
       }
+      <sw-keep-improving .desk=${this.desk}></sw-keep-improving>
       <sw-stays-off .desk=${this.desk} .samples=${this.samples}></sw-stays-off>
       ${this.#cost(after.mean)} ${this.#more(result.metrics)} ${this.#notes(result.notes)}
     `;

@@ -261,7 +261,7 @@ export const de: Texts = {
     more: 'Weitere Zahlen',
     area: 'Länge mal Versatz',
     noSeams: 'Keine Nähte, die sich treffen könnten',
-    fit: 'Passung',
+    fit: 'Wie gut es sich trifft',
     percentOfRandom: (percent) => `${percent} von zufällig gelegten Teilen`,
     proven: 'Keine andere Lage passt besser.',
     nearlyProven: (percent) => `Keine andere Lage passt mehr als ${percent} besser.`,
@@ -293,6 +293,7 @@ export const de: Texts = {
     effect: (before, after) => `${before} → ${after}`,
   },
   improve: {
+    label: 'Verbesserung',
     begin: 'Weiter verbessern',
     note: 'Sucht länger nach einer besseren Lösung, nebenbei',
     looking: 'Eine bessere Lösung wird gesucht …',

@@ -254,7 +254,7 @@ export const en = {
     more: 'More figures',
     area: 'Length times mismatch',
     noSeams: 'No seams to match',
-    fit: 'Fit',
+    fit: 'How well it meets',
     percentOfRandom: (percent: string) => `${percent} of pieces laid at random`,
     proven: 'No other placing fits better.',
     nearlyProven: (percent: string) => `No other placing fits more than ${percent} better.`,
@@ -285,6 +285,7 @@ export const en = {
     effect: (before: string, after: string) => `${before} → ${after}`,
   },
   improve: {
+    label: 'Improvement',
     begin: 'Keep improving',
     note: 'Looks longer for a better answer, while you go on',
     looking: 'Looking for a better answer …',
