@@ -5,10 +5,11 @@ import {expect, it, vi} from 'vitest';
 import type {PatternPane} from '../../web/src/element/index.js';
 import type {Point} from '../../web/src/model/geometry.js';
 import type {SolveOptions} from '../../web/src/model/options.js';
+import type {SolveResult} from '../../web/src/model/result.js';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {clickPiece, clickSeam, seamOf} from '../support/page-pattern.js';
-import {button, showSample, solved, usePage} from '../support/page.js';
+import {button, saved, showSample, solved, usePage} from '../support/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -45,6 +46,24 @@ async function clickEdge(page: Page, name: string, edge: number): Promise<void> 
   await page.mouse.click(at[0], at[1]);
 }
 
+/** How far vertices of a result lie from where they were drafted, at most, where the edge of the file is this. [cm] */
+async function movedAlong(page: Page, name: string, edge: number): Promise<number> {
+  const result = JSON.parse(await saved(page, 'Save result')) as SolveResult;
+  const edges = await page.locator('sw-pattern').evaluate((pane: PatternPane, wanted) => {
+    const piece = pane.desk.pattern?.pieces.find((one) => one.name === wanted);
+    return {outline: piece?.outline ?? [], edges: piece?.edges ?? []};
+  }, name);
+  const piece = result.pieces.find((one) => one.name === name);
+  const moved = edges.outline.flatMap((v, k) => {
+    const [from, to] = [piece?.rest[v], piece?.shape[v]];
+    return edges.edges[k] === edge && from && to
+      ? [Math.hypot(to[0] - from[0], to[1] - from[1])]
+      : [];
+  });
+  expect(moved.length).toBeGreaterThan(0);
+  return Math.max(...moved);
+}
+
 it('keeps a hem that is clicked, lets it go with the next click, and undoes both', async () => {
   const page = await openPage();
   await showSample(page, 'tee');
@@ -72,6 +91,8 @@ it('keeps a sewn edge and its mirror image, and says so in both tables', async (
   const box = page.getByRole('checkbox', {name: 'Kept as drafted: Front'});
   expect(await box.evaluate((input: HTMLInputElement) => input.indeterminate)).toBe(true);
   expect(await lockedOf(page)).toEqual({front: [1]});
+  await solved(page);
+  for (const edge of [1, 7]) expect(await movedAlong(page, 'front', edge)).toBeLessThan(0.02);
 });
 
 it('keeps a whole piece and its twin, from the picture or from the table', async () => {
