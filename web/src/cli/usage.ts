@@ -7,6 +7,7 @@ seamwise align GARMENT.json --print PRINT.json [flags]
     --method best|paper|ws19    best, the default; the others are published methods to compare with
     --options FILE              weights, grain, pins and limits, as JSON
     --max-change CM             no outline moves further; 0 keeps every outline and only places
+    --effort N                  looks N times as long, from 1, the default; never worse for it
     --seed N                    same seed, same input, same result; default 1
     --out RESULT.json           writes the solved pattern
     --json                      prints the figures as JSON

@@ -84,21 +84,11 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
     printName: names.print,
     symmetry: jsonText(symmetry, names.symmetry),
     symmetryName: names.symmetry,
-    ...searched(
-      problem.options === undefined ? '' : jsonText(problem.options, names.options),
-      seed,
-    ),
+    options: problem.options === undefined ? '' : jsonText(problem.options, names.options),
     optionsName: names.options,
     method,
+    seed,
   };
-}
-
-/** The core does not know `effort`: a search with more of it begins elsewhere. */
-function searched(options: string, seed: number): Pick<ProblemTexts, 'options' | 'seed'> {
-  const [given, effort] = /"effort"\s*:\s*(\d+(?:\.\d+)?)\s*,?/.exec(options) ?? [];
-  if (given === undefined) return {options, seed};
-  const rest = options.replace(given, '').replace(/,\s*}/, '}');
-  return {options: rest, seed: (seed + Math.ceil(Number(effort)) - 1) % 0x1_0000_0000};
 }
 
 /** @throws {SolverError} for what cannot be handed to the core at all */

@@ -1,0 +1,46 @@
+import {readFileSync} from 'node:fs';
+
+import {remedies, solve} from 'seamwise/node';
+import {expect, it} from 'vitest';
+
+import {finalFit, fitOf, meanOf, worstOf} from '../../web/src/picture/fit.js';
+import {sample} from './garments.js';
+
+const print = readFileSync(new URL('../../public/prints/cm.json', import.meta.url), 'utf8');
+const problem = {
+  garment: sample('gathered-skirt'),
+  print,
+  options: {grain: {default: 'on'}},
+} as const;
+
+it('has the same figures in the result as everywhere else, and no worst seam below the average', async () => {
+  const result = await solve(problem);
+  const {localCm} = result.metrics;
+  const final = finalFit(result);
+  const drafted = fitOf(result, 'rest', result.drafted ?? []);
+  expect(localCm?.final).toBeCloseTo(final.mean, 9);
+  expect(localCm?.drafted).toBeCloseTo(drafted.mean, 5);
+  expect(localCm?.worst).toBeCloseTo(worstOf(final)?.mean ?? NaN, 9);
+  expect(localCm?.worst).toBeGreaterThanOrEqual(localCm?.final ?? NaN);
+  result.seams.forEach(({local}, k) => {
+    const [seam, before] = [final.seams[k], drafted.seams[k]];
+    expect(local?.final).toBeCloseTo(seam ? meanOf(seam) : NaN, 9);
+    expect(local?.drafted).toBeCloseTo(before ? meanOf(before) : NaN, 5);
+  });
+});
+
+it('offers to leave gathers out, and says what that gains', async () => {
+  const result = await solve(problem);
+  expect(result.seams.filter(({why}) => why === 'gather')).not.toEqual([]);
+  const [remedy] = await remedies(problem, result);
+  expect(remedy).toMatchObject({kind: 'ungather', pieces: []});
+  expect(remedy?.after).toBeLessThan(0.6 * (remedy?.before ?? 0));
+  const tried = await solve({...problem, options: {...problem.options, ...remedy?.change.options}});
+  expect(finalFit(tried).mean).toBeCloseTo(remedy?.after ?? NaN, 9);
+});
+
+it('takes no more time for remedies than somebody gives it', async () => {
+  const result = await solve(problem);
+  const reason = new Error('enough');
+  await expect(remedies(problem, result, {signal: AbortSignal.abort(reason)})).rejects.toBe(reason);
+});
