@@ -215,11 +215,11 @@ it('gives the pieces to cut in millimetres, and a picture', async () => {
   await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
   await garmentShown(page, 'squares.json');
   await solved(page);
-  await button(page, 'Save …').click();
   const svg = await saved(page, 'Pieces to cut');
   const [, width] = /^<svg [^>]*\bwidth="([\d.]+)mm"/.exec(svg) ?? [];
   // both lie side by side, with an allowance of 1 cm around each
   expect(Number(width)).toBeGreaterThan(840);
+  await button(page, 'Save …').click();
   const [download] = await Promise.all([
     page.waitForEvent('download'),
     button(page, 'Save picture').click(),

@@ -5,7 +5,14 @@ import {expect, it, vi} from 'vitest';
 import type {SeamwisePage} from '../../web/src/app/page.js';
 import {designOf} from '../support/page-design.js';
 import {chooseGroup, groupOf, quiet, reloaded} from '../support/page-quiet.js';
-import {button, showSample, solved, usePage, type PageOptions} from '../support/page.js';
+import {
+  button,
+  cancelButton,
+  showSample,
+  solved,
+  usePage,
+  type PageOptions,
+} from '../support/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -17,8 +24,8 @@ it('comes back to the same design after a reload during a solve, and solves it',
   await solved(page);
   await showSample(page, 'patchwork-jacket');
   const {garment} = await designOf(page);
-  const left = button(page, 'Cancel').evaluate(async (cancel: HTMLButtonElement) => {
-    while (cancel.disabled) await new Promise(requestAnimationFrame); // until a solve begins
+  const left = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
+    while (cancel.hidden) await new Promise(requestAnimationFrame); // until a solve begins
     setTimeout(() => {
       location.reload();
     });

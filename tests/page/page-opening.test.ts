@@ -1,7 +1,7 @@
 /** What somebody sees who opens the page, and the first things they do. */
 import {expect, it} from 'vitest';
 
-import {button, saved, solved, usePage} from '../support/page.js';
+import {button, cancelButton, saved, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();
 
@@ -17,11 +17,17 @@ it('names all that tests and screen readers rely on', async () => {
   const page = await openPage();
   await solved(page);
   for (const name of [
-    ...['Align', 'Cancel', 'Undo', 'Redo', 'Open garment', 'Open print', 'Save project'],
-    ...['Save result', 'Symmetric piece', 'Symmetric pair', 'Accept all symmetries'],
+    ...['Undo', 'Redo', 'Open garment', 'Open print', 'Save …'],
+    ...['Symmetric piece', 'Symmetric pair', 'Move print', 'Accept all symmetries'],
   ]) {
     expect(await button(page, name).count(), name).toBe(1);
   }
+  // nobody has to ask for what comes by itself, or to end what has ended
+  for (const name of ['Align', 'Cancel']) expect(await button(page, name).count(), name).toBe(0);
+  await button(page, 'Save …').click();
+  for (const name of ['Save project', 'Save result', 'Save picture', 'Pieces to cut', 'Copy link'])
+    expect(await button(page, name).count(), name).toBe(1);
+  await page.keyboard.press('Escape');
   for (const name of ['Pieces', 'Seams'])
     expect(await page.getByRole('table', {name, exact: true}).count(), name).toBe(1);
   for (const name of ['Repeat width (cm)', 'Repeat height (cm)', 'Greatest change (mm)'])
@@ -32,9 +38,9 @@ it('names all that tests and screen readers rely on', async () => {
 it('cancels within a tenth of a second, and aligns again when asked', async () => {
   const page = await openPage();
   await solved(page);
-  const measured = button(page, 'Cancel').evaluate(async (cancel: HTMLButtonElement) => {
+  const measured = cancelButton(page).evaluate(async (cancel: HTMLButtonElement) => {
     const status = (cancel.getRootNode() as ShadowRoot).querySelector('sw-progress')?.shadowRoot;
-    while (cancel.disabled) await new Promise(requestAnimationFrame);
+    while (cancel.hidden) await new Promise(requestAnimationFrame);
     const begun = performance.now();
     cancel.click();
     // asked within the same task: a frame drawn in software would count as waiting

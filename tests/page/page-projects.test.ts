@@ -113,6 +113,7 @@ it('calls window and files by the name that somebody gives a project', async () 
   await expect.poll(() => page.title()).toBe('For Ada: 1/2 – Seamwise');
   await page.keyboard.press('Escape');
   await list.waitFor({state: 'hidden'});
+  await button(page, 'Save …').click();
   const [file] = await Promise.all([
     page.waitForEvent('download'),
     button(page, 'Save project').click(),

@@ -84,6 +84,9 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
 export const button = (page: Page, name: string): Locator =>
   page.getByRole('button', {name, exact: true});
 
+/** The button that ends a solve while there is one. */
+export const cancelButton = (page: Page): Locator => page.locator('sw-editor .solving button');
+
 export const progress = (page: Page): Locator => page.getByRole('status', {name: 'Progress'});
 
 /** Waits for the final answer to what is asked now. */
@@ -102,8 +105,9 @@ export async function showSample(page: Page, style: string): Promise<void> {
   await solved(page);
 }
 
-/** What a button gives to save, as text. */
+/** What a button of the menu gives to save, as text. */
 export async function saved(page: Page, name: string): Promise<string> {
+  if (!(await button(page, name).isVisible())) await button(page, 'Save …').click();
   const [download] = await Promise.all([page.waitForEvent('download'), button(page, name).click()]);
   return readFile(await download.path(), 'utf8');
 }

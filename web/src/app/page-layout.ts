@@ -9,6 +9,19 @@ export const unseen = css`
   clip-path: inset(50%);
 `;
 
+/** Words of a button that give way to its icon where there is no room for them. */
+export const labelled = css`
+  @container (width < 64rem) {
+    .outlined:has(> .label) {
+      min-width: var(--sw-target);
+      padding: 0;
+    }
+    .label {
+      ${unseen}
+    }
+  }
+`;
+
 /** What the page adds to the editor, whose width decides. */
 export const pageLayout = css`
   sw-editor {
@@ -20,23 +33,15 @@ export const pageLayout = css`
     font-weight: 650;
     letter-spacing: -0.01em;
   }
-  /* words give way to icons where there is no room for them; German ones are longer */
-  @container (width < 80rem) {
-    .label {
-      ${unseen}
-    }
-  }
-  @container (width < 114rem) {
-    .label:lang(de) {
-      ${unseen}
-    }
-  }
+  ${labelled}
   /* the garment and its files make a row of their own */
   @container (width < 40rem) {
-    h1,
+    h1 {
+      ${unseen}
+    }
     sw-project-list,
     sw-settings {
-      order: -1;
+      order: -2;
     }
     sw-garment-choice {
       flex: 1 1 9rem;

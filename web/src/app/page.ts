@@ -8,7 +8,7 @@ import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
 import {pageKeys} from './page-keys.js';
 import type {Projects} from './projects/projects.js';
-import {saveProject, saveResult} from './save.js';
+import {saveProject} from './save.js';
 
 export class SeamwisePage extends DeskElement {
   static override properties = {
@@ -63,13 +63,14 @@ export class SeamwisePage extends DeskElement {
           .blank=${this.blank}
         ></sw-project-list>
         <sw-garment-choice slot="start" .desk=${desk} .samples=${samples}></sw-garment-choice>
-        ${this.#button('start', app.openGarment, icon.open, true, () => void this.#open())}
-        ${this.#button('actions', app.saveProject, icon.project, desk.design !== undefined, () => {
-          saveProject(this);
-        })}
-        ${this.#button('actions', app.saveResult, icon.result, desk.result !== undefined, () => {
-          saveResult(this);
-        })}
+        <button
+          slot="start"
+          class="outlined"
+          title=${app.openGarment}
+          @click=${() => void this.#open()}
+        >
+          ${icon.open} <span class="label">${app.openGarment}</span>
+        </button>
         <sw-save-menu slot="actions" .desk=${desk} .projects=${projects}></sw-save-menu>
         <sw-settings slot="actions" .desk=${desk}></sw-settings>
       </sw-editor>
@@ -90,23 +91,5 @@ export class SeamwisePage extends DeskElement {
   async #open(): Promise<void> {
     const file = await chooseFile('.json,application/json');
     if (file) await openFile(this.desk, this.projects, file, 'chosen as garment');
-  }
-
-  #button(
-    slot: string,
-    label: string,
-    picture: TemplateResult,
-    enabled: boolean,
-    act: () => void,
-  ): TemplateResult {
-    return html`<button
-      slot=${slot}
-      class="outlined"
-      title=${label}
-      ?disabled=${!enabled}
-      @click=${act}
-    >
-      ${picture} <span class="label">${label}</span>
-    </button>`;
   }
 }

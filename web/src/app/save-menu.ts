@@ -1,4 +1,4 @@
-/** What there is to take away beside project and result: a picture, and the pieces to cut. */
+/** What there is to take away. */
 import {css, html, type TemplateResult} from 'lit';
 
 import {
@@ -10,9 +10,9 @@ import {
   type NumberField,
 } from '../element/index.js';
 import {copyLink} from './links/share-link.js';
-import {unseen} from './page-layout.js';
+import {labelled} from './page-layout.js';
 import type {Projects} from './projects/projects.js';
-import {saveCutting, savePicture} from './save.js';
+import {saveCutting, savePicture, saveProject, saveResult} from './save.js';
 
 /** What most sewing patterns have. [cm] */
 const usualAllowance = 1;
@@ -30,6 +30,7 @@ export class SaveMenu extends DeskElement {
 
   static override styles = [
     controls,
+    labelled,
     css`
       :host {
         display: inline-block;
@@ -44,11 +45,6 @@ export class SaveMenu extends DeskElement {
       .rows button {
         justify-content: start;
       }
-      @container (width < 40rem) {
-        .label {
-          ${unseen}
-        }
-      }
     `,
   ];
 
@@ -57,12 +53,19 @@ export class SaveMenu extends DeskElement {
     this.allowance = usualAllowance;
   }
 
+  /** What was asked for is on its way, unless something has to be corrected first. */
+  readonly #close = ({target}: Event): void => {
+    const isWrong = this.renderRoot.querySelector<NumberField>('sw-number-field')?.isWrong;
+    if (!isWrong && target instanceof Element && target.closest('button'))
+      this.renderRoot.querySelector<HTMLElement>('[popover]')?.hidePopover();
+  };
+
   protected override render(): TemplateResult {
     const {app, controls: controlTexts} = this.texts;
     const {desk} = this;
     const {cm, name} = lengthUnit[desk.preferences.units];
     return html`
-      <button class="outlined" popovertarget="save" ?disabled=${!desk.result}>
+      <button class="outlined" popovertarget="save" ?disabled=${!desk.design}>
         ${icon.save} <span class="label">${app.saveMore}</span>
       </button>
       <div
@@ -72,8 +75,25 @@ export class SaveMenu extends DeskElement {
           placeUnder(this.renderRoot.querySelector('button'), currentTarget as HTMLElement);
         }}
       >
-        <div class="rows">
-          <button class="outlined" @click=${() => void savePicture(this)}>
+        <div class="rows" @click=${this.#close}>
+          <button
+            class="outlined"
+            @click=${() => {
+              saveProject(this);
+            }}
+          >
+            ${icon.project} ${app.saveProject}
+          </button>
+          <button
+            class="outlined"
+            ?disabled=${!desk.result}
+            @click=${() => {
+              saveResult(this);
+            }}
+          >
+            ${icon.result} ${app.saveResult}
+          </button>
+          <button class="outlined" ?disabled=${!desk.result} @click=${() => void savePicture(this)}>
             ${icon.save} ${app.savePicture}
           </button>
           <sw-number-field
@@ -90,6 +110,7 @@ export class SaveMenu extends DeskElement {
           ></sw-number-field>
           <button
             class="outlined"
+            ?disabled=${!desk.result}
             @click=${() => {
               this.#saveCutting();
             }}

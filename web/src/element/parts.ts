@@ -25,6 +25,7 @@ import {StaysOff} from './remedies/stays-off.js';
 import {GarmentChoice} from './shell/garment-choice.js';
 import {Headline} from './shell/headline.js';
 import {KeyMap} from './shell/key-map.js';
+import {NoticeBar} from './shell/notice.js';
 import {SolveProgress} from './shell/solve-progress.js';
 import {WaysOut} from './shell/ways-out.js';
 import {SymmetryPanel} from './symmetry/symmetry-panel.js';
@@ -39,6 +40,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-keep-improving': KeepImproving,
   'sw-lens': SeamLens,
   'sw-lens-strip': LensStrip,
+  'sw-notice': NoticeBar,
   'sw-number-field': NumberField,
   'sw-pattern': PatternPane,
   'sw-piece-table': PieceTable,

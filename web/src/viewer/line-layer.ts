@@ -24,6 +24,8 @@ export interface LineStyle {
 export interface Stroke {
   readonly points: readonly Point[];
   readonly closed?: boolean;
+  /** Per point, by how many of its own widths the line is moved there, whatever the zoom. Default: not at all. */
+  readonly shifts?: readonly Point[];
   readonly styles: LineStyle | readonly LineStyle[];
 }
 
@@ -50,6 +52,7 @@ export class LineMaterial extends ShaderMaterial {
       },
       vertexShader: `
       attribute vec4 ends;
+      attribute vec4 shifts;
       attribute vec2 along;
       attribute vec3 ink;
       attribute vec3 stroke;
@@ -62,17 +65,19 @@ export class LineMaterial extends ShaderMaterial {
       varying vec2 extent;  // length of the edge, half the width of the line [device px]
       varying vec3 dashes;  // way to the edge's start, half a dash, period [device px]
       void main() {
-        vec2 way = (ends.zw - ends.xy) * scale;
+        float width = stroke.x * weight * ratio;
+        vec2 way = (ends.zw - ends.xy) * scale + (shifts.zw - shifts.xy) * width;
         float length = length(way);
         vec2 forward = length > 0.0 ? way / length : vec2(1.0, 0.0);
-        float halfWidth = 0.5 * stroke.x * weight * ratio;
+        float halfWidth = 0.5 * width;
         float reach = halfWidth + 1.0;
         at = vec2(mix(-reach, length + reach, position.x), position.y * reach);
         extent = vec2(length, halfWidth);
         dashes = vec3(along.x * scale, 0.5 * stroke.y * ratio, (stroke.y + stroke.z) * ratio);
         colour = ink;
         gl_Position = projectionMatrix * modelViewMatrix * vec4(ends.xy, 0.0, 1.0);
-        gl_Position.xy += 2.0 * (forward * at.x + vec2(-forward.y, forward.x) * at.y) / buffer;
+        vec2 across = vec2(-forward.y, forward.x);
+        gl_Position.xy += 2.0 * (shifts.xy * width + forward * at.x + across * at.y) / buffer;
       }`,
       fragmentShader: `
       varying vec3 colour;
@@ -116,6 +121,7 @@ export class LineLayer {
     const count = strokes.reduce((sum, stroke) => sum + edgeCount(stroke), 0);
     const ends = new Float32Array(4 * count);
     const along = new Float32Array(2 * count);
+    const shifts = new Float32Array(4 * count);
     let edge = 0;
     for (const stroke of strokes) {
       let way = 0;
@@ -126,6 +132,8 @@ export class LineLayer {
         way += Math.hypot(to[0] - from[0], to[1] - from[1]);
         ends.set([...from, ...to], 4 * edge);
         along.set([start, way], 2 * edge);
+        const [first, last] = [stroke.shifts?.[k], stroke.shifts?.[(k + 1) % stroke.points.length]];
+        if (first && last) shifts.set([...first, ...last], 4 * edge);
       }
     }
     this.#ink = new InstancedBufferAttribute(new Uint8Array(3 * count), 3, true);
@@ -136,6 +144,7 @@ export class LineLayer {
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
     geometry.setAttribute('ends', new InstancedBufferAttribute(ends, 4));
     geometry.setAttribute('along', new InstancedBufferAttribute(along, 2));
+    geometry.setAttribute('shifts', new InstancedBufferAttribute(shifts, 4));
     geometry.setAttribute('ink', this.#ink.setUsage(DynamicDrawUsage));
     geometry.setAttribute('stroke', this.#stroke.setUsage(DynamicDrawUsage));
     geometry.instanceCount = count;

@@ -5,7 +5,8 @@ import {pick} from '../picture/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
 import type {PatternScene, SceneSeam, SceneSymmetry} from './scene.js';
 import {atShare, lineOf} from './seam-line.js';
-import {cased, inks, seamStrokes, type Appearance} from './strokes.js';
+import {shiftsOutside} from './outside.js';
+import {axisTicks, besideEdge, cased, inks, seamStrokes, type Appearance} from './strokes.js';
 
 export interface OnPiece {
   readonly piece: number;
@@ -67,10 +68,10 @@ export function overlayStrokes(
   };
   const outline = (piece: number | undefined, styles: LineStyle): Stroke[] => {
     const {points = [], outline: loop = [], holes = []} = scene.pieces[piece ?? -1] ?? {};
-    return [loop, ...holes].map((vertices) => ({
-      ...line(piece ?? 0, pick(points, vertices), styles),
-      closed: true,
-    }));
+    return [loop, ...holes].map((vertices) => {
+      const edge = line(piece ?? 0, pick(points, vertices), styles);
+      return {...edge, closed: true, shifts: shiftsOutside(edge.points, 1, true)};
+    });
   };
   const axis = (piece: number, ends: readonly Point[], colour: LineStyle['colour']): Stroke[] => {
     const dashed = line(piece, ends, {colour, width: 1.6, dash: [5, 7]});
@@ -90,7 +91,7 @@ export function overlayStrokes(
     ...outline(overlay.hoverPiece, {colour: accent, width: 2}),
     ...outline(overlay.selectPiece, {colour: accent, width: 3.5}),
     ...ghosts.flatMap((ghost) =>
-      ghost.kind === 'piece' ? axis(ghost.piece, ghost.axis, quiet) : [],
+      ghost.kind === 'piece' ? axisTicks(scene.pieces[ghost.piece], ghost.axis, quiet) : [],
     ),
     ...rails.flatMap(({piece, line: ends}) => {
       const rail = line(piece, ends, {colour: mark, width: 1, dash: [1, 4]});
@@ -116,8 +117,8 @@ function highlit(
 ): Stroke[] {
   const {accent, casing} = inks[appearance];
   const glow = (side: SeamSide, name: 'a' | 'b'): Stroke => ({
-    points: lineOf(scene, side),
-    styles: {colour: accent, width: pointed === name ? 13 : 9},
+    ...besideEdge(scene, side),
+    styles: {colour: accent, width: pointed === name ? 9 : 7},
   });
   const ends = [seam.a, seam.b].map((side) => atShare(lineOf(scene, side), 0.5).at);
   const joined: Stroke = {

@@ -13,7 +13,7 @@ import {PrintMaterial} from './print-layer.js';
 import {SceneLayers} from './scene-layers.js';
 import {pieceAt, type PatternScene} from './scene.js';
 import {look, Screen} from './screen.js';
-import {millimetres, SeamNotes, type LengthText} from './seam-notes.js';
+import {SeamNotes} from './seam-notes.js';
 import {fitted, panned, toScreen, toSheet, zoomed, type SheetView} from './sheet-view.js';
 import {snapshot} from './snapshot.js';
 import type {Appearance} from './strokes.js';
@@ -34,8 +34,6 @@ export interface PatternViewOptions {
   readonly onPress?: TakesPress;
   /** The wheel scrolls the page, and zooms with ctrl only. */
   readonly leavesWheel?: boolean;
-  /** How the numbers at seams are written. Default: millimetres. */
-  readonly lengthText?: LengthText;
   /** The browser has taken the graphics context away, or given it back, which it may never do. */
   readonly onLost?: (isLost: boolean) => void;
 }
@@ -51,7 +49,6 @@ export class PatternView {
   readonly #labels: Labels;
   readonly #notes = new SeamNotes();
   readonly #chips = new OverlayChips();
-  readonly #lengthText: LengthText;
   readonly #tile: TileTexture;
   readonly #cloth = new PrintMaterial();
   readonly #line = new LineMaterial();
@@ -64,6 +61,7 @@ export class PatternView {
   #overlayLayer: LineLayer | undefined;
   #appearance: Appearance;
   #hasSeams = true;
+  #isBare = false;
   #wipe: Wipe | undefined;
   #movement: {readonly factor: number} | undefined;
   #overlay: Overlay | undefined;
@@ -79,7 +77,6 @@ export class PatternView {
    */
   constructor(host: HTMLElement, options: PatternViewOptions = {}) {
     this.#appearance = options.appearance ?? 'light';
-    this.#lengthText = options.lengthText ?? millimetres;
     this.#screen = new Screen(host, {
       resized: () => {
         if (this.#isFitted) this.fit();
@@ -141,11 +138,20 @@ export class PatternView {
     this.#layAgain();
   }
 
-  /** Whether seams are drawn by how they match, with numbers at the worst. They are by default. */
+  /** Whether seams are drawn by how they match, with ranks at the worst. They are by default. */
   setSeams(hasSeams: boolean): void {
     if (hasSeams === this.#hasSeams) return;
     this.#hasSeams = hasSeams;
     this.#layAgain();
+  }
+
+  /** Whether nothing but the cloth is shown: no lines, no names, no marks; in pictures as well. */
+  setBare(isBare: boolean): void {
+    if (isBare === this.#isBare) return;
+    this.#isBare = isBare;
+    this.#showLines();
+    this.#showWords();
+    this.#screen.request();
   }
 
   /** Shows `before` to the left of the split: the same sheet, so nothing jumps. Cheap when only the split changes. */
@@ -226,7 +232,8 @@ export class PatternView {
     look(this.#camera, this.#line, view, shot);
     const {renderer} = this.#screen;
     const drawn = [this.#after.object, this.#camera] as const;
-    const blob = snapshot(renderer, drawn, scene, shot, this.#appearance);
+    const named = this.#isBare ? {...scene, pieces: []} : scene;
+    const blob = snapshot(renderer, drawn, named, shot, this.#appearance);
     this.#screen.request();
     return blob;
   }
@@ -260,20 +267,36 @@ export class PatternView {
 
   #lay(scene: PatternScene): void {
     const before = this.#scene;
-    const isNew = this.#after.show(scene, this.#appearance, this.#hasSeams);
-    const shown = [scene, this.#appearance, this.#lengthText] as const;
+    const isNew = this.#after.show(scene, this.#appearance);
+    this.#showLines();
+    const shown = [scene, this.#appearance] as const;
     if (isNew) {
       this.#labels.show(scene, this.#appearance);
       this.#notes.show(...shown);
       this.#drawMovement();
     } else if (before?.seams !== scene.seams) this.#notes.update(...shown);
-    this.#notes.element.style.display = this.#hasSeams ? '' : 'none';
+    this.#showWords();
     if (this.#overlay) this.#drawOverlay();
     this.#screen.request();
   }
 
+  #showLines(): void {
+    for (const layers of [this.#after, this.#before])
+      layers.showLines(!this.#isBare, this.#hasSeams);
+  }
+
+  #showWords(): void {
+    const show = (words: {readonly element: HTMLElement}, isShown: boolean): void => {
+      words.element.style.display = isShown ? '' : 'none';
+    };
+    show(this.#labels, !this.#isBare);
+    show(this.#chips, !this.#isBare);
+    show(this.#notes, !this.#isBare && this.#hasSeams);
+  }
+
   #layBefore({before}: Wipe): void {
-    this.#before.show(before, this.#appearance, this.#hasSeams);
+    this.#before.show(before, this.#appearance);
+    this.#showLines();
   }
 
   #layAgain(): void {
@@ -336,7 +359,7 @@ export class PatternView {
     this.#screen.clip(this.#split, size.width);
     renderer.render(this.#after.object, this.#camera);
     this.#screen.clip(0, size.width);
-    renderer.render(this.#over, this.#camera);
+    if (!this.#isBare) renderer.render(this.#over, this.#camera);
   }
 
   /** Where the scene before ends. [CSS px from the left] */

@@ -50,7 +50,7 @@ export class SceneLayers {
   }
 
   /** Cheap when only alignments differ from the scene before. @returns whether all was built anew */
-  show(scene: PatternScene, appearance: Appearance, hasSeams: boolean): boolean {
+  show(scene: PatternScene, appearance: Appearance): boolean {
     const before = this.#shown;
     const isKnown = before && this.#appearance === appearance && sameGeometry(before, scene);
     this.#shown = scene;
@@ -62,8 +62,15 @@ export class SceneLayers {
     if (!isKnown || before.pieces !== scene.pieces || before.print !== scene.print) {
       this.#layers?.print.align(scene.pieces, scene.print);
     }
-    if (this.#layers) this.#layers.seams.object.visible = hasSeams;
     return !isKnown;
+  }
+
+  /** Whether there are lines over the cloth, and those of seams among them. */
+  showLines(isShown: boolean, hasSeams: boolean): void {
+    if (!this.#layers) return;
+    const {outlines, seams, marks} = this.#layers;
+    for (const {object} of [outlines, marks]) object.visible = isShown;
+    seams.object.visible = isShown && hasSeams;
   }
 
   dispose(): void {

@@ -1,26 +1,28 @@
-/** What is written at seams: how far the worst ones miss, and whether the print runs on or is mirrored. */
+/** What is written at seams: which are the worst, and whether the print runs on or is mirrored. */
 import type {Point} from '../model/geometry.js';
-import {textWidth} from '../picture/svg.js';
-import {chipLayer, move, overlap, placeable, textChip, type Box} from './chips.js';
+import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
+import {outsideOf} from './outside.js';
 import type {PatternScene, SceneSeam} from './scene.js';
 import {atShare, lineOf, type OnLine} from './seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
 
-/** No more seams than this get a number, and none whose mean is less. */
-const mostNumbers = 3;
-const leastNumber = 0.1; // cm
+/** No more seams than this get a rank, and none whose mean is less. */
+const mostRanks = 3;
+const leastMean = 0.1; // cm
 /** From here on every seam shows its kind. [CSS px per cm] */
 const glyphScale = 16;
 /** [CSS px] */
 const glyphSize = 18;
-const numberReach = 12;
+/** Of a rank, across; and from the edge to its middle, the nearest that is free of other things. [CSS px] */
+const rankSize = 18;
+const rankReaches = [17, 24, 34, 46];
 
-interface Numbered {
+interface Rank {
   readonly element: HTMLElement;
+  /** Where the seam misses most, on its outer side. */
   readonly at: Point;
-  readonly width: number;
-  readonly height: number;
+  readonly out: Point;
 }
 
 interface Glyph extends OnLine {
@@ -35,23 +37,19 @@ const glyphPaths: Readonly<Record<SceneSeam['kind'], string>> = {
   mirrored: 'M5 3L9 7.5L13 3M5 15L9 10.5L13 15',
 };
 
-/** 3.4 mm, or whatever the page makes of it. */
-export type LengthText = (cm: number) => string;
-export const millimetres: LengthText = (cm) => `${(10 * cm).toFixed(cm < 1 ? 1 : 0)} mm`;
-
 export class SeamNotes {
   readonly element = chipLayer();
-  readonly #numberLayer = chipLayer();
+  readonly #rankLayer = chipLayer();
   readonly #glyphLayer = chipLayer();
-  #numbers: readonly Numbered[] = [];
+  #ranks: readonly Rank[] = [];
   #glyphs: readonly Glyph[] = [];
   #highlit: number | undefined;
 
   constructor() {
-    this.element.append(this.#glyphLayer, this.#numberLayer);
+    this.element.append(this.#glyphLayer, this.#rankLayer);
   }
 
-  show(scene: PatternScene, appearance: Appearance, lengthText: LengthText): void {
+  show(scene: PatternScene, appearance: Appearance): void {
     this.#glyphs = scene.seams.flatMap((seam, number) => {
       if (!seam.counts) return [];
       return [seam.a, seam.b].map((side) => {
@@ -60,30 +58,33 @@ export class SeamNotes {
       });
     });
     this.#glyphLayer.replaceChildren(...this.#glyphs.map(({element}) => element));
-    this.update(scene, appearance, lengthText);
+    this.update(scene, appearance);
   }
 
   /** After the print has come to lie otherwise along the same seams. */
-  update(scene: PatternScene, appearance: Appearance, lengthText: LengthText): void {
+  update(scene: PatternScene, appearance: Appearance): void {
     for (const {seam, ink} of this.#glyphs) {
       const path = glyphPaths[scene.seams[seam]?.kind ?? 'continuous'];
       for (const stroke of ink) stroke.setAttribute('d', path);
     }
     const worst = scene.seams
-      .filter(({counts, mean}) => counts && mean > leastNumber)
+      .filter(({counts, mean}) => counts && mean > leastMean)
       .sort((a, b) => b.mean - a.mean)
-      .slice(0, mostNumbers);
-    const texts = worst.map((seam) => lengthText(seam.worst.mismatch));
-    const chips = texts.map((text) => textChip(text, appearance));
-    this.#numberLayer.replaceChildren(...chips);
-    this.#numbers = worst.flatMap((seam, k) => {
-      const element = chips[k];
+      .slice(0, mostRanks);
+    this.#ranks = worst.flatMap((seam, k) => {
       const [from, to] = lineOf(scene, seam.a).slice(seam.worst.edge);
-      if (!element || !from || !to) return [];
-      const at: Point = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
-      // not measured: that would lay the whole page out while answers stream in
-      return [{element, at, width: 16 + textWidth(texts[k] ?? '', 11), height: 18}];
+      if (!from || !to) return [];
+      const side = outsideOf(scene.pieces[seam.a.piece], seam.a.vertices);
+      const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
+      return [
+        {
+          element: rankChip(k + 1, appearance),
+          at: [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2],
+          out: [(side * (to[1] - from[1])) / length, (side * (from[0] - to[0])) / length],
+        },
+      ];
     });
+    this.#rankLayer.replaceChildren(...this.#ranks.map(({element}) => element));
   }
 
   /** Shows the kind of one seam at any zoom. */
@@ -91,13 +92,14 @@ export class SeamNotes {
     this.#highlit = seam;
   }
 
-  /** Follows the drawing; numbers stay clear of what is `taken`. */
+  /** Follows the drawing; ranks stay clear of what is `taken`. */
   place(view: SheetView, size: ScreenSize, taken: readonly Box[]): void {
     const all = [...taken];
-    for (const {element, at, width, height} of this.#numbers) {
-      const box = around(toScreen(view, size, at), width, height).find(
-        (place) => isWithin(place, size) && !all.some((other) => overlap(other, place)),
-      );
+    for (const {element, at, out} of this.#ranks) {
+      const [x, y] = toScreen(view, size, at);
+      const box = rankReaches
+        .map((reach) => squareAt([x + reach * out[0], y - reach * out[1]]))
+        .find((place) => isWithin(place, size) && !all.some((other) => overlap(other, place)));
       if (box) all.push(box);
       move(element, box && [box.left, box.top]);
     }
@@ -147,12 +149,25 @@ function glyph(appearance: Appearance): {element: SVGElement; ink: readonly SVGE
 const isWithin = ({left, top, right, bottom}: Box, {width, height}: ScreenSize): boolean =>
   left >= 0 && top >= 0 && right <= width && bottom <= height;
 
-/** Places beside a point. */
-function around([x, y]: Point, width: number, height: number): readonly Box[] {
-  const at = (dx: number, dy: number): Box => {
-    const left = x + dx * (numberReach + width / 2) - width / 2;
-    const top = y + dy * (numberReach + height / 2) - height / 2;
-    return {left, top, right: left + width, bottom: top + height};
-  };
-  return [at(1, 0), at(-1, 0), at(0, -1), at(0, 1), at(1, -1), at(-1, -1), at(1, 1), at(-1, 1)];
+const squareAt = ([x, y]: Point): Box => ({
+  left: x - rankSize / 2,
+  top: y - rankSize / 2,
+  right: x + rankSize / 2,
+  bottom: y + rankSize / 2,
+});
+
+function rankChip(rank: number, appearance: Appearance): HTMLElement {
+  const {text, paper} = chipColours[appearance];
+  const element = placeable(document.createElement('span'), {
+    boxSizing: 'border-box',
+    width: `${rankSize}px`,
+    height: `${rankSize}px`,
+    borderRadius: '50%',
+    background: text,
+    color: paper,
+    textAlign: 'center',
+    font: `600 11px/${rankSize}px system-ui, sans-serif`,
+  });
+  element.textContent = String(rank);
+  return element;
 }

@@ -1,9 +1,10 @@
-/** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. */
+/** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. Those of an edge lie outside of it. */
 import type {Point} from '../model/geometry.js';
 import {mismatchLine} from '../picture/colours.js';
 import {pick} from '../picture/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
 import type {PatternScene, ScenePiece, SceneSeam} from './scene.js';
+import {endsOnOutline, outsideOf, shiftsOutside} from './outside.js';
 import {lineOf} from './seam-line.js';
 
 /** Light or dark surroundings. */
@@ -55,9 +56,10 @@ const shifted = (piece: ScenePiece | undefined, points: readonly Point[]): Point
   return points.map(([x, y]) => [x + dx, y + dy]);
 };
 
-/** What lies under a stroke, a little wider and without gaps. */
+/** What lies under a stroke, a little wider and without gaps; beside an edge, on the outer side alone. */
 export function cased(stroke: Stroke, colour: Colour): Stroke {
-  const under = ({width}: LineStyle): LineStyle => ({colour, width: width + 2.2});
+  const wider = stroke.shifts ? 1.2 : 2.2;
+  const under = ({width}: LineStyle): LineStyle => ({colour, width: width + wider});
   const {styles} = stroke;
   return {...stroke, styles: 'width' in styles ? under(styles) : styles.map(under)};
 }
@@ -65,11 +67,10 @@ export function cased(stroke: Stroke, colour: Colour): Stroke {
 export function outlineStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
   const styles = {colour: inks[appearance].outline, width: 1.5};
   return scene.pieces.flatMap((piece) =>
-    [piece.outline, ...piece.holes].map((loop) => ({
-      points: placed(piece, loop),
-      closed: true,
-      styles,
-    })),
+    [piece.outline, ...piece.holes].map((loop) => {
+      const points = placed(piece, loop);
+      return {points, closed: true, shifts: shiftsOutside(points, 1, true), styles};
+    }),
   );
 }
 
@@ -91,6 +92,16 @@ function seamStyles(
   });
 }
 
+/** A side of a seam, on the outside of its piece. */
+export function besideEdge(
+  scene: PatternScene,
+  side: SceneSeam['a'],
+): Required<Pick<Stroke, 'points' | 'shifts'>> {
+  const points = lineOf(scene, side);
+  const outside = outsideOf(scene.pieces[side.piece], side.vertices);
+  return {points, shifts: shiftsOutside(points, outside)};
+}
+
 /** Both sides of some seams, over a casing. */
 export function seamStrokes(
   scene: PatternScene,
@@ -100,7 +111,7 @@ export function seamStrokes(
   const {casing, quiet} = inks[appearance];
   const sides = seams.flatMap((seam) => {
     const styles = seamStyles(seam, scene, quiet);
-    return [seam.a, seam.b].map((side): Stroke => ({points: lineOf(scene, side), styles}));
+    return [seam.a, seam.b].map((side): Stroke => ({...besideEdge(scene, side), styles}));
   });
   return [...sides.map((side) => cased(side, casing)), ...sides];
 }
@@ -130,20 +141,47 @@ export function arrowHead(tail: Point, tip: Point): Point[] {
   return [barb(1), tip, barb(-1)];
 }
 
-/** Mirror axes, dashed, and grain lines with an arrow head at each end. */
+/** Of a grain line, the parts that are drawn: the print between them is left alone. [cm] */
+const grainEnd = 2.5;
+
+/** Beyond the outline at both ends of a mirror axis, so long whatever the zoom. */
+export function axisTicks(
+  piece: ScenePiece | undefined,
+  axis: readonly [Point, Point],
+  colour: Colour,
+): readonly Stroke[] {
+  if (!piece) return [];
+  return endsOnOutline(piece, axis).map(({at, out}): Stroke => {
+    const reach = (widths: number): Point => [widths * out[0], widths * out[1]];
+    return {
+      points: shifted(piece, [at, at]),
+      shifts: [reach(1), reach(2.9)], // ends above the name
+      styles: {colour, width: 2.4},
+    };
+  });
+}
+
+/** Ticks of mirror axes, and the ends of grain lines with an arrow head each. */
 export function markStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
   const {casing, mark} = inks[appearance];
   const grain = scene.pieces.flatMap((piece) => {
     const [from, to] = shifted(piece, piece.grain ?? []);
     if (!from || !to) return [];
-    const lines = [[from, to], arrowHead(from, to), arrowHead(to, from)];
+    const share = Math.min(0.5, grainEnd / (Math.hypot(to[0] - from[0], to[1] - from[1]) || 1));
+    const toward = (a: Point, b: Point): Point => [
+      a[0] + share * (b[0] - a[0]),
+      a[1] + share * (b[1] - a[1]),
+    ];
+    const lines = [
+      [from, toward(from, to)],
+      [to, toward(to, from)],
+      arrowHead(from, to),
+      arrowHead(to, from),
+    ];
     return lines.map((points): Stroke => ({points, styles: {colour: mark, width: 1}}));
   });
-  const axes = scene.symmetries.flatMap((symmetry): Stroke[] => {
-    if (symmetry.kind === 'pair') return [];
-    const points = shifted(scene.pieces[symmetry.piece], symmetry.axis);
-    return [{points, styles: {colour: mark, width: 1.4, dash: [7, 5]}}];
-  });
-  const lines = [...grain, ...axes];
-  return [...lines.map((line) => cased(line, casing)), ...lines];
+  const axes = scene.symmetries.flatMap((symmetry) =>
+    symmetry.kind === 'pair' ? [] : axisTicks(scene.pieces[symmetry.piece], symmetry.axis, mark),
+  );
+  return [...grain.map((line) => cased(line, casing)), ...grain, ...axes];
 }

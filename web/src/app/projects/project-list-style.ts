@@ -32,7 +32,7 @@ export const projectListStyle = css`
   }
   .icon {
     flex: none;
-    width: 2rem;
+    width: var(--sw-target);
     padding: 0;
   }
   .body {

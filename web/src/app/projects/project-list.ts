@@ -6,6 +6,7 @@ import {repeat} from 'lit/directives/repeat.js';
 import {controls, DeskElement, icon} from '../../element/index.js';
 import type {Design} from '../../model/design.js';
 import {longestName} from '../../model/project-name.js';
+import {labelled} from '../page-layout.js';
 import {projectListStyle} from './project-list-style.js';
 import type {ProjectEntry, Projects} from './projects.js';
 
@@ -16,7 +17,7 @@ export class ProjectList extends DeskElement {
     blank: {attribute: false},
     entries: {state: true},
   };
-  static override styles = [controls, projectListStyle];
+  static override styles = [controls, labelled, projectListStyle];
   declare projects: Projects;
   /** What is shown once the last project is deleted. */
   declare blank: () => Promise<Design>;

@@ -12,7 +12,7 @@ export class Settings extends DeskElement {
     controls,
     css`
       button {
-        width: 2rem;
+        width: var(--sw-target);
         padding: 0;
       }
       select {

@@ -1,8 +1,8 @@
 import {css} from 'lit';
 
 /**
- * By the width of the editor itself, wherever it stands. `--sw-editor-height` is how high it is where there is
- * room for columns; where there is none, it is as high as what it holds.
+ * By the width of the editor itself, wherever it stands. `--sw-editor-height` is how high it is. The pattern is
+ * always in sight: what scrolls stands beside it, or where that is too narrow, below it.
  */
 export const editorLayout = css`
   :host {
@@ -17,6 +17,7 @@ export const editorLayout = css`
       'header header header' auto
       'setup pattern report' minmax(0, 1fr) / 20rem minmax(0, 1fr) 24rem;
     height: var(--height);
+    overflow: hidden;
     background: var(--sw-ground);
   }
   header {
@@ -35,24 +36,36 @@ export const editorLayout = css`
   .solving {
     display: flex;
     align-items: center;
+    justify-content: end;
     gap: var(--sw-space-2);
   }
-  sw-progress {
-    flex: 1;
+  .solving button {
+    min-width: 5.5rem;
+  }
+  .solving sw-progress {
+    overflow-x: clip; /* its bar lies below it */
+    white-space: nowrap;
+  }
+  .solving [hidden] {
+    display: inline-flex;
+    visibility: hidden; /* its room stays */
   }
   .icon {
-    width: 2rem;
+    width: var(--sw-target);
     padding: 0;
   }
   .pattern {
     grid-area: pattern;
     display: grid;
-    grid-template-rows: auto minmax(0, 1fr);
+    grid-template: auto minmax(0, 1fr) / minmax(0, 1fr);
     position: relative;
     min-height: 0;
   }
   sw-pattern {
     grid-row: 2;
+  }
+  .side {
+    display: contents;
   }
   section {
     overflow-y: auto;
@@ -67,24 +80,21 @@ export const editorLayout = css`
     grid-area: report;
     border-left: 1px solid var(--sw-line);
   }
-  .notice {
-    position: absolute;
-    left: 50%;
-    bottom: var(--sw-space-4);
-    translate: -50% 0;
-    display: flex;
-    align-items: center;
-    gap: var(--sw-space-3);
-    width: max-content;
-    max-width: min(36rem, calc(100% - 2rem));
-    padding: var(--sw-space-2) var(--sw-space-2) var(--sw-space-2) var(--sw-space-4);
-    border: 1px solid var(--sw-line);
-    border-radius: var(--sw-radius);
-    background: var(--sw-raised);
+  .tabs {
+    display: none;
   }
-  .notice.error {
-    border-color: var(--sw-bad);
-    background: var(--sw-bad-tint);
+  /* the room that they take once there is an answer */
+  sw-headline {
+    min-height: 11rem;
+    align-content: start;
+  }
+  sw-lens {
+    min-height: 14.25rem;
+  }
+  @container (64rem <= width < 88rem) {
+    .desk {
+      grid-template-columns: 19rem minmax(0, 1fr) 23rem;
+    }
   }
   @container (width >= 64rem) {
     sw-lens {
@@ -95,27 +105,48 @@ export const editorLayout = css`
     }
     sw-lens[wide] {
       position: absolute;
-      inset: auto 24rem 0 20rem;
+      inset: auto 0 0;
+      grid-column: 2;
+      grid-row: 2;
       border: 1px solid var(--sw-line);
       border-bottom: 0;
     }
-    .pattern:has(+ .report sw-lens[wide]) {
+    .desk:has(sw-lens[wide]) .pattern {
       padding-bottom: 19rem; /* its height */
     }
   }
   @container (width < 64rem) {
-    .desk {
-      display: flex;
-      flex-direction: column;
-      height: auto;
-      min-height: var(--height);
+    .side {
+      grid-area: side;
+      display: grid;
+      grid-template-columns: minmax(0, 1fr);
+      min-height: 0;
       background: var(--sw-paper);
     }
-    .pattern {
-      height: calc(0.62 * var(--height));
-      min-height: 22rem;
+    .setup,
+    .report {
+      grid-area: auto;
     }
-    /* what is asked most often comes first: how well it fits, then the print; the tables last */
+    header {
+      gap: var(--sw-space-1);
+    }
+    .solving sw-progress {
+      min-width: 6.5rem;
+    }
+    .solving button {
+      min-width: 4.75rem;
+    }
+  }
+  /* beside it: how well it fits, then what is asked most often; the tables last */
+  @container (40rem <= width < 64rem) {
+    .desk {
+      grid: 'header header' auto 'pattern side' minmax(0, 1fr) / minmax(0, 1fr) 20rem;
+    }
+    .side {
+      grid-auto-rows: max-content;
+      overflow-y: auto;
+      border-left: 1px solid var(--sw-line);
+    }
     .setup,
     .report {
       display: contents;
@@ -130,21 +161,64 @@ export const editorLayout = css`
     sw-tables {
       order: 3;
     }
+  }
+  /* below it: one sheet at a time */
+  @container (width < 40rem) {
+    .desk {
+      grid: 'header' auto 'pattern' minmax(0, 1fr) 'side' auto / minmax(0, 1fr);
+    }
+    header {
+      padding: var(--sw-space-1) var(--sw-space-2);
+    }
+    /* two rows: the steps and the solve, then what is worked on */
     .gap {
-      display: none;
+      flex: none;
+      order: -1;
+      width: 100%;
+    }
+    .solving,
+    header > .icon {
+      order: -2;
     }
     .solving {
-      flex: 1 0 100%;
+      flex: 1;
+      min-width: 0;
     }
-  }
-  /* three rows: the steps, what else there is, the solve */
-  @container (width < 40rem) {
-    .gap,
-    header > .icon {
+    .tabs {
+      display: flex;
+      border-top: 1px solid var(--sw-line);
+    }
+    .tabs button {
+      flex: 1;
+      min-height: 3rem;
+      padding: 0;
+      border: 0;
+      border-radius: 0;
+      background: none;
+    }
+    .tabs [aria-expanded='true'] {
+      color: var(--sw-accent);
+      font-weight: 600;
+      box-shadow: inset 0 -3px var(--sw-accent);
+    }
+    section {
       order: -1;
+      border: 0;
+      border-top: 1px solid var(--sw-line);
     }
-    .gap {
+    .side section {
+      display: none;
+      height: min(22rem, calc(0.37 * var(--height)));
+    }
+    :is([data-sheet='print'], [data-sheet='cutting']) .setup,
+    :is([data-sheet='fit'], [data-sheet='lists']) .report {
       display: block;
+    }
+    [data-sheet='print'] .setup > :not(sw-print-panel),
+    [data-sheet='cutting'] .setup > sw-print-panel,
+    [data-sheet='fit'] .report > sw-tables,
+    [data-sheet='lists'] .report > :not(sw-tables) {
+      display: none;
     }
   }
 `;

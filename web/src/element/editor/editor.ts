@@ -1,5 +1,5 @@
 /** The editing desk: what is decided on the left, the pattern in the middle, how well it fits on the right. */
-import {html, nothing, type TemplateResult} from 'lit';
+import {html, type TemplateResult} from 'lit';
 
 import {DeskElement} from '../desk-element.js';
 import type {SeamLens} from '../lens/lens.js';
@@ -11,19 +11,34 @@ import type {KeyMap} from '../shell/key-map.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Samples} from '../workbench/samples.js';
+import {sameTarget} from '../workbench/state.js';
+import {stepName} from '../workbench/step-name.js';
+import type {Target} from '../workbench/workbench.js';
 import {editorKeys, type EditorCommands} from './editor-keys.js';
 import {editorLayout} from './editor-layout.js';
+import {KeptHeight} from './kept-height.js';
+
+type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
 
 /**
  * Whoever uses it puts controls of their own into its head: what is being edited into the slot `start`, what can
  * be done with it into `actions`. Where it is narrow, those of `order: -1` join the steps in its first row.
  */
 export class Editor extends DeskElement {
-  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+  static override properties = {
+    ...DeskElement.properties,
+    samples: {attribute: false},
+    sheet: {state: true},
+  };
   /** The prints that come with Seamwise, to choose from. */
   declare samples: Samples | undefined;
+  /** What is open below the pattern where there is no room beside it. */
+  declare protected sheet: Sheet | undefined;
 
   static override styles = [controls, editorLayout];
+
+  #selected: Target | undefined;
+  #headline: KeptHeight | undefined;
 
   readonly #commands: EditorCommands = {
     undo: () => {
@@ -37,6 +52,7 @@ export class Editor extends DeskElement {
 
   constructor() {
     super();
+    this.sheet = 'print';
     this.addEventListener('keydown', (event) => {
       this.press(event);
     });
@@ -50,100 +66,149 @@ export class Editor extends DeskElement {
     editorKeys(event, this.#commands);
   }
 
+  /** A seam that somebody picks in the pattern is to be seen from near. */
+  protected override deskChanged(): void {
+    super.deskChanged();
+    const {selected} = this.desk;
+    if (sameTarget(selected, this.#selected)) return;
+    this.#selected = selected;
+    if (selected?.kind === 'seam' && this.sheet !== 'lists') this.sheet = 'fit';
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#headline?.dispose();
+    this.#headline = undefined;
+  }
+
+  protected override updated(): void {
+    const part = this.renderRoot.querySelector<HTMLElement>('sw-headline');
+    if (!part || !this.isConnected) return;
+    this.#headline ??= new KeptHeight(part);
+    const {garment, symmetries} = this.desk.design ?? {};
+    this.#headline.about = `${garment?.name} ${symmetries?.length ? 'symmetric' : ''}`;
+  }
+
   protected override render(): TemplateResult {
     const {desk} = this;
     const {app} = this.texts;
-    return html`<div class="desk">
+    return html`<div class="desk" data-sheet=${this.sheet ?? 'none'}>
       <header>
         <slot name="start"></slot>
         <span class="gap"></span>
-        ${this.#icon(app.undo, icon.undo, desk.canUndo, this.#commands.undo)}
-        ${this.#icon(app.redo, icon.redo, desk.canRedo, this.#commands.redo)}
+        ${this.#steps()}
         <slot name="actions"></slot>
         <span class="solving">
           <sw-progress .desk=${desk}></sw-progress>
           ${this.#solving()}
         </span>
       </header>
-      <section class="setup" aria-label=${app.setup}>
-        <sw-print-panel .desk=${desk} .samples=${this.samples}></sw-print-panel>
-        <sw-symmetry-panel .desk=${desk}></sw-symmetry-panel>
-        <sw-fit-panel .desk=${desk}></sw-fit-panel>
-      </section>
       <div class="pattern">
         <sw-units-question .desk=${desk}></sw-units-question>
-        <sw-pattern .desk=${desk}></sw-pattern>${this.#notice()}
+        <sw-pattern .desk=${desk}><sw-notice slot="notice" .desk=${desk}></sw-notice></sw-pattern>
       </div>
-      <section class="report" aria-label=${app.report}>
-        <sw-key-map .desk=${desk}></sw-key-map>
-        <sw-headline .desk=${desk} .samples=${this.samples}></sw-headline>
-        <sw-lens
-          .desk=${desk}
-          @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {
-            const pattern = this.renderRoot.querySelector<PatternPane>('sw-pattern');
-            if (pattern) pattern.cursor = event.detail;
-          }}
-        ></sw-lens>
-        <sw-tables .desk=${desk}></sw-tables>
-      </section>
+      <div class="side">
+        <section class="setup" aria-label=${app.setup}>
+          <sw-print-panel .desk=${desk} .samples=${this.samples}></sw-print-panel>
+          <sw-symmetry-panel .desk=${desk}></sw-symmetry-panel>
+          <sw-fit-panel .desk=${desk}></sw-fit-panel>
+        </section>
+        <section class="report" aria-label=${app.report}>
+          <sw-headline .desk=${desk} .samples=${this.samples}></sw-headline>
+          <sw-lens
+            .desk=${desk}
+            @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {
+              const pattern = this.renderRoot.querySelector<PatternPane>('sw-pattern');
+              if (pattern) pattern.cursor = event.detail;
+            }}
+          ></sw-lens>
+          <sw-tables .desk=${desk}></sw-tables>
+        </section>
+        ${this.#tabs()}
+      </div>
+      <sw-key-map .desk=${desk}></sw-key-map>
     </div>`;
   }
 
+  /** What opens below the pattern, one sheet at a time; another press closes it. */
+  #tabs(): TemplateResult {
+    const {app, print, controls: cutting, headline, lists} = this.texts;
+    const names: readonly (readonly [Sheet, string])[] = [
+      ['print', print.title],
+      ['cutting', cutting.fit],
+      ['fit', headline.fit],
+      ['lists', lists.pieces],
+    ];
+    return html`<nav class="tabs" aria-label=${app.panels}>
+      ${names.map(
+        ([name, label]) =>
+          html`<button
+            aria-expanded=${this.sheet === name}
+            @click=${() => {
+              this.sheet = this.sheet === name ? undefined : name;
+            }}
+          >
+            ${label}
+          </button>`,
+      )}
+    </nav>`;
+  }
+
+  #steps(): TemplateResult {
+    const {desk} = this;
+    const {app, steps} = this.texts;
+    const {past = [], present, future = []} = desk.history ?? {};
+    const [before, after] = [past.at(-1), future[0]];
+    const name = (from: typeof before, to: typeof before): string =>
+      from && to ? steps[stepName(from.design, to.design)] : '';
+    return html`${this.#icon(
+      app.undo,
+      app.undoOf(name(before, present)),
+      icon.undo,
+      desk.canUndo,
+      this.#commands.undo,
+    )}
+    ${this.#icon(
+      app.redo,
+      app.redoOf(name(present, after)),
+      icon.redo,
+      desk.canRedo,
+      this.#commands.redo,
+    )}`;
+  }
+
+  /** One button: it ends what is under way, or begins it where nobody else does. */
   #solving(): TemplateResult {
     const {desk} = this;
     const {app} = this.texts;
-    const solving = desk.state.kind === 'solving';
+    const {kind} = desk.state;
+    const isSolving = kind === 'solving';
+    const asks = !desk.preferences.solveAsIGo || kind === 'stale' || kind === 'failed';
+    const aligns = asks && !isSolving && desk.design !== undefined;
     return html`<button
-        class="primary"
-        ?disabled=${!desk.design || solving}
-        @click=${() => {
-          desk.align();
-        }}
-      >
-        ${app.align}
-      </button>
-      <button
-        class="outlined"
-        ?disabled=${!solving}
-        @click=${() => {
-          desk.cancel();
-        }}
-      >
-        ${app.cancel}
-      </button>`;
-  }
-
-  #notice(): TemplateResult | typeof nothing {
-    const {desk} = this;
-    const {notice} = desk;
-    if (!notice) return nothing;
-    const {app} = this.texts;
-    return html`<div
-      class="notice ${notice.tone}"
-      role=${notice.tone === 'error' ? 'alert' : 'status'}
+      class=${aligns ? 'primary' : 'outlined'}
+      ?hidden=${!aligns && !isSolving}
+      @click=${({detail}: MouseEvent) => {
+        if (detail > 1) return; // the second half of a double click
+        if (isSolving) desk.cancel();
+        else if (aligns) desk.align();
+      }}
     >
-      <span>${notice.text}</span>
-      ${
-        notice.undo
-          ? html`<button class="link" @click=${this.#commands.undo}>${app.undo}</button>`
-          : nothing
-      }
-      ${
-        notice.action
-          ? html`<button class="link" @click=${notice.action.act}>${notice.action.label}</button>`
-          : nothing
-      }
-      ${this.#icon(app.dismiss, icon.close, true, () => {
-        desk.say(undefined);
-      })}
-    </div>`;
+      ${aligns ? app.align : app.cancel}
+    </button>`;
   }
 
-  #icon(label: string, picture: TemplateResult, enabled: boolean, act: () => void): TemplateResult {
+  #icon(
+    label: string,
+    title: string,
+    picture: TemplateResult,
+    enabled: boolean,
+    act: () => void,
+  ): TemplateResult {
     return html`<button
       class="icon"
       aria-label=${label}
-      title=${label}
+      title=${enabled ? title : label}
       ?disabled=${!enabled}
       @click=${act}
     >

@@ -58,8 +58,7 @@ export class SeamLens extends PatientElement {
       }
       header button {
         flex: none;
-        width: 1.75rem;
-        min-height: 1.75rem;
+        width: var(--sw-target);
         padding: 0;
       }
       sw-lens-strip {

@@ -65,7 +65,7 @@ export class Legend extends DeskElement {
         white-space: nowrap;
       }
       button {
-        min-height: 1.75rem;
+        min-height: var(--sw-target);
         padding: 0 var(--sw-space-2);
         font-size: var(--sw-text-small);
         color: var(--sw-soft);

@@ -22,6 +22,12 @@ export const paneStyle = css`
   sw-toolbar {
     padding: var(--sw-space-2) var(--sw-space-3);
   }
+  ::slotted([slot='notice']) {
+    grid-area: 2 / 1;
+    place-self: start center;
+    z-index: 2;
+    margin-top: var(--sw-space-2);
+  }
   sw-wipe-handle,
   sw-ties-menu {
     grid-area: 2 / 1 / 3 / 2;
@@ -42,6 +48,19 @@ export const paneStyle = css`
   sw-legend {
     flex: 1;
   }
+  @media (pointer: coarse) {
+    .zoom {
+      display: none; /* two fingers do it */
+    }
+  }
+  @container (width < 40rem) {
+    sw-toolbar {
+      padding: var(--sw-space-1) var(--sw-space-2);
+    }
+    .foot {
+      padding: 0 var(--sw-space-2) var(--sw-space-1);
+    }
+  }
   :host([purpose='place']) .foot {
     flex-wrap: wrap;
   }
@@ -59,7 +78,7 @@ export const paneStyle = css`
     background: var(--sw-paper);
   }
   .view button {
-    width: 2rem;
+    width: var(--sw-target);
     padding: 0;
   }
 `;

@@ -104,6 +104,10 @@ function viewKey(pane: PatternPane, key: string): boolean {
       if (pane.tools.isFixed) return false;
       pane.split = 1;
       return true;
+    case 'c':
+      if (pane.tools.isFixed) return false;
+      pane.toggleBare();
+      return true;
     case 'l':
       pane.dispatchEvent(new CustomEvent('sw-lens-wanted', {bubbles: true, composed: true}));
       return true;

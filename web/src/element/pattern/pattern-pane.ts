@@ -34,6 +34,7 @@ export class PatternPane extends PatternDrawing {
   /** How much of the width shows the garment as it comes; undefined when none does. */
   #split: number | undefined;
   #showsMovement = false;
+  #isBare = false;
   #cursor: LensCursor | undefined;
 
   constructor() {
@@ -71,6 +72,12 @@ export class PatternPane extends PatternDrawing {
     return this.#split;
   }
 
+  /** Shows nothing but the cloth, or all that lies over it again. */
+  toggleBare(): void {
+    this.#isBare = !this.#isBare;
+    this.requestUpdate();
+  }
+
   protected override hasSeams(): boolean {
     return this.purpose === 'edit';
   }
@@ -78,7 +85,6 @@ export class PatternPane extends PatternDrawing {
   protected override viewOptions(): PatternViewOptions {
     return {
       leavesWheel: this.purpose === 'place',
-      lengthText: (cm) => this.texts.pattern.upTo(this.format.fine(cm)),
       onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
     };
   }
@@ -95,6 +101,7 @@ export class PatternPane extends PatternDrawing {
     view.setWipe(
       this.#split === undefined ? undefined : {before: scenes.before, split: this.#split},
     );
+    view.setBare(this.#isBare);
     view.setMovement(
       this.#showsMovement && desk.result ? this.#movementOf(desk.result.pieces) : undefined,
     );
@@ -141,6 +148,7 @@ export class PatternPane extends PatternDrawing {
         <div class="stage"></div>
       </div>
       ${index ? patternOptions(desk, index, this.texts, this.format) : nothing} ${this.#note()}
+      <slot name="notice"></slot>
       ${this.#menu()}
       ${
         this.#split === undefined
@@ -167,9 +175,9 @@ export class PatternPane extends PatternDrawing {
         }
         <div class="view" role="group" aria-label=${pattern.view}>
           ${places ? nothing : this.#comparing()}
-          ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4))}
+          ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4), 'zoom')}
           ${this.#button(pattern.fit, icon.fit, () => this.view?.fit())}
-          ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4))}
+          ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4), 'zoom')}
         </div>
       </div>
     `;
@@ -179,6 +187,9 @@ export class PatternPane extends PatternDrawing {
     const {pattern} = this.texts;
     return html`${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
       this.split = this.#split === undefined ? 0.5 : undefined;
+    })}
+    ${this.#toggle(pattern.clothOnly, icon.cloth, this.#isBare, () => {
+      this.toggleBare();
     })}
     ${this.#toggle(pattern.movement, icon.movement, this.#showsMovement, () => {
       this.#showsMovement = !this.#showsMovement;
@@ -223,8 +234,10 @@ export class PatternPane extends PatternDrawing {
     ></sw-ties-menu>`;
   }
 
-  #button(label: string, picture: TemplateResult, act: () => void): TemplateResult {
-    return html`<button aria-label=${label} title=${label} @click=${act}>${picture}</button>`;
+  #button(label: string, picture: TemplateResult, act: () => void, kind = ''): TemplateResult {
+    return html`<button class=${kind} aria-label=${label} title=${label} @click=${act}>
+      ${picture}
+    </button>`;
   }
 
   #toggle(label: string, picture: TemplateResult, on: boolean, act: () => void): TemplateResult {

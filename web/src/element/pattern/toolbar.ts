@@ -27,6 +27,26 @@ export class Toolbar extends DeskElement {
         border-radius: calc(var(--sw-radius) + 2px);
         background: var(--sw-paper);
       }
+      .tools button {
+        padding: 0 var(--sw-space-2);
+      }
+      /* one row: the pictures say it where there is no room for words */
+      @container (width < 90rem) {
+        .tools {
+          flex-wrap: nowrap;
+        }
+        .tool {
+          width: var(--sw-target);
+          padding: 0;
+        }
+        .tool span {
+          position: absolute;
+          width: 1px;
+          height: 1px;
+          overflow: hidden;
+          clip-path: inset(50%);
+        }
+      }
     `,
   ];
 
@@ -48,12 +68,14 @@ export class Toolbar extends DeskElement {
     picture: TemplateResult,
   ): TemplateResult {
     return html`<button
+      class="tool"
+      title=${label}
       aria-pressed=${this.tools.active === name}
       @click=${() => {
         this.tools.toggle(name);
       }}
     >
-      ${picture} ${label}
+      ${picture} <span>${label}</span>
     </button>`;
   }
 

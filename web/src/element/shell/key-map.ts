@@ -33,7 +33,7 @@ export class KeyMap extends DeskElement {
         justify-content: space-between;
       }
       header button {
-        width: 2rem;
+        width: var(--sw-target);
         padding: 0;
       }
       dl {

@@ -27,7 +27,7 @@ export const controls = css`
     align-items: center;
     justify-content: center;
     gap: var(--sw-space-1);
-    min-height: 2rem;
+    min-height: var(--sw-target);
     padding: 0 var(--sw-space-3);
     border: 1px solid transparent;
     border-radius: var(--sw-radius);
@@ -75,8 +75,9 @@ export const controls = css`
   input[type='text'],
   select {
     width: 100%;
-    min-height: 2rem;
+    min-height: var(--sw-target);
     padding: 0 var(--sw-space-2);
+    font-size: var(--sw-field-text);
     border: 1px solid var(--sw-line);
     border-radius: var(--sw-radius);
     background: var(--sw-raised);
@@ -102,6 +103,19 @@ export const controls = css`
     gap: var(--sw-space-2);
     color: inherit;
     cursor: pointer;
+  }
+  @media (pointer: coarse), (width < 40rem) {
+    button.link {
+      min-height: var(--sw-target);
+    }
+    label.inline {
+      min-height: var(--sw-target);
+    }
+    input[type='checkbox'],
+    input[type='radio'] {
+      width: 1.5rem;
+      height: 1.5rem;
+    }
   }
   :focus-visible {
     outline: 2px solid var(--sw-accent);

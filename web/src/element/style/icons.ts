@@ -46,6 +46,7 @@ export const icon = {
   movement: drawn(
     svg`<path d="M3 13 13 3M8.5 3H13v4.5"/><path d="M3 3v4M3 3h4" stroke-dasharray="1 2.5"/>`,
   ),
+  cloth: drawn(svg`<path d="M3 3.5c2-1 3.5 1 5 0s3-1 5 0v9c-2-1-3.5-1-5 0s-3 1-5 0z"/>`),
   before: drawn(svg`<path d="M8 2v12M2.5 4.5h3M2.5 8h3M2.5 11.5h3"/><path d="M10.5 4.5h3v7h-3"/>`),
   up: drawn(svg`<path d="M8 13V3.5M4 7.5l4-4 4 4"/>`),
   down: drawn(svg`<path d="M8 3v9.5M4 8.5l4 4 4-4"/>`),

@@ -13,6 +13,9 @@ export const tokens = css`
     --sw-space-4: 1rem;
     --sw-space-6: 1.5rem;
     --sw-radius: 6px;
+    /* what is pressed is as high, so that a finger finds it */
+    --sw-target: 2rem;
+    --sw-field-text: var(--sw-text);
     --sw-ground: light-dark(#f4f3f0, #17181b);
     --sw-paper: light-dark(#fdfcfb, #1f2024);
     --sw-raised: light-dark(#ffffff, #292b30);
@@ -35,5 +38,11 @@ export const tokens = css`
       sans-serif;
     font-variant-numeric: tabular-nums;
     color: var(--sw-ink);
+  }
+  @media (pointer: coarse), (width < 40rem) {
+    :host {
+      --sw-target: 2.75rem;
+      --sw-field-text: 1rem; /* below that, phones zoom into a field */
+    }
   }
 `;

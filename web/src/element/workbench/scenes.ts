@@ -1,5 +1,5 @@
 /** The sheets to be drawn of a workbench: the garment as it comes, and as it is or is about to be. */
-import {printOf, type DesignPrint} from '../../model/design.js';
+import {printOf, type DesignGarment, type DesignPrint} from '../../model/design.js';
 import {panelMarks, type PanelMarks} from '../../model/garment-marks.js';
 import type {Garment} from '../../model/garment.js';
 import type {Alignment} from '../../model/geometry.js';
@@ -43,12 +43,14 @@ export class SceneMaker {
       pins,
     ),
   );
+  /** What each garment was laid out for, once and for all: windows and panels change, pieces stay where they lie. */
+  readonly #rooms = new WeakMap<DesignGarment, Room>();
   /** How the pieces lay last, by name, and of which garment. */
   #last = new Map<string, Alignment>();
   #lastGarment: Garment | undefined;
 
   /** Undefined until the solver has read the garment. */
-  scenes(desk: Workbench, {width, height}: {width: number; height: number}): Scenes | undefined {
+  scenes(desk: Workbench, shown: Room): Scenes | undefined {
     const {design, pattern, result, partial} = desk;
     if (!design || !pattern) return undefined;
     const print = this.#print(design.print);
@@ -56,6 +58,9 @@ export class SceneMaker {
     if (garment !== this.#lastGarment) this.#last = new Map();
     this.#lastGarment = garment;
     const {plain, pins, locked} = design.options;
+    const room = this.#rooms.get(design.garment) ?? shown;
+    if (isRoom(room)) this.#rooms.set(design.garment, room);
+    const {width, height} = room;
     const settings = this.#settings(garment, plain, desk.preferences.scale, width, height);
     const before = this.#rest(pattern, print, settings);
     const now = result
@@ -68,6 +73,15 @@ export class SceneMaker {
     return {before, now: this.#marked(now, kept), marks: this.#marks(garment)};
   }
 }
+
+/** [CSS px] */
+interface Room {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Whether there is a window yet, rather than what a page has for a moment while it is put together. */
+const isRoom = ({width, height}: Room): boolean => Math.min(width, height) > 80;
 
 type Pins = SolveOptions['pins'];
 
