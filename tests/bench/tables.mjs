@@ -239,6 +239,30 @@ const pageRows = ({code, drawingLibrary, wasm, opening}) => [
   ['cold opening to the final answer', `${ms(opening)} ms`],
 ];
 
+const rulesHead = [
+  'garment',
+  'grain',
+  'cases',
+  'seams',
+  'worse',
+  'in vain',
+  'whole',
+  'drafted mm',
+  'placed mm',
+  'final mm',
+];
+
+const rulesRow = ({garment, grain, cases, seams, worse, vain, whole, ...means}) => [
+  garment,
+  grain,
+  cases,
+  seams,
+  worse,
+  vain,
+  whole,
+  ...[means.drafted, means.placed, means.final].map((cm) => fit((10 * cm) / Math.max(cases, 1))),
+];
+
 export const ratioTable = (ratios) =>
   table(
     ['ratio', 'of cases', 'value', 'goal', '', 'aim', '', 'cases', 'above goal', 'worst case'],
@@ -269,6 +293,7 @@ export function tablesOf(results) {
       results.yardstick && table(yardstickHead, yardstickRows(results.yardstick)),
     ],
     ['Edits', results.edits && table(editHead, editRows(results.edits))],
+    ['Rules', results.rules && table(rulesHead, results.rules.map(rulesRow))],
     ['Growth', results.growth && table(growthHead, growthRows(results.growth))],
     ['Page', results.page && table(['', ''], pageRows(results.page))],
   ];
