@@ -26,7 +26,7 @@ const grammar = {
 
 /** [cm] */
 const mostChangeCm = 50;
-const mostEffort = 1000;
+const mostEffort = 64;
 
 /** `align`: solves a garment and prints its figures. */
 export async function align(words: readonly string[]): Promise<void> {
