@@ -1,7 +1,9 @@
 /** The page: built into build/page, with the samples of public/ beside it. */
+import {createHash} from 'node:crypto';
+import {readdirSync, readFileSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
 
-import {defineConfig} from 'vite';
+import {defineConfig, type Plugin} from 'vite';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const port = Number(process.env.PORT ?? 5173);
@@ -14,9 +16,44 @@ const policy = [
   "style-src 'self'",
   "img-src 'self' data: blob:",
   "connect-src 'self'",
+  "manifest-src 'self'",
   "base-uri 'none'",
   "form-action 'self'",
 ].join('; ');
+
+/** Garments and prints are kept once they are shown. */
+const publicFiles = readdirSync(at('public'), {withFileTypes: true})
+  .filter((entry) => entry.isFile())
+  .map(({name}) => name);
+
+/** The worker that keeps the page for when there is no network, with the names of all that the page is made of. */
+function offline(): Plugin {
+  const fileName = 'service-worker.js';
+  return {
+    name: 'seamwise-offline',
+    apply: 'build',
+    enforce: 'post',
+    buildStart() {
+      this.emitFile({type: 'chunk', id: at('web/src/app/offline/service-worker.ts'), fileName});
+    },
+    generateBundle: {
+      order: 'post',
+      handler(_, bundle) {
+        const worker = bundle[fileName];
+        if (worker?.type !== 'chunk') return;
+        const hash = createHash('sha256');
+        for (const [name, file] of Object.entries(bundle).sort()) {
+          hash.update(name).update(file.type === 'chunk' ? file.code : file.source);
+        }
+        for (const name of publicFiles) hash.update(readFileSync(at(`public/${name}`)));
+        const built = Object.keys(bundle).filter((name) => name !== fileName);
+        const files = ['./', ...built, ...publicFiles];
+        const version = hash.digest('hex').slice(0, 12);
+        worker.code = `self.seamwiseFiles=${JSON.stringify(files)};self.seamwiseVersion="${version}";${worker.code}`;
+      },
+    },
+  };
+}
 
 export default defineConfig({
   root: at('web'),
@@ -38,4 +75,5 @@ export default defineConfig({
     },
   },
   worker: {format: 'es'},
+  plugins: [offline()],
 });

@@ -61,12 +61,17 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
   return async ({query = '', beside, maySay, ...context} = {}) => {
     const page = await (
       beside?.context() ??
-      (await browser.newContext({viewport: {width: 1440, height: 900}, ...context}))
+      (await browser.newContext({
+        viewport: {width: 1440, height: 900},
+        serviceWorkers: 'block', // only a page that goes offline has use for one
+        ...context,
+      }))
     ).newPage();
     opened.push(page);
     const hear = (text: string): void => {
-      // software rendering is slow to give pixels back, and says so
-      if (!text.includes('GPU stall') && !maySay?.test(text)) said.push(text);
+      // software rendering is slow to give pixels back, and says so; so does who blocks the worker below
+      const isExpected = /GPU stall|Service Worker registration blocked/.test(text);
+      if (!isExpected && !maySay?.test(text)) said.push(text);
     };
     page.on('console', (message) => {
       hear(message.text());

@@ -10,6 +10,7 @@ import {
 import type {Design} from '../model/design.js';
 import {askedFor, firstDesign} from './first-design.js';
 import {openLink} from './links/open-link.js';
+import {workOffline} from './offline/offline.js';
 import {SeamwisePage} from './page.js';
 import {ProjectList} from './projects/project-list.js';
 import {Projects} from './projects/projects.js';
@@ -105,6 +106,7 @@ try {
 }
 projects.keep(new AbortController().signal);
 illustrate(desk, projects);
+workOffline(desk);
 // a link that is followed from here to here does not load the page by itself
 addEventListener('hashchange', () => {
   if (location.hash !== '') void followed(new URL(location.href));

@@ -48,6 +48,8 @@ const isTouched = ({past, future}: History<Step>): boolean => past.length + futu
 export class OpenProject {
   /** What its owner calls it. */
   title: string | undefined;
+  /** Its picture, once there is one. */
+  thumbnail: Blob | undefined;
   readonly #autosave: Autosave;
   readonly #origin: Origin;
   #id: string;

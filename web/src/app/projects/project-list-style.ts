@@ -1,6 +1,13 @@
 import {css} from 'lit';
 
+import {unseen} from '../page-layout.js';
+
 export const projectListStyle = css`
+  @container (width < 100rem) {
+    .label {
+      ${unseen}
+    }
+  }
   dialog {
     display: grid;
     grid-template-rows: auto minmax(0, 1fr);
@@ -71,8 +78,13 @@ export const projectListStyle = css`
     padding: var(--sw-space-2);
     border: 0;
     border-radius: var(--sw-radius) var(--sw-radius) 0 0;
-    background: var(--sw-ground);
+    background: var(--sw-paper);
     color: var(--sw-soft);
+  }
+  .open > svg {
+    width: 2.5rem;
+    height: 2.5rem;
+    opacity: 0.5;
   }
   .open:focus-visible {
     outline-offset: -2px;
@@ -83,7 +95,7 @@ export const projectListStyle = css`
     height: 100%;
     object-fit: contain;
   }
-  .name {
+  input.name {
     min-width: 0;
     margin: var(--sw-space-2) var(--sw-space-2) 0;
     width: auto;
@@ -92,8 +104,8 @@ export const projectListStyle = css`
     font-weight: 600;
     text-overflow: ellipsis;
   }
-  .name:hover,
-  .name:focus {
+  input.name:hover,
+  input.name:focus {
     border-color: var(--sw-line);
   }
   .foot {
@@ -123,7 +135,7 @@ export const projectListStyle = css`
       width: 2.75rem;
       min-height: 2.75rem;
     }
-    .name {
+    input.name {
       min-height: 2.75rem;
       font-size: 1rem;
     }
@@ -142,7 +154,7 @@ export const projectListStyle = css`
     .foot {
       padding-left: var(--sw-space-3);
     }
-    .name {
+    input.name {
       margin-inline: var(--sw-space-1);
     }
   }

@@ -121,7 +121,7 @@ export class ProjectList extends DeskElement {
         ?data-focus=${this.#focusOn === id}
         @click=${() => void this.#take(id)}
       >
-        ${thumbnail ? html`<img src=${this.#urlOf(entry, thumbnail)} alt="" />` : icon.project}
+        ${thumbnail ? html`<img src=${this.#urlOf(entry, thumbnail)} alt="" />` : icon.piece}
       </button>
       <input
         class="name"

@@ -137,8 +137,9 @@ export class Projects {
         };
       });
     if (!present || entries.some(({id}) => id === present.id)) return entries;
-    const {id, name} = present;
-    return [{id, name, changed: Date.now(), open: 'here', isDeleted: false}, ...entries];
+    const {id, name, thumbnail} = present;
+    const entry = {id, name, changed: Date.now(), open: 'here', isDeleted: false} as const;
+    return [{...entry, ...(thumbnail && {thumbnail})}, ...entries];
   }
 
   /** @param name empty for that of its garment */
@@ -175,9 +176,12 @@ export class Projects {
     return this.#autosave.change(id, {deleted: undefined});
   }
 
-  /** Gives the project a picture. */
-  illustrate(id: string, thumbnail: Blob): Promise<void> {
-    return this.#autosave.change(id, {thumbnail});
+  /** Gives the present project a picture. */
+  async illustrate(thumbnail: Blob): Promise<void> {
+    const present = this.#present;
+    if (!present) return;
+    present.thumbnail = thumbnail;
+    await this.#autosave.change(present.id, {thumbnail});
   }
 
   /** Until the page is left: what is under way then is kept for when it is loaded again. */

@@ -13,12 +13,11 @@ export function illustrate(desk: Workbench, projects: Projects): void {
   let pictured: Design | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const take = async (design: Design): Promise<void> => {
-    const {present} = projects;
-    if (desk.design !== design || !present?.isWorthListing || !desk.view) return;
+    if (desk.design !== design || !desk.view) return;
     pictured = design;
     // a lost graphics context gives no picture; the next change tries again
     const picture = await desk.view.picture(width).catch(() => undefined);
-    if (picture && desk.design === design) await projects.illustrate(present.id, picture);
+    if (picture && desk.design === design) await projects.illustrate(picture);
   };
   desk.subscribe(() => {
     const {design, state} = desk;

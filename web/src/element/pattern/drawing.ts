@@ -5,8 +5,9 @@ import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js
 import {AppearanceController, colourScheme} from '../appearance.js';
 import {PatientElement} from '../desk-element.js';
 import {toFailure} from '../workbench/latest-solve.js';
+import {onceOnline} from '../workbench/once-online.js';
 import {SceneMaker} from '../workbench/scenes.js';
-import type {SheetWindow} from '../workbench/workbench.js';
+import type {Notice, SheetWindow} from '../workbench/workbench.js';
 
 /** The print of the pattern is on the screen. */
 export const drawnEvent = 'sw-drawn';
@@ -44,6 +45,8 @@ export class PatternDrawing extends PatientElement {
   #waiting: ReturnType<typeof setTimeout> | undefined;
   /** Whose tile is shown, or being fetched. */
   #image: string | undefined;
+  /** The picture that there was no network for, and what was said of it. */
+  #awaited: {readonly image: string; readonly notice: Notice} | undefined;
   #life: AbortController | undefined;
   /** Of the stage. Asking for it at every update would lay the page out each time. [CSS px] */
   #size: {readonly width: number; readonly height: number} | undefined;
@@ -197,13 +200,36 @@ export class PatternDrawing extends PatientElement {
     const signal = this.#life?.signal;
     try {
       const tile = await this.desk.tileOf(image, signal);
-      if (this.#image === image) view.setTile(tile);
+      if (this.#image !== image) return;
+      view.setTile(tile);
+      if (this.#awaited && this.desk.notice === this.#awaited.notice) this.desk.say(undefined);
+      this.#awaited = undefined;
     } catch (error) {
       if (this.#image !== image || signal?.aborted) return;
       view.setTile(undefined);
-      this.desk.say({tone: 'error', text: toFailure(error).message});
+      this.#miss(image, error, signal);
     }
     if (this.#image === image) this.#tell(drawnEvent);
+  }
+
+  /** Says so; what there is no network for is looked for again, unless it is of no use any more. */
+  #miss(image: string, error: unknown, signal: AbortSignal | undefined): void {
+    const isUnreached = error instanceof TypeError && !image.startsWith('data:');
+    if (!isUnreached || !signal) {
+      this.desk.say({tone: 'error', text: toFailure(error).message});
+      return;
+    }
+    if (this.#awaited?.image !== image) {
+      const title = this.desk.design?.print.title ?? image;
+      const notice: Notice = {tone: 'info', text: this.texts.offline.waits(title)};
+      this.#awaited = {image, notice};
+      this.desk.say(notice);
+    }
+    onceOnline(() => {
+      if (this.#image !== image) return;
+      this.#image = undefined;
+      this.requestUpdate();
+    }, signal);
   }
 
   protected override render(): TemplateResult {

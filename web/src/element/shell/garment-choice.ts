@@ -4,11 +4,14 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {toFailure} from '../workbench/latest-solve.js';
-import {sampleGarment, type Samples} from '../workbench/samples.js';
+import {onceOnline} from '../workbench/once-online.js';
+import {sampleGarment, Unreachable, type Samples} from '../workbench/samples.js';
 
 export class GarmentChoice extends DeskElement {
   static override properties = {...DeskElement.properties, samples: {attribute: false}};
   declare samples: Samples | undefined;
+  /** Of the garment that was chosen last, until it is there. */
+  #waits: AbortController | undefined;
 
   static override styles = [
     controls,
@@ -39,6 +42,11 @@ export class GarmentChoice extends DeskElement {
       }
     `,
   ];
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#waits?.abort();
+  }
 
   /** A list that somebody has used shows that choice until it is told otherwise. */
   protected override updated(): void {
@@ -81,14 +89,27 @@ export class GarmentChoice extends DeskElement {
   }
 
   /** Another size keeps all that was decided about the garment; another garment cannot. */
-  async #open(style: string, size: string): Promise<void> {
+  async #open(style: string, size: string, isAgain = false): Promise<void> {
+    this.#waits?.abort();
     if (style === '') return;
+    this.#waits = new AbortController();
+    const {signal} = this.#waits;
     try {
-      const garment = await sampleGarment(style, size);
+      const garment = await sampleGarment(style, size, signal);
       if (style === this.desk.design?.garment.sample?.style) this.desk.change({garment});
       else await this.desk.open(garment);
     } catch (error) {
-      this.desk.say({tone: 'error', text: toFailure(error).message});
+      if (signal.aborted) return;
+      if (error instanceof Unreachable) this.#await(style, size, isAgain, signal);
+      else this.desk.say({tone: 'error', text: toFailure(error).message});
+      this.requestUpdate(); // the lists show what is shown
     }
+  }
+
+  /** Chooses again by itself, unless something else is chosen before. */
+  #await(style: string, size: string, isAgain: boolean, signal: AbortSignal): void {
+    const title = this.samples?.garments.find((one) => one.style === style)?.title ?? style;
+    if (!isAgain) this.desk.say({tone: 'info', text: this.texts.offline.waits(title)});
+    onceOnline(() => void this.#open(style, size, true), signal);
   }
 }

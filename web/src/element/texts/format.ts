@@ -12,7 +12,7 @@ export interface Format {
   /** A share as percent, of which at least one digit is shown. */
   percent(share: number): string;
   seconds(milliseconds: number): string;
-  /** A day and time. [ms since 1970] */
+  /** A time of today, or a day. [ms since 1970] */
   moment(time: number): string;
   number(value: number, digits?: number): string;
 }
@@ -36,8 +36,12 @@ export function formatFor(language: Language, units: Units): Format {
       const percent = share * 100;
       return `${number(percent, percent < 1 ? 1 : 0)} %`;
     },
-    moment: (time) =>
-      new Date(time).toLocaleString(language, {dateStyle: 'medium', timeStyle: 'short'}),
+    moment: (time) => {
+      const date = new Date(time);
+      return date.toDateString() === new Date().toDateString()
+        ? date.toLocaleTimeString(language, {timeStyle: 'short'})
+        : date.toLocaleDateString(language, {dateStyle: 'medium'});
+    },
     seconds: (ms) => `${number(ms / 1000, ms < 950 ? 2 : 1)} s`,
     number,
   };

@@ -23,10 +23,16 @@ export interface Samples {
 /** What a page shows when nobody has chosen anything yet. */
 export const opening = {style: 'asymmetric-dress', size: 'm', print: 'cm'} as const;
 
+/** There is no network, and the file is not on this device. */
+export class Unreachable extends Error {
+  override readonly name = 'Unreachable';
+}
+
 async function fetched(path: string, signal?: AbortSignal): Promise<Response> {
   const response = await fetch(path, signal ? {signal} : {}).catch(() => undefined);
   signal?.throwIfAborted();
-  if (!response?.ok) throw new Error(`${path} cannot be read; load the page again.`);
+  if (!response) throw new Unreachable(`${path} cannot be reached; check the connection.`);
+  if (!response.ok) throw new Error(`${path} cannot be read; load the page again.`);
   return response;
 }
 
