@@ -1,4 +1,5 @@
 /** The page without a network, and newer versions of it. */
+import {trustedScript} from '../../model/trusted.js';
 import {textsOf, type Workbench} from '../../element/index.js';
 
 /** The first picture is not to wait for what is kept for later. [ms] */
@@ -17,7 +18,9 @@ async function keep(desk: Workbench): Promise<void> {
   const isFirst = !serviceWorker.controller;
   if (isFirst) serviceWorker.addEventListener('controllerchange', again, {once: true});
   try {
-    await serviceWorker.register(new URL('service-worker.js', document.baseURI));
+    await serviceWorker.register(
+      trustedScript(new URL('service-worker.js', document.baseURI).href),
+    );
   } catch {
     return; // the host serves none, or the browser forbids it: the page needs none
   }
