@@ -10,9 +10,20 @@ function lengthOf({pieces}: Pattern, {a: {piece, vertices}}: ResultSeam): number
   }, 0);
 }
 
+/** Of the piece as drafted. [cm2] */
+function areaOf({pieces}: Pattern, piece: number): number {
+  const {rest = [], outline = []} = pieces[piece] ?? {};
+  const loop = pick(rest, outline);
+  const twice = loop.reduce((sum, [x, y], k) => {
+    const [nextX, nextY] = loop[(k + 1) % loop.length] ?? [x, y];
+    return sum + x * nextY - nextX * y;
+  }, 0);
+  return Math.abs(twice) / 2;
+}
+
 /**
- * Sets of pieces to be turned together, each with the seams that it is about. Of every seam the side with less other
- * seam to it is turned, and with it its mirror image and what it is sewn to of its own kind: turned alone, a band in
+ * Sets of pieces to be turned together, each with the seams that it is about. Of every seam the smaller side is turned,
+ * of two alike the one with less other seam to it, and with it its mirror image and what it is sewn to of its own kind: turned alone, a band in
  * two halves would no longer meet where they join.
  * @param crossed numbers of the seams at which the grains cross
  * @param canTurn whether a piece lies on a grain that can be turned
@@ -34,10 +45,13 @@ export function bandsOf(
       other.set(piece, (other.get(piece) ?? 0) + lengthOf(pattern, seam));
     }
   });
+  const area = (piece: number): number => areaOf(pattern, piece);
   const bands = new Set(
     at.flatMap(({seam: {a, b}}) => {
       const sides = [a.piece, b.piece].filter(canTurn);
-      return sides.toSorted((p, q) => (other.get(p) ?? 0) - (other.get(q) ?? 0)).slice(0, 1);
+      return sides
+        .toSorted((p, q) => area(p) - area(q) || (other.get(p) ?? 0) - (other.get(q) ?? 0))
+        .slice(0, 1);
     }),
   );
   const twins = symmetries.flatMap((one) => (one.kind === 'pair' ? [one.pieces] : []));
