@@ -26,6 +26,14 @@ TEST(PrintFile, IsReadWithItsGroupAndLattice) {
   EXPECT_TRUE(print.value().one_way);
 }
 
+TEST(PrintFile, MayShowTwoCellsInOnePicture) {
+  const auto print = readPrint(
+      R"({"group": "p1", "w1": [6, -2], "w2": [6, 2], "image": "leaf.png", "cell": "centred"})",
+      "leaf.json");
+  ASSERT_TRUE(print.ok()) << print.error().message;
+  EXPECT_EQ(print.value().group.w1(), Vec2(6, -2));
+}
+
 TEST(PrintFile, ThatIsUnusableNamesTheFileAndTheField) {
   const auto refuse = [](const char* text, Failure code, std::initializer_list<const char*> words) {
     const auto print = readPrint(text, "daisy.json");

@@ -284,6 +284,8 @@ it('knows an SVG that takes in pictures from elsewhere, which no browser shows i
     '<svg:image x="1" href = "//a.example/b.png" />',
     '<filter><feImage href="c.svg#d"/></filter>',
     '<use href="c.svg#d"/>',
+    '<rect fill="url(c.svg#d)"/>',
+    '<style>rect { fill: url("https://a.example/c.svg#d"); }</style>',
   ]) {
     expect(hasOutsidePictures(svg(inside)), inside).toBe(true);
   }
@@ -293,6 +295,8 @@ it('knows an SVG that takes in pictures from elsewhere, which no browser shows i
     '<a href="https://a.example"><rect/></a>',
     '<!-- <image href="b.png"/> -->',
     '<image/>',
+    '<rect fill="url(#leaf)"/><rect style="fill: url(&quot;#leaf&quot;)"/>',
+    "<style>@font-face { font-family: A; src: url(a.woff2); } rect { fill: url('#leaf'); }</style>",
   ]) {
     expect(hasOutsidePictures(svg(inside)), inside).toBe(false);
   }

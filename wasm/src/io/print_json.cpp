@@ -9,9 +9,9 @@ void checkPresentation(const Json& document, const Place& place) {
   if (const Json* image = find(document, "image")) text(*image, place, "'image'");
   if (const Json* cell = find(document, "cell")) {
     const std::string word = text(*cell, place, "'cell'");
-    if (word != "primitive" && word != "rectangular")
-      place.fail(place.shape,
-                 "has the unknown cell " + inQuotes(word) + "; write primitive or rectangular");
+    if (word != "primitive" && word != "rectangular" && word != "centred")
+      place.fail(place.shape, "has the unknown cell " + inQuotes(word) +
+                                  "; write primitive, rectangular or centred");
   }
   if (const Json* fabric = find(document, "fabric")) {
     object(*fabric, place, "'fabric'");

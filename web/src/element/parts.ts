@@ -15,9 +15,13 @@ import {ToolHint} from './pattern/tool-hint.js';
 import {Toolbar} from './pattern/toolbar.js';
 import {UnitsQuestion} from './pattern/units-question.js';
 import {WipeHandle} from './pattern/wipe-handle.js';
+import {DoubtfulTile} from './print/doubtful-tile.js';
 import {PrintGallery} from './print/print-gallery.js';
 import {PrintPanel} from './print/print-panel.js';
 import {RepeatFields} from './print/repeat-fields.js';
+import {FileSizeNote} from './print/file-size-note.js';
+import {MeasureDialog} from './print/measure-dialog.js';
+import {TileRepeatChoice} from './print/tile-repeat-choice.js';
 import {TileReport} from './print/tile-report.js';
 import {register} from './register.js';
 import {KeepImproving} from './remedies/keep-improving.js';
@@ -31,6 +35,8 @@ import {WaysOut} from './shell/ways-out.js';
 import {SymmetryPanel} from './symmetry/symmetry-panel.js';
 
 const parts: Readonly<Record<string, CustomElementConstructor>> = {
+  'sw-doubtful-tile': DoubtfulTile,
+  'sw-file-size': FileSizeNote,
   'sw-fit-panel': FitPanel,
   'sw-garment-choice': GarmentChoice,
   'sw-headline': Headline,
@@ -40,6 +46,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-keep-improving': KeepImproving,
   'sw-lens': SeamLens,
   'sw-lens-strip': LensStrip,
+  'sw-measure': MeasureDialog,
   'sw-notice': NoticeBar,
   'sw-number-field': NumberField,
   'sw-pattern': PatternPane,
@@ -54,6 +61,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-symmetry-panel': SymmetryPanel,
   'sw-tables': Tables,
   'sw-ties-menu': TiesMenu,
+  'sw-tile-repeat': TileRepeatChoice,
   'sw-tile-report': TileReport,
   'sw-tool-hint': ToolHint,
   'sw-toolbar': Toolbar,

@@ -2,7 +2,7 @@
 import type {Design} from './design.js';
 import type {Alignment, Point} from './geometry.js';
 import type {GrainRule, Lock, SolveOptions} from './options.js';
-import {groupNames} from './print.js';
+import {groupNames, printCells} from './print.js';
 import {methods} from './problem.js';
 import {
   fail,
@@ -18,6 +18,7 @@ import {
   type Read,
 } from './read.js';
 import type {Symmetry} from './symmetries.js';
+import {tileRepeats} from './tile-repeat.js';
 
 /** What the solver takes for the sides of a repeat, and more than any garment measures. [cm] */
 const repeat = number(0.05, 1000);
@@ -77,7 +78,7 @@ export const repeatFields = {
   size: shape({width: repeat, height: repeat, angleDeg: number(1, 179)}),
   turnDeg: number(-360, 360),
   oneWay: flag,
-  cell: oneOf(['primitive', 'rectangular']),
+  cell: oneOf(printCells),
 };
 
 /** The repeat of a print, without its picture. */
@@ -108,6 +109,9 @@ const picture: Read<string> = (value, at) => {
   return isOwn || isSample ? source : fail(at, 'a data: URL of an image, or the path of a sample');
 };
 
+const quarterTurn: Read<0 | 90> = (value, at) =>
+  value === 0 || value === 90 ? value : fail(at, '0 or 90');
+
 const garmentFile = {
   name: text(/^.{1,255}$/su, 'a name'),
   text: text(/\S/, 'the text of a garment file'),
@@ -115,7 +119,13 @@ const garmentFile = {
 /** A garment that comes with its text. */
 export const ownGarment = shape(garmentFile);
 const garment = shape(garmentFile, {sample: garmentSample});
-const picturedPrint = shape({title: text(), image: picture}, {sample: printSample});
+const picturedPrint = shape(
+  {title: text(), image: picture},
+  {
+    sample: printSample,
+    tile: shape({image: picture, repeat: oneOf(tileRepeats), turnedDeg: quarterTurn}),
+  },
+);
 
 export const readDesign: Read<Design> = (value, at) => {
   const {garment: own, print} = shape({

@@ -1,10 +1,11 @@
 /** Everything a person decides about a garment and its print: what undo steps through and what a project file holds. */
 import type {SolveOptions} from './options.js';
-import type {GroupName, Print} from './print.js';
+import type {GroupName, Print, PrintCell} from './print.js';
 import type {Method, Problem} from './problem.js';
 import {latticeVectors, type RepeatSize} from './repeat.js';
 import type {StoredFile} from './stored-design.js';
 import type {Symmetry} from './symmetries.js';
+import type {PrintTile} from './tile-repeat.js';
 
 export interface DesignGarment {
   /** What messages call it: the name of its file. */
@@ -32,12 +33,14 @@ export interface DesignPrint {
   /** Counter-clockwise turn of the print on its cloth. [degrees] */
   readonly turnDeg: number;
   readonly oneWay: boolean;
-  readonly cell: NonNullable<Print['cell']>;
+  readonly cell: PrintCell;
   /** Where the picture of one cell is: a URL, or a `data:` URL when it is the user's own. */
   readonly image: string;
   /** Which of the prints that come with the page, if it is one. */
   readonly sample?: {readonly name: string; readonly colourway: string};
   readonly file?: DesignPrintFile;
+  /** The picture that somebody opened, where `image` was made of it. */
+  readonly tile?: PrintTile;
 }
 
 /** A print without a picture shows bare cloth, and the edges of its cell. */
@@ -57,7 +60,7 @@ export interface Design {
 
 /** The print as solver and views take it. */
 export function printOf({group, size, turnDeg, oneWay, cell, title, image}: DesignPrint): Print {
-  const [w1, w2] = latticeVectors(group, size, turnDeg);
+  const [w1, w2] = latticeVectors(group, size, turnDeg, cell);
   return {title, group, w1, w2, oneWay, cell, image};
 }
 

@@ -23,6 +23,14 @@ export const groupNames = [
 
 export type GroupName = (typeof groupNames)[number];
 
+/**
+ * The cell spanned by w1 (to the right) and w2 (up); the conventional rectangular cell of the group's lattice; or
+ * two cells with sides w1 + w2 and w2 - w1, so that the middle is like a corner: half-drop, whatever the group.
+ */
+export const printCells = ['primitive', 'rectangular', 'centred'] as const;
+
+export type PrintCell = (typeof printCells)[number];
+
 /** The same print in other colours: an image of its cell as SVG, and one as PNG. */
 export interface Colourway {
   readonly name: string;
@@ -41,8 +49,8 @@ export interface Print {
   readonly w2: Point;
   /** One cell of the print; its lower left corner is the group's origin. */
   readonly image?: string;
-  /** What `image` shows: the cell spanned by w1 and w2, or the conventional rectangular cell. */
-  readonly cell?: 'primitive' | 'rectangular';
+  /** What `image` shows; `primitive` when left out. */
+  readonly cell?: PrintCell;
   /** The print has an upside: a piece on grain may not be turned by 180 degrees. */
   readonly oneWay?: boolean;
   readonly fabric?: {readonly usableWidthCm?: number};

@@ -1,11 +1,11 @@
 /** A repeat as a maker measures it, and the lattice that it stands for. */
 import type {Point} from './geometry.js';
-import {groupNames, type GroupName} from './print.js';
-import {latticeType, type Repeat} from './wallpaper.js';
+import {groupNames, type GroupName, type PrintCell} from './print.js';
+import {latticeType, type CellOf} from './wallpaper.js';
 
 /**
  * The sides of the cell that a maker would measure: of the rectangular cell when the lattice is rhombic or
- * hexagonal, so that half a repeat aside there is half a repeat up. [cm]
+ * hexagonal, so that half a repeat aside there is half a repeat up; of what is shown when that is `centred`. [cm]
  */
 export interface RepeatSize {
   readonly width: number;
@@ -28,6 +28,7 @@ export function latticeVectors(
   group: GroupName,
   {width, height, angleDeg}: RepeatSize,
   turnDeg = 0,
+  cell: PrintCell = 'primitive',
 ): readonly [Point, Point] {
   const upright = ((): readonly [Point, Point] => {
     switch (latticeType(group)) {
@@ -51,8 +52,15 @@ export function latticeVectors(
           [width, 0],
           [0, height],
         ];
-      case 'oblique':
-        return [[width, 0], turned([height, 0], radians(angleDeg))];
+      case 'oblique': {
+        const [x, y] = turned([height, 0], radians(angleDeg));
+        const upward: Point = [x, y];
+        if (cell !== 'centred') return [[width, 0], upward];
+        return [
+          [(width - x) / 2, -y / 2],
+          [(width + x) / 2, y / 2],
+        ];
+      }
     }
   })();
   if (turnDeg === 0) return upright;
@@ -61,13 +69,13 @@ export function latticeVectors(
 }
 
 /** The inverse of `latticeVectors`; the turn lies above -180 degrees, up to 180. */
-export function repeatOf({group, w1, w2}: Repeat): {
+export function repeatOf({group, w1, w2, cell}: CellOf): {
   readonly size: RepeatSize;
   readonly turnDeg: number;
 } {
   const type = latticeType(group);
   const [across, up] =
-    type === 'rhombic'
+    type === 'rhombic' || (type === 'oblique' && cell === 'centred')
       ? [
           [w1[0] + w2[0], w1[1] + w2[1]],
           [w2[0] - w1[0], w2[1] - w1[1]],
@@ -113,7 +121,7 @@ export interface FittingGroup {
    */
   readonly turnDeg: 0 | 90;
   /** What the picture of the measured cell is for the smaller group. */
-  readonly cell: 'primitive' | 'rectangular';
+  readonly cell: PrintCell;
 }
 
 /** What is left of a group where its cell is a rectangle of any proportions. */

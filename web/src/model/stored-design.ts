@@ -181,7 +181,8 @@ export function printOfStored({print}: Pick<StoredProblem, 'print'>, content: st
     throw new FileError(print.url, `has no colourway '${colourway}'; choose one that it has.`);
   }
   const own = repeatOf(file);
-  const [w1, w2] = latticeVectors(group, size ?? own.size, turnDeg ?? own.turnDeg);
+  const turn = turnDeg ?? own.turnDeg;
+  const [w1, w2] = latticeVectors(group, size ?? own.size, turn, cell ?? file.cell);
   return {
     ...file,
     ...(worn && {image: worn.image}),

@@ -17,6 +17,9 @@ export interface PlaneMap {
 /** A print's lattice and group, which is all that the geometry depends on. */
 export type Repeat = Pick<Print, 'group' | 'w1' | 'w2'>;
 
+/** With what the print's picture shows. */
+export type CellOf = Repeat & Pick<Print, 'cell'>;
+
 const map = (xx: number, xy: number, yx: number, yy: number, x = 0, y = 0): PlaneMap => ({
   xx,
   xy,
@@ -104,15 +107,13 @@ export function printElements({group, w1, w2}: Repeat): readonly PlaneMap[] {
 }
 
 /** The cell an image of the print shows, from its lower left corner: to the right, and up. [cm] */
-export function imageCell({
-  group,
-  w1,
-  w2,
-  cell,
-}: Repeat & Pick<Print, 'cell'>): readonly [Point, Point] {
-  if (cell !== 'rectangular') return [w1, w2];
-  if (latticeType(group) === 'hexagonal') return [w1, [2 * w2[0] - w1[0], 2 * w2[1] - w1[1]]];
-  if (latticeType(group) !== 'rhombic') return [w1, w2];
+export function imageCell({group, w1, w2, cell}: CellOf): readonly [Point, Point] {
+  if (cell === 'rectangular' && latticeType(group) === 'hexagonal') {
+    return [w1, [2 * w2[0] - w1[0], 2 * w2[1] - w1[1]]];
+  }
+  const holdsTwo =
+    cell === 'centred' || (cell === 'rectangular' && latticeType(group) === 'rhombic');
+  if (!holdsTwo) return [w1, w2];
   const sum: Point = [w1[0] + w2[0], w1[1] + w2[1]];
   // w1 - w2 lies to the right of w1 + w2 when w1, w2 are right-handed
   return [sum, [w2[0] - w1[0], w2[1] - w1[1]]];

@@ -1,6 +1,6 @@
 /** Whether the picture of one cell has the symmetries of a group, and where it breaks them. */
 import type {Point} from '../model/geometry.js';
-import {groupNames, type GroupName, type Print} from '../model/print.js';
+import {groupNames, type GroupName, type PrintCell} from '../model/print.js';
 import {fittingGroup, latticeVectors, type RepeatSize} from '../model/repeat.js';
 import {imageCell, latticeType, printElements, type PlaneMap} from '../model/wallpaper.js';
 import {clothOf, seenThrough, type Cloth, type Pixels} from './tile-cloth.js';
@@ -15,11 +15,18 @@ export interface TileBreak {
   readonly difference: number;
 }
 
+export interface ElementCheck {
+  readonly map: PlaneMap;
+  /** Root mean square difference, of all of the tile and of the place where it is greatest. [0, 255] */
+  readonly rms: number;
+  readonly worst: number;
+}
+
 export interface TileCheck {
   /** The greatest difference of a place; up to `visibleDifference` it is noise. [0, 255] */
   readonly worst: number;
-  /** Root mean square difference of the tile and its image, for every symmetry but the identity. [0, 255] */
-  readonly elements: readonly {readonly map: PlaneMap; readonly rms: number}[];
+  /** The tile and its image under every symmetry but the identity. */
+  readonly elements: readonly ElementCheck[];
   /** Worst first. */
   readonly breaks: readonly TileBreak[];
 }
@@ -34,6 +41,12 @@ export const visibleDifference = 16;
 const isCentred = (group: GroupName): boolean =>
   ['rhombic', 'hexagonal'].includes(latticeType(group));
 
+/** What the picture of a group's cell may show, where it is a rectangle; the most symmetric first. */
+function cellsOf(group: GroupName): readonly PrintCell[] {
+  if (isCentred(group)) return ['rectangular'];
+  return latticeType(group) === 'oblique' ? ['centred', 'primitive'] : ['primitive'];
+}
+
 const movedBy = (shift: Point): PlaneMap => ({xx: 1, xy: 0, yx: 0, yy: 1, shift});
 
 /** No finer than the picture itself is; even, so that the middle of the cell is one of pixels. */
@@ -45,14 +58,22 @@ function sizeFor(image: Pixels, cell: Cloth['cell']): readonly [number, number] 
   return [pixels(a, image.width), pixels(b, image.height)];
 }
 
+/** How many there are in a cloth that may have fewer pixels. */
+const placesIn = ({width, height}: Cloth): readonly [columns: number, rows: number] => [
+  Math.min(places, width),
+  Math.min(places, height),
+];
+
 /** Per place, the root mean square of a value that every colour of every pixel has. */
-function byPlace({width, height}: Cloth, value: (index: number) => number): readonly number[] {
-  const sums = new Float64Array(places * places);
-  const counts = new Float64Array(places * places);
+function byPlace(cloth: Cloth, value: (index: number) => number): readonly number[] {
+  const {width, height} = cloth;
+  const [columns, rows] = placesIn(cloth);
+  const sums = new Float64Array(columns * rows);
+  const counts = new Float64Array(columns * rows);
   for (let y = 0; y < height; y++) {
-    const row = Math.floor((y * places) / height) * places;
+    const row = Math.floor((y * rows) / height) * columns;
     for (let x = 0; x < width; x++) {
-      const place = row + Math.floor((x * places) / width);
+      const place = row + Math.floor((x * columns) / width);
       const from = 3 * (y * width + x);
       for (let k = from; k < from + 3; k++) sums[place] = (sums[place] ?? 0) + value(k) ** 2;
       counts[place] = (counts[place] ?? 0) + 3;
@@ -75,25 +96,27 @@ export function checkTile(
   pixels: Pixels,
   group: GroupName,
   size: RepeatSize,
-  cell: NonNullable<Print['cell']>,
+  cell: PrintCell,
 ): TileCheck {
-  const [w1, w2] = latticeVectors(group, size);
+  const [w1, w2] = latticeVectors(group, size, 0, cell);
   const repeat = {group, w1, w2, cell};
   return checked(clothOf(repeat, pixels, sizeFor(pixels, repeat), 2));
 }
 
 function checked(cloth: Cloth): TileCheck {
-  const {group, w1, cell} = cloth.cell;
+  const {group, w2, cell} = cloth.cell;
   const sum = Float32Array.from(cloth.colours);
   const add = ({colours}: Cloth): void => {
     for (let k = 0; k < sum.length; k++) sum[k] = (sum[k] ?? 0) + (colours[k] ?? 0);
   };
-  const centring = isCentred(group) && cell === 'rectangular' ? [movedBy(w1)] : [];
+  const holdsTwo = cell === 'centred' || (cell === 'rectangular' && isCentred(group));
+  const centring = holdsTwo ? [movedBy(w2)] : [];
   const own = printElements(cloth.cell).slice(1);
   const elements = [...own, ...centring].map((map, k) => {
     const seen = seenThrough(cloth, map);
     if (k < own.length) add(seen);
-    return {map, rms: rootMeanSquare(cloth, seen)};
+    const apart = byPlace(cloth, (at) => (cloth.colours[at] ?? 0) - (seen.colours[at] ?? 0));
+    return {map, rms: rootMeanSquare(cloth, seen), worst: Math.max(...apart)};
   });
   if (elements.length === 0) return {worst: 0, elements, breaks: []};
   // what holds for the tile holds for its sum: the centre of the cell is like its corner
@@ -104,11 +127,12 @@ function checked(cloth: Cloth): TileCheck {
     cloth,
     (k) => (order * (cloth.colours[k] ?? 0) - (sum[k] ?? 0)) / (order - 1),
   );
+  const [columns, rows] = placesIn(cloth);
   const breaks = off
     .map((difference, k) => ({
-      x: (k % places) / places,
-      y: Math.floor(k / places) / places,
-      ...{width: 1 / places, height: 1 / places, difference},
+      x: (k % columns) / columns,
+      y: Math.floor(k / columns) / rows,
+      ...{width: 1 / columns, height: 1 / rows, difference},
     }))
     .filter(({difference}) => difference > visibleDifference)
     .sort((a, b) => b.difference - a.difference);
@@ -122,7 +146,7 @@ export interface FoundGroup {
   readonly turnDeg: 0 | 90;
   /** As the picture has to be taken: of the turned cell, if it is turned. */
   readonly size: RepeatSize;
-  readonly cell: NonNullable<Print['cell']>;
+  readonly cell: PrintCell;
   readonly worst: number;
 }
 
@@ -152,22 +176,23 @@ export function groupsOf(pixels: Pixels, {width, height}: RepeatSize): readonly 
   });
   return groupNames
     .flatMap((group): readonly FoundGroup[] => {
-      const cell = isCentred(group) ? 'rectangular' : 'primitive';
-      return ways
+      return cellsOf(group)
+        .flatMap((cell) => ways.map((way) => ({...way, cell})))
         .filter(({size}) => fittingGroup(group, size) === undefined)
-        .map(({turnDeg, size, cloth}) => {
-          const [w1, w2] = latticeVectors(group, size);
+        .map(({turnDeg, size, cloth, cell}) => {
+          const [w1, w2] = latticeVectors(group, size, 0, cell);
           const {worst} = checked({...cloth, cell: {group, w1, w2, cell}});
           return {group, turnDeg, size, cell, worst} as const;
         })
         .filter(({worst}) => worst <= visibleDifference)
         .slice(0, 1);
     })
-    .sort((a, b) => symmetriesIn(b) - symmetriesIn(a));
+    .sort((a, b) => symmetriesIn(b) - symmetriesIn(a) || orderOf(b) - orderOf(a));
 }
 
+const orderOf = ({group}: FoundGroup): number =>
+  printElements({group, w1: [1, 0], w2: [0, 1]}).length;
+
 /** In the rectangle of the tile; a centred one holds two cells. */
-function symmetriesIn({group, cell}: FoundGroup): number {
-  const order = printElements({group, w1: [1, 0], w2: [0, 1]}).length;
-  return cell === 'rectangular' ? 2 * order : order;
-}
+const symmetriesIn = (found: FoundGroup): number =>
+  found.cell === 'primitive' ? orderOf(found) : 2 * orderOf(found);

@@ -1,9 +1,8 @@
 /** A print by the pixels of one cell, and how it looks when the plane is moved. */
 import type {Point} from '../model/geometry.js';
-import type {Print} from '../model/print.js';
-import {apply, imageCell, type PlaneMap, type Repeat} from '../model/wallpaper.js';
+import {apply, imageCell, type CellOf as Cell, type PlaneMap} from '../model/wallpaper.js';
 
-export type Cell = Repeat & Pick<Print, 'cell'>;
+export type {Cell};
 
 export interface Pixels {
   readonly width: number;

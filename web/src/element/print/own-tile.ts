@@ -1,39 +1,47 @@
 /** Reads what somebody hands over as a print: a print file, or the picture of one cell. */
 import {noPicture, type DesignPrint} from '../../model/design.js';
-import {groupNames, type GroupName, type Print} from '../../model/print.js';
-import {latticeVectors, repeatOf} from '../../model/repeat.js';
 import type {Point} from '../../model/geometry.js';
-import {hasOutsidePictures} from '../../picture/svg.js';
+import {
+  groupNames,
+  printCells,
+  type GroupName,
+  type Print,
+  type PrintCell,
+} from '../../model/print.js';
+import {latticeVectors, repeatOf} from '../../model/repeat.js';
+import type {OwnPicture} from '../../model/tile-repeat.js';
 import {en, type Texts} from '../texts/en.js';
 import {textsOf} from '../texts/texts.js';
 import type {Workbench} from '../workbench/workbench.js';
-import {groupsIn, withFound} from './own-print.js';
-import {loadPicture} from './picture.js';
+import {sizeInFile} from './file-size.js';
+import {openEdgesOf, openPairs, printOfPicture} from './own-print.js';
+import {looksLikePicture, pictureEndings, readPicture} from './read-picture.js';
 
+/** No print file is longer. [bytes] */
 const mostBytes = 12 * 2 ** 20;
-/** Longest side. [px] */
-const mostPixels = 8192;
-/** How wide the cell of a picture is until somebody has measured it. [cm] */
-const firstWidth = 10;
-
-const pictureTypes: Readonly<Record<string, string>> = {
-  png: 'image/png',
-  jpg: 'image/jpeg',
-  jpeg: 'image/jpeg',
-  webp: 'image/webp',
-  svg: 'image/svg+xml',
-};
+/** How wide a picture is until its file or somebody says so. [cm] */
+export const firstWidth = 10;
 
 /** What a file picker is to offer. */
-export const printFiles = `.json,${Object.keys(pictureTypes)
-  .map((ending) => `.${ending}`)
-  .join()}`;
-
-const pictureType = ({name, type}: File): string | undefined =>
-  Object.values(pictureTypes).find((one) => one === type) ??
-  pictureTypes[name.slice(name.lastIndexOf('.') + 1).toLowerCase()];
+export const printFiles = `.json,${pictureEndings.map((ending) => `.${ending}`).join()}`;
 
 type Words = Texts['print']['files'];
+
+/** A picture that does not meet its copies: whoever opened it has to decide what becomes of it. */
+export class OpenEdgesError extends Error {
+  override readonly name = 'OpenEdgesError';
+}
+
+/** Reads a picture as it is opened: straight, and as large as its file says. @throws {Error} with one sentence */
+async function readOwnPicture(file: File, words: Words): Promise<OwnPicture> {
+  const {image, width, height} = await readPicture(file, words);
+  const said = await sizeInFile(image);
+  const across = said?.width ?? firstWidth;
+  return {
+    ...{title: file.name.replace(/\.[^.]*$/, ''), image, repeat: 'straight', turnDeg: 0},
+    size: {width: across, height: (across * height) / width, angleDeg: 90},
+  };
+}
 
 /**
  * A print as a design holds it. A picture gets the group with most symmetries that it has. A print file names
@@ -44,64 +52,47 @@ export async function readPrintFile(
   file: File,
   words: Words = en.print.files,
 ): Promise<DesignPrint> {
+  if (await looksLikePicture(file)) return printOfPicture(await readOwnPicture(file, words));
   if (file.size > mostBytes) throw new Error(words.tooLarge(file.name));
-  const type = pictureType(file);
-  if (type) return readPicture(file, type, words);
   return printFrom(await file.text(), file.name, words);
 }
 
-/** Reads a print and shows the design on it. The picture of a print that waits for its own becomes that. */
+/**
+ * Reads a print and shows the design on it. The picture of a print that waits for its own becomes that.
+ * One that does not meet its copies is left for somebody to decide about.
+ * @throws {Error} with one sentence that says what is wrong; the print stays as it is
+ */
 export async function openPrint(desk: Workbench, file: File): Promise<void> {
-  const read = await readPrintFile(file, textsOf(desk.preferences.language).print.files);
+  const {language, messages} = desk.preferences;
+  const words = textsOf(language, messages).print.files;
   const present = desk.design?.print;
-  const waits = present?.image === noPicture && pictureType(file) !== undefined;
-  desk.change({print: waits ? {...present, image: read.image} : read});
-}
-
-async function readPicture(file: File, type: string, words: Words): Promise<DesignPrint> {
-  if (type === pictureTypes.svg && hasOutsidePictures(await file.text())) {
-    throw new Error(words.outsidePictures(file.name));
+  desk.doubtful = undefined;
+  if (!(await looksLikePicture(file))) {
+    desk.change({print: await readPrintFile(file, words)});
+    return;
   }
-  const image = await dataUrl(new Blob([file], {type}));
-  const picture = await loadPicture(image).catch(() => {
-    throw new Error(words.unreadable(file.name));
-  });
-  const {naturalWidth, naturalHeight} = picture;
-  if (Math.max(naturalWidth, naturalHeight) > mostPixels) throw new Error(words.tooWide(file.name));
-  const height = (firstWidth * naturalHeight) / naturalWidth;
-  const print: DesignPrint = {
-    title: file.name.replace(/\.[^.]*$/, ''),
-    group: 'p1',
-    size: {width: firstWidth, height, angleDeg: 90},
-    turnDeg: 0,
-    oneWay: true,
-    cell: 'primitive',
-    image,
-  };
-  const [found] = await groupsIn(image, firstWidth);
-  return found ? withFound(print, found) : print;
-}
-
-function dataUrl(blob: Blob): Promise<string> {
-  return new Promise((resolve, reject) => {
-    const reader = new FileReader();
-    reader.addEventListener('load', () => {
-      resolve(typeof reader.result === 'string' ? reader.result : '');
-    });
-    reader.addEventListener('error', () => {
-      reject(new Error(reader.error?.message));
-    });
-    reader.readAsDataURL(blob);
-  });
+  const own = await readOwnPicture(file, words);
+  if (present?.image === noPicture && !present.sample) {
+    desk.change({print: {...present, image: own.image}});
+    return;
+  }
+  const edges = await openEdgesOf(own);
+  if (edges.length > 0) {
+    if (present) desk.doubtful = {own, edges, beside: present};
+    throw new OpenEdgesError(words.openEdges[openPairs(edges)](file.name));
+  }
+  desk.change({print: await printOfPicture(own)});
 }
 
 /** @throws {Error} */
 export function printFrom(text: string, name: string, words: Words): DesignPrint {
   const print = parsed(text);
   const {group, w1, w2} = print;
+  if (isPattern(print)) throw new Error(words.pattern(name));
   if (!isGroup(group) || !isPoint(w1) || !isPoint(w2)) throw new Error(words.noPrint(name));
-  const repeat = repeatOf({group, w1, w2});
-  const again = latticeVectors(group, repeat.size, repeat.turnDeg);
+  const cell = isCell(print.cell) ? print.cell : 'primitive';
+  const repeat = repeatOf({group, w1, w2, cell});
+  const again = latticeVectors(group, repeat.size, repeat.turnDeg, cell);
   const off = [w1, w2].map(([x, y], k) =>
     Math.hypot(x - (again[k]?.[0] ?? 0), y - (again[k]?.[1] ?? 0)),
   );
@@ -109,11 +100,11 @@ export function printFrom(text: string, name: string, words: Words): DesignPrint
   if (!(Math.max(...off) < 0.001 * Math.hypot(...w1)) || repeat.size.angleDeg <= 0) {
     throw new Error(words.wrongLattice(name, group));
   }
-  const {title, oneWay, cell, image} = print;
+  const {title, oneWay, image} = print;
   return {
     title: typeof title === 'string' ? title : name.replace(/\.[^.]*$/, ''),
     ...{group, ...repeat, oneWay: oneWay === true},
-    cell: cell === 'rectangular' ? cell : 'primitive',
+    cell,
     image: typeof image === 'string' && image.startsWith('data:image/') ? image : noPicture,
   };
 }
@@ -128,6 +119,15 @@ function parsed(text: string): {readonly [Field in keyof Print]?: unknown} {
 
 const isGroup = (value: unknown): value is GroupName =>
   (groupNames as readonly unknown[]).includes(value);
+
+const isCell = (value: unknown): value is PrintCell =>
+  (printCells as readonly unknown[]).includes(value);
+
+/** A sewing pattern has its pieces here, or says so. */
+const isPattern = (file: object): boolean =>
+  'pattern' in file ||
+  'panels' in file ||
+  String(Reflect.get(file, 'format')).startsWith('seamwise-garment/');
 
 const isPoint = (value: unknown): value is Point =>
   Array.isArray(value) && value.length === 2 && value.every((one) => Number.isFinite(one));

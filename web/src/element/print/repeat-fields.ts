@@ -1,40 +1,55 @@
 /** How large the repeat is on the cloth, and how it lies there. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {DesignPrint} from '../../model/design.js';
-import {
-  coupledSize,
-  fittingGroup,
-  isCoupled,
-  type FittingGroup,
-  type RepeatSize,
-} from '../../model/repeat.js';
+import {noPicture, type DesignPrint} from '../../model/design.js';
+import {fittingGroup, isCoupled, type FittingGroup, type RepeatSize} from '../../model/repeat.js';
+import {cellSize, cellTurn, resized, tileSize, tileTurn} from '../../model/tile-repeat.js';
 import {latticeType} from '../../model/wallpaper.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
-import {missing} from './choices.js';
+import {icon} from '../style/icons.js';
+import {cellDiagram, cellDiagramStyle} from './cell-diagram.js';
+import {choiceOf, missing} from './choices.js';
+import {leastRepeat, mostRepeat} from './limits.js';
 import {withGroup} from './own-print.js';
 
-const leastCm = 0.2;
-const mostCm = 200;
-
 export class RepeatFields extends DeskElement {
-  static override properties = {...DeskElement.properties, measured: {state: true}};
+  static override properties = {
+    ...DeskElement.properties,
+    measured: {state: true},
+    isFree: {state: true},
+  };
   /** A cell that somebody measured on cloth and that the print's group does not allow. */
   declare protected measured: {readonly of: DesignPrint; readonly size: RepeatSize} | undefined;
+  /** The picture whose width and height somebody wants to enter apart. */
+  declare protected isFree: string | undefined;
 
   static override styles = [
     controls,
+    cellDiagramStyle,
     css`
       :host {
         display: grid;
-        grid-template-columns: 1fr 1fr;
-        gap: var(--sw-space-3) var(--sw-space-2);
+        gap: var(--sw-space-3);
       }
-      .offer,
-      .question {
-        grid-column: 1 / -1;
+      .sides {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto minmax(0, 1fr);
+        gap: var(--sw-space-1);
+        align-items: end;
+      }
+      .sides button {
+        width: 1.75rem;
+        padding: 0;
+      }
+      .angles {
+        display: grid;
+        grid-template-columns: 1fr 1fr;
+        gap: var(--sw-space-2);
+      }
+      .cell {
+        justify-self: center;
       }
       .offer {
         display: grid;
@@ -55,43 +70,34 @@ export class RepeatFields extends DeskElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    if (this.measured && this.measured.of !== this.desk.design?.print) this.measured = undefined;
+    const print = this.desk.design?.print;
+    if (this.measured && this.measured.of !== print) this.measured = undefined;
+    if (this.isFree !== print?.image) this.isFree = undefined;
   }
 
   protected override render(): TemplateResult | typeof nothing {
     const print = this.desk.design?.print;
     if (!print) return nothing;
-    const {size, turnDeg, group, oneWay} = print;
     const texts = this.texts.print;
+    const {desk} = this;
     return html`
-      ${this.#length(texts.width, size.width, (width) => {
-        this.#resize(print, {...size, width});
-      })}
-      ${this.#length(texts.height, this.measured?.size.height ?? size.height, (height) => {
-        const measured = {...size, height};
-        if (isCoupled(group)) this.measured = {of: print, size: measured};
-        else this.#resize(print, measured);
-      })}
-      ${this.#offer(print)}
+      ${this.#sides(print)} ${this.#offer(print)}
+      <sw-measure .desk=${desk}></sw-measure>
       ${
-        latticeType(group) === 'oblique'
-          ? this.#degrees(texts.angle, size.angleDeg, 20, 160, (angleDeg) => {
-              this.#resize(print, {...size, angleDeg});
-            })
-          : nothing
+        print.sample || print.image === noPicture
+          ? nothing
+          : html`<sw-file-size .desk=${desk}></sw-file-size>`
       }
-      ${this.#degrees(texts.turn, turnDeg, -180, 180, (degrees) => {
-        this.desk.change({print: {...print, turnDeg: degrees}}, 'print size');
-      })}
+      ${this.#lie(print)}
       <div class="question">
         <label class="inline">
           <input
             type="checkbox"
             aria-describedby="upside-down"
-            .checked=${oneWay}
+            .checked=${print.oneWay}
             @change=${(event: Event) => {
               const {checked} = event.target as HTMLInputElement;
-              this.desk.change({print: {...print, oneWay: checked}});
+              desk.change({print: {...print, oneWay: checked}});
             }}
           />
           ${texts.oneWay}
@@ -99,6 +105,72 @@ export class RepeatFields extends DeskElement {
         <p id="upside-down" class="soft">${texts.oneWayNote}</p>
       </div>
     `;
+  }
+
+  /** Width and height; along a stripe any height is as good as any other. */
+  #sides(print: DesignPrint): TemplateResult {
+    const texts = this.texts.print;
+    const size = tileSize(print);
+    const width = (enter: (cm: number) => void): TemplateResult =>
+      this.#length(texts.width, size.width, enter);
+    if (choiceOf(print) === 'stripes') {
+      return width((cm) => {
+        this.#resize(print, {...size, width: cm});
+      });
+    }
+    const isLocked = this.isFree === undefined;
+    const shownHeight = this.measured ? tileSize({...print, ...this.measured}).height : size.height;
+    return html`<div class="sides">
+      ${width((cm) => {
+        const height = isLocked ? (size.height * cm) / size.width : size.height;
+        this.#resize(print, {...size, width: cm, height});
+      })}
+      <button
+        aria-pressed=${isLocked}
+        aria-label=${texts.proportions}
+        title=${texts.proportions}
+        @click=${() => {
+          this.isFree = isLocked ? print.image : undefined;
+          this.measured = undefined;
+        }}
+      >
+        ${isLocked ? icon.locked : icon.unlocked}
+      </button>
+      ${this.#length(texts.height, shownHeight, (cm) => {
+        const free = {...size, height: cm};
+        if (isLocked) this.#resize(print, {...free, width: (size.width * cm) / size.height});
+        else if (isCoupled(print.group)) this.measured = {of: print, size: cellSize(print, free)};
+        else this.#resize(print, free);
+      })}
+    </div>`;
+  }
+
+  /** Angles, and a drawing of what they and the sides mean. */
+  #lie(print: DesignPrint): TemplateResult {
+    const {print: texts} = this.texts;
+    const size = tileSize(print);
+    const turn = tileTurn(print);
+    const {format} = this;
+    // a picture that is no rectangle is rare; a cell that is none is not
+    const isSlanted = latticeType(print.group) === 'oblique' && print.cell === 'primitive';
+    const asksAngle = isSlanted && (size.angleDeg !== 90 || this.isFree !== undefined);
+    const angle = `${format.number(turn)}°`;
+    return html`<div class="angles">
+        ${
+          asksAngle
+            ? this.#degrees(texts.angle, size.angleDeg, 20, 160, (angleDeg) => {
+                this.#resize(print, {...size, angleDeg});
+              })
+            : nothing
+        }
+        ${this.#degrees(texts.turn, turn, -180, 180, (degrees) => {
+          this.desk.change({print: {...print, turnDeg: cellTurn(print, degrees)}}, 'print size');
+        })}
+      </div>
+      ${cellDiagram({
+        ...{size, turnDeg: turn, names: texts.sideNames},
+        label: texts.sides(format.length(size.width), format.length(size.height), angle),
+      })}`;
   }
 
   #length(
@@ -112,10 +184,10 @@ export class RepeatFields extends DeskElement {
       .label=${label(name)}
       .value=${value / cm}
       .subject=${this.desk.design?.print.image}
-      .least=${leastCm / cm}
-      .most=${mostCm / cm}
+      .least=${leastRepeat / cm}
+      .most=${mostRepeat / cm}
       .step=${0.1}
-      .wrong=${this.texts.controls.between(format.length(leastCm), format.length(mostCm))}
+      .wrong=${this.texts.controls.between(format.length(leastRepeat), format.length(mostRepeat))}
       @entered=${({detail}: CustomEvent<number>) => {
         enter(detail * cm);
       }}
@@ -173,7 +245,7 @@ export class RepeatFields extends DeskElement {
   }
 
   #resize(print: DesignPrint, size: RepeatSize): void {
-    this.desk.change({print: {...print, size: coupledSize(print.group, size)}}, 'print size');
+    this.desk.change({print: resized(print, size)}, 'print size');
   }
 
   async #take(print: DesignPrint, fitting: FittingGroup): Promise<void> {

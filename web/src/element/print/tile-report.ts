@@ -1,38 +1,52 @@
-/** Somebody's own picture beside the group it is used with: whether it has that, and where it breaks it. */
-import {css, html, nothing, svg, type TemplateResult} from 'lit';
+/** Somebody's own picture beside what it is used as: whether it has that, and where it does not. */
+import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {noPicture, type DesignPrint} from '../../model/design.js';
-import type {FoundGroup, TileBreak, TileCheck} from '../../picture/tile-check.js';
+import {pictureIn, type TileRepeat} from '../../model/tile-repeat.js';
+import type {Asymmetry} from '../../picture/asymmetry.js';
+import type {FoundGroup, TileCheck} from '../../picture/tile-check.js';
+import type {OpenEdge} from '../../picture/tile-edges.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
-import {missing} from './choices.js';
-import {checked, groupsIn, withFound} from './own-print.js';
+import {choiceOf, missing} from './choices.js';
+import {edgesPath, markedTile, markedTileStyle, outlineOf} from './marked-tile.js';
+import {
+  checked,
+  closedRepeats,
+  groupsIn,
+  openEdgesOf,
+  openPairs,
+  pixelsOfTile,
+  printOfPicture,
+  withFound,
+} from './own-print.js';
+import {remedies} from './remedies.js';
 
 interface Report {
   readonly print: DesignPrint;
   readonly check: TileCheck;
+  readonly lacks: readonly Asymmetry[];
+  readonly isStriped: boolean;
   readonly groups: readonly FoundGroup[];
+  readonly edges: readonly OpenEdge[];
+  /** What would let it meet its copies. */
+  readonly repeats: readonly TileRepeat[];
 }
 
-/** The outline of places that touch: the sides that no two of them share. */
-function outlineOf(breaks: readonly TileBreak[]): string {
-  const sides = new Map<string, number>();
-  for (const {x, y, width, height} of breaks) {
-    const [left, right] = [x, x + width].map((value) => value.toFixed(4));
-    const [top, bottom] = [y, y + height].map((value) => value.toFixed(4));
-    for (const side of [
-      `M${left} ${top}H${right}`,
-      `M${left} ${bottom}H${right}`,
-      `M${left} ${top}V${bottom}`,
-      `M${right} ${top}V${bottom}`,
-    ]) {
-      sides.set(side, (sides.get(side) ?? 0) + 1);
-    }
-  }
-  return Array.from(sides)
-    .filter(([, times]) => times === 1)
-    .map(([side]) => side)
-    .join('');
+async function reportOf(print: DesignPrint): Promise<Report> {
+  const own = pictureIn(print);
+  const [{asymmetriesOf, isStriped}, check, groups, pixels, edges, repeats] = await Promise.all([
+    import('../../picture/asymmetry.js'),
+    checked(print),
+    groupsIn(own),
+    pixelsOfTile(own),
+    openEdgesOf(own),
+    closedRepeats(own),
+  ]);
+  const turn = 90 * Math.round(print.turnDeg / 90);
+  const striped = isStriped(pixels) || choiceOf(print) === 'stripes';
+  const lacks = asymmetriesOf(check, print.group, turn);
+  return {print, check, lacks, groups, edges, repeats, isStriped: striped};
 }
 
 export class TileReport extends DeskElement {
@@ -42,45 +56,15 @@ export class TileReport extends DeskElement {
 
   static override styles = [
     controls,
+    markedTileStyle,
     css`
       :host {
         display: grid;
         gap: var(--sw-space-2);
       }
-      .breaks {
-        display: grid;
-        grid-template-columns: 7rem 1fr;
-        gap: var(--sw-space-3);
-        padding: var(--sw-space-3);
-        border-radius: var(--sw-radius);
-        background: var(--sw-bad-tint);
-      }
-      .breaks > div {
-        display: grid;
-        align-content: start;
-        gap: var(--sw-space-2);
-      }
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        gap: var(--sw-space-1) var(--sw-space-2);
-      }
-      svg {
-        width: 100%;
-        max-height: 10rem;
-      }
-      path {
-        fill: none;
-        stroke-linecap: square;
-        vector-effect: non-scaling-stroke;
-      }
-      .casing {
-        stroke: #fff;
-        stroke-width: 5;
-      }
-      .line {
-        stroke: #a92a22;
-        stroke-width: 2;
+      small {
+        font-size: var(--sw-text-small);
+        color: var(--sw-soft);
       }
     `,
   ];
@@ -100,31 +84,59 @@ export class TileReport extends DeskElement {
     if (print.image === noPicture) return html`<p role="status">${texts.needsPicture}</p>`;
     const {report} = this;
     if (report?.print !== print) return nothing;
-    const {check, groups} = report;
-    if (check.breaks.length === 0) {
-      if (print.group === 'p1') return nothing; // which asks for nothing
-      return html`<p role="status" class="soft">${texts.keeps(print.group)}</p>`;
-    }
+    return html`${this.#edges(report)}
+    ${
+      report.check.breaks.length > 0
+        ? this.#breaks(report)
+        : html`<p role="status" class="soft">
+            ${texts.keeps} ${texts.meanings[choiceOf(print)]} <small>${print.group}</small>
+          </p>`
+    }`;
+  }
+
+  #edges({print, edges, repeats}: Report): TemplateResult | typeof nothing {
+    if (edges.length === 0) return nothing;
+    const texts = this.texts.print;
+    const own = pictureIn(print);
     return html`<div class="breaks" role="status">
-      ${this.#picture(print, check)}
+      ${markedTile({
+        ...{image: own.image, size: own.size, turnDeg: 0, marks: edgesPath(edges)},
+        label: texts.marked(print.title),
+      })}
       <div>
-        <p>${texts.breaks(print.group, this.format.percent(check.worst / 255))}</p>
-        <p>${texts.has}</p>
-        <div class="row">${groups.map((found) => this.#found(print, found))}</div>
+        <p>${texts.openEdges[openPairs(edges)]}</p>
+        ${
+          print.file
+            ? nothing
+            : html`<div class="row">
+                ${remedies(texts, repeats, (repeat) => this.#repeat(print, repeat))}
+              </div>`
+        }
       </div>
     </div>`;
   }
 
-  #picture({image, size, title}: DesignPrint, {breaks}: TileCheck): TemplateResult {
-    const outline = outlineOf(breaks);
-    const proportion = size.height / size.width;
-    return html`<svg viewBox="0 0 1 ${proportion}" role="img" aria-label=${title}>
-      ${svg`<image href=${image} width="1" height=${proportion} preserveAspectRatio="none"></image>
-        <g transform="scale(1 ${proportion})">
-          <path class="casing" d=${outline}></path>
-          <path class="line" d=${outline}></path>
-        </g>`}
-    </svg>`;
+  #breaks({print, check, lacks, isStriped, groups}: Report): TemplateResult {
+    const texts = this.texts.print;
+    const {language} = this.desk.preferences;
+    const hows = new Intl.ListFormat(language, {type: 'conjunction'});
+    // along a stripe the repeat is as short as you like, and would show nothing
+    const shape = choiceOf(print) === 'stripes' ? {width: 3, height: 2} : print.size;
+    const how = hows.format(lacks.slice(0, 3).map((one) => texts.differs[one]));
+    return html`<div class="breaks" role="status">
+      ${markedTile({
+        ...{image: print.image, size: shape, marks: outlineOf(check.breaks)},
+        ...{label: texts.marked(print.title), turnDeg: print.tile?.turnedDeg ?? 0},
+      })}
+      <div>
+        <p>
+          ${texts.reads[isStriped ? 'stripes' : 'picture'](how)}
+          <small title=${texts.meanings[print.group]}>(${print.group})</small>
+        </p>
+        <p>${texts.has}</p>
+        <div class="row">${groups.map((found) => this.#found(print, found))}</div>
+      </div>
+    </div>`;
   }
 
   #found(print: DesignPrint, found: FoundGroup): TemplateResult {
@@ -132,23 +144,24 @@ export class TileReport extends DeskElement {
     return html`<button
       class="outlined"
       ?disabled=${lacks !== undefined}
-      title=${this.texts.print.meanings[found.group]}
-      @click=${() => this.#take(print, found)}
+      title=${found.group}
+      @click=${() => this.#take(print, withFound(print, found))}
     >
-      ${found.group}
+      ${this.texts.print.meanings[found.group]}
     </button>`;
   }
 
   async #look(print: DesignPrint): Promise<void> {
-    const [check, groups] = await Promise.all([
-      checked(print),
-      groupsIn(print.image, print.size.width),
-    ]);
-    if (this.#looked === print) this.report = {print, check, groups};
+    const report = await reportOf(print);
+    if (this.#looked === print) this.report = report;
   }
 
-  async #take(print: DesignPrint, found: FoundGroup): Promise<void> {
-    const taken = await withFound(print, found);
-    if (this.desk.design?.print === print) this.desk.change({print: taken});
+  #repeat(print: DesignPrint, repeat: TileRepeat): Promise<void> {
+    return this.#take(print, printOfPicture({...pictureIn(print), repeat}));
+  }
+
+  async #take(print: DesignPrint, taken: Promise<DesignPrint>): Promise<void> {
+    const next = await taken;
+    if (this.desk.design?.print === print) this.desk.change({print: next});
   }
 }

@@ -406,6 +406,34 @@ export const de: Texts = {
     colourways: 'Farbstellungen',
     width: (unit) => `Rapportbreite (${unit})`,
     height: (unit) => `Rapporthöhe (${unit})`,
+    proportions: 'Seitenverhältnis behalten',
+    sides: (width, height, turn) =>
+      `Der Rapport auf dem Stoff, dessen Länge nach oben läuft: Breite ${width}, Höhe ${height}, um ${turn} gedreht`,
+    sideNames: {width: 'Breite', height: 'Höhe'},
+    fromFile: (resolution, size) => `Aus der Datei: ${resolution}, ${size} breit`,
+    dpi: (value) => `${value} dpi`,
+    onPaper: 'maßstäblich gezeichnet',
+    backToFile: (resolution, size) => `So groß, wie die Datei sagt: ${resolution}, ${size} breit`,
+    unasked: 'Viele Programme schreiben diese Zahl von sich aus: zur Sicherheit nachmessen.',
+    sizeUnknown:
+      'Die Datei sagt nicht, wie groß gedruckt wird: bitte messen oder eine Größe eingeben.',
+    measure: {
+      open: 'Im Bild messen',
+      how: 'Zwei Punkte anklicken, deren Abstand bekannt ist, oder mit den Pfeiltasten verschieben.',
+      points: ['Erster Punkt', 'Zweiter Punkt'],
+      distance: (unit) => `Abstand der beiden (${unit})`,
+      makes: (width, height) => `Ein Rapport ist dann ${width} × ${height} groß.`,
+      apply: 'Diese Größe nehmen',
+    },
+    repeats: {
+      label: 'Wie sich das Bild wiederholt',
+      straight: 'Gerade',
+      halfDrop: 'Halber Versatz',
+      brick: 'Ziegelverband',
+      mirrored: 'Gespiegelt',
+      mirroredAcross: 'Seitlich gespiegelt',
+      mirroredUp: 'Auf und ab gespiegelt',
+    },
     angle: 'Winkel (Grad)',
     turn: 'Drehung (Grad)',
     oneWay: 'Sieht kopfüber anders aus',
@@ -422,10 +450,39 @@ export const de: Texts = {
     keep: (group) => `${group} behalten`,
     needsPicture:
       'Das Bild dieses Musters ist eine Datei für sich: als Nächstes öffnen oder hier ablegen.',
-    keeps: (group) => `Das Bild hat alle Symmetrien von ${group}.`,
-    breaks: (group, percent) =>
-      `Das Bild ist nicht ${group}: An den umrandeten Stellen weicht es um bis zu ${percent} ab.`,
-    has: 'Es hat diese Gruppen:',
+    keeps: 'Im Bild gefunden:',
+    reads: {
+      picture: (how) => `Dieses Bild sieht ${how} anders aus, wo es umrandet ist.`,
+      stripes: (how) => `Diese Streifen sehen ${how} anders aus, wo sie umrandet sind.`,
+    },
+    differs: {
+      leftRight: 'von rechts nach links',
+      topBottom: 'von unten nach oben',
+      diagonal: 'an einer Diagonalen gespiegelt',
+      slanted: 'an einer schrägen Linie gespiegelt',
+      steps: 'gespiegelt und weitergerückt',
+      upsideDown: 'kopfüber',
+      quarterTurn: 'nach einer Vierteldrehung',
+      thirdTurn: 'nach einer Dritteldrehung',
+      sixthTurn: 'nach einer Sechsteldrehung',
+      halfDrop: 'einen halben Rapport daneben',
+    },
+    has: 'Das hat es:',
+    openEdges: {
+      across: 'Linker und rechter Rand passen nicht aneinander.',
+      up: 'Oberer und unterer Rand passen nicht aneinander.',
+      both: 'Die Ränder passen nicht aneinander.',
+    },
+    marked: (title) => `${title}; was nicht passt, ist markiert`,
+    doubtful: (title) => `${title} wiederholt sich so nicht.`,
+    remedy: {
+      label: 'Was daraus wird',
+      halfDrop: 'Es hat halben Versatz',
+      brick: 'Es ist ein Ziegelverband',
+      mirror: 'Spiegeln',
+      another: 'Anderes wählen',
+      anyway: 'Trotzdem nehmen',
+    },
     meanings: {
       p1: 'Wiederholt sich, ohne Drehung oder Spiegelung.',
       p2: 'Sieht kopfüber gleich aus; keine Spiegelachsen.',
@@ -453,6 +510,33 @@ export const de: Texts = {
       outsidePictures: (name) =>
         `${name} nimmt Bilder von anderswo herein, die Browser weglassen; bitte in die Datei aufnehmen oder als PNG speichern.`,
       unreadable: (name) => `${name} ist nicht als Bild lesbar.`,
+      kinds: {
+        png: 'ein PNG-Bild',
+        jpeg: 'ein JPEG-Bild',
+        webp: 'ein WebP-Bild',
+        svg: 'eine SVG-Zeichnung',
+        gif: 'ein GIF-Bild',
+        heic: 'ein HEIC-Foto',
+        avif: 'ein AVIF-Bild',
+        tiff: 'ein TIFF-Bild',
+        bmp: 'ein BMP-Bild',
+        pdf: 'ein PDF-Dokument',
+        photoshop: 'eine Photoshop-Datei',
+        postscript: 'eine PostScript-Datei',
+      },
+      wrongKind: (name, kind) =>
+        `${name} ist ${kind} und kann kein Muster sein: als PNG oder JPEG speichern und das öffnen.`,
+      damaged: (name, kind) =>
+        `${name} ist ${kind}, aber beschädigt: neu speichern oder eine andere Kopie nehmen.`,
+      pattern: (name) => `${name} ist ein Schnitt, kein Muster: „Schnitt öffnen“ verwenden.`,
+      openEdges: {
+        across: (name) =>
+          `${name} wiederholt sich nicht: linker und rechter Rand passen nicht aneinander. Unter Muster entscheiden, was daraus wird.`,
+        up: (name) =>
+          `${name} wiederholt sich nicht: oberer und unterer Rand passen nicht aneinander. Unter Muster entscheiden, was daraus wird.`,
+        both: (name) =>
+          `${name} wiederholt sich nicht: die Ränder passen nicht aneinander. Unter Muster entscheiden, was daraus wird.`,
+      },
       noPrint: (name) =>
         `${name} ist kein Muster: ein Bild (PNG, JPEG, WebP, SVG) öffnen oder eine Musterdatei mit group, w1 und w2.`,
       wrongLattice: (name, group) => `In ${name} spannen w1 und w2 kein Gitter von ${group} auf.`,

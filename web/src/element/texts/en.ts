@@ -396,6 +396,34 @@ export const en = {
     colourways: 'Colourways',
     width: (unit: string) => `Repeat width (${unit})`,
     height: (unit: string) => `Repeat height (${unit})`,
+    proportions: 'Keep the proportions',
+    sides: (width: string, height: string, turn: string) =>
+      `The repeat on the cloth, whose length runs upwards: width ${width}, height ${height}, turned by ${turn}`,
+    sideNames: {width: 'width', height: 'height'},
+    fromFile: (resolution: string, size: string) => `From the file: ${resolution}, ${size} wide`,
+    dpi: (value: string) => `${value} dpi`,
+    onPaper: 'drawn to scale',
+    backToFile: (resolution: string, size: string) =>
+      `As large as the file says: ${resolution}, ${size} wide`,
+    unasked: 'Many programs write this number by themselves: measure to be sure.',
+    sizeUnknown: 'The file does not say how large it is printed: measure it, or enter a size.',
+    measure: {
+      open: 'Measure on the picture',
+      how: 'Click two points whose distance you know, or move them with the arrow keys.',
+      points: ['First point', 'Second point'] as readonly string[],
+      distance: (unit: string) => `Distance between them (${unit})`,
+      makes: (width: string, height: string) => `One repeat is then ${width} × ${height}.`,
+      apply: 'Use this size',
+    },
+    repeats: {
+      label: 'How the picture repeats',
+      straight: 'Straight',
+      halfDrop: 'Half-drop',
+      brick: 'Brick',
+      mirrored: 'Mirrored',
+      mirroredAcross: 'Mirrored sideways',
+      mirroredUp: 'Mirrored up and down',
+    },
     angle: 'Angle (degrees)',
     turn: 'Turn (degrees)',
     oneWay: 'Looks different upside down',
@@ -413,10 +441,39 @@ export const en = {
     keep: (group: string) => `Keep ${group}`,
     needsPicture:
       'The picture of this print is in a file of its own: open that next, or drop it here.',
-    keeps: (group: string) => `The picture keeps all symmetries of ${group}.`,
-    breaks: (group: string, percent: string) =>
-      `The picture is not ${group}: in the outlined places it differs by up to ${percent}.`,
-    has: 'It has these groups:',
+    keeps: 'Found in the picture:',
+    reads: {
+      picture: (how: string) => `This picture reads differently ${how}, where it is outlined.`,
+      stripes: (how: string) => `These stripes read differently ${how}, where they are outlined.`,
+    },
+    differs: {
+      leftRight: 'from left to right',
+      topBottom: 'from top to bottom',
+      diagonal: 'across a diagonal',
+      slanted: 'across a slanted line',
+      steps: 'when it is mirrored and moved on',
+      upsideDown: 'upside down',
+      quarterTurn: 'after a quarter turn',
+      thirdTurn: 'after a third of a turn',
+      sixthTurn: 'after a sixth of a turn',
+      halfDrop: 'half a repeat aside',
+    },
+    has: 'This is what it has:',
+    openEdges: {
+      across: 'Its left and right edges do not meet.',
+      up: 'Its upper and lower edges do not meet.',
+      both: 'Its edges do not meet.',
+    },
+    marked: (title: string) => `${title}, with what does not match marked`,
+    doubtful: (title: string) => `${title} does not repeat as it is.`,
+    remedy: {
+      label: 'What becomes of it',
+      halfDrop: 'It is a half-drop',
+      brick: 'It is a brick repeat',
+      mirror: 'Mirror it',
+      another: 'Choose another',
+      anyway: 'Use it anyway',
+    },
     meanings: {
       p1: 'Repeats, without turns or mirrors.',
       p2: 'Looks the same upside down; no mirrors.',
@@ -444,6 +501,33 @@ export const en = {
       outsidePictures: (name: string) =>
         `${name} takes in pictures from elsewhere, which browsers leave out; put them into the file, or save it as PNG.`,
       unreadable: (name: string) => `${name} cannot be read as a picture.`,
+      kinds: {
+        png: 'a PNG picture',
+        jpeg: 'a JPEG picture',
+        webp: 'a WebP picture',
+        svg: 'an SVG drawing',
+        gif: 'a GIF picture',
+        heic: 'a HEIC photo',
+        avif: 'an AVIF picture',
+        tiff: 'a TIFF picture',
+        bmp: 'a BMP picture',
+        pdf: 'a PDF document',
+        photoshop: 'a Photoshop file',
+        postscript: 'a PostScript file',
+      },
+      wrongKind: (name: string, kind: string) =>
+        `${name} is ${kind}, which cannot be a print: save it as PNG or JPEG, and open that.`,
+      damaged: (name: string, kind: string) =>
+        `${name} is ${kind}, but damaged: save it again, or take another copy.`,
+      pattern: (name: string) => `${name} is a sewing pattern, no print: use Open garment.`,
+      openEdges: {
+        across: (name: string) =>
+          `${name} does not repeat: its left and right edges do not meet. Decide under Print what becomes of it.`,
+        up: (name: string) =>
+          `${name} does not repeat: its upper and lower edges do not meet. Decide under Print what becomes of it.`,
+        both: (name: string) =>
+          `${name} does not repeat: its edges do not meet. Decide under Print what becomes of it.`,
+      },
       noPrint: (name: string) =>
         `${name} is no print: open a picture (PNG, JPEG, WebP, SVG), or a print file with group, w1 and w2.`,
       wrongLattice: (name: string, group: string) =>

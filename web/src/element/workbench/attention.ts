@@ -2,13 +2,20 @@
 import {Observable} from './observable.js';
 import type {Preferences} from './preferences.js';
 import type {Scenes} from './scenes.js';
-import {sameTarget, type Notice, type SheetWindow, type Target} from './state.js';
+import {
+  sameTarget,
+  type DoubtfulPicture,
+  type Notice,
+  type SheetWindow,
+  type Target,
+} from './state.js';
 
 export class Attention extends Observable {
   /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
   view: SheetWindow | undefined;
   #preferences: Preferences;
   #notice: Notice | undefined;
+  #doubtful: DoubtfulPicture | undefined;
   #scenes: Scenes | undefined;
   #selected: Target | undefined;
   #pointed: Target | undefined;
@@ -33,6 +40,17 @@ export class Attention extends Observable {
 
   say(notice: Notice | undefined): void {
     this.#notice = notice;
+    this.changed();
+  }
+
+  /** What has to be decided before it becomes the print. */
+  get doubtful(): DoubtfulPicture | undefined {
+    return this.#doubtful;
+  }
+
+  set doubtful(picture: DoubtfulPicture | undefined) {
+    if (picture === this.#doubtful) return;
+    this.#doubtful = picture;
     this.changed();
   }
 

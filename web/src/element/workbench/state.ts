@@ -1,6 +1,8 @@
 /** What a workbench says about itself, as plain data. */
-import type {Design} from '../../model/design.js';
+import type {Design, DesignPrint} from '../../model/design.js';
 import type {Failure} from '../../model/failure.js';
+import type {OwnPicture} from '../../model/tile-repeat.js';
+import type {OpenEdge} from '../../picture/tile-edges.js';
 import type {Progress} from '../../model/problem.js';
 
 /** Where a view of the sheet stood. Scale in CSS px per cm. */
@@ -42,6 +44,14 @@ export interface Notice {
   readonly undo?: boolean;
   /** Offers something else. */
   readonly action?: {readonly label: string; readonly act: () => void};
+}
+
+/** A picture that somebody opened as a print and that does not meet its copies. */
+export interface DoubtfulPicture {
+  readonly own: OwnPicture;
+  readonly edges: readonly OpenEdge[];
+  /** The print that stays meanwhile; with another, the question is over. */
+  readonly beside: DesignPrint;
 }
 
 /** A part of the pattern that somebody means. */

@@ -1,0 +1,77 @@
+/** How large a picture is to be printed as its file says it, beside the size that somebody has entered. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {DesignPrint} from '../../model/design.js';
+import {pictureIn, resized, tileSize} from '../../model/tile-repeat.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {isUnasked, sizeInFile, type FileSize} from './file-size.js';
+import {firstWidth} from './own-tile.js';
+
+/** What is as good as the same. [cm] */
+const same = 0.005;
+
+export class FileSizeNote extends DeskElement {
+  static override properties = {...DeskElement.properties, said: {state: true}};
+  declare protected said: {readonly image: string; readonly size: FileSize | undefined} | undefined;
+  #looked = '';
+
+  static override styles = [
+    controls,
+    css`
+      button {
+        white-space: normal;
+        text-align: start;
+      }
+    `,
+  ];
+
+  protected override updated(): void {
+    const print = this.desk.design?.print;
+    if (!print) return;
+    const {image} = pictureIn(print);
+    if (image === this.#looked) return;
+    this.#looked = image;
+    void sizeInFile(image)
+      .catch(() => undefined)
+      .then((size) => {
+        if (this.#looked === image) this.said = {image, size};
+      });
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const print = this.desk.design?.print;
+    const {said} = this;
+    if (!print || said?.image !== pictureIn(print).image) return nothing;
+    const texts = this.texts.print;
+    const {width} = tileSize(print);
+    if (!said.size) {
+      const isGuess = Math.abs(width - firstWidth) < same;
+      return isGuess ? html`<p class="soft">${texts.sizeUnknown}</p>` : nothing;
+    }
+    const {dpi} = said.size;
+    const resolution = dpi === undefined ? texts.onPaper : texts.dpi(this.format.number(dpi, 0));
+    const length = this.format.length(said.size.width);
+    const isTaken = Math.abs(width - said.size.width) < same;
+    return html`${
+      isTaken
+        ? html`<p class="soft">${texts.fromFile(resolution, length)}</p>`
+        : html`<button
+            class="link"
+            @click=${() => {
+              this.#take(print, said.size?.width ?? width);
+            }}
+          >
+            ${texts.backToFile(resolution, length)}
+          </button>`
+    }
+    ${isTaken && isUnasked(said.size) ? html`<p class="soft">${texts.unasked}</p>` : nothing}`;
+  }
+
+  /** In the proportions that it has. */
+  #take(print: DesignPrint, width: number): void {
+    const size = tileSize(print);
+    const height = (size.height * width) / size.width;
+    this.desk.change({print: resized(print, {...size, width, height})}, 'print size');
+  }
+}

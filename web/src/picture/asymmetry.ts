@@ -1,0 +1,68 @@
+/** What a picture lacks that its group asks for, in the ways in which people notice it. */
+import type {GroupName} from '../model/print.js';
+import {determinant, type PlaneMap} from '../model/wallpaper.js';
+import {visibleDifference, type TileCheck} from './tile-check.js';
+import type {Pixels} from './tile-cloth.js';
+
+/** `steps`: mirrored and moved on, as footprints are. */
+export const asymmetries = [
+  ...(['leftRight', 'topBottom', 'diagonal', 'slanted', 'steps'] as const),
+  ...(['upsideDown', 'quarterTurn', 'thirdTurn', 'sixthTurn', 'halfDrop'] as const),
+] as const;
+
+export type Asymmetry = (typeof asymmetries)[number];
+
+const degrees = (angle: number): number => Math.round((angle * 180) / Math.PI);
+
+const turns: ReadonlyMap<number, Asymmetry> = new Map([
+  [180, 'upsideDown'],
+  [90, 'quarterTurn'],
+  [120, 'thirdTurn'],
+  [60, 'sixthTurn'],
+]);
+
+/** @param turnDeg how the picture lies before somebody, counter-clockwise, in quarter turns */
+function kindOf(group: GroupName, map: PlaneMap, turnDeg: number): Asymmetry {
+  const angle = degrees(Math.atan2(map.yx, map.xx));
+  if (determinant(map) > 0) {
+    return turns.get(Math.abs(angle)) ?? 'halfDrop';
+  }
+  const axis = (((angle / 2 + turnDeg) % 180) + 180) % 180;
+  const across = angle / 2 === 90 || angle / 2 === -90;
+  if (group === 'pg' || group === 'pgg' || (group === 'pmg' && across)) return 'steps';
+  if (axis % 90 === 0) return axis === 90 ? 'leftRight' : 'topBottom';
+  return axis % 45 === 0 ? 'diagonal' : 'slanted';
+}
+
+/** Most obvious first; empty where the picture has all that the group asks for. */
+export function asymmetriesOf(
+  {elements, breaks}: TileCheck,
+  group: GroupName,
+  turnDeg: number,
+): readonly Asymmetry[] {
+  if (breaks.length === 0) return [];
+  const greatest = Math.max(...elements.map(({worst}) => worst));
+  const least = Math.min(greatest, 2 * visibleDifference);
+  const found = elements
+    .filter(({worst}) => worst >= least)
+    .map(({map}) => kindOf(group, map, turnDeg));
+  return asymmetries.filter((one) => found.includes(one));
+}
+
+/** Whether a picture is the same all along its rows or columns. */
+export function isStriped({width, height, data}: Pixels): boolean {
+  const apart = (step: number, isSkipped: (pixel: number) => boolean): number => {
+    let [sum, count] = [0, 0];
+    for (let pixel = 0; pixel + step < width * height; pixel++) {
+      if (isSkipped(pixel)) continue;
+      for (let ink = 0; ink < 3; ink++) {
+        sum += Math.abs((data[4 * pixel + ink] ?? 0) - (data[4 * (pixel + step) + ink] ?? 0));
+      }
+      count += 3;
+    }
+    return count === 0 ? 0 : sum / count;
+  };
+  const along = apart(1, (pixel) => pixel % width === width - 1);
+  const down = apart(width, () => false);
+  return Math.min(along, down) < 0.5 && Math.max(along, down) > 1;
+}
