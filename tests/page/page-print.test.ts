@@ -27,6 +27,8 @@ const enter = async (page: Page, label: string, value: string): Promise<void> =>
   await page.getByLabel(label).press('Enter');
 };
 
+const proportions = (page: Page): Locator => button(page, 'Keep the proportions');
+
 const open = (page: Page, name: string, mimeType: string, content: string): Promise<void> =>
   page
     .locator('sw-print-panel input[type=file]')
@@ -88,8 +90,23 @@ it('refuses a repeat that is too small or too large in one sentence', async () =
   expect((await designOf(page)).print.size.width).toBe(11);
 });
 
+it('keeps the proportions of a repeat until that is taken back', async () => {
+  const page = await quietPage();
+  await group(page, 'pmm').click();
+  await page.getByRole('radio', {name: 'pmm, Harlequin', checked: true}).waitFor();
+  const {width, height} = (await designOf(page)).print.size;
+  await enter(page, 'Repeat width (cm)', '4');
+  expect((await designOf(page)).print.size.height).toBeCloseTo((4 * height) / width, 9);
+  await enter(page, 'Repeat height (cm)', String(height));
+  expect((await designOf(page)).print.size.width).toBeCloseTo(width, 9);
+  await proportions(page).click();
+  await enter(page, 'Repeat width (cm)', '4');
+  expect((await designOf(page)).print.size).toMatchObject({width: 4, height});
+});
+
 it('offers the group that still fits cloth that was measured', async () => {
   const page = await quietPage();
+  await proportions(page).click();
   await enter(page, 'Repeat height (cm)', '12');
   await page.getByText('Your cloth is not quite p4m; pmm still fits.').waitFor();
   expect((await designOf(page)).print.size.height).toBe(11);
@@ -103,6 +120,8 @@ it('offers the group that still fits cloth that was measured', async () => {
 it('turns the picture where the smaller group has its axes the other way', async () => {
   const page = await quietPage();
   await group(page, 'p3m1').click();
+  await page.getByRole('radio', {name: /^p3m1,/, checked: true}).waitFor();
+  await proportions(page).click();
   await enter(page, 'Repeat height (cm)', '18');
   await button(page, 'Take cm').click();
   await group(page, 'cm')
@@ -120,11 +139,13 @@ it('gives a picture the group that it has, and shows where it breaks another', a
   const {print} = await designOf(page);
   expect(print).toMatchObject({group: 'p1', oneWay: true, size: {width: 10, height: 5}});
   await group(page, 'pmm').click();
-  await page.getByText('The picture is not pmm: in the outlined places').waitFor();
-  const outline = page.getByRole('img', {name: 'Dots'}).locator('path').first();
+  await page.getByText('This picture reads differently from left to right').waitFor();
+  const outline = page.getByRole('img', {name: 'Dots, with'}).locator('path').first();
   expect(await outline.getAttribute('d')).not.toBe('');
-  await page.locator('sw-tile-report').getByRole('button', {name: 'p1', exact: true}).click();
-  await page.getByText('The picture is not pmm').waitFor({state: 'detached'}); // p1 asks for nothing
+  const report = page.locator('sw-tile-report');
+  await report.getByRole('button', {name: 'Repeats, without turns or mirrors.'}).click();
+  await page.getByText('This picture reads differently').waitFor({state: 'detached'});
+  await report.getByText('Repeats, without turns or mirrors.').waitFor();
 });
 
 it('finds both mirrors of a picture', async () => {
@@ -140,7 +161,7 @@ it('asks for the picture that a print file names, and takes it', async () => {
   await open(page, 'mine.json', 'application/json', JSON.stringify(file));
   await page.getByText('The picture of this print is in a file of its own').waitFor();
   await open(page, 'mine.svg', 'image/svg+xml', tile());
-  await page.getByText('The picture keeps all symmetries of pmm.').waitFor();
+  await page.getByText('Found in the picture: Mirrors both ways.').waitFor();
   expect((await designOf(page)).print).toMatchObject({
     ...{title: 'Mine', group: 'pmm', size: {width: 6, height: 8}},
   });

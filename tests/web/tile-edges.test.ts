@@ -1,0 +1,84 @@
+import {readdirSync, readFileSync} from 'node:fs';
+import {createCanvas, loadImage} from '@napi-rs/canvas';
+import {describe, expect, it} from 'vitest';
+
+import {openEdges, type Side} from '../../web/src/picture/tile-edges.js';
+import {cut, halfDrop, leaf, painted, paper, ink, type Painting} from '../support/pictures.js';
+
+const sidesOf = (edges: readonly {readonly side: Side}[]): readonly Side[] => [
+  ...new Set(edges.map(({side}) => side)),
+];
+
+const folder = new URL('../../public/prints/', import.meta.url);
+const prints = readdirSync(folder).filter((file) => /^[a-z0-9]+\.png$/.test(file));
+
+/** A part of a print from any point of it on, in cells, as small as it is compared. */
+async function partOf(file: string, [x, y]: [number, number], [across, up]: [number, number]) {
+  const image = await loadImage(readFileSync(new URL(file, folder)));
+  const scale = 240 / Math.max(image.width, image.height);
+  const [width, height] = [image.width, image.height].map((side) => Math.round(side * scale));
+  if (!width || !height) throw new Error(`${file} is empty`);
+  const canvas = createCanvas(Math.round(width * across), Math.round(height * up));
+  const context = canvas.getContext('2d');
+  for (const i of [0, 1]) {
+    for (const j of [0, 1]) {
+      const at = [Math.round((i - x) * width), Math.round((j - y) * height)] as const;
+      context.drawImage(image, ...at, width, height);
+    }
+  }
+  return context.getImageData(0, 0, canvas.width, canvas.height);
+}
+
+describe.each(prints)('the cell of %s', (file) => {
+  it.each([
+    [0, 0],
+    [0.37, 0.21],
+  ] as [number, number][])('meets itself wherever it begins: at %d, %d', async (x, y) => {
+    expect(openEdges(await partOf(file, [x, y], [1, 1]))).toEqual([]);
+  });
+});
+
+it.each(['bouquet', 'ditsy', 'cm', 'p1', 'p2', 'p3', 'p6'])(
+  'sees that a part of %s does not meet itself',
+  async (name) => {
+    const part = await partOf(`${name}.png`, [0.37, 0.21], [0.63, 1]);
+    expect(sidesOf(openEdges(part))).toEqual(['left', 'right']);
+  },
+);
+
+it('marks the part of an edge at which a disc is cut', () => {
+  const edges = openEdges(painted(220, 200, cut));
+  expect(sidesOf(edges)).toEqual(['left', 'right', 'top', 'bottom']);
+  const [left] = edges;
+  // it is 90 px high about a point that lies 60 px below the corner
+  expect(left?.from).toBeCloseTo(15 / 200, 1);
+  expect(left?.to).toBeCloseTo(105 / 200, 1);
+});
+
+it('sees a change of light from one edge to the other', () => {
+  const shaded: Painting = (x) => [100 + x / 2, 100 + x / 2, 90];
+  expect(sidesOf(openEdges(painted(200, 120, shaded)))).toEqual(['left', 'right']);
+});
+
+it.each<[string, Painting]>([
+  ['a check', (x, y) => (x < 100 === y < 100 ? ink : paper)],
+  ['stripes', (x) => (x < 70 ? ink : paper)],
+  ['a leaf on a plain ground', leaf],
+  ['nothing at all', () => paper],
+])('lets %s begin and end at an edge', (_, painting) => {
+  expect(openEdges(painted(200, 200, painting))).toEqual([]);
+});
+
+it('knows a half-drop by its neighbours half a side further on', () => {
+  const tile = painted(220, 200, halfDrop);
+  expect(sidesOf(openEdges(tile))).toEqual(['left', 'right']);
+  expect(openEdges(tile, 'halfDrop')).toEqual([]);
+  expect(openEdges(tile, 'brick')).not.toEqual([]);
+});
+
+it('asks nothing of edges that are mirrored', () => {
+  const tile = painted(220, 200, cut);
+  expect(openEdges(tile, 'mirrored')).toEqual([]);
+  expect(sidesOf(openEdges(tile, 'mirroredAcross'))).toEqual(['top', 'bottom']);
+  expect(sidesOf(openEdges(tile, 'mirroredUp'))).toEqual(['left', 'right']);
+});
