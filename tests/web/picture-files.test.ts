@@ -4,6 +4,7 @@ import {describe, expect, it} from 'vitest';
 
 import {fileKind, isWhole} from '../../web/src/picture/file-kind.js';
 import {dpiOf, lengthOnPaper, resolutionOf} from '../../web/src/picture/printed-size.js';
+import {rootAttribute, sizedSvg} from '../../web/src/picture/svg-size.js';
 import {leaf, painted, pngOf} from '../support/pictures.js';
 
 const png = pngOf(painted(12, 8, leaf), 300);
@@ -123,7 +124,25 @@ it('takes a length of an SVG that is meant for paper', () => {
   expect(lengthOnPaper('12.4cm')).toBeCloseTo(12.4);
   expect(lengthOnPaper('124 mm')).toBeCloseTo(12.4);
   expect(lengthOnPaper('2in')).toBeCloseTo(5.08);
-  for (const other of ['200', '200px', '100%', '0cm', null]) {
+  for (const other of ['200', '200px', '100%', '0cm', undefined]) {
     expect(lengthOnPaper(other)).toBeUndefined();
   }
+});
+
+describe('an SVG', () => {
+  it('gives itself a size in its outermost element', () => {
+    const text = `<?xml version="1.0"?><!-- <svg width="1"> --><svg viewBox='0 0 3 4' width="12cm"><rect width="2"/></svg>`;
+    expect(rootAttribute(text, 'width')).toBe('12cm');
+    expect(rootAttribute(text, 'viewBox')).toBe('0 0 3 4');
+    expect(rootAttribute(text, 'height')).toBeUndefined();
+  });
+
+  it('is drawn in the proportions of its view box where it does not', () => {
+    const svg = (attributes: string): string => `<svg ${attributes}><g width="100%"/></svg>`;
+    expect(sizedSvg(svg('viewBox="0 0 30 40" width="100%"'))).toBe(
+      '<svg width="30" height="40" viewBox="0 0 30 40"><g width="100%"/></svg>',
+    );
+    expect(sizedSvg(svg('id="a"'))).toContain('<svg width="100" height="100" id="a">');
+    expect(sizedSvg(svg('width="30mm" height="40"'))).toBe(svg('width="30mm" height="40"'));
+  });
 });

@@ -94,7 +94,7 @@ const paperUnits: Readonly<Record<string, number>> = {
 };
 
 /** A side of an SVG, as its attribute has it; undefined where that is in pixels or in shares of a page. [cm] */
-export function lengthOnPaper(attribute: string | null): number | undefined {
+export function lengthOnPaper(attribute: string | undefined): number | undefined {
   const [, value, unit] =
     /^\s*([\d.]+(?:e[+-]?\d+)?)\s*([a-z]{2})\s*$/i.exec(attribute ?? '') ?? [];
   const length = Number(value) * (paperUnits[unit?.toLowerCase() ?? ''] ?? NaN);

@@ -1,10 +1,10 @@
 /** How large the file of a picture says that it is to be printed. */
 import {fileKind} from '../../picture/file-kind.js';
 import {dpiOf, lengthOnPaper, resolutionOf} from '../../picture/printed-size.js';
+import {rootAttribute} from '../../picture/svg-size.js';
 import {blobOf} from '../pattern/tile.js';
 import {leastRepeat, mostRepeat} from './limits.js';
 import {loadPicture} from './picture.js';
-import {parsedSvg} from './svg-picture.js';
 
 export interface FileSize {
   /** Of the picture. [cm] */
@@ -30,9 +30,7 @@ async function sizeOf(image: string): Promise<FileSize | undefined> {
   const bytes = new Uint8Array(await blobOf(image).arrayBuffer());
   const kind = fileKind(bytes);
   if (kind === 'svg') {
-    const width = lengthOnPaper(
-      parsedSvg(new TextDecoder().decode(bytes))?.getAttribute('width') ?? null,
-    );
+    const width = lengthOnPaper(rootAttribute(new TextDecoder().decode(bytes), 'width'));
     return width === undefined ? undefined : {width, dpi: undefined};
   }
   const resolution = kind && resolutionOf(bytes, kind);

@@ -1,9 +1,9 @@
 /** Reads a file as the picture of a print; whatever else it is, is named. */
 import {fileKind, isWhole, type FileKind} from '../../picture/file-kind.js';
 import {hasOutsidePictures} from '../../picture/svg.js';
+import {sizedSvg} from '../../picture/svg-size.js';
 import type {Texts} from '../texts/en.js';
 import {loadPicture} from './picture.js';
-import {parsedSvg, sizedSvg} from './svg-picture.js';
 
 type Words = Texts['print']['files'];
 
@@ -51,9 +51,7 @@ export async function readPicture(file: File, words: Words): Promise<OpenedPictu
   const bytes = new Uint8Array(await file.arrayBuffer());
   if (!isWhole(bytes, kind)) throw damaged;
   const image = await dataUrl(
-    kind === 'svg'
-      ? svgBlob(new TextDecoder().decode(bytes), name, words, damaged)
-      : new Blob([bytes], {type}),
+    kind === 'svg' ? svgBlob(bytes, name, words) : new Blob([bytes], {type}),
   );
   const picture = await loadPicture(image).catch(() => {
     throw damaged;
@@ -63,11 +61,10 @@ export async function readPicture(file: File, words: Words): Promise<OpenedPictu
   return {image, width, height};
 }
 
-function svgBlob(text: string, name: string, words: Words, damaged: Error): Blob {
-  const root = parsedSvg(text);
-  if (!root) throw damaged;
+function svgBlob(bytes: Uint8Array, name: string, words: Words): Blob {
+  const text = new TextDecoder().decode(bytes);
   if (hasOutsidePictures(text)) throw new Error(words.outsidePictures(name));
-  return new Blob([sizedSvg(root, text)], {type: 'image/svg+xml'});
+  return new Blob([sizedSvg(text)], {type: 'image/svg+xml'});
 }
 
 function dataUrl(blob: Blob): Promise<string> {
