@@ -77,6 +77,24 @@ it('keeps the repeat when only the colours change', async () => {
   expect(image).toBe('prints/p4m-night.svg');
 });
 
+it('offers every print in the colours that it comes in, whatever is chosen', async () => {
+  const page = await quietPage();
+  const offered = (): Promise<string[]> =>
+    page
+      .locator('.groups image, .more image')
+      .evaluateAll((images) => images.map((image) => image.getAttribute('href') ?? ''));
+  const before = await offered();
+  await button(page, 'Night').click();
+  await expect.poll(async () => (await designOf(page)).print.sample?.colourway).toBe('Night');
+  expect(await offered()).toEqual(before);
+  await group(page, 'p4').click();
+  await group(page, 'p4')
+    .and(page.getByRole('radio', {checked: true}))
+    .waitFor();
+  const {image} = (await designOf(page)).print;
+  expect(before).toContain(image.replace('.svg', '.png'));
+});
+
 it('refuses a repeat that is too small or too large in one sentence', async () => {
   const page = await quietPage();
   const field = page.getByLabel('Repeat width (cm)');

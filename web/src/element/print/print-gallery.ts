@@ -22,7 +22,8 @@ const steps: Readonly<Record<string, number>> = {
 
 const standIns = new Set(choices.map(sampleOf));
 
-const coloured = (print: SamplePrint, name: string | undefined): string => {
+/** In its first colours, unless others are named: what is offered looks the same whatever is chosen. */
+const coloured = (print: SamplePrint, name?: string): string => {
   const {colourways} = print;
   const shown = colourways.find((one) => one.name === name) ?? colourways[0];
   return `prints/${shown?.raster ?? shown?.image ?? ''}`;
@@ -93,7 +94,7 @@ export class PrintGallery extends PatientElement {
             this.#choose(choice);
           }}
         >
-          ${swatch(`cloth-${choice}`, sample, coloured(sample, print.sample?.colourway))}
+          ${swatch(`cloth-${choice}`, sample, coloured(sample))}
           <span>${label}</span>
         </button>`;
       })}
@@ -141,7 +142,7 @@ export class PrintGallery extends PatientElement {
                 this.#take(sample);
               }}
             >
-              ${swatch(`more-${sample.name}`, sample, coloured(sample, print.sample?.colourway))}
+              ${swatch(`more-${sample.name}`, sample, coloured(sample))}
             </button>`,
         )}
       </div>`;
@@ -191,7 +192,7 @@ export class PrintGallery extends PatientElement {
   #take(sample: SamplePrint): void {
     const {design} = this.desk;
     if (!design || !this.#ask(sample.group)) return;
-    this.desk.change({print: samplePrint(sample, design.print.sample?.colourway)}, 'print');
+    this.desk.change({print: samplePrint(sample)}, 'print');
   }
 
   #walk(event: KeyboardEvent, checked: Choice): void {
