@@ -5,6 +5,8 @@ import {fileURLToPath} from 'node:url';
 
 import {defineConfig, type Plugin} from 'vite';
 
+import {notices} from './web/setup/notices.mjs';
+
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const port = Number(process.env.PORT ?? 5173);
 
@@ -60,6 +62,7 @@ export default defineConfig({
   base: './',
   appType: 'mpa', // a file that is not there is an error, not the page
   publicDir: at('public'),
+  plugins: [notices()],
   server: {port, strictPort: true, fs: {allow: [at('.')]}},
   preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},
   build: {

@@ -7,6 +7,8 @@ import {fileURLToPath} from 'node:url';
 
 import {defineConfig} from 'vite';
 
+import {notices} from './web/setup/notices.mjs';
+
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 /** What is loaded by name keeps its name; the rest must not be taken from a cache after an update. */
@@ -20,6 +22,7 @@ export default defineConfig({
   root: at('.'),
   base: './',
   publicDir: false,
+  plugins: [notices()],
   build: {
     outDir: at('dist/standalone'),
     emptyOutDir: true,

@@ -2,6 +2,7 @@
 import {execFile} from 'node:child_process';
 import {readFile} from 'node:fs/promises';
 import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
 import {promisify} from 'node:util';
 
 import type {Locator, Page} from 'playwright-core';
@@ -239,6 +240,11 @@ it('takes no design but one of its own', async () => {
     {...own, options: {...own.options, maxChangeCm: 5}},
     {...own, method: 'paper'},
     {...own, alignments: {front: 'anywhere'}},
+    {...own, alignments: {}},
+    {...own, alignments: {...own.alignments, cape: own.alignments.front}},
+    {...own, options: {...own.options, pins: {cape: own.alignments.front}}},
+    {...own, seed: 2},
+    {...own, solver: '0.0.1'},
   ];
   for (const text of ['', '{}', '<script>', ...wrong.map((one) => JSON.stringify(one))]) {
     const answer = await post(text);
@@ -246,6 +252,32 @@ it('takes no design but one of its own', async () => {
     expect(answer.headers.get('content-security-policy')).toBe(policy);
     expect(await answer.text()).not.toContain('<script>');
   }
+});
+
+it('keeps a thousand carts in little memory, and forgets the oldest when there are too many', async () => {
+  const {Carts} = (await import(pathToFileURL(join(folder, 'carts.mjs')).href)) as {
+    Carts: new () => {
+      put(id: string | null, line: string | null, what: object): string;
+      lines(id: string): ReadonlyMap<string, {readonly design: string}> | undefined;
+      remove(id: string, line: string): void;
+    };
+  };
+  const carts = new Carts();
+  const before = process.memoryUsage().heapUsed;
+  const ids = Array.from({length: 1000}, (_, k) =>
+    carts.put(null, null, {design: `${String(k)} `.padEnd(59_000, 'x')}),
+  );
+  expect(process.memoryUsage().heapUsed - before).toBeLessThan(80e6);
+  const [first = '', second = ''] = ids;
+  const last = ids.at(-1) ?? '';
+  expect(carts.lines(first)).toBeUndefined(); // 59 MB are more than it keeps
+  expect(carts.lines(last)?.size).toBe(1);
+  const [line = ''] = carts.lines(last)?.keys() ?? [];
+  expect(carts.put(last, line, {design: 'y'})).toBe(last);
+  expect([...(carts.lines(last)?.values() ?? [])]).toEqual([{design: 'y'}]);
+  carts.remove(last, line);
+  expect(carts.lines(last)?.size).toBe(0);
+  expect(carts.put(second, 'none', {design: 'z'})).not.toBe(second);
 });
 
 it('has its own price, and no other files than its own', async () => {

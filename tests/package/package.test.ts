@@ -1,7 +1,8 @@
 /** What is published, seen from outside: the tarball, installed in an empty folder. */
 import {execFile} from 'node:child_process';
-import {readFile} from 'node:fs/promises';
-import {posix} from 'node:path';
+import {mkdir, mkdtemp, readFile, rm, writeFile} from 'node:fs/promises';
+import {tmpdir} from 'node:os';
+import {join, posix} from 'node:path';
 import {promisify} from 'node:util';
 import {gzipSync} from 'node:zlib';
 
@@ -30,7 +31,7 @@ afterAll(() => remove?.());
 /** Names of the entries that are modules, as they are imported. */
 const modules = (): readonly string[] =>
   Object.keys(all.manifest.exports)
-    .filter((entry) => !/\.(json|wasm)$/.test(entry))
+    .filter((entry) => !/\.(json|wasm)$|\*/.test(entry))
     .map((entry) => `seamwise${entry.slice(1)}`);
 
 it('is a sound package, as publint sees it', async () => {
@@ -130,7 +131,9 @@ const compressed = (wanted: (file: string) => boolean): number => {
 const isStandalone = (file: string): boolean => file.startsWith('dist/standalone/');
 
 it('is small', () => {
-  const bytes = compressed((file) => !isStandalone(file));
+  const bytes = compressed(
+    (file) => file.startsWith('dist/') && !isStandalone(file) && !file.endsWith('.map'),
+  );
   expect(bytes).toBeGreaterThan(200 * kilobyte); // the solver is in it
   expect(bytes).toBeLessThan(mostForPackage);
 });
@@ -139,6 +142,126 @@ it('is not much larger for pages without a bundler', () => {
   const bytes = compressed((file) => isStandalone(file) && file.endsWith('.js'));
   expect(bytes).toBeGreaterThan(150 * kilobyte); // three is in it
   expect(bytes).toBeLessThan(mostForStandalone);
+});
+
+/** What is there to be read, tried and kept, and no part of the program. */
+const besides =
+  /^(LICENSE|README\.md|docs\/[\w-]+\.md|dist\/(standalone\/)?THIRD-PARTY-NOTICES\.md|web\/examples\/.*|public\/(garments|prints|schema)\/.*)$/;
+
+it('has its licence, and those of all that is in it, beside whatever is passed on', () => {
+  const text = (file: string): string => all.files.get(file)?.toString() ?? '';
+  expect(all.manifest.license).toBe('MIT');
+  expect(text('LICENSE')).toContain('Seamwise contributors');
+  for (const file of ['dist/THIRD-PARTY-NOTICES.md', 'dist/standalone/THIRD-PARTY-NOTICES.md']) {
+    for (const words of ['Seamwise contributors', 'three.js authors', 'Google LLC', 'noble']) {
+      expect(text(file), file).toContain(words);
+    }
+    for (const words of [
+      'Mozilla Public License',
+      'gitlab.com/libeigen',
+      'Niels Lohmann',
+      'musl',
+    ]) {
+      expect(text(file), file).toContain(words);
+    }
+  }
+});
+
+it('brings one garment, one print and the schemas to try it with', async () => {
+  const {output} = await all.node(`
+    import {readFile} from 'node:fs/promises';
+    import {order, solve} from 'seamwise/node';
+    const at = (path) => new URL(import.meta.resolve('seamwise/samples/' + path));
+    const [garment, print] = await Promise.all(
+      ['garments/tee-m.json', 'prints/p4m.json'].map((path) => readFile(at(path), 'utf8')),
+    );
+    for (const {image} of JSON.parse(print).colourways) await readFile(at('prints/' + image));
+    await readFile(at('schema/seamwise-design-1.schema.json'));
+    console.log((await solve({garment, print})).pieces.length);
+  `);
+  expect(output).toBe('4\n');
+});
+
+it('has no link in its texts that leads to nothing, but to pictures', () => {
+  const broken = [...all.files].flatMap(([file, bytes]) => {
+    if (!file.endsWith('.md')) return [];
+    return [...bytes.toString().matchAll(/\]\((?!https?:|#)([^)#]+)/g)]
+      .map(([, link = '']) => posix.join(posix.dirname(file), link))
+      .filter((link) => !/\.(png|svg)$/.test(link))
+      .filter(
+        (link) => ![...all.files.keys()].some((one) => one === link || one.startsWith(`${link}/`)),
+      );
+  });
+  expect(broken).toEqual([]);
+});
+
+it('shows its sources to debuggers', () => {
+  const scripts = [...all.files.keys()].filter((file) =>
+    /^dist\/(?!standalone|solver\/module).*\.js$/.test(file),
+  );
+  const without = scripts.filter((file) => {
+    const map = all.files.get(`${file}.map`)?.toString();
+    return (
+      map === undefined || !(JSON.parse(map) as {sourcesContent?: string[]}).sourcesContent?.[0]
+    );
+  });
+  expect(without).toEqual([]);
+});
+
+/** What somebody writes who uses the package, with the complaints there should be. */
+const usage = `
+  import {leaseSolver, SolverClient} from 'seamwise';
+  import 'seamwise/element/auto';
+  import {SeamwiseGarment} from 'seamwise/element';
+  import {order, solve} from 'seamwise/node';
+  import type {} from 'seamwise/react';
+  import type {JSX} from 'react';
+  export const used = [leaseSolver, order, solve];
+  using client = new SolverClient();
+  const element = document.createElement('seamwise-garment');
+  element.mode = 'place';
+  element.garment = null;
+  // @ts-expect-error there is no such mode
+  element.mode = 'plaice';
+  new SeamwiseGarment().addEventListener('solve', ({detail}) => detail.metrics.fit);
+  type Tag = JSX.IntrinsicElements['seamwise-garment'];
+  export const tag: Tag = {
+    ...{garment: '/tee.json', size: 'm', 'max-change-mm': 5, className: 'wide'},
+    onchange: ({detail}) => detail.design?.seed,
+  };
+  // @ts-expect-error there is no such mode either
+  export const wrong: Tag = {mode: 'plaice'};
+`;
+/** As much of React's types as the package's own are added to. */
+const react = `
+  export interface HTMLAttributes<T> {className?: string; onChange?: (event: T) => void}
+  export type DetailedHTMLProps<E extends HTMLAttributes<T>, T> = E & {ref?: T};
+  export namespace JSX {interface IntrinsicElements {a: object}}
+`;
+
+it('has types that need no others, no newer library, and no indulgence', async () => {
+  const home = await mkdtemp(join(tmpdir(), 'seamwise-types-'));
+  try {
+    await all.installIn(home, ['three', '@types/three']);
+    await mkdir(join(home, 'node_modules/react'));
+    await writeFile(join(home, 'node_modules/react/index.d.ts'), react);
+    await writeFile(join(home, 'use.ts'), usage);
+    const [node, tsc] = tool('typescript', 'tsc');
+    const compilerOptions = {
+      ...{strict: true, noEmit: true, skipLibCheck: false, types: []},
+      ...{target: 'es2022', lib: ['es2022', 'dom', 'dom.iterable']},
+      ...{module: 'esnext', moduleResolution: 'bundler'},
+    };
+    const config = JSON.stringify({compilerOptions, files: ['use.ts']});
+    await writeFile(join(home, 'tsconfig.json'), config);
+    const complaints = await promisify(execFile)(node, [tsc], {cwd: home}).then(
+      () => '',
+      (error: unknown) => (error as {stdout: string}).stdout,
+    );
+    expect(complaints).toBe('');
+  } finally {
+    await rm(home, {recursive: true});
+  }
 });
 
 /** What a script or declaration refers to, by its path in the package. */
@@ -156,10 +279,10 @@ function references(file: string, bytes: Buffer): string[] {
 }
 
 it('holds all that its entries lead to, and nothing else', () => {
-  const entries = Object.values(all.manifest.exports).flatMap((entry) =>
-    typeof entry === 'string' ? [entry] : Object.values(entry),
-  );
-  const reached = new Set<string>(['README.md']);
+  const entries = Object.values(all.manifest.exports)
+    .flatMap((entry) => (typeof entry === 'string' ? [entry] : Object.values(entry)))
+    .filter((entry) => !entry.includes('*'));
+  const reached = new Set<string>();
   const follow = (file: string): void => {
     if (reached.has(file)) return;
     reached.add(file);
@@ -171,10 +294,15 @@ it('holds all that its entries lead to, and nothing else', () => {
   const missing = [...reached].filter((file) => !all.files.has(file));
   expect(missing).toEqual([]);
   // TypeScript leaves an empty script of a file that holds types alone
-  const more = [...all.files].filter(
-    ([file, bytes]) => !reached.has(file) && bytes.toString('latin1').trim() !== 'export {};',
-  );
-  expect(more.map(([file]) => file)).toEqual([]);
+  const isEmpty = (file: string): boolean =>
+    /^export \{\};\s*(\/\/# sourceMappingURL=.*)?$/.test(
+      all.files.get(file)?.toString('latin1').trim() ?? '',
+    );
+  const more = [...all.files.keys()].filter((file) => {
+    const script = file.replace(/\.map$/, '');
+    return !reached.has(script) && !isEmpty(script) && !besides.test(file);
+  });
+  expect(more).toEqual([]);
 });
 
 /** Each with what it is in the sentence "no file ...". */
@@ -186,7 +314,7 @@ const banned: Readonly<Record<string, RegExp>> = {
 };
 
 it.each(Object.entries(banned))('has no file that %s', (_, pattern) => {
-  const code = [...all.files].filter(([file]) => /\.(js|mjs)$/.test(file));
+  const code = [...all.files].filter(([file]) => /^dist\/.*\.(js|mjs)$/.test(file));
   const offences = code.filter(([, bytes]) => pattern.test(bytes.toString('latin1')));
   expect(offences.map(([file]) => file)).toEqual([]);
 });

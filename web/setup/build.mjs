@@ -13,9 +13,11 @@ import {join} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
 import {pathToFileURL} from 'node:url';
 
+import {configure} from './cmake.mjs';
 import {copyDeclarations} from './declarations.mjs';
+import {copyNotices} from './notices.mjs';
 import {ensurePackages} from './packages.mjs';
-import {main, must, root, say, tool} from './shell.mjs';
+import {main, must, root, say, SetupError, tool} from './shell.mjs';
 import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const moduleFolder = 'web/src/solver/module';
@@ -35,7 +37,7 @@ const parts = {
     products: ['dist/cli/main.js', 'dist/solver/module/seamwise.wasm'],
   },
   standalone: {
-    from: ['vite.standalone.config.ts', 'package-lock.json'],
+    from: ['vite.standalone.config.ts', 'package-lock.json', 'LICENSE', 'web/setup/notices'],
     make: buildStandalone,
     products: ['dist/standalone/seamwise.js', 'dist/standalone/seamwise.wasm'],
   },
@@ -64,11 +66,15 @@ export const buildPackage = () => build(Object.keys(parts));
 async function buildModule() {
   await ensureSystem(forModule);
   say('Building the solver; the first time takes a minute or two ...');
-  await must('cmake', ['--preset', 'wasm']);
+  await mustConfigure('wasm');
   await must('cmake', ['--build', '--preset', 'wasm', '--', '--quiet']);
   for (const file of ['seamwise.mjs', 'seamwise.wasm']) {
     copyFileSync(at('build/wasm', file), at(moduleFolder, file));
   }
+}
+
+async function mustConfigure(preset) {
+  if (!(await configure(preset))) throw new SetupError(`failed: cmake --preset ${preset}`);
 }
 
 /** Builds the program of `npm run bench`, 'native' or, for Node, 'wasm'. @returns how to run either */
@@ -78,7 +84,7 @@ export async function buildBench(platforms) {
   const unlock = await lock();
   try {
     for (const preset of platforms) {
-      await must('cmake', ['--preset', preset]);
+      await mustConfigure(preset);
       const target = ['--target', 'seamwise_bench', '--', '--quiet'];
       await must('cmake', ['--build', '--preset', preset, ...target]);
     }
@@ -97,8 +103,16 @@ async function buildScripts() {
   rmSync(at('dist'), {recursive: true, force: true});
   const [node, tsc] = tool('typescript', 'tsc');
   const compile = [tsc, '-p', 'tsconfig.build.json'];
-  // Scripts are downloaded and need no comments; declarations keep them, for editors to show.
-  await must(node, [...compile, '--declaration', 'false', '--noCheck', '--removeComments']);
+  // Scripts are downloaded and need no comments; declarations keep them, for editors to show, and maps the sources.
+  const maps = ['--sourceMap', '--inlineSources'];
+  await must(node, [
+    ...compile,
+    '--declaration',
+    'false',
+    '--noCheck',
+    '--removeComments',
+    ...maps,
+  ]);
   rmSync(at(declarations), {recursive: true, force: true});
   await must(node, [...compile, '--emitDeclarationOnly', '--outDir', declarations]);
   copyDeclarations(declarations);
@@ -114,6 +128,7 @@ async function buildStandalone() {
   const build = [vite, 'build', '-c', 'vite.standalone.config.ts', '--logLevel', 'warn'];
   // also when it is begun by tests, which set another: Lit would come in the build for its developers
   await must(node, build, {env: {NODE_ENV: 'production'}});
+  copyNotices();
 }
 
 /** Stands for the state of files and folders: their names, sizes and times of change. */

@@ -8,8 +8,10 @@ export function copyDeclarations(folder) {
   const {exports} = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
   const copied = new Set();
   const follow = (file) => {
-    const source = join(root, folder, file);
-    if (copied.has(file) || !existsSync(source)) return; // written by hand, and there already
+    const source = [folder, 'web/src']
+      .map((place) => join(root, place, file))
+      .find((path) => existsSync(path));
+    if (copied.has(file) || source === undefined) return; // the module's, and there already
     copied.add(file);
     const target = join(root, 'dist', file);
     mkdirSync(dirname(target), {recursive: true});

@@ -2,7 +2,8 @@
 // fails. `npm test -- native web` runs only the checks named.
 import {availableParallelism} from 'node:os';
 
-import {buildPackage} from './build.mjs';
+import {build, buildPackage} from './build.mjs';
+import {configure} from './cmake.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, run, say, SetupError, tool} from './shell.mjs';
 import {
@@ -34,7 +35,7 @@ async function native(preset) {
   // Another compiler's new warning is no reason to fail on a user's machine.
   const strict = process.env.SEAMWISE_STRICT ? ['-DSEAMWISE_WARNINGS_ARE_ERRORS=ON'] : [];
   const built =
-    (await run('cmake', ['--preset', preset, ...strict], {output: 'on failure'})) &&
+    (await configure(preset, strict)) &&
     (await run('cmake', ['--build', '--preset', preset, '--', '--quiet'], {output: 'on failure'}));
   return built && run('ctest', ['--preset', preset, '-j', String(availableParallelism())]);
 }
@@ -55,6 +56,24 @@ async function browser() {
   return runToolOnBuild('vitest', 'run', ...browserTests, '--no-file-parallelism');
 }
 
+/** Of tests/web, those that take longer than all others together. */
+const slowTests = ['api-reference', 'embedding-docs'];
+
+/** What a minute can tell, of sources alone: for before each commit. */
+async function fast() {
+  await build(); // some import the package by its name
+  const cache = ['--cache', '--cache-location', 'build/eslint/'];
+  const others = slowTests.flatMap((name) => ['--exclude', `tests/web/${name}.test.ts`]);
+  const quick = [
+    () => runTool('prettier', '--check', '--log-level=warn', '--cache', '.'),
+    () => runTool('typescript', '-p', 'tsconfig.json'),
+    () => runTool('eslint', '.', '--max-warnings=0', ...cache),
+    () => runTool('vitest', 'run', 'tests/architecture.test.ts', 'tests/web', ...others),
+  ];
+  for (const check of quick) if (!(await check())) return false;
+  return true;
+}
+
 const checks = {
   native: () => native('native'),
   sanitize: () => native('sanitize'),
@@ -64,12 +83,15 @@ const checks = {
   web,
   browser,
 };
+/** Those that all of them hold already, and that are run by name only. */
+const parts = {fast};
 
 await main(async () => {
   const asked = process.argv.slice(2);
-  const unknown = asked.find((name) => !Object.hasOwn(checks, name));
+  const known = {...checks, ...parts};
+  const unknown = asked.find((name) => !Object.hasOwn(known, name));
   if (unknown)
-    throw new SetupError(`no check '${unknown}'; there are ${Object.keys(checks).join(', ')}`);
+    throw new SetupError(`no check '${unknown}'; there are ${Object.keys(known).join(', ')}`);
   // All at once, so that whoever has to install by hand is asked only once.
   if (asked.length === 0) {
     await ensureSystem([
@@ -83,7 +105,7 @@ await main(async () => {
     const started = performance.now();
     let passed = false;
     try {
-      passed = await checks[name]();
+      passed = await known[name]();
     } catch (error) {
       if (!(error instanceof SetupError)) throw error;
       say(error.message);

@@ -44,8 +44,13 @@ export async function openCatalogue(folder) {
     files.set(`/${path}`, {bytes, sha256: sha256Of(bytes)});
     return bytes.toString();
   };
+  /** The names of a garment's pieces, by its path. */
+  const pieces = new Map();
   for (const {name} of garments) {
-    for (const size of sizes) await add(`garments/${name}-${size}.json`);
+    for (const size of sizes) {
+      const {pattern} = JSON.parse(await add(`garments/${name}-${size}.json`));
+      pieces.set(garmentPath(name, size), new Set(Object.keys(pattern.panels)));
+    }
   }
   const prints = [];
   for (const name of printNames) {
@@ -57,7 +62,7 @@ export async function openCatalogue(folder) {
     prints.push({name, ...file});
   }
   await add('icon.svg');
-  return {garments, prints, files};
+  return {garments, prints, files, pieces};
 }
 
 export const garmentPath = (name, size) => `/garments/${name}-${size}.json`;

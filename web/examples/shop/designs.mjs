@@ -2,9 +2,13 @@
 import {isDeepStrictEqual} from 'node:util';
 
 import {repeatOf} from 'seamwise';
+import manifest from 'seamwise/package.json' with {type: 'json'};
 import {FileError, prepare, printOfStored, readStoredDesign, problemOfStored} from 'seamwise/node';
 
 import {garmentPath, printPath, sizes} from './catalogue.mjs';
+
+/** Of the solver that the pages are served with, and that the workshop solves with. */
+const {version} = manifest;
 
 /** What is said about a design that the shop does not take. */
 export class Refused extends Error {}
@@ -35,6 +39,7 @@ export function acceptDesign(text, catalogue, host) {
     throw new Refused('We have changed this pattern or print since; please choose it again.');
   }
   checkChanges(design, print);
+  checkPieces(design, catalogue.pieces.get(garmentAt));
   // by its path alone, so that the shop may move to another host
   const own = {
     ...design,
@@ -63,9 +68,23 @@ function chosenGarment({garments}, path, wanted) {
 /** What the element asks of the solver by itself; where the print lies is the customer's. */
 const usualOptions = {maxChangeCm: 1, grain: {default: 'on'}};
 
-function checkChanges({method, symmetry, options, print: changes}, print) {
+/** A design that names what the garment does not have was not made on our pages, and may be of any length. */
+function checkPieces({alignments, options: {pins = {}}}, pieces) {
+  const isWhole = Object.keys(alignments).length === pieces.size;
+  const named = [...Object.keys(alignments), ...Object.keys(pins)];
+  if (isWhole && named.every((name) => pieces.has(name))) return;
+  throw new Refused('We can only cut the pieces that this pattern has.');
+}
+
+function checkChanges({method, symmetry, options, seed, solver, print: changes}, print) {
+  if (solver !== version) {
+    throw new Refused(
+      'This was made with an earlier edition of our pages; please choose it again.',
+    );
+  }
   const isUsual =
     method === 'best' &&
+    seed === 1 &&
     symmetry === 'auto' &&
     isDeepStrictEqual({...options, pins: undefined}, {...usualOptions, pins: undefined}) &&
     (changes.group ?? print.group) === print.group;

@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import {SolverError, type Failure} from '../model/failure.js';
 import type {SolveHooks} from '../model/problem.js';
 import {internalError} from './broken.js';

@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import {failureCode, SolverError} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
 import type {MeshedPattern, Milliseconds, SolveResult} from '../model/result.js';

@@ -78,7 +78,7 @@ export abstract class AttributeElement extends FormElement {
     return wordOf(this.getAttribute('view'), ['pattern']);
   }
 
-  set view(view: string | null | undefined) {
+  set view(view: GarmentView | null | undefined) {
     this.write('view', view);
   }
 
@@ -86,7 +86,7 @@ export abstract class AttributeElement extends FormElement {
     return wordOf(this.getAttribute('mode'), ['preview', 'place', 'edit']);
   }
 
-  set mode(mode: string | null | undefined) {
+  set mode(mode: GarmentMode | null | undefined) {
     this.write('mode', mode);
   }
 
@@ -95,7 +95,7 @@ export abstract class AttributeElement extends FormElement {
     return wordOf(this.getAttribute('loading'), ['lazy', 'eager']);
   }
 
-  set loading(loading: string | null | undefined) {
+  set loading(loading: GarmentLoading | null | undefined) {
     this.write('loading', loading);
   }
 
@@ -103,7 +103,7 @@ export abstract class AttributeElement extends FormElement {
     return unitsOf(this.getAttribute('units'));
   }
 
-  set units(units: string | null | undefined) {
+  set units(units: Preferences['units'] | null | undefined) {
     this.write('units', units);
   }
 

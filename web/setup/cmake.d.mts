@@ -1,0 +1,2 @@
+export function configure(preset: string, flags?: readonly string[]): Promise<boolean>;
+export function forgetMoved(folder: string, project: string): boolean;

@@ -1,0 +1,5 @@
+import type {Plugin} from 'vite';
+
+export const noticesFile: string;
+export function notices(): Plugin;
+export function copyNotices(): void;
