@@ -180,6 +180,7 @@ TEST(GarmentFile, ReadsGrainHolesSeamsAndMatchesOfItsOwnFormat) {
   const GarmentFile file = mustRead(document);
   const Panel& panel = file.garment.panels[0];
   EXPECT_NEAR(panel.grain_angle, kPi / 4, 1e-12);
+  EXPECT_TRUE(panel.grain_stated);
   EXPECT_EQ(panel.grain_lock, GrainLock::kOn);
   EXPECT_NEAR(panel.grain_tolerance, kPi / 2, 1e-12);
   ASSERT_EQ(panel.holes.size(), 1u);

@@ -46,9 +46,9 @@ TEST(OptionsFile, IsReadInAllItsFields) {
   EXPECT_EQ(o.average_seam_shapes, false);
   EXPECT_EQ(o.proof, 0.5);
   EXPECT_EQ(o.grain.lock, GrainLock::kBias);
-  EXPECT_EQ(o.piece_grain.at(0).lock, GrainLock::kOn);
-  EXPECT_NEAR(o.piece_grain.at(0).tolerance, kPi / 20, 1e-12);
-  EXPECT_NEAR(o.piece_grain.at(1).tolerance, kPi / 10, 1e-12);
+  EXPECT_EQ(o.piece_grain.at(0).rule->lock, GrainLock::kOn);
+  EXPECT_NEAR(o.piece_grain.at(0).rule->tolerance, kPi / 20, 1e-12);
+  EXPECT_NEAR(o.piece_grain.at(1).rule->tolerance, kPi / 10, 1e-12);
   EXPECT_EQ(o.pins.at(1).angle, 0.25);
   EXPECT_EQ(o.pins.at(1).translation, Vec2(1, 2));
   EXPECT_EQ(o.weights.at(1), 0.5);
@@ -59,6 +59,22 @@ TEST(OptionsFile, IsReadInAllItsFields) {
   ASSERT_EQ(o.matches[0].a.size(), 11u);  // 10 cm in steps of at most 1 cm, on both sides
   ASSERT_EQ(o.matches[0].b.size(), 11u);
   EXPECT_LT((o.matches[0].a[7] - Vec2(1, 7)).norm(), 1e-12);
+}
+
+TEST(OptionsFile, MayTurnTheGrainOfAPieceAndSayWhereItsLineRuns) {
+  const auto turned = options(R"({"grain": {"default": "on", "pieces": {
+      "front": "across", "back": {"lock": "bias", "angleDeg": 30}}}})");
+  ASSERT_TRUE(turned.ok()) << turned.error().message;
+  const auto& rules = turned.value().piece_grain;
+  EXPECT_EQ(rules.at(0).rule->lock, GrainLock::kAcross);
+  EXPECT_FALSE(rules.at(0).line.has_value());
+  EXPECT_EQ(rules.at(1).rule->lock, GrainLock::kBias);
+  EXPECT_NEAR(rules.at(1).line.value(), kPi / 6, 1e-12);
+
+  const auto only_line = options(R"({"grain": {"pieces": {"front": {"angleDeg": -90}}}})");
+  ASSERT_TRUE(only_line.ok()) << only_line.error().message;
+  EXPECT_FALSE(only_line.value().piece_grain.at(0).rule.has_value());
+  EXPECT_NEAR(only_line.value().piece_grain.at(0).line.value(), -kPi / 2, 1e-12);
 }
 
 TEST(OptionsFile, ThatIsUnusableNamesTheField) {
@@ -80,8 +96,11 @@ TEST(OptionsFile, ThatIsUnusableNamesTheField) {
                           "b": {"piece": "front", "line": [[1, 0], [1, 9]]}}]})",
          {"match 0, side a", "cm outside piece 'front'"});
   refuse(R"({"grain": {"lock": "on"}})", {"unknown field 'lock'"});
-  refuse(R"({"grain": {"default": "straight"}})", {"'straight'", "free, on or bias"});
+  refuse(R"({"grain": {"default": "straight"}})", {"'straight'", "free, on, across or bias"});
   refuse(R"({"grain": {"toleranceDeg": 91}})", {"toleranceDeg"});
+  refuse(R"({"grain": {"pieces": {"front": {"lock": "on", "angleDeg": "30"}}}})",
+         {"'angleDeg'", "the text '30'"});
+  refuse(R"({"grain": {"pieces": {"front": {"toleranceDeg": 5}}}})", {"'front'", "'lock'"});
   refuse(R"({"grain": {"pieces": {"sleeve": "on"}}})", {"'sleeve'", "grain.pieces"});
   refuse(R"({"pins": {"sleeve": {"angle": 0, "translation": [0, 0]}}})", {"'sleeve'", "'pins'"});
   refuse(R"({"pins": {"front": {"angle": 0}}})", {"'front'", "'translation'"});

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "solver_samples.h"
 
 namespace seamwise {
@@ -22,6 +24,13 @@ int pieceNamed(const Result& r, const std::string& name) {
   for (std::size_t p = 0; p < r.pattern.pieces.size(); ++p)
     if (r.pattern.pieces[p].name == name) return static_cast<int>(p);
   return -1;
+}
+
+bool isNoted(const std::vector<std::string>& notes, std::initializer_list<const char*> words) {
+  return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+    return std::all_of(words.begin(), words.end(),
+                       [&](const char* word) { return note.find(word) != std::string::npos; });
+  });
 }
 
 TEST(Pins, AreKeptExactlyAndDropFoundSymmetriesThatTheyContradict) {
@@ -76,9 +85,7 @@ TEST(Grain, GoesBeforeFoundSymmetriesThatItContradicts) {
   Task t = striped();
   t.print = {{"group", "pm"}, {"w1", {6.0, 0.0}}, {"w2", {0.0, 8.0}}};  // mirrors only across
   const Result r = solved(t);
-  ASSERT_FALSE(r.notes.empty());
-  EXPECT_NE(r.notes.front().find("'front' is dropped"), std::string::npos) << r.notes.front();
-  EXPECT_NE(r.notes.front().find("grain"), std::string::npos) << r.notes.front();
+  EXPECT_TRUE(isNoted(r.notes, {"'front' is dropped", "grain"}));
   for (const Alignment& at : r.alignment) EXPECT_NEAR(std::sin(at.angle), 0, 1e-9);
 }
 
@@ -96,6 +103,98 @@ TEST(Grain, RefusesAnAskedForSymmetryThatItContradicts) {
   ASSERT_FALSE(r.ok());
   EXPECT_EQ(r.error().code, Failure::kSymmetryConflict);
   EXPECT_NE(r.error().message.find("grain"), std::string::npos) << r.error().message;
+}
+
+/// The angles at which the front of a tee may lie. [degrees, of its grain line from the warp]
+std::vector<double> frontAngles(const Json& grain, bool one_way = false) {
+  Task t = task("tee", "p1");
+  t.print["oneWay"] = one_way;
+  t.options["grain"]["pieces"]["front"] = grain;
+  const Problem problem = problemOf(t);
+  std::vector<double> degrees;
+  for (const double angle : pieceRules(problem)[problem.garment.find("front")].angles)
+    degrees.push_back(std::round(wrapAngle(angle) * 180 / kPi));
+  std::sort(degrees.begin(), degrees.end());
+  return degrees;
+}
+
+TEST(Grain, AcrossIsAQuarterTurnEitherWayAlsoOfAPrintWithAnUpside) {
+  EXPECT_EQ(frontAngles("across"), (std::vector<double>{-90, 90}));
+  EXPECT_EQ(frontAngles("across", true), (std::vector<double>{-90, 90}));
+}
+
+TEST(Grain, RunsWhereTheOptionsSayItDoes) {
+  EXPECT_EQ(frontAngles({{"lock", "on"}, {"angleDeg", 30}}, true), std::vector<double>{-60});
+  EXPECT_EQ(frontAngles({{"lock", "across"}, {"angleDeg", 30}}), (std::vector<double>{-150, 30}));
+  EXPECT_EQ(frontAngles({{"lock", "bias"}, {"angleDeg", 90}}, true),
+            (std::vector<double>{-45, 45}));
+}
+
+TEST(Grain, OfTheOptionsGoesBeforeThatOfTheFile) {
+  Task t = task("tee", "p1");
+  panelsOf(t.garment)["front"]["grain"] = {{"line", {{0, 0}, {9, 0}}}};
+  const auto front = [&] {
+    const Problem problem = problemOf(t);
+    return wrapAngle(pieceRules(problem)[problem.garment.find("front")].angles.at(0));
+  };
+  t.options["grain"]["default"] = "on";
+  EXPECT_NEAR(front(), -kPi / 2, 1e-12);
+  t.options["grain"]["pieces"]["front"] = {{"angleDeg", 90}};
+  EXPECT_NEAR(front(), 0, 1e-12);
+}
+
+TEST(Grain, ThatNobodyStatesIsAssumedToRunUpwardsAndNotedOnlyWhereItIsUsed) {
+  Task t = task("tee", "p1");
+  EXPECT_FALSE(isNoted(problemOf(t).notes, {"grain"}));
+  t.print["oneWay"] = true;
+  EXPECT_TRUE(isNoted(problemOf(t).notes, {"no grain line", "'back', 'front'", "angleDeg"}));
+  t.print["oneWay"] = false;
+  t.options["grain"]["default"] = "on";
+  for (const char* piece : {"back", "sleeve_left", "sleeve_right"})
+    t.options["grain"]["pieces"][piece] = {{"lock", "on"}, {"angleDeg", 90}};
+  EXPECT_TRUE(isNoted(problemOf(t).notes, {"no grain line", "as drawn: 'front';"}));
+  panelsOf(t.garment)["front"]["grain"] = {{"line", {{0, 0}, {0, 9}}}};
+  EXPECT_FALSE(isNoted(problemOf(t).notes, {"grain"}));
+}
+
+/// How far the piece that lies furthest from upright does. [degrees]
+double mostOffUpright(const Result& r) {
+  double most = 0;
+  for (const Alignment& at : r.alignment) most = std::max(most, std::abs(wrapAngle(at.angle)));
+  return most * 180 / kPi;
+}
+
+TEST(OneWayPrints, NeverHangUpsideDownThoughTheGrainIsFree) {
+  for (const char* garment : {"tee", "asymmetric-dress"})
+    for (const char* group : {"p1", "pm", "pg", "p3m1"})
+      for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+        Task t = task(garment, group);
+        t.print["oneWay"] = true, t.seed = seed;
+        EXPECT_LE(mostOffUpright(solved(t)), 60 + 1e-6) << garment << " " << group << " " << seed;
+      }
+}
+
+TEST(OneWayPrints, KeepBothPiecesOfAPairUprightWhereTheMirrorsAreTilted) {
+  Task t = task("tee", "pm");
+  const double tilt = kPi / 9;
+  t.print = {{"group", "pm"},
+             {"w1", {-8 * std::sin(tilt), 8 * std::cos(tilt)}},
+             {"w2", {-10 * std::cos(tilt), -10 * std::sin(tilt)}},
+             {"oneWay", true}};
+  const Result r = solved(t);
+  EXPECT_FALSE(r.pattern.mirrors.empty());
+  EXPECT_LE(mostOffUpright(r), 60 + 1e-6);
+}
+
+TEST(OneWayPrints, DropAFoundPairWhoseImageWouldHangUpsideDown) {
+  Task t = task("tee", "pg");
+  t.print = {{"group", "pg"}, {"w1", {8.0, 0.0}}, {"w2", {0.0, 10.0}}, {"oneWay", true}};
+  const Result lying = solved(t);
+  EXPECT_TRUE(isNoted(lying.notes, {"'sleeve_left' and 'sleeve_right'", "is dropped", "grain"}));
+  t.print["w1"] = {0.0, 8.0}, t.print["w2"] = {-10.0, 0.0};
+  const Result upright = solved(t);
+  EXPECT_EQ(upright.pattern.mirrors.size(), 1u);
+  for (const Result* r : {&lying, &upright}) EXPECT_LE(mostOffUpright(*r), 60 + 1e-6);
 }
 
 TEST(Shapes, StayAsDraftedWhereNothingCanBeGained) {

@@ -10,6 +10,8 @@
 namespace seamwise {
 namespace {
 
+constexpr double kSameAngle = 1e-6;  ///< rad
+
 /// How far a piece lies from the nearest of its wanted angles. [rad]
 double offGrain(const std::vector<double>& angles, const Alignment& at) {
   if (angles.empty()) return 0;
@@ -31,6 +33,36 @@ Alignment mirroredOnGrain(const WallpaperGroup& group, const RigidMotion& map,
     if (off < least - 1e-9) least = off, best = image;
   }
   return best;
+}
+
+PieceRule withImage(const WallpaperGroup& group, const RigidMotion& map, const PieceRule& first,
+                    const PieceRule& second) {
+  if (first.pin || second.angles.empty()) return first;
+  std::vector<double> sources;  // what `first` lies at when its image lies as it wants to
+  for (double angle : second.angles)
+    for (const Element& e : group.elements())
+      if (e.mirrored) sources.push_back(mirrorImage({angle, Vec2::Zero()}, map, e).angle);
+  if (first.angles.empty()) return {{}, std::move(sources), second.tolerance};
+  PieceRule both;
+  double room = -1;
+  for (double angle : first.angles) {
+    for (double source : sources) {
+      // where the ranges about both angles overlap, from `angle` on
+      const double off = wrapAngle(source - angle);
+      const double low = std::max(-first.tolerance, off - second.tolerance);
+      const double high = std::min(first.tolerance, off + second.tolerance);
+      const double half = std::max(0.0, (high - low) / 2);
+      if (high < low - kSameAngle || half < room - kSameAngle) continue;
+      if (half > room + kSameAngle) both.angles.clear(), room = half;
+      const bool whole = half > first.tolerance - kSameAngle;
+      const double middle = whole ? angle : angle + (low + high) / 2;
+      if (both.angles.empty() || offGrain(both.angles, {middle, Vec2::Zero()}) > kSameAngle)
+        both.angles.push_back(middle);
+    }
+  }
+  if (both.angles.empty()) return first;
+  both.tolerance = room;
+  return both;
 }
 
 bool keepsGrain(const WallpaperGroup& group, const RigidMotion& map, const PieceRule& first,

@@ -125,6 +125,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
   problem.continuous_only = rules.continuous_only;
   problem.pieces.resize(pattern.pieces.size());
   std::vector<RigidMotion> back(pattern.pieces.size());
+  std::vector<PieceRule> led = rules.pieces;  // with what a leader's image asks of it
   std::vector<const Mirror*> own(pattern.pieces.size(), nullptr);
   for (const Mirror& m : mirrors) {
     if (m.single()) {
@@ -138,6 +139,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
       problem.pieces[follower] = {leader, true, map,
                                   rule.pin ? std::vector{rule.pin->angle} : rule.angles};
       back[follower] = map.inverse();
+      led[leader] = withImage(group, map, led[leader], rule);
     }
   }
   std::vector<int> leader_of(pattern.pieces.size(), -1);
@@ -149,7 +151,7 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     leader.piece = static_cast<int>(p);
     for (int v : pattern.pieces[p].outline) leader.centre += shapes[p][v];
     leader.centre /= static_cast<double>(pattern.pieces[p].outline.size());
-    const PieceRule& rule = rules.pieces[p];
+    const PieceRule& rule = led[p];
     if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
     // in a search for others to start from, a symmetry goes before the grain
     if (!rule.angles.empty()) leader.freedom.restrictAngles(rule.angles, rule.tolerance);

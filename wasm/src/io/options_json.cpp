@@ -47,16 +47,21 @@ void readGrain(const Json& json, const Garment& garment, const Place& place,
   for (const auto& [name, rule_json] : object(*pieces, place, "grain.pieces").items()) {
     const int piece = pieceNamed(name, garment, place, "grain.pieces");
     const Place here = place.in("grain of " + inQuotes(name));
-    GrainRule rule{GrainLock::kFree, options->grain.tolerance};
-    if (rule_json.is_object()) {
-      onlyKnown(rule_json, here, {"lock", "toleranceDeg"});
-      rule.lock = readGrainLock(need(rule_json, "lock", here), here);
-      if (const Json* degrees = find(rule_json, "toleranceDeg"))
-        rule.tolerance = readGrainTolerance(*degrees, here);
-    } else {
-      rule.lock = readGrainLock(rule_json, here);
+    PieceGrain& own = options->piece_grain[piece];
+    const auto locked = [&](const Json& lock) {
+      own.rule = {readGrainLock(lock, here), options->grain.tolerance};
+    };
+    if (!rule_json.is_object()) {
+      locked(rule_json);
+      continue;
     }
-    options->piece_grain[piece] = rule;
+    onlyKnown(rule_json, here, {"lock", "toleranceDeg", "angleDeg"});
+    if (const Json* degrees = find(rule_json, "angleDeg"))
+      own.line = number(*degrees, here, "'angleDeg'", 360) * kPi / 180;
+    const Json* degrees = find(rule_json, "toleranceDeg");
+    // where the line runs may be said without a word on how it lies
+    if (!own.line || degrees || find(rule_json, "lock")) locked(need(rule_json, "lock", here));
+    if (degrees) own.rule->tolerance = readGrainTolerance(*degrees, here);
   }
 }
 

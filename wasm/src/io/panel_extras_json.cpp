@@ -17,6 +17,7 @@ void readGrain(const Json& json, const PanelUnits& units, const Place& outer, Pa
       place.fail(place.shape, "needs a 'line' of two distinct points; correct it");
     if (panel->mirrored_from_input) d.x() = -d.x();
     panel->grain_angle = std::atan2(d.y(), d.x());
+    panel->grain_stated = true;
   }
   if (const Json* lock = find(json, "lock")) panel->grain_lock = readGrainLock(*lock, place);
   if (const Json* degrees = find(json, "toleranceDeg"))
@@ -60,9 +61,10 @@ GrainLock readGrainLock(const Json& json, const Place& place) {
   const std::string lock = text(json, place, "grain lock");
   if (lock == "free") return GrainLock::kFree;
   if (lock == "on") return GrainLock::kOn;
+  if (lock == "across") return GrainLock::kAcross;
   if (lock == "bias") return GrainLock::kBias;
   place.fail(place.shape,
-             "has an unknown grain lock " + inQuotes(lock) + "; write free, on or bias");
+             "has an unknown grain lock " + inQuotes(lock) + "; write free, on, across or bias");
 }
 
 double readGrainTolerance(const Json& json, const Place& place) {

@@ -8,6 +8,7 @@
 #include "io/options_json.h"
 #include "io/print_json.h"
 #include "io/symmetry_json.h"
+#include "solve/placing_rules.h"
 
 namespace seamwise {
 namespace {
@@ -137,6 +138,8 @@ Problem read(const ProblemTexts& texts) {
       std::move(file.notes)};
   readOptionsInto(texts, &problem);
   readSymmetriesInto(texts, file.symmetries, &problem);
+  if (auto note = assumedGrain(problem, texts.garment_name))
+    problem.notes.push_back(std::move(*note));
   return problem;
 }
 

@@ -8,7 +8,8 @@
 
 namespace seamwise {
 
-enum class GrainLock : std::uint8_t { kFree, kOn, kBias };
+/// How the grain line lies on the cloth: along its length, across it, at 45 degrees, or anyhow.
+enum class GrainLock : std::uint8_t { kFree, kOn, kAcross, kBias };
 
 /// A cut piece as drafted: its outline as exact curves. Face side up (the printed side towards the
 /// viewer), counter-clockwise, cm. `edges` keep the numbering of the file; edge k ends where edge
@@ -19,6 +20,7 @@ struct Panel {
   std::vector<std::vector<Curve>> holes;  ///< cut-outs, each a closed clockwise loop; never sewn
   bool mirrored_from_input = false;       ///< the file showed the back: x was negated
   double grain_angle = kPi / 2;           ///< direction of the grain line in this (face-up) frame
+  bool grain_stated = false;              ///< false: the file has no grain line, up is assumed
   std::optional<GrainLock> grain_lock;    ///< set by the file; options may override
   double grain_tolerance = 0;             ///< rad
   Vec3 placement_shift = Vec3::Zero();    ///< cm, of the input panel

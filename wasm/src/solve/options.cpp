@@ -29,8 +29,9 @@ std::string SolveOptions::problem() const {
   if (!(effort >= 1 && effort <= kMaxEffort)) return "effort must be between 1 and 64.";
   if (proof && !(*proof >= 0 && *proof <= 1e6)) return "proof must be between 0 and 1e6.";
   if (!usableRule(grain)) return "grain.toleranceDeg must be between 0 and 90 degrees.";
-  for (const auto& [piece, rule] : piece_grain)
-    if (piece < 0 || !usableRule(rule))
+  for (const auto& [piece, own] : piece_grain)
+    if (piece < 0 || (own.rule && !usableRule(*own.rule)) ||
+        (own.line && !std::isfinite(*own.line)))
       return "grain.pieces must name pieces of the garment, with a tolerance of 0 to 90 degrees.";
   for (const auto& [piece, pin] : pins)
     if (piece < 0 || !std::isfinite(pin.angle) || !pin.translation.allFinite())

@@ -23,6 +23,12 @@ struct GrainRule {
   double tolerance = 0;  ///< rad
 };
 
+/// What is said about one piece; unset: as for all, and as in the file.
+struct PieceGrain {
+  std::optional<GrainRule> rule;
+  std::optional<double> line;  ///< direction of the grain line of the face-up piece. [rad]
+};
+
 /// Everything about a solve that is neither garment nor print. Names follow the options file.
 struct SolveOptions {
   Method method = Method::kBest;
@@ -32,13 +38,13 @@ struct SolveOptions {
   std::optional<double> alpha;   ///< weight of the conformal energy; unset: the method's own choice
   bool continuous_only = false;  ///< forbid mirrored seams
   std::optional<bool>
-      average_seam_shapes;               ///< Wolff et al. 2019, 3.3; unset: the method's own choice
-  GrainRule grain;                       ///< for pieces without a rule of their own
-  std::map<int, GrainRule> piece_grain;  ///< by piece index
-  std::map<int, Alignment> pins;         ///< by piece index
-  std::map<int, double> weights;         ///< by stitch number
-  std::vector<int> unmatched;            ///< stitch numbers
-  std::vector<int> plain;                ///< piece indices
+      average_seam_shapes;  ///< Wolff et al. 2019, 3.3; unset: the method's own choice
+  GrainRule grain;          ///< for pieces without a rule of their own
+  std::map<int, PieceGrain> piece_grain;  ///< by piece index
+  std::map<int, Alignment> pins;          ///< by piece index
+  std::map<int, double> weights;          ///< by stitch number
+  std::vector<int> unmatched;             ///< stitch numbers
+  std::vector<int> plain;                 ///< piece indices
   std::vector<MatchLine> matches;
   std::vector<EdgeRef> locked;  ///< edges that stay as drafted
   OpenEdges open_edges = OpenEdges::kKept;

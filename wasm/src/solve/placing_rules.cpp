@@ -2,10 +2,15 @@
 
 #include <algorithm>
 
+#include "geometry/in_quotes.h"
+
 namespace seamwise {
 namespace {
 
 constexpr double kObeyed = 1e-6;  ///< cm: as exact as a result has to be
+/// How far a print with an upside may lie from upright where the grain is free. [rad]
+constexpr double kMostOffUpright = kPi / 3;
+constexpr int kMostAssumed = 4;
 
 /// Whether some mirrored element of the print carries `first`'s print to `second`'s, over the map.
 bool mirrors(const WallpaperGroup& group, const Alignment& first, const Alignment& second,
@@ -20,30 +25,77 @@ bool mirrors(const WallpaperGroup& group, const Alignment& first, const Alignmen
 
 }  // namespace
 
-std::vector<PieceRule> pieceRules(const Problem& problem) {
+GrainRule grainRule(const Problem& problem, int piece) {
   const SolveOptions& options = problem.options;
+  const auto own = options.piece_grain.find(piece);
+  if (own != options.piece_grain.end() && own->second.rule) return *own->second.rule;
+  const Panel& panel = problem.garment.panels[piece];
+  if (panel.grain_lock) return {*panel.grain_lock, panel.grain_tolerance};
+  return options.grain;
+}
+
+double grainLine(const Problem& problem, int piece) {
+  const auto& pieces = problem.options.piece_grain;
+  const auto own = pieces.find(piece);
+  if (own != pieces.end() && own->second.line) return *own->second.line;
+  return problem.garment.panels[piece].grain_angle;
+}
+
+std::vector<PieceRule> pieceRules(const Problem& problem) {
+  const bool one_way = problem.print.one_way;
   std::vector<PieceRule> rules(problem.garment.panels.size());
   for (std::size_t p = 0; p < rules.size(); ++p) {
-    const Panel& panel = problem.garment.panels[p];
     const int index = static_cast<int>(p);
-    GrainRule grain = options.grain;
-    if (panel.grain_lock) grain = {*panel.grain_lock, panel.grain_tolerance};
-    if (const auto own = options.piece_grain.find(index); own != options.piece_grain.end())
-      grain = own->second;
+    const GrainRule grain = grainRule(problem, index);
     // the grain line runs along +y of the print, the warp
-    const double straight = panel.grain_angle - kPi / 2;
-    std::vector<double> angles;
-    if (grain.lock == GrainLock::kOn) angles = {straight};
-    if (grain.lock == GrainLock::kBias) angles = {straight - kPi / 4, straight + kPi / 4};
-    const std::size_t upright = angles.size();
-    if (!problem.print.one_way)
-      for (std::size_t k = 0; k < upright; ++k) angles.push_back(angles[k] + kPi);
-    rules[p].angles = std::move(angles);
+    const double straight = grainLine(problem, index) - kPi / 2;
+    std::vector<double>& angles = rules[p].angles;
     rules[p].tolerance = grain.tolerance;
-    if (const auto pin = options.pins.find(index); pin != options.pins.end())
-      rules[p].pin = pin->second;
+    switch (grain.lock) {
+      case GrainLock::kFree:
+        if (!one_way) break;
+        angles = {straight};
+        rules[p].tolerance = kMostOffUpright;
+        break;
+      case GrainLock::kOn:
+        angles = {straight};
+        if (!one_way) angles.push_back(straight + kPi);
+        break;
+      case GrainLock::kAcross:  // neither way is more upright than the other
+        angles = {straight - kPi / 2, straight + kPi / 2};
+        break;
+      case GrainLock::kBias:
+        angles = {straight - kPi / 4, straight + kPi / 4};
+        if (!one_way) angles.insert(angles.end(), {straight + 3 * kPi / 4, straight + 5 * kPi / 4});
+        break;
+    }
+    const auto& pins = problem.options.pins;
+    if (const auto pin = pins.find(index); pin != pins.end()) rules[p].pin = pin->second;
   }
   return rules;
+}
+
+std::optional<std::string> assumedGrain(const Problem& problem, const std::string& file) {
+  const SolveOptions& options = problem.options;
+  std::string names;
+  int count = 0;
+  for (std::size_t p = 0; p < problem.garment.panels.size(); ++p) {
+    const Panel& panel = problem.garment.panels[p];
+    const int index = static_cast<int>(p);
+    const auto own = options.piece_grain.find(index);
+    const bool said = panel.grain_stated || options.pins.count(index) > 0 ||
+                      (own != options.piece_grain.end() && own->second.line);
+    const bool printed =
+        std::find(options.plain.begin(), options.plain.end(), index) == options.plain.end();
+    const bool asked = grainRule(problem, index).lock != GrainLock::kFree || problem.print.one_way;
+    if (said || !printed || !asked) continue;
+    if (++count <= kMostAssumed) names += (count > 1 ? ", " : "") + inQuotes(panel.name);
+  }
+  if (count == 0) return {};
+  if (count > kMostAssumed) names += " and " + std::to_string(count - kMostAssumed) + " more";
+  return file +
+         " has no grain line for these pieces, so theirs is assumed to run upwards as drawn: " +
+         names + "; give 'angleDeg' in grain.pieces of the options to say otherwise.";
 }
 
 std::optional<std::size_t> symmetryAgainstPins(const Problem& problem) {

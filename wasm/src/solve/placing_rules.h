@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "alignment/grain.h"
@@ -7,7 +8,19 @@
 
 namespace seamwise {
 
-/// Pins and grain of every piece.
+/// How a piece's grain line lies on the cloth: as the options say, else as the file does.
+GrainRule grainRule(const Problem& problem, int piece);
+
+/// Where the grain line of the face-up piece runs: as the options say, else as the file does, else
+/// upwards. [rad]
+double grainLine(const Problem& problem, int piece);
+
+/// A sentence that names the printed pieces whose grain line neither file nor options state, if the
+/// placing depends on it. @param file   the garment's, for the sentence
+std::optional<std::string> assumedGrain(const Problem& problem, const std::string& file);
+
+/// Pins and grain of every piece. Under a one-way print, a piece of free grain stays within 60
+/// degrees of upright.
 std::vector<PieceRule> pieceRules(const Problem& problem);
 
 /// The first imposed symmetry that pinned alignments contradict: a pinned piece whose own axis lies
