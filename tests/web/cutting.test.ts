@@ -10,7 +10,9 @@ import {cutLine} from '../../web/src/picture/cutting/cut-line.js';
 import {cuttingFile, type CuttingOptions} from '../../web/src/picture/cutting/cutting-file.js';
 import {notchMark, shapePoint} from '../../web/src/picture/cutting/follow.js';
 import {matchMarks} from '../../web/src/picture/cutting/match-marks.js';
+import {letterOf, seamLetters} from '../../web/src/picture/cutting/seam-letters.js';
 import {onPrint} from '../../web/src/picture/fit.js';
+import {grainLine} from '../../web/src/picture/grain-line.js';
 import {isInside} from '../../web/src/picture/marks.js';
 import {plainMetrics, plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
@@ -231,8 +233,28 @@ describe('the file to cut by', () => {
 
   it('shows text as text, and whose twin a piece is', () => {
     expect(svg).toContain('Left &#60;half&#62;');
-    expect(svg).toContain('right half');
-    expect(svg.match(/Mirrored pair A/g)).toHaveLength(2);
+    expect(svg).toContain('Right half');
+    expect(svg.match(/>Cut 1</g)).toHaveLength(2);
+    expect(fileOf({plain: ['left_half']})).toContain('>Cut 1 of plain cloth<');
+    expect(svg).toContain('Mirror image of Right half');
+    expect(svg).toContain('Mirror image of Left &#60;half&#62;');
+  });
+
+  it('marks both sides of a seam with the same letter, inside of the pieces', () => {
+    const letters = seamLetters(pattern);
+    expect(letters.map((one) => one.map(({letter}) => letter))).toEqual([['A'], ['A']]);
+    for (const [k, one] of letters.entries())
+      for (const {at} of one) expect(isInside(pattern.pieces[k]?.shape ?? [], at)).toBe(true);
+    expect([0, 25, 26, 77].map(letterOf)).toEqual(['A', 'Z', 'AA', 'BZ']);
+    expect(svg.match(/>A<\/text>/g)).toHaveLength(2);
+  });
+
+  it('draws the grain along the cloth where nobody says how it runs', () => {
+    const arrow = [...group(svg, 1).matchAll(/stroke-width="0.4"/g)];
+    expect(arrow).toHaveLength(1);
+    const line = paths(group(svg, 1)).find((path) => path.length === 16) ?? [];
+    const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = line;
+    expect(Math.atan2(y0 - y1, x1 - x0)).toBeCloseTo(0.4 + Math.PI / 2, 2);
   });
 
   it('draws notches from the sewn line to the cut line', () => {
@@ -314,11 +336,27 @@ describe('what a garment file says about its panels', () => {
       placement: {translation: [0, 120, 10], rotation: [0, 180, 0]},
       notches: [{from: [4, 0], to: [4, 4], at: 0.25}],
     });
-    expect(panelMarks(garment).get('lining')).toEqual({});
+    expect(panelMarks(garment).get('lining')).toEqual({label: 'Lining'});
   });
 
   it('has a title and a size', () => {
     expect(garmentTitle(garment)).toEqual({title: 'Tie', size: 'M'});
     expect(garmentTitle({format: 'seamwise-garment/1'})).toEqual({});
+  });
+
+  it('is titled by its file where it says no title', () => {
+    const untitled = {format: 'seamwise-garment/1', title: ' '} as const;
+    expect(garmentTitle(untitled, 'shirt_mean_specification.json')).toEqual({title: 'Shirt mean'});
+    expect(garmentTitle(garment, 'shirt.json').title).toBe('Tie');
+  });
+
+  it('goes after what was decided, and the grain line is drawn where that says', () => {
+    const decided = {names: {tip: 'Point'}, grain: {tip: {angleDeg: 0}, lining: 'across'}} as const;
+    const marks = panelMarks(garment, decided);
+    expect(marks.get('tip')).toMatchObject({label: 'Point', grainDeg: 0});
+    expect(marks.get('lining')?.grainDeg).toBeUndefined();
+    const [from, to] = grainLine(squarePiece('tip'), marks.get('tip')) ?? [];
+    expect(from?.[1]).toBeCloseTo(to?.[1] ?? NaN, 9);
+    expect(to?.[0]).toBeGreaterThan(from?.[0] ?? NaN);
   });
 });

@@ -3,9 +3,11 @@ import {describe, expect, it} from 'vitest';
 import {
   matchOf,
   withGrain,
+  withGrainLines,
   withMatch,
   withoutPin,
   withPrinted,
+  withQuarterTurn,
 } from '../../web/src/element/lists/choices.js';
 import {inOrder} from '../../web/src/element/lists/order.js';
 
@@ -34,6 +36,25 @@ describe('how much a seam has to match', () => {
 });
 
 describe('what is decided about one piece', () => {
+  it('is a turn by 90 degrees, and back', () => {
+    const across = withQuarterTurn({grain: {default: 'on'}}, 'band');
+    expect(across.grain?.pieces).toEqual({band: 'across'});
+    expect(withQuarterTurn(across, 'band').grain?.pieces).toEqual({band: 'on'});
+    const all = withQuarterTurn({grain: {default: 'across'}}, 'band');
+    expect(all.grain?.pieces).toEqual({band: 'on'});
+  });
+
+  it('is where its grain line runs, whatever is said of how it lies', () => {
+    const lines = withGrainLines({grain: {pieces: {cuff: 'bias'}}}, {cuff: 0, band: 90});
+    expect(lines.grain?.pieces).toEqual({
+      cuff: {lock: 'bias', angleDeg: 0},
+      band: {angleDeg: 90},
+    });
+    const turned = withQuarterTurn(lines, 'band');
+    expect(turned.grain?.pieces?.band).toEqual({lock: 'across', angleDeg: 90});
+    expect(withGrain(turned, 'band', 'all').grain?.pieces?.band).toEqual({angleDeg: 90});
+  });
+
   it('is a grain of its own, or that of all', () => {
     const own = withGrain({grain: {default: 'on'}}, 'cuff', 'bias');
     expect(own.grain).toEqual({default: 'on', pieces: {cuff: 'bias'}});

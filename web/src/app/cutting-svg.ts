@@ -1,5 +1,5 @@
 /** The pieces of a solved design to cut along, as one file that stands alone. */
-import {printOf} from '../model/design.js';
+import {decidedOf, printOf} from '../model/design.js';
 import type {Garment} from '../model/garment.js';
 import {garmentTitle, panelMarks} from '../model/garment-marks.js';
 import type {Workbench} from '../element/index.js';
@@ -40,7 +40,10 @@ export async function cuttingSvg(
   return cuttingFile(
     result,
     {...printOf(design.print), tile},
-    {...garmentTitle(garment), panels: panelMarks(garment)},
+    {
+      ...garmentTitle(garment, design.garment.name),
+      panels: panelMarks(garment, decidedOf(design)),
+    },
     {allowanceCm, units, locale: language, plain: design.options.plain ?? []},
   );
 }

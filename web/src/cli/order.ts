@@ -1,5 +1,6 @@
 import {resolve} from 'node:path';
 
+import {decidedOf} from '../model/design.js';
 import type {Garment} from '../model/garment.js';
 import {garmentTitle, panelMarks} from '../model/garment-marks.js';
 import {packageVersion} from '../model/version.js';
@@ -78,7 +79,11 @@ async function toCut(
   return cuttingFile(
     result,
     {...cloth, ...(tile !== undefined && {tile})},
-    {...garmentTitle(garment), ...(size !== undefined && {size}), panels: panelMarks(garment)},
+    {
+      ...garmentTitle(garment, new URL(addressFrom(base, design.garment.url)).pathname),
+      ...(size !== undefined && {size}),
+      panels: panelMarks(garment, decidedOf(design)),
+    },
     {
       ...{allowanceCm, units: 'cm', plain: design.options.plain ?? []},
       ...(!reproduced && {mark: notAsSold}),

@@ -25,7 +25,7 @@ const repeat = number(0.05, 1000);
 const length = number(-10_000, 10_000);
 const point: Read<Point> = pairOf(length);
 const fileStem = text(/^[\w-]{1,80}$/, 'the name of a sample');
-const locks = oneOf(['free', 'on', 'bias']);
+const locks = oneOf(['free', 'on', 'across', 'bias']);
 const degrees = number(0, 90);
 
 export const readAlignment: Read<Alignment> = shape({
@@ -36,7 +36,10 @@ export const readAlignment: Read<Alignment> = shape({
 const grainRule: Read<GrainRule> = (value, at) =>
   typeof value === 'string'
     ? locks(value, at)
-    : shape({lock: locks}, {toleranceDeg: degrees})(value, at);
+    : shape({}, {lock: locks, toleranceDeg: degrees, angleDeg: number(-360, 360)})(value, at);
+
+/** Few enough characters to stand on a piece. */
+export const pieceName = text(/^\P{Cc}{1,80}$/u, 'a name of at most 80 characters');
 
 const markedLine = shape({piece: text(), line: listOf(point)});
 
@@ -91,7 +94,7 @@ export const decisionFields = {
   options,
 };
 
-export const decisions = shape(decisionFields);
+export const decisions = shape(decisionFields, {names: recordOf(pieceName)});
 
 const isOwnPicture = (source: string): boolean => /^data:image\/[\w.+-]+[;,]/.test(source);
 

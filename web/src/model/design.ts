@@ -1,5 +1,7 @@
 /** Everything a person decides about a garment and its print: what undo steps through and what a project file holds. */
+import type {PanelDecisions} from './garment-marks.js';
 import type {SolveOptions} from './options.js';
+import type {PieceNames} from './piece-names.js';
 import type {GroupName, Print, PrintCell} from './print.js';
 import type {Method, Problem} from './problem.js';
 import {latticeVectors, type RepeatSize} from './repeat.js';
@@ -56,7 +58,15 @@ export interface Design {
   readonly symmetries: readonly Symmetry[];
   readonly method: Method;
   readonly options: SolveOptions;
+  /** What pieces are called, where that was chosen. */
+  readonly names?: PieceNames;
 }
+
+/** What is decided about the panels of its garment. */
+export const decidedOf = ({names, options}: Pick<Design, 'names' | 'options'>): PanelDecisions => ({
+  ...(names && {names}),
+  ...(options.grain?.pieces && {grain: options.grain.pieces}),
+});
 
 /** The print as solver and views take it. */
 export function printOf({group, size, turnDeg, oneWay, cell, title, image}: DesignPrint): Print {

@@ -1,6 +1,8 @@
 /** What a garment file says about its panels that a result does not repeat. */
 import type {Garment} from './garment.js';
 import type {Point} from './geometry.js';
+import {angleOf, type GrainRule} from './options.js';
+import {pieceNames, titleOfFile, type PieceNames} from './piece-names.js';
 import {fieldOf} from './read.js';
 
 type Vector = readonly [x: number, y: number, z: number];
@@ -21,9 +23,11 @@ export interface Notch {
 
 export interface PanelMarks {
   /** What people call the piece. */
-  readonly label?: string;
+  readonly label: string;
   /** In the coordinates of the file, not yet mirrored. [cm] */
   readonly grain?: readonly [Point, Point];
+  /** Where the grain line was said to run, over the file: of the face-up piece, from its x axis. [degrees] */
+  readonly grainDeg?: number;
   /** Where it is on the body. [cm] */
   readonly placement?: Placement;
   readonly notches?: readonly Notch[];
@@ -73,15 +77,37 @@ function notchesOf(panel: unknown, unit: number): readonly Notch[] {
   });
 }
 
+/** What a person decided about panels, by their names, over what their file says. */
+export interface PanelDecisions {
+  readonly names?: PieceNames;
+  readonly grain?: Readonly<Record<string, GrainRule>>;
+}
+
+const namesOf = (garment: Garment): PieceNames => {
+  const names = fieldOf(garment, 'names');
+  const entries = typeof names === 'object' && names !== null ? Object.entries(names) : [];
+  return Object.fromEntries(
+    entries.filter((entry): entry is [string, string] => typeof entry[1] === 'string'),
+  );
+};
+
 /** By panel name. What a garment does not show is left out; the solver has checked the file. */
-export function panelMarks(garment: Garment): ReadonlyMap<string, PanelMarks> {
+export function panelMarks(
+  garment: Garment,
+  {names = {}, grain: rules = {}}: PanelDecisions = {},
+): ReadonlyMap<string, PanelMarks> {
   const unitsInMetre = fieldOf(garment.properties, 'units_in_meter');
   const unit = typeof unitsInMetre === 'number' ? 100 / unitsInMetre : 1;
   const panels = fieldOf(garment.pattern, 'panels');
   const entries = typeof panels === 'object' && panels !== null ? Object.entries(panels) : [];
+  const labels = entries.map(([name, panel]: [string, unknown]): [string, string | undefined] => {
+    const label = fieldOf(panel, 'label');
+    return [name, typeof label === 'string' ? label : undefined];
+  });
+  const called = pieceNames(new Map(labels), {...namesOf(garment), ...names});
   return new Map(
     entries.map(([name, panel]: [string, unknown]): [string, PanelMarks] => {
-      const label = fieldOf(panel, 'label');
+      const grainDeg = Object.hasOwn(rules, name) ? angleOf(rules[name]) : undefined;
       const placement = placementOf(panel, unit);
       const notches = notchesOf(panel, unit);
       const [from, to] = listed(fieldOf(fieldOf(panel, 'grain'), 'line')).map((p) =>
@@ -90,8 +116,9 @@ export function panelMarks(garment: Garment): ReadonlyMap<string, PanelMarks> {
       return [
         name,
         {
-          ...(typeof label === 'string' && {label}),
+          label: called.get(name) ?? name,
           ...(from && to && {grain: [from, to] as const}),
+          ...(grainDeg !== undefined && {grainDeg}),
           ...(placement && {placement}),
           ...(notches.length > 0 && {notches}),
         },
@@ -100,8 +127,11 @@ export function panelMarks(garment: Garment): ReadonlyMap<string, PanelMarks> {
   );
 }
 
-export function garmentTitle(garment: Garment): GarmentTitle {
-  const title = fieldOf(garment, 'title');
+/** @param file the garment's, which is what it is called when it says no title itself */
+export function garmentTitle(garment: Garment, file?: string): GarmentTitle {
+  const said = fieldOf(garment, 'title');
+  const isSaid = typeof said === 'string' && said.trim() !== '';
+  const title = isSaid ? said : file === undefined ? undefined : titleOfFile(file);
   const size = fieldOf(garment, 'size');
-  return {...(typeof title === 'string' && {title}), ...(typeof size === 'string' && {size})};
+  return {...(title !== undefined && {title}), ...(typeof size === 'string' && {size})};
 }

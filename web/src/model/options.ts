@@ -1,10 +1,22 @@
 import type {Alignment, Point} from './geometry.js';
 
-/** `free`: any angle; `on`: grain line along the cloth; `bias`: at 45 degrees to it. */
-export type GrainLock = 'free' | 'on' | 'bias';
+/** `free`: any angle; `on`: grain line along the cloth; `across`: at a right angle to that; `bias`: at 45 degrees. */
+export type GrainLock = 'free' | 'on' | 'across' | 'bias';
 
-/** A lock, or a lock with a tolerance of its own. */
-export type GrainRule = GrainLock | {readonly lock: GrainLock; readonly toleranceDeg?: number};
+/** A lock, or more about one piece. */
+export type GrainRule =
+  | GrainLock
+  | {
+      /** As for all pieces when left out. */
+      readonly lock?: GrainLock;
+      readonly toleranceDeg?: number;
+      /** Where the grain line of the face-up piece runs, counter-clockwise from its x axis, over what the file says. */
+      readonly angleDeg?: number;
+    };
+
+/** What a rule says about the grain line itself. [degrees] */
+export const angleOf = (rule: GrainRule | undefined): number | undefined =>
+  typeof rule === 'object' ? rule.angleDeg : undefined;
 
 /** A solver option left out has the default given here. */
 export interface SolveOptions {

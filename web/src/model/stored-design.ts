@@ -1,8 +1,9 @@
 /** A design as shops store it: what was chosen, which files it was chosen for, and what the answer was. */
 import type {DesignPrint} from './design.js';
-import {decisionFields, readAlignment, repeatFields} from './design-reader.js';
+import {decisionFields, pieceName, readAlignment, repeatFields} from './design-reader.js';
 import type {Alignment, Point} from './geometry.js';
 import type {SolveOptions} from './options.js';
+import type {PieceNames} from './piece-names.js';
 import {colourwayOf, groupNames, type Print} from './print.js';
 import type {Method, Problem} from './problem.js';
 import {
@@ -58,6 +59,8 @@ export interface StoredDesign extends StoredProblem {
   readonly result: string;
   /** The version of this package that found the result. */
   readonly solver: string;
+  /** What pieces are called, by the names of their panels, where that was chosen. */
+  readonly names?: PieceNames;
 }
 
 const version = 1;
@@ -94,17 +97,20 @@ const asked: Read<StoredProblem['symmetry']> = (value, at) =>
 const kind: FileKind<StoredDesign> = {
   format: 'seamwise-design',
   version,
-  read: shape({
-    garment: shape({url, sha256: hash}, {size: name}),
-    print: shape({url, sha256: hash}, {colourway: name, ...repeatFields}),
-    symmetry: asked,
-    method: decisionFields.method,
-    options: decisionFields.options,
-    seed,
-    alignments: recordOf(readAlignment),
-    result: hash,
-    solver: semver,
-  }),
+  read: shape(
+    {
+      garment: shape({url, sha256: hash}, {size: name}),
+      print: shape({url, sha256: hash}, {colourway: name, ...repeatFields}),
+      symmetry: asked,
+      method: decisionFields.method,
+      options: decisionFields.options,
+      seed,
+      alignments: recordOf(readAlignment),
+      result: hash,
+      solver: semver,
+    },
+    {names: recordOf(pieceName)},
+  ),
   notJson: 'is not JSON; give it a design that was stored by Seamwise.',
   otherKind: `is no design; its 'format' must be 'seamwise-design/${version}'.`,
   newer: (written) =>

@@ -17,7 +17,9 @@ import {
 import {layOutNamed, type Layout} from '../picture/layout.js';
 import {axisAlong, innermost, isInside, mirrorImage, pick} from '../picture/marks.js';
 import {nameLines, textWidth} from '../picture/svg.js';
-import {panelMarks, type PanelMarks} from '../model/garment-marks.js';
+import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
+import {readable} from '../model/piece-names.js';
+import {grainLine} from '../picture/grain-line.js';
 import {screenMargin} from './sheet-view.js';
 
 /** Points are in the piece's own coordinates; `offset` brings them onto the sheet. */
@@ -91,6 +93,8 @@ export interface SceneOptions {
   readonly alignments?: readonly Alignment[];
   /** Gives labels and grain lines. */
   readonly garment?: Garment;
+  /** Goes before what the garment says of its panels. */
+  readonly decided?: PanelDecisions;
   /** What the layout is made for. [CSS px] */
   readonly viewport?: {readonly width: number; readonly height: number};
   /** Names of the pieces that are cut from unprinted cloth. */
@@ -195,25 +199,21 @@ function besideAxis(grain: readonly [Point, Point], axis: readonly [Point, Point
   return [move(grain[0]), move(grain[1])];
 }
 
-/** The grain line as the piece lies face up. */
 function grainOf(
-  {mirroredFromInput}: ResultPiece,
-  grain: PanelMarks['grain'],
+  piece: ResultPiece,
+  marks: PanelMarks | undefined,
   axis: readonly [Point, Point] | undefined,
 ): Pick<ScenePiece, 'grain'> {
-  if (!grain) return {};
-  const faceUp = ([x, y]: Point): Point => [mirroredFromInput ? -x : x, y];
-  const line = [faceUp(grain[0]), faceUp(grain[1])] as const;
-  return {grain: axis ? besideAxis(line, axis) : line};
+  const line = grainLine(piece, marks);
+  return line ? {grain: axis ? besideAxis(line, axis) : line} : {};
 }
 
 /** Lays a pattern out and measures how the print meets along its seams. */
 export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = {}): PatternScene {
   const outline = options.outline ?? 'shape';
-  const marks = options.garment ? panelMarks(options.garment) : new Map<string, PanelMarks>();
-  const labels = pattern.pieces.map(
-    ({name}) => marks.get(name)?.label ?? name.replaceAll('_', ' '),
-  );
+  const {garment, decided} = options;
+  const marks = garment ? panelMarks(garment, decided) : new Map<string, PanelMarks>();
+  const labels = pattern.pieces.map(({name}) => marks.get(name)?.label ?? readable(name));
   const {offsets, width, height} = sheet(pattern, labels, marks, options.viewport);
   const symmetries = symmetriesOf(pattern, outline);
   const axes = new Map(
@@ -229,7 +229,7 @@ export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = 
         label: labels[k] ?? name,
         offset: offsets[k] ?? [0, 0],
         plain: options.plain?.has(name) ?? false,
-        ...grainOf(piece, marks.get(name)?.grain, axes.get(k)),
+        ...grainOf(piece, marks.get(name), axes.get(k)),
       };
     }),
     seams: unmatched(pattern),

@@ -1,5 +1,5 @@
 /** What a person decides about one seam or one piece, as a change of the solver's options. */
-import type {GrainLock, SolveOptions} from '../../model/options.js';
+import {angleOf, type GrainLock, type GrainRule, type SolveOptions} from '../../model/options.js';
 import type {SeamRow} from './rows.js';
 
 export const matches = ['double', 'full', 'half', 'none'] as const;
@@ -36,14 +36,47 @@ export function withMatch(
   };
 }
 
+/** A grain line that was said for the piece stays. */
 export function withGrain(
   options: SolveOptions,
   piece: string,
   grain: GrainLock | 'all',
 ): SolveOptions {
   const rest = without(options.grain?.pieces, piece);
-  const pieces = grain === 'all' ? rest : {...rest, [piece]: grain};
+  const angleDeg = angleOf(options.grain?.pieces?.[piece]);
+  const rule =
+    angleDeg === undefined
+      ? grain
+      : grain === 'all'
+        ? {angleDeg}
+        : {lock: grain, angleDeg};
+  const pieces = rule === 'all' ? rest : {...rest, [piece]: rule};
   return {...options, grain: {...options.grain, pieces}};
+}
+
+/** Turns a piece by 90 degrees on the cloth: across it, or back along it. */
+export function withQuarterTurn(options: SolveOptions, piece: string): SolveOptions {
+  const rule = options.grain?.pieces?.[piece];
+  const own = typeof rule === 'object' ? rule.lock : rule;
+  const isAcross = (own ?? options.grain?.default) === 'across';
+  return withGrain(options, piece, isAcross ? 'on' : 'across');
+}
+
+/** Where the grain lines of pieces run, by name, face up. [degrees] */
+export function withGrainLines(
+  options: SolveOptions,
+  lines: Readonly<Record<string, number>>,
+): SolveOptions {
+  const before = options.grain?.pieces ?? {};
+  const said = Object.entries(lines).map(([piece, angleDeg]): [string, GrainRule] => {
+    const rule = Object.hasOwn(before, piece) ? before[piece] : undefined;
+    const own = typeof rule === 'string' ? {lock: rule} : rule;
+    return [piece, {...own, angleDeg}];
+  });
+  return {
+    ...options,
+    grain: {...options.grain, pieces: {...before, ...Object.fromEntries(said)}},
+  };
 }
 
 export function withPrinted(options: SolveOptions, piece: string, printed: boolean): SolveOptions {

@@ -191,7 +191,7 @@ const piecesOf = lastOf((options: Design['options'], scene: PatternScene): reado
       ...{piece: k, name, label, width, height, seams},
       moved: scene.outline === 'shape' ? moved : undefined,
       offGrain: offGrain(piece, scene.print.oneWay ?? false),
-      grain: typeof rule === 'string' ? rule : rule.lock,
+      grain: typeof rule === 'string' ? rule : (rule.lock ?? 'all'),
       printed: !plain,
       pinned: options.pins !== undefined && Object.hasOwn(options.pins, name),
       kept: keptOf(scene, k),

@@ -10,18 +10,23 @@ export interface Answer {
 /** An answer takes some megabytes. */
 const most = 8;
 
-/** Designs are known by identity: a step that is taken back and again holds the same one. */
+/** What an answer depends on: a piece may be renamed without another one. */
+const asked = ['garment', 'print', 'symmetries', 'method', 'options'] as const;
+
+/** Known by identity: a step that is taken back and again holds the same objects. */
+const asksSame = (one: Design, other: Design): boolean =>
+  asked.every((field) => one[field] === other[field]);
+
 export class ResultCache {
-  readonly #answers = new Map<Design, Answer>();
+  /** The oldest first. */
+  #answers: readonly (readonly [Design, Answer])[] = [];
 
   of(design: Design): Answer | undefined {
-    return this.#answers.get(design);
+    return this.#answers.find(([known]) => asksSame(known, design))?.[1];
   }
 
   keep(design: Design, answer: Answer): void {
-    this.#answers.delete(design);
-    this.#answers.set(design, answer);
-    const [oldest] = this.#answers.keys();
-    if (this.#answers.size > most && oldest) this.#answers.delete(oldest);
+    const others = this.#answers.filter(([known]) => !asksSame(known, design));
+    this.#answers = [...others, [design, answer] as const].slice(-most);
   }
 }

@@ -1,6 +1,6 @@
 /** The sheets to be drawn of a workbench: the garment as it comes, and as it is or is about to be. */
-import {printOf, type DesignGarment, type DesignPrint} from '../../model/design.js';
-import {panelMarks, type PanelMarks} from '../../model/garment-marks.js';
+import {decidedOf, printOf, type DesignGarment, type DesignPrint} from '../../model/design.js';
+import {panelMarks, type PanelDecisions, type PanelMarks} from '../../model/garment-marks.js';
 import type {Garment} from '../../model/garment.js';
 import type {Alignment} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
@@ -26,6 +26,12 @@ export interface Scenes {
 export class SceneMaker {
   readonly #print = lastOf((print: DesignPrint) => printOf(print));
   readonly #garment = lastOf((text: string) => JSON.parse(text) as Garment);
+  readonly #decided = lastOf(
+    (names: PanelDecisions['names'], grain: PanelDecisions['grain']): PanelDecisions => ({
+      ...(names && {names}),
+      ...(grain && {grain}),
+    }),
+  );
   readonly #marks = lastOf(panelMarks);
   readonly #settings = lastOf(settingsOf);
   readonly #rest = lastOf(sheetAtRest);
@@ -58,10 +64,12 @@ export class SceneMaker {
     if (garment !== this.#lastGarment) this.#last = new Map();
     this.#lastGarment = garment;
     const {plain, pins, locked} = design.options;
+    const {names, grain} = decidedOf(design);
+    const decided = this.#decided(names, grain);
     const room = this.#rooms.get(design.garment) ?? shown;
     if (isRoom(room)) this.#rooms.set(design.garment, room);
     const {width, height} = room;
-    const settings = this.#settings(garment, plain, desk.preferences.scale, width, height);
+    const settings = this.#settings(garment, decided, plain, desk.preferences.scale, width, height);
     const before = this.#rest(pattern, print, settings);
     const now = result
       ? this.#solved(pattern, result, print, settings)
@@ -70,7 +78,7 @@ export class SceneMaker {
         : this.#waiting(before, pins);
     const kept = this.#kept(pattern, locked);
     this.#last = new Map(now.pieces.map(({name, alignment}) => [name, alignment]));
-    return {before, now: this.#marked(now, kept), marks: this.#marks(garment)};
+    return {before, now: this.#marked(now, kept), marks: this.#marks(garment, decided)};
   }
 }
 
@@ -87,12 +95,13 @@ type Pins = SolveOptions['pins'];
 
 function settingsOf(
   garment: Garment,
+  decided: PanelDecisions,
   plain: readonly string[] | undefined,
   scale: MismatchScale,
   width: number,
   height: number,
 ): SceneOptions {
-  return {garment, plain: new Set(plain), scale, viewport: {width, height}};
+  return {garment, decided, plain: new Set(plain), scale, viewport: {width, height}};
 }
 
 /** Clicks ask for the edges of the file, which a result does not know. */

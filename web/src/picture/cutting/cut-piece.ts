@@ -3,10 +3,12 @@ import type {PanelMarks} from '../../model/garment-marks.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
 import type {ResultPiece} from '../../model/result.js';
+import {grainLine, lineAt} from '../grain-line.js';
 import {innermost, pick} from '../marks.js';
 import {cutLine} from './cut-line.js';
 import {notchMark, shapePoint, type OutlineMark} from './follow.js';
 import {matchMarks} from './match-marks.js';
+import type {SeamLetter} from './seam-letters.js';
 
 /** Points are in the coordinates of the piece's shape. */
 export interface CutPiece {
@@ -18,6 +20,7 @@ export interface CutPiece {
   readonly cut: readonly (readonly Point[])[];
   readonly notches: readonly OutlineMark[];
   readonly grain: readonly [Point, Point];
+  readonly letters: readonly SeamLetter[];
   /** Where the print shows one and the same point of it; none on plain cloth. */
   readonly matches: readonly Point[];
   /** A place for words, and how far it is from everything else. */
@@ -28,24 +31,13 @@ export interface CutOptions {
   readonly allowanceCm: number;
   /** Cut from unprinted cloth. */
   readonly isPlain: boolean;
+  readonly letters: readonly SeamLetter[];
 }
 
-/** Longest grain line that is drawn where the file gives none. */
-const grainLength = 20;
 /** Points that stand for the grain line when something looks for room. */
 const grainSteps = 20;
 /** Words keep away from matching marks by this much. */
 const markRoom = 1;
-
-/** Along +y, as files without a grain line mean it. */
-function plainGrain({rest, outline}: ResultPiece): readonly [Point, Point] {
-  const {at, room} = innermost(pick(rest, outline));
-  const reach = Math.min(grainLength / 2, 0.8 * room);
-  return [
-    [at[0], at[1] - reach],
-    [at[0], at[1] + reach],
-  ];
-}
 
 const along = ([from, to]: readonly [Point, Point]): Point[] =>
   Array.from({length: grainSteps + 1}, (_, k): Point => [
@@ -62,25 +54,31 @@ const around = ([x, y]: Point): Point[] =>
 export function cutPiece(
   piece: ResultPiece,
   print: Print,
-  {label, grain, notches = []}: PanelMarks,
-  {allowanceCm, isPlain}: CutOptions,
+  marks: PanelMarks,
+  {allowanceCm, isPlain, letters}: CutOptions,
 ): CutPiece {
   const {name, shape, alignment, mirroredFromInput} = piece;
   const faceUp = ([x, y]: Point): Point => [mirroredFromInput ? -x : x, y];
   const outline = pick(shape, piece.outline);
   const holes = piece.holes.map((hole) => pick(shape, hole));
-  const [foot, head] = grain ? [faceUp(grain[0]), faceUp(grain[1])] : plainGrain(piece);
-  const grainLine = [shapePoint(piece, foot), shapePoint(piece, head)] as const;
+  // where nobody says how the grain runs, the length of the cloth does as the piece lies on the print
+  const [foot, head] = grainLine(piece, marks) ?? lineAt(piece, alignment.angle + Math.PI / 2);
+  const grain = [shapePoint(piece, foot), shapePoint(piece, head)] as const;
   const matches = isPlain ? [] : matchMarks(print, alignment, [outline, ...holes]);
   return {
-    ...{name, alignment, matches, grain: grainLine},
-    label: label ?? name.replaceAll('_', ' '),
+    ...{name, alignment, matches, grain, letters},
+    label: marks.label,
     sewn: [outline, ...holes],
     cut: cutLine(outline, holes, allowanceCm),
-    notches: notches.flatMap(({from, to, at}) => {
+    notches: (marks.notches ?? []).flatMap(({from, to, at}) => {
       const mark = notchMark(piece, {from: faceUp(from), to: faceUp(to), at});
       return mark ? [mark] : [];
     }),
-    words: innermost(outline, [...along(grainLine), ...matches.flatMap(around), ...holes.flat()]),
+    words: innermost(outline, [
+      ...along(grain),
+      ...matches.flatMap(around),
+      ...letters.map(({at}) => at),
+      ...holes.flat(),
+    ]),
   };
 }

@@ -1,6 +1,7 @@
 /** All pieces of a garment at true scale on one sheet, to cut along: SVG whose unit is the millimetre. */
 import type {GarmentTitle, PanelMarks} from '../../model/garment-marks.js';
 import type {Point} from '../../model/geometry.js';
+import {readable} from '../../model/piece-names.js';
 import type {SolveResult} from '../../model/result.js';
 import {formatLength, type Units} from '../../model/units.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../cloth.js';
@@ -9,6 +10,7 @@ import {markAcross} from '../mark.js';
 import {escaped, short, text} from '../svg.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
 import {drawCutPiece} from './draw-cut-piece.js';
+import {seamLetters} from './seam-letters.js';
 
 export interface CuttingMarks extends GarmentTitle {
   readonly panels: ReadonlyMap<string, PanelMarks>;
@@ -35,15 +37,18 @@ const gap = 1.5;
 const aspect = 1.4;
 const ink = '#1d1f23';
 
-/** The letter of each piece of a mirrored pair. */
-function pairLetters({symmetries}: SolveResult): ReadonlyMap<number, string> {
-  const pairs = symmetries.flatMap((symmetry) =>
-    symmetry.kind === 'pair' ? [symmetry.pieces] : [],
+/** What a piece is the mirror image of, by number. */
+const twins = ({symmetries}: SolveResult): ReadonlyMap<number, number> =>
+  new Map(
+    symmetries.flatMap((symmetry) => {
+      if (symmetry.kind !== 'pair') return [];
+      const [first, second] = symmetry.pieces;
+      return [
+        [first, second],
+        [second, first],
+      ] as const;
+    }),
   );
-  return new Map(
-    pairs.flatMap((pair, k) => pair.map((piece) => [piece, String.fromCharCode(65 + (k % 26))])),
-  );
-}
 
 /** Pieces keep apart by their cut lines. */
 function laidOut(result: SolveResult, cuts: readonly CutPiece[]): Layout {
@@ -68,13 +73,14 @@ export function cuttingFile(
   {title, size, panels}: CuttingMarks,
   {allowanceCm, units, locale = 'en', mark, plain = []}: CuttingOptions,
 ): string {
-  const cuts = result.pieces.map((piece) =>
-    cutPiece(piece, print, panels.get(piece.name) ?? {}, {
-      ...{allowanceCm, isPlain: plain.includes(piece.name)},
+  const letters = seamLetters(result);
+  const cuts = result.pieces.map((piece, k) =>
+    cutPiece(piece, print, panels.get(piece.name) ?? {label: readable(piece.name)}, {
+      ...{allowanceCm, isPlain: plain.includes(piece.name), letters: letters[k] ?? []},
     }),
   );
   const layout = laidOut(result, cuts);
-  const letters = pairLetters(result);
+  const twinOf = twins(result);
   const width = Math.max(layout.width * unit, 240) + 2 * margin;
   const height = layout.height * unit + 2 * margin + foot;
   const page =
@@ -89,6 +95,7 @@ export function cuttingFile(
     allowanceCm > 0
       ? `Solid: cut. Dashed: sew, ${formatLength(allowanceCm, units, locale)} inside.`
       : 'Without allowance: sew along the solid line.',
+    'Edges with the same letter are sewn together.',
     ...(cuts.some(({matches}) => matches.length > 0)
       ? [
           'Numbered crosses of a piece lie on the same point of the print;',
@@ -104,14 +111,16 @@ export function cuttingFile(
     `<defs>${clothTile('cloth', print, unit)}${cuts.map(({alignment}, k) => clothUnder(`cloth-${k}`, 'cloth', print, alignment, page(k))).join('')}</defs>`,
     '<rect width="100%" height="100%" fill="#fff"/>',
     ...cuts.map((piece, k) => {
-      const letter = letters.get(k);
+      const isPlain = plain.includes(piece.name);
+      const twin = cuts[twinOf.get(k) ?? -1];
       return drawCutPiece(piece, {
         ...{id: `piece-${k}`, print, allowanceCm, page: page(k)},
-        cloth: plain.includes(piece.name) ? undefined : `cloth-${k}`,
+        cloth: isPlain ? undefined : `cloth-${k}`,
         words: [
           piece.label,
+          isPlain ? 'Cut 1 of plain cloth' : 'Cut 1',
+          ...(twin ? [`Mirror image of ${twin.label}`] : []),
           ...(heading === '' ? [] : [heading]),
-          ...(letter === undefined ? [] : [`Mirrored pair ${letter}`]),
         ],
       });
     }),

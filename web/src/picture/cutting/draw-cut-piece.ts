@@ -27,6 +27,7 @@ const arrow = 3.5;
 const notchIntoPiece = 0.4; // [cm]
 const greatestWords = 7;
 const leastWords = 2;
+const letterSize = 4;
 
 /** A thin line over a wider light one, so that it shows on any print. */
 const drawn = (path: string, width: number, dash = ''): string =>
@@ -120,6 +121,7 @@ export function drawCutPiece(piece: CutPiece, style: CutStyle): string {
     notches(piece, style),
     grainArrow([page(piece.grain[0]), page(piece.grain[1])]),
     ...piece.matches.map((p, k) => matchMark(p, k + 1, style)),
+    ...piece.letters.map(({letter, at}) => plate(page(at), [letter], letterSize)),
     wordsOn(piece, style),
     '</g>',
   ].join('');

@@ -1,0 +1,80 @@
+/** What people call the pieces of a garment. Files, options and results know them by the names of their panels. */
+
+/** Chosen names, by the names of the panels. */
+export type PieceNames = Readonly<Record<string, string>>;
+
+/** GarmentCode labels panels by the part of the body that they cover: many have the same. */
+const bodyParts = new Set(['body', 'torso', 'arm', 'leg', 'head', 'hand', 'foot', 'panel']);
+
+/** Abbreviations in the wild: GarmentCode's, and those of the templates before it. */
+const abbreviations: Readonly<Record<string, string>> = {
+  f: 'front',
+  b: 'back',
+  l: 'left',
+  r: 'right',
+  sl: 'sleeve',
+  wb: 'waistband',
+  pant: 'trouser leg',
+};
+/** "ftorso", "lfsleeve", "Rback" */
+const joined = /^(l|r)?(f|b)?(torso|sleeve|hood|cuff|collar|pant)$|^(l|r)(front|back)$/i;
+
+const expanded = (word: string): string => abbreviations[word.toLowerCase()] ?? word;
+
+function wordsOf(token: string, isAlone: boolean): string {
+  const parts =
+    joined
+      .exec(token)
+      ?.slice(1)
+      .filter((part) => part !== undefined) ?? [];
+  if (parts.length > 1) return parts.map((part) => expanded(part.toLowerCase())).join(' ');
+  return isAlone && token.length === 1 ? token : expanded(token);
+}
+
+/** "left_ftorso" as "Left front torso". */
+export function readable(key: string): string {
+  const tokens = key.split(/[\s_.-]+/).filter((token) => token !== '');
+  const words = tokens.map((token) => wordsOf(token, tokens.length === 1)).join(' ');
+  return words === '' ? key : words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+const countOf = (names: Iterable<string>): ReadonlyMap<string, number> => {
+  const count = new Map<string, number>();
+  for (const name of names) count.set(name, (count.get(name) ?? 0) + 1);
+  return count;
+};
+
+/**
+ * A name for each panel: the chosen one, else its label where that says which piece it is, else its key in words.
+ * @param labels by key, in the order of the file
+ */
+export function pieceNames(
+  labels: ReadonlyMap<string, string | undefined>,
+  chosen: PieceNames = {},
+): ReadonlyMap<string, string> {
+  const labelCount = countOf([...labels.values()].flatMap((label) => label ?? []));
+  const own = new Map(
+    [...labels].map(([key, label = '']): [string, string] => {
+      const says =
+        label.trim() !== '' && labelCount.get(label) === 1 && !bodyParts.has(label.toLowerCase());
+      return [key, says ? label : readable(key)];
+    }),
+  );
+  const nameCount = countOf(own.values());
+  return new Map(
+    [...own].map(([key, name]): [string, string] => [
+      key,
+      (Object.hasOwn(chosen, key) ? chosen[key] : undefined) ??
+        (nameCount.get(name) === 1 ? name : key),
+    ]),
+  );
+}
+
+/** What a garment is called by its file: "shirt_mean_specification.json" as "Shirt mean". */
+export function titleOfFile(file: string): string {
+  const stem = file
+    .replace(/^.*[/\\]/, '')
+    .replace(/(\.(json|seamwise|garment|result))+$/i, '')
+    .replace(/[_-]?specification$/i, '');
+  return readable(stem === '' ? file : stem);
+}
