@@ -9,6 +9,7 @@
 namespace seamwise {
 namespace {
 
+using testing::panelsOf;
 using testing::problemOf;
 using testing::solved;
 using testing::Task;

@@ -9,6 +9,7 @@ import {SeamTable} from './lists/seam-table.js';
 import {Tables} from './lists/tables.js';
 import {KeepMenu} from './pattern/keep-menu.js';
 import {Legend} from './pattern/legend.js';
+import {GrainQuestion} from './pattern/grain-question.js';
 import {PatternPane} from './pattern/pattern-pane.js';
 import {TiesMenu} from './pattern/ties-menu.js';
 import {ToolHint} from './pattern/tool-hint.js';
@@ -39,6 +40,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-file-size': FileSizeNote,
   'sw-fit-panel': FitPanel,
   'sw-garment-choice': GarmentChoice,
+  'sw-grain-question': GrainQuestion,
   'sw-headline': Headline,
   'sw-keep-menu': KeepMenu,
   'sw-key-map': KeyMap,

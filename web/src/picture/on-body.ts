@@ -28,7 +28,8 @@ const partNames =
 /** A part is no larger than this part of the largest piece. */
 const greatestPart = 0.35;
 
-function turned([x, y, z]: Vector, [rx, ry, rz]: Vector): Vector {
+/** A vector turned about the fixed axes x, y, z in this order. [degrees] */
+export function turned([x, y, z]: Vector, [rx, ry, rz]: Vector): Vector {
   const about = (angle: number, a: number, b: number): Point => {
     const [c, s] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)];
     return [c * a - s * b, s * a + c * b];

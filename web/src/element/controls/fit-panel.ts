@@ -15,7 +15,7 @@ import {
 } from './presets.js';
 import {section} from './section.js';
 
-const grainLocks: readonly GrainLock[] = ['on', 'bias', 'free'];
+const grainLocks: readonly GrainLock[] = ['on', 'across', 'bias', 'free'];
 
 /** The greatest change is typed in millimetres, or in inches. */
 const changeUnit = {

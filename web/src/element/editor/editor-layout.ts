@@ -57,12 +57,12 @@ export const editorLayout = css`
   .pattern {
     grid-area: pattern;
     display: grid;
-    grid-template: auto minmax(0, 1fr) / minmax(0, 1fr);
+    grid-template: auto auto minmax(0, 1fr) / minmax(0, 1fr);
     position: relative;
     min-height: 0;
   }
   sw-pattern {
-    grid-row: 2;
+    grid-row: 3;
   }
   .side {
     display: contents;

@@ -59,6 +59,11 @@ export class Editor extends DeskElement {
     this.addEventListener('sw-lens-wanted', () =>
       this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus(),
     );
+    this.addEventListener('sw-grain-wanted', () => {
+      const pattern = this.renderRoot.querySelector<PatternPane>('sw-pattern');
+      if (pattern?.tools.active !== 'grain') pattern?.tools.toggle('grain');
+      pattern?.focus();
+    });
   }
 
   /** Keys that work wherever the focus is: in the editor by themselves, elsewhere when a page hands them on. */
@@ -105,6 +110,7 @@ export class Editor extends DeskElement {
       </header>
       <div class="pattern">
         <sw-units-question .desk=${desk}></sw-units-question>
+        <sw-grain-question .desk=${desk}></sw-grain-question>
         <sw-pattern .desk=${desk}><sw-notice slot="notice" .desk=${desk}></sw-notice></sw-pattern>
       </div>
       <div class="side">

@@ -1,5 +1,6 @@
 /** What a person decides about one seam or one piece, as a change of the solver's options. */
 import {angleOf, type GrainLock, type GrainRule, type SolveOptions} from '../../model/options.js';
+import type {PieceNames} from '../../model/piece-names.js';
 import type {SeamRow} from './rows.js';
 
 export const matches = ['double', 'full', 'half', 'none'] as const;
@@ -45,11 +46,7 @@ export function withGrain(
   const rest = without(options.grain?.pieces, piece);
   const angleDeg = angleOf(options.grain?.pieces?.[piece]);
   const rule =
-    angleDeg === undefined
-      ? grain
-      : grain === 'all'
-        ? {angleDeg}
-        : {lock: grain, angleDeg};
+    angleDeg === undefined ? grain : grain === 'all' ? {angleDeg} : {lock: grain, angleDeg};
   const pieces = rule === 'all' ? rest : {...rest, [piece]: rule};
   return {...options, grain: {...options.grain, pieces}};
 }
@@ -88,3 +85,13 @@ export const withoutPin = (options: SolveOptions, piece: string): SolveOptions =
   ...options,
   pins: without(options.pins, piece),
 });
+
+/** Another name for a piece; none gives it back the one it came with. */
+export const withName = (
+  names: PieceNames | undefined,
+  piece: string,
+  name: string,
+): PieceNames => {
+  const rest = without(names, piece);
+  return name === '' ? rest : {...rest, [piece]: name};
+};

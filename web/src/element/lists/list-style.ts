@@ -119,6 +119,29 @@ export const listStyle = css`
     padding: 0 2px;
     font-size: var(--sw-text-small);
   }
+  input.name {
+    width: 100%;
+    min-height: 1.75rem;
+    padding: 0 4px;
+  }
+  .grain {
+    white-space: nowrap;
+  }
+  td .icon,
+  .named .icon {
+    width: 1.5rem;
+    min-height: 1.5rem;
+    padding: 0;
+    border: 0;
+    vertical-align: middle;
+    color: var(--sw-soft);
+  }
+  /* seen once the row is looked at; touch has no such moment */
+  @media (hover: hover) {
+    tr:not(:hover, :focus-within, .selected) .named .icon {
+      opacity: 0;
+    }
+  }
   .bar {
     display: block;
     width: 2.75rem;

@@ -27,6 +27,9 @@ export abstract class ListTable<Row> extends PatientElement {
   #selected: Target | undefined;
   #chosen: Target | undefined;
 
+  /** The row that something is being typed into. */
+  protected edited: number | undefined;
+
   protected constructor(order: Order) {
     super();
     this.#order = order;
@@ -78,7 +81,8 @@ export abstract class ListTable<Row> extends PatientElement {
               const isSelected = number === selectedRow;
               const tabIndex = number === this.#stop ? 0 : -1;
               const state = isSelected ? 'selected' : number === pointedRow ? 'pointed' : '';
-              return guard([row, state, tabIndex, this.texts, this.format], () =>
+              const isEdited = number === this.edited;
+              return guard([row, state, tabIndex, isEdited, this.texts, this.format], () =>
                 row === undefined
                   ? nothing
                   : html`<tr
@@ -175,9 +179,15 @@ export abstract class ListTable<Row> extends PatientElement {
     if (to instanceof HTMLElement) to.focus();
     else if (key === 'Escape') this.desk.select(undefined);
     else if (number !== undefined && (key === 'Enter' || key === ' ')) this.#choose(number);
-    else return;
+    else if (event.ctrlKey || event.metaKey || event.altKey) return;
+    else if (number === undefined || !this.press(number, key)) return;
     event.preventDefault();
   };
+
+  /** A key on a row that is not the table's own. @returns whether it means something */
+  protected press(_number: number, _key: string): boolean {
+    return false;
+  }
 
   #point = (event: Event): void => {
     const number = rowNumber(event);

@@ -7,12 +7,16 @@ import {togglePart} from '../pattern/keeping.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Target} from '../workbench/workbench.js';
-import {withGrain, withoutPin, withPrinted} from './choices.js';
+import {withGrain, withName, withoutPin, withPrinted} from './choices.js';
 import {listStyle} from './list-style.js';
 import {ListTable, type Column} from './list-table.js';
+import {nameField} from './name-field.js';
 import {pieceRows, type PieceRow} from './rows.js';
+import {turnPiece} from './turn-piece.js';
 
-const grains = ['all', 'on', 'bias', 'free'] as const satisfies readonly (GrainLock | 'all')[];
+const grains = ['all', 'on', 'across', 'bias', 'free'] as const satisfies readonly (
+  GrainLock | 'all'
+)[];
 
 export class PieceTable extends ListTable<PieceRow> {
   static override styles = [controls, listStyle];
@@ -60,7 +64,7 @@ export class PieceTable extends ListTable<PieceRow> {
     const size = lists.size(format.length(Math.round(width)), format.length(Math.round(height)));
     return html`
       <th scope="row">
-        ${row.label}
+        ${this.#name(row, tabIndex)}
         <span class="line"><span>${size},</span> <span>${pattern.seams(row.seams)}</span></span>
         ${row.pinned ? this.#pin(row, tabIndex) : nothing}
       </th>
@@ -68,7 +72,7 @@ export class PieceTable extends ListTable<PieceRow> {
         ${moved === undefined ? html`<span aria-label=${lists.unknown}>–</span>` : format.fine(moved)}
       </td>
       <td class="number">${format.number(offGrain)}°</td>
-      <td>${this.#grain(row, tabIndex)}</td>
+      <td class="grain">${this.#grain(row, tabIndex)}${this.#turn(row, tabIndex)}</td>
       <td class="middle">
         <input
           type="checkbox"
@@ -86,14 +90,83 @@ export class PieceTable extends ListTable<PieceRow> {
     `;
   }
 
+  protected override press(piece: number, key: string): boolean {
+    if (key === 'F2') this.#edit(piece);
+    else if (key === 'r') return turnPiece(this.desk, piece);
+    else return false;
+    return true;
+  }
+
+  #edit(piece: number | undefined): void {
+    this.edited = piece;
+    this.requestUpdate();
+  }
+
+  #name(row: PieceRow, tabIndex: number): TemplateResult {
+    const {lists} = this.texts;
+    const {piece, label} = row;
+    if (piece === this.edited)
+      return nameField({
+        name: label,
+        label: lists.of(lists.name, label),
+        keep: (name) => this.#rename(row, name),
+        close: (byKey) => {
+          this.#edit(undefined);
+          if (byKey)
+            this.renderRoot.querySelector<HTMLElement>(`tr[data-number="${piece}"]`)?.focus();
+        },
+      });
+    const edit = (): void => {
+      this.#edit(piece);
+    };
+    return html`<span class="named" @dblclick=${edit}
+      >${label}
+      <button
+        class="icon"
+        tabindex=${tabIndex}
+        aria-label=${lists.of(lists.rename, label)}
+        title="${lists.rename} (F2)"
+        @click=${edit}
+      >
+        ${icon.pencil}
+      </button></span
+    >`;
+  }
+
+  #rename({piece, name, label}: PieceRow, chosen: string): boolean {
+    const {design} = this.desk;
+    if (!design || chosen === label) return true;
+    if (this.rows.some((other) => other.piece !== piece && other.label === chosen)) {
+      this.desk.say({tone: 'error', text: this.texts.lists.nameTaken(chosen)});
+      return false;
+    }
+    this.desk.change({names: withName(design.names, name, chosen)});
+    return true;
+  }
+
+  #turn({piece, label}: PieceRow, tabIndex: number): TemplateResult {
+    const {lists} = this.texts;
+    return html`<button
+      class="icon"
+      tabindex=${tabIndex}
+      aria-label=${lists.of(lists.quarterTurn, label)}
+      title="${lists.quarterTurn} (R)"
+      @click=${() => turnPiece(this.desk, piece)}
+    >
+      ${icon.quarterTurn}
+    </button>`;
+  }
+
   #grain(row: PieceRow, tabIndex: number): TemplateResult {
-    const {lists, controls: words} = this.texts;
+    const {lists, controls: words, grain: grainWords} = this.texts;
     return html`<select
       tabindex=${tabIndex}
       aria-label=${lists.of(lists.grain, row.label)}
       @change=${({target}: Event) => {
-        const grain = grains.find((one) => one === (target as HTMLSelectElement).value) ?? 'all';
-        this.#decide((options) => withGrain(options, row.name, grain));
+        const {value} = target as HTMLSelectElement;
+        const grain = grains.find((one) => one === value);
+        if (grain) this.#decide((options) => withGrain(options, row.name, grain));
+        else this.#wantGrainLine(row, target as HTMLSelectElement);
       }}
     >
       ${grains.map(
@@ -102,6 +175,7 @@ export class PieceTable extends ListTable<PieceRow> {
             ${grain === 'all' ? lists.asAll : words.grains[grain]}
           </option>`,
       )}
+      <option value="line">${grainWords.line}</option>
     </select>`;
   }
 
@@ -118,6 +192,13 @@ export class PieceTable extends ListTable<PieceRow> {
         togglePart(this.desk, {piece: row.piece});
       }}
     />`;
+  }
+
+  /** By clicks on the pattern. */
+  #wantGrainLine({piece, grain}: PieceRow, select: HTMLSelectElement): void {
+    select.value = grain;
+    this.desk.select(this.targetOf(piece));
+    this.dispatchEvent(new CustomEvent('sw-grain-wanted', {bubbles: true, composed: true}));
   }
 
   #pin(row: PieceRow, tabIndex: number): TemplateResult {

@@ -1,6 +1,7 @@
 /** Keys of the pattern, while it has the focus. */
 import type {Point} from '../../model/geometry.js';
 import {seamRows, worstSeams} from '../lists/rows.js';
+import {turnPiece} from '../lists/turn-piece.js';
 import {textsOf} from '../texts/texts.js';
 import type {PatternPane} from './pattern-pane.js';
 import {steppedOut, walked} from './walking.js';
@@ -52,7 +53,7 @@ function chosen({tools, index, desk}: PatternPane, key: string): boolean {
   }
   const chooses =
     key === ' ' || (key === 'Enter' && (tools.active === 'pair' || desk.selected?.kind === 'seam'));
-  const takes = chooser.tool !== undefined || tools.active === 'keep';
+  const takes = chooser.tool !== undefined || tools.active === 'keep' || tools.active === 'grain';
   if (!index || !takes || !chooses) return false;
   tools.takeSelected(index);
   return true;
@@ -76,6 +77,13 @@ function toolKey(pane: PatternPane, key: string): boolean {
     case 'k':
       tools.toggle('keep');
       return true;
+    case 'g':
+      tools.toggle('grain');
+      return true;
+    case 'r': {
+      const {selected} = desk;
+      return selected?.kind === 'piece' && !tools.isFixed && turnPiece(desk, selected.piece);
+    }
     case 'Escape': {
       if (tools.back() || !desk.selected) return true;
       desk.select(index && steppedOut(index, desk.selected));

@@ -11,15 +11,16 @@ import {textsOf, type Texts} from '../texts/texts.js';
 import {withAll} from '../workbench/symmetry-steps.js';
 import type {Target, Workbench} from '../workbench/workbench.js';
 import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js';
+import {GrainClicks} from './grain-clicks.js';
 import {keepMarks, toggleKept} from './keeping.js';
 import {railsOf} from './rails.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
 
 /**
  * `axis`: a symmetric piece by two points, even where a line is near. `keep`: what is pressed stays as drafted,
- * or is let go.
+ * or is let go. `grain`: where the grain line of a piece runs.
  */
-export type Tool = 'piece' | 'axis' | 'pair' | 'move' | 'keep';
+export type Tool = 'piece' | 'axis' | 'pair' | 'move' | 'keep' | 'grain';
 
 /** How near a pointer has to come to a line. [CSS px] */
 export const reachOf = (pointerType: string): number => (pointerType === 'touch' ? 22 : 6);
@@ -29,12 +30,13 @@ const tie = 2;
 
 export class PatternTools {
   readonly chooser: SymmetryChooser;
+  readonly grain: GrainClicks;
   /** There is one tool, and it is at work. */
   readonly isFixed: boolean;
   readonly #desk: Workbench;
   readonly #changed: () => void;
   /** A tool that names no symmetry. */
-  #own: 'move' | 'keep' | undefined;
+  #own: 'move' | 'keep' | 'grain' | undefined;
   #byPoints = false;
   /** What a press would keep or let go. */
   #pointed: Picked | undefined;
@@ -47,6 +49,7 @@ export class PatternTools {
     this.#desk = desk;
     this.#changed = changed;
     this.chooser = new SymmetryChooser(desk, changed);
+    this.grain = new GrainClicks(desk);
   }
 
   get active(): Tool | undefined {
@@ -57,8 +60,9 @@ export class PatternTools {
 
   toggle(tool: Tool): void {
     if (this.isFixed) return;
-    if (tool === 'move' || tool === 'keep') {
+    if (tool === 'move' || tool === 'keep' || tool === 'grain') {
       this.chooser.leave();
+      this.grain.begin();
       this.#own = this.#own === tool ? undefined : tool;
     } else {
       this.#own = undefined;
@@ -73,7 +77,8 @@ export class PatternTools {
   back(): boolean {
     const {active, isFixed} = this;
     if (isFixed) return false;
-    if (active === 'move' || active === 'keep') this.toggle(active);
+    if (active === 'grain' && this.grain.back()) this.#changed();
+    else if (this.#own) this.toggle(this.#own);
     else if (active) this.chooser.send({type: 'back'});
     return active !== undefined;
   }
@@ -90,8 +95,9 @@ export class PatternTools {
   }
 
   words(texts: Texts, format: Format): string {
-    if (!this.#own) return this.chooser.words(texts, format);
-    return this.#own === 'move' ? texts.symmetry.moving : texts.keep.hint;
+    if (this.#own === 'move') return texts.symmetry.moving;
+    if (this.#own === 'keep') return texts.keep.hint;
+    return this.#own ? this.grain.words(texts) : this.chooser.words(texts, format);
   }
 
   /** What a press may have meant: one thing, or several as good as each other. */
@@ -107,7 +113,7 @@ export class PatternTools {
   /** Where a press just here would be taken to be; undefined when it would not be a point. */
   hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
     this.#pointed = this.#own === 'keep' ? target : undefined;
-    const isPoint = this.active === 'axis' || (this.active === 'piece' && target?.kind === 'piece');
+    const isPoint = this.active === 'axis' || this.#isPointInside(target);
     const before = this.#hovered;
     this.#hovered =
       target && isPoint
@@ -116,13 +122,27 @@ export class PatternTools {
     if (before || this.#hovered || this.#own === 'keep') this.#changed();
   }
 
+  /** Inside of a piece a press is a point; after a first point of a grain line, on a line as well. */
+  #isPointInside(target: Picked | undefined): boolean {
+    const takesPoints = this.active === 'piece' || this.active === 'grain';
+    return takesPoints && (target?.kind === 'piece' || this.grain.hasFirst);
+  }
+
+  #takeForGrain(target: Picked, point: Point): void {
+    const scene = this.#desk.scenes?.now;
+    if (scene) this.grain.take(scene, target, point);
+    this.#changed();
+  }
+
   #snapped(index: PickIndex, {piece, point}: Picked, reachCm: number): Snapped {
     return snap(index, piece, point, reachCm, {notches: this.#notches(piece)});
   }
 
   /** A press that has been understood. */
   take(index: PickIndex, target: Picked, reachCm: number): void {
-    if (this.chooser.tool) {
+    if (this.#own === 'grain') {
+      this.#takeForGrain(target, this.#snapped(index, target, reachCm).point);
+    } else if (this.chooser.tool) {
       const {point} = this.#snapped(index, target, reachCm);
       const {piece} = target;
       this.chooser.send(
@@ -157,6 +177,7 @@ export class PatternTools {
     const target = selected && this.#targetOf(index, selected);
     if (!target) return;
     if (this.#own === 'keep') toggleKept(this.#desk, target);
+    else if (this.#own === 'grain') this.#takeForGrain(target, target.point);
     else if (this.chooser.tool) this.chooser.send({type: 'pick', target});
   }
 
@@ -202,8 +223,9 @@ export class PatternTools {
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
     if (this.#own === 'move') return railsOf(scene, this.#desk.selected, texts);
     if (this.#own === 'keep') return keepMarks(this.#desk, scene, this.#pointed, texts);
-    const marks = this.chooser.marks(scene, texts, format);
-    if (!this.#hovered || !this.chooser.tool) return marks;
+    const isGrain = this.#own === 'grain';
+    const marks = isGrain ? this.grain.marks() : this.chooser.marks(scene, texts, format);
+    if (!this.#hovered || !(isGrain || this.chooser.tool)) return marks;
     const {piece, point, snapped} = this.#hovered;
     const label = texts.symmetry.snaps[snapped];
     return {...marks, points: [...(marks.points ?? []), {piece, point, label}]};

@@ -20,6 +20,10 @@ export const icon = {
   plus: drawn(svg`<path d="M8 3.5v9M3.5 8h9"/>`),
   minus: drawn(svg`<path d="M3.5 8h9"/>`),
   fit: drawn(svg`<path d="M3 6V3h3M10 3h3v3M13 10v3h-3M6 13H3v-3"/>`),
+  pencil: drawn(svg`<path d="m3 13 .7-3L10.5 3.2l2.3 2.3L6 12.3zM9.2 4.5l2.3 2.3"/>`),
+  quarterTurn: drawn(
+    svg`<path d="M3 13.5V8h5.5v5.5zM5.5 5.5A4.5 4.5 0 0 1 10 2.5M8 .8l2.2 1.7L8.6 4.6"/><path d="M10.5 8h3v5.5h-3" stroke-dasharray="1.5 2"/>`,
+  ),
   undo: drawn(svg`<path d="M5.5 3 2.5 6l3 3M2.5 6H10a3.5 3.5 0 0 1 0 7H7"/>`),
   redo: drawn(svg`<path d="m10.5 3 3 3-3 3M13.5 6H6a3.5 3.5 0 0 0 0 7h3"/>`),
   open: drawn(svg`<path d="M2 12.5v-9h4l1.5 2H14v7z"/>`),
