@@ -60,7 +60,7 @@ export const print: fc.Arbitrary<Print> = fc.constantFrom(...groupNames).chain((
     .map(({basis: [w1, w2], ...rest}) => ({...rest, w1, w2})),
 );
 
-const lock = fc.constantFrom('free', 'on', 'bias');
+const lock = fc.constantFrom('free', 'on', 'across', 'bias');
 
 /** One value per key, for some of the keys. */
 const forSome = <T>(keys: readonly string[], value: fc.Arbitrary<T>) =>
@@ -76,7 +76,11 @@ function options({garment, names}: DraftedGarment): fc.Arbitrary<SolveOptions> {
   const seams = (garment.pattern.stitches ?? []).map((_, k) => k);
   const rule = fc.oneof(
     lock,
-    fc.record({lock, toleranceDeg: between(0, 90)}, {requiredKeys: ['lock']}),
+    fc.record(
+      {lock, toleranceDeg: between(0, 90), angleDeg: between(-360, 360)},
+      {requiredKeys: ['lock']},
+    ),
+    fc.record({angleDeg: between(-360, 360)}),
   );
   return fc.record(
     {

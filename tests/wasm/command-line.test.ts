@@ -81,6 +81,23 @@ describe('align', () => {
     expect(JSON.parse(a)).toMatchObject({format: 'seamwise-result/1', metrics: {method: 'best'}});
   });
 
+  it('notes which grain it assumed, and nothing where none is needed', async () => {
+    const task = ['align', file('strips.json'), '--print', file('checks.json'), '--json'];
+    const free = await seamwise(...task);
+    expect(free.err).toBe('');
+    writeFileSync(file('on.json'), '{"grain": {"default": "on"}}');
+    const {code, out} = await seamwise(...task, '--options', file('on.json'));
+    expect(code).toBe(0);
+    const {notes} = JSON.parse(out) as {notes: string[]};
+    expect(notes.join()).toMatch(/has no grain line .* upwards as drawn: 'left', 'right'/);
+    writeFileSync(
+      file('said.json'),
+      '{"grain": {"default": "on", "pieces": {"left": "across", "right": {"angleDeg": 0}}}}',
+    );
+    const said = await seamwise(...task, '--options', file('said.json'));
+    expect((JSON.parse(said.out) as {notes: string[]}).notes.join()).toMatch(/as drawn: 'left';/);
+  });
+
   it('leaves no drafts behind', async () => {
     await align('--out', file('c.json'));
     expect(readdirSync(folder).filter((name) => name.endsWith('.tmp'))).toEqual([]);

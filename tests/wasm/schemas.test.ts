@@ -91,6 +91,7 @@ describe('schema and reader both refuse', () => {
     ['a piece without a place', 'alignments', {front: {angle: 0}}],
     ['half a hash', 'result', 'abc'],
     ['no version', 'solver', 'newest'],
+    ['a piece without a name', 'names', {front: ''}],
     ['another format', 'format', 'seamwise-design/2'],
   ])('a design with %s', (_, field, value) => {
     const written = JSON.parse(writeStoredDesign(storedDesign)) as object;
@@ -126,7 +127,9 @@ describe('schema and solver both refuse', () => {
     ['an unknown field', {speed: 3}],
     ['a negative greatest change', {maxChangeCm: -1}],
     ['edges that are too long', {edgeLengthCm: 2}],
-    ['an unknown grain lock', {grain: {default: 'across'}}],
+    ['an unknown grain lock', {grain: {default: 'sideways'}}],
+    ['a grain rule that says nothing', {grain: {pieces: {left: {}}}}],
+    ['a grain line in words', {grain: {pieces: {left: {angleDeg: 'up'}}}}],
     ['a pin without a place', {pins: {left: {angle: 0}}}],
   ])('options with %s', async (_, document) => {
     expect(schema('options')(document)).not.toEqual([]);

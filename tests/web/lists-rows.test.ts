@@ -81,7 +81,7 @@ describe('rows of seams', () => {
   });
 
   it('are named after the pieces where the file has no name', () => {
-    expect(seam().name).toBe('left half to right half');
+    expect(seam().name).toBe('Left half to Right half');
     expect(seam().between).toBeUndefined();
   });
 
@@ -129,7 +129,7 @@ describe('the text of a seam', () => {
 
   it('tells name, pieces, length, mismatch and kind', () => {
     expect(seams({garment, high: [2, 0.2]}).map((row) => seamText(row, en, format))).toEqual([
-      'Side seam, left half to right half, 4 cm, mismatch 2 mm, continuous',
+      'Side seam, Left half to Right half, 4 cm, mismatch 2 mm, continuous',
     ]);
   });
 
@@ -147,7 +147,7 @@ describe('the text of a seam', () => {
     const pattern = squarePair();
     const off = {...pattern, seams: pattern.seams.map((one) => ({...one, matched: false}))};
     expect(seams({pattern: off}).map((row) => seamText(row, de, formatFor('de', 'cm')))).toEqual([
-      'left half to right half, 4 cm, Versatz 0 mm, zählt nicht',
+      'Left half to Right half, 4 cm, Versatz 0 mm, zählt nicht',
     ]);
   });
 });
@@ -174,7 +174,7 @@ it('finds the worst of the seams that count', () => {
 
 describe('rows of pieces', () => {
   it('tell size and number of seams', () => {
-    expect(piece()).toMatchObject({label: 'left half', width: 4, height: 4, seams: 1});
+    expect(piece()).toMatchObject({label: 'Left half', width: 4, height: 4, seams: 1});
   });
 
   it('tell how far the outline moved where it moved most', () => {

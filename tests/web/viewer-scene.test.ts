@@ -172,13 +172,13 @@ describe('what the garment file adds', () => {
         [1, 3.5],
       ],
     });
-    expect(panelMarks(garment).get('right_half')).toEqual({});
+    expect(panelMarks(garment).get('right_half')).toEqual({label: 'Right half'});
   });
 
   it('is mirrored with a piece that the file shows from the back', () => {
     const pieces = [squarePiece('left_half', {mirroredFromInput: true}), squarePiece('right_half')];
     const scene = sceneOf(squarePair({pieces}), print, {garment});
-    expect(scene.pieces.map(({label}) => label)).toEqual(['Left half', 'right half']);
+    expect(scene.pieces.map(({label}) => label)).toEqual(['Left half', 'Right half']);
     expect(scene.pieces[0]?.grain).toEqual([
       [-1, 0.5],
       [-1, 3.5],
