@@ -22,11 +22,8 @@ const joined = /^(l|r)?(f|b)?(torso|sleeve|hood|cuff|collar|pant)$|^(l|r)(front|
 const expanded = (word: string): string => abbreviations[word.toLowerCase()] ?? word;
 
 function wordsOf(token: string, isAlone: boolean): string {
-  const parts =
-    joined
-      .exec(token)
-      ?.slice(1)
-      .filter((part) => part !== undefined) ?? [];
+  const groups: readonly (string | undefined)[] = joined.exec(token)?.slice(1) ?? [];
+  const parts = groups.flatMap((part) => part ?? []);
   if (parts.length > 1) return parts.map((part) => expanded(part.toLowerCase())).join(' ');
   return isAlone && token.length === 1 ? token : expanded(token);
 }

@@ -124,17 +124,30 @@ export const listStyle = css`
     min-height: 1.75rem;
     padding: 0 4px;
   }
-  .grain {
-    white-space: nowrap;
-  }
-  td .icon,
-  .named .icon {
-    width: 1.5rem;
+  .named .icon,
+  .turn {
     min-height: 1.5rem;
     padding: 0;
     border: 0;
-    vertical-align: middle;
     color: var(--sw-soft);
+    font-size: var(--sw-text-small);
+    vertical-align: middle;
+  }
+  .named {
+    position: relative;
+    display: block;
+  }
+  .named .icon {
+    position: absolute;
+    right: 0;
+    top: -0.2rem;
+    width: 1.5rem;
+    background: var(--sw-paper);
+  }
+  .turn {
+    display: flex;
+    gap: var(--sw-space-1);
+    padding-inline: 2px var(--sw-space-1);
   }
   /* seen once the row is looked at; touch has no such moment */
   @media (hover: hover) {

@@ -180,14 +180,12 @@ export abstract class ListTable<Row> extends PatientElement {
     else if (key === 'Escape') this.desk.select(undefined);
     else if (number !== undefined && (key === 'Enter' || key === ' ')) this.#choose(number);
     else if (event.ctrlKey || event.metaKey || event.altKey) return;
-    else if (number === undefined || !this.press(number, key)) return;
+    else if (number === undefined || !this.press?.(number, key)) return;
     event.preventDefault();
   };
 
   /** A key on a row that is not the table's own. @returns whether it means something */
-  protected press(_number: number, _key: string): boolean {
-    return false;
-  }
+  protected press?(number: number, key: string): boolean;
 
   #point = (event: Event): void => {
     const number = rowNumber(event);

@@ -1,6 +1,5 @@
 /** A name that is edited in its place: Enter and leaving it keep what was typed, Escape does not. */
 import {html, type TemplateResult} from 'lit';
-import {ref} from 'lit/directives/ref.js';
 
 /** What fits on a piece. [characters] */
 const greatestLength = 80;
@@ -14,12 +13,6 @@ export interface NameField {
   /** After it was kept or given up; `byKey` when the focus is still here. */
   readonly close: (byKey: boolean) => void;
 }
-
-const begin = (element?: Element): void => {
-  if (!(element instanceof HTMLInputElement)) return;
-  element.focus();
-  element.select();
-};
 
 export function nameField({name, label, keep, close}: NameField): TemplateResult {
   let isOpen = true;
@@ -39,7 +32,6 @@ export function nameField({name, label, keep, close}: NameField): TemplateResult
     aria-label=${label}
     maxlength=${greatestLength}
     .value=${name}
-    ${ref(begin)}
     @keydown=${press}
     @blur=${({target}: Event) => {
       if (!isOpen) return;

@@ -100,6 +100,11 @@ export class PieceTable extends ListTable<PieceRow> {
   #edit(piece: number | undefined): void {
     this.edited = piece;
     this.requestUpdate();
+    if (piece === undefined) return;
+    // once the table has given the focus back to the row
+    void this.updateComplete.then(() => {
+      this.renderRoot.querySelector<HTMLInputElement>('input.name')?.select();
+    });
   }
 
   #name(row: PieceRow, tabIndex: number): TemplateResult {
@@ -147,13 +152,13 @@ export class PieceTable extends ListTable<PieceRow> {
   #turn({piece, label}: PieceRow, tabIndex: number): TemplateResult {
     const {lists} = this.texts;
     return html`<button
-      class="icon"
+      class="turn"
       tabindex=${tabIndex}
       aria-label=${lists.of(lists.quarterTurn, label)}
       title="${lists.quarterTurn} (R)"
       @click=${() => turnPiece(this.desk, piece)}
     >
-      ${icon.quarterTurn}
+      ${icon.quarterTurn} 90°
     </button>`;
   }
 

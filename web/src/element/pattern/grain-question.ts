@@ -61,7 +61,7 @@ export class GrainQuestion extends DeskElement {
       }
       ul {
         display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr));
+        grid-template-columns: repeat(auto-fill, minmax(min(20rem, 100%), 1fr));
         gap: var(--sw-space-1) var(--sw-space-4);
         margin: 0;
         padding: 0;
@@ -69,7 +69,7 @@ export class GrainQuestion extends DeskElement {
       }
       li {
         display: grid;
-        grid-template-columns: 1rem minmax(0, 1fr) minmax(0, 10rem);
+        grid-template-columns: 1rem minmax(0, 1fr) minmax(0, 12.5rem);
         align-items: center;
         gap: var(--sw-space-2);
       }
@@ -167,7 +167,7 @@ export class GrainQuestion extends DeskElement {
 
   #row({piece, name, label, proposal}: Asked): TemplateResult {
     const {grain} = this.texts;
-    const way = wayOf(proposal);
+    const to = Math.round(proposal) as keyof typeof grain.directions;
     return html`<li
       @pointerenter=${() => {
         this.desk.point({kind: 'piece', piece});
@@ -189,7 +189,7 @@ export class GrainQuestion extends DeskElement {
           }}
         >
           <option value="" selected>
-            ${grain.proposal(way === undefined ? grain.other(Math.round(proposal)) : grain.ways[way])}
+            ${grain.proposal(grain.directions[to] ?? grain.other(to))}
           </option>
           <option value="proposal">${grain.take}</option>
           ${grainWays.map((one) => html`<option value=${one}>${grain.ways[one]}</option>`)}

@@ -272,6 +272,7 @@ export const de: Texts = {
     proposal: (way) => `Vorschlag: ${way}`,
     take: 'Vorschlag annehmen',
     ways: {up: 'Nach oben, wie gezeichnet', across: 'Quer', bias: 'Schräg'},
+    directions: {0: 'nach rechts', 90: 'nach oben', 180: 'nach links', 270: 'nach unten'},
     other: (degrees) => `${degrees}°`,
     clicks: 'An einer Kante, oder zwei Punkte …',
     line: 'Fadenlauf legen …',

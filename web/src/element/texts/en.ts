@@ -265,6 +265,7 @@ export const en = {
     proposal: (way: string) => `Proposed: ${way}`,
     take: 'Take the proposal',
     ways: {up: 'Upwards, as drawn', across: 'Across', bias: 'On the bias'},
+    directions: {0: 'to the right', 90: 'upwards', 180: 'to the left', 270: 'downwards'},
     other: (degrees: number) => `${degrees}°`,
     clicks: 'Along an edge, or two points …',
     line: 'Grain line …',

@@ -27,7 +27,7 @@ const arrow = 3.5;
 const notchIntoPiece = 0.4; // [cm]
 const greatestWords = 7;
 const leastWords = 2;
-const letterSize = 4;
+const letterSize = 5.5;
 
 /** A thin line over a wider light one, so that it shows on any print. */
 const drawn = (path: string, width: number, dash = ''): string =>
