@@ -54,3 +54,19 @@ describe('a turn', () => {
     expect(Math.sin(angleAfter(straight, 0, 1) / 2)).toBeCloseTo(0, 9);
   });
 });
+
+describe('a piece on the print', () => {
+  it('lies across either way, whatever the print, and where its grain line was said to run', () => {
+    const across = {pieces: {front: 'across'}} as const;
+    for (const oneWay of [false, true])
+      expect(allows(ruleOf(across, {oneWay}), 90, -90, 0)).toEqual([true, true, false]);
+    const said = {default: 'on', pieces: {front: {angleDeg: 30}}} as const;
+    expect(allows(ruleOf(said), -60, 120, 0)).toEqual([true, true, false]);
+  });
+
+  it('stays within 60 degrees of upright on a print that has an upside, though its grain is free', () => {
+    expect(allows(ruleOf(undefined, {oneWay: true}), 59, -59, 61, 165)).toEqual([
+      ...[true, true, false, false],
+    ]);
+  });
+});

@@ -1,11 +1,13 @@
 #include "solve/drafted.h"
 
+#include "solve/placing_rules.h"
+
 namespace seamwise {
 
 Alignments draftedLayout(const Problem& problem, const MatchProblem& match) {
   Alignments straight(match.pieces.size());
   for (std::size_t p = 0; p < straight.size(); ++p)
-    straight[p].angle = wrapAngle(problem.garment.panels[p].grain_angle - kPi / 2);
+    straight[p].angle = wrapAngle(grainLine(problem, static_cast<int>(p)) - kPi / 2);
   return match.expanded(match.ofLeaders(straight));
 }
 

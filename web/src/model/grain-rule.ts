@@ -2,6 +2,7 @@
 import type {Design} from './design.js';
 import type {Point} from './geometry.js';
 import {isAllowed, wrapped, type AngleRule} from './mirror-lines.js';
+import type {GrainLock} from './options.js';
 
 const radians = Math.PI / 180;
 
@@ -12,11 +13,15 @@ const upright: readonly [Point, Point] = [
 ];
 
 /** Of the grain line against the length of the cloth. [degrees] */
-const offsets: Readonly<Record<string, readonly number[]>> = {
+const offsets: Readonly<Record<GrainLock, readonly number[]>> = {
   on: [0],
-  across: [90],
+  across: [-90, 90],
   bias: [-45, 45],
+  free: [0],
 };
+
+/** How far a print with an upside may lie from upright where the grain is free. [degrees] */
+const mostOffUpright = 60;
 
 /** Undefined when the piece may lie at any angle. @param line its grain line, as it lies face up */
 export function grainRule(
@@ -27,15 +32,14 @@ export function grainRule(
   const {default: all = 'free', toleranceDeg = 0, pieces = {}} = options.grain ?? {};
   const given = pieces[name] ?? all;
   const own = typeof given === 'string' ? {lock: given} : given;
-  const room = own.toleranceDeg ?? toleranceDeg;
-  const off = offsets[own.lock];
-  if (!off) return undefined;
+  const {lock = all, angleDeg} = own;
+  if (lock === 'free' && !print.oneWay) return undefined;
+  const room = lock === 'free' ? mostOffUpright : (own.toleranceDeg ?? toleranceDeg);
   const drawn = Math.atan2(to[1] - from[1], to[0] - from[0]);
-  const line =
-    'angleDeg' in own && typeof own.angleDeg === 'number' ? own.angleDeg * radians : drawn;
+  const line = angleDeg === undefined ? drawn : angleDeg * radians;
   // the grain line runs along +y of the print, the length of the cloth
-  const angles = off.map((degrees) => line - Math.PI / 2 + degrees * radians);
-  const turned = print.oneWay ? [] : angles.map((angle) => angle + Math.PI);
+  const angles = offsets[lock].map((degrees) => line - Math.PI / 2 + degrees * radians);
+  const turned = print.oneWay || lock === 'across' ? [] : angles.map((angle) => angle + Math.PI);
   return {angles: [...angles, ...turned], tolerance: room * radians};
 }
 
