@@ -167,7 +167,8 @@ export class GrainQuestion extends DeskElement {
 
   #row({piece, name, label, proposal}: Asked): TemplateResult {
     const {grain} = this.texts;
-    const to = Math.round(proposal) as keyof typeof grain.directions;
+    const to = Math.round(proposal);
+    const directions: Readonly<Record<number, string>> = grain.directions;
     return html`<li
       @pointerenter=${() => {
         this.desk.point({kind: 'piece', piece});
@@ -189,7 +190,7 @@ export class GrainQuestion extends DeskElement {
           }}
         >
           <option value="" selected>
-            ${grain.proposal(grain.directions[to] ?? grain.other(to))}
+            ${grain.proposal(directions[to] ?? grain.other(to))}
           </option>
           <option value="proposal">${grain.take}</option>
           ${grainWays.map((one) => html`<option value=${one}>${grain.ways[one]}</option>`)}
