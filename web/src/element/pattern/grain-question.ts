@@ -189,9 +189,7 @@ export class GrainQuestion extends DeskElement {
             else if (value === 'proposal') this.#say(this.#mirrored(name, proposal));
           }}
         >
-          <option value="" selected>
-            ${grain.proposal(directions[to] ?? grain.other(to))}
-          </option>
+          <option value="" selected>${grain.proposal(directions[to] ?? grain.other(to))}</option>
           <option value="proposal">${grain.take}</option>
           ${grainWays.map((one) => html`<option value=${one}>${grain.ways[one]}</option>`)}
           <option value="clicks">${grain.clicks}</option>
