@@ -3,6 +3,7 @@ import {
   defineEditor,
   leaseSolver,
   loadSamples,
+  loadTexts,
   textsOf,
   toFailure,
   Workbench,
@@ -19,13 +20,15 @@ import {SaveMenu} from './save-menu.js';
 import {keepPreferences, storedPreferences} from './storage/preferences.js';
 
 const samples = loadSamples();
+const preferences = storedPreferences();
+await loadTexts(preferences.language); // before anything is shown in English
 const lease = leaseSolver({
   onBlocked: ({message}) => {
     desk.say({tone: 'info', text: message});
   },
 });
 lease.warm(); // while the first files are on their way
-const desk: Workbench = new Workbench(lease, storedPreferences());
+const desk: Workbench = new Workbench(lease, preferences);
 keepPreferences(desk);
 const projects = new Projects(desk, (trouble) => {
   desk.say({tone: 'error', text: textsOf(desk.preferences.language).storage[trouble]});

@@ -5,7 +5,7 @@ export {openPrint, readPrintFile} from './print/own-tile.js';
 export {icon} from './style/icons.js';
 export {defineEditor, type Editor} from './editor/editor.js';
 export type {PatternPane} from './pattern/pattern-pane.js';
-export {textsOf} from './texts/texts.js';
+export {loadTexts, textsOf} from './texts/texts.js';
 export {placeUnder} from './style/place-under.js';
 export {tokens} from './style/tokens.js';
 export {lengthUnit, type NumberField} from './controls/number-field.js';

@@ -7,6 +7,15 @@ import {placeUnder} from '../style/place-under.js';
 import {icon} from '../style/icons.js';
 import type {Preferences} from '../workbench/preferences.js';
 
+/** Each in its own words, for those who read no other. */
+const languageNames = {
+  en: 'English',
+  de: 'Deutsch',
+  fr: 'Français',
+  es: 'Español',
+  it: 'Italiano',
+} as const;
+
 export class Settings extends DeskElement {
   static override styles = [
     controls,
@@ -44,7 +53,7 @@ export class Settings extends DeskElement {
           placeUnder(this.renderRoot.querySelector('button'), currentTarget as HTMLElement);
         }}
       >
-        ${this.#choice('language', app.language, language, {en: 'English', de: 'Deutsch'})}
+        ${this.#choice('language', app.language, language, languageNames)}
         ${this.#choice('units', app.units, units, texts.unitNames)}
         ${this.#choice('theme', app.theme, theme, app.themes)}
         <label class="inline">

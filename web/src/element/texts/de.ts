@@ -214,6 +214,27 @@ export const de: Texts = {
     wouldCarry: (group, groups) =>
       `Ein Muster der Gruppe ${group} kann nicht alle davon halten; eines von ${groups} könnte es.`,
   },
+  touch: {
+    symmetry: {
+      moving: 'Das Muster in einem Teil ziehen. Zweimal auf ein Teil tippen gibt es frei.',
+      begin: {
+        piece:
+          'Zwei Nahtlinien eines Teils antippen, die sich spiegeln, oder zwei Punkte auf seiner Achse.',
+        pair: 'Das erste von zwei Teilen antippen, die sich spiegeln.',
+      },
+      next: {
+        line: 'Jetzt die gespiegelte Linie auf demselben Teil antippen.',
+        point: 'Jetzt einen zweiten Punkt auf der Achse antippen.',
+        piece: 'Jetzt das gespiegelte Teil antippen.',
+      },
+      refusals: {
+        sameLine: 'Das ist noch einmal dieselbe Linie; bitte eine andere antippen.',
+        samePiece: 'Das ist noch einmal dasselbe Teil; bitte ein anderes antippen.',
+        pointAfterLine: 'Eine zweite Linie antippen, oder zurück und zwei Punkte antippen.',
+        unnumbered: 'Diese Linie kennt die Datei nicht; bitte eine andere antippen.',
+      },
+    },
+  },
   keep: {
     tool: 'Form behalten',
     hint: 'Kante oder Teil anklicken, das bleiben soll, wie es gezeichnet ist; noch einmal klicken gibt es frei.',
@@ -276,8 +297,8 @@ export const de: Texts = {
     other: (degrees) => `${degrees}°`,
     clicks: 'An einer Kante, oder zwei Punkte …',
     line: 'Fadenlauf legen …',
-    first: 'Klicke eine Kante an, an der der Fadenlauf liegt, oder zwei Punkte auf ihm.',
-    second: 'Klicke jetzt einen zweiten Punkt des Fadenlaufs an.',
+    first: 'Eine Kante anklicken, an der der Fadenlauf liegt, oder zwei Punkte auf ihm.',
+    second: 'Jetzt einen zweiten Punkt des Fadenlaufs anklicken.',
   },
   doubt: {
     question: (height) => `Ist das höchste Teil wirklich ${height} hoch?`,
@@ -374,7 +395,7 @@ export const de: Texts = {
     unknown: 'noch nicht bekannt',
     rename: 'Umbenennen',
     name: 'Name des Teils',
-    nameTaken: (name) => `Ein anderes Teil heißt schon ${name}; wähle einen eigenen Namen.`,
+    nameTaken: (name) => `Ein anderes Teil heißt schon ${name}; bitte einen eigenen Namen wählen.`,
     quarterTurn: 'Um 90 Grad drehen',
     turned: (piece) => `${piece} um 90 Grad gedreht.`,
   },

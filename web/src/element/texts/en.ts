@@ -209,6 +209,27 @@ export const en = {
     wouldCarry: (group: string, groups: string) =>
       `A print of the group ${group} cannot keep all of these; one of ${groups} could.`,
   },
+  /** Said otherwise to who has a finger and neither mouse nor keys. */
+  touch: {
+    symmetry: {
+      moving: 'Drag the print inside a piece. Tap a piece twice to free it.',
+      begin: {
+        piece: 'Tap two seam lines of a piece that mirror each other, or two points of its axis.',
+        pair: 'Tap the first of two pieces that mirror onto each other.',
+      },
+      next: {
+        line: 'Now tap the line that it mirrors onto, on the same piece.',
+        point: 'Now tap a second point on the axis.',
+        piece: 'Now tap the piece that it mirrors onto.',
+      },
+      refusals: {
+        sameLine: 'That is the same line again; tap another.',
+        samePiece: 'That is the same piece again; tap another.',
+        pointAfterLine: 'Tap a second line, or go back and tap two points.',
+        unnumbered: 'This line is not known to the file; tap another.',
+      },
+    },
+  },
   keep: {
     tool: 'Keep as drafted',
     hint: 'Click an edge or a piece that has to stay as drafted; click it again to let it go.',

@@ -1,13 +1,18 @@
 import type {Language} from '../workbench/preferences.js';
-import {de} from './de.js';
 import {en, type Texts} from './en.js';
 import {withMessages, type Messages} from './messages.js';
-import {touch} from './touch.js';
 
 export type {Texts} from './en.js';
 export type {Messages} from './messages.js';
 
-const tables: Readonly<Record<Language, Texts>> = {en, de};
+/** English is always there; every other language is loaded once it is chosen. */
+const loaders: Readonly<Record<Exclude<Language, 'en'>, () => Promise<Texts>>> = {
+  de: async () => (await import('./de.js')).de,
+  fr: async () => (await import('./fr.js')).fr,
+  es: async () => (await import('./es.js')).es,
+  it: async () => (await import('./it.js')).it,
+};
+const tables = new Map<Language, Texts>([['en', en]]);
 const changed = new WeakMap<Messages, Map<Texts, Texts>>();
 
 /** One table with others' words in it, made once. */
@@ -24,8 +29,22 @@ function withThese(texts: Texts, messages: Messages | undefined): Texts {
 const isTouched = (): boolean =>
   'matchMedia' in globalThis && matchMedia('(pointer: coarse)').matches;
 
-/** The words of a language, but for those that somebody gives themselves. */
+/** The words of a language, English until they are loaded, but for those that somebody gives themselves. */
 export function textsOf(language: Language, messages?: Messages): Texts {
-  const own = tables[language];
-  return withThese(isTouched() ? withThese(own, touch[language]) : own, messages);
+  const own = tables.get(language) ?? en;
+  return withThese(isTouched() ? withThese(own, own.touch) : own, messages);
+}
+
+/**
+ * Loads the words of a language, so that `textsOf` has them. Without network English stays.
+ * @returns whether `textsOf` has other words than before
+ */
+export async function loadTexts(language: Language): Promise<boolean> {
+  if (language === 'en' || tables.has(language)) return false;
+  try {
+    tables.set(language, await loaders[language]());
+    return true;
+  } catch {
+    return false;
+  }
 }

@@ -1,4 +1,5 @@
 /** What somebody looks at, means and is told, whatever they work on. */
+import {loadTexts} from '../texts/texts.js';
 import {Observable} from './observable.js';
 import type {Preferences} from './preferences.js';
 import type {Scenes} from './scenes.js';
@@ -23,6 +24,7 @@ export class Attention extends Observable {
   constructor(preferences: Preferences) {
     super();
     this.#preferences = preferences;
+    void this.#learn();
   }
 
   get preferences(): Preferences {
@@ -31,6 +33,13 @@ export class Attention extends Observable {
 
   prefer(change: Partial<Preferences>): void {
     this.#preferences = {...this.#preferences, ...change};
+    this.changed();
+    void this.#learn();
+  }
+
+  async #learn(): Promise<void> {
+    if (!(await loadTexts(this.#preferences.language))) return;
+    this.#preferences = {...this.#preferences}; // what is kept by them is drawn again
     this.changed();
   }
 

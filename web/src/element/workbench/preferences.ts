@@ -3,7 +3,7 @@ import type {Units} from '../../model/units.js';
 import type {MismatchScale} from '../../picture/colours.js';
 import type {Messages} from '../texts/messages.js';
 
-export const languages = ['en', 'de'] as const;
+export const languages = ['en', 'de', 'fr', 'es', 'it'] as const;
 export type Language = (typeof languages)[number];
 
 export interface Preferences {

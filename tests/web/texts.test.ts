@@ -1,0 +1,80 @@
+import {describe, expect, it} from 'vitest';
+
+import {en} from '../../web/src/element/texts/en.js';
+import {loadTexts, textsOf} from '../../web/src/element/texts/texts.js';
+import {languages, preferencesFor} from '../../web/src/element/workbench/preferences.js';
+
+type Word = string | ((...given: readonly unknown[]) => string);
+
+/** All words below a name, by their paths. */
+function wordsOf(texts: unknown, path = ''): [path: string, word: Word][] {
+  if (typeof texts === 'string' || typeof texts === 'function') return [[path, texts as Word]];
+  return Object.entries(texts as object).flatMap(([name, one]) =>
+    wordsOf(one, path ? `${path}.${name}` : name),
+  );
+}
+
+/** As everybody writes it, or alike by chance in a neighbouring language. */
+const alike = new RegExp(
+  `^(?:${[
+    'app.name|controls.methods.paper|legend.asPaper|legend.none|remedies.effect|lists.weight',
+    'print.dpi|print.measure.points.1|grain.other',
+    'lists.size|lists.numbered|lists.of|pattern.piece|lists.matches.double|samples\\..*|keys\\..*',
+  ].join('|')})$`,
+);
+
+const counted = new Set([
+  ...['pattern.seams', 'symmetry.foundCount', 'remedies.title', 'remedies.more'],
+]);
+
+/** What stands for the arguments of a word, as figures or as names. */
+const argumentsOf = (path: string, word: Word): readonly unknown[] =>
+  Array.from({length: word.length}, (_, k) => (counted.has(path) ? 7003 + k : `<${k}>`));
+
+describe.each(languages.filter((language) => language !== 'en'))('the texts in %s', (language) => {
+  it('are English until they are loaded, and then their own', async () => {
+    expect(textsOf(language)).toBe(en);
+    expect(await loadTexts(language)).toBe(true);
+    expect(await loadTexts(language)).toBe(false);
+    expect(textsOf(language)).not.toBe(en);
+    expect(textsOf(language, {app: {undo: 'Oops'}}).app).toEqual({
+      ...textsOf(language).app,
+      undo: 'Oops',
+    });
+  });
+
+  it('say all that they are told', async () => {
+    await loadTexts(language);
+    const own = new Map(wordsOf(textsOf(language)));
+    const silent = wordsOf(en).flatMap(([path, english]) => {
+      const word = own.get(path);
+      if (typeof english !== 'function' || typeof word !== 'function') return [];
+      const given = argumentsOf(path, english);
+      const said = word(...given);
+      return given.every((one) => said.includes(String(one))) ? [] : [`${path}: ${said}`];
+    });
+    expect(silent).toEqual([]);
+    expect([...own.values()].filter((word) => word === '')).toEqual([]);
+  });
+
+  it('are not left in English', async () => {
+    await loadTexts(language);
+    const own = new Map(wordsOf(textsOf(language)));
+    const english = wordsOf(en).flatMap(([path, word]) => {
+      const given = argumentsOf(path, word);
+      const say = (one: Word | undefined): string | undefined =>
+        typeof one === 'function' ? one(...given) : one;
+      return say(word) === say(own.get(path)) && !alike.test(path) ? [`${path}: ${say(word)}`] : [];
+    });
+    expect(english).toEqual([]);
+  });
+
+  it('are those of whoever reads that language, in any country', () => {
+    expect(preferencesFor(language).language).toBe(language);
+    expect(preferencesFor(`${language}-CH`).language).toBe(language);
+  });
+});
+
+it('speaks English to everybody else', () => {
+  expect(preferencesFor('pt-BR').language).toBe('en');
+});
