@@ -62,7 +62,7 @@ export default defineConfig({
   base: './',
   appType: 'mpa', // a file that is not there is an error, not the page
   publicDir: at('public'),
-  plugins: [notices()],
+  plugins: [notices(), offline()],
   server: {port, strictPort: true, fs: {allow: [at('.')]}},
   preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},
   build: {
@@ -78,5 +78,4 @@ export default defineConfig({
     },
   },
   worker: {format: 'es'},
-  plugins: [offline()],
 });
