@@ -29,18 +29,34 @@ export function saveFile(name: string, content: Blob | string, type = 'applicati
   }, 60_000);
 }
 
+export interface FileTaker {
+  readonly take: (file: File) => void;
+  /** A file is held over the page, or is not any more. */
+  readonly hold: (isHeld: boolean) => void;
+}
+
 /** Takes files that are dropped on the page or pasted into it, until `signal` fires. */
-export function takeFiles(take: (file: File) => void, signal: AbortSignal): void {
+export function takeFiles({take, hold}: FileTaker, signal: AbortSignal): void {
   addEventListener(
     'dragover',
     (event) => {
-      if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+      if (!event.dataTransfer?.types.includes('Files')) return;
+      event.preventDefault();
+      hold(true);
+    },
+    {signal},
+  );
+  addEventListener(
+    'dragleave',
+    ({relatedTarget}) => {
+      if (!relatedTarget) hold(false); // out of the window, not into another part of the page
     },
     {signal},
   );
   addEventListener(
     'drop',
     (event) => {
+      hold(false);
       const file = event.dataTransfer?.files[0];
       if (!file) return;
       event.preventDefault();

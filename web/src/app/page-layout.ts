@@ -33,6 +33,34 @@ export const pageLayout = css`
     font-weight: 650;
     letter-spacing: -0.01em;
   }
+  .skip {
+    position: fixed;
+    inset: var(--sw-space-2) auto auto var(--sw-space-2);
+    z-index: 3;
+  }
+  .skip:not(:focus) {
+    min-height: 0;
+    padding: 0;
+    border: 0;
+    ${unseen}
+  }
+  .drop {
+    position: fixed;
+    inset: var(--sw-space-2);
+    z-index: 4;
+    display: grid;
+    place-content: center;
+    border: 3px dashed var(--sw-accent);
+    border-radius: calc(2 * var(--sw-radius));
+    background: color-mix(in srgb, var(--sw-tint) 85%, transparent);
+    color: var(--sw-accent);
+    font-size: var(--sw-text-title);
+    font-weight: 600;
+    pointer-events: none; /* the page takes the file */
+  }
+  .drop[hidden] {
+    display: none;
+  }
   ${labelled}
   /* the garment and its files make a row of their own */
   @container (width < 40rem) {

@@ -7,6 +7,7 @@ import {chooseFile, takeFiles} from './files.js';
 import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
 import {pageKeys} from './page-keys.js';
+import {printPattern} from './print-pattern.js';
 import type {Projects} from './projects/projects.js';
 import {saveProject} from './save.js';
 
@@ -16,13 +17,25 @@ export class SeamwisePage extends DeskElement {
     samples: {attribute: false},
     projects: {attribute: false},
     blank: {attribute: false},
+    isHeld: {state: true},
   };
   static override styles = [tokens, controls, pageLayout];
   declare samples: Samples | undefined;
   declare projects: Projects;
   /** What is shown when there is no project. */
   declare blank: () => Promise<Design>;
+  /** A file is held over the page. */
+  declare protected isHeld: boolean;
   #life: AbortController | undefined;
+
+  get #editor(): Editor | null {
+    return this.renderRoot.querySelector('sw-editor');
+  }
+
+  constructor() {
+    super();
+    this.isHeld = false;
+  }
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -32,14 +45,23 @@ export class SeamwisePage extends DeskElement {
       this.requestUpdate();
     });
     signal.addEventListener('abort', end);
-    takeFiles((file) => void openFile(this.desk, this.projects, file), signal);
+    takeFiles(
+      {
+        take: (file) => void openFile(this.desk, this.projects, file),
+        hold: (isHeld) => {
+          this.isHeld = isHeld;
+        },
+      },
+      signal,
+    );
+    printPattern(this.desk, signal);
     pageKeys(
       {
         save: () => {
           saveProject(this);
         },
         open: () => void this.#open(),
-        other: (event) => this.renderRoot.querySelector<Editor>('sw-editor')?.press(event),
+        other: (event) => this.#editor?.press(event),
       },
       signal,
     );
@@ -54,6 +76,9 @@ export class SeamwisePage extends DeskElement {
     const {desk, projects, samples} = this;
     const {app} = this.texts;
     return html`<main>
+      <button class="primary skip" @click=${() => this.#editor?.toPattern()}>
+        ${app.toPattern}
+      </button>
       <sw-editor .desk=${desk} .samples=${samples}>
         <h1 slot="start">${app.name}</h1>
         <sw-project-list
@@ -74,6 +99,7 @@ export class SeamwisePage extends DeskElement {
         <sw-save-menu slot="actions" .desk=${desk} .projects=${projects}></sw-save-menu>
         <sw-settings slot="actions" .desk=${desk}></sw-settings>
       </sw-editor>
+      <p class="drop" ?hidden=${!this.isHeld}>${app.drop}</p>
     </main>`;
   }
 

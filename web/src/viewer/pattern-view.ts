@@ -15,7 +15,7 @@ import {pieceAt, type PatternScene} from './scene.js';
 import {look, Screen} from './screen.js';
 import {SeamNotes} from './seam-notes.js';
 import {fitted, panned, toScreen, toSheet, zoomed, type SheetView} from './sheet-view.js';
-import {snapshot} from './snapshot.js';
+import {sheetOnPaper, snapshot, type Shot} from './snapshot.js';
 import type {Appearance} from './strokes.js';
 import {TileTexture} from './tile-texture.js';
 import type {Tile} from './tile.js';
@@ -218,6 +218,36 @@ export class PatternView {
   async toBlob(width = pictureWidth): Promise<Blob> {
     const scene = this.#scene;
     if (!scene) throw new Error('There is no sheet to draw yet.');
+    const shot = this.#frame(scene, width);
+    const {renderer} = this.#screen;
+    const blob = snapshot(renderer, this.#drawn, this.#named(scene), shot, this.#appearance);
+    this.#screen.request();
+    return blob;
+  }
+
+  /** The whole sheet on white, at once, for the printer. @returns nothing before anything is shown, or while the graphics context is lost */
+  onPaper(): HTMLCanvasElement | undefined {
+    const appearance = this.#appearance;
+    this.setAppearance('light');
+    const scene = this.#scene;
+    const shot = scene && this.#frame(scene, pictureWidth);
+    const {renderer} = this.#screen;
+    const sheet = shot && sheetOnPaper(renderer, this.#drawn, this.#named(scene), shot);
+    this.setAppearance(appearance);
+    this.#screen.request();
+    return sheet;
+  }
+
+  get #drawn(): readonly [Scene, OrthographicCamera] {
+    return [this.#after.object, this.#camera];
+  }
+
+  #named(scene: PatternScene): PatternScene {
+    return this.#isBare ? {...scene, pieces: []} : scene;
+  }
+
+  /** Looks at the whole sheet, drawn so many pixels wide. */
+  #frame(scene: PatternScene, width: number): Shot {
     const {size} = this.#screen;
     const across = Math.max(size.width, leastRoom);
     const room = {width: across, height: (across * scene.size[1]) / scene.size[0]};
@@ -230,12 +260,7 @@ export class PatternView {
     };
     this.#tile.sharpen(view.scale * ratio);
     look(this.#camera, this.#line, view, shot);
-    const {renderer} = this.#screen;
-    const drawn = [this.#after.object, this.#camera] as const;
-    const named = this.#isBare ? {...scene, pieces: []} : scene;
-    const blob = snapshot(renderer, drawn, named, shot, this.#appearance);
-    this.#screen.request();
-    return blob;
+    return shot;
   }
 
   /** Calls back after every zoom, move or change of size. @returns what ends that */

@@ -1,26 +1,40 @@
 /** Pictures that are drawn beside the canvas and read back, without waiting for a graphics card that is busy. */
 import {WebGLRenderTarget, type WebGLRenderer} from 'three';
 
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Whatever `draw` draws, while everything waits for it. @returns nothing where the context is lost */
+export function readNow(
+  renderer: WebGLRenderer,
+  {width, height}: Size,
+  draw: () => void,
+): ImageData | undefined {
+  const context = renderer.getContext();
+  if (context.isContextLost()) return undefined;
+  const pixels = new Uint8Array(4 * width * height);
+  onto({renderer, width, height}, (target) => {
+    draw();
+    renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+  });
+  return context.isContextLost() ? undefined : upright(pixels, width, height);
+}
+
 /** Whatever `draw` draws. @returns nothing where the context is lost, or was meanwhile */
 export async function readBack(
   renderer: WebGLRenderer,
-  {width, height}: {readonly width: number; readonly height: number},
+  {width, height}: Size,
   draw: () => void,
 ): Promise<ImageData | undefined> {
   const context = renderer.getContext();
   if (context.isContextLost()) return undefined;
   const pixels = new Uint8Array(4 * width * height);
-  const target = new WebGLRenderTarget(width, height, {depthBuffer: false});
-  target.scissorTest = true;
-  let reading: Promise<unknown>;
-  try {
-    renderer.setRenderTarget(target);
+  const reading = onto({renderer, width, height}, (target) => {
     draw();
-    reading = renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height, pixels);
-  } finally {
-    renderer.setRenderTarget(null);
-    target.dispose();
-  }
+    return renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height, pixels);
+  });
   try {
     await reading;
   } catch (error) {
@@ -29,6 +43,22 @@ export async function readBack(
     return undefined;
   }
   return context.isContextLost() ? undefined : upright(pixels, width, height);
+}
+
+/** Does what `act` does with a target of its own to draw into. */
+function onto<T>(
+  {renderer, width, height}: Size & {readonly renderer: WebGLRenderer},
+  act: (target: WebGLRenderTarget) => T,
+): T {
+  const target = new WebGLRenderTarget(width, height, {depthBuffer: false});
+  target.scissorTest = true;
+  try {
+    renderer.setRenderTarget(target);
+    return act(target);
+  } finally {
+    renderer.setRenderTarget(null);
+    target.dispose();
+  }
 }
 
 /** From rows that begin below, with colours multiplied by their opacity, to what a 2D canvas takes. */

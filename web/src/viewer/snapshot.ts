@@ -7,7 +7,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-import {readBack} from './read-back.js';
+import {readBack, readNow} from './read-back.js';
 import {labelLines, labelSize, type PatternScene} from './scene.js';
 import {toScreen, type SheetView} from './sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
@@ -22,7 +22,16 @@ export interface Shot {
   readonly ratio: number;
 }
 
-/** Draws into a target of its own, and the names over that. @throws {Error} where the browser makes no picture */
+/** How a sheet is drawn that is looked at away from the page. */
+interface Look {
+  readonly appearance: Appearance;
+  /** By default the page's own. */
+  readonly paper?: readonly [number, number, number];
+}
+
+const white = [255, 255, 255] as const;
+
+/** As a PNG. @throws {Error} where the browser makes no picture */
 export async function snapshot(
   renderer: WebGLRenderer,
   [object, camera]: readonly [Scene, OrthographicCamera],
@@ -30,16 +39,11 @@ export async function snapshot(
   shot: Shot,
   appearance: Appearance,
 ): Promise<Blob> {
-  const {width, height} = shot;
-  const pixels = await drawn(renderer, [object, camera], shot, appearance);
+  const draw = drawing(renderer, [object, camera], {appearance});
+  const pixels = await readBack(renderer, shot, draw);
   if (!pixels) throw new Error('The browser has taken the graphics context away.');
-  const canvas = document.createElement('canvas');
-  canvas.width = width;
-  canvas.height = height;
-  const context = canvas.getContext('2d');
-  if (!context) throw new Error('The picture cannot be drawn.');
-  context.putImageData(pixels, 0, 0);
-  drawNames(context, scene, shot, appearance);
+  const canvas = named(pixels, scene, shot, appearance);
+  if (!canvas) throw new Error('The picture cannot be drawn.');
   const blob = await new Promise<Blob | null>((resolve) => {
     canvas.toBlob(resolve, 'image/png');
   });
@@ -47,20 +51,48 @@ export async function snapshot(
   return blob;
 }
 
-function drawn(
+/** On white, at once. @returns nothing where the browser makes no picture */
+export function sheetOnPaper(
   renderer: WebGLRenderer,
-  [object, camera]: readonly [Scene, OrthographicCamera],
+  drawn: readonly [Scene, OrthographicCamera],
+  scene: PatternScene,
+  shot: Shot,
+): HTMLCanvasElement | undefined {
+  const appearance = 'light';
+  const pixels = readNow(renderer, shot, drawing(renderer, drawn, {appearance, paper: white}));
+  return pixels && named(pixels, scene, shot, appearance);
+}
+
+/** What has been drawn, with the names over it. */
+function named(
+  pixels: ImageData,
+  scene: PatternScene,
   shot: Shot,
   appearance: Appearance,
-): Promise<ImageData | undefined> {
-  return readBack(renderer, shot, () => {
-    const [r, g, b] = inks[appearance].paper;
+): HTMLCanvasElement | undefined {
+  const canvas = document.createElement('canvas');
+  canvas.width = shot.width;
+  canvas.height = shot.height;
+  const context = canvas.getContext('2d');
+  if (!context) return undefined;
+  context.putImageData(pixels, 0, 0);
+  drawNames(context, scene, shot, appearance);
+  return canvas;
+}
+
+function drawing(
+  renderer: WebGLRenderer,
+  [object, camera]: readonly [Scene, OrthographicCamera],
+  {appearance, paper = inks[appearance].paper}: Look,
+): () => void {
+  return () => {
+    const [r, g, b] = paper;
     const [colour, alpha] = [renderer.getClearColor(new Color()), renderer.getClearAlpha()];
     renderer.setClearColor(new Color().setRGB(r / 255, g / 255, b / 255, LinearSRGBColorSpace), 1);
     renderer.clear();
     renderer.setClearColor(colour, alpha);
     renderer.render(object, camera);
-  });
+  };
 }
 
 function drawNames(

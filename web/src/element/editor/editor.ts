@@ -71,6 +71,11 @@ export class Editor extends DeskElement {
     editorKeys(event, this.#commands);
   }
 
+  /** The keys of the pattern work. */
+  toPattern(): void {
+    this.renderRoot.querySelector<PatternPane>('sw-pattern')?.focus();
+  }
+
   /** A seam that somebody picks in the pattern is to be seen from near. */
   protected override deskChanged(): void {
     super.deskChanged();

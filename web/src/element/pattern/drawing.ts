@@ -139,6 +139,7 @@ export class PatternDrawing extends PatientElement {
       },
       get: () => view.state,
       picture: (width) => view.toBlob(width),
+      onPaper: () => view.onPaper(),
       set: (state) => {
         view.state = state;
       },

@@ -32,6 +32,8 @@ export const de: Texts = {
     takenAsPrint: (name) => `${name} wurde als Muster genommen.`,
     setup: 'Muster und Zuschnitt',
     report: 'Teile und Nähte',
+    toPattern: 'Zum Schnitt',
+    drop: 'Loslassen, um die Datei zu öffnen',
   },
   projects: {
     title: 'Projekte',

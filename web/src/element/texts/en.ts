@@ -30,6 +30,8 @@ export const en = {
     takenAsPrint: (name: string) => `${name} was taken as a print.`,
     setup: 'Print and cutting',
     report: 'Pieces and seams',
+    toPattern: 'To the pattern',
+    drop: 'Let go to open the file',
   },
   projects: {
     title: 'Projects',

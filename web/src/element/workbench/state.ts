@@ -17,6 +17,8 @@ export interface SheetWindow {
   set(view: ViewState): void;
   /** A PNG, by default as wide as is good to keep. [px] */
   picture(width?: number): Promise<Blob>;
+  /** The whole sheet on white, for the printer; undefined where it cannot be drawn. */
+  onPaper(): HTMLCanvasElement | undefined;
   /** The greatest width of such a picture. [px] */
   readonly widest: number;
   /** The browser has taken the graphics context away, and has not given it back. */

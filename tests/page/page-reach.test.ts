@@ -1,0 +1,75 @@
+/** What leads past the panels: the way to the pattern, files held over the page, and paper. */
+import {expect, it, vi} from 'vitest';
+
+import {barriers} from '../support/barriers.js';
+import {button, showSample, solved, usePage} from '../support/page.js';
+
+vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
+
+const openPage = usePage();
+
+it('leads keyboards to the pattern with the first press of Tab', async () => {
+  const page = await openPage();
+  await solved(page);
+  const skip = button(page, 'To the pattern');
+  expect((await skip.boundingBox())?.width).toBeLessThan(2);
+  await page.keyboard.press('Tab');
+  expect((await skip.boundingBox())?.width).toBeGreaterThan(50);
+  expect(await barriers(page)).toEqual([]);
+  await page.keyboard.press('Enter');
+  const pattern = page.getByRole('application', {name: 'Pattern'});
+  expect(await pattern.evaluate((element) => element.matches(':focus'))).toBe(true);
+});
+
+it('shows that a file held over the page would be taken, until it is let go or gone', async () => {
+  const page = await openPage();
+  await solved(page);
+  const hint = page.getByText('Let go to open the file');
+  const drag = (type: string, kind: 'file' | 'text'): Promise<void> =>
+    page.evaluate(
+      ([type, kind]) => {
+        const dataTransfer = new DataTransfer();
+        if (kind === 'file') dataTransfer.items.add(new File(['{}'], 'empty.json'));
+        else dataTransfer.setData('text/plain', 'words');
+        const options = {bubbles: true, cancelable: true, dataTransfer};
+        document.body.dispatchEvent(new DragEvent(type, options));
+      },
+      [type, kind] as const,
+    );
+  await drag('dragover', 'text');
+  expect(await hint.isVisible()).toBe(false);
+  await drag('dragover', 'file');
+  await hint.waitFor();
+  await drag('dragleave', 'file');
+  await hint.waitFor({state: 'hidden'});
+  await drag('dragover', 'file');
+  await hint.waitFor();
+  await drag('drop', 'file');
+  await hint.waitFor({state: 'hidden'});
+  await page.getByText('empty.json').first().waitFor(); // and is taken
+});
+
+it.each(['light', 'dark'] as const)('prints the pattern alone, on white (%s)', async (theme) => {
+  const page = await openPage({colorScheme: theme});
+  await showSample(page, 'tee');
+  await page.emulateMedia({media: 'print', colorScheme: theme});
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const sheet = page.locator('canvas.on-paper');
+  const {corner, shares} = await sheet.evaluate((canvas: HTMLCanvasElement) => {
+    const {width, height} = canvas;
+    const {data} = canvas.getContext('2d')?.getImageData(0, 0, width, height) ?? {data: []};
+    let whites = 0;
+    for (let at = 0; at < data.length; at += 4)
+      if ((data[at] ?? 0) + (data[at + 1] ?? 0) + (data[at + 2] ?? 0) === 765) whites++;
+    return {corner: [...data.slice(0, 4)], shares: whites / (width * height)};
+  });
+  expect(corner).toEqual([255, 255, 255, 255]);
+  expect(shares).toBeGreaterThan(0.2);
+  expect(shares).toBeLessThan(0.9);
+  expect(await button(page, 'Open print').isVisible()).toBe(false);
+  expect(await sheet.isVisible()).toBe(true);
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  await page.emulateMedia({media: 'screen', colorScheme: theme});
+  expect(await sheet.count()).toBe(0);
+  await button(page, 'Open print').waitFor();
+});
