@@ -32,6 +32,8 @@ export const es: Texts = {
     takenAsPrint: (name) => `${name} se ha tomado como estampado.`,
     setup: 'Estampado y corte',
     report: 'Piezas y costuras',
+    toPattern: 'Al patrón',
+    drop: 'Suelta para abrir el archivo',
   },
   projects: {
     title: 'Proyectos',

@@ -33,6 +33,8 @@ export const fr: Texts = {
     takenAsPrint: (name) => `${name} a été pris comme imprimé.`,
     setup: 'Imprimé et coupe',
     report: 'Pièces et coutures',
+    toPattern: 'Au patron',
+    drop: 'Lâcher pour ouvrir le fichier',
   },
   projects: {
     title: 'Projets',

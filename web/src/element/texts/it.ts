@@ -32,6 +32,8 @@ export const it: Texts = {
     takenAsPrint: (name) => `${name} è stato preso come stampa.`,
     setup: 'Stampa e taglio',
     report: 'Pezzi e cuciture',
+    toPattern: 'Al cartamodello',
+    drop: 'Rilascia per aprire il file',
   },
   projects: {
     title: 'Progetti',
