@@ -1,8 +1,13 @@
+import {readFileSync} from 'node:fs';
+
 import {describe, expect, it} from 'vitest';
 
 import {en} from '../../web/src/element/texts/en.js';
 import {loadTexts, textsOf} from '../../web/src/element/texts/texts.js';
 import {languages, preferencesFor} from '../../web/src/element/workbench/preferences.js';
+import type {Samples} from '../../web/src/element/workbench/samples.js';
+
+const samples = JSON.parse(readFileSync('public/samples.json', 'utf8')) as Samples;
 
 type Word = string | ((...given: readonly unknown[]) => string);
 
@@ -19,7 +24,7 @@ const alike = new RegExp(
   `^(?:${[
     'app.name|controls.methods.paper|legend.asPaper|legend.none|remedies.effect|lists.weight',
     'print.dpi|print.measure.points.1|grain.other',
-    'lists.size|lists.numbered|lists.of|pattern.piece|lists.matches.double|samples\\..*|keys\\..*',
+    'lists.size|lists.numbered|lists.of|pattern.piece|lists.matches.double|keys\\..*',
   ].join('|')})$`,
 );
 
@@ -67,6 +72,15 @@ describe.each(languages.filter((language) => language !== 'en'))('the texts in %
       return say(word) === say(own.get(path)) && !alike.test(path) ? [`${path}: ${say(word)}`] : [];
     });
     expect(english).toEqual([]);
+  });
+
+  it('name every garment, print and colour that comes with the page', async () => {
+    await loadTexts(language);
+    const named = textsOf(language).samples;
+    expect(Object.keys(named.garments)).toEqual(samples.garments.map(({style}) => style));
+    expect(Object.keys(named.prints)).toEqual(samples.prints.map(({name}) => name));
+    const colours = samples.prints.flatMap(({colourways}) => colourways.map(({name}) => name));
+    expect(Object.keys(named.colourways).sort()).toEqual([...new Set(colours)].sort());
   });
 
   it('are those of whoever reads that language, in any country', () => {

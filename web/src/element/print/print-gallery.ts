@@ -77,7 +77,7 @@ export class PrintGallery extends PatientElement {
         const sample = samples.prints.find(({name}) => name === sampleOf(choice));
         if (!sample) return nothing;
         const label = choice === 'stripes' ? texts.stripes : choice;
-        const what = print.sample ? sample.title : texts.meanings[choice];
+        const what = print.sample ? this.#titleOf(sample) : texts.meanings[choice];
         return html`<button
           id=${choice}
           role="radio"
@@ -134,10 +134,10 @@ export class PrintGallery extends PatientElement {
         ${shown.map(
           (sample) =>
             html`<button
-              aria-label="${sample.title}, ${sample.group}"
+              aria-label="${this.#titleOf(sample)}, ${sample.group}"
               aria-pressed=${sample.name === print.sample?.name}
               aria-disabled=${missing(sample.group, symmetries) ? 'true' : nothing}
-              title=${sample.title}
+              title=${this.#titleOf(sample)}
               @click=${() => {
                 this.#take(sample);
               }}
@@ -148,10 +148,14 @@ export class PrintGallery extends PatientElement {
       </div>`;
   }
 
+  #titleOf({name, title}: SamplePrint): string {
+    return this.texts.samples.prints[name] ?? title;
+  }
+
   #colourways({print}: Design, {prints}: Samples): TemplateResult | typeof nothing {
     const sample = prints.find(({name}) => name === print.sample?.name);
     if (!sample) return nothing;
-    return html`<h3>${sample.title}</h3>
+    return html`<h3>${this.#titleOf(sample)}</h3>
       <div class="colourways" role="group" aria-label=${this.texts.print.colourways}>
         ${sample.colourways.map(
           ({name}) =>
@@ -163,7 +167,7 @@ export class PrintGallery extends PatientElement {
               }}
             >
               ${swatch(`colour-${name}`, sample, coloured(sample, name))}
-              <span>${name}</span>
+              <span>${this.texts.samples.colourways[name] ?? name}</span>
             </button>`,
         )}
       </div>`;

@@ -71,7 +71,10 @@ export class GarmentChoice extends DeskElement {
       >
         ${style ? nothing : html`<option value="">${name}</option>`}
         ${this.samples.garments.map(
-          (one) => html`<option value=${one.style}>${one.title}</option>`,
+          (one) =>
+            html`<option value=${one.style}>
+              ${this.texts.samples.garments[one.style] ?? one.title}
+            </option>`,
         )}
       </select>
       ${
@@ -108,7 +111,8 @@ export class GarmentChoice extends DeskElement {
 
   /** Chooses again by itself, unless something else is chosen before. */
   #await(style: string, size: string, isAgain: boolean, signal: AbortSignal): void {
-    const title = this.samples?.garments.find((one) => one.style === style)?.title ?? style;
+    const sample = this.samples?.garments.find((one) => one.style === style);
+    const title = this.texts.samples.garments[style] ?? sample?.title ?? style;
     if (!isAgain) this.desk.say({tone: 'info', text: this.texts.offline.waits(title)});
     onceOnline(() => void this.#open(style, size, true), signal);
   }

@@ -587,6 +587,10 @@ export const en = {
         `In ${name}, w1 and w2 do not span a lattice of ${group}.`,
     },
   },
+  /** By style, name and colour; where there is none, samples.json has it. */
+  samples: {garments: {}, prints: {}, colourways: {}} as Readonly<
+    Record<'garments' | 'prints' | 'colourways', Readonly<Partial<Record<string, string>>>>
+  >,
   garment: {
     label: 'Sewing pattern in its print',
     required: 'The print is not fitted yet; wait until it is, or choose another.',
