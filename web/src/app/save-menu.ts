@@ -102,6 +102,7 @@ export class SaveMenu extends DeskElement {
             .least=${0}
             .most=${greatestAllowance / cm}
             .step=${0.1}
+            .fractions=${desk.preferences.units === 'inch'}
             .digits=${3}
             .wrong=${controlTexts.between(this.format.length(0), this.format.length(greatestAllowance))}
             @entered=${({detail}: CustomEvent<number>) => {

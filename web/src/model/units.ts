@@ -23,7 +23,42 @@ export interface LengthStyle {
   readonly fine?: boolean;
 }
 
-/** "12.3 cm", "4.84 in"; fine: "1.3 mm", "0.051 in". */
+/** Inches as rulers and patterns have them, to the sixteenth: "4 7/8 in". */
+function inFractions(inches: number, locale: string): string {
+  const sixteenths = Math.round(16 * Math.abs(inches));
+  const whole = Math.floor(sixteenths / 16);
+  const text = formatted(locale, whole, {style: 'unit', unit: 'inch'});
+  const number = formatted(locale, whole, {});
+  const sign = inches < 0 && sixteenths > 0 ? '-' : '';
+  return sign + text.replace(number, () => mixed(number, sixteenths % 16));
+}
+
+/** A whole number with sixteenths behind it. */
+function mixed(whole: string, sixteenths: number): string {
+  if (sixteenths === 0) return whole;
+  const shared = sixteenths & -sixteenths; // the greatest power of two in both
+  const fraction = `${sixteenths / shared}/${16 / shared}`;
+  return whole === '0' ? fraction : `${whole}\u00a0${fraction}`;
+}
+
+/** What a field shows of inches: a fraction where they are one, "1 1/2", else a number, "0.394". */
+export function fractionOrNumber(inches: number, digits: number): string {
+  const sixteenths = Math.round(16 * inches);
+  if (inches < 0 || Math.abs(sixteenths / 16 - inches) > 1e-4) {
+    return String(Number(inches.toFixed(digits)) + 0);
+  }
+  return mixed(String(Math.floor(sixteenths / 16)), sixteenths % 16).replace('\u00a0', ' ');
+}
+
+/** Of "0.375", "0,375", "3/8", "1 1/2" and "1-1/2"; NaN for what is no number. */
+export function numberTyped(text: string): number {
+  const plain = text.trim().replace(',', '.');
+  const [, whole, top, bottom] = /^(?:(\d+)[\s-]+)?(\d+)\s*[/⁄]\s*(\d+)$/u.exec(plain) ?? [];
+  if (top !== undefined) return Number(whole ?? 0) + Number(top) / Number(bottom);
+  return plain === '' ? NaN : Number(plain);
+}
+
+/** "12.3 cm", "4 7/8 in"; fine: "1.3 mm", "0.051 in". */
 export function formatLength(
   cm: number,
   units: Units,
@@ -31,9 +66,9 @@ export function formatLength(
   {fine = false}: LengthStyle = {},
 ): string {
   if (units === 'inch') {
-    return formatted(locale, cm / cmPerInch, {
-      ...{style: 'unit', unit: 'inch', maximumFractionDigits: fine ? 3 : 2},
-    });
+    const inches = cm / cmPerInch;
+    if (!fine) return inFractions(inches, locale);
+    return formatted(locale, inches, {style: 'unit', unit: 'inch', maximumFractionDigits: 3});
   }
   const [value, unit] = fine ? [10 * cm, 'millimeter'] : [cm, 'centimeter'];
   return formatted(locale, value, {style: 'unit', unit, maximumFractionDigits: 1});

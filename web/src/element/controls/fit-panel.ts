@@ -169,6 +169,7 @@ export class FitPanel extends DeskElement {
       .most=${most}
       .step=${step}
       .digits=${digits}
+      .fractions=${this.desk.preferences.units === 'inch'}
       .wrong=${texts.between(this.format.fine(leastChangeCm), this.format.fine(mostChangeCm))}
       @entered=${({detail}: CustomEvent<number>) => {
         this.#fit({maxChangeCm: detail * cm}, 'greatest change');

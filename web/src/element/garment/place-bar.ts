@@ -117,6 +117,7 @@ export class PlaceBar extends DeskElement {
         .least=${from / cm}
         .most=${to / cm}
         .step=${0.1}
+        .fractions=${this.desk.preferences.units === 'inch'}
         .wrong=${words.between(this.format.length(from), this.format.length(to))}
         @entered=${({detail}: CustomEvent<number>) => {
           this.#resize(print, detail * cm);

@@ -198,6 +198,7 @@ export class MeasureDialog extends DeskElement {
           .least=${0.1 / cm}
           .most=${mostRepeat / cm}
           .step=${0.1}
+          .fractions=${this.desk.preferences.units === 'inch'}
           .wrong=${limits.between(format.length(0.1), format.length(mostRepeat))}
           @entered=${({detail}: CustomEvent<number>) => {
             this.typed = detail * cm;

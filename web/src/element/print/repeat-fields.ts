@@ -187,6 +187,7 @@ export class RepeatFields extends DeskElement {
       .least=${leastRepeat / cm}
       .most=${mostRepeat / cm}
       .step=${0.1}
+      .fractions=${this.desk.preferences.units === 'inch'}
       .wrong=${this.texts.controls.between(format.length(leastRepeat), format.length(mostRepeat))}
       @entered=${({detail}: CustomEvent<number>) => {
         enter(detail * cm);

@@ -3,7 +3,7 @@ import {formatLength, type Units} from '../../model/units.js';
 import type {Language} from '../workbench/preferences.js';
 
 export interface Format {
-  /** 41 cm, 16.1 in */
+  /** 41 cm, 16 1/8 in */
   length(cm: number): string;
   /** 1.2 mm, 0.05 in */
   fine(cm: number): string;
