@@ -23,7 +23,8 @@ Cloth::Cloth(const ClothPlan& plan)
       reach_(plan.part().reach),
       target_weight_(plan.part().rest.size(), 0),
       target_pull_(plan.part().rest.size(), Vec2::Zero()),
-      bend_factor_(plan.part().bends.size(), 1) {}
+      bend_factor_(plan.part().bends.size(), 1),
+      edge_factor_(plan.part().edges.size(), 1) {}
 
 /// Parts that rest need no hessian.
 void Cloth::setUp() {
@@ -70,13 +71,13 @@ double Cloth::outlineEnergy(const std::vector<Vec2>& shape) const {
   for (std::size_t k = 0; k < part().edges.size(); ++k) {
     const Part::Edge& edge = part().edges[k];
     const double c = (shape[edge.i] - shape[edge.j]).norm() - edge.length;
-    e += state_.length_force[k] * c + stiffness(edge) * c * c / 2;
+    e += state_.length_force[k] * c + stiffness(k) * c * c / 2;
   }
   return e;
 }
 
-double Cloth::stiffness(const Part::Edge& edge) const {
-  return edge.sewn ? kLengthPenalty : plan_->weights().unsewn;
+double Cloth::stiffness(std::size_t edge) const {
+  return part().edges[edge].sewn ? kLengthPenalty : plan_->weights().unsewn * edge_factor_[edge];
 }
 
 /// Gradient and Gauss-Newton Hessian at the present shape.
@@ -110,9 +111,9 @@ void Cloth::assemble(const VectorX& quadratic_force) {
     const Part::Edge& edge = part.edges[e];
     const Vec2 d = state_.shape[edge.i] - state_.shape[edge.j];
     const double length = d.norm();
-    const double force = state_.length_force[e] + stiffness(edge) * (length - edge.length);
+    const double force = state_.length_force[e] + stiffness(e) * (length - edge.length);
     const Vec2 n = d / length;
-    const double w = stiffness(edge), xx = w * n.x() * n.x(), xy = w * n.x() * n.y(),
+    const double w = stiffness(e), xx = w * n.x() * n.x(), xy = w * n.x() * n.y(),
                  yy = w * n.y() * n.y();
     const double entries[10] = {xx, xy, yy, xx, xy, yy, -xx, -xy, -xy, -yy};
     for (int k = 0; k < 10; ++k)

@@ -56,6 +56,8 @@ class Cloth {
 
   /// Stiffens the outline where it bends by more than `limit` rad. Returns whether it did anything.
   bool stiffenKinks(double limit);
+  /// Stiffens unsewn edges whose length has changed by more than `limit`, as a share of it.
+  void stiffenStretched(double limit);
   /// Brings the present shape into balance, so that only lengths and reach have to settle.
   void holdShape();
   /// Starts again from rest with the targets it has, allowed to move less around what went wrong.
@@ -64,7 +66,7 @@ class Cloth {
  private:
   VectorX moves() const;  ///< of the unknowns
   double outlineEnergy(const std::vector<Vec2>& shape) const;
-  double stiffness(const Part::Edge& edge) const;
+  double stiffness(std::size_t edge) const;
   void setUp();
   void assemble(const VectorX& quadratic_force);
   double kink(const Part::Bend& bend) const;  ///< change of the turn at a smooth vertex, rad
@@ -77,6 +79,7 @@ class Cloth {
   std::vector<double> target_weight_;  ///< per vertex
   std::vector<Vec2> target_pull_;      ///< per vertex: sum of w x*
   std::vector<double> bend_factor_;    ///< per bend, 1 at first
+  std::vector<double> edge_factor_;    ///< per unsewn edge, 1 at first
   VectorX gradient_;
   double last_move_ = 0;
   int factorisations_ = 0;

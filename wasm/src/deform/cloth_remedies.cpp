@@ -8,7 +8,8 @@
 namespace seamwise {
 namespace {
 
-constexpr double kHold = 5.0;       ///< weight that holds a shape in place, per cm2
+constexpr double kMostStiffened = 1e3;  ///< times what an unsewn edge resists at first
+constexpr double kHold = 5.0;           ///< weight that holds a shape in place, per cm2
 constexpr double kSqueezed = 0.45;  ///< share of its rest area below which a triangle is in trouble
 constexpr double kMissedLength = 2e-3;  ///< cm
 constexpr double kNearTrouble = 6.0;    ///< cm
@@ -60,6 +61,18 @@ bool Cloth::stiffenKinks(double limit) {
   }
   if (any) constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
   return any;
+}
+
+void Cloth::stiffenStretched(double limit) {
+  for (std::size_t e = 0; e < part().edges.size(); ++e) {
+    const Part::Edge& edge = part().edges[e];
+    if (edge.sewn) continue;
+    const double rest = (part().rest[edge.i] - part().rest[edge.j]).norm();
+    const double now = (state_.shape[edge.i] - state_.shape[edge.j]).norm();
+    const double excess = std::abs(now / rest - 1) / limit;
+    if (excess > 1)
+      edge_factor_[e] = std::min(kMostStiffened, edge_factor_[e] * 2 * excess * excess);
+  }
 }
 
 void Cloth::holdShape() {

@@ -31,7 +31,9 @@ constexpr double kPrepared = 0.15, kFitted = 0.95;
 constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
 
 /// Limits that a finished shape keeps, a little inside what is promised.
-constexpr double kLengthError = 5e-5;       ///< cm an edge; a seam has up to a hundred
+constexpr double kLengthError = 5e-5;       ///< cm an edge, of seams with up to forty
+constexpr double kSeamShare = 0.2;          ///< of the tolerance of a seam, for all its edges
+constexpr double kAlmostKept = 2e-3;        ///< cm an edge
 constexpr double kKink = 12.5 * kPi / 180;  ///< rad
 constexpr double kStiffenFrom = 0.9;        ///< share of kKink; while a shape is held:
 constexpr double kStiffenHeld = 0.99;
@@ -53,6 +55,7 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
       // two sides that may each move by the greatest change meet across somewhat less than twice it
       searching_(problem, pattern, match_, known, rules, kSlack * reach_, std::move(offered),
                  searches),
+      length_error_(kLengthError),
       progress_(kPrepared) {
   alignment_ = search_result_ = match_.expanded(searching_.best());
   ClothWeights weights;
@@ -64,6 +67,9 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
   else
     plans_ = std::make_shared<FittingPlans>(weights, most);
   if (plans) *plans = plans_;
+  for (const Seam& seam : pattern.seams)
+    length_error_ = std::min(
+        length_error_, kSeamShare * kSeamTolerance / static_cast<double>(seam.a.vertices.size()));
 }
 
 void BestRun::searchStep() {
@@ -142,10 +148,11 @@ void BestRun::seekAgain() {
   stage_ = Stage::kFit;
 }
 
-/// Whether the part keeps everything that is promised of a finished shape.
-bool BestRun::kept(const Cloth& cloth) const {
+/// Whether the part keeps every limit of a finished shape, its sewn edges their length to `length`
+/// cm.
+bool BestRun::keepsLimits(const Cloth& cloth, double length) const {
   const Cloth::Violations v = cloth.violations();
-  return v.length < kLengthError && v.reach < kReachExcess * problem_.options.max_change_cm &&
+  return v.length < length && v.reach < kReachExcess * problem_.options.max_change_cm &&
          v.kink < kKink && v.stretch < kStretch && !fit_->fitting().crosses(cloth.part().piece);
 }
 
@@ -155,10 +162,12 @@ bool BestRun::kept(const Cloth& cloth) const {
 void BestRun::settleStep() {
   bool all_kept = true;
   for (Cloth& cloth : fit_->fitting().cloths()) {
-    if (kept(cloth)) continue;
+    if (keepsLimits(cloth, length_error_)) continue;
     all_kept = false;
     const int remedies = cloth.settling / kSettleSteps, step = cloth.settling % kSettleSteps;
-    if (step == 0 && remedies > 0) {
+    // lengths that are almost kept only need more steps
+    if (step == 0 && remedies > 0 &&
+        !(keepsLimits(cloth, kAlmostKept) && remedies < kMostRemedies)) {
       if (remedies > kMostRemedies)
         cloth.clearTargets();
       else
@@ -166,6 +175,7 @@ void BestRun::settleStep() {
       cloth.restart(kRemedyReach);
     }
     cloth.stiffenKinks((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kKink);
+    cloth.stiffenStretched((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kStretch);
     if (step == kHoldAfter) cloth.holdShape();
     cloth.step();
     ++cloth.settling;

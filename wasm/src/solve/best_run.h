@@ -41,7 +41,7 @@ class BestRun : public Run {
   void restUnsound();
   void restIfBetter();
   void finish();
-  bool kept(const Cloth& cloth) const;
+  bool keepsLimits(const Cloth& cloth, double length) const;
 
   const Problem& problem_;
   const Pattern& pattern_;
@@ -55,6 +55,7 @@ class BestRun : public Run {
   Alignments alignment_, search_result_;
   int sought_again_ = 0;
   int settling_ = 0, settled_ = 0;  ///< iterations; with the last, which finds nothing to do
+  double length_error_;             ///< of a sewn edge, cm
   double progress_, searched_ = 0;  ///< now, and once all was searched
 };
 

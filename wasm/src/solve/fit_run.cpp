@@ -292,7 +292,8 @@ bool FitRun::review() {
   const Judgement found = judge();
   if (found == Judgement::kGood) return true;
   Start& start = starts_[current_];
-  const bool another = found == Judgement::kOthersPull && start.reviews++ < kReviewsOfOne;
+  const int most = start.stays ? kReviewsOfLast : kReviewsOfOne;
+  const bool another = found == Judgement::kOthersPull && start.reviews++ < most;
   if (++reviews_ == kMostReviews || (start.stays && !another)) {
     giveUp();
     return false;
