@@ -77,7 +77,7 @@ describe('improving', () => {
   });
 
   it('says when nothing better was found, and changes nothing', async () => {
-    const {steps, told, afterwards} = keeping({2: 0.5, 4: 0.6, 8: 0.498, 16: 0.5});
+    const {steps, told, afterwards} = keeping({1: 0.5, 2: 0.5, 4: 0.6, 8: 0.498, 16: 0.5});
     await afterwards.improve(design, missing(0.5));
     expect(steps.history?.past).toHaveLength(0);
     expect(told.at(-1)).toBe('done 0.0');
