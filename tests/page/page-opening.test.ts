@@ -10,7 +10,7 @@ it('shows a sample garment, and its live answer without being asked', async () =
   await page.getByRole('application', {name: 'Pattern'}).waitFor();
   await solved(page);
   const fit = page.getByLabel('How well it meets', {exact: true});
-  expect(await fit.textContent()).toMatch(/Worst [\d.]+ mm: .+\. Before, [\d.]+ mm on average\./);
+  expect(await fit.textContent()).toMatch(/Worst [\d.]+ mm: .+\.\s+Before, [\d.]+ mm on average\./);
 });
 
 it('names all that tests and screen readers rely on', async () => {

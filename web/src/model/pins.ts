@@ -1,6 +1,12 @@
 /** Pins of pieces that share symmetries: where a piece goes when somebody wants it there. */
 import type {Alignment, Point} from './geometry.js';
-import {inverse, mirrorAlignment, mirrors, nearestMirrored, type AngleRule} from './mirror-lines.js';
+import {
+  inverse,
+  mirrorAlignment,
+  mirrors,
+  nearestMirrored,
+  type AngleRule,
+} from './mirror-lines.js';
 import type {SolveOptions} from './options.js';
 import type {Pattern} from './result.js';
 import type {Repeat} from './wallpaper.js';

@@ -39,7 +39,7 @@ function reasons(result: SolveResult): readonly (SeamReason | undefined)[] {
   return result.seams.map(({why, local, lengthRatio}, k) => {
     const fit = seams[k];
     if (why ?? local ?? !fit?.counts) return why;
-    if (fit && meanOf(fit) <= meets) return undefined;
+    if (meanOf(fit) <= meets) return undefined;
     return Math.abs(lengthRatio - 1) > gathered ? 'gather' : 'grain';
   });
 }
