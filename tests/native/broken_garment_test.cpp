@@ -261,7 +261,8 @@ TEST(BrokenGarment, WithUnusableExtrasNamesThem) {
   expectRefused(edited([](Json&, Json& front) {
                   front["grain"] = {{"lock", "diagonal"}};
                 }),
-                Failure::kNotAGarment, {"panel 'front', grain", "'diagonal'", "free, on, across or bias"});
+                Failure::kNotAGarment,
+                {"panel 'front', grain", "'diagonal'", "free, on, across or bias"});
   expectRefused(edited([](Json&, Json& front) {
                   front["notches"] = {{{"edge", 4}, {"at", 0.5}}};
                 }),

@@ -178,8 +178,10 @@ TEST_P(ClothOf, ReportsWhatItViolates) {
 TEST(ClothWithoutMirror, FollowsTargetsThatAreARigidShiftWithinItsReach) {
   const Pattern pattern = meshedPattern(small::tee(1.5), false);
   const Parts parts = splitIntoParts(pattern, kReach);
+  ClothWeights weights;
+  weights.line = 0;
   for (const Part& part : parts.parts) {
-    const ClothPlan plan(part, {});
+    const ClothPlan plan(part, weights);
     Cloth cloth(plan);
     const auto sewn = sewnVertices(part);
     const Vec2 shift(0.3, -0.5);

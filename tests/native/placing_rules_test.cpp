@@ -149,7 +149,8 @@ TEST(Grain, ThatNobodyStatesIsAssumedToRunUpwardsAndNotedOnlyWhereItIsUsed) {
   Task t = task("tee", "p1");
   EXPECT_FALSE(isNoted(problemOf(t).notes, {"grain"}));
   t.print["oneWay"] = true;
-  EXPECT_TRUE(isNoted(problemOf(t).notes, {"no grain line", "'front'", "'sleeve_left'", "angleDeg"}));
+  EXPECT_TRUE(
+      isNoted(problemOf(t).notes, {"no grain line", "'front'", "'sleeve_left'", "angleDeg"}));
   t.print["oneWay"] = false;
   t.options["grain"]["default"] = "on";
   for (const char* piece : {"back", "sleeve_left", "sleeve_right"})

@@ -12,7 +12,8 @@ using testing::task;
 
 /// Problems whose alignment search ends at the same place whatever the order of its random draws.
 std::vector<Task> settledTasks() {
-  return {task("gathered-skirt", "p1"), task("princess-dress", "pmm"), task("princess-dress", "p31m")};
+  return {task("gathered-skirt", "p1"), task("princess-dress", "pmm"),
+          task("princess-dress", "p31m")};
 }
 
 /// Three rectangles sewn side by side. A tube's girth is two repeats of the sample prints, so that
@@ -117,7 +118,8 @@ TEST(SolverInvariants, SearchesEndWithinFivePercentHoweverTheProblemIsWorded) {
 }
 
 TEST(SolverInvariants, RenamedPiecesGiveTheVerySameNumbers) {
-  for (const Task& plain : {task("gathered-skirt", "p4m"), task("tee", "pgg"), task("princess-dress", "p1")}) {
+  for (const Task& plain :
+       {task("gathered-skirt", "p4m"), task("tee", "pgg"), task("princess-dress", "p1")}) {
     Task renamed = plain;
     testing::renamePanels(renamed.garment);
     const Result a = solved(plain), b = solved(renamed);

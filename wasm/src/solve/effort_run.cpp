@@ -7,17 +7,16 @@
 namespace seamwise {
 
 EffortRun::EffortRun(const Problem& problem, int effort, const Pattern& pattern,
-                     std::vector<Mirror> known, const MatchRules& rules, const Alignments& drafted,
-                     SearchMemo* searches, std::shared_ptr<FittingPlans>* plans)
+                     std::vector<Mirror> known, const MatchRules& rules, SearchMemo* searches,
+                     std::shared_ptr<FittingPlans>* plans)
     : problem_(problem),
       effort_(effort),
       pattern_(pattern),
       known_(std::move(known)),
       rules_(rules),
-      drafted_(drafted),
       searches_(searches),
       plans_(plans) {
-  begin({drafted_});
+  begin({});
 }
 
 void EffortRun::begin(std::vector<Alignments> offered) {
@@ -35,7 +34,7 @@ bool EffortRun::advance() {
   if (!best_ || fit(*run_) < fit(*best_)) best_ = std::move(run_);
   if (++round_ == effort_) return false;
   ++problem_.options.seed;
-  begin({drafted_, best_->search()});
+  begin({best_->search()});
   return true;
 }
 

@@ -11,8 +11,7 @@ class EffortRun : public Run {
  public:
   /// @param effort   how many times, 1 or more; the others as for BestRun
   EffortRun(const Problem& problem, int effort, const Pattern& pattern, std::vector<Mirror> known,
-            const MatchRules& rules, const Alignments& drafted, SearchMemo* searches,
-            std::shared_ptr<FittingPlans>* plans);
+            const MatchRules& rules, SearchMemo* searches, std::shared_ptr<FittingPlans>* plans);
 
   bool advance() override;
   Phase phase() const override { return round_ == effort_ ? Phase::kDone : run_->phase(); }
@@ -36,7 +35,6 @@ class EffortRun : public Run {
   const Pattern& pattern_;
   std::vector<Mirror> known_;
   const MatchRules& rules_;
-  Alignments drafted_;
   SearchMemo* searches_;
   std::shared_ptr<FittingPlans>* plans_;
   std::unique_ptr<BestRun> run_, best_;  ///< at work; of those before

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/drafted.h"
+
 namespace seamwise {
 namespace {
 
@@ -73,7 +75,7 @@ Pattern asDrafted(const Problem& problem, Pattern pattern) {
 SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
                      const std::vector<Mirror>& known, const MatchRules& rules, double slack,
                      std::vector<Alignments> offered, SearchMemo* memo)
-    : match_(match), slack_(slack), offered_(std::move(offered)), memo_(memo) {
+    : problem_(problem), match_(match), slack_(slack), offered_(std::move(offered)), memo_(memo) {
   const WallpaperGroup& group = match.group;
   const std::uint64_t seed = problem.options.seed;
   const std::optional<double> proof = problem.options.proof;
@@ -107,6 +109,9 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
     searches_.push_back({match, budget, seed, part, {plain}});
     searches_.push_back({match, budget, seed + 1, part, {plain + 2, plain + 1}, slack});
   }
+  const auto rest = std::find_if(searches_.rbegin(), searches_.rend(),
+                                 [](const Search& search) { return search.slack == 0; });
+  rest->asked = true;
   share_ = searchShare(static_cast<double>(match.leaders.size()), group.data().order);
   double whole = 0;
   for (const Search& search : searches_) whole += search.share;
@@ -134,6 +139,8 @@ void SearchRun::begin() {
     for (const Alignments& pieces : found_[before])
       offer(pieces, search.turn - searches_[before].turn);
   if (search.slack == 0)
+    offered.push_back(search.problem.ofLeaders(draftedLayout(problem_, search.problem)));
+  if (search.asked)
     for (const Alignments& pieces : offered_) offer(pieces, search.turn);
   if (search.slack > 0 && search.problem.cost(offered[0]) < kPerfect) {
     share_ -= search.share;

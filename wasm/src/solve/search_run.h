@@ -21,7 +21,8 @@ class SearchRun {
   /// @param pattern   with the weights that are asked for
   /// @param match     its seams and leaders, with pins
   /// @param slack     cm of mismatch that shapes may take up
-  /// @param offered   of all pieces: no search at rest ends worse than one of them
+  /// @param offered   of all pieces: the last search at rest ends no worse than any of them, nor
+  ///                  than the drafted layout
   /// @param memo      may be null
   SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
             const std::vector<Mirror>& known, const MatchRules& rules, double slack,
@@ -56,11 +57,13 @@ class SearchRun {
     std::vector<std::size_t> after;  ///< searches whose answers it begins with
     double slack = 0;                ///< cm
     double turn = 0;                 ///< of the print as it lies, against this problem's. [rad]
+    bool asked = false;              ///< of the alignments of the pieces at rest that are asked for
   };
   void begin();
   void end(const SearchMemo::Outcome& outcome);
   Alignments placed(const Search& search, const Alignments& leaders) const;
 
+  const Problem& problem_;
   const MatchProblem& match_;
   double slack_;
   std::vector<Alignments> offered_;

@@ -75,10 +75,9 @@ Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
   std::vector<std::string>* const notes = &state->problem.notes;
   for (std::string& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
-    state->run = std::make_unique<EffortRun>(p, static_cast<int>(std::ceil(p.options.effort)),
-                                             state->pattern, carriedMirrors(p), state->rules,
-                                             state->drafted, memo ? &memo->searches : nullptr,
-                                             memo ? &memo->mesh.last->plans : nullptr);
+    state->run = std::make_unique<EffortRun>(
+        p, static_cast<int>(std::ceil(p.options.effort)), state->pattern, carriedMirrors(p),
+        state->rules, memo ? &memo->searches : nullptr, memo ? &memo->mesh.last->plans : nullptr);
   else
     state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, notes);
   return Solver(std::move(state));
