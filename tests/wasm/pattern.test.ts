@@ -34,14 +34,16 @@ function edgesLieOnTheirOwn({pieces}: MeshedPattern): boolean {
 }
 
 describe('a prepared pattern', () => {
-  it('shows every piece as it was drafted, on a print that is not aligned yet', async () => {
+  it('shows every piece as it was drafted, laid on grain as a cutter would lay it', async () => {
     const {print, pieces, seams} = await prepare(strips);
+    const {drafted} = await solve(strips);
     expect(print).toEqual(checks);
     expect(pieces.map(({name}) => name)).toEqual(['left', 'right']);
     for (const {rest, shape, alignment} of pieces) {
       expect(shape).toEqual(rest);
-      expect(alignment).toEqual({angle: 0, translation: [0, 0]});
+      expect(Math.sin(alignment.angle)).toBeCloseTo(0, 9); // upright or upside down: both are on grain
     }
+    expect(pieces.map(({alignment}) => alignment)).toEqual(drafted);
     expect(seams).toMatchObject([{kind: 'continuous', mismatch: [], lengthRatio: 1}]);
   });
 
