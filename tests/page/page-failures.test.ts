@@ -16,7 +16,7 @@ const says = (page: Page, words: RegExp): Promise<void> =>
 const group = (page: Page, name: string): Promise<void> =>
   page.getByRole('radio', {name: new RegExp(`^${name},`)}).click();
 
-/** The solver ends so at its next step. */
+/** The solver ends so in the next solve that the page shows, not in one that looks for remedies meanwhile. */
 async function sabotage(page: Page, end: 'throw' | 'close'): Promise<void> {
   const [worker] = page.workers();
   if (!worker) throw new Error('There is no solver.');
@@ -25,7 +25,7 @@ async function sabotage(page: Page, end: 'throw' | 'close'): Promise<void> {
     const post = self.postMessage.bind(self);
     scope.postMessage = (message: {kind: string}, options?: StructuredSerializeOptions) => {
       post(message, options);
-      if (message.kind !== 'progress') return;
+      if (message.kind !== 'pattern') return;
       scope.postMessage = post;
       if (how === 'close') scope.close();
       else
@@ -82,7 +82,7 @@ it('takes a garment where no sample can be read', async () => {
   await page.reload();
   await page.getByText('Open a garment to begin', {exact: true}).waitFor();
   const alert = page.getByRole('alert');
-  await alert.filter({hasText: 'samples.json cannot be read; load the page again.'}).waitFor();
+  await alert.filter({hasText: 'samples.json cannot be reached; check the connection.'}).waitFor();
   await choose(page, 'Open garment', jsonFile('own.json', squares(40)));
   await solved(page);
   expect((await designOf(page)).garment.name).toBe('own.json');
