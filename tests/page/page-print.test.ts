@@ -46,10 +46,35 @@ it('offers the 17 groups and stripes, which arrow keys walk through', async () =
   await page.getByRole('radio', {name: 'p4m, Majolica', checked: true}).focus();
   await page.keyboard.press('ArrowRight');
   await page.getByRole('radio', {name: 'p4g, Bay trellis', checked: true}).waitFor();
-  await page.keyboard.press('ArrowDown'); // a row of six further
+  await page.keyboard.press('ArrowDown'); // a row of four further
+  await page.getByRole('radio', {name: 'p6, Whirl', checked: true}).waitFor();
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
   await page.getByRole('radio', {name: 'Stripes, Ticking', checked: true}).waitFor();
   expect(await gallery.getByRole('radio', {checked: true}).count()).toBe(1);
   expect((await designOf(page)).print).toMatchObject({group: 'pmm', sample: {name: 'ticking'}});
+});
+
+it('names its prints, and shows only those that are looked for', async () => {
+  const page = await quietPage();
+  const majolica = page.getByRole('radio', {name: 'p4m, Majolica'});
+  expect(await majolica.innerText()).toBe('Majolica');
+  expect(await majolica.getAttribute('title')).toBe('Majolica, p4m');
+  const radios = page.getByRole('radiogroup', {name: 'Wallpaper group'}).getByRole('radio');
+  const tartan = button(page, 'Tartan, p4m');
+  await button(page, 'Stripes and checks').click();
+  expect(await radios.allInnerTexts()).toEqual(['Foulard', 'Ticking']);
+  expect(await tartan.isVisible()).toBe(true);
+  await radios.first().press('ArrowRight');
+  await page.getByRole('radio', {name: 'Stripes, Ticking', checked: true}).waitFor();
+  await button(page, 'Florals').click();
+  expect(await radios.count()).toBe(9);
+  expect(await tartan.count()).toBe(0);
+  await button(page, 'With mirrors').click();
+  expect(await radios.allInnerTexts()).toContain('Snow crystal');
+  expect(await radios.allInnerTexts()).not.toContain('Trailing rose');
+  await button(page, 'With mirrors').click();
+  expect(await radios.count()).toBe(18);
 });
 
 it('says why a group will not do, and which would', async () => {

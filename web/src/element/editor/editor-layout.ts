@@ -116,6 +116,9 @@ export const editorLayout = css`
     }
   }
   @container (width < 64rem) {
+    .keys {
+      display: none; /* who has so little room has a finger, mostly */
+    }
     .side {
       grid-area: side;
       display: grid;

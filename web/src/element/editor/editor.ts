@@ -112,6 +112,14 @@ export class Editor extends DeskElement {
           <sw-progress .desk=${desk}></sw-progress>
           ${this.#solving()}
         </span>
+        <button
+          class="icon keys"
+          aria-label=${app.keys}
+          title="${app.keys} (?)"
+          @click=${this.#commands.keys}
+        >
+          ?
+        </button>
       </header>
       <div class="pattern">
         <sw-units-question .desk=${desk}></sw-units-question>

@@ -4,7 +4,7 @@ import {css} from 'lit';
 export const listStyle = css`
   :host {
     display: block;
-    padding: var(--sw-space-2) var(--sw-space-3) var(--sw-space-4);
+    padding: var(--sw-space-2) var(--sw-space-2) var(--sw-space-4);
   }
   table {
     width: 100%;
@@ -22,7 +22,7 @@ export const listStyle = css`
   }
   th,
   td {
-    padding: 0.3rem 3px;
+    padding: 0.3rem 2px;
     vertical-align: top;
     text-align: left;
     font-weight: 400;
@@ -112,6 +112,9 @@ export const listStyle = css`
     height: 0.8125rem;
     color: var(--sw-soft);
     vertical-align: -0.15em;
+  }
+  .grain select {
+    min-width: 4.75rem; /* for the longest of them */
   }
   select {
     min-height: 1.5rem;

@@ -58,6 +58,7 @@ export const paneStyle = css`
       padding: var(--sw-space-1) var(--sw-space-2);
     }
     .foot {
+      flex-wrap: wrap;
       padding: 0 var(--sw-space-2) var(--sw-space-1);
     }
   }

@@ -4,7 +4,7 @@ import {guard} from 'lit/directives/guard.js';
 
 import type {Design, DesignPrint} from '../../model/design.js';
 import type {GroupName} from '../../model/print.js';
-import {groupsThatCarry} from '../../model/repeat.js';
+import {carries, groupsThatCarry} from '../../model/repeat.js';
 import {PatientElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {samplePrint, type SamplePrint, type Samples} from '../workbench/samples.js';
@@ -14,7 +14,7 @@ import {swatch} from './swatch.js';
 import {swatches} from './swatch-style.js';
 
 /** Of the gallery, which the arrow keys up and down jump by; as in its style. */
-const columns = 6;
+const columns = 4;
 
 const steps: Readonly<Record<string, number>> = {
   ...{ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columns, ArrowDown: columns},
@@ -29,51 +29,91 @@ const coloured = (print: SamplePrint, name?: string): string => {
   return `prints/${shown?.raster ?? shown?.image ?? ''}`;
 };
 
+/** What somebody looks for. */
+const filters = ['botanical', 'geometric', 'tailored', 'mirrors'] as const;
+type Filter = (typeof filters)[number];
+
+const passes = ({family, group}: SamplePrint, filter: Filter | undefined): boolean =>
+  filter === 'mirrors' ? carries(group, 'piece') : filter === undefined || family === filter;
+
 export class PrintGallery extends PatientElement {
   static override properties = {
     ...PatientElement.properties,
     samples: {attribute: false},
     focused: {state: true},
     refused: {state: true},
+    filter: {state: true},
   };
   declare samples: Samples | undefined;
   declare protected focused: Choice | undefined;
   /** The group that somebody asked for and that the symmetries do not allow. */
   declare protected refused: GroupName | undefined;
 
+  /** Of the prints that come with Seamwise, only these are shown. */
+  declare protected filter: Filter | undefined;
+
   static override styles = [controls, swatches];
 
   protected override render(): TemplateResult | typeof nothing {
     const {design, preferences} = this.desk;
-    const {samples, focused, refused} = this;
+    const {samples, focused, refused, filter} = this;
     if (!design || !samples) return nothing;
     const {print, symmetries} = design;
     // drawn again only when one of these is new, not with every step of a solve
-    const seen = [print, symmetries, preferences, samples, focused, refused];
+    const seen = [print, symmetries, preferences, samples, focused, refused, filter];
     return html`${guard(
       seen,
       () => html`
-        ${this.#groups(design, samples)} ${this.#meaning(design)} ${this.#more(design, samples)}
-        ${this.#colourways(design, samples)}
+        ${print.sample ? this.#filters() : nothing} ${this.#groups(design, samples)}
+        ${this.#meaning(design)} ${this.#more(design, samples)} ${this.#colourways(design, samples)}
       `,
     )}`;
   }
 
-  #groups({print, symmetries}: Design, samples: Samples): TemplateResult {
+  #filters(): TemplateResult {
+    const texts = this.texts.print;
+    return html`<div class="filters" role="group" aria-label=${texts.filter}>
+      ${filters.map(
+        (filter) =>
+          html`<button
+            class="outlined"
+            aria-pressed=${filter === this.filter}
+            @click=${() => {
+              this.filter = filter === this.filter ? undefined : filter;
+            }}
+          >
+            ${texts.filters[filter]}
+          </button>`,
+      )}
+    </div>`;
+  }
+
+  /** A print of one's own may become any of them. */
+  #shown({print}: Design, {prints}: Samples): readonly Choice[] {
+    if (!print.sample) return choices;
+    return choices.filter((choice) =>
+      prints.some((one) => one.name === sampleOf(choice) && passes(one, this.filter)),
+    );
+  }
+
+  #groups(design: Design, samples: Samples): TemplateResult {
+    const {print, symmetries} = design;
     const texts = this.texts.print;
     const checked = choiceOf(print);
+    const shown = this.#shown(design, samples);
+    const first = [this.focused, checked].find((one) => one && shown.includes(one)) ?? shown[0];
     return html`<div
       class="groups"
       role="radiogroup"
       aria-label=${texts.group}
       @keydown=${(event: KeyboardEvent) => {
-        this.#walk(event, checked);
+        this.#walk(event, shown, first);
       }}
       @focusout=${() => {
         this.focused = undefined;
       }}
     >
-      ${choices.map((choice) => {
+      ${shown.map((choice) => {
         const sample = samples.prints.find(({name}) => name === sampleOf(choice));
         if (!sample) return nothing;
         const label = choice === 'stripes' ? texts.stripes : choice;
@@ -84,8 +124,8 @@ export class PrintGallery extends PatientElement {
           aria-label="${label}, ${what}"
           aria-checked=${choice === checked}
           aria-disabled=${missing(groupOf(choice), symmetries) ? 'true' : nothing}
-          title=${what}
-          tabindex=${choice === (this.focused ?? checked) ? 0 : -1}
+          title=${print.sample ? `${what}, ${label}` : what}
+          tabindex=${choice === first ? 0 : -1}
           @focus=${() => {
             this.focused = choice;
             this.#ask(groupOf(choice));
@@ -95,7 +135,7 @@ export class PrintGallery extends PatientElement {
           }}
         >
           ${swatch(`cloth-${choice}`, sample, coloured(sample))}
-          <span>${label}</span>
+          <span>${print.sample ? this.#titleOf(sample) : label}</span>
         </button>`;
       })}
     </div>`;
@@ -126,9 +166,11 @@ export class PrintGallery extends PatientElement {
     </div>`;
   }
 
-  #more({print, symmetries}: Design, {prints}: Samples): TemplateResult {
+  #more({print, symmetries}: Design, {prints}: Samples): TemplateResult | typeof nothing {
     const texts = this.texts.print;
-    const shown = print.sample ? prints.filter(({name}) => !standIns.has(name)) : prints;
+    const others = prints.filter(({name}) => !standIns.has(name));
+    const shown = print.sample ? others.filter((one) => passes(one, this.filter)) : prints;
+    if (shown.length === 0) return nothing;
     return html`<h3>${print.sample ? texts.more : texts.ours}</h3>
       <div class="more" role="group" aria-label=${print.sample ? texts.more : texts.ours}>
         ${shown.map(
@@ -137,12 +179,13 @@ export class PrintGallery extends PatientElement {
               aria-label="${this.#titleOf(sample)}, ${sample.group}"
               aria-pressed=${sample.name === print.sample?.name}
               aria-disabled=${missing(sample.group, symmetries) ? 'true' : nothing}
-              title=${this.#titleOf(sample)}
+              title="${this.#titleOf(sample)}, ${sample.group}"
               @click=${() => {
                 this.#take(sample);
               }}
             >
               ${swatch(`more-${sample.name}`, sample, coloured(sample))}
+              <span>${this.#titleOf(sample)}</span>
             </button>`,
         )}
       </div>`;
@@ -199,10 +242,10 @@ export class PrintGallery extends PatientElement {
     this.desk.change({print: samplePrint(sample)}, 'print');
   }
 
-  #walk(event: KeyboardEvent, checked: Choice): void {
-    const at = choices.indexOf(this.focused ?? checked);
+  #walk(event: KeyboardEvent, shown: readonly Choice[], from: Choice | undefined): void {
+    const at = shown.findIndex((one) => one === from);
     const step = steps[event.key];
-    const next = step === undefined ? undefined : choices[at + step];
+    const next = step === undefined ? undefined : shown[at + step];
     if (step === undefined) return;
     event.preventDefault();
     if (next === undefined) return;

@@ -9,8 +9,18 @@ export const swatches = css`
   .groups,
   .more {
     display: grid;
-    grid-template-columns: repeat(6, minmax(0, 3.25rem));
+    grid-template-columns: repeat(4, minmax(0, 5.5rem));
     gap: var(--sw-space-2);
+  }
+  .filters {
+    display: flex;
+    flex-wrap: wrap;
+    gap: var(--sw-space-1);
+  }
+  .filters button {
+    padding: 0 var(--sw-space-2);
+    border-radius: var(--sw-target);
+    font-size: var(--sw-text-small);
   }
   .colourways {
     display: grid;
@@ -24,6 +34,9 @@ export const swatches = css`
     padding: 0;
     border: 0;
     background: none;
+    align-content: start;
+    line-height: 1.2;
+    white-space: normal;
     font-size: var(--sw-text-small);
     color: var(--sw-soft);
   }

@@ -460,6 +460,13 @@ export const de: Texts = {
     stripes: 'Streifen',
     more: 'Weitere Muster',
     ours: 'Mitgelieferte Muster',
+    filter: 'Nur zeigen',
+    filters: {
+      botanical: 'Blumen',
+      geometric: 'Geometrisch',
+      tailored: 'Streifen und Karos',
+      mirrors: 'Mit Spiegeln',
+    },
     colourways: 'Farbstellungen',
     width: (unit) => `Rapportbreite (${unit})`,
     height: (unit) => `Rapporthöhe (${unit})`,

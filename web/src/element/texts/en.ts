@@ -446,6 +446,13 @@ export const en = {
     stripes: 'Stripes',
     more: 'More prints',
     ours: 'Prints that come with Seamwise',
+    filter: 'Show only',
+    filters: {
+      botanical: 'Florals',
+      geometric: 'Geometric',
+      tailored: 'Stripes and checks',
+      mirrors: 'With mirrors',
+    },
     colourways: 'Colourways',
     width: (unit: string) => `Repeat width (${unit})`,
     height: (unit: string) => `Repeat height (${unit})`,

@@ -452,6 +452,13 @@ export const es: Texts = {
     stripes: 'Rayas',
     more: 'Más estampados',
     ours: 'Estampados que vienen con Seamwise',
+    filter: 'Mostrar solo',
+    filters: {
+      botanical: 'Flores',
+      geometric: 'Geométricos',
+      tailored: 'Rayas y cuadros',
+      mirrors: 'Con espejos',
+    },
     colourways: 'Variantes de color',
     width: (unit) => `Ancho del rapport (${unit})`,
     height: (unit) => `Alto del rapport (${unit})`,

@@ -460,6 +460,13 @@ export const fr: Texts = {
     stripes: 'Rayures',
     more: 'D’autres imprimés',
     ours: 'Imprimés fournis avec Seamwise',
+    filter: 'Montrer seulement',
+    filters: {
+      botanical: 'Fleurs',
+      geometric: 'Géométriques',
+      tailored: 'Rayures et carreaux',
+      mirrors: 'Avec miroirs',
+    },
     colourways: 'Coloris',
     width: (unit) => `Largeur du rapport (${unit})`,
     height: (unit) => `Hauteur du rapport (${unit})`,

@@ -456,6 +456,13 @@ export const it: Texts = {
     stripes: 'Righe',
     more: 'Altre stampe',
     ours: 'Stampe fornite con Seamwise',
+    filter: 'Mostra solo',
+    filters: {
+      botanical: 'Fiori',
+      geometric: 'Geometrici',
+      tailored: 'Righe e quadri',
+      mirrors: 'Con specchi',
+    },
     colourways: 'Varianti di colore',
     width: (unit) => `Larghezza del rapporto (${unit})`,
     height: (unit) => `Altezza del rapporto (${unit})`,
