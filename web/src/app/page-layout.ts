@@ -39,10 +39,7 @@ export const pageLayout = css`
     z-index: 3;
   }
   .skip:not(:focus) {
-    min-height: 0;
-    padding: 0;
-    border: 0;
-    ${unseen}
+    translate: 0 -200%; /* out of sight, as large as ever */
   }
   .drop {
     position: fixed;
