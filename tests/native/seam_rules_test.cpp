@@ -6,14 +6,9 @@ namespace seamwise {
 namespace {
 
 using testing::problemOf;
+using testing::solved;
 using testing::Task;
 using testing::task;
-
-Result solved(const Task& t) {
-  Outcome<Result> result = solve(problemOf(t));
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
-  return std::move(result).value();
-}
 
 Task onGrain(const std::string& garment, const std::string& group) {
   Task t = task(garment, group);

@@ -15,7 +15,7 @@ struct ClothWeights {
   double corner = 4.0;     ///< the same at a corner
   double rest = 0.01;      ///< pull of the outline to its rest position, per cm2
   double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
-  double line = 100.0;     ///< vertices of unsewn edges leave their line, per cm2
+  double line = 2000.0;    ///< vertices of unsewn edges leave their line, per cm2
   bool operator==(const ClothWeights&) const = default;
 };
 

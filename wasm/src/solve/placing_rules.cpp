@@ -47,13 +47,15 @@ std::vector<PieceRule> pieceRules(const Problem& problem) {
   for (std::size_t p = 0; p < rules.size(); ++p) {
     const int index = static_cast<int>(p);
     const GrainRule grain = grainRule(problem, index);
+    const auto pin = problem.options.pins.find(index);
+    const bool pinned = pin != problem.options.pins.end();
     // the grain line runs along +y of the print, the warp
     const double straight = grainLine(problem, index) - kPi / 2;
     std::vector<double>& angles = rules[p].angles;
     rules[p].tolerance = grain.tolerance;
     switch (grain.lock) {
       case GrainLock::kFree:
-        if (!one_way) break;
+        if (!one_way || pinned) break;  // who pins a piece at any angle means it
         angles = {straight};
         rules[p].tolerance = kMostOffUpright;
         break;
@@ -69,8 +71,7 @@ std::vector<PieceRule> pieceRules(const Problem& problem) {
         if (!one_way) angles.insert(angles.end(), {straight + 3 * kPi / 4, straight + 5 * kPi / 4});
         break;
     }
-    const auto& pins = problem.options.pins;
-    if (const auto pin = pins.find(index); pin != pins.end()) rules[p].pin = pin->second;
+    if (pinned) rules[p].pin = pin->second;
   }
   return rules;
 }
