@@ -30,7 +30,7 @@ it('keeps the garment in sight on a phone, whatever is chosen below it', async (
   const sheets = page.getByRole('navigation', {name: 'Panels'});
   for (const [name, what] of [
     ['Cutting', page.getByLabel('Greatest change (mm)')],
-    ['Fit', page.getByRole('group', {name: 'Seam lens'})],
+    ['How well it meets', page.getByRole('group', {name: 'Seam lens'})],
     ['Pieces', page.getByRole('table', {name: 'Seams', exact: true})],
     ['Print', button(page, 'Open print')],
   ] as const) {
@@ -73,7 +73,7 @@ it('gives a finger something to meet, and fields that no phone zooms into', asyn
       visit(document);
       return found;
     });
-  for (const name of ['Cutting', 'Fit', 'Print']) {
+  for (const name of ['Cutting', 'How well it meets', 'Print']) {
     await page.getByRole('navigation', {name: 'Panels'}).getByRole('button', {name}).tap();
     expect(await small(), name).toEqual([]);
   }
