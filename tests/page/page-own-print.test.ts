@@ -12,7 +12,13 @@ const openPage = usePage();
 /** Nothing here needs an answer. */
 const quietPage = async (width = 640): Promise<Page> => {
   const page = await openPage({viewport: {width, height: 700}});
+  const cutting = page
+    .getByRole('navigation', {name: 'Panels'})
+    .getByRole('button', {name: 'Cutting'});
+  const isPhone = width < 640; // panels are sheets there, one at a time
+  if (isPhone) await cutting.click();
   await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');
+  if (isPhone) await page.getByRole('button', {name: 'Print', exact: true}).click();
   return page;
 };
 
