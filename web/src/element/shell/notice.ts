@@ -16,11 +16,10 @@ export class NoticeBar extends DeskElement {
       :host {
         display: block;
         max-width: min(36rem, calc(100% - 2rem));
-      }
-      :host(:empty) {
         pointer-events: none;
       }
       .notice {
+        pointer-events: auto;
         display: flex;
         align-items: center;
         gap: var(--sw-space-3);
