@@ -65,8 +65,9 @@ TEST(SolvedSeams, AreNeverWorseThanByPlacingAloneNorBentInVain) {
         const double aligned = localMismatch(print, seam, rest, result.alignment);
         EXPECT_TRUE(of.final <= of.placed + 0.0301 || of.final < 0.1)
             << garment << ' ' << group << " seam " << s;
-        if (of.shaped)
+        if (of.shaped) {
           EXPECT_LE(of.final, 0.75 * aligned) << garment << ' ' << group << " seam " << s;
+        }
       }
       EXPECT_LE(result.local.final, result.local.drafted + 1e-9) << garment << ' ' << group;
       EXPECT_LE(result.local.final, result.local.worst + 1e-12);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFloor = 0.05;        ///< cm: mismatch below it pulls no harder than this
 constexpr double kGatheredPull = 0.3;  ///< of a seam that cannot match all along
-/// How far a vertex may leave a line that is kept: a little inside the 1 mm that nobody sees. [cm]
+/// How far a vertex may leave a line that is kept: the seam's mean then stays within 0.3 mm. [cm]
 constexpr double kLineReach = 0.02;
 constexpr double kLockedReach = 1e-5;  ///< cm
 

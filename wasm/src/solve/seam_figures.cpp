@@ -7,8 +7,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kFarOff = 0.5;     ///< cm
-constexpr double kMovedLine = 0.1;  ///< cm
+constexpr double kFarOff = 0.5;  ///< cm
 
 }  // namespace
 
@@ -26,7 +25,7 @@ void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
     of.drafted = localMismatch(group, seam, rest, result.drafted);
     of.placed = localMismatch(group, seam, rest, result.search);
     of.final = localMismatch(group, seam, result.shapes, result.alignment);
-    of.shaped = movedOf(seam, pattern, result.shapes) > kMovedLine;
+    of.shaped = movedOf(seam, pattern, result.shapes) > kStraightEnough;
     const SeamMidpoints m = seamMidpoints(seam, result.shapes, result.alignment);
     double length = 0;
     for (std::size_t i = 0; i < m.length.size(); ++i) {

@@ -7,11 +7,10 @@ namespace {
 
 /// What stays above it looks broken: nobody bends cloth for it unless it gets far better. [cm]
 constexpr double kBroken = 1.0;
-constexpr double kMet = 0.1;             ///< what stays below it is met. [cm]
-constexpr double kUnseen = 0.03;         ///< difference of two means that nobody sees. [cm]
-constexpr double kWorthwhile = 0.75;     ///< what shaping must leave at most of a mismatch
-constexpr double kHalved = 0.5;          ///< the same of what still looks broken
-constexpr double kStraightEnough = 0.1;  ///< movement that leaves a line as drafted. [cm]
+constexpr double kMet = 0.1;          ///< what stays below it is met. [cm]
+constexpr double kUnseen = 0.03;      ///< difference of two means that nobody sees. [cm]
+constexpr double kWorthwhile = 0.75;  ///< what shaping must leave at most of a mismatch
+constexpr double kHalved = 0.5;       ///< the same of what still looks broken
 
 }  // namespace
 

@@ -39,6 +39,9 @@ Verdict verdictOn(const SeamMeans& means, double moved);
 /// @param mismatch   per edge as the pieces lie, through the seam's join. [cm]
 bool isWithinReach(const std::vector<double>& mismatch, double reach);
 
+/// Movement that leaves a line as drafted, to the eye. [cm]
+inline constexpr double kStraightEnough = 0.1;
+
 /// How far vertices of a seam moved at most, its ends apart. [cm]
 double movedOf(const Seam& seam, const Pattern& pattern, const Shapes& shapes);
 
