@@ -139,8 +139,8 @@ TEST(GarmentFile, DoesWithoutEverythingThatIsOptionalAndSaysWhatItAssumes) {
   EXPECT_NEAR(lengthOf(file.garment.panels[0]), 60, 1e-9);
   EXPECT_TRUE(file.garment.stitches.empty());
   ASSERT_EQ(file.notes.size(), 2u);
-  EXPECT_NE(file.notes[0].find("100 units per metre"), std::string::npos);
-  EXPECT_NE(file.notes[1].find("relative"), std::string::npos);
+  EXPECT_NE(file.notes[0].text.find("100 units per metre"), std::string::npos);
+  EXPECT_NE(file.notes[1].text.find("relative"), std::string::npos);
 }
 
 TEST(GarmentFile, AssumesNothingWhenTheFileSaysAll) {
@@ -217,7 +217,9 @@ TEST(GarmentFile, NotesALengthRatioThatIsNotTheDraftedOne) {
   document["seams"] = Json::parse(R"([{"stitch": 0, "lengthRatio": 1.5}])");
   const GarmentFile file = mustRead(document);
   ASSERT_EQ(file.notes.size(), 1u);
-  EXPECT_NE(file.notes[0].find("1.5"), std::string::npos);
+  EXPECT_NE(file.notes[0].text.find("1.5"), std::string::npos);
+  EXPECT_STREQ(file.notes[0].code, "lengthRatio");
+  EXPECT_EQ(file.notes[0].numbers.front(), 1.5);
 }
 
 }  // namespace

@@ -27,10 +27,10 @@ int pieceNamed(const Result& r, const std::string& name) {
   return -1;
 }
 
-bool isNoted(const std::vector<std::string>& notes, std::initializer_list<const char*> words) {
-  return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+bool isNoted(const std::vector<Note>& notes, std::initializer_list<const char*> words) {
+  return std::any_of(notes.begin(), notes.end(), [&](const Note& note) {
     return std::all_of(words.begin(), words.end(),
-                       [&](const char* word) { return note.find(word) != std::string::npos; });
+                       [&](const char* word) { return note.text.find(word) != std::string::npos; });
   });
 }
 
@@ -40,8 +40,10 @@ TEST(Pins, AreKeptExactlyAndDropFoundSymmetriesThatTheyContradict) {
   EXPECT_NEAR(at.angle, 0.3, 1e-12);
   EXPECT_LT((at.translation - Vec2(3, 4)).norm(), 1e-12);
   ASSERT_FALSE(r.notes.empty());
-  EXPECT_NE(r.notes.front().find("'front' is dropped: as it is pinned"), std::string::npos)
-      << r.notes.front();
+  EXPECT_NE(r.notes.front().text.find("'front' is dropped: as it is pinned"), std::string::npos)
+      << r.notes.front().text;
+  EXPECT_STREQ(r.notes.front().code, "symmetryPins");
+  EXPECT_EQ(r.notes.front().pieces.size(), 1u);
   EXPECT_FALSE(r.pattern.mirrors.empty()) << "the others stay";
 }
 

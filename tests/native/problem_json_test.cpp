@@ -49,7 +49,8 @@ TEST(ProblemFromFiles, DropsWhatThePrintCannotCarryAndSaysSo) {
   EXPECT_EQ(problem.value().known.size(), 1u);
   ASSERT_EQ(problem.value().notes.size(), 1u);
   for (const char* word : {"p1", "'left' and 'right'", "pg"})
-    EXPECT_NE(problem.value().notes[0].find(word), std::string::npos) << problem.value().notes[0];
+    EXPECT_NE(problem.value().notes[0].text.find(word), std::string::npos)
+        << problem.value().notes[0].text;
 }
 
 TEST(ProblemFromFiles, CarriesPairsButNoSinglePiecesInAPrintOfGlides) {
@@ -101,7 +102,7 @@ TEST(ProblemFromFiles, PrefersTheSymmetriesThatTheGarmentStates) {
   ASSERT_EQ(problem.value().imposed.size(), 1u);
   EXPECT_LT((problem.value().imposed[0].map({2, 3}) - Vec2(2, 17)).norm(), 1e-6);
   ASSERT_EQ(problem.value().notes.size(), 1u);
-  EXPECT_NE(problem.value().notes[0].find("shirt.json"), std::string::npos);
+  EXPECT_NE(problem.value().notes[0].text.find("shirt.json"), std::string::npos);
 }
 
 TEST(ProblemFromFiles, ImposesNoSymmetryOnTheMethodThatKnowsNone) {

@@ -102,8 +102,8 @@ TEST(PreparedPattern, DropsADetectedSymmetryThatNeedsMoreThanTheGreatestChange) 
   ASSERT_TRUE(preparedPattern(problem).ok());
   EXPECT_LT(problem.imposed.size(), before);
   ASSERT_FALSE(problem.notes.empty());
-  EXPECT_NE(problem.notes.back().find("'front'"), std::string::npos);
-  EXPECT_NE(problem.notes.back().find("maxChangeCm"), std::string::npos);
+  EXPECT_NE(problem.notes.back().text.find("'front'"), std::string::npos);
+  EXPECT_NE(problem.notes.back().text.find("maxChangeCm"), std::string::npos);
 }
 
 TEST(PreparedPattern, RefusesToDropASymmetryThatWasAskedFor) {

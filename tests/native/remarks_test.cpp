@@ -7,7 +7,7 @@
 namespace seamwise::testing {
 namespace {
 
-std::vector<std::string> remarksAfter(const Task& t) {
+std::vector<Note> remarksAfter(const Task& t) {
   Outcome<Solver> solver = Solver::make(problemOf(t));
   EXPECT_TRUE(solver.ok()) << solver.error().message;
   return remarksOn(solver.value().pattern());
@@ -17,7 +17,10 @@ TEST(Remarks, NamesGatheredSeamsUntilTheyAreLeftOut) {
   Task t = task("gathered-skirt", "pmm");
   const auto remarks = remarksAfter(t);
   ASSERT_EQ(remarks.size(), 1u);
-  EXPECT_NE(remarks[0].find("'front' to 'waistband_front'"), std::string::npos) << remarks[0];
+  EXPECT_NE(remarks[0].text.find("'front' to 'waistband_front'"), std::string::npos)
+      << remarks[0].text;
+  EXPECT_STREQ(remarks[0].code, "gathered");
+  EXPECT_EQ(remarks[0].seams, (std::vector<int>{4, 5}));
   t.options["unmatched"] = {4, 5};
   EXPECT_TRUE(remarksAfter(t).empty());
 }
@@ -29,17 +32,19 @@ TEST(Remarks, SaysWhenNoSeamIsLeftToMatch) {
   for (const auto& [name, panel] : panelsOf(t.garment).items()) t.options["plain"].push_back(name);
   const auto remarks = remarksAfter(t);
   ASSERT_EQ(remarks.size(), 1u);
-  EXPECT_NE(remarks[0].find("plain"), std::string::npos) << remarks[0];
+  EXPECT_NE(remarks[0].text.find("plain"), std::string::npos) << remarks[0].text;
+  EXPECT_STREQ(remarks[0].code, "noMatchedSeams");
   t.garment["pattern"]["stitches"] = Json::array();
   t.options = Json::object();
   ASSERT_EQ(remarksAfter(t).size(), 1u);
-  EXPECT_NE(remarksAfter(t)[0].find("no seams"), std::string::npos);
+  EXPECT_NE(remarksAfter(t)[0].text.find("no seams"), std::string::npos);
+  EXPECT_STREQ(remarksAfter(t)[0].code, "noSeams");
 }
 
 TEST(Remarks, AreNotesOfTheResult) {
   const Result r = solved(task("gathered-skirt", "p1"));
-  EXPECT_TRUE(std::any_of(r.notes.begin(), r.notes.end(), [](const std::string& note) {
-    return note.find("unmatched") != std::string::npos;
+  EXPECT_TRUE(std::any_of(r.notes.begin(), r.notes.end(), [](const Note& note) {
+    return note.text.find("unmatched") != std::string::npos;
   }));
 }
 

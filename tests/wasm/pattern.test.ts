@@ -71,6 +71,8 @@ describe('a prepared pattern', () => {
     expect(pattern.fitRandom).toBe(metrics.fitRandom);
     expect(pattern.notes).toEqual(notes);
     expect(notes).not.toEqual([]);
+    expect(pattern.noteDetails).toEqual(result.noteDetails);
+    expect(result.noteDetails).toMatchObject([{code: 'noMirrors'}]);
   });
 
   it('comes before the first alignments of a solve, once', async () => {

@@ -31,6 +31,7 @@ val failureValue(const std::optional<Error>& error) {
   failure.set("message", error->message);
   failure.set("piece", error->piece);
   failure.set("seam", error->seam);
+  failure.set("reason", error->reason);
   return failure;
 }
 

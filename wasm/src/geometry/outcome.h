@@ -48,6 +48,8 @@ struct Error {
   std::string message;
   int piece = -1;  ///< index in the garment, -1: none
   int seam = -1;   ///< stitch number in the garment file, -1: none
+  /// Why a symmetry cannot hold, as the code of the note that would say so (pattern/note.h).
+  const char* reason = "";
 };
 
 /// A value, or the error that kept it from being made.

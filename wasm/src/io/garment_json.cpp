@@ -92,14 +92,15 @@ bool anyCurve(const Json& panels) {
 }
 
 void noteAssumptions(const Json& document, const Units& units, const Json& panels,
-                     const std::string& file, std::vector<std::string>* notes) {
+                     const std::string& file, std::vector<Note>* notes) {
   if (!units.stated)
-    notes->push_back(file + " states no units, so 100 units per metre (cm) are assumed.");
+    notes->push_back(
+        {"unitsAssumed", file + " states no units, so 100 units per metre (cm) are assumed."});
   const Json* properties = find(document, "properties");
   if ((!properties || !find(*properties, "curvature_coords")) && anyCurve(panels))
-    notes->push_back(file +
-                     " does not say how curves are written, so relative control points are "
-                     "assumed.");
+    notes->push_back({"curvesAssumed",
+                      file + " does not say how curves are written, so relative control points are "
+                             "assumed."});
 }
 
 const Json& panelsOf(const Json& document, const Place& place) {

@@ -6,6 +6,7 @@
 #include "geometry/outcome.h"
 #include "io/json_input.h"
 #include "pattern/garment.h"
+#include "pattern/note.h"
 #include "symmetry/symmetry.h"
 
 namespace seamwise {
@@ -15,7 +16,7 @@ namespace seamwise {
 struct GarmentFile {
   Garment garment;
   std::vector<SymmetryRequest> symmetries;  ///< of the file itself; points in input coordinates, cm
-  std::vector<std::string> notes;           ///< what was assumed, one sentence each
+  std::vector<Note> notes;                  ///< what was assumed
   Json document;                            ///< the whole file, unknown fields included
 };
 

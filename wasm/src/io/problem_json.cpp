@@ -39,9 +39,10 @@ Symmetries joined(Symmetries first, const Symmetries& more) {
 
 /// Drops what the group cannot carry and says so, once for single pieces and once for pairs.
 Symmetries carried(const Symmetries& wanted, const Garment& garment, const WallpaperGroup& group,
-                   std::vector<std::string>* notes) {
+                   std::vector<Note>* notes) {
   Symmetries kept;
   std::string singles, pairs;
+  std::vector<int> of_singles, of_pairs;
   for (const BodySymmetry& symmetry : wanted) {
     if (carries(group, symmetry)) {
       kept.push_back(symmetry);
@@ -49,16 +50,23 @@ Symmetries carried(const Symmetries& wanted, const Garment& garment, const Wallp
     }
     std::string& list = symmetry.single() ? singles : pairs;
     list += (list.empty() ? "" : ", ") + namesOf(garment, symmetry);
+    std::vector<int>& pieces = symmetry.single() ? of_singles : of_pairs;
+    for (const int piece : piecesOf(symmetry)) pieces.push_back(piece);
   }
   const std::string name(group.data().name);
   if (!singles.empty())
-    notes->push_back("Print group " + name +
-                     " has no mirrors, so these pieces are not kept symmetric: " + singles + "; " +
-                     groupsForSingle() + " could.");
+    notes->push_back({"noMirrors",
+                      "Print group " + name +
+                          " has no mirrors, so these pieces are not kept symmetric: " + singles +
+                          "; " + groupsForSingle() + " could.",
+                      std::move(of_singles)});
   if (!pairs.empty())
-    notes->push_back("Print group " + name +
-                     " has neither mirrors nor glides, so these pairs are not kept symmetric: " +
-                     pairs + "; " + groupsForPair() + " could.");
+    notes->push_back(
+        {"noGlides",
+         "Print group " + name +
+             " has neither mirrors nor glides, so these pairs are not kept symmetric: " + pairs +
+             "; " + groupsForPair() + " could.",
+         std::move(of_pairs)});
   return kept;
 }
 
@@ -113,7 +121,8 @@ void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryReq
   if (texts.symmetry == "auto") {
     if (!of_garment.empty()) {
       treated = registered(garment, of_garment, texts.garment_name);
-      problem->notes.push_back("The symmetries are those that " + texts.garment_name + " states.");
+      problem->notes.push_back(
+          {"symmetriesStated", "The symmetries are those that " + texts.garment_name + " states."});
     }
     problem->imposed = carried(treated, garment, group, &problem->notes);
   } else if (texts.symmetry != "none") {
@@ -127,7 +136,8 @@ void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryReq
   problem->known = joined(std::move(treated), detected);
   if (texts.method == Method::kWs19 && !problem->imposed.empty()) {
     problem->imposed.clear();
-    problem->notes.push_back("Method ws19 knows no global symmetries, so none is imposed.");
+    problem->notes.push_back(
+        {"ws19", "Method ws19 knows no global symmetries, so none is imposed."});
   }
 }
 

@@ -138,6 +138,19 @@ void writePrinted(JsonWriter& out, const PrintedPattern& printed, const Result* 
            [&](const Mirror& mirror) { writeMirror(out, pattern, mirror); });
 }
 
+/// The sentences, and beside each what it says for who writes it in another language.
+void writeNotes(JsonWriter& out, const std::vector<Note>& notes) {
+  out.list("notes", notes, [&](const Note& note) { out.put(note.text); });
+  out.list("noteDetails", notes, [&](const Note& note) {
+    out.open('{');
+    out.field("code", note.code);
+    out.field("pieces", note.pieces);
+    out.field("seams", note.seams);
+    out.field("numbers", note.numbers);
+    out.close('}');
+  });
+}
+
 }  // namespace
 
 std::string writeResult(const Result& r) {
@@ -175,7 +188,7 @@ std::string writeResult(const Result& r) {
   for (const char* phase : {"alignment", "deformation", "total"}) out.field(phase, 0);
   out.close('}');
   out.close('}');
-  out.field("notes", r.notes);
+  writeNotes(out, r.notes);
   out.close('}');
   return out.take();
 }
@@ -185,7 +198,7 @@ std::string writePattern(const PrintedPattern& printed) {
   out.open('{');
   writePrinted(out, printed, nullptr);
   out.field("fitRandom", printed.fit_random);
-  out.field("notes", printed.notes);
+  writeNotes(out, printed.notes);
   out.close('}');
   return out.take();
 }

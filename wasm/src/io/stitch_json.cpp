@@ -65,8 +65,7 @@ void readStitches(const Json& stitches, const Place& outer, Garment* garment) {
   }
 }
 
-void readSeams(const Json& seams, const Place& outer, Garment* garment,
-               std::vector<std::string>* notes) {
+void readSeams(const Json& seams, const Place& outer, Garment* garment, std::vector<Note>* notes) {
   Place listed = outer;
   listed.shape = Failure::kSeamMalformed;
   array(seams, listed, "'seams'");
@@ -109,9 +108,13 @@ void readSeams(const Json& seams, const Place& outer, Garment* garment,
       };
       const double drafted = length(stitch.a) / length(stitch.b);
       if (std::abs(ratio / drafted - 1) > 0.02)
-        notes->push_back(place.name + " states the length ratio " + shown(ratio) +
-                         ", its edges are drafted " + shown(drafted) +
-                         "; the drafted ratio is used.");
+        notes->push_back({"lengthRatio",
+                          place.name + " states the length ratio " + shown(ratio) +
+                              ", its edges are drafted " + shown(drafted) +
+                              "; the drafted ratio is used.",
+                          {},
+                          {n},
+                          {ratio, drafted}});
     }
   }
 }

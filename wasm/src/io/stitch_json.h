@@ -4,6 +4,7 @@
 
 #include "io/json_input.h"
 #include "pattern/garment.h"
+#include "pattern/note.h"
 
 namespace seamwise {
 
@@ -12,7 +13,6 @@ void readStitches(const Json& stitches, const Place& place, Garment* garment);
 
 /// The top-level `seams` of seamwise-garment/1: weight, matched, direction and length ratio of
 /// stitches.
-void readSeams(const Json& seams, const Place& place, Garment* garment,
-               std::vector<std::string>* notes);
+void readSeams(const Json& seams, const Place& place, Garment* garment, std::vector<Note>* notes);
 
 }  // namespace seamwise

@@ -29,7 +29,7 @@ bool crossesItself(const Pattern& pattern, const Shapes& shapes) {
 }  // namespace
 
 PaperRun::PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,
-                   std::vector<std::string>* notes)
+                   std::vector<Note>* notes)
     : problem_(problem),
       pattern_(pattern),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
@@ -105,8 +105,9 @@ bool PaperRun::endAttempt() {
   }
   if (draw_ == 1)
     notes_->push_back(
-        "No weight of the conformal term keeps the outlines simple and within the "
-        "greatest change, so the seams go only part of the way to their ideal lines.");
+        {"partOfTheWay",
+         "No weight of the conformal term keeps the outlines simple and within the "
+         "greatest change, so the seams go only part of the way to their ideal lines."});
   draw_ /= 2;
   if (draw_ < kLeastDraw) {
     shapes_ = evenedShapes(pattern_);

@@ -15,7 +15,7 @@ namespace seamwise {
 class PaperRun : public Run {
  public:
   PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,
-           std::vector<std::string>* notes);
+           std::vector<Note>* notes);
 
   bool advance() override;
   Phase phase() const override;
@@ -45,7 +45,7 @@ class PaperRun : public Run {
   int attempt_ = 0;
   double progress_ = 0;
   Phase phase_ = Phase::kAlignment;
-  std::vector<std::string>* notes_;
+  std::vector<Note>* notes_;
 };
 
 }  // namespace seamwise

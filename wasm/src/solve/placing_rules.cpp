@@ -1,6 +1,7 @@
 #include "solve/placing_rules.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/in_quotes.h"
 
@@ -10,7 +11,7 @@ namespace {
 constexpr double kObeyed = 1e-6;  ///< cm: as exact as a result has to be
 /// How far a print with an upside may lie from upright where the grain is free. [rad]
 constexpr double kMostOffUpright = kPi / 3;
-constexpr int kMostAssumed = 4;
+constexpr std::size_t kMostAssumed = 4;
 
 /// Whether some mirrored element of the print carries `first`'s print to `second`'s, over the map.
 bool mirrors(const WallpaperGroup& group, const Alignment& first, const Alignment& second,
@@ -76,10 +77,10 @@ std::vector<PieceRule> pieceRules(const Problem& problem) {
   return rules;
 }
 
-std::optional<std::string> assumedGrain(const Problem& problem, const std::string& file) {
+std::optional<Note> assumedGrain(const Problem& problem, const std::string& file) {
   const SolveOptions& options = problem.options;
   std::string names;
-  int count = 0;
+  std::vector<int> assumed;
   for (std::size_t p = 0; p < problem.garment.panels.size(); ++p) {
     const Panel& panel = problem.garment.panels[p];
     const int index = static_cast<int>(p);
@@ -90,13 +91,18 @@ std::optional<std::string> assumedGrain(const Problem& problem, const std::strin
         std::find(options.plain.begin(), options.plain.end(), index) == options.plain.end();
     const bool asked = grainRule(problem, index).lock != GrainLock::kFree || problem.print.one_way;
     if (said || !printed || !asked) continue;
-    if (++count <= kMostAssumed) names += (count > 1 ? ", " : "") + inQuotes(panel.name);
+    if (assumed.size() < kMostAssumed)
+      names += (assumed.empty() ? "" : ", ") + inQuotes(panel.name);
+    assumed.push_back(index);
   }
-  if (count == 0) return {};
-  if (count > kMostAssumed) names += " and " + std::to_string(count - kMostAssumed) + " more";
-  return file +
-         " has no grain line for these pieces, so theirs is assumed to run upwards as drawn: " +
-         names + "; give 'angleDeg' in grain.pieces of the options to say otherwise.";
+  if (assumed.empty()) return {};
+  if (assumed.size() > kMostAssumed)
+    names += " and " + std::to_string(assumed.size() - kMostAssumed) + " more";
+  return Note{
+      "grainAssumed",
+      file + " has no grain line for these pieces, so theirs is assumed to run upwards as drawn: " +
+          names + "; give 'angleDeg' in grain.pieces of the options to say otherwise.",
+      std::move(assumed)};
 }
 
 std::optional<std::size_t> symmetryAgainstPins(const Problem& problem) {

@@ -17,7 +17,7 @@ double grainLine(const Problem& problem, int piece);
 
 /// A sentence that names the printed pieces whose grain line neither file nor options state, if the
 /// placing depends on it. @param file   the garment's, for the sentence
-std::optional<std::string> assumedGrain(const Problem& problem, const std::string& file);
+std::optional<Note> assumedGrain(const Problem& problem, const std::string& file);
 
 /// Pins and grain of every piece. Under a one-way print, a piece of free grain stays within 60
 /// degrees of upright.

@@ -12,6 +12,7 @@
 #include "solve/placing_rules.h"
 #include "solve/promise.h"
 #include "solve/reconcile.h"
+#include "symmetry/symmetry.h"
 
 namespace seamwise {
 namespace {
@@ -35,7 +36,9 @@ std::string shown(double value, const char* format) {
 /// Why a symmetry cannot hold, as "<symmetry>: <why>", and what to do about it.
 struct Obstacle {
   std::size_t symmetry = 0;  ///< index among the imposed ones
+  const char* code;          ///< of the note
   std::string why, remedy;
+  std::vector<double> numbers = {};
 };
 
 /// Whether edges of a seam miss their ratio on pieces that may not move enough to restore it: one
@@ -56,17 +59,19 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
     const double moved = movedOf(piece, evened[p]);
     if (moved > std::max(kEvenedShare * max_change, kEvenedAlready))
       return Obstacle{symmetry,
+                      "symmetryChange",
                       "its outlines would have to move by " + shown(moved, "%.2g") +
                           " cm to mirror each other exactly, which maxChangeCm does not allow",
-                      "raise maxChangeCm to " + shown(1.1 * moved, "%.2g")};
+                      "; raise maxChangeCm to " + shown(1.1 * moved, "%.2g"),
+                      {1.1 * moved}};
     Limits limits;
     limits.moved = moved, limits.kink = kEvenedKink;
     limits.stretch = kEvenedStretch, limits.area = kEvenedArea;
     if (breachOf(piece, evened[p], limits) != Breach::kNone)
-      return Obstacle{symmetry,
+      return Obstacle{symmetry, "symmetryKinks",
                       "its outlines differ so much from edge to edge that they would get kinks or "
                       "folds if they were made to mirror each other exactly",
-                      "choose longer edges (edgeLengthCm), or draw them alike"};
+                      "; choose longer edges (edgeLengthCm), or draw them alike"};
   }
   for (const Seam& seam : pattern.seams) {
     double moved = 0;
@@ -76,9 +81,11 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
     if (moved > kEvenedAlready && max_change - moved < kRoom &&
         seamError(seam, evened) > kEvenedSeam)
       return Obstacle{symmetry,
+                      "symmetryLengths",
                       "where its outlines are made to mirror each other exactly, seams lose their "
                       "length ratio, and maxChangeCm leaves no room to restore it",
-                      "raise maxChangeCm to " + shown(moved + kRoom, "%.2g")};
+                      "; raise maxChangeCm to " + shown(moved + kRoom, "%.2g"),
+                      {moved + kRoom}};
   }
   return {};
 }
@@ -94,17 +101,20 @@ Outcome<Pattern> sampledAndMeshed(const Problem& problem, double edge_length,
 
 /// Drops a found symmetry, with a note. Error when it was asked for, with advice that ends the
 /// sentence.
-std::optional<Error> dropOrRefuse(Problem& problem, std::size_t index, Failure code,
-                                  const std::string& why, const std::string& advice) {
-  const BodySymmetry& symmetry = problem.imposed[index];
+std::optional<Error> dropOrRefuse(Problem& problem, const Obstacle& obstacle, Failure code) {
+  const BodySymmetry& symmetry = problem.imposed[obstacle.symmetry];
   const std::string name = called(problem.garment, symmetry);
   if (!problem.symmetries_optional)
     return Error{code,
-                 "The symmetry of " + name + " cannot hold: " + why + advice +
+                 "The symmetry of " + name + " cannot hold: " + obstacle.why + obstacle.remedy +
                      ", or leave out that symmetry.",
-                 symmetry.pieces[0]};
-  problem.notes.push_back("The symmetry of " + name + " is dropped: " + why + ".");
-  problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(index));
+                 symmetry.pieces[0], -1, obstacle.code};
+  problem.notes.push_back({obstacle.code,
+                           "The symmetry of " + name + " is dropped: " + obstacle.why + ".",
+                           piecesOf(symmetry),
+                           {},
+                           obstacle.numbers});
+  problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(obstacle.symmetry));
   return {};
 }
 
@@ -113,15 +123,16 @@ std::optional<Error> dropOrRefuse(Problem& problem, std::size_t index, Failure c
 std::optional<Error> heedRules(Problem& problem) {
   const struct {
     std::optional<std::size_t> (*against)(const Problem&);
-    const char *why, *advice;
+    const char *code, *why, *remedy;
   } rules[] = {
-      {symmetryAgainstPins, "as it is pinned, the print does not mirror so", ". Move the pin"},
-      {symmetryAgainstGrain, "on this print it would take the piece off its grain",
+      {symmetryAgainstPins, "symmetryPins", "as it is pinned, the print does not mirror so",
+       ". Move the pin"},
+      {symmetryAgainstGrain, "symmetryGrain", "on this print it would take the piece off its grain",
        ". Turn the print, free the grain"}};
   for (const auto& rule : rules)
     while (const auto against = rule.against(problem))
-      if (auto error =
-              dropOrRefuse(problem, *against, Failure::kSymmetryConflict, rule.why, rule.advice))
+      if (auto error = dropOrRefuse(problem, {*against, rule.code, rule.why, rule.remedy},
+                                    Failure::kSymmetryConflict))
         return error;
   return {};
 }
@@ -153,12 +164,11 @@ Outcome<Pattern> made(Problem& problem) {
       // what cannot be meshed as its own mirror image may do without it
       for (std::size_t m = 0; m < problem.imposed.size() && !found; ++m)
         if (problem.imposed[m].pieces[0] == ready.error().piece)
-          found =
-              Obstacle{m, "its outline would cross itself if it were made to mirror exactly", ""};
+          found = Obstacle{m, "symmetryCrossing",
+                           "its outline would cross itself if it were made to mirror exactly", ""};
       if (!found || !problem.symmetries_optional) return ready.error();
     }
-    if (const auto error = dropOrRefuse(problem, found->symmetry, Failure::kSymmetryDoesNotMirror,
-                                        found->why, "; " + found->remedy))
+    if (const auto error = dropOrRefuse(problem, *found, Failure::kSymmetryDoesNotMirror))
       return *error;
   }
 }

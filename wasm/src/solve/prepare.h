@@ -26,7 +26,7 @@ struct MeshMemo {
     Inputs from;
     Pattern pattern;
     std::vector<BodySymmetry> imposed, known;  ///< that were left
-    std::vector<std::string> notes;            ///< that were added
+    std::vector<Note> notes;                   ///< that were added
     std::shared_ptr<FittingPlans> plans;       ///< for the pattern; null until it was deformed
   };
   std::optional<Mesh> last;

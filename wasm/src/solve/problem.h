@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "pattern/garment.h"
+#include "pattern/note.h"
 #include "solve/options.h"
 #include "wallpaper/print.h"
 
@@ -17,7 +18,7 @@ struct Problem {
   std::vector<BodySymmetry> known;    ///< all that the sampling follows; contains `imposed`
   bool symmetries_optional = false;   ///< found by the program: one that cannot hold may be dropped
   SolveOptions options;
-  std::vector<std::string> notes;  ///< sentences for the user: what was dropped or assumed
+  std::vector<Note> notes;  ///< what was dropped or assumed
 };
 
 }  // namespace seamwise

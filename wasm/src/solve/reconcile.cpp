@@ -150,7 +150,7 @@ Outcome<std::optional<Pattern>> reconcile(Problem& problem) {
                  "The symmetries of " + names +
                      " cannot all hold: mirrored edges are sewn to edges that do not mirror. "
                      "Leave one of them out.",
-                 fixed.front().pieces[0]};
+                 fixed.front().pieces[0], -1, "symmetrySewn"};
   }
   const Symmetries kept = consistent(problem, fixed, &sampled);
   Symmetries imposed;
@@ -158,9 +158,11 @@ Outcome<std::optional<Pattern>> reconcile(Problem& problem) {
     if (contains(kept, s))
       imposed.push_back(s);
     else
-      problem.notes.push_back("The symmetry of " + called(problem.garment, s) +
-                              " is dropped: its mirrored edges are sewn to edges that do not "
-                              "mirror.");
+      problem.notes.push_back({"symmetrySewn",
+                               "The symmetry of " + called(problem.garment, s) +
+                                   " is dropped: its mirrored edges are sewn to edges that do not "
+                                   "mirror.",
+                               piecesOf(s)});
   }
   problem.imposed = std::move(imposed);
   problem.known = kept;

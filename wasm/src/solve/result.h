@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "pattern/note.h"
 #include "pattern/pattern.h"
 #include "seam/join.h"
 #include "solve/metrics.h"
@@ -38,7 +39,7 @@ struct PrintedPattern {
   std::string group;
   Vec2 w1, w2;
   double fit_random = 0;
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 /// What a solve found; written as seamwise-result/1.

@@ -72,8 +72,8 @@ Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
   state->match.emplace(makeMatchProblem(state->pattern, restShapes(state->pattern),
                                         state->pattern.mirrors, state->rules, p.print.group));
   state->drafted = draftedLayout(p, *state->match);
-  std::vector<std::string>* const notes = &state->problem.notes;
-  for (std::string& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
+  std::vector<Note>* const notes = &state->problem.notes;
+  for (Note& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
     state->run = std::make_unique<EffortRun>(
         p, static_cast<int>(std::ceil(p.options.effort)), state->pattern, carriedMirrors(p),
@@ -98,7 +98,7 @@ double Solver::fraction() const {
 
 int Solver::attempt() const { return state_->run->attempt(); }
 const Alignments& Solver::partial() const { return state_->run->alignment(); }
-const std::vector<std::string>& Solver::notes() const { return state_->problem.notes; }
+const std::vector<Note>& Solver::notes() const { return state_->problem.notes; }
 const Pattern& Solver::pattern() const { return state_->pattern; }
 
 PrintedPattern Solver::unsolved() const {

@@ -35,7 +35,7 @@ class Solver {
   /// Grows when the deformation starts over; the time of earlier attempts does not count.
   int attempt() const;
   const Alignments& partial() const;  ///< best alignment so far, of every piece
-  const std::vector<std::string>& notes() const;
+  const std::vector<Note>& notes() const;
   const Pattern& pattern() const;
 
   /// The pieces as drafted, each lying on the print as it does in the file.

@@ -222,4 +222,9 @@ std::string namesOf(const Garment& garment, const BodySymmetry& symmetry) {
                            : first + " and " + inQuotes(garment.panels[symmetry.pieces[1]].name);
 }
 
+std::vector<int> piecesOf(const BodySymmetry& symmetry) {
+  if (symmetry.single()) return {symmetry.pieces[0]};
+  return {symmetry.pieces[0], symmetry.pieces[1]};
+}
+
 }  // namespace seamwise

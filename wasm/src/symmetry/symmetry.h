@@ -43,5 +43,7 @@ std::vector<BodySymmetry> detectSymmetries(const Garment& garment);
 
 /// The pieces of a symmetry as messages name them: "'front'", or "'left' and 'right'".
 std::string namesOf(const Garment& garment, const BodySymmetry& symmetry);
+/// One piece, or two.
+std::vector<int> piecesOf(const BodySymmetry& symmetry);
 
 }  // namespace seamwise

@@ -4,7 +4,9 @@ import {
   leaseSolver,
   loadSamples,
   loadTexts,
+  spokenFailure,
   textsOf,
+  type Texts,
   toFailure,
   Workbench,
 } from '../element/index.js';
@@ -22,16 +24,17 @@ import {keepPreferences, storedPreferences} from './storage/preferences.js';
 const samples = loadSamples();
 const preferences = storedPreferences();
 await loadTexts(preferences.language); // before anything is shown in English
+const words = (): Texts => textsOf(desk.preferences.language);
 const lease = leaseSolver({
-  onBlocked: ({message}) => {
-    desk.say({tone: 'info', text: message});
+  onBlocked: (failure) => {
+    desk.say({tone: 'info', text: spokenFailure(failure, desk, words())});
   },
 });
 lease.warm(); // while the first files are on their way
 const desk: Workbench = new Workbench(lease, preferences);
 keepPreferences(desk);
 const projects = new Projects(desk, (trouble) => {
-  desk.say({tone: 'error', text: textsOf(desk.preferences.language).storage[trouble]});
+  desk.say({tone: 'error', text: words().storage[trouble]});
 });
 
 defineEditor();

@@ -1,8 +1,17 @@
 /** Opens whatever a user hands over: a garment, a print, a project, or a result. */
+import type {Design} from '../model/design.js';
+import {SolverError} from '../model/failure.js';
 import {FileError, isProject, readProject} from '../model/project.js';
 import {longestName, withoutEnding} from '../model/project-name.js';
 import {fieldOf} from '../model/read.js';
-import {openPrint, textsOf, toFailure, type Workbench} from '../element/index.js';
+import {
+  openPrint,
+  spokenFailure,
+  textsOf,
+  toFailure,
+  type Texts,
+  type Workbench,
+} from '../element/index.js';
 import type {Projects} from './projects/projects.js';
 
 /** Nobody's pattern is larger, and a browser would choke on it. [bytes] */
@@ -18,30 +27,38 @@ export async function openFile(
   file: File,
   how: How = 'handed over',
 ): Promise<void> {
+  const texts = textsOf(desk.preferences.language);
   try {
     if (how === 'chosen as garment' && isPicture(file))
-      throw new FileError(
-        file.name,
-        'is a picture; open it as a print, or choose a sewing pattern.',
-      );
-    await opened(desk, projects, file);
+      throw new Error(texts.failures.picture(file.name));
+    await opened(desk, projects, file, texts);
     if (isPicture(file))
       desk.say({
         tone: 'info',
-        text: textsOf(desk.preferences.language).app.takenAsPrint(file.name),
+        text: texts.app.takenAsPrint(file.name),
         undo: true,
       });
   } catch (error) {
-    const text = error instanceof FileError ? error.message : toFailure(error).message;
-    desk.say({tone: 'error', text});
+    desk.say({tone: 'error', text: sentenceOn(error, desk, texts)});
   }
 }
 
-async function opened(desk: Workbench, projects: Projects, file: File): Promise<void> {
+/** Of the core's failures and of projects; whatever else goes wrong is said in the user's language already. */
+function sentenceOn(error: unknown, desk: Workbench, texts: Texts): string {
+  if (error instanceof FileError) return texts.failures.project(error.message);
+  const failure = toFailure(error);
+  return error instanceof SolverError ? spokenFailure(failure, desk, texts) : failure.message;
+}
+
+async function opened(
+  desk: Workbench,
+  projects: Projects,
+  file: File,
+  {failures}: Texts,
+): Promise<void> {
   const {name} = file;
   if (isPicture(file)) return openPrint(desk, file);
-  if (file.size > most)
-    throw new FileError(name, 'is too large for a sewing pattern; choose another file.');
+  if (file.size > most) throw new Error(failures.tooLarge(name));
   const text = await file.text();
   const content = parsed(text);
   if (isProject(content)) {
@@ -50,7 +67,7 @@ async function opened(desk: Workbench, projects: Projects, file: File): Promise<
   } else if (hasFormat(content, 'seamwise-print') || looksLikePrint(content)) {
     await openPrint(desk, file);
   } else if (hasFormat(content, 'seamwise-result')) {
-    projects.beginWith(designIn(content, name), {origin: 'own'});
+    projects.beginWith(designIn(content, name, failures), {origin: 'own'});
   } else {
     await desk.open({name, text});
   }
@@ -77,13 +94,8 @@ const looksLikePrint = (content: unknown): boolean =>
   ['group', 'w1', 'w2'].every((name) => fieldOf(content, name) !== undefined);
 
 /** A result that was saved here holds the design that it is the answer to. */
-function designIn(content: unknown, name: string): ReturnType<typeof readProject>['design'] {
+function designIn(content: unknown, name: string, {noDesign}: Texts['failures']): Design {
   const design = fieldOf(content, 'design');
-  if (design === undefined) {
-    throw new FileError(
-      name,
-      'is a result without its design; open the garment that it was made from.',
-    );
-  }
+  if (design === undefined) throw new Error(noDesign(name));
   return readProject(JSON.stringify({format: 'seamwise-project/1', design}), name).design;
 }

@@ -1,3 +1,5 @@
+import type {SymmetryReason} from './notes.js';
+
 /** Why a solve could not deliver, as the core counts it. Names and numbers only ever grow: both are part of the API. */
 export const failureCodes = {
   cancelled: 1,
@@ -58,6 +60,8 @@ export interface Failure {
   readonly piece: number | null;
   /** Number of the seam in the garment, if one is to blame. */
   readonly seam: number | null;
+  /** Why a symmetry that was asked for cannot hold. */
+  readonly reason?: SymmetryReason;
 }
 
 /** The one error the solver throws for what it was given. */
@@ -66,14 +70,22 @@ export class SolverError extends Error implements Failure {
   readonly code: FailureCode;
   readonly piece: number | null;
   readonly seam: number | null;
+  declare readonly reason?: SymmetryReason;
 
   constructor(failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>) {
     super(failure.message);
     this.code = failure.code;
     this.piece = failure.piece ?? null;
     this.seam = failure.seam ?? null;
+    if (failure.reason) this.reason = failure.reason;
   }
 }
+
+/** An error's failure as plain data. */
+export const failureOf = ({code, message, piece, seam, reason}: SolverError): Failure => ({
+  ...{code, message, piece, seam},
+  ...(reason && {reason}),
+});
 
 /** The name of a failure number from the core. */
 export function failureCode(number: number): FailureCode {

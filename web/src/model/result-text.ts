@@ -15,7 +15,7 @@ export function withoutTimes(result: SolveResult): SolveResult {
  * files by their names, are left out. Browser and Node write the same bytes.
  */
 export const resultText = (result: SolveResult): string =>
-  `${JSON.stringify({...withoutTimes(result), notes: undefined})}\n`;
+  `${JSON.stringify({...withoutTimes(result), notes: undefined, noteDetails: undefined})}\n`;
 
 /** In lower-case hexadecimal digits. Here because pages without https have no `crypto.subtle`. */
 export const sha256Of = (content: string | Uint8Array): string =>

@@ -1,4 +1,5 @@
 import type {Alignment, Point} from './geometry.js';
+import type {NoteDetail} from './notes.js';
 import type {GroupName} from './print.js';
 import type {Method} from './problem.js';
 
@@ -130,6 +131,8 @@ export interface SolveResult {
   readonly metrics: Metrics;
   /** What was dropped or assumed, one sentence each. */
   readonly notes: readonly string[];
+  /** What each of them says, as code and values. */
+  readonly noteDetails?: readonly NoteDetail[];
 }
 
 /** What there is to draw of a garment: of a result, or of pieces and seams that are not solved yet. */
@@ -148,4 +151,5 @@ export interface MeshedPattern extends Pattern {
   readonly fitRandom: number;
   /** What was dropped or assumed so far, one sentence each. */
   readonly notes: readonly string[];
+  readonly noteDetails?: readonly NoteDetail[];
 }

@@ -1,4 +1,5 @@
 /// <reference lib="esnext.disposable" preserve="true" />
+import {symmetryReasons} from '../model/notes.js';
 import {failureCode, SolverError} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
 import type {MeshedPattern, Milliseconds, SolveResult} from '../model/result.js';
@@ -131,11 +132,13 @@ function textOf({text, failure}: ModuleText): string {
   return text;
 }
 
-function toError({code, message, piece, seam}: ModuleFailure): SolverError {
+function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
+  const why = symmetryReasons.find((known) => known === reason);
   return new SolverError({
     code: failureCode(code),
     message,
     piece: piece < 0 ? null : piece,
     seam: seam < 0 ? null : seam,
+    ...(why && {reason: why}),
   });
 }

@@ -1,4 +1,4 @@
-import {SolverError, type Failure} from '../model/failure.js';
+import {failureOf, SolverError, type Failure} from '../model/failure.js';
 import type {SolveHooks} from '../model/problem.js';
 import type {MeshedPattern} from '../model/result.js';
 import {internalError} from './broken.js';
@@ -90,8 +90,7 @@ class Service {
 /** As plain data; whatever is neither the caller's fault nor wish is the solver's own. */
 function toFailure(error: unknown, signal: AbortSignal): Failure {
   const known = error instanceof SolverError ? error : unexpected(error, signal);
-  const {code, message, piece, seam} = known;
-  return {code, message, piece, seam};
+  return failureOf(known);
 }
 
 function unexpected(error: unknown, signal: AbortSignal): SolverError {

@@ -1,5 +1,5 @@
 /** Tells the page, by events, what becomes of a workbench: each thing once. */
-import {SolverError} from '../../model/failure.js';
+import {failureOf, type Failure, type SolverError} from '../../model/failure.js';
 import type {Progress} from '../../model/problem.js';
 import type {Workbench} from '../workbench/workbench.js';
 import type {GarmentEvents} from './events.js';
@@ -9,16 +9,19 @@ export type Emit = <K extends keyof GarmentEvents>(type: K, detail: GarmentEvent
 
 export class Announcer {
   readonly #emit: Emit;
+  readonly #spoken: (failure: Failure) => SolverError;
   #wasSolving = false;
   #progress = '';
   #selected: Workbench['selected'];
 
-  constructor(emit: Emit) {
+  /** @param spoken what the core could not do, in the user's language */
+  constructor(emit: Emit, spoken: (failure: Failure) => SolverError) {
     this.#emit = emit;
+    this.#spoken = spoken;
   }
 
-  failed({code, message, piece, seam}: SolverError): void {
-    this.#emit('error', {code, message, piece, seam});
+  failed(error: SolverError): void {
+    this.#emit('error', failureOf(error));
   }
 
   loaded({garment, print}: Loaded): void {
@@ -36,7 +39,7 @@ export class Announcer {
       this.progress(state);
     } else if (this.#wasSolving) {
       this.#wasSolving = false;
-      if (state.kind === 'failed') this.failed(new SolverError(state.failure));
+      if (state.kind === 'failed') this.failed(this.#spoken(state.failure));
       if (state.kind === 'done' && result) {
         this.progress({phase: 'deformation', fraction: 1});
         const {metrics} = result;

@@ -1,6 +1,6 @@
 /** One garment in one print, from its files to the answer: what the element shows, without the element. */
 import type {Design} from '../../model/design.js';
-import {SolverError} from '../../model/failure.js';
+import {SolverError, type Failure} from '../../model/failure.js';
 import type {SolveResult} from '../../model/result.js';
 import {writeStoredDesign, type StoredDesign} from '../../model/stored-design.js';
 import {FileError} from '../../model/versioned-file.js';
@@ -9,6 +9,7 @@ import {textsOf, type Texts} from '../texts/texts.js';
 import {lastOf} from '../workbench/last-of.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import type {Preferences} from '../workbench/preferences.js';
+import {spokenError} from '../workbench/spoken-failure.js';
 import {Workbench} from '../workbench/workbench.js';
 import {Announcer, type Emit} from './announcer.js';
 import type {GarmentState} from './events.js';
@@ -69,7 +70,7 @@ export class GarmentSession {
 
   constructor(owner: SessionOwner, preferences: Preferences) {
     this.#owner = owner;
-    this.#tell = new Announcer(owner.emit);
+    this.#tell = new Announcer(owner.emit, this.#spoken);
     this.#lease = new LastingSolver(owner.places);
     const tiles = new Tiles(() => this.#texts);
     this.desk = new Workbench(this.#lease, preferences, {
@@ -106,7 +107,7 @@ export class GarmentSession {
   get error(): SolverError | undefined {
     if (this.state !== 'error') return undefined;
     const {state} = this.desk;
-    return this.#failure ?? (state.kind === 'failed' ? new SolverError(state.failure) : undefined);
+    return this.#failure ?? (state.kind === 'failed' ? this.#spoken(state.failure) : undefined);
   }
 
   get result(): SolveResult | undefined {
@@ -122,6 +123,9 @@ export class GarmentSession {
     const {language, messages} = this.desk.preferences;
     return textsOf(language, messages);
   }
+
+  readonly #spoken = (failure: Failure): SolverError =>
+    spokenError(failure, this.desk, this.#texts);
 
   get #words(): FileWords {
     return this.#texts.garment;

@@ -14,8 +14,9 @@ import {axisAlong, pick} from '../../picture/marks.js';
 import type {Overlay} from '../../viewer/overlay.js';
 import {symmetriesOf, type PatternScene} from '../../viewer/scene.js';
 import type {Format} from '../texts/format.js';
-import type {Texts} from '../texts/texts.js';
+import {textsOf, type Texts} from '../texts/texts.js';
 import {withSymmetry} from '../workbench/symmetry-steps.js';
+import {spokenFailure} from '../workbench/spoken-failure.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import type {Workbench} from '../workbench/workbench.js';
 
@@ -72,7 +73,9 @@ export class SymmetryChooser {
       const result = await this.#desk.measure(symmetry);
       this.send({type: 'measured', candidate, result});
     } catch (error) {
-      this.#desk.say({tone: 'error', text: toFailure(error).message});
+      const {language, messages} = this.#desk.preferences;
+      const text = spokenFailure(toFailure(error), this.#desk, textsOf(language, messages));
+      this.#desk.say({tone: 'error', text});
       this.send({type: 'back'});
     }
   }

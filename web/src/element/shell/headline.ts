@@ -9,6 +9,7 @@ import {finalFit, fitOf, worstOf, type Fit} from '../../picture/fit.js';
 import {seamRows} from '../lists/rows.js';
 import {lastOf} from '../workbench/last-of.js';
 import type {Samples} from '../workbench/samples.js';
+import {spokenNote} from './spoken-note.js';
 
 export class Headline extends DeskElement {
   static override properties = {...DeskElement.properties, samples: {attribute: false}};
@@ -92,7 +93,7 @@ export class Headline extends DeskElement {
       }
       <sw-keep-improving .desk=${this.desk}></sw-keep-improving>
       <sw-stays-off .desk=${this.desk} .samples=${this.samples}></sw-stays-off>
-      ${this.#cost(after.mean)} ${this.#more(result.metrics)} ${this.#notes(result.notes)}
+      ${this.#cost(after.mean)} ${this.#more(result.metrics)} ${this.#notes(result)}
     `;
   }
 
@@ -145,12 +146,17 @@ export class Headline extends DeskElement {
     </dl>`;
   }
 
-  #notes(notes: readonly string[]): TemplateResult | typeof nothing {
+  #notes({notes, noteDetails}: SolveResult): TemplateResult | typeof nothing {
     if (notes.length === 0) return nothing;
     return html`<details>
       <summary>${this.texts.headline.notes} (${notes.length})</summary>
       <ul>
-        ${notes.map((note) => html`<li>${note}</li>`)}
+        ${notes.map(
+          (note, k) =>
+            html`<li>
+              ${spokenNote(note, noteDetails?.[k], this.desk, this.texts, this.format)}
+            </li>`,
+        )}
       </ul>
     </details>`;
   }

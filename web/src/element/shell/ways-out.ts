@@ -5,12 +5,13 @@ import {printOf, type Design} from '../../model/design.js';
 import type {Failure} from '../../model/failure.js';
 import {grainRule} from '../../model/grain-rule.js';
 import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-lines.js';
-import {carries, groupsThatCarry} from '../../model/repeat.js';
+import {carries} from '../../model/repeat.js';
 import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {DeskElement} from '../desk-element.js';
 import {withGrain, withoutPin} from '../lists/choices.js';
 import {controls} from '../style/controls.js';
 import {cleanedOptions} from '../workbench/cleaned-options.js';
+import {spokenFailure} from '../workbench/spoken-failure.js';
 import {withoutSymmetry} from '../workbench/symmetry-steps.js';
 
 interface Way {
@@ -100,12 +101,9 @@ export class WaysOut extends DeskElement {
   }
 
   #words(): string {
-    const {code, message} = this.failure;
-    const {design} = this.desk;
-    if (code !== 'symmetryGroup' || !design) return message;
-    const {group} = design.print;
-    const kind = carries(group, 'pair') ? 'piece' : 'pair';
-    return this.texts.symmetry.lacks[kind](group, groupsThatCarry(kind).join(', '));
+    const [one, more] = this.#toBlame();
+    const pieces = one && !more ? this.#labels(one) : undefined;
+    return spokenFailure(this.failure, this.desk, this.texts, pieces);
   }
 
   #ways(): readonly Way[] {
@@ -145,11 +143,17 @@ export class WaysOut extends DeskElement {
     return pieces.find((piece) => piece.name === name)?.label ?? name.replaceAll('_', ' ');
   }
 
-  #dropped({symmetries}: Design, one: Symmetry): Way {
-    const label = namesOf(one)
+  #labels(one: Symmetry): string {
+    return namesOf(one)
       .map((name) => this.#label(name))
       .join(', ');
-    return {label: this.texts.symmetry.dropFor(label), change: withoutSymmetry(symmetries, one)};
+  }
+
+  #dropped({symmetries}: Design, one: Symmetry): Way {
+    return {
+      label: this.texts.symmetry.dropFor(this.#labels(one)),
+      change: withoutSymmetry(symmetries, one),
+    };
   }
 
   #againstPins({print, options}: Design, {map, ...one}: MeasuredSymmetry): readonly Way[] {

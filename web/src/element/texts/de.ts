@@ -337,6 +337,53 @@ export const de: Texts = {
     withoutSymmetry: 'Ohne',
     notes: 'Hinweise',
   },
+  notes: {
+    noSeams: 'Die Datei hat keine Nähte, also gibt es nichts zu treffen.',
+    noMatchedSeams:
+      'Keine Naht soll sich treffen: Jede ist ausgeschaltet oder grenzt an ein unbedrucktes Teil.',
+    gathered: (seams) =>
+      `Eine Seite ist um mehr als ein Zehntel länger (Kräuselung, Falten), das Muster kann sich also nicht überall treffen: ${seams}.`,
+    unitsAssumed: 'Die Datei nennt keine Einheit; angenommen sind Zentimeter.',
+    curvesAssumed:
+      'Die Datei sagt nicht, wie Kurven geschrieben sind; angenommen sind relative Kontrollpunkte.',
+    lengthRatio: (seam, stated, drafted) =>
+      `${seam}: Laut Datei stehen die Seiten ${stated} zu 1, gezeichnet ${drafted} zu 1; es gilt die Zeichnung.`,
+    noMirrors: (pieces, group) =>
+      `Ein Muster der Gruppe ${group} hat keine Spiegelungen, deshalb bleibt dies nicht symmetrisch: ${pieces}.`,
+    noGlides: (pieces, group) =>
+      `Ein Muster der Gruppe ${group} hat weder Spiegelungen noch Gleitspiegelungen, deshalb bleiben diese Paare nicht gespiegelt: ${pieces}.`,
+    symmetriesStated: 'Die Symmetrien sind die, die in der Datei stehen.',
+    ws19: 'Dieses Verfahren kennt keine Symmetrie des Schnitts, also wird keine gehalten.',
+    grainAssumed: (pieces) =>
+      `Die Datei hat für diese Teile keinen Fadenlauf, angenommen ist er nach oben wie gezeichnet: ${pieces}.`,
+    partOfTheWay:
+      'Die Nähte gehen nur einen Teil des Wegs zu ihren besten Linien, sonst kreuzten sich Umrisse oder änderten sich zu stark.',
+    dropped: (pieces, why) => `Die Symmetrie von ${pieces} entfällt: ${why}.`,
+    cannotHold: (pieces, why) => `Die Symmetrie von ${pieces} ist so nicht möglich: ${why}.`,
+    why: {
+      symmetryPins: 'so festgesteckt spiegelt sich das Muster dort nicht',
+      symmetryGrain: 'auf diesem Muster lägen Teile nicht mehr im Fadenlauf',
+      symmetryChange: 'für genaue Spiegelung müssten sich Umrisse stärker ändern als erlaubt',
+      symmetryKinks: 'für genaue Spiegelung bekämen Umrisse Knicke oder Falten',
+      symmetryLengths: 'Nähte verlören ihre Länge, und die größte Änderung ist zu klein dafür',
+      symmetryCrossing: 'der Umriss kreuzte sich selbst',
+      symmetrySewn: 'seine Kanten sind an Kanten genäht, die sich nicht spiegeln',
+    },
+  },
+  failures: {
+    garment: (message) => `Der Schnitt lässt sich nicht lesen. Auf Englisch: ${message}`,
+    noGarment: (message) =>
+      `Das ist kein Schnitt, der sich lesen lässt; bitte eine GarmentCode-Datei (JSON), ein Projekt oder ein Ergebnis wählen. Auf Englisch: ${message}`,
+    solver: (message) => `Das Berechnen ist gescheitert. Auf Englisch: ${message}`,
+    noWorker: (message) =>
+      `Die Seite rechnet selbst, was langsamer geht, weil kein Worker starten kann. Auf Englisch: ${message}`,
+    noWasm: (message) => `Das Rechenprogramm lässt sich nicht laden. Auf Englisch: ${message}`,
+    picture: (file) => `${file} ist ein Bild; als Muster öffnen, oder einen Schnitt wählen.`,
+    tooLarge: (file) => `${file} ist zu groß für einen Schnitt; eine andere Datei wählen.`,
+    noDesign: (file) =>
+      `${file} ist ein Ergebnis ohne seinen Entwurf; den Schnitt öffnen, aus dem es entstand.`,
+    project: (message) => `Das Projekt lässt sich nicht lesen. Auf Englisch: ${message}`,
+  },
   remedies: {
     title: (count) =>
       count === 1 ? 'Eine Naht trifft sich nicht' : `${count} Nähte treffen sich nicht`,

@@ -330,6 +330,54 @@ export const en = {
     withoutSymmetry: 'Without',
     notes: 'Notes',
   },
+  /** What the core notes with a result, by its codes. */
+  notes: {
+    noSeams: 'The file has no seams, so there is nothing to match.',
+    noMatchedSeams: 'No seam is to be matched: each is switched off or joins a plain piece.',
+    gathered: (seams: string) =>
+      `One side is more than a tenth longer (gathers, pleats), so the print cannot match all along: ${seams}.`,
+    unitsAssumed: 'The file does not say its units; centimetres are assumed.',
+    curvesAssumed:
+      'The file does not say how curves are written; relative control points are assumed.',
+    lengthRatio: (seam: string, stated: string, drafted: string) =>
+      `${seam}: by the file its sides are ${stated} to 1, drafted they are ${drafted} to 1; as drafted counts.`,
+    noMirrors: (pieces: string, group: string) =>
+      `A print of the group ${group} has no mirrors, so these are not kept symmetric: ${pieces}.`,
+    noGlides: (pieces: string, group: string) =>
+      `A print of the group ${group} has neither mirrors nor glides, so these pairs are not kept: ${pieces}.`,
+    symmetriesStated: 'The symmetries are those that the file states.',
+    ws19: 'This method knows no symmetry of the garment, so none is kept.',
+    grainAssumed: (pieces: string) =>
+      `The file has no grain line for these pieces, so upwards as drawn is assumed: ${pieces}.`,
+    partOfTheWay:
+      'The seams go only part of the way to their ideal lines; else outlines would cross or move too far.',
+    dropped: (pieces: string, why: string) => `The symmetry of ${pieces} is dropped: ${why}.`,
+    cannotHold: (pieces: string, why: string) => `The symmetry of ${pieces} cannot hold: ${why}.`,
+    why: {
+      symmetryPins: 'as it is pinned, the print does not mirror so',
+      symmetryGrain: 'on this print it would take pieces off their grain',
+      symmetryChange: 'to mirror exactly, outlines would have to change by more than is allowed',
+      symmetryKinks: 'to mirror exactly, outlines would get kinks or folds',
+      symmetryLengths:
+        'seams would lose their lengths, and the greatest change is too small for it',
+      symmetryCrossing: 'the outline would cross itself',
+      symmetrySewn: 'its edges are sewn to edges that do not mirror',
+    },
+  },
+  /** What goes wrong with files. The core's sentences, which name the place in the file, are English. */
+  failures: {
+    garment: (message: string) => message,
+    noGarment: (message: string) => message,
+    solver: (message: string) => message,
+    noWorker: (message: string) => message,
+    noWasm: (message: string) => message,
+    picture: (file: string) =>
+      `${file} is a picture; open it as a print, or choose a sewing pattern.`,
+    tooLarge: (file: string) => `${file} is too large for a sewing pattern; choose another file.`,
+    noDesign: (file: string) =>
+      `${file} is a result without its design; open the garment that it was made from.`,
+    project: (message: string) => message,
+  },
   remedies: {
     title: (count: number) => (count === 1 ? 'One seam stays off' : `${count} seams stay off`),
     more: (count: number) => `and ${count} more`,

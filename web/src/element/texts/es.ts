@@ -335,6 +335,53 @@ export const es: Texts = {
     withoutSymmetry: 'Sin ella',
     notes: 'Notas',
   },
+  notes: {
+    noSeams: 'El archivo no tiene costuras, así que no hay nada que casar.',
+    noMatchedSeams: 'Ninguna costura ha de casar: cada una está desactivada o toca una pieza lisa.',
+    gathered: (seams) =>
+      `Un lado es más de una décima parte más largo (fruncidos, pliegues); el estampado no puede casar en todo su largo: ${seams}.`,
+    unitsAssumed: 'El archivo no dice su unidad; se suponen centímetros.',
+    curvesAssumed:
+      'El archivo no dice cómo se escriben las curvas; se suponen puntos de control relativos.',
+    lengthRatio: (seam, stated, drafted) =>
+      `${seam}: según el archivo sus lados están en ${stated} a 1, según el dibujo en ${drafted} a 1; vale el dibujo.`,
+    noMirrors: (pieces, group) =>
+      `Un estampado del grupo ${group} no tiene espejos; esto no se mantiene simétrico: ${pieces}.`,
+    noGlides: (pieces, group) =>
+      `Un estampado del grupo ${group} no tiene espejos ni deslizamientos; estos pares no se mantienen: ${pieces}.`,
+    symmetriesStated: 'Las simetrías son las que indica el archivo.',
+    ws19: 'Este método no conoce simetrías de la prenda; no se mantiene ninguna.',
+    grainAssumed: (pieces) =>
+      `El archivo no da el hilo de estas piezas; se supone hacia arriba, como están dibujadas: ${pieces}.`,
+    partOfTheWay:
+      'Las costuras solo recorren parte del camino hacia sus líneas ideales; si no, se cruzarían contornos o cambiarían demasiado.',
+    dropped: (pieces, why) => `Se abandona la simetría de ${pieces}: ${why}.`,
+    cannotHold: (pieces, why) => `La simetría de ${pieces} no es posible así: ${why}.`,
+    why: {
+      symmetryPins: 'fijado así, el estampado no se refleja ahí',
+      symmetryGrain: 'con este estampado, algunas piezas dejarían su hilo',
+      symmetryChange:
+        'para reflejarse con exactitud, los contornos tendrían que cambiar más de lo permitido',
+      symmetryKinks: 'para reflejarse con exactitud, los contornos tendrían quiebros o pliegues',
+      symmetryLengths:
+        'las costuras perderían su longitud, y el mayor cambio es demasiado pequeño para ello',
+      symmetryCrossing: 'el contorno se cruzaría a sí mismo',
+      symmetrySewn: 'sus bordes se cosen a bordes que no se reflejan',
+    },
+  },
+  failures: {
+    garment: (message) => `No se puede leer el patrón. En inglés: ${message}`,
+    noGarment: (message) =>
+      `No es un patrón que se pueda leer aquí: elige un archivo GarmentCode (JSON), un proyecto o un resultado. En inglés: ${message}`,
+    solver: (message) => `El cálculo ha fallado. En inglés: ${message}`,
+    noWorker: (message) =>
+      `La página calcula por sí misma, más despacio, porque no puede arrancar ningún worker. En inglés: ${message}`,
+    noWasm: (message) => `No se puede cargar el programa de cálculo. En inglés: ${message}`,
+    picture: (file) => `${file} es una imagen; ábrela como estampado o elige un patrón.`,
+    tooLarge: (file) => `${file} es demasiado grande para un patrón; elige otro archivo.`,
+    noDesign: (file) => `${file} es un resultado sin su diseño; abre la prenda de la que salió.`,
+    project: (message) => `No se puede leer el proyecto. En inglés: ${message}`,
+  },
   remedies: {
     title: (count) => (count === 1 ? 'Una costura no casa' : `${count} costuras no casan`),
     more: (count) => `y ${count} más`,

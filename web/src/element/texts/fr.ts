@@ -341,6 +341,55 @@ export const fr: Texts = {
     withoutSymmetry: 'Sans',
     notes: 'Remarques',
   },
+  notes: {
+    noSeams: 'Le fichier n’a pas de coutures : il n’y a rien à raccorder.',
+    noMatchedSeams:
+      'Aucune couture n’est à raccorder : chacune est désactivée ou touche une pièce unie.',
+    gathered: (seams) =>
+      `Un côté est plus long de plus d’un dixième (fronces, plis) ; l’imprimé ne peut pas se raccorder partout : ${seams}.`,
+    unitsAssumed: 'Le fichier ne dit pas son unité ; on suppose des centimètres.',
+    curvesAssumed:
+      'Le fichier ne dit pas comment les courbes sont écrites ; on suppose des points de contrôle relatifs.',
+    lengthRatio: (seam, stated, drafted) =>
+      `${seam} : selon le fichier ses côtés sont de ${stated} à 1, selon le tracé de ${drafted} à 1 ; le tracé compte.`,
+    noMirrors: (pieces, group) =>
+      `Un imprimé du groupe ${group} n’a pas de miroirs, donc ceci ne reste pas symétrique : ${pieces}.`,
+    noGlides: (pieces, group) =>
+      `Un imprimé du groupe ${group} n’a ni miroirs ni glissements, donc ces paires ne restent pas symétriques : ${pieces}.`,
+    symmetriesStated: 'Les symétries sont celles que le fichier indique.',
+    ws19: 'Cette méthode ne connaît pas de symétrie du vêtement ; aucune n’est gardée.',
+    grainAssumed: (pieces) =>
+      `Le fichier n’a pas de droit-fil pour ces pièces ; on le suppose vers le haut, comme dessiné : ${pieces}.`,
+    partOfTheWay:
+      'Les coutures ne font qu’une partie du chemin vers leurs lignes idéales, sinon des contours se croiseraient ou bougeraient trop.',
+    dropped: (pieces, why) => `La symétrie de ${pieces} est abandonnée : ${why}.`,
+    cannotHold: (pieces, why) => `La symétrie de ${pieces} est impossible ainsi : ${why}.`,
+    why: {
+      symmetryPins: 'ainsi fixé, l’imprimé ne s’y reflète pas',
+      symmetryGrain: 'sur cet imprimé, des pièces quitteraient leur droit-fil',
+      symmetryChange:
+        'pour un reflet exact, des contours devraient changer plus qu’il n’est permis',
+      symmetryKinks: 'pour un reflet exact, des contours auraient des cassures ou des plis',
+      symmetryLengths:
+        'des coutures perdraient leur longueur, et le plus grand changement est trop petit pour cela',
+      symmetryCrossing: 'le contour se croiserait lui-même',
+      symmetrySewn: 'ses bords sont cousus à des bords qui ne se reflètent pas',
+    },
+  },
+  failures: {
+    garment: (message) => `Le patron est illisible. En anglais : ${message}`,
+    noGarment: (message) =>
+      `Ce n’est pas un patron lisible ici : choisissez un fichier GarmentCode (JSON), un projet ou un résultat. En anglais : ${message}`,
+    solver: (message) => `Le calcul a échoué. En anglais : ${message}`,
+    noWorker: (message) =>
+      `La page calcule elle-même, plus lentement, car aucun worker ne démarre. En anglais : ${message}`,
+    noWasm: (message) => `Le programme de calcul ne se charge pas. En anglais : ${message}`,
+    picture: (file) => `${file} est une image ; ouvrez-la comme imprimé, ou choisissez un patron.`,
+    tooLarge: (file) => `${file} est trop grand pour un patron ; choisissez un autre fichier.`,
+    noDesign: (file) =>
+      `${file} est un résultat sans son projet ; ouvrez le vêtement dont il vient.`,
+    project: (message) => `Le projet est illisible. En anglais : ${message}`,
+  },
   remedies: {
     title: (count) =>
       count === 1 ? 'Une couture ne se raccorde pas' : `${count} coutures ne se raccordent pas`,

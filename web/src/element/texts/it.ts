@@ -338,6 +338,54 @@ export const it: Texts = {
     withoutSymmetry: 'Senza',
     notes: 'Note',
   },
+  notes: {
+    noSeams: 'Il file non ha cuciture: non c’è nulla da far combaciare.',
+    noMatchedSeams:
+      'Nessuna cucitura deve combaciare: ognuna è disattivata o tocca un pezzo in tinta unita.',
+    gathered: (seams) =>
+      `Un lato è più lungo di oltre un decimo (arricciature, pieghe); la stampa non può combaciare ovunque: ${seams}.`,
+    unitsAssumed: 'Il file non dice la sua unità; si suppongono centimetri.',
+    curvesAssumed:
+      'Il file non dice come sono scritte le curve; si suppongono punti di controllo relativi.',
+    lengthRatio: (seam, stated, drafted) =>
+      `${seam}: per il file i suoi lati stanno ${stated} a 1, nel disegno ${drafted} a 1; vale il disegno.`,
+    noMirrors: (pieces, group) =>
+      `Una stampa del gruppo ${group} non ha specchi, quindi questo non resta simmetrico: ${pieces}.`,
+    noGlides: (pieces, group) =>
+      `Una stampa del gruppo ${group} non ha specchi né scorrimenti, quindi queste coppie non restano simmetriche: ${pieces}.`,
+    symmetriesStated: 'Le simmetrie sono quelle indicate nel file.',
+    ws19: 'Questo metodo non conosce simmetrie del capo; nessuna viene mantenuta.',
+    grainAssumed: (pieces) =>
+      `Il file non dà il drittofilo di questi pezzi; si suppone verso l’alto, come disegnato: ${pieces}.`,
+    partOfTheWay:
+      'Le cuciture fanno solo parte della strada verso le loro linee ideali, altrimenti i contorni si incrocerebbero o cambierebbero troppo.',
+    dropped: (pieces, why) => `La simmetria di ${pieces} viene abbandonata: ${why}.`,
+    cannotHold: (pieces, why) => `La simmetria di ${pieces} così non è possibile: ${why}.`,
+    why: {
+      symmetryPins: 'fissata così, la stampa lì non si specchia',
+      symmetryGrain: 'su questa stampa alcuni pezzi lascerebbero il drittofilo',
+      symmetryChange:
+        'per specchiarsi esattamente, i contorni dovrebbero cambiare più del permesso',
+      symmetryKinks: 'per specchiarsi esattamente, i contorni avrebbero spigoli o pieghe',
+      symmetryLengths:
+        'le cuciture perderebbero la loro lunghezza, e la modifica massima è troppo piccola',
+      symmetryCrossing: 'il contorno incrocerebbe sé stesso',
+      symmetrySewn: 'i suoi bordi sono cuciti a bordi che non si specchiano',
+    },
+  },
+  failures: {
+    garment: (message) => `Il cartamodello non è leggibile. In inglese: ${message}`,
+    noGarment: (message) =>
+      `Non è un cartamodello leggibile qui: scegli un file GarmentCode (JSON), un progetto o un risultato. In inglese: ${message}`,
+    solver: (message) => `Il calcolo non è riuscito. In inglese: ${message}`,
+    noWorker: (message) =>
+      `La pagina calcola da sé, più lentamente, perché nessun worker può partire. In inglese: ${message}`,
+    noWasm: (message) => `Il programma di calcolo non si carica. In inglese: ${message}`,
+    picture: (file) => `${file} è un’immagine; aprila come stampa, o scegli un cartamodello.`,
+    tooLarge: (file) => `${file} è troppo grande per un cartamodello; scegli un altro file.`,
+    noDesign: (file) => `${file} è un risultato senza il suo progetto; apri il capo da cui è nato.`,
+    project: (message) => `Il progetto non è leggibile. In inglese: ${message}`,
+  },
   remedies: {
     title: (count) =>
       count === 1 ? 'Una cucitura non combacia' : `${count} cuciture non combaciano`,

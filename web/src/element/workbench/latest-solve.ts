@@ -1,6 +1,6 @@
 /** Solves the newest design only: a new one takes the place of the one before, whose answers are heard no more. */
 import type {Design} from '../../model/design.js';
-import {SolverError, type Failure} from '../../model/failure.js';
+import {failureOf, SolverError, type Failure} from '../../model/failure.js';
 import type {Problem, Progress} from '../../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
 import type {SolverService} from '../../solver/service.js';
@@ -15,10 +15,7 @@ export interface SolveListeners {
 }
 
 export const toFailure = (error: unknown): Failure => {
-  if (error instanceof SolverError) {
-    const {code, message, piece, seam} = error;
-    return {code, message, piece, seam};
-  }
+  if (error instanceof SolverError) return failureOf(error);
   const message = error instanceof Error ? error.message : String(error);
   return {code: 'internal', message, piece: null, seam: null};
 };

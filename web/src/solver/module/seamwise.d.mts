@@ -9,6 +9,8 @@ export interface ModuleFailure {
   readonly message: string;
   readonly piece: number;
   readonly seam: number;
+  /** Why a symmetry cannot hold, as the code of a note; otherwise empty. */
+  readonly reason: string;
 }
 
 /** Texts of the problem's files, and the names to call them by in messages. */

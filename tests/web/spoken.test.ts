@@ -1,0 +1,77 @@
+/** What the core says in English, as the page says it in the language of its user. */
+import {describe, expect, it} from 'vitest';
+
+import {noteCodes, symmetryReasons, type NoteDetail} from '../../web/src/model/notes.js';
+import {failureCodes, type Failure} from '../../web/src/model/failure.js';
+import {spokenNote} from '../../web/src/element/shell/spoken-note.js';
+import {formatFor} from '../../web/src/element/texts/format.js';
+import {loadTexts, textsOf} from '../../web/src/element/texts/texts.js';
+import {languages, type Language} from '../../web/src/element/workbench/preferences.js';
+import {spokenFailure} from '../../web/src/element/workbench/spoken-failure.js';
+import type {Workbench} from '../../web/src/element/workbench/workbench.js';
+
+/** As much of a workbench as sentences take names from. */
+const desk = {
+  design: {print: {group: 'p1'}},
+  scenes: {now: {pieces: [{label: 'Front'}, {label: 'Back'}]}},
+} as unknown as Workbench;
+
+const detailOf = (code: string): NoteDetail => ({
+  ...{code, pieces: [0, 1], seams: [], numbers: [1.25, 1]},
+});
+const english = 'What the core wrote.';
+const note = (code: string, language: Language): string =>
+  spokenNote(english, detailOf(code), desk, textsOf(language), formatFor(language, 'cm'));
+const failure = (more: Partial<Failure>): Failure => ({
+  ...{code: 'symmetryConflict', message: english, piece: 0, seam: null, ...more},
+});
+
+describe.each(languages)('in %s', (language) => {
+  it('every note has a sentence of its own', async () => {
+    await loadTexts(language);
+    const all = noteCodes.map((code) => note(code, language));
+    expect(all.filter((one) => one === english || !one.endsWith('.'))).toEqual([]);
+    expect(new Set(all).size).toBe(all.length);
+  });
+
+  it('notes name pieces and figures', async () => {
+    await loadTexts(language);
+    for (const code of ['symmetryPins', 'noMirrors', 'noGlides', 'grainAssumed'])
+      expect(note(code, language)).toMatch(/Front.*Back/);
+    expect(note('noMirrors', language)).toContain('p1');
+    expect(note('lengthRatio', language)).toMatch(/1[.,]25/);
+  });
+
+  it('a note and a failure that are not known stay as they were written', async () => {
+    await loadTexts(language);
+    expect(note('fromTheFuture', language)).toBe(english);
+    expect(spokenNote(english, undefined, desk, textsOf(language), formatFor(language, 'cm'))).toBe(
+      english,
+    );
+    expect(spokenFailure(failure({}), desk, textsOf(language))).toBe(english);
+  });
+
+  it('a symmetry that cannot hold says why', async () => {
+    await loadTexts(language);
+    const texts = textsOf(language);
+    for (const reason of symmetryReasons) {
+      const said = spokenFailure(failure({reason}), desk, texts);
+      expect(said).toContain('Front');
+      expect(said).toContain(texts.notes.why[reason]);
+    }
+    const both = spokenFailure(failure({reason: 'symmetryPins'}), desk, texts, 'Front, Back');
+    expect(both).toContain('Front, Back');
+    expect(spokenFailure(failure({code: 'symmetryGroup'}), desk, texts)).toMatch(/p1.*pmm/);
+  });
+
+  it('a file that cannot be read is said to be a garment’s, around the place in it', async () => {
+    await loadTexts(language);
+    for (const code of Object.keys(failureCodes) as (keyof typeof failureCodes)[]) {
+      const said = spokenFailure(failure({code}), desk, textsOf(language));
+      if (failureCodes[code] >= 10 && failureCodes[code] < 40) {
+        expect(said).toContain(english);
+        if (language !== 'en') expect(said.length).toBeGreaterThan(english.length);
+      }
+    }
+  });
+});
