@@ -24,7 +24,7 @@ const alike = new RegExp(
   `^(?:${[
     'app.name|controls.methods.paper|legend.asPaper|legend.none|remedies.effect|lists.weight',
     'print.dpi|print.measure.points.1|grain.other',
-    'lists.size|lists.numbered|lists.of|pattern.piece|lists.matches.double|keys\\..*',
+    'lists.size|lists.numbered|lists.of|pattern.piece|lists.matches.double|keys\\..*|keyNames\\..*',
   ].join('|')})$`,
 );
 

@@ -2,14 +2,27 @@
 import {html, type TemplateResult} from 'lit';
 
 import type {Design} from '../model/design.js';
-import {controls, DeskElement, icon, tokens, type Editor, type Samples} from '../element/index.js';
+import {
+  controls,
+  DeskElement,
+  icon,
+  keyOf,
+  printFiles,
+  tokens,
+  type Editor,
+  type GarmentChoice,
+  type Samples,
+} from '../element/index.js';
 import {chooseFile, takeFiles} from './files.js';
+import {copyLink} from './links/share-link.js';
 import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
-import {pageKeys} from './page-keys.js';
+import type {PageParts} from './palette/page-parts.js';
 import {printPattern} from './print-pattern.js';
+import type {ProjectList} from './projects/project-list.js';
 import type {Projects} from './projects/projects.js';
-import {saveProject} from './save.js';
+import type {SaveMenu} from './save-menu.js';
+import {savePicture, saveProject, saveResult} from './save.js';
 
 export class SeamwisePage extends DeskElement {
   static override properties = {
@@ -31,6 +44,15 @@ export class SeamwisePage extends DeskElement {
   get #editor(): Editor | null {
     return this.renderRoot.querySelector('sw-editor');
   }
+
+  /** What has a key of its own beside the editor's. */
+  readonly #keyed = {
+    commands: (): void => void this.#commands(),
+    open: (): void => void this.#open(),
+    save: (): void => {
+      saveProject(this);
+    },
+  };
 
   constructor() {
     super();
@@ -55,15 +77,12 @@ export class SeamwisePage extends DeskElement {
       signal,
     );
     printPattern(this.desk, signal);
-    pageKeys(
-      {
-        save: () => {
-          saveProject(this);
-        },
-        open: () => void this.#open(),
-        other: (event) => this.#editor?.press(event),
+    addEventListener(
+      'keydown',
+      (event) => {
+        this.#editor?.press(event);
       },
-      signal,
+      {signal},
     );
   }
 
@@ -74,12 +93,12 @@ export class SeamwisePage extends DeskElement {
 
   protected override render(): TemplateResult {
     const {desk, projects, samples} = this;
-    const {app} = this.texts;
+    const {app, commands} = this.texts;
     return html`<main>
       <button class="primary skip" @click=${() => this.#editor?.toPattern()}>
         ${app.toPattern}
       </button>
-      <sw-editor .desk=${desk} .samples=${samples}>
+      <sw-editor .desk=${desk} .samples=${samples} .commands=${this.#keyed}>
         <h1 slot="start">${app.name}</h1>
         <sw-project-list
           slot="start"
@@ -88,15 +107,20 @@ export class SeamwisePage extends DeskElement {
           .blank=${this.blank}
         ></sw-project-list>
         <sw-garment-choice slot="start" .desk=${desk} .samples=${samples}></sw-garment-choice>
-        <button
-          slot="start"
-          class="outlined"
-          title=${app.openGarment}
-          @click=${() => void this.#open()}
-        >
+        <button slot="start" class="outlined" title=${app.openGarment} @click=${this.#keyed.open}>
           ${icon.open} <span class="label">${app.openGarment}</span>
         </button>
         <sw-save-menu slot="actions" .desk=${desk} .projects=${projects}></sw-save-menu>
+        <button
+          slot="actions"
+          class="icon"
+          aria-label=${commands.title}
+          title="${commands.title} (${keyOf('commands', this.texts)})"
+          aria-haspopup="dialog"
+          @click=${this.#keyed.commands}
+        >
+          ${icon.search}
+        </button>
         <sw-settings slot="actions" .desk=${desk}></sw-settings>
       </sw-editor>
       <p class="drop" ?hidden=${!this.isHeld}>${app.drop}</p>
@@ -117,5 +141,42 @@ export class SeamwisePage extends DeskElement {
   async #open(): Promise<void> {
     const file = await chooseFile('.json,application/json');
     if (file) await openFile(this.desk, this.projects, file, 'chosen as garment');
+  }
+
+  async #openPrint(): Promise<void> {
+    const file = await chooseFile(printFiles);
+    if (file) await openFile(this.desk, this.projects, file);
+  }
+
+  /** All commands to look through; loaded once somebody wants to. */
+  async #commands(): Promise<void> {
+    const {toggleCommands} = await import('./palette/index.js');
+    await toggleCommands(this.desk, this.renderRoot, () => this.#parts);
+  }
+
+  /** Undefined until the page is drawn. */
+  get #parts(): PageParts | undefined {
+    const {desk, texts, format, samples, projects, renderRoot: root} = this;
+    const [editor, list] = [this.#editor, root.querySelector<ProjectList>('sw-project-list')];
+    const garments = root.querySelector<GarmentChoice>('sw-garment-choice');
+    const menu = root.querySelector<SaveMenu>('sw-save-menu');
+    if (!editor || !list || !garments || !menu) return undefined;
+    return {
+      ...{desk, texts, format, samples, editor, garments},
+      saves: {
+        project: this.#keyed.save,
+        result: () => {
+          saveResult(this);
+        },
+        picture: () => void savePicture(this),
+        cutting: () => {
+          menu.saveCutting();
+        },
+        link: () => void copyLink(desk, projects),
+      },
+      openGarment: this.#keyed.open,
+      openPrint: () => void this.#openPrint(),
+      showProjects: () => void list.open(),
+    };
   }
 }

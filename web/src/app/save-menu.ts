@@ -113,7 +113,7 @@ export class SaveMenu extends DeskElement {
             class="outlined"
             ?disabled=${!desk.result}
             @click=${() => {
-              this.#saveCutting();
+              this.saveCutting();
             }}
           >
             ${icon.save} ${app.saveCutting}
@@ -126,10 +126,12 @@ export class SaveMenu extends DeskElement {
     `;
   }
 
-  /** Not with another allowance than the one that is typed. */
-  #saveCutting(): void {
+  /** With the allowance that is typed, and not with another one: one that is wrong is shown. */
+  saveCutting(): void {
     const field = this.renderRoot.querySelector<NumberField>('sw-number-field');
-    if (field?.isWrong) field.focus();
-    else void saveCutting(this, this.allowance);
+    if (field?.isWrong) {
+      this.renderRoot.querySelector<HTMLElement>('[popover]')?.showPopover();
+      field.focus();
+    } else void saveCutting(this, this.allowance);
   }
 }

@@ -8,7 +8,7 @@ import {icon} from '../style/icons.js';
 import type {Preferences} from '../workbench/preferences.js';
 
 /** Each in its own words, for those who read no other. */
-const languageNames = {
+export const languageNames = {
   en: 'English',
   de: 'Deutsch',
   fr: 'Français',

@@ -1,18 +1,15 @@
 /** Keys that work wherever in the editor the focus is. */
+import {shortcutFor, shortcuts, type ShortcutIn} from '../commands/shortcuts.js';
 
-export interface EditorCommands {
-  readonly undo: () => void;
-  readonly redo: () => void;
-  /** Shows and hides the map of keys. */
-  readonly keys: () => void;
-}
+/** What there is to be asked for; a page adds its own to the editor's. */
+export type KeyCommands = Readonly<Partial<Record<ShortcutIn<'page' | 'editor'>, () => void>>>;
 
 /** Does what a key asks for, unless somebody has done so already. */
-export function editorKeys(event: KeyboardEvent, commands: EditorCommands): void {
+export function editorKeys(event: KeyboardEvent, commands: KeyCommands): void {
+  const id = event.defaultPrevented ? undefined : shortcutFor(event, ['page', 'editor']);
+  const command = id && commands[id];
   // in a field, undo belongs to what is being typed
-  if (event.defaultPrevented || isTyping(event)) return;
-  const command = commandOf(event, commands);
-  if (!command) return;
+  if (!command || (shortcuts[id].where === 'editor' && isTyping(event))) return;
   event.preventDefault();
   command();
 }
@@ -21,16 +18,3 @@ const isTyping = (event: KeyboardEvent): boolean => {
   const [target] = event.composedPath();
   return target instanceof HTMLInputElement && ['text', 'number'].includes(target.type);
 };
-
-function commandOf(event: KeyboardEvent, commands: EditorCommands): (() => void) | undefined {
-  if (event.key === '?') return commands.keys;
-  if (!(event.ctrlKey || event.metaKey) || event.altKey) return undefined;
-  switch (event.key.toLowerCase()) {
-    case 'z':
-      return event.shiftKey ? commands.redo : commands.undo;
-    case 'y':
-      return commands.redo;
-    default:
-      return undefined;
-  }
-}

@@ -1,6 +1,9 @@
 /** The editing desk: what is decided on the left, the pattern in the middle, how well it fits on the right. */
 import {html, type TemplateResult} from 'lit';
 
+import {canAlign} from '../commands/can-align.js';
+import {redoWords, undoWords} from '../commands/step-words.js';
+import type {ShortcutId} from '../commands/shortcuts.js';
 import {DeskElement} from '../desk-element.js';
 import type {SeamLens} from '../lens/lens.js';
 import {defineParts} from '../parts.js';
@@ -12,9 +15,8 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Samples} from '../workbench/samples.js';
 import {sameTarget} from '../workbench/state.js';
-import {stepName} from '../workbench/step-name.js';
 import type {Target} from '../workbench/workbench.js';
-import {editorKeys, type EditorCommands} from './editor-keys.js';
+import {editorKeys, type KeyCommands} from './editor-keys.js';
 import {editorLayout} from './editor-layout.js';
 import {KeptHeight} from './kept-height.js';
 
@@ -28,10 +30,13 @@ export class Editor extends DeskElement {
   static override properties = {
     ...DeskElement.properties,
     samples: {attribute: false},
+    commands: {attribute: false},
     sheet: {state: true},
   };
   /** The prints that come with Seamwise, to choose from. */
   declare samples: Samples | undefined;
+  /** What a page adds that has keys of its own. */
+  declare commands: KeyCommands;
   /** What is open below the pattern where there is no room beside it. */
   declare protected sheet: Sheet | undefined;
 
@@ -40,7 +45,7 @@ export class Editor extends DeskElement {
   #selected: Target | undefined;
   #headline: KeptHeight | undefined;
 
-  readonly #commands: EditorCommands = {
+  readonly #own = {
     undo: () => {
       this.desk.undo();
     },
@@ -48,19 +53,18 @@ export class Editor extends DeskElement {
       this.desk.redo();
     },
     keys: () => this.renderRoot.querySelector<KeyMap>('sw-key-map')?.open(),
-  };
+  } satisfies KeyCommands;
 
   constructor() {
     super();
+    this.commands = {};
     this.sheet = 'print';
     this.addEventListener('keydown', (event) => {
       this.press(event);
     });
-    this.addEventListener('sw-lens-wanted', () =>
-      this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus(),
-    );
+    this.addEventListener('sw-lens-wanted', () => void this.#toLens());
     this.addEventListener('sw-grain-wanted', () => {
-      const pattern = this.renderRoot.querySelector<PatternPane>('sw-pattern');
+      const {pattern} = this;
       if (pattern?.tools.active !== 'grain') pattern?.tools.toggle('grain');
       pattern?.focus();
     });
@@ -68,12 +72,28 @@ export class Editor extends DeskElement {
 
   /** Keys that work wherever the focus is: in the editor by themselves, elsewhere when a page hands them on. */
   press(event: KeyboardEvent): void {
-    editorKeys(event, this.#commands);
+    editorKeys(event, {...this.commands, ...this.#own});
+  }
+
+  get pattern(): PatternPane | null {
+    return this.renderRoot.querySelector<PatternPane>('sw-pattern');
   }
 
   /** The keys of the pattern work. */
   toPattern(): void {
-    this.renderRoot.querySelector<PatternPane>('sw-pattern')?.focus();
+    this.pattern?.focus();
+  }
+
+  /** Shows or hides the map of keys. */
+  toggleKeys(): void {
+    this.#own.keys();
+  }
+
+  /** Where it is narrow, the lens is on a sheet. */
+  async #toLens(): Promise<void> {
+    this.sheet = 'fit';
+    await this.updateComplete;
+    this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus();
   }
 
   /** A seam that somebody picks in the pattern is to be seen from near. */
@@ -116,7 +136,7 @@ export class Editor extends DeskElement {
           class="icon keys"
           aria-label=${app.keys}
           title="${app.keys} (?)"
-          @click=${this.#commands.keys}
+          @click=${this.#own.keys}
         >
           ?
         </button>
@@ -137,16 +157,20 @@ export class Editor extends DeskElement {
           <sw-lens
             .desk=${desk}
             @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {
-              const pattern = this.renderRoot.querySelector<PatternPane>('sw-pattern');
-              if (pattern) pattern.cursor = event.detail;
+              if (this.pattern) this.pattern.cursor = event.detail;
             }}
           ></sw-lens>
           <sw-tables .desk=${desk}></sw-tables>
         </section>
         ${this.#tabs()}
       </div>
-      <sw-key-map .desk=${desk}></sw-key-map>
+      <sw-key-map .desk=${desk} .known=${this.#known}></sw-key-map>
     </div>`;
+  }
+
+  /** Commands whose keys work here. */
+  get #known(): readonly ShortcutId[] {
+    return Object.keys({...this.commands, ...this.#own}) as ShortcutId[];
   }
 
   /** What opens below the pattern, one sheet at a time; another press closes it. */
@@ -175,35 +199,18 @@ export class Editor extends DeskElement {
 
   #steps(): TemplateResult {
     const {desk} = this;
-    const {app, steps} = this.texts;
-    const {past = [], present, future = []} = desk.history ?? {};
-    const [before, after] = [past.at(-1), future[0]];
-    const name = (from: typeof before, to: typeof before): string =>
-      from && to ? steps[stepName(from.design, to.design)] : '';
-    return html`${this.#icon(
-      app.undo,
-      app.undoOf(name(before, present)),
-      icon.undo,
-      desk.canUndo,
-      this.#commands.undo,
-    )}
-    ${this.#icon(
-      app.redo,
-      app.redoOf(name(present, after)),
-      icon.redo,
-      desk.canRedo,
-      this.#commands.redo,
-    )}`;
+    const {app} = this.texts;
+    const [undone, redone] = [undoWords(desk, this.texts), redoWords(desk, this.texts)];
+    return html`${this.#icon(app.undo, undone && app.undoOf(undone), icon.undo, this.#own.undo)}
+    ${this.#icon(app.redo, redone && app.redoOf(redone), icon.redo, this.#own.redo)}`;
   }
 
   /** One button: it ends what is under way, or begins it where nobody else does. */
   #solving(): TemplateResult {
     const {desk} = this;
     const {app} = this.texts;
-    const {kind} = desk.state;
-    const isSolving = kind === 'solving';
-    const asks = !desk.preferences.solveAsIGo || kind === 'stale' || kind === 'failed';
-    const aligns = asks && !isSolving && desk.design !== undefined;
+    const isSolving = desk.state.kind === 'solving';
+    const aligns = canAlign(desk);
     return html`<button
       class=${aligns ? 'primary' : 'outlined'}
       ?hidden=${!aligns && !isSolving}
@@ -217,18 +224,18 @@ export class Editor extends DeskElement {
     </button>`;
   }
 
+  /** @param title says what it would do; without, there is nothing to be done */
   #icon(
     label: string,
-    title: string,
+    title: string | undefined,
     picture: TemplateResult,
-    enabled: boolean,
     act: () => void,
   ): TemplateResult {
     return html`<button
       class="icon"
       aria-label=${label}
-      title=${enabled ? title : label}
-      ?disabled=${!enabled}
+      title=${title ?? label}
+      ?disabled=${title === undefined}
       @click=${act}
     >
       ${picture}

@@ -1,8 +1,9 @@
 /** Keys of the pattern, while it has the focus. */
 import type {Point} from '../../model/geometry.js';
+import {shortcutFor} from '../commands/shortcuts.js';
 import {seamRows, worstSeams} from '../lists/rows.js';
-import {turnPiece} from '../lists/turn-piece.js';
 import {textsOf} from '../texts/texts.js';
+import {patternCommands} from './pattern-commands.js';
 import type {PatternPane} from './pattern-pane.js';
 import {steppedOut, walked} from './walking.js';
 
@@ -20,18 +21,14 @@ const ways: Readonly<Record<string, Point>> = {
 export function patternKeys(pane: PatternPane, event: KeyboardEvent): void {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (!handled(pane, key, event.shiftKey)) return;
+  if (!handled(pane, key, event)) return;
   event.preventDefault();
   event.stopPropagation();
 }
 
-function handled(pane: PatternPane, key: string, shift: boolean): boolean {
+function handled(pane: PatternPane, key: string, event: KeyboardEvent): boolean {
   return (
-    moved(pane, key, shift) ||
-    chosen(pane, key) ||
-    toolKey(pane, key) ||
-    viewKey(pane, key) ||
-    walk(pane, key)
+    moved(pane, key, event.shiftKey) || chosen(pane, key) || asked(pane, event) || walk(pane, key)
   );
 }
 
@@ -59,75 +56,29 @@ function chosen({tools, index, desk}: PatternPane, key: string): boolean {
   return true;
 }
 
-function toolKey(pane: PatternPane, key: string): boolean {
-  const {tools, desk, index} = pane;
-  switch (key) {
-    case 's':
-      tools.toggle('piece');
-      return true;
-    case 'x':
-      tools.toggle('axis');
-      return true;
-    case 'p':
-      tools.toggle('pair');
-      return true;
-    case 'm':
-      tools.toggle('move');
-      return true;
-    case 'k':
-      tools.toggle('keep');
-      return true;
-    case 'g':
-      tools.toggle('grain');
-      return true;
-    case 'r': {
-      const {selected} = desk;
-      return selected?.kind === 'piece' && !tools.isFixed && turnPiece(desk, selected.piece);
-    }
-    case 'Escape': {
-      if (tools.back() || !desk.selected) return true;
-      desk.select(index && steppedOut(index, desk.selected));
-      return true;
-    }
-    default:
-      return false;
-  }
+/** A command by its key, and what only a key can ask for. */
+function asked(pane: PatternPane, event: KeyboardEvent): boolean {
+  const command = shortcutFor(event, ['pattern']);
+  return command ? patternCommands[command](pane) : heldOrStepped(pane, event.key);
 }
 
-function viewKey(pane: PatternPane, key: string): boolean {
-  const {view, desk} = pane;
-  switch (key) {
-    case '+':
-    case '=':
-      view?.zoomBy(1.25);
-      return true;
-    case '-':
-      view?.zoomBy(1 / 1.25);
-      return true;
-    case '0':
-    case 'f':
-      view?.fit();
-      return true;
-    case 'w':
-      if (pane.tools.isFixed) return false;
-      pane.split = 1;
-      return true;
-    case 'c':
-      if (pane.tools.isFixed) return false;
-      pane.toggleBare();
-      return true;
-    case 'l':
-      pane.dispatchEvent(new CustomEvent('sw-lens-wanted', {bubbles: true, composed: true}));
-      return true;
-    default: {
-      const number = Number(key);
-      if (pane.tools.isFixed || !(number >= 1 && number <= 9)) return false;
-      const texts = textsOf(desk.preferences.language, desk.preferences.messages);
-      const row = worstSeams(seamRows(desk, texts), number)[number - 1];
-      if (row) desk.select({kind: 'seam', seam: row.seam, side: 'a'});
-      return true;
-    }
+function heldOrStepped(pane: PatternPane, key: string): boolean {
+  const {tools, desk, index} = pane;
+  if (key === 'Escape') {
+    if (!tools.back() && desk.selected) desk.select(index && steppedOut(index, desk.selected));
+    return true;
   }
+  if (tools.isFixed) return false;
+  if (key.toLowerCase() === 'w') {
+    pane.split = 1;
+    return true;
+  }
+  const number = Number(key);
+  if (!(number >= 1 && number <= 9)) return false;
+  const texts = textsOf(desk.preferences.language, desk.preferences.messages);
+  const row = worstSeams(seamRows(desk, texts), number)[number - 1];
+  if (row) desk.select({kind: 'seam', seam: row.seam, side: 'a'});
+  return true;
 }
 
 function walk({index, desk}: PatternPane, key: string): boolean {

@@ -78,6 +78,17 @@ export class PatternPane extends PatternDrawing {
     this.requestUpdate();
   }
 
+  /** Shows the garment as it comes on one half, or not any more. */
+  toggleWipe(): void {
+    this.split = this.#split === undefined ? 0.5 : undefined;
+  }
+
+  /** Shows how far each outline has moved, or not any more. */
+  toggleMovement(): void {
+    this.#showsMovement = !this.#showsMovement;
+    this.requestUpdate();
+  }
+
   protected override hasSeams(): boolean {
     return this.purpose === 'edit';
   }
@@ -186,14 +197,13 @@ export class PatternPane extends PatternDrawing {
   #comparing(): TemplateResult {
     const {pattern} = this.texts;
     return html`${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
-      this.split = this.#split === undefined ? 0.5 : undefined;
+      this.toggleWipe();
     })}
     ${this.#toggle(pattern.clothOnly, icon.cloth, this.#isBare, () => {
       this.toggleBare();
     })}
     ${this.#toggle(pattern.movement, icon.movement, this.#showsMovement, () => {
-      this.#showsMovement = !this.#showsMovement;
-      this.requestUpdate();
+      this.toggleMovement();
     })}`;
   }
 

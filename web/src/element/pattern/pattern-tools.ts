@@ -3,6 +3,7 @@ import {choices, seamTarget, targetsAt, type Target as Picked} from '../../click
 import type {PickIndex} from '../../clicks/pick-index.js';
 import {snap, type Snapped} from '../../clicks/snap.js';
 import type {Alignment, Point} from '../../model/geometry.js';
+import {groupsThatCarry} from '../../model/repeat.js';
 import {notchMark} from '../../picture/cutting/follow.js';
 import type {Overlay} from '../../viewer/overlay.js';
 import type {PatternScene} from '../../viewer/scene.js';
@@ -83,15 +84,20 @@ export class PatternTools {
     return active !== undefined;
   }
 
-  /** @returns false when the print can keep none of them */
-  acceptAll(): boolean {
-    const {design, kept, found} = this.#desk;
-    if (!design) return false;
-    const symmetries = withAll(kept, design.print.group, found);
-    if (symmetries.length === kept.length) return false;
+  /** All symmetries that were found; where the print can keep none of them, that is said. */
+  acceptAll(): void {
+    const {design, kept, found, preferences} = this.#desk;
+    if (!design) return;
+    const {group} = design.print;
+    const symmetries = withAll(kept, group, found);
+    if (symmetries.length === kept.length) {
+      const {symmetry} = textsOf(preferences.language, preferences.messages);
+      const groups = groupsThatCarry('piece').join(', ');
+      this.#desk.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
+      return;
+    }
     this.chooser.leave();
     this.#desk.change({symmetries});
-    return true;
   }
 
   words(texts: Texts, format: Format): string {

@@ -1,7 +1,6 @@
 /** The tools over the pattern. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {groupsThatCarry} from '../../model/repeat.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
@@ -86,10 +85,7 @@ export class Toolbar extends DeskElement {
     return html`<button
       title=${symmetry.foundCount(found.length)}
       @click=${() => {
-        if (this.tools.acceptAll()) return;
-        const {group} = design.print;
-        const groups = groupsThatCarry('piece').join(', ');
-        this.desk.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
+        this.tools.acceptAll();
       }}
     >
       ${symmetry.acceptAll}

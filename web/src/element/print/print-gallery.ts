@@ -7,7 +7,7 @@ import type {GroupName} from '../../model/print.js';
 import {carries, groupsThatCarry} from '../../model/repeat.js';
 import {PatientElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
-import {samplePrint, type SamplePrint, type Samples} from '../workbench/samples.js';
+import {inColours, samplePrint, type SamplePrint, type Samples} from '../workbench/samples.js';
 import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choices.js';
 import {ownPrintAs} from './own-print.js';
 import {swatch} from './swatch.js';
@@ -205,8 +205,7 @@ export class PrintGallery extends PatientElement {
             html`<button
               aria-pressed=${name === print.sample?.colourway}
               @click=${() => {
-                const {image, sample: shown} = samplePrint(sample, name);
-                this.desk.change({print: {...print, image, ...(shown && {sample: shown})}});
+                this.desk.change({print: inColours(print, sample, name)});
               }}
             >
               ${swatch(`colour-${name}`, sample, coloured(sample, name))}

@@ -4,6 +4,27 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {mostEffort} from '../workbench/improvement.js';
+import type {Workbench} from '../workbench/workbench.js';
+
+/** What there is to be asked for: to begin, or to stop what is under way. */
+export function improvementOffer({
+  afterwards,
+  design,
+  result,
+  state,
+}: Workbench): {readonly kind: 'begin' | 'stop'; readonly act: () => void} | undefined {
+  if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return undefined;
+  const improving = afterwards.improving(design);
+  if (improving?.isRunning) {
+    const act = (): void => {
+      afterwards.stopImproving();
+    };
+    return {kind: 'stop', act};
+  }
+  const isDone = 2 * (design.options.effort ?? 1) > mostEffort;
+  if (improving || isDone || design.method !== 'best') return undefined;
+  return {kind: 'begin', act: () => void afterwards.improve(design, result)};
+}
 
 export class KeepImproving extends DeskElement {
   static override styles = [
@@ -26,20 +47,16 @@ export class KeepImproving extends DeskElement {
     const {afterwards, design, result, state} = this.desk;
     if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return nothing;
     const {improve} = this.texts;
-    const improving = afterwards.improving(design);
-    const isDone = 2 * (design.options.effort ?? 1) > mostEffort;
+    const offer = improvementOffer(this.desk);
     return html`
-      <span role="status" aria-label=${improve.label}>${this.#words(improving)}</span>
+      <span role="status" aria-label=${improve.label}>
+        ${this.#words(afterwards.improving(design))}
+      </span>
       ${
-        improving?.isRunning
-          ? this.#button(improve.stop, () => {
-              afterwards.stopImproving();
-            })
-          : improving || isDone || design.method !== 'best'
-            ? nothing
-            : this.#button(improve.begin, () => {
-                void afterwards.improve(design, result);
-              })
+        offer &&
+        html`<button class="link" title=${improve.note} @click=${offer.act}>
+          ${improve[offer.kind]}
+        </button>`
       }
     `;
   }
@@ -51,11 +68,5 @@ export class KeepImproving extends DeskElement {
     if (gained === 0) return isRunning ? improve.looking : improve.nothing;
     const words = isRunning ? improve.soFar : improve.gained;
     return words(this.format.fine(gained));
-  }
-
-  #button(label: string, act: () => void): TemplateResult {
-    return html`<button class="link" title=${this.texts.improve.note} @click=${act}>
-      ${label}
-    </button>`;
   }
 }

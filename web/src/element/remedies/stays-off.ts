@@ -5,11 +5,27 @@ import type {Remedy} from '../../remedies/remedy.js';
 import {DeskElement} from '../desk-element.js';
 import {offSeams, seamRows, type SeamRow} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
+import type {Format} from '../texts/format.js';
+import type {Texts} from '../texts/texts.js';
 import type {Samples} from '../workbench/samples.js';
+import type {Workbench} from '../workbench/workbench.js';
 import {remedied} from './apply.js';
 
 /** More seams than these are only counted. */
 const mostSeams = 3;
+
+/** "Turn Waistband by 90°: 148.7 mm → 0.6 mm" */
+export function remedyWords(
+  {kind, pieces, before, after}: Remedy,
+  {scenes}: Workbench,
+  {remedies}: Texts,
+  format: Format,
+): string {
+  const labels = new Map(scenes?.now.pieces.map(({name, label}) => [name, label]));
+  const names = pieces.map((name) => labels.get(name) ?? name).join(', ');
+  const effect = remedies.effect(format.fine(before), format.fine(after));
+  return `${remedies.what[kind](names)}: ${effect}`;
+}
 
 export class StaysOff extends DeskElement {
   static override properties = {...DeskElement.properties, samples: {attribute: false}};
@@ -87,7 +103,7 @@ export class StaysOff extends DeskElement {
   #remedy(remedy: Remedy): TemplateResult | typeof nothing {
     const {design} = this.desk;
     const change = design && remedied(design, remedy, this.samples);
-    const words = this.#words(remedy);
+    const words = remedyWords(remedy, this.desk, this.texts, this.format);
     if (!change) return html`<p>${words}</p>`;
     return html`<button
       class="outlined remedy"
@@ -97,14 +113,5 @@ export class StaysOff extends DeskElement {
     >
       ${words}
     </button>`;
-  }
-
-  /** "Turn Waistband by 90°: 148.7 mm → 0.6 mm" */
-  #words({kind, pieces, before, after}: Remedy): string {
-    const {remedies} = this.texts;
-    const labels = new Map(this.desk.scenes?.now.pieces.map(({name, label}) => [name, label]));
-    const names = pieces.map((name) => labels.get(name) ?? name).join(', ');
-    const effect = remedies.effect(this.format.fine(before), this.format.fine(after));
-    return `${remedies.what[kind](names)}: ${effect}`;
   }
 }

@@ -66,7 +66,7 @@ export class GarmentChoice extends DeskElement {
       <select
         aria-label=${app.garment}
         @change=${(event: Event) => {
-          void this.#open((event.target as HTMLSelectElement).value, sample?.size ?? 'm');
+          void this.choose((event.target as HTMLSelectElement).value, sample?.size ?? 'm');
         }}
       >
         ${style ? nothing : html`<option value="">${name}</option>`}
@@ -82,7 +82,7 @@ export class GarmentChoice extends DeskElement {
         html`<select
           aria-label=${app.size}
           @change=${(event: Event) => {
-            void this.#open(style.style, (event.target as HTMLSelectElement).value);
+            void this.choose(style.style, (event.target as HTMLSelectElement).value);
           }}
         >
           ${style.sizes.map((size) => html`<option value=${size}>${size.toUpperCase()}</option>`)}
@@ -92,7 +92,7 @@ export class GarmentChoice extends DeskElement {
   }
 
   /** Another size keeps all that was decided about the garment; another garment cannot. */
-  async #open(style: string, size: string, isAgain = false): Promise<void> {
+  async choose(style: string, size: string, isAgain = false): Promise<void> {
     this.#waits?.abort();
     if (style === '') return;
     this.#waits = new AbortController();
@@ -114,6 +114,6 @@ export class GarmentChoice extends DeskElement {
     const sample = this.samples?.garments.find((one) => one.style === style);
     const title = this.texts.samples.garments[style] ?? sample?.title ?? style;
     if (!isAgain) this.desk.say({tone: 'info', text: this.texts.offline.waits(title)});
-    onceOnline(() => void this.#open(style, size, true), signal);
+    onceOnline(() => void this.choose(style, size, true), signal);
   }
 }

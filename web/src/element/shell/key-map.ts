@@ -1,18 +1,16 @@
 /** All keys at a glance. */
 import {css, html, type TemplateResult} from 'lit';
 
+import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../commands/shortcuts.js';
 import {DeskElement} from '../desk-element.js';
+import {focused} from '../focused.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 
-/** What has the focus, in whatever shadow. */
-function focused(): Element | null {
-  let found = document.activeElement;
-  while (found?.shadowRoot?.activeElement) found = found.shadowRoot.activeElement;
-  return found;
-}
-
 export class KeyMap extends DeskElement {
+  static override properties = {...DeskElement.properties, known: {attribute: false}};
+  /** Commands that there are beside those of the pattern. */
+  declare known: readonly ShortcutId[];
   /** Had the focus before the map; browsers forget it when it is in a shadow. */
   #before: Element | null = null;
 
@@ -79,12 +77,19 @@ export class KeyMap extends DeskElement {
         </button>
       </header>
       <dl>
-        ${keys.map(
+        ${[...keys, ...this.#commands()].map(
           ([key, meaning]) =>
             html`<dt>${key}</dt>
               <dd>${meaning}</dd>`,
         )}
       </dl>
     </div>`;
+  }
+
+  #commands(): readonly (readonly [key: string, meaning: string])[] {
+    const {texts} = this;
+    return shortcutIds
+      .filter((id) => shortcuts[id].where === 'pattern' || this.known.includes(id))
+      .map((id) => [keyOf(id, texts), titleOf(id, texts)]);
   }
 }

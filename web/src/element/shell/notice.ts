@@ -1,6 +1,7 @@
 /** What is said once. It leaves by itself after it can have been read, unless something went wrong. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
+import {undoAndSay} from '../commands/step-words.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
@@ -75,7 +76,7 @@ export class NoticeBar extends DeskElement {
           ? html`<button
               class="link"
               @click=${() => {
-                this.desk.undo();
+                undoAndSay(this.desk);
               }}
             >
               ${app.undo}

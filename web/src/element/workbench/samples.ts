@@ -61,6 +61,12 @@ export function samplePrint(print: SamplePrint, colourway?: string): DesignPrint
   };
 }
 
+/** The same print as it was sized and turned, in other colours. */
+export function inColours(print: DesignPrint, sample: SamplePrint, colourway: string): DesignPrint {
+  const {image, sample: shown} = samplePrint(sample, colourway);
+  return {...print, image, ...(shown && {sample: shown})};
+}
+
 /** What is cut from when no print has been chosen. */
 export const bareCloth: DesignPrint = {
   title: '',

@@ -1,0 +1,126 @@
+/** The list of all commands, and what undo says. */
+import type {Locator, Page} from 'playwright-core';
+import {expect, it, vi} from 'vitest';
+
+import {barriers} from '../support/barriers.js';
+import {designOf} from '../support/page-design.js';
+import {button, solved, usePage} from '../support/page.js';
+
+vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
+
+const openPage = usePage();
+
+const field = (page: Page): Locator => page.getByRole('combobox', {name: 'Look for a command'});
+const options = (page: Page): Locator =>
+  page.getByRole('listbox', {name: 'Commands'}).getByRole('option');
+const active = (page: Page): Locator =>
+  page.getByRole('listbox', {name: 'Commands'}).getByRole('option', {selected: true});
+const pattern = (page: Page): Locator => page.getByRole('application', {name: 'Pattern'});
+
+/** Looks for a command by the keyboard alone, and carries out the first that is found. */
+async function command(page: Page, words: string, title: string): Promise<void> {
+  await page.keyboard.press('Control+k');
+  await field(page).waitFor();
+  await page.keyboard.type(words);
+  await active(page).filter({hasText: title}).waitFor();
+  await page.keyboard.press('Enter');
+  await field(page).waitFor({state: 'detached'});
+}
+
+it('opens a sample by its name', async () => {
+  const page = await openPage();
+  await solved(page);
+  await command(page, 'garment six gore', 'Garment: Six-gore skirt');
+  await expect
+    .poll(async () => (await designOf(page)).garment.sample?.style, {timeout: 20_000})
+    .toBe('six-gore-skirt');
+});
+
+it('chooses a print by its name, names it in undo, and takes it back', async () => {
+  const page = await openPage();
+  await solved(page);
+  const before = await designOf(page);
+  await command(page, 'fabric majol', 'Print: Majolica');
+  expect((await designOf(page)).print).toMatchObject({group: 'p4m', title: 'Majolica'});
+  const undo = button(page, 'Undo');
+  expect(await undo.getAttribute('title')).toBe('Undo: print, Majolica');
+  await command(page, 'undo majolica', 'Undo: print, Majolica');
+  expect(await designOf(page)).toEqual(before);
+  expect(await button(page, 'Redo').getAttribute('title')).toBe('Redo: print, Majolica');
+});
+
+it('gives the focus back on Escape, and is closed by its own key as well', async () => {
+  const page = await openPage();
+  await solved(page);
+  await pattern(page).focus();
+  const isFocused = (): Promise<boolean> =>
+    pattern(page).evaluate((element) => element.matches(':focus'));
+  await page.keyboard.press('Control+k');
+  await field(page).waitFor();
+  expect(await field(page).evaluate((element) => element.matches(':focus'))).toBe(true);
+  await page.keyboard.press('Escape');
+  await field(page).waitFor({state: 'detached'});
+  expect(await isFocused()).toBe(true);
+  await page.keyboard.press('Control+k');
+  await field(page).waitFor();
+  await page.keyboard.press('Control+k');
+  await field(page).waitFor({state: 'detached'});
+  expect(await isFocused()).toBe(true);
+});
+
+it('is walked by arrow keys, says how many there are, and why one cannot be carried out', async () => {
+  const page = await openPage();
+  await solved(page);
+  await button(page, 'Commands').click();
+  await field(page).fill('turn selected');
+  await expect.poll(() => options(page).count()).toBe(1);
+  await page.getByText('1 command', {exact: true}).waitFor();
+  expect(await active(page).getAttribute('aria-disabled')).toBe('true');
+  expect(await active(page).textContent()).toContain('select a piece first');
+  await page.keyboard.press('Enter');
+  expect(await field(page).isVisible()).toBe(true);
+  await field(page).fill('');
+  await expect.poll(() => options(page).count()).toBeGreaterThan(60);
+  const [first, second] = await options(page).allTextContents();
+  expect(await active(page).textContent()).toBe(first);
+  await page.keyboard.press('ArrowDown');
+  expect(await active(page).textContent()).toBe(second);
+  const id = await field(page).getAttribute('aria-activedescendant');
+  expect(await active(page).getAttribute('id')).toBe(id);
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('ArrowUp');
+  expect(await active(page).textContent()).toBe((await options(page).allTextContents()).at(-1));
+  await field(page).fill('no such thing');
+  await page.getByText('No command has these words.').waitFor();
+});
+
+it('turns a piece, hands a tool over to the keys of the pattern, and changes the language', async () => {
+  const page = await openPage();
+  await solved(page);
+  await command(page, 'rotate back', 'Turn Back by 90°');
+  expect((await designOf(page)).options.grain?.pieces).toEqual({back: 'across'});
+  expect(await button(page, 'Undo').first().getAttribute('title')).toBe('Undo: turn Back');
+  await page.getByRole('status').getByRole('button', {name: 'Undo'}).click();
+  await page.getByText('Undone: turn Back.').waitFor();
+  await command(page, 'move print', 'Move print');
+  expect(await button(page, 'Move print').getAttribute('aria-pressed')).toBe('true');
+  expect(await pattern(page).evaluate((element) => element.matches(':focus'))).toBe(true);
+  await command(page, 'deutsch', 'Language: Deutsch');
+  await page.getByRole('button', {name: 'Befehle'}).waitFor();
+});
+
+it.each([
+  ['light', 1280],
+  ['dark', 390],
+] as const)('is accessible in %s, %i pixels wide', async (colorScheme, width) => {
+  const page = await openPage({colorScheme, viewport: {width, height: 800}});
+  await solved(page);
+  await button(page, 'Commands').click();
+  await field(page).waitFor();
+  expect(await barriers(page, ['minor', 'moderate', 'serious', 'critical'])).toEqual([]);
+  if (width > 640) return;
+  const sizes = await options(page).evaluateAll((all) =>
+    all.map((one) => one.getBoundingClientRect().height),
+  );
+  expect(Math.min(...sizes)).toBeGreaterThanOrEqual(44);
+});

@@ -1,0 +1,142 @@
+/** Commands that change the design: steps, how it is solved and cut, its garment and its print. */
+import {
+  canAlign,
+  fittingOf,
+  improvementOffer,
+  inColours,
+  missing,
+  presetNames,
+  presetOf,
+  redoWords,
+  remedied,
+  remedyWords,
+  samplePrint,
+  undoWords,
+  withFitting,
+  withPreset,
+  type Command,
+} from '../../element/index.js';
+import {withKey, type PageParts} from './page-parts.js';
+
+const grains = ['on', 'across', 'bias', 'free'] as const;
+
+export function stepCommands({desk, texts}: PageParts): readonly Command[] {
+  const {app} = texts;
+  const [undone, redone] = [undoWords(desk, texts), redoWords(desk, texts)];
+  const undo = (): void => {
+    desk.undo();
+  };
+  const redo = (): void => {
+    desk.redo();
+  };
+  return [
+    ...(undone === undefined
+      ? []
+      : [withKey(texts, 'undo', {title: app.undoOf(undone), run: undo})]),
+    ...(redone === undefined
+      ? []
+      : [withKey(texts, 'redo', {title: app.redoOf(redone), run: redo})]),
+  ];
+}
+
+export function solveCommands({desk, texts, format, samples}: PageParts): readonly Command[] {
+  const {app, commands, controls, improve} = texts;
+  const {design, state, preferences} = desk;
+  if (!design) return [];
+  const {solve} = commands.also;
+  const list: Command[] = [];
+  const add = (id: string, title: string, words: string, run: () => void): void => {
+    list.push({id, title, words, run});
+  };
+  if (canAlign(desk)) {
+    add('align', app.align, solve, () => {
+      desk.align();
+    });
+  }
+  if (state.kind === 'solving') {
+    add('cancel', app.cancel, solve, () => {
+      desk.cancel();
+    });
+  }
+  const offer = improvementOffer(desk);
+  if (offer) add('improve', improve[offer.kind], commands.also.improve, offer.act);
+  for (const [k, remedy] of (desk.result ? desk.afterwards.remedies(design) : []).entries()) {
+    const change = remedied(design, remedy, samples);
+    if (!change) continue;
+    add(`remedy ${k}`, remedyWords(remedy, desk, texts, format), '', () => {
+      desk.change(change);
+    });
+  }
+  add('solve as I go', controls.solveAsIGo, solve, () => {
+    desk.prefer({solveAsIGo: !preferences.solveAsIGo});
+  });
+  for (const name of presetNames) {
+    if (name === presetOf(design)) continue;
+    const words = name === 'placeOnly' ? commands.also.placeOnly : controls.presets;
+    add(`preset ${name}`, controls.presetNames[name], words, () => {
+      desk.change(withPreset(design, name));
+    });
+  }
+  const fitting = fittingOf(design);
+  for (const grain of grains) {
+    if (grain === fitting.grain) continue;
+    add(`grain ${grain}`, texts.lists.of(controls.grain, controls.grains[grain]), '', () => {
+      desk.change(withFitting(design, {...fitting, grain}));
+    });
+  }
+  return list;
+}
+
+/** A print that the symmetries do not allow says so. */
+export function printCommands({desk, texts, samples}: PageParts): readonly Command[] {
+  const {design} = desk;
+  if (!design || !samples) return [];
+  const {print, commands, lists, samples: named} = texts;
+  const titleOf = (name: string, title: string): string => named.prints[name] ?? title;
+  const worn = samples.prints.find(({name}) => name === design.print.sample?.name);
+  return [
+    ...samples.prints.map((sample): Command => {
+      const {name, title, group} = sample;
+      const lacks = missing(group, design.symmetries);
+      return {
+        id: `print ${name}`,
+        title: lists.of(print.title, titleOf(name, title)),
+        words: `${group} ${commands.also.print}`,
+        why: lacks && print.lacks[lacks](group),
+        run: () => {
+          desk.change({print: samplePrint(sample)}, 'print');
+        },
+      };
+    }),
+    ...(worn?.colourways ?? []).map(({name}): Command => ({
+      id: `colours ${name}`,
+      title: lists.of(print.colourways, named.colourways[name] ?? name),
+      words: titleOf(worn?.name ?? '', worn?.title ?? ''),
+      run: () => {
+        if (worn) desk.change({print: inColours(design.print, worn, name)});
+      },
+    })),
+  ];
+}
+
+export function garmentCommands({desk, texts, samples, garments}: PageParts): readonly Command[] {
+  if (!samples) return [];
+  const {app, commands, lists, samples: named} = texts;
+  const {style: shown, size: worn = 'm'} = desk.design?.garment.sample ?? {};
+  const sizes = samples.garments.find(({style}) => style === shown)?.sizes ?? [];
+  return [
+    ...samples.garments.map(({style, title}): Command => ({
+      id: `garment ${style}`,
+      title: lists.of(app.garment, named.garments[style] ?? title),
+      words: `${title} ${commands.also.garment}`,
+      run: () => void garments.choose(style, worn),
+    })),
+    ...sizes.map((size): Command => ({
+      id: `size ${size}`,
+      title: lists.of(app.size, size.toUpperCase()),
+      run: () => {
+        if (shown !== undefined) void garments.choose(shown, size);
+      },
+    })),
+  ];
+}

@@ -1,0 +1,83 @@
+/** All commands of the page, the likeliest first. */
+import {languageNames, languages, type Command, type Preferences} from '../../element/index.js';
+import {garmentCommands, printCommands, solveCommands, stepCommands} from './design-list.js';
+import {withKey, type PageParts} from './page-parts.js';
+import {pieceCommands, toolCommands, viewCommands} from './pattern-list.js';
+
+export const allCommands = (parts: PageParts): readonly Command[] => [
+  ...stepCommands(parts),
+  ...fileCommands(parts),
+  ...toolCommands(parts),
+  ...viewCommands(parts),
+  ...solveCommands(parts),
+  ...printCommands(parts),
+  ...garmentCommands(parts),
+  ...pieceCommands(parts),
+  ...settingCommands(parts),
+];
+
+function fileCommands(parts: PageParts): readonly Command[] {
+  const {desk, texts, saves} = parts;
+  const {app, commands, print, projects} = texts;
+  const {also, needs} = commands;
+  const open: readonly Command[] = [
+    withKey(texts, 'open', {words: also.open, run: parts.openGarment}),
+    {
+      ...{id: 'open print', title: print.open, words: `${also.open} ${also.print}`},
+      run: parts.openPrint,
+    },
+    {id: 'projects', title: projects.title, words: also.open, run: parts.showProjects},
+  ];
+  if (!desk.design) return open;
+  const why = desk.result ? undefined : needs.answer;
+  const saved = (id: keyof typeof saves, title: string, words: string, why?: string): Command => ({
+    ...{id: `save ${id}`, title, words: `${also.save} ${words}`, why, run: saves[id]},
+  });
+  return [
+    ...open,
+    withKey(texts, 'save', {words: also.save, run: saves.project}),
+    saved('result', app.saveResult, '', why),
+    saved('picture', app.savePicture, also.picture, why),
+    saved('cutting', app.saveCutting, also.cutting, why),
+    saved('link', app.copyLink, also.link),
+    {
+      ...{id: 'paper', title: commands.paper, words: also.paper},
+      run: () => {
+        globalThis.print();
+      },
+    },
+  ];
+}
+
+function settingCommands({desk, texts, editor}: PageParts): readonly Command[] {
+  const {app, commands, controls, lists} = texts;
+  const {language, units, theme, scale} = desk.preferences;
+  const {settings, help} = commands.also;
+  const choice = (label: string, name: string, change: Partial<Preferences>): Command => ({
+    ...{id: JSON.stringify(change), title: lists.of(label, name), words: settings},
+    run: () => {
+      desk.prefer(change);
+    },
+  });
+  const others = <Value>(all: readonly Value[], present: Value): readonly Value[] =>
+    all.filter((one) => one !== present);
+  const themes = ['system', 'light', 'dark'] as const;
+  const lengths = ['cm', 'inch'] as const;
+  const scales = {paper: 'absolute', absolute: 'paper'} as const;
+  return [
+    ...others(languages, language).map((one) =>
+      choice(app.language, languageNames[one], {language: one}),
+    ),
+    ...others(lengths, units).map((one) =>
+      choice(app.units, controls.unitNames[one], {units: one}),
+    ),
+    ...others(themes, theme).map((one) => choice(app.theme, app.themes[one], {theme: one})),
+    {...choice('', '', {scale: scales[scale]}), title: controls.paperScale},
+    withKey(texts, 'keys', {
+      words: help,
+      run: () => {
+        editor.toggleKeys();
+      },
+    }),
+  ];
+}

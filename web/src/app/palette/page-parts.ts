@@ -1,0 +1,38 @@
+import type {
+  Command,
+  Editor,
+  Format,
+  GarmentChoice,
+  Samples,
+  ShortcutId,
+  Texts,
+  Workbench,
+} from '../../element/index.js';
+import {keyOf, titleOf} from '../../element/index.js';
+
+/** What commands are about, and who carries them out. */
+export interface PageParts {
+  readonly desk: Workbench;
+  readonly texts: Texts;
+  readonly format: Format;
+  readonly samples: Samples | undefined;
+  readonly editor: Editor;
+  readonly garments: GarmentChoice;
+  readonly saves: {
+    readonly project: () => void;
+    readonly result: () => void;
+    readonly picture: () => void;
+    readonly cutting: () => void;
+    readonly link: () => void;
+  };
+  readonly openGarment: () => void;
+  readonly openPrint: () => void;
+  readonly showProjects: () => void;
+}
+
+/** A command with a key of its own. */
+export const withKey = (
+  texts: Texts,
+  id: ShortcutId,
+  more: Omit<Command, 'id' | 'title' | 'key'> & {readonly title?: string},
+): Command => ({id, title: titleOf(id, texts), key: keyOf(id, texts), ...more});

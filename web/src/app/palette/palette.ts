@@ -1,0 +1,191 @@
+/** Every command by its name: a field to look for it, and a list to choose from. */
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+
+import {controls, DeskElement, focused, type Command} from '../../element/index.js';
+import {matching} from './filter.js';
+import {paletteStyle} from './palette-style.js';
+
+/** Rows that PageUp and PageDown jump over. */
+const page = 8;
+
+export class CommandPalette extends DeskElement {
+  static override properties = {
+    ...DeskElement.properties,
+    commands: {attribute: false},
+    typed: {state: true},
+    active: {state: true},
+    isOpen: {state: true},
+  };
+  static override styles = [controls, paletteStyle];
+  /** What there is to be done just now. */
+  declare commands: () => readonly Command[];
+  declare protected typed: string;
+  /** The command that Enter would carry out, by its id; the first unless another is chosen. */
+  declare protected active: string | undefined;
+  declare protected isOpen: boolean;
+  /** Had the focus before; browsers forget it when it is in a shadow. */
+  #before: Element | null = null;
+  #shown: readonly Command[] = [];
+
+  constructor() {
+    super();
+    this.commands = () => [];
+    this.typed = '';
+    this.isOpen = false;
+  }
+
+  /** Opens it, or closes it again. */
+  async toggle(): Promise<void> {
+    if (this.isOpen) {
+      this.#dialog?.close();
+      return;
+    }
+    this.#before = focused();
+    this.typed = '';
+    this.active = undefined;
+    this.isOpen = true;
+    await this.updateComplete;
+    this.#dialog?.showModal();
+    this.#field?.focus();
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    if (!this.isOpen) return;
+    this.#shown = matching(this.commands(), this.typed);
+    if (!this.#shown.some(({id}) => id === this.active)) this.active = this.#shown[0]?.id;
+  }
+
+  protected override render(): TemplateResult {
+    const {commands} = this.texts;
+    return html`<dialog
+      aria-label=${commands.title}
+      @close=${this.#closed}
+      @click=${(event: Event) => {
+        // beside the dialog is its backdrop
+        if (event.target === event.currentTarget) this.#dialog?.close();
+      }}
+    >
+      ${this.isOpen ? this.#inside() : nothing}
+    </dialog>`;
+  }
+
+  protected override updated(): void {
+    this.renderRoot.querySelector('[aria-selected=true]')?.scrollIntoView({block: 'nearest'});
+  }
+
+  #inside(): TemplateResult {
+    const {commands, app} = this.texts;
+    const shown = this.#shown;
+    const at = shown.findIndex(({id}) => id === this.active);
+    return html`<div class="inside">
+      <div class="head">
+        <input
+          type="text"
+          role="combobox"
+          aria-label=${commands.look}
+          aria-expanded="true"
+          aria-controls="list"
+          aria-autocomplete="list"
+          aria-activedescendant=${at < 0 ? nothing : `command-${at}`}
+          placeholder=${commands.look}
+          autocomplete="off"
+          autocapitalize="off"
+          spellcheck="false"
+          enterkeyhint="go"
+          .value=${this.typed}
+          @input=${({target}: Event) => {
+            this.typed = (target as HTMLInputElement).value;
+            this.active = undefined;
+          }}
+          @keydown=${this.#key}
+        />
+        <button
+          class="outlined"
+          @click=${() => {
+            this.#dialog?.close();
+          }}
+        >
+          ${app.close}
+        </button>
+      </div>
+      <div
+        id="list"
+        role="listbox"
+        aria-label=${commands.title}
+        tabindex="-1"
+        @pointerdown=${(event: Event) => {
+          event.preventDefault(); // the field keeps the focus
+        }}
+      >
+        ${shown.map((command, k) => this.#option(command, k))}
+      </div>
+      <p class=${shown.length > 0 ? 'hidden' : 'soft none'} role="status">
+        ${shown.length > 0 ? commands.count(shown.length) : commands.none}
+      </p>
+    </div>`;
+  }
+
+  #option(command: Command, k: number): TemplateResult {
+    const {id, title, key, why} = command;
+    return html`<div
+      id="command-${k}"
+      role="option"
+      aria-selected=${id === this.active}
+      aria-disabled=${why === undefined ? nothing : 'true'}
+      @click=${() => {
+        this.#run(command);
+      }}
+      @pointermove=${() => {
+        this.active = id;
+      }}
+    >
+      <span>${title}</span>
+      ${why === undefined ? nothing : html`<span class="why">${why}</span>`}
+      ${key === undefined ? nothing : html`<kbd>${key}</kbd>`}
+    </div>`;
+  }
+
+  readonly #key = (event: KeyboardEvent): void => {
+    const shown = this.#shown;
+    const at = shown.findIndex(({id}) => id === this.active);
+    const last = shown.length - 1;
+    const to = {
+      ArrowDown: at === last ? 0 : at + 1,
+      ArrowUp: at <= 0 ? last : at - 1,
+      PageDown: Math.min(last, at + page),
+      PageUp: Math.max(0, at - page),
+    }[event.key];
+    if (to !== undefined) this.active = shown[to]?.id;
+    else if (event.key === 'Enter' && !event.isComposing && shown[at]) this.#run(shown[at]);
+    else return;
+    event.preventDefault();
+  };
+
+  #run({why, run}: Command): void {
+    if (why !== undefined) return;
+    this.#dialog?.close();
+    this.#giveBack();
+    run();
+  }
+
+  /** Where the focus was, it is again; what is carried out then may take it elsewhere. */
+  #giveBack(): void {
+    const before = this.#before;
+    this.#before = null;
+    if (before instanceof HTMLElement && before !== document.body) before.focus();
+  }
+
+  readonly #closed = (): void => {
+    this.isOpen = false;
+    this.#giveBack();
+  };
+
+  get #dialog(): HTMLDialogElement | null {
+    return this.renderRoot.querySelector('dialog');
+  }
+
+  get #field(): HTMLInputElement | null {
+    return this.renderRoot.querySelector('input');
+  }
+}

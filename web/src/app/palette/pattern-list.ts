@@ -1,0 +1,138 @@
+/** Commands about the pattern: its tools, its pieces and seams, and how it is shown. */
+import {
+  patternCommands,
+  pieceRows,
+  seamRows,
+  togglePart,
+  turnPiece,
+  withoutPin,
+  worstSeams,
+  type Command,
+} from '../../element/index.js';
+import {withKey, type PageParts} from './page-parts.js';
+
+const tools = ['piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;
+const zooms = ['fit', 'zoomIn', 'zoomOut'] as const;
+
+export function toolCommands({desk, texts, editor: {pattern}}: PageParts): readonly Command[] {
+  if (!pattern || !desk.design) return [];
+  const {commands, symmetry} = texts;
+  const list = tools.map((id) =>
+    withKey(texts, id, {
+      words: id === 'keep' ? commands.also.keep : id === 'move' ? '' : commands.also.symmetry,
+      run: () => {
+        patternCommands[id](pattern);
+        pattern.focus();
+      },
+    }),
+  );
+  if (desk.found.length === 0) return list;
+  const accept: Command = {
+    id: 'accept',
+    title: symmetry.acceptAll,
+    words: commands.also.symmetry,
+    run: () => {
+      pattern.tools.acceptAll();
+    },
+  };
+  return [...list, accept];
+}
+
+export function viewCommands({desk, texts, editor: {pattern}}: PageParts): readonly Command[] {
+  if (!pattern || !desk.design) return [];
+  const {commands, pattern: words} = texts;
+  const {view, zoom} = commands.also;
+  const why = desk.result ? undefined : commands.needs.answer;
+  const toggle = (id: string, title: string, run: () => void): Command => ({
+    ...{id, title, words: view, why, run},
+  });
+  return [
+    withKey(texts, 'clothOnly', {words: view, run: () => patternCommands.clothOnly(pattern)}),
+    toggle('wipe', words.wipe, () => {
+      pattern.toggleWipe();
+    }),
+    toggle('movement', words.movement, () => {
+      pattern.toggleMovement();
+    }),
+    ...zooms.map((id) =>
+      withKey(texts, id, {words: zoom, run: () => patternCommands[id](pattern)}),
+    ),
+    withKey(texts, 'lens', {words: view, run: () => patternCommands.lens(pattern)}),
+  ];
+}
+
+/** What is done to a piece, by its name. */
+export function pieceCommands({desk, texts, editor: {pattern}}: PageParts): readonly Command[] {
+  const {commands, remedies, keep, lists, symmetry} = texts;
+  const {design, selected} = desk;
+  if (!pattern || !design) return [];
+  const rows = pieceRows(desk);
+  const ofSelected = withKey(texts, 'turn', {
+    words: commands.also.turn,
+    why: selected?.kind === 'piece' ? undefined : commands.needs.piece,
+    run: () => patternCommands.turn(pattern),
+  });
+  const seams = seamRows(desk, texts);
+  const [worst] = worstSeams(seams, 1);
+  const toSeam = (seam: number): void => {
+    desk.select({kind: 'seam', seam, side: 'a'});
+    pattern.focus();
+  };
+  return [
+    ofSelected,
+    ...(worst
+      ? [
+          {
+            id: 'worst',
+            title: commands.worst,
+            key: '1',
+            run: () => {
+              toSeam(worst.seam);
+            },
+          },
+        ]
+      : []),
+    ...rows.flatMap(({piece, name, label, kept, pinned}): readonly Command[] => [
+      {
+        id: `turn ${name}`,
+        title: remedies.what.turn(label),
+        words: commands.also.turn,
+        run: () => turnPiece(desk, piece),
+      },
+      {
+        id: `keep ${name}`,
+        title: lists.of(kept === 'all' ? keep.release : keep.keep, label),
+        words: commands.also.keep,
+        run: () => {
+          togglePart(desk, {piece});
+        },
+      },
+      ...(pinned
+        ? [
+            {
+              id: `free ${name}`,
+              title: symmetry.freePiece(label),
+              run: () => {
+                desk.change({options: withoutPin(design.options, name)});
+              },
+            },
+          ]
+        : []),
+      {
+        id: `piece ${name}`,
+        title: lists.of(lists.piece, label),
+        run: () => {
+          desk.select({kind: 'piece', piece});
+          pattern.focus();
+        },
+      },
+    ]),
+    ...seams.map(({seam, name}): Command => ({
+      id: `seam ${seam}`,
+      title: lists.of(lists.seam, name),
+      run: () => {
+        toSeam(seam);
+      },
+    })),
+  ];
+}

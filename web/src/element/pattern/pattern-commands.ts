@@ -1,0 +1,50 @@
+/** What the pattern can be asked for, by a key or by name. */
+import type {ShortcutIn} from '../commands/shortcuts.js';
+import {turnPiece} from '../lists/turn-piece.js';
+import type {PatternPane} from './pattern-pane.js';
+import type {Tool} from './pattern-tools.js';
+
+/** One notch of zoom by a key. */
+const zoom = 1.25;
+
+const tool =
+  (name: Tool) =>
+  ({tools}: PatternPane): boolean => {
+    tools.toggle(name);
+    return true;
+  };
+
+/** @returns whether it means something just now */
+type Act = (pane: PatternPane) => boolean;
+
+export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {
+  piece: tool('piece'),
+  axis: tool('axis'),
+  pair: tool('pair'),
+  move: tool('move'),
+  keep: tool('keep'),
+  grain: tool('grain'),
+  turn: ({tools, desk}) =>
+    desk.selected?.kind === 'piece' && !tools.isFixed && turnPiece(desk, desk.selected.piece),
+  lens: (pane) => {
+    pane.dispatchEvent(new CustomEvent('sw-lens-wanted', {bubbles: true, composed: true}));
+    return true;
+  },
+  clothOnly: (pane) => {
+    if (pane.tools.isFixed) return false;
+    pane.toggleBare();
+    return true;
+  },
+  fit: ({view}) => {
+    view?.fit();
+    return true;
+  },
+  zoomIn: ({view}) => {
+    view?.zoomBy(zoom);
+    return true;
+  },
+  zoomOut: ({view}) => {
+    view?.zoomBy(1 / zoom);
+    return true;
+  },
+};
