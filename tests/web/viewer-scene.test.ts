@@ -13,8 +13,8 @@ import {
   realigned,
   reprinted,
   sceneOf,
-  symmetriesOf,
 } from '../../web/src/viewer/scene.js';
+import {symmetriesOf} from '../../web/src/viewer/scene-marks.js';
 import {seamStrokes} from '../../web/src/viewer/strokes.js';
 import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
 

@@ -111,9 +111,20 @@ const styleOf = ({styles}: Stroke, edge: number): LineStyle =>
 const edgeCount = ({points, closed}: Stroke): number =>
   closed ? points.length : Math.max(points.length - 1, 0);
 
+/** Where the lines of a layer are drawn: the ends of all edges, and their shifts. */
+export interface LinePlaces {
+  readonly ends: Float32Array;
+  readonly shifts: Float32Array;
+}
+
 /** Strokes in the order in which they are drawn over each other. */
 export class LineLayer {
   readonly object: Mesh<InstancedBufferGeometry, LineMaterial>;
+  readonly #ends: InstancedBufferAttribute;
+  readonly #shifts: InstancedBufferAttribute;
+  /** Where the strokes are, once they have been drawn elsewhere. */
+  #own: LinePlaces | undefined;
+  #from: LinePlaces | undefined;
   readonly #ink: InstancedBufferAttribute;
   readonly #stroke: InstancedBufferAttribute;
 
@@ -142,9 +153,11 @@ export class LineLayer {
     const corners = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]);
     geometry.setAttribute('position', new BufferAttribute(corners, 3));
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
-    geometry.setAttribute('ends', new InstancedBufferAttribute(ends, 4));
+    this.#ends = new InstancedBufferAttribute(ends, 4);
+    this.#shifts = new InstancedBufferAttribute(shifts, 4);
+    geometry.setAttribute('ends', this.#ends);
     geometry.setAttribute('along', new InstancedBufferAttribute(along, 2));
-    geometry.setAttribute('shifts', new InstancedBufferAttribute(shifts, 4));
+    geometry.setAttribute('shifts', this.#shifts);
     geometry.setAttribute('ink', this.#ink.setUsage(DynamicDrawUsage));
     geometry.setAttribute('stroke', this.#stroke.setUsage(DynamicDrawUsage));
     geometry.instanceCount = count;
@@ -168,7 +181,43 @@ export class LineLayer {
     this.#stroke.needsUpdate = true;
   }
 
+  /** Where the lines are drawn just now. */
+  get places(): LinePlaces {
+    const [ends, shifts] = [this.#ends, this.#shifts].map(({array}) => Float32Array.from(array));
+    return {ends: ends ?? new Float32Array(), shifts: shifts ?? new Float32Array()};
+  }
+
+  /** Where `blend` sets out from: places of as many edges, or none. */
+  comeFrom(from: LinePlaces | undefined): void {
+    this.#from = from;
+  }
+
+  /** Draws the lines at this part of the way to their own places, and at its end exactly there. */
+  blend(share: number): void {
+    const from = this.#from;
+    if (from?.ends.length !== this.#ends.array.length) return;
+    this.#own ??= this.places;
+    blend(this.#ends, from.ends, this.#own.ends, share);
+    blend(this.#shifts, from.shifts, this.#own.shifts, share);
+    if (share === 1) this.#from = undefined;
+  }
+
   dispose(): void {
     this.object.geometry.dispose();
   }
+}
+
+/** Exactly `to` where the share is 1. */
+function blend(
+  attribute: InstancedBufferAttribute,
+  from: Float32Array,
+  to: Float32Array,
+  share: number,
+): void {
+  const {array} = attribute;
+  for (let k = 0; k < to.length; k++) {
+    const [start = 0, end = 0] = [from[k], to[k]];
+    array[k] = end + (1 - share) * (start - end);
+  }
+  attribute.needsUpdate = true;
 }

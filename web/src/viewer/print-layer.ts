@@ -10,8 +10,10 @@ import {
   type Texture,
 } from 'three';
 
+import type {Alignment, Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {apply} from '../model/wallpaper.js';
+import {between, nearestLike} from './morph.js';
 import {imageCoordinates} from './print-coordinates.js';
 import type {ScenePiece} from './scene.js';
 
@@ -49,50 +51,158 @@ export class PrintMaterial extends ShaderMaterial {
   }
 }
 
+/** How pieces are drawn: their vertices in their own coordinates, where those lie on the sheet, and how they lie on the print. */
+export interface PiecePlaces {
+  readonly points: Float64Array;
+  readonly offsets: readonly Point[];
+  readonly alignments: readonly Alignment[];
+}
+
+interface Way {
+  readonly from: PiecePlaces;
+  /** Looks like the alignments at the end. */
+  readonly to: readonly Alignment[];
+  /** Of the pieces, which turn about them. */
+  readonly middles: readonly Point[];
+}
+
 /** One mesh of all pieces. Image coordinates are affine on a piece, so the hardware's mipmaps and anisotropy are right. */
 export class PrintLayer {
   readonly object: Mesh<BufferGeometry, PrintMaterial>;
+  readonly #positions: BufferAttribute;
   readonly #coordinates: BufferAttribute;
+  /** Of vertices, per piece. */
+  readonly #counts: readonly number[];
+  /** Where the pieces are, and how they are drawn just now. */
+  #own: PiecePlaces;
+  #shown: PiecePlaces;
+  #way: Way | undefined;
+  #print: Print;
 
-  constructor(pieces: readonly ScenePiece[], material: PrintMaterial) {
-    const count = pieces.reduce((sum, {points}) => sum + points.length, 0);
-    const positions = new Float32Array(3 * count);
+  constructor(pieces: readonly ScenePiece[], print: Print, material: PrintMaterial) {
+    this.#print = print;
+    this.#counts = pieces.map(({points}) => points.length);
+    const count = this.#counts.reduce((sum, one) => sum + one, 0);
     const printed = new Uint8Array(count);
     const indices: number[] = [];
     let first = 0;
-    for (const {points, triangles, offset, plain} of pieces) {
+    for (const {points, triangles, plain} of pieces) {
       printed.fill(plain ? 0 : 1, first, first + points.length);
-      points.forEach(([x, y], k) => {
-        positions.set([x + offset[0], y + offset[1], 0], 3 * (first + k));
-      });
       for (const [i, j, k] of triangles) indices.push(first + i, first + j, first + k);
       first += points.length;
     }
+    const points = Float64Array.from(pieces.flatMap((piece) => piece.points.flat()));
+    const offsets = pieces.map(({offset}) => offset);
+    this.#own = {points, offsets, alignments: pieces.map(({alignment}) => alignment)};
+    this.#shown = this.#own;
+    this.#positions = new BufferAttribute(new Float32Array(3 * count), 3);
     this.#coordinates = new BufferAttribute(new Float32Array(2 * count), 2);
     this.#coordinates.setUsage(DynamicDrawUsage);
     const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('position', this.#positions);
     geometry.setAttribute('uv', this.#coordinates);
     geometry.setAttribute('printed', new BufferAttribute(printed, 1));
     geometry.setIndex(indices);
     this.object = new Mesh(geometry, material);
     this.object.frustumCulled = false;
+    this.#place();
+    this.#lay();
+  }
+
+  /** How the pieces are drawn just now. */
+  get places(): PiecePlaces {
+    return this.#shown;
+  }
+
+  /** Whether `blend` has not come to the end since it was told where to set out from. */
+  get isOnItsWay(): boolean {
+    return this.#way !== undefined;
   }
 
   /** Lays the pieces, the same as before, on the print by their alignments. */
-  align(pieces: readonly ScenePiece[], print: Print): void {
+  align(pieces: readonly Pick<ScenePiece, 'alignment'>[], print: Print): void {
+    this.#print = print;
+    const alignments = pieces.map(({alignment}) => alignment);
+    this.#own = {...this.#own, alignments};
+    this.#shown = this.#way ? {...this.#shown, alignments} : this.#own;
+    this.#lay();
+  }
+
+  /** Where `blend` sets out from: places of the same pieces. On the print they take the shortest way to what looks the same. */
+  comeFrom(from: PiecePlaces): void {
     let vertex = 0;
-    for (const {points, alignment} of pieces) {
-      const map = imageCoordinates(print, alignment, points[0] ?? [0, 0]);
-      for (const point of points) {
-        const [u, v] = apply(map, point);
-        this.#coordinates.setXY(vertex++, u, v);
-      }
+    const middles = this.#counts.map((count) =>
+      middle(this.#own.points, vertex, (vertex += count)),
+    );
+    const to = this.#own.alignments.map((end, k) =>
+      nearestLike(this.#print, from.alignments[k] ?? end, end, middles[k] ?? [0, 0]),
+    );
+    this.#way = {from, to, middles};
+  }
+
+  /** Draws the pieces at this part of the way to their own places, and at its end exactly there. */
+  blend(share: number): void {
+    const [way, own] = [this.#way, this.#own];
+    if (!way) return;
+    if (share === 1) {
+      this.#shown = own;
+      this.#way = undefined;
+    } else {
+      const {from, to, middles} = way;
+      const mixed = (a: number, b: number): number => b + (1 - share) * (a - b);
+      this.#shown = {
+        points: own.points.map((end, k) => mixed(from.points[k] ?? end, end)),
+        offsets: own.offsets.map(([x, y], k): Point => {
+          const [fromX, fromY] = from.offsets[k] ?? [x, y];
+          return [mixed(fromX, x), mixed(fromY, y)];
+        }),
+        alignments: to.map((end, k) =>
+          between(from.alignments[k] ?? end, end, share, middles[k] ?? [0, 0]),
+        ),
+      };
     }
-    this.#coordinates.needsUpdate = true;
+    this.#place();
+    this.#lay();
   }
 
   dispose(): void {
     this.object.geometry.dispose();
   }
+
+  #place(): void {
+    const {points, offsets} = this.#shown;
+    let vertex = 0;
+    for (const [piece, [dx, dy]] of offsets.entries()) {
+      for (const end = vertex + (this.#counts[piece] ?? 0); vertex < end; vertex++) {
+        const [x = 0, y = 0] = [points[2 * vertex], points[2 * vertex + 1]];
+        this.#positions.setXY(vertex, x + dx, y + dy);
+      }
+    }
+    this.#positions.needsUpdate = true;
+  }
+
+  #lay(): void {
+    const {points, alignments} = this.#shown;
+    let vertex = 0;
+    for (const [piece, alignment] of alignments.entries()) {
+      const near: Point = [points[2 * vertex] ?? 0, points[2 * vertex + 1] ?? 0];
+      const map = imageCoordinates(this.#print, alignment, near);
+      for (const end = vertex + (this.#counts[piece] ?? 0); vertex < end; vertex++) {
+        const [u, v] = apply(map, [points[2 * vertex] ?? 0, points[2 * vertex + 1] ?? 0]);
+        this.#coordinates.setXY(vertex, u, v);
+      }
+    }
+    this.#coordinates.needsUpdate = true;
+  }
+}
+
+/** Of the vertices from one number up to another. */
+function middle(points: Float64Array, first: number, end: number): Point {
+  let [x, y] = [0, 0];
+  for (let k = first; k < end; k++) {
+    x += points[2 * k] ?? 0;
+    y += points[2 * k + 1] ?? 0;
+  }
+  const count = Math.max(1, end - first);
+  return [x / count, y / count];
 }

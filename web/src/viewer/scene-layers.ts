@@ -3,6 +3,7 @@ import {Scene} from 'three';
 
 import {LineLayer, type LineMaterial} from './line-layer.js';
 import {PrintLayer, type PrintMaterial} from './print-layer.js';
+import type {Motion} from './morph.js';
 import type {PatternScene} from './scene.js';
 import {keptStrokes, markStrokes, outlineStrokes, seamStrokes, type Appearance} from './strokes.js';
 
@@ -20,6 +21,16 @@ interface Layers {
   readonly marks: LineLayer;
 }
 
+type Places = {readonly [Layer in keyof Layers]: Layers[Layer]['places']};
+
+const placesOf = ({print, outlines, kept, seams, marks}: Layers): Places => ({
+  print: print.places,
+  outlines: outlines.places,
+  kept: kept.places,
+  seams: seams.places,
+  marks: marks.places,
+});
+
 /** Whether two scenes differ in nothing but how the pieces lie on the print. */
 const sameGeometry = (a: PatternScene, b: PatternScene): boolean =>
   a.symmetries === b.symmetries &&
@@ -33,6 +44,41 @@ const sameGeometry = (a: PatternScene, b: PatternScene): boolean =>
       offset === b.pieces[k].offset &&
       plain === b.pieces[k].plain,
   );
+
+const sameNumbers = (a: readonly number[], b: readonly number[]): boolean =>
+  a === b || (a.length === b.length && a.every((one, k) => one === b[k]));
+
+/** Whether the pieces of two sheets are the same, vertex by vertex, so that there is a way from the one to the other. */
+const sameVertices = (a: PatternScene, b: PatternScene): boolean =>
+  sameNumbers(a.size, b.size) &&
+  a.pieces.length === b.pieces.length &&
+  a.pieces.every((piece, k) => {
+    const other = b.pieces[k];
+    return (
+      piece.name === other?.name &&
+      piece.points.length === other.points.length &&
+      sameNumbers(piece.outline, other.outline) &&
+      (piece.triangles === other.triangles ||
+        piece.triangles.every((corners, n) => sameNumbers(corners, other.triangles[n] ?? [])))
+    );
+  });
+
+/** Whether the print repeats in the same way, so that it may slide. */
+const sameLattice = ({print: a}: PatternScene, {print: b}: PatternScene): boolean =>
+  a.group === b.group && sameNumbers(a.w1, b.w1) && sameNumbers(a.w2, b.w2);
+
+/** What the lines of each kind are drawn along; where that differs, they are not the same lines. */
+const lineKinds: Readonly<
+  Record<Exclude<keyof Layers, 'print'>, (scene: PatternScene) => unknown>
+> = {
+  outlines: () => '',
+  kept: ({kept = []}) => kept,
+  seams: ({seams}) => seams.map(({a, b}) => [a, b]),
+  marks: ({pieces, symmetries}) => [
+    pieces.map(({grain}) => grain !== undefined),
+    symmetries.map((symmetry) => (symmetry.kind === 'piece' ? symmetry.piece : -1)),
+  ],
+};
 
 export class SceneLayers {
   readonly object = new Scene();
@@ -49,10 +95,21 @@ export class SceneLayers {
     return this.#shown;
   }
 
-  /** Cheap when only alignments differ from the scene before. @returns whether all was built anew */
-  show(scene: PatternScene, appearance: Appearance): boolean {
-    const before = this.#shown;
-    const isKnown = before && this.#appearance === appearance && sameGeometry(before, scene);
+  /**
+   * Cheap when only alignments differ from the scene before.
+   * @returns whether all was built anew, and whether there is a way for `blend` from what was drawn before
+   */
+  show(
+    scene: PatternScene,
+    appearance: Appearance,
+    motion: Motion = 'none',
+  ): {readonly isNew: boolean; readonly moves: boolean} {
+    const [before, drawn] = [this.#shown, this.#layers];
+    const isKnown =
+      before !== undefined && this.#appearance === appearance && sameGeometry(before, scene);
+    const isMoved = motion === 'all' || !isKnown || drawn?.print.isOnItsWay;
+    const moves = motion !== 'none' && isMoved && before && sameVertices(before, scene);
+    const places = moves && drawn && placesOf(drawn);
     this.#shown = scene;
     this.#appearance = appearance;
     if (!isKnown) this.#build(scene, appearance);
@@ -62,7 +119,21 @@ export class SceneLayers {
     if (!isKnown || before.pieces !== scene.pieces || before.print !== scene.print) {
       this.#layers?.print.align(scene.pieces, scene.print);
     }
-    return !isKnown;
+    if (places) {
+      const slides = motion === 'all' && sameLattice(before, scene);
+      this.#comeFrom(
+        places,
+        slides,
+        (along) => isKnown || JSON.stringify(along(before)) === JSON.stringify(along(scene)),
+      );
+    } else this.blend(1);
+    return {isNew: !isKnown, moves: places !== undefined && places !== false};
+  }
+
+  /** Draws this part of the way from what was drawn before; at its end, which it is at by itself, exactly the scene. */
+  blend(share: number): void {
+    for (const layer of Object.values(this.#layers ?? {}) as Layers[keyof Layers][])
+      layer.blend(share);
   }
 
   /** Whether there are lines over the cloth, and those of seams among them. */
@@ -86,12 +157,26 @@ export class SceneLayers {
     const lines = (strokes: typeof markStrokes, order: number): LineLayer =>
       new LineLayer(strokes(scene, appearance), line, order);
     this.#layers = {
-      print: new PrintLayer(scene.pieces, cloth),
+      print: new PrintLayer(scene.pieces, scene.print, cloth),
       outlines: lines(outlineStrokes, 1),
       kept: lines(keptStrokes, 2),
       seams: lines(seamStrokes, 3),
       marks: lines(markStrokes, 4),
     };
     this.object.add(...Object.values(this.#layers).map(({object}: Layers[keyof Layers]) => object));
+  }
+
+  #comeFrom(
+    {print, ...lines}: Places,
+    slides: boolean,
+    isSame: (along: (typeof lineKinds)[keyof typeof lineKinds]) => boolean,
+  ): void {
+    const layers = this.#layers;
+    if (!layers) return;
+    const {alignments} = layers.print.places;
+    layers.print.comeFrom(slides ? print : {...print, alignments});
+    for (const name of Object.keys(lineKinds) as (keyof typeof lineKinds)[]) {
+      layers[name].comeFrom(isSame(lineKinds[name]) ? lines[name] : undefined);
+    }
   }
 }

@@ -15,11 +15,11 @@ import {
   type SeamFit,
 } from '../picture/fit.js';
 import {layOutNamed, type Layout} from '../picture/layout.js';
-import {axisAlong, innermost, isInside, mirrorImage, pick} from '../picture/marks.js';
+import {isInside, pick} from '../picture/marks.js';
 import {nameLines, textWidth} from '../picture/svg.js';
 import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
 import {readable} from '../model/piece-names.js';
-import {grainLine} from '../picture/grain-line.js';
+import {grainOf, symmetriesOf} from './scene-marks.js';
 import {screenMargin} from './sheet-view.js';
 
 /** Points are in the piece's own coordinates; `offset` brings them onto the sheet. */
@@ -111,9 +111,6 @@ const labelRoom = 96;
 export const labelLines = (label: string): readonly string[] =>
   nameLines(label, labelRoom, labelSize);
 
-/** A grain line on a mirror axis is moved aside by this, since only its direction counts. */
-const grainShift = 2;
-
 /** Room that names may cost: where pieces would get smaller than this part of what they could be, names do without. */
 const leastShare = 0.75;
 /** Pieces of a very small garment lie no further apart than they would at this scale. [CSS px per cm] */
@@ -152,60 +149,6 @@ function sheet(
     placements,
   );
   return (named.scale < leastShare * bare.scale ? bare : named).layout;
-}
-
-/** Of a pair, the same whatever other symmetries there are just now: no two pairs share a piece. */
-function letterOf(pieces: readonly [number, number]): string {
-  const first = Math.min(...pieces);
-  const round = Math.floor(first / 26);
-  return `${String.fromCharCode(65 + (first % 26))}${round || ''}`;
-}
-
-/** Axes and letters of symmetries, as they are drawn. */
-export function symmetriesOf(
-  {pieces, symmetries}: Pattern,
-  outline: 'rest' | 'shape',
-): readonly SceneSymmetry[] {
-  const outlineOf = (piece: number): Point[] => {
-    const {[outline]: points = [], outline: loop = []} = pieces[piece] ?? {};
-    return pick(points, loop);
-  };
-  return symmetries.map((symmetry): SceneSymmetry => {
-    if (symmetry.kind === 'piece') {
-      const axis = axisAlong(symmetry.map, outlineOf(symmetry.piece), 0);
-      return {kind: 'piece', piece: symmetry.piece, axis};
-    }
-    const [first, second] = symmetry.pieces;
-    const {at, room} = innermost(outlineOf(first));
-    return {
-      kind: 'pair',
-      letter: letterOf(symmetry.pieces),
-      marks: [
-        {piece: first, at, room},
-        {piece: second, at: mirrorImage(symmetry.map, at), room},
-      ],
-    };
-  });
-}
-
-/** Beside the piece's mirror axis, if it would lie on it. */
-function besideAxis(grain: readonly [Point, Point], axis: readonly [Point, Point]): typeof grain {
-  const [[x, y], end] = axis;
-  const length = Math.hypot(end[0] - x, end[1] - y);
-  const normal: Point = [(y - end[1]) / length, (end[0] - x) / length];
-  const off = grain.map((p) => Math.abs((p[0] - x) * normal[0] + (p[1] - y) * normal[1]));
-  if (off.some((distance) => distance > grainShift / 2)) return grain;
-  const move = (p: Point): Point => [p[0] + grainShift * normal[0], p[1] + grainShift * normal[1]];
-  return [move(grain[0]), move(grain[1])];
-}
-
-function grainOf(
-  piece: ResultPiece,
-  marks: PanelMarks | undefined,
-  axis: readonly [Point, Point] | undefined,
-): Pick<ScenePiece, 'grain'> {
-  const line = grainLine(piece, marks);
-  return line ? {grain: axis ? besideAxis(line, axis) : line} : {};
 }
 
 /** Lays a pattern out and measures how the print meets along its seams. */

@@ -7,12 +7,28 @@ import {
   type WebGLRenderer,
 } from 'three';
 
+import type {Point} from '../model/geometry.js';
+import type {LineMaterial} from './line-layer.js';
 import {readBack, readNow} from './read-back.js';
 import {labelLines, labelSize, type PatternScene} from './scene.js';
-import {toScreen, type SheetView} from './sheet-view.js';
+import {look} from './screen.js';
+import {fitted, toScreen, type SheetView} from './sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
+import type {TileTexture} from './tile-texture.js';
 
 const leading = 1.25;
+const greatestPictureSide = 8192;
+/** For the picture of a view that is narrower, or has no size yet. [CSS px] */
+const leastRoom = 320;
+
+/** What is drawn, and with what. */
+export interface Drawing {
+  readonly renderer: WebGLRenderer;
+  readonly object: Scene;
+  readonly camera: OrthographicCamera;
+  readonly line: LineMaterial;
+  readonly tile: TileTexture;
+}
 
 export interface Shot {
   readonly width: number;
@@ -31,16 +47,41 @@ interface Look {
 
 const white = [255, 255, 255] as const;
 
+/** The greatest width of a picture of a whole sheet. [px] */
+export function widestPicture(renderer: WebGLRenderer, [width, height]: Point): number {
+  const most = Math.min(greatestPictureSide, renderer.capabilities.maxTextureSize);
+  return Math.floor(most * Math.min(1, width / height));
+}
+
+/** The whole sheet, drawn so many pixels wide; lines and names are as large as on a screen of that room. [CSS px] */
+export function framed(
+  {renderer, tile, camera, line}: Drawing,
+  {size}: PatternScene,
+  width: number,
+  room: number,
+): Shot {
+  const across = Math.max(room, leastRoom);
+  const whole = {width: across, height: (across * size[1]) / size[0]};
+  const view = fitted(size, whole);
+  const ratio = Math.min(width, widestPicture(renderer, size)) / whole.width;
+  const shot = {
+    ...{view, ratio},
+    width: Math.round(whole.width * ratio),
+    height: Math.round(whole.height * ratio),
+  };
+  tile.sharpen(view.scale * ratio);
+  look(camera, line, view, shot);
+  return shot;
+}
+
 /** As a PNG. @throws {Error} where the browser makes no picture */
 export async function snapshot(
-  renderer: WebGLRenderer,
-  [object, camera]: readonly [Scene, OrthographicCamera],
+  drawing: Drawing,
   scene: PatternScene,
   shot: Shot,
   appearance: Appearance,
 ): Promise<Blob> {
-  const draw = drawing(renderer, [object, camera], {appearance});
-  const pixels = await readBack(renderer, shot, draw);
+  const pixels = await readBack(drawing.renderer, shot, drawn(drawing, {appearance}));
   if (!pixels) throw new Error('The browser has taken the graphics context away.');
   const canvas = named(pixels, scene, shot, appearance);
   if (!canvas) throw new Error('The picture cannot be drawn.');
@@ -53,13 +94,12 @@ export async function snapshot(
 
 /** On white, at once. @returns nothing where the browser makes no picture */
 export function sheetOnPaper(
-  renderer: WebGLRenderer,
-  drawn: readonly [Scene, OrthographicCamera],
+  drawing: Drawing,
   scene: PatternScene,
   shot: Shot,
 ): HTMLCanvasElement | undefined {
   const appearance = 'light';
-  const pixels = readNow(renderer, shot, drawing(renderer, drawn, {appearance, paper: white}));
+  const pixels = readNow(drawing.renderer, shot, drawn(drawing, {appearance, paper: white}));
   return pixels && named(pixels, scene, shot, appearance);
 }
 
@@ -80,9 +120,8 @@ function named(
   return canvas;
 }
 
-function drawing(
-  renderer: WebGLRenderer,
-  [object, camera]: readonly [Scene, OrthographicCamera],
+function drawn(
+  {renderer, object, camera}: Drawing,
   {appearance, paper = inks[appearance].paper}: Look,
 ): () => void {
   return () => {

@@ -1,6 +1,8 @@
 /** The pattern as it is drawn, and nothing else: the pieces of a workbench in their print. */
 import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
+import type {DesignGarment} from '../../model/design.js';
+import type {Motion} from '../../viewer/morph.js';
 import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
 import {AppearanceController, colourScheme} from '../appearance.js';
 import {PatientElement} from '../desk-element.js';
@@ -43,6 +45,8 @@ export class PatternDrawing extends PatientElement {
   #undrawable: string | undefined;
   #isLost = false;
   #waiting: ReturnType<typeof setTimeout> | undefined;
+  /** The garment that was drawn last. */
+  #drawn: DesignGarment | undefined;
   /** Whose tile is shown, or being fetched. */
   #image: string | undefined;
   /** The picture that there was no network for, and what was said of it. */
@@ -65,6 +69,7 @@ export class PatternDrawing extends PatientElement {
     this.#view = undefined;
     this.#isLost = false;
     this.#image = undefined;
+    this.#drawn = undefined;
     if (this.desk.view === this.#window) this.desk.view = undefined;
   }
 
@@ -188,10 +193,19 @@ export class PatternDrawing extends PatientElement {
     view.setAppearance(this.#appearance.value);
     const {scenes} = this.desk;
     if (scenes) {
-      view.show(scenes.now);
+      view.show(scenes.now, this.#motion());
       this.drew?.(view);
     }
     void this.#showTile(view);
+  }
+
+  /** A garment is simply there at first; then an answer moves it all, and what is not an answer yet its shapes alone. */
+  #motion(): Motion {
+    const {design, result, isHeld} = this.desk;
+    const isKnown = design?.garment === this.#drawn;
+    this.#drawn = design?.garment;
+    if (!isKnown) return 'none';
+    return result && !isHeld ? 'all' : 'shapes';
   }
 
   async #showTile(view: PatternView): Promise<void> {

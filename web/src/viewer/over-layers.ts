@@ -1,0 +1,57 @@
+/** Lines over a drawing that come and go: how it was reshaped, and what somebody points at, chooses or marks. */
+import {Scene} from 'three';
+
+import {LineLayer, type LineMaterial} from './line-layer.js';
+import {movementStrokes} from './movement.js';
+import {overlayStrokes, type Overlay} from './overlay.js';
+import type {PatternScene} from './scene.js';
+import type {Appearance} from './strokes.js';
+
+export class OverLayers {
+  readonly object = new Scene();
+  readonly #line: LineMaterial;
+  readonly #layers = new Map<'movement' | 'overlay', LineLayer>();
+
+  constructor(line: LineMaterial) {
+    this.#line = line;
+  }
+
+  /** Arrows so many times as long as the way; without a factor, none. */
+  showMovement(
+    scene: PatternScene | undefined,
+    factor: number | undefined,
+    appearance: Appearance,
+  ): void {
+    const isShown = scene && factor !== undefined;
+    this.#replace('movement', isShown ? movementStrokes(scene, factor, appearance) : [], 0);
+  }
+
+  showOverlay(
+    scene: PatternScene | undefined,
+    overlay: Overlay | undefined,
+    appearance: Appearance,
+  ): void {
+    const isShown = scene && overlay;
+    this.#replace('overlay', isShown ? overlayStrokes(scene, overlay, appearance) : [], 1);
+  }
+
+  dispose(): void {
+    this.object.clear();
+    for (const layer of this.#layers.values()) layer.dispose();
+  }
+
+  #replace(
+    name: 'movement' | 'overlay',
+    strokes: ReturnType<typeof overlayStrokes>,
+    order: number,
+  ): void {
+    const before = this.#layers.get(name);
+    if (before) this.object.remove(before.object);
+    before?.dispose();
+    this.#layers.delete(name);
+    if (strokes.length === 0) return;
+    const next = new LineLayer(strokes, this.#line, order);
+    this.#layers.set(name, next);
+    this.object.add(next.object);
+  }
+}

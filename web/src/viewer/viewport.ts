@@ -1,0 +1,89 @@
+/** What part of a sheet is shown: the half of a view that needs no drawing. */
+import type {Point} from '../model/geometry.js';
+import {
+  fitted,
+  panned,
+  toScreen,
+  toSheet,
+  zoomed,
+  type ScreenSize,
+  type SheetView,
+} from './sheet-view.js';
+
+export abstract class Viewport {
+  readonly #listeners = new Set<() => void>();
+  #view: SheetView = {centre: [0, 0], scale: 1};
+  /** Nobody has moved the view since it was fitted: it stays so when the room changes. */
+  #isFitted = true;
+
+  /** Undefined while there is none; nothing moves until then. */
+  protected abstract get sheetSize(): Point | undefined;
+
+  protected abstract get room(): ScreenSize;
+
+  /** [CSS px per cm] */
+  get scale(): number {
+    return this.#view.scale;
+  }
+
+  /** What part of the sheet is shown, to come back to it. */
+  get state(): SheetView {
+    return this.#view;
+  }
+
+  set state(view: SheetView) {
+    this.#zoom(view, 1, this.#middle);
+  }
+
+  /** Shows the whole sheet. */
+  fit(): void {
+    if (!this.sheetSize) return;
+    this.#move(fitted(this.sheetSize, this.room));
+    this.#isFitted = true;
+  }
+
+  /** About a point of the screen, by default its middle. */
+  zoomBy(factor: number, at: Point = this.#middle): void {
+    this.#zoom(this.#view, factor, at);
+  }
+
+  /** The sheet follows by (dx, dy). [CSS px] */
+  panBy(dx: number, dy: number): void {
+    if (this.sheetSize) this.#move(panned(this.#view, this.sheetSize, dx, dy));
+  }
+
+  /** A point of the sheet [cm] as a point of the host, from its upper left. [CSS px] */
+  screenOf(point: Point): Point {
+    return toScreen(this.#view, this.room, point);
+  }
+
+  /** A point of the host, from its upper left [CSS px], as a point of the sheet. [cm] */
+  sheetPointAt(x: number, y: number): Point {
+    return toSheet(this.#view, this.room, [x, y]);
+  }
+
+  /** Calls back after every zoom, move or change of size. @returns what ends that */
+  onViewChange(listener: () => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  protected resized(): void {
+    if (this.#isFitted) this.fit();
+    else this.#move(this.#view);
+  }
+
+  get #middle(): Point {
+    return [this.room.width / 2, this.room.height / 2];
+  }
+
+  #zoom(view: SheetView, factor: number, at: Point): void {
+    if (this.sheetSize) this.#move(zoomed(view, this.room, this.sheetSize, factor, at));
+  }
+
+  #move(view: SheetView): void {
+    this.#view = view;
+    this.#isFitted = false;
+    for (const listener of this.#listeners) listener();
+  }
+}

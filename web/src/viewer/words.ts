@@ -1,0 +1,66 @@
+/** All that is written over a drawing: names and letters of pieces, ranks and kinds of seams, and the words of an overlay. */
+import {Labels} from './labels.js';
+import {OverlayChips} from './overlay-chips.js';
+import type {Overlay} from './overlay.js';
+import type {PatternScene} from './scene.js';
+import {SeamNotes} from './seam-notes.js';
+import type {ScreenSize, SheetView} from './sheet-view.js';
+import type {Appearance} from './strokes.js';
+
+export class Words {
+  readonly #labels: Labels;
+  readonly #notes = new SeamNotes();
+  readonly #chips = new OverlayChips();
+  #hasSeams = true;
+
+  constructor(host: HTMLElement, appearance: Appearance) {
+    this.#labels = new Labels(appearance);
+    host.append(...this.#elements);
+  }
+
+  /** After all was drawn anew. */
+  show(scene: PatternScene, appearance: Appearance): void {
+    this.#labels.show(scene, appearance);
+    this.#notes.show(scene, appearance);
+  }
+
+  /** After the print has come to lie otherwise along the same seams. */
+  update(scene: PatternScene, appearance: Appearance): void {
+    this.#notes.update(scene, appearance);
+  }
+
+  showOverlay(
+    scene: PatternScene | undefined,
+    overlay: Overlay | undefined,
+    look: Appearance,
+  ): void {
+    if (scene && overlay) this.#chips.show(scene, overlay, look);
+    else this.#chips.clear();
+    this.#notes.highlight(overlay?.highlight?.seam);
+  }
+
+  /** Whether there are words at all, and those of seams among them. */
+  setShown(isShown: boolean, hasSeams: boolean): void {
+    this.#hasSeams = hasSeams;
+    for (const element of this.#elements) {
+      const isSeen = isShown && (hasSeams || element !== this.#notes.element);
+      element.style.display = isSeen ? '' : 'none';
+    }
+  }
+
+  /** Follows the drawing; numbers are those of what is drawn to the right of `split`. [CSS px] */
+  place(view: SheetView, size: ScreenSize, split: number): void {
+    const taken = this.#labels.place(view, size);
+    const left = {left: 0, top: 0, right: split, bottom: size.height};
+    if (this.#hasSeams) this.#notes.place(view, size, [...taken, left]);
+    this.#chips.place(view, size);
+  }
+
+  dispose(): void {
+    for (const element of this.#elements) element.remove();
+  }
+
+  get #elements(): readonly HTMLElement[] {
+    return [this.#labels, this.#notes, this.#chips].map(({element}) => element);
+  }
+}
