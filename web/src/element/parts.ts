@@ -16,6 +16,7 @@ import {ToolHint} from './pattern/tool-hint.js';
 import {Toolbar} from './pattern/toolbar.js';
 import {UnitsQuestion} from './pattern/units-question.js';
 import {WipeHandle} from './pattern/wipe-handle.js';
+import {ZoomMenu} from './pattern/zoom-menu.js';
 import {DoubtfulTile} from './print/doubtful-tile.js';
 import {PrintGallery} from './print/print-gallery.js';
 import {PrintPanel} from './print/print-panel.js';
@@ -70,6 +71,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-units-question': UnitsQuestion,
   'sw-ways-out': WaysOut,
   'sw-wipe-handle': WipeHandle,
+  'sw-zoom': ZoomMenu,
 };
 
 /** Registers all of them. */

@@ -12,7 +12,7 @@ import {
 import {withKey, type PageParts} from './page-parts.js';
 
 const tools = ['piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;
-const zooms = ['fit', 'zoomIn', 'zoomOut'] as const;
+const zooms = ['fit', 'zoomIn', 'zoomOut', 'zoom'] as const;
 
 export function toolCommands({desk, texts, editor: {pattern}}: PageParts): readonly Command[] {
   if (!pattern || !desk.design) return [];

@@ -32,6 +32,7 @@ const table = {
   fit: {where: 'pattern', keys: ['F', '0']},
   zoomIn: {where: 'pattern', keys: ['+', '=']},
   zoomOut: {where: 'pattern', keys: ['-']},
+  zoom: {where: 'pattern', keys: ['Z']},
 } as const satisfies Readonly<Record<string, Shortcut>>;
 
 export type ShortcutId = keyof typeof table;
@@ -87,7 +88,7 @@ export function titleOf(id: ShortcutId, texts: Texts): string {
     ...{piece: symmetry.piece, axis: commands.axis, pair: symmetry.pair, move: symmetry.move},
     ...{keep: keep.tool, grain: commands.grain, turn: commands.turnSelected, lens: commands.lens},
     ...{clothOnly: pattern.clothOnly, fit: pattern.fit},
-    ...{zoomIn: pattern.zoomIn, zoomOut: pattern.zoomOut},
+    ...{zoomIn: pattern.zoomIn, zoomOut: pattern.zoomOut, zoom: pattern.zoomPercent},
   };
   return titles[id];
 }

@@ -50,7 +50,7 @@ export const paneStyle = css`
   }
   @media (pointer: coarse) {
     .zoom {
-      display: none; /* two fingers do it */
+      display: none; /* two fingers do it, or the menu of sizes */
     }
   }
   @container (width < 40rem) {

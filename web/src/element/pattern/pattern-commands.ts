@@ -47,4 +47,9 @@ export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {
     view?.zoomBy(1 / zoom);
     return true;
   },
+  zoom: (pane) => {
+    if (pane.tools.isFixed) return false;
+    pane.openZoom();
+    return true;
+  },
 };

@@ -20,6 +20,7 @@ import {PatternTools, pointedAt} from './pattern-tools.js';
 import {Pointing} from './pointing.js';
 import {SheetIndex} from './sheet-index.js';
 import {emptyNote, noteStyle, stateNote, undrawableNote} from './state-note.js';
+import type {ZoomMenu} from './zoom-menu.js';
 
 export class PatternPane extends PatternDrawing {
   static override properties = {...PatternDrawing.properties, purpose: {reflect: true}};
@@ -87,6 +88,11 @@ export class PatternPane extends PatternDrawing {
   toggleMovement(): void {
     this.#showsMovement = !this.#showsMovement;
     this.requestUpdate();
+  }
+
+  /** Asks how large the pattern is to be shown. */
+  openZoom(): void {
+    this.renderRoot.querySelector<ZoomMenu>('sw-zoom')?.open();
   }
 
   protected override hasSeams(): boolean {
@@ -187,8 +193,9 @@ export class PatternPane extends PatternDrawing {
         <div class="view" role="group" aria-label=${pattern.view}>
           ${places ? nothing : this.#comparing()}
           ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4), 'zoom')}
-          ${this.#button(pattern.fit, icon.fit, () => this.view?.fit())}
+          ${this.#button(pattern.fit, icon.fit, () => this.view?.fit(), places ? '' : 'zoom')}
           ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4), 'zoom')}
+          ${places ? nothing : html`<sw-zoom .desk=${desk} .view=${this.view}></sw-zoom>`}
         </div>
       </div>
     `;
