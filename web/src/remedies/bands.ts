@@ -10,21 +10,25 @@ function lengthOf({pieces}: Pattern, {a: {piece, vertices}}: ResultSeam): number
   }, 0);
 }
 
-/** Of the piece as drafted. [cm2] */
-function areaOf({pieces}: Pattern, piece: number): number {
+/** How broad a piece is across its length, as drafted: its area by the diagonal of the box around it. [cm] */
+function breadthOf({pieces}: Pattern, piece: number): number {
   const {rest = [], outline = []} = pieces[piece] ?? {};
   const loop = pick(rest, outline);
   const twice = loop.reduce((sum, [x, y], k) => {
     const [nextX, nextY] = loop[(k + 1) % loop.length] ?? [x, y];
     return sum + x * nextY - nextX * y;
   }, 0);
-  return Math.abs(twice) / 2;
+  const extent = (axis: 0 | 1): number => {
+    const along = loop.map((point) => point[axis]);
+    return Math.max(...along) - Math.min(...along);
+  };
+  return Math.abs(twice) / 2 / Math.hypot(extent(0), extent(1));
 }
 
 /**
- * Sets of pieces to be turned together, each with the seams that it is about. Of every seam the smaller side is turned,
- * of two alike the one with less other seam to it, and with it its mirror image and what it is sewn to of its own kind: turned alone, a band in
- * two halves would no longer meet where they join.
+ * Sets of pieces to be turned together, each with the seams that it is about. Of every seam the narrower side is turned,
+ * of two alike the one with less other seam to it, and with it its mirror image and what it is sewn to of its own kind
+ * with grains that do not cross: turned alone, a band in two halves would no longer meet where they join.
  * @param crossed numbers of the seams at which the grains cross
  * @param canTurn whether a piece lies on a grain that can be turned
  */
@@ -45,12 +49,12 @@ export function bandsOf(
       other.set(piece, (other.get(piece) ?? 0) + lengthOf(pattern, seam));
     }
   });
-  const area = (piece: number): number => areaOf(pattern, piece);
+  const breadth = (piece: number): number => breadthOf(pattern, piece);
   const bands = new Set(
     at.flatMap(({seam: {a, b}}) => {
       const sides = [a.piece, b.piece].filter(canTurn);
       return sides
-        .toSorted((p, q) => area(p) - area(q) || (other.get(p) ?? 0) - (other.get(q) ?? 0))
+        .toSorted((p, q) => breadth(p) - breadth(q) || (other.get(p) ?? 0) - (other.get(q) ?? 0))
         .slice(0, 1);
     }),
   );
@@ -58,7 +62,8 @@ export function bandsOf(
   for (const [first, second] of twins) {
     if (bands.has(first) || bands.has(second)) bands.add(first).add(second);
   }
-  const joins = [...twins, ...seams.map(({a, b}) => [a.piece, b.piece] as const)];
+  const uncrossed = seams.filter((_, number) => !crossed.includes(number));
+  const joins = [...twins, ...uncrossed.map(({a, b}) => [a.piece, b.piece] as const)];
   return connected([...bands], joins).map((pieces) => ({
     pieces,
     seams: at

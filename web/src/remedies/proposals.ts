@@ -51,8 +51,7 @@ function lockOf({grain}: SolveOptions, name: string): GrainLock | undefined {
 }
 
 /** What an angle of 90 degrees makes of a lock. */
-const across = 'across' as string as GrainLock;
-const quarter: Readonly<Partial<Record<GrainLock, GrainLock>>> = {on: across, [across]: 'on'};
+const quarter: Readonly<Partial<Record<GrainLock, GrainLock>>> = {on: 'across', across: 'on'};
 
 function turns(
   options: SolveOptions,
@@ -72,7 +71,7 @@ function turns(
     const names = band.pieces.map(nameOf);
     const rules = names.map((name): [string, GrainRule] => {
       const rule = options.grain?.pieces?.[name];
-      const lock = turnedLock(name) ?? across;
+      const lock = turnedLock(name) ?? 'across';
       return [name, typeof rule === 'object' ? {...rule, lock} : lock];
     });
     const all = {...options.grain?.pieces, ...Object.fromEntries(rules)};
