@@ -1,4 +1,3 @@
-import {spawn} from 'node:child_process';
 import {
   mkdirSync,
   mkdtempSync,
@@ -12,13 +11,12 @@ import {createServer} from 'node:http';
 import type {AddressInfo} from 'node:net';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {fileURLToPath} from 'node:url';
 
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
+import {seamwise} from '../support/command-line.js';
 import {checks, twoStrips} from './garments.js';
 
-const program = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 let folder = '';
 const file = (name: string) => join(folder, name);
 
@@ -38,25 +36,6 @@ beforeAll(() => {
 afterAll(() => {
   rmSync(folder, {recursive: true});
 });
-
-interface Outcome {
-  readonly code: number | null;
-  readonly out: string;
-  readonly err: string;
-}
-
-function seamwise(...words: string[]): Promise<Outcome> {
-  return new Promise((resolve, reject) => {
-    const child = spawn(process.execPath, [program, ...words]);
-    let [out, err] = ['', ''];
-    child.stdout.on('data', (chunk: Buffer) => (out += chunk.toString()));
-    child.stderr.on('data', (chunk: Buffer) => (err += chunk.toString()));
-    child.on('error', reject);
-    child.on('close', (code) => {
-      resolve({code, out, err});
-    });
-  });
-}
 
 const align = (...words: string[]) =>
   seamwise('align', file('strips.json'), '--print', file('checks.json'), ...words);

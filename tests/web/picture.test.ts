@@ -195,7 +195,7 @@ describe('the picture', () => {
 
   it('shows text as text', () => {
     expect(svg).not.toContain('<tie>');
-    expect(svg).toContain('left half');
+    expect(svg).toContain('>Left half<');
   });
 
   it('shows a sign in place of characters that XML cannot hold', () => {

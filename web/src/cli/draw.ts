@@ -1,6 +1,9 @@
 import {basename, extname} from 'node:path';
 
+import type {Garment} from '../model/garment.js';
+import {chosenNames, panelMarks} from '../model/garment-marks.js';
 import {groupNames, type Print} from '../model/print.js';
+import {fieldOf} from '../model/read.js';
 import type {SolveResult} from '../model/result.js';
 import {drawResult} from '../picture/draw-result.js';
 import {notAsSold} from '../picture/mark.js';
@@ -8,13 +11,13 @@ import {readText, resultLimit, textOf} from '../node/files.js';
 import {parseArguments, UsageError} from './arguments.js';
 import {checkWritable, writeText} from './files.js';
 import {imageTypes, inColourway, readPrint, readTile} from './print-files.js';
-import {asResult} from './result-file.js';
+import {asResult, type ResultFile} from './result-file.js';
 import {print} from './terminal.js';
 
 const grammar = {
   files: ['the result file'],
   valued: ['--print', '--colourway', '--out', '--title'],
-  switches: [],
+  switches: ['--cloth-only'],
 };
 
 /** `draw`: a result on its print, before and after, as an SVG file that stands by itself. */
@@ -39,17 +42,32 @@ export async function draw(words: readonly string[]): Promise<void> {
     );
   }
   if (out !== undefined) await checkWritable(out, [resultFile, printFile]);
+  const names = namesIn(result);
   const tile = await readTile(cloth, printFile);
   const picture = drawResult(
     result,
     {...cloth, ...(tile === undefined ? {} : {tile})},
     {
       title: title ?? basename(resultFile, extname(resultFile)),
+      ...(names && {names}),
+      clothOnly: args.has('--cloth-only'),
       ...(result.reproduced === false && {mark: notAsSold}),
     },
   );
   if (out === undefined) print(picture);
   else await writeText(out, picture);
+}
+
+/** What the design that a result may hold calls the pieces; undefined where it holds none that says so. */
+function namesIn({pieces, design}: ResultFile): readonly string[] | undefined {
+  const text = fieldOf(fieldOf(design, 'garment'), 'text');
+  if (typeof text !== 'string') return undefined;
+  try {
+    const marks = panelMarks(JSON.parse(text) as Garment, {names: chosenNames(design)});
+    return pieces.map(({name}) => marks.get(name)?.label ?? name);
+  } catch {
+    return undefined; // it is no garment, and the picture does not depend on it
+  }
 }
 
 function parsed(text: string, path: string): unknown {

@@ -19,8 +19,12 @@ import {
 import type {SolveResult} from '../model/result.js';
 import {UsageError} from './arguments.js';
 
-/** What `order` writes of a result says first if it is not the one that was sold. */
-export type ResultFile = SolveResult & {readonly reproduced?: boolean};
+export type ResultFile = SolveResult & {
+  /** What `order` writes of a result says first if it is not the one that was sold. */
+  readonly reproduced?: boolean;
+  /** That it answers, as far as whoever wrote the file is to be believed. */
+  readonly design?: unknown;
+};
 
 const finite = number(-1e9, 1e9);
 const point: Read<Point> = pairOf(finite);

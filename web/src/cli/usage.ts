@@ -45,8 +45,9 @@ seamwise symmetries GARMENT.json [--out FILE.json]
 seamwise convert GARMENT.json [--out FILE.json]
   Rewrites a garment in the project's own format, seamwise-garment/1.
 
-seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.svg] [--title TEXT]
+seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.svg] [--title TEXT] [--cloth-only]
   Draws the pieces on their print, before and after, with the mismatch along the seams.
+    --cloth-only                without seams, axes and names over the print
 
 seamwise --version
 seamwise --help

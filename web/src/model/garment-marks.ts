@@ -83,8 +83,9 @@ export interface PanelDecisions {
   readonly grain?: Readonly<Record<string, GrainRule>>;
 }
 
-const namesOf = (garment: Garment): PieceNames => {
-  const names = fieldOf(garment, 'names');
+/** The names that a garment's file, or a design, chooses for its pieces. */
+export const chosenNames = (holder: unknown): PieceNames => {
+  const names = fieldOf(holder, 'names');
   const entries = typeof names === 'object' && names !== null ? Object.entries(names) : [];
   return Object.fromEntries(
     entries.filter((entry): entry is [string, string] => typeof entry[1] === 'string'),
@@ -104,7 +105,7 @@ export function panelMarks(
     const label = fieldOf(panel, 'label');
     return [name, typeof label === 'string' ? label : undefined];
   });
-  const called = pieceNames(new Map(labels), {...namesOf(garment), ...names});
+  const called = pieceNames(new Map(labels), {...chosenNames(garment), ...names});
   return new Map(
     entries.map(([name, panel]: [string, unknown]): [string, PanelMarks] => {
       const grainDeg = Object.hasOwn(rules, name) ? angleOf(rules[name]) : undefined;

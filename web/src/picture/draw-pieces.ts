@@ -24,6 +24,10 @@ export interface Scene {
   /** Starts every id of this scene; `cloth` is the id of the pattern with the tile. */
   readonly id: string;
   readonly cloth: string;
+  /** What each piece is called. */
+  readonly names: readonly string[];
+  /** No seams, axes and names over the print. */
+  readonly isBare: boolean;
 }
 
 const outlineColour = '#4a4d52';
@@ -116,12 +120,12 @@ export const nameRoom = (pieceWidth: number): number => pieceWidth + 20;
 
 function names(scene: Scene, size: number): string {
   return scene.result.pieces
-    .map(({name, outline, rest}, k) => {
+    .map(({outline, rest}, k) => {
       const points = pick(rest, outline).map(toPage(scene, k));
       const xs = points.map(([x]) => x);
       const [low, high] = [Math.min(...xs), Math.max(...xs)];
       const foot = Math.max(...points.map(([, y]) => y)) + 12 + size;
-      return nameLines(name, nameRoom(high - low), size)
+      return nameLines(scene.names[k] ?? '', nameRoom(high - low), size)
         .map((line, n) =>
           text([(low + high) / 2, foot + n * nameLeading * size], line, {
             size,
@@ -144,10 +148,8 @@ export function drawPieces(scene: Scene, nameSize: number): string {
   return [
     `<defs>${cloths.join('')}</defs>`,
     ...pieces.map(
-      (piece, k) => `<g aria-label="${escaped(piece.name)}">${body(scene, piece, k)}</g>`,
+      (piece, k) => `<g aria-label="${escaped(scene.names[k] ?? '')}">${body(scene, piece, k)}</g>`,
     ),
-    seams(scene),
-    symmetries(scene),
-    names(scene, nameSize),
+    ...(scene.isBare ? [] : [seams(scene), symmetries(scene), names(scene, nameSize)]),
   ].join('\n');
 }

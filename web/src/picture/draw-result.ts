@@ -1,5 +1,6 @@
 /** One picture of a result: the pattern on the print before and after, with its figures and a key. */
 import type {Point} from '../model/geometry.js';
+import {pieceNames} from '../model/piece-names.js';
 import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
@@ -16,6 +17,10 @@ export interface PictureOptions {
   readonly title?: string;
   /** Words across the whole picture, such as `notAsSold`. */
   readonly mark?: string;
+  /** What people call the pieces; by default the keys of their panels, in words. */
+  readonly names?: readonly string[];
+  /** The pieces in their print alone, without lines and names over it. */
+  readonly clothOnly?: boolean;
   /** Starts every id in the picture, for pages that hold several. */
   readonly id?: string;
 }
@@ -106,9 +111,8 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
 }
 
 /** A layout with room for the names. A crowd of pieces gets more height. */
-function laidOut(result: SolveResult): ReturnType<typeof layOutNamed> {
+function laidOut(result: SolveResult, names: readonly string[]): ReturnType<typeof layOutNamed> {
   const room = width - 2 * margin;
-  const names = result.pieces.map(({name}) => name);
   const widest = (name: string): number =>
     Math.max(...nameLines(name, 0, nameSize).map((word) => textWidth(word, nameSize)));
   return layOutNamed(result, {
@@ -131,7 +135,10 @@ export function drawResult(
   options: PictureOptions = {},
 ): string {
   const id = options.id ?? 'seamwise';
-  const {layout, scale} = laidOut(result);
+  const keys = result.pieces.map(({name}) => name);
+  const called = pieceNames(new Map(keys.map((key) => [key, undefined])));
+  const names = options.names ?? keys.map((key) => called.get(key) ?? key);
+  const {layout, scale} = laidOut(result, names);
   const left = (width - layout.width * scale) / 2;
   const tall = layout.height * scale;
 
@@ -152,6 +159,8 @@ export function drawResult(
     corner,
     scale,
     cloth: `${id}-cloth`,
+    names,
+    isBare: options.clothOnly ?? false,
     id: `${id}-${name}`,
     fit: fits[name],
     outline: name === 'before' ? 'rest' : 'shape',
@@ -186,7 +195,7 @@ export function drawResult(
     drawPieces(scene('before', [left, top.before + 52]), nameSize),
     heading(top.after, 'After', 'aligned and reshaped', fits.after),
     drawPieces(scene('after', [left, top.after + 52]), nameSize),
-    legend(foot + 12, scale, result, fits.after),
+    options.clothOnly ? '' : legend(foot + 12, scale, result, fits.after),
     options.mark === undefined ? '' : markAcross(options.mark, width, height),
     '</svg>\n',
   ].join('\n');
