@@ -49,6 +49,22 @@ it('chooses a print by its name, names it in undo, and takes it back', async () 
   expect(await button(page, 'Redo').getAttribute('title')).toBe('Redo: print, Majolica');
 });
 
+it('says why a print will not do only until the design is another', async () => {
+  const page = await openPage();
+  await solved(page);
+  await command(page, 'accept', 'Accept all symmetries');
+  await command(page, 'turn back', 'Turn Back by 90°');
+  const denied = page.getByText(/needs a print with mirrors/);
+  await page.getByRole('radio', {name: /^p1\b/}).click({force: true});
+  await denied.waitFor();
+  await page.keyboard.press('Control+k');
+  await field(page).fill('meadow');
+  expect(await active(page).getAttribute('aria-disabled')).toBe('true');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+z');
+  await denied.waitFor({state: 'detached'});
+});
+
 it('gives the focus back on Escape, and is closed by its own key as well', async () => {
   const page = await openPage();
   await solved(page);

@@ -152,6 +152,31 @@ it('says in one sentence why a file cannot be opened, and leaves everything as i
   expect(await page.getByRole('alert').count()).toBe(0);
 });
 
+it('knows a file by its first bytes, whatever it is called and whether or not a type is given', async () => {
+  const page = await quietPage();
+  const before = await designOf(page);
+  const cases: readonly (readonly [name: string, content: string, said: string])[] = [
+    ['sheet.pdf', '%PDF-1.7 and so on', 'a PDF document, which Seamwise cannot read'],
+    ['shirt.json', '%PDF-1.7 and so on', 'a PDF document, which Seamwise cannot read'],
+    ['shirt.dxf', '0\nSECTION\n2\nENTITIES\n', 'a DXF drawing, which Seamwise cannot read'],
+    ['scan', 'II*\0\x08\0\0\0', 'a TIFF picture, which cannot be a print'],
+  ];
+  for (const [name, content, said] of cases) {
+    await hand(page, 'drop', {name, mimeType: '', content});
+    await page
+      .getByRole('alert')
+      .filter({hasText: `${name} is ${said}`})
+      .waitFor();
+    expect(await designOf(page)).toEqual(before);
+  }
+  const [name, content] = cases[2] ?? ['', ''];
+  await choose(page, 'Open garment', {name, mimeType: 'image/vnd.dxf', content});
+  await page
+    .getByRole('alert')
+    .filter({hasText: `${name} is a DXF drawing`})
+    .waitFor();
+});
+
 it('says so when a file has no seams', async () => {
   const page = await openPage();
   const garment = squares(40) as {pattern: {stitches: unknown[]}};

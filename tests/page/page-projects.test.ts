@@ -187,7 +187,7 @@ it('keeps projects as long as the tab lives where the browser keeps nothing, and
   expect(await groupOf(page)).toBe('pgg');
 });
 
-it('carries a garment, a print and a name of somebody’s own in a link', async () => {
+it('carries a garment, a print, how that repeats, and a name of somebody’s own in a link', async () => {
   const page = await quietPage({permissions: ['clipboard-read', 'clipboard-write']});
   await drop(page, 'scarf.json');
   await hand(page, 'drop', {
@@ -196,6 +196,8 @@ it('carries a garment, a print and a name of somebody’s own in a link', async 
     content: `<svg xmlns="http://www.w3.org/2000/svg" width="90" height="60"><path d="${'M1 2h3'.repeat(900)}" stroke="#000"/></svg>`,
   });
   await expect.poll(async () => (await designOf(page)).print.title).toBe('dots');
+  await page.getByRole('radio', {name: 'Half-drop', exact: true}).click();
+  await expect.poll(async () => (await designOf(page)).print.tile?.repeat).toBe('halfDrop');
   await page.locator('seamwise-page').evaluate((element) => {
     const {desk} = element as HTMLElement & {desk: {align: () => void}};
     desk.align();

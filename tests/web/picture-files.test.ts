@@ -27,6 +27,10 @@ describe('a file', () => {
     ['pdf', letters('%PDF-1.7')],
     ['photoshop', letters('8BPS\0\x01')],
     ['postscript', letters('%!PS-Adobe-3.0 EPSF-3.0')],
+    ['zip', letters('PK\x03\x04\x14\0')],
+    ['dxf', letters('  0\r\nSECTION\r\n  2\r\nHEADER\r\n')],
+    ['dxf', letters('999\nby a pattern program\n0\nSECTION\n2\nENTITIES\n')],
+    ['dxf', letters('AutoCAD Binary DXF\r\n\x1a\0')],
   ] as const)('is known as %s by how it begins', (kind, bytes) => {
     expect(fileKind(bytes)).toBe(kind);
   });

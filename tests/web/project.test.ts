@@ -184,6 +184,14 @@ describe('a link', () => {
     expect(await readLink(link)).toEqual({...own, title: 'Für Ada'});
   });
 
+  it('carries how a picture of one’s own repeats, and that picture alone, of which the other is made', async () => {
+    const tile = {image: 'data:image/png;base64,BBBB', repeat: 'halfDrop', turnedDeg: 90} as const;
+    const {image: made, ...shown} = own.print;
+    const read = await readLink(await linkOf({...own, print: {...own.print, tile}}));
+    expect(read?.print).toEqual({...shown, tile});
+    expect(read?.print).not.toHaveProperty('image', made);
+  });
+
   it('carries the picture of a sample that was redrawn', async () => {
     const image = 'data:image/png;base64,AAAA';
     const read = await readLink(await linkOf({...design, print: {...print, image}}));

@@ -4,7 +4,10 @@ import {SolverError} from '../model/failure.js';
 import {FileError, isProject, readProject} from '../model/project.js';
 import {longestName, withoutEnding} from '../model/project-name.js';
 import {fieldOf} from '../model/read.js';
+import {isDocument} from '../picture/file-kind.js';
 import {
+  kindOf,
+  looksLikePicture,
   openPrint,
   spokenFailure,
   textsOf,
@@ -20,7 +23,7 @@ const most = 64 * 2 ** 20;
 /** By the button for garments, or dropped and pasted, which may be anything. */
 type How = 'chosen as garment' | 'handed over';
 
-/** What cannot be opened is said, and leaves everything as it is. */
+/** What a file is, its first bytes say, whatever it is called. What cannot be opened is said, and leaves everything as it is. */
 export async function openFile(
   desk: Workbench,
   projects: Projects,
@@ -29,10 +32,14 @@ export async function openFile(
 ): Promise<void> {
   const texts = textsOf(desk.preferences.language);
   try {
-    if (how === 'chosen as garment' && isPicture(file))
+    const kind = await kindOf(file);
+    if (kind && isDocument(kind))
+      throw new Error(texts.failures.document(file.name, texts.print.files.kinds[kind]));
+    const isPicture = await looksLikePicture(file);
+    if (isPicture && how === 'chosen as garment')
       throw new Error(texts.failures.picture(file.name));
-    await opened(desk, projects, file, texts);
-    if (isPicture(file))
+    await (isPicture ? openPrint(desk, file) : opened(desk, projects, file, texts));
+    if (isPicture)
       desk.say({
         tone: 'info',
         text: texts.app.takenAsPrint(file.name),
@@ -57,7 +64,6 @@ async function opened(
   {failures}: Texts,
 ): Promise<void> {
   const {name} = file;
-  if (isPicture(file)) return openPrint(desk, file);
   if (file.size > most) throw new Error(failures.tooLarge(name));
   const text = await file.text();
   const content = parsed(text);
@@ -72,9 +78,6 @@ async function opened(
     await desk.open({name, text});
   }
 }
-
-const isPicture = ({type, name}: File): boolean =>
-  type.startsWith('image/') || /\.(png|jpe?g|webp|svg)$/i.test(name);
 
 /** Undefined when it is no JSON: the solver says so better. */
 function parsed(text: string): unknown {

@@ -162,6 +162,13 @@ function back(state: Active): SymmetryState {
   }
 }
 
+/** What is left of it once another design is shown, of the same garment or of another. */
+export function outlived(state: SymmetryState, isSameGarment: boolean): SymmetryState {
+  if (state.stage === 'outside') return state;
+  if (!isSameGarment) return {stage: 'idle', tool: state.tool, asked: state.asked};
+  return state.stage === 'refused' ? back(state) : state;
+}
+
 function measured(state: Active, candidate: number, result: MeasuredMirror): SymmetryState {
   if (state.stage !== 'candidate' || state.asked !== candidate || state.measured) return state;
   if (result.mirrors) return {...state, measured: result};

@@ -17,6 +17,8 @@ export {turnPiece} from './lists/turn-piece.js';
 export {togglePart} from './pattern/keeping.js';
 export {patternCommands} from './pattern/pattern-commands.js';
 export {missing} from './print/choices.js';
+export {pictureOfTile} from './print/own-print.js';
+export {kindOf, looksLikePicture} from './print/read-picture.js';
 export {remedied} from './remedies/apply.js';
 export {improvementOffer} from './remedies/keep-improving.js';
 export {remedyWords} from './remedies/stays-off.js';

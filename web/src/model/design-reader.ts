@@ -18,7 +18,7 @@ import {
   type Read,
 } from './read.js';
 import type {Symmetry} from './symmetries.js';
-import {tileRepeats} from './tile-repeat.js';
+import {tileRepeats, type PrintTile} from './tile-repeat.js';
 
 /** What the solver takes for the sides of a repeat, and more than any garment measures. [cm] */
 const repeat = number(0.05, 1000);
@@ -115,6 +115,11 @@ const picture: Read<string> = (value, at) => {
 const quarterTurn: Read<0 | 90> = (value, at) =>
   value === 0 || value === 90 ? value : fail(at, '0 or 90');
 
+const tileFields = {repeat: oneOf(tileRepeats), turnedDeg: quarterTurn};
+
+/** A picture of one's own as it was opened, in the file itself. */
+export const ownTile: Read<PrintTile> = shape({image: ownPicture, ...tileFields});
+
 const garmentFile = {
   name: text(/^.{1,255}$/su, 'a name'),
   text: text(/\S/, 'the text of a garment file'),
@@ -126,7 +131,7 @@ const picturedPrint = shape(
   {title: text(), image: picture},
   {
     sample: printSample,
-    tile: shape({image: picture, repeat: oneOf(tileRepeats), turnedDeg: quarterTurn}),
+    tile: shape({image: picture, ...tileFields}),
   },
 );
 

@@ -6,18 +6,25 @@ import {
   garmentSample,
   ownGarment,
   ownPicture,
+  ownTile,
   printMeasures,
   printSample,
 } from './design-reader.js';
 import {projectTitle} from './project-name.js';
 import {fieldOf, Malformed, shape, text, type Read} from './read.js';
+import type {PrintTile} from './tile-repeat.js';
 
 /** By the name of a sample, or as a whole. */
 export type LinkedGarment =
   {readonly sample: NonNullable<DesignGarment['sample']>} | Pick<DesignGarment, 'name' | 'text'>;
 
+/** Of a picture that was made of one that somebody opened, only that one is carried. */
 export type LinkedPrint = Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell'> &
-  ({readonly sample: NonNullable<DesignPrint['sample']>} | Pick<DesignPrint, 'title' | 'image'>);
+  (
+    | {readonly sample: NonNullable<DesignPrint['sample']>}
+    | Pick<DesignPrint, 'title' | 'image'>
+    | (Pick<DesignPrint, 'title'> & {readonly tile: PrintTile})
+  );
 
 export interface LinkedProject extends Omit<Design, 'garment' | 'print'> {
   readonly garment: LinkedGarment;
@@ -39,15 +46,18 @@ export const longestLink = 200_000;
 /** Of a project that a link unfolds to. [bytes] */
 const largest = 8 * 2 ** 20;
 
+/** By whether it has a field. */
 const either =
-  <A, B>(sample: Read<A>, own: Read<B>): Read<A | B> =>
+  <A, B>(field: string, having: Read<A>, other: Read<B>): Read<A | B> =>
   (value, at) =>
-    fieldOf(value, 'sample') === undefined ? own(value, at) : sample(value, at);
+    fieldOf(value, field) === undefined ? other(value, at) : having(value, at);
 
-const garment = either(shape({sample: garmentSample}), ownGarment);
+const title = text(/^.{0,255}$/su, 'a title');
+const garment = either('sample', shape({sample: garmentSample}), ownGarment);
 const print = either(
+  'sample',
   shape({sample: printSample}),
-  shape({title: text(/^.{0,255}$/su, 'a title'), image: ownPicture}),
+  either('tile', shape({title, tile: ownTile}), shape({title, image: ownPicture})),
 );
 
 const linked: Read<LinkedProject> = (value, at) => {
@@ -65,12 +75,14 @@ const isSample = (print: DesignPrint): print is DesignPrint & {sample: object} =
 /** "#...", of whatever length. @param title what its owner calls it */
 export async function linkOf(design: Design, title?: string): Promise<string> {
   const {garment: own, print: shown, ...decided} = design;
-  const {group, size, turnDeg, oneWay, cell} = shown;
+  const {group, size, turnDeg, oneWay, cell, tile} = shown;
   const project: LinkedProject = {
     garment: own.sample ? {sample: own.sample} : {name: own.name, text: own.text},
     print: {
       ...{group, size, turnDeg, oneWay, cell},
-      ...(isSample(shown) ? {sample: shown.sample} : {title: shown.title, image: shown.image}),
+      ...(isSample(shown)
+        ? {sample: shown.sample}
+        : {title: shown.title, ...(tile ? {tile} : {image: shown.image})}),
     },
     ...decided,
     ...(title !== undefined && {title}),

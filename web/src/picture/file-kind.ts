@@ -1,12 +1,16 @@
 /** What a file is by its first bytes, whatever it is called, and whether it is all there. */
 
-/** Those that become prints, and others that people take for pictures. */
+/** Those that become prints, others that people take for pictures, and documents, which are none. */
 export const fileKinds = [
   ...(['png', 'jpeg', 'webp', 'svg'] as const),
-  ...(['gif', 'heic', 'avif', 'tiff', 'bmp', 'pdf', 'photoshop', 'postscript'] as const),
+  ...(['gif', 'heic', 'avif', 'tiff', 'bmp', 'photoshop'] as const),
+  ...(['pdf', 'postscript', 'dxf', 'zip'] as const),
 ] as const;
 
 export type FileKind = (typeof fileKinds)[number];
+
+export const isDocument = (kind: FileKind): boolean =>
+  ['pdf', 'postscript', 'dxf', 'zip'].includes(kind);
 
 /** Bytes that are looked at for the beginning of a text. */
 const beginning = 4096;
@@ -29,10 +33,12 @@ export function fileKind(bytes: Uint8Array): FileKind | undefined {
   if (first === '%PDF') return 'pdf';
   if (first === '8BPS') return 'photoshop';
   if (first.startsWith('%!')) return 'postscript';
+  if (first === 'PK\x03\x04') return 'zip';
   if (['II*\0', 'MM\0*', 'II+\0', 'MM\0+'].includes(first)) return 'tiff';
   if (first.startsWith('BM') && bytes.length > 26 && viewOf(bytes).getUint32(6) === 0) return 'bmp';
   if (letters(bytes, 4, 8) === 'ftyp') return mediaKind(bytes);
   const text = new TextDecoder().decode(bytes.subarray(0, beginning));
+  if (/^AutoCAD Binary DXF|^(\s*999\r?\n.*\r?\n)*\s*0\s*\r?\n\s*SECTION\s/.test(text)) return 'dxf';
   return /^\s*<(\?xml|!doctype svg|!--|svg)/i.test(text) && /<(\w+:)?svg[\s>]/i.test(text)
     ? 'svg'
     : undefined;

@@ -2,6 +2,7 @@
 import type {Design, DesignPrint} from '../../model/design.js';
 import {LinkError, readLink, type LinkedGarment, type LinkedPrint} from '../../model/link.js';
 import {
+  pictureOfTile,
   sampleGarment,
   samplePrint,
   textsOf,
@@ -58,10 +59,11 @@ async function printOf(
   missing: string,
 ): Promise<DesignPrint> {
   if (!('sample' in print)) {
-    await loaded(print.image).catch((cause: unknown) => {
+    const isMade = 'tile' in print;
+    await loaded(isMade ? print.tile.image : print.image).catch((cause: unknown) => {
       throw new LinkError('no picture', {cause});
     });
-    return print;
+    return isMade ? {...print, image: await pictureOfTile(print.tile)} : print;
   }
   const known = prints.find(({name}) => name === print.sample.name);
   if (!known) throw new Error(missing);

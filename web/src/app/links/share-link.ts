@@ -20,11 +20,13 @@ async function shortest(design: Design, title: string | undefined): Promise<Link
   let hasSmallerPicture = false;
   for (const side of sides) {
     if (text.length <= longestLink) break;
-    const image =
-      design.print.image.startsWith('data:') && (await smaller(design.print.image, side));
+    const {image: own, tile} = design.print;
+    const carried = tile?.image ?? own;
+    const image = carried.startsWith('data:') && (await smaller(carried, side));
     if (!image) continue;
     hasSmallerPicture = true;
-    text = await linkOf({...design, print: {...design.print, image}}, title);
+    const made = tile ? {tile: {...tile, image}} : {image};
+    text = await linkOf({...design, print: {...design.print, ...made}}, title);
   }
   return {text, hasSmallerPicture};
 }

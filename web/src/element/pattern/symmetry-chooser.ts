@@ -1,12 +1,14 @@
 /** The clicks that name a symmetry, from the first to the step that they lead to. */
 import {
   afterEvent,
+  outlived,
   outside,
   type Choice,
   type SymmetryEvent,
   type SymmetryState,
   type SymmetryTool,
 } from '../../clicks/symmetry-tool.js';
+import type {Design} from '../../model/design.js';
 import type {GroupName} from '../../model/print.js';
 import {carries} from '../../model/repeat.js';
 import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
@@ -24,11 +26,23 @@ import type {Workbench} from '../workbench/workbench.js';
 export class SymmetryChooser {
   readonly #desk: Workbench;
   readonly #changed: () => void;
-  #state: SymmetryState = outside;
+  #latest: SymmetryState = outside;
+  /** What `#latest` is about. */
+  #design: Design | undefined;
 
   constructor(desk: Workbench, changed: () => void) {
     this.#desk = desk;
     this.#changed = changed;
+  }
+
+  /** What was refused of a design is not said of another; choices on another garment mean nothing. */
+  get #state(): SymmetryState {
+    const {design} = this.#desk;
+    if (design !== this.#design) {
+      this.#latest = outlived(this.#latest, design?.garment === this.#design?.garment);
+      this.#design = design;
+    }
+    return this.#latest;
   }
 
   get tool(): SymmetryTool | undefined {
@@ -82,7 +96,8 @@ export class SymmetryChooser {
   }
 
   #set(state: SymmetryState): void {
-    this.#state = state;
+    this.#latest = state;
+    this.#design = this.#desk.design;
     this.#changed();
   }
 

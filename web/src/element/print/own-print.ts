@@ -116,19 +116,24 @@ export async function printOfPicture(own: OwnPicture): Promise<DesignPrint> {
   return asFound(own, found);
 }
 
+/** The picture of a print's cell, made of the one that somebody opened. */
+export async function pictureOfTile({image, repeat, turnedDeg}: PrintTile): Promise<string> {
+  const upright = await cellPicture(image, repeat);
+  return turnedDeg === 90 ? quarterTurned(upright) : upright;
+}
+
 /** An own picture in a group that it has. */
 export async function asFound(
   own: OwnPicture,
   {group, size, cell, turnDeg}: FoundGroup,
 ): Promise<DesignPrint> {
-  const upright = await cellPicture(own.image, own.repeat);
   const tile: PrintTile = {image: own.image, repeat: own.repeat, turnedDeg: turnDeg};
   const isAsOpened = turnDeg === 0 && own.repeat === 'straight';
   return {
     title: own.title,
     ...{group, size, cell, oneWay: !turnsOver(group)},
     turnDeg: cellTurn({tile}, own.turnDeg),
-    image: turnDeg === 90 ? await quarterTurned(upright) : upright,
+    image: await pictureOfTile(tile),
     ...(!isAsOpened && {tile}),
   };
 }

@@ -46,8 +46,8 @@ export class PrintGallery extends PatientElement {
   };
   declare samples: Samples | undefined;
   declare protected focused: Choice | undefined;
-  /** The group that somebody asked for and that the symmetries do not allow. */
-  declare protected refused: GroupName | undefined;
+  /** The group that somebody asked for and that the symmetries do not allow; said until the design is another. */
+  declare protected refused: {readonly group: GroupName; readonly design: Design} | undefined;
 
   /** Of the prints that come with Seamwise, only these are shown. */
   declare protected filter: Filter | undefined;
@@ -56,8 +56,9 @@ export class PrintGallery extends PatientElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const {design, preferences} = this.desk;
-    const {samples, focused, refused, filter} = this;
+    const {samples, focused, filter} = this;
     if (!design || !samples) return nothing;
+    const refused = this.refused?.design === design ? this.refused.group : undefined;
     const {print, symmetries} = design;
     // drawn again only when one of these is new, not with every step of a solve
     const seen = [print, symmetries, preferences, samples, focused, refused, filter];
@@ -65,7 +66,8 @@ export class PrintGallery extends PatientElement {
       seen,
       () => html`
         ${print.sample ? this.#filters() : nothing} ${this.#groups(design, samples)}
-        ${this.#meaning(design)} ${this.#more(design, samples)} ${this.#colourways(design, samples)}
+        ${this.#meaning(design, refused)} ${this.#more(design, samples)}
+        ${this.#colourways(design, samples)}
       `,
     )}`;
   }
@@ -142,9 +144,9 @@ export class PrintGallery extends PatientElement {
   }
 
   /** What the group means; or why it will not do, and those that would. */
-  #meaning({print, symmetries}: Design): TemplateResult {
+  #meaning({print, symmetries}: Design, refused: GroupName | undefined): TemplateResult {
     const texts = this.texts.print;
-    const group = this.refused ?? print.group;
+    const group = refused ?? print.group;
     const kind = missing(group, symmetries);
     if (!kind) return html`<p class="soft" role="status">${texts.meanings[choiceOf(print)]}</p>`;
     return html`<div class="refusal" role="status">
@@ -217,8 +219,9 @@ export class PrintGallery extends PatientElement {
 
   /** @returns whether the symmetries allow this group; if not, why is said */
   #ask(group: GroupName): boolean {
-    const allowed = !missing(group, this.desk.design?.symmetries ?? []);
-    this.refused = allowed ? undefined : group;
+    const {design} = this.desk;
+    const allowed = !missing(group, design?.symmetries ?? []);
+    this.refused = allowed || !design ? undefined : {group, design};
     return allowed;
   }
 

@@ -413,6 +413,8 @@ export const de: Texts = {
       `Die Seite rechnet selbst, was langsamer geht, weil kein Worker starten kann. Auf Englisch: ${message}`,
     noWasm: (message) => `Das Rechenprogramm lässt sich nicht laden. Auf Englisch: ${message}`,
     picture: (file) => `${file} ist ein Bild; als Muster öffnen, oder einen Schnitt wählen.`,
+    document: (file, kind) =>
+      `${file} ist ${kind}; das kann Seamwise nicht lesen: für einen Schnitt eine Datei von GarmentCode wählen, für ein Muster ein Bild als PNG, JPEG, WebP oder SVG.`,
     tooLarge: (file) => `${file} ist zu groß für einen Schnitt; eine andere Datei wählen.`,
     noDesign: (file) =>
       `${file} ist ein Ergebnis ohne seinen Entwurf; den Schnitt öffnen, aus dem es entstand.`,
@@ -668,6 +670,8 @@ export const de: Texts = {
         pdf: 'ein PDF-Dokument',
         photoshop: 'eine Photoshop-Datei',
         postscript: 'eine PostScript-Datei',
+        dxf: 'eine DXF-Zeichnung',
+        zip: 'ein ZIP-Archiv',
       },
       wrongKind: (name, kind) =>
         `${name} ist ${kind} und kann kein Muster sein: als PNG oder JPEG speichern und das öffnen.`,

@@ -409,6 +409,8 @@ export const en = {
     noWasm: (message: string) => message,
     picture: (file: string) =>
       `${file} is a picture; open it as a print, or choose a sewing pattern.`,
+    document: (file: string, kind: string) =>
+      `${file} is ${kind}, which Seamwise cannot read: choose a GarmentCode file for a pattern, or a PNG, JPEG, WebP or SVG picture for a print.`,
     tooLarge: (file: string) => `${file} is too large for a sewing pattern; choose another file.`,
     noDesign: (file: string) =>
       `${file} is a result without its design; open the garment that it was made from.`,
@@ -658,6 +660,8 @@ export const en = {
         pdf: 'a PDF document',
         photoshop: 'a Photoshop file',
         postscript: 'a PostScript file',
+        dxf: 'a DXF drawing',
+        zip: 'a ZIP archive',
       },
       wrongKind: (name: string, kind: string) =>
         `${name} is ${kind}, which cannot be a print: save it as PNG or JPEG, and open that.`,

@@ -412,6 +412,8 @@ export const es: Texts = {
       `La página calcula por sí misma, más despacio, porque no puede arrancar ningún worker. En inglés: ${message}`,
     noWasm: (message) => `No se puede cargar el programa de cálculo. En inglés: ${message}`,
     picture: (file) => `${file} es una imagen; ábrela como estampado o elige un patrón.`,
+    document: (file, kind) =>
+      `${file} es ${kind}, que Seamwise no puede leer: elige un archivo de GarmentCode para un patrón, o una imagen PNG, JPEG, WebP o SVG para un estampado.`,
     tooLarge: (file) => `${file} es demasiado grande para un patrón; elige otro archivo.`,
     noDesign: (file) => `${file} es un resultado sin su diseño; abre la prenda de la que salió.`,
     project: (message) => `No se puede leer el proyecto. En inglés: ${message}`,
@@ -658,6 +660,8 @@ export const es: Texts = {
         pdf: 'un documento PDF',
         photoshop: 'un archivo de Photoshop',
         postscript: 'un archivo PostScript',
+        dxf: 'un dibujo DXF',
+        zip: 'un archivo ZIP',
       },
       wrongKind: (name, kind) =>
         `${name} es ${kind}, que no puede ser un estampado: guárdalo como PNG o JPEG, y abre eso.`,

@@ -419,6 +419,8 @@ export const fr: Texts = {
       `La page calcule elle-même, plus lentement, car aucun worker ne démarre. En anglais : ${message}`,
     noWasm: (message) => `Le programme de calcul ne se charge pas. En anglais : ${message}`,
     picture: (file) => `${file} est une image ; ouvrez-la comme imprimé, ou choisissez un patron.`,
+    document: (file, kind) =>
+      `${file} est ${kind}, que Seamwise ne peut lire : choisissez un fichier GarmentCode pour un patron, une image PNG, JPEG, WebP ou SVG pour un imprimé.`,
     tooLarge: (file) => `${file} est trop grand pour un patron ; choisissez un autre fichier.`,
     noDesign: (file) =>
       `${file} est un résultat sans son projet ; ouvrez le vêtement dont il vient.`,
@@ -670,6 +672,8 @@ export const fr: Texts = {
         pdf: 'un document PDF',
         photoshop: 'un fichier Photoshop',
         postscript: 'un fichier PostScript',
+        dxf: 'un dessin DXF',
+        zip: 'une archive ZIP',
       },
       wrongKind: (name, kind) =>
         `${name} est ${kind}, qui ne peut être un imprimé : enregistrez-le en PNG ou JPEG, et ouvrez cela.`,

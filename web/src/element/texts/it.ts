@@ -416,6 +416,8 @@ export const it: Texts = {
       `La pagina calcola da sé, più lentamente, perché nessun worker può partire. In inglese: ${message}`,
     noWasm: (message) => `Il programma di calcolo non si carica. In inglese: ${message}`,
     picture: (file) => `${file} è un’immagine; aprila come stampa, o scegli un cartamodello.`,
+    document: (file, kind) =>
+      `${file} è ${kind}, che Seamwise non può leggere: scegli un file di GarmentCode per un cartamodello, o un’immagine PNG, JPEG, WebP o SVG per una stampa.`,
     tooLarge: (file) => `${file} è troppo grande per un cartamodello; scegli un altro file.`,
     noDesign: (file) => `${file} è un risultato senza il suo progetto; apri il capo da cui è nato.`,
     project: (message) => `Il progetto non è leggibile. In inglese: ${message}`,
@@ -663,6 +665,8 @@ export const it: Texts = {
         pdf: 'un documento PDF',
         photoshop: 'un file Photoshop',
         postscript: 'un file PostScript',
+        dxf: 'un disegno DXF',
+        zip: 'un archivio ZIP',
       },
       wrongKind: (name, kind) =>
         `${name} è ${kind}, che non può essere una stampa: salvalo come PNG o JPEG, e apri quello.`,
