@@ -39,8 +39,6 @@ export const projectListStyle = css`
   }
   .icon {
     flex: none;
-    width: var(--sw-target);
-    padding: 0;
   }
   .body {
     padding: var(--sw-space-4);

@@ -50,10 +50,6 @@ export const editorLayout = css`
     display: inline-flex;
     visibility: hidden; /* its room stays */
   }
-  .icon {
-    width: var(--sw-target);
-    padding: 0;
-  }
   .pattern {
     grid-area: pattern;
     display: grid;

@@ -76,10 +76,6 @@ export class GrainQuestion extends DeskElement {
       label {
         display: contents;
       }
-      .icon {
-        width: 2rem;
-        padding: 0;
-      }
     `,
   ];
 

@@ -39,10 +39,6 @@ export class RepeatFields extends DeskElement {
         gap: var(--sw-space-1);
         align-items: end;
       }
-      .sides button {
-        width: 1.75rem;
-        padding: 0;
-      }
       .angles {
         display: grid;
         grid-template-columns: 1fr 1fr;
@@ -126,6 +122,7 @@ export class RepeatFields extends DeskElement {
         this.#resize(print, {...size, width: cm, height});
       })}
       <button
+        class="icon"
         aria-pressed=${isLocked}
         aria-label=${texts.proportions}
         title=${texts.proportions}

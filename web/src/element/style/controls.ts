@@ -62,6 +62,10 @@ export const controls = css`
     border-color: var(--sw-accent);
     color: var(--sw-accent);
   }
+  button.icon {
+    width: var(--sw-target);
+    padding: 0;
+  }
   button.link {
     min-height: 0;
     padding: 0;
