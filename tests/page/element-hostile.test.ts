@@ -183,7 +183,7 @@ it('shows names as the text that they are, in every mode', async () => {
   expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
 });
 
-it('runs nothing of an SVG and asks for nothing that it names', async () => {
+it('runs nothing of an SVG, asks for nothing that it names, and refuses one that takes in pictures from elsewhere', async () => {
   const open = await openPage({before: watch});
   const usual = await usualPause(open);
   const elsewhere: string[] = [];
@@ -200,29 +200,31 @@ it('runs nothing of an SVG and asks for nothing that it names', async () => {
       <img src="https://elsewhere.test/f.png" onerror="parent.hurt()"/>
       <iframe src="https://elsewhere.test/g.html"/></body></foreignObject>
     <animate attributeName="x" onbegin="parent.hurt()"/><rect width="5" height="5"/></svg>`;
-  await open.answer('prints/hostile.svg', (route) =>
-    route.fulfill({contentType: 'image/svg+xml', body: svg}),
-  );
-  const plain = svg.replace(/<foreignObject.*<\/foreignObject>/s, '');
-  await open.answer('prints/plain.svg', (route) =>
-    route.fulfill({contentType: 'image/svg+xml', body: plain}),
-  );
+  const without = (part: RegExp, text: string): string => text.replaceAll(part, '');
+  const html = /<foreignObject.*<\/foreignObject>/gs;
+  const pictures = /<image[^>]*>|<use[^>]*>|<img[^>]*>|rect {fill[^}]*}/g;
+  const plain = without(pictures, without(html, svg));
   const data = (text: string): string =>
     `data:image/svg+xml;base64,${Buffer.from(text).toString('base64')}`;
-  const at = (path: string): string => `${open.page.url()}${path}`;
+  const outside = /takes in pictures from elsewhere/;
   // with HTML in it, browsers keep its pixels to themselves, or draw it
-  const cases: readonly (readonly [string, RegExp])[] = [
-    [at('prints/plain.svg'), /^$/],
-    [data(plain), /^$/],
-    [at('prints/hostile.svg'), /^(not-an-image)?$/],
-    [data(svg), /^(not-an-image)?$/],
+  const cases: readonly (readonly [text: string, code: RegExp, message: RegExp])[] = [
+    [plain, /^$/, /^$/],
+    [without(pictures, svg), /^(not-an-image)?$/, /^((?!pictures from elsewhere).)*$/],
+    [without(html, svg), /^not-an-image$/, outside],
+    [svg, /^not-an-image$/, outside],
   ];
-  for (const [image, code] of cases) {
-    const given = {garment: twoStrips(), print: {...print, image, colourways: undefined}};
-    const seen = await heard(open, given);
-    expect(seen.codes.join()).toMatch(code);
-    expect(seen.state).toBe('ready');
-    expect.soft(seen.pause).toBeLessThan(usual + longestPause);
+  for (const [k, [text, code, message]] of cases.entries()) {
+    const path = `prints/hostile-${k}.svg`;
+    await open.answer(path, (route) => route.fulfill({contentType: 'image/svg+xml', body: text}));
+    for (const image of [`${open.page.url()}${path}`, data(text)]) {
+      const given = {garment: twoStrips(), print: {...print, image, colourways: undefined}};
+      const seen = await heard(open, given);
+      expect(seen.codes.join(), text).toMatch(code);
+      expect(seen.messages.join(), text).toMatch(message);
+      expect(seen.state).toBe('ready');
+      expect.soft(seen.pause).toBeLessThan(usual + longestPause);
+    }
   }
   expect(elsewhere).toEqual([]);
   expect(await open.page.evaluate(() => globalThis.hurts)).toBe(0);
