@@ -10,6 +10,7 @@ import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {clickPiece, clickSeam, seamOf} from '../support/page-pattern.js';
 import {button, saved, showSample, solved, usePage} from '../support/page.js';
+import {symmetricTee} from '../support/symmetric-tee.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -17,15 +18,6 @@ const openPage = usePage();
 
 const lockedOf = async (page: Page): Promise<SolveOptions['locked']> =>
   (await designOf(page)).options.locked;
-
-async function symmetricTee(): Promise<Page> {
-  const page = await openPage();
-  await showSample(page, 'tee');
-  await button(page, 'Accept all symmetries').click();
-  await expect.poll(async () => (await designOf(page)).symmetries.length).toBe(3);
-  await solved(page);
-  return page;
-}
 
 /** Clicks in the middle of an edge of a piece, by its number in the file. */
 async function clickEdge(page: Page, name: string, edge: number): Promise<void> {
@@ -82,7 +74,7 @@ it('keeps a hem that is clicked, lets it go with the next click, and undoes both
 });
 
 it('keeps a sewn edge and its mirror image, and says so in both tables', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   await button(page, 'Keep as drafted').click();
   const {seam, side} = await seamOf(page, 'Side seam, left', 'front');
   await clickSeam(page, seam, side);
@@ -96,7 +88,7 @@ it('keeps a sewn edge and its mirror image, and says so in both tables', async (
 });
 
 it('keeps a whole piece and its twin, from the picture or from the table', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   await button(page, 'Keep as drafted').click();
   await clickPiece(page, 'sleeve_left');
   await expect.poll(() => lockedOf(page)).toEqual({sleeve_left: true});

@@ -9,7 +9,8 @@ import type {Workbench} from '../../web/src/element/workbench/workbench.js';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {middleOfPiece} from '../support/page-pattern.js';
-import {button, progress, showSample, solved, usePage} from '../support/page.js';
+import {button, progress, solved, usePage} from '../support/page.js';
+import {symmetricTee} from '../support/symmetric-tee.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -19,16 +20,6 @@ type Changes = Pick<Design, 'symmetries'> & {
   readonly options?: Design['options'];
   readonly print?: Partial<Design['print']>;
 };
-
-/** A tee whose front and back are symmetric in themselves, and whose sleeves are a pair. */
-async function symmetricTee(): Promise<Page> {
-  const page = await openPage();
-  await showSample(page, 'tee');
-  await button(page, 'Accept all symmetries').click();
-  await expect.poll(async () => (await designOf(page)).symmetries.length).toBe(3);
-  await solved(page);
-  return page;
-}
 
 /** A change of the design, as if it had come from a file. */
 const change = (page: Page, {options, print, ...more}: Partial<Changes>): Promise<void> =>
@@ -76,7 +67,7 @@ const pinsOf = async (page: Page): Promise<NonNullable<Design['options']['pins']
   (await designOf(page)).options.pins ?? {};
 
 it('slides a symmetric piece along its axis, and clicks it over to the next mirror line', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   await button(page, 'Move print').click();
   const print = printOf((await designOf(page)).print);
   const before = await lying(page, 'front');
@@ -101,7 +92,7 @@ it('slides a symmetric piece along its axis, and clicks it over to the next mirr
 });
 
 it('has the image of a pair follow, and the newest of two drags count', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   await button(page, 'Move print').click();
   await drag(page, 'sleeve_left', [20, 12]);
   await solved(page);
@@ -115,7 +106,7 @@ it('has the image of a pair follow, and the newest of two drags count', async ()
 });
 
 it('takes a stored pin to the nearest place that keeps the symmetry, as part of the same step', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   const {alignment} = await lying(page, 'front');
   const [x, y] = alignment.translation;
   const wanted = {...alignment, translation: [x + 0.4, y] as const};
@@ -131,7 +122,7 @@ it('takes a stored pin to the nearest place that keeps the symmetry, as part of 
 });
 
 it('takes a pin along when a symmetry is asked for later', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   const {symmetries} = await designOf(page);
   const {alignment} = await lying(page, 'front');
   const [x, y] = alignment.translation;
@@ -148,7 +139,7 @@ it('takes a pin along when a symmetry is asked for later', async () => {
 });
 
 it('offers ways out where the pins of a pair contradict each other', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   const pins = {
     sleeve_left: {angle: 0, translation: [0, 0]},
     sleeve_right: {angle: 0, translation: [1, 2]},
@@ -173,7 +164,7 @@ it('offers ways out where the pins of a pair contradict each other', async () =>
 });
 
 it('offers ways out where grain and symmetry do not go together', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   await change(page, {print: {turnDeg: 110}});
   const ways = page.getByRole('group', {name: 'Ways out'});
   await ways.getByRole('button', {name: /^Turn the print by -20°|^Turn the print by −20°/}).click();
@@ -191,7 +182,7 @@ it('offers ways out where grain and symmetry do not go together', async () => {
 });
 
 it('offers to leave out what the print cannot keep', async () => {
-  const page = await symmetricTee();
+  const page = await symmetricTee(openPage);
   await change(page, {print: {group: 'p2'}});
   await page.getByRole('alert').filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
   await button(page, 'Leave out what it cannot keep').click();

@@ -29,6 +29,29 @@ it('has the same figures in the result as everywhere else, and no worst seam bel
   });
 });
 
+it.each(
+  ['apron', 'gathered-skirt', 'shirt'].flatMap((name) =>
+    [undefined, 0].map((most) => [name, most] as const),
+  ),
+)(
+  'has a worst seam that is no better than the average, and reasons for what misses, with the %s, changed by %s cm at most',
+  async (name, maxChangeCm) => {
+    const garment = readFileSync(
+      new URL(`../../public/garments/${name}-m.json`, import.meta.url),
+      'utf8',
+    );
+    const options = {...problem.options, ...(maxChangeCm !== undefined && {maxChangeCm})};
+    const result = await solve({garment, print, options});
+    const {localCm} = result.metrics;
+    expect(localCm?.worst).toBeGreaterThanOrEqual((localCm?.final ?? NaN) - 1e-12);
+    const {seams} = finalFit(result);
+    result.seams.forEach(({why, line, local}, k) => {
+      expect(why !== undefined).toBe(seams[k]?.counts && (local?.final ?? NaN) > 0.3);
+      if (maxChangeCm === 0) expect(line).toBe('drafted');
+    });
+  },
+);
+
 it('offers to leave gathers out, and says what that gains', async () => {
   const result = await solve(problem);
   expect(result.seams.filter(({why}) => why === 'gather')).not.toEqual([]);

@@ -2,22 +2,8 @@ import {describe, expect, it} from 'vitest';
 
 import {rulerOf} from '../../web/src/element/lens/ruler.js';
 import {nextWorst, rankOf} from '../../web/src/element/lens/worst-walk.js';
-import type {SeamRow} from '../../web/src/element/lists/rows.js';
+import {seamRow as row} from '../support/seam-row.js';
 
-const row = (seam: number, after: number, counts = true): SeamRow => ({
-  ...{seam, name: '', between: undefined, sides: ['', ''], length: 1, before: 0, after},
-  ...{
-    worst: 0,
-    drift: undefined,
-    why: undefined,
-    severity: 0,
-    kind: 'continuous',
-    weight: 1,
-    ownWeight: 1,
-    matched: true,
-  },
-  ...{canMatch: true, keptOn: [], counts},
-});
 /** By mismatch: 2, 0, 1; seam 3 does not count. */
 const rows = [row(0, 2), row(1, 1), row(2, 3), row(3, 9, false)];
 

@@ -14,6 +14,7 @@ import {de} from '../../web/src/element/texts/de.js';
 import {en} from '../../web/src/element/texts/en.js';
 import {formatFor} from '../../web/src/element/texts/format.js';
 import {realigned, sceneOf} from '../../web/src/viewer/scene.js';
+import {seamRow} from '../support/seam-row.js';
 import {plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 interface Shown {
@@ -143,6 +144,33 @@ describe('the text of a seam', () => {
     ]);
   });
 
+  it('tells why it stays off, where that is not that the print runs off', () => {
+    const [row] = seams({high: [2, 0.2]});
+    const said = (more: Partial<SeamRow>) =>
+      row &&
+      seamText({...row, ...more}, en, format)
+        .split(', ')
+        .slice(4)
+        .join(', ');
+    const drift = {start: 0.1, end: 4, most: 4.2};
+    expect(said({})).toBe('');
+    expect(said({why: 'grain', drift})).toBe('the print runs across on one side');
+    expect(said({why: 'others', drift})).toBe('meets at one end, 40 mm off at the other');
+    expect(said({why: 'others'})).toBe('other seams of its pieces come first');
+    expect(said({why: 'locked'})).toBe('it is locked');
+    expect(said({why: 'size'})).toBe('the print is too large for it');
+    expect(said({why: 'group'})).toBe('the print has no mirror for it');
+  });
+
+  it('says that one side is gathered, and not where a print runs off that cannot run on', () => {
+    const pattern = squarePair();
+    const gathered = {...pattern, seams: pattern.seams.map((one) => ({...one, lengthRatio: 0.6}))};
+    const [row] = seams({pattern: gathered, high: [2, 0.2]});
+    expect(row).toMatchObject({gathered: true, drift: undefined});
+    expect(row && seamText(row, en, format)).toMatch(/continuous, one side is gathered$/);
+    expect(seam({pattern, high: [2, 0.2]}).gathered).toBe(false);
+  });
+
   it('says that a seam is not counted in place of its kind', () => {
     const pattern = squarePair();
     const off = {...pattern, seams: pattern.seams.map((one) => ({...one, matched: false}))};
@@ -153,21 +181,7 @@ describe('the text of a seam', () => {
 });
 
 it('finds the worst of the seams that count', () => {
-  const row = (number: number, after: number, counts = true): SeamRow => ({
-    ...{seam: number, name: '', between: undefined, sides: ['', ''], length: 1, before: 0, after},
-    ...{
-      worst: 0,
-      drift: undefined,
-      why: undefined,
-      severity: 0,
-      kind: 'continuous',
-      weight: 1,
-      ownWeight: 1,
-      matched: true,
-    },
-    ...{canMatch: true, keptOn: [], counts},
-  });
-  const rows = [row(0, 1), row(1, 3), row(2, 9, false), row(3, 2)];
+  const rows = [seamRow(0, 1), seamRow(1, 3), seamRow(2, 9, false), seamRow(3, 2)];
   expect(worstSeams(rows, 2).map(({seam: number}) => number)).toEqual([1, 3]);
   expect(worstSeams(rows).map(({seam: number}) => number)).toEqual([1, 3, 0]);
 });

@@ -101,6 +101,10 @@ export function meanOf({mismatch, lengths}: Pick<SeamFit, 'mismatch' | 'lengths'
   return length > 0 ? total / length : 0;
 }
 
+/** Whether the sides of a seam differ so much in length that no print runs on all along it, as the solver counts it. */
+export const isGathered = ({lengthRatio}: Pick<ResultSeam, 'lengthRatio'>): boolean =>
+  Math.abs(Math.log(lengthRatio)) > Math.log(1.1);
+
 /** A seam along which the print does not run on as one: what it misses by at both ends when followed all along. [cm] */
 export interface Drift {
   readonly start: number;

@@ -4,7 +4,7 @@ import type {GroupName, Print} from '../model/print.js';
 import type {Problem} from '../model/problem.js';
 import type {SeamReason, SolveResult} from '../model/result.js';
 import type {Repeat} from '../model/wallpaper.js';
-import {finalFit, meanOf} from '../picture/fit.js';
+import {finalFit, isGathered, meanOf} from '../picture/fit.js';
 import {bandsOf} from './bands.js';
 import {parsed, type Proposal} from './remedy.js';
 
@@ -27,8 +27,6 @@ export function proposals(problem: Problem, result: SolveResult): readonly Propo
 
 /** What a seam misses by at most, on average, without a reason being asked for. [cm] */
 const meets = 0.3;
-/** Sides that differ by more than this part of their length are gathered. */
-const gathered = 0.1;
 
 /**
  * Why each seam stays off, if it does. Where a result does not say, gathers are known by their lengths; elsewhere the
@@ -36,11 +34,12 @@ const gathered = 0.1;
  */
 function reasons(result: SolveResult): readonly (SeamReason | undefined)[] {
   const {seams} = finalFit(result);
-  return result.seams.map(({why, local, lengthRatio}, k) => {
+  return result.seams.map((seam, k) => {
+    const {why, local} = seam;
     const fit = seams[k];
     if (why ?? local ?? !fit?.counts) return why;
     if (meanOf(fit) <= meets) return undefined;
-    return Math.abs(lengthRatio - 1) > gathered ? 'gather' : 'grain';
+    return isGathered(seam) ? 'gather' : 'grain';
   });
 }
 

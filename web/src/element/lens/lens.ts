@@ -3,7 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
 import {PatientElement} from '../desk-element.js';
-import {driftText, seamRows, worstSeams, type SeamRow} from '../lists/rows.js';
+import {remarkOn, seamRows, worstSeams, type SeamRow} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {nextWorst, rankOf} from './worst-walk.js';
@@ -104,7 +104,7 @@ export class SeamLens extends PatientElement {
     const {format} = this;
     const {lens, pattern} = this.texts;
     const rank = rankOf(rows, row.seam);
-    const drift = driftText(row, this.texts, format);
+    const remark = remarkOn(row, this.texts, format);
     return html`
       <header>
         <div class="name">
@@ -129,7 +129,7 @@ export class SeamLens extends PatientElement {
       </header>
       <sw-lens-strip .desk=${this.desk} .row=${row}></sw-lens-strip>
       <p class="soft">
-        ${lens.mismatch(format.fine(row.before), format.fine(row.after))}${drift === undefined ? nothing : `; ${drift}`}
+        ${lens.mismatch(format.fine(row.before), format.fine(row.after))}${remark === undefined ? nothing : `; ${remark}`}
       </p>
     `;
   }

@@ -4,7 +4,7 @@ import type {Point} from '../../model/geometry.js';
 import type {GrainLock} from '../../model/options.js';
 import type {Pattern, SeamReason, SeamSide} from '../../model/result.js';
 import {mismatchSteps, severity} from '../../picture/colours.js';
-import {onPrint, type Drift} from '../../picture/fit.js';
+import {isGathered, onPrint, type Drift} from '../../picture/fit.js';
 import {pick} from '../../picture/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../viewer/scene.js';
 import type {Format} from '../texts/format.js';
@@ -52,7 +52,9 @@ export interface SeamRow {
   readonly after: number;
   /** The worst mismatch of any edge. [cm] */
   readonly worst: number;
-  /** Where the print, followed along the whole seam, runs off. */
+  /** Its sides differ too much in length for a print to run on all along. */
+  readonly gathered: boolean;
+  /** Where the print, followed along the whole seam, runs off; of gathers that says nothing. */
   readonly drift: Drift | undefined;
   /** Why it stays off, if it does and an answer says so. */
   readonly why: SeamReason | undefined;
@@ -105,16 +107,21 @@ export function seamText(row: SeamRow, texts: Texts, format: Format): string {
   const name = row.between === undefined ? row.name : `${row.name}, ${row.between}`;
   const kind = row.counts ? pattern[row.kind] : pattern.notCounted;
   const text = pattern.seam(name, format.length(row.length), format.fine(row.after), kind);
-  const drift = driftText(row, texts, format);
-  return drift === undefined ? text : `${text}, ${drift}`;
+  const remark = remarkOn(row, texts, format);
+  return remark === undefined ? text : `${text}, ${remark}`;
 }
 
-/** "meets at one end, 40 mm off at the other" */
-export function driftText(
-  {drift}: Pick<SeamRow, 'drift'>,
-  {lists}: Texts,
+/**
+ * "meets at one end, 40 mm off at the other"; or why it stays off, where following the print along it means nothing,
+ * or is not what is wrong with it.
+ */
+export function remarkOn(
+  {drift, gathered, why}: Pick<SeamRow, 'drift' | 'gathered' | 'why'>,
+  {lists, remedies}: Texts,
   format: Format,
 ): string | undefined {
+  if (gathered) return remedies.why.gather;
+  if (why === 'grain' || (why && !drift)) return remedies.why[why];
   if (!drift) return undefined;
   const [near, far] = [Math.min(drift.start, drift.end), Math.max(drift.start, drift.end)];
   const meets = near <= mismatchSteps[1] && far > mismatchSteps[1];
@@ -229,6 +236,8 @@ const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts
   return now.seams.map(({a, b, mean, worst: {mismatch}, drift, kind, counts}, seam): SeamRow => {
     const {sides = ['', ''] as const, name = '', between} = names[seam] ?? {};
     const {weight = 1, matched = true} = file.get(seam) ?? {};
+    const own = now.pattern.seams[seam];
+    const gathered = counts && own !== undefined && isGathered(own);
     const canMatch = matched && ![a, b].some(({piece}) => now.pieces[piece]?.plain);
     return {
       ...{seam, name, between, sides, kind, counts, canMatch},
@@ -237,8 +246,9 @@ const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts
       before: before.seams[seam]?.mean ?? 0,
       after: mean,
       worst: mismatch,
-      drift: counts ? drift : undefined,
-      why: counts ? now.pattern.seams[seam]?.why : undefined,
+      gathered,
+      drift: counts && !gathered ? drift : undefined,
+      why: counts ? own?.why : undefined,
       severity: severity(mean, now.scale),
       weight: options.weights?.[seam] ?? weight,
       ownWeight: weight,

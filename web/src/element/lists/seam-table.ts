@@ -8,7 +8,7 @@ import type {Target} from '../workbench/workbench.js';
 import {matches, matchOf, withMatch} from './choices.js';
 import {listStyle} from './list-style.js';
 import {ListTable, type Column} from './list-table.js';
-import {driftText, seamRows, type SeamRow} from './rows.js';
+import {remarkOn, seamRows, type SeamRow} from './rows.js';
 
 /** What does not count is no match, good or bad. */
 const counted =
@@ -59,12 +59,12 @@ export class SeamTable extends ListTable<SeamRow> {
     const {format} = this;
     const {lists, pattern} = this.texts;
     const {counts, kind, between} = row;
-    const drift = driftText(row, this.texts, format);
+    const remark = remarkOn(row, this.texts, format);
     return html`
       <th scope="row" title=${between ?? nothing}>
         ${row.name}
         ${counts ? this.#kind(kind) : html`<span class="soft">(${pattern.notCounted})</span>`}
-        ${drift === undefined ? nothing : html`<span class="soft">${drift}</span>`}
+        ${remark === undefined ? nothing : html`<span class="soft">${remark}</span>`}
         ${
           row.keptOn.length === 0
             ? nothing
