@@ -154,7 +154,7 @@ describe('the text of a seam', () => {
         .join(', ');
     const drift = {start: 0.1, end: 4, most: 4.2};
     expect(said({})).toBe('');
-    expect(said({why: 'grain', drift})).toBe('the print runs across on one side');
+    expect(said({why: 'grain', drift})).toBe('its two sides cannot line up on grain');
     expect(said({why: 'others', drift})).toBe('meets at one end, 40 mm off at the other');
     expect(said({why: 'others'})).toBe('other seams of its pieces come first');
     expect(said({why: 'locked'})).toBe('it is locked');

@@ -14,7 +14,7 @@ import {remedied} from './apply.js';
 /** More seams than these are only counted. */
 const mostSeams = 3;
 
-/** "Turn Waistband by 90°: 148.7 mm → 0.6 mm" */
+/** "Turn Waistband by 90°: 20.5 mm → 0 mm" */
 export function remedyWords(
   {kind, pieces, before, after}: Remedy,
   {scenes}: Workbench,

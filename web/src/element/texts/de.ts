@@ -426,7 +426,7 @@ export const de: Texts = {
     more: (count) => `und ${count} weitere`,
     help: 'Was helfen würde',
     why: {
-      grain: 'das Muster läuft auf einer Seite quer',
+      grain: 'im Fadenlauf passen ihre beiden Seiten nicht aneinander',
       gather: 'eine Seite ist gekräuselt',
       group: 'dem Muster fehlt die Spiegelung dafür',
       size: 'das Muster ist zu groß dafür',

@@ -421,7 +421,7 @@ export const en = {
     more: (count: number) => `and ${count} more`,
     help: 'What would help',
     why: {
-      grain: 'the print runs across on one side',
+      grain: 'its two sides cannot line up on grain',
       gather: 'one side is gathered',
       group: 'the print has no mirror for it',
       size: 'the print is too large for it',

@@ -423,7 +423,7 @@ export const es: Texts = {
     more: (count) => `y ${count} más`,
     help: 'Qué ayudaría',
     why: {
-      grain: 'el estampado va atravesado en un lado',
+      grain: 'al hilo, sus dos lados no pueden casar',
       gather: 'un lado va fruncido',
       group: 'el estampado no tiene un espejo para ella',
       size: 'el estampado es demasiado grande para ella',

@@ -432,7 +432,7 @@ export const fr: Texts = {
     more: (count) => `et ${count} de plus`,
     help: 'Ce qui aiderait',
     why: {
-      grain: 'l’imprimé est en travers d’un côté',
+      grain: 'sur le droit-fil, ses deux côtés ne s’accordent pas',
       gather: 'un côté est froncé',
       group: 'l’imprimé n’a pas de miroir pour elle',
       size: 'l’imprimé est trop grand pour elle',

@@ -428,7 +428,7 @@ export const it: Texts = {
     more: (count) => `e altre ${count}`,
     help: 'Che cosa aiuterebbe',
     why: {
-      grain: 'da un lato la stampa va di traverso',
+      grain: 'in drittofilo i suoi due lati non combaciano',
       gather: 'un lato è arricciato',
       group: 'la stampa non ha uno specchio per questa',
       size: 'la stampa è troppo grande per questa',
