@@ -22,7 +22,7 @@ function wordsOf(texts: unknown, path = ''): [path: string, word: Word][] {
 /** As everybody writes it, or alike by chance in a neighbouring language. */
 const alike = new RegExp(
   `^(?:${[
-    'app.name|controls.methods.paper|legend.asPaper|legend.none|remedies.effect|lists.weight',
+    'app.name|controls.methods.paper|legend.asPaper|legend.none|pattern.zoom|remedies.effect|lists.weight',
     'print.dpi|print.measure.points.1|grain.other',
     'lists.size|lists.numbered|lists.of|pattern.piece|lists.matches.double|keys\\..*|keyNames\\..*',
   ].join('|')})$`,

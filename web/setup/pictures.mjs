@@ -36,7 +36,8 @@ async function opened(style, colorScheme) {
   await page.getByLabel('Garment', {exact: true}).selectOption(style);
   await page.waitForFunction(
     (wanted) =>
-      document.querySelector('seamwise-page').desk.design?.garment.sample?.style === wanted,
+      globalThis.document.querySelector('seamwise-page').desk.design?.garment.sample?.style ===
+      wanted,
     style,
   );
   await aligned();

@@ -36,6 +36,6 @@ const what: Readonly<Record<Remedy['kind'], (names: readonly string[]) => string
   smaller: () => 'Take a print of half the repeat',
 };
 
-/** Turn 'waistband' by 90 degrees: 148.7 -> 0.6 mm */
+/** Turn 'waistband' by 90 degrees: 20.5 -> 0.0 mm */
 export const remedyLine = ({kind, pieces, before, after}: Remedy): string =>
   `${what[kind](pieces)}: ${(10 * before).toFixed(1)} -> ${millimetres(after)}`;
