@@ -2,7 +2,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import {mirrors} from '../../web/src/model/mirror-lines.js';
+import {mirrors} from '../../web/src/model/mirror-images.js';
 import {printOf, type Design} from '../../web/src/model/design.js';
 import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import type {Workbench} from '../../web/src/element/workbench/workbench.js';

@@ -3,16 +3,13 @@ import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
 import type {Alignment, Point} from '../../web/src/model/geometry.js';
+import {inverse, mirrorAlignment, mirrors, turnToGrain} from '../../web/src/model/mirror-images.js';
 import {
   axisLine,
   footOnAxis,
-  inverse,
-  mirrorAlignment,
   mirrorLines,
-  mirrors,
   nearestMirrored,
   nextMirrored,
-  turnToGrain,
 } from '../../web/src/model/mirror-lines.js';
 import {groupsThatCarry, latticeVectors} from '../../web/src/model/repeat.js';
 import {

@@ -11,7 +11,7 @@ import {
   withPin,
   type Mirroring,
 } from '../../web/src/model/pins.js';
-import {mirrors} from '../../web/src/model/mirror-lines.js';
+import {mirrors} from '../../web/src/model/mirror-images.js';
 import {squarePair} from '../support/two-squares.js';
 
 const repeat = {group: 'pmm', w1: [10, 0], w2: [0, 8]} as const;

@@ -4,24 +4,26 @@
  */
 import type {PropertyValues, TemplateResult} from 'lit';
 
-import type {Failure} from '../model/failure.js';
 import {SolverError} from '../model/failure.js';
 import type {SolveResult} from '../model/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/stored-design.js';
 import {FileError} from '../model/versioned-file.js';
+import {asError} from './garment/as-error.js';
 import {AttributeElement} from './garment/attribute-element.js';
 import {asking, attributes, localeOf, spellings, type GarmentMode} from './garment/attributes.js';
 import {Beginning} from './garment/beginning.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf} from './garment/face.js';
+import {keepInside} from './garment/inner-events.js';
 import {LanguageAround} from './garment/language-around.js';
 import {Modes} from './garment/modes.js';
 import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/offered-prints.js';
 import {pictureOf} from './garment/picture.js';
-import {asError, GarmentSession} from './garment/session.js';
+import {Rest} from './garment/rest.js';
+import {GarmentSession} from './garment/session.js';
 import {garmentStyle} from './garment/style.js';
 import {upgrade} from './garment/upgrade.js';
-import {drawnEvent, PatternDrawing, undrawableEvent} from './pattern/drawing.js';
+import {PatternDrawing} from './pattern/drawing.js';
 import {register} from './register.js';
 import {controls} from './style/controls.js';
 import {tokens} from './style/tokens.js';
@@ -33,11 +35,6 @@ export type * from './garment/events.js';
 export type {Units} from '../model/units.js';
 export type {PrintOffer} from './garment/offered-prints.js';
 export type {Messages, Texts} from './texts/texts.js';
-
-/** An element that is taken out of the document may only be on its way to another place. [ms] */
-const grace = 1000;
-/** Events of the parts that would leave the element as if they were its own. */
-const innerEvents = ['input', 'change', 'select', 'sw-lens-cursor', 'sw-lens-wanted'];
 
 export class SeamwiseGarment extends AttributeElement {
   /** The variables of `style/tokens.ts` are the page's to set. */
@@ -59,7 +56,14 @@ export class SeamwiseGarment extends AttributeElement {
   #messages: Messages | undefined;
   #shown: GarmentMode = 'preview';
   #isDrawn = false;
-  #resting: ReturnType<typeof setTimeout> | undefined;
+  /** Gives back what others may need, unless it is put into the document again soon. */
+  readonly #rest = new Rest(
+    () => !this.isConnected && !this.#session.isAwaited,
+    () => {
+      this.#offers.stop();
+      if (this.#session.pause()) this.#beginning.askAgain();
+    },
+  );
 
   constructor() {
     super();
@@ -179,7 +183,7 @@ export class SeamwiseGarment extends AttributeElement {
         this.#beginning.abandon();
       });
     } finally {
-      if (!this.isConnected) this.#rest();
+      if (!this.isConnected) this.#rest.soon();
     }
   }
 
@@ -240,7 +244,7 @@ export class SeamwiseGarment extends AttributeElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    clearTimeout(this.#resting);
+    this.#rest.not();
     upgrade(this);
     this.#prefer();
     this.#beginning.watch();
@@ -251,7 +255,7 @@ export class SeamwiseGarment extends AttributeElement {
     super.disconnectedCallback();
     this.#beginning.unwatch();
     this.#isDrawn = false;
-    this.#rest();
+    this.#rest.soon();
   }
 
   override attributeChangedCallback(name: string, before: string | null, now: string | null): void {
@@ -271,21 +275,16 @@ export class SeamwiseGarment extends AttributeElement {
 
   protected override createRenderRoot(): HTMLElement | DocumentFragment {
     const root = super.createRenderRoot();
-    for (const type of innerEvents) {
-      root.addEventListener(type, (event) => {
-        event.stopPropagation();
-      });
-    }
-    root.addEventListener(drawnEvent, (event) => {
-      event.stopPropagation();
-      this.#isDrawn = true;
-      this.requestUpdate();
-    });
-    root.addEventListener(undrawableEvent, (event) => {
-      event.stopPropagation();
-      this.#isDrawn = false;
-      this.#session.report(new SolverError((event as CustomEvent<Failure>).detail));
-      this.requestUpdate();
+    keepInside(root, {
+      drawn: () => {
+        this.#isDrawn = true;
+        this.requestUpdate();
+      },
+      undrawable: (failure) => {
+        this.#isDrawn = false;
+        this.#session.report(new SolverError(failure));
+        this.requestUpdate();
+      },
     });
     return root;
   }
@@ -347,16 +346,6 @@ export class SeamwiseGarment extends AttributeElement {
 
   protected override ask(): void {
     this.#beginning.ask();
-  }
-
-  /** Gives back what others may need, unless it is put into the document again soon. */
-  #rest(): void {
-    clearTimeout(this.#resting);
-    this.#resting = setTimeout(() => {
-      if (this.isConnected || this.#session.isAwaited) return;
-      this.#offers.stop();
-      if (this.#session.pause()) this.#beginning.askAgain();
-    }, grace);
   }
 }
 

@@ -1,12 +1,7 @@
 /** Pins of pieces that share symmetries: where a piece goes when somebody wants it there. */
 import type {Alignment, Point} from './geometry.js';
-import {
-  inverse,
-  mirrorAlignment,
-  mirrors,
-  nearestMirrored,
-  type AngleRule,
-} from './mirror-lines.js';
+import {inverse, mirrorAlignment, mirrors} from './mirror-images.js';
+import {nearestMirrored, type AngleRule} from './mirror-lines.js';
 import type {SolveOptions} from './options.js';
 import type {Pattern} from './result.js';
 import type {Repeat} from './wallpaper.js';

@@ -3,15 +3,14 @@ import type {Design} from '../../model/design.js';
 import {SolverError, type Failure} from '../../model/failure.js';
 import type {SolveResult} from '../../model/result.js';
 import {writeStoredDesign, type StoredDesign} from '../../model/stored-design.js';
-import {FileError} from '../../model/versioned-file.js';
 import type {LeasePlaces} from '../../solver/pool.js';
 import {textsOf, type Texts} from '../texts/texts.js';
 import {lastOf} from '../workbench/last-of.js';
-import {toFailure} from '../workbench/latest-solve.js';
 import type {Preferences} from '../workbench/preferences.js';
 import {spokenError} from '../workbench/spoken-failure.js';
 import {Workbench} from '../workbench/workbench.js';
 import {Announcer, type Emit} from './announcer.js';
+import {asError} from './as-error.js';
 import type {GarmentState} from './events.js';
 import type {FileWords} from './files.js';
 import {LastingSolver} from './lasting-solver.js';
@@ -19,7 +18,7 @@ import {nextDesign, type Answered} from './next-design.js';
 import {problemFor, storedDesign, unasked, type Terms} from './problem.js';
 import {restored} from './restored.js';
 import {Sources, type Asked} from './sources.js';
-import {Tiles} from './tiles.js';
+import {ToldTiles} from './told-tiles.js';
 import {Waiting} from './waiting.js';
 
 /** Whoever has the session. */
@@ -63,8 +62,6 @@ export class GarmentSession {
   /** As the program has it; any other is the user's. */
   #given: Design | undefined;
   #isTouched = false;
-  /** A picture of which that was told: several parts of the editor show it. */
-  #unreadable: string | undefined;
   /** What was told last of a drag. */
   #told: Design | undefined;
 
@@ -72,22 +69,16 @@ export class GarmentSession {
     this.#owner = owner;
     this.#tell = new Announcer(owner.emit, this.#spoken);
     this.#lease = new LastingSolver(owner.places);
-    const tiles = new Tiles(() => this.#texts);
+    const tiles = new ToldTiles(
+      () => this.#texts,
+      (error) => {
+        this.report(error);
+      },
+    );
     this.desk = new Workbench(this.#lease, preferences, {
       problemOf: (design) => problemFor(design, this.#terms),
       isAuto: (design) => unasked(design, this.#terms) === 'auto',
-      tileOf: async (image, signal) => {
-        if (image !== this.#unreadable) this.#unreadable = undefined;
-        try {
-          return await tiles.tile(image, signal);
-        } catch (error) {
-          if (!signal?.aborted && image !== this.#unreadable) {
-            this.#unreadable = image;
-            this.report(asError(error));
-          }
-          throw error;
-        }
-      },
+      tileOf: (image, signal) => tiles.tile(image, signal),
       progress: (progress) => {
         this.#tell.progress(progress);
       },
@@ -300,11 +291,4 @@ export class GarmentSession {
       this.#waiting.reject(new DOMException(this.#words.cancelled, 'AbortError'));
     }
   }
-}
-
-/** As the one kind of error that the element knows. */
-export function asError(error: unknown): SolverError {
-  if (error instanceof SolverError) return error;
-  if (error instanceof FileError) return new SolverError({code: 'options', message: error.message});
-  return new SolverError(toFailure(error));
 }

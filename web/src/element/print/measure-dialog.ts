@@ -1,24 +1,23 @@
 /** The size of a print, from the distance of two points on its picture. */
-import {css, html, nothing, svg, type TemplateResult} from 'lit';
+import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import {noPicture, printOf, type DesignPrint} from '../../model/design.js';
+import {noPicture, type DesignPrint} from '../../model/design.js';
 import type {Point} from '../../model/geometry.js';
 import {resized, tileSize} from '../../model/tile-repeat.js';
-import {imageCell} from '../../model/wallpaper.js';
 import {lengthUnit} from '../controls/number-field.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {alongStripe, choiceOf} from './choices.js';
 import {leastRepeat, mostRepeat} from './limits.js';
+import {measureStyle} from './measure-style.js';
+import {windowOn} from './measure-window.js';
 
 /** A point is moved by so much of the longer side with an arrow key, and by more with Shift. */
 const step = 1 / 500;
 const largeStep = 1 / 50;
 /** Points that are nearer to each other measure nothing; as a share of the longer side. */
 const nearest = 0.02;
-/** The shorter side of what is shown, as a share of the longer. */
-const narrowest = 0.4;
 /** What the picture may take of the height of the screen. */
 const mostOfScreen = 0.55;
 
@@ -27,26 +26,6 @@ const arrows: Readonly<Record<string, Point>> = {
 };
 
 type Two = readonly [Point, Point];
-
-/** What is shown of a print: one cell as it lies on the cloth, but for a turn that is no quarter. [cm] */
-function windowOn(print: DesignPrint) {
-  const [a, b] = imageCell(printOf({...print, turnDeg: 90 * Math.round(print.turnDeg / 90)}));
-  const reach = (k: 0 | 1): readonly [number, number] => {
-    const corners = [0, a[k], b[k], a[k] + b[k]];
-    return [Math.min(...corners), Math.max(...corners)];
-  };
-  const [[left, right], [bottom, top]] = [reach(0), reach(1)];
-  // of a stripe, which may repeat after a few millimetres, so much that it can be pointed at
-  const longest = Math.max(right - left, top - bottom);
-  const side = (length: number): number => Math.max(length, narrowest * longest);
-  const sides = [Math.hypot(...a), Math.hypot(...b)] as const;
-  // the picture's y runs down, against the second side of the cell
-  const matrix = [
-    ...[a[0] / sides[0], -a[1] / sides[0], -b[0] / sides[1], b[1] / sides[1]],
-    ...[b[0] - left, top - b[1]],
-  ];
-  return {width: side(right - left), height: side(top - bottom), sides, matrix};
-}
 
 export class MeasureDialog extends DeskElement {
   static override properties = {
@@ -62,78 +41,7 @@ export class MeasureDialog extends DeskElement {
   declare protected isOpen: boolean;
   #next: 0 | 1 = 0;
 
-  static override styles = [
-    controls,
-    css`
-      dialog {
-        width: min(94vw, 40rem);
-        max-height: 94vh;
-        padding: var(--sw-space-4);
-        border: 1px solid var(--sw-line);
-        border-radius: var(--sw-radius);
-        background: var(--sw-paper);
-        color: var(--sw-ink);
-      }
-      dialog::backdrop {
-        background: rgb(0 0 0 / 0.4);
-      }
-      .inside {
-        display: grid;
-        gap: var(--sw-space-3);
-      }
-      header {
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-      }
-      .picture {
-        position: relative;
-        justify-self: center;
-        cursor: crosshair;
-        touch-action: none;
-      }
-      svg.print {
-        display: block;
-        width: 100%;
-        height: 100%;
-      }
-      line {
-        vector-effect: non-scaling-stroke;
-        stroke-width: 2;
-        stroke: #c22318;
-      }
-      line.casing {
-        stroke: #fff;
-        stroke-width: 5;
-      }
-      .point {
-        position: absolute;
-        width: 2.75rem;
-        height: 2.75rem;
-        min-height: 0;
-        margin: -1.375rem;
-        padding: 0;
-        border-radius: 50%;
-        cursor: move;
-        touch-action: none;
-      }
-      .point::before {
-        content: '';
-        width: 0.9rem;
-        height: 0.9rem;
-        border: 2px solid #c22318;
-        border-radius: 50%;
-        background: rgb(255 255 255 / 0.55);
-        box-shadow: 0 0 0 2px #fff;
-      }
-      .entry {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr) auto;
-        gap: var(--sw-space-2);
-        align-items: end;
-      }
-    `,
-  ];
+  static override styles = [controls, measureStyle];
 
   constructor() {
     super();

@@ -4,7 +4,7 @@ import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit'
 import {printOf, type Design} from '../../model/design.js';
 import type {Failure} from '../../model/failure.js';
 import {grainRule} from '../../model/grain-rule.js';
-import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-lines.js';
+import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-images.js';
 import {carries} from '../../model/repeat.js';
 import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {DeskElement} from '../desk-element.js';

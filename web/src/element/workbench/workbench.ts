@@ -2,7 +2,7 @@
 import {printOf, problemOf, type Design, type DesignGarment} from '../../model/design.js';
 import type {Alignment} from '../../model/geometry.js';
 import type {Failure} from '../../model/failure.js';
-import {begun, type History} from '../../model/history.js';
+import {begun} from '../../model/history.js';
 import {mirroringsOf} from '../../model/pins.js';
 import type {Problem, Progress} from '../../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../../model/result.js';
@@ -14,15 +14,15 @@ import type {Tile} from '../../viewer/tile.js';
 import {tileOf} from '../pattern/tile.js';
 import {textsOf} from '../texts/texts.js';
 import {Afterwards} from './afterwards.js';
-import {Attention} from './attention.js';
 import {FoundSymmetries} from './found-symmetries.js';
+import {Journal} from './journal.js';
 import {LatestSolve} from './latest-solve.js';
 import {askedOf, measuredMirrorings, withKeptPins} from './kept-pins.js';
 import {preferencesFor, type Preferences} from './preferences.js';
 import {ResultCache} from './result-cache.js';
 import {bareCloth, newDesign} from './samples.js';
-import type {SolveState, Step} from './state.js';
-import {improving, Steps} from './steps.js';
+import type {SolveState} from './state.js';
+import {improving} from './steps.js';
 
 export type * from './state.js';
 
@@ -37,7 +37,7 @@ export interface WorkbenchOptions {
   readonly tileOf?: (image: string, signal?: AbortSignal) => Promise<Tile | undefined>;
 }
 
-export class Workbench extends Attention {
+export class Workbench extends Journal {
   readonly solver: SolverService;
   readonly tileOf: NonNullable<WorkbenchOptions['tileOf']>;
   /** What is worked on once an answer is there. */
@@ -45,7 +45,6 @@ export class Workbench extends Attention {
   readonly #isAuto: WorkbenchOptions['isAuto'];
   readonly #lease: SolverLease;
   readonly #results = new ResultCache();
-  readonly #steps = new Steps();
   readonly #solve: LatestSolve;
   readonly #found: FoundSymmetries;
   #pattern: MeshedPattern | undefined;
@@ -56,7 +55,6 @@ export class Workbench extends Attention {
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
   #isEdited = true;
-  #beginnings = 0;
 
   /** @param lease given back by `dispose` */
   constructor(
@@ -118,28 +116,6 @@ export class Workbench extends Attention {
     });
   }
 
-  /** Undefined until a garment is there. */
-  get design(): Design | undefined {
-    return this.history?.present.design;
-  }
-
-  get history(): History<Step> | undefined {
-    return this.#steps.history;
-  }
-
-  /** How many histories were begun: another number is another piece of work. */
-  get beginnings(): number {
-    return this.#beginnings;
-  }
-
-  get canUndo(): boolean {
-    return (this.history?.past.length ?? 0) > 0;
-  }
-
-  get canRedo(): boolean {
-    return (this.history?.future.length ?? 0) > 0;
-  }
-
   get state(): SolveState {
     return this.#state;
   }
@@ -194,46 +170,6 @@ export class Workbench extends Attention {
     this.changed();
   }
 
-  /** Starts, or starts over, with a history of its own. */
-  begin(history: History<Step>): void {
-    this.#beginnings++;
-    this.#steps.begin(history);
-    this.#travel();
-  }
-
-  /**
-   * Takes a step. Changes of one `kind` that follow each other quickly, as a slider's or a drag's do,
-   * are one step.
-   */
-  change(change: Partial<Design>, kind = ''): void {
-    if (!this.design) return;
-    // how long was looked for an answer belongs to that answer, not to the next question
-    const {effort, ...options} = change.options ?? this.design.options;
-    this.#take(effort === undefined ? change : {...change, options}, kind);
-  }
-
-  /** Whether a drag is under way, whose changes are one step. */
-  get isHeld(): boolean {
-    return this.#steps.isHeld;
-  }
-
-  /** For a drag: until it ends, its changes are one step, however long it rests. @returns what ends it */
-  hold(): () => void {
-    this.#steps.hold();
-    return () => {
-      this.#steps.letGo();
-      this.changed();
-    };
-  }
-
-  undo(): void {
-    if (this.#steps.undo()) this.#travel();
-  }
-
-  redo(): void {
-    if (this.#steps.redo()) this.#travel();
-  }
-
   /**
    * Begins with another garment in the present print, once it has been read.
    * @throws {SolverError} and leaves everything as it is
@@ -281,39 +217,25 @@ export class Workbench extends Attention {
     super.dispose();
   }
 
-  #take(change: Partial<Design>, kind = ''): void {
-    this.#steps.change(change, kind, this.view?.get() ?? null);
+  protected override stepped(): void {
     const {design} = this;
-    if (design?.options.pins && this.#pattern) {
-      const isAuto = design.symmetries.length === 0 && this.#isAuto?.(design);
-      const known = mirroringsOf(this.#pattern);
-      this.#steps.mend(
-        withKeptPins(design, this.#pattern, isAuto ? known : askedOf(design, known)),
-      );
-    }
-    this.unsay();
-    this.#arrive();
+    if (!design?.options.pins || !this.#pattern) return;
+    const isAuto = design.symmetries.length === 0 && this.#isAuto?.(design);
+    const known = mirroringsOf(this.#pattern);
+    this.steps.mend(withKeptPins(design, this.#pattern, isAuto ? known : askedOf(design, known)));
   }
 
   /** All better answers that are found in one go are one step. */
   #improved(design: Design, effort: number, result: SolveResult): Design {
     const options = {...design.options, effort};
-    this.#steps.change({options}, improving, this.view?.get() ?? null);
+    this.steps.change({options}, improving, this.view?.get() ?? null);
     const present = this.design ?? design;
     if (this.#pattern) this.#results.keep(present, {pattern: this.#pattern, result});
     this.changed();
     return present;
   }
 
-  #travel(): void {
-    this.unsay();
-    this.#arrive();
-    const view = this.history?.present.view;
-    if (view) this.view?.set(view);
-  }
-
-  /** The present design may be any other than before. */
-  #arrive(): void {
+  protected override arrive(): void {
     const {design} = this;
     if (!design) return;
     this.afterwards.stop();
@@ -351,8 +273,8 @@ export class Workbench extends Attention {
       return;
     }
     const {language, messages} = this.preferences;
-    this.#steps.mend(next);
-    this.#arrive();
+    this.steps.mend(next);
+    this.arrive();
     this.say({tone: 'info', text: textsOf(language, messages).symmetry.snapped});
   }
 

@@ -1,0 +1,32 @@
+/** Pictures of prints for several parts of an editor, of which each that cannot be read is told of once. */
+import type {SolverError} from '../../model/failure.js';
+import type {Tile} from '../../viewer/tile.js';
+import type {Texts} from '../texts/texts.js';
+import {asError} from './as-error.js';
+import {Tiles} from './tiles.js';
+
+export class ToldTiles {
+  readonly #tiles: Tiles;
+  readonly #tell: (error: SolverError) => void;
+  /** The one that was told of last. */
+  #unreadable: string | undefined;
+
+  constructor(texts: () => Texts, tell: (error: SolverError) => void) {
+    this.#tiles = new Tiles(texts);
+    this.#tell = tell;
+  }
+
+  /** @throws {Error} for what cannot be read */
+  async tile(image: string, signal?: AbortSignal): Promise<Tile | undefined> {
+    if (image !== this.#unreadable) this.#unreadable = undefined;
+    try {
+      return await this.#tiles.tile(image, signal);
+    } catch (error) {
+      if (!signal?.aborted && image !== this.#unreadable) {
+        this.#unreadable = image;
+        this.#tell(asError(error));
+      }
+      throw error;
+    }
+  }
+}

@@ -1,0 +1,26 @@
+/** The part of a print on which two points are measured. */
+import {printOf, type DesignPrint} from '../../model/design.js';
+import {imageCell} from '../../model/wallpaper.js';
+
+/** The shorter side of what is shown, as a share of the longer. */
+const narrowest = 0.4;
+
+/** What is shown of a print: one cell as it lies on the cloth, but for a turn that is no quarter. [cm] */
+export function windowOn(print: DesignPrint) {
+  const [a, b] = imageCell(printOf({...print, turnDeg: 90 * Math.round(print.turnDeg / 90)}));
+  const reach = (k: 0 | 1): readonly [number, number] => {
+    const corners = [0, a[k], b[k], a[k] + b[k]];
+    return [Math.min(...corners), Math.max(...corners)];
+  };
+  const [[left, right], [bottom, top]] = [reach(0), reach(1)];
+  // of a stripe, which may repeat after a few millimetres, so much that it can be pointed at
+  const longest = Math.max(right - left, top - bottom);
+  const side = (length: number): number => Math.max(length, narrowest * longest);
+  const sides = [Math.hypot(...a), Math.hypot(...b)] as const;
+  // the picture's y runs down, against the second side of the cell
+  const matrix = [
+    ...[a[0] / sides[0], -a[1] / sides[0], -b[0] / sides[1], b[1] / sides[1]],
+    ...[b[0] - left, top - b[1]],
+  ];
+  return {width: side(right - left), height: side(top - bottom), sides, matrix};
+}

@@ -1,0 +1,96 @@
+/** How two pieces lie on a print as each other's mirror image. */
+import type {Alignment, Point} from './geometry.js';
+import {mirrored, mirrorLines, reduced, rotated, wrapped, type AngleRule} from './mirror-lines.js';
+import type {PlaneMap, Repeat} from './wallpaper.js';
+
+/** The other way round: from the second piece of a pair to the first. */
+export function inverse({angle, translation: [x, y]}: Alignment): Alignment {
+  const [tx, ty] = rotated([0 - x, y], angle);
+  return {angle, translation: [0 - tx, 0 - ty]};
+}
+
+function imageBy(map: Alignment, first: Alignment, element: PlaneMap): Alignment {
+  const turn = Math.atan2(element.yx, element.xx);
+  const angle = wrapped(map.angle - first.angle - turn - Math.PI);
+  const [x, y] = rotated([0 - first.translation[0], first.translation[1]], map.angle);
+  const [ax, ay] = rotated(element.shift, angle);
+  return {angle, translation: [x + map.translation[0] - ax, y + map.translation[1] - ay]};
+}
+
+/**
+ * The alignment of a pair's second piece that shows the mirror image of the first one's print. Every mirror or
+ * glide of the print gives the same picture; the one that is nearest to `like` is taken. Undefined on a print
+ * that has neither.
+ * @param map from the first piece to the second, p' = R F p + t
+ */
+export function mirrorAlignment(
+  repeat: Repeat,
+  map: Alignment,
+  first: Alignment,
+  like: Alignment = first,
+): Alignment | undefined {
+  const [nearest] = mirrored(repeat)
+    .map((element) => imageBy(map, first, element))
+    .map((image) => ({image, turn: Math.abs(wrapped(image.angle - like.angle))}))
+    .sort((one, other) => one.turn - other.turn);
+  if (!nearest) return undefined;
+  const {angle, translation} = nearest.image;
+  const [dx, dy] = rotated(
+    reduced(
+      repeat,
+      rotated([translation[0] - like.translation[0], translation[1] - like.translation[1]], -angle),
+    ),
+    angle,
+  );
+  return {angle, translation: [like.translation[0] + dx, like.translation[1] + dy]};
+}
+
+/** As exact as the solver asks for. [cm, over pieces of 10 cm] */
+const exact = 1e-6;
+
+/** Whether two alignments of a pair, or one of a symmetric piece twice, show each other's mirror image. */
+export function mirrors(
+  repeat: Repeat,
+  map: Alignment,
+  first: Alignment,
+  second: Alignment,
+): boolean {
+  return mirrored(repeat).some((element) => {
+    const {angle, translation} = imageBy(map, first, element);
+    const off: Point = [
+      second.translation[0] - translation[0],
+      second.translation[1] - translation[1],
+    ];
+    return (
+      Math.abs(wrapped(second.angle - angle)) < exact / 10 &&
+      Math.hypot(...reduced(repeat, rotated(off, -angle))) < exact / 2
+    );
+  });
+}
+
+/**
+ * The least turn of the print, counter-clockwise, that lets two pieces of a pair, or one symmetric piece, mirror
+ * each other and keep their angles; 0 when they can as it is. The group must carry the symmetry. [rad]
+ */
+export function turnToGrain(
+  repeat: Repeat,
+  map: Alignment,
+  [first, second]: readonly [AngleRule | undefined, AngleRule | undefined],
+  isSingle: boolean,
+): number {
+  if (!first || !second) return 0;
+  // R(turn) diag(1, -1) is what turns the print over
+  const overs = isSingle
+    ? mirrorLines(repeat).map(({along}) => 2 * Math.atan2(along[1], along[0]))
+    : mirrored(repeat).map(({xx, yx}) => Math.atan2(yx, xx));
+  const turns = overs.flatMap((over) =>
+    first.angles.flatMap((angle, k) =>
+      (isSingle ? first.angles.slice(k, k + 1) : second.angles).map(
+        // a print that is turned by a turns its axes by as much, and `over` by twice that
+        (other) => wrapped(map.angle - angle - other - over - Math.PI) / 2,
+      ),
+    ),
+  );
+  const least = turns.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one), 4);
+  return Math.abs(2 * least) <= first.tolerance + second.tolerance + 1e-6 ? 0 : least;
+}
