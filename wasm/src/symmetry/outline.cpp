@@ -7,7 +7,6 @@ namespace seamwise {
 namespace {
 
 constexpr double kSampleSpacing = 2.0;  // cm; straight runs need no more, curves are finer anyway
-constexpr int kBoxSegments = 8;
 
 }  // namespace
 
@@ -17,17 +16,14 @@ Outline::Outline(const Panel& panel) {
   sampleEvenly();
   for (const std::vector<Curve>& hole : panel.holes)
     for (const Curve& curve : hole) append(curve, -1);
-  for (std::size_t first = 0; first < segments_.size(); first += kBoxSegments) {
-    const std::size_t last = std::min(first + kBoxSegments, segments_.size());
-    Box box{segments_[first].from, segments_[first].from, static_cast<int>(first),
-            static_cast<int>(last)};
-    for (std::size_t i = first; i < last; ++i) {
-      const Vec2 end = segments_[i].from + segments_[i].step;
-      box.low = box.low.cwiseMin(segments_[i].from).cwiseMin(end);
-      box.high = box.high.cwiseMax(segments_[i].from).cwiseMax(end);
-    }
-    boxes_.push_back(box);
+  Polyline low, high;
+  for (const Segment& s : segments_) {
+    const Vec2 end = s.from + s.step;
+    low.push_back(s.from.cwiseMin(end));
+    high.push_back(s.from.cwiseMax(end));
   }
+  segment_boxes_ = BoxedRuns(low, high);
+  corner_boxes_ = BoxedRuns(corners_, corners_);
 }
 
 void Outline::append(const Curve& curve, int edge) {
@@ -77,36 +73,32 @@ Vec2 Outline::at(int edge, double fraction) const {
 }
 
 OutlinePoint Outline::nearest(const Vec2& p) const {
-  const auto gap = [&](const Box& box) {
-    return (box.low - p).cwiseMax(p - box.high).cwiseMax(Vec2::Zero()).squaredNorm();
-  };
-  std::size_t start = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < boxes_.size() && least > 0; ++i)
-    if (const double g = gap(boxes_[i]); g < least) {
-      least = g;
-      start = i;
-    }
-
   double best = std::numeric_limits<double>::infinity(), along = 0;
   const Segment* found = nullptr;
-  const auto search = [&](const Box& box) {
-    for (int i = box.first; i < box.last; ++i) {
-      const Segment& s = segments_[i];
-      const Vec2 v = p - s.from;
-      const double t = std::clamp(v.dot(s.step) * s.inverse_square, 0.0, 1.0);
-      const double d = (v - t * s.step).squaredNorm();
-      if (d >= best) continue;
-      best = d;
-      along = t;
-      found = &s;
-    }
-  };
-  search(boxes_[start]);
-  for (std::size_t i = 0; i < boxes_.size(); ++i)
-    if (i != start && gap(boxes_[i]) < best) search(boxes_[i]);
+  segment_boxes_.visitNear(p, best, [&](std::size_t i) {
+    const Segment& s = segments_[i];
+    const Vec2 v = p - s.from;
+    const double t = std::clamp(v.dot(s.step) * s.inverse_square, 0.0, 1.0);
+    const double d = (v - t * s.step).squaredNorm();
+    if (d >= best) return;
+    best = d;
+    along = t;
+    found = &s;
+  });
   return {found->from + along * found->step, std::sqrt(best), found->edge,
           found->start + along * found->span};
+}
+
+int Outline::nearestCorner(const Vec2& p) const {
+  double best = std::numeric_limits<double>::infinity();
+  std::size_t found = 0;
+  corner_boxes_.visitNear(p, best, [&](std::size_t i) {
+    const double d = (corners_[i] - p).squaredNorm();
+    if (d > best || (d == best && i > found)) return;
+    best = d;
+    found = i;
+  });
+  return static_cast<int>(found);
 }
 
 }  // namespace seamwise

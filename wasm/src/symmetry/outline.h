@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/boxed_runs.h"
 #include "pattern/garment.h"
 
 namespace seamwise {
@@ -33,6 +34,8 @@ class Outline {
   Vec2 at(int edge, double fraction) const;
   /// Nearest point of the flattened outline (off the true one by at most kFlatness).
   OutlinePoint nearest(const Vec2& p) const;
+  /// The corner nearest to p; of several the first.
+  int nearestCorner(const Vec2& p) const;
 
   static constexpr double kFlatness = 0.002;
 
@@ -47,18 +50,14 @@ class Outline {
     int first, last;  ///< segments [first, last)
     double length;
   };
-  struct Box {
-    Vec2 low, high;
-    int first, last;  ///< segments
-  };
 
   void append(const Curve& curve, int edge);
   void sampleEvenly();
 
   std::vector<Segment> segments_;
   std::vector<Edge> edges_;
-  std::vector<Box> boxes_;
   Polyline corners_, samples_;
+  BoxedRuns segment_boxes_, corner_boxes_;
   std::array<Vec2, kEven> even_;
   double length_ = 0, area_ = 0;
 };

@@ -15,6 +15,8 @@ constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
 constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
 constexpr std::size_t kFew = 4;        // every so manieth sample tells whether a start is hopeless
+constexpr std::size_t kEnough = 500;   // samples for that, however many there are
+constexpr std::size_t kMany = 2000;    // samples to settle a map on; corners make it exact
 constexpr double kHopeless = 5;        // times the residual wanted, as root mean square over those
 
 struct CornerPairs {
@@ -22,23 +24,15 @@ struct CornerPairs {
   std::vector<double> distance;
 };
 
-int nearestOf(const Polyline& points, const Vec2& p) {
-  int best = 0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if ((points[i] - p).squaredNorm() < (points[best] - p).squaredNorm())
-      best = static_cast<int>(i);
-  return best;
-}
-
 // Corners that are each other's nearest under the map.
 CornerPairs pairCorners(const Outline& a, const Outline& b, const RigidMotion& map, double gate) {
   const RigidMotion back = map.inverse();
   CornerPairs pairs;
   for (std::size_t i = 0; i < a.corners().size(); ++i) {
     const Vec2 image = map(a.corners()[i]);
-    const Vec2& corner = b.corners()[nearestOf(b.corners(), image)];
+    const Vec2& corner = b.corners()[b.nearestCorner(image)];
     const double d = (corner - image).norm();
-    if (d > gate || nearestOf(a.corners(), back(corner)) != static_cast<int>(i)) continue;
+    if (d > gate || a.nearestCorner(back(corner)) != static_cast<int>(i)) continue;
     pairs.from.push_back(a.corners()[i]);
     pairs.to.push_back(corner);
     pairs.distance.push_back(d);
@@ -236,9 +230,12 @@ MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& st
   MirrorFit direct = measured(polishOnCorners(a, b, begin, gate));
   if (direct.residual <= 2 * Outline::kFlatness) return direct;
   const RigidMotion near = direct.residual < gate ? direct.map : begin;
-  if (enough < kFarApart && closestPoints(a, b, near, kFew).second > kHopeless * enough)
+  const std::size_t samples = a.samples().size();
+  if (enough < kFarApart &&
+      closestPoints(a, b, near, std::max(kFew, samples / kEnough)).second > kHopeless * enough)
     return direct;
-  MirrorFit settled = measured(closestPoints(a, b, near, 1).first);
+  MirrorFit settled =
+      measured(closestPoints(a, b, near, std::max<std::size_t>(1, samples / kMany)).first);
   MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
   // Corners win when they fit as well as flattening can tell.
   if (polished.residual <= settled.residual + Outline::kFlatness &&

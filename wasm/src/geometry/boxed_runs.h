@@ -1,0 +1,87 @@
+#pragma once
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "geometry/vec2.h"
+
+namespace seamwise {
+
+/// Boxes around things that follow each other along an outline, so that those near a point are
+/// found without looking at all: around every eight of them, and around every sixteen of these
+/// boxes.
+class BoxedRuns {
+ public:
+  BoxedRuns() = default;
+  /// @param low, high   corners of the things' own boxes [cm]
+  BoxedRuns(const Polyline& low, const Polyline& high)
+      : runs_(around(low, high, kRun)), groups_(around(lowOf(runs_), highOf(runs_), kGroup)) {}
+
+  /// Visits things in their order, but for the run nearest to p, whose turn is first.
+  /// @param nearest   visit(i) may lower it: the square of the distance beyond which nothing is
+  ///                  looked for [cm2]
+  template <class Visit>
+  void visitNear(const Vec2& p, const double& nearest, Visit visit) const {
+    const std::size_t start = nearestRun(p);
+    const auto search = [&](const Box& run) {
+      for (std::size_t i = run.first; i < run.last; ++i) visit(i);
+    };
+    search(runs_[start]);
+    for (const Box& group : groups_) {
+      if (gap(group, p) > nearest) continue;
+      for (std::size_t r = group.first; r < group.last; ++r)
+        if (r != start && gap(runs_[r], p) <= nearest) search(runs_[r]);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kRun = 8, kGroup = 16;
+  struct Box {
+    Vec2 low, high;
+    std::size_t first, last;
+  };
+
+  static std::vector<Box> around(const Polyline& low, const Polyline& high, std::size_t count) {
+    std::vector<Box> boxes;
+    for (std::size_t first = 0; first < low.size(); first += count) {
+      Box box{low[first], high[first], first, std::min(first + count, low.size())};
+      for (std::size_t i = first; i < box.last; ++i) {
+        box.low = box.low.cwiseMin(low[i]);
+        box.high = box.high.cwiseMax(high[i]);
+      }
+      boxes.push_back(box);
+    }
+    return boxes;
+  }
+  static Polyline lowOf(const std::vector<Box>& boxes) {
+    Polyline corners;
+    for (const Box& box : boxes) corners.push_back(box.low);
+    return corners;
+  }
+  static Polyline highOf(const std::vector<Box>& boxes) {
+    Polyline corners;
+    for (const Box& box : boxes) corners.push_back(box.high);
+    return corners;
+  }
+  static double gap(const Box& box, const Vec2& p) {
+    return (box.low - p).cwiseMax(p - box.high).cwiseMax(Vec2::Zero()).squaredNorm();
+  }
+
+  std::size_t nearestRun(const Vec2& p) const {
+    std::size_t start = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Box& group : groups_) {
+      if (gap(group, p) >= least) continue;
+      for (std::size_t r = group.first; r < group.last && least > 0; ++r)
+        if (const double g = gap(runs_[r], p); g < least) {
+          least = g;
+          start = r;
+        }
+    }
+    return start;
+  }
+
+  std::vector<Box> runs_, groups_;
+};
+
+}  // namespace seamwise
