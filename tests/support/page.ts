@@ -22,6 +22,8 @@ export interface PageOptions extends BrowserContextOptions {
   readonly query?: string;
   /** In whose context, to share its storage. */
   readonly beside?: Page;
+  /** As somebody sees it who has not been here yet; usually there is no introduction any more. */
+  readonly isFirst?: boolean;
   /** What the page may say on its console, where something is broken on purpose. */
   readonly maySay?: RegExp;
 }
@@ -58,7 +60,7 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
     await rm(outDir, {recursive: true});
   });
 
-  return async ({query = '', beside, maySay, ...context} = {}) => {
+  return async ({query = '', beside, isFirst = false, maySay, ...context} = {}) => {
     const page = await (
       beside?.context() ??
       (await browser.newContext({
@@ -68,6 +70,15 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
       }))
     ).newPage();
     opened.push(page);
+    if (!isFirst) {
+      await page.addInitScript(() => {
+        try {
+          localStorage.setItem('seamwise.introduction', '');
+        } catch {
+          // a page that can keep nothing gives no introduction
+        }
+      });
+    }
     const hear = (text: string): void => {
       // software rendering is slow to give pixels back, and says so; so does who blocks the worker below
       const isExpected = /GPU stall|Service Worker registration blocked/.test(text);

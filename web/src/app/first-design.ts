@@ -6,16 +6,32 @@ import {
   readPrintFile,
   sampleGarment,
   samplePrint,
+  welcome,
+  withAll,
   type Samples,
+  type Workbench,
 } from '../element/index.js';
 
 /** @throws {Error} with one sentence when a sample cannot be read */
-export async function firstDesign(samples: Promise<Samples>): Promise<Design> {
-  const [garment, {prints}] = await Promise.all([
-    sampleGarment(opening.style, opening.size),
-    samples,
-  ]);
-  const print = prints.find(({name}) => name === opening.print);
+export const firstDesign = (samples: Promise<Samples>): Promise<Design> =>
+  sampleDesign(samples, opening);
+
+/** For the first visit: a garment with all its symmetries kept. @throws {Error} with one sentence when a sample cannot be read */
+export async function welcomeDesign(
+  samples: Promise<Samples>,
+  solver: Workbench['solver'],
+): Promise<Design> {
+  const design = await sampleDesign(samples, welcome);
+  const {symmetries} = await solver.symmetries(design.garment.text, {name: design.garment.name});
+  return {...design, symmetries: withAll([], design.print.group, symmetries)};
+}
+
+async function sampleDesign(
+  samples: Promise<Samples>,
+  shown: typeof opening | typeof welcome,
+): Promise<Design> {
+  const [garment, {prints}] = await Promise.all([sampleGarment(shown.style, shown.size), samples]);
+  const print = prints.find(({name}) => name === shown.print);
   if (!print) throw new Error('The list of samples lacks the first print; load the page again.');
   return newDesign(garment, samplePrint(print));
 }

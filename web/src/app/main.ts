@@ -11,7 +11,10 @@ import {
   Workbench,
 } from '../element/index.js';
 import type {Design} from '../model/design.js';
-import {askedFor, firstDesign} from './first-design.js';
+import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
+import {showBeforeAndAfter} from './introduction/before-and-after.js';
+import {Hints} from './introduction/hints.js';
+import {hints, hintsLeft, keepHints} from './introduction/kept.js';
 import {openLink} from './links/open-link.js';
 import {workOffline} from './offline/offline.js';
 import {SeamwisePage} from './page.js';
@@ -38,6 +41,7 @@ const projects = new Projects(desk, (trouble) => {
 });
 
 defineEditor();
+customElements.define('sw-hints', Hints);
 customElements.define('sw-project-list', ProjectList);
 customElements.define('sw-save-menu', SaveMenu);
 customElements.define('seamwise-page', SeamwisePage);
@@ -45,6 +49,8 @@ const page = new SeamwisePage();
 page.desk = desk;
 page.projects = projects;
 page.blank = () => firstDesign(samples);
+const hintsAtFirst = hintsLeft();
+page.hints = hintsAtFirst ?? [];
 document.body.append(page);
 
 const sayFailure = (error: unknown): void => {
@@ -55,6 +61,10 @@ async function begin(address: URL): Promise<void> {
   await projects.rescue();
   if (address.hash === '' && address.search === '' && (await projects.resume())) return;
   if (await followed(address)) return;
+  if (address.search === '' && hintsAtFirst === undefined && keepHints(hints)) {
+    await welcome();
+    return;
+  }
   const design = await firstDesign(samples);
   const [asked] = await Promise.allSettled([soundlyAsked(address, design)]);
   const present = (asked.status === 'fulfilled' ? asked.value : undefined) ?? design;
@@ -62,6 +72,14 @@ async function begin(address: URL): Promise<void> {
   // said last, since a beginning takes back what was said before
   if (asked.status === 'rejected') sayFailure(asked.reason);
   forgetAddress();
+}
+
+/** For somebody who has not been here yet. */
+async function welcome(): Promise<void> {
+  projects.beginWith(await welcomeDesign(samples, desk.solver), {origin: 'given'});
+  page.hints = hints;
+  const {pattern} = page;
+  if (pattern) showBeforeAndAfter(desk, pattern);
 }
 
 /** Once something is changed or opened, the tab comes back to what is made of it. */

@@ -1,5 +1,5 @@
 /** The page: the editor, with files to open and to take away. */
-import {html, type TemplateResult} from 'lit';
+import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Design} from '../model/design.js';
 import {
@@ -11,10 +11,12 @@ import {
   tokens,
   type Editor,
   type GarmentChoice,
+  type PatternPane,
   type Samples,
 } from '../element/index.js';
 import {chooseFile, takeFiles} from './files.js';
 import {copyLink} from './links/share-link.js';
+import {keepHints, type Hint} from './introduction/kept.js';
 import {openFile} from './open-file.js';
 import {pageLayout} from './page-layout.js';
 import type {PageParts} from './palette/page-parts.js';
@@ -30,6 +32,7 @@ export class SeamwisePage extends DeskElement {
     samples: {attribute: false},
     projects: {attribute: false},
     blank: {attribute: false},
+    hints: {attribute: false},
     isHeld: {state: true},
   };
   static override styles = [tokens, controls, pageLayout];
@@ -37,6 +40,8 @@ export class SeamwisePage extends DeskElement {
   declare projects: Projects;
   /** What is shown when there is no project. */
   declare blank: () => Promise<Design>;
+  /** Those that are still to be given. */
+  declare hints: readonly Hint[];
   /** A file is held over the page. */
   declare protected isHeld: boolean;
   #life: AbortController | undefined;
@@ -54,8 +59,13 @@ export class SeamwisePage extends DeskElement {
     },
   };
 
+  get pattern(): PatternPane | null {
+    return this.#editor?.pattern ?? null;
+  }
+
   constructor() {
     super();
+    this.hints = [];
     this.isHeld = false;
   }
 
@@ -122,6 +132,20 @@ export class SeamwisePage extends DeskElement {
           ${icon.search}
         </button>
         <sw-settings slot="actions" .desk=${desk}></sw-settings>
+        ${
+          this.hints.length === 0
+            ? nothing
+            : html`<sw-hints
+                slot="hint"
+                .desk=${desk}
+                .editor=${this.#editor}
+                .left=${this.hints}
+                @given=${({detail}: CustomEvent<Hint>) => {
+                  this.hints = this.hints.filter((hint) => hint !== detail);
+                  keepHints(this.hints);
+                }}
+              ></sw-hints>`
+        }
       </sw-editor>
       <p class="drop" ?hidden=${!this.isHeld}>${app.drop}</p>
     </main>`;

@@ -11,6 +11,7 @@ export {keyOf, titleOf, type ShortcutId} from './commands/shortcuts.js';
 export {redoWords, undoWords} from './commands/step-words.js';
 export {fittingOf, presetNames, presetOf, withFitting, withPreset} from './controls/presets.js';
 export {languageNames} from './controls/settings.js';
+export {withAll} from './workbench/symmetry-steps.js';
 export {withoutPin} from './lists/choices.js';
 export {pieceRows, seamRows, worstSeams} from './lists/rows.js';
 export {turnPiece} from './lists/turn-piece.js';

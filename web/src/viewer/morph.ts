@@ -22,8 +22,8 @@ export class Morph {
     return this.#duration > 0;
   }
 
-  /** @param duration none where people want no motion, or nobody looks [ms] */
-  begin(duration = morphTime): void {
+  /** Takes no time where people want no motion, or nobody looks. [ms] */
+  begin(duration: number): void {
     const isStill = document.hidden || matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.#duration = isStill ? 0 : duration;
     this.#start = undefined;

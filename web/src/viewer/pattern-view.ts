@@ -4,7 +4,7 @@ import {OrthographicCamera} from 'three';
 import type {Point} from '../model/geometry.js';
 import {imageCell} from '../model/wallpaper.js';
 import {LineMaterial} from './line-layer.js';
-import {Morph, type Motion} from './morph.js';
+import {Morph, morphTime, type Motion} from './morph.js';
 import {navigate, type TakesPress} from './navigation.js';
 import {OverLayers} from './over-layers.js';
 import type {Overlay} from './overlay.js';
@@ -98,11 +98,12 @@ export class PatternView extends Viewport {
    * Cheap when only alignments differ from the scene before. A sheet of another size is fitted to the view.
    * Whatever moves on the screen, everything else here goes by the scene as it is: points, pictures, words.
    * @param motion what moves there instead of being there at once, where the pieces are the same
+   * @param time of that motion [ms]
    */
-  show(scene: PatternScene, motion: Motion = 'none'): void {
+  show(scene: PatternScene, motion: Motion = 'none', time = morphTime): void {
     const before = this.#scene;
     if (scene === before) return;
-    this.#lay(scene, motion);
+    this.#lay(scene, motion, time);
     if (before?.print !== scene.print) this.setTile(this.#picture);
     const sameSheet = before?.size.every((side, k) => side === scene.size[k]) ?? false;
     if (!sameSheet) this.fit();
@@ -229,11 +230,11 @@ export class PatternView extends Viewport {
     };
   }
 
-  #lay(scene: PatternScene, motion: Motion = 'none'): void {
+  #lay(scene: PatternScene, motion: Motion = 'none', time = morphTime): void {
     const before = this.#scene;
     const shown = [scene, this.#appearance] as const;
     const {isNew, moves} = this.#after.show(...shown, this.#screen.isSeen ? motion : 'none');
-    if (moves) this.#morph.begin();
+    if (moves) this.#morph.begin(time);
     else this.#morph.end();
     this.#showParts();
     if (isNew) {

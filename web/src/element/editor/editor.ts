@@ -24,7 +24,7 @@ type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
 
 /**
  * Whoever uses it puts controls of their own into its head: what is being edited into the slot `start`, what can
- * be done with it into `actions`. Where it is narrow, those of `order: -1` join the steps in its first row.
+ * be done with it into `actions`, and what may lie over the legend for a while into `hint`. Where it is narrow, those of `order: -1` join the steps in its first row.
  */
 export class Editor extends DeskElement {
   static override properties = {
@@ -144,7 +144,9 @@ export class Editor extends DeskElement {
       <div class="pattern">
         <sw-units-question .desk=${desk}></sw-units-question>
         <sw-grain-question .desk=${desk}></sw-grain-question>
-        <sw-pattern .desk=${desk}><sw-notice slot="notice" .desk=${desk}></sw-notice></sw-pattern>
+        <sw-pattern .desk=${desk}
+          ><sw-notice slot="notice" .desk=${desk}></sw-notice><slot name="hint" slot="hint"></slot
+        ></sw-pattern>
       </div>
       <div class="side">
         <section class="setup" aria-label=${app.setup}>

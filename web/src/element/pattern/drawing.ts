@@ -45,6 +45,9 @@ export class PatternDrawing extends PatientElement {
   #undrawable: string | undefined;
   #isLost = false;
   #waiting: ReturnType<typeof setTimeout> | undefined;
+  #showsDraft = false;
+  /** Of the next way to the answer; usually as always. [ms] */
+  #time: number | undefined;
   /** The garment that was drawn last. */
   #drawn: DesignGarment | undefined;
   /** Whose tile is shown, or being fetched. */
@@ -71,6 +74,24 @@ export class PatternDrawing extends PatientElement {
     this.#image = undefined;
     this.#drawn = undefined;
     if (this.desk.view === this.#window) this.desk.view = undefined;
+  }
+
+  /** Whether the garment is shown as drafted just now. */
+  get showsDraft(): boolean {
+    return this.#showsDraft;
+  }
+
+  /** Shows the garment as drafted, until `showAnswer`. Points and pictures are those of the draft as well. */
+  showDraft(): void {
+    this.#showsDraft = true;
+    this.requestUpdate();
+  }
+
+  /** Shows what is known of the answer again, after a way of so many milliseconds. */
+  showAnswer(ms: number): void {
+    this.#showsDraft = false;
+    this.#time = ms;
+    this.requestUpdate();
   }
 
   get view(): PatternView | undefined {
@@ -193,7 +214,9 @@ export class PatternDrawing extends PatientElement {
     view.setAppearance(this.#appearance.value);
     const {scenes} = this.desk;
     if (scenes) {
-      view.show(scenes.now, this.#motion());
+      if (this.#showsDraft) view.show(scenes.before);
+      else view.show(scenes.now, this.#motion(), this.#time);
+      this.#time = undefined;
       this.drew?.(view);
     }
     void this.#showTile(view);

@@ -45,8 +45,14 @@ export const paneStyle = css`
     display: none;
   }
   sw-tool-hint,
-  sw-legend {
+  .said {
     flex: 1;
+  }
+  .said {
+    position: relative; /* a hint lies over it */
+    display: grid;
+    align-content: center;
+    align-self: stretch;
   }
   @media (pointer: coarse) {
     .zoom {

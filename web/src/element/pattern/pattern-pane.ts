@@ -188,7 +188,9 @@ export class PatternPane extends PatternDrawing {
                   this.focus();
                 }}
               ></sw-tool-hint>`
-            : html`<sw-legend .desk=${desk}></sw-legend>`
+            : html`<div class="said">
+                <sw-legend .desk=${desk}></sw-legend><slot name="hint"></slot>
+              </div>`
         }
         <div class="view" role="group" aria-label=${pattern.view}>
           ${places ? nothing : this.#comparing()}

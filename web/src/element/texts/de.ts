@@ -95,6 +95,12 @@ export const de: Texts = {
     name: 'Name',
     improve: 'Verbesserung',
   },
+  introduction: {
+    label: (number, count) => `Hinweis ${number} von ${count}`,
+    print: 'Ein anderes Muster wählen: die Teile passen sich an.',
+    compare: ['', 'drücken und mit vorher vergleichen.'],
+    seam: 'Eine Naht drücken, um beide Seiten von nah zu sehen.',
+  },
   progress: {
     label: 'Fortschritt',
     solving: 'Wird ausgerichtet …',

@@ -91,6 +91,13 @@ export const en = {
     name: 'name',
     improve: 'improvement',
   },
+  introduction: {
+    label: (number: number, count: number) => `Hint ${number} of ${count}`,
+    print: 'Choose another print: the pieces adapt to it.',
+    /** Before and after the button's picture. */
+    compare: ['Press', 'to compare with before.'] as readonly [before: string, after: string],
+    seam: 'Press a seam to see both its sides from near.',
+  },
   progress: {
     label: 'Progress',
     solving: 'Aligning …',

@@ -94,6 +94,12 @@ export const es: Texts = {
     name: 'nombre',
     improve: 'mejora',
   },
+  introduction: {
+    label: (number, count) => `Consejo ${number} de ${count}`,
+    print: 'Elige otro estampado: las piezas se adaptan.',
+    compare: ['Pulsa', 'para comparar con antes.'],
+    seam: 'Pulsa una costura para ver de cerca sus dos lados.',
+  },
   progress: {
     label: 'Progreso',
     solving: 'Casando …',

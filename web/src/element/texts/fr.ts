@@ -95,6 +95,12 @@ export const fr: Texts = {
     name: 'nom',
     improve: 'amélioration',
   },
+  introduction: {
+    label: (number, count) => `Conseil ${number} sur ${count}`,
+    print: 'Choisissez un autre motif : les pièces s’y adaptent.',
+    compare: ['Appuyez sur', 'pour comparer avec avant.'],
+    seam: 'Appuyez sur une couture pour voir ses deux côtés de près.',
+  },
   progress: {
     label: 'Progression',
     solving: 'Raccord en cours …',

@@ -94,6 +94,12 @@ export const it: Texts = {
     name: 'nome',
     improve: 'miglioramento',
   },
+  introduction: {
+    label: (number, count) => `Suggerimento ${number} di ${count}`,
+    print: 'Scegli un’altra stampa: i pezzi si adattano.',
+    compare: ['Premi', 'per confrontare con prima.'],
+    seam: 'Premi una cucitura per vederne i due lati da vicino.',
+  },
   progress: {
     label: 'Avanzamento',
     solving: 'Si fa combaciare …',

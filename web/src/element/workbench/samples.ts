@@ -23,6 +23,9 @@ export interface Samples {
 /** What a page shows when nobody has chosen anything yet. */
 export const opening = {style: 'asymmetric-dress', size: 'm', print: 'cm'} as const;
 
+/** What it shows to somebody who has not been here yet: a garment whose halves mirror each other. */
+export const welcome = {style: 'princess-dress', size: 'm', print: 'cm'} as const;
+
 /** There is no network, and the file is not on this device. */
 export class Unreachable extends Error {
   override readonly name = 'Unreachable';

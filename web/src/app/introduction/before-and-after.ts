@@ -1,0 +1,49 @@
+/** What Seamwise does, shown once: the garment as drafted, then how it becomes its answer. */
+import type {PatternPane, Workbench} from '../../element/index.js';
+
+/** The draft is looked at for as long, and then on its way. [ms] */
+const look = 1100;
+const way = 700;
+
+/** Whatever somebody does shows the answer at once. */
+const inputs = ['pointerdown', 'keydown', 'wheel', 'touchstart', 'dragenter', 'paste'] as const;
+
+/** Begins with the first drawing of a garment, which has been asked for and is not drawn yet. */
+export function showBeforeAndAfter(desk: Workbench, pattern: PatternPane): void {
+  if (document.hidden || matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+  const life = new AbortController();
+  const {signal} = life;
+  const {design} = desk;
+  let isDrawn = false;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const end = (ms: number): void => {
+    life.abort();
+    clearTimeout(timer);
+    pattern.showAnswer(ms);
+  };
+  const follow = (): void => {
+    const {state} = desk;
+    const isOver = desk.design !== design || state.kind === 'failed' || state.kind === 'stale';
+    if (isOver) end(0);
+    else if (isDrawn && state.kind === 'done')
+      timer ??= setTimeout(() => {
+        end(way);
+      }, look);
+  };
+  for (const type of inputs) {
+    const ended = (): void => {
+      end(0);
+    };
+    addEventListener(type, ended, {signal, capture: true, passive: true});
+  }
+  pattern.addEventListener(
+    'sw-drawn',
+    () => {
+      isDrawn = true;
+      follow();
+    },
+    {signal},
+  );
+  signal.addEventListener('abort', desk.subscribe(follow));
+  pattern.showDraft();
+}

@@ -1,0 +1,132 @@
+/**
+ * Three short hints for somebody who is new here, one at a time. Sends `given` with one that is dismissed or followed
+ * as its detail: it is gone for good.
+ */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {controls, DeskElement, icon, type Editor} from '../../element/index.js';
+import {hints, type Hint} from './kept.js';
+
+export class Hints extends DeskElement {
+  static override properties = {
+    ...DeskElement.properties,
+    editor: {attribute: false},
+    left: {attribute: false},
+  };
+  declare editor: Editor | null;
+  /** Those that are still to be given. */
+  declare left: readonly Hint[];
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        position: absolute;
+        inset: 0;
+        display: flex;
+        align-items: center;
+        background: var(--sw-ground);
+      }
+      :host([hidden]) {
+        display: none;
+      }
+      .hint {
+        display: flex;
+        flex: 1;
+        align-items: center;
+        gap: var(--sw-space-1);
+        max-width: 36rem;
+        min-height: min(3rem, 100%);
+        max-height: 100%;
+        padding-left: var(--sw-space-3);
+        border: 1px solid var(--sw-line);
+        border-radius: var(--sw-radius);
+        background: var(--sw-tint);
+        line-height: 1.25;
+      }
+      p {
+        flex: 1;
+      }
+      svg {
+        vertical-align: -0.2em;
+      }
+      button {
+        flex: none;
+        width: var(--sw-target);
+        padding: 0;
+      }
+      @container (width < 40rem) {
+        .hint {
+          padding-left: var(--sw-space-2);
+          font-size: var(--sw-text-small);
+        }
+      }
+    `,
+  ];
+
+  /** There has been an answer to do something with. */
+  #isReady = false;
+  #print: string | undefined;
+  readonly #look = (): void => {
+    // what a press or a key does is done when all have heard of it
+    setTimeout(() => {
+      if (this.editor?.pattern?.split !== undefined) this.#done('compare');
+    });
+  };
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    for (const type of ['click', 'keydown']) addEventListener(type, this.#look, true);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const type of ['click', 'keydown']) removeEventListener(type, this.#look, true);
+  }
+
+  /** What somebody does needs no hint. */
+  protected override deskChanged(): void {
+    super.deskChanged();
+    const {design, selected} = this.desk;
+    const print = design && `${design.print.title} ${design.print.image}`;
+    if (this.#print !== undefined && print !== this.#print) this.#done('print');
+    this.#print = print;
+    if (selected?.kind === 'seam') this.#done('seam');
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const [hint] = this.left;
+    this.#isReady ||= this.desk.state.kind === 'done';
+    this.hidden = hint === undefined || !this.#isReady;
+    if (hint === undefined) return nothing;
+    const {app, introduction} = this.texts;
+    const [before, after] = introduction.compare;
+    const words = {
+      print: introduction.print,
+      compare: html`${before} ${icon.before} ${after}`,
+      seam: introduction.seam,
+    };
+    const number = hints.indexOf(hint) + 1;
+    return html`<div
+      class="hint"
+      role="note"
+      aria-label=${introduction.label(number, hints.length)}
+    >
+      <p>${words[hint]}</p>
+      <button
+        aria-label=${app.dismiss}
+        title=${app.dismiss}
+        @click=${() => {
+          this.#done(hint);
+          if (this.left.length === 1) this.editor?.toPattern(); // this button goes
+        }}
+      >
+        ${icon.close}
+      </button>
+    </div>`;
+  }
+
+  #done(hint: Hint): void {
+    if (this.left.includes(hint)) this.dispatchEvent(new CustomEvent('given', {detail: hint}));
+  }
+}
