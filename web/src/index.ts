@@ -5,6 +5,7 @@ export {garmentTitle, type GarmentTitle} from './model/garment-marks.js';
 export type * from './model/options.js';
 export * from './model/print.js';
 export * from './model/problem.js';
+export * from './model/notes.js';
 export type * from './model/result.js';
 export type * from './model/symmetries.js';
 export {

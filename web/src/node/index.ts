@@ -23,6 +23,7 @@ export type * from '../model/garment.js';
 export type * from '../model/options.js';
 export type * from '../model/print.js';
 export type * from '../model/problem.js';
+export type {NoteCode, NoteDetail, SymmetryReason} from '../model/notes.js';
 export type * from '../model/result.js';
 export type * from '../model/symmetries.js';
 export type {
