@@ -71,7 +71,7 @@ it('gives three hints, one at a time, that move nothing and do not come back', a
   const room = await stage(page);
   const [below, box] = [(room?.y ?? NaN) + (room?.height ?? NaN), await hint(page).boundingBox()];
   expect(box?.y).toBeGreaterThanOrEqual(below); // no piece lies under it
-  for (const words of [/another print/, /compare/, /Press a seam/]) {
+  for (const words of [/another print/, /before and after/, /Press a seam/]) {
     expect(await hint(page).textContent()).toMatch(words);
     const fits = await hint(page).evaluate(
       (note) => note.scrollHeight <= note.clientHeight && note.scrollWidth <= note.clientWidth,

@@ -100,10 +100,9 @@ export class Hints extends DeskElement {
     this.hidden = hint === undefined || !this.#isReady;
     if (hint === undefined) return nothing;
     const {app, introduction} = this.texts;
-    const [before, after] = introduction.compare;
     const words = {
       print: introduction.print,
-      compare: html`${before} ${icon.before} ${after}`,
+      compare: html`${icon.before} ${introduction.compare}`,
       seam: introduction.seam,
     };
     const number = hints.indexOf(hint) + 1;

@@ -97,9 +97,9 @@ export const de: Texts = {
   },
   introduction: {
     label: (number, count) => `Hinweis ${number} von ${count}`,
-    print: 'Ein anderes Muster wählen: die Teile passen sich an.',
-    compare: ['', 'drücken und mit vorher vergleichen.'],
-    seam: 'Eine Naht drücken, um beide Seiten von nah zu sehen.',
+    print: 'Anderes Muster wählen: die Teile passen sich an.',
+    compare: 'zeigt vorher und nachher.',
+    seam: 'Naht drücken: beide Seiten von nah.',
   },
   progress: {
     label: 'Fortschritt',

@@ -94,8 +94,8 @@ export const en = {
   introduction: {
     label: (number: number, count: number) => `Hint ${number} of ${count}`,
     print: 'Choose another print: the pieces adapt to it.',
-    /** Before and after the button's picture. */
-    compare: ['Press', 'to compare with before.'] as readonly [before: string, after: string],
+    /** After the button's picture. */
+    compare: 'shows before and after.',
     seam: 'Press a seam to see both its sides from near.',
   },
   progress: {

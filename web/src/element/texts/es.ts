@@ -96,9 +96,9 @@ export const es: Texts = {
   },
   introduction: {
     label: (number, count) => `Consejo ${number} de ${count}`,
-    print: 'Elige otro estampado: las piezas se adaptan.',
-    compare: ['Pulsa', 'para comparar con antes.'],
-    seam: 'Pulsa una costura para ver de cerca sus dos lados.',
+    print: 'Otro estampado: las piezas se adaptan.',
+    compare: 'muestra antes y después.',
+    seam: 'Pulsa una costura para verla de cerca.',
   },
   progress: {
     label: 'Progreso',

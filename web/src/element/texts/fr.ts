@@ -97,9 +97,9 @@ export const fr: Texts = {
   },
   introduction: {
     label: (number, count) => `Conseil ${number} sur ${count}`,
-    print: 'Choisissez un autre motif : les pièces s’y adaptent.',
-    compare: ['Appuyez sur', 'pour comparer avec avant.'],
-    seam: 'Appuyez sur une couture pour voir ses deux côtés de près.',
+    print: 'Autre motif : les pièces s’y adaptent.',
+    compare: 'montre avant et après.',
+    seam: 'Appuyez sur une couture pour la voir de près.',
   },
   progress: {
     label: 'Progression',

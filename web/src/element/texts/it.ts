@@ -96,9 +96,9 @@ export const it: Texts = {
   },
   introduction: {
     label: (number, count) => `Suggerimento ${number} di ${count}`,
-    print: 'Scegli un’altra stampa: i pezzi si adattano.',
-    compare: ['Premi', 'per confrontare con prima.'],
-    seam: 'Premi una cucitura per vederne i due lati da vicino.',
+    print: 'Un’altra stampa: i pezzi si adattano.',
+    compare: 'mostra prima e dopo.',
+    seam: 'Premi una cucitura per vederla da vicino.',
   },
   progress: {
     label: 'Avanzamento',
