@@ -29,6 +29,9 @@ export const swatches = css`
   }
   :is(.groups, .more, .colourways) button {
     display: grid;
+    grid-template-columns: minmax(0, 1fr); /* a long word gives way, not the picture above it */
+    overflow-wrap: anywhere;
+    hyphens: auto;
     gap: 2px;
     min-height: 0;
     padding: 0;
