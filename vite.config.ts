@@ -6,6 +6,7 @@ import {fileURLToPath} from 'node:url';
 import {defineConfig, type Plugin} from 'vite';
 
 import {notices} from './web/setup/notices.mjs';
+import {shortStyles} from './web/setup/short-styles.mjs';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const port = Number(process.env.PORT ?? 5173);
@@ -57,12 +58,22 @@ function offline(): Plugin {
   };
 }
 
+/** The drawing library apart, so that the page's own code can be seen for what it is. */
+const drawing = {name: 'three', test: /node_modules[\\/]three[\\/]/, priority: 1};
+
+/** All that the page begins with is one file: parts of it that are shared with later ones are no files of their own. */
+const opening = {
+  name: 'page',
+  tags: ['$initial'] as '$initial'[],
+  test: (id: string) => !id.endsWith('service-worker.ts'),
+};
+
 export default defineConfig({
   root: at('web'),
   base: './',
   appType: 'mpa', // a file that is not there is an error, not the page
   publicDir: at('public'),
-  plugins: [notices(), offline()],
+  plugins: [notices(), shortStyles(), offline()],
   server: {port, strictPort: true, fs: {allow: [at('.')]}},
   preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},
   build: {
@@ -72,10 +83,7 @@ export default defineConfig({
     modulePreload: {polyfill: false},
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 600, // the drawing library
-    // the drawing library apart, so that the page's own code can be seen for what it is
-    rolldownOptions: {
-      output: {codeSplitting: {groups: [{name: 'three', test: /node_modules[\\/]three[\\/]/}]}},
-    },
+    rolldownOptions: {output: {codeSplitting: {groups: [drawing, opening]}}},
   },
   worker: {format: 'es'},
 });

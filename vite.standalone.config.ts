@@ -8,6 +8,7 @@ import {fileURLToPath} from 'node:url';
 import {defineConfig} from 'vite';
 
 import {notices} from './web/setup/notices.mjs';
+import {shortStyles} from './web/setup/short-styles.mjs';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
@@ -22,7 +23,7 @@ export default defineConfig({
   root: at('.'),
   base: './',
   publicDir: false,
-  plugins: [notices()],
+  plugins: [notices(), shortStyles()],
   build: {
     outDir: at('dist/standalone'),
     emptyOutDir: true,

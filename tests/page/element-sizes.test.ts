@@ -76,6 +76,7 @@ it('loads next to nothing while its element is far below, and as much as is said
       one.setAttribute('mode', 'edit');
     });
     await opened.locator('seamwise-garment sw-editor').waitFor();
+    await opened.locator('seamwise-garment sw-piece-table table').waitFor(); // of the parts that come last
     isNear((await loaded()).scripts - near.scripts, said('more to place a print or to edit'));
   } finally {
     await Promise.all([browser.close(), served.close()]);

@@ -3,7 +3,6 @@ import type {Design} from '../model/design.js';
 import {
   newDesign,
   opening,
-  readPrintFile,
   sampleGarment,
   samplePrint,
   welcome,
@@ -50,6 +49,7 @@ export async function askedFor(address: URL, before: Design): Promise<Design | u
 /** The picture that a print file names is taken in, so that the design can be saved as a whole. */
 async function askedPrint(path: string, address: URL): Promise<Design['print']> {
   const file = await fetched(path, address);
+  const {readPrintFile} = await import('../element/print/own-tile.js');
   const print = await readPrintFile(file);
   if (!path.endsWith('.json')) return print;
   const {image} = JSON.parse(await file.text()) as {image?: string};

@@ -15,7 +15,6 @@ import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
 import {showBeforeAndAfter} from './introduction/before-and-after.js';
 import {Hints} from './introduction/hints.js';
 import {hints, hintsLeft, keepHints} from './introduction/kept.js';
-import {openLink} from './links/open-link.js';
 import {workOffline} from './offline/offline.js';
 import {SeamwisePage} from './page.js';
 import {ProjectList} from './projects/project-list.js';
@@ -95,8 +94,9 @@ function forgetAddress(): void {
 /** Opens the link that the page was called by; the page shows what it showed before where that is damaged. */
 async function followed(address: URL): Promise<boolean> {
   try {
-    const isOpen = await openLink(address.hash, desk, projects, samples);
-    if (!isOpen) return false;
+    if (address.hash === '') return false;
+    const {openLink} = await import('./links/open-link.js');
+    if (!(await openLink(address.hash, desk, projects, samples))) return false;
     await projects.present?.flush();
     // where nothing is kept, a reload comes back to the link
     if (projects.present?.unwritten) forgetAddress();

@@ -21,7 +21,7 @@ import type {Projects} from './projects/projects.js';
 const most = 64 * 2 ** 20;
 
 /** By the button for garments, or dropped and pasted, which may be anything. */
-type How = 'chosen as garment' | 'handed over';
+export type How = 'chosen as garment' | 'handed over';
 
 /** What a file is, its first bytes say, whatever it is called. What cannot be opened is said, and leaves everything as it is. */
 export async function openFile(

@@ -15,9 +15,8 @@ import {
   type Samples,
 } from '../element/index.js';
 import {chooseFile, takeFiles} from './files.js';
-import {copyLink} from './links/share-link.js';
 import {keepHints, type Hint} from './introduction/kept.js';
-import {openFile} from './open-file.js';
+import type {How} from './open-file.js';
 import {pageLayout} from './page-layout.js';
 import type {PageParts} from './palette/page-parts.js';
 import {printPattern} from './print-pattern.js';
@@ -79,7 +78,7 @@ export class SeamwisePage extends DeskElement {
     signal.addEventListener('abort', end);
     takeFiles(
       {
-        take: (file) => void openFile(this.desk, this.projects, file),
+        take: (file) => void this.#take(file),
         hold: (isHeld) => {
           this.isHeld = isHeld;
         },
@@ -164,12 +163,17 @@ export class SeamwisePage extends DeskElement {
 
   async #open(): Promise<void> {
     const file = await chooseFile('.json,application/json');
-    if (file) await openFile(this.desk, this.projects, file, 'chosen as garment');
+    if (file) await this.#take(file, 'chosen as garment');
+  }
+
+  async #take(file: File, how?: How): Promise<void> {
+    const {openFile} = await import('./open-file.js');
+    await openFile(this.desk, this.projects, file, how);
   }
 
   async #openPrint(): Promise<void> {
     const file = await chooseFile(printFiles);
-    if (file) await openFile(this.desk, this.projects, file);
+    if (file) await this.#take(file);
   }
 
   /** All commands to look through; loaded once somebody wants to. */
@@ -180,7 +184,7 @@ export class SeamwisePage extends DeskElement {
 
   /** Undefined until the page is drawn. */
   get #parts(): PageParts | undefined {
-    const {desk, texts, format, samples, projects, renderRoot: root} = this;
+    const {desk, texts, format, samples, renderRoot: root} = this;
     const [editor, list] = [this.#editor, root.querySelector<ProjectList>('sw-project-list')];
     const garments = root.querySelector<GarmentChoice>('sw-garment-choice');
     const menu = root.querySelector<SaveMenu>('sw-save-menu');
@@ -196,7 +200,7 @@ export class SeamwisePage extends DeskElement {
         cutting: () => {
           menu.saveCutting();
         },
-        link: () => void copyLink(desk, projects),
+        link: () => void menu.copyLink(),
       },
       openGarment: this.#keyed.open,
       openPrint: () => void this.#openPrint(),

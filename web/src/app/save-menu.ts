@@ -9,7 +9,6 @@ import {
   placeUnder,
   type NumberField,
 } from '../element/index.js';
-import {copyLink} from './links/share-link.js';
 import {labelled} from './page-layout.js';
 import type {Projects} from './projects/projects.js';
 import {saveCutting, savePicture, saveProject, saveResult} from './save.js';
@@ -58,6 +57,11 @@ export class SaveMenu extends DeskElement {
     const isWrong = this.renderRoot.querySelector<NumberField>('sw-number-field')?.isWrong;
     if (!isWrong && target instanceof Element && target.closest('button'))
       this.renderRoot.querySelector<HTMLElement>('[popover]')?.hidePopover();
+  };
+
+  readonly copyLink = async (): Promise<void> => {
+    const {copyLink} = await import('./links/share-link.js');
+    await copyLink(this.desk, this.projects);
   };
 
   protected override render(): TemplateResult {
@@ -118,9 +122,7 @@ export class SaveMenu extends DeskElement {
           >
             ${icon.save} ${app.saveCutting}
           </button>
-          <button class="outlined" @click=${() => void copyLink(desk, this.projects)}>
-            ${icon.link} ${app.copyLink}
-          </button>
+          <button class="outlined" @click=${this.copyLink}>${icon.link} ${app.copyLink}</button>
         </div>
       </div>
     `;

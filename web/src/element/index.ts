@@ -1,7 +1,8 @@
 /** The parts that the page is built of. */
 export * from './desk-element.js';
 export {controls} from './style/controls.js';
-export {openPrint, printFiles, readPrintFile} from './print/own-tile.js';
+export {openPrint} from './print/own-tile.js';
+export {printFiles} from './print/print-files.js';
 export {icon} from './style/icons.js';
 export {defineEditor, type Editor} from './editor/editor.js';
 export {focused} from './focused.js';

@@ -9,6 +9,7 @@ import {ownThread, run, type Pace} from './run.js';
 import {convertGarment, detectSymmetries, measureSymmetries, Solver} from './solver.js';
 import {plainNames, type MirrorTexts, type ProblemTexts} from './texts.js';
 import {Turns} from './turns.js';
+import {unlessAborted} from './unless-aborted.js';
 import type {ModuleSettings} from './module/seamwise.mjs';
 
 /** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
@@ -139,21 +140,4 @@ export class LocalSolver {
       throw loadingError(error);
     }
   }
-}
-
-/** @throws the signal's reason, as soon as it fires; whatever comes of the promise is not wanted any more */
-function unlessAborted<T>(promise: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
-  if (!signal) return promise;
-  return new Promise((resolve, reject) => {
-    const abort = () => {
-      // eslint-disable-next-line @typescript-eslint/prefer-promise-reject-errors -- the caller's own
-      reject(signal.reason);
-    };
-    if (signal.aborted) abort();
-    else signal.addEventListener('abort', abort, {once: true});
-    const heed = () => {
-      signal.removeEventListener('abort', abort);
-    };
-    promise.then(resolve, reject).finally(heed);
-  });
 }

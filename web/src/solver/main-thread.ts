@@ -1,8 +1,10 @@
 import type {SolveHooks} from '../model/problem.js';
-import {LocalSolver} from './local.js';
+import {loadingError} from './broken.js';
+import type {LocalSolver} from './local.js';
 import type {Answers, QuestionOf} from './protocol.js';
 import type {Pace} from './run.js';
 import {TextService} from './service.js';
+import {unlessAborted} from './unless-aborted.js';
 import type {WorkerPlaces} from './watched-worker.js';
 
 /**
@@ -28,16 +30,33 @@ const besideThePage: Pace = {
  * some tenths of a second.
  */
 export class MainThreadSolver extends TextService {
-  readonly #solver: LocalSolver;
+  readonly #wasmUrl: WorkerPlaces['wasmUrl'];
+  #solver: Promise<LocalSolver> | undefined;
 
   constructor({wasmUrl}: Pick<WorkerPlaces, 'wasmUrl'> = {}) {
     super();
-    const settings = () =>
-      wasmUrl === undefined ? {} : {locateFile: () => new URL(wasmUrl, document.baseURI).href};
-    this.#solver = new LocalSolver(settings, besideThePage);
+    this.#wasmUrl = wasmUrl;
   }
 
-  ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: SolveHooks): Promise<Answers[K]> {
-    return this.#solver.answer<K>(question, hooks);
+  async ask<K extends keyof Answers>(
+    question: QuestionOf<K>,
+    hooks: SolveHooks,
+  ): Promise<Answers[K]> {
+    const solver = await unlessAborted((this.#solver ??= this.#load()), hooks.signal);
+    return solver.answer<K>(question, hooks);
+  }
+
+  /** Few pages have no worker: the others need not fetch what would take its place. */
+  async #load(): Promise<LocalSolver> {
+    try {
+      const {LocalSolver} = await import('./local.js');
+      const url = this.#wasmUrl;
+      const settings = () =>
+        url === undefined ? {} : {locateFile: () => new URL(url, document.baseURI).href};
+      return new LocalSolver(settings, besideThePage);
+    } catch (error) {
+      this.#solver = undefined; // to be tried again
+      throw loadingError(error);
+    }
   }
 }

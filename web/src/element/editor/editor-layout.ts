@@ -85,6 +85,7 @@ export const editorLayout = css`
     align-content: start;
   }
   sw-lens {
+    display: block;
     min-height: 14.25rem;
   }
   @container (64rem <= width < 88rem) {

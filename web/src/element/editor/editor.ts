@@ -6,6 +6,7 @@ import {redoWords, undoWords} from '../commands/step-words.js';
 import type {ShortcutId} from '../commands/shortcuts.js';
 import {DeskElement} from '../desk-element.js';
 import type {SeamLens} from '../lens/lens.js';
+import {loadLaterParts} from '../load-later-parts.js';
 import {defineParts} from '../parts.js';
 import type {LensCursor} from '../pattern/marks.js';
 import type {PatternPane} from '../pattern/pattern-pane.js';
@@ -21,6 +22,9 @@ import {editorLayout} from './editor-layout.js';
 import {KeptHeight} from './kept-height.js';
 
 type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
+
+/** What somebody does who does not wait for the first answer. */
+const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;
 
 /**
  * Whoever uses it puts controls of their own into its head: what is being edited into the slot `start`, what can
@@ -52,7 +56,7 @@ export class Editor extends DeskElement {
     redo: () => {
       this.desk.redo();
     },
-    keys: () => this.renderRoot.querySelector<KeyMap>('sw-key-map')?.open(),
+    keys: () => void this.#toggleKeys(),
   } satisfies KeyCommands;
 
   constructor() {
@@ -62,6 +66,9 @@ export class Editor extends DeskElement {
     this.addEventListener('keydown', (event) => {
       this.press(event);
     });
+    for (const type of interactions) {
+      this.addEventListener(type, () => void loadLaterParts(), {once: true, passive: true});
+    }
     this.addEventListener('sw-lens-wanted', () => void this.#toLens());
     this.addEventListener('sw-grain-wanted', () => {
       const {pattern} = this;
@@ -89,9 +96,17 @@ export class Editor extends DeskElement {
     this.#own.keys();
   }
 
+  async #toggleKeys(): Promise<void> {
+    await loadLaterParts();
+    const map = this.renderRoot.querySelector<KeyMap>('sw-key-map');
+    await map?.updateComplete;
+    map?.open();
+  }
+
   /** Where it is narrow, the lens is on a sheet. */
   async #toLens(): Promise<void> {
     this.sheet = 'fit';
+    await loadLaterParts();
     await this.updateComplete;
     this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus();
   }
@@ -112,6 +127,8 @@ export class Editor extends DeskElement {
   }
 
   protected override updated(): void {
+    const {kind} = this.desk.state;
+    if (kind !== 'opening' && kind !== 'solving') void loadLaterParts();
     const part = this.renderRoot.querySelector<HTMLElement>('sw-headline');
     if (!part || !this.isConnected) return;
     this.#headline ??= new KeptHeight(part);

@@ -7,7 +7,6 @@ import {remarkOn, seamRows, worstSeams, type SeamRow} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {nextWorst, rankOf} from './worst-walk.js';
-import {LensStrip} from './lens-strip.js';
 
 export class SeamLens extends PatientElement {
   /** `wide`: there is room for a tall strip, and a wish for it. */
@@ -63,6 +62,9 @@ export class SeamLens extends PatientElement {
       }
       sw-lens-strip {
         height: 8rem;
+      }
+      sw-lens-strip:not(:defined) {
+        display: block;
       }
       :host([wide]) sw-lens-strip {
         height: 14rem;
@@ -165,7 +167,7 @@ export class SeamLens extends PatientElement {
   }
 
   #key = (event: KeyboardEvent): void => {
-    const onHandle = event.target instanceof LensStrip; // which has arrow keys of its own
+    const onHandle = (event.target as Element).localName === 'sw-lens-strip'; // which has arrow keys of its own
     if (event.key === 'Escape' && this.#pinned) this.#pin(undefined);
     else if (event.key === 'ArrowDown' && !onHandle) this.#walk(1);
     else if (event.key === 'ArrowUp' && !onHandle) this.#walk(-1);

@@ -15,22 +15,15 @@ import {textsOf} from '../texts/texts.js';
 import type {Workbench} from '../workbench/workbench.js';
 import {sizeInFile} from './file-size.js';
 import {openEdgesOf, openPairs, printOfPicture} from './own-print.js';
-import {looksLikePicture, pictureEndings, readPicture} from './read-picture.js';
+import {OpenEdgesError} from './print-files.js';
+import {looksLikePicture, readPicture} from './read-picture.js';
 
 /** No print file is longer. [bytes] */
 const mostBytes = 12 * 2 ** 20;
 /** How wide a picture is until its file or somebody says so. [cm] */
 export const firstWidth = 10;
 
-/** What a file picker is to offer. */
-export const printFiles = `.json,${pictureEndings.map((ending) => `.${ending}`).join()}`;
-
 type Words = Texts['print']['files'];
-
-/** A picture that does not meet its copies: whoever opened it has to decide what becomes of it. */
-export class OpenEdgesError extends Error {
-  override readonly name = 'OpenEdgesError';
-}
 
 /** Reads a picture as it is opened: straight, and as large as its file says. @throws {Error} with one sentence */
 async function readOwnPicture(file: File, words: Words): Promise<OwnPicture> {

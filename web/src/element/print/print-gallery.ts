@@ -9,7 +9,6 @@ import {PatientElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {inColours, samplePrint, type SamplePrint, type Samples} from '../workbench/samples.js';
 import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choices.js';
-import {ownPrintAs} from './own-print.js';
 import {swatch} from './swatch.js';
 import {swatches} from './swatch-style.js';
 
@@ -234,6 +233,7 @@ export class PrintGallery extends PatientElement {
   }
 
   async #regroup(print: DesignPrint, choice: Choice): Promise<void> {
+    const {ownPrintAs} = await import('./own-print.js');
     const regrouped = await ownPrintAs(print, choice);
     if (this.desk.design?.print === print) this.desk.change({print: regrouped}, 'print');
   }

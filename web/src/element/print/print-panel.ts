@@ -8,7 +8,7 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import type {Samples} from '../workbench/samples.js';
-import {openPrint, OpenEdgesError, printFiles} from './own-tile.js';
+import {OpenEdgesError, printFiles} from './print-files.js';
 
 export class PrintPanel extends DeskElement {
   static override properties = {
@@ -79,6 +79,7 @@ export class PrintPanel extends DeskElement {
     if (!file) return;
     this.problem = undefined;
     try {
+      const {openPrint} = await import('./own-tile.js');
       await openPrint(this.desk, file);
     } catch (error) {
       // what may become of such a picture is asked instead

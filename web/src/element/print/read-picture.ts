@@ -4,6 +4,7 @@ import {hasOutsidePictures} from '../../picture/svg.js';
 import {sizedSvg} from '../../picture/svg-size.js';
 import type {Texts} from '../texts/en.js';
 import {loadPicture} from './picture.js';
+import {pictureEndings} from './print-files.js';
 
 type Words = Texts['print']['files'];
 
@@ -17,9 +18,6 @@ const beginning = 4096;
 const pictureTypes: Readonly<Partial<Record<FileKind, string>>> = {
   ...{png: 'image/png', jpeg: 'image/jpeg', webp: 'image/webp', svg: 'image/svg+xml'},
 };
-
-/** What a file picker is to offer. */
-export const pictureEndings: readonly string[] = ['png', 'jpg', 'jpeg', 'webp', 'svg'];
 
 export interface OpenedPicture {
   /** A `data:` URL. */

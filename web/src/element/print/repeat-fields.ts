@@ -12,7 +12,6 @@ import {icon} from '../style/icons.js';
 import {cellDiagram, cellDiagramStyle} from './cell-diagram.js';
 import {choiceOf, missing} from './choices.js';
 import {leastRepeat, mostRepeat} from './limits.js';
-import {withGroup} from './own-print.js';
 
 export class RepeatFields extends DeskElement {
   static override properties = {
@@ -57,6 +56,9 @@ export class RepeatFields extends DeskElement {
       .offer div {
         display: flex;
         gap: var(--sw-space-2);
+      }
+      sw-measure:not(:defined) {
+        height: var(--sw-target); /* of its button */
       }
       .question p {
         margin-left: calc(1rem + var(--sw-space-2));
@@ -247,6 +249,7 @@ export class RepeatFields extends DeskElement {
   }
 
   async #take(print: DesignPrint, fitting: FittingGroup): Promise<void> {
+    const {withGroup} = await import('./own-print.js');
     const smaller = await withGroup(print, fitting);
     if (this.desk.design?.print === print) this.desk.change({print: smaller});
   }

@@ -2,7 +2,6 @@
 import type {Design} from '../../model/design.js';
 import type {Problem} from '../../model/problem.js';
 import type {SolveResult} from '../../model/result.js';
-import {remediesOf} from '../../remedies/remedies.js';
 import type {Remedy} from '../../remedies/remedy.js';
 import type {SolverService} from '../../solver/service.js';
 import {idle} from './idle.js';
@@ -33,6 +32,9 @@ export class RemedySearch {
     const {signal} = (this.#running = new AbortController());
     const found: Remedy[] = [];
     try {
+      await idle();
+      const {remediesOf} = await import('../../remedies/remedies.js');
+      signal.throwIfAborted();
       await remediesOf(
         this.#problemOf(design),
         result,

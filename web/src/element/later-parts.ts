@@ -1,0 +1,51 @@
+/** The parts that are only seen once there is an answer, or once somebody asks for something. */
+import {FitPanel} from './controls/fit-panel.js';
+import {LensStrip} from './lens/lens-strip.js';
+import {SeamLens} from './lens/lens.js';
+import {PieceTable} from './lists/piece-table.js';
+import {SeamTable} from './lists/seam-table.js';
+import {Tables} from './lists/tables.js';
+import {GrainQuestion} from './pattern/grain-question.js';
+import {KeepMenu} from './pattern/keep-menu.js';
+import {TiesMenu} from './pattern/ties-menu.js';
+import {UnitsQuestion} from './pattern/units-question.js';
+import {WipeHandle} from './pattern/wipe-handle.js';
+import {DoubtfulTile} from './print/doubtful-tile.js';
+import {FileSizeNote} from './print/file-size-note.js';
+import {MeasureDialog} from './print/measure-dialog.js';
+import {TileRepeatChoice} from './print/tile-repeat-choice.js';
+import {TileReport} from './print/tile-report.js';
+import {registerAll} from './register.js';
+import {KeepImproving} from './remedies/keep-improving.js';
+import {StaysOff} from './remedies/stays-off.js';
+import {KeyMap} from './shell/key-map.js';
+import {WaysOut} from './shell/ways-out.js';
+import {SymmetryPanel} from './symmetry/symmetry-panel.js';
+
+const parts: Readonly<Record<string, CustomElementConstructor>> = {
+  'sw-doubtful-tile': DoubtfulTile,
+  'sw-file-size': FileSizeNote,
+  'sw-fit-panel': FitPanel,
+  'sw-grain-question': GrainQuestion,
+  'sw-keep-improving': KeepImproving,
+  'sw-keep-menu': KeepMenu,
+  'sw-key-map': KeyMap,
+  'sw-lens': SeamLens,
+  'sw-lens-strip': LensStrip,
+  'sw-measure': MeasureDialog,
+  'sw-piece-table': PieceTable,
+  'sw-seam-table': SeamTable,
+  'sw-stays-off': StaysOff,
+  'sw-symmetry-panel': SymmetryPanel,
+  'sw-tables': Tables,
+  'sw-ties-menu': TiesMenu,
+  'sw-tile-repeat': TileRepeatChoice,
+  'sw-tile-report': TileReport,
+  'sw-units-question': UnitsQuestion,
+  'sw-ways-out': WaysOut,
+  'sw-wipe-handle': WipeHandle,
+};
+
+export const defineLaterParts = (): void => {
+  registerAll(parts);
+};
