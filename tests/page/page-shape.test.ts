@@ -106,12 +106,12 @@ it('says what the next step back takes back', async () => {
   const page = await openPage();
   await solved(page);
   await button(page, 'Woven shirt').click();
-  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: cutting');
+  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: greatest change');
   await page.getByLabel('Turn (degrees)').fill('15');
   await page.getByLabel('Turn (degrees)').press('Enter');
   expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: turn of the print');
   await button(page, 'Undo').click();
-  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: cutting');
+  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: greatest change');
   expect(await button(page, 'Redo').getAttribute('title')).toBe('Redo: turn of the print');
 });
 
