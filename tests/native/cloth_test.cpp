@@ -232,7 +232,7 @@ TEST(SeamFitting, BringsTheSidesOfSeamsTogetherWhileSeamsStaySewable) {
   };
   for (bool average : {false, true}) {
     const FittingPlan plan(pattern, {}, kReach);
-    SeamFitting fitting(plan, pattern, group, {false, average});
+    SeamFitting fitting(plan, pattern, group, {false, average, {}});
     fitting.chooseJoins(at);
     const double before = mismatch(fitting);
     for (int k = 0; k < 20; ++k) fitting.step(at);

@@ -25,7 +25,6 @@ import {keepPreferences, storedPreferences} from './storage/preferences.js';
 
 const samples = loadSamples();
 const preferences = storedPreferences();
-await loadTexts(preferences.language); // before anything is shown in English
 const words = (): Texts => textsOf(desk.preferences.language);
 const lease = leaseSolver({
   onBlocked: (failure) => {
@@ -50,7 +49,6 @@ page.projects = projects;
 page.blank = () => firstDesign(samples);
 const hintsAtFirst = hintsLeft();
 page.hints = hintsAtFirst ?? [];
-document.body.append(page);
 
 const sayFailure = (error: unknown): void => {
   desk.say({tone: 'error', text: toFailure(error).message});
@@ -119,19 +117,27 @@ async function soundlyAsked(address: URL, before: Design): Promise<Design | unde
   return asked;
 }
 
-try {
-  void samples.then((known) => {
-    page.samples = known;
-  }, sayFailure);
-  await begin(new URL(location.href));
-} catch (error) {
-  desk.beginEmpty();
-  sayFailure(error);
+/** Nothing is shown before its words are there. */
+async function open(): Promise<void> {
+  await loadTexts(preferences.language);
+  document.body.append(page);
+  try {
+    void samples.then((known) => {
+      page.samples = known;
+    }, sayFailure);
+    await begin(new URL(location.href));
+  } catch (error) {
+    desk.beginEmpty();
+    sayFailure(error);
+  }
+  projects.keep(new AbortController().signal);
+  illustrate(desk, projects);
+  workOffline(desk);
+  // a link that is followed from here to here does not load the page by itself
+  addEventListener('hashchange', () => {
+    if (location.hash !== '') void followed(new URL(location.href));
+  });
 }
-projects.keep(new AbortController().signal);
-illustrate(desk, projects);
-workOffline(desk);
-// a link that is followed from here to here does not load the page by itself
-addEventListener('hashchange', () => {
-  if (location.hash !== '') void followed(new URL(location.href));
-});
+
+// not awaited: parts that are loaded on the way import from this one, and would wait for its end
+void open();

@@ -48,10 +48,9 @@ export class KeepImproving extends DeskElement {
     if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return nothing;
     const {improve} = this.texts;
     const offer = improvementOffer(this.desk);
+    const words = this.#words(afterwards.improving(design));
     return html`
-      <span role="status" aria-label=${improve.label}>
-        ${this.#words(afterwards.improving(design))}
-      </span>
+      <span role="status" aria-label=${improve.label} .textContent=${words}></span>
       ${
         offer &&
         html`<button class="link" title=${improve.note} @click=${offer.act}>
