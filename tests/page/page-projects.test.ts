@@ -59,6 +59,21 @@ it('keeps what is worked on when something else is opened, and goes back to it',
   expect(await cards(await listOf(page))).toEqual(['Asymmetric dress, M', 'scarf']);
 });
 
+it('goes on in a new tab with what was worked on last, unless another tab works on it', async () => {
+  const page = await quietPage();
+  await drop(page, 'scarf.json');
+  await chooseGroup(page, 'pgg');
+  const beside = await quietPage({beside: page});
+  await shows(beside, 'asymmetric-dress-m.json');
+  await page.close();
+  await beside.close({runBeforeUnload: false});
+  const later = await openPage({beside});
+  await shows(later, 'scarf.json');
+  expect(await groupOf(later)).toBe('pgg');
+  await button(later, 'Undo').click();
+  expect(await groupOf(later)).not.toBe('pgg');
+});
+
 it('leaves what cannot be read unopened, and everything as it was', async () => {
   const page = await quietPage();
   await chooseGroup(page, 'pgg');
@@ -80,9 +95,9 @@ it('lists projects with their pictures in every tab, and opens them with their h
   const list = await listOf(page);
   await card(list, 'Apron, M').locator('img').waitFor({timeout: 60_000});
   expect(await barriers(page)).toEqual([]);
-  await page.close();
   const other = await quietPage({beside: page});
   await shows(other, 'asymmetric-dress-m.json');
+  await page.close();
   const otherList = await listOf(other);
   const [width, height] = await card(otherList, 'Apron, M')
     .locator('img')

@@ -78,10 +78,15 @@ export class Projects {
     this.begin(begun({design, view}), announced);
   }
 
-  /** Shows what this tab showed before it was loaded again. @returns whether there is anything */
+  /**
+   * Shows what this tab showed before it was loaded again, or, in a new one, what was worked on last, unless that is
+   * open elsewhere. @returns whether there is anything
+   */
   async resume(): Promise<boolean> {
     const id = sessionStorage.getItem(tabKey);
-    return id !== null && this.open(id);
+    if (id !== null) return this.open(id);
+    const [last] = await this.entries();
+    return last !== undefined && !last.open && !last.isDeleted && this.open(last.id);
   }
 
   /** Keeps what the page before could not save any more. */
