@@ -197,6 +197,11 @@ const paths = (svg: string): number[][] =>
 describe('the file to cut by', () => {
   const svg = fileOf();
 
+  it('says how large the repeat of the cloth is', () => {
+    expect(svg).toContain('dashes, repeat 10 cm × 8 cm');
+    expect(fileOf({units: 'inch'})).toMatch(/repeat 3 15\/16.* × 3 1\/8/);
+  });
+
   it('has the millimetre as its unit', () => {
     const [, width, height, view] =
       /<svg[^>]* width="([\d.]+)mm" height="([\d.]+)mm" viewBox="([^"]*)"/.exec(svg) ?? [];

@@ -210,6 +210,10 @@ export const editorLayout = css`
       display: none;
       height: min(22rem, calc(0.37 * var(--height)));
     }
+    /* who is asked how the grain runs has to see the pieces */
+    .desk:has(sw-grain-question[asks]) .side section {
+      height: calc(0.15 * var(--height));
+    }
     :is([data-sheet='print'], [data-sheet='cutting']) .setup,
     :is([data-sheet='fit'], [data-sheet='lists']) .report {
       display: block;

@@ -99,6 +99,7 @@ export class GrainQuestion extends DeskElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const asked = this.#asked();
+    this.toggleAttribute('asks', asked.length > 0); // what stands around it makes room
     if (asked.length === 0) return nothing;
     const {grain} = this.texts;
     const turned = asked.filter(({proposal}) => wayOf(proposal) !== 'up').length;

@@ -2,6 +2,7 @@
 import type {GarmentTitle, PanelMarks} from '../../model/garment-marks.js';
 import type {Point} from '../../model/geometry.js';
 import {readable} from '../../model/piece-names.js';
+import {repeatOf} from '../../model/repeat.js';
 import type {SolveResult} from '../../model/result.js';
 import {formatLength, type Units} from '../../model/units.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../cloth.js';
@@ -66,6 +67,12 @@ function testSquares([x, y]: Point): string {
   return square(x, 50, '5 cm') + square(x + 60, 50.8, '2 in');
 }
 
+/** What to buy or print the cloth by. */
+function printFact(print: PrintWithTile, length: (cm: number) => string): string {
+  const {width, height} = repeatOf(print).size;
+  return `${print.title ?? `Print ${print.group}`}, repeat ${length(width)} × ${length(height)}`;
+}
+
 /** A file for a plotter, a print shop or a projector. `print.tile` is the picture of its cell, as SVG text or URL. */
 export function cuttingFile(
   result: SolveResult,
@@ -91,7 +98,7 @@ export function cuttingFile(
     };
   const heading = [title, size].filter((word) => word !== undefined).join(', ');
   const facts = [
-    [print.title, print.group].filter((word) => word !== undefined).join(', '),
+    printFact(print, (cm) => formatLength(cm, units, locale)),
     allowanceCm > 0
       ? `Solid: cut. Dashed: sew, ${formatLength(allowanceCm, units, locale)} inside.`
       : 'Without allowance: sew along the solid line.',
