@@ -199,7 +199,7 @@ describe('the file to cut by', () => {
 
   it('says how large the repeat of the cloth is', () => {
     expect(svg).toContain('dashes, repeat 10 cm × 8 cm');
-    expect(fileOf({units: 'inch'})).toMatch(/repeat 3 15\/16.* × 3 1\/8/);
+    expect(fileOf({units: 'inch'})).toMatch(/repeat 3.15\/16.in × 3.1\/8.in/);
   });
 
   it('has the millimetre as its unit', () => {
