@@ -20,7 +20,7 @@ Panel wavy(int edges) {
 }
 
 TEST(OutlineOfManyEdges, FindsWhatLooksAtAllOfThemFind) {
-  const Outline outline(wavy(3000));
+  const Outline outline(wavy(1000));
   const Polyline& corners = outline.corners();
   Random random(7);
   for (int k = 0; k < 300; ++k) {
@@ -40,7 +40,7 @@ TEST(OutlineOfManyEdges, FindsWhatLooksAtAllOfThemFind) {
 }
 
 TEST(OutlineOfManyEdges, IsFoundToBeSymmetric) {
-  const Outline outline(wavy(5000));
+  const Outline outline(wavy(2500));
   const std::vector<MirrorFit> mirrors = findMirrors(outline, outline);
   ASSERT_FALSE(mirrors.empty());
   EXPECT_LT(mirrors[0].residual, Outline::kFlatness);
