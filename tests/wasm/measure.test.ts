@@ -52,6 +52,20 @@ it.each(
   },
 );
 
+it('never misses by more than the pieces as a cutter lays them, though seams that weigh little could', async () => {
+  const text = (path: string) =>
+    readFileSync(new URL(`../../public/${path}.json`, import.meta.url), 'utf8');
+  const {localCm} = (
+    await solve({
+      garment: text('garments/trousers-l'),
+      print: text('prints/plaid'),
+      options: {grain: {default: 'on'}},
+    })
+  ).metrics;
+  expect(localCm?.final).toBeLessThanOrEqual((localCm?.drafted ?? NaN) + 1e-9);
+  expect(localCm?.final).toBeLessThanOrEqual((localCm?.placed ?? NaN) + 1e-9);
+});
+
 it('offers to leave gathers out, and says what that gains', async () => {
   const result = await solve(problem);
   expect(result.seams.filter(({why}) => why === 'gather')).not.toEqual([]);

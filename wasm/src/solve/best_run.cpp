@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solve/drafted.h"
 #include "solve/metrics.h"
 #include "solve/promise.h"
 #include "solve/seam_rules.h"
@@ -221,18 +222,32 @@ void BestRun::restUnsound() {
   }
 }
 
-/// Where nothing could be gained, gathers above all, outlines stay as they were drafted.
+/// Where nothing could be gained, gathers above all, outlines stay as they were drafted. So do they
+/// where some seams weigh so little that the print misses by more than as a cutter lays it.
 void BestRun::restIfBetter() {
   const WallpaperGroup& group = problem_.print.group;
   const Shapes rest = evenedShapes(pattern_);
   const bool sewable =
       std::all_of(pattern_.seams.begin(), pattern_.seams.end(),
                   [&](const Seam& seam) { return seamError(seam, rest) < kSeamTolerance; });
-  if (!sewable || fitAny(group, pattern_, rest, search_result_) >=
-                      fitAny(group, pattern_, fit_->fitting().shapes(), alignment_))
-    return;
+  if (!sewable) return;
+  if (fitAny(group, pattern_, rest, search_result_) <
+      fitAny(group, pattern_, fit_->fitting().shapes(), alignment_))
+    restAt(search_result_);
+  const Alignments drafted = draftedLayout(problem_, match_);
+  const std::vector<double> lengths = seamLengths(pattern_, fit_->fitting().shapes());
+  if (meanMismatch(localMismatches(group, pattern_, rest, drafted), lengths) <
+      meanMismatch(localMismatches(group, pattern_, fit_->fitting().shapes(), alignment_),
+                   lengths)) {
+    of_bound_ =
+        match_.cost(match_.ofLeaders(search_result_)) / match_.cost(match_.ofLeaders(drafted));
+    restAt(search_result_ = drafted);
+  }
+}
+
+void BestRun::restAt(const Alignments& at) {
   fit_->fitting().setStates(fit_->fitting().restStates());
-  alignment_ = search_result_;
+  alignment_ = at;
 }
 
 void BestRun::finish() {

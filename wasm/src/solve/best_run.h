@@ -26,7 +26,7 @@ class BestRun : public Run {
   double fraction() const override;
   const Alignments& alignment() const override { return alignment_; }
   const Alignments& search() const override { return search_result_; }
-  double searchBound() const override { return searching_.bound(); }
+  double searchBound() const override { return searching_.bound() * of_bound_; }
   const Shapes& shapes() const override;
   int iterations() const override { return settling_ + (fit_ ? fit_->iterations() : 0); }
   int factorisations() const override { return fit_ ? fit_->factorisations() : 0; }
@@ -40,6 +40,7 @@ class BestRun : public Run {
   void settleStep();
   void restUnsound();
   void restIfBetter();
+  void restAt(const Alignments& at);
   void finish();
   bool keepsLimits(const Cloth& cloth, double length) const;
 
@@ -53,6 +54,7 @@ class BestRun : public Run {
   std::unique_ptr<FitRun> fit_;
   Stage stage_ = Stage::kSearch;
   Alignments alignment_, search_result_;
+  double of_bound_ = 1;  ///< less where something else than the search's best stands for it
   int sought_again_ = 0;
   int settling_ = 0, settled_ = 0;  ///< iterations; with the last, which finds nothing to do
   double length_error_;             ///< of a sewn edge, cm

@@ -33,6 +33,23 @@ std::vector<double> localMismatches(const WallpaperGroup& group, const Pattern& 
   return means;
 }
 
+std::vector<double> seamLengths(const Pattern& pattern, const Shapes& shapes) {
+  std::vector<double> lengths(pattern.seams.size(), 0);
+  const std::vector<Alignment> anywhere(pattern.pieces.size());
+  for (std::size_t s = 0; s < lengths.size(); ++s)
+    if (counts(pattern.seams[s]))
+      for (const double length : seamMidpoints(pattern.seams[s], shapes, anywhere).length)
+        lengths[s] += length;
+  return lengths;
+}
+
+double meanMismatch(const std::vector<double>& mismatches, const std::vector<double>& lengths) {
+  double total = 0, length = 0;
+  for (std::size_t s = 0; s < lengths.size(); ++s)
+    total += lengths[s] * mismatches[s], length += lengths[s];
+  return length > 0 ? total / length : 0;
+}
+
 Verdict verdictOn(const SeamMeans& means, double moved) {
   const bool bent = moved > kStraightEnough;
   const double most = means.shaped > kBroken ? kHalved : kWorthwhile;

@@ -16,6 +16,12 @@ double localMismatch(const WallpaperGroup& group, const Seam& seam, const Shapes
 std::vector<double> localMismatches(const WallpaperGroup& group, const Pattern& pattern,
                                     const Shapes& shapes, const std::vector<Alignment>& at);
 
+/// Length of every seam, mean of its sides; 0 for those that count in no fit. [cm]
+std::vector<double> seamLengths(const Pattern& pattern, const Shapes& shapes);
+
+/// Mean of the seams' mismatches by their lengths: what all seams miss by, whatever they weigh.
+double meanMismatch(const std::vector<double>& mismatches, const std::vector<double>& lengths);
+
 /// Whether a seam counts: matched, and not joining a piece to its own mirror twin.
 inline bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
 
