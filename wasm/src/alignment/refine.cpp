@@ -1,7 +1,9 @@
 #include "alignment/refine.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
+
+#include "alignment/normal_equations.h"
 
 namespace seamwise {
 namespace {
@@ -12,16 +14,16 @@ constexpr double kSlow = 1e-4;  ///< a relative gain below it ends the iteration
 /// held.
 template <class Model>
 void assemble(const Model& model, const int sides[2], const std::vector<int>& first,
-              const std::vector<Freedom::Basis>& bases, Eigen::MatrixXd& hessian,
-              Eigen::VectorXd& gradient) {
+              const std::vector<Freedom::Basis>& bases, NormalEquations& equations) {
   for (int i = 0; i < 2; ++i) {
     const int row = first[sides[i]];
     if (row < 0) continue;
     const auto& bi = bases[sides[i]];
-    gradient.segment(row, bi.cols()) += bi.transpose() * model.gradient.template segment<3>(3 * i);
+    const Eigen::Vector3d pull = model.gradient.template segment<3>(3 * i);
+    for (int r = 0; r < bi.cols(); ++r) equations.right[row + r] += bi.col(r).dot(pull);
     for (int j = 0; j < 2; ++j) {
       const int column = first[sides[j]];
-      if (column < 0) continue;
+      if (column < 0 || column > row) continue;
       const auto& bj = bases[sides[j]];
       Eigen::Matrix3d block =
           model.hessian.template block<3, 3>(3 * std::max(i, j), 3 * std::min(i, j));
@@ -29,50 +31,35 @@ void assemble(const Model& model, const int sides[2], const std::vector<int>& fi
         block.template triangularView<Eigen::StrictlyUpper>() = block.transpose();
       else if (i < j)
         block.transposeInPlace();
-      hessian.block(row, column, bi.cols(), bj.cols()).noalias() += bi.transpose() * block * bj;
+      for (int r = 0; r < bi.cols(); ++r) {
+        const Eigen::Vector3d left = block.transpose() * bi.col(r);
+        for (int c = 0; c < bj.cols() && column + c <= row + r; ++c)
+          equations.at(row + r, column + c) += left.dot(bj.col(c));
+      }
     }
   }
-}
-
-/// Solves h x = b for a positive definite h, of which the lower half is read, by Cholesky's method;
-/// x replaces b, and h is lost. False when h is not positive definite. A handful of unknowns are not
-/// worth the blocked routines of Eigen, which would be the largest piece of the whole module.
-bool solveInPlace(Eigen::MatrixXd& h, Eigen::VectorXd& b) {
-  const int n = static_cast<int>(b.size());
-  for (int k = 0; k < n; ++k) {
-    double* const pivot = &h(0, k);
-    if (!(pivot[k] > 0)) return false;
-    pivot[k] = std::sqrt(pivot[k]);
-    for (int i = k + 1; i < n; ++i) pivot[i] /= pivot[k];
-    for (int j = k + 1; j < n; ++j) {
-      double* const column = &h(0, j);
-      const double factor = pivot[j];
-      for (int i = j; i < n; ++i) column[i] -= factor * pivot[i];
-    }
-    b[k] /= pivot[k];
-    for (int i = k + 1; i < n; ++i) b[i] -= pivot[i] * b[k];
-  }
-  for (int k = n - 1; k >= 0; --k) {
-    for (int i = k + 1; i < n; ++i) b[k] -= h(i, k) * b[i];
-    b[k] /= h(k, k);
-  }
-  return true;
 }
 
 }  // namespace
 
 template <class Real>
 double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Alignments& at,
-              const std::vector<int>& active, int iterations, double slack) {
+              std::vector<int> active, int iterations, double slack, double* work) {
+  std::sort(active.begin(), active.end(),
+            [&](int l, int k) { return samples.rank(l) < samples.rank(k); });
   std::vector<int> first(problem.leaders.size(), -1);
   std::vector<Freedom::Basis> bases(problem.leaders.size());
-  std::vector<int> seams;
-  int unknowns = 0;
+  std::vector<int> seams, tied;
   for (int l : active) {
     bases[l] = problem.leaders[l].freedom.basis(at[l]);
-    first[l] = unknowns;
-    unknowns += static_cast<int>(bases[l].cols());
-    for (int s : problem.leaders[l].seams) seams.push_back(s);
+    first[l] = static_cast<int>(tied.size());
+    int least = first[l];
+    for (int s : problem.leaders[l].seams) {
+      seams.push_back(s);
+      for (int k : {problem.seams[s].a, problem.seams[s].b})
+        if (first[k] >= 0) least = std::min(least, first[k]);
+    }
+    tied.resize(tied.size() + bases[l].cols(), least);
   }
   std::sort(seams.begin(), seams.end());
   seams.erase(std::unique(seams.begin(), seams.end()), seams.end());
@@ -86,27 +73,26 @@ double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Al
     return sum;
   };
   double cost = total(poses);
-  if (unknowns == 0) return cost;
+  if (tied.empty()) return cost;
 
-  Eigen::MatrixXd hessian(unknowns, unknowns);
-  Eigen::VectorXd gradient(unknowns);
+  NormalEquations equations(tied);
+  const std::vector<double>& step = equations.right;  // back along it, once solved
   Alignments trial = at;
   auto trial_poses = poses;
   for (int k = 0; k < iterations && cost > 1e-9; ++k) {
-    hessian.setZero(), gradient.setZero();
+    equations.clear();
     for (int s : seams) {
       const int sides[2] = {problem.seams[s].a, problem.seams[s].b};
       assemble(samples.model(s, poses[sides[0]], poses[sides[1]], slack), sides, first, bases,
-               hessian, gradient);
+               equations);
     }
-    // what no seam determines stays where it is
-    hessian.diagonal().array() += 1e-9 * hessian.diagonal().maxCoeff() + 1e-12;
-    if (!solveInPlace(hessian, gradient) || !gradient.allFinite()) break;
-    const Eigen::VectorXd& step = gradient;  // back along it
+    if (work) *work += equations.work();
+    if (!equations.solve()) break;
     double scale = 1, reached = cost;
     for (int halving = 0; halving < 4; ++halving, scale /= 3) {
       for (int l : active) {
-        const Eigen::Vector3d d = bases[l] * (-scale * step.segment(first[l], bases[l].cols()));
+        Eigen::Vector3d d = Eigen::Vector3d::Zero();
+        for (int c = 0; c < bases[l].cols(); ++c) d -= scale * step[first[l] + c] * bases[l].col(c);
         const Leader& leader = problem.leaders[l];
         trial[l] = moved(at[l], leader.centre, d.x(), d.tail<2>());
         if (leader.freedom.turns()) trial[l] = leader.freedom.nearest(trial[l], leader.centre);
@@ -125,8 +111,8 @@ double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Al
 }
 
 template double refine(const MatchProblem&, const SampledSeams<float>&, Alignments&,
-                       const std::vector<int>&, int, double);
+                       std::vector<int>, int, double, double*);
 template double refine(const MatchProblem&, const SampledSeams<double>&, Alignments&,
-                       const std::vector<int>&, int, double);
+                       std::vector<int>, int, double, double*);
 
 }  // namespace seamwise

@@ -10,14 +10,15 @@ namespace seamwise {
 /// distances (not of squares) falls, elements chosen anew after each step. Never makes the cost
 /// worse.
 /// @param slack   as in SampledSeams::cost
+/// @param work   grows by the multiplications that solving for the steps took; may be null
 /// @return   the cost of the seams that touch an active leader, cm2
 template <class Real>
 double refine(const MatchProblem& problem, const SampledSeams<Real>& seams, Alignments& at,
-              const std::vector<int>& active, int iterations, double slack = 0);
+              std::vector<int> active, int iterations, double slack = 0, double* work = nullptr);
 
 extern template double refine(const MatchProblem&, const SampledSeams<float>&, Alignments&,
-                              const std::vector<int>&, int, double);
+                              std::vector<int>, int, double, double*);
 extern template double refine(const MatchProblem&, const SampledSeams<double>&, Alignments&,
-                              const std::vector<int>&, int, double);
+                              std::vector<int>, int, double, double*);
 
 }  // namespace seamwise

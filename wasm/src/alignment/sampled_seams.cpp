@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace seamwise {
 namespace {
@@ -16,28 +17,68 @@ constexpr double kSquare = 1e-12;  ///< cosine of an angle that is a right one
 
 using internal::roundNear;
 
+/// Per leader its place in an order that keeps neighbours close (Cuthill & McKee 1969, reversed).
+std::vector<int> ranked(const MatchProblem& problem) {
+  const std::size_t count = problem.leaders.size();
+  std::vector<std::vector<int>> neighbours(count);
+  for (const MatchSeam& seam : problem.seams) {
+    neighbours[seam.a].push_back(seam.b);
+    neighbours[seam.b].push_back(seam.a);
+  }
+  const auto fewer = [&](int l, int k) { return neighbours[l].size() < neighbours[k].size(); };
+  std::vector<int> by_degree(count), order, ranks(count, -1);
+  std::iota(by_degree.begin(), by_degree.end(), 0);
+  std::stable_sort(by_degree.begin(), by_degree.end(), fewer);
+  for (auto& around : neighbours) std::stable_sort(around.begin(), around.end(), fewer);
+  const auto reach = [&](int leader) {
+    if (ranks[leader] >= 0) return;
+    ranks[leader] = static_cast<int>(count - 1 - order.size());
+    order.push_back(leader);
+  };
+  for (const int start : by_degree) {
+    const std::size_t from = order.size();
+    reach(start);
+    for (std::size_t k = from; k < order.size(); ++k)
+      for (const int next : neighbours[order[k]]) reach(next);
+  }
+  return ranks;
+}
+
 }  // namespace
 
 template <class Real>
-SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing) {
+SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing)
+    : ranks_(ranked(problem)) {
   const WallpaperGroup& group = problem.group;
   const auto& [u1, u2] = group.reducedBasis();
   const Mat2 basis = (Mat2() << u1, u2).finished();
-  to_reduced_ = basis.inverse();
+  const Mat2 to_reduced = to_pose_ = basis.inverse();
   const auto real = [](double v) { return static_cast<Real>(v); };
   u0x_ = real(u1.x()), u0y_ = real(u1.y()), u1x_ = real(u2.x()), u1y_ = real(u2.y());
   rectangular_ = std::abs(u1.dot(u2)) < kSquare * u1.squaredNorm();
   g11_ = real(u1.squaredNorm()), g12_ = real(rectangular_ ? 0 : u1.dot(u2));
   g22_ = real(u2.squaredNorm());
   for (const seamwise::Element& e : group.elements()) {
-    const Mat2 m = (to_reduced_ * e.A * basis).array().round();
-    const Vec2 a = to_reduced_ * e.a;
+    const Mat2 m = (to_reduced * e.A * basis).array().round();
+    const Vec2 a = to_reduced * e.a;
     const Element reduced{real(m(0, 0)),   real(m(0, 1)),   real(m(1, 0)),
                           real(m(1, 1)),   real(a.x()),     real(a.y()),
                           real(e.A(0, 0)), real(e.A(1, 0)), real(e.mirrored ? -1 : 1),
                           m(0, 0) == 0};
     all_.push_back(reduced);
     (e.mirrored ? improper_ : proper_).push_back(reduced);
+  }
+  if (sizeof(Real) == sizeof(float) && !problem.continuous_only && group.carriesSingle()) {
+    const Chamber chamber = Chamber::of(group);
+    shape_ = chamber.shape;
+    to_pose_ = chamber.to, pose_offset_ = chamber.offset;
+    to_lattice_ = to_reduced * chamber.to.inverse();
+    square0_ = real(chamber.square0), square1_ = real(chamber.square1);
+    for (std::size_t k = 1; k < chamber.cosets.size(); ++k) {
+      const auto& [m, a] = chamber.cosets[k];
+      cosets_.push_back(
+          {real(m(0, 0)), real(m(0, 1)), real(m(1, 0)), real(m(1, 1)), real(a.x()), real(a.y())});
+    }
   }
   for (const Leader& leader : problem.leaders) centres_.push_back(leader.centre);
   for (const MatchSeam& seam : problem.seams) {
@@ -70,8 +111,8 @@ SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing) {
 template <class Real>
 typename SampledSeams<Real>::Pose SampledSeams<Real>::pose(int leader, const Alignment& at) const {
   const double c = std::cos(at.angle), s = std::sin(at.angle);
-  const Mat2 m = to_reduced_ * (Mat2() << c, s, -s, c).finished();
-  Vec2 t = m * (centres_[leader] - at.translation);
+  const Mat2 m = to_pose_ * (Mat2() << c, s, -s, c).finished();
+  Vec2 t = m * (centres_[leader] - at.translation) + pose_offset_;
   t -= t.array().round().matrix();  // lattice vectors change nothing, and small numbers are exact
   return {static_cast<Real>(m(0, 0)),
           static_cast<Real>(m(0, 1)),
@@ -146,13 +187,58 @@ SampledSeams<Real>::squaredOnRectangles(const Placed& p, const Element& e) const
   return s * (s * g11_) + t * (t * g22_);
 }
 
+/// The least squared distance of both sides, by folding them into the chamber.
+template <class Real>
+template <Chamber::Shape shape>
+[[gnu::always_inline]] inline typename SampledSeams<Real>::Vector
+SampledSeams<Real>::squaredInChamber(const Placed& p) const {
+  const Folded<shape, Vector> x(p.x0, p.x1);
+  Vector best = x.squaredTo(Folded<shape, Vector>(p.y0, p.y1), square0_, square1_);
+  for (const Coset& c : cosets_) {
+    const Folded<shape, Vector> y(c.m00 * p.y0 + c.m01 * p.y1 + c.a0,
+                                  c.m10 * p.y0 + c.m11 * p.y1 + c.a1);
+    best = least(best, x.squaredTo(y, square0_, square1_));
+  }
+  return best;
+}
+
+template <class Real>
+template <Chamber::Shape shape>
+double SampledSeams<Real>::foldedCost(int seam, const Pose& a, const Pose& b, double slack) const {
+  return costOver(seam, a, b, slack,
+                  [this](int, const Placed& p) { return squaredInChamber<shape>(p); });
+}
+
 template <class Real>
 double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double slack) const {
-  return rectangular_ ? costOver(seam, a, b, slack,
-                                 [this](const Placed& p, const Element& e) {
-                                   return squaredOnRectangles(p, e);
-                                 })
-                      : costOver(seam, a, b, slack, [this](const Placed& p, const Element& e) {
+  const auto nearest = [&](const auto& squared) {
+    return costOver(seam, a, b, slack, [&](int of, const Placed& p) {
+      Vector best = Vector{} + std::numeric_limits<Real>::max();
+      for (const Element& e : *seams_[of].elements) best = least(best, squared(p, e));
+      return greatest(best, Vector{});
+    });
+  };
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    using enum Chamber::Shape;
+    switch (shape_) {
+      case kStrip:
+        return foldedCost<kStrip>(seam, a, b, slack);
+      case kRectangle:
+        return foldedCost<kRectangle>(seam, a, b, slack);
+      case kHalfSquare:
+        return foldedCost<kHalfSquare>(seam, a, b, slack);
+      case kEquilateral:
+        return foldedCost<kEquilateral>(seam, a, b, slack);
+      case kHalfEquilateral:
+        return foldedCost<kHalfEquilateral>(seam, a, b, slack);
+      case kCell:
+        break;
+    }
+  }
+  return rectangular_ ? nearest([this](const Placed& p, const Element& e) {
+    return squaredOnRectangles(p, e);
+  })
+                      : nearest([this](const Placed& p, const Element& e) {
                           return offset(p, e).squared();
                         });
 }
@@ -168,18 +254,27 @@ template <class Squared>
   const Vector none{};
   Vector total{};
   for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
-    const Placed p = placed(from, a, b);
-    Vector best = none + std::numeric_limits<Real>::max();
-    for (const Element& e : *samples.elements) best = least(best, squared(p, e));
-    const Vector d = squareRoots(greatest(best, none));
+    const Vector d = squareRoots(squared(seam, placed(from, a, b)));
     total += loaded(&w_[from]) * (greatest(d - allowance, none) + leak * d);
   }
   return sumOf(total);
 }
 
+/// The pose in coordinates of the lattice.
 template <class Real>
-typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pose& a, const Pose& b,
-                                                             double slack) const {
+typename SampledSeams<Real>::Pose SampledSeams<Real>::onLattice(const Pose& pose) const {
+  if (shape_ == Chamber::Shape::kCell) return pose;
+  const Mat2 m = to_lattice_ * (Mat2() << pose.m00, pose.m01, pose.m10, pose.m11).finished();
+  const Vec2 t = to_lattice_ * (Vec2(pose.t0, pose.t1) - pose_offset_);
+  const auto real = [](double v) { return static_cast<Real>(v); };
+  return {real(m(0, 0)), real(m(0, 1)), real(m(1, 0)), real(m(1, 1)),
+          real(t.x()),   real(t.y()),   pose.cos,      pose.sin};
+}
+
+template <class Real>
+typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pose& at_a,
+                                                             const Pose& at_b, double slack) const {
+  const Pose a = onLattice(at_a), b = onLattice(at_b);
   const Samples& samples = seams_[seam];
   const Real allowance = static_cast<Real>(slack);
   const Real leak = static_cast<Real>(slack > 0 ? kLeak : 1);

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "alignment/chamber.h"
 #include "alignment/matching.h"
 #include "geometry/lanes.h"
 
@@ -9,7 +10,8 @@ namespace seamwise {
 
 /// The seams of a MatchProblem as arrays that a vector unit likes: samples relative to the pieces'
 /// centres, print positions in coordinates of the reduced lattice basis, where the nearest lattice
-/// vector is found by rounding. In single precision twice as fast and exact to about 1e-5 cm.
+/// vector is found by rounding. In single precision twice as fast and exact to about 1e-5 cm; there
+/// positions are those of the print's chamber, if it has mirrors and all elements are allowed.
 /// @tparam Real   float or double
 template <class Real>
 class SampledSeams {
@@ -17,7 +19,7 @@ class SampledSeams {
   /// @param spacing   cm of seam a sample stands for, at least; 0: every edge is a sample
   SampledSeams(const MatchProblem& problem, double spacing);
 
-  /// Where a leader lies: from its centred coordinates to reduced lattice coordinates (modulo 1).
+  /// Where a leader lies: from its centred coordinates to those of lattice or chamber, modulo 1.
   struct Pose {
     Real m00, m01, m10, m11, t0, t1;
     double cos, sin;  ///< of the alignment's angle
@@ -38,6 +40,8 @@ class SampledSeams {
 
   /// Number of samples of a seam.
   int count(int seam) const { return seams_[seam].count; }
+  /// Place of a leader in an order in which neighbours follow closely.
+  int rank(int leader) const { return ranks_[leader]; }
   /// Sum of all weights. [cm]
   double weight() const { return weight_; }
 
@@ -56,18 +60,32 @@ class SampledSeams {
   struct Placed;
   struct Offset;
   Placed placed(int from, const Pose& a, const Pose& b) const;
+  Pose onLattice(const Pose& pose) const;
   Offset reduced(const Vector& s0, const Vector& t0) const;
   Offset offset(const Placed& p, const Element& e) const;
   Vector squaredOnRectangles(const Placed& p, const Element& e) const;
   template <class Squared>
   double costOver(int seam, const Pose& a, const Pose& b, double slack,
                   const Squared& squared) const;
+  template <Chamber::Shape shape>
+  double foldedCost(int seam, const Pose& a, const Pose& b, double slack) const;
+  template <Chamber::Shape shape>
+  Vector squaredInChamber(const Placed& p) const;
 
   std::vector<Element> all_, proper_, improper_;
   std::vector<Samples> seams_;
   std::vector<Real> ax_, ay_, bx_, by_, w_;  ///< each seam from a multiple of kLanes; w 0 in gaps
   std::vector<Vec2> centres_;
-  Mat2 to_reduced_;
+  std::vector<int> ranks_;
+  Mat2 to_pose_;  ///< from the print to the coordinates of poses, with
+  Vec2 pose_offset_ = Vec2::Zero();
+  Mat2 to_lattice_;  ///< from those of a chamber to the lattice's, with no offset
+  Chamber::Shape shape_ = Chamber::Shape::kCell;  ///< of what poses lie in
+  struct Coset {
+    Real m00, m01, m10, m11, a0, a1;
+  };
+  std::vector<Coset> cosets_;  ///< of the chamber; the identity is left out
+  Real square0_ = 1, square1_ = 1;
   Real u0x_, u0y_, u1x_, u1y_;  ///< the reduced basis
   Real g11_, g12_, g22_;        ///< metric in reduced coordinates, 0 <= 2 g12 <= g11 <= g22
   bool rectangular_;            ///< g12 = 0

@@ -16,6 +16,7 @@ constexpr double kClose = 1.1;       ///< one this much worse is polished
 constexpr double kSecondBest = 0.5;  ///< share of pieces placed at their second best candidate
 constexpr int kStretches = 4;        ///< of a seam, that a piece is laid along besides the whole
 constexpr double kSkip = 0.35;       ///< share of neighbours that a lifted part leaves in place
+constexpr double kMultiplications = 10;  ///< that take as long as a distance
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 double spacing(const MatchProblem& problem, double samples) {
@@ -178,7 +179,9 @@ double SearchMoves::refined(Layout& layout, const std::vector<int>& leaders, int
     for (int s : problem_.leaders[l].seams) samples += samples_.count(s);
   // finding the nearest element and assembling cost a few plain distances a sample and element
   spent_ += iterations * samples * sample_cost_ * 3;
-  const double cost = refine(problem_, samples_, layout.at, leaders, iterations, slack_);
+  double work = 0;
+  const double cost = refine(problem_, samples_, layout.at, leaders, iterations, slack_, &work);
+  spent_ += work / kMultiplications;
   for (int l : leaders) set(layout, l, layout.at[l]);
   return cost;
 }

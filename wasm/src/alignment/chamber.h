@@ -1,0 +1,94 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geometry/lanes.h"
+#include "wallpaper/group.h"
+
+namespace seamwise {
+
+/// The mirrors of a print cut the plane into chambers, and folding along them carries every point
+/// into one of these: a subgroup's distance between two orbits is that between the two points left
+/// there, without a search for the nearest image (Humphreys, Reflection groups and Coxeter groups,
+/// 1990, 4.3). The whole group takes as many points as the subgroup has cosets: 1 in pm, pmm, p4m,
+/// p3m1 and p6m, 2 in cm, cmm, pmg and p4g, 3 in p31m.
+struct Chamber {
+  enum class Shape : std::uint8_t {
+    kCell,         ///< no mirrors: every element is a coset
+    kStrip,        ///< between parallel mirrors, and a repeat long
+    kRectangle,    ///< mirrors at right angles
+    kHalfSquare,   ///< also across: 45 degrees
+    kEquilateral,  ///< mirrors at 60 degrees
+    kHalfEquilateral
+  };
+  Shape shape = Shape::kCell;
+  /// From the print, in cm, to coordinates of the chamber: p -> to p + offset.
+  Mat2 to = Mat2::Identity();
+  Vec2 offset = Vec2::Zero();
+  /// Squares of the coordinates' units; of a triangle's three, which add up to 0, the first. [cm2]
+  double square0 = 1, square1 = 1;
+  /// One of each coset, in these coordinates: p -> m p + a. The first is the identity.
+  struct Coset {
+    Mat2 m = Mat2::Identity();
+    Vec2 a = Vec2::Zero();
+  };
+  std::vector<Coset> cosets;
+
+  static Chamber of(const WallpaperGroup& group);
+};
+
+/// A point of the chamber of `shape` that the mirrors carry (x, y) to. `V` is a number or several
+/// at once.
+template <Chamber::Shape shape, class V>
+struct Folded {
+  V x, y;
+  [[gnu::always_inline]] Folded(const V& at_x, const V& at_y) : x(at_x), y(at_y) {
+    using enum Chamber::Shape;
+    using internal::roundNear;
+    if constexpr (shape == kStrip) x = abs(V(x - roundNear(x)));
+    if constexpr (shape == kRectangle || shape == kHalfSquare)
+      x = abs(V(x - roundNear(x))), y = abs(V(y - roundNear(y)));
+    if constexpr (shape == kHalfSquare) sort(x, y);
+    if constexpr (shape == kEquilateral || shape == kHalfEquilateral) foldIntoTriangle();
+  }
+
+  /// Square of the distance to another point of the chamber, in cm2 of `square0` and `square1`.
+  template <class Real>
+  [[gnu::always_inline]] V squaredTo(const Folded& other, Real square0, Real square1) const {
+    using enum Chamber::Shape;
+    V s = x - other.x, t = y - other.y;
+    if constexpr (shape == kStrip) t -= internal::roundNear(t);
+    if constexpr (shape == kEquilateral || shape == kHalfEquilateral) {
+      const V u = s + t;
+      return (s * s + t * t + u * u) * square0;
+    }
+    return s * s * square0 + t * t * square1;
+  }
+
+ private:
+  [[gnu::always_inline]] static void sort(V& greater, V& smaller) {
+    const V g = greatest(greater, smaller);
+    smaller = least(greater, smaller), greater = g;
+  }
+
+  /// Coordinates x, y and z = -x - y; the mirrors lie where two of them differ by a whole number.
+  /// Translations are whole numbers that add up to 0. What rounding leaves adds up to -1, 0 or 1:
+  /// the one that was rounded furthest makes up for it. Then mirrors through 0 sort them.
+  [[gnu::always_inline]] void foldIntoTriangle() {
+    using internal::roundNear;
+    V z = -x - y;
+    x -= roundNear(x), y -= roundNear(y), z -= roundNear(z);
+    sort(x, y), sort(y, z), sort(x, y);
+    const V excess = roundNear(V(x + y + z)), none = x - x;
+    const auto over = excess > none, under = excess < none;
+    const V first = over ? y : under ? z + 1 : x, second = over ? z : under ? x : y;
+    x = first, y = second;
+    if constexpr (shape == Chamber::Shape::kHalfEquilateral) {
+      const auto beyond = y > none;  // the turn by half a turn: -z, -y, -x
+      const V turned = beyond ? x + y : x;
+      y = beyond ? -y : y, x = turned;
+    }
+  }
+};
+
+}  // namespace seamwise
