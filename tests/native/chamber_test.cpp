@@ -48,7 +48,7 @@ double distanceIn(const Chamber& chamber, const Vec2& x, const Vec2& y) {
 TEST(Chamber, KeepsTheDistancesOfEveryGroupThatHasMirrors) {
   const std::map<std::string_view, std::size_t> cosets = {
       {"pm", 1},  {"cm", 2},  {"pmm", 1},  {"pmg", 2},  {"cmm", 2},
-      {"p4m", 1}, {"p4g", 2}, {"p3m1", 1}, {"p31m", 3}, {"p6m", 1}};
+      {"p4m", 1}, {"p4g", 4}, {"p3m1", 1}, {"p31m", 3}, {"p6m", 1}};
   Random random(7);
   for (const GroupData& data : wallpaperGroups()) {
     for (const double turn : {0.0, 0.3}) {

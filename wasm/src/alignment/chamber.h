@@ -11,7 +11,7 @@ namespace seamwise {
 /// into one of these: a subgroup's distance between two orbits is that between the two points left
 /// there, without a search for the nearest image (Humphreys, Reflection groups and Coxeter groups,
 /// 1990, 4.3). The whole group takes as many points as the subgroup has cosets: 1 in pm, pmm, p4m,
-/// p3m1 and p6m, 2 in cm, cmm, pmg and p4g, 3 in p31m.
+/// p3m1 and p6m, 2 in cm, cmm and pmg, 3 in p31m, 4 in p4g.
 struct Chamber {
   enum class Shape : std::uint8_t {
     kCell,         ///< no mirrors: every element is a coset
