@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,8 @@ struct MatchSeam {
   double weight = 0;         ///< sum of w
   Stretch whole;
   int seam = -1;  ///< index in Pattern::seams, -1: a match line
+  /// Mean mismatch beyond which no shape is worth having: what lies beyond it counts for more. [cm]
+  double limit = std::numeric_limits<double>::infinity();
 
   /// The edges first .. last - 1.
   Stretch stretch(std::size_t first, std::size_t last) const;

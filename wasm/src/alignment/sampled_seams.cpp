@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -12,6 +13,13 @@ constexpr double kFloor = 0.02;  ///< cm: distances below it are weighted as if 
 constexpr int kFewest = 4;       ///< samples a seam
 constexpr double kLeak =
     0.1;  ///< share of a distance that counts inside the slack: ties go to the better
+
+/// What a seam misses by beyond its limit counts so many times more.
+constexpr double kHard = 6;
+constexpr double kLeft =
+    0.15;  ///< share of what lies within the slack that shaping leaves as a rule
+constexpr double kWorthShaping =
+    0.7;  ///< share of a mismatch that is left where shaping is worth it
 
 constexpr double kSquare = 1e-12;  ///< cosine of an angle that is a right one
 
@@ -102,6 +110,7 @@ SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing)
       w_.push_back(static_cast<Real>(w));
       weight_ += w;
     }
+    samples.limit = seam.limit * seam.weight;
     for (auto* array : {&ax_, &ay_, &bx_, &by_, &w_})
       array->resize((array->size() + kLanes - 1) / kLanes * kLanes, 0);
     seams_.push_back(samples);
@@ -204,15 +213,18 @@ SampledSeams<Real>::squaredInChamber(const Placed& p) const {
 
 template <class Real>
 template <Chamber::Shape shape>
-double SampledSeams<Real>::foldedCost(int seam, const Pose& a, const Pose& b, double slack) const {
-  return costOver(seam, a, b, slack,
+typename SampledSeams<Real>::Sums SampledSeams<Real>::foldedSums(int seam, const Pose& a,
+                                                                 const Pose& b,
+                                                                 double slack) const {
+  return sumsOver(seam, a, b, slack,
                   [this](int, const Placed& p) { return squaredInChamber<shape>(p); });
 }
 
 template <class Real>
-double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double slack) const {
+typename SampledSeams<Real>::Sums SampledSeams<Real>::sums(int seam, const Pose& a, const Pose& b,
+                                                           double slack) const {
   const auto nearest = [&](const auto& squared) {
-    return costOver(seam, a, b, slack, [&](int of, const Placed& p) {
+    return sumsOver(seam, a, b, slack, [&](int of, const Placed& p) {
       Vector best = Vector{} + std::numeric_limits<Real>::max();
       for (const Element& e : *seams_[of].elements) best = least(best, squared(p, e));
       return greatest(best, Vector{});
@@ -222,15 +234,15 @@ double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double s
     using enum Chamber::Shape;
     switch (shape_) {
       case kStrip:
-        return foldedCost<kStrip>(seam, a, b, slack);
+        return foldedSums<kStrip>(seam, a, b, slack);
       case kRectangle:
-        return foldedCost<kRectangle>(seam, a, b, slack);
+        return foldedSums<kRectangle>(seam, a, b, slack);
       case kHalfSquare:
-        return foldedCost<kHalfSquare>(seam, a, b, slack);
+        return foldedSums<kHalfSquare>(seam, a, b, slack);
       case kEquilateral:
-        return foldedCost<kEquilateral>(seam, a, b, slack);
+        return foldedSums<kEquilateral>(seam, a, b, slack);
       case kHalfEquilateral:
-        return foldedCost<kHalfEquilateral>(seam, a, b, slack);
+        return foldedSums<kHalfEquilateral>(seam, a, b, slack);
       case kCell:
         break;
     }
@@ -245,19 +257,43 @@ double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double s
 
 template <class Real>
 template <class Squared>
-[[gnu::always_inline]] inline double SampledSeams<Real>::costOver(int seam, const Pose& a,
-                                                                  const Pose& b, double slack,
-                                                                  const Squared& squared) const {
+[[gnu::always_inline]] inline typename SampledSeams<Real>::Sums SampledSeams<Real>::sumsOver(
+    int seam, const Pose& a, const Pose& b, double slack, const Squared& squared) const {
   const Samples& samples = seams_[seam];
   const Real allowance = static_cast<Real>(slack);
-  const Real leak = static_cast<Real>(slack > 0 ? kLeak : 0);
   const Vector none{};
-  Vector total{};
+  Vector all{}, beyond{};
   for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
-    const Vector d = squareRoots(squared(seam, placed(from, a, b)));
-    total += loaded(&w_[from]) * (greatest(d - allowance, none) + leak * d);
+    const Vector d = squareRoots(squared(seam, placed(from, a, b))), w = loaded(&w_[from]);
+    all += w * d;
+    beyond += w * greatest(d - allowance, none);
   }
-  return sumOf(total);
+  return {sumOf(all), sumOf(beyond)};
+}
+
+template <class Real>
+typename SampledSeams<Real>::Excess SampledSeams<Real>::excess(int seam, const Sums& of,
+                                                               double slack) const {
+  const double limit = seams_[seam].limit;
+  if (of.all <= limit) return Excess::kNone;
+  const double shaped = of.beyond + kLeft * of.all;
+  if (slack > 0 && shaped <= kWorthShaping * of.all)
+    return shaped <= limit ? Excess::kNone : Excess::kOfBeyond;
+  return Excess::kOfAll;
+}
+
+template <class Real>
+double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double slack) const {
+  const Sums of = sums(seam, a, b, slack);
+  double cost = slack > 0 ? of.beyond + kLeak * of.all : of.all;
+  switch (excess(seam, of, slack)) {
+    case Excess::kOfAll:
+      return cost + kHard * (of.all - seams_[seam].limit);
+    case Excess::kOfBeyond:
+      return cost + kHard * (of.beyond + kLeft * of.all - seams_[seam].limit);
+    default:
+      return cost;
+  }
 }
 
 /// The pose in coordinates of the lattice.
@@ -277,8 +313,13 @@ typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pos
   const Pose a = onLattice(at_a), b = onLattice(at_b);
   const Samples& samples = seams_[seam];
   const Real allowance = static_cast<Real>(slack);
-  const Real leak = static_cast<Real>(slack > 0 ? kLeak : 1);
-  const Real beyond = static_cast<Real>(slack > 0 ? 1 + kLeak : 1);
+  double within = slack > 0 ? kLeak : 1, outside = slack > 0 ? 1 + kLeak : 1;
+  if (std::isfinite(samples.limit)) {
+    const Excess broken = excess(seam, sums(seam, at_a, at_b, slack), slack);
+    if (broken == Excess::kOfAll) within += kHard, outside += kHard;
+    if (broken == Excess::kOfBeyond) within += kLeft * kHard, outside += (1 + kLeft) * kHard;
+  }
+  const Real leak = static_cast<Real>(within), beyond = static_cast<Real>(outside);
   const Real ac = static_cast<Real>(a.cos), as = static_cast<Real>(a.sin);
   const Real bc = static_cast<Real>(b.cos), bs = static_cast<Real>(b.sin);
   const Vector none{};

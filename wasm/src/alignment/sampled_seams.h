@@ -26,7 +26,8 @@ class SampledSeams {
   };
   Pose pose(int leader, const Alignment& at) const;
 
-  /// Sum of w (max(0, d - slack) + leak d) over one seam, of w d without slack. [cm2]
+  /// Sum of w (max(0, d - slack) + leak d) over one seam, of w d without slack; several times as
+  /// much of what a seam misses by beyond its limit, if it has one. [cm2]
   double cost(int seam, const Pose& a, const Pose& b, double slack) const;
 
   /// Second-order model of one seam's cost in (turn, shift) of side a, then of side b, about the
@@ -56,7 +57,16 @@ class SampledSeams {
   struct Samples {
     int count = 0, from = 0;
     const std::vector<Element>* elements = nullptr;
+    double limit = 0;  ///< of the sum of w d. [cm2]
   };
+  /// Sums over a seam of w d, and of what d exceeds the slack by. [cm2]
+  struct Sums {
+    double all, beyond;
+  };
+  Sums sums(int seam, const Pose& a, const Pose& b, double slack) const;
+  /// Whether the sums break the seam's limit, and how: while it is beyond what shaping mends.
+  enum class Excess : std::uint8_t { kNone, kOfAll, kOfBeyond };
+  Excess excess(int seam, const Sums& of, double slack) const;
   struct Placed;
   struct Offset;
   Placed placed(int from, const Pose& a, const Pose& b) const;
@@ -65,10 +75,9 @@ class SampledSeams {
   Offset offset(const Placed& p, const Element& e) const;
   Vector squaredOnRectangles(const Placed& p, const Element& e) const;
   template <class Squared>
-  double costOver(int seam, const Pose& a, const Pose& b, double slack,
-                  const Squared& squared) const;
+  Sums sumsOver(int seam, const Pose& a, const Pose& b, double slack, const Squared& squared) const;
   template <Chamber::Shape shape>
-  double foldedCost(int seam, const Pose& a, const Pose& b, double slack) const;
+  Sums foldedSums(int seam, const Pose& a, const Pose& b, double slack) const;
   template <Chamber::Shape shape>
   Vector squaredInChamber(const Placed& p) const;
 

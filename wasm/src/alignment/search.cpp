@@ -23,7 +23,7 @@ constexpr double kOther = 0.3;      ///< share of regrowths of another answer th
 constexpr double kDetached = 0.5;   ///< share of regrowths that begin anywhere, apart from the rest
 constexpr std::size_t kFinalists = 16;
 constexpr int kGlance = 3;  ///< iterations on all edges that tell which finalists go on
-constexpr std::size_t kPolished = 4;
+constexpr std::size_t kPolished = 12;
 constexpr int kPolish = 30;  ///< iterations at most
 
 constexpr double kProof = 0.015;      ///< share of the evaluations that may go into a proof,

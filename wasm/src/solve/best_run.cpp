@@ -6,6 +6,7 @@
 
 #include "solve/drafted.h"
 #include "solve/metrics.h"
+#include "solve/predicted_mismatch.h"
 #include "solve/promise.h"
 #include "solve/seam_rules.h"
 
@@ -21,7 +22,7 @@ constexpr double kSlack = 1.3;
 constexpr double kMostReach =
     2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
 
-/// Answers under slack to fit from: which of them cloth can make the most of, no slack tells.
+/// Answers under slack to fit from.
 constexpr std::size_t kStarts = 3;
 
 constexpr int kSeekAgain = 3;  ///< times
@@ -108,11 +109,29 @@ bool BestRun::advance() {
   return stage_ != Stage::kDone;
 }
 
+/// Those answers under slack of which shaping is likely to make the most.
+std::vector<FitStart> BestRun::mostPromising(std::size_t count) const {
+  const WallpaperGroup& group = problem_.print.group;
+  const Shapes rest = restShapes(pattern_);
+  const std::vector<double> lengths = seamLengths(pattern_, rest);
+  const std::vector<double> placed = localMismatches(group, pattern_, rest, search_result_);
+  std::vector<std::pair<double, std::size_t>> by_fit;
+  const std::vector<Alignments>& answers = searching_.underSlack();
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    const Alignments at = match_.expanded(answers[k]);
+    by_fit.emplace_back(
+        fitUnderRules(predictedMismatches(group, pattern_, at, reach_), lengths, placed), k);
+  }
+  std::sort(by_fit.begin(), by_fit.end());
+  std::vector<FitStart> starts;
+  for (const auto& [fit, k] : by_fit)
+    if (starts.size() < count) starts.push_back({answers[k]});
+  return starts;
+}
+
 /// Fits from the best few answers under slack and, where it differs, from the search's own.
 void BestRun::startFit() {
-  std::vector<FitStart> from;
-  for (const Alignments& at : searching_.underSlack())
-    if (from.size() < kStarts) from.push_back({at});
+  std::vector<FitStart> from = mostPromising(kStarts);
   from.push_back({searching_.best(), true});
   const FittingRules rules{problem_.options.continuous_only,
                            problem_.options.average_seam_shapes.value_or(false),
@@ -145,7 +164,7 @@ void BestRun::fitStep() {
 /// Another answer under slack to fit from, with more weight on what those before it left worse off.
 void BestRun::seekAgain() {
   if (searching_.advance()) return;
-  fit_->goOn(searching_.underSlack()[0]);
+  fit_->goOn(mostPromising(1)[0].leaders);
   stage_ = Stage::kFit;
 }
 

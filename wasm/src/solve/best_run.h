@@ -34,6 +34,7 @@ class BestRun : public Run {
  private:
   enum class Stage : std::uint8_t { kSearch, kStartFit, kFit, kSeekAgain, kSettle, kDone };
   void searchStep();
+  std::vector<FitStart> mostPromising(std::size_t count) const;
   void startFit();
   void fitStep();
   void seekAgain();

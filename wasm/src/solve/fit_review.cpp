@@ -37,7 +37,7 @@ FitRun::Judgement FitRun::judge() {
   const Shapes rest = restShapes(pattern);
   const auto shaped = localMismatches(match_.group, pattern, fitting_->shapes(), alignment_);
   const auto aligned = localMismatches(match_.group, pattern, rest, alignment_);
-  const auto placed = localMismatches(match_.group, pattern, rest, placed_);
+  const auto placed = placedMismatches();
   Start& start = starts_[current_];
   Judgement found = Judgement::kGood;
   const auto others = [&] {
@@ -50,6 +50,7 @@ FitRun::Judgement FitRun::judge() {
     const Verdict verdict = verdictOn({placed[s], aligned[s], shaped[s]}, moved);
     if (verdict == Verdict::kKept) continue;
     worse_[s] = verdict == Verdict::kWorse;
+    if (worse_[s]) start.margins[s] += shaped[s] - greatestMean(placed[s]);
     if (worse_[s] && !start.stays) {
       if (start.urgency[s] >= kMostUrgent)
         found = Judgement::kHopeless;

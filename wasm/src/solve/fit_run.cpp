@@ -18,10 +18,13 @@ struct Steps {
   int all, trial;
 };
 constexpr Steps kSteps = {7, 2};
-constexpr Steps kCoarseSteps = {10, 3};  ///< they take little time
+constexpr Steps kCoarseSteps = {10, 5};  ///< they take little time
 constexpr int kFineSteps = 2;            ///< after coarse ones
 constexpr int kRealignEvery = 3;         ///< steps between new joins and alignments
-constexpr int kMostRounds = 4;           ///< from one start, each with other seams pulling
+/// Steps after which also seams that pull are held to what placing alone leaves of them: by then,
+/// shaping has made them meet as far as it will.
+constexpr int kLimitedFrom = 6;
+constexpr int kMostRounds = 4;  ///< from one start, each with other seams pulling
 
 std::size_t verticesOf(const Pattern& pattern) {
   std::size_t count = 0;
@@ -56,6 +59,7 @@ void FitRun::add(FitStart from) {
   Start start;
   static_cast<FitStart&>(start) = std::move(from);
   start.urgency.assign(pattern_.seams.size(), 1);
+  start.margins.assign(pattern_.seams.size(), 0);
   starts_.push_back(std::move(start));
 }
 
@@ -137,13 +141,23 @@ void FitRun::pull() {
   fitting_->setPulls(pulls);
 }
 
+std::vector<double> FitRun::placedMismatches() const {
+  return localMismatches(match_.group, fitted(), restShapes(fitted()), placed_);
+}
+
 void FitRun::realign() {
   const Start& start = starts_[current_];
   if (start.stays) return fitting_->chooseJoins(alignment_);
   Pattern urgent = fitted();
   for (std::size_t s = 0; s < start.urgency.size(); ++s) urgent.seams[s].weight *= start.urgency[s];
-  const MatchProblem now =
+  MatchProblem now =
       makeMatchProblem(urgent, fitting_->shapes(), urgent.mirrors, rules_, match_.group);
+  const std::vector<double> placed = placedMismatches();
+  for (MatchSeam& seam : now.seams)
+    if (seam.seam >= 0 && (!start.shaped[static_cast<std::size_t>(seam.seam)] || start.rounds > 0 ||
+                           start.steps >= kLimitedFrom))
+      seam.limit = kLimitShare * greatestMean(placed[static_cast<std::size_t>(seam.seam)]) -
+                   start.margins[static_cast<std::size_t>(seam.seam)];
   std::vector<int> all(now.leaders.size());
   std::iota(all.begin(), all.end(), 0);
   refine(now, SampledSeams<double>(now, 0), leaders_, all, 2);
@@ -195,18 +209,30 @@ bool FitRun::leave() {
   start.leaders = leaders_;
   start.states = fitting_->states();
   start.fit = fitAny(match_.group, fitted(), fitting_->shapes(), alignment_);
+  start.fit_under_rules =
+      fitUnderRules(localMismatches(match_.group, fitted(), fitting_->shapes(), alignment_),
+                    seamLengths(fitted(), fitting_->shapes()), placedMismatches());
   return goOnFromBest();
 }
 
+/// Goes on with what is not tried yet, else with the start that is best under the rules, while it
+/// may still come out ahead of those that have ended.
 bool FitRun::goOnFromBest() {
-  std::size_t best = starts_.size();
+  const std::size_t none = starts_.size();
+  std::size_t open = none, ended = none;
   for (std::size_t k = starts_.size(); k-- > 0;) {
     const Start& start = starts_[k];
     if (start.failed) continue;
-    if (best == starts_.size() || !start.fit ||
-        (starts_[best].fit && *start.fit < *starts_[best].fit))
-      best = k;
+    if (start.ended) {
+      if (ended == none || *start.fit < *starts_[ended].fit) ended = k;
+    } else if (open == none || !start.fit ||
+               (starts_[open].fit && *start.fit_under_rules < *starts_[open].fit_under_rules)) {
+      open = k;
+    }
   }
+  const bool ahead = open != none && (ended == none || !starts_[open].fit ||
+                                      *starts_[open].fit < *starts_[ended].fit);
+  const std::size_t best = ahead ? open : ended;
   if (starts_[best].stays && starts_[best].ended && may_seek_) {
     stuck_ = true;
     return true;

@@ -63,7 +63,9 @@ class FitRun {
     std::vector<Cloth::State> states;
     std::vector<char> shaped;     ///< per seam: it pulls
     std::vector<double> urgency;  ///< per seam: multiple of its weight
-    std::optional<double> fit;    ///< after its last steps
+    std::vector<double> margins;  ///< per seam: by how much it is held below what is allowed. [cm]
+    /// After its last steps: as it is, and under the rules. [cm2]
+    std::optional<double> fit, fit_under_rules;
     int steps = 0, rounds = 0, reviews = 0;
     bool ended = false, failed = false;
   };
@@ -80,6 +82,7 @@ class FitRun {
   bool goOnFromBest();
   void place(const Alignments& leaders);
   void realign();
+  std::vector<double> placedMismatches() const;
   void pull();
   Judgement judge();
   void giveUp();

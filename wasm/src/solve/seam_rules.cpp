@@ -10,6 +10,7 @@ constexpr double kBroken = 1.0;
 constexpr double kMet = 0.1;          ///< what stays below it is met. [cm]
 constexpr double kUnseen = 0.03;      ///< difference of two means that nobody sees. [cm]
 constexpr double kWorthwhile = 0.75;  ///< what shaping must leave at most of a mismatch
+constexpr double kForbidden = 8;      ///< weight of what exceeds the greatest mean
 constexpr double kHalved = 0.5;       ///< the same of what still looks broken
 
 }  // namespace
@@ -50,12 +51,22 @@ double meanMismatch(const std::vector<double>& mismatches, const std::vector<dou
   return length > 0 ? total / length : 0;
 }
 
+double greatestMean(double placed) { return std::max(kMet, placed + kUnseen); }
+
+double fitUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
+                     const std::vector<double>& placed) {
+  double total = 0;
+  for (std::size_t s = 0; s < lengths.size(); ++s)
+    total += lengths[s] *
+             (mismatches[s] + kForbidden * std::max(0.0, mismatches[s] - greatestMean(placed[s])));
+  return total;
+}
+
 Verdict verdictOn(const SeamMeans& means, double moved) {
   const bool bent = moved > kStraightEnough;
   const double most = means.shaped > kBroken ? kHalved : kWorthwhile;
   if (bent && means.shaped > most * means.aligned) return Verdict::kInVain;
-  if (means.shaped > kMet && means.shaped > std::min(means.placed, means.aligned) + kUnseen)
-    return Verdict::kWorse;
+  if (means.shaped > greatestMean(std::min(means.placed, means.aligned))) return Verdict::kWorse;
   return Verdict::kKept;
 }
 

@@ -25,6 +25,16 @@ double meanMismatch(const std::vector<double>& mismatches, const std::vector<dou
 /// Whether a seam counts: matched, and not joining a piece to its own mirror twin.
 inline bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
 
+/// The greatest mean that a seam may end with of which placing alone leaves `placed`. [cm]
+double greatestMean(double placed);
+/// Share of it that alignments are held to, so that shaping may miss a little.
+inline constexpr double kLimitShare = 0.98;
+
+/// The fit of seams with these means, by their lengths; what exceeds the greatest mean that placing
+/// alone allows counts several times more, because no result may end with it. [cm2]
+double fitUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
+                     const std::vector<double>& placed);
+
 /// Means of one seam: of the pieces as drafted where placing alone lays them, where they lie at
 /// last, and of their final shape there. [cm]
 struct SeamMeans {

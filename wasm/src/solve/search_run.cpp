@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solve/drafted.h"
+#include "solve/seam_rules.h"
 
 namespace seamwise {
 namespace {
@@ -127,8 +128,23 @@ Alignments SearchRun::placed(const Search& search, const Alignments& leaders) co
   return pieces;
 }
 
+/// Holds seams that may move to what placing alone leaves of them.
+void SearchRun::limit(Search& search) const {
+  const Alignments placed = search.problem.ofLeaders(found_[search.after[0]][0]);
+  const SampledSeams<double> edges(search.problem, 0);
+  for (std::size_t s = 0; s < search.problem.seams.size(); ++s) {
+    MatchSeam& seam = search.problem.seams[s];
+    if (seam.seam < 0) continue;
+    const double mean = edges.cost(static_cast<int>(s), edges.pose(seam.a, placed[seam.a]),
+                                   edges.pose(seam.b, placed[seam.b]), 0) /
+                        seam.weight;
+    seam.limit = kLimitShare * greatestMean(mean);
+  }
+}
+
 void SearchRun::begin() {
-  const Search& search = searches_[current_];
+  Search& search = searches_[current_];
+  if (search.slack > 0) limit(search);
   std::vector<Alignments> offered;
   const auto offer = [&](Alignments pieces, double turn) {
     if (turn != 0)

@@ -60,6 +60,7 @@ class SearchRun {
     bool asked = false;              ///< of the alignments of the pieces at rest that are asked for
   };
   void begin();
+  void limit(Search& search) const;
   void end(const SearchMemo::Outcome& outcome);
   Alignments placed(const Search& search, const Alignments& leaders) const;
 
