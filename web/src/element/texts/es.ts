@@ -161,7 +161,7 @@ export const es: Texts = {
         ? 'Se ha encontrado una simetría en este patrón'
         : `Se han encontrado ${count} simetrías en este patrón`,
     accept: 'Aceptar',
-    back: 'Atrás',
+    back: 'Un paso atrás',
     hint: 'Qué hacer ahora',
     moving:
       'Arrastra el estampado dentro de una pieza, o usa las flechas. Un doble clic suelta la pieza.',
@@ -359,7 +359,7 @@ export const es: Texts = {
     grain: 'Hilo',
   },
   headline: {
-    fits: (mean) => `Las costuras casan con ${mean} de desfase medio`,
+    fits: (mean) => `En las costuras, el estampado se desfasa ${mean} de media`,
     worst: (mean, seam) => `La peor, ${mean}: ${seam}.`,
     before: (mean) => `Antes, ${mean} de media.`,
     more: 'Más cifras',
