@@ -6,8 +6,9 @@ import {titleOfFile} from '../model/piece-names.js';
 import {groupNames, type Print} from '../model/print.js';
 import {fieldOf} from '../model/read.js';
 import type {SolveResult} from '../model/result.js';
-import {drawResult} from '../picture/draw-result.js';
+import {drawResult, type PictureOptions} from '../picture/draw-result.js';
 import {notAsSold} from '../picture/mark.js';
+import {placementsIn} from '../picture/on-body.js';
 import {readText, resultLimit, textOf} from '../node/files.js';
 import {parseArguments, UsageError} from './arguments.js';
 import {checkWritable, writeText} from './files.js';
@@ -49,8 +50,8 @@ export async function draw(words: readonly string[]): Promise<void> {
     result,
     {...cloth, ...(tile === undefined ? {} : {tile})},
     {
+      ...known,
       title: title ?? known?.title ?? titleOfFile(resultFile),
-      ...(known && {names: known.names}),
       clothOnly: args.has('--cloth-only'),
       ...(result.reproduced === false && {mark: notAsSold}),
     },
@@ -59,11 +60,11 @@ export async function draw(words: readonly string[]): Promise<void> {
   else await writeText(out, picture);
 }
 
-/** What the design that a result may hold calls the garment and its pieces; undefined where it holds none. */
+/** What the design that a result may hold says of the garment and its pieces; undefined where it holds none. */
 function designIn({
   pieces,
   design,
-}: ResultFile): {readonly title?: string; readonly names: readonly string[]} | undefined {
+}: ResultFile): Pick<PictureOptions, 'title' | 'names' | 'placements'> | undefined {
   const [text, file] = ['text', 'name'].map((key) => fieldOf(fieldOf(design, 'garment'), key));
   if (typeof text !== 'string') return undefined;
   try {
@@ -73,6 +74,7 @@ function designIn({
     return {
       ...(title !== undefined && {title}),
       names: pieces.map(({name}) => marks.get(name)?.label ?? name),
+      placements: placementsIn(marks),
     };
   } catch {
     return undefined; // it is no garment, and the picture does not depend on it

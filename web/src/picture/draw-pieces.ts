@@ -2,6 +2,7 @@
 import type {Alignment, Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {ResultPiece, SeamSide, SolveResult} from '../model/result.js';
+import {ontoSheet} from '../model/sheet-place.js';
 import {clothUnder} from './cloth.js';
 import {mismatchLine} from './colours.js';
 import type {Fit} from './fit.js';
@@ -35,9 +36,12 @@ const quiet = '#8d9096';
 
 /** Piece coordinates -> page. */
 function toPage(scene: Scene, piece: number): (p: Point) => Point {
-  const [ox, oy] = scene.layout.offsets[piece] ?? [0, 0];
   const {corner, scale, layout} = scene;
-  return ([x, y]) => [corner[0] + scale * (x + ox), corner[1] + scale * (layout.height - y - oy)];
+  const place = layout.places[piece] ?? {offset: [0, 0]};
+  return (point) => {
+    const [x, y] = ontoSheet(place, point);
+    return [corner[0] + scale * x, corner[1] + scale * (layout.height - y)];
+  };
 }
 
 function body(scene: Scene, piece: ResultPiece, index: number): string {

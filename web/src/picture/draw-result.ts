@@ -10,6 +10,7 @@ import {drawPieces, nameLeading, nameRoom, strokeOf, type Scene} from './draw-pi
 import {finalFit, fitOf, worstOf, type Fit} from './fit.js';
 import {layOutNamed} from './layout.js';
 import {markAcross} from './mark.js';
+import type {Placements} from './on-body.js';
 import {escaped, nameLines, short, text, textWidth} from './svg.js';
 
 export interface PictureOptions {
@@ -19,6 +20,8 @@ export interface PictureOptions {
   readonly mark?: string;
   /** What people call the pieces; by default the keys of their panels, in words. */
   readonly names?: readonly string[];
+  /** Where pieces are on the body, by the keys of their panels: then they lie as on the page. */
+  readonly placements?: Placements;
   /** The pieces in their print alone, without lines and names over it. */
   readonly clothOnly?: boolean;
   /** Starts every id in the picture, for pages that hold several. */
@@ -111,21 +114,26 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
 }
 
 /** A layout with room for the names. A crowd of pieces gets more height. */
-function laidOut(result: SolveResult, names: readonly string[]): ReturnType<typeof layOutNamed> {
+function laidOut(
+  result: SolveResult,
+  names: readonly string[],
+  placements: Placements | undefined,
+): ReturnType<typeof layOutNamed> {
   const room = width - 2 * margin;
   const widest = (name: string): number =>
     Math.max(...nameLines(name, 0, nameSize).map((word) => textWidth(word, nameSize)));
-  return layOutNamed(result, {
+  const page = {
     width: room,
     height: room / (result.pieces.length > 16 ? 1.5 : 2.3),
     grows: true,
     greatestScale: 14,
     gap: 34,
-    nameHeight: (piece, pieceWidth) =>
+    nameHeight: (piece: number, pieceWidth: number) =>
       28 +
       nameLines(names[piece] ?? '', nameRoom(pieceWidth), nameSize).length * nameLeading * nameSize,
-    nameWidth: (piece) => widest(names[piece] ?? ''),
-  });
+    nameWidth: (piece: number) => widest(names[piece] ?? ''),
+  };
+  return layOutNamed(result, page, placements);
 }
 
 /** The whole picture as the text of an SVG file. `print.tile` is shown at true scale, as it lies on every piece. */
@@ -138,7 +146,7 @@ export function drawResult(
   const keys = result.pieces.map(({name}) => name);
   const called = pieceNames(new Map(keys.map((key) => [key, undefined])));
   const names = options.names ?? keys.map((key) => called.get(key) ?? key);
-  const {layout, scale} = laidOut(result, names);
+  const {layout, scale} = laidOut(result, names, options.placements);
   const left = (width - layout.width * scale) / 2;
   const tall = layout.height * scale;
 
