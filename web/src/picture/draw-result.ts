@@ -1,12 +1,20 @@
 /** One picture of a result: the pattern on the print before and after, with its figures and a key. */
 import type {Point} from '../model/geometry.js';
+import {pairLetter, seamLetter} from '../model/letters.js';
 import {pieceNames} from '../model/piece-names.js';
 import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
 import {clothTile, type PrintWithTile} from './cloth.js';
 import {mismatchSteps, stepLines} from './colours.js';
-import {drawPieces, nameLeading, nameRoom, strokeOf, type Scene} from './draw-pieces.js';
+import {
+  drawPieces,
+  nameLeading,
+  nameRoom,
+  seamLetterAt,
+  strokeOf,
+  type Scene,
+} from './draw-pieces.js';
 import {finalFit, fitOf, worstOf, type Fit} from './fit.js';
 import {layOutNamed} from './layout.js';
 import {markAcross} from './mark.js';
@@ -67,7 +75,7 @@ function heading(y: number, title: string, note: string, fit: Fit): string {
 
 /** What the lines mean, and how long 10 cm are. */
 function legend(y: number, scale: number, result: SolveResult, fit: Fit): string {
-  const length = 64;
+  const length = 52;
   const parts: string[] = [text([margin, y], 'Print mismatch along seams', {size: 13, fill: soft})];
   stepLines.forEach((line, k) => {
     const from = margin + k * (length + 12);
@@ -79,13 +87,13 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
     );
   });
 
-  let x = margin + stepLines.length * (length + 12) + 48;
+  let x = margin + stepLines.length * (length + 12) + 40;
   const entry = (drawing: string, label: string): void => {
     parts.push(
       `<g transform="translate(${x} ${y + 16})">${drawing}</g>`,
       text([x + 44, y + 20], label, {size: 13, fill: soft}),
     );
-    x += 44 + label.length * 7 + 40;
+    x += 44 + label.length * 7 + 24;
   };
   if (result.symmetries.some(({kind}) => kind === 'piece'))
     entry(
@@ -94,10 +102,11 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
     );
   if (result.symmetries.some(({kind}) => kind === 'pair')) {
     entry(
-      `<circle cx="17" cy="0" r="11" fill="#fff" stroke="#2b2d31"/>${text([17, 5], 'A', {size: 13, weight: 600, anchor: 'middle'})}`,
+      `<circle cx="17" cy="0" r="11" fill="#fff" stroke="#2b2d31"/>${text([17, 5], pairLetter([0, 1]), {size: 13, weight: 600, anchor: 'middle'})}`,
       'mirrored pair',
     );
   }
+  if (result.seams.length > 0) entry(seamLetterAt([17, 0], seamLetter(0)), 'sewn together');
   if (fit.seams.some(({counts}) => !counts))
     entry(
       `<path d="M0 0H34" stroke="#8d9096" stroke-width="2" stroke-linecap="round" stroke-dasharray="1 5"/>`,

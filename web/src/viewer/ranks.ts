@@ -37,16 +37,16 @@ export interface Spot extends Anchor {
 const isWithin = ({left, top, right, bottom}: Box, {width, height}: ScreenSize): boolean =>
   left >= 0 && top >= 0 && right <= width && bottom <= height;
 
-const squareAt = ([x, y]: Point): Box => ({
-  left: x - rankSize / 2,
-  top: y - rankSize / 2,
-  right: x + rankSize / 2,
-  bottom: y + rankSize / 2,
+const squareAt = ([x, y]: Point, side: number): Box => ({
+  left: x - side / 2,
+  top: y - side / 2,
+  right: x + side / 2,
+  bottom: y + side / 2,
 });
 
 /**
- * The nearest place for a rank that is free of what is taken, off all cloth if there is one; the first anchors are
- * the best. All on the screen, y down. [CSS px]
+ * The nearest place for a rank that is free of what is taken, as is the line that leads there: off all cloth if there
+ * is one, else inside of the seam. The first anchors are the best. All on the screen, y down. [CSS px]
  */
 export function spotFor(
   anchors: readonly Anchor[],
@@ -54,13 +54,17 @@ export function spotFor(
   taken: readonly Box[],
   isOnCloth: (at: Point) => boolean,
 ): Spot | undefined {
-  const free = reaches.flatMap((reach) =>
-    anchors.flatMap(({at, out}): Spot[] => {
-      const box = squareAt([at[0] + reach * out[0], at[1] + reach * out[1]]);
-      const isFree = isWithin(box, size) && !taken.some((other) => overlap(other, box));
-      return isFree ? [{at, out, reach, box}] : [];
-    }),
-  );
+  const freeOf = (some: readonly Anchor[], how: readonly number[]): readonly Spot[] =>
+    how.flatMap((reach) =>
+      some.flatMap(({at, out}): Spot[] => {
+        const along = (way: number): Point => [at[0] + way * out[0], at[1] + way * out[1]];
+        const box = squareAt(along(reach), rankSize);
+        const line = reach > nearReach ? ways(reach).map((way) => squareAt(along(way), 2)) : [];
+        const isTaken = [box, ...line].some((one) => taken.some((other) => overlap(other, one)));
+        return isTaken || !isWithin(box, size) ? [] : [{at, out, reach, box}];
+      }),
+    );
+  const free = freeOf(anchors, reaches);
   const isOff = ({left, top, right, bottom}: Box): boolean => {
     const [x, y] = [(left + right) / 2, (top + bottom) / 2];
     const touched: Point[] = [
@@ -72,8 +76,13 @@ export function spotFor(
     ];
     return !touched.some(isOnCloth);
   };
-  return free.find(({box}) => isOff(box)) ?? free[0];
+  const inwards = anchors.map(({at, out: [x, y]}): Anchor => ({at, out: [-x, -y]}));
+  return free.find(({box}) => isOff(box)) ?? freeOf(inwards, reaches.slice(0, 1))[0] ?? free[0];
 }
+
+/** Places along the line that leads to a disc. [CSS px] */
+const ways = (reach: number): readonly number[] =>
+  Array.from({length: Math.floor(reach / 4)}, (_, k) => 4 * k);
 
 interface Rank {
   readonly element: HTMLElement;

@@ -112,6 +112,7 @@ export class SeamLens extends PatientElement {
         <div class="name">
           <h3 title=${row.name}>${row.name}</h3>
           <p class="soft">
+            <span class="letter">${row.letter}</span>
             ${row.counts ? html`${icon[row.kind]} ${pattern[row.kind]}` : pattern.notCounted},
             ${format.length(row.length)}${rank ? `, ${lens.rank(rank.rank, rank.count)}` : nothing}
           </p>

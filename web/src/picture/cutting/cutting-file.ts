@@ -10,10 +10,10 @@ import {clothTile, clothUnder, type PrintWithTile} from '../cloth.js';
 import {layOut, type Layout} from '../layout.js';
 import {markAcross} from '../mark.js';
 import {placementsIn, type Placements} from '../on-body.js';
+import {seamLetters} from '../seam-letters.js';
 import {escaped, short, text} from '../svg.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
 import {drawCutPiece} from './draw-cut-piece.js';
-import {seamLetters} from './seam-letters.js';
 
 export interface CuttingMarks extends GarmentTitle {
   readonly panels: ReadonlyMap<string, PanelMarks>;
@@ -34,6 +34,8 @@ export interface CuttingOptions {
 const unit = 10;
 const margin = 15;
 const foot = 82;
+/** From a sewn line to the middle of its letter. [cm] */
+const letterRoom = 0.6;
 /** Between cut lines. [cm] */
 const gap = 1.5;
 /** Width to height of a sheet. */
@@ -83,7 +85,7 @@ export function cuttingFile(
   {title, size, panels}: CuttingMarks,
   {allowanceCm, units, locale = 'en', mark, plain = []}: CuttingOptions,
 ): string {
-  const letters = seamLetters(result);
+  const letters = seamLetters(result, letterRoom);
   const cuts = result.pieces.map((piece, k) =>
     cutPiece(piece, print, panels.get(piece.name) ?? {label: readable(piece.name)}, {
       ...{allowanceCm, isPlain: plain.includes(piece.name), letters: letters[k] ?? []},
