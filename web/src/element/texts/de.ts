@@ -464,7 +464,7 @@ export const de: Texts = {
     moved: 'Geändert',
     offGrain: 'Zum Faden',
     grain: 'Fadenlauf',
-    printed: 'Gemustert',
+    printed: 'Muster',
     seam: 'Naht',
     length: 'Länge',
     before: 'Vorher',

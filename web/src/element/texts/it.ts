@@ -472,7 +472,7 @@ export const it: Texts = {
     before: 'Prima',
     after: 'Dopo',
     match: 'Combacia',
-    asAll: 'Come tutti',
+    asAll: 'Generale',
     pinned: 'Fissato',
     free: 'Libera',
     matches: {double: 'Doppio', full: 'Pieno', half: 'Mezzo', none: 'Per niente'},
