@@ -123,7 +123,7 @@ it('centres a motif on the edge that is chosen', async () => {
     [seam, side] as const,
   );
   const [x = NaN, y = NaN] = pin?.translation ?? [];
-  const off = edge.map((point) => Math.hypot(x - (point[0] ?? NaN), y - (point[1] ?? NaN)));
+  const off = edge.map(([px, py]) => Math.hypot(x - px, y - py));
   const nearest = off.indexOf(Math.min(...off));
   expect(Math.min(...off)).toBeLessThan(1.5);
   expect(Math.abs(nearest - (edge.length - 1) / 2)).toBeLessThan(2);
