@@ -27,6 +27,17 @@ describe.each(['light', 'dark'] as const)('in %s colours', (colorScheme) => {
   });
 });
 
+it('shows the keys on a small screen, too, by a button as large as a finger', async () => {
+  const page = await openPage({viewport: {width: 390, height: 844}, hasTouch: true});
+  await solved(page);
+  const help = button(page, 'Keys');
+  const {x, width, height} = (await help.boundingBox()) ?? {x: 0, width: 0, height: 0};
+  expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
+  expect(x + width).toBeLessThanOrEqual(390);
+  await help.tap();
+  await page.getByRole('region', {name: 'Keys', exact: true}).waitFor();
+});
+
 it('keeps nobody out on a small screen', async () => {
   const page = await openPage({viewport: {width: 390, height: 844}});
   await solved(page);

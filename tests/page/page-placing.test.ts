@@ -6,9 +6,10 @@ import {mirrors} from '../../web/src/model/mirror-images.js';
 import {printOf, type Design} from '../../web/src/model/design.js';
 import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import type {Workbench} from '../../web/src/element/workbench/workbench.js';
+import type {PatternPane} from '../../web/src/element/index.js';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
-import {middleOfPiece} from '../support/page-pattern.js';
+import {clickSeam, middleOfPiece, seamOf} from '../support/page-pattern.js';
 import {button, progress, solved, usePage} from '../support/page.js';
 import {symmetricTee} from '../support/symmetric-tee.js';
 
@@ -103,6 +104,29 @@ it('has the image of a pair follow, and the newest of two drags count', async ()
   await button(page, 'Unpin Sleeve right').click();
   await solved(page);
   expect(await pinsOf(page)).toEqual({});
+});
+
+it('centres a motif on the edge that is chosen', async () => {
+  const page = await symmetricTee(openPage);
+  const {seam, side} = await seamOf(page, 'Underarm, left', 'sleeve_left');
+  await clickSeam(page, seam, side);
+  await button(page, 'Move print').click();
+  await button(page, 'Centre a motif').click();
+  await solved(page);
+  const {sleeve_left: pin, ...others} = await pinsOf(page);
+  expect(others).toEqual({});
+  const edge = await page.locator('sw-pattern').evaluate(
+    ({desk}: PatternPane, [one, of]) => {
+      const {piece, vertices} = desk.scenes?.now.seams[one]?.[of] ?? {piece: -1, vertices: []};
+      return vertices.map((v) => desk.pattern?.pieces[piece]?.rest[v] ?? [NaN, NaN]);
+    },
+    [seam, side] as const,
+  );
+  const [x = NaN, y = NaN] = pin?.translation ?? [];
+  const off = edge.map(([px, py]) => Math.hypot(x - px, y - py));
+  const nearest = off.indexOf(Math.min(...off));
+  expect(Math.min(...off)).toBeLessThan(1.5);
+  expect(Math.abs(nearest - (edge.length - 1) / 2)).toBeLessThan(2);
 });
 
 it('takes a stored pin to the nearest place that keeps the symmetry, as part of the same step', async () => {

@@ -162,6 +162,25 @@ it('moves nothing on the page while another print is fitted', async () => {
   expect(seen.length, seen.join('; ')).toBe(5);
 });
 
+it('leaves no gap below the figures once there is less to say', async () => {
+  const page = await openPage();
+  await solved(page);
+  const part = page.locator('sw-headline');
+  await part.getByText('4 seams stay off').waitFor();
+  const before = await box(part);
+  await page.getByRole('radio', {name: /^p4m\b/}).click();
+  await solved(page);
+  expect((await box(part)).height).toBeGreaterThanOrEqual(before.height - 1);
+  await expect
+    .poll(() =>
+      part.evaluate((element) => {
+        const last = element.shadowRoot?.lastElementChild?.getBoundingClientRect();
+        return element.getBoundingClientRect().bottom - (last?.bottom ?? NaN);
+      }),
+    )
+    .toBeLessThan(24);
+});
+
 it('shows nothing but the cloth when asked, and all again', async () => {
   const page = await openPage();
   await solved(page);

@@ -140,7 +140,7 @@ it('puts the same letter on both pieces of a pair', async () => {
     page,
     twoSquares([{kind: 'pair', pieces: [0, 1], map: {angle: 0, translation: [4, 0]}, pairs: []}]),
   );
-  const letters = page.getByText('A', {exact: true});
+  const letters = page.getByText('α', {exact: true});
   expect(await letters.count()).toBe(2);
   expect(await letters.first().isVisible()).toBe(true);
 });

@@ -33,7 +33,11 @@ function locate(pane: PatternPane, {seam, side, piece, share}: Place): Point | n
     };
     return [middle(0), middle(1)];
   })();
-  const [x, y] = pane.view.screenOf([at[0] + shape.offset[0], at[1] + shape.offset[1]]);
+  const sign = shape.isTurned ? -1 : 1;
+  const [x, y] = pane.view.screenOf([
+    sign * at[0] + shape.offset[0],
+    sign * at[1] + shape.offset[1],
+  ]);
   const {left, top} = stage.getBoundingClientRect();
   return [left + x, top + y];
 }

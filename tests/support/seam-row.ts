@@ -2,7 +2,16 @@ import type {SeamRow} from '../../web/src/element/lists/rows.js';
 
 /** A row of the table of seams that says nothing but its number and its mismatch. [cm] */
 export const seamRow = (seam: number, after: number, counts = true): SeamRow => ({
-  ...{seam, name: '', between: undefined, sides: ['', ''], length: 1, before: 0, after},
+  ...{
+    seam,
+    letter: 'A',
+    name: '',
+    between: undefined,
+    sides: ['', ''],
+    length: 1,
+    before: 0,
+    after,
+  },
   ...{worst: 0, gathered: false, drift: undefined, why: undefined, severity: 0},
   ...{kind: 'continuous', weight: 1, ownWeight: 1, matched: true},
   ...{canMatch: true, keptOn: [], counts},

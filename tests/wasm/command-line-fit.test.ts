@@ -60,6 +60,33 @@ describe('align', () => {
     300_000,
   );
 
+  it('says how far the print misses, and which grain stands behind that where the file states none', async () => {
+    const figures = async (name: string, ...flags: string[]): Promise<string> => {
+      const words = ['align', name, '--print', print, '--no-remedies', ...flags];
+      const {code, out} = await seamwise(...words);
+      expect(code).toBe(0);
+      return out;
+    };
+    const tee = shipped('garments/tee-m.json');
+    expect(await figures(tee)).toMatch(
+      /; on average the print misses by [\d.]+ mm at the seams, at the worst by [\d.]+ mm; before [\d.]+ mm; /,
+    );
+    const {pattern, ...rest} = JSON.parse(readFileSync(tee, 'utf8')) as {
+      pattern: {panels: Record<string, {grain?: unknown}>};
+    };
+    for (const panel of Object.values(pattern.panels)) delete panel.grain;
+    writeFileSync(file('grainless.json'), JSON.stringify({pattern, ...rest}));
+    const assumed = 'mm with the grain upwards as drawn, for the file states none';
+    expect(await figures(file('grainless.json'))).toContain(`${assumed};`);
+    const [front = '', ...others] = Object.keys(pattern.panels);
+    const said = Object.fromEntries(others.map((name) => [name, {angleDeg: 90}]));
+    writeFileSync(file('said.json'), JSON.stringify({grain: {pieces: said}}));
+    expect(front).not.toBe('');
+    expect(await figures(file('grainless.json'), '--options', file('said.json'))).toContain(
+      `${assumed} for 1 piece;`,
+    );
+  });
+
   it('looks for remedies, unless --no-remedies is given', async () => {
     const flags = ['--options', file('on.json'), '--out', file('skirt.json')] as const;
     const {remedies} = await aligned('gathered-skirt-m', ...flags);
@@ -95,6 +122,14 @@ describe('draw', () => {
     expect(await drawn('bare.json')).toContain('>Sleeve left<');
     writeFileSync(file('odd.json'), JSON.stringify({...result, design: {garment: {text: 'no'}}}));
     expect(await drawn('odd.json')).toContain('>Sleeve left<');
+  });
+
+  it('is titled by the garment, and by its own file where it knows none', async () => {
+    await aligned('tee-m', '--no-remedies', '--out', file('answer_2.json'));
+    expect(await drawn('answer_2.json')).toContain('<title>Tee</title>');
+    expect(await drawn('answer_2.json', '--title', 'Mine')).toContain('<title>Mine</title>');
+    await aligned('tee-m', '--no-times', '--out', file('bare_answer.json'));
+    expect(await drawn('bare_answer.json')).toContain('<title>Bare answer</title>');
   });
 
   it('draws the cloth only, without lines and names over it', async () => {

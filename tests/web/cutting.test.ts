@@ -10,7 +10,8 @@ import {cutLine} from '../../web/src/picture/cutting/cut-line.js';
 import {cuttingFile, type CuttingOptions} from '../../web/src/picture/cutting/cutting-file.js';
 import {notchMark, shapePoint} from '../../web/src/picture/cutting/follow.js';
 import {matchMarks} from '../../web/src/picture/cutting/match-marks.js';
-import {letterOf, seamLetters} from '../../web/src/picture/cutting/seam-letters.js';
+import {pairLetter, seamLetter} from '../../web/src/model/letters.js';
+import {seamLetters} from '../../web/src/picture/seam-letters.js';
 import {onPrint} from '../../web/src/picture/fit.js';
 import {grainLine} from '../../web/src/picture/grain-line.js';
 import {isInside} from '../../web/src/picture/marks.js';
@@ -246,11 +247,13 @@ describe('the file to cut by', () => {
   });
 
   it('marks both sides of a seam with the same letter, inside of the pieces', () => {
-    const letters = seamLetters(pattern);
+    const letters = seamLetters(pattern, 0.6);
     expect(letters.map((one) => one.map(({letter}) => letter))).toEqual([['A'], ['A']]);
     for (const [k, one] of letters.entries())
       for (const {at} of one) expect(isInside(pattern.pieces[k]?.shape ?? [], at)).toBe(true);
-    expect([0, 25, 26, 77].map(letterOf)).toEqual(['A', 'Z', 'AA', 'BZ']);
+    expect([0, 25, 26, 77].map(seamLetter)).toEqual(['A', 'Z', 'AA', 'BZ']);
+    const pairs = [0, 3, 23, 24, 47].map((first) => pairLetter([99, first]));
+    expect(pairs).toEqual(['α', 'δ', 'ω', 'α1', 'ω1']);
     expect(svg.match(/>A<\/text>/g)).toHaveLength(2);
   });
 

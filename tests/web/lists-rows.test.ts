@@ -130,7 +130,7 @@ describe('the text of a seam', () => {
 
   it('tells name, pieces, length, mismatch and kind', () => {
     expect(seams({garment, high: [2, 0.2]}).map((row) => seamText(row, en, format))).toEqual([
-      'Side seam, Left half to Right half, 4 cm, mismatch 2 mm, continuous',
+      'Side seam (A), Left half to Right half, 4 cm, mismatch 2 mm, continuous',
     ]);
   });
 
@@ -175,7 +175,7 @@ describe('the text of a seam', () => {
     const pattern = squarePair();
     const off = {...pattern, seams: pattern.seams.map((one) => ({...one, matched: false}))};
     expect(seams({pattern: off}).map((row) => seamText(row, de, formatFor('de', 'cm')))).toEqual([
-      'Left half to Right half, 4 cm, Versatz 0 mm, zählt nicht',
+      'Left half to Right half (A), 4 cm, Versatz 0 mm, zählt nicht',
     ]);
   });
 });

@@ -2,6 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import type {Point} from '../../web/src/model/geometry.js';
 import type {Pattern, ResultPiece} from '../../web/src/model/result.js';
+import {ontoSheet} from '../../web/src/model/sheet-place.js';
 import {layOut, layOutNamed, type Layout} from '../../web/src/picture/layout.js';
 import type {Placement} from '../../web/src/model/garment-marks.js';
 import type {Placements} from '../../web/src/picture/on-body.js';
@@ -25,11 +26,11 @@ const patternOf = (pieces: readonly ResultPiece[]): Pattern => ({
 const bare = {gap: 2, below: () => 1, least: () => 0};
 
 /** Middles of the pieces on the sheet, by name. */
-const middles = ({pieces}: Pattern, {offsets}: Layout): Readonly<Record<string, Point>> =>
+const middles = ({pieces}: Pattern, {places}: Layout): Readonly<Record<string, Point>> =>
   Object.fromEntries(
     pieces.map(({name, rest}, k) => {
       const [[x0, y0] = [NaN, NaN], , [x1, y1] = [NaN, NaN]] = rest;
-      const [dx, dy] = offsets[k] ?? [NaN, NaN];
+      const [dx, dy] = places[k]?.offset ?? [NaN, NaN];
       return [name, [(x0 + x1) / 2 + dx, (y0 + y1) / 2 + dy]];
     }),
   );
@@ -101,6 +102,28 @@ describe('pieces that a garment places on the body', () => {
     expect((d?.[1] ?? NaN) - (b?.[1] ?? NaN)).toBe(11);
   });
 
+  it('lie upright, halves that were drawn upside down as mirror images of the others', () => {
+    const leaning: Point[] = [
+      [0, 0],
+      [10, 0],
+      [4, 20],
+    ];
+    const left = squarePiece('hood_left', {rest: leaning, outline: [0, 1, 2]});
+    const over = leaning.map(([px, py]): Point => [px, -py]).reverse(); // its mirror image, turned over its head
+    const right = squarePiece('hood_right', {rest: over, outline: [0, 1, 2]});
+    const hood = patternOf([left, right]);
+    const placements: Placements = new Map([
+      ['hood_left', {translation: [8, 150, 0], rotation: [0, 90, 0]}],
+      ['hood_right', {translation: [-8, 150, 0], rotation: [0, 90, 180]}],
+    ]);
+    const {places, width} = layOut(hood, 2, bare, placements);
+    expect(places.map(({isTurned}) => isTurned ?? false)).toEqual([false, true]);
+    const [onLeft, onRight] = hood.pieces.map(({rest}, k) =>
+      rest.map((point) => ontoSheet(places[k] ?? {offset: [NaN, NaN]}, point)),
+    );
+    expect(onRight?.toReversed()).toEqual(onLeft?.map(([px, py]) => [width - px, py]));
+  });
+
   it('do not move when symmetries are imposed or the pattern is deformed', () => {
     const worked: Pattern = {
       ...shirt,
@@ -131,8 +154,8 @@ describe('pieces that no placement tells apart', () => {
 
   it('are kept apart by the gap asked for', () => {
     const pair = patternOf([squarePiece('one'), squarePiece('two')]);
-    const {offsets, width} = layOut(pair, 3, bare);
-    expect(Math.abs((offsets[0]?.[0] ?? NaN) - (offsets[1]?.[0] ?? NaN))).toBe(6);
+    const {places, width} = layOut(pair, 3, bare);
+    expect(Math.abs((places[0]?.offset[0] ?? NaN) - (places[1]?.offset[0] ?? NaN))).toBe(6);
     expect(width).toBe(10);
   });
 
@@ -157,7 +180,7 @@ describe('a page with names', () => {
     const {layout, scale} = layOutNamed(crowd, {...page, nameHeight: () => 40});
     expect(layout.width * scale).toBeLessThanOrEqual(400 + 1e-6);
     expect(layout.height * scale).toBeLessThanOrEqual(300 + 1e-6);
-    const rows = new Set(layout.offsets.map(([, y]) => y.toFixed(6))).size;
+    const rows = new Set(layout.places.map(({offset: [, y]}) => y.toFixed(6))).size;
     expect(layout.height * scale).toBeGreaterThanOrEqual(rows * (4 * scale + 40) - 1e-6);
   });
 });

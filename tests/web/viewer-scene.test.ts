@@ -93,7 +93,7 @@ describe('a scene', () => {
       ],
     });
     const [pair, axis] = sceneOf(symmetric, print).symmetries;
-    expect(pair).toMatchObject({kind: 'pair', letter: 'A'});
+    expect(pair).toMatchObject({kind: 'pair', letter: 'α'});
     if (pair?.kind !== 'pair' || axis?.kind !== 'piece') throw new Error('other symmetries');
     const [first, second] = pair.marks;
     expect([first?.piece, second?.piece]).toEqual([0, 1]);

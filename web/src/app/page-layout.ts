@@ -59,11 +59,14 @@ export const pageLayout = css`
     display: none;
   }
   ${labelled}
-  /* the garment and its files make a row of their own */
-  @container (width < 40rem) {
+  /* what can be done goes before the page's name */
+  @container (width < 56rem) {
     h1 {
       ${unseen}
     }
+  }
+  /* the garment and its files make a row of their own */
+  @container (width < 40rem) {
     sw-project-list,
     sw-settings {
       order: -2;

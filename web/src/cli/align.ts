@@ -1,5 +1,6 @@
 import {basename, resolve} from 'node:path';
 
+import type {Garment} from '../model/garment.js';
 import type {SolveOptions} from '../model/options.js';
 import type {Print} from '../model/print.js';
 import {methods} from '../model/problem.js';
@@ -82,7 +83,12 @@ export async function align(words: readonly string[]): Promise<void> {
     );
   } else {
     result.notes.forEach(remark);
-    print(figuresLine(garmentFile, exact ? withoutTimes(result) : result));
+    print(
+      figuresLine(garmentFile, exact ? withoutTimes(result) : result, {
+        garment: JSON.parse(textOf(given.garment.bytes)) as Garment,
+        options: JSON.parse(given.options) as SolveOptions,
+      }),
+    );
     found?.map(remedyLine).forEach(advise);
   }
 }

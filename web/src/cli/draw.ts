@@ -1,12 +1,14 @@
-import {basename, extname} from 'node:path';
+import {extname} from 'node:path';
 
 import type {Garment} from '../model/garment.js';
-import {chosenNames, panelMarks} from '../model/garment-marks.js';
+import {chosenNames, garmentTitle, panelMarks} from '../model/garment-marks.js';
+import {titleOfFile} from '../model/piece-names.js';
 import {groupNames, type Print} from '../model/print.js';
 import {fieldOf} from '../model/read.js';
 import type {SolveResult} from '../model/result.js';
-import {drawResult} from '../picture/draw-result.js';
+import {drawResult, type PictureOptions} from '../picture/draw-result.js';
 import {notAsSold} from '../picture/mark.js';
+import {placementsIn} from '../picture/on-body.js';
 import {readText, resultLimit, textOf} from '../node/files.js';
 import {parseArguments, UsageError} from './arguments.js';
 import {checkWritable, writeText} from './files.js';
@@ -42,14 +44,14 @@ export async function draw(words: readonly string[]): Promise<void> {
     );
   }
   if (out !== undefined) await checkWritable(out, [resultFile, printFile]);
-  const names = namesIn(result);
+  const known = designIn(result);
   const tile = await readTile(cloth, printFile);
   const picture = drawResult(
     result,
     {...cloth, ...(tile === undefined ? {} : {tile})},
     {
-      title: title ?? basename(resultFile, extname(resultFile)),
-      ...(names && {names}),
+      ...known,
+      title: title ?? known?.title ?? titleOfFile(resultFile),
       clothOnly: args.has('--cloth-only'),
       ...(result.reproduced === false && {mark: notAsSold}),
     },
@@ -58,13 +60,22 @@ export async function draw(words: readonly string[]): Promise<void> {
   else await writeText(out, picture);
 }
 
-/** What the design that a result may hold calls the pieces; undefined where it holds none that says so. */
-function namesIn({pieces, design}: ResultFile): readonly string[] | undefined {
-  const text = fieldOf(fieldOf(design, 'garment'), 'text');
+/** What the design that a result may hold says of the garment and its pieces; undefined where it holds none. */
+function designIn({
+  pieces,
+  design,
+}: ResultFile): Pick<PictureOptions, 'title' | 'names' | 'placements'> | undefined {
+  const [text, file] = ['text', 'name'].map((key) => fieldOf(fieldOf(design, 'garment'), key));
   if (typeof text !== 'string') return undefined;
   try {
-    const marks = panelMarks(JSON.parse(text) as Garment, {names: chosenNames(design)});
-    return pieces.map(({name}) => marks.get(name)?.label ?? name);
+    const garment = JSON.parse(text) as Garment;
+    const marks = panelMarks(garment, {names: chosenNames(design)});
+    const {title} = garmentTitle(garment, typeof file === 'string' ? file : undefined);
+    return {
+      ...(title !== undefined && {title}),
+      names: pieces.map(({name}) => marks.get(name)?.label ?? name),
+      placements: placementsIn(marks),
+    };
   } catch {
     return undefined; // it is no garment, and the picture does not depend on it
   }

@@ -1,27 +1,52 @@
+import type {Garment} from '../model/garment.js';
+import {panelMarks} from '../model/garment-marks.js';
+import type {SolveOptions} from '../model/options.js';
 import type {SolveResult} from '../model/result.js';
 import type {Remedy} from '../node/index.js';
 import {finalFit, fitOf, worstOf} from '../picture/fit.js';
 
 const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
 
+/** What was aligned, as far as a line of figures says something of it. */
+export interface Asked {
+  readonly garment: Garment;
+  readonly options: SolveOptions;
+}
+
+/** As drafted a piece lies on its grain; where nobody says how that runs, upwards is meant. */
+function grainAsDrafted({garment, options}: Asked, {pieces}: SolveResult): string {
+  const {pieces: grain = {}} = options.grain ?? {};
+  const marks = panelMarks(garment, {grain});
+  const unsaid = pieces.filter(({name}) => {
+    const {grain: line, grainDeg} = marks.get(name) ?? {};
+    return !line && grainDeg === undefined;
+  });
+  if (unsaid.length === 0) return '';
+  const count = unsaid.length === 1 ? '1 piece' : `${String(unsaid.length)} pieces`;
+  const which = unsaid.length === pieces.length ? '' : ` for ${count}`;
+  return ` with the grain upwards as drawn, for the file states none${which}`;
+}
+
 /** How far the print misses at the seams: the mean, the worst of their means, and the mean as drafted. */
-function mismatch(result: SolveResult): string[] {
+function mismatch(result: SolveResult, asked: Asked): string[] {
   const fit = finalFit(result);
   const worst = worstOf(fit);
   if (!worst) return ['no seams to match'];
   const before = result.drafted && fitOf(result, 'rest', result.drafted).mean;
   return [
-    `seams meet within ${millimetres(fit.mean)} on average, the worst within ${millimetres(worst.mean)}`,
-    ...(before === undefined ? [] : [`before ${millimetres(before)}`]),
+    `on average the print misses by ${millimetres(fit.mean)} at the seams, at the worst by ${millimetres(worst.mean)}`,
+    ...(before === undefined
+      ? []
+      : [`before ${millimetres(before)}${grainAsDrafted(asked, result)}`]),
   ];
 }
 
 /** The figures of a result as one line for people. */
-export function figuresLine(name: string, result: SolveResult): string {
+export function figuresLine(name: string, result: SolveResult, asked: Asked): string {
   const {print, pieces, seams, metrics} = result;
   return [
     `${name}: ${String(pieces.length)} pieces, ${String(seams.length)} seams, ${print.group}, ${metrics.method}, seed ${String(metrics.seed)}`,
-    ...mismatch(result),
+    ...mismatch(result, asked),
     `moved at most ${millimetres(metrics.maxMovedCm)}`,
     `${String(metrics.milliseconds.total)} ms`,
   ].join('; ');

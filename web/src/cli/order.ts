@@ -92,7 +92,7 @@ async function toCut(
 }
 
 function report(designFile: string, done: Order, asJson: boolean): void {
-  const {design, result, reproduced, differenceCm} = done;
+  const {design, garment, result, reproduced, differenceCm} = done;
   if (asJson) {
     print(
       JSON.stringify({
@@ -106,7 +106,8 @@ function report(designFile: string, done: Order, asJson: boolean): void {
     );
   } else {
     result.notes.forEach(remark);
-    print(`${figuresLine(designFile, result)}; reproduced ${String(reproduced)}`);
+    const asked = {garment: JSON.parse(garment) as Garment, options: design.options};
+    print(`${figuresLine(designFile, result, asked)}; reproduced ${String(reproduced)}`);
   }
   if (!reproduced) remark(difference(designFile, done));
 }

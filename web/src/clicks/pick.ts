@@ -1,8 +1,9 @@
 /** What lies under a point of the sheet. Lengths in cm. */
 import type {Point} from '../model/geometry.js';
+import {offSheet} from '../model/sheet-place.js';
 import {goesRound, isNearBox, nearestOn, placeAt, type PlaceOnPath} from './path.js';
 import type {Line, PickIndex} from './pick-index.js';
-import {ownPoint, type Side} from './sheet.js';
+import type {Side} from './sheet.js';
 
 export interface OnPiece {
   readonly piece: number;
@@ -58,7 +59,7 @@ export function targetsAt(index: PickIndex, point: Point, reach: number): readon
   const lines: LineTarget[] = [];
   const pieces: PieceTarget[] = [];
   for (const [piece, shape] of index.sheet.pieces.entries()) {
-    const own = ownPoint(shape, point);
+    const own = offSheet(shape, point);
     const parts = index.pieces[piece];
     if (!parts || !isNearBox(parts.outline.box, own, reach)) continue;
     for (const line of parts.lines) {

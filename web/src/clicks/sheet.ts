@@ -1,13 +1,14 @@
 /** What can be clicked: pieces side by side on a sheet, sewn along seams. Lengths in cm, y up. */
 import type {Point} from '../model/geometry.js';
 import type {ResultPiece, ResultSeam} from '../model/result.js';
+import type {SheetPlace} from '../model/sheet-place.js';
 
-/** Points are in the piece's own coordinates; `offset` brings them onto the sheet. */
-export interface SheetPiece extends Pick<ResultPiece, 'name' | 'triangles' | 'outline' | 'holes'> {
+/** Points are in the piece's own coordinates, not in those of the sheet. */
+export interface SheetPiece
+  extends SheetPlace, Pick<ResultPiece, 'name' | 'triangles' | 'outline' | 'holes'> {
   /** What people call it. */
   readonly label: string;
   readonly points: readonly Point[];
-  readonly offset: Point;
   /** Per outline edge, from outline[k] to outline[k + 1], the number of the panel's edge in the file. */
   readonly edges?: readonly number[];
   readonly grain?: readonly [Point, Point];
@@ -24,11 +25,6 @@ export interface Sheet {
   /** How the pieces were drafted, one for one. */
   readonly pattern: {readonly pieces: readonly Pick<ResultPiece, 'rest' | 'mirroredFromInput'>[]};
 }
-
-export const ownPoint = ({offset}: SheetPiece, [x, y]: Point): Point => [
-  x - offset[0],
-  y - offset[1],
-];
 
 /** Weights of a triangle's corners that make up a point; the least is negative outside of it. */
 function weightsIn([a, b, c]: readonly [Point, Point, Point], [x, y]: Point): readonly number[] {

@@ -1,5 +1,5 @@
 /** A way round a sheet by keys: from piece to piece, into one's seams, and across a seam to its twin. */
-import type {Point} from '../model/geometry.js';
+import {ontoSheet} from '../model/sheet-place.js';
 import type {Box} from './path.js';
 import type {PickIndex} from './pick-index.js';
 import type {Side} from './sheet.js';
@@ -25,11 +25,12 @@ interface PieceBox extends Box {
 }
 
 function boxesOf({sheet, pieces}: PickIndex): readonly PieceBox[] {
-  return sheet.pieces.flatMap(({offset}, piece) => {
+  return sheet.pieces.flatMap((shown, piece) => {
     const box = pieces[piece]?.outline.box;
     if (!box) return [];
-    const onSheet = ([x, y]: Point): Point => [x + offset[0], y + offset[1]];
-    return [{piece, low: onSheet(box.low), high: onSheet(box.high)}];
+    const [low, high] = [box.low, box.high].map((corner) => ontoSheet(shown, corner));
+    if (!low || !high) return [];
+    return [shown.isTurned ? {piece, low: high, high: low} : {piece, low, high}];
   });
 }
 

@@ -8,6 +8,7 @@ import {Tables} from './lists/tables.js';
 import {GrainQuestion} from './pattern/grain-question.js';
 import {KeepMenu} from './pattern/keep-menu.js';
 import {TiesMenu} from './pattern/ties-menu.js';
+import {ToolHint} from './pattern/tool-hint.js';
 import {UnitsQuestion} from './pattern/units-question.js';
 import {WipeHandle} from './pattern/wipe-handle.js';
 import {DoubtfulTile} from './print/doubtful-tile.js';
@@ -41,6 +42,7 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-ties-menu': TiesMenu,
   'sw-tile-repeat': TileRepeatChoice,
   'sw-tile-report': TileReport,
+  'sw-tool-hint': ToolHint,
   'sw-units-question': UnitsQuestion,
   'sw-ways-out': WaysOut,
   'sw-wipe-handle': WipeHandle,

@@ -6,7 +6,6 @@ import {NumberField} from './controls/number-field.js';
 import {Settings} from './controls/settings.js';
 import {Legend} from './pattern/legend.js';
 import {PatternPane} from './pattern/pattern-pane.js';
-import {ToolHint} from './pattern/tool-hint.js';
 import {Toolbar} from './pattern/toolbar.js';
 import {ZoomMenu} from './pattern/zoom-menu.js';
 import {PrintGallery} from './print/print-gallery.js';
@@ -30,7 +29,6 @@ const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-progress': SolveProgress,
   'sw-repeat-fields': RepeatFields,
   'sw-settings': Settings,
-  'sw-tool-hint': ToolHint,
   'sw-toolbar': Toolbar,
   'sw-zoom': ZoomMenu,
 };

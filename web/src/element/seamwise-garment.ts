@@ -8,6 +8,7 @@ import {SolverError} from '../model/failure.js';
 import type {SolveResult} from '../model/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/stored-design.js';
 import {FileError} from '../model/versioned-file.js';
+import {Answering} from './garment/answering.js';
 import {asError} from './garment/as-error.js';
 import {AttributeElement} from './garment/attribute-element.js';
 import {asking, attributes, localeOf, spellings, type GarmentMode} from './garment/attributes.js';
@@ -15,19 +16,19 @@ import {Beginning} from './garment/beginning.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf} from './garment/face.js';
 import {keepInside} from './garment/inner-events.js';
-import {LanguageAround} from './garment/language-around.js';
 import {Modes} from './garment/modes.js';
 import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/offered-prints.js';
 import {pictureOf} from './garment/picture.js';
 import {Rest} from './garment/rest.js';
 import {GarmentSession} from './garment/session.js';
+import {Speech} from './garment/speech.js';
 import {garmentStyle} from './garment/style.js';
 import {upgrade} from './garment/upgrade.js';
 import {PatternDrawing} from './pattern/drawing.js';
 import {register} from './register.js';
 import {controls} from './style/controls.js';
 import {tokens} from './style/tokens.js';
-import {textsOf, type Messages, type Texts} from './texts/texts.js';
+import type {Messages, Texts} from './texts/texts.js';
 import {preferencesFor} from './workbench/preferences.js';
 
 export type {GarmentLoading, GarmentMode, GarmentView} from './garment/attributes.js';
@@ -50,10 +51,8 @@ export class SeamwiseGarment extends AttributeElement {
   readonly #offers = new PrintOffers(() => {
     this.requestUpdate();
   });
-  readonly #language = new LanguageAround(this, () => {
-    this.#prefer();
-  });
-  #messages: Messages | undefined;
+  readonly #speech: Speech;
+  readonly #answering: Answering;
   #shown: GarmentMode = 'preview';
   #isDrawn = false;
   /** Gives back what others may need, unless it is put into the document again soon. */
@@ -85,6 +84,7 @@ export class SeamwiseGarment extends AttributeElement {
       },
       preferencesFor(localeOf(navigator.language)),
     );
+    this.#speech = new Speech(this, this.#session.desk);
     this.#beginning = new Beginning(
       {
         element: this,
@@ -96,6 +96,7 @@ export class SeamwiseGarment extends AttributeElement {
       },
       this.#session,
     );
+    this.#answering = new Answering(this.#session, this.#beginning, this.#speech);
     this.#modes = new Modes(
       () => {
         this.#present();
@@ -106,18 +107,17 @@ export class SeamwiseGarment extends AttributeElement {
       },
     );
     this.addEventListener('invalid', () => {
-      if (this.isAskable && this.state !== 'error') this.#start();
+      if (this.isAskable && this.state !== 'error') this.#answering.start();
     });
   }
 
   /** Words to be shown in place of the element's own. */
   get messages(): Messages | undefined {
-    return this.#messages;
+    return this.#speech.messages;
   }
 
   set messages(messages: Messages | null | undefined) {
-    this.#messages = typeof messages === 'object' && messages ? messages : undefined;
-    this.#prefer();
+    this.#speech.messages = typeof messages === 'object' && messages ? messages : undefined;
   }
 
   /** With `mode="place"`: the prints to choose from. */
@@ -173,28 +173,11 @@ export class SeamwiseGarment extends AttributeElement {
   async solve({signal}: {readonly signal?: AbortSignal} = {}): Promise<SolveResult> {
     signal?.throwIfAborted();
     upgrade(this);
-    const {state} = this.#session;
-    if (!this.isAskable && (state === 'idle' || this.#beginning.isDue)) {
-      throw new SolverError({code: 'notAGarment', message: this.#texts.garment.noGarment});
-    }
-    this.#start();
     try {
-      return await this.#session.answer(signal, () => {
-        this.#beginning.abandon();
-      });
+      return await this.#answering.answer(this.isAskable, signal);
     } finally {
       if (!this.isConnected) this.#rest.soon();
     }
-  }
-
-  /** Begins what is asked for, unless it is under way or answered. */
-  #start(): void {
-    const {state} = this.#session;
-    const isStuck = state === 'idle' || state === 'error' || state === 'stale';
-    if (isStuck && !this.#beginning.isDue && !this.#session.solveAgain()) {
-      this.#beginning.askAgain();
-    }
-    this.#beginning.now();
   }
 
   /** Ends what is under way; what is shown stays. */
@@ -246,7 +229,7 @@ export class SeamwiseGarment extends AttributeElement {
     super.connectedCallback();
     this.#rest.not();
     upgrade(this);
-    this.#prefer();
+    this.#speech.prefer();
     this.#beginning.watch();
     this.#beginning.schedule();
   }
@@ -268,7 +251,7 @@ export class SeamwiseGarment extends AttributeElement {
       if (this.isConnected) this.#beginning.watch();
       this.#beginning.schedule();
     } else if (['units', 'locale', 'lang'].includes(name)) {
-      this.#prefer();
+      this.#speech.prefer();
     }
     this.#present();
   }
@@ -329,19 +312,7 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   get #texts(): Texts {
-    const {language, messages} = this.#session.desk.preferences;
-    return textsOf(language, messages);
-  }
-
-  #prefer(): void {
-    const {around} = this.#language;
-    const {language} = preferencesFor(localeOf(this.locale, around, navigator.language));
-    const {messages, units} = this;
-    const known = this.#session.desk.preferences;
-    const isKnown =
-      language === known.language && units === known.units && messages === known.messages;
-    if (isKnown) return;
-    this.#session.desk.prefer({language, units, messages});
+    return this.#speech.texts;
   }
 
   protected override ask(): void {

@@ -20,7 +20,7 @@ export function clothTile(id: string, print: PrintWithTile, scale: number): stri
 /**
  * The print under one piece: p = R w + t, then the page. The image's y runs down, against the cell's second edge.
  * @param tile the id of the pattern with the tile
- * @param page piece coordinates -> page, upright
+ * @param page piece coordinates -> page, upright or upside down
  */
 export function clothUnder(
   id: string,
@@ -30,8 +30,9 @@ export function clothUnder(
   page: (p: Point) => Point,
 ): string {
   const [a, b] = imageCell(print);
+  const upright = page([0, 1])[1] < page([0, 0])[1] ? 1 : -1;
   const along = ([x, y]: Point, sign: 1 | -1): Point => {
-    const n = sign / Math.hypot(x, y);
+    const n = (upright * sign) / Math.hypot(x, y);
     const turned = onPrint({angle: -angle, translation: [0, 0]}, [x * n, y * n]);
     return [turned[0], -turned[1]];
   };

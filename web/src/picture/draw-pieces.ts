@@ -1,13 +1,16 @@
 /** Draws the pieces of a result, filled with the print as it lies on them. */
 import type {Alignment, Point} from '../model/geometry.js';
+import {pairLetter} from '../model/letters.js';
 import type {Print} from '../model/print.js';
 import type {ResultPiece, SeamSide, SolveResult} from '../model/result.js';
+import {ontoSheet} from '../model/sheet-place.js';
 import {clothUnder} from './cloth.js';
 import {mismatchLine} from './colours.js';
 import type {Fit} from './fit.js';
 import type {Layout} from './layout.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
-import {escaped, nameLines, polyline, short, text} from './svg.js';
+import {seamLetters} from './seam-letters.js';
+import {escaped, nameLines, polyline, short, text, textWidth} from './svg.js';
 
 /** One of the two states that are shown, and where on the page. */
 export interface Scene {
@@ -35,9 +38,12 @@ const quiet = '#8d9096';
 
 /** Piece coordinates -> page. */
 function toPage(scene: Scene, piece: number): (p: Point) => Point {
-  const [ox, oy] = scene.layout.offsets[piece] ?? [0, 0];
   const {corner, scale, layout} = scene;
-  return ([x, y]) => [corner[0] + scale * (x + ox), corner[1] + scale * (layout.height - y - oy)];
+  const place = layout.places[piece] ?? {offset: [0, 0]};
+  return (point) => {
+    const [x, y] = ontoSheet(place, point);
+    return [corner[0] + scale * x, corner[1] + scale * (layout.height - y)];
+  };
 }
 
 function body(scene: Scene, piece: ResultPiece, index: number): string {
@@ -99,11 +105,10 @@ function letter([x, y]: Point, content: string): string {
 }
 
 function symmetries(scene: Scene): string {
-  let pairs = 0;
   return scene.result.symmetries
     .map((symmetry) => {
       if (symmetry.kind === 'piece') return axis(scene, symmetry.piece, symmetry.map);
-      const name = String.fromCharCode(65 + (pairs++ % 26));
+      const name = pairLetter(symmetry.pieces);
       const [first, second] = symmetry.pieces;
       const {outline = [], rest = []} = scene.result.pieces[first] ?? {};
       const here = innermost(pick(rest, outline)).at;
@@ -111,6 +116,23 @@ function symmetries(scene: Scene): string {
       return letter(toPage(scene, first)(here), name) + letter(toPage(scene, second)(there), name);
     })
     .join('');
+}
+
+/** From a seam to the middle of its letter. [px] */
+const letterRoom = 10;
+
+function letters(scene: Scene): string {
+  return seamLetters(scene.result, letterRoom / scene.scale, scene.outline)
+    .flatMap((some, piece) =>
+      some.map(({letter: one, at}) => seamLetterAt(toPage(scene, piece)(at), one)),
+    )
+    .join('');
+}
+
+/** On a light ground. */
+export function seamLetterAt([x, y]: Point, one: string): string {
+  const wide = textWidth(one, 10) + 5;
+  return `<rect x="${short(x - wide / 2)}" y="${short(y - 6.5)}" width="${short(wide)}" height="13" rx="3" fill="#fff" fill-opacity="0.85"/>${text([x, y + 3.6], one, {size: 10, weight: 600, anchor: 'middle', fill: '#2b2d31'})}`;
 }
 
 /** From line to line of a name, in parts of its size. */
@@ -150,6 +172,8 @@ export function drawPieces(scene: Scene, nameSize: number): string {
     ...pieces.map(
       (piece, k) => `<g aria-label="${escaped(scene.names[k] ?? '')}">${body(scene, piece, k)}</g>`,
     ),
-    ...(scene.isBare ? [] : [seams(scene), symmetries(scene), names(scene, nameSize)]),
+    ...(scene.isBare
+      ? []
+      : [seams(scene), letters(scene), symmetries(scene), names(scene, nameSize)]),
   ].join('\n');
 }

@@ -1,15 +1,24 @@
 /** One picture of a result: the pattern on the print before and after, with its figures and a key. */
 import type {Point} from '../model/geometry.js';
+import {pairLetter, seamLetter} from '../model/letters.js';
 import {pieceNames} from '../model/piece-names.js';
 import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
 import {clothTile, type PrintWithTile} from './cloth.js';
 import {mismatchSteps, stepLines} from './colours.js';
-import {drawPieces, nameLeading, nameRoom, strokeOf, type Scene} from './draw-pieces.js';
+import {
+  drawPieces,
+  nameLeading,
+  nameRoom,
+  seamLetterAt,
+  strokeOf,
+  type Scene,
+} from './draw-pieces.js';
 import {finalFit, fitOf, worstOf, type Fit} from './fit.js';
 import {layOutNamed} from './layout.js';
 import {markAcross} from './mark.js';
+import type {Placements} from './on-body.js';
 import {escaped, nameLines, short, text, textWidth} from './svg.js';
 
 export interface PictureOptions {
@@ -19,6 +28,8 @@ export interface PictureOptions {
   readonly mark?: string;
   /** What people call the pieces; by default the keys of their panels, in words. */
   readonly names?: readonly string[];
+  /** Where pieces are on the body, by the keys of their panels: then they lie as on the page. */
+  readonly placements?: Placements;
   /** The pieces in their print alone, without lines and names over it. */
   readonly clothOnly?: boolean;
   /** Starts every id in the picture, for pages that hold several. */
@@ -64,7 +75,7 @@ function heading(y: number, title: string, note: string, fit: Fit): string {
 
 /** What the lines mean, and how long 10 cm are. */
 function legend(y: number, scale: number, result: SolveResult, fit: Fit): string {
-  const length = 64;
+  const length = 52;
   const parts: string[] = [text([margin, y], 'Print mismatch along seams', {size: 13, fill: soft})];
   stepLines.forEach((line, k) => {
     const from = margin + k * (length + 12);
@@ -76,13 +87,13 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
     );
   });
 
-  let x = margin + stepLines.length * (length + 12) + 48;
+  let x = margin + stepLines.length * (length + 12) + 40;
   const entry = (drawing: string, label: string): void => {
     parts.push(
       `<g transform="translate(${x} ${y + 16})">${drawing}</g>`,
       text([x + 44, y + 20], label, {size: 13, fill: soft}),
     );
-    x += 44 + label.length * 7 + 40;
+    x += 44 + label.length * 7 + 24;
   };
   if (result.symmetries.some(({kind}) => kind === 'piece'))
     entry(
@@ -91,10 +102,11 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
     );
   if (result.symmetries.some(({kind}) => kind === 'pair')) {
     entry(
-      `<circle cx="17" cy="0" r="11" fill="#fff" stroke="#2b2d31"/>${text([17, 5], 'A', {size: 13, weight: 600, anchor: 'middle'})}`,
+      `<circle cx="17" cy="0" r="11" fill="#fff" stroke="#2b2d31"/>${text([17, 5], pairLetter([0, 1]), {size: 13, weight: 600, anchor: 'middle'})}`,
       'mirrored pair',
     );
   }
+  if (result.seams.length > 0) entry(seamLetterAt([17, 0], seamLetter(0)), 'sewn together');
   if (fit.seams.some(({counts}) => !counts))
     entry(
       `<path d="M0 0H34" stroke="#8d9096" stroke-width="2" stroke-linecap="round" stroke-dasharray="1 5"/>`,
@@ -111,21 +123,26 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
 }
 
 /** A layout with room for the names. A crowd of pieces gets more height. */
-function laidOut(result: SolveResult, names: readonly string[]): ReturnType<typeof layOutNamed> {
+function laidOut(
+  result: SolveResult,
+  names: readonly string[],
+  placements: Placements | undefined,
+): ReturnType<typeof layOutNamed> {
   const room = width - 2 * margin;
   const widest = (name: string): number =>
     Math.max(...nameLines(name, 0, nameSize).map((word) => textWidth(word, nameSize)));
-  return layOutNamed(result, {
+  const page = {
     width: room,
     height: room / (result.pieces.length > 16 ? 1.5 : 2.3),
     grows: true,
     greatestScale: 14,
     gap: 34,
-    nameHeight: (piece, pieceWidth) =>
+    nameHeight: (piece: number, pieceWidth: number) =>
       28 +
       nameLines(names[piece] ?? '', nameRoom(pieceWidth), nameSize).length * nameLeading * nameSize,
-    nameWidth: (piece) => widest(names[piece] ?? ''),
-  });
+    nameWidth: (piece: number) => widest(names[piece] ?? ''),
+  };
+  return layOutNamed(result, page, placements);
 }
 
 /** The whole picture as the text of an SVG file. `print.tile` is shown at true scale, as it lies on every piece. */
@@ -138,7 +155,7 @@ export function drawResult(
   const keys = result.pieces.map(({name}) => name);
   const called = pieceNames(new Map(keys.map((key) => [key, undefined])));
   const names = options.names ?? keys.map((key) => called.get(key) ?? key);
-  const {layout, scale} = laidOut(result, names);
+  const {layout, scale} = laidOut(result, names, options.placements);
   const left = (width - layout.width * scale) / 2;
   const tall = layout.height * scale;
 

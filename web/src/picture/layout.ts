@@ -1,13 +1,14 @@
 /** Where pieces lie on a sheet: as on the body where the garment tells, else on shelves. Lengths in cm, y up. */
 import type {Point} from '../model/geometry.js';
 import type {Pattern} from '../model/result.js';
+import type {SheetPlace} from '../model/sheet-place.js';
 import {shelves, type Block} from './blocks.js';
-import {isPlaced, onBody, type Arrangement, type Placements} from './on-body.js';
+import {headDown, isPlaced, onBody, type Arrangement, type Placements} from './on-body.js';
 
 /** Follows from outlines, names, placements and page alone, so that nothing moves while people work on a garment. */
 export interface Layout {
-  /** Added to a piece's points to bring it to its place, per piece. */
-  readonly offsets: readonly Point[];
+  /** Per piece. */
+  readonly places: readonly SheetPlace[];
   readonly width: number;
   readonly height: number;
 }
@@ -76,28 +77,42 @@ function onShelves({pieces}: Pattern, cells: readonly Block[], gap: number): Arr
   }));
 }
 
-/** The arrangement that is largest on a page with the proportions `aspect` (width to height). */
+export interface LayoutChoice {
+  /** Known already. */
+  readonly boxes?: readonly Box[];
+  /** On shelves, which take the least room, also where placements are known. */
+  readonly isPacked?: boolean;
+}
+
+/**
+ * The arrangement that is largest on a page with the proportions `aspect` (width to height). What placements show
+ * to be drawn upside down lies upright, so that mirrored pairs are mirror images of each other.
+ */
 export function layOut(
   pattern: Pattern,
   aspect: number,
   spacing: Spacing,
   placements?: Placements,
-  boxes = boxesOf(pattern),
+  {boxes = boxesOf(pattern), isPacked = false}: LayoutChoice = {},
 ): Layout {
   const cells = cellsOf(boxes, spacing);
   const arrangements =
-    placements && isPlaced(pattern, placements)
+    placements && !isPacked && isPlaced(pattern, placements)
       ? onBody(pattern, boxes, cells, placements, spacing.gap)
       : onShelves(pattern, cells, spacing.gap);
   const size = ({block: {width, height}, merit}: Arrangement): number =>
     merit * Math.min(aspect / width, 1 / height);
   const {block} = arrangements.reduce((best, next) => (size(next) > size(best) ? next : best));
-  const offsets: Point[] = boxes.map(() => [0, 0]);
+  const turned = headDown(pattern, placements);
+  const places = boxes.map((): SheetPlace => ({offset: [0, 0]}));
   for (const {piece, at} of block.places) {
-    const {low, height} = boxes[piece] ?? {low: [0, 0], height: 0};
-    offsets[piece] = [at[0] - low[0], block.height - at[1] - height - low[1]];
+    const {low, width, height} = boxes[piece] ?? {low: [0, 0], width: 0, height: 0};
+    const isTurned = turned[piece] ?? false;
+    const [x, y] = isTurned ? [-low[0] - width, -low[1] - height] : low;
+    const offset: Point = [at[0] - x, block.height - at[1] - height - y];
+    places[piece] = {offset, ...(isTurned && {isTurned})};
   }
-  return {offsets, width: block.width, height: block.height};
+  return {places, width: block.width, height: block.height};
 }
 
 /** A page to lay pieces out on; its lengths are pixels, and names keep their size whatever the scale. */
@@ -136,7 +151,7 @@ export function layOutNamed(
         least: (piece) => nameWidth(piece) / scale,
       },
       placements,
-      boxes,
+      {boxes},
     );
   let [low, high] = [0, page.greatestScale];
   let layout = at(high);

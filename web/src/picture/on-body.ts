@@ -8,6 +8,14 @@ type Vector = Placement['translation'];
 
 export type Placements = ReadonlyMap<string, Placement>;
 
+/** Of the pieces whose file tells where they are. */
+export const placementsIn = (
+  marks: ReadonlyMap<string, {readonly placement?: Placement}>,
+): Placements =>
+  new Map(
+    [...marks].flatMap(([name, {placement}]) => (placement ? [[name, placement] as const] : [])),
+  );
+
 /** A piece with its room on the sheet, and where it is on the body as one sees it who looks at its face. */
 interface Hung {
   readonly block: Block;
@@ -49,6 +57,19 @@ export function isPlaced({pieces}: Pick<Pattern, 'pieces'>, placements: Placemen
     (all.length === 1 || new Set(known.map((place) => place.join())).size > 1)
   );
 }
+
+/** Cosine of the angle to straight up from which on a piece counts as drawn upside down. */
+const upsideDown = -0.5;
+
+/** Which pieces hang head down as they are drawn, by number. Those that lie across hang as they are drawn. */
+export const headDown = (
+  {pieces}: Pick<Pattern, 'pieces'>,
+  placements: Placements | undefined,
+): readonly boolean[] =>
+  pieces.map(({name}) => {
+    const {rotation} = placements?.get(name) ?? {};
+    return rotation !== undefined && turned([0, 1, 0], rotation)[1] < upsideDown;
+  });
 
 function hung(
   {name, mirroredFromInput}: ResultPiece,

@@ -1,10 +1,10 @@
 /** Names of pieces and letters of pairs: HTML over the drawing, so that they are text and always legible. */
 import type {Point} from '../model/geometry.js';
-import {pick} from '../picture/marks.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
+import {onSheet} from './overlay.js';
 import {labelLines, labelSize, type PatternScene, type ScenePiece} from './scene.js';
 import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
-import type {Appearance} from './strokes.js';
+import {placed, type Appearance} from './strokes.js';
 
 interface Name {
   readonly element: HTMLElement;
@@ -31,10 +31,10 @@ const leastCover = 4;
 const clamp = (value: number, low: number, high: number): number =>
   Math.max(low, Math.min(value, high));
 
-function extent({points, outline, offset}: ScenePiece): readonly [Point, Point] {
-  const loop = pick(points, outline);
-  const xs = loop.map(([x]) => x + offset[0]);
-  const ys = loop.map(([, y]) => y + offset[1]);
+function extent(piece: ScenePiece): readonly [Point, Point] {
+  const loop = placed(piece, piece.outline);
+  const xs = loop.map(([x]) => x);
+  const ys = loop.map(([, y]) => y);
   return [
     [Math.min(...xs), Math.min(...ys)],
     [Math.max(...xs), Math.max(...ys)],
@@ -75,10 +75,9 @@ export class Labels {
     const letters = scene.symmetries.flatMap((symmetry) => {
       if (symmetry.kind === 'piece') return [];
       return symmetry.marks.map(({piece, at, room}): Letter => {
-        const [dx, dy] = scene.pieces[piece]?.offset ?? [0, 0];
         return {
           element: this.#label(symmetry.letter, 'letter'),
-          at: [at[0] + dx, at[1] + dy],
+          at: onSheet(scene, piece, at),
           room,
         };
       });

@@ -1,8 +1,11 @@
-/** The words of an overlay: names of marked points, letters of pairs that were found, and messages. */
+/** The words of an overlay: names of marked points, letters of the highlit seam and of pairs that were found, and messages. */
 import type {Point} from '../model/geometry.js';
+import {seamLetter} from '../model/letters.js';
 import {chipColours, chipLayer, move, placeable, textChip} from './chips.js';
+import {outsideOf} from './outside.js';
 import {onSheet, type Overlay, type Sign} from './overlay.js';
 import type {PatternScene} from './scene.js';
+import {atShare, lineOf} from './seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
 import type {Appearance} from './strokes.js';
 
@@ -17,6 +20,8 @@ interface Chip {
 /** From a point to what is written of it. [CSS px] */
 const reach = 10;
 const letterSize = 20;
+/** From a seam to the middle of its letter. */
+const letterReach = 18;
 
 export class OverlayChips {
   readonly element = chipLayer();
@@ -40,6 +45,11 @@ export class OverlayChips {
             off: {share: [-0.5, -0.5], by: [0, 0]},
           })),
     );
+    const sewn = lettersOf(scene, overlay.highlight?.seam).map(({letter, at, inwards}): Chip => ({
+      element: textChip(letter, appearance),
+      at,
+      off: {share: [-0.5, -0.5], by: [letterReach * inwards[0], -letterReach * inwards[1]]},
+    }));
     const decided = signs.map(({piece, point, sign}): Chip => ({
       element: signChip(sign, appearance),
       at: onSheet(scene, piece, point),
@@ -51,7 +61,7 @@ export class OverlayChips {
       off: {share: [-0.5, -1], by: [0, -reach]} as const,
     };
     this.#message = said?.element;
-    this.#chips = [...letters, ...decided, ...named, ...(said ? [said] : [])];
+    this.#chips = [...letters, ...sewn, ...decided, ...named, ...(said ? [said] : [])];
     this.element.replaceChildren(...this.#chips.map(({element}) => element));
   }
 
@@ -72,6 +82,20 @@ export class OverlayChips {
       move(element, [x + off.by[0], y + off.by[1]], `translate(${shift})`);
     }
   }
+}
+
+/** On both sides of a seam, with the way into the piece, of length 1. */
+function lettersOf(
+  scene: PatternScene,
+  number = -1,
+): readonly {readonly letter: string; readonly at: Point; readonly inwards: Point}[] {
+  const seam = scene.seams[number];
+  if (!seam) return [];
+  return [seam.a, seam.b].map((side) => {
+    const {at, along} = atShare(lineOf(scene, side), 0.5);
+    const outside = outsideOf(scene.pieces[side.piece], side.vertices);
+    return {letter: seamLetter(number), at, inwards: [-outside * along[1], outside * along[0]]};
+  });
 }
 
 function ghostLetter(letter: string, appearance: Appearance): HTMLElement {

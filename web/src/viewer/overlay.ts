@@ -1,6 +1,7 @@
 /** What is drawn over the sheet while somebody points, chooses or marks. Points in the coordinates of a piece. [cm] */
 import type {Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
+import {ontoSheet} from '../model/sheet-place.js';
 import {pick} from '../picture/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
 import type {PatternScene, SceneSeam, SceneSymmetry} from './scene.js';
@@ -38,10 +39,8 @@ export type Sign = 'pin' | 'lock';
 const bend = 0.16;
 
 /** A point of a piece on the sheet. */
-export function onSheet({pieces}: PatternScene, piece: number, [x, y]: Point): Point {
-  const [dx, dy] = pieces[piece]?.offset ?? [0, 0];
-  return [x + dx, y + dy];
-}
+export const onSheet = ({pieces}: PatternScene, piece: number, point: Point): Point =>
+  ontoSheet(pieces[piece] ?? {offset: [0, 0]}, point);
 
 function thread([x0, y0]: Point, [x1, y1]: Point): readonly Point[] {
   const [mx, my] = [(x0 + x1) / 2 - bend * (y1 - y0), (y0 + y1) / 2 + bend * (x1 - x0)];

@@ -18,6 +18,7 @@ import type {Appearance} from './strokes.js';
 import {TileTexture} from './tile-texture.js';
 import type {Tile} from './tile.js';
 import {Viewport} from './viewport.js';
+import {WipeLayers, type Wipe} from './wipe-layers.js';
 import {Words} from './words.js';
 
 /** After this long without a change an SVG tile is drawn as densely as the zoom asks for. [ms] */
@@ -35,12 +36,6 @@ export interface PatternViewOptions {
   readonly onLost?: (isLost: boolean) => void;
 }
 
-/** Another scene of the same sheet, to the left of a line at this part of the width. */
-export interface Wipe {
-  readonly before: PatternScene;
-  readonly split: number;
-}
-
 export class PatternView extends Viewport {
   readonly #screen: Screen;
   readonly #words: Words;
@@ -48,14 +43,13 @@ export class PatternView extends Viewport {
   readonly #cloth = new PrintMaterial();
   readonly #line = new LineMaterial();
   readonly #after = new SceneLayers({cloth: this.#cloth, line: this.#line});
-  readonly #before = new SceneLayers({cloth: this.#cloth, line: this.#line});
+  readonly #before = new WipeLayers({cloth: this.#cloth, line: this.#line});
   readonly #over = new OverLayers(this.#line);
   readonly #morph = new Morph();
   readonly #camera = new OrthographicCamera();
   #appearance: Appearance;
   #hasSeams = true;
   #isBare = false;
-  #wipe: Wipe | undefined;
   #movement: {readonly factor: number} | undefined;
   #overlay: Overlay | undefined;
   #picture: Tile | undefined;
@@ -139,9 +133,7 @@ export class PatternView extends Viewport {
 
   /** Shows `before` to the left of the split: the same sheet, so nothing jumps. Cheap when only the split changes. */
   setWipe(wipe: Wipe | undefined): void {
-    const {before} = this.#wipe ?? {};
-    this.#wipe = wipe;
-    if (wipe && wipe.before !== before) this.#layBefore(wipe);
+    if (this.#before.set(wipe, this.#appearance)) this.#showParts();
     this.#screen.request();
   }
 
@@ -251,14 +243,9 @@ export class PatternView extends Viewport {
     this.#words.setShown(!this.#isBare, this.#hasSeams);
   }
 
-  #layBefore({before}: Wipe): void {
-    this.#before.show(before, this.#appearance);
-    this.#showParts();
-  }
-
   #layAgain(): void {
     if (this.#scene) this.#lay(this.#scene);
-    if (this.#wipe) this.#layBefore(this.#wipe);
+    if (this.#before.layAgain(this.#appearance)) this.#showParts();
   }
 
   #drawMovement(): void {
@@ -286,24 +273,16 @@ export class PatternView extends Viewport {
     const {renderer, size, raster} = this.#screen;
     look(this.#camera, this.#line, this.state, raster);
     this.#after.blend(this.#morph.share);
-    if (this.#wipe) {
-      this.#screen.clip(0, this.#split);
-      renderer.render(this.#before.object, this.#camera);
-    }
-    this.#screen.clip(this.#split, size.width);
+    this.#before.draw(this.#screen, this.#camera);
     renderer.render(this.#after.object, this.#camera);
     this.#screen.clip(0, size.width);
     if (!this.#isBare) renderer.render(this.#over.object, this.#camera);
   }
 
-  /** Where the scene before ends. [CSS px from the left] */
-  get #split(): number {
-    return Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) * this.#screen.size.width;
-  }
-
   #arrange(): void {
     if (!this.#scene) return;
-    this.#words.place(this.state, this.#screen.size, this.#split);
+    const {size} = this.#screen;
+    this.#words.place(this.state, size, this.#before.splitOn(size.width));
     if (this.#morph.isRunning) this.#screen.request();
   }
 }

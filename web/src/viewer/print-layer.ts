@@ -12,6 +12,7 @@ import {
 
 import type {Alignment, Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
+import {ontoSheet} from '../model/sheet-place.js';
 import {apply} from '../model/wallpaper.js';
 import {between, nearestLike} from './morph.js';
 import {imageCoordinates} from './print-coordinates.js';
@@ -73,6 +74,7 @@ export class PrintLayer {
   readonly #coordinates: BufferAttribute;
   /** Of vertices, per piece. */
   readonly #counts: readonly number[];
+  readonly #turned: readonly boolean[];
   /** Where the pieces are, and how they are drawn just now. */
   #own: PiecePlaces;
   #shown: PiecePlaces;
@@ -82,6 +84,7 @@ export class PrintLayer {
   constructor(pieces: readonly ScenePiece[], print: Print, material: PrintMaterial) {
     this.#print = print;
     this.#counts = pieces.map(({points}) => points.length);
+    this.#turned = pieces.map(({isTurned = false}) => isTurned);
     const count = this.#counts.reduce((sum, one) => sum + one, 0);
     const printed = new Uint8Array(count);
     const indices: number[] = [];
@@ -172,10 +175,11 @@ export class PrintLayer {
   #place(): void {
     const {points, offsets} = this.#shown;
     let vertex = 0;
-    for (const [piece, [dx, dy]] of offsets.entries()) {
+    for (const [piece, offset] of offsets.entries()) {
+      const place = {offset, isTurned: this.#turned[piece] ?? false};
       for (const end = vertex + (this.#counts[piece] ?? 0); vertex < end; vertex++) {
-        const [x = 0, y = 0] = [points[2 * vertex], points[2 * vertex + 1]];
-        this.#positions.setXY(vertex, x + dx, y + dy);
+        const own: Point = [points[2 * vertex] ?? 0, points[2 * vertex + 1] ?? 0];
+        this.#positions.setXY(vertex, ...ontoSheet(place, own));
       }
     }
     this.#positions.needsUpdate = true;

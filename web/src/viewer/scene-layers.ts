@@ -39,9 +39,10 @@ const sameGeometry = (a: PatternScene, b: PatternScene): boolean =>
   a.seams.every(({a: side}, k) => side === b.seams[k]?.a) &&
   a.pieces.length === b.pieces.length &&
   a.pieces.every(
-    ({points, offset, plain}, k) =>
+    ({points, offset, isTurned, plain}, k) =>
       points === b.pieces[k]?.points &&
       offset === b.pieces[k].offset &&
+      isTurned === b.pieces[k].isTurned &&
       plain === b.pieces[k].plain,
   );
 

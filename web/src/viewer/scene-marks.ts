@@ -1,6 +1,7 @@
 /** Marks on the pieces of a scene: axes and letters of their symmetries, and grain lines. Lengths in cm. */
 import type {PanelMarks} from '../model/garment-marks.js';
 import type {Point} from '../model/geometry.js';
+import {pairLetter} from '../model/letters.js';
 import type {Pattern, ResultPiece} from '../model/result.js';
 import {grainLine} from '../picture/grain-line.js';
 import {axisAlong, innermost, mirrorImage, pick} from '../picture/marks.js';
@@ -8,13 +9,6 @@ import type {ScenePiece, SceneSymmetry} from './scene.js';
 
 /** A grain line on a mirror axis is moved aside by this, since only its direction counts. */
 const grainShift = 2;
-
-/** Of a pair, the same whatever other symmetries there are just now: no two pairs share a piece. */
-function letterOf(pieces: readonly [number, number]): string {
-  const first = Math.min(...pieces);
-  const round = Math.floor(first / 26);
-  return `${String.fromCharCode(65 + (first % 26))}${round || ''}`;
-}
 
 /** Axes and letters of symmetries, as they are drawn. */
 export function symmetriesOf(
@@ -34,7 +28,7 @@ export function symmetriesOf(
     const {at, room} = innermost(outlineOf(first));
     return {
       kind: 'pair',
-      letter: letterOf(symmetry.pieces),
+      letter: pairLetter(symmetry.pieces),
       marks: [
         {piece: first, at, room},
         {piece: second, at: mirrorImage(symmetry.map, at), room},

@@ -16,19 +16,21 @@ import {
 } from '../picture/fit.js';
 import {layOutNamed, type Layout} from '../picture/layout.js';
 import {isInside, pick} from '../picture/marks.js';
+import {placementsIn} from '../picture/on-body.js';
 import {nameLines, textWidth} from '../picture/svg.js';
 import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
 import {readable} from '../model/piece-names.js';
+import {offSheet, type SheetPlace} from '../model/sheet-place.js';
 import {grainOf, symmetriesOf} from './scene-marks.js';
 import {screenMargin} from './sheet-view.js';
 
-/** Points are in the piece's own coordinates; `offset` brings them onto the sheet. */
-export interface ScenePiece extends Pick<ResultPiece, 'name' | 'triangles' | 'outline' | 'holes'> {
+/** Points are in the piece's own coordinates, not in those of the sheet. */
+export interface ScenePiece
+  extends SheetPlace, Pick<ResultPiece, 'name' | 'triangles' | 'outline' | 'holes'> {
   /** What people call it. */
   readonly label: string;
   readonly points: readonly Point[];
   readonly alignment: Alignment;
-  readonly offset: Point;
   readonly grain?: readonly [Point, Point];
   /** Per outline edge the number of the panel's edge in the file, for clicks. */
   readonly edges?: readonly number[];
@@ -125,9 +127,7 @@ function sheet(
 ): Layout {
   const lines = labels.map(labelLines);
   const widths = lines.map((some) => Math.max(...some.map((line) => textWidth(line, labelSize))));
-  const placements = new Map(
-    [...marks].flatMap(([name, {placement}]) => (placement ? [[name, placement] as const] : [])),
-  );
+  const placements = placementsIn(marks);
   const page = {
     width: Math.max(viewport.width - 2 * screenMargin, 1),
     height: Math.max(viewport.height - 2 * screenMargin, 1),
@@ -157,7 +157,7 @@ export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = 
   const {garment, decided} = options;
   const marks = garment ? panelMarks(garment, decided) : new Map<string, PanelMarks>();
   const labels = pattern.pieces.map(({name}) => marks.get(name)?.label ?? readable(name));
-  const {offsets, width, height} = sheet(pattern, labels, marks, options.viewport);
+  const {places, width, height} = sheet(pattern, labels, marks, options.viewport);
   const symmetries = symmetriesOf(pattern, outline);
   const axes = new Map(
     symmetries.flatMap((s) => (s.kind === 'piece' ? [[s.piece, s.axis] as const] : [])),
@@ -170,7 +170,7 @@ export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = 
       return {
         ...{name, triangles, outline: loop, holes, alignment, points: piece[outline]},
         label: labels[k] ?? name,
-        offset: offsets[k] ?? [0, 0],
+        ...(places[k] ?? {offset: [0, 0]}),
         plain: options.plain?.has(name) ?? false,
         ...grainOf(piece, marks.get(name), axes.get(k)),
       };
@@ -237,10 +237,11 @@ export const alignmentsFrom = (numbers: Float64Array): readonly Alignment[] =>
 /** The piece that lies under a point of the sheet, and the point in that piece's coordinates. */
 export function pieceAt(
   scene: PatternScene,
-  [x, y]: Point,
+  at: Point,
 ): {readonly piece: number; readonly point: Point} | undefined {
-  for (const [piece, {points, outline, holes, offset}] of scene.pieces.entries()) {
-    const point: Point = [x - offset[0], y - offset[1]];
+  for (const [piece, shown] of scene.pieces.entries()) {
+    const {points, outline, holes} = shown;
+    const point = offSheet(shown, at);
     const inside = (loop: readonly number[]): boolean => isInside(pick(points, loop), point);
     if (inside(outline) && !holes.some(inside)) return {piece, point};
   }

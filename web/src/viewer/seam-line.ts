@@ -1,11 +1,13 @@
 /** Sides of seams as lines on the sheet. Lengths in cm. */
 import type {Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
+import {ontoSheet} from '../model/sheet-place.js';
+import {pick} from '../picture/marks.js';
 import type {PatternScene} from './scene.js';
 
 export function lineOf({pieces}: PatternScene, {piece, vertices}: SeamSide): Point[] {
-  const {points = [], offset: [dx, dy] = [0, 0]} = pieces[piece] ?? {};
-  return vertices.flatMap((v) => points.slice(v, v + 1)).map(([x, y]): Point => [x + dx, y + dy]);
+  const shown = pieces[piece];
+  return shown ? pick(shown.points, vertices).map((point) => ontoSheet(shown, point)) : [];
 }
 
 /** A point of a line, and the direction in which the line runs there. */

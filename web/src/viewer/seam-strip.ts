@@ -5,7 +5,7 @@ import type {Point} from '../model/geometry.js';
 import {imageCell} from '../model/wallpaper.js';
 import {LineLayer, LineMaterial, type Stroke} from './line-layer.js';
 import type {OnPiece} from './overlay.js';
-import type {Wipe} from './pattern-view.js';
+import type {Wipe} from './wipe-layers.js';
 import {PrintMaterial} from './print-layer.js';
 import type {PatternScene} from './scene.js';
 import {look, Screen, type ScreenEvents} from './screen.js';

@@ -13,7 +13,7 @@ import {readBack, readNow} from './read-back.js';
 import {labelLines, labelSize, type PatternScene} from './scene.js';
 import {look} from './screen.js';
 import {fitted, toScreen, type SheetView} from './sheet-view.js';
-import {inks, type Appearance} from './strokes.js';
+import {inks, placed, type Appearance} from './strokes.js';
 import type {TileTexture} from './tile-texture.js';
 
 const leading = 1.25;
@@ -146,13 +146,13 @@ function drawNames(
   context.textAlign = 'center';
   context.textBaseline = 'top';
   context.fillStyle = `rgb(${inks[appearance].outline.join(' ')})`;
-  for (const {label, points, outline, offset} of pieces) {
-    const loop = outline.flatMap((v) => points.slice(v, v + 1));
+  for (const piece of pieces) {
+    const loop = placed(piece, piece.outline);
     const xs = loop.map(([x]) => x);
     const foot = Math.min(...loop.map(([, y]) => y));
     const middle = (Math.min(...xs) + Math.max(...xs)) / 2;
-    const [x, y] = toScreen(view, size, [middle + offset[0], foot + offset[1]]);
-    labelLines(label).forEach((line, k) => {
+    const [x, y] = toScreen(view, size, [middle, foot]);
+    labelLines(piece.label).forEach((line, k) => {
       context.fillText(line, x, y + 7 + k * leading * labelSize);
     });
   }

@@ -1,5 +1,6 @@
 /** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. Those of an edge lie outside of it. */
 import type {Point} from '../model/geometry.js';
+import {ontoSheet, wayOnSheet, type SheetPlace} from '../model/sheet-place.js';
 import {mismatchLine} from '../picture/colours.js';
 import {pick} from '../picture/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
@@ -47,14 +48,9 @@ export const inks: Readonly<Record<Appearance, Inks>> = {
 const keptRoom = 7;
 
 export const placed = (
-  {points, offset}: Pick<ScenePiece, 'points' | 'offset'>,
+  piece: SheetPlace & Pick<ScenePiece, 'points'>,
   vertices: readonly number[],
-): Point[] => pick(points, vertices).map(([x, y]) => [x + offset[0], y + offset[1]]);
-
-const shifted = (piece: ScenePiece | undefined, points: readonly Point[]): Point[] => {
-  const [dx, dy] = piece?.offset ?? [0, 0];
-  return points.map(([x, y]) => [x + dx, y + dy]);
-};
+): Point[] => pick(piece.points, vertices).map((point) => ontoSheet(piece, point));
 
 /** What lies under a stroke, a little wider and without gaps; beside an edge, on the outer side alone. */
 export function cased(stroke: Stroke, colour: Colour): Stroke {
@@ -152,9 +148,10 @@ export function axisTicks(
 ): readonly Stroke[] {
   if (!piece) return [];
   return endsOnOutline(piece, axis).map(({at, out}): Stroke => {
-    const reach = (widths: number): Point => [widths * out[0], widths * out[1]];
+    const end = ontoSheet(piece, at);
+    const reach = (widths: number): Point => wayOnSheet(piece, [widths * out[0], widths * out[1]]);
     return {
-      points: shifted(piece, [at, at]),
+      points: [end, end],
       shifts: [reach(1), reach(2.9)], // ends above the name
       styles: {colour, width: 2.4},
     };
@@ -165,7 +162,7 @@ export function axisTicks(
 export function markStrokes(scene: PatternScene, appearance: Appearance): readonly Stroke[] {
   const {casing, mark} = inks[appearance];
   const grain = scene.pieces.flatMap((piece) => {
-    const [from, to] = shifted(piece, piece.grain ?? []);
+    const [from, to] = (piece.grain ?? []).map((point) => ontoSheet(piece, point));
     if (!from || !to) return [];
     const share = Math.min(0.5, grainEnd / (Math.hypot(to[0] - from[0], to[1] - from[1]) || 1));
     const toward = (a: Point, b: Point): Point => [

@@ -34,10 +34,14 @@ export class FitPanel extends DeskElement {
     css`
       .presets {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: var(--sw-space-1);
       }
       .presets button {
         justify-content: start;
+        line-height: 1.2;
+        text-align: start;
+        white-space: normal;
       }
       [role='switch'] {
         justify-content: space-between;

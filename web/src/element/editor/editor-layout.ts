@@ -113,9 +113,6 @@ export const editorLayout = css`
     }
   }
   @container (width < 64rem) {
-    .keys {
-      display: none; /* who has so little room has a finger, mostly */
-    }
     .side {
       grid-area: side;
       display: grid;
@@ -177,12 +174,20 @@ export const editorLayout = css`
       width: 100%;
     }
     .solving,
-    header > .icon {
+    header > .icon:not(.keys) {
       order: -2;
     }
     .solving {
       flex: 1;
       min-width: 0;
+    }
+    .solving sw-progress {
+      flex: 1;
+      min-width: 0;
+      text-overflow: ellipsis;
+    }
+    .solving [hidden] {
+      display: none; /* nothing beside it would move */
     }
     .tabs {
       display: flex;

@@ -134,6 +134,7 @@ export class Editor extends DeskElement {
     this.#headline ??= new KeptHeight(part);
     const {garment, symmetries} = this.desk.design ?? {};
     this.#headline.about = `${garment?.name} ${symmetries?.length ? 'symmetric' : ''}`;
+    this.#headline.stir(kind === 'done');
   }
 
   protected override render(): TemplateResult {

@@ -1,8 +1,12 @@
 /** Keeps a part as high as it has been, so that nothing below it moves while its words come and go. */
 
+/** After so long without a change, nobody waits for words any more: then no gap stays below them. [ms] */
+const settling = 2000;
+
 export class KeptHeight {
   readonly #part: HTMLElement;
   readonly #observer: ResizeObserver;
+  #pause: ReturnType<typeof setTimeout> | undefined;
   #about: unknown;
   #width = 0;
   #highest = 0;
@@ -24,7 +28,19 @@ export class KeptHeight {
     this.#forget();
   }
 
+  /** Something has changed around it. @param isSettled whether all its words are there */
+  stir(isSettled: boolean): void {
+    clearTimeout(this.#pause);
+    if (!isSettled) return;
+    this.#pause = setTimeout(() => {
+      // what somebody points at stays where it is
+      if (this.#part.parentElement?.matches(':hover')) this.stir(true);
+      else this.#forget();
+    }, settling);
+  }
+
   dispose(): void {
+    clearTimeout(this.#pause);
     this.#observer.disconnect();
   }
 

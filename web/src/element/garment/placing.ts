@@ -1,9 +1,10 @@
 /** What a person needs who places the print: loaded only then. */
 import {defineParts} from '../parts.js';
-import {register} from '../register.js';
+import {ToolHint} from '../pattern/tool-hint.js';
+import {registerAll} from '../register.js';
 import {PlaceBar} from './place-bar.js';
 
 export function definePlacing(): void {
   defineParts();
-  register('sw-place-bar', PlaceBar);
+  registerAll({'sw-place-bar': PlaceBar, 'sw-tool-hint': ToolHint});
 }

@@ -50,6 +50,7 @@ export class SeamLens extends PatientElement {
       p {
         font-size: var(--sw-text-small);
       }
+      .title,
       .name p {
         display: flex;
         align-items: center;
@@ -110,7 +111,10 @@ export class SeamLens extends PatientElement {
     return html`
       <header>
         <div class="name">
-          <h3 title=${row.name}>${row.name}</h3>
+          <div class="title">
+            <span class="letter">${row.letter}</span>
+            <h3 title=${row.name}>${row.name}</h3>
+          </div>
           <p class="soft">
             ${row.counts ? html`${icon[row.kind]} ${pattern[row.kind]}` : pattern.notCounted},
             ${format.length(row.length)}${rank ? `, ${lens.rank(rank.rank, rank.count)}` : nothing}

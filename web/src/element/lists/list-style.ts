@@ -70,6 +70,9 @@ export const listStyle = css`
   [aria-sort='descending'] button::after {
     content: '↓' / '';
   }
+  .number[aria-sort] {
+    padding-left: 0.8rem; /* for the arrow */
+  }
   .number[aria-sort] button::after {
     left: auto;
     right: 100%;
@@ -117,6 +120,7 @@ export const listStyle = css`
     min-width: 4.75rem; /* for the longest of them */
   }
   select {
+    min-width: 3.75rem;
     min-height: 1.5rem;
     margin-top: -0.2rem;
     padding: 0 2px;
@@ -145,7 +149,8 @@ export const listStyle = css`
     right: 0;
     top: -0.2rem;
     width: 1.5rem;
-    background: var(--sw-paper);
+    padding-block: 0.2rem 0.3rem;
+    background: var(--sw-paper) content-box; /* over a long name, not over the line below it */
   }
   .turn {
     display: flex;

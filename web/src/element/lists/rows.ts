@@ -1,6 +1,7 @@
 /** Pieces and seams as rows of a table: what there is to know about each, in numbers and names. */
 import type {Design} from '../../model/design.js';
 import type {Point} from '../../model/geometry.js';
+import {seamLetter} from '../../model/letters.js';
 import type {GrainLock} from '../../model/options.js';
 import type {Pattern, SeamReason, SeamSide} from '../../model/result.js';
 import {mismatchSteps, severity} from '../../picture/colours.js';
@@ -41,6 +42,8 @@ export interface SeamRow {
   readonly seam: number;
   /** No other seam has the same. */
   readonly name: string;
+  /** In short, as on the pieces to cut. */
+  readonly letter: string;
   /** Which pieces it joins, unless the name says that. */
   readonly between: string | undefined;
   /** Labels of the pieces on sides a and b. */
@@ -101,10 +104,11 @@ export const worstSeams = (rows: readonly SeamRow[], most = rows.length): readon
 export const offSeams = (rows: readonly SeamRow[]): readonly SeamRow[] =>
   worstSeams(rows).filter(({after}) => after > mismatchSteps[1]);
 
-/** "Side seam, left, Front to Back, 41 cm, mismatch 2 mm, mirrored" */
+/** "Side seam, left (A), Front to Back, 41 cm, mismatch 2 mm, mirrored" */
 export function seamText(row: SeamRow, texts: Texts, format: Format): string {
   const {pattern} = texts;
-  const name = row.between === undefined ? row.name : `${row.name}, ${row.between}`;
+  const own = `${row.name} (${row.letter})`;
+  const name = row.between === undefined ? own : `${own}, ${row.between}`;
   const kind = row.counts ? pattern[row.kind] : pattern.notCounted;
   const text = pattern.seam(name, format.length(row.length), format.fine(row.after), kind);
   const remark = remarkOn(row, texts, format);
@@ -240,6 +244,7 @@ const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts
     const gathered = counts && own !== undefined && isGathered(own);
     const canMatch = matched && ![a, b].some(({piece}) => now.pieces[piece]?.plain);
     return {
+      letter: seamLetter(seam),
       ...{seam, name, between, sides, kind, counts, canMatch},
       keptOn: [a, b].flatMap((side, k) => (isKeptSide(now, side) ? [sides[k] ?? ''] : [])),
       length: lengths[seam] ?? 0,

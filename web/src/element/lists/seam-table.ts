@@ -62,7 +62,7 @@ export class SeamTable extends ListTable<SeamRow> {
     const remark = remarkOn(row, this.texts, format);
     return html`
       <th scope="row" title=${between ?? nothing}>
-        ${row.name}
+        ${row.name} <span class="letter">${row.letter}</span>
         ${counts ? this.#kind(kind) : html`<span class="soft">(${pattern.notCounted})</span>`}
         ${remark === undefined ? nothing : html`<span class="soft">${remark}</span>`}
         ${

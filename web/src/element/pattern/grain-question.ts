@@ -21,8 +21,10 @@ interface Asked {
   readonly piece: number;
   readonly name: string;
   readonly label: string;
-  /** [degrees, face up] */
+  /** On the sheet. [degrees, face up] */
   readonly proposal: number;
+  /** From the sheet to the piece's own coordinates. [degrees] */
+  readonly turn: number;
 }
 
 /** An arrow along the grain. */
@@ -90,10 +92,12 @@ export class GrainQuestion extends DeskElement {
     const {grain} = design.options;
     if ((grain?.default ?? 'free') === 'free' && !design.print.oneWay) return [];
     const proposals = grainProposals(pattern.pieces, scenes.marks, mirrorsOf(this.desk));
-    return scenes.now.pieces.flatMap(({name, label, plain}, piece): Asked[] => {
+    return scenes.now.pieces.flatMap(({name, label, plain, isTurned}, piece): Asked[] => {
+      const turn = isTurned ? 180 : 0;
       const proposal = proposals.get(name);
       const isSaid = scenes.marks.get(name)?.grainDeg !== undefined;
-      return plain || isSaid || proposal === undefined ? [] : [{piece, name, label, proposal}];
+      if (plain || isSaid || proposal === undefined) return [];
+      return [{piece, name, label, turn, proposal: (proposal + turn) % 360}];
     });
   }
 
@@ -113,7 +117,7 @@ export class GrainQuestion extends DeskElement {
         <button
           class="primary"
           @click=${() => {
-            this.#say(Object.fromEntries(asked.map(({name, proposal}) => [name, proposal])));
+            this.#say(asked.map((one) => ({...one, degrees: one.proposal})));
           }}
         >
           ${grain.takeAll}
@@ -124,7 +128,7 @@ export class GrainQuestion extends DeskElement {
             : html`<button
                 class="outlined"
                 @click=${() => {
-                  this.#say(Object.fromEntries(asked.map(({name}) => [name, upwards])));
+                  this.#say(asked.map((one) => ({...one, degrees: upwards})));
                 }}
               >
                 ${grain.allUp}
@@ -162,7 +166,8 @@ export class GrainQuestion extends DeskElement {
     </div>`;
   }
 
-  #row({piece, name, label, proposal}: Asked): TemplateResult {
+  #row(one: Asked): TemplateResult {
+    const {piece, label, proposal} = one;
     const {grain} = this.texts;
     const to = Math.round(proposal);
     const directions: Readonly<Record<number, string>> = grain.directions;
@@ -180,26 +185,34 @@ export class GrainQuestion extends DeskElement {
           }}
           @change=${({target}: Event) => {
             const {value} = target as HTMLSelectElement;
-            const chosen = grainWays.find((one) => one === value);
+            const chosen = grainWays.find((way) => way === value);
             if (value === 'clicks') this.#click(piece);
-            else if (chosen) this.#say(this.#mirrored(name, angleOfWay[chosen]));
-            else if (value === 'proposal') this.#say(this.#mirrored(name, proposal));
+            else if (chosen) this.#sayMirrored(one, angleOfWay[chosen]);
+            else if (value === 'proposal') this.#sayMirrored(one, proposal);
           }}
         >
           <option value="" selected>${grain.proposal(directions[to] ?? grain.other(to))}</option>
           <option value="proposal">${grain.take}</option>
-          ${grainWays.map((one) => html`<option value=${one}>${grain.ways[one]}</option>`)}
+          ${grainWays.map((way) => html`<option value=${way}>${grain.ways[way]}</option>`)}
           <option value="clicks">${grain.clicks}</option>
         </select></label
       >
     </li>`;
   }
 
-  #mirrored(name: string, degrees: number): Readonly<Record<string, number>> {
-    return withImage(name, degrees, mirrorsOf(this.desk));
+  /** @param degrees on the sheet */
+  #sayMirrored({name, turn}: Asked, degrees: number): void {
+    this.#take(withImage(name, (degrees + turn) % 360, mirrorsOf(this.desk)));
   }
 
-  #say(lines: Readonly<Record<string, number>>): void {
+  /** Of every piece for itself, on the sheet. */
+  #say(lines: readonly (Asked & {readonly degrees: number})[]): void {
+    this.#take(
+      Object.fromEntries(lines.map(({name, turn, degrees}) => [name, (degrees + turn) % 360])),
+    );
+  }
+
+  #take(lines: Readonly<Record<string, number>>): void {
     const {design} = this.desk;
     if (design) this.desk.change({options: withGrainLines(design.options, lines)});
   }

@@ -1,6 +1,7 @@
 /** What is drawn over the pattern: what is pointed at and selected, found symmetries, choices, cursors. */
 import type {SolveOptions} from '../../model/options.js';
 import type {Pattern} from '../../model/result.js';
+import {wayOnSheet} from '../../model/sheet-place.js';
 import type {DetectedSymmetry} from '../../model/symmetries.js';
 import {innermost, pick} from '../../picture/marks.js';
 import type {OnPiece, Overlay} from '../../viewer/overlay.js';
@@ -73,10 +74,11 @@ const ghostsOf = lastOf(
 /** A sign stands below the place for the letter of a pair. */
 const signsOf = lastOf(
   (scene: PatternScene, {pins}: SolveOptions = {}): NonNullable<Overlay['signs']> =>
-    scene.pieces.flatMap(({name, points, outline}, piece) => {
-      if (!pins?.[name]) return [];
-      const {at, room} = innermost(pick(points, outline));
-      return [{piece, point: [at[0], at[1] - 0.6 * room], sign: 'pin'}];
+    scene.pieces.flatMap((shown, piece) => {
+      if (!pins?.[shown.name]) return [];
+      const {at, room} = innermost(pick(shown.points, shown.outline));
+      const [dx, dy] = wayOnSheet(shown, [0, -0.6 * room]);
+      return [{piece, point: [at[0] + dx, at[1] + dy], sign: 'pin'}];
     }),
 );
 

@@ -3,7 +3,7 @@ import {css} from 'lit';
 export const paneStyle = css`
   :host {
     display: grid;
-    grid-template-rows: auto minmax(0, 1fr) auto;
+    grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
     position: relative;
     overflow: hidden;
     min-height: 0;
@@ -66,6 +66,9 @@ export const paneStyle = css`
     .foot {
       flex-wrap: wrap;
       padding: 0 var(--sw-space-2) var(--sw-space-1);
+    }
+    sw-tool-hint {
+      flex-basis: 100%;
     }
   }
   :host([purpose='place']) .foot {

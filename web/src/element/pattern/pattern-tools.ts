@@ -4,6 +4,7 @@ import type {PickIndex} from '../../clicks/pick-index.js';
 import {snap, type Snapped} from '../../clicks/snap.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import {groupsThatCarry} from '../../model/repeat.js';
+import {wayOnSheet} from '../../model/sheet-place.js';
 import {notchMark} from '../../picture/cutting/follow.js';
 import type {Overlay} from '../../viewer/overlay.js';
 import type {PatternScene} from '../../viewer/scene.js';
@@ -193,13 +194,15 @@ export class PatternTools {
     return piece && {kind: 'piece', piece: selected.piece, point: middleOf(piece)};
   }
 
-  /** The print of the selected piece, moved by a way [cm] or turned by degrees. */
+  /** The print of the selected piece, moved by a way on the sheet [cm] or turned by degrees. */
   nudge(way: Point, degrees = 0): boolean {
     const {selected, scenes} = this.#desk;
     const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
     if (this.#own !== 'move' || !piece) return false;
     const wanted =
-      degrees === 0 ? stepped(this.#desk, piece, way) : turnedOn(this.#desk, piece, degrees);
+      degrees === 0
+        ? stepped(this.#desk, piece, wayOnSheet(piece, way))
+        : turnedOn(this.#desk, piece, degrees);
     if (wanted) pin(this.#desk, piece, wanted);
     else {
       const {language, messages} = this.#desk.preferences;
@@ -216,7 +219,7 @@ export class PatternTools {
     const from: Alignment = dragged.alignment;
     this.#desk.select({kind: 'piece', piece});
     return (way) => {
-      pin(this.#desk, dragged, shifted(from, way));
+      pin(this.#desk, dragged, shifted(from, wayOnSheet(dragged, way)));
     };
   }
 

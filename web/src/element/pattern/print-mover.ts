@@ -112,19 +112,3 @@ export function unpin(desk: Workbench, {name}: ScenePiece): void {
     options: {...options, ...(Object.keys(others).length > 0 && {pins: others})},
   });
 }
-
-/** The piece that a look at the front falls on: the selected one, or the one that is called so. */
-export function frontOf({selected, scenes}: Workbench): ScenePiece | undefined {
-  const pieces = scenes?.now.pieces ?? [];
-  if (selected?.kind === 'piece') return pieces[selected.piece];
-  return pieces.find(({name}) => /front/i.test(name)) ?? pieces[0];
-}
-
-/**
- * Puts the print upright on the middle of a piece: with a motif, which is at the print's origin, in its very
- * middle, or with the line through the motifs along it, as high as it lies.
- */
-export function centred(piece: ScenePiece, what: 'motif' | 'line'): Alignment {
-  const [x, y] = middleOf(piece);
-  return {angle: 0, translation: [x, what === 'motif' ? y : piece.alignment.translation[1]]};
-}

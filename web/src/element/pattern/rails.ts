@@ -2,6 +2,7 @@
 import type {Point} from '../../model/geometry.js';
 import {mirroringsOf, ownMirroring} from '../../model/pins.js';
 import {axisLine, footOnAxis} from '../../model/mirror-lines.js';
+import {wayOnSheet} from '../../model/sheet-place.js';
 import {pick} from '../../picture/marks.js';
 import type {Overlay} from '../../viewer/overlay.js';
 import type {PatternScene} from '../../viewer/scene.js';
@@ -50,7 +51,8 @@ export function railsOf(
   const [first, last] = [ends[0], ends.at(-1)];
   if (!first || !last) return {};
   const label = isOnMotif ? symmetry.onMotif : symmetry.onMirror;
-  const top = first[1] > last[1] ? first : last;
+  const isUpper = wayOnSheet(piece, [first[0] - last[0], first[1] - last[1]])[1] > 0;
+  const top = isUpper ? first : last;
   return {
     candidate: {piece: number, axis: [first, last]},
     points: [{piece: number, point: top, label}],

@@ -4,7 +4,8 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import type {PatternTools} from './pattern-tools.js';
-import {centred, frontOf, pin, unpin} from './print-mover.js';
+import {centred, middleToCentre} from './centring.js';
+import {pin, unpin} from './print-mover.js';
 
 export class ToolHint extends DeskElement {
   static override properties = {...DeskElement.properties, tools: {attribute: false}};
@@ -82,8 +83,8 @@ export class ToolHint extends DeskElement {
       html`<button
         class="outlined"
         @click=${() => {
-          const piece = frontOf(this.desk);
-          if (piece) pin(this.desk, piece, centred(piece, what));
+          const middle = middleToCentre(this.desk);
+          if (middle) pin(this.desk, middle.piece, centred(middle, what));
         }}
       >
         ${label}

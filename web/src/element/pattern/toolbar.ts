@@ -34,6 +34,15 @@ export class Toolbar extends DeskElement {
         .tools {
           flex-wrap: nowrap;
         }
+        .tools button {
+          flex: none;
+        }
+        .tools .all {
+          flex: 0 1 auto; /* long words take two lines */
+          line-height: 1.2;
+          text-align: start;
+          white-space: normal;
+        }
         .tool {
           width: var(--sw-target);
           padding: 0;
@@ -83,6 +92,7 @@ export class Toolbar extends DeskElement {
     if (!design || found.length === 0) return nothing;
     const {symmetry} = this.texts;
     return html`<button
+      class="all"
       title=${symmetry.foundCount(found.length)}
       @click=${() => {
         this.tools.acceptAll();

@@ -138,6 +138,16 @@ export const controls = css`
   .soft {
     color: var(--sw-soft);
   }
+  /* of a seam */
+  .letter {
+    padding: 0 0.3em;
+    border-radius: 3px;
+    background: color-mix(in srgb, var(--sw-ink) 9%, transparent);
+    color: var(--sw-ink);
+    font-size: var(--sw-text-small);
+    font-weight: 600;
+    line-height: 1.4;
+  }
   .error {
     color: var(--sw-bad);
   }

@@ -162,7 +162,7 @@ export const de: Texts = {
         ? 'In diesem Schnitt wurde eine Symmetrie gefunden'
         : `In diesem Schnitt wurden ${count} Symmetrien gefunden`,
     accept: 'Übernehmen',
-    back: 'Zurück',
+    back: 'Einen Schritt zurück',
     hint: 'Was als Nächstes zu tun ist',
     moving:
       'Das Muster in einem Teil ziehen oder mit Pfeiltasten schieben. Ein Doppelklick gibt das Teil frei.',
@@ -361,7 +361,7 @@ export const de: Texts = {
     grain: 'Fadenlauf',
   },
   headline: {
-    fits: (mean) => `Nähte treffen sich im Mittel auf ${mean}`,
+    fits: (mean) => `An den Nähten ist das Muster im Mittel um ${mean} versetzt`,
     worst: (mean, seam) => `Schlechteste ${mean}: ${seam}.`,
     before: (mean) => `Vorher im Mittel ${mean}.`,
     more: 'Weitere Zahlen',
@@ -464,7 +464,7 @@ export const de: Texts = {
     moved: 'Geändert',
     offGrain: 'Zum Faden',
     grain: 'Fadenlauf',
-    printed: 'Gemustert',
+    printed: 'Muster',
     seam: 'Naht',
     length: 'Länge',
     before: 'Vorher',

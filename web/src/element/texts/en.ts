@@ -160,7 +160,7 @@ export const en = {
         ? 'One symmetry was found in this garment'
         : `${count} symmetries were found in this garment`,
     accept: 'Accept',
-    back: 'Back',
+    back: 'One step back',
     hint: 'What to do next',
     moving: 'Drag the print inside a piece, or use the arrow keys. A double click frees the piece.',
     begin: {
@@ -357,7 +357,7 @@ export const en = {
     grain: 'Grain',
   },
   headline: {
-    fits: (mean: string) => `Seams meet within ${mean} on average`,
+    fits: (mean: string) => `On average the print misses by ${mean} at the seams`,
     worst: (mean: string, seam: string) => `Worst ${mean}: ${seam}.`,
     before: (mean: string) => `Before, ${mean} on average.`,
     more: 'More figures',

@@ -161,7 +161,7 @@ export const es: Texts = {
         ? 'Se ha encontrado una simetría en este patrón'
         : `Se han encontrado ${count} simetrías en este patrón`,
     accept: 'Aceptar',
-    back: 'Atrás',
+    back: 'Un paso atrás',
     hint: 'Qué hacer ahora',
     moving:
       'Arrastra el estampado dentro de una pieza, o usa las flechas. Un doble clic suelta la pieza.',
@@ -264,7 +264,7 @@ export const es: Texts = {
     kept: 'Se mantiene como está trazada',
     some: 'Algunos bordes se mantienen como están trazados',
     keptOn: (pieces) => `se mantiene en ${pieces}`,
-    column: 'Mantener',
+    column: 'Fijo',
     openEdges: 'Dobladillos y bordes libres mantienen su línea',
   },
   keys: [
@@ -359,7 +359,7 @@ export const es: Texts = {
     grain: 'Hilo',
   },
   headline: {
-    fits: (mean) => `Las costuras casan con ${mean} de desfase medio`,
+    fits: (mean) => `En las costuras, el estampado se desfasa ${mean} de media`,
     worst: (mean, seam) => `La peor, ${mean}: ${seam}.`,
     before: (mean) => `Antes, ${mean} de media.`,
     more: 'Más cifras',
@@ -461,13 +461,13 @@ export const es: Texts = {
     moved: 'Cambia',
     offGrain: 'Fuera de hilo',
     grain: 'Hilo',
-    printed: 'Estampada',
+    printed: 'Estamp.',
     seam: 'Costura',
     length: 'Longitud',
     before: 'Antes',
     after: 'Después',
     match: 'Casar',
-    asAll: 'Como todas',
+    asAll: 'General',
     pinned: 'Fijada',
     free: 'Soltar',
     matches: {double: 'Doble', full: 'Pleno', half: 'Medio', none: 'No casar'},

@@ -162,7 +162,7 @@ export const fr: Texts = {
         ? 'Une symétrie a été trouvée dans ce patron'
         : `${count} symétries ont été trouvées dans ce patron`,
     accept: 'Accepter',
-    back: 'Retour',
+    back: 'Un pas en arrière',
     hint: 'Que faire ensuite',
     moving:
       'Faites glisser l’imprimé dans une pièce, ou utilisez les flèches. Un double clic libère la pièce.',
@@ -265,7 +265,7 @@ export const fr: Texts = {
     kept: 'Gardée comme tracée',
     some: 'Certains bords gardés comme tracés',
     keptOn: (pieces) => `gardé sur ${pieces}`,
-    column: 'Garder',
+    column: 'Fixe',
     openEdges: 'Les ourlets et bords libres gardent leur ligne',
   },
   keys: [
@@ -365,7 +365,7 @@ export const fr: Texts = {
     grain: 'Droit-fil',
   },
   headline: {
-    fits: (mean) => `Les coutures se raccordent à ${mean} près en moyenne`,
+    fits: (mean) => `Aux coutures, l’imprimé est décalé de ${mean} en moyenne`,
     worst: (mean, seam) => `La moins bonne, ${mean} : ${seam}.`,
     before: (mean) => `Avant, ${mean} en moyenne.`,
     more: 'Plus de chiffres',
@@ -470,13 +470,13 @@ export const fr: Texts = {
     moved: 'Modifiée',
     offGrain: 'Hors fil',
     grain: 'Droit-fil',
-    printed: 'Imprimée',
+    printed: 'Imprimé',
     seam: 'Couture',
     length: 'Longueur',
     before: 'Avant',
     after: 'Après',
     match: 'Raccord',
-    asAll: 'Comme toutes',
+    asAll: 'Général',
     pinned: 'Épinglée',
     free: 'Libérer',
     matches: {double: 'Double', full: 'Plein', half: 'Demi', none: 'Aucun'},

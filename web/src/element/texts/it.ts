@@ -161,7 +161,7 @@ export const it: Texts = {
         ? 'In questo cartamodello è stata trovata una simmetria'
         : `In questo cartamodello sono state trovate ${count} simmetrie`,
     accept: 'Accetta',
-    back: 'Indietro',
+    back: 'Un passo indietro',
     hint: 'Che cosa fare adesso',
     moving: 'Trascina la stampa dentro un pezzo, o usa le frecce. Un doppio clic libera il pezzo.',
     begin: {
@@ -362,7 +362,7 @@ export const it: Texts = {
     grain: 'Drittofilo',
   },
   headline: {
-    fits: (mean) => `Le cuciture combaciano con uno scarto medio di ${mean}`,
+    fits: (mean) => `Alle cuciture la stampa scarta in media di ${mean}`,
     worst: (mean, seam) => `La peggiore, ${mean}: ${seam}.`,
     before: (mean) => `Prima, ${mean} in media.`,
     more: 'Altre cifre',
@@ -472,7 +472,7 @@ export const it: Texts = {
     before: 'Prima',
     after: 'Dopo',
     match: 'Combacia',
-    asAll: 'Come tutti',
+    asAll: 'Generale',
     pinned: 'Fissato',
     free: 'Libera',
     matches: {double: 'Doppio', full: 'Pieno', half: 'Mezzo', none: 'Per niente'},

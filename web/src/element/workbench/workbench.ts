@@ -9,13 +9,13 @@ import type {MeshedPattern, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
 import {leaseSolver, type SolverLease} from '../../solver/pool.js';
 import type {SolverService} from '../../solver/service.js';
-import {alignmentsFrom} from '../../viewer/scene.js';
 import type {Tile} from '../../viewer/tile.js';
 import {tileOf} from '../pattern/tile.js';
 import {textsOf} from '../texts/texts.js';
 import {Afterwards} from './afterwards.js';
 import {FoundSymmetries} from './found-symmetries.js';
 import {Journal} from './journal.js';
+import {KnownGarment} from './known-garment.js';
 import {LatestSolve} from './latest-solve.js';
 import {askedOf, measuredMirrorings, withKeptPins} from './kept-pins.js';
 import {preferencesFor, type Preferences} from './preferences.js';
@@ -47,10 +47,7 @@ export class Workbench extends Journal {
   readonly #results = new ResultCache();
   readonly #solve: LatestSolve;
   readonly #found: FoundSymmetries;
-  #pattern: MeshedPattern | undefined;
-  /** What `#pattern` is of. */
-  #garment: DesignGarment | undefined;
-  #partial: readonly Alignment[] | undefined;
+  readonly #known = new KnownGarment();
   #state: SolveState = {kind: 'opening'};
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
@@ -78,15 +75,10 @@ export class Workbench extends Journal {
     this.#found = new FoundSymmetries(this.solver, changed);
     this.#solve = new LatestSolve(this.solver, asked, {
       pattern: (design, pattern) => {
-        if (design.garment !== this.#garment) return;
-        this.#pattern = pattern;
-        this.#partial = undefined;
-        this.changedNext();
+        if (this.#known.take(design.garment, pattern)) this.changedNext();
       },
       partial: (design, alignments) => {
-        if (design.garment !== this.#garment) return;
-        this.#partial = alignmentsFrom(alignments);
-        this.changedOften();
+        if (this.#known.lay(design.garment, alignments)) this.changedOften();
       },
       progress: (_, told) => {
         this.#state = {kind: 'solving', ...told};
@@ -95,7 +87,7 @@ export class Workbench extends Journal {
       },
       done: (design, result) => {
         if (design !== this.design) return;
-        if (this.#pattern) this.#results.keep(design, {pattern: this.#pattern, result});
+        this.#keep(design, result);
         this.#state = {kind: 'done'};
         this.#follow();
         this.changedNext();
@@ -122,7 +114,7 @@ export class Workbench extends Journal {
 
   /** The garment meshed, with the symmetries of the last solve that was begun. */
   get pattern(): MeshedPattern | undefined {
-    return this.#pattern;
+    return this.#known.pattern;
   }
 
   /** The answer to the present design, or to none. */
@@ -132,14 +124,15 @@ export class Workbench extends Journal {
 
   /** How the pieces lie in the answer that is on its way; of `pattern`'s pieces. */
   get partial(): readonly Alignment[] | undefined {
-    return this.#partial;
+    return this.#known.partial;
   }
 
   /** Symmetries that are asked for; where none is, those that the answer keeps all the same. */
   get kept(): readonly Symmetry[] {
     const {design} = this;
     const isHeld = design?.symmetries.length === 0 && this.#isAuto?.(design);
-    return isHeld && this.#pattern ? this.#found.heldBy(this.#pattern) : (design?.symmetries ?? []);
+    const {pattern} = this;
+    return isHeld && pattern ? this.#found.heldBy(pattern) : (design?.symmetries ?? []);
   }
 
   /** Symmetries the garment shows by itself and that are not kept yet. */
@@ -158,8 +151,8 @@ export class Workbench extends Journal {
     if (isEdited === this.#isEdited) return;
     this.#isEdited = isEdited;
     if (!isEdited) this.afterwards.stop();
-    else if (this.#garment) {
-      this.#found.follow(this.#garment);
+    else if (this.#known.garment) {
+      this.#found.follow(this.#known.garment);
       this.#follow();
     }
   }
@@ -179,7 +172,7 @@ export class Workbench extends Journal {
     const pattern = await this.meshed(design);
     const method = this.design?.method ?? design.method;
     this.begin(begun({design: {...design, method}, view: null}));
-    this.#pattern ??= pattern;
+    this.#known.takeFirst(garment, pattern);
     this.changed();
   }
 
@@ -201,7 +194,7 @@ export class Workbench extends Journal {
   cancel(): void {
     if (!this.#solve.isRunning) return;
     this.#solve.cancel();
-    this.#partial = undefined;
+    this.#known.rest();
     this.#state = {kind: 'stale', cancelled: true};
     this.changed();
   }
@@ -218,11 +211,11 @@ export class Workbench extends Journal {
   }
 
   protected override stepped(): void {
-    const {design} = this;
-    if (!design?.options.pins || !this.#pattern) return;
+    const {design, pattern} = this;
+    if (!design?.options.pins || !pattern) return;
     const isAuto = design.symmetries.length === 0 && this.#isAuto?.(design);
-    const known = mirroringsOf(this.#pattern);
-    this.steps.mend(withKeptPins(design, this.#pattern, isAuto ? known : askedOf(design, known)));
+    const known = mirroringsOf(pattern);
+    this.steps.mend(withKeptPins(design, pattern, isAuto ? known : askedOf(design, known)));
   }
 
   /** All better answers that are found in one go are one step. */
@@ -230,23 +223,28 @@ export class Workbench extends Journal {
     const options = {...design.options, effort};
     this.steps.change({options}, improving, this.view?.get() ?? null);
     const present = this.design ?? design;
-    if (this.#pattern) this.#results.keep(present, {pattern: this.#pattern, result});
+    this.#keep(present, result);
     this.changed();
     return present;
+  }
+
+  #keep(design: Design, result: SolveResult): void {
+    const {pattern} = this;
+    if (pattern) this.#results.keep(design, {pattern, result});
   }
 
   protected override arrive(): void {
     const {design} = this;
     if (!design) return;
     this.afterwards.stop();
-    if (design.garment !== this.#garment) this.#meet(design.garment);
+    if (this.#known.meet(design.garment)) this.#met(design.garment);
     const known = this.#results.of(design);
     if (known ?? !this.preferences.solveAsIGo) {
       this.#solve.cancel();
-      this.#partial = undefined;
+      this.#known.rest();
     }
     if (known) {
-      this.#pattern = known.pattern;
+      this.#known.take(design.garment, known.pattern);
       this.#state = {kind: 'done'};
       this.#follow();
     } else if (this.preferences.solveAsIGo) {
@@ -259,7 +257,7 @@ export class Workbench extends Journal {
 
   #fail(design: Design, failure: Failure): void {
     this.#state = {kind: 'failed', failure};
-    if (!this.#pattern) void this.#showUnsolved(design);
+    if (!this.pattern) void this.#showUnsolved(design);
     this.changed();
   }
 
@@ -267,7 +265,7 @@ export class Workbench extends Journal {
   async #snap(design: Design, failure: Failure): Promise<void> {
     const known = await measuredMirrorings(design, (symmetry) => this.measure(symmetry));
     if (design !== this.design) return;
-    const next = withKeptPins(design, this.#pattern, known);
+    const next = withKeptPins(design, this.pattern, known);
     if (next === design) {
       this.#fail(design, failure);
       return;
@@ -281,16 +279,11 @@ export class Workbench extends Journal {
   /** What cannot be solved may still be shown. */
   async #showUnsolved(design: Design): Promise<void> {
     const pattern = await this.meshed(design).catch(() => undefined);
-    if (!pattern || this.#garment !== design.garment || this.#pattern) return;
-    this.#pattern = pattern;
-    this.changed();
+    if (pattern && this.#known.takeFirst(design.garment, pattern)) this.changed();
   }
 
-  /** A garment that was not there before; what was known of another is forgotten. */
-  #meet(garment: DesignGarment): void {
-    this.#garment = garment;
-    this.#pattern = undefined;
-    this.#partial = undefined;
+  /** A garment that was not there before. */
+  #met(garment: DesignGarment): void {
     this.lookAway();
     if (this.#isEdited) this.#found.follow(garment);
     else this.#found.forget();

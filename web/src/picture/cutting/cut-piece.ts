@@ -8,7 +8,7 @@ import {innermost, pick} from '../marks.js';
 import {cutLine} from './cut-line.js';
 import {notchMark, shapePoint, type OutlineMark} from './follow.js';
 import {matchMarks} from './match-marks.js';
-import type {SeamLetter} from './seam-letters.js';
+import type {SeamLetter} from '../seam-letters.js';
 
 /** Points are in the coordinates of the piece's shape. */
 export interface CutPiece {

@@ -4,14 +4,16 @@ import type {Point} from '../../model/geometry.js';
 import {readable} from '../../model/piece-names.js';
 import {repeatOf} from '../../model/repeat.js';
 import type {SolveResult} from '../../model/result.js';
+import {ontoSheet} from '../../model/sheet-place.js';
 import {formatLength, type Units} from '../../model/units.js';
 import {clothTile, clothUnder, type PrintWithTile} from '../cloth.js';
 import {layOut, type Layout} from '../layout.js';
 import {markAcross} from '../mark.js';
+import {placementsIn, type Placements} from '../on-body.js';
+import {seamLetters} from '../seam-letters.js';
 import {escaped, short, text} from '../svg.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
 import {drawCutPiece} from './draw-cut-piece.js';
-import {seamLetters} from './seam-letters.js';
 
 export interface CuttingMarks extends GarmentTitle {
   readonly panels: ReadonlyMap<string, PanelMarks>;
@@ -32,6 +34,8 @@ export interface CuttingOptions {
 const unit = 10;
 const margin = 15;
 const foot = 82;
+/** From a sewn line to the middle of its letter. [cm] */
+const letterRoom = 0.6;
 /** Between cut lines. [cm] */
 const gap = 1.5;
 /** Width to height of a sheet. */
@@ -52,12 +56,13 @@ const twins = ({symmetries}: SolveResult): ReadonlyMap<number, number> =>
   );
 
 /** Pieces keep apart by their cut lines. */
-function laidOut(result: SolveResult, cuts: readonly CutPiece[]): Layout {
+function laidOut(result: SolveResult, cuts: readonly CutPiece[], placements: Placements): Layout {
   const pieces = result.pieces.map((piece, k) => {
     const rest = cuts[k]?.cut.flat() ?? [];
     return {...piece, rest, outline: rest.map((_, n) => n)};
   });
-  return layOut({...result, pieces}, aspect, {gap, below: () => gap, least: () => 0});
+  const spacing = {gap, below: () => gap, least: () => 0};
+  return layOut({...result, pieces}, aspect, spacing, placements, {isPacked: true});
 }
 
 /** Measured with a ruler, they show whether the paper has the right size. */
@@ -80,21 +85,21 @@ export function cuttingFile(
   {title, size, panels}: CuttingMarks,
   {allowanceCm, units, locale = 'en', mark, plain = []}: CuttingOptions,
 ): string {
-  const letters = seamLetters(result);
+  const letters = seamLetters(result, letterRoom);
   const cuts = result.pieces.map((piece, k) =>
     cutPiece(piece, print, panels.get(piece.name) ?? {label: readable(piece.name)}, {
       ...{allowanceCm, isPlain: plain.includes(piece.name), letters: letters[k] ?? []},
     }),
   );
-  const layout = laidOut(result, cuts);
+  const layout = laidOut(result, cuts, placementsIn(panels));
   const twinOf = twins(result);
   const width = Math.max(layout.width * unit, 240) + 2 * margin;
   const height = layout.height * unit + 2 * margin + foot;
   const page =
     (k: number) =>
-    ([x, y]: Point): Point => {
-      const [ox, oy] = layout.offsets[k] ?? [0, 0];
-      return [margin + unit * (x + ox), margin + unit * (layout.height - y - oy)];
+    (point: Point): Point => {
+      const [x, y] = ontoSheet(layout.places[k] ?? {offset: [0, 0]}, point);
+      return [margin + unit * x, margin + unit * (layout.height - y)];
     };
   const heading = [title, size].filter((word) => word !== undefined).join(', ');
   const facts = [

@@ -1,7 +1,8 @@
-/** Letters along the seams of the pieces to cut: what has the same is sewn together. */
-import type {Point} from '../../model/geometry.js';
-import type {Pattern, SeamSide} from '../../model/result.js';
-import {isInside, pick} from '../marks.js';
+/** Letters along the seams of pieces: what has the same is sewn together. */
+import type {Point} from '../model/geometry.js';
+import {seamLetter} from '../model/letters.js';
+import type {Pattern, SeamSide} from '../model/result.js';
+import {isInside, pick} from './marks.js';
 
 export interface SeamLetter {
   readonly letter: string;
@@ -9,16 +10,12 @@ export interface SeamLetter {
   readonly at: Point;
 }
 
-/** From the sewn line to the middle of a letter. [cm] */
-const inside = 0.6;
-
-/** A, B, ... Z, AA, AB, ... */
-export const letterOf = (number: number): string =>
-  (number >= 26 ? letterOf(Math.floor(number / 26) - 1) : '') +
-  String.fromCharCode(65 + (number % 26));
-
 /** Beside the middle of a line, on the side where the piece is. */
-function beside(line: readonly Point[], outline: readonly Point[]): Point | undefined {
+function beside(
+  line: readonly Point[],
+  outline: readonly Point[],
+  inside: number,
+): Point | undefined {
   const steps = line.slice(1).map(([x, y], k) => {
     const [fromX, fromY] = line[k] ?? [x, y];
     return Math.hypot(x - fromX, y - fromY);
@@ -39,14 +36,21 @@ function beside(line: readonly Point[], outline: readonly Point[]): Point | unde
   return undefined;
 }
 
-/** By piece, in the coordinates of its shape. */
-export function seamLetters({pieces, seams}: Pattern): readonly (readonly SeamLetter[])[] {
+/**
+ * By piece, in the coordinates of its outline in either of its two states.
+ * @param inside from the sewn line to the middle of a letter [cm]
+ */
+export function seamLetters(
+  {pieces, seams}: Pattern,
+  inside: number,
+  state: 'rest' | 'shape' = 'shape',
+): readonly (readonly SeamLetter[])[] {
   const letters = pieces.map((): SeamLetter[] => []);
   for (const [seam, {a, b}] of seams.entries()) {
     const mark = ({piece, vertices}: SeamSide): void => {
-      const {shape = [], outline = []} = pieces[piece] ?? {};
-      const at = beside(pick(shape, vertices), pick(shape, outline));
-      if (at) letters[piece]?.push({letter: letterOf(seam), at});
+      const {[state]: points = [], outline = []} = pieces[piece] ?? {};
+      const at = beside(pick(points, vertices), pick(points, outline), inside);
+      if (at) letters[piece]?.push({letter: seamLetter(seam), at});
     };
     mark(a);
     mark(b);

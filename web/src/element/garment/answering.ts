@@ -1,0 +1,43 @@
+/** Begins what an element is asked for, and waits for the answer. */
+import {SolverError} from '../../model/failure.js';
+import type {SolveResult} from '../../model/result.js';
+import type {Beginning} from './beginning.js';
+import type {GarmentSession} from './session.js';
+import type {Speech} from './speech.js';
+
+export class Answering {
+  readonly #session: GarmentSession;
+  readonly #beginning: Beginning;
+  readonly #speech: Speech;
+
+  constructor(session: GarmentSession, beginning: Beginning, speech: Speech) {
+    this.#session = session;
+    this.#beginning = beginning;
+    this.#speech = speech;
+  }
+
+  /** Begins what is asked for, unless it is under way or answered. */
+  start(): void {
+    const {state} = this.#session;
+    const isStuck = state === 'idle' || state === 'error' || state === 'stale';
+    if (isStuck && !this.#beginning.isDue && !this.#session.solveAgain()) {
+      this.#beginning.askAgain();
+    }
+    this.#beginning.now();
+  }
+
+  /**
+   * @param isAskable whether garment and print are named
+   * @throws as the element's `solve` does
+   */
+  async answer(isAskable: boolean, signal: AbortSignal | undefined): Promise<SolveResult> {
+    if (!isAskable && (this.#session.state === 'idle' || this.#beginning.isDue)) {
+      const message = this.#speech.texts.garment.noGarment;
+      throw new SolverError({code: 'notAGarment', message});
+    }
+    this.start();
+    return this.#session.answer(signal, () => {
+      this.#beginning.abandon();
+    });
+  }
+}

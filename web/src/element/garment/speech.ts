@@ -1,0 +1,56 @@
+/** In which words an element speaks: in the language asked for, else in that around it, else in the browser's. */
+import type {ReactiveControllerHost} from 'lit';
+
+import type {Units} from '../../model/units.js';
+import {textsOf, type Messages, type Texts} from '../texts/texts.js';
+import {preferencesFor} from '../workbench/preferences.js';
+import type {Workbench} from '../workbench/workbench.js';
+import {localeOf} from './attributes.js';
+import {LanguageAround} from './language-around.js';
+
+/** What the element was asked for. */
+interface Speaker extends ReactiveControllerHost, Element {
+  readonly locale: string | null;
+  readonly units: Units;
+}
+
+export class Speech {
+  readonly #speaker: Speaker;
+  readonly #desk: Workbench;
+  readonly #language: LanguageAround;
+  #messages: Messages | undefined;
+
+  constructor(speaker: Speaker & Element, desk: Workbench) {
+    this.#speaker = speaker;
+    this.#desk = desk;
+    this.#language = new LanguageAround(speaker, () => {
+      this.prefer();
+    });
+  }
+
+  /** Words to be shown in place of the element's own. */
+  get messages(): Messages | undefined {
+    return this.#messages;
+  }
+
+  set messages(messages: Messages | undefined) {
+    this.#messages = messages;
+    this.prefer();
+  }
+
+  get texts(): Texts {
+    const {language, messages} = this.#desk.preferences;
+    return textsOf(language, messages);
+  }
+
+  /** After anything has changed that decides it. */
+  prefer(): void {
+    const {locale, units} = this.#speaker;
+    const {language} = preferencesFor(localeOf(locale, this.#language.around, navigator.language));
+    const messages = this.#messages;
+    const known = this.#desk.preferences;
+    const isKnown =
+      language === known.language && units === known.units && messages === known.messages;
+    if (!isKnown) this.#desk.prefer({language, units, messages});
+  }
+}

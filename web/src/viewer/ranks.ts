@@ -1,0 +1,199 @@
+/** Ranks of the seams that miss most: small discs beside them, and where there is no room, on a thin line that leads there. */
+import type {Point} from '../model/geometry.js';
+import type {SeamSide} from '../model/result.js';
+import {isInside} from '../picture/marks.js';
+import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
+import {outsideOf} from './outside.js';
+import type {PatternScene, SceneSeam} from './scene.js';
+import {atShare, lineOf, type OnLine} from './seam-line.js';
+import {toScreen, toSheet, type ScreenSize, type SheetView} from './sheet-view.js';
+import {placed, type Appearance} from './strokes.js';
+
+/** No more seams than this get a rank, and none whose mean is less. */
+const mostRanks = 3;
+const leastMean = 0.1; // cm
+/** Across. [CSS px] */
+const rankSize = 18;
+/** From the edge to the middle of the disc, the nearest first: clear of the line along the edge. [CSS px] */
+const reaches = [15, 20, 28, 40, 54];
+/** From here on a line leads to the seam. [CSS px] */
+const nearReach = 20;
+/** Along a side, after the place where it misses most, from 0 to 1. */
+const shares = [0.5, 0.35, 0.65, 0.2, 0.8];
+
+/** A place on an edge, and the way out of the piece, of length 1. */
+export interface Anchor {
+  readonly at: Point;
+  readonly out: Point;
+}
+
+/** On the screen. */
+export interface Spot extends Anchor {
+  /** From the edge to the middle of the disc. [CSS px] */
+  readonly reach: number;
+  readonly box: Box;
+}
+
+const isWithin = ({left, top, right, bottom}: Box, {width, height}: ScreenSize): boolean =>
+  left >= 0 && top >= 0 && right <= width && bottom <= height;
+
+const squareAt = ([x, y]: Point, side: number): Box => ({
+  left: x - side / 2,
+  top: y - side / 2,
+  right: x + side / 2,
+  bottom: y + side / 2,
+});
+
+/**
+ * The nearest place for a rank that is free of what is taken, as is the line that leads there: off all cloth if there
+ * is one, else inside of the seam. The first anchors are the best. All on the screen, y down. [CSS px]
+ */
+export function spotFor(
+  anchors: readonly Anchor[],
+  size: ScreenSize,
+  taken: readonly Box[],
+  isOnCloth: (at: Point) => boolean,
+): Spot | undefined {
+  const freeOf = (some: readonly Anchor[], how: readonly number[]): readonly Spot[] =>
+    how.flatMap((reach) =>
+      some.flatMap(({at, out}): Spot[] => {
+        const along = (way: number): Point => [at[0] + way * out[0], at[1] + way * out[1]];
+        const box = squareAt(along(reach), rankSize);
+        const line = reach > nearReach ? ways(reach).map((way) => squareAt(along(way), 2)) : [];
+        const isTaken = [box, ...line].some((one) => taken.some((other) => overlap(other, one)));
+        return isTaken || !isWithin(box, size) ? [] : [{at, out, reach, box}];
+      }),
+    );
+  const free = freeOf(anchors, reaches);
+  const isOff = ({left, top, right, bottom}: Box): boolean => {
+    const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+    const touched: Point[] = [
+      [x, y],
+      [left, y],
+      [right, y],
+      [x, top],
+      [x, bottom],
+    ];
+    return !touched.some(isOnCloth);
+  };
+  const inwards = anchors.map(({at, out: [x, y]}): Anchor => ({at, out: [-x, -y]}));
+  return free.find(({box}) => isOff(box)) ?? freeOf(inwards, reaches.slice(0, 1))[0] ?? free[0];
+}
+
+/** Places along the line that leads to a disc. [CSS px] */
+const ways = (reach: number): readonly number[] =>
+  Array.from({length: Math.floor(reach / 4)}, (_, k) => 4 * k);
+
+interface Rank {
+  readonly element: HTMLElement;
+  readonly leader: HTMLElement;
+  /** On the sheet, y up. */
+  readonly anchors: readonly Anchor[];
+}
+
+/** On the sheet, with its corners. */
+interface Outline {
+  readonly loop: readonly Point[];
+  readonly low: Point;
+  readonly high: Point;
+}
+
+function outlineOf(loop: readonly Point[]): Outline {
+  const [xs, ys] = [loop.map(([x]) => x), loop.map(([, y]) => y)];
+  return {
+    loop,
+    low: [Math.min(...xs), Math.min(...ys)],
+    high: [Math.max(...xs), Math.max(...ys)],
+  };
+}
+
+export class Ranks {
+  readonly element = chipLayer();
+  #ranks: readonly Rank[] = [];
+  #outlines: readonly Outline[] = [];
+
+  /** After the print has come to lie otherwise along the seams, too. */
+  show(scene: PatternScene, appearance: Appearance): void {
+    const worst = scene.seams
+      .filter(({counts, mean}) => counts && mean > leastMean)
+      .sort((a, b) => b.mean - a.mean)
+      .slice(0, mostRanks);
+    this.#ranks = worst.map((seam, k) => ({
+      ...{element: rankChip(k + 1, appearance), leader: leaderLine(appearance)},
+      anchors: anchorsOf(scene, seam),
+    }));
+    this.#outlines = scene.pieces.map((piece) => outlineOf(placed(piece, piece.outline)));
+    this.element.replaceChildren(
+      ...this.#ranks.map(({leader}) => leader),
+      ...this.#ranks.map(({element}) => element),
+    );
+  }
+
+  /** Follows the drawing; ranks stay clear of what is `taken`, and of each other. */
+  place(view: SheetView, size: ScreenSize, taken: readonly Box[]): void {
+    const all = [...taken];
+    const isOnCloth = (at: Point): boolean => {
+      const [x, y] = toSheet(view, size, at);
+      return this.#outlines.some(
+        ({loop, low, high}) =>
+          x > low[0] && x < high[0] && y > low[1] && y < high[1] && isInside(loop, [x, y]),
+      );
+    };
+    for (const {element, leader, anchors} of this.#ranks) {
+      const onScreen = anchors.map(({at, out: [x, y]}): Anchor => ({
+        at: toScreen(view, size, at),
+        out: [x, -y],
+      }));
+      const spot = spotFor(onScreen, size, all, isOnCloth);
+      if (spot) all.push(spot.box);
+      move(element, spot && [spot.box.left, spot.box.top]);
+      const isFar = spot !== undefined && spot.reach > nearReach;
+      move(leader, isFar ? spot.at : undefined, isFar ? `rotate(${angleOf(spot.out)}rad)` : '');
+      if (isFar) leader.style.width = `${spot.reach - rankSize / 2}px`;
+    }
+  }
+}
+
+const angleOf = ([x, y]: Point): string => Math.atan2(y, x).toFixed(3);
+
+/** Where the seam misses most, on both sides; then along them. */
+function anchorsOf(scene: PatternScene, {a, b, worst}: SceneSeam): readonly Anchor[] {
+  const sides = [a, b].map((side) => ({side, line: lineOf(scene, side)}));
+  const anchor = ({side}: {readonly side: SeamSide}, {at, along}: OnLine): Anchor => {
+    const outside = outsideOf(scene.pieces[side.piece], side.vertices);
+    return {at, out: [outside * along[1], -outside * along[0]]};
+  };
+  return [
+    ...sides.flatMap((one) => {
+      const edge = one.line.slice(worst.edge, worst.edge + 2);
+      return edge.length === 2 ? [anchor(one, atShare(edge, 0.5))] : [];
+    }),
+    ...shares.flatMap((share) => sides.map((one) => anchor(one, atShare(one.line, share)))),
+  ];
+}
+
+function leaderLine(appearance: Appearance): HTMLElement {
+  return placeable(document.createElement('span'), {
+    height: '1.5px',
+    marginTop: '-0.75px',
+    transformOrigin: '0 50%',
+    background: chipColours[appearance].text,
+    boxShadow: `0 0 0 1px ${chipColours[appearance].paper}`,
+  });
+}
+
+function rankChip(rank: number, appearance: Appearance): HTMLElement {
+  const {text, paper} = chipColours[appearance];
+  const element = placeable(document.createElement('span'), {
+    boxSizing: 'border-box',
+    width: `${rankSize}px`,
+    height: `${rankSize}px`,
+    borderRadius: '50%',
+    background: text,
+    color: paper,
+    textAlign: 'center',
+    font: `600 11px/${rankSize}px system-ui, sans-serif`,
+  });
+  element.textContent = String(rank);
+  return element;
+}
