@@ -194,7 +194,7 @@ bool FitRun::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.states = fitting_->states();
-  start.fit = fitAny(match_.group, fitted(), fitting_->shapes(), alignment_);
+  start.fit = fitAny(match_.joining(), fitted(), fitting_->shapes(), alignment_);
   return goOnFromBest();
 }
 
