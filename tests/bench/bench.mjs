@@ -14,6 +14,7 @@ import {
   measureEdits,
   measureGrowth,
   measureMethods,
+  measurePublished,
   measureSearch,
   measureYardstick,
 } from './parts.mjs';
@@ -25,6 +26,7 @@ import {tablesOf} from './tables.mjs';
 /** What can be measured, each by itself, and which of the benchmark's programs it runs. */
 const parts = {
   methods: {measure: measureMethods, platforms: both},
+  published: {measure: measurePublished, platforms: ['native']},
   yardstick: {measure: measureYardstick, platforms: both},
   search: {measure: measureSearch, platforms: ['native']},
   edits: {measure: measureEdits, platforms: both},
@@ -35,16 +37,18 @@ const parts = {
     platforms: [],
   },
 };
-const searchGroups = ['pmm', 'p4m', 'pgg', 'cm', 'p31m', 'p6m', 'p1'];
+const usualGroups = ['pmm', 'p4m', 'pgg', 'cm', 'p31m', 'p6m', 'p1'];
 const usualLongCases = 10;
 
 const usage = `npm run bench -- [--parts ${Object.keys(parts).join(',')}] [--garments DIR ...] [--only NAME]
     [--groups GROUP,...] [--seeds N] [--long SECONDS] [--long-cases N] [--thorough] [--json] [--write]
-Measures the sample garments, and all below the given folders, on an idle machine; about a quarter of an hour.
---only takes a part of a garment's name. --groups are those of the prints: of 'methods' (pmm by itself) and of
-'search' (${searchGroups.join()} by itself). --seeds: of paper and ws19, and of the search (1).
+Measures the sample garments, and all below the given folders, on an idle machine; about three
+quarters of an hour: half of it 'published', a minute or less 'growth', 'edits' and 'page', the others some minutes each.
+--only takes a part of a garment's name. --groups are those of the prints: of 'methods' (pmm by itself), of
+'published' and of 'search' (${usualGroups.join()} by themselves). --seeds: of paper and ws19, and of the search (1).
 --long: how much time the search gets for comparison (60 s), in so many cases (${usualLongCases}).
---thorough solves paper and ws19 with five seeds and in WebAssembly, too, gives every search the long time, and
+--thorough solves paper and ws19 with five seeds and in WebAssembly, too, compares every garment with
+the published method in every group, gives every search the long time, and
 counts broken rules in every size; that takes hours. --json writes everything for machines (npm run -s bench: npm itself is silent, too), --write the
 tables into docs/benchmarks.md.`;
 
@@ -137,8 +141,13 @@ const notes = `- **fit** and its kin are those of [the life of a print](life-of-
   and *seam/random* compare with it. *first ms*: from the files to the first alignment that can be drawn, in the
   first solve of a process, but for the small ones that a page has its worker warm with while files are on their way. *progress off*: the greatest distance of the progress reported from the share of time
   spent. *memory*: the most in use beyond what the program held before.
+  *fit/drafted* compares with the drafted pieces laid on grain; *off*: how much seam misses by more than 5 mm; nine tenths
+  of it do not miss by *p90*.
 - **paper** and **ws19** are timed by their last attempt: they are solved with growing stiffness until the greatest
   change holds. Under *Methods*, two of them run at once.
+- **Against the published method**: every garment in three of the groups in turn, two cases at once. *paper*: as published,
+  with one random start; *best paper*: the best end of 50 starts and one from the drafted layout, then deformed towards its
+  targets as they are or clipped to 0.9 of the greatest change, whichever fits better. Neither ends worse than undeformed.
 - **Search**: 1000 starts at random alignments, each improved by the local step of \`best\`, the best ten of
   them on every edge; \`fitSearch\` is that of the default budget, its time all of the alignment phase. *bound*: no alignment
   costs less than this share of it. The long
@@ -170,7 +179,11 @@ async function run() {
   const groups = (usual) => findPrints(options.groups?.split(',') ?? usual);
   const settings = {
     garments: findGarments(options.garments, options.only),
-    prints: {methods: groups(['pmm']), search: groups(searchGroups)},
+    prints: {
+      methods: groups(['pmm']),
+      published: groups(usualGroups),
+      search: groups(usualGroups),
+    },
     seeds: count('seeds', options.seeds ?? (options.thorough ? '5' : '1')),
     long: count('long', options.long),
     longCases: count(

@@ -11,7 +11,7 @@ import {build} from '../../web/setup/build.mjs';
 import {chromiumPath} from '../../web/setup/chromium.mjs';
 import {must, root, tool} from '../../web/setup/shell.mjs';
 import {ensureSystem, forBrowserTests} from '../../web/setup/system.mjs';
-import {median} from './ratios.mjs';
+import {median} from './numbers.mjs';
 
 const openings = 3;
 const configFile = join(root, 'vite.config.ts');

@@ -1,7 +1,7 @@
 // What is measured, part by part. Every part gives rows of figures, as the program answers them.
 import {cpus} from 'node:os';
 
-import {exponent} from './ratios.mjs';
+import {exponent} from './numbers.mjs';
 
 /** Repeated within one process, the quickest counts. */
 const often = {times: 3, atLeast: 1000};
@@ -14,6 +14,15 @@ export const both = ['native', 'wasm'];
 /** The garment that stands for all where measuring them would take too long: it is most like the paper's. */
 const exampleOf = (garments) =>
   garments.find(({name}) => name.startsWith('princess-dress')) ?? garments[0];
+
+/** Those that stand for all where one would not do. */
+const usualNames = ['princess-dress', 'shirt', 'trousers'];
+function usualOf(garments, thorough) {
+  const usual = garments.filter(
+    ({name}) => thorough || usualNames.some((one) => name.startsWith(`${one}-`)),
+  );
+  return usual.length > 0 ? usual : garments.slice(0, 1);
+}
 
 const named = (task, {garment, print}) => ({task, garment: garment.file, print: print.file});
 
@@ -85,9 +94,46 @@ async function medianOfSeeds(programs, platform, task, seeds) {
   return sorted[Math.floor((sorted.length - 1) / 2)];
 }
 
+/** In how many of the prints' groups every garment is compared with the published method. */
+const publishedGroups = 3;
+/** What makes the most of the published method: the best of many starts, far targets clipped or not. */
+const atItsBest = [{starts: 50}, {starts: 50, clipTargets: true}];
+
+/**
+ * best against the published method, as published and at its best: every garment in some of the
+ * groups in turn, or in all when thorough. One process a case, two at once.
+ */
+export async function measurePublished({programs, garments, prints, seeds, thorough, say, fail}) {
+  const all = prints.published;
+  const count = thorough ? all.length : Math.min(publishedGroups, all.length);
+  const cases = garments.flatMap((garment, k) =>
+    Array.from({length: count}, (_, j) => ({garment, print: all[(k * count + j) % all.length]})),
+  );
+  const rows = await twoAtOnce(cases, async (one) => {
+    const name = `published: ${one.garment.name}, ${one.print.group}`;
+    say(name);
+    const task = {...named('solve', one), method: 'paper'};
+    return unlessBroken(name, fail, async () => {
+      const [best, ...tried] = await programs.ask('native', [
+        {...task, method: 'best', times: 3},
+        ...atItsBest.map((options) => ({...task, options})),
+      ]);
+      return {
+        garment: one.garment.name,
+        group: one.print.group,
+        best,
+        paper: await medianOfSeeds(programs, 'native', task, seeds),
+        bestPaper: tried.reduce((a, b) => (b.fit < a.fit ? b : a)),
+      };
+    });
+  });
+  return rows.filter(isThere);
+}
+
 /** Meshes of 16.5k triangles: one factorisation of the whole, and what solves take. */
 export async function measureYardstick({programs, garments, prints, thorough, say, fail}) {
   const rows = [];
+  const timed = usualOf(garments, thorough); // paper takes long
   for (const garment of garments) {
     say(`yardstick: ${garment.name}`);
     const files = {garment, print: prints.methods[0]};
@@ -102,7 +148,7 @@ export async function measureYardstick({programs, garments, prints, thorough, sa
       };
     };
     const row = await unlessBroken(`yardstick: ${garment.name}`, fail, measure);
-    if (row && (thorough || garment === exampleOf(garments))) {
+    if (row && timed.includes(garment)) {
       const task = {...named('solve', files), edgeLength: row.edgeLength, method: 'paper'};
       const [native] =
         (await unlessBroken(`yardstick: ${garment.name}, paper`, fail, () =>
@@ -183,13 +229,9 @@ function spread(count, garments, prints) {
 
 /** One change to a solved problem, on meshes of 16.5k triangles, in WebAssembly. */
 export async function measureEdits({programs, garments, prints, thorough, say, fail}) {
-  const usual = ['princess-dress', 'shirt', 'trousers'];
-  const chosen = garments.filter(
-    ({name}) => thorough || usual.some((one) => name.startsWith(`${one}-`)),
-  );
   const [print] = prints.methods;
   const rows = [];
-  for (const garment of chosen.length > 0 ? chosen : garments.slice(0, 1)) {
+  for (const garment of usualOf(garments, thorough)) {
     say(`edits: ${garment.name}`);
     const files = {garment, print};
     const measure = async () => {

@@ -18,9 +18,6 @@ export interface Ratio {
   readonly cases: number;
 }
 
-export function median(values: readonly number[]): number;
-export function quotient(fit: number, other: number): number | null;
-export function exponent(points: readonly (readonly [number, number])[]): number;
 export function ratiosOf(results: Readonly<Record<string, unknown>>): Ratio[];
 export function summary(
   title: string,

@@ -1,25 +1,7 @@
 // The figures as tables, in Markdown that can be read as it stands.
-import {quotient} from './ratios.mjs';
-
-const ms = (value) => (value < 9.95 ? value.toFixed(1) : value.toFixed(0));
-const fit = (value) => value.toFixed(value < 9.995 ? 2 : 1);
-const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
-const kilobytes = (bytes) => (bytes / 1e3).toFixed(1);
-const share = (value) => (value === null ? '=' : Number.isFinite(value) ? digits(value) : 'inf');
-const digits = (value) =>
-  value < 0.0995 ? value.toFixed(4) : value < 99.5 ? value.toFixed(3) : value.toFixed(0);
-
-/** @param head  titles; the first column is text, the others are figures */
-function table(head, rows) {
-  const all = [head, ...rows].map((row) => row.map(String));
-  const widths = head.map((_, k) => Math.max(3, ...all.map((row) => row[k].length)));
-  const line = (cells) =>
-    `| ${cells.map((cell, k) => (k === 0 ? cell.padEnd(widths[k]) : cell.padStart(widths[k]))).join(' | ')} |`;
-  const rule = widths.map((width, k) =>
-    k === 0 ? '-'.repeat(width) : `${'-'.repeat(width - 1)}:`,
-  );
-  return [line(all[0]), `| ${rule.join(' | ')} |`, ...all.slice(1).map(line)].join('\n');
-}
+import {quotient} from './numbers.mjs';
+import {publishedTables} from './published-tables.mjs';
+import {digits, fit, kilobytes, megabytes, millimetres, ms, share, table} from './table.mjs';
 
 const methodNames = ['ws19', 'paper', 'none', 'best'];
 const shown = {none: 'best, no symmetry'};
@@ -33,7 +15,7 @@ function methodRows({garment, group, ...row}) {
       const figures = row[method][platform];
       if (!figures) continue;
       const {milliseconds: spent} = figures;
-      if (lines.length === 0) lines.push(randomRow(`${garment}, ${group}`, figures));
+      if (lines.length === 0) lines.push(...comparedRows(`${garment}, ${group}`, figures));
       lines.push([
         '',
         `${shown[method] ?? method}, ${platform}`,
@@ -45,7 +27,10 @@ function methodRows({garment, group, ...row}) {
         fit(figures.fit),
         fit(figures.fitSeam),
         share(figures.fit / figures.fitRandom),
+        share(figures.fit / figures.fitDrafted),
         share(figures.fitSeam / figures.fitSeamRandom),
+        figures.off.toFixed(0),
+        millimetres(figures.p90),
         figures.iterations,
         figures.factorisations,
         ms(spent.prepare),
@@ -61,17 +46,18 @@ function methodRows({garment, group, ...row}) {
   return lines;
 }
 
-const randomRow = (name, {pieces, triangles, fitRandom, fitSeamRandom}) => {
-  const cells = {
-    'garment, group': name,
-    method: 'random',
-    pieces,
-    triangles,
-    fit: fit(fitRandom),
-    fitSeam: fit(fitSeamRandom),
-  };
-  return methodHead.map((title) => cells[title] ?? '');
-};
+/** What fits are compared with. */
+function comparedRows(name, {pieces, triangles, fitRandom, fitSeamRandom, fitDrafted}) {
+  const rows = [
+    {method: 'random', pieces, triangles, fit: fit(fitRandom), fitSeam: fit(fitSeamRandom)},
+    {method: 'drafted', fit: fit(fitDrafted)},
+  ];
+  return rows.map((cells, k) =>
+    methodHead.map((title) =>
+      title === 'garment, group' && k === 0 ? name : (cells[title] ?? ''),
+    ),
+  );
+}
 
 const methodHead = [
   'garment, group',
@@ -84,7 +70,10 @@ const methodHead = [
   'fit',
   'fitSeam',
   'fit/random',
+  'fit/drafted',
   'seam/random',
+  'off cm',
+  'p90 mm',
   'iterations',
   'factorisations',
   'prepare',
@@ -287,6 +276,7 @@ export function tablesOf(results) {
   const parts = [
     ['Ratios', results.ratios.length > 0 && ratioTable(results.ratios)],
     ['Methods', results.methods && table(methodHead, results.methods.flatMap(methodRows))],
+    ['Against the published method', results.published && publishedTables(results.published)],
     ['Search', results.search && table(searchHead, searchRows(results.search))],
     [
       'One factorisation as a yardstick',

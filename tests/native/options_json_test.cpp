@@ -30,7 +30,7 @@ TEST(OptionsFile, KeepsTheDefaultsOfWhatItLeavesOut) {
 TEST(OptionsFile, IsReadInAllItsFields) {
   const auto read = options(R"({
       "maxChangeCm": 0.5, "alpha": 2, "edgeLengthCm": 0.8, "continuousOnly": true,
-      "averageSeamShapes": false, "proof": 0.5,
+      "averageSeamShapes": false, "proof": 0.5, "starts": 50, "clipTargets": true,
       "grain": {"default": "bias", "toleranceDeg": 9,
                 "pieces": {"front": "on", "back": {"lock": "free", "toleranceDeg": 18}}},
       "pins": {"back": {"angle": 0.25, "translation": [1, 2]}},
@@ -45,6 +45,8 @@ TEST(OptionsFile, IsReadInAllItsFields) {
   EXPECT_TRUE(o.continuous_only);
   EXPECT_EQ(o.average_seam_shapes, false);
   EXPECT_EQ(o.proof, 0.5);
+  EXPECT_EQ(o.starts, 50);
+  EXPECT_TRUE(o.clip_targets);
   EXPECT_EQ(o.grain.lock, GrainLock::kBias);
   EXPECT_EQ(o.piece_grain.at(0).rule->lock, GrainLock::kOn);
   EXPECT_NEAR(o.piece_grain.at(0).rule->tolerance, kPi / 20, 1e-12);
@@ -86,6 +88,9 @@ TEST(OptionsFile, ThatIsUnusableNamesTheField) {
   refuse(R"({"maxChange": 1})", {"unknown field 'maxChange'", "maxChangeCm"});
   refuse(R"({"maxChangeCm": -1})", {"maxChangeCm"});
   refuse(R"({"proof": -1})", {"proof"});
+  refuse(R"({"starts": 0})", {"starts", "1000"});
+  refuse(R"({"starts": 1.5})", {"'starts'"});
+  refuse(R"({"clipTargets": 1})", {"'clipTargets'"});
   refuse(R"({"maxChangeCm": "1"})", {"'maxChangeCm'", "the text '1'"});
   refuse(R"({"maxChangeCm": null})", {"null for 'maxChangeCm'", "leave it out"});
   refuse(R"({"edgeLengthCm": 2})", {"edgeLengthCm", "1.05"});

@@ -1,111 +1,16 @@
-#include <limits>
-
 #include "geometry/polygon.h"
 #include "meshed_samples.h"
 #include "print_samples.h"
+#include "reckoning.h"
 #include "solver_samples.h"
 
 namespace seamwise {
 namespace {
 
+using testing::Reckoning;
 using testing::solved;
 using testing::Task;
 using testing::task;
-
-/// An independent reckoning of the figures: elements straight from the table of groups, lattice
-/// shifts by trying them all around the nearest.
-class Reckoning {
- public:
-  explicit Reckoning(const Result& r) : r_(r) {
-    basis_ << r.w1, r.w2;
-    for (const LatticeElement& e : cosets(*findGroup(r.group))) {
-      const Mat2 m = (Mat2() << e.m[0], e.m[1], e.m[2], e.m[3]).finished();
-      linear_.push_back(basis_ * m * inverse());
-      shift_.push_back(basis_ * Vec2(e.a[0], e.a[1]));
-    }
-  }
-
-  double fit(const Shapes& shapes, const std::vector<Alignment>& at, bool strict = false) const {
-    double total = 0;
-    eachSeam([&](const Seam& s) {
-      for (std::size_t i = 0; i + 1 < s.a.vertices.size(); ++i) {
-        const Edge a = edge(s.a, i, shapes, at), b = edge(s.b, i, shapes, at);
-        std::vector<double> turns, distances;
-        for (std::size_t k = 0; k < linear_.size(); ++k) {
-          turns.push_back(std::acos(std::clamp(
-              a.direction.normalized().dot((linear_[k] * b.direction).normalized()), -1.0, 1.0)));
-          distances.push_back(shortest(a.middle - linear_[k] * b.middle - shift_[k]));
-        }
-        const double limit = *std::min_element(turns.begin(), turns.end()) + 0.1;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < turns.size(); ++k)
-          if (!strict || turns[k] <= limit) least = std::min(least, distances[k]);
-        total += (a.direction.norm() + b.direction.norm()) / 2 * least;
-      }
-    });
-    return total;
-  }
-
-  double seamFit(const Shapes& shapes, const std::vector<Alignment>& at) const {
-    double total = 0;
-    eachSeam([&](const Seam& s) {
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < linear_.size(); ++k) {
-        const std::size_t n = s.a.vertices.size() - 1;
-        const Edge a0 = edge(s.a, n / 2, shapes, at), b0 = edge(s.b, n / 2, shapes, at);
-        const Vec2 cell = inverse() * (a0.middle - linear_[k] * b0.middle - shift_[k]);
-        for (int u = -3; u <= 3; ++u) {
-          for (int v = -3; v <= 3; ++v) {
-            const Vec2 shift = basis_ * Vec2(std::round(cell.x()) + u, std::round(cell.y()) + v);
-            double cost = 0;
-            for (std::size_t i = 0; i < n; ++i) {
-              const Edge a = edge(s.a, i, shapes, at), b = edge(s.b, i, shapes, at);
-              cost += (a.direction.norm() + b.direction.norm()) / 2 *
-                      (a.middle - linear_[k] * b.middle - shift_[k] - shift).norm();
-            }
-            least = std::min(least, cost);
-          }
-        }
-      }
-      total += least;
-    });
-    return total;
-  }
-
- private:
-  struct Edge {
-    Vec2 middle, direction;
-  };
-
-  Mat2 inverse() const {
-    const double det = cross(basis_.col(0), basis_.col(1));
-    return (Mat2() << basis_(1, 1), -basis_(0, 1), -basis_(1, 0), basis_(0, 0)).finished() / det;
-  }
-  double shortest(const Vec2& v) const {
-    const Vec2 c = inverse() * v;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = -2; i <= 2; ++i)
-      for (int j = -2; j <= 2; ++j)
-        least = std::min(least,
-                         (v - basis_ * Vec2(std::round(c.x()) + i, std::round(c.y()) + j)).norm());
-    return least;
-  }
-  void eachSeam(const std::function<void(const Seam&)>& visit) const {
-    for (const Seam& s : r_.pattern.seams)
-      if (s.matched && !s.twin) visit(s);
-  }
-  Edge edge(const SeamSide& s, std::size_t i, const Shapes& shapes,
-            const std::vector<Alignment>& at) const {
-    const Vec2 from = at[s.piece].toPrint(shapes[s.piece][s.vertices[i]]);
-    const Vec2 to = at[s.piece].toPrint(shapes[s.piece][s.vertices[i + 1]]);
-    return {(from + to) / 2, to - from};
-  }
-
-  const Result& r_;
-  Mat2 basis_;
-  std::vector<Mat2> linear_;
-  std::vector<Vec2> shift_;
-};
 
 /// Greatest movement of an outline vertex as it lies. [cm]
 double movedAsItLies(const Result& r) {
@@ -134,6 +39,7 @@ TEST(Metrics, SayWhatTheGeometrySays) {
     expectClose(r.fit.any, own.fit(r.shapes, r.alignment));
     expectClose(r.fit.strict, own.fit(r.shapes, r.alignment, true));
     expectClose(r.fit.seam, own.seamFit(r.shapes, r.alignment));
+    expectClose(r.fit_drafted, own.fit(rest, r.drafted));
     expectClose(r.fit_search, own.fit(rest, r.search));
     expectClose(r.fit_aligned, own.fit(rest, r.alignment));
     EXPECT_LE(r.max_moved_cm, movedAsItLies(r) + 1e-12);
@@ -141,6 +47,43 @@ TEST(Metrics, SayWhatTheGeometrySays) {
     EXPECT_LE(r.fit.any, r.fit.seam * (1 + 1e-9));
     EXPECT_LT(r.fit_search, r.fit_random);
   }
+}
+
+TEST(Metrics, CountOnlyWhatMayMeetWhereMirroredSeamsAreForbidden) {
+  for (const char* group : {"pmm", "pgg", "p31m"}) {
+    Task t = task("tee", group);
+    EXPECT_FALSE(solved(t).continuous.has_value());
+    t.options["continuousOnly"] = true;
+    const Result r = solved(t);
+    ASSERT_TRUE(r.continuous.has_value());
+    const Reckoning own(r, true);
+    const Shapes rest = restShapes(r.pattern);
+    auto expectClose = [&](double stated, double found) {
+      EXPECT_NEAR(stated, found, 1e-9 * (1 + found)) << group;
+    };
+    expectClose(r.continuous->fit.any, own.fit(r.shapes, r.alignment));
+    expectClose(r.continuous->fit.strict, own.fit(r.shapes, r.alignment, true));
+    expectClose(r.continuous->fit.seam, own.seamFit(r.shapes, r.alignment));
+    expectClose(r.continuous->fit_drafted, own.fit(rest, r.drafted));
+    expectClose(r.continuous->fit_search, own.fit(rest, r.search));
+    expectClose(r.continuous->fit_aligned, own.fit(rest, r.alignment));
+    expectClose(r.fit.any, Reckoning(r).fit(r.shapes, r.alignment));
+    EXPECT_GT(r.continuous->fit_random, r.fit_random);
+    EXPECT_GT(r.continuous->fit.any, r.fit.any);
+    const double length = own.lengthOver(-1);
+    expectClose(r.local.final * length, r.continuous->fit.any);
+    expectClose(r.local.off, own.lengthOver(0.5));
+  }
+}
+
+TEST(Metrics, NineTenthsOfTheSeamsMissByNoMoreThanP90) {
+  const Result r = solved(task("princess-dress", "pgg"));
+  const Reckoning own(r);
+  const double length = own.lengthOver(-1);
+  EXPECT_GT(r.local.p90, r.local.final);
+  EXPECT_LE(own.lengthOver(r.local.p90 + 1e-6), 0.1 * length);
+  EXPECT_GE(own.lengthOver(r.local.p90 - 1e-6), 0.1 * length);
+  EXPECT_NEAR(r.local.off, own.lengthOver(0.5), 1e-9);
 }
 
 TEST(Metrics, FitOfRandomAlignmentsIsTheirMean) {
@@ -208,22 +151,6 @@ TEST(BestMethod, IsStifferWithALargerAlphaAndAveragesSeamShapesWhenAsked) {
     EXPECT_LT(r->fit.any, r->fit_aligned);
     EXPECT_LT(testing::seamError(r->pattern, r->shapes), 0.01);
     EXPECT_LE(r->max_moved_cm, 1);
-  }
-}
-
-TEST(OtherMethods, EndAndKeepTheGreatestChange) {
-  for (Method method : {Method::kPaper, Method::kWs19}) {
-    Task t = task("gathered-skirt", "pmm");
-    t.method = method;
-    const Result r = solved(t);
-    EXPECT_EQ(r.method, method);
-    EXPECT_GT(r.iterations, 0);
-    EXPECT_EQ(r.pattern.mirrors.empty(), method == Method::kWs19);
-    EXPECT_LT(testing::shapeAsymmetry(r.pattern, r.shapes), 1e-3);
-    EXPECT_LT(testing::seamError(r.pattern, r.shapes), 0.01);
-    EXPECT_GT(testing::leastArea(r.pattern, r.shapes), 0);
-    EXPECT_LE(r.max_moved_cm, 1);
-    EXPECT_NEAR(r.fit.any, Reckoning(r).fit(r.shapes, r.alignment), 1e-9 * (1 + r.fit.any));
   }
 }
 

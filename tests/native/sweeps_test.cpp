@@ -80,6 +80,22 @@ TEST(LocalSweeps, GiveTheSameAnswerForTheSameSeedAndOthersForOthers) {
   EXPECT_TRUE(differs);
 }
 
+TEST(LocalSweeps, GoOnFromAStartOfOnesOwnAndStayWhereOthersEnded) {
+  const Pattern pattern = meshedPattern(small::tee(1.5), true);
+  const MatchProblem problem = matchProblem(pattern, sampleGroup(*findGroup("pmm")));
+  LocalSweeps sweeps(problem, 1);
+  while (sweeps.step()) {
+  }
+  LocalSweeps again(problem, sweeps.at());
+  while (again.step()) {
+  }
+  EXPECT_LT(again.sweeps(), sweeps.sweeps());
+  for (std::size_t l = 0; l < sweeps.at().size(); ++l) {
+    EXPECT_NEAR(again.at()[l].angle, sweeps.at()[l].angle, 1e-3);
+    EXPECT_LT((again.at()[l].translation - sweeps.at()[l].translation).norm(), 1e-2);
+  }
+}
+
 TEST(LocalSweeps, ConvergeToAPerfectFitOfTwoPieces) {
   // one seam between two pieces of a cut plane: nothing can trap the iteration in p1
   const WallpaperGroup group = sampleGroup(*findGroup("p1"));

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <limits>
 #include <set>
 
 #include "print_samples.h"
@@ -55,6 +56,18 @@ INSTANTIATE_TEST_SUITE_P(Wallpaper, EveryGroup, ::testing::ValuesIn(wallpaperGro
 RigidMotion motionOf(const Element& e, const Vec2& lattice_vector = Vec2::Zero()) {
   // R(angle) diag(1, -1) = R(angle + pi) F
   return {e.mirrored ? e.angle + kPi : e.angle, e.a + lattice_vector, e.mirrored};
+}
+
+TEST_P(EveryGroup, JoinsByItsTurnsOnlyWhereNothingMayBeMirrored) {
+  EXPECT_EQ(group_.joining(false), group_);
+  const WallpaperGroup turns = group_.joining(true);
+  for (int k = 0; k < 50; ++k) {
+    const Vec2 x = random_.point(), y = random_.point();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Element& e : group_.elements())
+      if (!e.mirrored) least = std::min(least, group_.reduce(x - e(y)).norm());
+    EXPECT_NEAR(turns.distance(x, y), least, kExact);
+  }
 }
 
 TEST(WallpaperTable, HoldsThe17GroupsWithTheirKnownOrders) {

@@ -29,6 +29,20 @@ it('has the same figures in the result as everywhere else, and no worst seam bel
   });
 });
 
+it('counts no mirrored match where mirrored seams are forbidden, there and in every figure', async () => {
+  const options = {...problem.options, continuousOnly: true};
+  const pmm = readFileSync(new URL('../../public/prints/pmm.json', import.meta.url), 'utf8');
+  const result = await solve({garment: sample('tee'), print: pmm, options});
+  const {localCm, continuous, fit} = result.metrics;
+  const final = finalFit(result);
+  expect(result.continuousOnly).toBe(true);
+  expect(localCm?.final).toBeCloseTo(final.mean, 9);
+  expect(continuous?.fit).toBeCloseTo(final.total, 6);
+  const drafted = fitOf(result, 'rest', result.drafted ?? []).total;
+  expect((continuous?.fitDrafted ?? NaN) / drafted).toBeCloseTo(1, 5);
+  expect(fit).toBeLessThan(final.total);
+});
+
 it.each(
   ['apron', 'gathered-skirt', 'shirt'].flatMap((name) =>
     [undefined, 0].map((most) => [name, most] as const),

@@ -1,7 +1,8 @@
 /** How the benchmark sums up what it measured. */
 import {expect, it} from 'vitest';
 
-import {exponent, median, quotient, ratiosOf, summary} from '../bench/ratios.mjs';
+import {exponent, median, quotient} from '../bench/numbers.mjs';
+import {ratiosOf, summary} from '../bench/ratios.mjs';
 
 /** A case of the search: what 1000 random starts and the search found, in so much time. */
 const searched = (garment: string, fits: readonly [number, number], times = [100, 10]) => ({
@@ -16,7 +17,7 @@ const searched = (garment: string, fits: readonly [number, number], times = [100
 const solved = (figures: {fit?: number; symmetries?: number; deformation?: number}) => {
   const {fit = 1, symmetries = 0, deformation = 1} = figures;
   const answer = {
-    ...{fit, fitRandom: 100, fitSeam: fit, fitSeamRandom: 100, symmetries},
+    ...{fit, fitRandom: 100, fitDrafted: 50, fitSeam: fit, fitSeamRandom: 100, symmetries},
     milliseconds: {deformation, total: 2 * deformation},
     ...{firstAlignment: 1, progress: {monotone: true, astray: 0.1}},
   };
@@ -87,15 +88,30 @@ it('tells apart the answers after a change and those after a change of symmetry'
   expect(ratio({edits}, 'final answer after symmetry')?.value).toBe(45);
 });
 
-it('does without a method that failed for a garment', () => {
-  const [best, paper] = [solved({fit: 3}), solved({fit: 10})];
+it('does without a garment for which a method failed', () => {
+  const best = solved({fit: 3});
   const methods = [
-    {garment: 'tee', group: 'pmm', best, paper},
-    {garment: 'shirt', group: 'pmm', best, paper: undefined},
-    {garment: 'apron', group: 'pmm', paper},
+    {garment: 'tee', group: 'pmm', best},
+    {garment: 'apron', group: 'pmm', best: undefined},
   ];
-  expect(ratio({methods}, 'fit best / paper')).toMatchObject({value: 0.3, cases: 1});
-  expect(ratio({methods}, 'fit / fitRandom')).toMatchObject({value: 0.03, cases: 2});
+  expect(ratio({methods}, 'fit / fitRandom')).toMatchObject({value: 0.03, cases: 1});
+  expect(ratio({methods}, 'fit / fitDrafted')).toMatchObject({value: 0.06, cases: 1});
+});
+
+it('compares with the published method as it stands and at its best, where it gets worse, too', () => {
+  const fits = (best: number, paper: number, bestPaper: number) => ({
+    ...{group: 'pgg', best: {fit: best}, paper: {fit: paper}, bestPaper: {fit: bestPaper}},
+  });
+  const published = [
+    {garment: 'tee', ...fits(3, 10, 6)},
+    {garment: 'shirt', ...fits(6, 20, 5)},
+    {garment: 'apron', ...fits(0, 5, 0)},
+  ];
+  expect(ratio({published}, 'fit best / paper')).toMatchObject({value: 0.3, cases: 3});
+  expect(ratio({published}, 'fit best / best paper')).toMatchObject({value: 0.85, cases: 2});
+  expect(ratio({published}, 'fit best / best paper', 'worst')).toMatchObject({
+    ...{value: 1.2, met: false, worst: {name: 'shirt, pgg'}},
+  });
 });
 
 it('compares times with and without symmetry only where there is one', () => {

@@ -51,6 +51,16 @@ describe('the fit of a result', () => {
     expect(fitOf(result, 'shape', alignments(result)).mean).toBeCloseTo(0.5, 12);
   });
 
+  it('takes no mirror of the print where mirrored seams were forbidden', () => {
+    const result = twoSquares({angle: 0, translation: [-4, 4]});
+    const mirrored = {...result, print: {...print, group: 'pm'}} as const;
+    for (const fit of [fitOf, seamFitOf]) {
+      const by = (one: SolveResult) => fit(one, 'shape', alignments(one)).total;
+      expect(by({...mirrored, continuousOnly: true})).toBeCloseTo(by(result), 12);
+      expect(by(mirrored)).toBeLessThan(0.6 * by(result));
+    }
+  });
+
   it('leaves out a seam that joins a piece to its own mirror twin', () => {
     const map = {angle: 0, translation: [4, 0]} as const;
     const result = twoSquares({angle: 0, translation: [1, 2]}, [

@@ -7,6 +7,7 @@ import {latticeVectors} from '../../web/src/model/repeat.js';
 import {
   apply,
   determinant,
+  joining,
   imageCell,
   latticeType,
   printDistance,
@@ -113,6 +114,18 @@ describe.each([...groupNames])('%s', (group) => {
       {seed: 4, numRuns: 40},
     );
   });
+});
+
+it('leaves only turns and shifts to join seams by where nothing may be mirrored', () => {
+  for (const group of groupNames) {
+    const repeat = repeatOf(group);
+    expect(joining(repeat)).toBe(repeat);
+    const left = printElements(joining(repeat, true));
+    const turns = printElements(repeat).filter((element) => determinant(element) > 0);
+    expect(left).toHaveLength(turns.length);
+    const apart = printDistance(joining(repeat, true));
+    for (const turn of turns) expect(apart([1, 2], apply(turn, [1, 2]))).toBeLessThan(1e-9);
+  }
 });
 
 it('tells mirrors from glides: where the image of (1, 2) lies', () => {

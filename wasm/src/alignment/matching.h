@@ -80,6 +80,9 @@ class MatchProblem {
   /// Sum of w d over all seams. [cm2]
   double cost(const Alignments& at) const;
 
+  /// The symmetries by which the print may meet across a seam of pieces as they lie.
+  WallpaperGroup joining() const { return group.joining(continuous_only); }
+
   /// Whether `element` may join this seam: a continuous join or, if allowed, a mirrored one.
   bool allows(const MatchSeam& seam, const Element& element) const {
     return !continuous_only || element.mirrored == seam.reversing;

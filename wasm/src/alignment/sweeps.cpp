@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace seamwise {
 namespace {
@@ -23,20 +24,26 @@ View viewFrom(const MatchSeam& seam, bool from_a) {
   return {seam.a, seam.pb, seam.pa, seam.db, seam.da};
 }
 
-}  // namespace
-
-LocalSweeps::LocalSweeps(const MatchProblem& problem, std::uint64_t seed)
-    : problem_(problem), at_(problem.leaders.size()) {
+Alignments randomStart(const MatchProblem& problem, std::uint64_t seed) {
   Random random(seed);
-  for (std::size_t l = 0; l < at_.size(); ++l) {
-    const Leader& leader = problem.leaders[l];
+  Alignments at;
+  for (const Leader& leader : problem.leaders) {
     const double angle = 2 * kPi * random.uniform();
     const Vec2 print =
         problem.group.w1() * random.uniform() + problem.group.w2() * random.uniform();
     const Alignment any{wrapAngle(angle), leader.centre - rotation(angle) * print};
-    at_[l] = leader.freedom.nearest(any, leader.centre);
+    at.push_back(leader.freedom.nearest(any, leader.centre));
   }
+  return at;
 }
+
+}  // namespace
+
+LocalSweeps::LocalSweeps(const MatchProblem& problem, std::uint64_t seed)
+    : LocalSweeps(problem, randomStart(problem, seed)) {}
+
+LocalSweeps::LocalSweeps(const MatchProblem& problem, Alignments start)
+    : problem_(problem), at_(std::move(start)) {}
 
 double LocalSweeps::turn(int l) {
   const Leader& leader = problem_.leaders[l];

@@ -11,6 +11,8 @@ namespace seamwise {
 class LocalSweeps {
  public:
   LocalSweeps(const MatchProblem& problem, std::uint64_t seed);
+  /// From a start of one's own, by leader.
+  LocalSweeps(const MatchProblem& problem, Alignments start);
   /// One sweep over all pieces. False when it has converged.
   bool step();
   double fraction() const { return static_cast<double>(sweeps_) / (2 * kMostSweeps); }

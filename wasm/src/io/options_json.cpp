@@ -111,8 +111,8 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
   object(document, place, "content");
   onlyKnown(document, place,
             {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
-             "averageSeamShapes", "grain", "pins", "weights", "unmatched", "plain", "matches",
-             "proof", "locked", "openEdges", "effort"});
+             "averageSeamShapes", "starts", "clipTargets", "grain", "pins", "weights", "unmatched",
+             "plain", "matches", "proof", "locked", "openEdges", "effort"});
   checkFormat(document, place, "seamwise-options", 1);
   for (const auto& [key, value] : document.items())
     if (value.is_null())
@@ -130,6 +130,9 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
   if (find(document, "proof")) options.proof = real("proof");
   if (find(document, "continuousOnly")) options.continuous_only = flag("continuousOnly");
   if (find(document, "averageSeamShapes")) options.average_seam_shapes = flag("averageSeamShapes");
+  if (const Json* starts = find(document, "starts"))
+    options.starts = integer(*starts, place, "'starts'");
+  if (find(document, "clipTargets")) options.clip_targets = flag("clipTargets");
   if (const Json* grain = find(document, "grain")) readGrain(*grain, garment, place, &options);
   if (const Json* pins = find(document, "pins")) readPins(*pins, garment, place, &options);
   if (const Json* weights = find(document, "weights"))

@@ -120,6 +120,7 @@ void writePrinted(JsonWriter& out, const PrintedPattern& printed, const Result* 
   out.field("w1", printed.w1);
   out.field("w2", printed.w2);
   out.close('}');
+  if (printed.continuous) out.field("continuousOnly", true);
   out.key("pieces");
   out.open('[');
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
@@ -151,6 +152,16 @@ void writeNotes(JsonWriter& out, const std::vector<Note>& notes) {
   });
 }
 
+void writeFits(JsonWriter& out, const Fits& fits) {
+  out.field("fitRandom", fits.fit_random);
+  out.field("fitDrafted", fits.fit_drafted);
+  out.field("fitSearch", fits.fit_search);
+  out.field("fitAligned", fits.fit_aligned);
+  out.field("fit", fits.fit.any);
+  out.field("fitStrict", fits.fit.strict);
+  out.field("fitSeam", fits.fit.seam);
+}
+
 }  // namespace
 
 std::string writeResult(const Result& r) {
@@ -165,19 +176,21 @@ std::string writeResult(const Result& r) {
   out.open('{');
   out.field("method", methodName(r.method));
   out.field("seed", r.seed);
-  out.field("fitRandom", r.fit_random);
-  out.field("fitSearch", r.fit_search);
+  writeFits(out, r);
+  if (r.continuous) {
+    out.key("continuous");
+    out.open('{');
+    writeFits(out, *r.continuous);
+    out.close('}');
+  }
   out.field("searchBound", r.search_bound);
-  out.field("fitAligned", r.fit_aligned);
-  out.field("fit", r.fit.any);
-  out.field("fitStrict", r.fit.strict);
-  out.field("fitSeam", r.fit.seam);
   out.key("localCm");
   out.open('{');
   out.field("drafted", r.local.drafted);
   out.field("placed", r.local.placed);
   out.field("final", r.local.final);
   out.field("worst", r.local.worst);
+  out.field("p90", r.local.p90);
   out.close('}');
   out.field("offCm", r.local.off);
   out.field("maxMovedCm", r.max_moved_cm);

@@ -111,7 +111,7 @@ bool BestRun::advance() {
 
 /// Those answers under slack of which shaping is likely to make the most.
 std::vector<FitStart> BestRun::mostPromising(std::size_t count) const {
-  const WallpaperGroup& group = problem_.print.group;
+  const WallpaperGroup group = match_.joining();
   const Shapes rest = restShapes(pattern_);
   const std::vector<double> lengths = seamLengths(pattern_, rest);
   const std::vector<double> placed = localMismatches(group, pattern_, rest, search_result_);
@@ -244,12 +244,9 @@ void BestRun::restUnsound() {
 /// Where nothing could be gained, gathers above all, outlines stay as they were drafted. So do they
 /// where some seams weigh so little that the print misses by more than as a cutter lays it.
 void BestRun::restIfBetter() {
-  const WallpaperGroup& group = problem_.print.group;
+  const WallpaperGroup group = match_.joining();
   const Shapes rest = evenedShapes(pattern_);
-  const bool sewable =
-      std::all_of(pattern_.seams.begin(), pattern_.seams.end(),
-                  [&](const Seam& seam) { return seamError(seam, rest) < kSeamTolerance; });
-  if (!sewable) return;
+  if (!isSewable(pattern_, rest)) return;
   if (fitAny(group, pattern_, rest, search_result_) <
       fitAny(group, pattern_, fit_->fitting().shapes(), alignment_))
     restAt(search_result_);

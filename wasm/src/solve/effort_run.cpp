@@ -25,7 +25,8 @@ void EffortRun::begin(std::vector<Alignments> offered) {
 }
 
 double EffortRun::fit(const BestRun& run) const {
-  return fitAny(problem_.print.group, pattern_, run.shapes(), run.alignment());
+  return fitAny(problem_.print.group.joining(rules_.continuous_only), pattern_, run.shapes(),
+                run.alignment());
 }
 
 bool EffortRun::advance() {

@@ -35,8 +35,9 @@ bool FitRun::dropNeighbours(std::size_t seam) {
 FitRun::Judgement FitRun::judge() {
   const Pattern& pattern = fitted();
   const Shapes rest = restShapes(pattern);
-  const auto shaped = localMismatches(match_.group, pattern, fitting_->shapes(), alignment_);
-  const auto aligned = localMismatches(match_.group, pattern, rest, alignment_);
+  const WallpaperGroup joining = match_.joining();
+  const auto shaped = localMismatches(joining, pattern, fitting_->shapes(), alignment_);
+  const auto aligned = localMismatches(joining, pattern, rest, alignment_);
   const auto placed = placedMismatches();
   Start& start = starts_[current_];
   Judgement found = Judgement::kGood;

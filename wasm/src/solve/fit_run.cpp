@@ -142,7 +142,7 @@ void FitRun::pull() {
 }
 
 std::vector<double> FitRun::placedMismatches() const {
-  return localMismatches(match_.group, fitted(), restShapes(fitted()), placed_);
+  return localMismatches(match_.joining(), fitted(), restShapes(fitted()), placed_);
 }
 
 void FitRun::realign() {
@@ -208,9 +208,9 @@ bool FitRun::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.states = fitting_->states();
-  start.fit = fitAny(match_.group, fitted(), fitting_->shapes(), alignment_);
+  start.fit = fitAny(match_.joining(), fitted(), fitting_->shapes(), alignment_);
   start.fit_under_rules =
-      fitUnderRules(localMismatches(match_.group, fitted(), fitting_->shapes(), alignment_),
+      fitUnderRules(localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_),
                     seamLengths(fitted(), fitting_->shapes()), placedMismatches());
   return goOnFromBest();
 }

@@ -15,6 +15,14 @@ struct Fit {
   double seam = 0;  ///< one element for the whole seam: what the eye sees
 };
 
+/// Every fit of a garment: of the pieces as drafted, and of what was made of them.
+struct Fits {
+  double fit_random = 0;                   ///< mean over random alignments
+  double fit_drafted = 0;                  ///< as a cutter lays them
+  double fit_search = 0, fit_aligned = 0;  ///< after the search, and as they lie at last
+  Fit fit;                                 ///< shaped, as they lie at last
+};
+
 double fitAny(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
               const std::vector<Alignment>& at);
 Fit measureFit(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,

@@ -10,6 +10,7 @@ constexpr double kMinEdgeLengthCm = 0.1;
 constexpr double kMaxChangeCm = 50;
 constexpr double kMaxWeight = 1e6;
 constexpr double kMaxEffort = 64;
+constexpr int kMaxStarts = 1000;
 
 bool usableWeight(double weight) { return weight >= 0 && weight <= kMaxWeight; }
 
@@ -27,6 +28,7 @@ std::string SolveOptions::problem() const {
     return "edgeLengthCm must be between 0.1 and 1.05 cm.";
   if (alpha && !(*alpha > 0 && *alpha <= 1e9)) return "alpha must be positive and at most 1e9.";
   if (!(effort >= 1 && effort <= kMaxEffort)) return "effort must be between 1 and 64.";
+  if (!(starts >= 1 && starts <= kMaxStarts)) return "starts must be between 1 and 1000.";
   if (proof && !(*proof >= 0 && *proof <= 1e6)) return "proof must be between 0 and 1e6.";
   if (!usableRule(grain)) return "grain.toleranceDeg must be between 0 and 90 degrees.";
   for (const auto& [piece, own] : piece_grain)

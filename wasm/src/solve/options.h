@@ -38,8 +38,10 @@ struct SolveOptions {
   std::optional<double> alpha;   ///< weight of the conformal energy; unset: the method's own choice
   bool continuous_only = false;  ///< forbid mirrored seams
   std::optional<bool>
-      average_seam_shapes;  ///< Wolff et al. 2019, 3.3; unset: the method's own choice
-  GrainRule grain;          ///< for pieces without a rule of their own
+      average_seam_shapes;    ///< Wolff et al. 2019, 3.3; unset: the method's own choice
+  int starts = 1;             ///< of the sweeps of paper and ws19
+  bool clip_targets = false;  ///< of paper and ws19: within the greatest change
+  GrainRule grain;            ///< for pieces without a rule of their own
   std::map<int, PieceGrain> piece_grain;  ///< by piece index
   std::map<int, Alignment> pins;          ///< by piece index
   std::map<int, double> weights;          ///< by stitch number

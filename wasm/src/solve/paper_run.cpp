@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/polygon.h"
 #include "solve/metrics.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kMostAlpha = 65536;
 constexpr double kLost = 3;              ///< times the greatest change
 constexpr double kLeastDraw = 1.0 / 32;  ///< share of the way to their targets that seams still go
+constexpr double kClip = 0.9;            ///< of the greatest change
 
 bool crossesItself(const Pattern& pattern, const Shapes& shapes) {
   for (std::size_t p = 0; p < shapes.size(); ++p) {
@@ -26,27 +28,33 @@ bool crossesItself(const Pattern& pattern, const Shapes& shapes) {
   return false;
 }
 
+/// The target, or what is `most` cm from rest on the way there.
+Vec2 clipped(const Vec2& target, const Vec2& rest, double most) {
+  const double way = (target - rest).norm();
+  return way > most ? Vec2(rest + most / way * (target - rest)) : target;
+}
+
 }  // namespace
 
 PaperRun::PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,
-                   std::vector<Note>* notes)
+                   const Alignments& drafted, std::vector<Note>* notes)
     : problem_(problem),
       pattern_(pattern),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
                               problem.print.group)),
-      sweeps_(match_, problem.options.seed),
+      drafted_(match_.ofLeaders(drafted)),
       deformation_(pattern, problem.options.method == Method::kPaper),
-      alignment_(match_.expanded(sweeps_.at())),
       shapes_(restShapes(pattern)),
       alpha_(problem.options.alpha.value_or(1)),
-      notes_(notes) {}
+      notes_(notes) {
+  sweeps_.emplace(match_, problem.options.seed);
+  alignment_ = match_.expanded(sweeps_->at());
+}
 
 bool PaperRun::advance() {
   if (phase_ == Phase::kAlignment) {
-    const bool more = sweeps_.step();
-    alignment_ = match_.expanded(sweeps_.at());
-    progress_ = 0.1 * sweeps_.fraction();
-    if (!more) startDeformation();
+    sweep();
+    if (!sweeps_) startDeformation();
     return phase_ != Phase::kDone;
   }
   if (phase_ == Phase::kDone) return false;
@@ -59,8 +67,33 @@ bool PaperRun::advance() {
   // gamma ends at about 2^20; later attempts tell nothing new
   const double within = std::min(1.0, std::log2(deformation_.gamma()) / 22);
   progress_ = std::max(progress_, 0.1 + 0.85 * within);
-  if (!more && endAttempt()) phase_ = Phase::kDone;
+  if (!more && endAttempt()) {
+    restIfBetter();
+    phase_ = Phase::kDone;
+  }
   return phase_ != Phase::kDone;
+}
+
+/// One sweep; at the end of a start's, on to the next start.
+void PaperRun::sweep() {
+  const int starts = problem_.options.starts;
+  const int all = starts > 1 ? starts + 1 : 1;  // with the drafted layout, which comes last
+  const bool more = sweeps_->step();
+  progress_ = 0.1 * (start_ + sweeps_->fraction()) / all;
+  if (start_ == 0) alignment_ = match_.expanded(sweeps_->at());  // nothing better can be shown yet
+  if (more) return;
+  const double cost = match_.cost(sweeps_->at());
+  if (cost < cost_) {
+    alignment_ = match_.expanded(sweeps_->at());
+    cost_ = cost;
+  }
+  ++start_;
+  if (start_ == all)
+    sweeps_.reset();
+  else if (start_ == starts)
+    sweeps_.emplace(match_, drafted_);
+  else
+    sweeps_.emplace(match_, problem_.options.seed + static_cast<std::uint64_t>(start_));
 }
 
 void PaperRun::startDeformation() {
@@ -73,6 +106,8 @@ void PaperRun::startDeformation() {
   const bool average =
       problem_.options.average_seam_shapes.value_or(problem_.options.method == Method::kPaper);
   const IdealShape shape = average ? IdealShape::kAveraged : IdealShape::kTransported;
+  const double most = problem_.options.clip_targets ? kClip * problem_.options.max_change_cm
+                                                    : std::numeric_limits<double>::infinity();
   const Shapes rest = restShapes(pattern_);
   for (const Seam& seam : pattern_.seams) {
     if (!seam.matched) continue;
@@ -86,8 +121,8 @@ void PaperRun::startDeformation() {
         double length = 0;
         if (i > 0) length += (p[side->vertices[i]] - p[side->vertices[i - 1]]).norm() / 2;
         if (i + 1 < n) length += (p[side->vertices[i + 1]] - p[side->vertices[i]]).norm() / 2;
-        targets_.push_back({deformation_.first(side->piece) + side->vertices[i], (*line)[i],
-                            seam.weight * length});
+        targets_.push_back({deformation_.first(side->piece) + side->vertices[i],
+                            clipped((*line)[i], p[side->vertices[i]], most), seam.weight * length});
       }
     }
   }
@@ -120,9 +155,19 @@ bool PaperRun::endAttempt() {
 /// Whether the shapes can be cut and sewn, and none moved further than allowed.
 bool PaperRun::isKept() const {
   if (greatestMovement(pattern_, shapes_) > problem_.options.max_change_cm) return false;
-  for (const Seam& seam : pattern_.seams)
-    if (seamError(seam, shapes_) > kSeamTolerance) return false;
-  return !crossesItself(pattern_, shapes_);
+  return isSewable(pattern_, shapes_) && !crossesItself(pattern_, shapes_);
+}
+
+void PaperRun::restIfBetter() {
+  const WallpaperGroup group = match_.joining();
+  const Shapes rest = evenedShapes(pattern_);
+  if (!isSewable(pattern_, rest) ||
+      fitAny(group, pattern_, rest, alignment_) >= fitAny(group, pattern_, shapes_, alignment_))
+    return;
+  shapes_ = rest;
+  notes_->push_back({"leftAsDrafted",
+                     "No shape that the method found fits better than the pieces as drafted, so "
+                     "they keep their lines."});
 }
 
 Phase PaperRun::phase() const { return phase_; }

@@ -1,4 +1,7 @@
 #pragma once
+#include <limits>
+#include <optional>
+
 #include "alignment/sweeps.h"
 #include "deform/penalty.h"
 #include "seam/ideal_line.h"
@@ -11,11 +14,14 @@ namespace seamwise {
 /// averaged ideal seam lines, E_sym and quadratic penalties. `ws19`: the method it extends, without
 /// symmetry and without averaging. Neither bounds movement, so alpha is doubled from 1 until the
 /// greatest change holds and outlines are simple; where no alpha does it, the targets are drawn
-/// towards rest.
+/// towards rest. Where nothing is gained, pieces stay as drafted. Options give more starts, the
+/// drafted layout among them, of which the cheapest end counts, and targets clipped to the greatest
+/// change, which need less alpha.
 class PaperRun : public Run {
  public:
+  /// @param drafted   how a cutter lays the pieces
   PaperRun(const Problem& problem, const Pattern& pattern, const MatchRules& rules,
-           std::vector<Note>* notes);
+           const Alignments& drafted, std::vector<Note>* notes);
 
   bool advance() override;
   Phase phase() const override;
@@ -28,14 +34,19 @@ class PaperRun : public Run {
   int attempt() const override { return attempt_; }
 
  private:
+  void sweep();
   void startDeformation();
   bool endAttempt();
   bool isKept() const;
+  void restIfBetter();
 
   const Problem& problem_;
   const Pattern& pattern_;
   MatchProblem match_;
-  LocalSweeps sweeps_;
+  Alignments drafted_;                                     ///< of the leaders
+  int start_ = 0;                                          ///< of the sweeps at work
+  std::optional<LocalSweeps> sweeps_;                      ///< none once all have ended
+  double cost_ = std::numeric_limits<double>::infinity();  ///< of the best end of sweeps, cm2
   PenaltyDeformation deformation_;
   std::vector<Target> targets_;
   Alignments alignment_;

@@ -64,6 +64,12 @@ double seamError(const Seam& seam, const Shapes& shapes) {
   return std::max(worst, std::abs(whole));
 }
 
+bool isSewable(const Pattern& pattern, const Shapes& shapes) {
+  return std::all_of(pattern.seams.begin(), pattern.seams.end(), [&](const Seam& seam) {
+    return seamError(seam, shapes) <= kSeamTolerance;
+  });
+}
+
 Shapes evenedShapes(const Pattern& pattern) {
   Shapes shapes = restShapes(pattern);
   for (const Mirror& m : pattern.mirrors) {

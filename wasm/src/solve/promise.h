@@ -32,6 +32,9 @@ double movedOf(const Piece& piece, const std::vector<Vec2>& shape);
 /// [cm]
 double seamError(const Seam& seam, const Shapes& shapes);
 
+/// Whether all seams keep that.
+bool isSewable(const Pattern& pattern, const Shapes& shapes);
+
 /// Every vertex in the middle between itself and what mirrors onto it: the exactly symmetric shapes
 /// next to the drafted ones. The same as at rest where no symmetry is imposed.
 Shapes evenedShapes(const Pattern& pattern);

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,13 @@ struct SeamFigures {
 struct LocalMeans {
   double drafted = 0, placed = 0, final = 0;
   double worst = 0;  ///< greatest mean of a seam in the result
+  double p90 = 0;    ///< what nine tenths of the result's seams, by length, do not miss by
   double off = 0;    ///< cm of seam that miss by more than 5 mm
 };
 
-/// Pieces on a print: what there is to draw, of a result or of a garment that is not solved yet.
-struct PrintedPattern {
+/// Pieces on a print: what there is to draw, of a result or of a garment that is not solved yet,
+/// which has the first two of the fits only.
+struct PrintedPattern : Fits {
   Pattern pattern;  ///< rest, meshed, with the imposed mirrors
   Shapes shapes;    ///< the pieces as they are now, cm
   std::vector<Alignment> alignment;
@@ -38,7 +41,9 @@ struct PrintedPattern {
       mismatch;  ///< per seam and edge, through its join, cm; none before a solve
   std::string group;
   Vec2 w1, w2;
-  double fit_random = 0;
+  /// Where mirrored seams are forbidden: the fits without mirrors and glides. The other ones count
+  /// whatever the print has, as for every result.
+  std::optional<Fits> continuous;
   std::vector<Note> notes;
 };
 
@@ -48,9 +53,7 @@ struct Result : PrintedPattern {
   std::vector<SeamFigures> figures;  ///< per seam
   LocalMeans local;
   std::vector<Alignment> search;  ///< where the alignment search ended, before anything deformed
-  double fit_search = 0, fit_aligned = 0;
-  double search_bound = 0;  ///< no alignment at rest costs less than this share of `search`
-  Fit fit;
+  double search_bound = 0;        ///< no alignment at rest costs less than this share of `search`
   double max_moved_cm = 0;
   int iterations = 0;      ///< of the deformation
   int factorisations = 0;  ///< sparse LDLT factorisations

@@ -1,6 +1,7 @@
 #include "solve/seam_figures.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "solve/seam_rules.h"
 
@@ -8,6 +9,7 @@ namespace seamwise {
 namespace {
 
 constexpr double kFarOff = 0.5;  ///< cm
+constexpr double kMost = 0.9;    ///< of all seams, by length
 
 }  // namespace
 
@@ -18,6 +20,7 @@ void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
   LocalMeans& all = result.local;
   all = {};
   result.figures.assign(pattern.seams.size(), {});
+  std::vector<std::pair<double, double>> edges;  // mismatch and length of those that count
   double total = 0;
   for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
     const Seam& seam = pattern.seams[s];
@@ -31,7 +34,7 @@ void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
     for (std::size_t i = 0; i < m.length.size(); ++i) {
       length += m.length[i];
       of.whole += m.length[i] * result.mismatch[s][i];
-      if (counts(seam) && group.distance(m.x[i], m.y[i]) > kFarOff) all.off += m.length[i];
+      if (counts(seam)) edges.emplace_back(group.distance(m.x[i], m.y[i]), m.length[i]);
     }
     of.whole /= length;
     if (!counts(seam)) continue;
@@ -42,6 +45,13 @@ void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
     all.worst = std::max(all.worst, of.final);
   }
   if (total <= 0) return;
+  std::sort(edges.begin(), edges.end());
+  double met = 0;
+  for (const auto& [mismatch, length] : edges) {
+    if (met < kMost * total) all.p90 = mismatch;
+    met += length;
+    if (mismatch > kFarOff) all.off += length;
+  }
   all.drafted /= total, all.placed /= total, all.final /= total;
 }
 

@@ -79,7 +79,7 @@ Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
         p, static_cast<int>(std::ceil(p.options.effort)), state->pattern, carriedMirrors(p),
         state->rules, memo ? &memo->searches : nullptr, memo ? &memo->mesh.last->plans : nullptr);
   else
-    state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, notes);
+    state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, state->drafted, notes);
   return Solver(std::move(state));
 }
 
@@ -111,7 +111,14 @@ PrintedPattern Solver::unsolved() const {
   printed.mismatch.resize(printed.pattern.seams.size());
   printed.group = group.data().name;
   printed.w1 = group.w1(), printed.w2 = group.w2();
-  printed.fit_random = fitRandom(group, printed.pattern, printed.shapes);
+  const auto measured = [&](const WallpaperGroup& by) {
+    Fits fits;
+    fits.fit_random = fitRandom(by, printed.pattern, printed.shapes);
+    fits.fit_drafted = fitAny(by, printed.pattern, printed.shapes, printed.alignment);
+    return fits;
+  };
+  static_cast<Fits&>(printed) = measured(group);
+  if (state_->match->continuous_only) printed.continuous = measured(state_->match->joining());
   printed.notes = state_->problem.notes;
   return printed;
 }
@@ -137,11 +144,16 @@ Outcome<Result> Solver::finish() {
         bestJoin(group, seam, result.shapes, result.alignment, problem.options.continuous_only);
     result.mismatch[s] = joinMismatch(result.joins[s], seam, result.shapes, result.alignment);
   }
-  result.fit_search = fitAny(group, result.pattern, rest, result.search);
-  result.fit_aligned = fitAny(group, result.pattern, rest, result.alignment);
-  result.fit = measureFit(group, result.pattern, result.shapes, result.alignment);
+  const auto measure = [&](const WallpaperGroup& by, Fits* fits) {
+    fits->fit_search = fitAny(by, result.pattern, rest, result.search);
+    fits->fit_aligned = fitAny(by, result.pattern, rest, result.alignment);
+    fits->fit = measureFit(by, result.pattern, result.shapes, result.alignment);
+  };
+  measure(group, &result);
+  const WallpaperGroup joining = state_->match->joining();
+  if (result.continuous) measure(joining, &*result.continuous);
   result.drafted = state_->drafted;
-  measureSeams(group, *state_->match, problem.options.locked, result);
+  measureSeams(joining, *state_->match, problem.options.locked, result);
   result.max_moved_cm = greatestMovement(result.pattern, result.shapes);
   result.iterations = run.iterations();
   result.factorisations = run.factorisations();

@@ -1,6 +1,7 @@
 #include "wallpaper/group.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "wallpaper/lattice.h"
 
@@ -73,6 +74,14 @@ Outcome<WallpaperGroup> WallpaperGroup::make(std::string_view name, const Vec2& 
     group.reduced_elements_.push_back({m(0, 0), m(0, 1), m(1, 0), m(1, 1), a.x(), a.y()});
   }
   return group;
+}
+
+WallpaperGroup WallpaperGroup::joining(bool continuous_only) const {
+  if (!continuous_only) return *this;
+  // every group that has rotations has its origin at a centre of them, as these five have
+  const auto turns = std::count_if(elements_.begin(), elements_.end(),
+                                   [](const Element& e) { return !e.mirrored; });
+  return make("p" + std::to_string(turns), w1(), w2()).value();
 }
 
 }  // namespace seamwise

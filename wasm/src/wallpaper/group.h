@@ -68,6 +68,11 @@ class WallpaperGroup {
 
   bool operator==(const WallpaperGroup&) const = default;
 
+  /// The symmetries by which the print may meet across a seam.
+  /// @param continuous_only   leaves out mirrors and glides: p1, p2, p3, p4 or p6 on the same
+  /// lattice
+  WallpaperGroup joining(bool continuous_only) const;
+
   const GroupData& data() const { return *data_; }
   const Vec2& w1() const { return w_[0]; }
   const Vec2& w2() const { return w_[1]; }

@@ -53,6 +53,8 @@ const options: Read<SolveOptions> = shape(
     edgeLengthCm: number(0.01, 1000),
     continuousOnly: flag,
     averageSeamShapes: flag,
+    starts: wholeNumber,
+    clipTargets: flag,
     grain: shape({}, {default: locks, toleranceDeg: degrees, pieces: recordOf(grainRule)}),
     pins: recordOf(readAlignment),
     weights: recordOf(number(0, 1e6)),

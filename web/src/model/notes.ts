@@ -25,6 +25,7 @@ export const noteCodes = [
   'ws19',
   'grainAssumed',
   'partOfTheWay',
+  'leftAsDrafted',
   ...symmetryReasons,
 ] as const;
 

@@ -31,6 +31,10 @@ export interface SolveOptions {
   readonly continuousOnly?: boolean;
   /** Seam lines take the mean of both sides' turning angles. Default: only for `paper`. */
   readonly averageSeamShapes?: boolean;
+  /** Random starts of `paper` and `ws19`; with several, the drafted layout is one more. Default 1. */
+  readonly starts?: number;
+  /** Whether the ideal seam lines of `paper` and `ws19` stay within `maxChangeCm` of the drafted ones. Default false. */
+  readonly clipTargets?: boolean;
   readonly grain?: {
     readonly default?: GrainLock;
     readonly toleranceDeg?: number;

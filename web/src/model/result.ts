@@ -46,7 +46,7 @@ export interface ResultSeam {
   readonly why?: SeamReason;
 }
 
-/** Mean mismatch along a seam point by point, each under the symmetry of the print that suits it. [cm] */
+/** Mean mismatch along a seam point by point, each under the allowed symmetry of the print that suits it. [cm] */
 export interface LocalMismatch {
   /** Of the pieces as drafted, laid on grain. */
   readonly drafted: number;
@@ -86,14 +86,14 @@ export interface Milliseconds {
   readonly total: number;
 }
 
-/** Fits are sums of edge length times print mismatch over the seams that count. [cm2] */
-export interface Metrics {
+/** Sums of edge length times print mismatch over the seams that count. [cm2] */
+export interface Fits {
   /** Mean over random alignments of `rest`. */
   readonly fitRandom: number;
+  /** Of the pieces as drafted, laid on grain. */
+  readonly fitDrafted?: number;
   /** What the alignment search reached on `rest`. */
   readonly fitSearch: number;
-  /** No alignment of `rest` costs less than this share of the one found: 1 when it is proven the best. */
-  readonly searchBound: number;
   /** Fit of `rest` under the final alignment. */
   readonly fitAligned: number;
   /** Fit of `shape` under the final alignment. */
@@ -102,9 +102,19 @@ export interface Metrics {
   readonly fitStrict: number;
   /** As `fit`, but with one symmetry of the print for the whole seam. */
   readonly fitSeam: number;
+}
+
+export interface Metrics extends Fits {
+  /** Where mirrored seams are forbidden: the fits by those symmetries of the print that do not mirror it. */
+  readonly continuous?: Fits;
+  /** No alignment of `rest` costs less than this share of the one found: 1 when it is proven the best. */
+  readonly searchBound: number;
   readonly maxMovedCm: number;
-  /** By length over the seams that count; `worst` is the greatest mean of a seam of the result. [cm] */
-  readonly localCm?: LocalMismatch & {readonly worst: number};
+  /**
+   * By length over the seams that count; `worst` is the greatest mean of a seam of the result, and nine tenths of its
+   * seams miss by no more than `p90`. [cm]
+   */
+  readonly localCm?: LocalMismatch & {readonly worst: number; readonly p90?: number};
   /** How much seam misses by more than 5 mm. [cm] */
   readonly offCm?: number;
   /** Of the deformation. */
@@ -121,6 +131,8 @@ export interface SolveResult {
   readonly format: 'seamwise-result/1';
   readonly units: 'cm';
   readonly print: {readonly group: GroupName; readonly w1: Point; readonly w2: Point};
+  /** Mirrored seams were forbidden: what would meet as a mirror image does not. */
+  readonly continuousOnly?: boolean;
   readonly pieces: readonly ResultPiece[];
   readonly seams: readonly ResultSeam[];
   readonly symmetries: readonly ResultSymmetry[];
@@ -136,7 +148,10 @@ export interface SolveResult {
 }
 
 /** What there is to draw of a garment: of a result, or of pieces and seams that are not solved yet. */
-export type Pattern = Pick<SolveResult, 'print' | 'pieces' | 'seams' | 'symmetries'>;
+export type Pattern = Pick<
+  SolveResult,
+  'print' | 'continuousOnly' | 'pieces' | 'seams' | 'symmetries'
+>;
 
 /** A piece as drafted and meshed: `shape` is `rest`, and it lies on grain as one would cut it without a thought for the print. */
 export interface MeshedPiece extends ResultPiece {

@@ -106,6 +106,16 @@ export function printElements({group, w1, w2}: Repeat): readonly PlaneMap[] {
   return latticeElements(group).map((element) => after(basis, after(element, inverse)));
 }
 
+/** The symmetries by which a print may meet across a seam: all, or with `continuousOnly` those that do not mirror it. */
+export function joining(repeat: Repeat, continuousOnly = false): Repeat {
+  if (!continuousOnly) return repeat;
+  const turns = latticeElements(repeat.group).filter((element) => determinant(element) > 0).length;
+  const left = (['p1', 'p2', 'p3', 'p4', 'p6'] as const).find(
+    (group) => groups[group][1] === turns,
+  );
+  return {...repeat, group: left ?? 'p1'};
+}
+
 /** The cell an image of the print shows, from its lower left corner: to the right, and up. [cm] */
 export function imageCell({group, w1, w2, cell}: CellOf): readonly [Point, Point] {
   if (cell === 'rectangular' && latticeType(group) === 'hexagonal') {

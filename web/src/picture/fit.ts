@@ -6,6 +6,7 @@ import type {Alignment, Point} from '../model/geometry.js';
 import type {Pattern, ResultSeam, SeamSide} from '../model/result.js';
 import {
   determinant,
+  joining,
   printDistance,
   printElements,
   reducedBasis,
@@ -159,7 +160,7 @@ export function fitOf(
   alignments: readonly Alignment[],
   counted: readonly boolean[] = countedSeams(result),
 ): Fit {
-  const apart = printDistance(result.print);
+  const apart = printDistance(joining(result.print, result.continuousOnly));
   return summed(
     result.seams.map((seam, number) => {
       const {a, b, lengths} = edgesOf(result, seam, outline, alignments);
@@ -213,7 +214,9 @@ export function seamFitOf(
   const {w1, w2} = result.print;
   const basis = reducedBasis(w1, w2);
   // those that mirror come last, so that they have to be better
-  const elements = printElements(result.print).toSorted((a, b) => determinant(b) - determinant(a));
+  const elements = printElements(joining(result.print, result.continuousOnly)).toSorted(
+    (a, b) => determinant(b) - determinant(a),
+  );
   return summed(
     result.seams.map((seam, number): JoinedSeam => {
       const edges = edgesOf(result, seam, outline, alignments);

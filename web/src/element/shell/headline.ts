@@ -108,7 +108,7 @@ export class Headline extends DeskElement {
 
   /** For who compares with the paper. */
   #more(metrics: Metrics): TemplateResult {
-    const {fit, fitRandom} = metrics;
+    const {fit, fitRandom} = metrics.continuous ?? metrics;
     const {value, unit} = this.format.area(fit);
     const share = this.format.percent(fitRandom > 0 ? fit / fitRandom : 0);
     const {headline} = this.texts;

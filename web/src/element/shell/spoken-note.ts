@@ -48,6 +48,7 @@ export function spokenNote(
     case 'symmetriesStated':
     case 'ws19':
     case 'partOfTheWay':
+    case 'leftAsDrafted':
       return notes[code];
     default:
       return sentence;

@@ -398,6 +398,8 @@ export const de: Texts = {
       `Die Datei hat für diese Teile keinen Fadenlauf, angenommen ist er nach oben wie gezeichnet: ${pieces}.`,
     partOfTheWay:
       'Die Nähte gehen nur einen Teil des Wegs zu ihren besten Linien, sonst kreuzten sich Umrisse oder änderten sich zu stark.',
+    leftAsDrafted:
+      'Keine gefundene Form passt besser als der Schnitt, wie er gezeichnet ist; die Teile behalten ihre Linien.',
     dropped: (pieces, why) => `Die Symmetrie von ${pieces} entfällt: ${why}.`,
     cannotHold: (pieces, why) => `Die Symmetrie von ${pieces} ist so nicht möglich: ${why}.`,
     why: {

@@ -394,6 +394,8 @@ export const en = {
       `The file has no grain line for these pieces, so upwards as drawn is assumed: ${pieces}.`,
     partOfTheWay:
       'The seams go only part of the way to their ideal lines; else outlines would cross or move too far.',
+    leftAsDrafted:
+      'No shape that the method found fits better than the pieces as drafted, so they keep their lines.',
     dropped: (pieces: string, why: string) => `The symmetry of ${pieces} is dropped: ${why}.`,
     cannotHold: (pieces: string, why: string) => `The symmetry of ${pieces} cannot hold: ${why}.`,
     why: {

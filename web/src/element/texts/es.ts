@@ -395,6 +395,8 @@ export const es: Texts = {
       `El archivo no da el hilo de estas piezas; se supone hacia arriba, como están dibujadas: ${pieces}.`,
     partOfTheWay:
       'Las costuras solo recorren parte del camino hacia sus líneas ideales; si no, se cruzarían contornos o cambiarían demasiado.',
+    leftAsDrafted:
+      'Ninguna forma encontrada encaja mejor que las piezas tal como están dibujadas, que conservan sus líneas.',
     dropped: (pieces, why) => `Se abandona la simetría de ${pieces}: ${why}.`,
     cannotHold: (pieces, why) => `La simetría de ${pieces} no es posible así: ${why}.`,
     why: {

@@ -402,6 +402,8 @@ export const fr: Texts = {
       `Le fichier n’a pas de droit-fil pour ces pièces ; on le suppose vers le haut, comme dessiné : ${pieces}.`,
     partOfTheWay:
       'Les coutures ne font qu’une partie du chemin vers leurs lignes idéales, sinon des contours se croiseraient ou bougeraient trop.',
+    leftAsDrafted:
+      'Aucune forme trouvée ne s’accorde mieux que les pièces telles que dessinées ; elles gardent leurs lignes.',
     dropped: (pieces, why) => `La symétrie de ${pieces} est abandonnée : ${why}.`,
     cannotHold: (pieces, why) => `La symétrie de ${pieces} est impossible ainsi : ${why}.`,
     why: {

@@ -399,6 +399,8 @@ export const it: Texts = {
       `Il file non dà il drittofilo di questi pezzi; si suppone verso l’alto, come disegnato: ${pieces}.`,
     partOfTheWay:
       'Le cuciture fanno solo parte della strada verso le loro linee ideali, altrimenti i contorni si incrocerebbero o cambierebbero troppo.',
+    leftAsDrafted:
+      'Nessuna forma trovata si accorda meglio dei pezzi come sono disegnati, che mantengono le loro linee.',
     dropped: (pieces, why) => `La simmetria di ${pieces} viene abbandonata: ${why}.`,
     cannotHold: (pieces, why) => `La simmetria di ${pieces} così non è possibile: ${why}.`,
     why: {
