@@ -14,35 +14,23 @@ namespace {
 using testing::sampleGroup;
 using Shape = Chamber::Shape;
 
-template <Shape shape>
+template <bool triangle>
 double nearest(const Chamber& chamber, const Vec2& p, const Vec2& q) {
-  const Folded<shape, double> x(p.x(), p.y());
+  using Point = Folded<triangle, double>;
+  const Point x(chamber.shape, p.x(), p.y());
   double best = std::numeric_limits<double>::infinity();
   for (const Chamber::Coset& coset : chamber.cosets) {
     const Vec2 image = coset.m * q + coset.a;
-    best = std::min(best, x.squaredTo(Folded<shape, double>(image.x(), image.y()), chamber.square0,
-                                      chamber.square1));
+    best = std::min(best, x.squaredTo(Point(chamber.shape, image.x(), image.y()), chamber.shape,
+                                      chamber.square0, chamber.square1));
   }
   return std::sqrt(best);
 }
 
 double distanceIn(const Chamber& chamber, const Vec2& x, const Vec2& y) {
   const Vec2 p = chamber.to * x + chamber.offset, q = chamber.to * y + chamber.offset;
-  switch (chamber.shape) {
-    case Shape::kStrip:
-      return nearest<Shape::kStrip>(chamber, p, q);
-    case Shape::kRectangle:
-      return nearest<Shape::kRectangle>(chamber, p, q);
-    case Shape::kHalfSquare:
-      return nearest<Shape::kHalfSquare>(chamber, p, q);
-    case Shape::kEquilateral:
-      return nearest<Shape::kEquilateral>(chamber, p, q);
-    case Shape::kHalfEquilateral:
-      return nearest<Shape::kHalfEquilateral>(chamber, p, q);
-    case Shape::kCell:
-      break;
-  }
-  return -1;
+  return Chamber::isTriangle(chamber.shape) ? nearest<true>(chamber, p, q)
+                                            : nearest<false>(chamber, p, q);
 }
 
 TEST(Chamber, KeepsTheDistancesOfEveryGroupThatHasMirrors) {

@@ -11,25 +11,15 @@ using Shape = Chamber::Shape;
 
 constexpr double kSame = 1e-6;  ///< difference of chamber coordinates of one point
 
-/// Folded as numbers. @param y   of a strip, modulo its length
+/// Folded as numbers; the length of a strip modulo its repeat.
 Vec2 folded(Shape shape, const Vec2& p) {
-  const auto at = [&](auto fold) { return Vec2(fold.x, fold.y); };
-  switch (shape) {
-    case Shape::kStrip: {
-      const Folded<Shape::kStrip, double> in(p.x(), p.y());
-      return {in.x, in.y - std::floor(in.y)};
-    }
-    case Shape::kRectangle:
-      return at(Folded<Shape::kRectangle, double>(p.x(), p.y()));
-    case Shape::kHalfSquare:
-      return at(Folded<Shape::kHalfSquare, double>(p.x(), p.y()));
-    case Shape::kEquilateral:
-      return at(Folded<Shape::kEquilateral, double>(p.x(), p.y()));
-    case Shape::kHalfEquilateral:
-      return at(Folded<Shape::kHalfEquilateral, double>(p.x(), p.y()));
-    default:
-      return p - p.array().floor().matrix();
+  if (shape == Shape::kCell) return p - p.array().floor().matrix();
+  if (Chamber::isTriangle(shape)) {
+    const Folded<true, double> in(shape, p.x(), p.y());
+    return {in.x, in.y};
   }
+  const Folded<false, double> in(shape, p.x(), p.y());
+  return {in.x, shape == Shape::kStrip ? in.y - std::floor(in.y) : in.y};
 }
 
 /// A coordinate across the lines of a family, in cm-1: they lie where it is a multiple of one half.

@@ -34,35 +34,43 @@ struct Chamber {
   };
   std::vector<Coset> cosets;
 
+  static bool isTriangle(Shape shape) {
+    return shape == Shape::kEquilateral || shape == Shape::kHalfEquilateral;
+  }
+
   static Chamber of(const WallpaperGroup& group);
 };
 
-/// A point of the chamber of `shape` that the mirrors carry (x, y) to. `V` is a number or several
-/// at once.
-template <Chamber::Shape shape, class V>
+/// The point of a chamber that its mirrors carry (x, y) to. `V` is a number or several at once.
+/// @tparam triangle   whether the shape is one of the equilateral ones
+template <bool triangle, class V>
 struct Folded {
   V x, y;
-  [[gnu::always_inline]] Folded(const V& at_x, const V& at_y) : x(at_x), y(at_y) {
-    using enum Chamber::Shape;
+  [[gnu::always_inline]] Folded(Chamber::Shape shape, const V& at_x, const V& at_y)
+      : x(at_x), y(at_y) {
     using internal::roundNear;
-    if constexpr (shape == kStrip) x = abs(V(x - roundNear(x)));
-    if constexpr (shape == kRectangle || shape == kHalfSquare)
-      x = abs(V(x - roundNear(x))), y = abs(V(y - roundNear(y)));
-    if constexpr (shape == kHalfSquare) sort(x, y);
-    if constexpr (shape == kEquilateral || shape == kHalfEquilateral) foldIntoTriangle();
+    if constexpr (triangle) {
+      foldIntoTriangle(shape == Chamber::Shape::kHalfEquilateral);
+    } else {
+      x = abs(V(x - roundNear(x)));
+      if (shape == Chamber::Shape::kStrip) return;
+      y = abs(V(y - roundNear(y)));
+      if (shape == Chamber::Shape::kHalfSquare) sort(x, y);
+    }
   }
 
   /// Square of the distance to another point of the chamber, in cm2 of `square0` and `square1`.
   template <class Real>
-  [[gnu::always_inline]] V squaredTo(const Folded& other, Real square0, Real square1) const {
-    using enum Chamber::Shape;
+  [[gnu::always_inline]] V squaredTo(const Folded& other, Chamber::Shape shape, Real square0,
+                                     Real square1) const {
     V s = x - other.x, t = y - other.y;
-    if constexpr (shape == kStrip) t -= internal::roundNear(t);
-    if constexpr (shape == kEquilateral || shape == kHalfEquilateral) {
+    if constexpr (triangle) {
       const V u = s + t;
       return (s * s + t * t + u * u) * square0;
+    } else {
+      if (shape == Chamber::Shape::kStrip) t -= internal::roundNear(t);
+      return s * s * square0 + t * t * square1;
     }
-    return s * s * square0 + t * t * square1;
   }
 
  private:
@@ -74,7 +82,7 @@ struct Folded {
   /// Coordinates x, y and z = -x - y; the mirrors lie where two of them differ by a whole number.
   /// Translations are whole numbers that add up to 0. What rounding leaves adds up to -1, 0 or 1:
   /// the one that was rounded furthest makes up for it. Then mirrors through 0 sort them.
-  [[gnu::always_inline]] void foldIntoTriangle() {
+  [[gnu::always_inline]] void foldIntoTriangle(bool half) {
     using internal::roundNear;
     V z = -x - y;
     x -= roundNear(x), y -= roundNear(y), z -= roundNear(z);
@@ -83,11 +91,10 @@ struct Folded {
     const auto over = excess > none, under = excess < none;
     const V first = over ? y : under ? z + 1 : x, second = over ? z : under ? x : y;
     x = first, y = second;
-    if constexpr (shape == Chamber::Shape::kHalfEquilateral) {
-      const auto beyond = y > none;  // the turn by half a turn: -z, -y, -x
-      const V turned = beyond ? x + y : x;
-      y = beyond ? -y : y, x = turned;
-    }
+    if (!half) return;
+    const auto beyond = y > none;  // the turn by half a turn: -z, -y, -x
+    const V turned = beyond ? x + y : x;
+    y = beyond ? -y : y, x = turned;
   }
 };
 

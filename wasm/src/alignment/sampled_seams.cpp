@@ -198,26 +198,26 @@ SampledSeams<Real>::squaredOnRectangles(const Placed& p, const Element& e) const
 
 /// The least squared distance of both sides, by folding them into the chamber.
 template <class Real>
-template <Chamber::Shape shape>
+template <bool triangle>
 [[gnu::always_inline]] inline typename SampledSeams<Real>::Vector
 SampledSeams<Real>::squaredInChamber(const Placed& p) const {
-  const Folded<shape, Vector> x(p.x0, p.x1);
-  Vector best = x.squaredTo(Folded<shape, Vector>(p.y0, p.y1), square0_, square1_);
+  using Point = Folded<triangle, Vector>;
+  const Point x(shape_, p.x0, p.x1);
+  Vector best = x.squaredTo(Point(shape_, p.y0, p.y1), shape_, square0_, square1_);
   for (const Coset& c : cosets_) {
-    const Folded<shape, Vector> y(c.m00 * p.y0 + c.m01 * p.y1 + c.a0,
-                                  c.m10 * p.y0 + c.m11 * p.y1 + c.a1);
-    best = least(best, x.squaredTo(y, square0_, square1_));
+    const Point y(shape_, c.m00 * p.y0 + c.m01 * p.y1 + c.a0, c.m10 * p.y0 + c.m11 * p.y1 + c.a1);
+    best = least(best, x.squaredTo(y, shape_, square0_, square1_));
   }
   return best;
 }
 
 template <class Real>
-template <Chamber::Shape shape>
+template <bool triangle>
 typename SampledSeams<Real>::Sums SampledSeams<Real>::foldedSums(int seam, const Pose& a,
                                                                  const Pose& b,
                                                                  double slack) const {
   return sumsOver(seam, a, b, slack,
-                  [this](int, const Placed& p) { return squaredInChamber<shape>(p); });
+                  [this](int, const Placed& p) { return squaredInChamber<triangle>(p); });
 }
 
 template <class Real>
@@ -231,21 +231,8 @@ typename SampledSeams<Real>::Sums SampledSeams<Real>::sums(int seam, const Pose&
     });
   };
   if constexpr (sizeof(Real) == sizeof(float)) {
-    using enum Chamber::Shape;
-    switch (shape_) {
-      case kStrip:
-        return foldedSums<kStrip>(seam, a, b, slack);
-      case kRectangle:
-        return foldedSums<kRectangle>(seam, a, b, slack);
-      case kHalfSquare:
-        return foldedSums<kHalfSquare>(seam, a, b, slack);
-      case kEquilateral:
-        return foldedSums<kEquilateral>(seam, a, b, slack);
-      case kHalfEquilateral:
-        return foldedSums<kHalfEquilateral>(seam, a, b, slack);
-      case kCell:
-        break;
-    }
+    if (Chamber::isTriangle(shape_)) return foldedSums<true>(seam, a, b, slack);
+    if (shape_ != Chamber::Shape::kCell) return foldedSums<false>(seam, a, b, slack);
   }
   return rectangular_ ? nearest([this](const Placed& p, const Element& e) {
     return squaredOnRectangles(p, e);

@@ -76,9 +76,9 @@ class SampledSeams {
   Vector squaredOnRectangles(const Placed& p, const Element& e) const;
   template <class Squared>
   Sums sumsOver(int seam, const Pose& a, const Pose& b, double slack, const Squared& squared) const;
-  template <Chamber::Shape shape>
+  template <bool triangle>
   Sums foldedSums(int seam, const Pose& a, const Pose& b, double slack) const;
-  template <Chamber::Shape shape>
+  template <bool triangle>
   Vector squaredInChamber(const Placed& p) const;
 
   std::vector<Element> all_, proper_, improper_;

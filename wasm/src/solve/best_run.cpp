@@ -23,7 +23,7 @@ constexpr double kMostReach =
     2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
 
 /// Answers under slack to fit from.
-constexpr std::size_t kStarts = 3;
+constexpr std::size_t kStarts = 5;
 
 constexpr int kSeekAgain = 3;  ///< times
 
