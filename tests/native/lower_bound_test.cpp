@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "alignment/refine.h"
@@ -49,6 +51,19 @@ class Made {
     for (const Leader& leader : problem.leaders)
       at.push_back(leader.freedom.nearest(random_.alignment(), leader.centre));
     return at;
+  }
+  /// Alignments about a random one: of any size, or of those that matter at the end of a proof.
+  Box box() {
+    const double size = std::pow(10, random_.between(-3, 0));
+    return {random_.alignment(),
+            random_.between(0, 1) < 0.5 ? 0 : random_.between(0, 2) * size,
+            {random_.point() / 20 * size, random_.point() / 20 * size}};
+  }
+  /// Turn and shifts in a box, from -1 to 1; now and then a corner.
+  std::array<double, 3> within() {
+    std::array<double, 3> x;
+    for (double& v : x) v = std::clamp(random_.between(-1.5, 1.5), -1.0, 1.0);
+    return x;
   }
   Freedom mirrored() { return Freedom::mirrored(random_.reflection(), problem.group); }
   Freedom pinned() { return Freedom::pinned(random_.alignment()); }
@@ -112,6 +127,47 @@ INSTANTIATE_TEST_SUITE_P(Groups, LowerBoundInMirrors,
                                            "p31m", "p6m"),
                          nameOf);
 
+TEST_P(LowerBoundIn, SaysOfASeamWhatNoAlignmentInTwoBoxesFallsBelow) {
+  for (const bool own : {false, true}) {
+    Made made(GetParam(), 9);
+    made.piece(Freedom::anywhere()), made.piece(Freedom::anywhere());
+    made.seam(0, own ? 0 : 1, 7);
+    const SeamBound bound(made.problem, made.problem.seams[0]);
+    const Boxes of_a(made.problem, 0);
+    double spent = 0;
+    int positive = 0, sloping = 0;
+    for (int k = 0; k < 4000; ++k) {
+      const Box a = made.box(), b = own ? a : made.box();
+      const SeamBound::Pair pair = bound.between(a, of_a.reach(), b, of_a.reach(), spent);
+      positive += pair.flat > 0, sloping += pair.middle - pair.steepness() > pair.flat;
+      for (int sample = 0; sample < 20; ++sample) {
+        const std::array<double, 3> x = made.within(), y = own ? x : made.within();
+        const auto in = [&](const Box& box, const std::array<double, 3>& at, int leader) {
+          return moved(box.at, made.problem.leaders[leader].centre, at[0] * box.turn,
+                       at[1] * box.half[0] + at[2] * box.half[1]);
+        };
+        const double cost = made.problem.cost({in(a, x, 0), in(b, y, own ? 0 : 1)});
+        double sloped = pair.middle;
+        for (int i = 0; i < 3; ++i) sloped += pair.slope[i] * x[i] + pair.slope[3 + i] * y[i];
+        EXPECT_GE(cost, pair.flat);
+        EXPECT_GE(cost, sloped);
+      }
+    }
+    EXPECT_GT(positive, 400) << "it could not fail";
+    EXPECT_GT(sloping, 200) << "it could not fail";
+    EXPECT_GT(spent, 0);
+  }
+}
+
+TEST_P(LowerBoundIn, IsNeverAboveTheCostOfPiecesThatAllMeet) {
+  Made made(GetParam(), 10);  // each of four with each other: more than elimination does exactly
+  for (int k = 0; k < 4; ++k) made.piece(made.onGrain(0));
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < a; ++b) made.seam(a, b, 3);
+  made.seam(2, 2, 2);
+  EXPECT_GE(checkedShare(made, 3e7), 0);
+}
+
 TEST_P(LowerBoundIn, IsNeverAboveTheCostOfAFreePieceBesideAPinnedOne) {
   Made made(GetParam(), 1);
   made.piece(made.pinned()), made.piece(Freedom::anywhere());
@@ -140,7 +196,7 @@ TEST_P(LowerBoundIn, IsNeverAboveTheCostOfPiecesOnGrain) {
   Made made(GetParam(), 4);
   made.piece(made.onGrain(0)), made.piece(made.onGrain(0));
   made.seam(0, 1, 5);
-  EXPECT_GT(checkedShare(made, 1e7), 20);
+  EXPECT_GT(checkedShare(made, 1e8), 20);
 }
 
 TEST_P(LowerBoundIn, IsNeverAboveTheCostOfAPieceNearGrain) {
@@ -203,7 +259,7 @@ TEST(LowerBound, GrowsStepByStepAndAlwaysTheSame) {
       out.push_back(search.bound());
     }
     EXPECT_FALSE(search.proven()) << "the budget ended it";
-    EXPECT_LT(search.spent(), 3.1e6);
+    EXPECT_LT(search.spent(), 3.5e6);
     return out;
   };
   EXPECT_EQ(bounds(), bounds());

@@ -191,6 +191,12 @@ TEST(SearchBound, SaysHowMuchBetterAnAlignmentCouldBe) {
   EXPECT_GT(little, 0);
   EXPECT_LT(little, 1);
   EXPECT_EQ(much, 1);
+  for (const char* garment : {"gathered-skirt", "tee"}) {
+    Task on_grain = task(garment, "pmm");
+    on_grain.symmetry = "auto";
+    on_grain.options["grain"] = {{"default", "on"}};
+    EXPECT_EQ(boundOf(on_grain, 4), 1) << garment;
+  }
   Task paper = hard;
   paper.method = Method::kPaper;
   EXPECT_EQ(solved(paper).search_bound, 0);

@@ -5,8 +5,7 @@
 
 namespace seamwise {
 
-Boxes::Boxes(const MatchProblem& problem, int leader, bool first)
-    : problem_(problem), leader_(leader) {
+Boxes::Boxes(const MatchProblem& problem, int leader) : problem_(problem), leader_(leader) {
   const auto& [piece, freedom, centre, seams] = problem.leaders[leader];
   double weight = 0;
   for (const int s : seams) {
@@ -18,28 +17,22 @@ Boxes::Boxes(const MatchProblem& problem, int leader, bool first)
     weight += seam.weight * ((seam.a == leader) + (seam.b == leader));
   }
   reach_ /= weight;
-  Box& root = boxes_.emplace_back();
-  root.at = freedom.nearest({0, centre}, centre);
-  if (freedom.isPinned()) return;
-  if (freedom.turns()) {
-    // turning a piece by a rotation of the print leaves the print on it as it is
-    int rotations = 0;
-    for (const Element& e : problem.group.elements()) rotations += !e.mirrored;
-    root.turn = freedom.angles().empty() ? kPi / rotations : kPi;
-    root.at = {0, centre};
-    root.half = cell(first);
-    return;
-  }
-  root.open = true;
-  if (freedom.isMirrored())
-    addPlaces(first);
-  else
-    for (const double angle : freedom.angles()) add(0, {angle, centre}, 0, cell(first));
 }
 
-void Boxes::add(int parent, const Alignment& at, double turn, const std::array<Vec2, 2>& half) {
-  boxes_[parent].children.push_back(static_cast<int>(boxes_.size()));
-  boxes_.push_back({at, turn, half, false, {}});
+std::vector<Box> Boxes::all(bool first) const {
+  const auto& [piece, freedom, centre, seams] = problem_.leaders[leader_];
+  if (freedom.isPinned()) return {{freedom.nearest({0, centre}, centre)}};
+  if (freedom.isMirrored()) return onMirrors(first);
+  if (!freedom.turns()) {
+    std::vector<Box> boxes;
+    for (const double angle : freedom.angles())
+      boxes.push_back({freedom.nearest({angle, centre}, centre), 0, cell(first)});
+    return boxes;
+  }
+  // turning a piece by a rotation of the print leaves the print on it as it is
+  int rotations = 0;
+  for (const Element& e : problem_.group.elements()) rotations += !e.mirrored;
+  return {{{0, centre}, freedom.angles().empty() ? kPi / rotations : kPi, cell(first)}};
 }
 
 /// Whether the shift, given to both points, changes no distance modulo the group.
@@ -71,11 +64,12 @@ std::array<Vec2, 2> Boxes::cell(bool first) const {
   return half;
 }
 
-void Boxes::addPlaces(bool first) {
+std::vector<Box> Boxes::onMirrors(bool first) const {
   const Leader& leader = problem_.leaders[leader_];
   const auto& repeats = problem_.group.reducedBasis();
   const Vec2 shifts[3] = {repeats[0] / 2, repeats[1] / 2, (repeats[0] + repeats[1]) / 2};
   std::vector<Freedom::Place> taken;
+  std::vector<Box> boxes;
   for (const Freedom::Place& place : leader.freedom.places()) {
     const auto reached = [&](const Freedom::Place& other) {
       if ((place.along - other.along).norm() > 1e-9) return false;
@@ -94,37 +88,31 @@ void Boxes::addPlaces(bool first) {
       half.setZero();
     else if (first && neutral(half))
       half /= 2;
-    add(0, leader.freedom.onPlace(place, leader.centre, 0), 0, {half, Vec2::Zero()});
+    boxes.push_back({leader.freedom.onPlace(place, leader.centre, 0), 0, {half, Vec2::Zero()}});
   }
+  return boxes;
 }
 
-const std::vector<int>& Boxes::split(int index) {
-  const Box box = boxes_[index];
-  if (!box.children.empty()) return boxes_[index].children;
+std::vector<HalfBox> Boxes::halves(const Box& box) const {
   const Leader& leader = problem_.leaders[leader_];
   const double sides[3] = {box.turn * reach_, box.half[0].norm(), box.half[1].norm()};
-  const auto widest = std::max_element(sides, sides + 3) - sides;
-  for (const double side : {-0.5, 0.5}) {
+  const int widest = static_cast<int>(std::max_element(sides, sides + 3) - sides);
+  std::vector<HalfBox> halves;
+  if (sides[widest] <= 0) return halves;
+  for (const int sign : {-1, 1}) {
+    Box half = box;
     if (widest > 0) {
-      std::array<Vec2, 2> half = box.half;
-      half[widest - 1] /= 2;
-      add(index, moved(box.at, leader.centre, 0, side * box.half[widest - 1]), box.turn, half);
-      continue;
+      half.half[widest - 1] /= 2;
+      half.at = moved(box.at, leader.centre, 0, sign * half.half[widest - 1]);
+    } else {
+      half.turn /= 2;
+      half.at = moved(box.at, leader.centre, sign * half.turn, Vec2::Zero());
+      const double admissible = leader.freedom.nearest(half.at, leader.centre).angle;
+      if (std::abs(wrapAngle(admissible - half.at.angle)) > half.turn + 1e-9) continue;
     }
-    const Alignment at = moved(box.at, leader.centre, side * box.turn, Vec2::Zero());
-    const double admissible = leader.freedom.nearest(at, leader.centre).angle;
-    if (std::abs(wrapAngle(admissible - at.angle)) <= box.turn / 2 + 1e-9)
-      add(index, at, box.turn / 2, box.half);
+    halves.push_back({half, widest, sign});
   }
-  return boxes_[index].children;
-}
-
-double Boxes::effort(int index, double fine) const {
-  const Box& box = boxes_[index];
-  if (box.open)
-    return std::log2(static_cast<double>(box.children.size())) + effort(box.children[0], fine);
-  return std::log2(1 + box.turn * reach_ / fine) + std::log2(1 + box.half[0].norm() / fine) +
-         std::log2(1 + box.half[1].norm() / fine);
+  return halves;
 }
 
 }  // namespace seamwise

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "alignment/boxes.h"
+#include "geometry/lanes.h"
 
 namespace seamwise {
 
@@ -31,33 +32,39 @@ class SeamBound {
   const MatchSeam& seam() const { return *seam_; }
 
  private:
-  /// A few edges that lie together: one stands for all, which are `radius` away in the mean.
-  struct Sample {
-    Vec2 a, b;  ///< from the leaders' centres
-    double w, radius;
-  };
+  using Real = float;
+  using Vector = Lanes<Real>::Vector;
+  static constexpr std::size_t kLanes = Lanes<Real>::kCount;
+  /// Edges in groups, one of which stands for all of them, that are `radius` away in the mean; a
+  /// multiple of kLanes of them, the last without weight.
   struct Level {
-    std::vector<Sample> samples;
-    double radius = 0;  ///< mean
+    std::vector<Real> ax, ay, bx, by;  ///< from the leaders' centres
+    std::vector<Real> far_a, far_b;    ///< their distances from there
+    std::vector<Real> w, radius;
+    double mean_radius = 0;
   };
-  /// An element that the seam allows, in coordinates of the reduced lattice basis.
+  /// An element that the seam allows, in coordinates of the reduced lattice basis and in print
+  /// space, A = (cos, -det sin; sin, det cos).
   struct Image {
     const Element* element;
-    double m00, m01, m10, m11, a0, a1;
+    Real m00, m01, m10, m11, a0, a1;
+    Real cos, sin, det;
   };
-  /// Where one side of a sample may be nearest to an image of the other.
-  struct Nearest {
-    const Element* element = nullptr;
-    double first = 0, second = 0;  ///< squares of the least distance and of the next
+  struct Pose {
+    Real m00, m01, m10, m11, t0, t1;
+    Real cos, sin;
   };
-  Nearest nearest(const Vec2& x, const Vec2& y) const;
+  Pose pose(int leader, const Alignment& at) const;
+  double ownFlat(const Level& level, const Box& box) const;
 
   const MatchProblem& problem_;
   const MatchSeam* seam_;
   std::vector<Level> levels_;  ///< finest first
   std::vector<Image> images_;
+  double rounding_;  ///< what single precision may add to a bound
   Mat2 to_reduced_;
-  double g11_, g12_, g22_;  ///< metric in reduced coordinates
+  Real u0x_, u0y_, u1x_, u1y_;  ///< the reduced basis
+  Real g11_, g12_, g22_;        ///< metric in reduced coordinates
 };
 
 }  // namespace seamwise

@@ -26,9 +26,9 @@ constexpr int kGlance = 3;  ///< iterations on all edges that tell which finalis
 constexpr std::size_t kPolished = 12;
 constexpr int kPolish = 30;  ///< iterations at most
 
-constexpr double kProof = 0.015;      ///< share of the evaluations that may go into a proof,
+constexpr double kProof = 0.03;       ///< share of the evaluations that may go into a proof,
 constexpr int kProvable = 5;          ///< where no more unknowns than these make it likely
-constexpr double kProofDistance = 6;  ///< a distance there takes as long as so many elsewhere
+constexpr double kProofDistance = 5;  ///< a distance there takes as long as so many elsewhere
 constexpr double kSought = 0.6;       ///< share of the time before a proof, as a rule
 
 /// The more symmetries a print has, the more answers there are to choose from.
