@@ -283,6 +283,13 @@ double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double s
   }
 }
 
+template <class Real>
+double SampledSeams<Real>::sampleCost() const {
+  // placing a sample on the print takes about as long as four elements, folding as one or two
+  return 4.0 + (shape_ == Chamber::Shape::kCell ? static_cast<double>(all_.size())
+                                                : 1.5 * static_cast<double>(cosets_.size()));
+}
+
 /// The pose in coordinates of the lattice.
 template <class Real>
 typename SampledSeams<Real>::Pose SampledSeams<Real>::onLattice(const Pose& pose) const {

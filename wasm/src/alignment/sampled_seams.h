@@ -41,6 +41,8 @@ class SampledSeams {
 
   /// Number of samples of a seam.
   int count(int seam) const { return seams_[seam].count; }
+  /// What cost() takes for a sample, in element distances.
+  double sampleCost() const;
   /// Place of a leader in an order in which neighbours follow closely.
   int rank(int leader) const { return ranks_[leader]; }
   /// Sum of all weights. [cm]

@@ -16,7 +16,7 @@ constexpr double kClose = 1.1;       ///< one this much worse is polished
 constexpr double kSecondBest = 0.5;  ///< share of pieces placed at their second best candidate
 constexpr int kStretches = 4;        ///< of a seam, that a piece is laid along besides the whole
 constexpr double kSkip = 0.35;       ///< share of neighbours that a lifted part leaves in place
-constexpr double kMultiplications = 10;  ///< that take as long as a distance
+constexpr double kMultiplications = 20;  ///< that take as long as a distance
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 double spacing(const MatchProblem& problem, double samples) {
@@ -30,8 +30,7 @@ SearchMoves::SearchMoves(const MatchProblem& problem, std::uint64_t seed, double
     : problem_(problem),
       samples_(problem, spacing(problem, samples)),
       slack_(slack),
-      // placing a sample on the print costs about as much as four elements
-      sample_cost_(4.0 + static_cast<double>(problem.group.elements().size())),
+      sample_cost_(samples_.sampleCost()),
       random_(seed) {}
 
 Layout SearchMoves::layoutOf(const Alignments& at) const {
