@@ -6,17 +6,19 @@
 namespace seamwise {
 
 /// The default method several times, each with another seed and with what the one before found to
-/// begin with; the answer that fits best stands. So more of them never end worse.
+/// begin with; the answer that fits best stands. So more of them never end worse, and neither do
+/// outlines that may move further than usual: what is found without that comes first.
 class EffortRun : public Run {
  public:
-  /// @param effort   how many times, 1 or more; the others as for BestRun
+  /// @param effort   how many times, 1 or more, at the greatest change that is asked for; the
+  /// others as for BestRun
   EffortRun(const Problem& problem, int effort, const Pattern& pattern, std::vector<Mirror> known,
             const MatchRules& rules, SearchMemo* searches, std::shared_ptr<FittingPlans>* plans);
 
   bool advance() override;
-  Phase phase() const override { return round_ == effort_ ? Phase::kDone : run_->phase(); }
+  Phase phase() const override { return round_ == rounds_ ? Phase::kDone : run_->phase(); }
   double fraction() const override {
-    return round_ == effort_ ? 1 : (round_ + run_->fraction()) / effort_;
+    return round_ == rounds_ ? 1 : (round_ + run_->fraction()) / rounds_;
   }
   const Alignments& alignment() const override { return best().alignment(); }
   const Alignments& search() const override { return best().search(); }
@@ -31,7 +33,8 @@ class EffortRun : public Run {
   double fit(const BestRun& run) const;
 
   Problem problem_;  ///< with the seed of the run
-  int effort_;
+  double most_;      ///< that an outline may move. [cm]
+  int rounds_;
   const Pattern& pattern_;
   std::vector<Mirror> known_;
   const MatchRules& rules_;
