@@ -20,6 +20,7 @@ struct Steps {
 constexpr Steps kSteps = {7, 2};
 constexpr Steps kCoarseSteps = {10, 5};  ///< they take little time
 constexpr int kFineSteps = 2;            ///< after coarse ones
+constexpr int kMoreFineSteps = 3;        ///< where pieces had to be laid anew
 constexpr int kRealignEvery = 3;         ///< steps between new joins and alignments
 /// Steps after which also seams that pull are held to what placing alone leaves of them: by then,
 /// shaping has made them meet as far as it will.
@@ -87,7 +88,7 @@ void FitRun::begin() {
 
 void FitRun::goCoarse() {
   if (!plan_) return;
-  coarse_ = true, fine_steps_ = 0;
+  coarse_ = true;
   fitting_ = coarse_fitting_.get();
 }
 
@@ -97,6 +98,20 @@ void FitRun::goFine() {
   coarse_ = false;
   pull();
   fitting_->chooseJoins(alignment_);
+  // what placing alone leaves of a seam differs a little between the meshes
+  fine_steps_ = kFineSteps;
+  if (starts_[current_].stays || !isWorseThanPlaced()) return;
+  realign();
+  fine_steps_ += kMoreFineSteps;
+}
+
+/// Whether some seam misses by more than placing alone allows.
+bool FitRun::isWorseThanPlaced() const {
+  const auto now = localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_);
+  const auto placed = placedMismatches();
+  for (std::size_t s = 0; s < now.size(); ++s)
+    if (now[s] > greatestMean(placed[s])) return true;
+  return false;
 }
 
 void FitRun::place(const Alignments& leaders) {
@@ -177,7 +192,7 @@ bool FitRun::advance() {
   ++iterations_;
   if (plan_ && !coarse_) {
     done_ += fine_step_;
-    return ++fine_steps_ < kFineSteps;
+    return --fine_steps_ > 0;
   }
   done_ += 1;
   Start& start = starts_[current_];

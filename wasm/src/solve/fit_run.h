@@ -74,6 +74,7 @@ class FitRun {
   void begin();
   void goCoarse();
   void goFine();
+  bool isWorseThanPlaced() const;
   void resume(std::size_t index);
   void again();
   bool endSteps();
@@ -108,7 +109,7 @@ class FitRun {
   bool perfect_ = false, begun_ = false, stuck_ = false, may_seek_ = true, given_up_ = false;
   bool stalled_ = false;             ///< the best start has no steps left to take
   int steps_ = 0, trial_steps_ = 0;  ///< to do, all and from each start
-  int fine_steps_ = 0;               ///< done, after coarse ones
+  int fine_steps_ = 0;               ///< to do, after coarse ones
   int reviews_ = 0;                  ///< of settled shapes
   int iterations_ = 0;
   double done_ = 0, planned_ = 1;  ///< steps, in coarse ones
