@@ -4,59 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "alignment/leader_order.h"
+#include "alignment/sampled_seams_lanes.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kFloor = 0.02;  ///< cm: distances below it are weighted as if they were it
-constexpr int kFewest = 4;       ///< samples a seam
-constexpr double kLeak =
-    0.1;  ///< share of a distance that counts inside the slack: ties go to the better
-
-/// What a seam misses by beyond its limit counts so many times more.
-constexpr double kHard = 6;
-constexpr double kLeft =
-    0.15;  ///< share of what lies within the slack that shaping leaves as a rule
-constexpr double kWorthShaping =
-    0.7;  ///< share of a mismatch that is left where shaping is worth it
-
+constexpr int kFewest = 4;         ///< samples a seam
 constexpr double kSquare = 1e-12;  ///< cosine of an angle that is a right one
-
-using internal::roundNear;
-
-/// Per leader its place in an order that keeps neighbours close (Cuthill & McKee 1969, reversed).
-std::vector<int> ranked(const MatchProblem& problem) {
-  const std::size_t count = problem.leaders.size();
-  std::vector<std::vector<int>> neighbours(count);
-  for (const MatchSeam& seam : problem.seams) {
-    neighbours[seam.a].push_back(seam.b);
-    neighbours[seam.b].push_back(seam.a);
-  }
-  const auto fewer = [&](int l, int k) { return neighbours[l].size() < neighbours[k].size(); };
-  std::vector<int> by_degree(count), order, ranks(count, -1);
-  std::iota(by_degree.begin(), by_degree.end(), 0);
-  std::stable_sort(by_degree.begin(), by_degree.end(), fewer);
-  for (auto& around : neighbours) std::stable_sort(around.begin(), around.end(), fewer);
-  const auto reach = [&](int leader) {
-    if (ranks[leader] >= 0) return;
-    ranks[leader] = static_cast<int>(count - 1 - order.size());
-    order.push_back(leader);
-  };
-  for (const int start : by_degree) {
-    const std::size_t from = order.size();
-    reach(start);
-    for (std::size_t k = from; k < order.size(); ++k)
-      for (const int next : neighbours[order[k]]) reach(next);
-  }
-  return ranks;
-}
 
 }  // namespace
 
 template <class Real>
 SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing)
-    : ranks_(ranked(problem)) {
+    : ranks_(rankedLeaders(problem)) {
   const WallpaperGroup& group = problem.group;
   const auto& [u1, u2] = group.reducedBasis();
   const Mat2 basis = (Mat2() << u1, u2).finished();
@@ -133,66 +95,13 @@ typename SampledSeams<Real>::Pose SampledSeams<Real>::pose(int leader, const Ali
           s};
 }
 
-/// Both sides of a few samples on the print, in reduced coordinates.
-template <class Real>
-struct SampledSeams<Real>::Placed {
-  Vector x0, x1, y0, y1;
-};
-
-/// x - (A y + a), modulo the lattice: within half a cell of a lattice point that is nearest, or
-/// next to the nearest, to the origin (see WallpaperGroup::reduce).
-template <class Real>
-struct SampledSeams<Real>::Offset {
-  Vector s, t, g1, g2, n1, n2;
-
-  [[gnu::always_inline]] Vector squared() const {
-    return s * g1 + t * g2 + least(least(n1, n2), Vector{});
-  }
-  /// Moves on to the nearest lattice point.
-  void reduce() {
-    const Vector none{}, one = none + 1;
-    const Vector step1 = g1 < 0 ? one : -one, step2 = g2 < 0 ? one : -one;
-    const Vector shift0 = n1 < n2 ? step1 : none, shift1 = n1 < n2 ? none : step2;
-    const Vector nearer = least(n1, n2);
-    s += nearer < 0 ? shift0 : none, t += nearer < 0 ? shift1 : none;
-  }
-};
-
-// The innermost loops call these: Clang would not inline them by itself.
-
-template <class Real>
-[[gnu::always_inline]] inline typename SampledSeams<Real>::Placed SampledSeams<Real>::placed(
-    int from, const Pose& a, const Pose& b) const {
-  const Vector ax = loaded(&ax_[from]), ay = loaded(&ay_[from]);
-  const Vector bx = loaded(&bx_[from]), by = loaded(&by_[from]);
-  return {a.m00 * ax + a.m01 * ay + a.t0, a.m10 * ax + a.m11 * ay + a.t1,
-          b.m00 * bx + b.m01 * by + b.t0, b.m10 * bx + b.m11 * by + b.t1};
-}
-
-template <class Real>
-[[gnu::always_inline]] inline typename SampledSeams<Real>::Offset SampledSeams<Real>::reduced(
-    const Vector& s0, const Vector& t0) const {
-  Offset o;
-  o.s = s0 - roundNear(s0), o.t = t0 - roundNear(t0);
-  o.g1 = o.s * g11_ + o.t * g12_, o.g2 = o.s * g12_ + o.t * g22_;
-  o.n1 = g11_ - 2 * abs(o.g1), o.n2 = g22_ - 2 * abs(o.g2);
-  return o;
-}
-
-template <class Real>
-[[gnu::always_inline]] inline typename SampledSeams<Real>::Offset SampledSeams<Real>::offset(
-    const Placed& p, const Element& e) const {
-  return reduced(p.x0 - (e.m00 * p.y0 + e.m01 * p.y1 + e.a0),
-                 p.x1 - (e.m10 * p.y0 + e.m11 * p.y1 + e.a1));
-}
-
 /// As offset().squared() on a rectangular lattice, whose nearest point is that of each coordinate.
 template <class Real>
 [[gnu::always_inline]] inline typename SampledSeams<Real>::Vector
 SampledSeams<Real>::squaredOnRectangles(const Placed& p, const Element& e) const {
   const Vector s0 = p.x0 - ((e.swaps ? e.m01 * p.y1 : e.m00 * p.y0) + e.a0);
   const Vector t0 = p.x1 - ((e.swaps ? e.m10 * p.y0 : e.m11 * p.y1) + e.a1);
-  const Vector s = s0 - roundNear(s0), t = t0 - roundNear(t0);
+  const Vector s = s0 - internal::roundNear(s0), t = t0 - internal::roundNear(t0);
   return s * (s * g11_) + t * (t * g22_);
 }
 
@@ -263,8 +172,8 @@ typename SampledSeams<Real>::Excess SampledSeams<Real>::excess(int seam, const S
                                                                double slack) const {
   const double limit = seams_[seam].limit;
   if (of.all <= limit) return Excess::kNone;
-  const double shaped = of.beyond + kLeft * of.all;
-  if (slack > 0 && shaped <= kWorthShaping * of.all)
+  const double shaped = of.beyond + SeamCosts::kLeft * of.all;
+  if (slack > 0 && shaped <= SeamCosts::kWorthShaping * of.all)
     return shaped <= limit ? Excess::kNone : Excess::kOfBeyond;
   return Excess::kOfAll;
 }
@@ -272,12 +181,12 @@ typename SampledSeams<Real>::Excess SampledSeams<Real>::excess(int seam, const S
 template <class Real>
 double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double slack) const {
   const Sums of = sums(seam, a, b, slack);
-  double cost = slack > 0 ? of.beyond + kLeak * of.all : of.all;
+  double cost = slack > 0 ? of.beyond + SeamCosts::kLeak * of.all : of.all;
   switch (excess(seam, of, slack)) {
     case Excess::kOfAll:
-      return cost + kHard * (of.all - seams_[seam].limit);
+      return cost + SeamCosts::kHard * (of.all - seams_[seam].limit);
     case Excess::kOfBeyond:
-      return cost + kHard * (of.beyond + kLeft * of.all - seams_[seam].limit);
+      return cost + SeamCosts::kHard * (of.beyond + SeamCosts::kLeft * of.all - seams_[seam].limit);
     default:
       return cost;
   }
@@ -288,100 +197,6 @@ double SampledSeams<Real>::sampleCost() const {
   // placing a sample on the print takes about as long as four elements, folding as one or two
   return 4.0 + (shape_ == Chamber::Shape::kCell ? static_cast<double>(all_.size())
                                                 : 1.5 * static_cast<double>(cosets_.size()));
-}
-
-/// The pose in coordinates of the lattice.
-template <class Real>
-typename SampledSeams<Real>::Pose SampledSeams<Real>::onLattice(const Pose& pose) const {
-  if (shape_ == Chamber::Shape::kCell) return pose;
-  const Mat2 m = to_lattice_ * (Mat2() << pose.m00, pose.m01, pose.m10, pose.m11).finished();
-  const Vec2 t = to_lattice_ * (Vec2(pose.t0, pose.t1) - pose_offset_);
-  const auto real = [](double v) { return static_cast<Real>(v); };
-  return {real(m(0, 0)), real(m(0, 1)), real(m(1, 0)), real(m(1, 1)),
-          real(t.x()),   real(t.y()),   pose.cos,      pose.sin};
-}
-
-template <class Real>
-typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pose& at_a,
-                                                             const Pose& at_b, double slack) const {
-  const Pose a = onLattice(at_a), b = onLattice(at_b);
-  const Samples& samples = seams_[seam];
-  const Real allowance = static_cast<Real>(slack);
-  double within = slack > 0 ? kLeak : 1, outside = slack > 0 ? 1 + kLeak : 1;
-  if (std::isfinite(samples.limit)) {
-    const Excess broken = excess(seam, sums(seam, at_a, at_b, slack), slack);
-    if (broken == Excess::kOfAll) within += kHard, outside += kHard;
-    if (broken == Excess::kOfBeyond) within += kLeft * kHard, outside += (1 + kLeft) * kHard;
-  }
-  const Real leak = static_cast<Real>(within), beyond = static_cast<Real>(outside);
-  const Real ac = static_cast<Real>(a.cos), as = static_cast<Real>(a.sin);
-  const Real bc = static_cast<Real>(b.cos), bs = static_cast<Real>(b.sin);
-  const Vector none{};
-  Vector sums[kSums] = {};
-  for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
-    const Placed p = placed(from, a, b);
-    Vector best = none + std::numeric_limits<Real>::max();
-    Vector s{}, t{}, c{}, n{}, det{};
-    for (const Element& e : *samples.elements) {
-      const Offset o = offset(p, e);
-      const Vector squared = o.squared();
-      const auto less = squared < best;
-      best = less ? squared : best;
-      s = less ? o.s : s, t = less ? o.t : t;
-      c = less ? none + e.cos : c, n = less ? none + e.sin : n, det = less ? none + e.det : det;
-    }
-    Offset nearest = reduced(s, t);
-    nearest.reduce();
-    const Vector rx = nearest.s * u0x_ + nearest.t * u1x_, ry = nearest.s * u0y_ + nearest.t * u1y_;
-    const Vector d = squareRoots(rx * rx + ry * ry);
-    const Vector pull = d > allowance ? none + beyond : none + leak;
-    const Vector w = loaded(&w_[from]) * pull / greatest(d, none + static_cast<Real>(kFloor));
-    // r = x - (A y + a + T) with A = (c, -det n; n, det c); the columns of its Jacobian are
-    // j = -perp(x), I, k = A perp(y), -A
-    const Vector ax = loaded(&ax_[from]), ay = loaded(&ay_[from]);
-    const Vector bx = loaded(&bx_[from]), by = loaded(&by_[from]);
-    const Vector jx = ac * ay - as * ax, jy = -(ac * ax + as * ay);
-    const Vector px = bs * bx - bc * by, py = bc * bx + bs * by;
-    const Vector dc = det * c, dn = det * n;
-    const Vector kx = c * px - dn * py, ky = n * px + dc * py;
-    const Vector wrx = w * rx, wry = w * ry, wjx = w * jx, wjy = w * jy, wkx = w * kx, wky = w * ky;
-    const Vector terms[kSums] = {jx * wrx + jy * wry,
-                                 wrx,
-                                 wry,
-                                 kx * wrx + ky * wry,
-                                 -c * wrx - n * wry,
-                                 dn * wrx - dc * wry,
-                                 jx * wjx + jy * wjy,
-                                 wjx,
-                                 wjy,
-                                 w,
-                                 jx * wkx + jy * wky,
-                                 wkx,
-                                 wky,
-                                 kx * wkx + ky * wky,
-                                 -c * wjx - n * wjy,
-                                 dn * wjx - dc * wjy,
-                                 -w * c,
-                                 -w * n,
-                                 w * dn,
-                                 -w * dc,
-                                 -c * wkx - n * wky,
-                                 dn * wkx - dc * wky};
-    for (int k = 0; k < kSums; ++k) sums[k] += terms[k];
-  }
-  double sum[kSums];
-  for (int k = 0; k < kSums; ++k) sum[k] = sumOf(sums[k]);
-  Model m;
-  for (int k = 0; k < 6; ++k) m.gradient[k] = sum[k];
-  auto& h = m.hessian;
-  h(0, 0) = sum[6], h(1, 0) = sum[7], h(2, 0) = sum[8];
-  h(1, 1) = h(2, 2) = h(4, 4) = h(5, 5) = sum[9];
-  h(2, 1) = h(5, 4) = 0;
-  h(3, 0) = sum[10], h(3, 1) = sum[11], h(3, 2) = sum[12], h(3, 3) = sum[13];
-  h(4, 0) = sum[14], h(5, 0) = sum[15];
-  h(4, 1) = sum[16], h(4, 2) = sum[17], h(5, 1) = sum[18], h(5, 2) = sum[19];
-  h(4, 3) = sum[20], h(5, 3) = sum[21];
-  return m;
 }
 
 template class SampledSeams<float>;
