@@ -257,7 +257,8 @@ export class Workbench extends Journal {
 
   #fail(design: Design, failure: Failure): void {
     this.#state = {kind: 'failed', failure};
-    if (!this.pattern) void this.#showUnsolved(design);
+    // without the module, asking once more would only make the next attempt share this one's end
+    if (!this.pattern && failure.code !== 'no-wasm') void this.#showUnsolved(design);
     this.changed();
   }
 
