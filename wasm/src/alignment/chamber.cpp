@@ -13,7 +13,6 @@ constexpr double kSame = 1e-6;  ///< difference of chamber coordinates of one po
 
 /// Folded as numbers; the length of a strip modulo its repeat.
 Vec2 folded(Shape shape, const Vec2& p) {
-  if (shape == Shape::kCell) return p - p.array().floor().matrix();
   if (Chamber::isTriangle(shape)) {
     const Folded<true, double> in(shape, p.x(), p.y());
     return {in.x, in.y};
@@ -43,9 +42,8 @@ Chamber Chamber::of(const WallpaperGroup& group) {
     chamber.to << first.transpose(), second.transpose();
     chamber.square0 = 1 / first.squaredNorm(), chamber.square1 = 1 / second.squaredNorm();
   };
-  if (mirrors.empty()) {
-    chamber.to = basis.inverse();
-  } else if (mirrors.size() == 1) {
+  if (mirrors.empty()) return chamber;
+  if (mirrors.size() == 1) {
     chamber.shape = Shape::kStrip;
     const Across x = acrossOf(mirrors[0], basis);
     const auto& along = mirrors[0].direction;

@@ -14,7 +14,7 @@ namespace seamwise {
 /// p3m1 and p6m, 2 in cm, cmm and pmg, 3 in p31m, 4 in p4g.
 struct Chamber {
   enum class Shape : std::uint8_t {
-    kCell,         ///< no mirrors: every element is a coset
+    kCell,         ///< no mirrors, nothing to fold; then all else is unset
     kStrip,        ///< between parallel mirrors, and a repeat long
     kRectangle,    ///< mirrors at right angles
     kHalfSquare,   ///< also across: 45 degrees

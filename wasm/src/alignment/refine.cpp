@@ -1,7 +1,7 @@
 #include "alignment/refine.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "alignment/normal_equations.h"
 
@@ -75,7 +75,7 @@ double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Al
   double cost = total(poses);
   if (tied.empty()) return cost;
 
-  NormalEquations equations(tied);
+  NormalEquations equations(std::move(tied));
   const std::vector<double>& step = equations.right;  // back along it, once solved
   Alignments trial = at;
   auto trial_poses = poses;

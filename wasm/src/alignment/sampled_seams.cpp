@@ -172,8 +172,8 @@ typename SampledSeams<Real>::Excess SampledSeams<Real>::excess(int seam, const S
                                                                double slack) const {
   const double limit = seams_[seam].limit;
   if (of.all <= limit) return Excess::kNone;
-  const double shaped = of.beyond + SeamCosts::kLeft * of.all;
-  if (slack > 0 && shaped <= SeamCosts::kWorthShaping * of.all)
+  const double shaped = of.beyond + kLeftByShaping * of.all;
+  if (slack > 0 && shaped <= kWorthShaping * of.all)
     return shaped <= limit ? Excess::kNone : Excess::kOfBeyond;
   return Excess::kOfAll;
 }
@@ -186,7 +186,7 @@ double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double s
     case Excess::kOfAll:
       return cost + SeamCosts::kHard * (of.all - seams_[seam].limit);
     case Excess::kOfBeyond:
-      return cost + SeamCosts::kHard * (of.beyond + SeamCosts::kLeft * of.all - seams_[seam].limit);
+      return cost + SeamCosts::kHard * (of.beyond + kLeftByShaping * of.all - seams_[seam].limit);
     default:
       return cost;
   }

@@ -10,8 +10,6 @@ struct SeamCosts {
   static constexpr double kLeak = 0.1;
   /// What a seam misses by beyond its limit counts so many times more.
   static constexpr double kHard = 6;
-  static constexpr double kLeft = 0.15;         ///< of what shaping can take up, left as a rule
-  static constexpr double kWorthShaping = 0.7;  ///< of a mismatch, left where shaping is worth it
 };
 
 /// Both sides of a few samples on the print, in reduced coordinates.

@@ -33,8 +33,8 @@ typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pos
     const Excess broken = excess(seam, sums(seam, at_a, at_b, slack), slack);
     if (broken == Excess::kOfAll) within += SeamCosts::kHard, outside += SeamCosts::kHard;
     if (broken == Excess::kOfBeyond)
-      within += SeamCosts::kLeft * SeamCosts::kHard,
-          outside += (1 + SeamCosts::kLeft) * SeamCosts::kHard;
+      within += kLeftByShaping * SeamCosts::kHard,
+          outside += (1 + kLeftByShaping) * SeamCosts::kHard;
   }
   const Real leak = static_cast<Real>(within), beyond = static_cast<Real>(outside);
   const Real ac = static_cast<Real>(a.cos), as = static_cast<Real>(a.sin);
