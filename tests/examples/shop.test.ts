@@ -184,6 +184,25 @@ it.each(['light', 'dark'] as const)('keeps nobody out, in %s colours', async (co
   expect(await barriers(page, all)).toEqual([]);
 });
 
+it('keeps what was chosen before its script came', async () => {
+  const page = await open(shop);
+  let deliver: (() => void) | undefined;
+  const chosen = new Promise<void>((resolve) => (deliver = resolve));
+  await page.route('**/shop.js', async (route) => {
+    await chosen;
+    await route.continue();
+  });
+  await page.goto(`${shop}garment/tee`, {waitUntil: 'commit'});
+  await page.getByText('L', {exact: true}).click();
+  await page.getByText('Snow crystal', {exact: true}).click();
+  deliver?.();
+  await page.waitForURL(/size=l/);
+  await solved(page);
+  const {garment: worn, print} = readStoredDesign((await shown(page)).design, 'design');
+  expect(worn.size).toBe('l');
+  expect(print.url).toContain(new URL(page.url()).searchParams.get('print'));
+});
+
 it('adds to the cart what is still being solved, as soon as it is there', async () => {
   const page = await open(shop);
   let deliver: (() => void) | undefined;

@@ -67,6 +67,9 @@ function sell(form) {
   form.addEventListener('change', (event) => {
     if (event.target !== garment) choose(event);
   });
+  for (const target of form.querySelectorAll('input:checked')) {
+    if (!target.defaultChecked) choose({target}); // before this script could hear of it
+  }
   garment.addEventListener('load', () => {
     problem.hidden = true;
   });
