@@ -129,5 +129,48 @@ TEST(Effort, NeverEndsWorse) {
   EXPECT_LE(solved(t).fit.any, once.fit.any);
 }
 
+/// Seams on which the shapes of one result miss by more than what placing alone leaves in another.
+int forbiddenIn(const Result& free, const Result& symmetric, const WallpaperGroup& group) {
+  const auto placed = localMismatches(group, free.pattern, restShapes(free.pattern), free.search);
+  int count = 0;
+  for (std::size_t s = 0; s < placed.size(); ++s)
+    count += symmetric.figures[s].final > greatestMean(placed[s]);
+  return count;
+}
+
+TEST(Freedom, NeverEndsWorseButForSeamsThatItPlacesBetter) {
+  int compared = 0;
+  const std::pair<const char*, const char*> cases[] = {
+      {"raglan", "pgg"}, {"patchwork-jacket", "p4m"}, {"trousers", "pmm"}, {"shirt", "p31m"}};
+  for (const auto& [garment, group] : cases) {
+    Task t = onGrain(garment, group);
+    const Result symmetric = solved(t);
+    t.symmetry = "none";
+    const Result free = solved(t);
+    ASSERT_EQ(free.pattern.pieces.size(), symmetric.pattern.pieces.size());
+    for (std::size_t p = 0; p < free.pattern.pieces.size(); ++p)
+      EXPECT_EQ(free.pattern.pieces[p].rest, symmetric.pattern.pieces[p].rest) << garment;
+    if (forbiddenIn(free, symmetric, testing::problemOf(t).print.group) > 0) continue;
+    ++compared;
+    EXPECT_LE(free.fit.any, symmetric.fit.any * (1 + 1e-9)) << garment << ' ' << group;
+  }
+  EXPECT_GT(compared, 1);
+}
+
+TEST(Freedom, TakesSymmetryThatWasOnlyAskedForInPart) {
+  Task t = onGrain("raglan", "pgg");
+  const Result whole = solved(t);
+  ASSERT_GT(whole.pattern.mirrors.size(), 1u);
+  const Mirror& one = whole.pattern.mirrors[0];
+  const auto name = [&](int side) { return whole.pattern.pieces[one.pieces[side]].name; };
+  Json symmetry = {{"kind", "pair"}, {"pieces", {name(0), name(1)}}};
+  if (one.single()) symmetry = {{"kind", "piece"}, {"piece", name(0)}};
+  t.symmetry = Json{{"symmetries", {symmetry}}}.dump();
+  const Result part = solved(t);
+  EXPECT_EQ(part.pattern.mirrors.size(), 1u);
+  if (forbiddenIn(part, whole, testing::problemOf(t).print.group) == 0)
+    EXPECT_LE(part.fit.any, whole.fit.any * (1 + 1e-9));
+}
+
 }  // namespace
 }  // namespace seamwise

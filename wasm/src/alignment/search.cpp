@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "alignment/refine.h"
 
@@ -22,7 +23,8 @@ constexpr double kScattered = 0.3;  ///< share of these whose pieces lie anywher
 constexpr double kOther = 0.3;      ///< share of regrowths of another answer than the best
 constexpr double kDetached = 0.5;   ///< share of regrowths that begin anywhere, apart from the rest
 constexpr std::size_t kFinalists = 16;
-constexpr int kGlance = 3;  ///< iterations on all edges that tell which finalists go on
+constexpr double kEqual = 1e-6;  ///< answers whose costs differ by less are as good as each other
+constexpr int kGlance = 3;       ///< iterations on all edges that tell which finalists go on
 constexpr std::size_t kPolished = 12;
 constexpr int kPolish = 30;  ///< iterations at most
 
@@ -237,23 +239,36 @@ double AlignmentSearch::spent() const {
   return moves_.spent() + kProofDistance * (proof_spent_ + (proof_ ? proof_->spent() : 0));
 }
 
-/// Compares the finalists and what was offered on all edges of the seams. Returns the least cost.
+/// Compares the finalists and what was offered on all edges of the seams; of answers that are as
+/// good as each other, what was offered stands. Returns the least cost.
 double AlignmentSearch::polish(Searched& c) {
   const SampledSeams<double> exact(problem_, 0);
+  std::vector<std::pair<double, Alignments>> all;
   for (const Alignments& at : offered_) {
-    c.finalists.emplace_back();
-    for (int l : c.leaders) c.finalists.back().second.push_back(at[l]);
+    all.emplace_back();
+    for (int l : c.leaders) all.back().second.push_back(at[l]);
   }
-  for (auto& [cost, own] : c.finalists) cost = polished(c, own, exact, kGlance);
-  const auto cheaper = [](const auto& a, const auto& b) { return a.first < b.first; };
-  std::sort(c.finalists.begin(), c.finalists.end(), cheaper);
-  if (c.finalists.size() > kPolished) c.finalists.resize(kPolished);
-  for (auto& [cost, own] : c.finalists) cost = polished(c, own, exact, kPolish);
-  std::sort(c.finalists.begin(), c.finalists.end(), cheaper);
-  const auto same = [](const auto& a, const auto& b) {
-    return b.first - a.first <= SearchMoves::kSame * a.first;
+  all.insert(all.end(), c.finalists.begin(), c.finalists.end());
+  // by position, so that what was offered stays told from the others
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto sort = [&](int iterations) {
+    for (const std::size_t k : order) all[k].first = polished(c, all[k].second, exact, iterations);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::tie(all[a].first, a) < std::tie(all[b].first, b);
+    });
   };
-  c.finalists.erase(std::unique(c.finalists.begin(), c.finalists.end(), same), c.finalists.end());
+  sort(kGlance);
+  if (order.size() > kPolished) order.resize(kPolished);
+  sort(kPolish);
+  c.finalists.clear();
+  for (std::size_t k = 0; k < order.size();) {
+    const double least = all[order[k]].first;
+    std::size_t first = order[k];
+    for (; k < order.size() && all[order[k]].first <= least * (1 + SearchMoves::kSame); ++k)
+      if (all[order[k]].first <= least * (1 + kEqual)) first = std::min(first, order[k]);
+    c.finalists.push_back(all[first]);
+  }
   const auto& [cost, own] = c.finalists.front();
   for (std::size_t i = 0; i < own.size(); ++i) best_[c.leaders[i]] = own[i];
   return cost;

@@ -46,14 +46,16 @@ constexpr double kReachMargin = 0.985;
 }  // namespace
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-                 const MatchRules& rules, std::vector<Alignments> offered, SearchMemo* searches,
-                 std::shared_ptr<FittingPlans>* plans)
+                 const MatchRules& rules, std::vector<Alignments> offered,
+                 std::vector<Alignments> starts, SearchMemo& searches,
+                 std::shared_ptr<FittingPlans>& plans)
     : problem_(problem),
       pattern_(pattern),
       rules_(rules),
       reach_(std::min(problem.options.max_change_cm, kMostReach)),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
                               problem.print.group)),
+      offered_starts_(std::move(starts)),
       // two sides that may each move by the greatest change meet across somewhat less than twice it
       searching_(problem, pattern, match_, known, rules, kSlack * reach_, std::move(offered),
                  searches),
@@ -64,11 +66,9 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
   if (problem.options.open_edges == OpenEdges::kFree) weights.line = 0;
   if (problem.options.alpha) weights.conformal *= *problem.options.alpha;
   const double most = kReachMargin * reach_;
-  if (plans && *plans && (*plans)->areFor(weights, most))
-    plans_ = *plans;
-  else
-    plans_ = std::make_shared<FittingPlans>(weights, most);
-  if (plans) *plans = plans_;
+  if (!plans || !plans->areFor(weights, most))
+    plans = std::make_shared<FittingPlans>(weights, most);
+  plans_ = plans;
   for (const Seam& seam : pattern.seams)
     length_error_ = std::min(
         length_error_, kSeamShare * kSeamTolerance / static_cast<double>(seam.a.vertices.size()));
@@ -132,6 +132,7 @@ std::vector<FitStart> BestRun::mostPromising(std::size_t count) const {
 /// Fits from the best few answers under slack and, where it differs, from the search's own.
 void BestRun::startFit() {
   std::vector<FitStart> from = mostPromising(kStarts);
+  for (const Alignments& at : offered_starts_) from.push_back({match_.ofLeaders(at)});
   from.push_back({searching_.best(), true});
   const FittingRules rules{problem_.options.continuous_only,
                            problem_.options.average_seam_shapes.value_or(false),

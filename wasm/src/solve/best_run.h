@@ -15,11 +15,12 @@ class BestRun : public Run {
   /// @param known   mirrors of the pattern's known symmetries that the group carries; with none
   ///                imposed the symmetric answer is one of the starts
   /// @param offered   alignments of all pieces: the search never ends with worse ones
-  /// @param searches   remembered; may be null
-  /// @param plans   remembered, of this mesh; may be null
+  /// @param starts   alignments of all pieces to fit from, besides what the search finds
+  /// @param searches   remembered
+  /// @param plans   remembered, of this mesh; null until they were made
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
-          const MatchRules& rules, std::vector<Alignments> offered, SearchMemo* searches,
-          std::shared_ptr<FittingPlans>* plans);
+          const MatchRules& rules, std::vector<Alignments> offered, std::vector<Alignments> starts,
+          SearchMemo& searches, std::shared_ptr<FittingPlans>& plans);
 
   bool advance() override;
   Phase phase() const override;
@@ -50,6 +51,7 @@ class BestRun : public Run {
   MatchRules rules_;
   double reach_;  ///< how far an outline vertex may move, cm
   MatchProblem match_;
+  std::vector<Alignments> offered_starts_;
   SearchRun searching_;
   std::shared_ptr<FittingPlans> plans_;
   std::unique_ptr<FitRun> fit_;

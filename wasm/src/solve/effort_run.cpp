@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "solve/metrics.h"
+#include "solve/promise.h"
+#include "solve/seam_rules.h"
 
 namespace seamwise {
 namespace {
@@ -14,42 +16,75 @@ constexpr double kUsualChange = 1.0;
 
 }  // namespace
 
-EffortRun::EffortRun(const Problem& problem, int effort, const Pattern& pattern,
-                     std::vector<Mirror> known, const MatchRules& rules, SearchMemo* searches,
-                     std::shared_ptr<FittingPlans>* plans)
+EffortRun::EffortRun(const Problem& problem, Mesh asked, std::optional<Mesh> symmetric,
+                     std::vector<Mirror> known, const MatchRules& rules, SearchMemo& searches)
     : problem_(problem),
-      most_(problem.options.max_change_cm),
-      rounds_(most_ > kUsualChange ? effort + 1 : effort),
-      pattern_(pattern),
+      asked_(asked),
+      symmetric_(symmetric),
       known_(std::move(known)),
       rules_(rules),
-      searches_(searches),
-      plans_(plans) {
-  problem_.options.max_change_cm = std::min(most_, kUsualChange);
-  begin({});
+      searches_(searches) {
+  const SolveOptions& options = problem.options;
+  const auto plan = [&](bool is_symmetric) {
+    if (options.max_change_cm > kUsualChange)
+      rounds_.push_back({is_symmetric, kUsualChange, options.seed});
+    for (std::uint32_t k = 0; k < options.effort; ++k)
+      rounds_.push_back({is_symmetric, options.max_change_cm, options.seed + k});
+  };
+  if (symmetric_ && options.max_change_cm >= kLeastChange) plan(true);
+  plan(false);
+  begin();
 }
 
-void EffortRun::begin(std::vector<Alignments> offered) {
-  run_ = std::make_unique<BestRun>(problem_, pattern_, known_, rules_, std::move(offered),
-                                   searches_, plans_);
+void EffortRun::begin() {
+  const Round& round = rounds_[ended_];
+  problem_.options.max_change_cm = round.change;
+  problem_.options.seed = round.seed;
+  std::vector<Alignments> offered, starts;
+  if (const BestRun* before = (round.symmetric ? best_symmetric_ : best_asked_).get())
+    offered.push_back(before->search());
+  // the search begins with what was found for the symmetric pattern, and so may the fit
+  if (!round.symmetric && best_symmetric_) starts.push_back(best_symmetric_->alignment());
+  const Mesh& mesh = round.symmetric ? *symmetric_ : asked_;
+  run_ = std::make_unique<BestRun>(problem_, mesh.pattern, known_, rules_, std::move(offered),
+                                   std::move(starts), searches_, mesh.plans);
 }
 
 double EffortRun::fit(const BestRun& run) const {
-  return fitAny(problem_.print.group.joining(rules_.continuous_only), pattern_, run.shapes(),
+  return fitAny(problem_.print.group.joining(rules_.continuous_only), asked_.pattern, run.shapes(),
                 run.alignment());
 }
 
-bool EffortRun::advance() {
-  if (round_ == rounds_) return false;
-  if (run_->advance()) return true;
-  if (!best_ || fit(*run_) < fit(*best_)) best_ = std::move(run_);
-  if (++round_ == rounds_) return false;
-  if (problem_.options.max_change_cm < most_)
-    problem_.options.max_change_cm = most_;
-  else
-    ++problem_.options.seed;
-  begin({best_->search()});
+/// Whether it can be sewn as the seams of the pattern asked for are, and none of these misses by
+/// more than placing alone allows.
+bool EffortRun::isAllowed(const BestRun& symmetric) const {
+  const Pattern& pattern = asked_.pattern;
+  if (!isSewable(pattern, symmetric.shapes())) return false;
+  const WallpaperGroup group = problem_.print.group.joining(rules_.continuous_only);
+  const auto now = localMismatches(group, pattern, symmetric.shapes(), symmetric.alignment());
+  const auto placed = localMismatches(group, pattern, restShapes(pattern), best_asked_->search());
+  for (std::size_t s = 0; s < now.size(); ++s)
+    if (now[s] > greatestMean(placed[s])) return false;
   return true;
+}
+
+const BestRun& EffortRun::best() const {
+  if (!isDone()) return *run_;
+  return symmetric_stands_ ? *best_symmetric_ : *best_asked_;
+}
+
+bool EffortRun::advance() {
+  if (isDone()) return false;
+  if (run_->advance()) return true;
+  auto& best = rounds_[ended_].symmetric ? best_symmetric_ : best_asked_;
+  if (!best || fit(*run_) < fit(*best)) best = std::move(run_);
+  if (++ended_ < rounds_.size()) {
+    begin();
+    return true;
+  }
+  symmetric_stands_ =
+      best_symmetric_ && fit(*best_symmetric_) < fit(*best_asked_) && isAllowed(*best_symmetric_);
+  return false;
 }
 
 }  // namespace seamwise

@@ -198,6 +198,7 @@ Outcome<Pattern> preparedPattern(Problem& problem, MeshMemo* memo) {
                   problem.imposed,
                   problem.known,
                   {problem.notes.begin() + before, problem.notes.end()},
+                  nullptr,
                   nullptr};
   return pattern;
 }

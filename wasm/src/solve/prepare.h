@@ -27,7 +27,8 @@ struct MeshMemo {
     Pattern pattern;
     std::vector<BodySymmetry> imposed, known;  ///< that were left
     std::vector<Note> notes;                   ///< that were added
-    std::shared_ptr<FittingPlans> plans;       ///< for the pattern; null until it was deformed
+    /// For the pattern, and for it with fewer mirrors; null until it was deformed.
+    std::shared_ptr<FittingPlans> plans, freed_plans;
   };
   std::optional<Mesh> last;
 };

@@ -60,12 +60,6 @@ std::optional<Pattern> heldTogether(const Problem& problem, const Symmetries& sy
   return std::move(sampled).value();
 }
 
-bool contains(const Symmetries& list, const BodySymmetry& s) {
-  return std::any_of(list.begin(), list.end(), [&](const BodySymmetry& other) {
-    return other.pieces[0] == s.pieces[0] && other.pieces[1] == s.pieces[1];
-  });
-}
-
 /// Length of the seams at a symmetry's pieces that the known symmetries do not map to seams. [cm]
 double unmappedSeams(const Garment& garment, const Symmetries& known, const BodySymmetry& s) {
   // the edge onto which an edge falls, by its ends
@@ -133,6 +127,12 @@ std::optional<Pattern> asImposed(const Problem& problem, std::optional<Pattern> 
 }
 
 }  // namespace
+
+bool contains(const std::vector<BodySymmetry>& list, const BodySymmetry& s) {
+  return std::any_of(list.begin(), list.end(), [&](const BodySymmetry& other) {
+    return other.pieces[0] == s.pieces[0] && other.pieces[1] == s.pieces[1];
+  });
+}
 
 std::string called(const Garment& garment, const BodySymmetry& s) {
   return (s.single() ? "piece " : "the pair ") + namesOf(garment, s);

@@ -75,7 +75,7 @@ Pattern asDrafted(const Problem& problem, Pattern pattern) {
 
 SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
                      const std::vector<Mirror>& known, const MatchRules& rules, double slack,
-                     std::vector<Alignments> offered, SearchMemo* memo)
+                     std::vector<Alignments> offered, SearchMemo& memo)
     : problem_(problem), match_(match), slack_(slack), offered_(std::move(offered)), memo_(memo) {
   const WallpaperGroup& group = match.group;
   const std::uint64_t seed = problem.options.seed;
@@ -93,7 +93,7 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
     return makeMatchProblem(drafted, restShapes(drafted), mirrors, unpinned, straight);
   };
 
-  const bool guided = pattern.mirrors.empty() && !known.empty();
+  const bool guided = known.size() > pattern.mirrors.size();
   const SearchParts& parts = guided ? kGuided : kUnguided;
   if (guided)
     searches_.push_back({plainProblem(known), fullBudget(proof), seed, parts.guide, {}, 0, turn});
@@ -163,12 +163,10 @@ void SearchRun::begin() {
     return end({{offered[0]}, offered[0], 0});  // nothing has to move
   }
   const double watched = search.slack > 0 ? 0 : slack_;
-  if (memo_) {
-    inputs_ = {search.problem, search.budget, search.seed, search.slack, watched, offered};
-    if (const SearchMemo::Outcome* known = memo_->find(*inputs_)) {
-      share_ -= search.share;
-      return end(*known);
-    }
+  inputs_ = {search.problem, search.budget, search.seed, search.slack, watched, offered};
+  if (const SearchMemo::Outcome* known = memo_.find(*inputs_)) {
+    share_ -= search.share;
+    return end(*known);
   }
   searching_ =
       std::make_unique<AlignmentSearch>(search.problem, search.seed, search.budget, search.slack);
@@ -221,7 +219,7 @@ bool SearchRun::advance() {
                                   searching_->bound()};
       searching_.reset();
       end(outcome);
-      if (memo_) memo_->add(std::move(*inputs_), std::move(outcome));
+      memo_.add(std::move(*inputs_), std::move(outcome));
     }
   }
   return current_ < searches_.size();

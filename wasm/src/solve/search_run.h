@@ -9,7 +9,7 @@
 namespace seamwise {
 
 /// Seeks the alignments of the pattern as drafted, in up to five searches that hand on what they
-/// find: of the garment with its known symmetry, where none is imposed; of the garment by itself,
+/// find: of the garment with its known symmetry, where not all of it is imposed; of the garment by itself,
 /// on the print lying straight, and of what comes near there once seams may move; then both again
 /// with the weights and pins that are asked for, on the print as it lies, where that makes a
 /// difference. So whoever changes a weight, a pin or the print's turn has most of it done already,
@@ -23,10 +23,9 @@ class SearchRun {
   /// @param slack     cm of mismatch that shapes may take up
   /// @param offered   of all pieces: the last search at rest ends no worse than any of them, nor
   ///                  than the drafted layout
-  /// @param memo      may be null
   SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
             const std::vector<Mirror>& known, const MatchRules& rules, double slack,
-            std::vector<Alignments> offered, SearchMemo* memo);
+            std::vector<Alignments> offered, SearchMemo& memo);
 
   /// Some milliseconds of work. False when it has ended.
   bool advance();
@@ -68,7 +67,7 @@ class SearchRun {
   const MatchProblem& match_;
   double slack_;
   std::vector<Alignments> offered_;
-  SearchMemo* memo_;
+  SearchMemo& memo_;
   std::vector<Search> searches_;
   std::size_t current_ = 0;
   std::unique_ptr<AlignmentSearch> searching_;

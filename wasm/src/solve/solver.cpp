@@ -9,6 +9,7 @@
 #include "solve/effort_run.h"
 #include "solve/paper_run.h"
 #include "solve/placing_rules.h"
+#include "solve/prepare_symmetric.h"
 #include "solve/promise.h"
 #include "solve/remarks.h"
 #include "solve/seam_figures.h"
@@ -22,16 +23,6 @@ void applySeamOptions(const SolveOptions& options, Pattern& pattern) {
   for (Seam& seam : pattern.seams)
     for (int piece : options.plain)
       if (seam.a.piece == piece || seam.b.piece == piece) seam.matched = false;
-}
-
-std::vector<Mirror> carriedMirrors(const Problem& problem) {
-  std::vector<Mirror> mirrors;
-  for (const BodySymmetry& s : problem.known) {
-    const WallpaperGroup& group = problem.print.group;
-    if (!(s.single() ? group.carriesSingle() : group.carriesPair())) continue;
-    mirrors.push_back({{s.pieces[0], s.pieces[1]}, s.map, {}});
-  }
-  return mirrors;
 }
 
 Error unsewable(int seam) {
@@ -48,11 +39,22 @@ struct Solver::State {
   explicit State(Problem p) : problem(std::move(p)) {}
   Problem problem;
   Pattern pattern;
+  std::optional<Pattern> symmetric;  ///< with more symmetries than are asked for
   MatchRules rules;
   std::optional<MatchProblem> match;  ///< the pieces as drafted
   Alignments drafted;
+  SolveMemo own;  ///< where the caller has none
   std::unique_ptr<Run> run;
   double reported = 0;
+
+  std::unique_ptr<Run> best(std::vector<Mirror> mirrors, SolveMemo& known) {
+    MeshMemo::Mesh& mesh = *known.mesh.last;
+    std::optional<EffortRun::Mesh> more;
+    if (symmetric) more.emplace(EffortRun::Mesh{*symmetric, mesh.plans});
+    return std::make_unique<EffortRun>(
+        problem, EffortRun::Mesh{pattern, symmetric ? mesh.freed_plans : mesh.plans}, more,
+        std::move(mirrors), rules, known.searches);
+  }
 };
 
 Solver::Solver(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -64,10 +66,13 @@ Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
   auto state = std::make_unique<State>(std::move(problem));
   Problem& p = state->problem;
   if (p.options.method == Method::kWs19) p.imposed.clear();  // it knows no symmetry of the body
-  Outcome<Pattern> mesh = preparedPattern(p, memo ? &memo->mesh : nullptr);
-  if (!mesh.ok()) return mesh.error();
-  state->pattern = std::move(mesh).value();
+  SolveMemo& known = memo ? *memo : state->own;
+  Outcome<PreparedPatterns> prepared = preparedPatterns(p, known.mesh);
+  if (!prepared.ok()) return prepared.error();
+  state->pattern = std::move(prepared.value().asked);
+  state->symmetric = std::move(prepared.value().symmetric);
   applySeamOptions(p.options, state->pattern);
+  if (state->symmetric) applySeamOptions(p.options, *state->symmetric);
   state->rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
   state->match.emplace(makeMatchProblem(state->pattern, restShapes(state->pattern),
                                         state->pattern.mirrors, state->rules, p.print.group));
@@ -75,9 +80,7 @@ Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
   std::vector<Note>* const notes = &state->problem.notes;
   for (Note& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
-    state->run = std::make_unique<EffortRun>(
-        p, static_cast<int>(std::ceil(p.options.effort)), state->pattern, carriedMirrors(p),
-        state->rules, memo ? &memo->searches : nullptr, memo ? &memo->mesh.last->plans : nullptr);
+    state->run = state->best(std::move(prepared.value().known), known);
   else
     state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, state->drafted, notes);
   return Solver(std::move(state));
