@@ -16,19 +16,22 @@ constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at leas
 constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
 constexpr std::size_t kFew = 4;        // every so manieth sample tells whether a start is hopeless
 constexpr std::size_t kEnough = 500;   // samples for that, however many there are
-constexpr std::size_t kMany = 2000;    // samples to settle a map on; corners make it exact
+constexpr std::size_t kMany = 1000;    // samples to settle a map on, corners to make it exact
 constexpr double kHopeless = 5;        // times the residual wanted, as root mean square over those
+
+// At which of `count` things to look, so that they are not many more than kMany.
+std::size_t strideFor(std::size_t count) { return std::max<std::size_t>(1, count / kMany); }
 
 struct CornerPairs {
   std::vector<Vec2> from, to;
   std::vector<double> distance;
 };
 
-// Corners that are each other's nearest under the map.
+// Corners that are each other's nearest under the map; of very many, every so manieth is looked at.
 CornerPairs pairCorners(const Outline& a, const Outline& b, const RigidMotion& map, double gate) {
   const RigidMotion back = map.inverse();
   CornerPairs pairs;
-  for (std::size_t i = 0; i < a.corners().size(); ++i) {
+  for (std::size_t i = 0; i < a.corners().size(); i += strideFor(a.corners().size())) {
     const Vec2 image = map(a.corners()[i]);
     const Vec2& corner = b.corners()[b.nearestCorner(image)];
     const double d = (corner - image).norm();
@@ -76,7 +79,8 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
       }
     if (from.size() < 2 || !spread(from)) return map;
     const RigidMotion next = fitMirror(from, to, single);
-    if (limit == kExactCorner) return 2 * from.size() >= a.corners().size() ? next : map;
+    if (limit == kExactCorner)
+      return 2 * from.size() * strideFor(a.corners().size()) >= a.corners().size() ? next : map;
     if (next == trimmed) break;  // and will be for ever
     trimmed = next;
   }
@@ -234,8 +238,7 @@ MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& st
   if (enough < kFarApart &&
       closestPoints(a, b, near, std::max(kFew, samples / kEnough)).second > kHopeless * enough)
     return direct;
-  MirrorFit settled =
-      measured(closestPoints(a, b, near, std::max<std::size_t>(1, samples / kMany)).first);
+  MirrorFit settled = measured(closestPoints(a, b, near, strideFor(samples)).first);
   MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
   // Corners win when they fit as well as flattening can tell.
   if (polished.residual <= settled.residual + Outline::kFlatness &&
