@@ -45,14 +45,18 @@ Error unsewable(int seam) {
 }  // namespace
 
 struct Solver::State {
-  explicit State(Problem p) : problem(std::move(p)) {}
+  explicit State(Problem p) : problem(std::move(p)) {
+    // it knows no symmetry of the body
+    if (problem.options.method == Method::kWs19) problem.imposed.clear();
+  }
   Problem problem;
   Pattern pattern;
+  std::shared_ptr<LastPlans> plans;
   MatchRules rules;
   std::optional<MatchProblem> match;  ///< the pieces as drafted
   Alignments drafted;
   std::unique_ptr<Run> run;
-  double reported = 0;
+  double reported = kPrepared;
 };
 
 Solver::Solver(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -61,26 +65,43 @@ Solver& Solver::operator=(Solver&&) noexcept = default;
 Solver::~Solver() = default;
 
 Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
-  auto state = std::make_unique<State>(std::move(problem));
-  Problem& p = state->problem;
-  if (p.options.method == Method::kWs19) p.imposed.clear();  // it knows no symmetry of the body
-  Outcome<Pattern> mesh = preparedPattern(p, memo ? &memo->mesh : nullptr);
+  SolverSetup setup(std::move(problem), memo);
+  while (setup.advance()) {
+  }
+  return setup.take();
+}
+
+SolverSetup::SolverSetup(Problem problem, SolveMemo* memo)
+    : state_(std::make_unique<Solver::State>(std::move(problem))),
+      memo_(memo),
+      preparation_(state_->problem, memo ? &memo->mesh : nullptr) {}
+
+SolverSetup::~SolverSetup() = default;
+
+bool SolverSetup::advance() { return preparation_.advance(); }
+double SolverSetup::fraction() const { return preparation_.fraction(); }
+
+Outcome<Solver> SolverSetup::take() {
+  Outcome<Pattern> mesh = preparation_.take();
   if (!mesh.ok()) return mesh.error();
-  state->pattern = std::move(mesh).value();
-  applySeamOptions(p.options, state->pattern);
-  state->rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
-  state->match.emplace(makeMatchProblem(state->pattern, restShapes(state->pattern),
-                                        state->pattern.mirrors, state->rules, p.print.group));
-  state->drafted = draftedLayout(p, *state->match);
-  std::vector<Note>* const notes = &state->problem.notes;
-  for (Note& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
+  Solver::State& state = *state_;
+  const Problem& p = state.problem;
+  state.pattern = std::move(mesh).value();
+  state.plans = preparation_.plans();
+  applySeamOptions(p.options, state.pattern);
+  state.rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
+  state.match.emplace(makeMatchProblem(state.pattern, restShapes(state.pattern),
+                                       state.pattern.mirrors, state.rules, p.print.group));
+  state.drafted = draftedLayout(p, *state.match);
+  std::vector<Note>* const notes = &state.problem.notes;
+  for (Note& remark : remarksOn(state.pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
-    state->run = std::make_unique<EffortRun>(
-        p, static_cast<int>(std::ceil(p.options.effort)), state->pattern, carriedMirrors(p),
-        state->rules, memo ? &memo->searches : nullptr, memo ? &memo->mesh.last->plans : nullptr);
+    state.run = std::make_unique<EffortRun>(p, static_cast<int>(std::ceil(p.options.effort)),
+                                            state.pattern, carriedMirrors(p), state.rules,
+                                            memo_ ? &memo_->searches : nullptr, state.plans.get());
   else
-    state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, state->drafted, notes);
-  return Solver(std::move(state));
+    state.run = std::make_unique<PaperRun>(p, state.pattern, state.rules, state.drafted, notes);
+  return Solver(std::move(state_));
 }
 
 bool Solver::advance(int steps) {

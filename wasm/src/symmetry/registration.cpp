@@ -13,13 +13,12 @@ constexpr double kIcpSettled = 1e-9;  // cm; ICP stops when no point moves furth
 constexpr double kStalled = 0.99;
 constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
-constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
 constexpr std::size_t kFew = 4;        // every so manieth sample tells whether a start is hopeless
 constexpr std::size_t kEnough = 500;   // samples for that, however many there are
-constexpr std::size_t kMany = 1000;    // samples to settle a map on, corners to make it exact
+constexpr std::size_t kMany = 500;     // samples to settle a map on, corners to make it exact
 constexpr double kHopeless = 5;        // times the residual wanted, as root mean square over those
 
-// At which of `count` things to look, so that they are not many more than kMany.
+// Every so manieth of `count` things is looked at: all, unless they are twice kMany and more.
 std::size_t strideFor(std::size_t count) { return std::max<std::size_t>(1, count / kMany); }
 
 struct CornerPairs {
@@ -119,64 +118,6 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
   return {map, before};
 }
 
-struct Start {
-  RigidMotion map;
-  double rms;
-};
-
-using EvenPoints = std::array<Vec2, Outline::kEven>;
-
-// Moves the outline's even points to their centre, which is returned.
-Vec2 centred(const Outline& outline, EvenPoints& points) {
-  Vec2 centre = Vec2::Zero();
-  for (const Vec2& p : outline.even()) centre += p / Outline::kEven;
-  for (int k = 0; k < Outline::kEven; ++k) points[k] = outline.even()[k] - centre;
-  return centre;
-}
-
-// Every cyclic shift of the reversed arc-length correspondence, solved in closed form; the local
-// minima.
-std::vector<Start> startMaps(const Outline& a, const Outline& b) {
-  constexpr int n = Outline::kEven;
-  EvenPoints p, q;
-  const Vec2 from = centred(a, p), to = centred(b, q);
-  double energy = 0;
-  for (int k = 0; k < n; ++k) energy += p[k].squaredNorm() + q[k].squaredNorm();
-  EvenPoints product;
-  std::array<double, n> square;
-  std::array<Vec2, 2 * n> backwards;  // twice round, so that every shift is a stretch of it
-  for (int k = 0; k < 2 * n; ++k) backwards[k] = q[(2 * n - 1 - k) % n];
-  for (int shift = 0; shift < n; ++shift) {
-    double re = 0, im = 0;
-    for (int k = 0; k < n; ++k) {
-      const Vec2 &u = p[k], &v = backwards[n - 1 - shift + k];
-      re += u.x() * v.x() - u.y() * v.y();
-      im += u.x() * v.y() + u.y() * v.x();
-    }
-    product[shift] = {re, im};
-    square[shift] = (energy - 2 * product[shift].norm()) / n;
-  }
-  std::vector<Start> starts;
-  for (int shift = 0; shift < n; ++shift) {
-    if (square[shift] > square[(shift + n - 1) % n] || square[shift] > square[(shift + 1) % n])
-      continue;
-    RigidMotion map{std::atan2(-product[shift].y(), -product[shift].x()), Vec2::Zero(), true};
-    map.shift = to - map(from);
-    starts.push_back({map, std::sqrt(std::max(0.0, square[shift]))});
-  }
-  std::sort(starts.begin(), starts.end(),
-            [](const Start& x, const Start& y) { return x.rms < y.rms; });
-  if (starts.size() > kMaxStarts) starts.resize(kMaxStarts);
-  return starts;
-}
-
-bool sameMap(const Outline& a, const RigidMotion& x, const RigidMotion& y) {
-  for (const Vec2& p :
-       {a.even()[0], a.even()[Outline::kEven / 3], a.even()[2 * Outline::kEven / 3]})
-    if ((x(p) - y(p)).norm() > 2 * kMirrorTolerance) return false;
-  return true;
-}
-
 }  // namespace
 
 RigidMotion fitMirror(const std::vector<Vec2>& p, const std::vector<Vec2>& q, bool single) {
@@ -245,35 +186,6 @@ MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& st
       polished.residual <= direct.residual)
     return polished;
   return direct.residual <= settled.residual + Outline::kFlatness ? direct : settled;
-}
-
-std::vector<MirrorFit> findMirrors(const Outline& a, const Outline& b) {
-  std::vector<MirrorFit> found;
-  if (std::abs(a.length() - b.length()) > 2 + 0.02 * a.length() ||
-      std::abs(a.area() - b.area()) > 2 * kMirrorTolerance * a.length())
-    return found;
-  const double limit = 0.75 * a.length() / Outline::kEven + 2 * kMirrorTolerance;
-  for (const Start& start : startMaps(a, b)) {
-    if (start.rms > limit) break;
-    const MirrorFit fit = refineMirror(a, b, start.map, kMirrorTolerance);
-    if (fit.residual > kMirrorTolerance) continue;
-    const bool known = std::any_of(found.begin(), found.end(), [&](const MirrorFit& other) {
-      return sameMap(a, fit.map, other.map);
-    });
-    if (!known) found.push_back(fit);
-  }
-  std::sort(found.begin(), found.end(),
-            [](const MirrorFit& x, const MirrorFit& y) { return x.residual < y.residual; });
-  return found;
-}
-
-MirrorFit bestMirror(const Outline& a, const Outline& b) {
-  MirrorFit best{{}, std::numeric_limits<double>::infinity()};
-  for (const Start& start : startMaps(a, b)) {
-    const MirrorFit fit = refineMirror(a, b, start.map);
-    if (fit.residual < best.residual) best = fit;
-  }
-  return best;
 }
 
 }  // namespace seamwise
