@@ -40,6 +40,21 @@ TEST(ProblemFromFiles, ImposesTheSymmetriesItFindsWhenThePrintCarriesThem) {
   EXPECT_TRUE(problem.value().notes.empty());
 }
 
+TEST(ProblemFromFiles, AreReadInStepsThatTellHowFarTheyAre) {
+  ProblemReader reader(texts());
+  EXPECT_EQ(reader.fraction(), 0);
+  int steps = 0;
+  double before = 0;
+  for (; reader.advance(); ++steps) {
+    EXPECT_GE(reader.fraction(), before);
+    before = reader.fraction();
+  }
+  EXPECT_GT(steps, 3);  // the files, then what may mirror onto what
+  EXPECT_EQ(reader.fraction(), 1);
+  EXPECT_FALSE(reader.advance());
+  EXPECT_EQ(reader.take().value().imposed, makeProblem(texts()).value().imposed);
+}
+
 TEST(ProblemFromFiles, DropsWhatThePrintCannotCarryAndSaysSo) {
   ProblemTexts t = texts(kPlainRepeat);
   t.garment = twoTriangles().dump();

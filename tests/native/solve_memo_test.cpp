@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "io/result_json.h"
 #include "solver_samples.h"
@@ -100,6 +102,25 @@ TEST(SolveMemo, KeepsTheMeshOverChangesThatLeaveItAsItIs) {
   t.options["edgeLengthCm"] = 0.8;
   solved(t, &memo);
   EXPECT_NE(memo.mesh.last->pattern.pieces[0].rest.data(), vertices);
+}
+
+TEST(SolveMemo, IsSharedByTwoWhoTakeTurnsFromTheirFirstStepOn) {
+  SolveMemo memo;
+  Task tasks[] = {task("apron", "pmm"), task("tee", "pmm")};
+  std::unique_ptr<SolverSetup> setups[2];
+  for (int k : {0, 1}) {
+    tasks[k].options["effort"] = 2;  // the second time, the other's mesh is the last
+    setups[k] = std::make_unique<SolverSetup>(testing::problemOf(tasks[k]), &memo);
+  }
+  for (bool more = true; more;) more = setups[0]->advance() | setups[1]->advance();
+  std::vector<Solver> solvers;
+  for (auto& setup : setups) solvers.push_back(setup->take().value());
+  for (bool more = true; more;) more = solvers[0].advance(1) | solvers[1].advance(1);
+  for (int k : {0, 1}) {
+    const Outcome<Result> result = solvers[k].finish();
+    ASSERT_TRUE(result.ok()) << result.error().message;
+    EXPECT_EQ(writeResult(result.value()), solved(tasks[k], nullptr));
+  }
 }
 
 TEST(SolveMemo, SeeksAnewOnlyWhatHasChanged) {

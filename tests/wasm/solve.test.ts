@@ -59,7 +59,7 @@ describe('solve', () => {
 });
 
 describe('progress', () => {
-  it('never falls, ends at 1 and passes from alignment to deformation once', async () => {
+  it('never falls, ends at 1 and passes from phase to phase once', async () => {
     const steps: Progress[] = [];
     await solve(
       {garment: sample('tee'), print: checks},
@@ -70,7 +70,8 @@ describe('progress', () => {
     expect(fractions.at(-1)).toBe(1);
     expect(fractions.every((fraction) => fraction >= 0 && fraction <= 1)).toBe(true);
     const changes = steps.filter((step, k) => k > 0 && step.phase !== steps[k - 1]?.phase);
-    expect(changes.map((step) => step.phase)).toEqual(['deformation']);
+    expect(steps[0]).toEqual({phase: 'preparation', fraction: 0});
+    expect(changes.map((step) => step.phase)).toEqual(['alignment', 'deformation']);
   });
 
   it('shows where the pieces lie, one angle and shift for each', async () => {

@@ -87,44 +87,50 @@ ProblemTexts problemTexts(const val& problem) {
 /// A page changes one thing at a time, and its worker solves again with the same module.
 SolveMemo memo;
 
-/// A solve as JavaScript holds it. After a failure every call is harmless and does nothing.
+/// Of the time until a garment is ready to be solved, as a rule.
+constexpr double kReadingPart = 0.7;
+
+/// A solve as JavaScript holds it: first its problem is read, then it is set up, then it runs.
+/// After a failure every call is harmless and does nothing.
 class SolverHandle {
  public:
   explicit SolverHandle(const val& problem) {
-    error_ = caught([&]() -> std::optional<Error> {
-      Outcome<Problem> made = makeProblem(problemTexts(problem));
-      if (!made.ok()) return made.error();
-      Outcome<Solver> solver = Solver::make(std::move(made).value(), &memo);
-      if (!solver.ok()) return solver.error();
-      solver_.emplace(std::move(solver).value());
+    guard([&]() -> std::optional<Error> {
+      reader_.emplace(problemTexts(problem));
       return std::nullopt;
     });
-    if (error_) solver_.reset();
   }
 
   val failure() const { return failureValue(error_); }
 
   bool advance(int steps) {
     bool more = false;
-    guard([&]() -> std::optional<Error> {
-      more = solver_->advance(steps);
-      return std::nullopt;
+    guard([&] {
+      for (more = true; more && steps > 0 && !solver_; --steps)
+        if (auto error = prepare()) return error;
+      if (solver_ && steps > 0) more = solver_->advance(steps);
+      return std::optional<Error>();
     });
-    return more;
+    return more && !error_;
   }
 
   std::string phase() const {
-    const bool deforming = solver_ && solver_->phase() >= Phase::kDeformation;
-    return deforming ? "deformation" : "alignment";
+    if (!solver_) return "preparation";
+    return solver_->phase() >= Phase::kDeformation ? "deformation" : "alignment";
   }
 
   int attempt() const { return solver_ ? solver_->attempt() : 0; }
 
-  double fraction() const { return solver_ ? solver_->fraction() : 0; }
+  double fraction() const {
+    if (solver_) return solver_->fraction();
+    const double read = reader_ ? reader_->fraction() : 1, set_up = setup_ ? setup_->fraction() : 0;
+    return kPrepared * (kReadingPart * read + (1 - kReadingPart) * set_up);
+  }
 
   val partial() {
     std::vector<double> flat;
     guard([&]() -> std::optional<Error> {
+      if (!solver_) return std::nullopt;
       for (const Alignment& alignment : solver_->partial()) {
         flat.push_back(alignment.angle);
         flat.push_back(alignment.translation.x());
@@ -136,11 +142,11 @@ class SolverHandle {
     return val(emscripten::typed_memory_view(flat.size(), flat.data())).call<val>("slice");
   }
 
-  /// The garment as it is meshed, not solved; meaningful at any time.
+  /// The garment as it is meshed, not solved; empty before the preparation has ended.
   std::string pattern() {
     std::string text;
     guard([&]() -> std::optional<Error> {
-      text = writePattern(solver_->unsolved());
+      if (solver_) text = writePattern(solver_->unsolved());
       return std::nullopt;
     });
     return text;
@@ -149,6 +155,8 @@ class SolverHandle {
   std::string result() {
     std::string text;
     guard([&]() -> std::optional<Error> {
+      while (!solver_)
+        if (auto error = prepare()) return error;
       const Outcome<Result> finished = solver_->finish();
       if (!finished.ok()) return finished.error();
       text = writeResult(finished.value());
@@ -158,24 +166,74 @@ class SolverHandle {
   }
 
  private:
-  template <class Work>
-  void guard(Work work) {
-    if (solver_) error_ = caught(std::move(work));
-    if (error_) solver_.reset();
+  /// One step of what comes before the solve.
+  std::optional<Error> prepare() {
+    if (reader_) {
+      if (reader_->advance()) return std::nullopt;
+      Outcome<Problem> problem = reader_->take();
+      reader_.reset();
+      if (!problem.ok()) return problem.error();
+      setup_.emplace(std::move(problem).value(), &memo);
+    } else if (!setup_->advance()) {
+      Outcome<Solver> solver = setup_->take();
+      setup_.reset();
+      if (!solver.ok()) return solver.error();
+      solver_.emplace(std::move(solver).value());
+    }
+    return std::nullopt;
   }
 
+  template <class Work>
+  void guard(Work work) {
+    if (!error_) error_ = caught(std::move(work));
+    if (!error_) return;
+    reader_.reset();
+    setup_.reset();
+    solver_.reset();
+  }
+
+  std::optional<ProblemReader> reader_;
+  std::optional<SolverSetup> setup_;
   std::optional<Solver> solver_;
   std::optional<Error> error_;
 };
 
-val detectedSymmetries(const std::string& text, const std::string& name) {
-  return textValue([&]() -> Outcome<std::string> {
-    const Outcome<GarmentFile> file = readGarment(text, name);
-    if (!file.ok()) return file.error();
-    const Garment& garment = file.value().garment;
-    return writeSymmetries(garment, detectSymmetries(garment));
-  });
-}
+/// The symmetries that a garment shows by itself, looked for in steps.
+class DetectionHandle {
+ public:
+  DetectionHandle(const std::string& text, const std::string& name) {
+    error_ = caught([&]() -> std::optional<Error> {
+      Outcome<GarmentFile> file = readGarment(text, name);
+      if (!file.ok()) return file.error();
+      garment_ = std::move(file).value().garment;
+      detection_.emplace(garment_);
+      return std::nullopt;
+    });
+  }
+
+  bool advance(int steps) {
+    bool more = !error_;
+    if (more)
+      error_ = caught([&]() -> std::optional<Error> {
+        for (; more && steps > 0; --steps) more = detection_->advance();
+        return std::nullopt;
+      });
+    return more && !error_;
+  }
+
+  /// As text, once advance() has returned false.
+  val result() const {
+    return textValue([&]() -> Outcome<std::string> {
+      if (error_) return *error_;
+      return writeSymmetries(garment_, detection_->found());
+    });
+  }
+
+ private:
+  Garment garment_;
+  std::optional<SymmetryDetection> detection_;
+  std::optional<Error> error_;
+};
 
 val measuredSymmetries(const std::string& text, const std::string& name, const std::string& wanted,
                        const std::string& wanted_name) {
@@ -213,7 +271,10 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("partial", &SolverHandle::partial)
       .function("pattern", &SolverHandle::pattern)
       .function("result", &SolverHandle::result);
-  emscripten::function("detectSymmetries", &detectedSymmetries);
+  emscripten::class_<DetectionHandle>("Detection")
+      .constructor<const std::string&, const std::string&>()
+      .function("advance", &DetectionHandle::advance)
+      .function("result", &DetectionHandle::result);
   emscripten::function("measureSymmetries", &measuredSymmetries);
   emscripten::function("convertGarment", &convertedGarment);
   emscripten::function("heapBytes", &heapBytes);

@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+#include <vector>
+
 #include "geometry/outcome.h"
 #include "pattern/pattern.h"
 
@@ -12,5 +15,28 @@ inline constexpr double kCoarsest = 6.0;  ///< cm: greatest triangles inside; th
 /// is its image, so no triangle crosses the axis; the second piece of a pair carries the image of
 /// the first one's mesh. Extends Mirror::image to every vertex. Errors: kMesh, naming the piece.
 Outcome<Pattern> meshed(Pattern pattern, double coarsest = kCoarsest);
+
+/// meshed() in steps.
+class Meshing {
+ public:
+  explicit Meshing(Pattern pattern, double coarsest = kCoarsest);
+
+  /// Fills one piece, or the two of a pair. False when all are filled, or one cannot be.
+  bool advance();
+  double fraction() const;  ///< of the pieces, 0..1
+  /// Once it has ended.
+  Outcome<Pattern> take();
+
+ private:
+  std::optional<Error> fillMirrored(Mirror& mirror);
+  std::optional<Error> fill(int piece);
+
+  Pattern pattern_;
+  double coarsest_;
+  std::vector<bool> done_;                ///< per piece
+  std::size_t mirrors_ = 0, pieces_ = 0;  ///< that have been looked at
+  bool moved_ = false;                    ///< some outline
+  std::optional<Error> error_;
+};
 
 }  // namespace seamwise

@@ -67,17 +67,27 @@ class BoxedRuns {
     return (box.low - p).cwiseMax(p - box.high).cwiseMax(Vec2::Zero()).squaredNorm();
   }
 
+  /// Of several the first. The nearest group is searched first: it leaves little of the others.
   std::size_t nearestRun(const Vec2& p) const {
-    std::size_t start = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (const Box& group : groups_) {
-      if (gap(group, p) >= least) continue;
-      for (std::size_t r = group.first; r < group.last && least > 0; ++r)
-        if (const double g = gap(runs_[r], p); g < least) {
-          least = g;
-          start = r;
-        }
-    }
+    std::size_t nearest = 0, start = 0;
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      if (const double away = gap(groups_[g], p); away < least) {
+        least = away;
+        nearest = g;
+      }
+    least = std::numeric_limits<double>::infinity();
+    const auto search = [&](const Box& group) {
+      for (std::size_t r = group.first; r < group.last; ++r) {
+        const double away = gap(runs_[r], p);
+        if (away > least || (away == least && r > start)) continue;
+        least = away;
+        start = r;
+      }
+    };
+    search(groups_[nearest]);
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      if (g != nearest && gap(groups_[g], p) <= least) search(groups_[g]);
     return start;
   }
 

@@ -112,10 +112,9 @@ void readOptionsInto(const ProblemTexts& texts, Problem* problem) {
 }
 
 void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryRequest>& of_garment,
-                        Problem* problem) {
+                        const Symmetries& detected, Problem* problem) {
   const Garment& garment = problem->garment;
   const WallpaperGroup& group = problem->print.group;
-  const Symmetries detected = detectSymmetries(garment);
   problem->symmetries_optional = texts.symmetry == "auto";
   Symmetries treated = detected;
   if (texts.symmetry == "auto") {
@@ -141,22 +140,44 @@ void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryReq
   }
 }
 
-Problem read(const ProblemTexts& texts) {
-  GarmentFile file = valueOf(readGarment(texts.garment, texts.garment_name));
-  Problem problem{
-      std::move(file.garment), valueOf(readPrint(texts.print, texts.print_name)), {}, {}, false, {},
-      std::move(file.notes)};
-  readOptionsInto(texts, &problem);
-  readSymmetriesInto(texts, file.symmetries, &problem);
-  if (auto note = assumedGrain(problem, texts.garment_name))
-    problem.notes.push_back(std::move(*note));
-  return problem;
-}
-
 }  // namespace
 
+bool ProblemReader::advance() {
+  if (error_) return false;
+  if (detection_) return detection_->advance();
+  const auto read = guarded<bool>(Place{texts_.garment_name}, [&] {
+    GarmentFile file = valueOf(readGarment(texts_.garment, texts_.garment_name));
+    problem_.reset(new Problem{std::move(file.garment),
+                               valueOf(readPrint(texts_.print, texts_.print_name)),
+                               {},
+                               {},
+                               false,
+                               {},
+                               std::move(file.notes)});
+    of_garment_ = std::move(file.symmetries);
+    readOptionsInto(texts_, problem_.get());
+    detection_ = std::make_unique<SymmetryDetection>(problem_->garment);
+    return true;
+  });
+  if (!read.ok()) error_ = read.error();
+  return read.ok();
+}
+
+Outcome<Problem> ProblemReader::take() {
+  if (error_) return *error_;
+  return guarded<Problem>(Place{texts_.garment_name}, [&] {
+    readSymmetriesInto(texts_, of_garment_, detection_->found(), problem_.get());
+    if (auto note = assumedGrain(*problem_, texts_.garment_name))
+      problem_->notes.push_back(std::move(*note));
+    return std::move(*problem_);
+  });
+}
+
 Outcome<Problem> makeProblem(const ProblemTexts& texts) {
-  return guarded<Problem>(Place{texts.garment_name}, [&] { return read(texts); });
+  ProblemReader reader(texts);
+  while (reader.advance()) {
+  }
+  return reader.take();
 }
 
 }  // namespace seamwise

@@ -1,9 +1,15 @@
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "geometry/outcome.h"
 #include "solve/problem.h"
+#include "symmetry/detection.h"
+#include "symmetry/symmetry.h"
 
 namespace seamwise {
 
@@ -27,5 +33,25 @@ struct ProblemTexts {
 /// `options.matches`. Errors: those of the readers; kSymmetryGroup naming the piece and the groups
 /// that could.
 Outcome<Problem> makeProblem(const ProblemTexts& texts);
+
+/// makeProblem() in steps.
+class ProblemReader {
+ public:
+  explicit ProblemReader(ProblemTexts texts) : texts_(std::move(texts)) {}
+
+  /// Reads the files, then looks for symmetries: some milliseconds of work. False when there is
+  /// none left.
+  bool advance();
+  double fraction() const { return detection_ ? detection_->fraction() : 0; }  ///< 0..1, monotone
+  /// Once it has ended.
+  Outcome<Problem> take();
+
+ private:
+  ProblemTexts texts_;
+  std::unique_ptr<Problem> problem_;  ///< stays where it is: the detection looks at its garment
+  std::vector<SymmetryRequest> of_garment_;
+  std::unique_ptr<SymmetryDetection> detection_;
+  std::optional<Error> error_;
+};
 
 }  // namespace seamwise

@@ -29,7 +29,7 @@ constexpr int kSeekAgain = 3;  ///< times
 
 /// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
 /// it lies has only its set-up left.
-constexpr double kPrepared = 0.15, kFitted = 0.95;
+constexpr double kFitted = 0.95;
 constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
 
 /// Limits that a finished shape keeps, a little inside what is promised.

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "deform/lengths.h"
-#include "deform/mesh.h"
 #include "pattern/discretise.h"
 #include "solve/placing_rules.h"
 #include "solve/promise.h"
@@ -26,6 +25,9 @@ constexpr double kEvenedArea = 0.5;
 constexpr double kEvenedSeam = 0.9 * kSeamTolerance;
 constexpr double kFinest = 0.3;  ///< of the edge length asked for
 constexpr double kRoom = 0.1;    ///< cm of movement that are enough for lengths to settle
+
+/// Progress at the end of stages, as a rule.
+constexpr double kReconciled = 0.2, kSampled = 0.25;
 
 std::string shown(double value, const char* format) {
   char text[32];
@@ -90,15 +92,6 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
   return {};
 }
 
-/// @param sampled   what discretise() gives, where it is known
-Outcome<Pattern> sampledAndMeshed(const Problem& problem, double edge_length,
-                                  std::optional<Pattern> sampled) {
-  if (sampled) return meshed(*std::move(sampled));
-  Outcome<Pattern> now = discretise(problem.garment, problem.known, problem.imposed, edge_length);
-  if (!now.ok()) return now.error();
-  return meshed(std::move(now).value());
-}
-
 /// Drops a found symmetry, with a note. Error when it was asked for, with advice that ends the
 /// sentence.
 std::optional<Error> dropOrRefuse(Problem& problem, const Obstacle& obstacle, Failure code) {
@@ -137,70 +130,105 @@ std::optional<Error> heedRules(Problem& problem) {
   return {};
 }
 
-/// As preparedPattern(), after pins and grain.
-Outcome<Pattern> made(Problem& problem) {
-  Outcome<std::optional<Pattern>> reconciled = reconcile(problem);
-  if (!reconciled.ok()) return reconciled.error();
-  std::optional<Pattern> sampled = std::move(reconciled).value();
-  const double max_change = problem.options.max_change_cm;
-  double edge_length = problem.options.edge_length_cm;
-  for (;;) {
-    Outcome<Pattern> ready =
-        sampledAndMeshed(problem, edge_length, std::exchange(sampled, std::nullopt));
-    std::optional<Obstacle> found;
-    if (ready.ok()) {
-      const Pattern& pattern = ready.value();
-      const Shapes evened = evenedShapes(pattern);
-      for (std::size_t m = 0; m < pattern.mirrors.size() && !found; ++m)
-        found = obstacle(pattern, m, evened, max_change);
-      const bool finer = !found && edge_length > kFinest * problem.options.edge_length_cm &&
-                         isStiff(pattern, evened, max_change);
-      if (finer) {
-        edge_length /= 2;
-        continue;
-      }
-      if (!found) return ready;
-    } else {
-      // what cannot be meshed as its own mirror image may do without it
-      for (std::size_t m = 0; m < problem.imposed.size() && !found; ++m)
-        if (problem.imposed[m].pieces[0] == ready.error().piece)
-          found = Obstacle{m, "symmetryCrossing",
-                           "its outline would cross itself if it were made to mirror exactly", ""};
-      if (!found || !problem.symmetries_optional) return ready.error();
-    }
-    if (const auto error = dropOrRefuse(problem, *found, Failure::kSymmetryDoesNotMirror))
-      return *error;
-  }
-}
-
 }  // namespace
 
-Outcome<Pattern> preparedPattern(Problem& problem, MeshMemo* memo) {
-  if (const auto error = heedRules(problem)) return *error;
-  if (!memo) return made(problem);
-  MeshMemo::Inputs from{problem.garment,
-                        problem.imposed,
-                        problem.known,
-                        problem.symmetries_optional,
-                        problem.options.edge_length_cm,
-                        problem.options.max_change_cm};
-  if (memo->last && memo->last->from == from) {
-    problem.imposed = memo->last->imposed, problem.known = memo->last->known;
-    const auto& notes = memo->last->notes;
-    problem.notes.insert(problem.notes.end(), notes.begin(), notes.end());
-    return memo->last->pattern;
+Preparation::Preparation(Problem& problem, MeshMemo* memo)
+    : problem_(problem), memo_(memo), edge_length_(problem.options.edge_length_cm) {}
+
+bool Preparation::advance() {
+  if (pattern_) return false;
+  if (!begun_) return begin();
+  if (!meshing_) return sample();
+  if (!meshing_->advance()) return judge(std::exchange(meshing_, std::nullopt)->take());
+  fraction_ = std::max(fraction_, kSampled + (1 - kSampled) * meshing_->fraction());
+  return true;
+}
+
+bool Preparation::begin() {
+  begun_ = true;
+  if (const auto error = heedRules(problem_)) return end(*error);
+  if (memo_) {
+    from_ = {problem_.garment,
+             problem_.imposed,
+             problem_.known,
+             problem_.symmetries_optional,
+             problem_.options.edge_length_cm,
+             problem_.options.max_change_cm};
+    if (memo_->last && memo_->last->from == *from_) {
+      const MeshMemo::Mesh& last = *memo_->last;
+      problem_.imposed = last.imposed, problem_.known = last.known;
+      problem_.notes.insert(problem_.notes.end(), last.notes.begin(), last.notes.end());
+      pattern_ = last.pattern, plans_ = last.plans;
+      return false;
+    }
   }
-  const auto before = static_cast<std::ptrdiff_t>(problem.notes.size());
-  Outcome<Pattern> pattern = made(problem);
-  if (pattern.ok())
-    memo->last = {std::move(from),
-                  pattern.value(),
-                  problem.imposed,
-                  problem.known,
-                  {problem.notes.begin() + before, problem.notes.end()},
-                  nullptr,
-                  nullptr};
-  return pattern;
+  notes_ = problem_.notes.size();
+  Outcome<std::optional<Pattern>> reconciled = reconcile(problem_);
+  if (!reconciled.ok()) return end(reconciled.error());
+  sampled_ = std::move(reconciled).value();
+  fraction_ = kReconciled;
+  return true;
+}
+
+bool Preparation::sample() {
+  if (!sampled_) {
+    Outcome<Pattern> now =
+        discretise(problem_.garment, problem_.known, problem_.imposed, edge_length_);
+    if (!now.ok()) return judge(now.error());
+    sampled_ = std::move(now).value();
+  }
+  meshing_.emplace(*std::exchange(sampled_, std::nullopt));
+  fraction_ = std::max(fraction_, kSampled);
+  return true;
+}
+
+/// Whether to go on with a finer sampling, or without a symmetry that cannot hold.
+bool Preparation::judge(Outcome<Pattern> ready) {
+  std::optional<Obstacle> found;
+  if (ready.ok()) {
+    const Pattern& pattern = ready.value();
+    const double max_change = problem_.options.max_change_cm;
+    const Shapes evened = evenedShapes(pattern);
+    for (std::size_t m = 0; m < pattern.mirrors.size() && !found; ++m)
+      found = obstacle(pattern, m, evened, max_change);
+    if (!found && edge_length_ > kFinest * problem_.options.edge_length_cm &&
+        isStiff(pattern, evened, max_change)) {
+      edge_length_ /= 2;
+      return true;
+    }
+    if (!found) return end(std::move(ready));
+  } else {
+    // what cannot be meshed as its own mirror image may do without it
+    for (std::size_t m = 0; m < problem_.imposed.size() && !found; ++m)
+      if (problem_.imposed[m].pieces[0] == ready.error().piece)
+        found = Obstacle{m, "symmetryCrossing",
+                         "its outline would cross itself if it were made to mirror exactly", ""};
+    if (!found || !problem_.symmetries_optional) return end(ready.error());
+  }
+  if (const auto error = dropOrRefuse(problem_, *found, Failure::kSymmetryDoesNotMirror))
+    return end(*error);
+  return true;
+}
+
+bool Preparation::end(Outcome<Pattern> pattern) {
+  fraction_ = 1;
+  if (pattern.ok() && memo_)
+    memo_->last = {
+        *std::move(from_),
+        pattern.value(),
+        problem_.imposed,
+        problem_.known,
+        {problem_.notes.begin() + static_cast<std::ptrdiff_t>(notes_), problem_.notes.end()},
+        plans_};
+  pattern_ = std::move(pattern);
+  return false;
+}
+
+Outcome<Pattern> preparedPattern(Problem& problem, MeshMemo* memo) {
+  Preparation preparation(problem, memo);
+  while (preparation.advance()) {
+  }
+  return preparation.take();
 }
 
 }  // namespace seamwise

@@ -9,6 +9,8 @@
 namespace seamwise {
 namespace {
 
+constexpr double kMore = 0.9;  ///< of the progress, for more symmetry: it may be in vain
+
 using Symmetries = std::vector<BodySymmetry>;
 
 /// Those that are imposed, then the known ones that the print's group carries besides.
@@ -34,24 +36,46 @@ Pattern freed(Pattern pattern, const Symmetries& imposed, const Symmetries& aske
 
 }  // namespace
 
-Outcome<PreparedPatterns> preparedPatterns(Problem& problem, MeshMemo& memo) {
-  const Symmetries carried = carriedSymmetries(problem);
+SymmetricPreparation::SymmetricPreparation(Problem& problem, MeshMemo* memo)
+    : problem_(problem), memo_(memo) {
+  Symmetries carried = carriedSymmetries(problem);
   if (problem.options.method == Method::kBest && carried.size() > problem.imposed.size()) {
-    Problem more = problem;
-    more.imposed = carried;
-    more.symmetries_optional = true;
-    const Outcome<Pattern> symmetric = preparedPattern(more, &memo);
-    if (symmetric.ok() && more.imposed.size() > problem.imposed.size() &&
-        std::all_of(problem.imposed.begin(), problem.imposed.end(),
-                    [&](const BodySymmetry& s) { return contains(more.imposed, s); }))
-      return PreparedPatterns{freed(symmetric.value(), more.imposed, problem.imposed),
-                              symmetric.value(), symmetric.value().mirrors};
+    more_ = problem;
+    more_->imposed = std::move(carried);
+    more_->symmetries_optional = true;
   }
-  Outcome<Pattern> asked = preparedPattern(problem, &memo);
+  preparation_.emplace(more_ ? *more_ : problem, memo);
+}
+
+bool SymmetricPreparation::advance() {
+  if (symmetric_) return false;
+  const bool more = preparation_->advance();
+  fraction_ = std::max(fraction_, (more_ ? kMore : 1) * preparation_->fraction());
+  return more || (more_ && judge());
+}
+
+/// Whether to begin anew, without more symmetries than are asked for.
+bool SymmetricPreparation::judge() {
+  const Symmetries &left = more_->imposed, &asked = problem_.imposed;
+  const Outcome<Pattern> pattern = preparation_->take();
+  if (pattern.ok() && left.size() > asked.size() &&
+      std::all_of(asked.begin(), asked.end(),
+                  [&](const BodySymmetry& s) { return contains(left, s); })) {
+    symmetric_ = {freed(pattern.value(), left, asked), pattern.value(), pattern.value().mirrors};
+    return false;
+  }
+  more_.reset();
+  preparation_.emplace(problem_, memo_);
+  return true;
+}
+
+Outcome<PreparedPatterns> SymmetricPreparation::take() {
+  if (symmetric_) return *std::move(symmetric_);
+  Outcome<Pattern> asked = preparation_->take();
   if (!asked.ok()) return asked.error();
   PreparedPatterns prepared{std::move(asked).value(), {}, {}};
-  if (problem.imposed.empty())
-    for (const BodySymmetry& s : carriedSymmetries(problem))
+  if (problem_.imposed.empty())
+    for (const BodySymmetry& s : carriedSymmetries(problem_))
       prepared.known.push_back({{s.pieces[0], s.pieces[1]}, s.map, {}});
   return prepared;
 }

@@ -36,24 +36,27 @@ Error unsewable(int seam) {
 }  // namespace
 
 struct Solver::State {
-  explicit State(Problem p) : problem(std::move(p)) {}
+  explicit State(Problem p) : problem(std::move(p)) {
+    // it knows no symmetry of the body
+    if (problem.options.method == Method::kWs19) problem.imposed.clear();
+  }
   Problem problem;
   Pattern pattern;
   std::optional<Pattern> symmetric;  ///< with more symmetries than are asked for
+  std::shared_ptr<LastPlans> plans;
   MatchRules rules;
   std::optional<MatchProblem> match;  ///< the pieces as drafted
   Alignments drafted;
   SolveMemo own;  ///< where the caller has none
   std::unique_ptr<Run> run;
-  double reported = 0;
+  double reported = kPrepared;
 
-  std::unique_ptr<Run> best(std::vector<Mirror> mirrors, SolveMemo& known) {
-    MeshMemo::Mesh& mesh = *known.mesh.last;
+  std::unique_ptr<Run> best(std::vector<Mirror> known, SolveMemo& memo) {
     std::optional<EffortRun::Mesh> more;
-    if (symmetric) more.emplace(EffortRun::Mesh{*symmetric, mesh.plans});
+    if (symmetric) more.emplace(EffortRun::Mesh{*symmetric, plans->plans});
     return std::make_unique<EffortRun>(
-        problem, EffortRun::Mesh{pattern, symmetric ? mesh.freed_plans : mesh.plans}, more,
-        std::move(mirrors), rules, known.searches);
+        problem, EffortRun::Mesh{pattern, symmetric ? plans->freed : plans->plans}, more,
+        std::move(known), rules, memo.searches);
   }
 };
 
@@ -63,27 +66,43 @@ Solver& Solver::operator=(Solver&&) noexcept = default;
 Solver::~Solver() = default;
 
 Outcome<Solver> Solver::make(Problem problem, SolveMemo* memo) {
-  auto state = std::make_unique<State>(std::move(problem));
-  Problem& p = state->problem;
-  if (p.options.method == Method::kWs19) p.imposed.clear();  // it knows no symmetry of the body
-  SolveMemo& known = memo ? *memo : state->own;
-  Outcome<PreparedPatterns> prepared = preparedPatterns(p, known.mesh);
+  SolverSetup setup(std::move(problem), memo);
+  while (setup.advance()) {
+  }
+  return setup.take();
+}
+
+SolverSetup::SolverSetup(Problem problem, SolveMemo* memo)
+    : state_(std::make_unique<Solver::State>(std::move(problem))),
+      memo_(memo),
+      preparation_(state_->problem, memo ? &memo->mesh : nullptr) {}
+
+SolverSetup::~SolverSetup() = default;
+
+bool SolverSetup::advance() { return preparation_.advance(); }
+double SolverSetup::fraction() const { return preparation_.fraction(); }
+
+Outcome<Solver> SolverSetup::take() {
+  Outcome<PreparedPatterns> prepared = preparation_.take();
   if (!prepared.ok()) return prepared.error();
-  state->pattern = std::move(prepared.value().asked);
-  state->symmetric = std::move(prepared.value().symmetric);
-  applySeamOptions(p.options, state->pattern);
-  if (state->symmetric) applySeamOptions(p.options, *state->symmetric);
-  state->rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
-  state->match.emplace(makeMatchProblem(state->pattern, restShapes(state->pattern),
-                                        state->pattern.mirrors, state->rules, p.print.group));
-  state->drafted = draftedLayout(p, *state->match);
-  std::vector<Note>* const notes = &state->problem.notes;
-  for (Note& remark : remarksOn(state->pattern)) notes->push_back(std::move(remark));
+  Solver::State& state = *state_;
+  const Problem& p = state.problem;
+  state.pattern = std::move(prepared.value().asked);
+  state.symmetric = std::move(prepared.value().symmetric);
+  state.plans = preparation_.plans();
+  applySeamOptions(p.options, state.pattern);
+  if (state.symmetric) applySeamOptions(p.options, *state.symmetric);
+  state.rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
+  state.match.emplace(makeMatchProblem(state.pattern, restShapes(state.pattern),
+                                       state.pattern.mirrors, state.rules, p.print.group));
+  state.drafted = draftedLayout(p, *state.match);
+  std::vector<Note>* const notes = &state.problem.notes;
+  for (Note& remark : remarksOn(state.pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
-    state->run = state->best(std::move(prepared.value().known), known);
+    state.run = state.best(std::move(prepared.value().known), memo_ ? *memo_ : state.own);
   else
-    state->run = std::make_unique<PaperRun>(p, state->pattern, state->rules, state->drafted, notes);
-  return Solver(std::move(state));
+    state.run = std::make_unique<PaperRun>(p, state.pattern, state.rules, state.drafted, notes);
+  return Solver(std::move(state_));
 }
 
 bool Solver::advance(int steps) {

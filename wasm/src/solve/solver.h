@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "alignment/search_memo.h"
-#include "solve/prepare.h"
+#include "solve/prepare_symmetric.h"
 #include "solve/problem.h"
 #include "solve/result.h"
 #include "solve/run.h"
@@ -45,9 +45,29 @@ class Solver {
   Outcome<Result> finish();
 
  private:
+  friend class SolverSetup;
   struct State;
   explicit Solver(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
+};
+
+/// A solver in the making, in steps: samples and meshes the garment.
+class SolverSetup {
+ public:
+  /// @param memo   as for Solver::make
+  explicit SolverSetup(Problem problem, SolveMemo* memo = nullptr);
+  ~SolverSetup();
+
+  /// Some milliseconds of work. False when there is none left.
+  bool advance();
+  double fraction() const;  ///< 0..1, monotone
+  /// Once it has ended. Errors: kMesh, kSymmetryConflict.
+  Outcome<Solver> take();
+
+ private:
+  std::unique_ptr<Solver::State> state_;
+  SolveMemo* memo_;
+  SymmetricPreparation preparation_;
 };
 
 /// One-off: tests, batch jobs.

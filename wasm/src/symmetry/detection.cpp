@@ -158,16 +158,23 @@ BodySymmetry bodySymmetry(const Garment& garment, int from, int to, const Mirror
   return {{from, to}, fit.map, std::min(fit.residual, exact)};
 }
 
-std::vector<BodySymmetry> detectSymmetries(const Garment& garment) {
-  const SeamMaps maps(garment);
-  const Assignment assignment = solveGarment(maps);
+std::vector<BodySymmetry> SymmetryDetection::found() const {
+  const Assignment assignment = solveGarment(maps_);
   std::vector<BodySymmetry> found;
-  for (int i = 0; i < maps.pieces(); ++i) {
+  for (int i = 0; i < maps_.pieces(); ++i) {
     if (assignment[i] < 0) continue;
-    const PieceMap& map = maps.maps()[assignment[i]];
-    if (map.from <= map.to) found.push_back(bodySymmetry(garment, map.from, map.to, map.fit));
+    const PieceMap& map = maps_.maps()[assignment[i]];
+    if (map.from <= map.to)
+      found.push_back(bodySymmetry(maps_.garment(), map.from, map.to, map.fit));
   }
   return found;
+}
+
+std::vector<BodySymmetry> detectSymmetries(const Garment& garment) {
+  SymmetryDetection detection(garment);
+  while (detection.advance()) {
+  }
+  return detection.found();
 }
 
 }  // namespace seamwise

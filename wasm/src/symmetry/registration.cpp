@@ -13,22 +13,24 @@ constexpr double kIcpSettled = 1e-9;  // cm; ICP stops when no point moves furth
 constexpr double kStalled = 0.99;
 constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
-constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
 constexpr std::size_t kFew = 4;        // every so manieth sample tells whether a start is hopeless
 constexpr std::size_t kEnough = 500;   // samples for that, however many there are
-constexpr std::size_t kMany = 2000;    // samples to settle a map on; corners make it exact
+constexpr std::size_t kMany = 500;     // samples to settle a map on, corners to make it exact
 constexpr double kHopeless = 5;        // times the residual wanted, as root mean square over those
+
+// Every so manieth of `count` things is looked at: all, unless they are twice kMany and more.
+std::size_t strideFor(std::size_t count) { return std::max<std::size_t>(1, count / kMany); }
 
 struct CornerPairs {
   std::vector<Vec2> from, to;
   std::vector<double> distance;
 };
 
-// Corners that are each other's nearest under the map.
+// Corners that are each other's nearest under the map; of very many, every so manieth is looked at.
 CornerPairs pairCorners(const Outline& a, const Outline& b, const RigidMotion& map, double gate) {
   const RigidMotion back = map.inverse();
   CornerPairs pairs;
-  for (std::size_t i = 0; i < a.corners().size(); ++i) {
+  for (std::size_t i = 0; i < a.corners().size(); i += strideFor(a.corners().size())) {
     const Vec2 image = map(a.corners()[i]);
     const Vec2& corner = b.corners()[b.nearestCorner(image)];
     const double d = (corner - image).norm();
@@ -76,7 +78,8 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
       }
     if (from.size() < 2 || !spread(from)) return map;
     const RigidMotion next = fitMirror(from, to, single);
-    if (limit == kExactCorner) return 2 * from.size() >= a.corners().size() ? next : map;
+    if (limit == kExactCorner)
+      return 2 * from.size() * strideFor(a.corners().size()) >= a.corners().size() ? next : map;
     if (next == trimmed) break;  // and will be for ever
     trimmed = next;
   }
@@ -113,64 +116,6 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
     if (moved < kIcpSettled) break;
   }
   return {map, before};
-}
-
-struct Start {
-  RigidMotion map;
-  double rms;
-};
-
-using EvenPoints = std::array<Vec2, Outline::kEven>;
-
-// Moves the outline's even points to their centre, which is returned.
-Vec2 centred(const Outline& outline, EvenPoints& points) {
-  Vec2 centre = Vec2::Zero();
-  for (const Vec2& p : outline.even()) centre += p / Outline::kEven;
-  for (int k = 0; k < Outline::kEven; ++k) points[k] = outline.even()[k] - centre;
-  return centre;
-}
-
-// Every cyclic shift of the reversed arc-length correspondence, solved in closed form; the local
-// minima.
-std::vector<Start> startMaps(const Outline& a, const Outline& b) {
-  constexpr int n = Outline::kEven;
-  EvenPoints p, q;
-  const Vec2 from = centred(a, p), to = centred(b, q);
-  double energy = 0;
-  for (int k = 0; k < n; ++k) energy += p[k].squaredNorm() + q[k].squaredNorm();
-  EvenPoints product;
-  std::array<double, n> square;
-  std::array<Vec2, 2 * n> backwards;  // twice round, so that every shift is a stretch of it
-  for (int k = 0; k < 2 * n; ++k) backwards[k] = q[(2 * n - 1 - k) % n];
-  for (int shift = 0; shift < n; ++shift) {
-    double re = 0, im = 0;
-    for (int k = 0; k < n; ++k) {
-      const Vec2 &u = p[k], &v = backwards[n - 1 - shift + k];
-      re += u.x() * v.x() - u.y() * v.y();
-      im += u.x() * v.y() + u.y() * v.x();
-    }
-    product[shift] = {re, im};
-    square[shift] = (energy - 2 * product[shift].norm()) / n;
-  }
-  std::vector<Start> starts;
-  for (int shift = 0; shift < n; ++shift) {
-    if (square[shift] > square[(shift + n - 1) % n] || square[shift] > square[(shift + 1) % n])
-      continue;
-    RigidMotion map{std::atan2(-product[shift].y(), -product[shift].x()), Vec2::Zero(), true};
-    map.shift = to - map(from);
-    starts.push_back({map, std::sqrt(std::max(0.0, square[shift]))});
-  }
-  std::sort(starts.begin(), starts.end(),
-            [](const Start& x, const Start& y) { return x.rms < y.rms; });
-  if (starts.size() > kMaxStarts) starts.resize(kMaxStarts);
-  return starts;
-}
-
-bool sameMap(const Outline& a, const RigidMotion& x, const RigidMotion& y) {
-  for (const Vec2& p :
-       {a.even()[0], a.even()[Outline::kEven / 3], a.even()[2 * Outline::kEven / 3]})
-    if ((x(p) - y(p)).norm() > 2 * kMirrorTolerance) return false;
-  return true;
 }
 
 }  // namespace
@@ -234,43 +179,13 @@ MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& st
   if (enough < kFarApart &&
       closestPoints(a, b, near, std::max(kFew, samples / kEnough)).second > kHopeless * enough)
     return direct;
-  MirrorFit settled =
-      measured(closestPoints(a, b, near, std::max<std::size_t>(1, samples / kMany)).first);
+  MirrorFit settled = measured(closestPoints(a, b, near, strideFor(samples)).first);
   MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
   // Corners win when they fit as well as flattening can tell.
   if (polished.residual <= settled.residual + Outline::kFlatness &&
       polished.residual <= direct.residual)
     return polished;
   return direct.residual <= settled.residual + Outline::kFlatness ? direct : settled;
-}
-
-std::vector<MirrorFit> findMirrors(const Outline& a, const Outline& b) {
-  std::vector<MirrorFit> found;
-  if (std::abs(a.length() - b.length()) > 2 + 0.02 * a.length() ||
-      std::abs(a.area() - b.area()) > 2 * kMirrorTolerance * a.length())
-    return found;
-  const double limit = 0.75 * a.length() / Outline::kEven + 2 * kMirrorTolerance;
-  for (const Start& start : startMaps(a, b)) {
-    if (start.rms > limit) break;
-    const MirrorFit fit = refineMirror(a, b, start.map, kMirrorTolerance);
-    if (fit.residual > kMirrorTolerance) continue;
-    const bool known = std::any_of(found.begin(), found.end(), [&](const MirrorFit& other) {
-      return sameMap(a, fit.map, other.map);
-    });
-    if (!known) found.push_back(fit);
-  }
-  std::sort(found.begin(), found.end(),
-            [](const MirrorFit& x, const MirrorFit& y) { return x.residual < y.residual; });
-  return found;
-}
-
-MirrorFit bestMirror(const Outline& a, const Outline& b) {
-  MirrorFit best{{}, std::numeric_limits<double>::infinity()};
-  for (const Start& start : startMaps(a, b)) {
-    const MirrorFit fit = refineMirror(a, b, start.map);
-    if (fit.residual < best.residual) best = fit;
-  }
-  return best;
 }
 
 }  // namespace seamwise

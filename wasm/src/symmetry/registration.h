@@ -33,14 +33,6 @@ MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& st
 /// search stops beyond `enough`. [cm]
 double mirrorResidual(const Outline& a, const Outline& b, const RigidMotion& map, double enough);
 
-/// All mirror maps of a onto b within kMirrorTolerance, best first (a rectangle has two onto
-/// itself). The starts are all cyclic shifts of the arc-length correspondence, each solved in
-/// closed form.
-std::vector<MirrorFit> findMirrors(const Outline& a, const Outline& b);
-
-/// The best mirror map of a onto b, however bad it is.
-MirrorFit bestMirror(const Outline& a, const Outline& b);
-
 /// The same measure for maps that carry edge to edge, point by point on the exact curves, so that
 /// it is free of flattening error; infinity when the edges do not correspond or a panel has holes.
 /// [cm]

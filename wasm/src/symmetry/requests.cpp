@@ -141,7 +141,11 @@ class Registrar {
   }
 
   Registered between(int from, int to, const std::string& complaint, const std::string& remedy) {
-    if (!maps_) maps_.emplace(garment_);
+    if (!maps_) {
+      maps_.emplace(garment_);
+      while (maps_->advance()) {
+      }
+    }
     std::vector<int> candidates;
     for (const int m : maps_->mapsFrom(from))
       if (maps_->maps()[m].to == to) candidates.push_back(m);

@@ -41,8 +41,22 @@ SeamMaps::SeamMaps(const Garment& garment)
   outlines_.reserve(garment.panels.size());
   for (const Panel& panel : garment.panels) outlines_.emplace_back(panel);
   connect();
-  for (int i = 0; i < pieces(); ++i)
-    for (int j = i; j < pieces(); ++j) addMaps(i, j);
+}
+
+bool SeamMaps::advance() {
+  while (searched_from_ < pieces()) {
+    if (!search_) search_.emplace(outlines_[searched_from_], outlines_[searched_to_]);
+    if (search_->advance()) return true;
+    addMaps(searched_from_, searched_to_, search_->take());
+    search_.reset();
+    if (++searched_to_ == pieces()) searched_to_ = ++searched_from_;
+  }
+  return false;
+}
+
+double SeamMaps::fraction() const {
+  const double n = pieces(), left = n - searched_from_, begun = searched_to_ - searched_from_;
+  return n > 0 ? 1 - (left * (left + 1) / 2 - begun) / (n * (n + 1) / 2) : 1;
 }
 
 void SeamMaps::connect() {
@@ -63,8 +77,8 @@ void SeamMaps::connect() {
                      [&](int x, int y) { return lengths_[x] > lengths_[y]; });
 }
 
-void SeamMaps::addMaps(int from, int to) {
-  for (const MirrorFit& fit : findMirrors(outlines_[from], outlines_[to])) {
+void SeamMaps::addMaps(int from, int to, const std::vector<MirrorFit>& fits) {
+  for (const MirrorFit& fit : fits) {
     const int index = static_cast<int>(maps_.size());
     const bool single = from == to;
     for (const bool back : {false, true}) {

@@ -1,10 +1,11 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "symmetry/mirror_search.h"
 #include "symmetry/outline.h"
 #include "symmetry/placement.h"
-#include "symmetry/registration.h"
 
 namespace seamwise {
 
@@ -42,10 +43,15 @@ struct Coverage {
   bool betterThan(const Coverage& other) const;
 };
 
-/// All mirror maps between the pieces of a garment and what they do to its seams.
+/// All mirror maps between the pieces of a garment and what they do to its seams. They are found in
+/// steps; the garment outlives them.
 class SeamMaps {
  public:
   explicit SeamMaps(const Garment& garment);
+
+  /// One step of the search for maps between two pieces. False when all are found.
+  bool advance();
+  double fraction() const;  ///< of the pairs of pieces, 0..1
 
   const std::vector<PieceMap>& maps() const { return maps_; }
   const std::vector<int>& mapsFrom(int piece) const { return from_[piece]; }
@@ -71,7 +77,7 @@ class SeamMaps {
   };
 
   void connect();
-  void addMaps(int from, int to);
+  void addMaps(int from, int to, const std::vector<MirrorFit>& fits);
   void probe(PieceMap& map) const;
   Probe probed(int piece, const OutlinePoint& image) const;
   int agreeing(const Stitch& stitch, bool swapped, const PieceMap& near, const PieceMap& far) const;
@@ -86,6 +92,8 @@ class SeamMaps {
   std::vector<std::vector<int>> seams_;         ///< stitches by piece, longest first
   std::vector<std::vector<Partner>> partners_;  ///< by piece and edge; edge.piece -1 when unsewn
   std::vector<double> lengths_;                 ///< of stitches, mean of both sides
+  int searched_from_ = 0, searched_to_ = 0;     ///< the pieces of the present search
+  std::optional<MirrorSearch> search_;
 };
 
 }  // namespace seamwise

@@ -1,6 +1,10 @@
 import type {Progress} from '../model/problem.js';
 
-const words = {alignment: 'Aligning', deformation: 'Deforming'} as const;
+const words = {
+  preparation: 'Preparing',
+  alignment: 'Aligning',
+  deformation: 'Deforming',
+} as const;
 
 /** One line on standard error, drawn over and over; silent when that is no terminal. */
 export class StatusLine {

@@ -21,7 +21,8 @@ export interface Problem {
   readonly seed?: number;
 }
 
-export type Phase = 'alignment' | 'deformation';
+/** Reading and meshing the garment, looking for its symmetries; laying its pieces on the print; shaping them. */
+export type Phase = 'preparation' | 'alignment' | 'deformation';
 
 export interface Progress {
   readonly phase: Phase;
@@ -32,7 +33,7 @@ export interface Progress {
 /** How to follow a solve and how to end it early. */
 export interface SolveHooks {
   readonly signal?: AbortSignal;
-  /** The garment as it is going to be solved; once, before anything else. */
+  /** The garment as it is going to be solved; once, as soon as it is prepared. */
   readonly onPattern?: (pattern: MeshedPattern) => void;
   readonly onProgress?: (progress: Progress) => void;
   /** The best alignments so far: angle, x, y per piece. [rad, cm] The array is the listener's own. */

@@ -18,12 +18,13 @@ export type {GarmentHooks, SolverService} from './service.js';
 export type {WorkerPlaces} from './watched-worker.js';
 
 /**
- * A worker sees a cancel between two slices; one that has not after this long is replaced, unless it is
- * at work for somebody else as well. [ms]
+ * A worker sees a cancel between two slices, and slices are longer than planned only where a step is: on
+ * pieces of many thousand edges. One that has not seen it after this long is replaced, unless it is at work
+ * for somebody else as well: whoever comes next need not wait for that step. [ms]
  */
-const cancelPatience = 1000;
+const cancelPatience = 100;
 
-/** Reading and meshing cannot be interrupted and take their time on a slow device. [ms] */
+/** For the longest of steps, on a slow device. [ms] */
 const workPatience = 10_000;
 
 interface Job {

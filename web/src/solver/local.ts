@@ -5,8 +5,8 @@ import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js'
 import {internalError, loadingError} from './broken.js';
 import {SharedModule, type SeamwiseModule} from './load.js';
 import type {Answer, Answers, Question, QuestionOf} from './protocol.js';
-import {ownThread, run, type Pace} from './run.js';
-import {convertGarment, detectSymmetries, measureSymmetries, Solver} from './solver.js';
+import {ownThread, run, runInSlices, runPreparation, type Pace} from './run.js';
+import {convertGarment, Detection, measureSymmetries, Solver} from './solver.js';
 import {plainNames, type MirrorTexts, type ProblemTexts} from './texts.js';
 import {Turns} from './turns.js';
 import {unlessAborted} from './unless-aborted.js';
@@ -67,15 +67,23 @@ export class LocalSolver {
 
   /** The garment as a solve would begin with it. @throws {SolverError}; the signal's reason */
   prepare(texts: ProblemTexts, signal?: AbortSignal): Promise<MeshedPattern> {
-    return this.#withSolver(texts, signal, (solver) => solver.pattern());
+    return this.#withSolver(texts, signal, async (solver) => {
+      await runPreparation(solver, {...(signal && {signal})}, this.#pace);
+      return solver.pattern();
+    });
   }
 
   /** @throws {SolverError} */
   symmetries(garment: string, name: string, signal?: AbortSignal): Promise<DetectedSymmetries> {
-    return this.#withModule(
-      (module) => JSON.parse(detectSymmetries(module, garment, name)) as DetectedSymmetries,
-      signal,
-    );
+    return this.#withModule(async (module) => {
+      const detection = new Detection(module, garment, name);
+      try {
+        await runInSlices((slice) => detection.advance(slice), signal, this.#pace);
+        return JSON.parse(detection.result()) as DetectedSymmetries;
+      } finally {
+        detection[Symbol.dispose]();
+      }
+    }, signal);
   }
 
   /** One symmetry, measured on the garment whether or not it mirrors. @throws {SolverError} */

@@ -5,7 +5,7 @@ import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js'
 import type {MirrorTexts, ProblemTexts} from './texts.js';
 
 /** Grows with every change of the messages: a page must not talk to a worker from an old cache. */
-export const protocolVersion = '2';
+export const protocolVersion = '3';
 
 /** What the answer to each kind of question is. */
 export interface Answers {
@@ -60,7 +60,7 @@ export type FromWorker =
       readonly phase: Phase;
       readonly fraction: number;
     }
-  /** Before anything else of its job, if it was asked for. */
+  /** When its job is prepared, if it was asked for. */
   | {readonly kind: 'pattern'; readonly job: number; readonly pattern: MeshedPattern}
   /** Angle, x, y per piece; transferred. [rad, cm] */
   | {readonly kind: 'partial'; readonly job: number; readonly alignments: Float64Array}

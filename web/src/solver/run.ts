@@ -16,28 +16,60 @@ export const ownThread: Pace = {
   pause: () => new Promise((resolve) => setTimeout(resolve, 0)),
 };
 
+/** Lets pending events run. @throws the signal's reason, if it has fired by then */
+async function breathe(pace: Pace, signal: AbortSignal | undefined): Promise<void> {
+  await pace.pause();
+  signal?.throwIfAborted();
+}
+
 /**
- * Runs a solver to its end in slices, letting everything else run in between. Does not dispose of it.
+ * Has something work in slices until it has ended, letting everything else run before each of them.
  * @throws {SolverError}; the signal's reason, an `AbortError` by default, before the next slice
  */
+export async function runInSlices(
+  work: (milliseconds: number) => boolean,
+  signal: AbortSignal | undefined,
+  pace: Pace,
+): Promise<void> {
+  do await breathe(pace, signal);
+  while (work(pace.slice));
+  await breathe(pace, signal);
+}
+
+/** Runs a solver in slices until its garment is ready to be solved. @throws as `runInSlices` does */
+export function runPreparation(
+  solver: Solver,
+  {signal, onProgress}: Pick<SolveHooks, 'signal' | 'onProgress'>,
+  pace: Pace,
+): Promise<void> {
+  return runInSlices(
+    (milliseconds) => {
+      onProgress?.({phase: 'preparation', fraction: solver.fraction});
+      solver.advance(milliseconds);
+      return solver.phase === 'preparation';
+    },
+    signal,
+    pace,
+  );
+}
+
+/** Runs a solver to its end in slices. Does not dispose of it. @throws as `runInSlices` does */
 export async function run(solver: Solver, hooks: SolveHooks, pace: Pace): Promise<SolveResult> {
+  await runPreparation(solver, hooks, pace);
+  hooks.onPattern?.(solver.pattern());
   const report = () => {
     hooks.onProgress?.({phase: solver.phase, fraction: solver.fraction});
     hooks.onPartial?.(solver.partial());
   };
-  const breathe = async () => {
-    await pace.pause();
-    hooks.signal?.throwIfAborted();
-  };
-  await breathe(); // the solver has just been made, which takes longer than most slices
-  hooks.onPattern?.(solver.pattern());
   report();
-  let more = true;
-  while (more) {
-    await breathe();
-    more = solver.advance(pace.slice);
-    report();
-  }
-  await breathe();
+  await runInSlices(
+    (milliseconds) => {
+      const more = solver.advance(milliseconds);
+      report();
+      return more;
+    },
+    hooks.signal,
+    pace,
+  );
   return solver.result();
 }

@@ -4,33 +4,33 @@ import {failureCode, SolverError} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
 import type {MeshedPattern, Milliseconds, SolveResult} from '../model/result.js';
 import type {ProblemTexts} from './texts.js';
-import type {ModuleFailure, ModuleSolver, ModuleText, SeamwiseModule} from './module/seamwise.mjs';
+import type {
+  ModuleDetection,
+  ModuleFailure,
+  ModuleSolver,
+  ModuleText,
+  SeamwiseModule,
+} from './module/seamwise.mjs';
 
 /**
- * A solve that is advanced slice by slice. It owns memory of the module: dispose of it, whatever
+ * A solve that is advanced slice by slice, from reading its problem on. It owns memory of the module: dispose of it, whatever
  * happens. Every method may throw a SolverError.
  */
 export class Solver implements Disposable {
   readonly #solver: ModuleSolver;
-  /** Outside the phases: reading, meshing, measuring. [ms] */
+  /** Preparation, and measuring at the end. [ms] */
   #around = 0;
-  readonly #spent: Record<Phase, number> = {alignment: 0, deformation: 0};
+  readonly #spent = {alignment: 0, deformation: 0};
   #attempt = 0;
 
-  /** @throws {SolverError} for bad input */
   constructor(module: SeamwiseModule, problem: ProblemTexts) {
-    const started = performance.now();
     this.#solver = new module.Solver(problem);
-    this.#around += performance.now() - started;
-    try {
-      this.#check();
-    } catch (error) {
-      this.#solver.delete();
-      throw error;
-    }
   }
 
-  /** Works for about `milliseconds`, within one phase; false when there is nothing left to do. */
+  /**
+   * Works for about `milliseconds`, within one phase; false when there is nothing left to do.
+   * @throws {SolverError} for bad input, during the preparation
+   */
   advance(milliseconds: number): boolean {
     const started = performance.now();
     const phase = this.phase;
@@ -48,6 +48,10 @@ export class Solver implements Disposable {
 
   /** Only the last attempt at the deformation counts. */
   #count(phase: Phase, milliseconds: number): void {
+    if (phase === 'preparation') {
+      this.#around += milliseconds;
+      return;
+    }
     const attempt = this.#solver.attempt();
     if (attempt !== this.#attempt) this.#spent.deformation = 0;
     this.#attempt = attempt;
@@ -63,12 +67,12 @@ export class Solver implements Disposable {
     return this.#solver.fraction();
   }
 
-  /** The best alignments so far: angle, x, y per piece. A copy. */
+  /** The best alignments so far, once it is prepared: angle, x, y per piece. A copy. */
   partial(): Float64Array {
     return this.#solver.partial();
   }
 
-  /** The garment as it was meshed. */
+  /** The garment as it was meshed, once it is prepared. */
   pattern(): MeshedPattern {
     const text = this.#solver.pattern();
     this.#check();
@@ -106,9 +110,30 @@ export class Solver implements Disposable {
   }
 }
 
-/** The symmetries a garment shows by itself, as JSON text. @throws {SolverError} */
-export function detectSymmetries(module: SeamwiseModule, garment: string, name: string): string {
-  return textOf(module.detectSymmetries(garment, name));
+/** A search for the symmetries a garment shows by itself, slice by slice. It owns memory of the module, too. */
+export class Detection implements Disposable {
+  readonly #detection: ModuleDetection;
+
+  constructor(module: SeamwiseModule, garment: string, name: string) {
+    this.#detection = new module.Detection(garment, name);
+  }
+
+  /** Works for about `milliseconds`; false when there is nothing left to do. */
+  advance(milliseconds: number): boolean {
+    const end = performance.now() + milliseconds;
+    let more = true;
+    while (more && performance.now() < end) more = this.#detection.advance(1);
+    return more;
+  }
+
+  /** What was found, as JSON text, once `advance` has returned false. @throws {SolverError} for bad input */
+  result(): string {
+    return textOf(this.#detection.result());
+  }
+
+  [Symbol.dispose](): void {
+    this.#detection.delete();
+  }
 }
 
 /** How well a garment mirrors as asked for: both as JSON texts, each with its name. @throws {SolverError} */

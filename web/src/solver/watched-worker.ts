@@ -22,7 +22,7 @@ export interface WorkerOwner {
 }
 
 /** Silence is counted in ticks, so that a page that was busy or asleep itself counts as one. [ms] */
-const tick = 250;
+const tick = 50;
 
 /** Long enough for a script of a few kilobytes on a bad line. [ms] */
 const usualLoadingPatience = 20_000;

@@ -104,6 +104,7 @@ export const de: Texts = {
   progress: {
     label: 'Fortschritt',
     solving: 'Wird ausgerichtet …',
+    preparation: (percent) => `Wird vorbereitet, ${percent}`,
     alignment: (percent) => `Wird ausgerichtet, ${percent}`,
     deformation: (percent) => `Teile werden geformt, ${percent}`,
     done: (seconds) => `In ${seconds} ausgerichtet`,

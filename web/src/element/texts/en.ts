@@ -101,6 +101,7 @@ export const en = {
   progress: {
     label: 'Progress',
     solving: 'Aligning …',
+    preparation: (percent: string) => `Preparing, ${percent}`,
     alignment: (percent: string) => `Aligning, ${percent}`,
     deformation: (percent: string) => `Shaping the pieces, ${percent}`,
     done: (seconds: string) => `Aligned in ${seconds}`,

@@ -103,6 +103,7 @@ export const es: Texts = {
   progress: {
     label: 'Progreso',
     solving: 'Casando …',
+    preparation: (percent) => `Preparando, ${percent}`,
     alignment: (percent) => `Casando, ${percent}`,
     deformation: (percent) => `Dando forma a las piezas, ${percent}`,
     done: (seconds) => `Casado en ${seconds}`,

@@ -104,6 +104,7 @@ export const fr: Texts = {
   progress: {
     label: 'Progression',
     solving: 'Raccord en cours …',
+    preparation: (percent) => `Préparation en cours, ${percent}`,
     alignment: (percent) => `Raccord en cours, ${percent}`,
     deformation: (percent) => `Mise en forme des pièces, ${percent}`,
     done: (seconds) => `Raccordé en ${seconds}`,

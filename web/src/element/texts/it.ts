@@ -103,6 +103,7 @@ export const it: Texts = {
   progress: {
     label: 'Avanzamento',
     solving: 'Si fa combaciare …',
+    preparation: (percent) => `Si prepara, ${percent}`,
     alignment: (percent) => `Si fa combaciare, ${percent}`,
     deformation: (percent) => `Si modellano i pezzi, ${percent}`,
     done: (seconds) => `Combaciato in ${seconds}`,

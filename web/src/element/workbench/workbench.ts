@@ -186,7 +186,7 @@ export class Workbench extends Journal {
   align(): void {
     if (!this.design) return;
     this.afterwards.stop();
-    this.#state = {kind: 'solving', phase: 'alignment', fraction: 0};
+    this.#state = {kind: 'solving', phase: 'preparation', fraction: 0};
     this.#solve.start(this.design);
     this.changed();
   }

@@ -33,21 +33,29 @@ export interface EmbindObject {
   delete(): void;
 }
 
-/** A solve that is advanced step by step. After any call, `failure()` says whether it went wrong. */
+/** A solve that is advanced step by step, reading included. After any call, `failure()` says whether it went wrong. */
 export interface ModuleSolver extends EmbindObject {
   failure(): ModuleFailure | null;
   /** Runs some steps; false when there is nothing left to do. */
   advance(steps: number): boolean;
-  phase(): 'alignment' | 'deformation';
+  phase(): 'preparation' | 'alignment' | 'deformation';
   /** Grows when the deformation starts over; the time of earlier attempts does not count. */
   attempt(): number;
   fraction(): number;
-  /** Angle, x, y per piece; a copy. */
+  /** Angle, x, y per piece; a copy. Empty during the preparation. */
   partial(): Float64Array;
-  /** The garment as it was meshed, as JSON; empty after a failure. */
+  /** The garment as it was meshed, as JSON; empty during the preparation and after a failure. */
   pattern(): string;
   /** The result as JSON; empty after a failure. */
   result(): string;
+}
+
+/** Looks step by step for the symmetries a garment shows by itself. */
+export interface ModuleDetection extends EmbindObject {
+  /** Runs some steps; false when there is nothing left to do. */
+  advance(steps: number): boolean;
+  /** What was found, as JSON, once `advance` has returned false. */
+  result(): ModuleText;
 }
 
 /** A text, or why there is none. */
@@ -58,8 +66,7 @@ export interface ModuleText {
 
 export interface SeamwiseModule {
   readonly Solver: new (problem: ModuleProblem) => ModuleSolver;
-  /** Symmetries the garment shows by itself, as JSON. */
-  detectSymmetries(garment: string, name: string): ModuleText;
+  readonly Detection: new (garment: string, name: string) => ModuleDetection;
   /** How well the garment mirrors as the symmetries ask, as JSON. */
   measureSymmetries(
     garment: string,
