@@ -49,6 +49,12 @@ class Freedom {
   using Basis = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
   Basis basis(const Alignment& at) const;
 
+  /// Hands all fields to `each`.
+  template <class Each>
+  void fields(Each&& each) {
+    each(pinned_, pin_, axis_point_, axis_direction_, places_, distinct_, angles_, tolerance_);
+  }
+
  private:
   bool pinned_ = false;
   Alignment pin_;

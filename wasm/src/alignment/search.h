@@ -4,31 +4,17 @@
 #include <vector>
 
 #include "alignment/lower_bound.h"
-#include "alignment/search_moves.h"
+#include "alignment/search_share.h"
 
 namespace seamwise {
-
-/// How long to look, for a print of up to four symmetries besides its shifts; for one of more, the
-/// search takes longer. Counted in distance evaluations, never in seconds, so that results do not
-/// depend on the machine.
-struct SearchBudget {
-  int trees = 40;  ///< spanning-tree starts for each component, at least
-  int idle = 12;   ///< stop after so many steps without gain, for each free piece and four more
-  int hits = 8;    ///< or after so many starts that ended at the same, best answer
-  double evaluations = 5e6;  ///< stop after so many element distances for each free piece
-  double samples = 12;       ///< along the print's shortest repeat, while searching
-  /// Work for a proof that nothing better is left, as a share of `evaluations`; unset: a little,
-  /// where that may be enough.
-  std::optional<double> proof;
-  bool operator==(const SearchBudget&) const = default;
-};
 
 /// Finds alignments that no local iteration finds: starts grown along random spanning trees of the
 /// seam graph, each seam continuous or mirrored, polished by a joint Newton; then random parts of
 /// the best are regrown and single pieces moved while that helps. Components of the seam graph are
-/// searched one by one, on samples of the seams; the best few answers are compared on all edges at
-/// the end, and the best one's cost is bounded from below. Anytime: best() is valid after the first
-/// step.
+/// searched one by one, on samples of the seams, in shares that know nothing of each other: they
+/// may run elsewhere, and the outcome is the same. The best few answers of all are compared on all
+/// edges at the end, and the best one's cost is bounded from below. Anytime: best() is valid after
+/// the first step.
 class AlignmentSearch {
  public:
   /// @param slack   as in SampledSeams::cost: distances up to it are nearly free
@@ -37,16 +23,28 @@ class AlignmentSearch {
 
   /// Also remembers which of the answers met on the way is best under this slack.
   void watch(double slack) { watch_slack_ = slack; }
-  const Alignments& watched() const { return watched_; }
+  Alignments watched() const;
 
-  /// Adds an answer found elsewhere (of the leaders; made admissible). The search never ends with a
-  /// worse one.
+  /// Adds an answer found elsewhere (of the leaders; made admissible), before the first step. The
+  /// search never ends with a worse one.
   void offer(const Alignments& at);
+
+  /// A share, and what has come of it.
+  struct Share {
+    ShareTask task;
+    bool begun = false;                           ///< here or elsewhere
+    std::optional<std::vector<Answers>> answers;  ///< once it has ended: of its SearchShare
+  };
+  /// A share that nobody has begun, to be run elsewhere, on problem(); null when there is none.
+  /// Whoever has its answers puts them there. Until then the search does without: what has not come
+  /// when nothing else is left to do, it runs itself.
+  std::shared_ptr<Share> lend();
+  const MatchProblem& problem() const { return problem_; }
 
   /// One start or one regrowth. False when the search has ended.
   bool step();
   double fraction() const { return fraction_; }  ///< of the budget, 0..1, never falls
-  /// Element distances evaluated so far, or work that takes as long.
+  /// Element distances evaluated here so far, or work that takes as long.
   double spent() const;
 
   /// Of the leaders, polished on all edges once the search has ended.
@@ -58,39 +56,40 @@ class AlignmentSearch {
   double bound() const;
 
  private:
-  /// A component and what is known of it.
-  struct Searched : Component {
-    double cost = -1;  ///< of best_ on the samples; negative: nothing yet
-    double watched_cost = -1;
-    std::vector<std::pair<double, Alignments>> finalists;  ///< by cost; of its leaders
-    int starts = 0, idle = 0;
-    int hits = 0;  ///< starts from nothing that ended at the best answer
-    double spent = 0, allowed = 0;
-    double patience = 0;  ///< steps without gain
-  };
-  void findComponents();
-  void keep(Searched& c, const Layout& layout, double cost);
-  Alignments before(const Searched& c);
-  double polish(Searched& c);
-  void progress(double share);
-  void endProof(const Searched& c);
-  bool endComponent();
-  double proofAllowed(const Searched& c) const;
-  double polished(const Searched& c, Alignments& own, const SampledSeams<double>& seams,
+  void split();
+  bool isSettled(std::size_t component, std::size_t share) const;
+  Share* nextShare();
+  void run(Share& share);
+  void show(std::size_t component, const Answers& answers);
+  void merge();
+  void prove();
+  void progress();
+  double polish(std::size_t component);
+  double polished(const Component& c, Alignments& own, const SampledSeams<double>& seams,
                   int iterations) const;
+  double proofAllowed(const Component& c) const;
+  void endComponent(double cost, double bound);
 
   const MatchProblem& problem_;
-  SearchBudget budget_;
-  SearchMoves moves_;
+  SearchBudget budget_;  ///< of all shares
+  std::uint64_t seed_;
+  std::vector<Component> components_;
+  SearchSamples samples_;
+  SearchMoves moves_;  ///< for what is offered
   double watch_slack_ = 0;
-  std::vector<Searched> components_;
-  std::size_t current_ = 0;
-  Alignments best_, watched_;
+  Alignments best_;
+  std::vector<Answers> known_;  ///< per component: from what was offered, at last from all shares
+  std::vector<double> shown_;   ///< per component: cost of best_ on the samples; negative: nothing
   std::vector<Alignments> offered_;
+  std::vector<std::shared_ptr<Share>> shares_;
+  Share* running_ = nullptr;  ///< here, with
+  std::unique_ptr<SearchShare> local_;
+  double spent_ = 0;         ///< in shares run here before
+  std::size_t current_ = 0;  ///< component that is polished or proven
+  bool merged_ = false;
   std::unique_ptr<LowerBound> proof_;  ///< at work on the present component
   double proof_spent_ = 0;
   double cost_ = 0, bound_ = 0;  ///< of the components that are done
-  bool done_ = false;
   double fraction_ = 0;
 };
 

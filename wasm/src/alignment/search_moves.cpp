@@ -19,16 +19,12 @@ constexpr double kSkip = 0.35;       ///< share of neighbours that a lifted part
 constexpr double kMultiplications = 20;  ///< that take as long as a distance
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-double spacing(const MatchProblem& problem, double samples) {
-  return problem.group.reducedBasis()[0].norm() / samples;
-}
-
 }  // namespace
 
-SearchMoves::SearchMoves(const MatchProblem& problem, std::uint64_t seed, double samples,
-                         double slack)
+SearchMoves::SearchMoves(const MatchProblem& problem, const SearchSamples& samples,
+                         std::uint64_t seed, double slack)
     : problem_(problem),
-      samples_(problem, spacing(problem, samples)),
+      samples_(samples),
       slack_(slack),
       sample_cost_(samples_.sampleCost()),
       random_(seed) {}

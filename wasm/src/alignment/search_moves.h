@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "alignment/component.h"
 #include "alignment/sampled_seams.h"
 #include "geometry/random.h"
 
@@ -14,11 +15,6 @@ struct Layout {
   std::vector<SearchSamples::Pose> poses;
 };
 
-/// Leaders that seams connect, and those seams.
-struct Component {
-  std::vector<int> leaders, seams;
-};
-
 /// How a search gets from one answer to others. All costs are those of samples of the seams. [cm2]
 class SearchMoves {
  public:
@@ -26,14 +22,15 @@ class SearchMoves {
   /// cm of mean distance below which nothing is left to find in single precision
   static constexpr double kPerfect = 2e-5;
 
-  /// @param samples   along the print's shortest repeat
-  /// @param slack     as in SampledSeams::cost
-  SearchMoves(const MatchProblem& problem, std::uint64_t seed, double samples, double slack);
+  /// @param slack   as in SampledSeams::cost
+  SearchMoves(const MatchProblem& problem, const SearchSamples& samples, std::uint64_t seed,
+              double slack);
 
   Layout layoutOf(const Alignments& at) const;
   double costOf(const Component& c, const Layout& layout, double slack);
   /// The cost that kPerfect makes of all seams.
-  double perfect() const { return kPerfect * samples_.weight(); }
+  static double perfect(const SearchSamples& samples) { return kPerfect * samples.weight(); }
+  double perfect() const { return perfect(samples_); }
   double slack() const { return slack_; }
 
   /// A random connected part of a component, up to half of it.
@@ -59,7 +56,7 @@ class SearchMoves {
   bool moveSingles(const Component& c, Layout& layout, std::vector<char>& fresh);
 
   const MatchProblem& problem_;
-  SearchSamples samples_;
+  const SearchSamples& samples_;
   double slack_, sample_cost_;
   Random random_;
   double spent_ = 0;

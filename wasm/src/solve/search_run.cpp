@@ -40,14 +40,15 @@ SearchBudget slackBudget() {
 }
 SearchBudget nearBudget(std::optional<double> proof) {
   SearchBudget budget = fullBudget(proof);
-  budget.trees = 2, budget.idle = 3, budget.evaluations = 1e6;
+  budget.trees = 2, budget.idle = 3, budget.hits = 8, budget.evaluations = 1e6;
+  budget.shares = 1;
   return budget;
 }
 
 /// For answers that only rounding keeps from being the best.
 SearchBudget touchUpBudget(std::optional<double> proof) {
   SearchBudget budget = fullBudget(proof);
-  budget.trees = budget.idle = budget.hits = 0;
+  budget.trees = budget.hits = 0, budget.idle = 0, budget.shares = 1;
   return budget;
 }
 

@@ -92,11 +92,21 @@ class WallpaperGroup {
   bool carriesSingle() const { return !data_->mirrors.empty(); }
   bool carriesPair() const { return carriesSingle() || !data_->glides.empty(); }
 
+  /// Hands all fields to `each`: made again of w1() and w2(), a group may differ in the last digit.
+  template <class Each>
+  void fields(Each&& each) {
+    each(data_, w_, reduced_, to_reduced_, gram11_, gram12_, gram22_, elements_, reduced_elements_);
+  }
+
  private:
   /// An element in the coordinates of the reduced basis; the entries of m are whole numbers.
   struct ReducedElement {
     double m00, m01, m10, m11, a0, a1;
     bool operator==(const ReducedElement&) const = default;
+    template <class Each>
+    void fields(Each&& each) {
+      each(m00, m01, m10, m11, a0, a1);
+    }
   };
   WallpaperGroup() = default;
 
