@@ -165,6 +165,25 @@ class SolverHandle {
     return text;
   }
 
+  bool prove(int steps) {
+    bool more = false;
+    guard([&]() -> std::optional<Error> {
+      for (more = true; more && steps > 0 && !solver_; --steps)
+        if (auto error = prepare()) return error;
+      if (solver_ && steps > 0) more = solver_->prove(steps);
+      return std::nullopt;
+    });
+    return more && !error_;
+  }
+
+  val proven() const {
+    const Proven proven = solver_ ? solver_->proven() : Proven{};
+    val answer = val::object();
+    answer.set("bound", proven.bound);
+    answer.set("fitSearch", proven.fit_search);
+    return answer;
+  }
+
  private:
   /// One step of what comes before the solve.
   std::optional<Error> prepare() {
@@ -270,7 +289,9 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("fraction", &SolverHandle::fraction)
       .function("partial", &SolverHandle::partial)
       .function("pattern", &SolverHandle::pattern)
-      .function("result", &SolverHandle::result);
+      .function("result", &SolverHandle::result)
+      .function("prove", &SolverHandle::prove)
+      .function("proven", &SolverHandle::proven);
   emscripten::class_<DetectionHandle>("Detection")
       .constructor<const std::string&, const std::string&>()
       .function("advance", &DetectionHandle::advance)

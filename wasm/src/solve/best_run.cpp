@@ -43,7 +43,12 @@ constexpr double kStretch = 0.12;
 constexpr double kReachExcess = 0.012;  ///< share of the greatest change
 constexpr double kReachMargin = 0.985;
 
+/// How far an outline vertex may move. [cm]
+double reachOf(const SolveOptions& options) { return std::min(options.max_change_cm, kMostReach); }
+
 }  // namespace
+
+double BestRun::slackOf(const SolveOptions& options) { return kSlack * reachOf(options); }
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
                  const MatchRules& rules, std::vector<Alignments> offered,
@@ -52,13 +57,12 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
     : problem_(problem),
       pattern_(pattern),
       rules_(rules),
-      reach_(std::min(problem.options.max_change_cm, kMostReach)),
+      reach_(reachOf(problem.options)),
       match_(makeMatchProblem(pattern, restShapes(pattern), pattern.mirrors, rules,
                               problem.print.group)),
       offered_starts_(std::move(starts)),
-      // two sides that may each move by the greatest change meet across somewhat less than twice it
-      searching_(problem, pattern, match_, known, rules, kSlack * reach_, std::move(offered),
-                 searches),
+      searching_(problem, pattern, match_, known, rules, slackOf(problem.options),
+                 std::move(offered), searches),
       length_error_(kLengthError),
       progress_(kPrepared) {
   alignment_ = search_result_ = match_.expanded(searching_.best());

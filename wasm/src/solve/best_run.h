@@ -22,6 +22,10 @@ class BestRun : public Run {
           const MatchRules& rules, std::vector<Alignments> offered, std::vector<Alignments> starts,
           SearchMemo& searches, std::shared_ptr<FittingPlans>& plans);
 
+  /// How much a mismatch may be for shapes to take it up: two sides that may each move by the
+  /// greatest change meet across somewhat less than twice it. [cm]
+  static double slackOf(const SolveOptions& options);
+
   bool advance() override;
   Phase phase() const override;
   double fraction() const override;

@@ -11,6 +11,7 @@
 #include "solve/placing_rules.h"
 #include "solve/prepare_symmetric.h"
 #include "solve/promise.h"
+#include "solve/proof_run.h"
 #include "solve/remarks.h"
 #include "solve/seam_figures.h"
 
@@ -48,15 +49,18 @@ struct Solver::State {
   std::optional<MatchProblem> match;  ///< the pieces as drafted
   Alignments drafted;
   SolveMemo own;  ///< where the caller has none
+  SolveMemo* memo = &own;
+  std::vector<Mirror> known;  ///< to begin a search with
   std::unique_ptr<Run> run;
+  std::unique_ptr<ProofRun> proof;
   double reported = kPrepared;
 
-  std::unique_ptr<Run> best(std::vector<Mirror> known, SolveMemo& memo) {
+  std::unique_ptr<Run> best() {
     std::optional<EffortRun::Mesh> more;
     if (symmetric) more.emplace(EffortRun::Mesh{*symmetric, plans->plans});
     return std::make_unique<EffortRun>(
-        problem, EffortRun::Mesh{pattern, symmetric ? plans->freed : plans->plans}, more,
-        std::move(known), rules, memo.searches);
+        problem, EffortRun::Mesh{pattern, symmetric ? plans->freed : plans->plans}, more, known,
+        rules, memo->searches);
   }
 };
 
@@ -90,6 +94,8 @@ Outcome<Solver> SolverSetup::take() {
   state.pattern = std::move(prepared.value().asked);
   state.symmetric = std::move(prepared.value().symmetric);
   state.plans = preparation_.plans();
+  state.known = std::move(prepared.value().known);
+  if (memo_) state.memo = memo_;
   applySeamOptions(p.options, state.pattern);
   if (state.symmetric) applySeamOptions(p.options, *state.symmetric);
   state.rules = {pieceRules(p), p.options.matches, p.options.continuous_only};
@@ -99,7 +105,7 @@ Outcome<Solver> SolverSetup::take() {
   std::vector<Note>* const notes = &state.problem.notes;
   for (Note& remark : remarksOn(state.pattern)) notes->push_back(std::move(remark));
   if (p.options.method == Method::kBest)
-    state.run = state.best(std::move(prepared.value().known), memo_ ? *memo_ : state.own);
+    state.run = state.best();
   else
     state.run = std::make_unique<PaperRun>(p, state.pattern, state.rules, state.drafted, notes);
   return Solver(std::move(state_));
@@ -182,6 +188,24 @@ Outcome<Result> Solver::finish() {
   result.method = problem.options.method;
   result.seed = problem.options.seed;
   return result;
+}
+
+bool Solver::prove(int steps) {
+  State& state = *state_;
+  if (state.problem.options.method != Method::kBest) return false;
+  if (!state.proof)
+    state.proof = std::make_unique<ProofRun>(state.problem, state.pattern, *state.match,
+                                             state.known, state.rules, state.memo->searches);
+  for (int k = 0; k < steps; ++k)
+    if (!state.proof->advance()) return false;
+  return true;
+}
+
+Proven Solver::proven() const {
+  if (!state_->proof) return {};
+  const Alignments search = state_->match->expanded(state_->proof->search());
+  return {state_->proof->bound(), fitAny(state_->problem.print.group, state_->pattern,
+                                         restShapes(state_->pattern), search)};
 }
 
 Outcome<Result> solve(Problem problem) {

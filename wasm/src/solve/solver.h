@@ -18,6 +18,12 @@ struct SolveMemo {
   SearchMemo searches;
 };
 
+/// How good alignments of the pieces as drafted can be.
+struct Proven {
+  double bound = 0;       ///< none costs less than this share of the best one found
+  double fit_search = 0;  ///< Fits::fit_search of that one. [cm2]
+};
+
 /// A solve in small steps, so that progress is honest and cancelling needs no threads.
 class Solver {
  public:
@@ -43,6 +49,12 @@ class Solver {
 
   /// The finished result; finishes first when steps are left.
   Outcome<Result> finish();
+
+  /// Proves how good alignments can be, instead of a solve or after it: at most `steps` steps of
+  /// some milliseconds. False when no more can be proven. Only for the default method.
+  bool prove(int steps);
+  /// What is proven by then.
+  Proven proven() const;
 
  private:
   friend class SolverSetup;

@@ -48,6 +48,17 @@ export interface ModuleSolver extends EmbindObject {
   pattern(): string;
   /** The result as JSON; empty after a failure. */
   result(): string;
+  /** Proves how good alignments can be, instead of a solve; false when no more can be proven. */
+  prove(steps: number): boolean;
+  proven(): ModuleProof;
+}
+
+/** How good alignments of the pieces as drafted can be. */
+export interface ModuleProof {
+  /** None costs less than this share of the best one found: 1 when that is proven the best. */
+  readonly bound: number;
+  /** Of the best one found, as in the result's metrics. [cm2] */
+  readonly fitSearch: number;
 }
 
 /** Looks step by step for the symmetries a garment shows by itself. */
