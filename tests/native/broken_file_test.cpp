@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "garment_texts.h"
 
 namespace seamwise {
@@ -8,9 +10,16 @@ namespace {
 using testing::expectRefused;
 using testing::twoRectangles;
 
+/// The WebAssembly module, whose texts JavaScript reads, is held to the same sentences.
 TEST(BrokenFile, ThatIsNotJsonIsShownWhereItBreaks) {
-  expectRefused(std::string("{\n  \"pattern\": oops\n}"), Failure::kNotJson,
-                {"line 2", "column 14"});
+  std::ifstream file(std::string(SEAMWISE_FIXTURES) + "/broken-json.json");
+  const Json cases = Json::parse(file);
+  EXPECT_GT(cases.size(), 50u);
+  for (const Json& one : cases) {
+    const Outcome<GarmentFile> read = readGarment(one["text"].get<std::string>(), "shirt.json");
+    ASSERT_FALSE(read.ok()) << one["text"];
+    EXPECT_EQ(read.error().message, "shirt.json " + one["says"].get<std::string>()) << one["text"];
+  }
 }
 
 TEST(BrokenFile, ThatEndsTooEarlyIsIncomplete) {

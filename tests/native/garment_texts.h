@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/garment_json.h"
+#include "json.h"
 
 namespace seamwise::testing {
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <sstream>
 
-#include "io/json_input.h"
 #include "io/problem_json.h"
+#include "json.h"
 #include "solve/solver.h"
 
 namespace seamwise::testing {

@@ -31,7 +31,7 @@ BoxTables::BoxTables(const MatchProblem& problem, const Component& component)
     const int slots = freedom.turns() ? 3 : freedom.isMirrored() ? 1 : 2;
     covers_.push_back({Boxes(problem, l), slots == 3 ? 0 : 1, slots, 0, {}, {}, {}, {}, {}});
     covers_.back().all = covers_.back().boxes.all(free && index[l] == 0);
-    sizes.push_back(std::pow(30.0, slots));
+    sizes.push_back(slots == 3 ? 27e3 : slots == 2 ? 900 : 30);  // 30 a slot
   }
   std::vector<std::pair<int, int>> joined;
   bounds_.reserve(component.seams.size()), pinned_.reserve(component.seams.size());

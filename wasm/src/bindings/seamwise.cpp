@@ -1,6 +1,6 @@
 // The WebAssembly module's face to JavaScript; web/src/solver/module/seamwise.d.mts describes it.
-// Nothing but plain values crosses, and no exception does: what goes wrong is kept as a failure
-// that JavaScript asks for.
+// Nothing but plain values crosses, JSON documents among them as bytes (json_bytes.cpp), and no
+// exception does: what goes wrong is kept as a failure that JavaScript asks for.
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
 #include <emscripten/val.h>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/garment_json.h"
+#include "io/json_ends.h"
 #include "io/problem_json.h"
 #include "io/result_json.h"
 #include "io/symmetry_json.h"
@@ -49,18 +50,28 @@ std::optional<Error> caught(Work work) {
   }
 }
 
-/// `make` gives an Outcome<std::string>; the text, or why there is none.
+/// A copy for JavaScript: a view of the heap dies when memory grows.
+template <class Value>
+val copied(std::size_t size, const Value* values) {
+  return val(emscripten::typed_memory_view(size, values)).template call<val>("slice");
+}
+
+val copied(const std::string& bytes) {
+  return copied(bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+}
+
+/// `make` gives an Outcome<std::string>; the document, or why there is none.
 template <class Make>
-val textValue(Make make) {
+val documentValue(Make make) {
   val answer = val::object();
-  std::string text;
+  std::string bytes;
   const std::optional<Error> error = caught([&]() -> std::optional<Error> {
     Outcome<std::string> made = make();
     if (!made.ok()) return made.error();
-    text = std::move(made).value();
+    bytes = std::move(made).value();
     return std::nullopt;
   });
-  answer.set("text", text);
+  answer.set("document", copied(bytes));
   answer.set("failure", failureValue(error));
   return answer;
 }
@@ -138,31 +149,30 @@ class SolverHandle {
       }
       return std::nullopt;
     });
-    // A view of the heap dies when memory grows, so JavaScript gets a copy.
-    return val(emscripten::typed_memory_view(flat.size(), flat.data())).call<val>("slice");
+    return copied(flat.size(), flat.data());
   }
 
   /// The garment as it is meshed, not solved; empty before the preparation has ended.
-  std::string pattern() {
-    std::string text;
+  val pattern() {
+    std::string bytes;
     guard([&]() -> std::optional<Error> {
-      if (solver_) text = writePattern(solver_->unsolved());
+      if (solver_) bytes = writePattern(solver_->unsolved());
       return std::nullopt;
     });
-    return text;
+    return copied(bytes);
   }
 
-  std::string result() {
-    std::string text;
+  val result() {
+    std::string bytes;
     guard([&]() -> std::optional<Error> {
       while (!solver_)
         if (auto error = prepare()) return error;
       const Outcome<Result> finished = solver_->finish();
       if (!finished.ok()) return finished.error();
-      text = writeResult(finished.value());
+      bytes = writeResult(finished.value());
       return std::nullopt;
     });
-    return text;
+    return copied(bytes);
   }
 
   bool prove(int steps) {
@@ -240,9 +250,9 @@ class DetectionHandle {
     return more && !error_;
   }
 
-  /// As text, once advance() has returned false.
+  /// As a document, once advance() has returned false.
   val result() const {
-    return textValue([&]() -> Outcome<std::string> {
+    return documentValue([&]() -> Outcome<std::string> {
       if (error_) return *error_;
       return writeSymmetries(garment_, detection_->found());
     });
@@ -256,7 +266,7 @@ class DetectionHandle {
 
 val measuredSymmetries(const std::string& text, const std::string& name, const std::string& wanted,
                        const std::string& wanted_name) {
-  return textValue([&]() -> Outcome<std::string> {
+  return documentValue([&]() -> Outcome<std::string> {
     const Outcome<GarmentFile> file = readGarment(text, name);
     if (!file.ok()) return file.error();
     const auto requests = readSymmetries(wanted, wanted_name);
@@ -268,12 +278,12 @@ val measuredSymmetries(const std::string& text, const std::string& name, const s
   });
 }
 
-val convertedGarment(const std::string& text, const std::string& name) {
-  return textValue([&]() -> Outcome<std::string> {
+val garmentFailure(const std::string& text, const std::string& name) {
+  return failureValue(caught([&]() -> std::optional<Error> {
     const Outcome<GarmentFile> file = readGarment(text, name);
     if (!file.ok()) return file.error();
-    return writeGarment(file.value());
-  });
+    return std::nullopt;
+  }));
 }
 
 double liveBytes() { return static_cast<double>(static_cast<unsigned>(mallinfo().uordblks)); }
@@ -297,7 +307,9 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("advance", &DetectionHandle::advance)
       .function("result", &DetectionHandle::result);
   emscripten::function("measureSymmetries", &measuredSymmetries);
-  emscripten::function("convertGarment", &convertedGarment);
+  emscripten::function("garmentFailure", &garmentFailure);
+  emscripten::constant("maxFileBytes", static_cast<double>(kMaxFileBytes));
+  emscripten::constant("maxValues", static_cast<double>(kMaxValues));
   emscripten::function("heapBytes", &heapBytes);
   emscripten::function("liveBytes", &liveBytes);
 }

@@ -1,7 +1,5 @@
 #include "geometry/in_quotes.h"
 
-#include <cstdio>
-
 namespace seamwise {
 namespace {
 
@@ -36,9 +34,9 @@ std::string onOneLine(const std::string& text) {
     } else if (control.code == '\n') {
       line += "\\n";
     } else {
-      char escape[16];
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(control.code));
-      line += escape;
+      line += "\\u";
+      for (int shift = 12; shift >= 0; shift -= 4)
+        line += "0123456789abcdef"[control.code >> shift & 15];
     }
     k += control.length;
   }

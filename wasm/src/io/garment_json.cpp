@@ -19,23 +19,23 @@ struct Units {
   bool stated = false;
 };
 
-Units readUnits(const Json& document, const Place& place) {
+Units readUnits(const JsonValue& document, const Place& place) {
   Units units;
-  const Json* properties = find(document, "properties");
-  if (properties) object(*properties, place, "'properties'");
-  if (const Json* stated = properties ? find(*properties, "units_in_meter") : nullptr) {
+  const JsonValue properties = document.find("properties");
+  if (properties) object(properties, place, "'properties'");
+  if (const JsonValue stated = properties.find("units_in_meter")) {
     Place here = place;
     here.number = Failure::kUnits;
     units.stated = true;
-    units.per_metre = number(*stated, here, "properties.units_in_meter", 1e9);
+    units.per_metre = number(stated, here, "properties.units_in_meter", 1e9);
     if (!(units.per_metre >= 1e-6))
       place.fail(Failure::kUnits, "has " + shown(units.per_metre) +
                                       " as properties.units_in_meter; write how many units make a "
                                       "metre (100 for cm, 1000 for mm)");
   }
   units.panel.cm = 100 / units.per_metre;
-  if (const Json* coords = properties ? find(*properties, "curvature_coords") : nullptr) {
-    const std::string word = text(*coords, place, "properties.curvature_coords");
+  if (const JsonValue coords = properties.find("curvature_coords")) {
+    const std::string word = text(coords, place, "properties.curvature_coords");
     if (word != "relative" && word != "absolute")
       place.fail(
           Failure::kCurvature,
@@ -46,17 +46,17 @@ Units readUnits(const Json& document, const Place& place) {
 }
 
 /// The greatest width or height of a panel of the file. [cm]
-double largestExtent(const Json& panels, double cm) {
+double largestExtent(const JsonValue& panels, double cm) {
   double largest = 0;
-  for (const Json& panel : panels) {
-    const Json* vertices = panel.is_object() ? find(panel, "vertices") : nullptr;
-    if (!vertices || !vertices->is_array()) continue;
+  for (const auto& [name, panel] : panels.members()) {
+    const JsonValue vertices = panel.find("vertices");
+    if (!vertices.isList()) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       double low = HUGE_VAL, high = -HUGE_VAL;
-      for (const Json& v : *vertices) {
-        if (!v.is_array() || v.size() != 2 || !v[axis].is_number()) continue;
-        low = std::min(low, v[axis].get<double>());
-        high = std::max(high, v[axis].get<double>());
+      for (const JsonValue& v : vertices.items()) {
+        if (!v.isList() || v.size() != 2 || !v[axis].isNumber()) continue;
+        low = std::min(low, v[axis].number());
+        high = std::max(high, v[axis].number());
       }
       largest = std::max(largest, (high - low) * cm);
     }
@@ -66,7 +66,7 @@ double largestExtent(const Json& panels, double cm) {
 
 /// Wrong units are the likeliest cause of a garment for ants or giants. Judged before the panels
 /// are read, whose own limits would report it less plainly.
-void checkSize(const Json& panels, const Units& units, const Place& place) {
+void checkSize(const JsonValue& panels, const Units& units, const Place& place) {
   const double extent = largestExtent(panels, units.panel.cm);
   if (extent <= 0 || (extent >= kSmallestPieceCm && extent <= kLargestPieceCm)) return;
   std::string likely;
@@ -84,70 +84,69 @@ void checkSize(const Json& panels, const Units& units, const Place& place) {
                  (likely.empty() ? " to what makes a metre" : ", probably to " + likely));
 }
 
-bool anyCurve(const Json& panels) {
-  for (const Json& panel : panels)
-    for (const Json& edge : panel["edges"])
-      if (find(edge, "curvature")) return true;
+bool anyCurve(const JsonValue& panels) {
+  for (const auto& [name, panel] : panels.members())
+    for (const JsonValue& edge : panel.find("edges").items())
+      if (edge.find("curvature")) return true;
   return false;
 }
 
-void noteAssumptions(const Json& document, const Units& units, const Json& panels,
+void noteAssumptions(const JsonValue& document, const Units& units, const JsonValue& panels,
                      const std::string& file, std::vector<Note>* notes) {
   if (!units.stated)
     notes->push_back(
         {"unitsAssumed", file + " states no units, so 100 units per metre (cm) are assumed."});
-  const Json* properties = find(document, "properties");
-  if ((!properties || !find(*properties, "curvature_coords")) && anyCurve(panels))
+  const JsonValue properties = document.find("properties");
+  if (!properties.find("curvature_coords") && anyCurve(panels))
     notes->push_back({"curvesAssumed",
                       file + " does not say how curves are written, so relative control points are "
                              "assumed."});
 }
 
-const Json& panelsOf(const Json& document, const Place& place) {
-  if (!document.is_object())
+JsonValue panelsOf(const JsonValue& document, const Place& place) {
+  if (!document.isObject())
     place.fail(Failure::kNotAGarment, "holds no JSON object; choose a garment file");
   checkFormat(document, place, "seamwise-garment", 1);
-  const Json* pattern = find(document, "pattern");
-  const Json* panels = pattern && pattern->is_object() ? find(*pattern, "panels") : nullptr;
+  const JsonValue panels = document.find("pattern").find("panels");
   if (!panels)
     place.fail(
         Failure::kNotAGarment,
         "has no 'pattern' with 'panels'; choose a GarmentCode specification or a seamwise garment");
-  if (!panels->is_object())
+  if (!panels.isObject())
     place.fail(
         Failure::kNotAGarment,
         "has 'panels' that are no object; write {\"name\": {\"vertices\": ..., \"edges\": ...}}");
-  if (panels->empty()) place.fail(Failure::kNoPanels, "has no panels; choose a file with some");
-  if (panels->size() > kMaxPanels)
+  if (panels.size() == 0) place.fail(Failure::kNoPanels, "has no panels; choose a file with some");
+  if (panels.size() > kMaxPanels)
     place.fail(Failure::kTooLarge,
                "has more than " + std::to_string(kMaxPanels) + " panels; split it");
-  return *panels;
+  return panels;
 }
 
 GarmentFile garmentFile(std::string_view content, const Place& place) {
   GarmentFile result;
-  result.document = parseDocument(content, place);
-  const Json& document = result.document;
-  const Json& panels = panelsOf(document, place);
+  const JsonDocument holder = parseDocument(content, place);
+  const JsonValue document(holder);
+  const JsonValue panels = panelsOf(document, place);
   const Units units = readUnits(document, place);
   checkSize(panels, units, place);
 
   Garment& garment = result.garment;
-  for (const auto& [name, panel] : panels.items()) {
+  for (const auto& [name, panel] : panels.members()) {
     Place here = place.in("panel " + inQuotes(name));
     here.piece = static_cast<int>(garment.panels.size());
     garment.panels.push_back(readPanel(name, panel, units.panel, here));
   }
-  if (const Json* stitches = find(document["pattern"], "stitches"))
-    readStitches(*stitches, place, &garment);
-  if (const Json* seams = find(document, "seams"))
-    readSeams(*seams, place, &garment, &result.notes);
-  if (const Json* matches = find(document, "matches"))
-    garment.matches = readMatches(*matches, place, garment);
-  if (const Json* symmetries = find(document, "symmetries")) {
+  if (const JsonValue stitches = document.find("pattern").find("stitches"))
+    readStitches(stitches, place, &garment);
+  if (const JsonValue seams = document.find("seams"))
+    readSeams(seams, place, &garment, &result.notes);
+  if (const JsonValue matches = document.find("matches"))
+    garment.matches = readMatches(matches, place, garment);
+  if (const JsonValue symmetries = document.find("symmetries")) {
     Place here = place;
     here.shape = here.number = Failure::kSymmetryMalformed;
-    result.symmetries = readSymmetryList(*symmetries, here);
+    result.symmetries = readSymmetryList(symmetries, here);
   }
   noteAssumptions(document, units, panels, place.name, &result.notes);
   return result;

@@ -11,13 +11,11 @@
 
 namespace seamwise {
 
-/// A garment as it came from a file, with everything the file holds. `document` is the file; the
-/// other fields are what the solver understands of it.
+/// A garment as it came from a file: what the solver understands of it.
 struct GarmentFile {
   Garment garment;
   std::vector<SymmetryRequest> symmetries;  ///< of the file itself; points in input coordinates, cm
   std::vector<Note> notes;                  ///< what was assumed
-  Json document;                            ///< the whole file, unknown fields included
 };
 
 /// Reads a GarmentCode / Garment-Pattern-Generator specification or the project's own superset of
@@ -26,10 +24,5 @@ struct GarmentFile {
 /// Errors: those of Failure's garment file section; each names the file and the panel, edge or
 /// stitch.
 Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file);
-
-/// The file's document as seamwise-garment/1: what had been assumed (units, how curves are written)
-/// is stated, everything else survives unchanged, fields unknown to this program included. Reading
-/// the text and writing it again gives the same bytes.
-std::string writeGarment(const GarmentFile& file);
 
 }  // namespace seamwise

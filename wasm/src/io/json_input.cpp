@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <stdexcept>
+
+#include "geometry/decimal.h"
 
 namespace seamwise {
-
-void jsonMisused() { throw std::logic_error("a reader took a value for what it is not"); }
 
 Place Place::in(const std::string& part) const {
   Place inner = *this;
@@ -23,98 +21,100 @@ Place numbered(const Place& place, const char* what, std::size_t number) {
   return place.in(std::string(what) + " " + std::to_string(number));
 }
 
-std::string shown(double value) {
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.6g", value);
-  return digits;
-}
+std::string shown(double value) { return significant(value, 6); }
 
 std::string shown(const Vec2& point) {
-  char digits[80];
-  std::snprintf(digits, sizeof digits, "(%.1f, %.1f) cm", point.x(), point.y());
-  return digits;
+  return "(" + fixed(point.x(), 1) + ", " + fixed(point.y(), 1) + ") cm";
 }
 
 namespace {
 
-std::string described(const Json& json) {
-  switch (json.type()) {
-    case Json::value_t::null:
+std::string described(const JsonValue& json) {
+  switch (json.kind()) {
+    case JsonKind::kNull:
       return "null";
-    case Json::value_t::object:
-      return "an object";
-    case Json::value_t::array:
+    case JsonKind::kFalse:
+      return "false";
+    case JsonKind::kTrue:
+      return "true";
+    case JsonKind::kNumber:
+      return "the number " + significant(json.number(), 15);
+    case JsonKind::kText:
+      return "the text " + inQuotes(json.text());
+    case JsonKind::kList:
       return "a list";
-    case Json::value_t::boolean:
-      return json.get<bool>() ? "true" : "false";
-    case Json::value_t::string:
-      return "the text " + inQuotes(json.get_ref<const std::string&>());
-    default:
-      return "the number " + json.dump();
+    case JsonKind::kObject:
+      break;
   }
+  return "an object";
 }
 
 }  // namespace
 
-const Json& object(const Json& json, const Place& place, const std::string& what) {
-  if (!json.is_object())
+JsonValue object(const JsonValue& json, const Place& place, const std::string& what) {
+  if (!json.isObject())
     place.fail(place.shape, "has " + described(json) + " as " + what + "; write an object {...}");
   return json;
 }
 
-const Json& array(const Json& json, const Place& place, const std::string& what) {
-  if (!json.is_array())
+std::vector<JsonValue> array(const JsonValue& json, const Place& place, const std::string& what) {
+  if (!json.isList())
     place.fail(place.shape, "has " + described(json) + " as " + what + "; write a list [...]");
-  return json;
+  return json.items();
 }
 
-const Json* find(const Json& object, const char* key) {
-  const auto it = object.find(key);
-  return it == object.end() || it->is_null() ? nullptr : &*it;
-}
-
-const Json& need(const Json& object, const char* key, const Place& place) {
-  const Json* member = find(object, key);
+JsonValue need(const JsonValue& object, const char* key, const Place& place) {
+  const JsonValue member = object.find(key);
   if (!member) place.fail(place.shape, "has no '" + std::string(key) + "'; add it");
-  return *member;
+  return member;
 }
 
-double number(const Json& json, const Place& place, const std::string& what, double limit) {
-  if (!json.is_number())
+int countOf(std::string_view digits, std::size_t most) {
+  if (digits.empty() || digits.size() > most) return -1;
+  int count = 0;
+  for (const char digit : digits) {
+    if (digit < '0' || digit > '9') return -1;
+    count = 10 * count + (digit - '0');
+  }
+  return count;
+}
+
+double number(const JsonValue& json, const Place& place, const std::string& what, double limit) {
+  if (!json.isNumber())
     place.fail(place.number, "has " + described(json) + " as " + what + "; write a number");
-  const double value = json.get<double>();
+  const double value = json.number();
   if (!(std::abs(value) <= limit))
     place.fail(place.number, "has " + shown(value) + " as " + what + ", which is beyond " +
                                  shown(limit) + "; correct it");
   return value;
 }
 
-int integer(const Json& json, const Place& place, const std::string& what) {
+int integer(const JsonValue& json, const Place& place, const std::string& what) {
   const double value = number(json, place, what, 1e9);
   if (value != std::floor(value))
     place.fail(place.number, "has " + shown(value) + " as " + what + "; write a whole number");
   return static_cast<int>(value);
 }
 
-bool boolean(const Json& json, const Place& place, const std::string& what) {
-  if (!json.is_boolean())
+bool boolean(const JsonValue& json, const Place& place, const std::string& what) {
+  if (!json.isBoolean())
     place.fail(place.shape, "has " + described(json) + " as " + what + "; write true or false");
-  return json.get<bool>();
+  return json.isTrue();
 }
 
-std::string text(const Json& json, const Place& place, const std::string& what) {
-  if (!json.is_string())
+std::string text(const JsonValue& json, const Place& place, const std::string& what) {
+  if (!json.isText())
     place.fail(place.shape, "has " + described(json) + " as " + what + "; write a text in quotes");
-  return json.get<std::string>();
+  return json.text();
 }
 
-Vec2 point(const Json& json, const Place& place, const std::string& what, double scale,
+Vec2 point(const JsonValue& json, const Place& place, const std::string& what, double scale,
            double limit) {
-  if (!json.is_array() || json.size() != 2)
-    place.fail(
-        place.number,
-        "has " + (json.is_array() ? "a list of " + std::to_string(json.size()) : described(json)) +
-            " as " + what + "; write two numbers [x, y]");
+  if (!json.isList() || json.size() != 2)
+    place.fail(place.number,
+               "has " +
+                   (json.isList() ? "a list of " + std::to_string(json.size()) : described(json)) +
+                   " as " + what + "; write two numbers [x, y]");
   // Numbers that are merely too large are judged in centimetres, where the limit has a meaning.
   const Vec2 p(scale * number(json[0], place, "x of " + what, 1e300),
                scale * number(json[1], place, "y of " + what, 1e300));
@@ -124,18 +124,21 @@ Vec2 point(const Json& json, const Place& place, const std::string& what, double
   return p;
 }
 
-Polyline polyline(const Json& json, const Place& place, const std::string& what, double scale) {
-  if (array(json, place, what).size() < 2)
+Polyline polyline(const JsonValue& json, const Place& place, const std::string& what,
+                  double scale) {
+  const std::vector<JsonValue> points = array(json, place, what);
+  if (points.size() < 2)
     place.fail(place.shape,
                "has fewer than two points as " + what + "; write [[x, y], [x, y], ...]");
   Polyline line;
-  for (const Json& p : json) line.push_back(point(p, place, "a point of " + what, scale));
+  for (const JsonValue& p : points) line.push_back(point(p, place, "a point of " + what, scale));
   return line;
 }
 
-void onlyKnown(const Json& object, const Place& place, std::initializer_list<const char*> known) {
+void onlyKnown(const JsonValue& object, const Place& place,
+               std::initializer_list<const char*> known) {
   if (place.keeps_unknown) return;
-  for (const auto& [key, value] : object.items()) {
+  for (const auto& [key, value] : object.members()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     std::string names;
     for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
@@ -143,16 +146,15 @@ void onlyKnown(const Json& object, const Place& place, std::initializer_list<con
   }
 }
 
-int checkFormat(const Json& document, const Place& place, const std::string& name, int version) {
-  const Json* member = find(document, "format");
+int checkFormat(const JsonValue& document, const Place& place, const std::string& name,
+                int version) {
+  const JsonValue member = document.find("format");
   if (!member) return version;
-  const std::string format = text(*member, place, "'format'"), stem = name + "/";
-  const std::string digits = format.substr(std::min(stem.size(), format.size()));
-  if (format.compare(0, stem.size(), stem) != 0 || digits.empty() || digits.size() > 6 ||
-      !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; }))
+  const std::string format = text(member, place, "'format'"), stem = name + "/";
+  const int found = countOf(format.substr(std::min(stem.size(), format.size())), 6);
+  if (format.compare(0, stem.size(), stem) != 0 || found < 0)
     place.fail(place.shape, "is of the format " + inQuotes(format) + "; a file of '" + stem +
                                 std::to_string(version) + "' is needed here");
-  const int found = std::stoi(digits);
   if (found > version)
     place.fail(place.shape, "is of the newer format " + inQuotes(format) +
                                 ", this program reads up to '" + stem + std::to_string(version) +

@@ -2,19 +2,16 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/outcome.h"
 #include "geometry/in_quotes.h"
+#include "geometry/outcome.h"
 #include "geometry/vec2.h"
-#include "io/json.h"
+#include "io/json_value.h"
 
 namespace seamwise {
 
 /// Reading JSON files: parsing with limits, and typed access whose errors say where and what to do.
 /// Everything here throws InputError; the public readers catch it and return it as an Outcome.
 
-using Json = nlohmann::ordered_json;
-
-inline constexpr std::size_t kMaxFileBytes = 20'000'000;
 inline constexpr double kMaxCoordinateCm = 1e4;
 
 /// Carries an Error to the reader's boundary; never leaves io.
@@ -47,35 +44,40 @@ std::string shown(const Vec2& point);
 
 /// The document. Errors: kTooLarge; kNotJson with line and column; `place.shape` for a name that
 /// occurs twice in one object.
-Json parseDocument(std::string_view text, const Place& place);
+JsonDocument parseDocument(std::string_view text, const Place& place);
 
-/// Throws unless `json` is an object (an array).
-const Json& object(const Json& json, const Place& place, const std::string& what);
-const Json& array(const Json& json, const Place& place, const std::string& what);
-/// The member, or nullptr when it is missing or null.
-const Json* find(const Json& object, const char* key);
-/// The member; throws when it is missing.
-const Json& need(const Json& object, const char* key, const Place& place);
+/// `json`, which throws unless it is an object.
+JsonValue object(const JsonValue& json, const Place& place, const std::string& what);
+/// The items of `json`; throws unless it is a list.
+std::vector<JsonValue> array(const JsonValue& json, const Place& place, const std::string& what);
+/// The member; throws when it is missing or null.
+JsonValue need(const JsonValue& object, const char* key, const Place& place);
+
+/// The number that at most `most` digits make; -1 for any other text.
+int countOf(std::string_view digits, std::size_t most);
 
 /// A finite number of magnitude at most `limit`.
-double number(const Json& json, const Place& place, const std::string& what, double limit);
+double number(const JsonValue& json, const Place& place, const std::string& what, double limit);
 /// A whole number (3 or 3.0) of magnitude at most 1e9.
-int integer(const Json& json, const Place& place, const std::string& what);
-bool boolean(const Json& json, const Place& place, const std::string& what);
-std::string text(const Json& json, const Place& place, const std::string& what);
+int integer(const JsonValue& json, const Place& place, const std::string& what);
+bool boolean(const JsonValue& json, const Place& place, const std::string& what);
+std::string text(const JsonValue& json, const Place& place, const std::string& what);
 /// [x, y], each of magnitude at most `limit`, times `scale`.
-Vec2 point(const Json& json, const Place& place, const std::string& what, double scale = 1,
+Vec2 point(const JsonValue& json, const Place& place, const std::string& what, double scale = 1,
            double limit = kMaxCoordinateCm);
 /// [[x, y], ...], at least two points.
-Polyline polyline(const Json& json, const Place& place, const std::string& what, double scale = 1);
+Polyline polyline(const JsonValue& json, const Place& place, const std::string& what,
+                  double scale = 1);
 
 /// Throws when `object` has a member that is not among `known`, naming it, unless the place keeps
 /// such.
-void onlyKnown(const Json& object, const Place& place, std::initializer_list<const char*> known);
+void onlyKnown(const JsonValue& object, const Place& place,
+               std::initializer_list<const char*> known);
 
 /// Checks a `format` member, if there is one: `name`/`version`. Returns the version found, or
 /// `version` when the file names none.
-int checkFormat(const Json& document, const Place& place, const std::string& name, int version);
+int checkFormat(const JsonValue& document, const Place& place, const std::string& name,
+                int version);
 
 /// The error of another layer, as one sentence that starts with the file's name.
 Error inFile(Error error, const std::string& file);

@@ -7,26 +7,27 @@
 
 #include "alignment/alignment.h"
 #include "geometry/vec2.h"
+#include "io/json_value.h"
 
 namespace seamwise {
 
-/// Writes JSON as text, value by value, without a document in between. Numbers are as short as
-/// reading them back exactly allows.
+/// Writes a JSON document value by value. What is no finite number becomes null.
 class JsonWriter {
  public:
-  /// The text; the writer is empty afterwards.
-  std::string take() { return std::move(text_); }
+  /// The document; the writer is empty afterwards.
+  JsonDocument take() { return std::move(document_); }
 
-  void open(char bracket);
-  void close(char bracket) { text_ += bracket; }
-  /// The name of the value that comes next; a plain word.
-  void key(std::string_view name);
+  void openList() { open_.push_back(document_.open(JsonKind::kList)); }
+  void openObject() { open_.push_back(document_.open(JsonKind::kObject)); }
+  void close();
+  /// The name of the value that comes next.
+  void key(std::string_view name) { document_.addText(name); }
 
   void put(double value);
-  void put(int value);
-  void put(std::uint32_t value);
-  void put(bool value);
-  void put(std::string_view value);
+  void put(int value) { put(static_cast<double>(value)); }
+  void put(std::uint32_t value) { put(static_cast<double>(value)); }
+  void put(bool value) { document_.add(value ? JsonKind::kTrue : JsonKind::kFalse); }
+  void put(std::string_view value) { document_.addText(value); }
   void put(const std::string& value) { put(std::string_view(value)); }
   void put(const char* value) { put(std::string_view(value)); }
   void put(const Vec2& point);
@@ -50,21 +51,21 @@ class JsonWriter {
   template <class List, class Write>
   void list(std::string_view name, const List& items, Write write) {
     key(name);
-    open('[');
+    openList();
     for (const auto& item : items) write(item);
-    close(']');
+    close();
   }
 
  private:
-  void separate();
   template <class List>
   void putAll(const List& list) {
-    open('[');
+    openList();
     for (const auto& item : list) put(item);
-    close(']');
+    close();
   }
 
-  std::string text_;
+  JsonDocument document_;
+  std::vector<std::size_t> open_;
 };
 
 }  // namespace seamwise

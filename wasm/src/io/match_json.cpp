@@ -32,14 +32,13 @@ double outside(const Polyline& line, const Panel& panel) {
   outline.push_back(closed.front());
   double farthest = 0;
   for (const Vec2& p : line)
-    if (!contains(closed, p))
-      farthest = std::max(farthest, nearestOnPolyline(outline, p).distance);
+    if (!contains(closed, p)) farthest = std::max(farthest, nearestOnPolyline(outline, p).distance);
   return farthest;
 }
 
-Side readSide(const Json& match, const char* key, const Place& outer, const Garment& garment) {
+Side readSide(const JsonValue& match, const char* key, const Place& outer, const Garment& garment) {
   const Place place = outer.in(std::string("side ") + key);
-  const Json& json = object(need(match, key, outer), place, "side");
+  const JsonValue json = object(need(match, key, outer), place, "side");
   onlyKnown(json, place, {"piece", "line"});
   const std::string name = text(need(json, "piece", place), place, "'piece'");
   Side side;
@@ -83,15 +82,14 @@ Polyline resampled(const Polyline& line, double length, std::size_t count) {
 
 }  // namespace
 
-std::vector<MatchLine> readMatches(const Json& json, const Place& outer, const Garment& garment) {
-  array(json, outer, "'matches'");
+std::vector<MatchLine> readMatches(const JsonValue& json, const Place& outer,
+                                   const Garment& garment) {
   std::vector<MatchLine> matches;
-  for (std::size_t n = 0; n < json.size(); ++n) {
-    const Place place = numbered(outer, "match", n);
-    object(json[n], place, "match");
-    onlyKnown(json[n], place, {"a", "b", "weight", "name"});
-    const Side a = readSide(json[n], "a", place, garment),
-               b = readSide(json[n], "b", place, garment);
+  for (const JsonValue& item : array(json, outer, "'matches'")) {
+    const Place place = numbered(outer, "match", matches.size());
+    object(item, place, "match");
+    onlyKnown(item, place, {"a", "b", "weight", "name"});
+    const Side a = readSide(item, "a", place, garment), b = readSide(item, "b", place, garment);
     MatchLine match;
     match.piece_a = a.piece;
     match.piece_b = b.piece;
@@ -99,8 +97,8 @@ std::vector<MatchLine> readMatches(const Json& json, const Place& outer, const G
     const auto count = 1 + static_cast<std::size_t>(std::ceil(longest / kSpacingCm - 1e-9));
     match.a = resampled(a.line, a.length, count);
     match.b = resampled(b.line, b.length, count);
-    if (const Json* weight = find(json[n], "weight")) {
-      match.weight = number(*weight, place, "'weight'", 1e6);
+    if (const JsonValue weight = item.find("weight")) {
+      match.weight = number(weight, place, "'weight'", 1e6);
       if (match.weight < 0) place.fail(place.number, "has a negative weight; write 0 or more");
     }
     matches.push_back(std::move(match));

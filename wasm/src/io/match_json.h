@@ -10,6 +10,7 @@ namespace seamwise {
 /// in input panel coordinates, cm. Both lines come back with the same number of points, evenly
 /// spaced by arc length at most 1 cm apart, face side up. Throws InputError with place.shape or
 /// place.number.
-std::vector<MatchLine> readMatches(const Json& json, const Place& place, const Garment& garment);
+std::vector<MatchLine> readMatches(const JsonValue& json, const Place& place,
+                                   const Garment& garment);
 
 }  // namespace seamwise

@@ -27,46 +27,45 @@ int checkedSeam(int seam, const Garment& garment, const Place& place, const std:
 }
 
 int seamNumber(const std::string& key, const Garment& garment, const Place& place) {
-  const bool digits =
-      !key.empty() && key.size() <= 9 &&
-      std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!digits)
+  const int number = countOf(key, 9);
+  if (number < 0)
     place.fail(place.shape, "has the key " + inQuotes(key) + " in 'weights'; write a seam number");
-  return checkedSeam(std::stoi(key), garment, place, "'weights'");
+  return checkedSeam(number, garment, place, "'weights'");
 }
 
-void readGrain(const Json& json, const Garment& garment, const Place& place,
+void readGrain(const JsonValue& json, const Garment& garment, const Place& place,
                SolveOptions* options) {
   object(json, place, "'grain'");
   onlyKnown(json, place.in("'grain'"), {"default", "toleranceDeg", "pieces"});
-  if (const Json* degrees = find(json, "toleranceDeg"))
-    options->grain.tolerance = readGrainTolerance(*degrees, place);
-  if (const Json* lock = find(json, "default")) options->grain.lock = readGrainLock(*lock, place);
-  const Json* pieces = find(json, "pieces");
+  if (const JsonValue degrees = json.find("toleranceDeg"))
+    options->grain.tolerance = readGrainTolerance(degrees, place);
+  if (const JsonValue lock = json.find("default")) options->grain.lock = readGrainLock(lock, place);
+  const JsonValue pieces = json.find("pieces");
   if (!pieces) return;
-  for (const auto& [name, rule_json] : object(*pieces, place, "grain.pieces").items()) {
+  for (const auto& [name, rule_json] : object(pieces, place, "grain.pieces").members()) {
     const int piece = pieceNamed(name, garment, place, "grain.pieces");
     const Place here = place.in("grain of " + inQuotes(name));
     PieceGrain& own = options->piece_grain[piece];
-    const auto locked = [&](const Json& lock) {
+    const auto locked = [&](const JsonValue& lock) {
       own.rule = {readGrainLock(lock, here), options->grain.tolerance};
     };
-    if (!rule_json.is_object()) {
+    if (!rule_json.isObject()) {
       locked(rule_json);
       continue;
     }
     onlyKnown(rule_json, here, {"lock", "toleranceDeg", "angleDeg"});
-    if (const Json* degrees = find(rule_json, "angleDeg"))
-      own.line = number(*degrees, here, "'angleDeg'", 360) * kPi / 180;
-    const Json* degrees = find(rule_json, "toleranceDeg");
+    if (const JsonValue degrees = rule_json.find("angleDeg"))
+      own.line = number(degrees, here, "'angleDeg'", 360) * kPi / 180;
+    const JsonValue degrees = rule_json.find("toleranceDeg");
     // where the line runs may be said without a word on how it lies
-    if (!own.line || degrees || find(rule_json, "lock")) locked(need(rule_json, "lock", here));
-    if (degrees) own.rule->tolerance = readGrainTolerance(*degrees, here);
+    if (!own.line || degrees || rule_json.find("lock")) locked(need(rule_json, "lock", here));
+    if (degrees) own.rule->tolerance = readGrainTolerance(degrees, here);
   }
 }
 
-void readPins(const Json& json, const Garment& garment, const Place& place, SolveOptions* options) {
-  for (const auto& [name, pin] : object(json, place, "'pins'").items()) {
+void readPins(const JsonValue& json, const Garment& garment, const Place& place,
+              SolveOptions* options) {
+  for (const auto& [name, pin] : object(json, place, "'pins'").members()) {
     const int piece = pieceNamed(name, garment, place, "'pins'");
     const Place here = place.in("pin of " + inQuotes(name));
     object(pin, here, "pin");
@@ -78,17 +77,17 @@ void readPins(const Json& json, const Garment& garment, const Place& place, Solv
   }
 }
 
-void readLocked(const Json& json, const Garment& garment, const Place& place,
+void readLocked(const JsonValue& json, const Garment& garment, const Place& place,
                 SolveOptions* options) {
-  for (const auto& [name, edges] : object(json, place, "'locked'").items()) {
+  for (const auto& [name, edges] : object(json, place, "'locked'").members()) {
     const int piece = pieceNamed(name, garment, place, "'locked'");
     const int count = static_cast<int>(garment.panels[piece].edges.size());
-    if (edges.is_boolean()) {
+    if (edges.isBoolean()) {
       if (!boolean(edges, place, "'locked' of " + inQuotes(name))) continue;
       for (int edge = 0; edge < count; ++edge) options->locked.push_back({piece, edge});
       continue;
     }
-    for (const Json& edge : array(edges, place, "'locked' of " + inQuotes(name))) {
+    for (const JsonValue& edge : array(edges, place, "'locked' of " + inQuotes(name))) {
       const int number = integer(edge, place, "an edge in 'locked' of " + inQuotes(name));
       if (number < 0 || number >= count)
         place.fail(place.shape, "locks edge " + std::to_string(number) + " of piece " +
@@ -99,7 +98,7 @@ void readLocked(const Json& json, const Garment& garment, const Place& place,
   }
 }
 
-OpenEdges readOpenEdges(const Json& json, const Place& place) {
+OpenEdges readOpenEdges(const JsonValue& json, const Place& place) {
   const std::string word = text(json, place, "'openEdges'");
   if (word == "kept") return OpenEdges::kKept;
   if (word == "free") return OpenEdges::kFree;
@@ -107,51 +106,55 @@ OpenEdges readOpenEdges(const Json& json, const Place& place) {
 }
 
 SolveOptions read(std::string_view content, const Garment& garment, const Place& place) {
-  const Json document = parseDocument(content, place);
+  const JsonDocument holder = parseDocument(content, place);
+  const JsonValue document(holder);
   object(document, place, "content");
   onlyKnown(document, place,
             {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
              "averageSeamShapes", "starts", "clipTargets", "grain", "pins", "weights", "unmatched",
              "plain", "matches", "proof", "locked", "openEdges", "effort"});
   checkFormat(document, place, "seamwise-options", 1);
-  for (const auto& [key, value] : document.items())
-    if (value.is_null())
+  for (const auto& [key, value] : document.members())
+    if (value.isNull())
       place.fail(place.shape,
                  "has null for " + inQuotes(key) + "; leave it out or give it a value");
   SolveOptions options;
   const auto real = [&](const char* key) {
-    return number(document[key], place, inQuotes(key), 1e9);
+    return number(document.find(key), place, inQuotes(key), 1e9);
   };
-  const auto flag = [&](const char* key) { return boolean(document[key], place, inQuotes(key)); };
-  if (find(document, "maxChangeCm")) options.max_change_cm = real("maxChangeCm");
-  if (find(document, "edgeLengthCm")) options.edge_length_cm = real("edgeLengthCm");
-  if (find(document, "alpha")) options.alpha = real("alpha");
-  if (find(document, "effort")) options.effort = real("effort");
-  if (find(document, "proof")) options.proof = real("proof");
-  if (find(document, "continuousOnly")) options.continuous_only = flag("continuousOnly");
-  if (find(document, "averageSeamShapes")) options.average_seam_shapes = flag("averageSeamShapes");
-  if (const Json* starts = find(document, "starts"))
-    options.starts = integer(*starts, place, "'starts'");
-  if (find(document, "clipTargets")) options.clip_targets = flag("clipTargets");
-  if (const Json* grain = find(document, "grain")) readGrain(*grain, garment, place, &options);
-  if (const Json* pins = find(document, "pins")) readPins(*pins, garment, place, &options);
-  if (const Json* weights = find(document, "weights"))
-    for (const auto& [key, weight] : object(*weights, place, "'weights'").items())
+  const auto flag = [&](const char* key) {
+    return boolean(document.find(key), place, inQuotes(key));
+  };
+  if (document.find("maxChangeCm")) options.max_change_cm = real("maxChangeCm");
+  if (document.find("edgeLengthCm")) options.edge_length_cm = real("edgeLengthCm");
+  if (document.find("alpha")) options.alpha = real("alpha");
+  if (document.find("effort")) options.effort = real("effort");
+  if (document.find("proof")) options.proof = real("proof");
+  if (document.find("continuousOnly")) options.continuous_only = flag("continuousOnly");
+  if (document.find("averageSeamShapes")) options.average_seam_shapes = flag("averageSeamShapes");
+  if (const JsonValue starts = document.find("starts"))
+    options.starts = integer(starts, place, "'starts'");
+  if (document.find("clipTargets")) options.clip_targets = flag("clipTargets");
+  if (const JsonValue grain = document.find("grain")) readGrain(grain, garment, place, &options);
+  if (const JsonValue pins = document.find("pins")) readPins(pins, garment, place, &options);
+  if (const JsonValue weights = document.find("weights"))
+    for (const auto& [key, weight] : object(weights, place, "'weights'").members())
       options.weights[seamNumber(key, garment, place)] =
           number(weight, place, "weight of seam " + key, 1e6);
-  if (const Json* unmatched = find(document, "unmatched"))
-    for (const Json& seam : array(*unmatched, place, "'unmatched'"))
+  if (const JsonValue unmatched = document.find("unmatched"))
+    for (const JsonValue& seam : array(unmatched, place, "'unmatched'"))
       options.unmatched.push_back(checkedSeam(integer(seam, place, "a seam of 'unmatched'"),
                                               garment, place, "'unmatched'"));
-  if (const Json* plain = find(document, "plain"))
-    for (const Json& name : array(*plain, place, "'plain'"))
+  if (const JsonValue plain = document.find("plain"))
+    for (const JsonValue& name : array(plain, place, "'plain'"))
       options.plain.push_back(
           pieceNamed(text(name, place, "a piece of 'plain'"), garment, place, "'plain'"));
-  if (const Json* locked = find(document, "locked")) readLocked(*locked, garment, place, &options);
-  if (const Json* open = find(document, "openEdges"))
-    options.open_edges = readOpenEdges(*open, place);
-  if (const Json* matches = find(document, "matches"))
-    options.matches = readMatches(*matches, place, garment);
+  if (const JsonValue locked = document.find("locked"))
+    readLocked(locked, garment, place, &options);
+  if (const JsonValue open = document.find("openEdges"))
+    options.open_edges = readOpenEdges(open, place);
+  if (const JsonValue matches = document.find("matches"))
+    options.matches = readMatches(matches, place, garment);
   const std::string problem = options.problem();
   if (!problem.empty()) throw InputError{inFile({Failure::kOptions, problem}, place.name)};
   return options;

@@ -7,11 +7,11 @@
 namespace seamwise {
 namespace {
 
-void readGrain(const Json& json, const PanelUnits& units, const Place& outer, Panel* panel) {
+void readGrain(const JsonValue& json, const PanelUnits& units, const Place& outer, Panel* panel) {
   const Place place = outer.in("grain");
   object(json, place, "grain");
-  if (const Json* line = find(json, "line")) {
-    const Polyline ends = polyline(*line, place, "'line'", units.cm);
+  if (const JsonValue line = json.find("line")) {
+    const Polyline ends = polyline(line, place, "'line'", units.cm);
     Vec2 d = ends.back() - ends.front();
     if (ends.size() != 2 || !(d.norm() > 1e-3))
       place.fail(place.shape, "needs a 'line' of two distinct points; correct it");
@@ -19,17 +19,17 @@ void readGrain(const Json& json, const PanelUnits& units, const Place& outer, Pa
     panel->grain_angle = std::atan2(d.y(), d.x());
     panel->grain_stated = true;
   }
-  if (const Json* lock = find(json, "lock")) panel->grain_lock = readGrainLock(*lock, place);
-  if (const Json* degrees = find(json, "toleranceDeg"))
-    panel->grain_tolerance = readGrainTolerance(*degrees, place);
+  if (const JsonValue lock = json.find("lock")) panel->grain_lock = readGrainLock(lock, place);
+  if (const JsonValue degrees = json.find("toleranceDeg"))
+    panel->grain_tolerance = readGrainTolerance(degrees, place);
 }
 
-void readHoles(const Json& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
+void readHoles(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
                const Place& place, Panel* panel) {
-  array(json, place, "'holes'");
-  for (std::size_t h = 0; h < json.size(); ++h) {
+  for (const JsonValue& item : array(json, place, "'holes'")) {
+    const std::size_t h = panel->holes.size();
     const Place here = numbered(place, "hole", h);
-    std::vector<Curve> loop = readLoop(json[h], vertices, units, here);
+    std::vector<Curve> loop = readLoop(item, vertices, units, here);
     checkOutline(loop, here);
     if (panel->mirrored_from_input)
       for (Curve& edge : loop) edge = edge.transformed({0.0, Vec2::Zero(), true});
@@ -42,22 +42,22 @@ void readHoles(const Json& json, const std::vector<Vec2>& vertices, const PanelU
   }
 }
 
-void checkNotches(const Json& json, const Place& place, std::size_t edges) {
-  array(json, place, "'notches'");
-  for (std::size_t n = 0; n < json.size(); ++n) {
-    const Place here = numbered(place, "notch", n);
-    const int edge = integer(need(object(json[n], here, "notch"), "edge", here), here, "'edge'");
+void checkNotches(const JsonValue& json, const Place& place, std::size_t edges) {
+  std::size_t n = 0;
+  for (const JsonValue& notch : array(json, place, "'notches'")) {
+    const Place here = numbered(place, "notch", n++);
+    const int edge = integer(need(object(notch, here, "notch"), "edge", here), here, "'edge'");
     if (edge < 0 || static_cast<std::size_t>(edge) >= edges)
       here.fail(Failure::kEdgeIndex, "is on edge " + std::to_string(edge) + ", the panel has " +
                                          std::to_string(edges) + "; correct its 'edge'");
-    const double at = number(need(json[n], "at", here), here, "'at'", 1);
+    const double at = number(need(notch, "at", here), here, "'at'", 1);
     if (at < 0) here.fail(here.number, "has a negative 'at'; write a fraction between 0 and 1");
   }
 }
 
 }  // namespace
 
-GrainLock readGrainLock(const Json& json, const Place& place) {
+GrainLock readGrainLock(const JsonValue& json, const Place& place) {
   const std::string lock = text(json, place, "grain lock");
   if (lock == "free") return GrainLock::kFree;
   if (lock == "on") return GrainLock::kOn;
@@ -67,20 +67,20 @@ GrainLock readGrainLock(const Json& json, const Place& place) {
              "has an unknown grain lock " + inQuotes(lock) + "; write free, on, across or bias");
 }
 
-double readGrainTolerance(const Json& json, const Place& place) {
+double readGrainTolerance(const JsonValue& json, const Place& place) {
   const double degrees = number(json, place, "'toleranceDeg'", 90);
   if (degrees < 0) place.fail(place.number, "has a negative 'toleranceDeg'; write 0 to 90");
   return degrees * kPi / 180;
 }
 
-void readExtras(const Json& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
+void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
                 const Place& place, Panel* panel) {
-  if (const Json* grain = find(json, "grain")) readGrain(*grain, units, place, panel);
-  if (const Json* holes = find(json, "holes")) readHoles(*holes, vertices, units, place, panel);
+  if (const JsonValue grain = json.find("grain")) readGrain(grain, units, place, panel);
+  if (const JsonValue holes = json.find("holes")) readHoles(holes, vertices, units, place, panel);
   for (const char* key : {"cutLine", "sewLine"})
-    if (const Json* line = find(json, key)) polyline(*line, place, inQuotes(key), units.cm);
-  if (const Json* notches = find(json, "notches"))
-    checkNotches(*notches, place, panel->edges.size());
+    if (const JsonValue line = json.find(key)) polyline(line, place, inQuotes(key), units.cm);
+  if (const JsonValue notches = json.find("notches"))
+    checkNotches(notches, place, panel->edges.size());
 }
 
 }  // namespace seamwise

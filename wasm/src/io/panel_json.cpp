@@ -15,13 +15,13 @@ constexpr std::size_t kMaxEdges = 10'000;
 
 const RigidMotion kTurnOver{0.0, Vec2::Zero(), true};  // (x, y) -> (-x, y)
 
-std::array<int, 2> readEndpoints(const Json& edge, const Place& place, std::size_t vertices) {
-  const Json* ends = find(edge, "endpoints");
-  if (!ends || !ends->is_array() || ends->size() != 2)
+std::array<int, 2> readEndpoints(const JsonValue& edge, const Place& place, std::size_t vertices) {
+  const JsonValue ends = edge.find("endpoints");
+  if (!ends.isList() || ends.size() != 2)
     place.fail(Failure::kEdgeIndex, "has no pair of 'endpoints'; write two vertex numbers");
   std::array<int, 2> numbers{};
   for (std::size_t i = 0; i < 2; ++i) {
-    numbers[i] = integer((*ends)[i], place, "an endpoint");
+    numbers[i] = integer(ends[i], place, "an endpoint");
     if (numbers[i] < 0 || static_cast<std::size_t>(numbers[i]) >= vertices)
       place.fail(Failure::kEdgeIndex,
                  "ends at vertex " + std::to_string(numbers[i]) + ", the panel has " +
@@ -31,7 +31,7 @@ std::array<int, 2> readEndpoints(const Json& edge, const Place& place, std::size
   return numbers;
 }
 
-Vec2 readControl(const Json& json, const Place& place, const PanelUnits& units, const Vec2& a,
+Vec2 readControl(const JsonValue& json, const Place& place, const PanelUnits& units, const Vec2& a,
                  const Vec2& b) {
   Place here = place;
   here.number = Failure::kCurvature;
@@ -44,7 +44,7 @@ Vec2 readControl(const Json& json, const Place& place, const PanelUnits& units, 
 }
 
 /// Radius in units of the file, never of the chord; flags as true/false or 0/1.
-Curve readArc(const Json& params, const Place& place, const PanelUnits& units, const Vec2& a,
+Curve readArc(const JsonValue& params, const Place& place, const PanelUnits& units, const Vec2& a,
               const Vec2& b) {
   Place here = place;
   here.number = Failure::kCurvature;
@@ -52,64 +52,64 @@ Curve readArc(const Json& params, const Place& place, const PanelUnits& units, c
   if (!(radius > 0) || radius > kLargestRadiusCm)
     here.fail(Failure::kCurvature, "is an arc of radius " + shown(radius) +
                                        " cm; write a positive radius of usual size");
-  const auto flag = [&](const Json& json, const char* what) {
-    return json.is_boolean() ? json.get<bool>() : number(json, here, what, 1e300) != 0;
+  const auto flag = [&](const JsonValue& json, const char* what) {
+    return json.isBoolean() ? json.isTrue() : number(json, here, what, 1e300) != 0;
   };
   return Curve::arc(a, b, radius, flag(params[1], "'large arc'"), flag(params[2], "'right'"));
 }
 
-Curve readCurve(const Json& edge, const Place& place, const PanelUnits& units, const Vec2& a,
+Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& units, const Vec2& a,
                 const Vec2& b) {
-  const Json* curvature = find(edge, "curvature");
+  const JsonValue curvature = edge.find("curvature");
   if (!curvature) return Curve::line(a, b);
-  const auto control = [&](const Json& json) { return readControl(json, place, units, a, b); };
-  if (curvature->is_array()) return Curve::quadratic(a, control(*curvature), b);
+  const auto control = [&](const JsonValue& json) { return readControl(json, place, units, a, b); };
+  if (curvature.isList()) return Curve::quadratic(a, control(curvature), b);
 
-  const Json* type = curvature->is_object() ? find(*curvature, "type") : nullptr;
-  const Json* params = curvature->is_object() ? find(*curvature, "params") : nullptr;
-  if (!type || !type->is_string() || !params || !params->is_array())
+  const JsonValue type = curvature.find("type");
+  const JsonValue params = curvature.find("params");
+  if (!type.isText() || !params.isList())
     place.fail(Failure::kCurvature,
                "has a malformed 'curvature'; write {\"type\": ..., \"params\": [...]}");
   const auto expect = [&](std::size_t count, const char* what) {
-    if (params->size() != count)
-      place.fail(Failure::kCurvature, "has " + std::to_string(params->size()) + " params in its " +
+    if (params.size() != count)
+      place.fail(Failure::kCurvature, "has " + std::to_string(params.size()) + " params in its " +
                                           what + ", which needs " + std::to_string(count) +
                                           "; correct them");
   };
-  const std::string name = type->get<std::string>();
+  const std::string name = type.text();
   if (name == "quadratic") {
     expect(1, "quadratic curve");
-    return Curve::quadratic(a, control((*params)[0]), b);
+    return Curve::quadratic(a, control(params[0]), b);
   }
   if (name == "cubic") {
     expect(2, "cubic curve");
-    return Curve::cubic(a, control((*params)[0]), control((*params)[1]), b);
+    return Curve::cubic(a, control(params[0]), control(params[1]), b);
   }
   if (name == "circle") {
     expect(3, "circle arc");
-    return readArc(*params, place, units, a, b);
+    return readArc(params, place, units, a, b);
   }
   place.fail(Failure::kCurvature, "has a curvature of unknown type " + inQuotes(name) +
                                       "; known are quadratic, cubic, circle");
 }
 
-Vec3 readTriple(const Json& panel, const char* key, const Place& place, double scale) {
-  const Json* json = find(panel, key);
+Vec3 readTriple(const JsonValue& panel, const char* key, const Place& place, double scale) {
+  const JsonValue json = panel.find(key);
   if (!json) return Vec3::Zero();
   const std::string what = "'" + std::string(key) + "'";
-  if (!json->is_array() || json->size() != 3)
+  if (!json.isList() || json.size() != 3)
     place.fail(place.number, "has a malformed " + what + "; write three numbers");
   Vec3 triple;
   for (int i = 0; i < 3; ++i)
-    triple[i] = scale * number((*json)[static_cast<std::size_t>(i)], place, what, 1e7);
+    triple[i] = scale * number(json[static_cast<std::size_t>(i)], place, what, 1e7);
   return triple;
 }
 
 }  // namespace
 
-std::vector<Curve> readLoop(const Json& edges, const std::vector<Vec2>& vertices,
+std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vertices,
                             const PanelUnits& units, const Place& place) {
-  array(edges, place, "'edges'");
+  const std::vector<JsonValue> edges = array(json, place, "'edges'");
   if (edges.size() < 2)
     place.fail(Failure::kOutlineOpen,
                "has " + std::to_string(edges.size()) + " edges; an outline needs at least two");
@@ -143,11 +143,11 @@ std::vector<Curve> readLoop(const Json& edges, const std::vector<Vec2>& vertices
   return loop;
 }
 
-Panel readPanel(const std::string& name, const Json& json, const PanelUnits& units,
+Panel readPanel(const std::string& name, const JsonValue& json, const PanelUnits& units,
                 const Place& place) {
   object(json, place, "panel");
   std::vector<Vec2> vertices;
-  const Json& points = array(need(json, "vertices", place), place, "'vertices'");
+  const std::vector<JsonValue> points = array(need(json, "vertices", place), place, "'vertices'");
   for (std::size_t i = 0; i < points.size(); ++i)
     vertices.push_back(point(points[i], place, "vertex " + std::to_string(i), units.cm));
 

@@ -15,7 +15,7 @@ struct PanelUnits {
 };
 
 /// The panel, face side up and in centimetres. `place` names it. Throws InputError.
-Panel readPanel(const std::string& name, const Json& json, const PanelUnits& units,
+Panel readPanel(const std::string& name, const JsonValue& json, const PanelUnits& units,
                 const Place& place);
 
 }  // namespace seamwise

@@ -5,24 +5,25 @@
 namespace seamwise {
 namespace {
 
-void checkPresentation(const Json& document, const Place& place) {
-  if (const Json* image = find(document, "image")) text(*image, place, "'image'");
-  if (const Json* cell = find(document, "cell")) {
-    const std::string word = text(*cell, place, "'cell'");
+void checkPresentation(const JsonValue& document, const Place& place) {
+  if (const JsonValue image = document.find("image")) text(image, place, "'image'");
+  if (const JsonValue cell = document.find("cell")) {
+    const std::string word = text(cell, place, "'cell'");
     if (word != "primitive" && word != "rectangular" && word != "centred")
       place.fail(place.shape, "has the unknown cell " + inQuotes(word) +
                                   "; write primitive, rectangular or centred");
   }
-  if (const Json* fabric = find(document, "fabric")) {
-    object(*fabric, place, "'fabric'");
-    if (const Json* width = find(*fabric, "usableWidthCm"))
-      if (!(number(*width, place, "fabric.usableWidthCm", kMaxCoordinateCm) > 0))
+  if (const JsonValue fabric = document.find("fabric")) {
+    object(fabric, place, "'fabric'");
+    if (const JsonValue width = fabric.find("usableWidthCm"))
+      if (!(number(width, place, "fabric.usableWidthCm", kMaxCoordinateCm) > 0))
         place.fail(place.number, "has no positive fabric.usableWidthCm; correct it");
   }
 }
 
 Print printOf(std::string_view content, const Place& place) {
-  const Json document = parseDocument(content, place);
+  const JsonDocument holder = parseDocument(content, place);
+  const JsonValue document(holder);
   object(document, place, "content");
   checkFormat(document, place, "seamwise-print", 1);
   const std::string group_name = text(need(document, "group", place), place, "'group'");
@@ -31,8 +32,8 @@ Print printOf(std::string_view content, const Place& place) {
   Outcome<WallpaperGroup> group = WallpaperGroup::make(group_name, w1, w2);
   if (!group.ok()) throw InputError{inFile(group.error(), place.name)};
   Print print{std::move(group).value()};
-  if (const Json* one_way = find(document, "oneWay"))
-    print.one_way = boolean(*one_way, place, "'oneWay'");
+  if (const JsonValue one_way = document.find("oneWay"))
+    print.one_way = boolean(one_way, place, "'oneWay'");
   checkPresentation(document, place);
   return print;
 }

@@ -1,5 +1,6 @@
 #include "io/result_json.h"
 
+#include "io/json_ends.h"
 #include "io/json_writer.h"
 
 namespace seamwise {
@@ -62,11 +63,11 @@ const char* reasonName(SeamReason reason) {
 
 void writeFigures(JsonWriter& out, const SeamFigures& of) {
   out.key("local");
-  out.open('{');
+  out.openObject();
   out.field("drafted", of.drafted);
   out.field("placed", of.placed);
   out.field("final", of.final);
-  out.close('}');
+  out.close();
   out.field("whole", of.whole);
   out.field("line", of.shaped ? "shaped" : "drafted");
   if (of.reason != SeamReason::kNone) out.field("why", reasonName(of.reason));
@@ -78,12 +79,12 @@ void writeSeam(JsonWriter& out, const PrintedPattern& printed, std::size_t s,
   const Seam& seam = printed.pattern.seams[s];
   const auto side = [&](const char* name, const SeamSide& of) {
     out.key(name);
-    out.open('{');
+    out.openObject();
     out.field("piece", of.piece);
     out.field("vertices", of.vertices);
-    out.close('}');
+    out.close();
   };
-  out.open('{');
+  out.openObject();
   side("a", seam.a);
   side("b", seam.b);
   out.field("weight", seam.weight);
@@ -92,11 +93,11 @@ void writeSeam(JsonWriter& out, const PrintedPattern& printed, std::size_t s,
   out.field("kind", printed.joins[s].mirrored() ? "mirrored" : "continuous");
   out.field("mismatch", printed.mismatch[s]);
   if (figures) writeFigures(out, *figures);
-  out.close('}');
+  out.close();
 }
 
 void writeMirror(JsonWriter& out, const Pattern& pattern, const Mirror& m) {
-  out.open('{');
+  out.openObject();
   out.field("kind", m.single() ? "piece" : "pair");
   if (m.single())
     out.field("piece", m.pieces[0]);
@@ -107,7 +108,7 @@ void writeMirror(JsonWriter& out, const Pattern& pattern, const Mirror& m) {
   for (const auto& loop : loopsOf(pattern.pieces[m.pieces[0]]))
     for (int v : loop) pairs.push_back({v, m.image[v]});
   out.field("pairs", pairs);
-  out.close('}');
+  out.close();
 }
 
 /// @param result   null before a solve: then every piece says which edges of the panel its outline
@@ -115,26 +116,26 @@ void writeMirror(JsonWriter& out, const Pattern& pattern, const Mirror& m) {
 void writePrinted(JsonWriter& out, const PrintedPattern& printed, const Result* result) {
   const Pattern& pattern = printed.pattern;
   out.key("print");
-  out.open('{');
+  out.openObject();
   out.field("group", printed.group);
   out.field("w1", printed.w1);
   out.field("w2", printed.w2);
-  out.close('}');
+  out.close();
   if (printed.continuous) out.field("continuousOnly", true);
   out.key("pieces");
-  out.open('[');
+  out.openList();
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
-    out.open('{');
+    out.openObject();
     writePiece(out, printed, p);
     if (!result) out.field("edges", edgesOf(pattern.pieces[p]));
-    out.close('}');
+    out.close();
   }
-  out.close(']');
+  out.close();
   out.key("seams");
-  out.open('[');
+  out.openList();
   for (std::size_t s = 0; s < pattern.seams.size(); ++s)
     writeSeam(out, printed, s, result ? &result->figures[s] : nullptr);
-  out.close(']');
+  out.close();
   out.list("symmetries", pattern.mirrors,
            [&](const Mirror& mirror) { writeMirror(out, pattern, mirror); });
 }
@@ -143,12 +144,12 @@ void writePrinted(JsonWriter& out, const PrintedPattern& printed, const Result* 
 void writeNotes(JsonWriter& out, const std::vector<Note>& notes) {
   out.list("notes", notes, [&](const Note& note) { out.put(note.text); });
   out.list("noteDetails", notes, [&](const Note& note) {
-    out.open('{');
+    out.openObject();
     out.field("code", note.code);
     out.field("pieces", note.pieces);
     out.field("seams", note.seams);
     out.field("numbers", note.numbers);
-    out.close('}');
+    out.close();
   });
 }
 
@@ -166,54 +167,54 @@ void writeFits(JsonWriter& out, const Fits& fits) {
 
 std::string writeResult(const Result& r) {
   JsonWriter out;
-  out.open('{');
+  out.openObject();
   out.field("format", "seamwise-result/1");
   out.field("units", "cm");
   writePrinted(out, r, &r);
   out.field("drafted", r.drafted);
   out.field("search", r.search);
   out.key("metrics");
-  out.open('{');
+  out.openObject();
   out.field("method", methodName(r.method));
   out.field("seed", r.seed);
   writeFits(out, r);
   if (r.continuous) {
     out.key("continuous");
-    out.open('{');
+    out.openObject();
     writeFits(out, *r.continuous);
-    out.close('}');
+    out.close();
   }
   out.field("searchBound", r.search_bound);
   out.key("localCm");
-  out.open('{');
+  out.openObject();
   out.field("drafted", r.local.drafted);
   out.field("placed", r.local.placed);
   out.field("final", r.local.final);
   out.field("worst", r.local.worst);
   out.field("p90", r.local.p90);
-  out.close('}');
+  out.close();
   out.field("offCm", r.local.off);
   out.field("maxMovedCm", r.max_moved_cm);
   out.field("iterations", r.iterations);
   out.field("factorisations", r.factorisations);
   out.key("milliseconds");
-  out.open('{');
+  out.openObject();
   for (const char* phase : {"alignment", "deformation", "total"}) out.field(phase, 0);
-  out.close('}');
-  out.close('}');
+  out.close();
+  out.close();
   writeNotes(out, r.notes);
-  out.close('}');
-  return out.take();
+  out.close();
+  return textOf(out.take());
 }
 
 std::string writePattern(const PrintedPattern& printed) {
   JsonWriter out;
-  out.open('{');
+  out.openObject();
   writePrinted(out, printed, nullptr);
   out.field("fitRandom", printed.fit_random);
   writeNotes(out, printed.notes);
-  out.close('}');
-  return out.take();
+  out.close();
+  return textOf(out.take());
 }
 
 }  // namespace seamwise

@@ -1,26 +1,27 @@
 #include "io/stitch_json.h"
 
 #include <map>
+#include <set>
 #include <utility>
 
 namespace seamwise {
 namespace {
 
-EdgeRef readSide(const Json& json, const Place& place, const Garment& garment) {
-  const Json* panel = json.is_object() ? find(json, "panel") : nullptr;
-  const Json* edge = json.is_object() ? find(json, "edge") : nullptr;
+EdgeRef readSide(const JsonValue& json, const Place& place, const Garment& garment) {
+  const JsonValue panel = json.find("panel");
+  const JsonValue edge = json.find("edge");
   if (!panel || !edge)
     place.fail(Failure::kSeamMalformed,
                "has a malformed side; write {\"panel\": \"name\", \"edge\": number}");
   Place here = place;
   here.shape = Failure::kSeamMalformed;
-  const std::string name = text(*panel, here, "'panel'");
+  const std::string name = text(panel, here, "'panel'");
   const int piece = garment.find(name);
   if (piece < 0)
     place.fail(Failure::kSeamUnknownPiece,
                "names panel " + inQuotes(name) + ", which the file has not; correct the name");
   here.piece = piece;
-  const int number = integer(*edge, here, "'edge'");
+  const int number = integer(edge, here, "'edge'");
   const std::size_t edges = garment.panels[static_cast<std::size_t>(piece)].edges.size();
   if (number < 0 || static_cast<std::size_t>(number) >= edges)
     here.fail(Failure::kSeamUnknownEdge, "names edge " + std::to_string(number) + " of panel " +
@@ -32,19 +33,18 @@ EdgeRef readSide(const Json& json, const Place& place, const Garment& garment) {
 
 }  // namespace
 
-void readStitches(const Json& stitches, const Place& outer, Garment* garment) {
-  array(stitches, outer, "'stitches'");
+void readStitches(const JsonValue& stitches, const Place& outer, Garment* garment) {
   std::map<std::pair<int, int>, std::size_t> used;  // edge -> stitch
-  for (std::size_t n = 0; n < stitches.size(); ++n) {
+  for (const JsonValue& sides : array(stitches, outer, "'stitches'")) {
+    const std::size_t n = garment->stitches.size();
     Place place = numbered(outer, "stitch", n);
     place.seam = static_cast<int>(n);
-    const Json& sides = stitches[n];
-    if (!sides.is_array() || sides.size() < 2 || sides.size() > 3)
+    if (!sides.isList() || sides.size() < 2 || sides.size() > 3)
       place.fail(Failure::kSeamMalformed,
                  "is not a list of two sides (and \"right_wrong\"); correct it");
     Stitch stitch{readSide(sides[0], place, *garment), readSide(sides[1], place, *garment)};
-    if (sides.size() == 3 && !sides[2].is_null()) {
-      if (sides[2] != "right_wrong")
+    if (sides.size() == 3 && !sides[2].isNull()) {
+      if (sides[2].kind() != JsonKind::kText || sides[2].text() != "right_wrong")
         place.fail(Failure::kSeamMalformed,
                    "has an unknown third element; write \"right_wrong\" or leave it out");
       stitch.same_direction = true;
@@ -65,41 +65,42 @@ void readStitches(const Json& stitches, const Place& outer, Garment* garment) {
   }
 }
 
-void readSeams(const Json& seams, const Place& outer, Garment* garment, std::vector<Note>* notes) {
+void readSeams(const JsonValue& seams, const Place& outer, Garment* garment,
+               std::vector<Note>* notes) {
   Place listed = outer;
   listed.shape = Failure::kSeamMalformed;
-  array(seams, listed, "'seams'");
-  std::map<int, std::size_t> described;  // stitch -> entry
-  for (std::size_t k = 0; k < seams.size(); ++k) {
-    Place place = numbered(listed, "seam", k);
-    const Json& seam = object(seams[k], place, "seam");
+  std::set<int> described;
+  std::size_t k = 0;
+  for (const JsonValue& seam : array(seams, listed, "'seams'")) {
+    Place place = numbered(listed, "seam", k++);
+    object(seam, place, "seam");
     const int n = integer(need(seam, "stitch", place), place, "'stitch'");
     if (n < 0 || static_cast<std::size_t>(n) >= garment->stitches.size())
       place.fail(Failure::kSeamMalformed,
                  "describes stitch " + std::to_string(n) + ", the file has " +
                      std::to_string(garment->stitches.size()) + "; correct the number");
     place.seam = n;
-    if (!described.emplace(n, k).second)
+    if (!described.insert(n).second)
       place.fail(Failure::kSeamMalformed,
                  "describes stitch " + std::to_string(n) + " a second time; remove one entry");
     Stitch& stitch = garment->stitches[static_cast<std::size_t>(n)];
-    if (const Json* name = find(seam, "name")) text(*name, place, "'name'");
-    if (const Json* weight = find(seam, "weight")) {
-      stitch.weight = number(*weight, place, "'weight'", 1e6);
+    if (const JsonValue name = seam.find("name")) text(name, place, "'name'");
+    if (const JsonValue weight = seam.find("weight")) {
+      stitch.weight = number(weight, place, "'weight'", 1e6);
       if (stitch.weight < 0) place.fail(Failure::kNumber, "has a negative weight; write 0 or more");
     }
-    if (const Json* matched = find(seam, "matched"))
-      stitch.matched = boolean(*matched, place, "'matched'");
-    if (const Json* direction = find(seam, "direction")) {
-      const std::string word = text(*direction, place, "'direction'");
+    if (const JsonValue matched = seam.find("matched"))
+      stitch.matched = boolean(matched, place, "'matched'");
+    if (const JsonValue direction = seam.find("direction")) {
+      const std::string word = text(direction, place, "'direction'");
       if (word != (stitch.same_direction ? "same" : "opposite"))
         place.fail(Failure::kSeamMalformed, "has the direction " + inQuotes(word) +
                                                 ", its stitch says '" +
                                                 (stitch.same_direction ? "same" : "opposite") +
                                                 "'; add or remove \"right_wrong\" there");
     }
-    if (const Json* stated = find(seam, "lengthRatio")) {
-      const double ratio = number(*stated, place, "'lengthRatio'", 1e4);
+    if (const JsonValue stated = seam.find("lengthRatio")) {
+      const double ratio = number(stated, place, "'lengthRatio'", 1e4);
       if (!(ratio > 0)) place.fail(Failure::kNumber, "has no positive 'lengthRatio'; correct it");
       const auto length = [&](const EdgeRef& side) {
         return garment->panels[static_cast<std::size_t>(side.piece)]

@@ -9,10 +9,11 @@
 namespace seamwise {
 
 /// GarmentCode's `stitches` into garment->stitches. Throws InputError naming the stitch.
-void readStitches(const Json& stitches, const Place& place, Garment* garment);
+void readStitches(const JsonValue& stitches, const Place& place, Garment* garment);
 
 /// The top-level `seams` of seamwise-garment/1: weight, matched, direction and length ratio of
 /// stitches.
-void readSeams(const Json& seams, const Place& place, Garment* garment, std::vector<Note>* notes);
+void readSeams(const JsonValue& seams, const Place& place, Garment* garment,
+               std::vector<Note>* notes);
 
 }  // namespace seamwise

@@ -4,15 +4,16 @@
 #include <array>
 #include <cmath>
 
+#include "io/json_ends.h"
 #include "io/json_writer.h"
 
 namespace seamwise {
 namespace {
 
-SymmetryRequest readPair(const Json& json, const Place& place) {
+SymmetryRequest readPair(const JsonValue& json, const Place& place) {
   onlyKnown(json, place, {"kind", "pieces", "residual", "map", "mirrors"});
-  const Json& pieces = need(json, "pieces", place);
-  if (!pieces.is_array() || pieces.size() != 2)
+  const JsonValue& pieces = need(json, "pieces", place);
+  if (!pieces.isList() || pieces.size() != 2)
     place.fail(place.shape, "has no two 'pieces'; write [\"one\", \"other\"]");
   PairRequest pair{text(pieces[0], place, "a piece"), text(pieces[1], place, "a piece")};
   if (pair.first == pair.second)
@@ -21,23 +22,23 @@ SymmetryRequest readPair(const Json& json, const Place& place) {
   return pair;
 }
 
-SymmetryRequest readSingle(const Json& json, const Place& place) {
+SymmetryRequest readSingle(const JsonValue& json, const Place& place) {
   onlyKnown(json, place, {"kind", "piece", "axis", "seams", "residual", "map", "mirrors"});
   const std::string piece = text(need(json, "piece", place), place, "'piece'");
-  const Json* axis = find(json, "axis");
-  const Json* edges = find(json, "seams");
+  const JsonValue axis = json.find("axis");
+  const JsonValue edges = json.find("seams");
   if (axis && edges) place.fail(place.shape, "has both 'axis' and 'seams'; keep one");
   if (axis) {
-    const Polyline ends = polyline(*axis, place, "'axis'");
+    const Polyline ends = polyline(axis, place, "'axis'");
     if (ends.size() != 2 || !((ends[1] - ends[0]).norm() > 1e-3))
       place.fail(place.shape, "needs an 'axis' of two distinct points; correct it");
     return AxisRequest{piece, ends[0], ends[1]};
   }
   if (edges) {
-    if (!edges->is_array() || edges->size() != 2)
+    if (!edges.isList() || edges.size() != 2)
       place.fail(place.shape, "needs two edge numbers as 'seams'; correct it");
-    EdgesRequest request{piece, integer((*edges)[0], place, "an edge"),
-                         integer((*edges)[1], place, "an edge")};
+    EdgesRequest request{piece, integer(edges[0], place, "an edge"),
+                         integer(edges[1], place, "an edge")};
     if (request.first < 0 || request.second < 0)
       place.fail(place.shape, "has a negative edge number in 'seams'; correct it");
     return request;
@@ -73,9 +74,8 @@ void writeSymmetry(JsonWriter& out, const Garment& garment, const BodySymmetry& 
   out.field("kind", symmetry.single() ? "piece" : "pair");
   if (symmetry.single()) {
     out.field("piece", first.name);
-    out.list("axis", axisThrough(first, symmetry.map), [&](const Vec2& p) {
-      out.put(Vec2(shortened(p.x()), shortened(p.y())));
-    });
+    out.list("axis", axisThrough(first, symmetry.map),
+             [&](const Vec2& p) { out.put(Vec2(shortened(p.x()), shortened(p.y()))); });
   } else {
     out.field("pieces", std::vector{first.name, garment.panels[symmetry.pieces[1]].name});
   }
@@ -85,17 +85,16 @@ void writeSymmetry(JsonWriter& out, const Garment& garment, const BodySymmetry& 
 
 }  // namespace
 
-std::vector<SymmetryRequest> readSymmetryList(const Json& json, const Place& outer) {
-  array(json, outer, "'symmetries'");
+std::vector<SymmetryRequest> readSymmetryList(const JsonValue& json, const Place& outer) {
   std::vector<SymmetryRequest> requests;
-  for (std::size_t n = 0; n < json.size(); ++n) {
-    const Place place = numbered(outer, "symmetry", n);
-    object(json[n], place, "symmetry");
-    const std::string kind = text(need(json[n], "kind", place), place, "'kind'");
+  for (const JsonValue& item : array(json, outer, "'symmetries'")) {
+    const Place place = numbered(outer, "symmetry", requests.size());
+    object(item, place, "symmetry");
+    const std::string kind = text(need(item, "kind", place), place, "'kind'");
     if (kind == "pair")
-      requests.push_back(readPair(json[n], place));
+      requests.push_back(readPair(item, place));
     else if (kind == "piece")
-      requests.push_back(readSingle(json[n], place));
+      requests.push_back(readSingle(item, place));
     else
       place.fail(place.shape, "is of the unknown kind " + inQuotes(kind) + "; write piece or pair");
   }
@@ -106,7 +105,8 @@ Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
                                                      const std::string& file) {
   const Place place{file, Failure::kSymmetryMalformed, Failure::kSymmetryMalformed};
   return guarded<std::vector<SymmetryRequest>>(place, [&] {
-    const Json document = parseDocument(text, place);
+    const JsonDocument holder = parseDocument(text, place);
+    const JsonValue document(holder);
     object(document, place, "content");
     onlyKnown(document, place, {"$schema", "format", "symmetries"});
     checkFormat(document, place, "seamwise-symmetries", 1);
@@ -116,27 +116,27 @@ Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
 
 std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmetry>& symmetries) {
   JsonWriter out;
-  out.open('{');
+  out.openObject();
   out.list("symmetries", symmetries, [&](const BodySymmetry& symmetry) {
-    out.open('{');
+    out.openObject();
     writeSymmetry(out, garment, symmetry);
-    out.close('}');
+    out.close();
   });
-  out.close('}');
-  return out.take();
+  out.close();
+  return textOf(out.take());
 }
 
 std::string writeMeasured(const Garment& garment, const std::vector<MeasuredSymmetry>& measured) {
   JsonWriter out;
-  out.open('{');
+  out.openObject();
   out.list("symmetries", measured, [&](const MeasuredSymmetry& one) {
-    out.open('{');
+    out.openObject();
     writeSymmetry(out, garment, one.symmetry);
     out.field("mirrors", one.mirrors);
-    out.close('}');
+    out.close();
   });
-  out.close('}');
-  return out.take();
+  out.close();
+  return textOf(out.take());
 }
 
 }  // namespace seamwise

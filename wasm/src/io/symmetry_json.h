@@ -23,6 +23,6 @@ std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmet
 std::string writeMeasured(const Garment& garment, const std::vector<MeasuredSymmetry>& measured);
 
 /// The list itself. Throws InputError.
-std::vector<SymmetryRequest> readSymmetryList(const Json& json, const Place& place);
+std::vector<SymmetryRequest> readSymmetryList(const JsonValue& json, const Place& place);
 
 }  // namespace seamwise

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decimal.h"
 #include "geometry/polygon.h"
 
 namespace seamwise {
@@ -87,10 +88,7 @@ class Sampler {
   }
 
  private:
-  static std::string shown(double value) {
-    std::string text = std::to_string(std::round(value * 10) / 10);
-    return text.substr(0, text.find('.') + 2);
-  }
+  static std::string shown(double value) { return fixed(std::round(value * 10) / 10, 1); }
 
   int loopEnd(int panel) const {
     return panel + 1 < static_cast<int>(outlines_.first.size())

@@ -65,7 +65,7 @@ bool PaperRun::advance() {
       greatestMovement(pattern_, deformation_.shapes()) > kLost * problem_.options.max_change_cm)
     more = false;
   // gamma ends at about 2^20; later attempts tell nothing new
-  const double within = std::min(1.0, std::log2(deformation_.gamma()) / 22);
+  const double within = std::min(1.0, std::ilogb(deformation_.gamma()) / 22.0);
   progress_ = std::max(progress_, 0.1 + 0.85 * within);
   if (!more && endAttempt()) {
     restIfBetter();

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "deform/lengths.h"
+#include "geometry/decimal.h"
 #include "pattern/discretise.h"
 #include "solve/placing_rules.h"
 #include "solve/promise.h"
@@ -28,12 +28,6 @@ constexpr double kRoom = 0.1;    ///< cm of movement that are enough for lengths
 
 /// Progress at the end of stages, as a rule.
 constexpr double kReconciled = 0.2, kSampled = 0.25;
-
-std::string shown(double value, const char* format) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 /// Why a symmetry cannot hold, as "<symmetry>: <why>", and what to do about it.
 struct Obstacle {
@@ -62,9 +56,9 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
     if (moved > std::max(kEvenedShare * max_change, kEvenedAlready))
       return Obstacle{symmetry,
                       "symmetryChange",
-                      "its outlines would have to move by " + shown(moved, "%.2g") +
+                      "its outlines would have to move by " + significant(moved, 2) +
                           " cm to mirror each other exactly, which maxChangeCm does not allow",
-                      "; raise maxChangeCm to " + shown(1.1 * moved, "%.2g"),
+                      "; raise maxChangeCm to " + significant(1.1 * moved, 2),
                       {1.1 * moved}};
     Limits limits;
     limits.moved = moved, limits.kink = kEvenedKink;
@@ -86,7 +80,7 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
                       "symmetryLengths",
                       "where its outlines are made to mirror each other exactly, seams lose their "
                       "length ratio, and maxChangeCm leaves no room to restore it",
-                      "; raise maxChangeCm to " + shown(moved + kRoom, "%.2g"),
+                      "; raise maxChangeCm to " + significant(moved + kRoom, 2),
                       {moved + kRoom}};
   }
   return {};

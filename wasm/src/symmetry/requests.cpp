@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 
+#include "geometry/decimal.h"
 #include "geometry/in_quotes.h"
 #include "symmetry/detection.h"
 #include "symmetry/symmetry.h"
@@ -13,11 +13,7 @@ constexpr double kClickTurn = 5 * kPi / 180;  // a clicked axis may be off by th
 constexpr double kClickShift = 1.0;           // and by this much at the middle of the clicks, cm
 constexpr double kEdgesMeet = 2 * kMirrorTolerance;
 
-std::string centimetres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
+std::string centimetres(double value) { return fixed(value, 2); }
 
 /// What a request comes to, and what there is to say when it does not mirror.
 struct Registered {

@@ -1,6 +1,6 @@
 #include "wallpaper/lattice.h"
 
-#include <cstdio>
+#include "geometry/decimal.h"
 
 namespace seamwise {
 namespace {
@@ -9,9 +9,7 @@ constexpr double kTypeTolerance = 1e-6;  // relative
 const double kSin60 = std::sqrt(3.0) / 2;
 
 std::string number(double x, int digits = 6) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, x + 0.0);  // + 0.0: no "-0"
-  return text;
+  return significant(x + 0.0, digits);  // + 0.0: no "-0"
 }
 
 /// With all digits: the reader is meant to copy it.

@@ -6,8 +6,8 @@ import {internalError, loadingError} from './broken.js';
 import {SharedModule, type SeamwiseModule} from './load.js';
 import type {Answer, Answers, Question, QuestionOf} from './protocol.js';
 import {ownThread, run, runInSlices, runPreparation, type Pace} from './run.js';
-import {convertGarment, Detection, measureSymmetries, Solver} from './solver.js';
-import {plainNames, type MirrorTexts, type ProblemTexts} from './texts.js';
+import {convertGarment, Detection, measureSymmetry, Solver} from './solver.js';
+import type {MirrorTexts, ProblemTexts} from './texts.js';
 import {Turns} from './turns.js';
 import {unlessAborted} from './unless-aborted.js';
 import type {ModuleSettings} from './module/seamwise.mjs';
@@ -79,7 +79,7 @@ export class LocalSolver {
       const detection = new Detection(module, garment, name);
       try {
         await runInSlices((slice) => detection.advance(slice), signal, this.#pace);
-        return JSON.parse(detection.result()) as DetectedSymmetries;
+        return detection.result();
       } finally {
         detection[Symbol.dispose]();
       }
@@ -87,15 +87,8 @@ export class LocalSolver {
   }
 
   /** One symmetry, measured on the garment whether or not it mirrors. @throws {SolverError} */
-  mirror(
-    {garment, name, symmetries}: MirrorTexts,
-    signal?: AbortSignal,
-  ): Promise<MeasuredSymmetry> {
-    return this.#withModule((module) => {
-      const text = measureSymmetries(module, garment, name, symmetries, plainNames.symmetry);
-      const [measured] = (JSON.parse(text) as {symmetries: [MeasuredSymmetry]}).symmetries;
-      return measured;
-    }, signal);
+  mirror(texts: MirrorTexts, signal?: AbortSignal): Promise<MeasuredSymmetry> {
+    return this.#withModule((module) => measureSymmetry(module, texts), signal);
   }
 
   /** @throws {SolverError} */

@@ -3,12 +3,16 @@ import {symmetryReasons} from '../model/notes.js';
 import {failureCode, SolverError} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
 import type {MeshedPattern, Milliseconds, SolveResult} from '../model/result.js';
-import type {ProblemTexts} from './texts.js';
+import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
+import {documentBytes, documentValue} from './json/document.js';
+import {garmentText} from './json/garment-text.js';
+import {namedSymmetries, plainNames, type MirrorTexts, type ProblemTexts} from './texts.js';
 import type {
   ModuleDetection,
+  ModuleDocument,
   ModuleFailure,
+  ModuleProblem,
   ModuleSolver,
-  ModuleText,
   SeamwiseModule,
 } from './module/seamwise.mjs';
 
@@ -24,7 +28,9 @@ export class Solver implements Disposable {
   #attempt = 0;
 
   constructor(module: SeamwiseModule, problem: ProblemTexts) {
-    this.#solver = new module.Solver(problem);
+    const started = performance.now();
+    this.#solver = new module.Solver(problemDocuments(module, problem));
+    this.#around += performance.now() - started;
   }
 
   /**
@@ -74,18 +80,18 @@ export class Solver implements Disposable {
 
   /** The garment as it was meshed, once it is prepared. */
   pattern(): MeshedPattern {
-    const text = this.#solver.pattern();
+    const document = this.#solver.pattern();
     this.#check();
-    return JSON.parse(text) as MeshedPattern;
+    return documentValue(document) as MeshedPattern;
   }
 
   /** The result, once `advance` has returned false. */
   result(): SolveResult {
     const started = performance.now();
-    const text = this.#solver.result();
+    const document = this.#solver.result();
     this.#check();
     this.#around += performance.now() - started;
-    const result = JSON.parse(text) as SolveResult;
+    const result = documentValue(document) as SolveResult;
     return {...result, metrics: {...result.metrics, milliseconds: this.milliseconds}};
   }
 
@@ -110,12 +116,24 @@ export class Solver implements Disposable {
   }
 }
 
+function problemDocuments(module: SeamwiseModule, texts: ProblemTexts): ModuleProblem {
+  const {garment, print, symmetry, options} = texts;
+  return {
+    ...texts,
+    garment: documentBytes(garment, module),
+    print: documentBytes(print, module),
+    symmetry: namedSymmetries.has(symmetry) ? symmetry : documentBytes(symmetry, module),
+    options: options === '' ? '' : documentBytes(options, module),
+  };
+}
+
 /** A search for the symmetries a garment shows by itself, slice by slice. It owns memory of the module, too. */
 export class Detection implements Disposable {
   readonly #detection: ModuleDetection;
 
+  /** @param garment JSON text */
   constructor(module: SeamwiseModule, garment: string, name: string) {
-    this.#detection = new module.Detection(garment, name);
+    this.#detection = new module.Detection(documentBytes(garment, module), name);
   }
 
   /** Works for about `milliseconds`; false when there is nothing left to do. */
@@ -126,9 +144,9 @@ export class Detection implements Disposable {
     return more;
   }
 
-  /** What was found, as JSON text, once `advance` has returned false. @throws {SolverError} for bad input */
-  result(): string {
-    return textOf(this.#detection.result());
+  /** What was found, once `advance` has returned false. @throws {SolverError} for bad input */
+  result(): DetectedSymmetries {
+    return valueOf(this.#detection.result()) as DetectedSymmetries;
   }
 
   [Symbol.dispose](): void {
@@ -136,25 +154,30 @@ export class Detection implements Disposable {
   }
 }
 
-/** How well a garment mirrors as asked for: both as JSON texts, each with its name. @throws {SolverError} */
-export function measureSymmetries(
+/** One symmetry, measured on the garment whether or not it mirrors. @throws {SolverError} */
+export function measureSymmetry(
   module: SeamwiseModule,
-  garment: string,
-  name: string,
-  symmetries: string,
-  symmetryName: string,
-): string {
-  return textOf(module.measureSymmetries(garment, name, symmetries, symmetryName));
+  {garment, name, symmetries}: MirrorTexts,
+): MeasuredSymmetry {
+  const measured = module.measureSymmetries(
+    documentBytes(garment, module),
+    name,
+    documentBytes(symmetries, module),
+    plainNames.symmetry,
+  );
+  return (valueOf(measured) as {symmetries: [MeasuredSymmetry]}).symmetries[0];
 }
 
-/** The garment in the project's own format, as JSON text. @throws {SolverError} */
+/** The garment in the project's own format. @param garment JSON text @throws {SolverError} */
 export function convertGarment(module: SeamwiseModule, garment: string, name: string): string {
-  return textOf(module.convertGarment(garment, name));
+  const failure = module.garmentFailure(documentBytes(garment, module), name);
+  if (failure) throw toError(failure);
+  return garmentText(garment);
 }
 
-function textOf({text, failure}: ModuleText): string {
+function valueOf({document, failure}: ModuleDocument): unknown {
   if (failure) throw toError(failure);
-  return text;
+  return documentValue(document);
 }
 
 function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {

@@ -2,10 +2,22 @@ import {SolverError} from '../model/failure.js';
 import type {Garment} from '../model/garment.js';
 import {methods, type Problem, type SolveHooks} from '../model/problem.js';
 import type {Symmetry} from '../model/symmetries.js';
-import type {ModuleProblem} from './module/seamwise.mjs';
 
-/** A problem as the core takes it: the texts of its files, and what to call them in messages. */
-export type ProblemTexts = ModuleProblem;
+/** A problem as text: its files, and what to call them in messages. */
+export interface ProblemTexts {
+  readonly garment: string;
+  readonly garmentName: string;
+  readonly print: string;
+  readonly printName: string;
+  /** `auto`, `none` or JSON. */
+  readonly symmetry: string;
+  readonly symmetryName: string;
+  /** JSON, or empty. */
+  readonly options: string;
+  readonly optionsName: string;
+  readonly method: string;
+  readonly seed: number;
+}
 
 /** How to call the parts of a problem in messages: file names, where there are any. */
 export interface ProblemNames {
@@ -38,7 +50,8 @@ export const plainNames: ProblemNames = {
   options: 'options',
 };
 
-const namedSymmetries = new Set(['auto', 'none']);
+/** Those that are no document. */
+export const namedSymmetries: ReadonlySet<string> = new Set(['auto', 'none']);
 const fields = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'];
 
 /** What a caller without types may hand over instead of a problem. @throws {SolverError} */

@@ -13,17 +13,17 @@ export interface ModuleFailure {
   readonly reason: string;
 }
 
-/** Texts of the problem's files, and the names to call them by in messages. */
+/** Documents of the problem's files, and the names to call them by in messages. */
 export interface ModuleProblem {
-  readonly garment: string;
+  readonly garment: Uint8Array;
   readonly garmentName: string;
-  readonly print: string;
+  readonly print: Uint8Array;
   readonly printName: string;
-  /** `auto`, `none` or JSON. */
-  readonly symmetry: string;
+  /** `auto`, `none` or a document. */
+  readonly symmetry: Uint8Array | string;
   readonly symmetryName: string;
-  /** JSON, or empty. */
-  readonly options: string;
+  /** May be empty. */
+  readonly options: Uint8Array | '';
   readonly optionsName: string;
   readonly method: string;
   readonly seed: number;
@@ -44,10 +44,10 @@ export interface ModuleSolver extends EmbindObject {
   fraction(): number;
   /** Angle, x, y per piece; a copy. Empty during the preparation. */
   partial(): Float64Array;
-  /** The garment as it was meshed, as JSON; empty during the preparation and after a failure. */
-  pattern(): string;
-  /** The result as JSON; empty after a failure. */
-  result(): string;
+  /** The garment as it was meshed, a document; empty during the preparation and after a failure. */
+  pattern(): Uint8Array<ArrayBuffer>;
+  /** The result, a document; empty after a failure. */
+  result(): Uint8Array<ArrayBuffer>;
   /** Proves how good alignments can be, instead of a solve; false when no more can be proven. */
   prove(steps: number): boolean;
   proven(): ModuleProof;
@@ -65,28 +65,33 @@ export interface ModuleProof {
 export interface ModuleDetection extends EmbindObject {
   /** Runs some steps; false when there is nothing left to do. */
   advance(steps: number): boolean;
-  /** What was found, as JSON, once `advance` has returned false. */
-  result(): ModuleText;
+  /** What was found, once `advance` has returned false. */
+  result(): ModuleDocument;
 }
 
-/** A text, or why there is none. */
-export interface ModuleText {
-  readonly text: string;
+/** A document, or why there is none. */
+export interface ModuleDocument {
+  readonly document: Uint8Array<ArrayBuffer>;
   readonly failure: ModuleFailure | null;
 }
 
+/** Documents are JSON as `../json/document.ts` writes and reads it. */
 export interface SeamwiseModule {
   readonly Solver: new (problem: ModuleProblem) => ModuleSolver;
-  readonly Detection: new (garment: string, name: string) => ModuleDetection;
-  /** How well the garment mirrors as the symmetries ask, as JSON. */
+  readonly Detection: new (garment: Uint8Array, name: string) => ModuleDetection;
+  /** How well the garment mirrors as the symmetries ask. */
   measureSymmetries(
-    garment: string,
+    garment: Uint8Array,
     name: string,
-    symmetries: string,
+    symmetries: Uint8Array,
     symmetryName: string,
-  ): ModuleText;
-  /** The garment as seamwise-garment/1. */
-  convertGarment(garment: string, name: string): ModuleText;
+  ): ModuleDocument;
+  /** Why a garment cannot be read. */
+  garmentFailure(garment: Uint8Array, name: string): ModuleFailure | null;
+  /** The largest text that is read. [bytes] */
+  readonly maxFileBytes: number;
+  /** The most values of one document. */
+  readonly maxValues: number;
   /** Size of the module's memory. [bytes] */
   heapBytes(): number;
   /** Of that, what is in use. [bytes] */

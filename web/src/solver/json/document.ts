@@ -1,0 +1,201 @@
+/**
+ * JSON documents as they cross to the module and back: a head, a node of 16 bytes for every value and every name,
+ * the texts. wasm/src/io/json_value.h describes the nodes, wasm/src/bindings/json_bytes.cpp has the other side.
+ */
+import {scan, type JsonBreak, type JsonSink} from './scan.js';
+
+/** What the module takes. */
+export interface DocumentLimits {
+  /** Of a text. [bytes] */
+  readonly maxFileBytes: number;
+  readonly maxValues: number;
+}
+
+/** As the module counts them. */
+const kinds = {null: 0, false: 1, true: 2, number: 3, text: 4, list: 5, object: 6} as const;
+const defects = {
+  tooLarge: 1,
+  empty: 2,
+  zeroByte: 3,
+  unexpected: 4,
+  noNumber: 5,
+  overflow: 6,
+  incomplete: 7,
+} as const;
+
+/** In place of the node after a list or an object. */
+const notClosed = 0xffffffff;
+
+const nodeBytes = 16;
+/** A file of millions of different texts would fill the memory with them. */
+const mostKnown = 1000;
+const encoder = new TextEncoder();
+const decoder = new TextDecoder('utf-8', {ignoreBOM: true});
+
+/** A JSON text as the module takes it; of one that is none, as far as it goes, and where it breaks. */
+export function documentBytes(file: string, limits: DocumentLimits): Uint8Array {
+  const document = new DocumentWriter();
+  if (isLarger(file, limits.maxFileBytes)) return document.bytes('tooLarge');
+  const text = file.replace(/^\uFEFF/, '');
+  if (!/[^ \t\r\n]/.test(text)) return document.bytes('empty');
+  const zero = text.indexOf('\0');
+  if (zero >= 0) return document.bytes('zeroByte', placeOf(text, zero + 1));
+  const broken: JsonBreak | null = scan(text, document, limits.maxValues);
+  return broken
+    ? document.bytes(broken.defect, placeOf(text, broken.position))
+    : document.bytes(null);
+}
+
+/** The value of a document from the module. */
+export function documentValue(bytes: Uint8Array<ArrayBuffer>): unknown {
+  const words = new Uint32Array(bytes.buffer, 0, Math.floor(bytes.length / 4));
+  const numbers = new Float64Array(bytes.buffer, 0, Math.floor(bytes.length / 8));
+  const texts = bytes.subarray(nodeBytes * (1 + (words[0] ?? 0)));
+  const word = (at: number, k: number): number => words[4 * at + k] ?? 0;
+  const textAt = (at: number): string =>
+    decoder.decode(texts.subarray(word(at, 2), word(at, 2) + word(at, 3)));
+  let next = 1; // the head stands before the nodes, and is as long as one
+  const value = (): unknown => {
+    const at = next++;
+    const end = word(at, 1) + 1;
+    switch (word(at, 0)) {
+      case kinds.false:
+      case kinds.true:
+        return word(at, 0) === kinds.true;
+      case kinds.number:
+        return numbers[2 * at + 1];
+      case kinds.text:
+        return textAt(at);
+      case kinds.list: {
+        const list: unknown[] = [];
+        while (next < end) list.push(value());
+        return list;
+      }
+      case kinds.object: {
+        const object: Record<string, unknown> = {};
+        while (next < end) object[textAt(next++)] = value();
+        return object;
+      }
+      default:
+        return null;
+    }
+  };
+  return value();
+}
+
+function isLarger(text: string, bytes: number): boolean {
+  const mostOfAUnit = 3;
+  if (text.length * mostOfAUnit <= bytes) return false;
+  return text.length > bytes || encoder.encode(text).length > bytes;
+}
+
+interface TextPlace {
+  readonly line: number;
+  /** [bytes] */
+  readonly column: number;
+}
+
+/** Where the last unit read stands, or the end of the text. */
+function placeOf(text: string, position: number): TextPlace {
+  const before = text.slice(0, position);
+  const lines = before.split('\n');
+  const last = lines.at(-1) ?? '';
+  const column =
+    position > text.length
+      ? encoder.encode(last).length
+      : encoder.encode(last.slice(0, -1)).length + last.slice(-1).length;
+  return {line: lines.length, column: Math.max(1, column)};
+}
+
+class DocumentWriter implements JsonSink {
+  #words = new Uint32Array(1024);
+  #numbers = new Float64Array(this.#words.buffer);
+  #texts = new Uint8Array(1024);
+  /** Nodes, with the head. */
+  #count = 1;
+  #textBytes = 0;
+  /** Some of the texts: names return again and again. */
+  readonly #known = new Map<string, readonly [start: number, length: number]>();
+  /** Lists and objects that are open, and how many values each has. */
+  readonly #open: {readonly at: number; size: number}[] = [];
+
+  word(value: boolean | null): void {
+    this.#value(value === null ? kinds.null : value ? kinds.true : kinds.false);
+  }
+
+  number(value: number): void {
+    const at = this.#value(kinds.number); // which may move all that was written
+    this.#numbers[2 * at + 1] = value;
+  }
+
+  text(value: string): void {
+    this.#setText(this.#value(kinds.text), value);
+  }
+
+  name(name: string): void {
+    this.#setText(this.#node(kinds.text), name);
+  }
+
+  open(isObject: boolean): void {
+    const at = this.#value(isObject ? kinds.object : kinds.list);
+    this.#words[4 * at + 1] = notClosed;
+    this.#open.push({at, size: 0});
+  }
+
+  close(): void {
+    const closed = this.#open.pop();
+    if (!closed) return;
+    this.#words[4 * closed.at + 1] = this.#count - 1;
+    this.#words[4 * closed.at + 2] = closed.size;
+  }
+
+  bytes(defect: keyof typeof defects | null, place: TextPlace = {line: 0, column: 0}): Uint8Array {
+    const head = [this.#count - 1, defect ? defects[defect] : 0, place.line, place.column];
+    this.#words.set(head);
+    const nodes = nodeBytes * this.#count;
+    const bytes = new Uint8Array(nodes + this.#textBytes);
+    bytes.set(new Uint8Array(this.#words.buffer, 0, nodes));
+    bytes.set(this.#texts.subarray(0, this.#textBytes), nodes);
+    return bytes;
+  }
+
+  #value(kind: number): number {
+    const around = this.#open.at(-1);
+    if (around) around.size++;
+    return this.#node(kind);
+  }
+
+  #node(kind: number): number {
+    const at = this.#count++;
+    if (4 * this.#count > this.#words.length) {
+      const larger = new Uint32Array(2 * this.#words.length);
+      larger.set(this.#words);
+      this.#words = larger;
+      this.#numbers = new Float64Array(larger.buffer);
+    }
+    this.#words[4 * at] = kind;
+    this.#words[4 * at + 1] = at; // counted without the head, the node after this one
+    return at;
+  }
+
+  #setText(at: number, text: string): void {
+    const [start, length] = this.#known.get(text) ?? this.#append(text);
+    this.#words[4 * at + 2] = start;
+    this.#words[4 * at + 3] = length;
+  }
+
+  #append(text: string): readonly [start: number, length: number] {
+    const mostOfAUnit = 3;
+    const room = this.#textBytes + mostOfAUnit * text.length;
+    if (room > this.#texts.length) {
+      const larger = new Uint8Array(2 * room);
+      larger.set(this.#texts);
+      this.#texts = larger;
+    }
+    const {written} = encoder.encodeInto(text, this.#texts.subarray(this.#textBytes));
+    const place = [this.#textBytes, written] as const;
+    this.#textBytes += written;
+    if (this.#known.size < mostKnown) this.#known.set(text, place);
+    return place;
+  }
+}
