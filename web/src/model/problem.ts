@@ -1,7 +1,7 @@
 import type {Garment} from './garment.js';
 import type {SolveOptions} from './options.js';
 import type {Print} from './print.js';
-import type {MeshedPattern} from './result.js';
+import type {MeshedPattern, Proof} from './result.js';
 import type {Symmetries} from './symmetries.js';
 
 /** `best`: the default; `paper`: Wolff et al., VMV 2019; `ws19`: the method that paper extends. */
@@ -38,4 +38,11 @@ export interface SolveHooks {
   readonly onProgress?: (progress: Progress) => void;
   /** The best alignments so far: angle, x, y per piece. [rad, cm] The array is the listener's own. */
   readonly onPartial?: (alignments: Float64Array) => void;
+}
+
+/** What a proof reports while it runs. */
+export interface ProofHooks {
+  readonly signal?: AbortSignal;
+  /** What is proven by then; with every step that proves more. */
+  readonly onProof?: (proof: Proof) => void;
 }

@@ -126,6 +126,14 @@ export interface Metrics extends Fits {
   readonly seed: number;
 }
 
+/** How good alignments of the pieces as drafted can be: what `searchBound` says, looked into for longer. */
+export interface Proof {
+  /** No alignment of `rest` costs less than this share of the best one found: 1 when that is proven the best. */
+  readonly bound: number;
+  /** Of the best one found, as in the metrics of a result. [cm2] */
+  readonly fitSearch: number;
+}
+
 /** A solved pattern, as `seamwise-result/1`. Lengths in cm, angles in radians. */
 export interface SolveResult {
   readonly format: 'seamwise-result/1';

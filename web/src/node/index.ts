@@ -2,7 +2,7 @@ import {readFile} from 'node:fs/promises';
 
 import type {Garment} from '../model/garment.js';
 import type {Problem} from '../model/problem.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import {remediesOf} from '../remedies/remedies.js';
@@ -14,6 +14,7 @@ import {
   plainNames,
   problemTexts,
   type NamedPrepareHooks,
+  type NamedProofHooks,
   type NamedSolveHooks,
 } from '../solver/texts.js';
 import {orderWith, type Order, type OrderHooks} from './order.js';
@@ -28,6 +29,7 @@ export type * from '../model/result.js';
 export type * from '../model/symmetries.js';
 export type {
   NamedPrepareHooks as NodePrepareHooks,
+  NamedProofHooks as NodeProofHooks,
   NamedSolveHooks as NodeSolveHooks,
   ProblemNames,
 } from '../solver/texts.js';
@@ -99,6 +101,16 @@ export async function prepare(
 ): Promise<MeshedPattern> {
   hooks.signal?.throwIfAborted();
   return solver.prepare(problemTexts(problem, hooks.names), hooks.signal);
+}
+
+/**
+ * How good alignments of the pieces as drafted can be: looked into until no more can be proven, which may take
+ * minutes, or until the signal fires. While something is solved it waits.
+ * @throws {SolverError} as `solve` does
+ */
+export async function prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
+  hooks.signal?.throwIfAborted();
+  return solver.prove(problemTexts(problem, hooks.names), hooks);
 }
 
 /**

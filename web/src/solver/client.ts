@@ -1,6 +1,5 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import {SolverError, type Failure} from '../model/failure.js';
-import type {SolveHooks} from '../model/problem.js';
 import {internalError} from './broken.js';
 import {
   protocolVersion,
@@ -10,7 +9,7 @@ import {
   type JobRequest,
   type QuestionOf,
 } from './protocol.js';
-import {TextService} from './service.js';
+import {TextService, type QuestionHooks} from './service.js';
 import {WatchedWorker, type WorkerOwner, type WorkerPlaces} from './watched-worker.js';
 
 export type {NamedPrepareHooks, NamedSolveHooks, ProblemNames} from './texts.js';
@@ -29,7 +28,7 @@ const workPatience = 10_000;
 
 interface Job {
   readonly request: JobRequest;
-  readonly hooks: SolveHooks;
+  readonly hooks: QuestionHooks;
   /** Whether the worker has reported on it. */
   begun: boolean;
   readonly resolve: (answer: Answer) => void;
@@ -65,7 +64,7 @@ export class SolverClient extends TextService implements Disposable {
   }
 
   /** @throws {SolverError} `worker-blocked`, before anything else is heard, if there can be no worker */
-  ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: SolveHooks): Promise<Answers[K]> {
+  ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: QuestionHooks): Promise<Answers[K]> {
     return new Promise((resolve, reject) => {
       const job = ++this.#lastJob;
       const request = {...question, job};
@@ -135,6 +134,9 @@ export class SolverClient extends TextService implements Disposable {
       case 'partial':
         this.#report(message.job, (hooks) => hooks.onPartial?.(message.alignments));
         break;
+      case 'proof':
+        this.#report(message.job, (hooks) => hooks.onProof?.(message.proof));
+        break;
       case 'done':
         this.#take(message.job)?.resolve(message.answer);
         break;
@@ -148,7 +150,7 @@ export class SolverClient extends TextService implements Disposable {
   }
 
   /** A listener that throws ends its job. */
-  #report(number: number, tell: (hooks: SolveHooks) => void): void {
+  #report(number: number, tell: (hooks: QuestionHooks) => void): void {
     const job = this.#jobs.get(number);
     if (!job) return;
     job.begun = true;

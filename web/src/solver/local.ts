@@ -1,12 +1,13 @@
 import {SolverError} from '../model/failure.js';
-import type {SolveHooks} from '../model/problem.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {ProofHooks, SolveHooks} from '../model/problem.js';
+import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
 import {internalError, loadingError} from './broken.js';
 import {SharedModule, type SeamwiseModule} from './load.js';
 import type {Answer, Answers, Question, QuestionOf} from './protocol.js';
 import {ownThread, run, runInSlices, runPreparation, type Pace} from './run.js';
 import {convertGarment, Detection, measureSymmetry, Solver} from './solver.js';
+import type {QuestionHooks} from './service.js';
 import type {MirrorTexts, ProblemTexts} from './texts.js';
 import {Turns} from './turns.js';
 import {unlessAborted} from './unless-aborted.js';
@@ -38,14 +39,19 @@ export class LocalSolver {
   }
 
   /** Answers any question. @throws {SolverError}; the signal's reason, as soon as it fires */
-  answer<K extends keyof Answers>(question: QuestionOf<K>, hooks: SolveHooks): Promise<Answers[K]> {
+  answer<K extends keyof Answers>(
+    question: QuestionOf<K>,
+    hooks: QuestionHooks,
+  ): Promise<Answers[K]> {
     return this.#answer(question, hooks) as Promise<Answers[K]>;
   }
 
-  #answer(question: Question, hooks: SolveHooks): Promise<Answer> {
+  #answer(question: Question, hooks: QuestionHooks): Promise<Answer> {
     switch (question.kind) {
       case 'solve':
         return this.solve(question.texts, hooks);
+      case 'prove':
+        return this.prove(question.texts, hooks);
       case 'prepare':
         return this.prepare(question.texts, hooks.signal);
       case 'mirror':
@@ -70,6 +76,24 @@ export class LocalSolver {
     return this.#withSolver(texts, signal, async (solver) => {
       await runPreparation(solver, {...(signal && {signal})}, this.#pace);
       return solver.pattern();
+    });
+  }
+
+  /** Until no more can be proven, or the signal fires; while nothing is solved. @throws {SolverError} */
+  prove(texts: ProblemTexts, {signal, onProof}: ProofHooks): Promise<Proof> {
+    return this.#withSolver(texts, signal, async (solver) => {
+      await runPreparation(solver, {...(signal && {signal})}, this.#pace);
+      let told = 0;
+      const work = (slice: number): boolean => {
+        if (!this.#turns.isIdle) return true;
+        const more = solver.prove(slice);
+        const proof = solver.proof();
+        if (proof.bound > told) onProof?.(proof);
+        told = proof.bound;
+        return more;
+      };
+      await runInSlices(work, signal, this.#pace);
+      return solver.proof();
     });
   }
 

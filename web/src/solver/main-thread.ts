@@ -1,9 +1,8 @@
-import type {SolveHooks} from '../model/problem.js';
 import {loadingError} from './broken.js';
 import type {LocalSolver} from './local.js';
 import type {Answers, QuestionOf} from './protocol.js';
 import type {Pace} from './run.js';
-import {TextService} from './service.js';
+import {TextService, type QuestionHooks} from './service.js';
 import {unlessAborted} from './unless-aborted.js';
 import type {WorkerPlaces} from './watched-worker.js';
 
@@ -40,7 +39,7 @@ export class MainThreadSolver extends TextService {
 
   async ask<K extends keyof Answers>(
     question: QuestionOf<K>,
-    hooks: SolveHooks,
+    hooks: QuestionHooks,
   ): Promise<Answers[K]> {
     const solver = await unlessAborted((this.#solver ??= this.#load()), hooks.signal);
     return solver.answer<K>(question, hooks);

@@ -1,9 +1,8 @@
 import {SolverError, type Failure} from '../model/failure.js';
-import type {SolveHooks} from '../model/problem.js';
 import {SolverClient} from './client.js';
 import {MainThreadSolver} from './main-thread.js';
 import type {Answers, QuestionOf} from './protocol.js';
-import {TextService, type SolverService} from './service.js';
+import {TextService, type QuestionHooks, type SolverService} from './service.js';
 import {warmUpProblems} from './warm-up.js';
 import type {WorkerPlaces} from './watched-worker.js';
 
@@ -135,7 +134,7 @@ class Seat {
   }
 
   /** Asks the worker, which is to do nothing else but what it is asked. */
-  ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: SolveHooks): Promise<Answers[K]> {
+  ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: QuestionHooks): Promise<Answers[K]> {
     (this.#warming ??= new AbortController()).abort();
     return this.client.ask<K>(question, hooks);
   }
@@ -157,7 +156,7 @@ class LeasedSolver extends TextService {
 
   async ask<K extends keyof Answers>(
     question: QuestionOf<K>,
-    hooks: SolveHooks,
+    hooks: QuestionHooks,
   ): Promise<Answers[K]> {
     const {signal: released} = this.#released;
     const signal = hooks.signal ? AbortSignal.any([hooks.signal, released]) : released;

@@ -1,16 +1,17 @@
 import type {Failure} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
 import type {MirrorTexts, ProblemTexts} from './texts.js';
 
 /** Grows with every change of the messages: a page must not talk to a worker from an old cache. */
-export const protocolVersion = '3';
+export const protocolVersion = '4';
 
 /** What the answer to each kind of question is. */
 export interface Answers {
   readonly solve: SolveResult;
   readonly prepare: MeshedPattern;
+  readonly prove: Proof;
   readonly mirror: MeasuredSymmetry;
   readonly symmetries: DetectedSymmetries;
   readonly convert: string;
@@ -26,7 +27,7 @@ export type Question =
       /** Whether the page wants to see the pattern first. */
       readonly showsPattern: boolean;
     }
-  | {readonly kind: 'prepare'; readonly texts: ProblemTexts}
+  | {readonly kind: 'prepare' | 'prove'; readonly texts: ProblemTexts}
   | {readonly kind: 'mirror'; readonly texts: MirrorTexts}
   | {
       readonly kind: 'symmetries' | 'convert';
@@ -64,5 +65,6 @@ export type FromWorker =
   | {readonly kind: 'pattern'; readonly job: number; readonly pattern: MeshedPattern}
   /** Angle, x, y per piece; transferred. [rad, cm] */
   | {readonly kind: 'partial'; readonly job: number; readonly alignments: Float64Array}
+  | {readonly kind: 'proof'; readonly job: number; readonly proof: Proof}
   | {readonly kind: 'done'; readonly job: number; readonly answer: Answer}
   | {readonly kind: 'failed'; readonly job: number; readonly failure: Failure};

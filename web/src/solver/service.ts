@@ -1,6 +1,6 @@
 import type {Garment} from '../model/garment.js';
-import type {Problem, SolveHooks} from '../model/problem.js';
-import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
+import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import type {Answers, QuestionOf} from './protocol.js';
 import {
@@ -9,8 +9,12 @@ import {
   plainNames,
   problemTexts,
   type NamedPrepareHooks,
+  type NamedProofHooks,
   type NamedSolveHooks,
 } from './texts.js';
+
+/** For any question: what it does not report is not heard. */
+export type QuestionHooks = SolveHooks & ProofHooks;
 
 /** For questions about a garment alone. */
 export interface GarmentHooks {
@@ -38,6 +42,13 @@ export interface SolverService {
   prepare(problem: Problem, hooks?: NamedPrepareHooks): Promise<MeshedPattern>;
 
   /**
+   * How good alignments of the pieces as drafted can be: looked into until no more can be proven, which may
+   * take minutes, or until the signal fires. Solves go before it.
+   * @throws {SolverError} as `solve` does
+   */
+  prove(problem: Problem, hooks?: NamedProofHooks): Promise<Proof>;
+
+  /**
    * Measures one symmetry on a garment, whether or not the garment mirrors so.
    * @throws {SolverError} for bad input, such as a piece that the garment does not have
    */
@@ -56,10 +67,10 @@ export interface SolverService {
 
 /** A service for whoever can answer in texts: it makes the texts. */
 export abstract class TextService implements SolverService {
-  /** Answers one question; of the hooks, all but the signal are for solves. @throws as `solve` does */
+  /** Answers one question; of the hooks, all but the signal are for solves and proofs. @throws as `solve` does */
   abstract ask<K extends keyof Answers>(
     question: QuestionOf<K>,
-    hooks: SolveHooks,
+    hooks: QuestionHooks,
   ): Promise<Answers[K]>;
 
   async solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
@@ -74,6 +85,11 @@ export abstract class TextService implements SolverService {
   async prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
     hooks.signal?.throwIfAborted();
     return this.ask<'prepare'>({kind: 'prepare', texts: problemTexts(problem, hooks.names)}, hooks);
+  }
+
+  async prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
+    hooks.signal?.throwIfAborted();
+    return this.ask<'prove'>({kind: 'prove', texts: problemTexts(problem, hooks.names)}, hooks);
   }
 
   async mirror(

@@ -2,7 +2,7 @@
 import {symmetryReasons} from '../model/notes.js';
 import {failureCode, SolverError} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
-import type {MeshedPattern, Milliseconds, SolveResult} from '../model/result.js';
+import type {MeshedPattern, Milliseconds, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
 import {documentBytes, documentValue} from './json/document.js';
 import {garmentText} from './json/garment-text.js';
@@ -93,6 +93,22 @@ export class Solver implements Disposable {
     this.#around += performance.now() - started;
     const result = documentValue(document) as SolveResult;
     return {...result, metrics: {...result.metrics, milliseconds: this.milliseconds}};
+  }
+
+  /** Proves how good alignments can be, for about `milliseconds`; false when no more can be proven. */
+  prove(milliseconds: number): boolean {
+    const until = performance.now() + milliseconds;
+    let more = true;
+    while (more && performance.now() < until) {
+      more = this.#solver.prove(1);
+      this.#check();
+    }
+    return more;
+  }
+
+  /** What is proven by then. */
+  proof(): Proof {
+    return this.#solver.proven();
   }
 
   /** Time spent computing so far, in whole milliseconds. */

@@ -1,6 +1,6 @@
 import {SolverError} from '../model/failure.js';
 import type {Garment} from '../model/garment.js';
-import {methods, type Problem, type SolveHooks} from '../model/problem.js';
+import {methods, type Problem, type ProofHooks, type SolveHooks} from '../model/problem.js';
 import type {Symmetry} from '../model/symmetries.js';
 
 /** A problem as text: its files, and what to call them in messages. */
@@ -32,6 +32,8 @@ export interface NamedSolveHooks extends SolveHooks {
   /** What to call the problem's parts in error messages: the names of their files. */
   readonly names?: Partial<ProblemNames>;
 }
+
+export interface NamedProofHooks extends ProofHooks, Pick<NamedSolveHooks, 'names'> {}
 
 /** For questions that are answered at once. */
 export type NamedPrepareHooks = Pick<NamedSolveHooks, 'signal' | 'names'>;

@@ -1,12 +1,17 @@
 /** Lets a few work at a time, in the order they came. */
 export class Turns {
+  readonly #atOnce: number;
   #free: number;
   /** What lets each of them begin; in order. */
   readonly #waiting = new Set<() => void>();
 
   /** @param atOnce how many may be at work */
   constructor(atOnce: number) {
-    this.#free = atOnce;
+    this.#atOnce = this.#free = atOnce;
+  }
+
+  get isIdle(): boolean {
+    return this.#free === this.#atOnce;
   }
 
   /** @throws what `work` throws; the signal's reason, at once, when it fires before the turn has come */

@@ -1,9 +1,9 @@
 import {failureOf, SolverError, type Failure} from '../model/failure.js';
-import type {SolveHooks} from '../model/problem.js';
 import type {MeshedPattern} from '../model/result.js';
 import {internalError} from './broken.js';
 import {LocalSolver} from './local.js';
 import {protocolVersion, type FromWorker, type JobRequest, type ToWorker} from './protocol.js';
+import type {QuestionHooks} from './service.js';
 
 /** What a worker's global scope has; written out, since its types exclude those of a page. */
 export interface WorkerScope {
@@ -42,6 +42,7 @@ class Service {
         break;
       case 'solve':
       case 'prepare':
+      case 'prove':
       case 'mirror':
       case 'symmetries':
       case 'convert':
@@ -68,7 +69,7 @@ class Service {
     }
   }
 
-  #hooks(request: JobRequest, signal: AbortSignal): SolveHooks {
+  #hooks(request: JobRequest, signal: AbortSignal): QuestionHooks {
     const {job} = request;
     const onPattern = (pattern: MeshedPattern) => {
       this.#scope.postMessage({kind: 'pattern', job, pattern});
@@ -78,6 +79,9 @@ class Service {
       ...(request.kind === 'solve' && request.showsPattern && {onPattern}),
       onProgress: (progress) => {
         this.#scope.postMessage({kind: 'progress', job, ...progress});
+      },
+      onProof: (proof) => {
+        this.#scope.postMessage({kind: 'proof', job, proof});
       },
       onPartial: (alignments) => {
         const transfer = [alignments.buffer as ArrayBuffer];

@@ -29,6 +29,7 @@ export class LastingSolver implements SolverService, SolverLease {
 
   readonly solve: SolverService['solve'] = async (...asked) => this.#solver.solve(...asked);
   readonly prepare: SolverService['prepare'] = async (...asked) => this.#solver.prepare(...asked);
+  readonly prove: SolverService['prove'] = async (...asked) => this.#solver.prove(...asked);
   readonly mirror: SolverService['mirror'] = async (...asked) => this.#solver.mirror(...asked);
   readonly convert: SolverService['convert'] = async (...asked) => this.#solver.convert(...asked);
   readonly symmetries: SolverService['symmetries'] = async (...asked) =>

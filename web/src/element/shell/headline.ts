@@ -123,8 +123,11 @@ export class Headline extends DeskElement {
   #proof({method, searchBound}: Metrics): TemplateResult | typeof nothing {
     if (method !== 'best') return nothing;
     const {proven, nearlyProven, unproven} = this.texts.headline;
-    const left = this.format.percent(1 - searchBound);
-    const text = searchBound === 1 ? proven : searchBound > 0.5 ? nearlyProven(left) : unproven;
+    const {afterwards, design} = this.desk;
+    const bound = Math.max(searchBound, (design && afterwards.bound(design)) ?? 0);
+    // up to the next per cent: what is said must hold
+    const left = this.format.percent(Math.ceil(100 * (1 - bound)) / 100);
+    const text = bound === 1 ? proven : bound > 0.5 ? nearlyProven(left) : unproven;
     return html`<p>${text}</p>`;
   }
 

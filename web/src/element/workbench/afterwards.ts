@@ -1,4 +1,4 @@
-/** What is worked on once an answer is there: what its symmetries cost, what would help it, and a better one when asked. */
+/** What is worked on once an answer is there: what its symmetries cost, what would help it, how good it can be, and a better one when asked. */
 import type {Design} from '../../model/design.js';
 import type {Problem} from '../../model/problem.js';
 import type {SolveResult} from '../../model/result.js';
@@ -6,6 +6,7 @@ import type {Remedy} from '../../remedies/remedy.js';
 import type {SolverService} from '../../solver/service.js';
 import {Comparison} from './comparison.js';
 import {Improvement, type Improving} from './improvement.js';
+import {Proving} from './proving.js';
 import {RemedySearch} from './remedy-search.js';
 
 export interface AfterwardsHooks {
@@ -19,12 +20,14 @@ export interface AfterwardsHooks {
 export class Afterwards {
   readonly #comparison: Comparison;
   readonly #remedies: RemedySearch;
+  readonly #proving: Proving;
   readonly #improvement: Improvement;
   #latest: Design | undefined;
 
   constructor(solver: SolverService, {problemOf, changed, improved}: AfterwardsHooks) {
     this.#comparison = new Comparison(solver, problemOf, changed);
     this.#remedies = new RemedySearch(solver, problemOf, changed);
+    this.#proving = new Proving(solver, problemOf, changed);
     this.#improvement = new Improvement(solver, problemOf, changed, (design, effort, result) => {
       this.#latest = improved(design, effort, result);
       return this.#latest;
@@ -40,6 +43,11 @@ export class Afterwards {
     return this.#remedies.of(design);
   }
 
+  /** No other placing misses by less than this share of what the present one misses by. */
+  bound(design: Design): number | undefined {
+    return this.#proving.of(design);
+  }
+
   improving(design: Design): Improving | undefined {
     return this.#improvement.of(design);
   }
@@ -50,6 +58,7 @@ export class Afterwards {
     this.#latest = design;
     await this.#comparison.follow(design, result);
     if (this.#latest === design) await this.#remedies.follow(design, result);
+    if (this.#latest === design) await this.#proving.follow(design, result);
   }
 
   /** Until somebody stops it, or does anything else. @param result the answer to `design` */
@@ -64,6 +73,7 @@ export class Afterwards {
     this.#latest = undefined;
     this.#comparison.stop();
     this.#remedies.stop();
+    this.#proving.stop();
     this.#improvement.stop();
   }
 

@@ -1,0 +1,86 @@
+import {describe, expect, it, vi} from 'vitest';
+
+import {Proving} from '../../web/src/element/workbench/proving.js';
+import {problemOf, type Design} from '../../web/src/model/design.js';
+import type {SolveResult} from '../../web/src/model/result.js';
+import type {SolverService} from '../../web/src/solver/service.js';
+import {plainMetrics, squarePair} from '../support/two-squares.js';
+
+const design: Design = {
+  garment: {name: 'two.json', text: '{}'},
+  print: {
+    ...{title: '', group: 'p1', turnDeg: 0, oneWay: false, cell: 'primitive', image: ''},
+    size: {width: 10, height: 10, angleDeg: 90},
+  },
+  ...{symmetries: [], method: 'best', options: {}},
+};
+
+const result = (metrics: Partial<SolveResult['metrics']> = {}): SolveResult => ({
+  ...{format: 'seamwise-result/1', units: 'cm', search: [], notes: []},
+  metrics: {...plainMetrics, searchBound: 0.2, fitSearch: 50, ...metrics},
+  ...squarePair(),
+});
+
+/** A solver that proves these shares one after the other, of a placing that fits so. */
+function provingSolver(bounds: readonly number[], fitSearch = 50) {
+  const signals: AbortSignal[] = [];
+  const prove = vi.fn<SolverService['prove']>((_, {signal, onProof} = {}) => {
+    if (signal) signals.push(signal);
+    for (const bound of bounds) onProof?.({bound, fitSearch});
+    if (signal?.aborted) return Promise.reject(new Error('stopped'));
+    return Promise.resolve({bound: bounds.at(-1) ?? 0, fitSearch});
+  });
+  return {service: {prove} as unknown as SolverService, prove, signals};
+}
+
+function following(solver: SolverService) {
+  let changes = 0;
+  const proving = new Proving(solver, problemOf, () => (changes += 1));
+  return {proving, changes: () => changes};
+}
+
+describe('what is proven when nothing else is to be done', () => {
+  it('is told by the per cent, and known from then on', async () => {
+    const {service, prove} = provingSolver([0.301, 0.302, 0.31, 0.9999, 1]);
+    const {proving, changes} = following(service);
+    await proving.follow(design, result());
+    expect(proving.of(design)).toBe(1);
+    expect(changes()).toBe(4);
+    await proving.follow(design, result());
+    expect(prove).toHaveBeenCalledTimes(1);
+  });
+
+  it('is never less than what the result says itself', async () => {
+    const {service} = provingSolver([0.1]);
+    const {proving} = following(service);
+    await proving.follow(design, result());
+    expect(proving.of(design)).toBe(0.2);
+  });
+
+  it('is not asked for where all is proven, or where nothing was searched', async () => {
+    const {service, prove} = provingSolver([1]);
+    const {proving} = following(service);
+    await proving.follow(design, result({searchBound: 1}));
+    await proving.follow(design, result({method: 'paper', searchBound: 0}));
+    expect(prove).not.toHaveBeenCalled();
+  });
+
+  it('says nothing of another placing than that of the result', async () => {
+    const {service, signals} = provingSolver([0.9], 49);
+    const {proving} = following(service);
+    await proving.follow(design, result());
+    expect(proving.of(design)).toBeUndefined();
+    expect(signals[0]?.aborted).toBe(true);
+  });
+
+  it('stops when something else is to be done, and then goes on', async () => {
+    const {service, prove} = provingSolver([0.5]);
+    const {proving} = following(service);
+    const followed = proving.follow(design, result());
+    proving.stop();
+    await followed;
+    await proving.follow(design, result());
+    expect(prove).toHaveBeenCalledTimes(2);
+    expect(proving.of(design)).toBe(0.5);
+  });
+});
