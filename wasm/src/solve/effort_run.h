@@ -23,6 +23,7 @@ class EffortRun : public Run {
   const Alignments& alignment() const override { return best().alignment(); }
   const Alignments& search() const override { return best().search(); }
   double searchBound() const override { return best().searchBound(); }
+  AlignmentSearch* searching() override { return run_ ? run_->searching() : nullptr; }
   const Shapes& shapes() const override { return best().shapes(); }
   int iterations() const override { return best().iterations(); }
   int factorisations() const override { return best().factorisations(); }

@@ -1,5 +1,6 @@
 import type {SolveHooks} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
+import {sliceWhileHelped} from './helpers.js';
 import type {Solver} from './solver.js';
 
 /** How a solve shares its thread with everything else. */
@@ -18,9 +19,15 @@ export const ownThread: Pace = {
 
 /**
  * Runs a solver to its end in slices, letting everything else run in between. Does not dispose of it.
+ * @param help looks for threads to help; whether any does
  * @throws {SolverError}; the signal's reason, an `AbortError` by default, before the next slice
  */
-export async function run(solver: Solver, hooks: SolveHooks, pace: Pace): Promise<SolveResult> {
+export async function run(
+  solver: Solver,
+  hooks: SolveHooks,
+  pace: Pace,
+  help: () => boolean = () => false,
+): Promise<SolveResult> {
   const report = () => {
     hooks.onProgress?.({phase: solver.phase, fraction: solver.fraction});
     hooks.onPartial?.(solver.partial());
@@ -35,7 +42,7 @@ export async function run(solver: Solver, hooks: SolveHooks, pace: Pace): Promis
   let more = true;
   while (more) {
     await breathe();
-    more = solver.advance(pace.slice);
+    more = solver.advance(help() ? Math.min(pace.slice, sliceWhileHelped) : pace.slice);
     report();
   }
   await breathe();

@@ -4,11 +4,17 @@ import {failureCode, SolverError} from '../model/failure.js';
 import type {Phase} from '../model/problem.js';
 import type {MeshedPattern, Milliseconds, SolveResult} from '../model/result.js';
 import type {ProblemTexts} from './texts.js';
-import type {ModuleFailure, ModuleSolver, ModuleText, SeamwiseModule} from './module/seamwise.mjs';
+import type {
+  LentShare,
+  ModuleFailure,
+  ModuleSolver,
+  ModuleText,
+  SeamwiseModule,
+} from './module/seamwise.mjs';
 
 /**
  * A solve that is advanced slice by slice. It owns memory of the module: dispose of it, whatever
- * happens. Every method may throw a SolverError.
+ * happens. Methods may throw a SolverError.
  */
 export class Solver implements Disposable {
   readonly #solver: ModuleSolver;
@@ -66,6 +72,19 @@ export class Solver implements Disposable {
   /** The best alignments so far: angle, x, y per piece. A copy. */
   partial(): Float64Array {
     return this.#solver.partial();
+  }
+
+  /**
+   * A share of the search at work, to be run on another thread, and its number; null when there is none. What goes
+   * wrong is told when the solver is next advanced.
+   */
+  lend(): LentShare | null {
+    return this.#solver.lend();
+  }
+
+  /** What came of a share that was lent; as above. */
+  take(number: number, answers: Float64Array): void {
+    this.#solver.take(number, answers);
   }
 
   /** The garment as it was meshed. */
@@ -132,7 +151,7 @@ function textOf({text, failure}: ModuleText): string {
   return text;
 }
 
-function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
+export function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
   const why = symmetryReasons.find((known) => known === reason);
   return new SolverError({
     code: failureCode(code),

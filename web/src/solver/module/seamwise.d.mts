@@ -44,10 +44,29 @@ export interface ModuleSolver extends EmbindObject {
   fraction(): number;
   /** Angle, x, y per piece; a copy. */
   partial(): Float64Array;
+  /** A share of the present search, for `Share` in another thread; null when there is none. */
+  lend(): LentShare | null;
+  /** The answers of a share by its number; ignored when the search has ended. */
+  take(number: number, answers: Float64Array): void;
   /** The garment as it was meshed, as JSON; empty after a failure. */
   pattern(): string;
   /** The result as JSON; empty after a failure. */
   result(): string;
+}
+
+/** All that a share depends on, as numbers that only this build of the module can read; a copy. */
+export interface LentShare {
+  readonly number: number;
+  readonly order: Float64Array;
+}
+
+/** A share of another thread's search. */
+export interface ModuleShare extends EmbindObject {
+  failure(): ModuleFailure | null;
+  /** Runs some steps; false when there is nothing left to do. */
+  advance(steps: number): boolean;
+  /** Once there is not: for `take`; a copy. */
+  answers(): Float64Array;
 }
 
 /** A text, or why there is none. */
@@ -58,6 +77,7 @@ export interface ModuleText {
 
 export interface SeamwiseModule {
   readonly Solver: new (problem: ModuleProblem) => ModuleSolver;
+  readonly Share: new (order: Float64Array) => ModuleShare;
   /** Symmetries the garment shows by itself, as JSON. */
   detectSymmetries(garment: string, name: string): ModuleText;
   /** How well the garment mirrors as the symmetries ask, as JSON. */
@@ -80,6 +100,11 @@ export interface ModuleSettings {
   readonly wasmBinary?: ArrayBufferView | ArrayBuffer;
   /** Where to find a file of the module. */
   readonly locateFile?: (file: string, folder: string) => string;
+  /** Hands over the instance when it has been made. */
+  readonly instantiateWasm?: (
+    imports: WebAssembly.Imports,
+    receive: (instance: WebAssembly.Instance) => void,
+  ) => object;
 }
 
 declare const createSeamwise: (settings?: ModuleSettings) => Promise<SeamwiseModule>;
