@@ -32,6 +32,6 @@ export function twoStrips(height = 10): GarmentCodeSpecification {
 }
 
 /** A sample garment of the project: work for many slices. */
-export function sample(name: 'tee' | 'gathered-skirt' | 'princess-dress'): string {
+export function sample(name: 'tee' | 'gathered-skirt' | 'hoodie' | 'princess-dress'): string {
   return readFileSync(new URL(`../../public/garments/${name}-m.json`, import.meta.url), 'utf8');
 }

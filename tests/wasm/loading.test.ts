@@ -36,7 +36,7 @@ it('gives up a module that does not come, and says so', async () => {
   await expect(new SharedModule(() => never, 50).load()).rejects.toThrow(
     'seamwise.wasm has not come within 0.05 s',
   );
-  const solver = new LocalSolver(() => never, undefined, 50);
+  const solver = new LocalSolver(() => never, {patience: 50});
   await expect(solver.convert(garment, 'garment')).rejects.toMatchObject({
     code: 'no-wasm',
     message: expect.stringMatching(/within 0\.05 s; check the connection.*[^.]\.$/) as string,

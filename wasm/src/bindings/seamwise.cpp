@@ -7,6 +7,7 @@
 #include <malloc.h>
 
 #include <exception>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@
 #include "io/json_ends.h"
 #include "io/problem_json.h"
 #include "io/result_json.h"
+#include "io/share_numbers.h"
 #include "io/symmetry_json.h"
 #include "solve/solver.h"
 
@@ -74,6 +76,11 @@ val documentValue(Make make) {
   answer.set("document", copied(bytes));
   answer.set("failure", failureValue(error));
   return answer;
+}
+
+/// A view of the heap dies when memory grows, so JavaScript gets a copy.
+val copied(const std::vector<double>& numbers) {
+  return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
 }
 
 ProblemTexts problemTexts(const val& problem) {
@@ -149,7 +156,34 @@ class SolverHandle {
       }
       return std::nullopt;
     });
-    return copied(flat.size(), flat.data());
+    return copied(flat);
+  }
+
+  /// A share of the present search for another thread, and its number; null when there is none.
+  val lend() {
+    val lent = val::null();
+    guard([&]() -> std::optional<Error> {
+      AlignmentSearch* const search = solver_ ? solver_->searching() : nullptr;
+      std::shared_ptr<AlignmentSearch::Share> share = search ? search->lend() : nullptr;
+      if (!share) return std::nullopt;
+      lent = val::object();
+      lent.set("number", static_cast<int>(lent_.size()));
+      lent.set("order", copied(writeShare(search->problem(), share->task)));
+      lent_.push_back({share, componentsOf(search->problem())});
+      return std::nullopt;
+    });
+    return lent;
+  }
+
+  /// The answers of a share that was lent. Those of a search that has ended are of no use.
+  void take(int number, const val& answers) {
+    guard([&]() -> std::optional<Error> {
+      const Lent& lent = lent_.at(static_cast<std::size_t>(number));
+      if (const auto share = lent.share.lock())
+        share->answers =
+            readAnswers(emscripten::convertJSArrayToNumberVector<double>(answers), lent.components);
+      return std::nullopt;
+    });
   }
 
   /// The garment as it is meshed, not solved; empty before the preparation has ended.
@@ -212,6 +246,11 @@ class SolverHandle {
     return std::nullopt;
   }
 
+  struct Lent {
+    std::weak_ptr<AlignmentSearch::Share> share;
+    std::vector<Component> components;
+  };
+
   template <class Work>
   void guard(Work work) {
     if (!error_) error_ = caught(std::move(work));
@@ -224,6 +263,51 @@ class SolverHandle {
   std::optional<ProblemReader> reader_;
   std::optional<SolverSetup> setup_;
   std::optional<Solver> solver_;
+  std::optional<Error> error_;
+  std::vector<Lent> lent_;  ///< by number
+};
+
+/// A share of a search that runs on another thread, as JavaScript holds it.
+class ShareHandle {
+ public:
+  explicit ShareHandle(const val& numbers) {
+    error_ = caught([&]() -> std::optional<Error> {
+      auto order = readShare(emscripten::convertJSArrayToNumberVector<double>(numbers));
+      if (!order) return Error{Failure::kInternal, "A share of a search came damaged."};
+      work_ = std::make_unique<Work>(*std::move(order));
+      return std::nullopt;
+    });
+  }
+
+  val failure() const { return failureValue(error_); }
+
+  bool advance(int steps) {
+    bool more = work_ != nullptr;
+    error_ = caught([&]() -> std::optional<Error> {
+      for (int k = 0; more && k < steps; ++k) more = work_->share.step();
+      return std::nullopt;
+    });
+    return more && !error_;
+  }
+
+  /// Once nothing is left to do.
+  val answers() const {
+    return copied(work_ ? writeAnswers(work_->share.answers()) : std::vector<double>());
+  }
+
+ private:
+  struct Work {
+    explicit Work(ShareOrder of)
+        : order(std::move(of)),
+          components(componentsOf(order.problem)),
+          samples(searchSamples(order.problem, order.task.budget)),
+          share(order.problem, components, samples, order.task) {}
+    ShareOrder order;
+    std::vector<Component> components;
+    SearchSamples samples;
+    SearchShare share;
+  };
+  std::unique_ptr<Work> work_;
   std::optional<Error> error_;
 };
 
@@ -298,6 +382,8 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("attempt", &SolverHandle::attempt)
       .function("fraction", &SolverHandle::fraction)
       .function("partial", &SolverHandle::partial)
+      .function("lend", &SolverHandle::lend)
+      .function("take", &SolverHandle::take)
       .function("pattern", &SolverHandle::pattern)
       .function("result", &SolverHandle::result)
       .function("prove", &SolverHandle::prove)
@@ -306,6 +392,11 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .constructor<const std::string&, const std::string&>()
       .function("advance", &DetectionHandle::advance)
       .function("result", &DetectionHandle::result);
+  emscripten::class_<ShareHandle>("Share")
+      .constructor<const val&>()
+      .function("failure", &ShareHandle::failure)
+      .function("advance", &ShareHandle::advance)
+      .function("answers", &ShareHandle::answers);
   emscripten::function("measureSymmetries", &measuredSymmetries);
   emscripten::function("garmentFailure", &garmentFailure);
   emscripten::constant("maxFileBytes", static_cast<double>(kMaxFileBytes));

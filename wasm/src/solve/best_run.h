@@ -32,6 +32,7 @@ class BestRun : public Run {
   const Alignments& alignment() const override { return alignment_; }
   const Alignments& search() const override { return search_result_; }
   double searchBound() const override { return searching_.bound() * of_bound_; }
+  AlignmentSearch* searching() override { return searching_.searching(); }
   const Shapes& shapes() const override;
   int iterations() const override { return settling_ + (fit_ ? fit_->iterations() : 0); }
   int factorisations() const override { return fit_ ? fit_->factorisations() : 0; }

@@ -34,6 +34,7 @@ class EffortRun : public Run {
   double searchBound() const override {
     return best_asked_ ? best_asked_->searchBound() : best().searchBound();
   }
+  AlignmentSearch* searching() override { return run_ ? run_->searching() : nullptr; }
   const Shapes& shapes() const override { return best().shapes(); }
   int iterations() const override { return best().iterations(); }
   int factorisations() const override { return best().factorisations(); }

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "alignment/matching.h"
+#include "alignment/search.h"
 #include "seam/join.h"
 
 namespace seamwise {
@@ -27,6 +27,8 @@ class Run {
   virtual const Shapes& shapes() const = 0;
   virtual int iterations() const = 0;
   virtual int factorisations() const = 0;
+  /// The search at work, to lend shares of it; null when there is none.
+  virtual AlignmentSearch* searching() { return nullptr; }
   /// Grows when the deformation starts over with other weights; only the last attempt's time
   /// counts.
   virtual int attempt() const { return 0; }

@@ -29,6 +29,8 @@ class SearchRun {
 
   /// Some milliseconds of work. False when it has ended.
   bool advance();
+  /// The search at work; null when there is none.
+  AlignmentSearch* searching() { return searching_.get(); }
   /// Once it has ended: seeks once more what comes near when seams may move, with other weights.
   /// underSlack() is of that search then.
   /// @param urgency   per seam: multiple of its weight

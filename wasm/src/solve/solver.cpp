@@ -126,6 +126,7 @@ double Solver::fraction() const {
 
 int Solver::attempt() const { return state_->run->attempt(); }
 const Alignments& Solver::partial() const { return state_->run->alignment(); }
+AlignmentSearch* Solver::searching() { return state_->run->searching(); }
 const std::vector<Note>& Solver::notes() const { return state_->problem.notes; }
 const Pattern& Solver::pattern() const { return state_->pattern; }
 

@@ -41,6 +41,8 @@ class Solver {
   /// Grows when the deformation starts over; the time of earlier attempts does not count.
   int attempt() const;
   const Alignments& partial() const;  ///< best alignment so far, of every piece
+  /// The search at work between two steps, to lend shares of it; null when there is none.
+  AlignmentSearch* searching();
   const std::vector<Note>& notes() const;
   const Pattern& pattern() const;
 

@@ -1,4 +1,6 @@
 import {readFile} from 'node:fs/promises';
+import {availableParallelism} from 'node:os';
+import {isMainThread} from 'node:worker_threads';
 
 import type {Garment} from '../model/garment.js';
 import type {Problem} from '../model/problem.js';
@@ -7,6 +9,8 @@ import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import {remediesOf} from '../remedies/remedies.js';
 import type {Remedy} from '../remedies/remedy.js';
+import {helpersFor} from '../solver/cores.js';
+import {Helpers} from '../solver/helpers.js';
 import {LocalSolver} from '../solver/local.js';
 import {
   jsonText,
@@ -17,6 +21,7 @@ import {
   type NamedProofHooks,
   type NamedSolveHooks,
 } from '../solver/texts.js';
+import {thread} from './thread.js';
 import {orderWith, type Order, type OrderHooks} from './order.js';
 
 export type {Alignment, Point} from '../model/geometry.js';
@@ -40,9 +45,15 @@ export {FileError} from '../model/versioned-file.js';
 export type {Order, OrderHooks} from './order.js';
 export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
 
-const solver = new LocalSolver(async () => ({
-  wasmBinary: await readFile(new URL('../solver/module/seamwise.wasm', import.meta.url)),
-}));
+/** For a program that solves on threads of its own, as a batch does, all cores are at work already. */
+const most = isMainThread ? helpersFor(availableParallelism()) : 0;
+
+const solver = new LocalSolver(
+  async () => ({
+    wasmBinary: await readFile(new URL('../solver/module/seamwise.wasm', import.meta.url)),
+  }),
+  {helpers: new Helpers(thread)},
+);
 
 /**
  * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its seams.
@@ -51,7 +62,7 @@ const solver = new LocalSolver(async () => ({
  */
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
   hooks.signal?.throwIfAborted();
-  return solver.solve(problemTexts(problem, hooks.names), hooks);
+  return solver.solve(problemTexts(problem, hooks.names), hooks, most);
 }
 
 /**

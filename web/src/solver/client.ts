@@ -42,6 +42,7 @@ interface Job {
  */
 export class SolverClient extends TextService implements Disposable {
   readonly #places: WorkerPlaces;
+  readonly #helpers: () => number;
   readonly #jobs = new Map<number, Job>();
   /** Jobs whose callers have gone, and which the worker has not yet dropped. */
   readonly #leaving = new Set<number>();
@@ -58,16 +59,22 @@ export class SolverClient extends TextService implements Disposable {
   #lastJob = 0;
   #disposed = false;
 
-  constructor(places: WorkerPlaces = {}) {
+  /** @param helpers how many threads may help with a solve just now */
+  constructor(places: WorkerPlaces = {}, helpers: () => number = () => 0) {
     super();
     this.#places = places;
+    this.#helpers = helpers;
   }
 
   /** @throws {SolverError} `worker-blocked`, before anything else is heard, if there can be no worker */
   ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: QuestionHooks): Promise<Answers[K]> {
     return new Promise((resolve, reject) => {
       const job = ++this.#lastJob;
-      const request = {...question, job};
+      const request = {
+        ...question,
+        job,
+        ...(question.kind === 'solve' && {helpers: this.#helpers()}),
+      };
       const {signal} = hooks;
       this.#running().post(request);
       const abort = () => {

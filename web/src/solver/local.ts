@@ -3,18 +3,25 @@ import type {ProofHooks, SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
 import {internalError, loadingError} from './broken.js';
-import {SharedModule, type SeamwiseModule} from './load.js';
+import type {Helpers} from './helpers.js';
+import {SharedModule, type SeamwiseModule, type Settings} from './load.js';
 import type {Answer, Answers, Question, QuestionOf} from './protocol.js';
 import {ownThread, run, runInSlices, runPreparation, type Pace} from './run.js';
+import {Share} from './share.js';
 import {convertGarment, Detection, measureSymmetry, Solver} from './solver.js';
 import type {QuestionHooks} from './service.js';
 import type {MirrorTexts, ProblemTexts} from './texts.js';
 import {Turns} from './turns.js';
 import {unlessAborted} from './unless-aborted.js';
-import type {ModuleSettings} from './module/seamwise.mjs';
 
 /** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
 const solvesAtOnce = 2;
+
+interface LocalWays {
+  readonly pace?: Pace;
+  readonly patience?: number | undefined;
+  readonly helpers?: Helpers | undefined;
+}
 
 /**
  * The solver on the thread that calls it, with one module instance. Solves take turns in the order they
@@ -24,18 +31,20 @@ export class LocalSolver {
   readonly #shared: SharedModule;
   readonly #pace: Pace;
   readonly #turns = new Turns(solvesAtOnce);
+  readonly #helpers: Helpers | undefined;
 
   /**
    * @param settings how to find the .wasm file; in a page or worker it is found by itself
    * @param patience how long that may take [ms]
+   * @param helpers other threads for what takes long; none, unless said otherwise
    */
   constructor(
-    settings?: () => ModuleSettings | Promise<ModuleSettings>,
-    pace = ownThread,
-    patience?: number,
+    settings?: () => Settings | Promise<Settings>,
+    {pace = ownThread, patience, helpers}: LocalWays = {},
   ) {
     this.#shared = new SharedModule(settings, patience);
     this.#pace = pace;
+    this.#helpers = helpers;
   }
 
   /** Answers any question. @throws {SolverError}; the signal's reason, as soon as it fires */
@@ -49,13 +58,15 @@ export class LocalSolver {
   #answer(question: Question, hooks: QuestionHooks): Promise<Answer> {
     switch (question.kind) {
       case 'solve':
-        return this.solve(question.texts, hooks);
+        return this.solve(question.texts, hooks, question.helpers);
       case 'prove':
         return this.prove(question.texts, hooks);
       case 'prepare':
         return this.prepare(question.texts, hooks.signal);
       case 'mirror':
         return this.mirror(question.texts, hooks.signal);
+      case 'share':
+        return this.share(question.order, hooks.signal);
       case 'symmetries':
       case 'convert':
         return this[question.kind](question.garment, question.name, hooks.signal);
@@ -64,10 +75,20 @@ export class LocalSolver {
     }
   }
 
-  /** @throws {SolverError} for bad input; the signal's reason, as soon as it fires */
-  solve(texts: ProblemTexts, hooks: SolveHooks): Promise<SolveResult> {
+  /**
+   * @param most how many threads may help
+   * @throws {SolverError} for bad input; the signal's reason, as soon as it fires
+   */
+  solve(texts: ProblemTexts, hooks: SolveHooks, most = 0): Promise<SolveResult> {
     const solve = () =>
-      this.#withSolver(texts, hooks.signal, (solver) => run(solver, hooks, this.#pace));
+      this.#withSolver(texts, hooks.signal, async (solver) => {
+        const help = () => this.#helpers?.help(solver, this.#shared.compiled, most) ?? false;
+        try {
+          return await run(solver, hooks, this.#pace, help);
+        } finally {
+          this.#helpers?.leave(solver);
+        }
+      });
     return this.#turns.take(solve, hooks.signal);
   }
 
@@ -113,6 +134,18 @@ export class LocalSolver {
   /** One symmetry, measured on the garment whether or not it mirrors. @throws {SolverError} */
   mirror(texts: MirrorTexts, signal?: AbortSignal): Promise<MeasuredSymmetry> {
     return this.#withModule((module) => measureSymmetry(module, texts), signal);
+  }
+
+  /** Runs a share of another thread's search. @throws {SolverError}; the signal's reason */
+  share(order: Float64Array, signal?: AbortSignal): Promise<Float64Array> {
+    return this.#withModule(async (module) => {
+      const share = new Share(module, order);
+      try {
+        return await share.run(signal, this.#pace);
+      } finally {
+        share[Symbol.dispose]();
+      }
+    }, signal);
   }
 
   /** @throws {SolverError} */

@@ -52,7 +52,7 @@ export class MainThreadSolver extends TextService {
       const url = this.#wasmUrl;
       const settings = () =>
         url === undefined ? {} : {locateFile: () => new URL(url, document.baseURI).href};
-      return new LocalSolver(settings, besideThePage);
+      return new LocalSolver(settings, {pace: besideThePage});
     } catch (error) {
       this.#solver = undefined; // to be tried again
       throw loadingError(error);

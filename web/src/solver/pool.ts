@@ -1,5 +1,6 @@
 import {SolverError, type Failure} from '../model/failure.js';
 import {SolverClient} from './client.js';
+import {helpersFor, mostCores} from './cores.js';
 import {MainThreadSolver} from './main-thread.js';
 import type {Answers, QuestionOf} from './protocol.js';
 import {TextService, type QuestionHooks, type SolverService} from './service.js';
@@ -30,9 +31,6 @@ export interface SolverLease {
 /** A worker that nobody has leased is kept this long, for whoever comes next. [ms] */
 const idlePatience = 5000;
 
-/** A device's cores beyond these are better left to others. */
-const mostWorkers = 4;
-
 const pools = new Map<string, SolverPool>();
 
 /**
@@ -54,7 +52,7 @@ function placeOf(url: string | URL | undefined): string | null {
 }
 
 function workersWanted(): number {
-  return Math.max(1, Math.min(mostWorkers, navigator.hardwareConcurrency - 1));
+  return Math.max(1, Math.min(mostCores, navigator.hardwareConcurrency - 1));
 }
 
 /** Workers with the same script and .wasm file, shared by leases. */
@@ -98,7 +96,10 @@ export class SolverPool {
     const [freest] = [...this.#seats].sort((a, b) => a.leases - b.leases);
     if (freest && (freest.leases === 0 || this.#seats.size >= workersWanted())) return freest;
     const blocked = [...this.#seats].find((seat) => seat.blocked)?.blocked;
-    const seat = new Seat(new SolverClient(this.#places), blocked);
+    const client = new SolverClient(this.#places, () =>
+      helpersFor(navigator.hardwareConcurrency, this.#seats.size),
+    );
+    const seat = new Seat(client, blocked);
     this.#seats.add(seat);
     return seat;
   }

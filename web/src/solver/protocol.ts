@@ -15,6 +15,8 @@ export interface Answers {
   readonly mirror: MeasuredSymmetry;
   readonly symmetries: DetectedSymmetries;
   readonly convert: string;
+  /** Of a share, for `Solver.take`. */
+  readonly share: Float64Array;
 }
 
 export type Answer = Answers[keyof Answers];
@@ -26,9 +28,13 @@ export type Question =
       readonly texts: ProblemTexts;
       /** Whether the page wants to see the pattern first. */
       readonly showsPattern: boolean;
+      /** How many threads may help; none, unless said otherwise. */
+      readonly helpers?: number;
     }
   | {readonly kind: 'prepare' | 'prove'; readonly texts: ProblemTexts}
   | {readonly kind: 'mirror'; readonly texts: MirrorTexts}
+  /** To run a share of another worker's search, from `Solver.lend`. */
+  | {readonly kind: 'share'; readonly order: Float64Array}
   | {
       readonly kind: 'symmetries' | 'convert';
       readonly garment: string;
@@ -46,6 +52,8 @@ export type ToWorker =
   | JobRequest
   /** Where the .wasm file is; comes before any job, if at all. */
   | {readonly kind: 'locate'; readonly wasmUrl: string}
+  /** What another worker runs, to be run as well; comes before any job, if at all. */
+  | {readonly kind: 'module'; readonly module: WebAssembly.Module}
   /** The job is no longer wanted; it still ends with `done` or `failed`. */
   | {readonly kind: 'cancel'; readonly job: number}
   /** To be answered at once, by `pong`. */

@@ -1,5 +1,6 @@
 import type {SolveHooks} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
+import {sliceWhileHelped} from './helpers.js';
 import type {Solver} from './solver.js';
 
 /** How a solve shares its thread with everything else. */
@@ -53,8 +54,17 @@ export function runPreparation(
   );
 }
 
-/** Runs a solver to its end in slices. Does not dispose of it. @throws as `runInSlices` does */
-export async function run(solver: Solver, hooks: SolveHooks, pace: Pace): Promise<SolveResult> {
+/**
+ * Runs a solver to its end in slices. Does not dispose of it.
+ * @param help looks for threads to help; whether any does
+ * @throws as `runInSlices` does
+ */
+export async function run(
+  solver: Solver,
+  hooks: SolveHooks,
+  pace: Pace,
+  help: () => boolean = () => false,
+): Promise<SolveResult> {
   await runPreparation(solver, hooks, pace);
   hooks.onPattern?.(solver.pattern());
   const report = () => {
@@ -64,7 +74,7 @@ export async function run(solver: Solver, hooks: SolveHooks, pace: Pace): Promis
   report();
   await runInSlices(
     (milliseconds) => {
-      const more = solver.advance(milliseconds);
+      const more = solver.advance(help() ? Math.min(milliseconds, sliceWhileHelped) : milliseconds);
       report();
       return more;
     },

@@ -8,6 +8,7 @@ import {documentBytes, documentValue} from './json/document.js';
 import {garmentText} from './json/garment-text.js';
 import {namedSymmetries, plainNames, type MirrorTexts, type ProblemTexts} from './texts.js';
 import type {
+  LentShare,
   ModuleDetection,
   ModuleDocument,
   ModuleFailure,
@@ -18,7 +19,7 @@ import type {
 
 /**
  * A solve that is advanced slice by slice, from reading its problem on. It owns memory of the module: dispose of it, whatever
- * happens. Every method may throw a SolverError.
+ * happens. Methods may throw a SolverError.
  */
 export class Solver implements Disposable {
   readonly #solver: ModuleSolver;
@@ -76,6 +77,19 @@ export class Solver implements Disposable {
   /** The best alignments so far, once it is prepared: angle, x, y per piece. A copy. */
   partial(): Float64Array {
     return this.#solver.partial();
+  }
+
+  /**
+   * A share of the search at work, to be run on another thread, and its number; null when there is none. What goes
+   * wrong is told when the solver is next advanced.
+   */
+  lend(): LentShare | null {
+    return this.#solver.lend();
+  }
+
+  /** What came of a share that was lent; as above. */
+  take(number: number, answers: Float64Array): void {
+    this.#solver.take(number, answers);
   }
 
   /** The garment as it was meshed, once it is prepared. */
@@ -196,7 +210,7 @@ function valueOf({document, failure}: ModuleDocument): unknown {
   return documentValue(document);
 }
 
-function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
+export function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
   const why = symmetryReasons.find((known) => known === reason);
   return new SolverError({
     code: failureCode(code),

@@ -1,14 +1,16 @@
 import {failureOf, SolverError, type Failure} from '../model/failure.js';
 import type {MeshedPattern} from '../model/result.js';
 import {internalError} from './broken.js';
+import {Helpers} from './helpers.js';
 import {LocalSolver} from './local.js';
+import {nestedWorker} from './nested-worker.js';
 import {protocolVersion, type FromWorker, type JobRequest, type ToWorker} from './protocol.js';
 import type {QuestionHooks} from './service.js';
 
 /** What a worker's global scope has; written out, since its types exclude those of a page. */
 export interface WorkerScope {
   postMessage(message: FromWorker, options?: StructuredSerializeOptions): void;
-  addEventListener(type: 'message', listener: (event: MessageEvent<ToWorker>) => void): void;
+  addEventListener(type: 'message', listener: (event: {readonly data: ToWorker}) => void): void;
 }
 
 /** Solves for a page, in slices, so that a cancel is seen between any two. */
@@ -23,7 +25,9 @@ export function serve(scope: WorkerScope): void {
 class Service {
   readonly #scope: WorkerScope;
   readonly #jobs = new Map<number, AbortController>();
-  #solver = new LocalSolver();
+  /** Threads to help; none where workers cannot start any. */
+  readonly #helpers = 'Worker' in globalThis ? new Helpers(nestedWorker) : undefined;
+  #solver = new LocalSolver(undefined, {helpers: this.#helpers});
 
   constructor(scope: WorkerScope) {
     this.#scope = scope;
@@ -32,7 +36,12 @@ class Service {
   receive(message: ToWorker): void {
     switch (message.kind) {
       case 'locate':
-        this.#solver = new LocalSolver(() => ({locateFile: () => message.wasmUrl}));
+        this.#solver = new LocalSolver(() => ({locateFile: () => message.wasmUrl}), {
+          helpers: this.#helpers,
+        });
+        break;
+      case 'module':
+        this.#solver = new LocalSolver(() => ({module: message.module}));
         break;
       case 'ping':
         this.#scope.postMessage({kind: 'pong'});
@@ -46,6 +55,7 @@ class Service {
       case 'mirror':
       case 'symmetries':
       case 'convert':
+      case 'share':
         void this.#work(message);
         break;
       default:

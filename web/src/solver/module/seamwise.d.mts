@@ -44,6 +44,10 @@ export interface ModuleSolver extends EmbindObject {
   fraction(): number;
   /** Angle, x, y per piece; a copy. Empty during the preparation. */
   partial(): Float64Array;
+  /** A share of the present search, for `Share` in another thread; null when there is none. */
+  lend(): LentShare | null;
+  /** The answers of a share by its number; ignored when the search has ended. */
+  take(number: number, answers: Float64Array): void;
   /** The garment as it was meshed, a document; empty during the preparation and after a failure. */
   pattern(): Uint8Array<ArrayBuffer>;
   /** The result, a document; empty after a failure. */
@@ -59,6 +63,21 @@ export interface ModuleProof {
   readonly bound: number;
   /** Of the best one found, as in the result's metrics. [cm2] */
   readonly fitSearch: number;
+}
+
+/** All that a share depends on, as numbers that only this build of the module can read; a copy. */
+export interface LentShare {
+  readonly number: number;
+  readonly order: Float64Array;
+}
+
+/** A share of another thread's search. */
+export interface ModuleShare extends EmbindObject {
+  failure(): ModuleFailure | null;
+  /** Runs some steps; false when there is nothing left to do. */
+  advance(steps: number): boolean;
+  /** Once there is not: for `take`; a copy. */
+  answers(): Float64Array;
 }
 
 /** Looks step by step for the symmetries a garment shows by itself. */
@@ -78,6 +97,7 @@ export interface ModuleDocument {
 /** Documents are JSON as `../json/document.ts` writes and reads it. */
 export interface SeamwiseModule {
   readonly Solver: new (problem: ModuleProblem) => ModuleSolver;
+  readonly Share: new (order: Float64Array) => ModuleShare;
   readonly Detection: new (garment: Uint8Array, name: string) => ModuleDetection;
   /** How well the garment mirrors as the symmetries ask. */
   measureSymmetries(
@@ -103,6 +123,11 @@ export interface ModuleSettings {
   readonly wasmBinary?: ArrayBufferView | ArrayBuffer;
   /** Where to find a file of the module. */
   readonly locateFile?: (file: string, folder: string) => string;
+  /** Hands over the instance when it has been made. */
+  readonly instantiateWasm?: (
+    imports: WebAssembly.Imports,
+    receive: (instance: WebAssembly.Instance) => void,
+  ) => object;
 }
 
 declare const createSeamwise: (settings?: ModuleSettings) => Promise<SeamwiseModule>;

@@ -1,0 +1,138 @@
+/** Who helps with a search, and whether they live to its end, must make no difference to what is found. */
+import {readFile} from 'node:fs/promises';
+import {Worker} from 'node:worker_threads';
+
+import {afterEach, expect, it} from 'vitest';
+
+import {Helpers, type StartHelper} from '../../web/src/solver/helpers.js';
+import {LocalSolver} from '../../web/src/solver/local.js';
+import type {FromWorker, ToWorker} from '../../web/src/solver/protocol.js';
+import {problemTexts} from '../../web/src/solver/texts.js';
+import {sample} from './garments.js';
+
+const wasmBinary = await readFile(
+  new URL('../../web/src/solver/module/seamwise.wasm', import.meta.url),
+);
+const script = new URL('../../dist/node/helper-thread.js', import.meta.url);
+const print = {group: 'p31m', w1: [10, 0], w2: [5, 8.660254037844386]} as const;
+const hoodie = problemTexts({garment: sample('hoodie'), print, symmetry: 'none'});
+
+/** At once, for as long as it is worth. */
+const delays = {start: 0, lend: 0, end: 50};
+
+interface Heard {
+  readonly thread: Worker;
+  readonly sent: ToWorker[];
+  readonly received: FromWorker[];
+}
+let heard: Heard[] = [];
+
+/** Threads that are overheard. @param sent hears what a thread is told, once it has been told */
+function overheard(
+  sent: (message: ToWorker, thread: Worker) => void = () => undefined,
+): StartHelper {
+  return (owner) => {
+    const thread = new Worker(script);
+    const all: Heard = {thread, sent: [], received: []};
+    heard.push(all);
+    thread.on('message', (message: FromWorker) => {
+      all.received.push(message);
+      owner.receive(message);
+    });
+    thread.on('exit', () => {
+      owner.lost();
+    });
+    return {
+      post: (message) => {
+        all.sent.push(message);
+        thread.postMessage(message);
+        sent(message, thread);
+      },
+      end: () => void thread.terminate(),
+    };
+  };
+}
+
+const kinds = (all: readonly {readonly kind: string}[], kind: string): number =>
+  all.filter((message) => message.kind === kind).length;
+
+/** A solver that knows nothing of earlier solves, with all its result but the times. */
+async function solved(helpers: Helpers | undefined, most: number): Promise<string> {
+  const result = await new LocalSolver(() => ({wasmBinary}), {helpers}).solve(hoodie, {}, most);
+  const milliseconds = {alignment: 0, deformation: 0, total: 0};
+  return JSON.stringify({...result, metrics: {...result.metrics, milliseconds}});
+}
+
+const alone = await solved(undefined, 0);
+
+afterEach(async () => {
+  await Promise.all(heard.map(({thread}) => thread.terminate()));
+  heard = [];
+});
+
+it.each([1, 3])('gives the same bytes with %d threads to help', async (most) => {
+  expect(await solved(new Helpers(overheard(), delays), most)).toBe(alone);
+  expect(heard).toHaveLength(most);
+  for (const {received} of heard) expect(kinds(received, 'done')).toBeGreaterThan(0);
+});
+
+it('gives the same bytes when threads are killed in the middle of their shares', async () => {
+  const start = overheard((message, thread) => {
+    if (message.kind === 'share') setTimeout(() => void thread.terminate(), 30);
+  });
+  expect(await solved(new Helpers(start, delays), 3)).toBe(alone);
+  expect(heard).toHaveLength(3); // none takes the place of one that broke
+});
+
+it('gives the same bytes when threads never answer, or cannot be started', async () => {
+  const silent: StartHelper = () => ({post: () => undefined, end: () => undefined});
+  expect(await solved(new Helpers(silent, delays), 3)).toBe(alone);
+  const none: StartHelper = () => {
+    throw new Error('no threads here');
+  };
+  expect(await solved(new Helpers(none, delays), 3)).toBe(alone);
+});
+
+it('does without threads that may be of another version', async () => {
+  const old: StartHelper = (owner) => {
+    setTimeout(() => {
+      owner.receive({kind: 'ready', version: 'another'});
+    });
+    return overheard()(owner);
+  };
+  expect(await solved(new Helpers(old, delays), 1)).toBe(alone);
+  expect(heard.flatMap(({received}) => received)).not.toContainEqual(
+    expect.objectContaining({kind: 'done'}),
+  );
+});
+
+it('starts no thread for what is found soon', async () => {
+  const helpers = new Helpers(overheard(), {...delays, start: 60_000});
+  expect(await solved(helpers, 3)).toBe(alone);
+  expect(heard).toEqual([]);
+});
+
+// Another program that holds up the whole machine may make it late.
+it(
+  'cancels what a thread is at within 100 ms, and ends it when nobody comes',
+  {retry: 3},
+  async () => {
+    const abort = new AbortController();
+    let cancelled = Infinity;
+    const begun = overheard((message) => {
+      if (message.kind === 'cancel') cancelled = performance.now();
+      if (message.kind !== 'share') return;
+      setTimeout(() => {
+        abort.abort('enough');
+      }, 50);
+    });
+    const solver = new LocalSolver(() => ({wasmBinary}), {helpers: new Helpers(begun, delays)});
+    await expect(solver.solve(hoodie, {signal: abort.signal}, 1)).rejects.toBe('enough');
+    const helper = heard.at(-1);
+    if (!helper) throw new Error('Nobody has helped.');
+    const failed = await new Promise((resolve) => helper.thread.once('message', resolve));
+    expect(performance.now() - cancelled).toBeLessThan(100);
+    expect(failed).toMatchObject({kind: 'failed', failure: {code: 'cancelled'}});
+    await new Promise((resolve) => helper.thread.once('exit', resolve));
+  },
+);

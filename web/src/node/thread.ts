@@ -1,0 +1,28 @@
+import {Worker} from 'node:worker_threads';
+
+import type {HelperOwner, HelperThread} from '../solver/helpers.js';
+import type {FromWorker} from '../solver/protocol.js';
+
+const script = new URL('./helper-thread.js', import.meta.url);
+
+/** A thread of this process, which it does not keep from ending. */
+export function thread(owner: HelperOwner): HelperThread {
+  const worker = new Worker(script, {stdin: false});
+  worker.unref();
+  worker.on('message', (message: FromWorker) => {
+    owner.receive(message);
+  });
+  const lost = () => {
+    owner.lost();
+  };
+  worker.on('error', lost);
+  worker.on('exit', lost);
+  return {
+    post: (message) => {
+      worker.postMessage(message);
+    },
+    end: () => {
+      void worker.terminate();
+    },
+  };
+}
