@@ -1,0 +1,17 @@
+/** What the page finds out about a placing while nobody asks it for anything. */
+import {it} from 'vitest';
+
+import {showSample, solved, usePage} from '../support/page.js';
+
+const openPage = usePage();
+
+it('proves how good a placing is once it is shown', async () => {
+  const page = await openPage();
+  await solved(page);
+  await showSample(page, 'shift-dress');
+  await page.getByText('More figures').click();
+  await page.getByText('The best of all placings tried.').waitFor();
+  await page
+    .getByText(/^No other placing fits (better|more than \d+\s?% better)\.$/)
+    .waitFor({timeout: 60_000});
+});
