@@ -30,6 +30,18 @@ double fitOf(const Pattern& pattern, const MatchProblem& problem, const Alignmen
   return fitAny(problem.group, pattern, restShapes(pattern), problem.expanded(leaders));
 }
 
+TEST(AlignmentSearch, OfVeryManyPiecesTakesNoMoreTimeThanOfMany) {
+  const Pattern pattern =
+      cutLayout(sampleGroup(*findGroup("pmm"), 0.2), 12, 10, Scatter::kMirrored, 1);
+  const MatchProblem problem = matchProblem(pattern, sampleGroup(*findGroup("p1"), 0.2));
+  AlignmentSearch search(problem, 1, {});
+  while (search.step()) {
+  }
+  const double of_many = 2 * 40 * SearchBudget().evaluations;
+  EXPECT_GT(search.spent(), 0.2 * of_many) << "it could not fail";
+  EXPECT_LT(search.spent(), of_many);
+}
+
 class CutLayoutIn : public ::testing::TestWithParam<const char*> {
  protected:
   WallpaperGroup group_ = sampleGroup(*findGroup(GetParam()), 0.2);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "solver_samples.h"
 
 namespace seamwise::testing {
@@ -39,6 +42,39 @@ TEST(Remarks, SaysWhenNoSeamIsLeftToMatch) {
   ASSERT_EQ(remarksAfter(t).size(), 1u);
   EXPECT_NE(remarksAfter(t)[0].text.find("no seams"), std::string::npos);
   EXPECT_STREQ(remarksAfter(t)[0].code, "noSeams");
+}
+
+/// Two rectangles, sewn together along a side; the other's is `ratio` times as long.
+Task twoSides(double ratio) {
+  const auto panel = [](double length) -> Json {
+    Json edges;
+    for (int k = 0; k < 4; ++k) edges.push_back({{"endpoints", {k, (k + 1) % 4}}});
+    return {{"vertices", {{0, 0}, {10, 0}, {10, length}, {0, length}}}, {"edges", edges}};
+  };
+  Task t;
+  t.garment = {{"pattern",
+                {{"panels", {{"one", panel(30)}, {"other", panel(30 * ratio)}}},
+                 {"stitches", Json::array({Json::array({{{"panel", "one"}, {"edge", 1}},
+                                                        {{"panel", "other"}, {"edge", 3}}})})}}},
+               {"properties", {{"units_in_meter", 100}}}};
+  t.print = samplePrint("p1");
+  t.symmetry = "none";
+  return t;
+}
+
+TEST(Remarks, SayWhenAllOutlinesStayAsDraftedThoughSeamsAreOff) {
+  const auto said = [](const Task& t) {
+    const Result r = solved(t);
+    return std::any_of(r.notes.begin(), r.notes.end(), [](const Note& note) {
+      return std::string_view(note.code) == "leftAsDrafted";
+    });
+  };
+  Task t = twoSides(3);  // nothing helps against gathers
+  EXPECT_TRUE(said(t));
+  t.options["maxChangeCm"] = 0;  // and nobody asked for any other shape
+  EXPECT_FALSE(said(t));
+  EXPECT_FALSE(said(twoSides(1)));                    // which match as they lie
+  EXPECT_FALSE(said(task("princess-dress", "pmm")));  // shaped
 }
 
 TEST(Remarks, AreNotesOfTheResult) {

@@ -52,6 +52,14 @@ describe('what is proposed', () => {
     expect(proposals(problem, skirt(0, {}, joins.slice(0, 2)))).toEqual([]);
   });
 
+  it('is nothing where each try would be a long one, for the number of pieces', () => {
+    const [piece] = skirt(1).pieces;
+    if (!piece) throw new Error('no piece');
+    const more = (count: number) => [...skirt(1).pieces, ...Array<typeof piece>(count).fill(piece)];
+    expect(proposals(problem, {...skirt(1), pieces: more(200)})).toEqual([]);
+    expect(proposals(problem, {...skirt(1), pieces: more(20)})).not.toEqual([]);
+  });
+
   it('turns the band, not the panels, with its other half', () => {
     expect(proposals(problem, skirt(1))).toEqual([
       {

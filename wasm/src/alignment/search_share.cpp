@@ -14,6 +14,12 @@ double freshShare(int pieces) { return std::min(0.7, 5.0 / pieces); }
 double patienceFor(double pieces) {
   return std::clamp(std::max(pieces / 10, 8 / pieces), 1.0, 2.0);
 }
+/// The pieces that time is allowed for. All that are sewn together take part in each step, so that
+/// beyond some, more of them get less of it: nobody waits minutes for one garment.
+double countedOf(double pieces) {
+  constexpr double kMany = 40;
+  return pieces <= kMany ? pieces : kMany * std::sqrt(kMany / pieces);
+}
 constexpr double kScattered = 0.3;  ///< share of these whose pieces lie anywhere, not grown
 constexpr double kOther = 0.3;      ///< share of regrowths of another answer than the best
 constexpr double kDetached = 0.5;   ///< share of regrowths that begin anywhere, apart from the rest
@@ -28,7 +34,7 @@ SearchSamples searchSamples(const MatchProblem& problem, const SearchBudget& bud
 
 double allowedIn(const Component& component, const SearchBudget& budget) {
   const double pieces = static_cast<double>(component.leaders.size());
-  return budget.evaluations * pieces * patienceFor(pieces);
+  return budget.evaluations * countedOf(pieces) * patienceFor(pieces);
 }
 
 void Answers::add(double cost, const Alignments& own, double perfect) {

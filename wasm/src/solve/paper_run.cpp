@@ -161,13 +161,9 @@ bool PaperRun::isKept() const {
 void PaperRun::restIfBetter() {
   const WallpaperGroup group = match_.joining();
   const Shapes rest = evenedShapes(pattern_);
-  if (!isSewable(pattern_, rest) ||
-      fitAny(group, pattern_, rest, alignment_) >= fitAny(group, pattern_, shapes_, alignment_))
-    return;
-  shapes_ = rest;
-  notes_->push_back({"leftAsDrafted",
-                     "No shape that the method found fits better than the pieces as drafted, so "
-                     "they keep their lines."});
+  if (isSewable(pattern_, rest) &&
+      fitAny(group, pattern_, rest, alignment_) < fitAny(group, pattern_, shapes_, alignment_))
+    shapes_ = rest;
 }
 
 Phase PaperRun::phase() const { return phase_; }

@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "geometry/in_quotes.h"
+#include "solve/promise.h"
 
 namespace seamwise {
 namespace {
 
 constexpr std::size_t kMostNamed = 4;
+constexpr double kOff = 0.1;  ///< cm of mismatch that one sees
 
 std::string called(const Pattern& pattern, std::size_t seam) {
   const Seam& s = pattern.seams[seam];
@@ -46,6 +48,17 @@ std::vector<Note> remarksOn(const Pattern& pattern) {
            list + "; list them in 'unmatched' to leave them out.",
        {},
        std::move(gathered)}};
+}
+
+std::optional<Note> remarkOnRest(const Pattern& pattern, const Shapes& shapes, double worst) {
+  if (worst < kOff) return {};
+  const Shapes rest = evenedShapes(pattern);
+  for (std::size_t p = 0; p < rest.size(); ++p)
+    for (std::size_t v = 0; v < rest[p].size(); ++v)
+      if ((shapes[p][v] - rest[p][v]).norm() > kLeastChange) return {};
+  return Note{"leftAsDrafted",
+              "No shape that the method found fits better than the pieces as drafted, so they keep "
+              "their lines."};
 }
 
 }  // namespace seamwise

@@ -184,6 +184,9 @@ Outcome<Result> Solver::finish() {
   result.drafted = state_->drafted;
   measureSeams(joining, *state_->match, problem.options.locked, result);
   result.max_moved_cm = greatestMovement(result.pattern, result.shapes);
+  if (problem.options.max_change_cm >= kLeastChange)
+    if (auto note = remarkOnRest(result.pattern, result.shapes, result.local.worst))
+      result.notes.push_back(*std::move(note));
   result.iterations = run.iterations();
   result.factorisations = run.factorisations();
   result.method = problem.options.method;

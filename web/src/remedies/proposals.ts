@@ -8,11 +8,14 @@ import {finalFit, isGathered, meanOf} from '../picture/fit.js';
 import {bandsOf} from './bands.js';
 import {parsed, type Proposal} from './remedy.js';
 
-/** No more than this is tried: each is a solve. */
+/** No more than this is tried: each is a solve, */
 const most = 4;
+/** and of a garment of more pieces than these a long one. */
+const mostPieces = 60;
 
 /** In the order in which they are worth a try. */
 export function proposals(problem: Problem, result: SolveResult): readonly Proposal[] {
+  if (result.pieces.length > mostPieces) return [];
   const options = parsed(problem.options);
   const known = reasons(result);
   const off = (...some: readonly SeamReason[]): number[] =>
