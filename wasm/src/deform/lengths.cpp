@@ -37,7 +37,7 @@ class Ties {
   std::vector<double> factor_;
 };
 
-/// The geometric mean of positive numbers; of a single one, that number.
+/// The geometric mean of positive numbers of about one size; of a single one, that number.
 class Mean {
  public:
   void add(double value) {
