@@ -78,6 +78,37 @@ TEST(KeptLengths, AreTheRestLengthsUpToTwoPercent) {
   }
 }
 
+/// Right-angled triangles whose first edges have these lengths and are sewn, each to the next.
+Pattern chain(const std::vector<double>& lengths) {
+  Pattern pattern;
+  for (const double length : lengths) {
+    Piece piece;
+    piece.rest = {{0, 0}, {length, 0}, {0, 1}};
+    piece.outline = {0, 1, 2};
+    pattern.pieces.push_back(piece);
+  }
+  for (int p = 0; p + 1 < static_cast<int>(lengths.size()); ++p) {
+    Seam seam;
+    seam.a = {p, {0, 1}}, seam.b = {p + 1, {0, 1}};
+    pattern.seams.push_back(seam);
+  }
+  return pattern;
+}
+
+TEST(KeptLengths, AreTheGeometricMeanOfWhatIsSewnTogether) {
+  EXPECT_NEAR(keptLengths(chain({4, 9}))[1][0], 6, 1e-12);
+  EXPECT_NEAR(keptLengths(chain({8, 4, 2}))[0][0], 4, 1e-12);
+  EXPECT_NEAR(keptLengths(chain({2, 4, 8}))[0][0], 4, 1e-12);
+  const auto many = keptLengths(chain(std::vector<double>(200, 0.3)));
+  for (const auto& piece : many) EXPECT_NEAR(piece[0], 0.3, 1e-12);
+}
+
+TEST(KeptLengths, OfEdgesThatNothingTiesAreTheirOwn) {
+  const auto kept = keptLengths(chain({4, 9}));
+  EXPECT_EQ(kept[0][2], 1);
+  EXPECT_EQ(kept[1][1], std::sqrt(82.0));
+}
+
 TEST(Parts, CoverEveryVertexOfEveryPieceAtItsRestPosition) {
   for (bool symmetric : {false, true}) {
     const Pattern pattern = meshedPattern(small::tee(1.5), symmetric);

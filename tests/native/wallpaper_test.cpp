@@ -37,7 +37,7 @@ class EveryGroup : public ::testing::TestWithParam<GroupData> {
     const double scale = constant / (h1 * h1 + h2 * h2);
     return fromLattice(h1 * scale, h2 * scale);
   }
-  bool lists(const std::vector<MirrorFamily>& families, const Vec2& axis, const Vec2& point) const {
+  bool lists(const MirrorFamilies& families, const Vec2& axis, const Vec2& point) const {
     for (const MirrorFamily& family : families) {
       if (std::abs(cross(direction(family).normalized(), axis)) > kExact) continue;
       const Vec2 uv = toLattice(point);

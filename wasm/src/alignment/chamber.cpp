@@ -36,7 +36,7 @@ Across acrossOf(const MirrorFamily& family, const Mat2& basis) {
 
 Chamber Chamber::of(const WallpaperGroup& group) {
   const Mat2 basis = (Mat2() << group.w1(), group.w2()).finished();
-  const std::vector<MirrorFamily>& mirrors = group.data().mirrors;
+  const MirrorFamilies& mirrors = group.data().mirrors;
   Chamber chamber;
   const auto coordinates = [&](const Vec2& first, const Vec2& second) {
     chamber.to << first.transpose(), second.transpose();

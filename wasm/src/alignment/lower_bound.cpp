@@ -15,7 +15,13 @@ constexpr int kIterations = 12;     ///< of a descent, at most
 constexpr double kSumError = 1e-6;  ///< share of a sum that single precision loses, at most
 constexpr double kRoom = 60e6;      ///< bytes, for all tables
 constexpr double kUrgent = 0.5;     ///< boxes this far from the bound to the answer are halved
-constexpr double kFewFirst = 0.4;   ///< of leaders with as much to gain, that of fewer boxes
+
+/// What is the greater the more there is to gain and, with as much to gain, the fewer boxes there
+/// are: gain / boxes^0.4, to the fifth power, since only the order counts.
+double fewFirst(double gain, double boxes) {
+  const double squared = gain * gain;
+  return squared * squared * gain / (boxes * boxes);
+}
 
 }  // namespace
 
@@ -66,9 +72,7 @@ bool LowerBound::halve() {
         ++count;
       }
       if (count == 0) continue;
-      // a power of the count, by functions that are there already: std::pow brings tables along
-      const double few = std::exp(-kFewFirst * std::log(count));
-      const double gain = movement / count * tables_.weight(v) * few;
+      const double gain = fewFirst(movement / count * tables_.weight(v), count);
       if (gain > most && tables_.bytesWith(v, below) < kRoom) most = gain, best = v;
     }
     if (best < 0) continue;

@@ -1,6 +1,6 @@
 #include "deform/lengths.h"
 
-#include <cmath>
+#include <algorithm>
 #include <numeric>
 
 namespace seamwise {
@@ -37,6 +37,31 @@ class Ties {
   std::vector<double> factor_;
 };
 
+/// The geometric mean of positive numbers of about one size; of a single one, that number.
+class Mean {
+ public:
+  void add(double value) {
+    if (count_ == 0) first_ = value;
+    ratios_ *= value / first_;
+    ++count_;
+  }
+  /// By Newton's iteration, which falls from above until rounding stops it.
+  double value() const {
+    double mean = std::max(1.0, ratios_);
+    for (double next = mean; count_ > 1; mean = next) {
+      double power = 1;
+      for (int k = 1; k < count_; ++k) power *= mean;
+      next = ((count_ - 1) * mean + ratios_ / power) / count_;
+      if (next >= mean) break;
+    }
+    return first_ * mean;
+  }
+
+ private:
+  double first_ = 1, ratios_ = 1;  ///< product of all by the first
+  int count_ = 0;
+};
+
 }  // namespace
 
 std::vector<std::vector<double>> keptLengths(const Pattern& pattern) {
@@ -60,23 +85,21 @@ std::vector<std::vector<double>> keptLengths(const Pattern& pattern) {
                edge(s.b.piece, s.b.vertices[i], s.b.vertices[i + 1]), s.length_ratio);
   }
   // the root's length: geometric mean of what each member's rest length says
-  std::vector<double> logs(first.back(), 0);
-  std::vector<int> members(first.back(), 0);
+  std::vector<Mean> means(first.back());
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
     const Piece& piece = pattern.pieces[p];
     const int n = static_cast<int>(piece.outline.size());
     for (int k = 0; k < n; ++k) {
       const double l = (piece.rest[(k + 1) % n] - piece.rest[k]).norm();
       const int e = first[p] + k, root = ties.find(e);
-      logs[root] += std::log(l / ties.factor(e));
-      ++members[root];
+      means[root].add(l / ties.factor(e));
     }
   }
   std::vector<std::vector<double>> kept(pattern.pieces.size());
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
     for (std::size_t k = 0; k < pattern.pieces[p].outline.size(); ++k) {
       const int e = first[p] + static_cast<int>(k), root = ties.find(e);
-      kept[p].push_back(ties.factor(e) * std::exp(logs[root] / members[root]));
+      kept[p].push_back(ties.factor(e) * means[root].value());
     }
   }
   return kept;

@@ -51,7 +51,7 @@ struct Seam {
 /// Sides of so different a length that the print cannot match all along them, however they lie: over
 /// 30 cm they run apart by 3 cm, a good part of most repeats.
 inline bool isGathered(const Seam& seam) {
-  return std::abs(std::log(seam.length_ratio)) > std::log(1.1);
+  return seam.length_ratio > 1.1 || seam.length_ratio < 1 / 1.1;
 }
 
 /// A symmetry imposed on the pattern.

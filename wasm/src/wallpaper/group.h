@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,25 @@ enum class LatticeType : std::uint8_t { kOblique, kRectangular, kRhombic, kSquar
 /// Lengths that w1, w2 and the shortest repeat of a lattice may have. [cm]
 inline constexpr double kShortestRepeat = 0.05, kLongestRepeat = 1000;
 
+/// A list short enough to be held in place, so that tables of such lists are data and no code.
+template <class T, std::size_t n>
+class Few {
+ public:
+  constexpr Few(std::initializer_list<T> items) : size_(items.size()) {
+    std::copy(items.begin(), items.end(), items_.begin());
+  }
+  constexpr const T* begin() const { return items_.data(); }
+  constexpr const T* end() const { return items_.data() + size_; }
+  constexpr bool empty() const { return size_ == 0; }
+  constexpr std::size_t size() const { return size_; }
+  constexpr const T& operator[](std::size_t k) const { return items_[k]; }
+  constexpr const T& front() const { return items_.front(); }
+
+ private:
+  std::array<T, n> items_{};
+  std::size_t size_;
+};
+
 /// A symmetry of the print in lattice coordinates x = u w1 + v w2: (u,v) -> M (u,v) + a.
 struct LatticeElement {
   std::array<int, 4> m{1, 0, 0, 1};  ///< row-major integer matrix
@@ -29,20 +49,21 @@ struct LatticeElement {
 /// A family of parallel mirror lines in lattice coordinates: direction d; lines h . (u,v) =
 /// constant mod 1, with h = (-d2, d1).
 struct MirrorFamily {
-  std::array<int, 2> direction;
-  std::vector<double> constants;
+  std::array<int, 2> direction{};
+  Few<double, 2> constants{};
 };
+using MirrorFamilies = Few<MirrorFamily, 6>;
 
 /// One of the 17 groups, as data.
 struct GroupData {
   std::string_view name;
   LatticeType lattice;
   int order;  ///< of the point group: cosets of the translations
-  std::vector<LatticeElement> generators;
-  std::vector<MirrorFamily> mirrors;
-  std::vector<MirrorFamily> glides;  ///< axes of glide reflections that are not also mirrors
+  Few<LatticeElement, 2> generators;
+  MirrorFamilies mirrors;
+  MirrorFamilies glides;  ///< axes of glide reflections that are not also mirrors
 };
-const std::vector<GroupData>& wallpaperGroups();
+std::span<const GroupData> wallpaperGroups();
 const GroupData* findGroup(std::string_view name);
 
 /// One element per coset of the translations, identity first: the closure of the generators.
