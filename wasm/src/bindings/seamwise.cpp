@@ -175,6 +175,12 @@ class SolverHandle {
     return lent;
   }
 
+  /// Whether a share that was lent is still waited for.
+  bool awaits(int number) const {
+    const auto share = lent_[static_cast<std::size_t>(number)].share.lock();
+    return share && !share->answers;
+  }
+
   /// The answers of a share that was lent. Those of a search that has ended are of no use.
   void take(int number, const val& answers) {
     guard([&]() -> std::optional<Error> {
@@ -383,6 +389,7 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("fraction", &SolverHandle::fraction)
       .function("partial", &SolverHandle::partial)
       .function("lend", &SolverHandle::lend)
+      .function("awaits", &SolverHandle::awaits)
       .function("take", &SolverHandle::take)
       .function("pattern", &SolverHandle::pattern)
       .function("result", &SolverHandle::result)
