@@ -3,17 +3,16 @@
 // exception does: what goes wrong is kept as a failure that JavaScript asks for.
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
-#include <emscripten/val.h>
 #include <malloc.h>
 
-#include <exception>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bindings/share_handle.h"
+#include "bindings/values.h"
 #include "io/garment_json.h"
 #include "io/json_ends.h"
 #include "io/problem_json.h"
@@ -24,43 +23,6 @@
 
 namespace seamwise {
 namespace {
-
-using emscripten::val;
-
-val failureValue(const std::optional<Error>& error) {
-  if (!error) return val::null();
-  val failure = val::object();
-  failure.set("code", static_cast<int>(error->code));
-  failure.set("message", error->message);
-  failure.set("piece", error->piece);
-  failure.set("seam", error->seam);
-  failure.set("reason", error->reason);
-  return failure;
-}
-
-/// Runs `work`; what it throws becomes the error it returns.
-template <class Work>
-std::optional<Error> caught(Work work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return Error{Failure::kInternal, "There is not enough memory for this problem."};
-  } catch (const std::exception& broken) {
-    return Error{Failure::kInternal, std::string("The solver broke: ") + broken.what() + "."};
-  } catch (...) {
-    return Error{Failure::kInternal, "The solver broke."};
-  }
-}
-
-/// A copy for JavaScript: a view of the heap dies when memory grows.
-template <class Value>
-val copied(std::size_t size, const Value* values) {
-  return val(emscripten::typed_memory_view(size, values)).template call<val>("slice");
-}
-
-val copied(const std::string& bytes) {
-  return copied(bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-}
 
 /// `make` gives an Outcome<std::string>; the document, or why there is none.
 template <class Make>
@@ -76,11 +38,6 @@ val documentValue(Make make) {
   answer.set("document", copied(bytes));
   answer.set("failure", failureValue(error));
   return answer;
-}
-
-/// A view of the heap dies when memory grows, so JavaScript gets a copy.
-val copied(const std::vector<double>& numbers) {
-  return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
 }
 
 ProblemTexts problemTexts(const val& problem) {
@@ -271,50 +228,6 @@ class SolverHandle {
   std::optional<Solver> solver_;
   std::optional<Error> error_;
   std::vector<Lent> lent_;  ///< by number
-};
-
-/// A share of a search that runs on another thread, as JavaScript holds it.
-class ShareHandle {
- public:
-  explicit ShareHandle(const val& numbers) {
-    error_ = caught([&]() -> std::optional<Error> {
-      auto order = readShare(emscripten::convertJSArrayToNumberVector<double>(numbers));
-      if (!order) return Error{Failure::kInternal, "A share of a search came damaged."};
-      work_ = std::make_unique<Work>(*std::move(order));
-      return std::nullopt;
-    });
-  }
-
-  val failure() const { return failureValue(error_); }
-
-  bool advance(int steps) {
-    bool more = work_ != nullptr;
-    error_ = caught([&]() -> std::optional<Error> {
-      for (int k = 0; more && k < steps; ++k) more = work_->share.step();
-      return std::nullopt;
-    });
-    return more && !error_;
-  }
-
-  /// Once nothing is left to do.
-  val answers() const {
-    return copied(work_ ? writeAnswers(work_->share.answers()) : std::vector<double>());
-  }
-
- private:
-  struct Work {
-    explicit Work(ShareOrder of)
-        : order(std::move(of)),
-          components(componentsOf(order.problem)),
-          samples(searchSamples(order.problem, order.task.budget)),
-          share(order.problem, components, samples, order.task) {}
-    ShareOrder order;
-    std::vector<Component> components;
-    SearchSamples samples;
-    SearchShare share;
-  };
-  std::unique_ptr<Work> work_;
-  std::optional<Error> error_;
 };
 
 /// The symmetries that a garment shows by itself, looked for in steps.

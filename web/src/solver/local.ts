@@ -19,7 +19,7 @@ import {unlessAborted} from './unless-aborted.js';
 const solvesAtOnce = 2;
 
 /** A share that is of no use any more must not keep others waiting. [ms] */
-const shareSlice = 10;
+const shareSlice = 20;
 
 interface LocalWays {
   readonly pace?: Pace;

@@ -6,26 +6,29 @@ export interface Pace {
   readonly pause: () => Promise<void>;
 }
 
+/** Long enough for pauses not to matter. A MessageChannel would starve other events, of a worker as of Node. */
+export const ownThread: Pace = {
+  slice: 40,
+  pause: () =>
+    new Promise((resolve) => {
+      if ('setImmediate' in globalThis) setImmediate(resolve);
+      else setTimeout(resolve, 0);
+    }),
+};
+
 /**
- * Lets everything run that waits already. Not setTimeout: in a browser it would wait 4 ms or more, a second in a hidden
- * page. A message queues behind what is there, but would starve other events in Node, which has something better.
+ * Half a frame, to leave the other half to the page. A message, because setTimeout would wait 4 ms or
+ * more, a second in a hidden page; and because it queues behind what the page has to do already.
  */
-const afterAllElse = (): Promise<void> =>
-  new Promise((resolve) => {
-    if ('setImmediate' in globalThis) {
-      setImmediate(resolve);
-      return;
-    }
-    const {port1, port2} = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
-
-/** Long enough for pauses not to matter. */
-export const ownThread: Pace = {slice: 40, pause: afterAllElse};
-
-/** Half a frame, to leave the other half to the page. */
-export const besideThePage: Pace = {slice: 8, pause: afterAllElse};
+export const besideThePage: Pace = {
+  slice: 8,
+  pause: () =>
+    new Promise((resolve) => {
+      const {port1, port2} = new MessageChannel();
+      port1.onmessage = () => {
+        port1.close();
+        resolve();
+      };
+      port2.postMessage(null);
+    }),
+};

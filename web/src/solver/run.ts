@@ -4,7 +4,7 @@ import type {Pace} from './pace.js';
 import type {Solver} from './solver.js';
 
 /** While others are at work for a solve: what they bring is wanted soon. [ms] */
-const sliceWhileHelped = 5;
+const sliceWhileHelped = 15;
 
 /** Lets pending events run. @throws the signal's reason, if it has fired by then */
 async function breathe(pace: Pace, signal: AbortSignal | undefined): Promise<void> {
