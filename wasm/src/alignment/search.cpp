@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
+#include "alignment/finalists.h"
 #include "alignment/refine.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kEqual = 1e-6;  ///< answers whose costs differ by less are as good as each other
-constexpr int kGlance = 3;       ///< iterations on all edges that tell which finalists go on
-constexpr std::size_t kPolished = 12;
-constexpr int kPolish = 30;  ///< iterations at most
 
 constexpr double kProof = 0.03;       ///< share of the evaluations that may go into a proof,
 constexpr int kProvable = 5;          ///< where no more unknowns than these make it likely
@@ -254,26 +248,9 @@ double AlignmentSearch::polish(std::size_t component) {
   std::vector<std::pair<double, Alignments>> all;
   for (const Alignments& at : offered_) all.emplace_back(0, ownOf(c, at));
   all.insert(all.end(), few.begin(), few.end());
-  // by position, so that what was offered stays told from the others
-  std::vector<std::size_t> order(all.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto sort = [&](int iterations) {
-    for (const std::size_t k : order) all[k].first = polished(c, all[k].second, exact, iterations);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return std::tie(all[a].first, a) < std::tie(all[b].first, b);
-    });
-  };
-  sort(kGlance);
-  if (order.size() > kPolished) order.resize(kPolished);
-  sort(kPolish);
-  few.clear();
-  for (std::size_t k = 0; k < order.size();) {
-    const double least = all[order[k]].first;
-    std::size_t first = order[k];
-    for (; k < order.size() && all[order[k]].first <= least * (1 + SearchMoves::kSame); ++k)
-      if (all[order[k]].first <= least * (1 + kEqual)) first = std::min(first, order[k]);
-    few.push_back(all[first]);
-  }
+  few = finalistsOf(std::move(all), [&](Alignments& own, int iterations) {
+    return polished(c, own, exact, iterations);
+  });
   put(c, few[0].second, best_);
   return few[0].first;
 }

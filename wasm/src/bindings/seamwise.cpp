@@ -3,64 +3,21 @@
 // exception does: what goes wrong is kept as a failure that JavaScript asks for.
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
-#include <emscripten/val.h>
 #include <malloc.h>
 
-#include <exception>
-#include <memory>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "bindings/share_handle.h"
+#include "bindings/solver_handle.h"
+#include "bindings/values.h"
 #include "io/garment_json.h"
 #include "io/json_ends.h"
-#include "io/problem_json.h"
-#include "io/result_json.h"
-#include "io/share_numbers.h"
 #include "io/symmetry_json.h"
-#include "solve/solver.h"
 
 namespace seamwise {
 namespace {
-
-using emscripten::val;
-
-val failureValue(const std::optional<Error>& error) {
-  if (!error) return val::null();
-  val failure = val::object();
-  failure.set("code", static_cast<int>(error->code));
-  failure.set("message", error->message);
-  failure.set("piece", error->piece);
-  failure.set("seam", error->seam);
-  failure.set("reason", error->reason);
-  return failure;
-}
-
-/// Runs `work`; what it throws becomes the error it returns.
-template <class Work>
-std::optional<Error> caught(Work work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return Error{Failure::kInternal, "There is not enough memory for this problem."};
-  } catch (const std::exception& broken) {
-    return Error{Failure::kInternal, std::string("The solver broke: ") + broken.what() + "."};
-  } catch (...) {
-    return Error{Failure::kInternal, "The solver broke."};
-  }
-}
-
-/// A copy for JavaScript: a view of the heap dies when memory grows.
-template <class Value>
-val copied(std::size_t size, const Value* values) {
-  return val(emscripten::typed_memory_view(size, values)).template call<val>("slice");
-}
-
-val copied(const std::string& bytes) {
-  return copied(bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-}
 
 /// `make` gives an Outcome<std::string>; the document, or why there is none.
 template <class Make>
@@ -77,239 +34,6 @@ val documentValue(Make make) {
   answer.set("failure", failureValue(error));
   return answer;
 }
-
-/// A view of the heap dies when memory grows, so JavaScript gets a copy.
-val copied(const std::vector<double>& numbers) {
-  return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
-}
-
-ProblemTexts problemTexts(const val& problem) {
-  const auto text = [&](const char* field) { return problem[field].as<std::string>(); };
-  ProblemTexts texts;
-  texts.garment = text("garment");
-  texts.garment_name = text("garmentName");
-  texts.print = text("print");
-  texts.print_name = text("printName");
-  texts.symmetry = text("symmetry");
-  texts.symmetry_name = text("symmetryName");
-  texts.options = text("options");
-  texts.options_name = text("optionsName");
-  const std::string method = text("method");
-  texts.method = method == "paper"  ? Method::kPaper
-                 : method == "ws19" ? Method::kWs19
-                                    : Method::kBest;
-  texts.seed = problem["seed"].as<std::uint32_t>();
-  return texts;
-}
-
-/// A page changes one thing at a time, and its worker solves again with the same module.
-SolveMemo memo;
-
-/// Of the time until a garment is ready to be solved, as a rule.
-constexpr double kReadingPart = 0.7;
-
-/// A solve as JavaScript holds it: first its problem is read, then it is set up, then it runs.
-/// After a failure every call is harmless and does nothing.
-class SolverHandle {
- public:
-  explicit SolverHandle(const val& problem) {
-    guard([&]() -> std::optional<Error> {
-      reader_.emplace(problemTexts(problem));
-      return std::nullopt;
-    });
-  }
-
-  val failure() const { return failureValue(error_); }
-
-  bool advance(int steps) {
-    bool more = false;
-    guard([&] {
-      for (more = true; more && steps > 0 && !solver_; --steps)
-        if (auto error = prepare()) return error;
-      if (solver_ && steps > 0) more = solver_->advance(steps);
-      return std::optional<Error>();
-    });
-    return more && !error_;
-  }
-
-  std::string phase() const {
-    if (!solver_) return "preparation";
-    return solver_->phase() >= Phase::kDeformation ? "deformation" : "alignment";
-  }
-
-  int attempt() const { return solver_ ? solver_->attempt() : 0; }
-
-  double fraction() const {
-    if (solver_) return solver_->fraction();
-    const double read = reader_ ? reader_->fraction() : 1, set_up = setup_ ? setup_->fraction() : 0;
-    return kPrepared * (kReadingPart * read + (1 - kReadingPart) * set_up);
-  }
-
-  val partial() {
-    std::vector<double> flat;
-    guard([&]() -> std::optional<Error> {
-      if (!solver_) return std::nullopt;
-      for (const Alignment& alignment : solver_->partial()) {
-        flat.push_back(alignment.angle);
-        flat.push_back(alignment.translation.x());
-        flat.push_back(alignment.translation.y());
-      }
-      return std::nullopt;
-    });
-    return copied(flat);
-  }
-
-  /// A share of the present search for another thread, and its number; null when there is none.
-  val lend() {
-    val lent = val::null();
-    guard([&]() -> std::optional<Error> {
-      AlignmentSearch* const search = solver_ ? solver_->searching() : nullptr;
-      std::shared_ptr<AlignmentSearch::Share> share = search ? search->lend() : nullptr;
-      if (!share) return std::nullopt;
-      lent = val::object();
-      lent.set("number", static_cast<int>(lent_.size()));
-      lent.set("order", copied(writeShare(search->problem(), share->task)));
-      lent_.push_back({share, componentsOf(search->problem())});
-      return std::nullopt;
-    });
-    return lent;
-  }
-
-  /// The answers of a share that was lent. Those of a search that has ended are of no use.
-  void take(int number, const val& answers) {
-    guard([&]() -> std::optional<Error> {
-      const Lent& lent = lent_.at(static_cast<std::size_t>(number));
-      if (const auto share = lent.share.lock())
-        share->answers =
-            readAnswers(emscripten::convertJSArrayToNumberVector<double>(answers), lent.components);
-      return std::nullopt;
-    });
-  }
-
-  /// The garment as it is meshed, not solved; empty before the preparation has ended.
-  val pattern() {
-    std::string bytes;
-    guard([&]() -> std::optional<Error> {
-      if (solver_) bytes = writePattern(solver_->unsolved());
-      return std::nullopt;
-    });
-    return copied(bytes);
-  }
-
-  val result() {
-    std::string bytes;
-    guard([&]() -> std::optional<Error> {
-      while (!solver_)
-        if (auto error = prepare()) return error;
-      const Outcome<Result> finished = solver_->finish();
-      if (!finished.ok()) return finished.error();
-      bytes = writeResult(finished.value());
-      return std::nullopt;
-    });
-    return copied(bytes);
-  }
-
-  bool prove(int steps) {
-    bool more = false;
-    guard([&]() -> std::optional<Error> {
-      for (more = true; more && steps > 0 && !solver_; --steps)
-        if (auto error = prepare()) return error;
-      if (solver_ && steps > 0) more = solver_->prove(steps);
-      return std::nullopt;
-    });
-    return more && !error_;
-  }
-
-  val proven() const {
-    const Proven proven = solver_ ? solver_->proven() : Proven{};
-    val answer = val::object();
-    answer.set("bound", proven.bound);
-    answer.set("fitSearch", proven.fit_search);
-    return answer;
-  }
-
- private:
-  /// One step of what comes before the solve.
-  std::optional<Error> prepare() {
-    if (reader_) {
-      if (reader_->advance()) return std::nullopt;
-      Outcome<Problem> problem = reader_->take();
-      reader_.reset();
-      if (!problem.ok()) return problem.error();
-      setup_.emplace(std::move(problem).value(), &memo);
-    } else if (!setup_->advance()) {
-      Outcome<Solver> solver = setup_->take();
-      setup_.reset();
-      if (!solver.ok()) return solver.error();
-      solver_.emplace(std::move(solver).value());
-    }
-    return std::nullopt;
-  }
-
-  struct Lent {
-    std::weak_ptr<AlignmentSearch::Share> share;
-    std::vector<Component> components;
-  };
-
-  template <class Work>
-  void guard(Work work) {
-    if (!error_) error_ = caught(std::move(work));
-    if (!error_) return;
-    reader_.reset();
-    setup_.reset();
-    solver_.reset();
-  }
-
-  std::optional<ProblemReader> reader_;
-  std::optional<SolverSetup> setup_;
-  std::optional<Solver> solver_;
-  std::optional<Error> error_;
-  std::vector<Lent> lent_;  ///< by number
-};
-
-/// A share of a search that runs on another thread, as JavaScript holds it.
-class ShareHandle {
- public:
-  explicit ShareHandle(const val& numbers) {
-    error_ = caught([&]() -> std::optional<Error> {
-      auto order = readShare(emscripten::convertJSArrayToNumberVector<double>(numbers));
-      if (!order) return Error{Failure::kInternal, "A share of a search came damaged."};
-      work_ = std::make_unique<Work>(*std::move(order));
-      return std::nullopt;
-    });
-  }
-
-  val failure() const { return failureValue(error_); }
-
-  bool advance(int steps) {
-    bool more = work_ != nullptr;
-    error_ = caught([&]() -> std::optional<Error> {
-      for (int k = 0; more && k < steps; ++k) more = work_->share.step();
-      return std::nullopt;
-    });
-    return more && !error_;
-  }
-
-  /// Once nothing is left to do.
-  val answers() const {
-    return copied(work_ ? writeAnswers(work_->share.answers()) : std::vector<double>());
-  }
-
- private:
-  struct Work {
-    explicit Work(ShareOrder of)
-        : order(std::move(of)),
-          components(componentsOf(order.problem)),
-          samples(searchSamples(order.problem, order.task.budget)),
-          share(order.problem, components, samples, order.task) {}
-    ShareOrder order;
-    std::vector<Component> components;
-    SearchSamples samples;
-    SearchShare share;
-  };
-  std::unique_ptr<Work> work_;
-  std::optional<Error> error_;
-};
 
 /// The symmetries that a garment shows by itself, looked for in steps.
 class DetectionHandle {
@@ -383,6 +107,7 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("fraction", &SolverHandle::fraction)
       .function("partial", &SolverHandle::partial)
       .function("lend", &SolverHandle::lend)
+      .function("awaits", &SolverHandle::awaits)
       .function("take", &SolverHandle::take)
       .function("pattern", &SolverHandle::pattern)
       .function("result", &SolverHandle::result)

@@ -57,7 +57,8 @@ const solver = new LocalSolver(
 
 /**
  * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its seams.
- * Runs on this thread in slices of about 40 ms, two solves at a time, in the order they came.
+ * Runs on this thread in slices of about 40 ms, two solves at a time, in the order they came. Called on the main
+ * thread, it has threads of its own help with what takes long, which changes no result.
  * @throws {SolverError} for bad input; the signal's reason, an `AbortError` by default, when it fires
  */
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {

@@ -1,5 +1,5 @@
-import type {FromWorker, ToWorker} from './protocol.js';
-import {protocolVersion} from './protocol.js';
+import {protocolVersion, type FromWorker, type ToWorker} from './protocol.js';
+import type {LentShare} from './module/seamwise.mjs';
 import type {Solver} from './solver.js';
 
 /** Another thread, with a solver of its own. */
@@ -29,36 +29,56 @@ const usualDelays = {
   end: 5000,
 };
 
-/** Shares of a search that are out take part in slices of this length: what has come is wanted soon. [ms] */
-export const sliceWhileHelped = 15;
+/** One that helps alone takes two of the four shares of a search at once, not to wait in between. */
+const sharesEach = (threads: number): number => (threads === 1 ? 2 : 1);
 
-/** A thread and the share that it is at. */
+/** What a thread has been asked for. */
+interface Lent {
+  /** Null once it is of no use any more. */
+  solver: Solver | null;
+  readonly number: number;
+}
+
+/** A thread, and the shares that it is at, one after the other. */
 class Helper {
   readonly #thread: HelperThread;
+  readonly #lent = new Map<number, Lent>();
   #lastJob = 0;
-  /** Of the share that was lent; null once nobody waits for it. */
-  solver: Solver | null = null;
-  /** Of the share that is lent, in the solver; undefined when the thread is idle. */
-  number: number | undefined;
 
   constructor(start: StartHelper, module: WebAssembly.Module, owner: HelperOwner) {
     this.#thread = start(owner);
     this.#thread.post({kind: 'module', module});
   }
 
-  run(
-    solver: Solver,
-    {number, order}: {readonly number: number; readonly order: Float64Array},
-  ): void {
-    this.solver = solver;
-    this.number = number;
-    this.#lastJob += 1;
-    this.#thread.post({kind: 'share', job: this.#lastJob, order});
+  /** How many somebody waits for. */
+  get shares(): number {
+    return [...this.#lent.values()].filter(({solver}) => solver !== null).length;
   }
 
-  drop(): void {
-    this.solver = null;
-    this.#thread.post({kind: 'cancel', job: this.#lastJob});
+  isFor(solver: Solver): boolean {
+    return [...this.#lent.values()].some((lent) => lent.solver === solver);
+  }
+
+  run(solver: Solver, {number, order}: LentShare): void {
+    const job = ++this.#lastJob;
+    this.#lent.set(job, {solver, number});
+    this.#thread.post({kind: 'share', job, order});
+  }
+
+  /** A job that has ended. */
+  take(job: number): Lent | undefined {
+    const lent = this.#lent.get(job);
+    this.#lent.delete(job);
+    return lent;
+  }
+
+  /** Drops the shares of a solver that are of no use, all of them if it is `leaving`. */
+  drop(solver: Solver, leaving: boolean): void {
+    for (const [job, lent] of this.#lent) {
+      if (lent.solver !== solver || (!leaving && solver.awaits(lent.number))) continue;
+      lent.solver = null;
+      this.#thread.post({kind: 'cancel', job});
+    }
   }
 
   end(): void {
@@ -90,26 +110,27 @@ export class Helpers {
    * @returns whether somebody is at work for it
    */
   help(solver: Solver, module: WebAssembly.Module | undefined, most: number): boolean {
+    for (const helper of this.#helpers) helper.drop(solver, false);
     const {alignment} = solver.milliseconds;
     const allowed = alignment < this.#delays.start ? 0 : most - this.#broken;
     while (module && alignment >= this.#delays.lend) {
-      const idle = [...this.#helpers].find(({number}) => number === undefined);
-      const lent = (idle ?? this.#helpers.size < allowed) ? solver.lend() : null;
+      const free = [...this.#helpers].find(({shares}) => shares < sharesEach(most));
+      const lent = (free ?? this.#helpers.size < allowed) ? solver.lend() : null;
       if (!lent) break;
       clearTimeout(this.#ending);
-      (idle ?? this.#started(module, most))?.run(solver, lent);
+      (free ?? this.#started(module, most))?.run(solver, lent);
     }
-    return [...this.#helpers].some((helper) => helper.solver === solver);
+    return [...this.#helpers].some((helper) => helper.isFor(solver));
   }
 
   /** To be called at the end of a solve, however it came: nobody works for it any more. */
   leave(solver: Solver): void {
-    for (const helper of this.#helpers) if (helper.solver === solver) helper.drop();
+    for (const helper of this.#helpers) helper.drop(solver, true);
     clearTimeout(this.#ending);
     if (this.#helpers.size === 0) return;
     this.#ending = setTimeout(() => {
       for (const helper of this.#helpers) {
-        if (helper.solver) continue; // another solve is not at its end
+        if (helper.shares > 0) continue; // another solve is not at its end
         this.#helpers.delete(helper);
         helper.end();
       }
@@ -128,12 +149,10 @@ export class Helpers {
       if (message.kind === 'ready' && message.version !== protocolVersion) lost();
       if (message.kind === 'failed' && message.failure.code !== 'cancelled') lost();
       if (message.kind !== 'done' && message.kind !== 'failed') return;
-      const {solver, number} = helper;
-      helper.solver = null;
-      helper.number = undefined;
-      if (message.kind === 'failed' || !solver || number === undefined) return;
-      solver.take(number, message.answer as Float64Array);
-      this.help(solver, module, most);
+      const lent = helper.take(message.job);
+      if (message.kind === 'failed' || !lent?.solver) return;
+      lent.solver.take(lent.number, message.answer as Float64Array);
+      this.help(lent.solver, module, most);
     };
     let helper: Helper;
     try {

@@ -85,7 +85,7 @@ export class SharedModule {
   }
 }
 
-/** As it comes, where the host says what it is. @throws what kept the file from being had */
+/** As it comes, where the host says exactly what it is. @throws what kept the file from being had */
 async function compiled({module, wasmBinary, locateFile}: Settings): Promise<WebAssembly.Module> {
   if (module) return module;
   if (wasmBinary) return WebAssembly.compile(wasmBinary as BufferSource);
@@ -93,7 +93,7 @@ async function compiled({module, wasmBinary, locateFile}: Settings): Promise<Web
     locateFile?.('seamwise.wasm', '') ?? new URL('./module/seamwise.wasm', import.meta.url);
   const response = await fetch(url, {credentials: 'same-origin'});
   if (!response.ok) throw new Error(`${response.url} is answered with HTTP ${response.status}`);
-  return response.headers.get('Content-Type')?.startsWith('application/wasm')
+  return response.headers.get('Content-Type') === 'application/wasm'
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
 }

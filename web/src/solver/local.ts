@@ -6,7 +6,8 @@ import {internalError, loadingError} from './broken.js';
 import type {Helpers} from './helpers.js';
 import {SharedModule, type SeamwiseModule, type Settings} from './load.js';
 import type {Answer, Answers, Question, QuestionOf} from './protocol.js';
-import {ownThread, run, runInSlices, runPreparation, type Pace} from './run.js';
+import {ownThread, type Pace} from './pace.js';
+import {run, runInSlices, runPreparation} from './run.js';
 import {Share} from './share.js';
 import {convertGarment, Detection, measureSymmetry, Solver} from './solver.js';
 import type {QuestionHooks} from './service.js';
@@ -16,6 +17,9 @@ import {unlessAborted} from './unless-aborted.js';
 
 /** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
 const solvesAtOnce = 2;
+
+/** A share that is of no use any more must not keep others waiting. [ms] */
+const shareSlice = 20;
 
 interface LocalWays {
   readonly pace?: Pace;
@@ -31,6 +35,8 @@ export class LocalSolver {
   readonly #shared: SharedModule;
   readonly #pace: Pace;
   readonly #turns = new Turns(solvesAtOnce);
+  /** The sooner one share has ended, the sooner it is of use. */
+  readonly #shareTurns = new Turns(1);
   readonly #helpers: Helpers | undefined;
 
   /**
@@ -138,14 +144,18 @@ export class LocalSolver {
 
   /** Runs a share of another thread's search. @throws {SolverError}; the signal's reason */
   share(order: Float64Array, signal?: AbortSignal): Promise<Float64Array> {
-    return this.#withModule(async (module) => {
-      const share = new Share(module, order);
-      try {
-        return await share.run(signal, this.#pace);
-      } finally {
-        share[Symbol.dispose]();
-      }
-    }, signal);
+    const run = () =>
+      this.#withModule(async (module) => {
+        const share = new Share(module, order);
+        try {
+          const pace = {...this.#pace, slice: shareSlice};
+          await runInSlices((slice) => share.advance(slice), signal, pace);
+          return share.answers();
+        } finally {
+          share[Symbol.dispose]();
+        }
+      }, signal);
+    return this.#shareTurns.take(run, signal);
   }
 
   /** @throws {SolverError} */

@@ -1,27 +1,10 @@
 import {loadingError} from './broken.js';
 import type {LocalSolver} from './local.js';
 import type {Answers, QuestionOf} from './protocol.js';
-import type {Pace} from './run.js';
+import {besideThePage} from './pace.js';
 import {TextService, type QuestionHooks} from './service.js';
 import {unlessAborted} from './unless-aborted.js';
 import type {WorkerPlaces} from './watched-worker.js';
-
-/**
- * Half a frame, to leave the other half to the page. A message, because setTimeout would wait 4 ms or
- * more, a second in a hidden page; and because it queues behind what the page has to do already.
- */
-const besideThePage: Pace = {
-  slice: 8,
-  pause: () =>
-    new Promise((resolve) => {
-      const {port1, port2} = new MessageChannel();
-      port1.onmessage = () => {
-        port1.close();
-        resolve();
-      };
-      port2.postMessage(null);
-    }),
-};
 
 /**
  * The solver on the page's own thread, in slices of a few milliseconds: for pages that may have no

@@ -1,21 +1,10 @@
 import type {SolveHooks} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
-import {sliceWhileHelped} from './helpers.js';
+import type {Pace} from './pace.js';
 import type {Solver} from './solver.js';
 
-/** How a solve shares its thread with everything else. */
-export interface Pace {
-  /** How long it works at a stretch. [ms] */
-  readonly slice: number;
-  /** Lets pending events run. */
-  readonly pause: () => Promise<void>;
-}
-
-/** Long enough for pauses not to matter; setTimeout, because a MessageChannel would starve events in Node. */
-export const ownThread: Pace = {
-  slice: 40,
-  pause: () => new Promise((resolve) => setTimeout(resolve, 0)),
-};
+/** While others are at work for a solve: what they bring is wanted soon. [ms] */
+const sliceWhileHelped = 15;
 
 /** Lets pending events run. @throws the signal's reason, if it has fired by then */
 async function breathe(pace: Pace, signal: AbortSignal | undefined): Promise<void> {

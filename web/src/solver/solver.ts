@@ -87,6 +87,11 @@ export class Solver implements Disposable {
     return this.#solver.lend();
   }
 
+  /** Whether the answers of a share that was lent are still of use. */
+  awaits(number: number): boolean {
+    return this.#solver.awaits(number);
+  }
+
   /** What came of a share that was lent; as above. */
   take(number: number, answers: Float64Array): void {
     this.#solver.take(number, answers);

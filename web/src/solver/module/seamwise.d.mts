@@ -46,7 +46,9 @@ export interface ModuleSolver extends EmbindObject {
   partial(): Float64Array;
   /** A share of the present search, for `Share` in another thread; null when there is none. */
   lend(): LentShare | null;
-  /** The answers of a share by its number; ignored when the search has ended. */
+  /** Whether a share, by its number, is still to be had by nobody else. */
+  awaits(number: number): boolean;
+  /** The answers of a share; ignored when the search has ended. */
   take(number: number, answers: Float64Array): void;
   /** The garment as it was meshed, a document; empty during the preparation and after a failure. */
   pattern(): Uint8Array<ArrayBuffer>;

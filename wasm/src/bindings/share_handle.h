@@ -1,0 +1,57 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "bindings/values.h"
+#include "io/share_numbers.h"
+
+namespace seamwise {
+
+/// A share of a search that runs on another thread, as JavaScript holds it.
+class ShareHandle {
+ public:
+  explicit ShareHandle(const val& numbers) {
+    error_ = caught([&]() -> std::optional<Error> {
+      auto order = readShare(emscripten::convertJSArrayToNumberVector<double>(numbers));
+      if (!order) return Error{Failure::kInternal, "A share of a search came damaged."};
+      work_ = std::make_unique<Work>(*std::move(order));
+      return std::nullopt;
+    });
+  }
+
+  val failure() const { return failureValue(error_); }
+
+  bool advance(int steps) {
+    if (!work_) return false;
+    bool more = true;
+    error_ = caught([&]() -> std::optional<Error> {
+      for (int k = 0; more && k < steps; ++k) more = work_->share.step();
+      return std::nullopt;
+    });
+    return more && !error_;
+  }
+
+  /// Once nothing is left to do.
+  val answers() const {
+    return copied(work_ ? writeAnswers(work_->share.answers()) : std::vector<double>());
+  }
+
+ private:
+  struct Work {
+    explicit Work(ShareOrder of)
+        : order(std::move(of)),
+          components(componentsOf(order.problem)),
+          samples(searchSamples(order.problem, order.task.budget)),
+          share(order.problem, components, samples, order.task) {}
+    ShareOrder order;
+    std::vector<Component> components;
+    SearchSamples samples;
+    SearchShare share;
+  };
+  std::unique_ptr<Work> work_;
+  std::optional<Error> error_;
+};
+
+}  // namespace seamwise

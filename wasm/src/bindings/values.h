@@ -1,0 +1,57 @@
+#pragma once
+// Values as they cross the boundary.
+#include <emscripten/val.h>
+
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/outcome.h"
+
+namespace seamwise {
+
+using emscripten::val;
+
+inline val failureValue(const std::optional<Error>& error) {
+  if (!error) return val::null();
+  val failure = val::object();
+  failure.set("code", static_cast<int>(error->code));
+  failure.set("message", error->message);
+  failure.set("piece", error->piece);
+  failure.set("seam", error->seam);
+  failure.set("reason", error->reason);
+  return failure;
+}
+
+/// Runs `work`; what it throws becomes the error it returns.
+template <class Work>
+std::optional<Error> caught(Work work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return Error{Failure::kInternal, "There is not enough memory for this problem."};
+  } catch (const std::exception& broken) {
+    return Error{Failure::kInternal, std::string("The solver broke: ") + broken.what() + "."};
+  } catch (...) {
+    return Error{Failure::kInternal, "The solver broke."};
+  }
+}
+
+/// A copy for JavaScript: a view of the heap dies when memory grows.
+template <class Value>
+val copied(std::size_t size, const Value* values) {
+  return val(emscripten::typed_memory_view(size, values)).template call<val>("slice");
+}
+
+inline val copied(const std::string& bytes) {
+  return copied(bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+}
+
+inline val copied(const std::vector<double>& numbers) {
+  return copied(numbers.size(), numbers.data());
+}
+
+}  // namespace seamwise
