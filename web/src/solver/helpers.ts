@@ -22,7 +22,7 @@ export type StartHelper = (owner: HelperOwner) => HelperThread;
 /** What is waited for. [ms] */
 const usualDelays = {
   /** What has been sought for so long goes on for about as long again, as a rule: threads are worth their start. */
-  start: 120,
+  start: 200,
   /** And those that have started are worth being told. */
   lend: 20,
   /** A thread that nobody has needed for so long is ended. */
