@@ -45,13 +45,18 @@ FitRun::Judgement FitRun::judge() {
     if (found == Judgement::kGood) found = Judgement::kOthersPull;
   };
   worse_.assign(shaped.size(), 0);
+  excess_ = 0;
   for (std::size_t s = 0; s < shaped.size(); ++s) {
     if (!counts(pattern.seams[s])) continue;
     const double moved = movedOf(pattern.seams[s], pattern, fitting_->shapes());
     const Verdict verdict = verdictOn({placed[s], aligned[s], shaped[s]}, moved);
     if (verdict == Verdict::kKept) continue;
     worse_[s] = verdict == Verdict::kWorse;
-    if (worse_[s]) start.margins[s] += shaped[s] - greatestMean(placed[s]);
+    if (worse_[s]) {
+      const double most = greatestMean(placed[s]);
+      start.margins[s] += shaped[s] - most;
+      excess_ = std::max(excess_, shaped[s] / most - 1);
+    }
     if (worse_[s] && !start.stays) {
       if (start.urgency[s] >= kMostUrgent)
         found = Judgement::kHopeless;
@@ -101,6 +106,7 @@ void FitRun::giveUp() {
 
 void FitRun::fail() {
   starts_[current_].failed = true;
+  starts_[current_].excess = excess_;
   for (std::size_t s = 0; s < worse_.size(); ++s)
     if (worse_[s]) blame_[s] = std::min(blame_[s] * kBlame, kMostUrgent);
 }

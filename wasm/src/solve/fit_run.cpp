@@ -25,7 +25,9 @@ constexpr int kRealignEvery = 3;         ///< steps between new joins and alignm
 /// Steps after which also seams that pull are held to what placing alone leaves of them: by then,
 /// shaping has made them meet as far as it will.
 constexpr int kLimitedFrom = 6;
-constexpr int kMostRounds = 4;  ///< from one start, each with other seams pulling
+constexpr int kMostRounds = 4;    ///< from one start, each with other seams pulling
+constexpr int kMostRetried = 12;  ///< the same, once it has failed by little:
+constexpr double kLittle = 0.3;   ///< as a share of what a seam may miss by
 
 std::size_t verticesOf(const Pattern& pattern) {
   std::size_t count = 0;
@@ -206,7 +208,8 @@ bool FitRun::advance() {
 bool FitRun::endSteps() {
   Start& start = starts_[current_];
   const Judgement found = judge();
-  if (found == Judgement::kOthersPull && ++start.rounds < kMostRounds) {
+  const int most = start.retried ? kMostRetried : kMostRounds;
+  if (found == Judgement::kOthersPull && ++start.rounds < most) {
     again();
     return true;
   }
@@ -252,10 +255,25 @@ bool FitRun::goOnFromBest() {
     stuck_ = true;
     return true;
   }
+  if (starts_[best].stays && starts_[best].ended && retryNearest()) return true;
   if (best != current_) resume(best);
   if (!starts_[best].ended) return true;
   if (!plan_) return false;
   goFine();
+  return true;
+}
+
+/// Gives more rounds to the start that failed by least. Returns whether one failed by little.
+bool FitRun::retryNearest() {
+  Start* nearest = nullptr;
+  for (Start& start : starts_)
+    if (start.failed && !start.retried && start.reviews == 0 && start.excess <= kLittle &&
+        (!nearest || start.excess < nearest->excess))
+      nearest = &start;
+  if (!nearest) return false;
+  nearest->failed = false, nearest->retried = true;
+  resume(static_cast<std::size_t>(nearest - starts_.data()));
+  again();
   return true;
 }
 

@@ -19,8 +19,8 @@ struct FitStart {
 /// then on from the best one. Where edges are short this happens on a coarser mesh, and the whole
 /// one only takes the last steps. Seams that shaping cannot bring to meet keep their drafted lines
 /// and pull nothing: once they are known, shapes start again without them. A start that leaves
-/// seams worse off than placing alone does is given up for the next. Seam lengths and limits are
-/// left to settle.
+/// seams worse off than placing alone does is given up for the next; where none is left, the one
+/// that came closest may go on. Seam lengths and limits are left to settle.
 class FitRun {
  public:
   /// All but the starts outlives the run.
@@ -68,6 +68,9 @@ class FitRun {
     std::optional<double> fit, fit_under_rules;
     int steps = 0, rounds = 0, reviews = 0;
     bool ended = false, failed = false;
+    /// By how much the worst seam exceeded what it may miss by when it failed, as a share of that.
+    double excess = 0;
+    bool retried = false;
   };
   const Pattern& fitted() const { return coarse_ ? coarse_pattern_ : pattern_; }
   void add(FitStart from);
@@ -81,6 +84,7 @@ class FitRun {
   void fail();
   bool leave();
   bool goOnFromBest();
+  bool retryNearest();
   void place(const Alignments& leaders);
   void realign();
   std::vector<double> placedMismatches() const;
@@ -106,6 +110,7 @@ class FitRun {
   Alignments leaders_, alignment_;
   std::vector<double> blame_;  ///< per seam: what failed, for searches
   std::vector<char> worse_;    ///< per seam: by the last judgement
+  double excess_ = 0;          ///< of the worst of them, as in Start
   bool perfect_ = false, begun_ = false, stuck_ = false, may_seek_ = true, given_up_ = false;
   bool stalled_ = false;             ///< the best start has no steps left to take
   int steps_ = 0, trial_steps_ = 0;  ///< to do, all and from each start
