@@ -117,7 +117,7 @@ async function buildScripts() {
   await must(node, [...compile, '--emitDeclarationOnly', '--outDir', declarations]);
   copyDeclarations(declarations);
   mkdirSync(at('dist/solver/module'), {recursive: true});
-  for (const file of ['seamwise.mjs', 'seamwise.wasm', 'seamwise.d.mts']) {
+  for (const file of ['seamwise.mjs', 'seamwise.wasm']) {
     copyFileSync(at(moduleFolder, file), at('dist/solver/module', file));
   }
 }

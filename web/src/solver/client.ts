@@ -12,8 +12,8 @@ import {
 import {TextService, type QuestionHooks} from './service.js';
 import {WatchedWorker, type WorkerOwner, type WorkerPlaces} from './watched-worker.js';
 
-export type {NamedPrepareHooks, NamedSolveHooks, ProblemNames} from './texts.js';
-export type {GarmentHooks, SolverService} from './service.js';
+export type {NamedPrepareHooks, NamedProofHooks, NamedSolveHooks, ProblemNames} from './texts.js';
+export type {GarmentHooks, QuestionHooks, SolverService} from './service.js';
 export type {WorkerPlaces} from './watched-worker.js';
 
 /**
