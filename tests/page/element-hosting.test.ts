@@ -49,7 +49,7 @@ interface Visit {
   readonly state: string;
   readonly codes: readonly string[];
   readonly sentences: readonly string[];
-  /** Paths of the workers' scripts. */
+  /** Paths of the workers' scripts, each once: a worker may have helpers of its own script. */
   readonly workers: readonly string[];
   /** What the browser complained of. */
   readonly said: readonly string[];
@@ -107,7 +107,7 @@ async function visit(policy: string, markup: string): Promise<Visit> {
       const {codes, sentences} = globalThis as unknown as Record<string, string[]>;
       return {codes: codes ?? [], sentences: sentences ?? []};
     });
-    return {state, ...heard, workers, said};
+    return {state, ...heard, workers: [...new Set(workers)], said};
   } finally {
     await page.close();
     await served.close();
