@@ -82,7 +82,10 @@ it('is walked by keys alone, from pieces to seams and across to their twins', as
   const third = await spoken(page);
   await press(page, 'Enter');
   const seam = await spoken(page);
-  expect(seam).toMatch(/^.+, [\d.]+ cm, mismatch [\d.]+ mm, (mirrored|continuous|not counted)$/);
+  // and why, where it stays off
+  expect(seam).toMatch(
+    /^.+, [\d.]+ cm, mismatch [\d.]+ mm, (mirrored|continuous|not counted)(, .+)?$/,
+  );
   await press(page, 'ArrowRight');
   expect(await spoken(page)).not.toBe(seam);
   await press(page, 'ArrowLeft', 't');
