@@ -61,6 +61,8 @@ it('works once the two files lie beside the bundle, as the guide says', async ()
   const {url, close} = await serveFiles(join(folder, 'site'), policy);
   const page = await open(url);
   await solved(page);
-  expect(page.workers().map((worker) => worker.url())).toEqual([`${url}solver.worker.js`]);
+  // a long search has helpers, of the same script
+  const scripts = page.workers().map((worker) => worker.url().replace('#helper', ''));
+  expect([...new Set(scripts)]).toEqual([`${url}solver.worker.js`]);
   await close();
 });
