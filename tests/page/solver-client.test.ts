@@ -4,18 +4,18 @@ import {afterEach, beforeEach, describe, expect, it} from 'vitest';
 
 import type {FromWorker} from '../../web/src/solver/protocol.js';
 import {checks, twoStrips} from '../wasm/garments.js';
-import {jacket, tee, useFixture, withoutTimes} from './fixture/open.js';
+import {isHelper, jacket, tee, useFixture, withoutTimes} from './fixture/open.js';
 
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
 const openPage = useFixture();
 let page: Page;
-/** How many have been started; one that was replaced counts. */
+/** How many have been started, helpers apart; one that was replaced counts. */
 let workers: number;
 
 beforeEach(async () => {
   page = await openPage();
   workers = 0;
-  page.on('worker', () => (workers += 1));
+  page.on('worker', (worker) => (workers += isHelper(worker) ? 0 : 1));
 });
 
 afterEach(() => page.close());
