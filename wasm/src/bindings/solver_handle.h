@@ -148,12 +148,10 @@ class SolverHandle {
   bool prove(int steps) {
     bool more = false;
     guard([&]() -> std::optional<Error> {
-      for (more = true; more && steps > 0 && !solver_; --steps)
-        if (auto error = prepare()) return error;
-      if (solver_ && steps > 0) more = solver_->prove(steps);
+      if (solver_) more = solver_->prove(steps);
       return std::nullopt;
     });
-    return more && !error_;
+    return more;
   }
 
   val proven() const {

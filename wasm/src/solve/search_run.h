@@ -9,9 +9,9 @@
 namespace seamwise {
 
 /// Seeks the alignments of the pattern as drafted, in up to five searches that hand on what they
-/// find: of the garment with its known symmetry, where not all of it is imposed; of the garment by itself,
-/// on the print lying straight, and of what comes near there once seams may move; then both again
-/// with the weights and pins that are asked for, on the print as it lies, where that makes a
+/// find: of the garment with its known symmetry, where not all of it is imposed; of the garment by
+/// itself, on the print lying straight, and of what comes near there once seams may move; then both
+/// again with the weights and pins that are asked for, on the print as it lies, where that makes a
 /// difference. So whoever changes a weight, a pin or the print's turn has most of it done already,
 /// and comes to the same answer as who has not.
 class SearchRun {

@@ -54,7 +54,7 @@ export interface ModuleSolver extends EmbindObject {
   pattern(): Uint8Array<ArrayBuffer>;
   /** The result, a document; empty after a failure. */
   result(): Uint8Array<ArrayBuffer>;
-  /** Proves how good alignments can be, instead of a solve; false when no more can be proven. */
+  /** Once it is prepared: proves how good alignments can be; false when no more can be proven. */
   prove(steps: number): boolean;
   proven(): ModuleProof;
 }
