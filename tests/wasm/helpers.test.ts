@@ -1,5 +1,7 @@
 /** Who helps with a search, and whether they live to its end, must make no difference to what is found. */
+import {execFile} from 'node:child_process';
 import {readFile} from 'node:fs/promises';
+import {promisify} from 'node:util';
 import {Worker} from 'node:worker_threads';
 
 import {afterEach, expect, it} from 'vitest';
@@ -105,6 +107,20 @@ it('does without threads that may be of another version', async () => {
   expect(heard.flatMap(({received}) => received)).not.toContainEqual(
     expect.objectContaining({kind: 'done'}),
   );
+});
+
+it('keeps no program from ending with a thread that waits to be asked', async () => {
+  const program = `
+    const waiting = setTimeout(() => undefined, 30_000);
+    const receive = ({kind}) => {
+      console.log(kind);
+      clearTimeout(waiting);
+    };
+    import('${new URL('../../dist/node/thread.js', import.meta.url).href}').then(({thread}) =>
+      thread({receive, lost: () => undefined}),
+    );`;
+  const {stdout} = await promisify(execFile)(process.execPath, ['-e', program], {timeout: 30_000});
+  expect(stdout).toBe('ready\n');
 });
 
 it('starts no thread for what is found soon', async () => {

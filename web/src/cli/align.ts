@@ -6,14 +6,13 @@ import type {Print} from '../model/print.js';
 import {methods} from '../model/problem.js';
 import {resultText, withoutTimes} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
-import {solvedDesign} from '../model/solved-design.js';
 import {readBytes, readText, textOf} from '../node/files.js';
 import {remedies, solve, type ProblemNames, type Remedy} from '../node/index.js';
 import {choice, factor, lengthCm, parseArguments, UsageError, wholeNumber} from './arguments.js';
 import {figuresLine, remedyLine} from './figures.js';
 import {checkWritable, writeText} from './files.js';
 import {readPicture, readPrint} from './print-files.js';
-import {storedText, type Aligned} from './stored.js';
+import type {Aligned} from './stored.js';
 import {advise, print, ProgressLine, remark} from './terminal.js';
 
 const grammar = {
@@ -70,7 +69,10 @@ export async function align(words: readonly string[]): Promise<void> {
   if (outFile !== undefined) {
     await writeText(outFile, exact ? resultText(result) : await openable(given, result, found));
   }
-  if (designFile !== undefined) await writeText(designFile, storedText(designFile, given, result));
+  if (designFile !== undefined) {
+    const {storedText} = await import('./stored.js');
+    await writeText(designFile, storedText(designFile, given, result));
+  }
   if (args.has('--json')) {
     print(
       JSON.stringify({
@@ -152,6 +154,7 @@ async function openable(
   result: SolveResult,
   found: readonly Remedy[] | undefined,
 ): Promise<string> {
+  const {solvedDesign} = await import('../model/solved-design.js');
   const cloth = JSON.parse(textOf(print.bytes)) as Print;
   const design = solvedDesign(
     {

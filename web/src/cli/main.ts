@@ -2,27 +2,24 @@
 import {SolverError} from '../model/failure.js';
 import {packageVersion} from '../model/version.js';
 import {FileError} from '../model/versioned-file.js';
-import {align} from './align.js';
 import {UsageError} from './arguments.js';
-import {batch} from './batch/command.js';
-import {draw} from './draw.js';
-import {convertFile, listSymmetries} from './garments.js';
-import {order} from './order.js';
 import {print} from './terminal.js';
-import {usage} from './usage.js';
 
-const commands: Readonly<Record<string, (words: readonly string[]) => Promise<void>>> = {
-  align,
-  order,
-  batch,
-  symmetries: listSymmetries,
-  convert: convertFile,
-  draw,
+type Command = (words: readonly string[]) => Promise<void>;
+
+/** Each is loaded when it is asked for: reading all scripts takes as long as solving a small garment. */
+const commands: Readonly<Record<string, () => Promise<Command>>> = {
+  align: async () => (await import('./align.js')).align,
+  order: async () => (await import('./order.js')).order,
+  batch: async () => (await import('./batch/command.js')).batch,
+  symmetries: async () => (await import('./garments.js')).listSymmetries,
+  convert: async () => (await import('./garments.js')).convertFile,
+  draw: async () => (await import('./draw.js')).draw,
 };
 
 async function main([command, ...words]: readonly string[]): Promise<void> {
   if (command === '--help' || command === '-h' || words.includes('--help')) {
-    print(usage);
+    print((await import('./usage.js')).usage);
     return;
   }
   if (command === '--version') {
@@ -30,11 +27,12 @@ async function main([command, ...words]: readonly string[]): Promise<void> {
     return;
   }
   if (command === undefined) throw new UsageError('a command is missing; see --help.');
-  const run = Object.hasOwn(commands, command) ? commands[command] : undefined;
-  if (!run) {
+  const load = Object.hasOwn(commands, command) ? commands[command] : undefined;
+  if (!load) {
     const known = Object.keys(commands).join(', ');
     throw new UsageError(`unknown command '${command}'; there are ${known}.`);
   }
+  const run = await load();
   await run(words);
 }
 

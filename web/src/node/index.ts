@@ -7,7 +7,6 @@ import type {Problem} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
-import {remediesOf} from '../remedies/remedies.js';
 import type {Remedy} from '../remedies/remedy.js';
 import {helpersFor} from '../solver/cores.js';
 import {Helpers} from '../solver/helpers.js';
@@ -22,7 +21,7 @@ import {
   type NamedSolveHooks,
 } from '../solver/texts.js';
 import {thread} from './thread.js';
-import {orderWith, type Order, type OrderHooks} from './order.js';
+import type {Order, OrderHooks} from './order.js';
 
 export type {Alignment, Point} from '../model/geometry.js';
 export type * from '../model/garment.js';
@@ -77,6 +76,7 @@ export async function remedies(
   result: SolveResult,
   {signal, names}: NamedPrepareHooks = {},
 ): Promise<readonly Remedy[]> {
+  const {remediesOf} = await import('../remedies/remedies.js');
   return remediesOf(
     problem,
     result,
@@ -92,6 +92,7 @@ export async function remedies(
  *   {SolverError} for a bad garment or print; the signal's reason, when it fires
  */
 export async function order(design: StoredDesign | string, hooks: OrderHooks = {}): Promise<Order> {
+  const {orderWith} = await import('./order.js');
   return orderWith(solve, design, hooks);
 }
 

@@ -8,7 +8,6 @@ const script = new URL('./helper-thread.js', import.meta.url);
 /** A thread of this process, which it does not keep from ending. */
 export function thread(owner: HelperOwner): HelperThread {
   const worker = new Worker(script, {stdin: false});
-  worker.unref();
   worker.on('message', (message: FromWorker) => {
     owner.receive(message);
   });
@@ -17,6 +16,7 @@ export function thread(owner: HelperOwner): HelperThread {
   };
   worker.on('error', lost);
   worker.on('exit', lost);
+  worker.unref(); // last: a listener to messages would undo it
   return {
     post: (message) => {
       worker.postMessage(message);
