@@ -176,6 +176,12 @@ TEST(BrokenGarment, ForGiantsOrAntsSuggestsTheUnits) {
   expectRefused(ant, Failure::kUnits, {"0.666667 cm", "3000"});
 }
 
+TEST(BrokenGarment, WithOneVertexFarAwayNamesItsPanel) {
+  for (const double far : {1e4, 1e6, 1e299, 1e308})
+    expectRefused(edited([&](Json&, Json& front) { front["vertices"][1][0] = far; }),
+                  Failure::kUnits, {"'front'", "correct its vertices"});
+}
+
 TEST(BrokenGarment, WithMalformedCurvatureNamesTheEdge) {
   const auto refuse = [](const char* curvature, std::initializer_list<const char*> words) {
     Json document = twoRectangles();

@@ -45,9 +45,14 @@ Units readUnits(const JsonValue& document, const Place& place) {
   return units;
 }
 
-/// The greatest width or height of a panel of the file. [cm]
-double largestExtent(const JsonValue& panels, double cm) {
-  double largest = 0;
+struct Extent {
+  double cm = 0;
+  std::string panel;
+};
+
+/// The greatest width or height of a panel of the file.
+Extent largestExtent(const JsonValue& panels, double cm) {
+  Extent largest;
   for (const auto& [name, panel] : panels.members()) {
     const JsonValue vertices = panel.find("vertices");
     if (!vertices.isList()) continue;
@@ -58,7 +63,7 @@ double largestExtent(const JsonValue& panels, double cm) {
         low = std::min(low, v[axis].number());
         high = std::max(high, v[axis].number());
       }
-      largest = std::max(largest, (high - low) * cm);
+      if ((high - low) * cm > largest.cm) largest = {(high - low) * cm, name};
     }
   }
   return largest;
@@ -67,7 +72,7 @@ double largestExtent(const JsonValue& panels, double cm) {
 /// Wrong units are the likeliest cause of a garment for ants or giants. Judged before the panels
 /// are read, whose own limits would report it less plainly.
 void checkSize(const JsonValue& panels, const Units& units, const Place& place) {
-  const double extent = largestExtent(panels, units.panel.cm);
+  const auto [extent, panel] = largestExtent(panels, units.panel.cm);
   if (extent <= 0 || (extent >= kSmallestPieceCm && extent <= kLargestPieceCm)) return;
   std::string likely;
   for (const auto& [per_metre, name] : {std::pair(100.0, "cm"), std::pair(1000.0, "mm"),
@@ -77,11 +82,13 @@ void checkSize(const JsonValue& panels, const Units& units, const Place& place) 
       likely += (likely.empty() ? "" : " or ") + shown(per_metre) + " (" + name + ")";
   }
   place.fail(Failure::kUnits,
-             "has a largest panel of " + shown(extent) + " cm with " +
+             "has a largest panel, " + inQuotes(panel) + ", of " + shown(extent) + " cm with " +
                  (units.stated ? "properties.units_in_meter " + shown(units.per_metre)
                                : "the 100 units per metre assumed because it states none") +
-                 "; set properties.units_in_meter" +
-                 (likely.empty() ? " to what makes a metre" : ", probably to " + likely));
+                 (likely.empty()
+                      ? "; correct its vertices, or set properties.units_in_meter to what makes "
+                        "a metre"
+                      : "; set properties.units_in_meter, probably to " + likely));
 }
 
 bool anyCurve(const JsonValue& panels) {

@@ -9,7 +9,9 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 100;  // real files nest 7 deep
 
-[[noreturn]] void failFor(const JsonDocument& document, const Place& place) {
+/// @param within   what the defect is in, as ", in 'vertices' of 'front'"
+[[noreturn]] void failFor(const JsonDocument& document, const std::string& within,
+                          const Place& place) {
   const std::string where =
       "line " + std::to_string(document.line) + ", column " + std::to_string(document.column);
   switch (document.defect) {
@@ -21,8 +23,8 @@ constexpr std::size_t kMaxDepth = 100;  // real files nest 7 deep
       place.fail(Failure::kNotJson,
                  "is not JSON: it holds a zero byte at " + where + "; save it again");
     case JsonDefect::kOverflow:
-      place.fail(place.number,
-                 "has a number that is too large to be finite at " + where + "; correct it");
+      place.fail(place.number, "has a number that is too large to be finite at " + where + within +
+                                   "; correct it");
     case JsonDefect::kNoNumber:
       place.fail(Failure::kNotJson, "is not JSON at " + where +
                                         ": NaN and Infinity are not numbers in JSON; "
@@ -45,12 +47,25 @@ class Check {
 
   void run() {
     for (at_ = 0; at_ < document_.nodes.size(); ++at_) {
-      while (!open_.empty() && document_.nodes[open_.back().at].after == at_) open_.pop_back();
+      leaveEnded();
       if (!open_.empty() && open_.back().expects_name)
         name();
       else
         value();
     }
+    leaveEnded();
+  }
+
+  /// ", in 'vertices' of 'front'", for the members that the document has not ended.
+  std::string within() const {
+    std::string words;
+    for (auto open = open_.rbegin(); open != open_.rend(); ++open) {
+      if (!open->is_object || open->name == 0) continue;
+      const bool is_second = !words.empty();
+      words += (is_second ? " of " : ", in ") + nameOf(*open);
+      if (is_second) break;  // two tell which panel, and what of it
+    }
+    return words;
   }
 
  private:
@@ -60,6 +75,10 @@ class Check {
     std::size_t name = 0;  ///< node of the last one
     std::set<std::string_view> names = {};
   };
+
+  void leaveEnded() {
+    while (!open_.empty() && document_.nodes[open_.back().at].after == at_) open_.pop_back();
+  }
 
   void name() {
     Open& object = open_.back();
@@ -87,8 +106,12 @@ class Check {
   /// " in 'panels'", for the object that is open.
   std::string inParent() const {
     if (open_.size() < 2 || !open_[open_.size() - 2].is_object) return "";
-    const JsonNode& name = document_.nodes[open_[open_.size() - 2].name];
-    return " in " + inQuotes(std::string(document_.text(name)));
+    return " in " + nameOf(open_[open_.size() - 2]);
+  }
+
+  /// Of the member that was begun last.
+  std::string nameOf(const Open& object) const {
+    return inQuotes(std::string(document_.text(document_.nodes[object.name])));
   }
 
   const JsonDocument& document_;
@@ -101,8 +124,9 @@ class Check {
 
 JsonDocument parseDocument(std::string_view text, const Place& place) {
   JsonDocument document = documentOf(text);
-  Check(document, place).run();
-  if (document.defect != JsonDefect::kNone) failFor(document, place);
+  Check check(document, place);
+  check.run();
+  if (document.defect != JsonDefect::kNone) failFor(document, check.within(), place);
   return document;
 }
 
