@@ -1,10 +1,19 @@
-import {existsSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync} from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
 import {afterEach, beforeEach, expect, it} from 'vitest';
 
-import {forgetMoved} from '../../web/setup/cmake.mjs';
+import {configure, forgetMoved} from '../../web/setup/cmake.mjs';
 
 let home = '';
 beforeEach(() => {
@@ -50,4 +59,50 @@ it('begins the build of a copy anew, and leaves that of the original alone', () 
 
 it('has nothing to forget where nothing was built', () => {
   expect(forgetMoved(join(home, 'build/wasm'), home)).toBe(false);
+});
+
+/** A project that CMake configures without looking for a compiler. */
+function project(name: string): string {
+  const folder = join(home, name);
+  mkdirSync(folder);
+  writeFileSync(
+    join(folder, 'CMakeLists.txt'),
+    `cmake_minimum_required(VERSION 3.22)
+    project(small LANGUAGES NONE)
+    set(TOOL one CACHE STRING "what it is made with")
+    if(NOT TOOL STREQUAL "one")
+      message(FATAL_ERROR "\${TOOL} is gone")
+    endif()`,
+  );
+  const binaryDir = '$' + '{sourceDir}/build/small';
+  const presets = {version: 3, configurePresets: [{name: 'small', generator: 'Ninja', binaryDir}]};
+  writeFileSync(join(folder, 'CMakePresets.json'), JSON.stringify(presets));
+  return folder;
+}
+
+const source = (folder: string): string | undefined =>
+  /^CMAKE_HOME_DIRECTORY:INTERNAL=.*\/(.*)$/m.exec(
+    readFileSync(join(folder, 'build/small/CMakeCache.txt'), 'utf8'),
+  )?.[1];
+
+it('configures again where a build was copied or moved to', async () => {
+  const first = project('first');
+  expect(await configure('small', [], first)).toBe(true);
+  const [copied, moved] = [join(home, 'copied'), join(home, 'moved')];
+  cpSync(first, copied, {recursive: true});
+  renameSync(first, moved);
+  for (const folder of [copied, moved]) expect(await configure('small', [], folder)).toBe(true);
+  expect([source(copied), source(moved)]).toEqual(['copied', 'moved']);
+});
+
+it('drops settings that are of no use any more, and keeps what has been compiled', async () => {
+  const folder = project('one');
+  const compiled = join(folder, 'build/small/CMakeFiles/small.dir');
+  expect(await configure('small', [], folder)).toBe(true);
+  mkdirSync(compiled);
+  const cache = join(folder, 'build/small/CMakeCache.txt');
+  writeFileSync(cache, readFileSync(cache, 'utf8').replace('TOOL:STRING=one', 'TOOL:STRING=two'));
+  expect(await configure('small', [], folder)).toBe(true);
+  expect(readFileSync(cache, 'utf8')).toContain('TOOL:STRING=one');
+  expect(existsSync(compiled)).toBe(true);
 });

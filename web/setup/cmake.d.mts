@@ -1,2 +1,6 @@
-export function configure(preset: string, flags?: readonly string[]): Promise<boolean>;
+export function configure(
+  preset: string,
+  flags?: readonly string[],
+  project?: string,
+): Promise<boolean>;
 export function forgetMoved(folder: string, project: string): boolean;
