@@ -74,6 +74,7 @@ export default defineConfig({
   appType: 'mpa', // a file that is not there is an error, not the page
   publicDir: at('public'),
   plugins: [notices(), shortStyles(), offline()],
+  optimizeDeps: {entries: ['index.html']}, // and not those of the examples
   server: {port, strictPort: true, fs: {allow: [at('.')]}},
   preview: {port, strictPort: true, headers: {'Content-Security-Policy': policy}},
   build: {

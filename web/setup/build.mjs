@@ -22,12 +22,14 @@ import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const moduleFolder = 'web/src/solver/module';
 const declarations = 'build/declarations';
+/** What the module is made from. */
+export const moduleSources = ['CMakeLists.txt', 'CMakePresets.json', 'wasm'];
 const at = (...parts) => join(root, ...parts);
 
 /** The parts of a build, each made from those before it; `from` is what it is made from besides. */
 const parts = {
   module: {
-    from: ['CMakeLists.txt', 'CMakePresets.json', 'wasm'],
+    from: moduleSources,
     make: buildModule,
     products: [`${moduleFolder}/seamwise.mjs`, `${moduleFolder}/seamwise.wasm`],
   },

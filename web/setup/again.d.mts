@@ -1,0 +1,5 @@
+export function again(
+  work: () => Promise<void> | void,
+  told: (error: unknown) => void,
+  quiet?: number,
+): () => void;
