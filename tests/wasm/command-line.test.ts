@@ -299,6 +299,27 @@ describe('order', () => {
   });
 });
 
+it('draws each stage of a solve with meshes, letters and cells', async () => {
+  const words = ['dump', file('strips.json'), '--print', file('checks.json')];
+  const {code, out} = await seamwise(...words, '--out', file('stages'));
+  expect(code).toBe(0);
+  const files = out.trimEnd().split('\n');
+  expect(files.map((path) => path.replace(/.*\d-|\.svg$/g, ''))).toEqual(
+    expect.arrayContaining(['drafted', 'search', 'placed', 'shaped']),
+  );
+  const mean = (picture: string): number =>
+    Number(/mean mismatch ([\d.]+) mm/.exec(picture)?.[1] ?? NaN);
+  const pictures = files.map((path) => readFileSync(path, 'utf8'));
+  for (const picture of pictures) {
+    expect(picture.match(/class="mesh" d="[^"]/g)).toHaveLength(2);
+    expect(picture.match(/>A<\/text>/g)).toHaveLength(2);
+    expect(picture).toContain('id="stage-cloth"');
+  }
+  expect(mean(pictures.at(-1) ?? '')).toBeLessThanOrEqual(mean(pictures[0] ?? ''));
+  const nowhere = await seamwise(...words);
+  expect(nowhere).toMatchObject({code: 2, err: 'seamwise: --out FOLDER is missing.\n'});
+});
+
 it('draws a print in each of its colourways, and in no other', async () => {
   const print = JSON.stringify({
     ...checks,

@@ -49,6 +49,11 @@ seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.s
   Draws the pieces on their print, before and after, with the mismatch along the seams.
     --cloth-only                without seams, axes and names over the print
 
+seamwise dump GARMENT.json --print PRINT.json --out FOLDER [flags]
+  Draws what a solve goes through, for those who look into it: an SVG file for each stage (as drafted, every
+  better placing that the search tells of, placed, shaped) with meshes, seams, their letters and the print's cells.
+    --symmetry, --method, --options and --seed are those of align
+
 seamwise --version
 seamwise --help
 

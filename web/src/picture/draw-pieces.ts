@@ -2,7 +2,7 @@
 import type {Alignment, Point} from '../model/geometry.js';
 import {pairLetter} from '../model/letters.js';
 import type {Print} from '../model/print.js';
-import type {ResultPiece, SeamSide, SolveResult} from '../model/result.js';
+import type {Pattern, ResultPiece, SeamSide} from '../model/result.js';
 import {ontoSheet} from '../model/sheet-place.js';
 import {clothUnder} from './cloth.js';
 import {mismatchLine} from './colours.js';
@@ -14,7 +14,7 @@ import {escaped, nameLines, polyline, short, text, textWidth} from './svg.js';
 
 /** One of the two states that are shown, and where on the page. */
 export interface Scene {
-  readonly result: SolveResult;
+  readonly result: Pattern;
   readonly print: Print;
   readonly outline: 'rest' | 'shape';
   readonly alignments: readonly Alignment[];
@@ -31,6 +31,8 @@ export interface Scene {
   readonly names: readonly string[];
   /** No seams, axes and names over the print. */
   readonly isBare: boolean;
+  /** With the triangles of the pieces. */
+  readonly hasMesh?: boolean;
 }
 
 const outlineColour = '#4a4d52';
@@ -52,6 +54,15 @@ function body(scene: Scene, piece: ResultPiece, index: number): string {
     .map((loop) => `${polyline(pick(piece[scene.outline], loop).map(page))}Z`)
     .join('');
   return `<path d="${path}" fill="url(#${scene.id}-${index})" fill-rule="evenodd" stroke="${outlineColour}" stroke-width="1" stroke-linejoin="round"/>`;
+}
+
+function mesh(scene: Scene, piece: ResultPiece, index: number): string {
+  const page = toPage(scene, index);
+  const points = piece[scene.outline];
+  const triangles = piece.triangles.map(
+    (corners) => `${polyline(pick(points, corners).map(page))}Z`,
+  );
+  return `<path class="mesh" d="${triangles.join('')}" fill="none" stroke="${quiet}" stroke-width="0.4" stroke-linejoin="round"/>`;
 }
 
 /** How a line is drawn, as attributes. */
@@ -170,7 +181,8 @@ export function drawPieces(scene: Scene, nameSize: number): string {
   return [
     `<defs>${cloths.join('')}</defs>`,
     ...pieces.map(
-      (piece, k) => `<g aria-label="${escaped(scene.names[k] ?? '')}">${body(scene, piece, k)}</g>`,
+      (piece, k) =>
+        `<g aria-label="${escaped(scene.names[k] ?? '')}">${body(scene, piece, k)}${scene.hasMesh ? mesh(scene, piece, k) : ''}</g>`,
     ),
     ...(scene.isBare
       ? []

@@ -7,19 +7,12 @@ import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
 import {clothTile, type PrintWithTile} from './cloth.js';
 import {mismatchSteps, stepLines} from './colours.js';
-import {
-  drawPieces,
-  nameLeading,
-  nameRoom,
-  seamLetterAt,
-  strokeOf,
-  type Scene,
-} from './draw-pieces.js';
+import {drawPieces, seamLetterAt, strokeOf, type Scene} from './draw-pieces.js';
 import {finalFit, fitOf, worstOf, type Fit} from './fit.js';
-import {layOutNamed} from './layout.js';
 import {markAcross} from './mark.js';
 import type {Placements} from './on-body.js';
-import {escaped, nameLines, short, text, textWidth} from './svg.js';
+import {laidOut, margin, nameSize, width} from './page.js';
+import {escaped, short, text} from './svg.js';
 
 export interface PictureOptions {
   /** Headline; the print's group and repeat by default. */
@@ -36,9 +29,6 @@ export interface PictureOptions {
   readonly id?: string;
 }
 
-const width = 1200;
-const margin = 56;
-const nameSize = 13;
 const ink = '#26282c';
 const soft = '#6a6d73';
 
@@ -120,29 +110,6 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
     text([right - bar / 2, y + 38], '10 cm', {size: 12, fill: soft, anchor: 'middle'}),
   );
   return parts.join('');
-}
-
-/** A layout with room for the names. A crowd of pieces gets more height. */
-function laidOut(
-  result: SolveResult,
-  names: readonly string[],
-  placements: Placements | undefined,
-): ReturnType<typeof layOutNamed> {
-  const room = width - 2 * margin;
-  const widest = (name: string): number =>
-    Math.max(...nameLines(name, 0, nameSize).map((word) => textWidth(word, nameSize)));
-  const page = {
-    width: room,
-    height: room / (result.pieces.length > 16 ? 1.5 : 2.3),
-    grows: true,
-    greatestScale: 14,
-    gap: 34,
-    nameHeight: (piece: number, pieceWidth: number) =>
-      28 +
-      nameLines(names[piece] ?? '', nameRoom(pieceWidth), nameSize).length * nameLeading * nameSize,
-    nameWidth: (piece: number) => widest(names[piece] ?? ''),
-  };
-  return layOutNamed(result, page, placements);
 }
 
 /** The whole picture as the text of an SVG file. `print.tile` is shown at true scale, as it lies on every piece. */

@@ -1,0 +1,84 @@
+import {mkdir} from 'node:fs/promises';
+import {join} from 'node:path';
+
+import type {Alignment} from '../model/geometry.js';
+import {methods} from '../model/problem.js';
+import type {MeshedPattern} from '../model/result.js';
+import {fileError, readText, textOf} from '../node/files.js';
+import {solve} from '../node/index.js';
+import {drawStage, type Stage} from '../picture/draw-stage.js';
+import {choice, parseArguments, UsageError, wholeNumber} from './arguments.js';
+import {writeText} from './files.js';
+import {readPrint} from './print-files.js';
+import {print} from './terminal.js';
+
+const grammar = {
+  files: ['the garment file'],
+  valued: ['--print', '--symmetry', '--method', '--options', '--seed', '--out'],
+  switches: [],
+};
+
+/** `dump`: draws what a solve goes through, one picture for each stage. */
+export async function dump(words: readonly string[]): Promise<void> {
+  const args = parseArguments(words, grammar);
+  const [garmentFile = ''] = args.files;
+  const [printFile, folder] = ['--print', '--out'].map((flag) => args.value(flag));
+  if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
+  if (folder === undefined) throw new UsageError('--out FOLDER is missing.');
+  const symmetry = args.value('--symmetry') ?? 'auto';
+  const options = args.value('--options');
+  const problem = {
+    garment: await readText(garmentFile),
+    print: textOf(await readPrint(printFile)),
+    symmetry: symmetry === 'auto' || symmetry === 'none' ? symmetry : await readText(symmetry),
+    options: options === undefined ? '{}' : await readText(options),
+    method: choice(args, '--method', methods) ?? 'best',
+    seed: wholeNumber(args, '--seed') ?? 1,
+  };
+  const names = {garment: garmentFile, print: printFile, symmetry, options: options ?? 'options'};
+  try {
+    await mkdir(folder, {recursive: true});
+  } catch (error) {
+    throw fileError(error, folder, 'written');
+  }
+  for (const [number, stage] of (await stages(problem, names)).entries()) {
+    const file = join(folder, `${String(number).padStart(3, '0')}-${stage.title}.svg`);
+    await writeText(file, drawStage(stage));
+    print(file);
+  }
+}
+
+/** As drafted; each better placing that the search told of; placed; shaped. */
+async function stages(
+  problem: Parameters<typeof solve>[0],
+  names: NonNullable<NonNullable<Parameters<typeof solve>[1]>['names']>,
+): Promise<readonly Stage[]> {
+  let pattern: MeshedPattern | undefined;
+  const found: Float64Array[] = [];
+  const result = await solve(problem, {
+    names,
+    onPattern: (meshed) => {
+      pattern = meshed;
+    },
+    onPartial: (alignments) => {
+      if (found.at(-1)?.join() !== alignments.join()) found.push(alignments);
+    },
+  });
+  const placed = result.pieces.map(({alignment}) => alignment);
+  const rest = {pattern: pattern ?? result, outline: 'rest'} as const;
+  const drafted = rest.pattern.pieces.map(({alignment}) => alignment);
+  return [
+    {...rest, title: 'drafted', alignments: drafted},
+    ...found.map((numbers) => ({...rest, title: 'search', alignments: alignmentsIn(numbers)})),
+    {...rest, title: 'placed', alignments: placed},
+    {pattern: result, outline: 'shape', title: 'shaped', alignments: placed},
+  ];
+}
+
+/** @param numbers angle, x, y per piece */
+function alignmentsIn(numbers: Float64Array): readonly Alignment[] {
+  return Array.from({length: numbers.length / 3}, (_, k) => {
+    const [angle = 0, x = 0, y = 0] = numbers.subarray(3 * k);
+    return {angle, translation: [x, y]};
+  });
+}

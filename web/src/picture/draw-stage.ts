@@ -1,0 +1,43 @@
+/** One stage of a solve for those who look into it: meshes, the print's cells as they lie on the pieces, seams with their letters. */
+import type {Alignment} from '../model/geometry.js';
+import type {Pattern} from '../model/result.js';
+import {clothTile} from './cloth.js';
+import {drawPieces, type Scene} from './draw-pieces.js';
+import {fitOf} from './fit.js';
+import {laidOut, margin, nameSize, width} from './page.js';
+import {escaped, short, text} from './svg.js';
+
+export interface Stage {
+  readonly title: string;
+  readonly pattern: Pattern;
+  readonly outline: Scene['outline'];
+  readonly alignments: readonly Alignment[];
+}
+
+const top = 76;
+
+/** The text of an SVG file. Pieces are called by the keys of their panels, as in files and messages. */
+export function drawStage({title, pattern, outline, alignments}: Stage): string {
+  const names = pattern.pieces.map(({name}) => name);
+  const {layout, scale} = laidOut(pattern, names, undefined);
+  const height = top + layout.height * scale + margin;
+  const fit = fitOf(pattern, outline, alignments);
+  const {group, w1, w2} = pattern.print;
+  const print = {group, w1, w2};
+  const scene: Scene = {
+    ...{result: pattern, print, outline, alignments, fit, layout, names, scale},
+    ...{id: 'stage', cloth: 'stage-cloth', isBare: false, hasMesh: true},
+    corner: [(width - layout.width * scale) / 2, top],
+  };
+  const note = `${group}; mean mismatch ${(10 * fit.mean).toFixed(2)} mm, fit ${fit.total.toFixed(3)} cm²`;
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" font-family="sans-serif">`,
+    `<title>${escaped(title)}</title>`,
+    `<defs>${clothTile('stage-cloth', print, scale)}</defs>`,
+    '<rect width="100%" height="100%" fill="#fff"/>',
+    text([margin, 34], title, {size: 20, weight: 600}),
+    text([margin, 56], note, {size: 13}),
+    drawPieces(scene, nameSize),
+    '</svg>\n',
+  ].join('\n');
+}

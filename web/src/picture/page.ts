@@ -1,0 +1,33 @@
+/** The page that pictures are drawn on. [px] */
+import type {Pattern} from '../model/result.js';
+import {nameLeading, nameRoom} from './draw-pieces.js';
+import {layOutNamed} from './layout.js';
+import type {Placements} from './on-body.js';
+import {nameLines, textWidth} from './svg.js';
+
+export const width = 1200;
+export const margin = 56;
+export const nameSize = 13;
+
+/** A layout of pieces with room for the names. A crowd of pieces gets more height. */
+export function laidOut(
+  pattern: Pattern,
+  names: readonly string[],
+  placements: Placements | undefined,
+): ReturnType<typeof layOutNamed> {
+  const room = width - 2 * margin;
+  const widest = (name: string): number =>
+    Math.max(...nameLines(name, 0, nameSize).map((word) => textWidth(word, nameSize)));
+  const page = {
+    width: room,
+    height: room / (pattern.pieces.length > 16 ? 1.5 : 2.3),
+    grows: true,
+    greatestScale: 14,
+    gap: 34,
+    nameHeight: (piece: number, pieceWidth: number) =>
+      28 +
+      nameLines(names[piece] ?? '', nameRoom(pieceWidth), nameSize).length * nameLeading * nameSize,
+    nameWidth: (piece: number) => widest(names[piece] ?? ''),
+  };
+  return layOutNamed(pattern, page, placements);
+}
