@@ -19,8 +19,8 @@ struct Piece {
   bool mirrored_from_input = false;
 };
 
-/// The outline position k of the edge between neighbouring outline vertices u and v, in either order: it
-/// joins outline[k] and outline[k + 1]. Outline vertices are 0 .. n-1 in order.
+/// The outline position k of the edge between neighbouring outline vertices u and v, in either
+/// order: it joins outline[k] and outline[k + 1]. Outline vertices are 0 .. n-1 in order.
 inline int outlineEdge(const Piece& piece, int u, int v) {
   return (u + 1) % static_cast<int>(piece.outline.size()) == v ? u : v;
 }
@@ -48,8 +48,8 @@ struct Seam {
                       ///< symmetric alignment matches it, so it counts in no fit
 };
 
-/// Sides of so different a length that the print cannot match all along them, however they lie: over
-/// 30 cm they run apart by 3 cm, a good part of most repeats.
+/// Sides of so different a length that the print cannot match all along them, however they lie:
+/// over 30 cm they run apart by 3 cm, a good part of most repeats.
 inline bool isGathered(const Seam& seam) {
   return seam.length_ratio > 1.1 || seam.length_ratio < 1 / 1.1;
 }

@@ -16,7 +16,8 @@ std::vector<Vec2> averagedShape(const std::vector<Vec2>& first, const std::vecto
     } else {
       const Vec2 before_a = first[i] - first[i - 1], before_b = second[i] - second[i - 1];
       heading += (wrapAngle(direction(a) - direction(before_a)) +
-                  wrapAngle(direction(b) - direction(before_b))) / 2;
+                  wrapAngle(direction(b) - direction(before_b))) /
+                 2;
     }
     line.push_back(line.back() + unit(heading) * ((a.norm() + b.norm()) / 2));
   }
@@ -34,6 +35,7 @@ std::vector<Vec2> laidOn(const std::vector<Vec2>& line, const std::vector<Vec2>&
   }
   const Mat2 r = rotation(std::atan2(turn, dot));
   std::vector<Vec2> laid;
+  laid.reserve(line.size());
   for (const Vec2& p : line) laid.push_back(to + r * (p - from));
   return laid;
 }

@@ -14,8 +14,8 @@ struct Join {
   bool mirrored() const { return element.mirrored; }
 };
 
-/// The cheapest join of a seam: for each coset the lattice shift nearest the weighted mean of x - A y - a
-/// and its eight neighbours.
+/// The cheapest join of a seam: for each coset the lattice shift nearest the weighted mean of x - A
+/// y - a and its eight neighbours.
 /// @param continuous_only   forbid orientation-reversing elements
 Join bestJoin(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
               const std::vector<Alignment>& at, bool continuous_only = false);

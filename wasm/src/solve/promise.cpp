@@ -65,9 +65,8 @@ double seamError(const Seam& seam, const Shapes& shapes) {
 }
 
 bool isSewable(const Pattern& pattern, const Shapes& shapes) {
-  return std::all_of(pattern.seams.begin(), pattern.seams.end(), [&](const Seam& seam) {
-    return seamError(seam, shapes) <= kSeamTolerance;
-  });
+  return std::all_of(pattern.seams.begin(), pattern.seams.end(),
+                     [&](const Seam& seam) { return seamError(seam, shapes) <= kSeamTolerance; });
 }
 
 Shapes evenedShapes(const Pattern& pattern) {

@@ -52,9 +52,9 @@ class Registrar {
       to.x() = -to.x();
     }
     if (!from.allFinite() || !to.allFinite() || (to - from).norm() < kMirrorTolerance)
-      return malformed(
-          "the axis of piece " + inQuotes(panel.name) + " needs two different points; click it again",
-          piece);
+      return malformed("the axis of piece " + inQuotes(panel.name) +
+                           " needs two different points; click it again",
+                       piece);
     const Outline outline(panel);
     const RigidMotion clicked = RigidMotion::reflection(from, to);
     const Vec2 middle = (from + to) / 2;
@@ -86,7 +86,8 @@ class Registrar {
                              "; its edges are 0 to " + std::to_string(count - 1),
                          piece);
     if (request.first == request.second)
-      return malformed("edge " + std::to_string(request.first) + " of piece " + inQuotes(panel.name) +
+      return malformed("edge " + std::to_string(request.first) + " of piece " +
+                           inQuotes(panel.name) +
                            " is named twice; name two edges that mirror each other",
                        piece);
     const Curve &first = panel.edges[request.first], &second = panel.edges[request.second];
@@ -100,8 +101,7 @@ class Registrar {
     double least = kEdgesMeet;
     for (const MirrorFit& fit : fits) {
       const double apart = edgeResidual(first, second, fit.map);
-      if (!mirrors(fit) || apart > least - (best ? Outline::kFlatness : 0))
-        continue;
+      if (!mirrors(fit) || apart > least - (best ? Outline::kFlatness : 0)) continue;
       best = &fit;
       least = apart;
     }
