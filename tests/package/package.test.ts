@@ -146,7 +146,7 @@ it('is not much larger for pages without a bundler', () => {
 
 /** What is there to be read, tried and kept, and no part of the program. */
 const besides =
-  /^(LICENSE|README\.md|docs\/[\w-]+\.md|dist\/(standalone\/)?THIRD-PARTY-NOTICES\.md|web\/examples\/.*|public\/(garments|prints|schema)\/.*)$/;
+  /^(LICENSE|(README|CHANGELOG|CONTRIBUTING)\.md|docs\/[\w-]+\.md|dist\/(standalone\/)?THIRD-PARTY-NOTICES\.md|web\/examples\/.*|public\/(garments|prints|schema)\/.*)$/;
 
 it('has its licence, and those of all that is in it, beside whatever is passed on', () => {
   const text = (file: string): string => all.files.get(file)?.toString() ?? '';
