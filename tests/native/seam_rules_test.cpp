@@ -138,7 +138,7 @@ int forbiddenIn(const Result& free, const Result& symmetric, const WallpaperGrou
   return count;
 }
 
-TEST(Freedom, NeverEndsWorseButForSeamsThatItPlacesBetter) {
+TEST(FreedomFromSymmetry, NeverEndsWorseButForSeamsThatItPlacesBetter) {
   int compared = 0;
   const std::pair<const char*, const char*> cases[] = {
       {"raglan", "pgg"}, {"patchwork-jacket", "p4m"}, {"trousers", "pmm"}, {"shirt", "p31m"}};
@@ -157,7 +157,7 @@ TEST(Freedom, NeverEndsWorseButForSeamsThatItPlacesBetter) {
   EXPECT_GT(compared, 1);
 }
 
-TEST(Freedom, TakesSymmetryThatWasOnlyAskedForInPart) {
+TEST(FreedomFromSymmetry, TakesSymmetryThatWasOnlyAskedForInPart) {
   Task t = onGrain("raglan", "pgg");
   const Result whole = solved(t);
   ASSERT_GT(whole.pattern.mirrors.size(), 1u);
@@ -168,8 +168,9 @@ TEST(Freedom, TakesSymmetryThatWasOnlyAskedForInPart) {
   t.symmetry = Json{{"symmetries", {symmetry}}}.dump();
   const Result part = solved(t);
   EXPECT_EQ(part.pattern.mirrors.size(), 1u);
-  if (forbiddenIn(part, whole, testing::problemOf(t).print.group) == 0)
+  if (forbiddenIn(part, whole, testing::problemOf(t).print.group) == 0) {
     EXPECT_LE(part.fit.any, whole.fit.any * (1 + 1e-9));
+  }
 }
 
 }  // namespace

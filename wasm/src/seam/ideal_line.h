@@ -16,7 +16,7 @@ enum class IdealShape : std::uint8_t {
   kTransported,  ///< S2 carried over by the join, then laid rigidly on S1 (Wolff & Sorkine-Hornung
                  ///< 2019)
   kAveraged,     ///< turning angles of S1 and of the carried S2 averaged vertex by vertex, lengths
-              ///< kept, laid rigidly between the two (Wolff et al. 2019, 3.3)
+                 ///< kept, laid rigidly between the two (Wolff et al. 2019, 3.3)
 };
 
 IdealLines idealLines(const Seam& seam, const Join& join, const Shapes& shapes,
