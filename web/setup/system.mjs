@@ -1,7 +1,9 @@
-import {existsSync} from 'node:fs';
+import {spawnSync} from 'node:child_process';
+import {existsSync, readdirSync} from 'node:fs';
 import {join} from 'node:path';
 
 import {chromiumPath} from './chromium.mjs';
+import {clangTool} from './clang.mjs';
 import {has, run, say, SetupError} from './shell.mjs';
 
 // The same folders as in CMakeLists.txt.
@@ -20,6 +22,15 @@ function hasEmscripten() {
     '/usr/lib/emscripten',
   ];
   return has('em-config') || folders.some((folder) => existsSync(join(folder, 'em-config')));
+}
+
+/** Clang comes without the library of its fuzzer, as Debian and Apple pack it. */
+function hasFuzzer() {
+  const clang = clangTool('clang');
+  if (clang === undefined) return false;
+  const {stdout} = spawnSync(clang, ['-print-runtime-dir'], {encoding: 'utf8'});
+  const folder = stdout.trim();
+  return existsSync(folder) && readdirSync(folder).some((name) => name.includes('fuzzer'));
 }
 
 // What is needed, how to see that it is there, and its package on every platform.
@@ -73,6 +84,29 @@ const googletest = {
   brew: 'googletest',
 };
 
+const clangFormat = {
+  found: () => clangTool('clang-format') !== undefined,
+  apt: 'clang-format',
+  dnf: 'clang-tools-extra',
+  pacman: 'clang',
+  brew: 'clang-format',
+};
+const clangTidy = {
+  found: () => clangTool('clang-tidy') !== undefined,
+  apt: 'clang-tidy',
+  dnf: 'clang-tools-extra',
+  pacman: 'clang',
+  brew: 'llvm',
+};
+/** A compiler whose programs can be told what to try by what they have run of themselves. */
+const fuzzer = {
+  found: hasFuzzer,
+  apt: 'clang libclang-rt-dev',
+  dnf: 'clang compiler-rt',
+  pacman: 'clang compiler-rt',
+  brew: 'llvm',
+};
+
 const chromium = {
   found: () => existsSync(chromiumPath() ?? '/nowhere'),
   apt: 'chromium',
@@ -102,11 +136,14 @@ const webKit = {
   apt: 'webkit2gtk-driver',
 };
 
-/** What it takes to build the module, to run the native tests, those in a browser, and those of batches. */
+/** What it takes to build the module, to run the native tests, those in a browser, those of batches, and so on. */
 export const forModule = [cmake, ninja, eigen, json, emscripten];
 export const forNativeTests = [cmake, ninja, eigen, json, compiler, googletest];
 export const forBrowserTests = [chromium];
 export const forWebTests = [redis];
+export const forFormat = [clangFormat];
+export const forLint = [cmake, ninja, eigen, json, compiler, googletest, clangTidy];
+export const forFuzzing = [cmake, ninja, eigen, json, fuzzer];
 /** Without one of these, only what needs it is left out. */
 const forOtherBrowsers = [display, firefox, webKit];
 
@@ -115,6 +152,12 @@ export async function ensureSystem(needs) {
   await installMissing(needs);
   const missing = needs.filter((need) => !need.found());
   if (missing.length > 0) throw new SetupError(advice(missing));
+}
+
+/** Installs what is missing where that is allowed. @returns whether all is there */
+export async function hasOrInstalls(needs) {
+  await installMissing(needs);
+  return needs.every((need) => need.found());
 }
 
 /** One by one, since not every distribution has all of them. */
@@ -128,9 +171,9 @@ async function installMissing(needs) {
   if (missing.length === 0 || !has('apt-get')) return;
   const administrator = await asAdministrator();
   if (!administrator) return;
-  const names = missing.map((need) => need.apt).join(' ');
-  say(`Installing ${names} ...`);
-  await aptInstall(administrator, names.split(' '));
+  const names = [...new Set(missing.flatMap((need) => need.apt.split(' ')))];
+  say(`Installing ${names.join(' ')} ...`);
+  await aptInstall(administrator, names);
 }
 
 /** The words to put before a command that needs root; null where that is not to be had. */

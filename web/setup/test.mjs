@@ -3,15 +3,21 @@
 import {availableParallelism} from 'node:os';
 
 import {build, buildPackage} from './build.mjs';
+import {checkFormat, tidy} from './clang.mjs';
 import {configure} from './cmake.mjs';
+import {fuzz} from './fuzz.mjs';
 import {ensurePackages} from './packages.mjs';
 import {main, run, say, SetupError, tool} from './shell.mjs';
 import {
   ensureSystem,
   forBrowserTests,
+  forFormat,
+  forFuzzing,
+  forLint,
   forModule,
   forNativeTests,
   forWebTests,
+  hasOrInstalls,
   installOtherBrowsers,
 } from './system.mjs';
 
@@ -29,15 +35,39 @@ async function runToolOnBuild(name, ...args) {
   return runTool(name, ...args);
 }
 
-/** Builds one of the presets and runs the native tests in it. */
-async function native(preset) {
+/** Builds one of the presets and runs the native tests in it, or those that have a label. */
+async function native(preset, label) {
   await ensureSystem(forNativeTests);
   // Another compiler's new warning is no reason to fail on a user's machine.
   const strict = process.env.SEAMWISE_STRICT ? ['-DSEAMWISE_WARNINGS_ARE_ERRORS=ON'] : [];
   const built =
     (await configure(preset, strict)) &&
     (await run('cmake', ['--build', '--preset', preset, '--', '--quiet'], {output: 'on failure'}));
-  return built && run('ctest', ['--preset', preset, '-j', String(availableParallelism())]);
+  const chosen = label ? ['-L', label] : [];
+  const parallel = ['-j', String(availableParallelism())];
+  return built && run('ctest', ['--preset', preset, ...parallel, ...chosen]);
+}
+
+/** Layout, of scripts and texts by Prettier, of C++ by clang-format. */
+async function format(...flags) {
+  await ensureSystem(forFormat);
+  const scripts = await runTool('prettier', '--check', '--log-level=warn', ...flags, '.');
+  return (await checkFormat()) && scripts;
+}
+
+/** What is suspicious: in scripts to ESLint, in C++ to clang-tidy. */
+async function lint() {
+  await ensureSystem(forLint);
+  const scripts = await runToolOnBuild('eslint', '.', '--max-warnings=0');
+  return (await configure('native')) && (await tidy('build/native')) && scripts;
+}
+
+/** Left out where there is no fuzzer, unless it was asked for by name. */
+async function fuzzed(isAsked) {
+  if (isAsked) await ensureSystem(forFuzzing);
+  if (await hasOrInstalls(forFuzzing)) return fuzz();
+  say('Left out: there is no clang with a fuzzer (in Debian clang and libclang-rt-dev).');
+  return true;
 }
 
 const browserTests = ['tests/page', 'tests/examples'];
@@ -59,15 +89,19 @@ async function browser() {
 /** Of tests/web, those that take longer than all others together. */
 const slowTests = ['api-reference', 'embedding-docs'];
 
-/** What a minute can tell, of sources alone: for before each commit. */
+/**
+ * What two minutes can tell, for before each commit: format, types, ESLint, native tests that are labelled fast, and
+ * the tests of scripts alone.
+ */
 async function fast() {
   await build(); // some import the package by its name
   const cache = ['--cache', '--cache-location', 'build/eslint/'];
   const others = slowTests.flatMap((name) => ['--exclude', `tests/web/${name}.test.ts`]);
   const quick = [
-    () => runTool('prettier', '--check', '--log-level=warn', '--cache', '.'),
+    () => format('--cache'),
     () => runTool('typescript', '-p', 'tsconfig.json'),
     () => runTool('eslint', '.', '--max-warnings=0', ...cache),
+    () => native('native', 'fast'),
     () => runTool('vitest', 'run', 'tests/architecture.test.ts', 'tests/web', ...others),
   ];
   for (const check of quick) if (!(await check())) return false;
@@ -77,9 +111,10 @@ async function fast() {
 const checks = {
   native: () => native('native'),
   sanitize: () => native('sanitize'),
-  format: () => runTool('prettier', '--check', '--log-level=warn', '.'),
+  fuzz: () => fuzzed(process.argv.length > 2),
+  format: () => format(),
   types: () => runToolOnBuild('typescript', '-p', 'tsconfig.json'),
-  lint: () => runToolOnBuild('eslint', '.', '--max-warnings=0'),
+  lint,
   web,
   browser,
 };
@@ -95,7 +130,10 @@ await main(async () => {
   // All at once, so that whoever has to install by hand is asked only once.
   if (asked.length === 0) {
     await ensureSystem([
-      ...new Set([...forModule, ...forNativeTests, ...forBrowserTests, ...forWebTests]),
+      ...new Set([
+        ...[...forModule, ...forNativeTests, ...forFormat, ...forLint],
+        ...[...forBrowserTests, ...forWebTests],
+      ]),
     ]);
   }
   await ensurePackages();

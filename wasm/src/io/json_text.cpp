@@ -22,6 +22,7 @@ class Builder {
 
   explicit Builder(std::string_view text) : text_(text) {}
 
+  // NOLINTBEGIN(readability-identifier-naming): so the parser calls them
   bool null() { return add(JsonKind::kNull); }
   bool boolean(bool value) { return add(value ? JsonKind::kTrue : JsonKind::kFalse); }
   bool number_integer(number_integer_t value) { return number(static_cast<double>(value)); }
@@ -47,6 +48,7 @@ class Builder {
         position);
     return false;
   }
+  // NOLINTEND(readability-identifier-naming)
 
   /// @param position   counted from 1, of the last byte that was read [bytes]
   void end(JsonDefect defect, std::size_t position) {
