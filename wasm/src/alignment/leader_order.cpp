@@ -1,6 +1,5 @@
 #include "alignment/leader_order.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "geometry/sort_by.h"
