@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 #include "alignment/search_moves.h"
+#include "geometry/sort_by.h"
 
 namespace seamwise {
 namespace {
@@ -23,9 +23,7 @@ std::vector<std::pair<double, Alignments>> finalistsOf(
   std::iota(order.begin(), order.end(), 0);
   const auto sort = [&](int iterations) {
     for (const std::size_t k : order) all[k].first = improve(all[k].second, iterations);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return std::tie(all[a].first, a) < std::tie(all[b].first, b);
-    });
+    sortBy(order, [&](std::size_t k) { return all[k].first; });
   };
   sort(kGlance);
   if (order.size() > kPolished) order.resize(kPolished);

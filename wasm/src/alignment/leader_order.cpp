@@ -1,7 +1,8 @@
 #include "alignment/leader_order.h"
 
-#include <algorithm>
 #include <numeric>
+
+#include "geometry/sort_by.h"
 
 namespace seamwise {
 
@@ -12,11 +13,11 @@ std::vector<int> rankedLeaders(const MatchProblem& problem) {
     neighbours[seam.a].push_back(seam.b);
     neighbours[seam.b].push_back(seam.a);
   }
-  const auto fewer = [&](int l, int k) { return neighbours[l].size() < neighbours[k].size(); };
+  const auto degree = [&](int l) { return neighbours[l].size(); };
   std::vector<int> by_degree(count), order, ranks(count, -1);
   std::iota(by_degree.begin(), by_degree.end(), 0);
-  std::stable_sort(by_degree.begin(), by_degree.end(), fewer);
-  for (auto& around : neighbours) std::stable_sort(around.begin(), around.end(), fewer);
+  sortBy(by_degree, degree);
+  for (auto& around : neighbours) sortBy(around, degree);
   const auto reach = [&](int leader) {
     if (ranks[leader] >= 0) return;
     ranks[leader] = static_cast<int>(count - 1 - order.size());

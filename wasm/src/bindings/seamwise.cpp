@@ -1,10 +1,12 @@
 // The WebAssembly module's face to JavaScript; web/src/solver/module/seamwise.d.mts describes it.
-// Nothing but plain values crosses, JSON documents among them as bytes (json_bytes.cpp), and no
-// exception does: what goes wrong is kept as a failure that JavaScript asks for.
+// Nothing but plain values crosses, JSON documents among them as bytes (json_bytes.cpp). What goes
+// wrong is kept as a failure that JavaScript asks for, but for memory that runs out: see there.
 #include <emscripten/bind.h>
+#include <emscripten/em_js.h>
 #include <emscripten/heap.h>
 #include <malloc.h>
 
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,22 +18,17 @@
 #include "io/json_ends.h"
 #include "io/symmetry_json.h"
 
+/// Leaves an instance that nothing else must be asked of; web/src/solver/broken.ts knows the words.
+EM_JS(void, throwOutOfMemory, (), { throw new WebAssembly.RuntimeError('out of memory'); });
+
 namespace seamwise {
 namespace {
 
-/// `make` gives an Outcome<std::string>; the document, or why there is none.
-template <class Make>
-val documentValue(Make make) {
+/// The document, or why there is none.
+val documentValue(const Outcome<std::string>& made) {
   val answer = val::object();
-  std::string bytes;
-  const std::optional<Error> error = caught([&]() -> std::optional<Error> {
-    Outcome<std::string> made = make();
-    if (!made.ok()) return made.error();
-    bytes = std::move(made).value();
-    return std::nullopt;
-  });
-  answer.set("document", copied(bytes));
-  answer.set("failure", failureValue(error));
+  answer.set("document", copied(made.ok() ? made.value() : std::string()));
+  answer.set("failure", made.ok() ? val::null() : failureValue(made.error()));
   return answer;
 }
 
@@ -39,31 +36,25 @@ val documentValue(Make make) {
 class DetectionHandle {
  public:
   DetectionHandle(const std::string& text, const std::string& name) {
-    error_ = caught([&]() -> std::optional<Error> {
-      Outcome<GarmentFile> file = readGarment(text, name);
-      if (!file.ok()) return file.error();
+    Outcome<GarmentFile> file = readGarment(text, name);
+    if (file.ok()) {
       garment_ = std::move(file).value().garment;
       detection_.emplace(garment_);
-      return std::nullopt;
-    });
+    } else {
+      error_ = file.error();
+    }
   }
 
   bool advance(int steps) {
-    bool more = !error_;
-    if (more)
-      error_ = caught([&]() -> std::optional<Error> {
-        for (; more && steps > 0; --steps) more = detection_->advance();
-        return std::nullopt;
-      });
-    return more && !error_;
+    bool more = detection_.has_value();
+    for (; more && steps > 0; --steps) more = detection_->advance();
+    return more;
   }
 
   /// As a document, once advance() has returned false.
   val result() const {
-    return documentValue([&]() -> Outcome<std::string> {
-      if (error_) return *error_;
-      return writeSymmetries(garment_, detection_->found());
-    });
+    if (error_) return documentValue(*error_);
+    return documentValue(writeSymmetries(garment_, detection_->found()));
   }
 
  private:
@@ -74,30 +65,26 @@ class DetectionHandle {
 
 val measuredSymmetries(const std::string& text, const std::string& name, const std::string& wanted,
                        const std::string& wanted_name) {
-  return documentValue([&]() -> Outcome<std::string> {
-    const Outcome<GarmentFile> file = readGarment(text, name);
-    if (!file.ok()) return file.error();
-    const auto requests = readSymmetries(wanted, wanted_name);
-    if (!requests.ok()) return requests.error();
-    const Garment& garment = file.value().garment;
-    const auto measured = measureSymmetries(garment, requests.value());
-    if (!measured.ok()) return inFile(measured.error(), wanted_name);
-    return writeMeasured(garment, measured.value());
-  });
+  const Outcome<GarmentFile> file = readGarment(text, name);
+  if (!file.ok()) return documentValue(file.error());
+  const auto requests = readSymmetries(wanted, wanted_name);
+  if (!requests.ok()) return documentValue(requests.error());
+  const Garment& garment = file.value().garment;
+  const auto measured = measureSymmetries(garment, requests.value());
+  if (!measured.ok()) return documentValue(inFile(measured.error(), wanted_name));
+  return documentValue(writeMeasured(garment, measured.value()));
 }
 
 val garmentFailure(const std::string& text, const std::string& name) {
-  return failureValue(caught([&]() -> std::optional<Error> {
-    const Outcome<GarmentFile> file = readGarment(text, name);
-    if (!file.ok()) return file.error();
-    return std::nullopt;
-  }));
+  const Outcome<GarmentFile> file = readGarment(text, name);
+  return file.ok() ? val::null() : failureValue(file.error());
 }
 
 double liveBytes() { return static_cast<double>(static_cast<unsigned>(mallinfo().uordblks)); }
 double heapBytes() { return static_cast<double>(emscripten_get_heap_size()); }
 
 EMSCRIPTEN_BINDINGS(seamwise) {
+  std::set_new_handler(throwOutOfMemory);
   emscripten::class_<SolverHandle>("Solver")
       .constructor<const val&>()
       .function("failure", &SolverHandle::failure)

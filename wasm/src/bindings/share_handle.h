@@ -13,24 +13,19 @@ namespace seamwise {
 class ShareHandle {
  public:
   explicit ShareHandle(const val& numbers) {
-    error_ = caught([&]() -> std::optional<Error> {
-      auto order = readShare(emscripten::convertJSArrayToNumberVector<double>(numbers));
-      if (!order) return Error{Failure::kInternal, "A share of a search came damaged."};
+    auto order = readShare(emscripten::convertJSArrayToNumberVector<double>(numbers));
+    if (order)
       work_ = std::make_unique<Work>(*std::move(order));
-      return std::nullopt;
-    });
+    else
+      error_ = Error{Failure::kInternal, "A share of a search came damaged."};
   }
 
   val failure() const { return failureValue(error_); }
 
   bool advance(int steps) {
-    if (!work_) return false;
-    bool more = true;
-    error_ = caught([&]() -> std::optional<Error> {
-      for (int k = 0; more && k < steps; ++k) more = work_->share.step();
-      return std::nullopt;
-    });
-    return more && !error_;
+    bool more = work_ != nullptr;
+    for (; more && steps > 0; --steps) more = work_->share.step();
+    return more;
   }
 
   /// Once nothing is left to do.

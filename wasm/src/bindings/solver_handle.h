@@ -42,24 +42,14 @@ inline constexpr double kReadingPart = 0.7;
 /// After a failure every call is harmless and does nothing.
 class SolverHandle {
  public:
-  explicit SolverHandle(const val& problem) {
-    guard([&]() -> std::optional<Error> {
-      reader_.emplace(problemTexts(problem));
-      return std::nullopt;
-    });
-  }
+  explicit SolverHandle(const val& problem) : reader_(problemTexts(problem)) {}
 
   val failure() const { return failureValue(error_); }
 
   bool advance(int steps) {
-    bool more = false;
-    guard([&] {
-      for (more = true; more && steps > 0 && !solver_; --steps)
-        if (auto error = prepare()) return error;
-      if (solver_ && steps > 0) more = solver_->advance(steps);
-      return std::optional<Error>();
-    });
-    return more && !error_;
+    for (; !error_ && !solver_ && steps > 0; --steps) prepare();
+    if (solver_ && steps > 0) return solver_->advance(steps);
+    return !error_;
   }
 
   std::string phase() const {
@@ -75,33 +65,26 @@ class SolverHandle {
     return kPrepared * (kReadingPart * read + (1 - kReadingPart) * set_up);
   }
 
-  val partial() {
+  val partial() const {
     std::vector<double> flat;
-    guard([&]() -> std::optional<Error> {
-      if (!solver_) return std::nullopt;
+    if (solver_)
       for (const Alignment& alignment : solver_->partial()) {
         flat.push_back(alignment.angle);
         flat.push_back(alignment.translation.x());
         flat.push_back(alignment.translation.y());
       }
-      return std::nullopt;
-    });
     return copied(flat);
   }
 
   /// A share of the present search for another thread, and its number; null when there is none.
   val lend() {
-    val lent = val::null();
-    guard([&]() -> std::optional<Error> {
-      AlignmentSearch* const search = solver_ ? solver_->searching() : nullptr;
-      std::shared_ptr<AlignmentSearch::Share> share = search ? search->lend() : nullptr;
-      if (!share) return std::nullopt;
-      lent = val::object();
-      lent.set("number", static_cast<int>(lent_.size()));
-      lent.set("order", copied(writeShare(search->problem(), share->task)));
-      lent_.push_back({share, componentsOf(search->problem())});
-      return std::nullopt;
-    });
+    AlignmentSearch* const search = solver_ ? solver_->searching() : nullptr;
+    std::shared_ptr<AlignmentSearch::Share> share = search ? search->lend() : nullptr;
+    if (!share) return val::null();
+    val lent = val::object();
+    lent.set("number", static_cast<int>(lent_.size()));
+    lent.set("order", copied(writeShare(search->problem(), share->task)));
+    lent_.push_back({share, componentsOf(search->problem())});
     return lent;
   }
 
@@ -113,46 +96,27 @@ class SolverHandle {
 
   /// The answers of a share that was lent. Those of a search that has ended are of no use.
   void take(int number, const val& answers) {
-    guard([&]() -> std::optional<Error> {
-      const Lent& lent = lent_.at(static_cast<std::size_t>(number));
-      if (const auto share = lent.share.lock())
-        share->answers =
-            readAnswers(emscripten::convertJSArrayToNumberVector<double>(answers), lent.components);
-      return std::nullopt;
-    });
+    const Lent& lent = lent_[static_cast<std::size_t>(number)];
+    if (const auto share = lent.share.lock())
+      share->answers =
+          readAnswers(emscripten::convertJSArrayToNumberVector<double>(answers), lent.components);
   }
 
   /// The garment as it is meshed, not solved; empty before the preparation has ended.
-  val pattern() {
-    std::string bytes;
-    guard([&]() -> std::optional<Error> {
-      if (solver_) bytes = writePattern(solver_->unsolved());
-      return std::nullopt;
-    });
-    return copied(bytes);
+  val pattern() const {
+    return copied(solver_ ? writePattern(solver_->unsolved()) : std::string());
   }
 
   val result() {
-    std::string bytes;
-    guard([&]() -> std::optional<Error> {
-      while (!solver_)
-        if (auto error = prepare()) return error;
-      const Outcome<Result> finished = solver_->finish();
-      if (!finished.ok()) return finished.error();
-      bytes = writeResult(finished.value());
-      return std::nullopt;
-    });
-    return copied(bytes);
+    while (!error_ && !solver_) prepare();
+    if (error_) return copied(std::string());
+    const Outcome<Result> finished = solver_->finish();
+    if (finished.ok()) return copied(writeResult(finished.value()));
+    fail(finished.error());
+    return copied(std::string());
   }
 
-  bool prove(int steps) {
-    bool more = false;
-    guard([&]() -> std::optional<Error> {
-      if (solver_) more = solver_->prove(steps);
-      return std::nullopt;
-    });
-    return more;
-  }
+  bool prove(int steps) { return solver_ && solver_->prove(steps); }
 
   val proven() const {
     const Proven proven = solver_ ? solver_->proven() : Proven{};
@@ -164,35 +128,30 @@ class SolverHandle {
 
  private:
   /// One step of what comes before the solve.
-  std::optional<Error> prepare() {
+  void prepare() {
     if (reader_) {
-      if (reader_->advance()) return std::nullopt;
+      if (reader_->advance()) return;
       Outcome<Problem> problem = reader_->take();
       reader_.reset();
-      if (!problem.ok()) return problem.error();
+      if (!problem.ok()) return fail(problem.error());
       setup_.emplace(std::move(problem).value(), &memo);
     } else if (!setup_->advance()) {
       Outcome<Solver> solver = setup_->take();
       setup_.reset();
-      if (!solver.ok()) return solver.error();
+      if (!solver.ok()) return fail(solver.error());
       solver_.emplace(std::move(solver).value());
     }
-    return std::nullopt;
+  }
+
+  void fail(const Error& error) {
+    error_ = error;
+    solver_.reset();
   }
 
   struct Lent {
     std::weak_ptr<AlignmentSearch::Share> share;
     std::vector<Component> components;
   };
-
-  template <class Work>
-  void guard(Work work) {
-    if (!error_) error_ = caught(std::move(work));
-    if (!error_) return;
-    reader_.reset();
-    setup_.reset();
-    solver_.reset();
-  }
 
   std::optional<ProblemReader> reader_;
   std::optional<SolverSetup> setup_;

@@ -3,8 +3,6 @@
 #include <emscripten/val.h>
 
 #include <cstdint>
-#include <exception>
-#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,20 +22,6 @@ inline val failureValue(const std::optional<Error>& error) {
   failure.set("seam", error->seam);
   failure.set("reason", error->reason);
   return failure;
-}
-
-/// Runs `work`; what it throws becomes the error it returns.
-template <class Work>
-std::optional<Error> caught(Work work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return Error{Failure::kInternal, "There is not enough memory for this problem."};
-  } catch (const std::exception& broken) {
-    return Error{Failure::kInternal, std::string("The solver broke: ") + broken.what() + "."};
-  } catch (...) {
-    return Error{Failure::kInternal, "The solver broke."};
-  }
 }
 
 /// A copy for JavaScript: a view of the heap dies when memory grows.

@@ -5,6 +5,7 @@
 
 #include "deform/region.h"
 #include "geometry/in_quotes.h"
+#include "geometry/sort_by.h"
 
 namespace seamwise {
 namespace {
@@ -68,9 +69,7 @@ class HalfBuilder {
       const Ring one = path(hole, ends[0], ends[1]), other = path(hole, ends[1], ends[0]);
       bites.push_back(sideOf(one) > sideOf(other) ? one : other);
     }
-    std::sort(bites.begin(), bites.end(), [&](const Ring& a, const Ring& b) {
-      return along_.dot(mean_[a.front()]) < along_.dot(mean_[b.front()]);
-    });
+    sortBy(bites, [&](const Ring& bite) { return along_.dot(mean_[bite.front()]); });
     int from = rim.back();
     for (const Ring& bite : bites) {
       follow(from, bite.front());

@@ -1,5 +1,4 @@
 // The part of the triangulation that forces the loops' edges into it and finds what they enclose.
-#include <deque>
 
 #include "deform/triangulation.h"
 
@@ -55,15 +54,13 @@ bool Triangulation::fixEdge(int a, int b) {
   if (fixExisting(a, b)) return true;
   // Flip away what crosses a b [Sloan 1993].
   bool blocked = false;
-  const auto crossed = edgesAcross(a, b, &blocked);
+  std::vector<std::pair<int, int>> open = edgesAcross(a, b, &blocked);
   if (blocked) return false;
-  std::deque<std::pair<int, int>> open(crossed.begin(), crossed.end());
   // Some crossing edge can always be flipped; the bound is far above what that takes.
-  const std::size_t most = 1000 + 4 * crossed.size() * crossed.size();
-  for (std::size_t step = 0; !open.empty(); ++step) {
+  const std::size_t most = 1000 + 4 * open.size() * open.size();
+  for (std::size_t step = 0; step < open.size(); ++step) {
     if (step > most) return false;
-    auto [p, q] = open.front();
-    open.pop_front();
+    auto [p, q] = open[step];
     if (p < kFrame) std::swap(p, q);  // there is no way round a corner of the frame
     int t = triangle_of_[p];
     while (triangles_[t].vertex[next(indexIn(t, p))] != q)

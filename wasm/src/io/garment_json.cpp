@@ -112,38 +112,39 @@ void noteAssumptions(const JsonValue& document, const Units& units, const JsonVa
 
 JsonValue panelsOf(const JsonValue& document, const Place& place) {
   if (!document.isObject())
-    place.fail(Failure::kNotAGarment, "holds no JSON object; choose a garment file");
+    return place.fail(Failure::kNotAGarment, "holds no JSON object; choose a garment file");
   checkFormat(document, place, "seamwise-garment", 1);
   const JsonValue panels = document.find("pattern").find("panels");
   if (!panels)
-    place.fail(
+    return place.fail(
         Failure::kNotAGarment,
         "has no 'pattern' with 'panels'; choose a GarmentCode specification or a seamwise garment");
   if (!panels.isObject())
-    place.fail(
+    return place.fail(
         Failure::kNotAGarment,
         "has 'panels' that are no object; write {\"name\": {\"vertices\": ..., \"edges\": ...}}");
-  if (panels.size() == 0) place.fail(Failure::kNoPanels, "has no panels; choose a file with some");
+  if (panels.size() == 0)
+    return place.fail(Failure::kNoPanels, "has no panels; choose a file with some");
   if (panels.size() > kMaxPanels)
-    place.fail(Failure::kTooLarge,
-               "has more than " + std::to_string(kMaxPanels) + " panels; split it");
+    return place.fail(Failure::kTooLarge,
+                      "has more than " + std::to_string(kMaxPanels) + " panels; split it");
   return panels;
 }
 
-GarmentFile garmentFile(std::string_view content, const Place& place) {
+GarmentFile garmentFile(const JsonValue& document, const Place& place) {
   GarmentFile result;
-  const JsonDocument holder = parseDocument(content, place);
-  const JsonValue document(holder);
   const JsonValue panels = panelsOf(document, place);
   const Units units = readUnits(document, place);
-  checkSize(panels, units, place);
+  if (!place.failed()) checkSize(panels, units, place);
 
   Garment& garment = result.garment;
   for (const auto& [name, panel] : panels.members()) {
+    if (place.failed()) return result;
     Place here = place.in("panel " + inQuotes(name));
     here.piece = static_cast<int>(garment.panels.size());
     garment.panels.push_back(readPanel(name, panel, units.panel, here));
   }
+  if (place.failed()) return result;
   if (const JsonValue stitches = document.find("pattern").find("stitches"))
     readStitches(stitches, place, &garment);
   if (const JsonValue seams = document.find("seams"))
@@ -164,7 +165,7 @@ GarmentFile garmentFile(std::string_view content, const Place& place) {
 Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file) {
   Place place{file, Failure::kNotAGarment, Failure::kNumber};
   place.keeps_unknown = true;
-  return guarded<GarmentFile>(place, [&] { return garmentFile(text, place); });
+  return readDocument<GarmentFile>(text, place, garmentFile);
 }
 
 }  // namespace seamwise

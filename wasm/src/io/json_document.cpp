@@ -10,43 +10,43 @@ namespace {
 constexpr std::size_t kMaxDepth = 100;  // real files nest 7 deep
 
 /// @param within   what the defect is in, as ", in 'vertices' of 'front'"
-[[noreturn]] void failFor(const JsonDocument& document, const std::string& within,
-                          const Place& place) {
+Nothing failFor(const JsonDocument& document, const std::string& within, const Place& place) {
   const std::string where =
       "line " + std::to_string(document.line) + ", column " + std::to_string(document.column);
   switch (document.defect) {
     case JsonDefect::kTooLarge:
-      place.fail(Failure::kTooLarge, "is larger than 20 MB; split it or remove what is not needed");
+      return place.fail(Failure::kTooLarge,
+                        "is larger than 20 MB; split it or remove what is not needed");
     case JsonDefect::kEmpty:
-      place.fail(Failure::kNotJson, "is empty; choose another file");
+      return place.fail(Failure::kNotJson, "is empty; choose another file");
     case JsonDefect::kZeroByte:
-      place.fail(Failure::kNotJson,
-                 "is not JSON: it holds a zero byte at " + where + "; save it again");
+      return place.fail(Failure::kNotJson,
+                        "is not JSON: it holds a zero byte at " + where + "; save it again");
     case JsonDefect::kOverflow:
-      place.fail(place.number, "has a number that is too large to be finite at " + where + within +
-                                   "; correct it");
+      return place.fail(place.number, "has a number that is too large to be finite at " + where +
+                                          within + "; correct it");
     case JsonDefect::kNoNumber:
-      place.fail(Failure::kNotJson, "is not JSON at " + where +
-                                        ": NaN and Infinity are not numbers in JSON; "
-                                        "write a finite number or remove the field");
+      return place.fail(Failure::kNotJson, "is not JSON at " + where +
+                                               ": NaN and Infinity are not numbers in JSON; "
+                                               "write a finite number or remove the field");
     case JsonDefect::kIncomplete:
-      place.fail(Failure::kNotJson,
-                 "is not complete JSON: it ends at " + where + "; save it again");
+      return place.fail(Failure::kNotJson,
+                        "is not complete JSON: it ends at " + where + "; save it again");
     case JsonDefect::kUnexpected:
     case JsonDefect::kNone:
       break;
   }
-  place.fail(Failure::kNotJson,
-             "is not JSON: unexpected characters at " + where + "; correct it there");
+  return place.fail(Failure::kNotJson,
+                    "is not JSON: unexpected characters at " + where + "; correct it there");
 }
 
-/// Checks depth, size and names that occur twice, in the order of the text.
+/// Checks depth, size and names that occur twice, in the order of the text, up to a defect.
 class Check {
  public:
   Check(const JsonDocument& document, const Place& place) : document_(document), place_(place) {}
 
   void run() {
-    for (at_ = 0; at_ < document_.nodes.size(); ++at_) {
+    for (at_ = 0; at_ < document_.nodes.size() && !place_.failed(); ++at_) {
       leaveEnded();
       if (!open_.empty() && open_.back().expects_name)
         name();
@@ -91,15 +91,19 @@ class Check {
   }
 
   void value() {
-    if (++values_ > kMaxValues)
+    if (++values_ > kMaxValues) {
       place_.fail(Failure::kTooLarge, "has more than 3 million values; split it");
+      return;
+    }
     if (!open_.empty()) open_.back().expects_name = open_.back().is_object;
     const JsonNode& node = document_.nodes[at_];
     const bool is_object = node.kind == JsonKind::kObject;
     if (!is_object && node.kind != JsonKind::kList) return;
-    if (open_.size() >= kMaxDepth)
+    if (open_.size() >= kMaxDepth) {
       place_.fail(Failure::kNotJson,
                   "nests more than 100 lists or objects; it is no file of this program");
+      return;
+    }
     open_.push_back({at_, is_object, is_object});
   }
 

@@ -13,8 +13,13 @@ Place Place::in(const std::string& part) const {
   return inner;
 }
 
-void Place::fail(Failure code, const std::string& text) const {
-  throw InputError{Error{code, onOneLine(name) + " " + text + ".", piece, seam}};
+Error Place::error(Failure code, const std::string& text) const {
+  return {code, onOneLine(name) + " " + text + ".", piece, seam};
+}
+
+Nothing Place::fail(Failure code, const std::string& text) const {
+  if (!failed()) *defect = error(code, text);
+  return {};
 }
 
 Place numbered(const Place& place, const char* what, std::size_t number) {
@@ -53,19 +58,21 @@ std::string described(const JsonValue& json) {
 
 JsonValue object(const JsonValue& json, const Place& place, const std::string& what) {
   if (!json.isObject())
-    place.fail(place.shape, "has " + described(json) + " as " + what + "; write an object {...}");
+    return place.fail(place.shape,
+                      "has " + described(json) + " as " + what + "; write an object {...}");
   return json;
 }
 
 std::vector<JsonValue> array(const JsonValue& json, const Place& place, const std::string& what) {
   if (!json.isList())
-    place.fail(place.shape, "has " + described(json) + " as " + what + "; write a list [...]");
+    return place.fail(place.shape,
+                      "has " + described(json) + " as " + what + "; write a list [...]");
   return json.items();
 }
 
 JsonValue need(const JsonValue& object, const char* key, const Place& place) {
   const JsonValue member = object.find(key);
-  if (!member) place.fail(place.shape, "has no '" + std::string(key) + "'; add it");
+  if (!member) return place.fail(place.shape, "has no '" + std::string(key) + "'; add it");
   return member;
 }
 
@@ -81,30 +88,33 @@ int countOf(std::string_view digits, std::size_t most) {
 
 double number(const JsonValue& json, const Place& place, const std::string& what, double limit) {
   if (!json.isNumber())
-    place.fail(place.number, "has " + described(json) + " as " + what + "; write a number");
+    return place.fail(place.number, "has " + described(json) + " as " + what + "; write a number");
   const double value = json.number();
   if (!(std::abs(value) <= limit))
-    place.fail(place.number, "has " + shown(value) + " as " + what + ", which is beyond " +
-                                 shown(limit) + "; correct it");
+    return place.fail(place.number, "has " + shown(value) + " as " + what + ", which is beyond " +
+                                        shown(limit) + "; correct it");
   return value;
 }
 
 int integer(const JsonValue& json, const Place& place, const std::string& what) {
   const double value = number(json, place, what, 1e9);
   if (value != std::floor(value))
-    place.fail(place.number, "has " + shown(value) + " as " + what + "; write a whole number");
+    return place.fail(place.number,
+                      "has " + shown(value) + " as " + what + "; write a whole number");
   return static_cast<int>(value);
 }
 
 bool boolean(const JsonValue& json, const Place& place, const std::string& what) {
   if (!json.isBoolean())
-    place.fail(place.shape, "has " + described(json) + " as " + what + "; write true or false");
+    return place.fail(place.shape,
+                      "has " + described(json) + " as " + what + "; write true or false");
   return json.isTrue();
 }
 
 std::string text(const JsonValue& json, const Place& place, const std::string& what) {
   if (!json.isText())
-    place.fail(place.shape, "has " + described(json) + " as " + what + "; write a text in quotes");
+    return place.fail(place.shape,
+                      "has " + described(json) + " as " + what + "; write a text in quotes");
   return json.text();
 }
 
@@ -118,18 +128,18 @@ Vec2 point(const JsonValue& json, const Place& place, const std::string& what, d
   // Numbers that are merely too large are judged in centimetres, where the limit has a meaning.
   const Vec2 p(scale * number(json[0], place, "x of " + what, 1e300),
                scale * number(json[1], place, "y of " + what, 1e300));
-  if (!(p.cwiseAbs().maxCoeff() <= limit))
-    place.fail(place.number, "has " + shown(p) + " as " + what + ", which is beyond " +
-                                 shown(limit) + " cm; correct it or the units");
-  return p;
+  if (p.cwiseAbs().maxCoeff() <= limit) return p;
+  place.fail(place.number, "has " + shown(p) + " as " + what + ", which is beyond " + shown(limit) +
+                               " cm; correct it or the units");
+  return Vec2::Zero();
 }
 
 Polyline polyline(const JsonValue& json, const Place& place, const std::string& what,
                   double scale) {
   const std::vector<JsonValue> points = array(json, place, what);
   if (points.size() < 2)
-    place.fail(place.shape,
-               "has fewer than two points as " + what + "; write [[x, y], [x, y], ...]");
+    return place.fail(place.shape,
+                      "has fewer than two points as " + what + "; write [[x, y], [x, y], ...]");
   Polyline line;
   for (const JsonValue& p : points) line.push_back(point(p, place, "a point of " + what, scale));
   return line;
@@ -143,6 +153,7 @@ void onlyKnown(const JsonValue& object, const Place& place,
     std::string names;
     for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
     place.fail(place.shape, "has an unknown field " + inQuotes(key) + "; known are " + names);
+    return;
   }
 }
 
@@ -153,12 +164,12 @@ int checkFormat(const JsonValue& document, const Place& place, const std::string
   const std::string format = text(member, place, "'format'"), stem = name + "/";
   const int found = countOf(format.substr(std::min(stem.size(), format.size())), 6);
   if (format.compare(0, stem.size(), stem) != 0 || found < 0)
-    place.fail(place.shape, "is of the format " + inQuotes(format) + "; a file of '" + stem +
-                                std::to_string(version) + "' is needed here");
+    return place.fail(place.shape, "is of the format " + inQuotes(format) + "; a file of '" + stem +
+                                       std::to_string(version) + "' is needed here");
   if (found > version)
-    place.fail(place.shape, "is of the newer format " + inQuotes(format) +
-                                ", this program reads up to '" + stem + std::to_string(version) +
-                                "'; update the program");
+    return place.fail(place.shape, "is of the newer format " + inQuotes(format) +
+                                       ", this program reads up to '" + stem +
+                                       std::to_string(version) + "'; update the program");
   return found;
 }
 

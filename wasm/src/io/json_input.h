@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,13 +11,17 @@
 namespace seamwise {
 
 /// Reading JSON files: parsing with limits, and typed access whose errors say where and what to do.
-/// Everything here throws InputError; the public readers catch it and return it as an Outcome.
+/// A defect is kept, the first of a file only, and reading goes on with zeros and nothing in place
+/// of what is missing until somebody looks whether there is one; the public readers return it.
 
 inline constexpr double kMaxCoordinateCm = 1e4;
 
-/// Carries an Error to the reader's boundary; never leaves io.
-struct InputError {
-  Error error;
+/// The default value of any type but Eigen's, whose default is not initialised.
+struct Nothing {
+  template <class T>
+  operator T() const {  // NOLINT(google-explicit-constructor)
+    return T();
+  }
 };
 
 /// What is being read, as the subject of a sentence ("tee.json: panel 'front', edge 3"), and the
@@ -27,11 +32,15 @@ struct Place {
   Failure number = Failure::kNumber;      ///< something that is not a usable number
   int piece = -1;
   int seam = -1;
-  bool keeps_unknown = false;  ///< unknown fields are left alone, not refused
+  bool keeps_unknown = false;              ///< unknown fields are left alone, not refused
+  std::optional<Error>* defect = nullptr;  ///< of the file, where fail() keeps it
 
   Place in(const std::string& part) const;
-  /// Throws "<name> <text>."
-  [[noreturn]] void fail(Failure code, const std::string& text) const;
+  /// "<name> <text>."
+  Error error(Failure code, const std::string& text) const;
+  /// Keeps error(), unless it is not the first.
+  Nothing fail(Failure code, const std::string& text) const;
+  bool failed() const { return defect->has_value(); }
 };
 
 /// `place`, numbered: "panel 'front', edge 3".
@@ -42,15 +51,15 @@ std::string shown(double value);
 /// A point in centimetres: "(12.4, 3.1) cm".
 std::string shown(const Vec2& point);
 
-/// The document. Errors: kTooLarge; kNotJson with line and column; `place.shape` for a name that
-/// occurs twice in one object.
+/// The document, of no use after a defect. Defects: kTooLarge; kNotJson with line and column;
+/// `place.shape` for a name that occurs twice in one object.
 JsonDocument parseDocument(std::string_view text, const Place& place);
 
-/// `json`, which throws unless it is an object.
+/// `json`, which must be an object.
 JsonValue object(const JsonValue& json, const Place& place, const std::string& what);
-/// The items of `json`; throws unless it is a list.
+/// The items of `json`, which must be a list.
 std::vector<JsonValue> array(const JsonValue& json, const Place& place, const std::string& what);
-/// The member; throws when it is missing or null.
+/// The member, which must not be missing or null.
 JsonValue need(const JsonValue& object, const char* key, const Place& place);
 
 /// The number that at most `most` digits make; -1 for any other text.
@@ -69,7 +78,7 @@ Vec2 point(const JsonValue& json, const Place& place, const std::string& what, d
 Polyline polyline(const JsonValue& json, const Place& place, const std::string& what,
                   double scale = 1);
 
-/// Throws when `object` has a member that is not among `known`, naming it, unless the place keeps
+/// Fails when `object` has a member that is not among `known`, naming it, unless the place keeps
 /// such.
 void onlyKnown(const JsonValue& object, const Place& place,
                std::initializer_list<const char*> known);
@@ -82,16 +91,16 @@ int checkFormat(const JsonValue& document, const Place& place, const std::string
 /// The error of another layer, as one sentence that starts with the file's name.
 Error inFile(Error error, const std::string& file);
 
-/// Runs a reader and turns what it throws into an Outcome.
+/// What `read` makes of a document and its place, unless there is a defect.
 template <class T, class Read>
-Outcome<T> guarded(const Place& place, Read read) {
-  try {
-    return Outcome<T>(read());
-  } catch (const InputError& bad) {
-    return bad.error;
-  } catch (const std::exception& broken) {
-    return Error{Failure::kInternal, place.name + " could not be read (" + broken.what() + ")."};
-  }
+Outcome<T> readDocument(std::string_view text, Place place, Read read) {
+  std::optional<Error> defect;
+  place.defect = &defect;
+  const JsonDocument document = parseDocument(text, place);
+  if (defect) return *defect;
+  Outcome<T> made = read(JsonValue(document), place);
+  if (defect) return *defect;
+  return made;
 }
 
 }  // namespace seamwise

@@ -29,6 +29,7 @@ void JsonDocument::close(std::size_t at) {
 
 std::vector<JsonValue> JsonValue::items() const {
   std::vector<JsonValue> items;
+  if (!isList()) return items;
   items.reserve(size());
   for (std::size_t k = at_ + 1; k < node().after; k = document_->nodes[k].after)
     items.emplace_back(*document_, k);
@@ -36,6 +37,7 @@ std::vector<JsonValue> JsonValue::items() const {
 }
 
 JsonValue JsonValue::operator[](std::size_t index) const {
+  if (index >= size()) return {};
   std::size_t k = at_ + 1;
   for (; index > 0; --index) k = document_->nodes[k].after;
   return JsonValue(*document_, k);
@@ -43,6 +45,7 @@ JsonValue JsonValue::operator[](std::size_t index) const {
 
 std::vector<JsonMember> JsonValue::members() const {
   std::vector<JsonMember> members;
+  if (!isObject()) return members;
   members.reserve(size());
   for (std::size_t k = at_ + 1; k < node().after; k = document_->nodes[k + 1].after)
     members.push_back({JsonValue(*document_, k).text(), JsonValue(*document_, k + 1)});

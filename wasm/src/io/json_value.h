@@ -66,8 +66,8 @@ struct JsonDocument {
 
 struct JsonMember;
 
-/// A value of a document, which must outlive it; or none, which is false. Whoever asks for a number
-/// or a text has looked at the kind before.
+/// A value of a document, which must outlive it; or none, which is false. Of another kind than is
+/// asked for, it is 0, or empty, or none.
 class JsonValue {
  public:
   JsonValue() = default;
@@ -84,14 +84,14 @@ class JsonValue {
   bool isObject() const { return kind() == JsonKind::kObject; }
 
   bool isTrue() const { return kind() == JsonKind::kTrue; }
-  double number() const { return node().number; }
-  std::string text() const { return std::string(document_->text(node())); }
+  double number() const { return isNumber() ? node().number : 0; }
+  std::string text() const { return isText() ? std::string(document_->text(node())) : ""; }
 
   /// How many values a list or an object has.
-  std::size_t size() const { return node().size; }
+  std::size_t size() const { return isList() || isObject() ? node().size : 0; }
   /// Of a list.
   std::vector<JsonValue> items() const;
-  /// Of a list, which must have it; takes as long as it is far.
+  /// Of a list, none beyond its end; takes as long as it is far.
   JsonValue operator[](std::size_t index) const;
   /// Of an object, in the order of the text.
   std::vector<JsonMember> members() const;

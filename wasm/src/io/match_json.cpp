@@ -44,8 +44,8 @@ Side readSide(const JsonValue& match, const char* key, const Place& outer, const
   Side side;
   side.piece = garment.find(name);
   if (side.piece < 0)
-    place.fail(place.shape,
-               "names piece " + inQuotes(name) + ", which the garment has not; correct the name");
+    return place.fail(place.shape, "names piece " + inQuotes(name) +
+                                       ", which the garment has not; correct the name");
   side.line = polyline(need(json, "line", place), place, "'line'");
   const Panel& panel = garment.panels[static_cast<std::size_t>(side.piece)];
   if (panel.mirrored_from_input)
@@ -90,6 +90,7 @@ std::vector<MatchLine> readMatches(const JsonValue& json, const Place& outer,
     object(item, place, "match");
     onlyKnown(item, place, {"a", "b", "weight", "name"});
     const Side a = readSide(item, "a", place, garment), b = readSide(item, "b", place, garment);
+    if (place.failed()) return {};
     MatchLine match;
     match.piece_a = a.piece;
     match.piece_b = b.piece;

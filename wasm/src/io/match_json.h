@@ -8,8 +8,7 @@ namespace seamwise {
 
 /// Marked lines: [{"a": {"piece": "left_front", "line": [[x, y], ...]}, "b": {...}, "weight": 1}],
 /// in input panel coordinates, cm. Both lines come back with the same number of points, evenly
-/// spaced by arc length at most 1 cm apart, face side up. Throws InputError with place.shape or
-/// place.number.
+/// spaced by arc length at most 1 cm apart, face side up. Defects: place.shape, place.number.
 std::vector<MatchLine> readMatches(const JsonValue& json, const Place& place,
                                    const Garment& garment);
 

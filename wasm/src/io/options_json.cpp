@@ -9,12 +9,13 @@
 namespace seamwise {
 namespace {
 
+/// The piece; after a defect the first one, of which nothing comes.
 int pieceNamed(const std::string& name, const Garment& garment, const Place& place,
                const std::string& field) {
   const int piece = garment.find(name);
   if (piece < 0)
-    place.fail(place.shape, "names piece " + inQuotes(name) + " in " + field +
-                                ", which the garment has not; correct the name");
+    return place.fail(place.shape, "names piece " + inQuotes(name) + " in " + field +
+                                       ", which the garment has not; correct the name");
   return piece;
 }
 
@@ -29,7 +30,8 @@ int checkedSeam(int seam, const Garment& garment, const Place& place, const std:
 int seamNumber(const std::string& key, const Garment& garment, const Place& place) {
   const int number = countOf(key, 9);
   if (number < 0)
-    place.fail(place.shape, "has the key " + inQuotes(key) + " in 'weights'; write a seam number");
+    return place.fail(place.shape,
+                      "has the key " + inQuotes(key) + " in 'weights'; write a seam number");
   return checkedSeam(number, garment, place, "'weights'");
 }
 
@@ -102,12 +104,11 @@ OpenEdges readOpenEdges(const JsonValue& json, const Place& place) {
   const std::string word = text(json, place, "'openEdges'");
   if (word == "kept") return OpenEdges::kKept;
   if (word == "free") return OpenEdges::kFree;
-  place.fail(place.shape, "has " + inQuotes(word) + " for 'openEdges'; write \"kept\" or \"free\"");
+  return place.fail(place.shape,
+                    "has " + inQuotes(word) + " for 'openEdges'; write \"kept\" or \"free\"");
 }
 
-SolveOptions read(std::string_view content, const Garment& garment, const Place& place) {
-  const JsonDocument holder = parseDocument(content, place);
-  const JsonValue document(holder);
+Outcome<SolveOptions> read(const JsonValue& document, const Garment& garment, const Place& place) {
   object(document, place, "content");
   onlyKnown(document, place,
             {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
@@ -156,7 +157,7 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
   if (const JsonValue matches = document.find("matches"))
     options.matches = readMatches(matches, place, garment);
   const std::string problem = options.problem();
-  if (!problem.empty()) throw InputError{inFile({Failure::kOptions, problem}, place.name)};
+  if (!problem.empty()) return inFile({Failure::kOptions, problem}, place.name);
   return options;
 }
 
@@ -165,7 +166,9 @@ SolveOptions read(std::string_view content, const Garment& garment, const Place&
 Outcome<SolveOptions> readOptions(std::string_view text, const std::string& file,
                                   const Garment& garment) {
   const Place place{file, Failure::kOptions, Failure::kOptions};
-  return guarded<SolveOptions>(place, [&] { return read(text, garment, place); });
+  return readDocument<SolveOptions>(text, place, [&](const JsonValue& document, const Place& here) {
+    return read(document, garment, here);
+  });
 }
 
 }  // namespace seamwise

@@ -28,7 +28,8 @@ Flat flattened(const std::vector<Curve>& loop, const Place& place) {
       flat.edge.push_back(k);
     }
     if (flat.points.size() > kMaxPoints)
-      place.fail(Failure::kTooLarge, "has an outline of more than 400000 points; simplify it");
+      return place.fail(Failure::kTooLarge,
+                        "has an outline of more than 400000 points; simplify it");
   }
   return flat;
 }
@@ -57,8 +58,12 @@ double signedArea(const std::vector<Curve>& loop) { return signedArea(asPolygon(
 
 void checkOutline(const std::vector<Curve>& loop, const Place& place) {
   const Flat flat = flattened(loop, place);
+  if (place.failed()) return;
   const char* kNoArea = "encloses no area; correct its vertices or edges";
-  if (onOneLine(flat.points)) place.fail(Failure::kOutlineSelfIntersects, kNoArea);
+  if (onOneLine(flat.points)) {
+    place.fail(Failure::kOutlineSelfIntersects, kNoArea);
+    return;
+  }
   if (const auto crossing = findCrossing(flat.points)) {
     const std::size_t s = flat.edge[static_cast<std::size_t>(crossing->first_edge)];
     const std::size_t t = flat.edge[static_cast<std::size_t>(crossing->second_edge)];
@@ -74,6 +79,7 @@ void checkOutline(const std::vector<Curve>& loop, const Place& place) {
 void checkHole(const Panel& panel, std::size_t h, const Place& place) {
   std::vector<Polyline> loops{flattened(panel.edges, place).points};
   for (std::size_t i = 0; i <= h; ++i) loops.push_back(flattened(panel.holes[i], place).points);
+  if (place.failed()) return;
   if (const auto crossing = findCrossing(loops))
     place.fail(Failure::kOutlineSelfIntersects, "crosses or touches another line near " +
                                                     shown(crossing->at) +

@@ -14,12 +14,12 @@ Polyline asPolygon(const std::vector<Curve>& loop);
 /// Area inside a closed loop of curves, positive when it runs counter-clockwise. [cm^2]
 double signedArea(const std::vector<Curve>& loop);
 
-/// Throws kOutlineSelfIntersects when the loop encloses no area, or crosses or touches itself:
+/// Fails with kOutlineSelfIntersects when the loop encloses no area, or crosses or touches itself:
 /// where (cm, in the frame of `loop`) and between which edges.
 void checkOutline(const std::vector<Curve>& loop, const Place& place);
 
-/// Throws kOutlineSelfIntersects when hole `h` does not lie strictly inside the panel's outline or
-/// touches one of the holes before it.
+/// Fails with kOutlineSelfIntersects when hole `h` does not lie strictly inside the panel's outline
+/// or touches one of the holes before it.
 void checkHole(const Panel& panel, std::size_t h, const Place& place);
 
 }  // namespace seamwise

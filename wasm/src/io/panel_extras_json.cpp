@@ -12,9 +12,11 @@ void readGrain(const JsonValue& json, const PanelUnits& units, const Place& oute
   object(json, place, "grain");
   if (const JsonValue line = json.find("line")) {
     const Polyline ends = polyline(line, place, "'line'", units.cm);
-    Vec2 d = ends.back() - ends.front();
-    if (ends.size() != 2 || !(d.norm() > 1e-3))
+    if (ends.size() != 2 || !((ends[1] - ends[0]).norm() > 1e-3)) {
       place.fail(place.shape, "needs a 'line' of two distinct points; correct it");
+      return;
+    }
+    Vec2 d = ends[1] - ends[0];
     if (panel->mirrored_from_input) d.x() = -d.x();
     panel->grain_angle = std::atan2(d.y(), d.x());
     panel->grain_stated = true;
@@ -30,7 +32,9 @@ void readHoles(const JsonValue& json, const std::vector<Vec2>& vertices, const P
     const std::size_t h = panel->holes.size();
     const Place here = numbered(place, "hole", h);
     std::vector<Curve> loop = readLoop(item, vertices, units, here);
+    if (here.failed()) return;
     checkOutline(loop, here);
+    if (here.failed()) return;
     if (panel->mirrored_from_input)
       for (Curve& edge : loop) edge = edge.transformed({0.0, Vec2::Zero(), true});
     if (signedArea(loop) > 0) {
@@ -63,8 +67,8 @@ GrainLock readGrainLock(const JsonValue& json, const Place& place) {
   if (lock == "on") return GrainLock::kOn;
   if (lock == "across") return GrainLock::kAcross;
   if (lock == "bias") return GrainLock::kBias;
-  place.fail(place.shape,
-             "has an unknown grain lock " + inQuotes(lock) + "; write free, on, across or bias");
+  return place.fail(place.shape, "has an unknown grain lock " + inQuotes(lock) +
+                                     "; write free, on, across or bias");
 }
 
 double readGrainTolerance(const JsonValue& json, const Place& place) {

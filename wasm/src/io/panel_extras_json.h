@@ -10,7 +10,7 @@ namespace seamwise {
 void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
                 const Place& place, Panel* panel);
 
-/// A closed loop of edges in the file's frame. Throws InputError naming the edge. [cm]
+/// A closed loop of edges in the file's frame; empty after a defect, which names the edge. [cm]
 std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vertices,
                             const PanelUnits& units, const Place& place);
 

@@ -18,7 +18,7 @@ const RigidMotion kTurnOver{0.0, Vec2::Zero(), true};  // (x, y) -> (-x, y)
 std::array<int, 2> readEndpoints(const JsonValue& edge, const Place& place, std::size_t vertices) {
   const JsonValue ends = edge.find("endpoints");
   if (!ends.isList() || ends.size() != 2)
-    place.fail(Failure::kEdgeIndex, "has no pair of 'endpoints'; write two vertex numbers");
+    return place.fail(Failure::kEdgeIndex, "has no pair of 'endpoints'; write two vertex numbers");
   std::array<int, 2> numbers{};
   for (std::size_t i = 0; i < 2; ++i) {
     numbers[i] = integer(ends[i], place, "an endpoint");
@@ -38,9 +38,9 @@ Vec2 readControl(const JsonValue& json, const Place& place, const PanelUnits& un
   if (units.absolute_controls) return point(json, here, "a control point", units.cm);
   const Vec2 c = point(json, here, "a control point", 1, 1e300);
   const Vec2 p = a + c.x() * (b - a) + c.y() * perp(b - a);
-  if (!(p.cwiseAbs().maxCoeff() <= kMaxCoordinateCm))
-    here.fail(Failure::kCurvature, "has a control point more than 100 m away; correct it");
-  return p;
+  if (p.cwiseAbs().maxCoeff() <= kMaxCoordinateCm) return p;
+  here.fail(Failure::kCurvature, "has a control point more than 100 m away; correct it");
+  return a;
 }
 
 /// Radius in units of the file, never of the chord; flags as true/false or 0/1.
@@ -50,8 +50,8 @@ Curve readArc(const JsonValue& params, const Place& place, const PanelUnits& uni
   here.number = Failure::kCurvature;
   const double radius = units.cm * number(params[0], here, "radius", 1e300);
   if (!(radius > 0) || radius > kLargestRadiusCm)
-    here.fail(Failure::kCurvature, "is an arc of radius " + shown(radius) +
-                                       " cm; write a positive radius of usual size");
+    return here.fail(Failure::kCurvature, "is an arc of radius " + shown(radius) +
+                                              " cm; write a positive radius of usual size");
   const auto flag = [&](const JsonValue& json, const char* what) {
     return json.isBoolean() ? json.isTrue() : number(json, here, what, 1e300) != 0;
   };
@@ -68,8 +68,8 @@ Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& uni
   const JsonValue type = curvature.find("type");
   const JsonValue params = curvature.find("params");
   if (!type.isText() || !params.isList())
-    place.fail(Failure::kCurvature,
-               "has a malformed 'curvature'; write {\"type\": ..., \"params\": [...]}");
+    return place.fail(Failure::kCurvature,
+                      "has a malformed 'curvature'; write {\"type\": ..., \"params\": [...]}");
   const auto expect = [&](std::size_t count, const char* what) {
     if (params.size() != count)
       place.fail(Failure::kCurvature, "has " + std::to_string(params.size()) + " params in its " +
@@ -89,8 +89,8 @@ Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& uni
     expect(3, "circle arc");
     return readArc(params, place, units, a, b);
   }
-  place.fail(Failure::kCurvature, "has a curvature of unknown type " + inQuotes(name) +
-                                      "; known are quadratic, cubic, circle");
+  return place.fail(Failure::kCurvature, "has a curvature of unknown type " + inQuotes(name) +
+                                             "; known are quadratic, cubic, circle");
 }
 
 Vec3 readTriple(const JsonValue& panel, const char* key, const Place& place, double scale) {
@@ -111,16 +111,17 @@ std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vert
                             const PanelUnits& units, const Place& place) {
   const std::vector<JsonValue> edges = array(json, place, "'edges'");
   if (edges.size() < 2)
-    place.fail(Failure::kOutlineOpen,
-               "has " + std::to_string(edges.size()) + " edges; an outline needs at least two");
+    return place.fail(Failure::kOutlineOpen, "has " + std::to_string(edges.size()) +
+                                                 " edges; an outline needs at least two");
   if (edges.size() > kMaxEdges)
-    place.fail(Failure::kTooLarge, "has more than " + std::to_string(kMaxEdges) +
-                                       " edges; draw it with fewer, curved ones");
+    return place.fail(Failure::kTooLarge, "has more than " + std::to_string(kMaxEdges) +
+                                              " edges; draw it with fewer, curved ones");
   std::vector<std::array<int, 2>> ends;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const Place here = numbered(place, "edge", k);
     ends.push_back(readEndpoints(object(edges[k], here, "edge"), here, vertices.size()));
   }
+  if (place.failed()) return {};
   const auto vertex = [&](int i) { return vertices[static_cast<std::size_t>(i)]; };
   std::vector<Curve> loop;
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -128,16 +129,17 @@ std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vert
     const Vec2 a = vertex(ends[k][0]), b = vertex(ends[next][0]);
     const double gap = (vertex(ends[k][1]) - b).norm();
     if (gap >= kShortestEdgeCm)  // corners that are stored twice, but at the same point, are fine
-      place.fail(Failure::kOutlineOpen, "has an open outline: edge " + std::to_string(next) +
-                                            " starts " + shown(gap) + " cm from where edge " +
-                                            std::to_string(k) +
-                                            " ends; list the edges head to tail");
+      return place.fail(Failure::kOutlineOpen, "has an open outline: edge " + std::to_string(next) +
+                                                   " starts " + shown(gap) +
+                                                   " cm from where edge " + std::to_string(k) +
+                                                   " ends; list the edges head to tail");
     const Place here = numbered(place, "edge", k);
     const bool arc_on_a_point = (b - a).norm() < kShortestEdgeCm && !units.absolute_controls;
     const Curve curve = arc_on_a_point ? Curve::line(a, b) : readCurve(edges[k], here, units, a, b);
     if (curve.length() < kShortestEdgeCm)
       here.fail(Failure::kEdgeZeroLength,
                 "is shorter than 0.001 cm; remove it or move its ends apart");
+    if (place.failed()) return {};
     loop.push_back(curve);
   }
   return loop;
@@ -154,7 +156,9 @@ Panel readPanel(const std::string& name, const JsonValue& json, const PanelUnits
   Panel panel;
   panel.name = name;
   panel.edges = readLoop(need(json, "edges", place), vertices, units, place);
+  if (place.failed()) return panel;
   checkOutline(panel.edges, place);
+  if (place.failed()) return panel;
   panel.mirrored_from_input = signedArea(panel.edges) < 0;
   if (panel.mirrored_from_input)
     for (Curve& edge : panel.edges) edge = edge.transformed(kTurnOver);

@@ -14,7 +14,7 @@ struct PanelUnits {
       false;  ///< control points in panel coordinates, else relative to the edge
 };
 
-/// The panel, face side up and in centimetres. `place` names it. Throws InputError.
+/// The panel, face side up and in centimetres; of no use after a defect. `place` names it.
 Panel readPanel(const std::string& name, const JsonValue& json, const PanelUnits& units,
                 const Place& place);
 

@@ -21,16 +21,14 @@ void checkPresentation(const JsonValue& document, const Place& place) {
   }
 }
 
-Print printOf(std::string_view content, const Place& place) {
-  const JsonDocument holder = parseDocument(content, place);
-  const JsonValue document(holder);
+Outcome<Print> printOf(const JsonValue& document, const Place& place) {
   object(document, place, "content");
   checkFormat(document, place, "seamwise-print", 1);
   const std::string group_name = text(need(document, "group", place), place, "'group'");
   const Vec2 w1 = point(need(document, "w1", place), place, "'w1'");
   const Vec2 w2 = point(need(document, "w2", place), place, "'w2'");
   Outcome<WallpaperGroup> group = WallpaperGroup::make(group_name, w1, w2);
-  if (!group.ok()) throw InputError{inFile(group.error(), place.name)};
+  if (!group.ok()) return inFile(group.error(), place.name);
   Print print{std::move(group).value()};
   if (const JsonValue one_way = document.find("oneWay"))
     print.one_way = boolean(one_way, place, "'oneWay'");
@@ -42,7 +40,7 @@ Print printOf(std::string_view content, const Place& place) {
 
 Outcome<Print> readPrint(std::string_view text, const std::string& file) {
   const Place place{file, Failure::kNotAPrint, Failure::kNotAPrint};
-  return guarded<Print>(place, [&] { return printOf(text, place); });
+  return readDocument<Print>(text, place, printOf);
 }
 
 }  // namespace seamwise

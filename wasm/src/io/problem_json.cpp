@@ -71,65 +71,70 @@ Symmetries carried(const Symmetries& wanted, const Garment& garment, const Wallp
 }
 
 /// Registered on the garment; errors name the file.
-Symmetries registered(const Garment& garment, const std::vector<SymmetryRequest>& requests,
-                      const std::string& file) {
+Outcome<Symmetries> registered(const Garment& garment, const std::vector<SymmetryRequest>& requests,
+                               const std::string& file) {
   Outcome<Symmetries> found = registerSymmetries(garment, requests);
-  if (!found.ok()) throw InputError{inFile(found.error(), file)};
-  return std::move(found).value();
+  if (!found.ok()) return inFile(found.error(), file);
+  return found;
 }
 
-void requireCarried(const Symmetries& wanted, const Garment& garment, const WallpaperGroup& group,
-                    const Place& place) {
+/// What is wrong with the first of them that the group cannot carry.
+std::optional<Error> notCarried(const Symmetries& wanted, const Garment& garment,
+                                const WallpaperGroup& group, const std::string& file) {
   for (const BodySymmetry& symmetry : wanted) {
     if (carries(group, symmetry)) continue;
     const std::string what =
         symmetry.single() ? "makes piece " + namesOf(garment, symmetry) + " symmetric in itself"
                           : "makes " + namesOf(garment, symmetry) + " a mirrored pair";
-    Place here = place;
+    Place here{file};
     here.piece = symmetry.pieces[0];
-    here.fail(Failure::kSymmetryGroup,
-              what + ", which print group " + std::string(group.data().name) +
-                  " cannot carry; take a print of group " +
-                  (symmetry.single() ? groupsForSingle() : groupsForPair()) + ", or leave it out");
+    return here.error(Failure::kSymmetryGroup,
+                      what + ", which print group " + std::string(group.data().name) +
+                          " cannot carry; take a print of group " +
+                          (symmetry.single() ? groupsForSingle() : groupsForPair()) +
+                          ", or leave it out");
   }
+  return std::nullopt;
 }
 
-template <class T>
-T valueOf(Outcome<T> outcome) {
-  if (!outcome.ok()) throw InputError{outcome.error()};
-  return std::move(outcome).value();
-}
-
-void readOptionsInto(const ProblemTexts& texts, Problem* problem) {
+std::optional<Error> readOptionsInto(const ProblemTexts& texts, Problem* problem) {
   SolveOptions& options = problem->options;
-  if (!texts.options.empty())
-    options = valueOf(readOptions(texts.options, texts.options_name, problem->garment));
+  if (!texts.options.empty()) {
+    auto read = readOptions(texts.options, texts.options_name, problem->garment);
+    if (!read.ok()) return read.error();
+    options = std::move(read).value();
+  }
   options.method = texts.method;
   options.seed = texts.seed;
   auto& matches = problem->garment.matches;
   options.matches.insert(options.matches.end(), matches.begin(), matches.end());
   matches.clear();
+  return std::nullopt;
 }
 
-void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryRequest>& of_garment,
-                        const Symmetries& detected, Problem* problem) {
+std::optional<Error> readSymmetriesInto(const ProblemTexts& texts,
+                                        const std::vector<SymmetryRequest>& of_garment,
+                                        const Symmetries& detected, Problem* problem) {
   const Garment& garment = problem->garment;
   const WallpaperGroup& group = problem->print.group;
   problem->symmetries_optional = texts.symmetry == "auto";
   Symmetries treated = detected;
   if (texts.symmetry == "auto") {
     if (!of_garment.empty()) {
-      treated = registered(garment, of_garment, texts.garment_name);
+      auto stated = registered(garment, of_garment, texts.garment_name);
+      if (!stated.ok()) return stated.error();
+      treated = std::move(stated).value();
       problem->notes.push_back(
           {"symmetriesStated", "The symmetries are those that " + texts.garment_name + " states."});
     }
     problem->imposed = carried(treated, garment, group, &problem->notes);
   } else if (texts.symmetry != "none") {
-    const Place place{texts.symmetry_name, Failure::kSymmetryMalformed,
-                      Failure::kSymmetryMalformed};
-    const auto requests = valueOf(readSymmetries(texts.symmetry, texts.symmetry_name));
-    treated = registered(garment, requests, texts.symmetry_name);
-    requireCarried(treated, garment, group, place);
+    const auto requests = readSymmetries(texts.symmetry, texts.symmetry_name);
+    if (!requests.ok()) return requests.error();
+    auto wanted = registered(garment, requests.value(), texts.symmetry_name);
+    if (!wanted.ok()) return wanted.error();
+    treated = std::move(wanted).value();
+    if (auto error = notCarried(treated, garment, group, texts.symmetry_name)) return error;
     problem->imposed = treated;
   }
   problem->known = joined(std::move(treated), detected);
@@ -138,6 +143,7 @@ void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryReq
     problem->notes.push_back(
         {"ws19", "Method ws19 knows no global symmetries, so none is imposed."});
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -145,32 +151,30 @@ void readSymmetriesInto(const ProblemTexts& texts, const std::vector<SymmetryReq
 bool ProblemReader::advance() {
   if (error_) return false;
   if (detection_) return detection_->advance();
-  const auto read = guarded<bool>(Place{texts_.garment_name}, [&] {
-    GarmentFile file = valueOf(readGarment(texts_.garment, texts_.garment_name));
-    problem_.reset(new Problem{std::move(file.garment),
-                               valueOf(readPrint(texts_.print, texts_.print_name)),
-                               {},
-                               {},
-                               false,
-                               {},
-                               std::move(file.notes)});
-    of_garment_ = std::move(file.symmetries);
-    readOptionsInto(texts_, problem_.get());
-    detection_ = std::make_unique<SymmetryDetection>(problem_->garment);
-    return true;
-  });
-  if (!read.ok()) error_ = read.error();
-  return read.ok();
+  error_ = read();
+  if (!error_) detection_ = std::make_unique<SymmetryDetection>(problem_->garment);
+  return !error_;
+}
+
+std::optional<Error> ProblemReader::read() {
+  Outcome<GarmentFile> garment = readGarment(texts_.garment, texts_.garment_name);
+  if (!garment.ok()) return garment.error();
+  Outcome<Print> print = readPrint(texts_.print, texts_.print_name);
+  if (!print.ok()) return print.error();
+  GarmentFile& file = garment.value();
+  problem_.reset(new Problem{
+      std::move(file.garment), std::move(print).value(), {}, {}, false, {}, std::move(file.notes)});
+  of_garment_ = std::move(file.symmetries);
+  return readOptionsInto(texts_, problem_.get());
 }
 
 Outcome<Problem> ProblemReader::take() {
+  if (!error_)
+    error_ = readSymmetriesInto(texts_, of_garment_, detection_->found(), problem_.get());
   if (error_) return *error_;
-  return guarded<Problem>(Place{texts_.garment_name}, [&] {
-    readSymmetriesInto(texts_, of_garment_, detection_->found(), problem_.get());
-    if (auto note = assumedGrain(*problem_, texts_.garment_name))
-      problem_->notes.push_back(std::move(*note));
-    return std::move(*problem_);
-  });
+  if (auto note = assumedGrain(*problem_, texts_.garment_name))
+    problem_->notes.push_back(std::move(*note));
+  return std::move(*problem_);
 }
 
 Outcome<Problem> makeProblem(const ProblemTexts& texts) {

@@ -47,6 +47,9 @@ class ProblemReader {
   Outcome<Problem> take();
 
  private:
+  /// The files, but for symmetries.
+  std::optional<Error> read();
+
   ProblemTexts texts_;
   std::unique_ptr<Problem> problem_;  ///< stays where it is: the detection looks at its garment
   std::vector<SymmetryRequest> of_garment_;

@@ -11,15 +11,15 @@ EdgeRef readSide(const JsonValue& json, const Place& place, const Garment& garme
   const JsonValue panel = json.find("panel");
   const JsonValue edge = json.find("edge");
   if (!panel || !edge)
-    place.fail(Failure::kSeamMalformed,
-               "has a malformed side; write {\"panel\": \"name\", \"edge\": number}");
+    return place.fail(Failure::kSeamMalformed,
+                      "has a malformed side; write {\"panel\": \"name\", \"edge\": number}");
   Place here = place;
   here.shape = Failure::kSeamMalformed;
   const std::string name = text(panel, here, "'panel'");
   const int piece = garment.find(name);
   if (piece < 0)
-    place.fail(Failure::kSeamUnknownPiece,
-               "names panel " + inQuotes(name) + ", which the file has not; correct the name");
+    return place.fail(Failure::kSeamUnknownPiece, "names panel " + inQuotes(name) +
+                                                      ", which the file has not; correct the name");
   here.piece = piece;
   const int number = integer(edge, here, "'edge'");
   const std::size_t edges = garment.panels[static_cast<std::size_t>(piece)].edges.size();
@@ -49,6 +49,7 @@ void readStitches(const JsonValue& stitches, const Place& outer, Garment* garmen
                    "has an unknown third element; write \"right_wrong\" or leave it out");
       stitch.same_direction = true;
     }
+    if (place.failed()) return;
     for (const EdgeRef& side : {stitch.a, stitch.b}) {
       const auto [earlier, fresh] = used.emplace(std::pair(side.piece, side.edge), n);
       if (fresh) continue;
@@ -60,6 +61,7 @@ void readStitches(const JsonValue& stitches, const Place& outer, Garment* garmen
                      ? "sews " + edge + " to itself; name two edges"
                      : "sews " + edge + ", which stitch " + std::to_string(earlier->second) +
                            " already sews; split the edge or remove one stitch");
+      return;
     }
     garment->stitches.push_back(stitch);
   }
@@ -75,10 +77,12 @@ void readSeams(const JsonValue& seams, const Place& outer, Garment* garment,
     Place place = numbered(listed, "seam", k++);
     object(seam, place, "seam");
     const int n = integer(need(seam, "stitch", place), place, "'stitch'");
-    if (n < 0 || static_cast<std::size_t>(n) >= garment->stitches.size())
+    if (n < 0 || static_cast<std::size_t>(n) >= garment->stitches.size()) {
       place.fail(Failure::kSeamMalformed,
                  "describes stitch " + std::to_string(n) + ", the file has " +
                      std::to_string(garment->stitches.size()) + "; correct the number");
+      return;
+    }
     place.seam = n;
     if (!described.insert(n).second)
       place.fail(Failure::kSeamMalformed,

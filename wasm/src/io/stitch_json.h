@@ -8,7 +8,7 @@
 
 namespace seamwise {
 
-/// GarmentCode's `stitches` into garment->stitches. Throws InputError naming the stitch.
+/// GarmentCode's `stitches` into garment->stitches. Defects name the stitch.
 void readStitches(const JsonValue& stitches, const Place& place, Garment* garment);
 
 /// The top-level `seams` of seamwise-garment/1: weight, matched, direction and length ratio of

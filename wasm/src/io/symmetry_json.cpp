@@ -14,7 +14,7 @@ SymmetryRequest readPair(const JsonValue& json, const Place& place) {
   onlyKnown(json, place, {"kind", "pieces", "residual", "map", "mirrors"});
   const JsonValue& pieces = need(json, "pieces", place);
   if (!pieces.isList() || pieces.size() != 2)
-    place.fail(place.shape, "has no two 'pieces'; write [\"one\", \"other\"]");
+    return place.fail(place.shape, "has no two 'pieces'; write [\"one\", \"other\"]");
   PairRequest pair{text(pieces[0], place, "a piece"), text(pieces[1], place, "a piece")};
   if (pair.first == pair.second)
     place.fail(place.shape, "pairs " + inQuotes(pair.first) +
@@ -31,7 +31,7 @@ SymmetryRequest readSingle(const JsonValue& json, const Place& place) {
   if (axis) {
     const Polyline ends = polyline(axis, place, "'axis'");
     if (ends.size() != 2 || !((ends[1] - ends[0]).norm() > 1e-3))
-      place.fail(place.shape, "needs an 'axis' of two distinct points; correct it");
+      return place.fail(place.shape, "needs an 'axis' of two distinct points; correct it");
     return AxisRequest{piece, ends[0], ends[1]};
   }
   if (edges) {
@@ -104,14 +104,13 @@ std::vector<SymmetryRequest> readSymmetryList(const JsonValue& json, const Place
 Outcome<std::vector<SymmetryRequest>> readSymmetries(std::string_view text,
                                                      const std::string& file) {
   const Place place{file, Failure::kSymmetryMalformed, Failure::kSymmetryMalformed};
-  return guarded<std::vector<SymmetryRequest>>(place, [&] {
-    const JsonDocument holder = parseDocument(text, place);
-    const JsonValue document(holder);
-    object(document, place, "content");
-    onlyKnown(document, place, {"$schema", "format", "symmetries"});
-    checkFormat(document, place, "seamwise-symmetries", 1);
-    return readSymmetryList(need(document, "symmetries", place), place);
-  });
+  return readDocument<std::vector<SymmetryRequest>>(
+      text, place, [](const JsonValue& document, const Place& here) {
+        object(document, here, "content");
+        onlyKnown(document, here, {"$schema", "format", "symmetries"});
+        checkFormat(document, here, "seamwise-symmetries", 1);
+        return readSymmetryList(need(document, "symmetries", here), here);
+      });
 }
 
 std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmetry>& symmetries) {

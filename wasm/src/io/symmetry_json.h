@@ -22,7 +22,7 @@ std::string writeSymmetries(const Garment& garment, const std::vector<BodySymmet
 /// The same for requests that were measured; `mirrors` says whether they can be imposed.
 std::string writeMeasured(const Garment& garment, const std::vector<MeasuredSymmetry>& measured);
 
-/// The list itself. Throws InputError.
+/// The list itself; of no use after a defect.
 std::vector<SymmetryRequest> readSymmetryList(const JsonValue& json, const Place& place);
 
 }  // namespace seamwise

@@ -1,6 +1,6 @@
 #pragma once
 #include <deque>
-#include <unordered_map>
+#include <map>
 #include <vector>
 
 #include "pattern/breakpoints.h"
@@ -26,7 +26,7 @@ struct Tie {
   Side side[2];
   bool mirror = false;
   bool self = false;  ///< both sides are the same loop; counterparts are mutual
-  std::unordered_map<int, int> counterpart[2];
+  std::map<int, int> counterpart[2];
 };
 
 /// The nodes of all loops, in order, and their ties.

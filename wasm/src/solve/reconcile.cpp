@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "deform/lengths.h"
+#include "geometry/sort_by.h"
 #include "pattern/discretise.h"
 #include "pattern/seam_measure.h"
 #include "symmetry/symmetry.h"
@@ -101,9 +102,8 @@ Symmetries consistent(const Problem& problem, const Symmetries& fixed,
   Symmetries rest;
   for (const BodySymmetry& s : problem.known)
     if (!contains(fixed, s)) rest.push_back(s);
-  std::stable_sort(rest.begin(), rest.end(), [&](const BodySymmetry& a, const BodySymmetry& b) {
-    return unmappedSeams(problem.garment, problem.known, a) <
-           unmappedSeams(problem.garment, problem.known, b);
+  sortBy(rest, [&](const BodySymmetry& symmetry) {
+    return unmappedSeams(problem.garment, problem.known, symmetry);
   });
   Symmetries kept = fixed;
   for (const BodySymmetry& s : rest) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/sort_by.h"
 #include "symmetry/symmetry.h"
 
 namespace seamwise {
@@ -51,8 +52,7 @@ std::vector<MirrorStart> startMaps(const Outline& a, const Outline& b) {
     map.shift = to - map(from);
     starts.push_back({map, std::sqrt(std::max(0.0, square[shift]))});
   }
-  std::sort(starts.begin(), starts.end(),
-            [](const MirrorStart& x, const MirrorStart& y) { return x.rms < y.rms; });
+  sortBy(starts, [](const MirrorStart& start) { return start.rms; });
   if (starts.size() > kMaxStarts) starts.resize(kMaxStarts);
   return starts;
 }
@@ -88,8 +88,7 @@ bool MirrorSearch::advance() {
 }
 
 std::vector<MirrorFit> MirrorSearch::take() {
-  std::sort(found_.begin(), found_.end(),
-            [](const MirrorFit& x, const MirrorFit& y) { return x.residual < y.residual; });
+  sortBy(found_, [](const MirrorFit& fit) { return fit.residual; });
   return std::move(found_);
 }
 

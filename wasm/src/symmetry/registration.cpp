@@ -67,9 +67,8 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
     const CornerPairs pairs = pairCorners(a, b, trimmed, 2 * kMirrorTolerance);
     if (pairs.from.size() < 2) return map;
     std::vector<double> sorted = pairs.distance;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const double limit = std::max(kExactCorner, 1.5 * *middle);
+    std::sort(sorted.begin(), sorted.end());
+    const double limit = std::max(kExactCorner, 1.5 * sorted[sorted.size() / 2]);
     std::vector<Vec2> from, to;
     for (std::size_t i = 0; i < pairs.from.size(); ++i)
       if (pairs.distance[i] <= limit) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/sort_by.h"
+
 namespace seamwise {
 namespace {
 
@@ -72,9 +74,7 @@ void SeamMaps::connect() {
     seams_[stitch.a.piece].push_back(static_cast<int>(k));
     if (stitch.b.piece != stitch.a.piece) seams_[stitch.b.piece].push_back(static_cast<int>(k));
   }
-  for (std::vector<int>& seams : seams_)
-    std::stable_sort(seams.begin(), seams.end(),
-                     [&](int x, int y) { return lengths_[x] > lengths_[y]; });
+  for (std::vector<int>& seams : seams_) sortBy(seams, [&](int seam) { return -lengths_[seam]; });
 }
 
 void SeamMaps::addMaps(int from, int to, const std::vector<MirrorFit>& fits) {

@@ -6,6 +6,13 @@ export function internalError(what: string, cause: unknown): SolverError {
   return new SolverError({code: 'internal', message: `${what}: ${reasonOf(cause)}.`});
 }
 
+/** The module broke, and cannot be used again: what it is said to its user. */
+export function brokenModule(cause: WebAssembly.RuntimeError): SolverError {
+  if (cause.message !== 'out of memory') return internalError('The solver broke', cause);
+  const message = 'There is not enough memory for this problem.';
+  return new SolverError({code: 'internal', message});
+}
+
 /** The module could not be loaded; why, and what to do about it, as one sentence. */
 export function loadingError(cause: unknown): SolverError {
   const reason = reasonOf(cause);

@@ -2,7 +2,7 @@ import {SolverError} from '../model/failure.js';
 import type {ProofHooks, SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
-import {internalError, loadingError} from './broken.js';
+import {brokenModule, loadingError} from './broken.js';
 import type {Helpers} from './helpers.js';
 import {SharedModule, type SeamwiseModule, type Settings} from './load.js';
 import type {Answer, Answers, Question, QuestionOf} from './protocol.js';
@@ -126,15 +126,14 @@ export class LocalSolver {
 
   /** @throws {SolverError} */
   symmetries(garment: string, name: string, signal?: AbortSignal): Promise<DetectedSymmetries> {
-    return this.#withModule(async (module) => {
-      const detection = new Detection(module, garment, name);
-      try {
-        await runInSlices((slice) => detection.advance(slice), signal, this.#pace);
-        return detection.result();
-      } finally {
-        detection[Symbol.dispose]();
-      }
-    }, signal);
+    const find = async (detection: Detection) => {
+      await runInSlices((slice) => detection.advance(slice), signal, this.#pace);
+      return detection.result();
+    };
+    return this.#withModule(
+      (module) => freeing(new Detection(module, garment, name), find),
+      signal,
+    );
   }
 
   /** One symmetry, measured on the garment whether or not it mirrors. @throws {SolverError} */
@@ -144,17 +143,12 @@ export class LocalSolver {
 
   /** Runs a share of another thread's search. @throws {SolverError}; the signal's reason */
   share(order: Float64Array, signal?: AbortSignal): Promise<Float64Array> {
-    const run = () =>
-      this.#withModule(async (module) => {
-        const share = new Share(module, order);
-        try {
-          const pace = {...this.#pace, slice: shareSlice};
-          await runInSlices((slice) => share.advance(slice), signal, pace);
-          return share.answers();
-        } finally {
-          share[Symbol.dispose]();
-        }
-      }, signal);
+    const pace = {...this.#pace, slice: shareSlice};
+    const work = async (share: Share) => {
+      await runInSlices((slice) => share.advance(slice), signal, pace);
+      return share.answers();
+    };
+    const run = () => this.#withModule((module) => freeing(new Share(module, order), work), signal);
     return this.#shareTurns.take(run, signal);
   }
 
@@ -173,14 +167,7 @@ export class LocalSolver {
     signal: AbortSignal | undefined,
     work: (solver: Solver) => T | Promise<T>,
   ): Promise<T> {
-    return this.#withModule(async (module) => {
-      const solver = new Solver(module, texts);
-      try {
-        return await work(solver);
-      } finally {
-        solver[Symbol.dispose]();
-      }
-    }, signal);
+    return this.#withModule((module) => freeing(new Solver(module, texts), work), signal);
   }
 
   /** Runs `work` on the shared module. An instance that broke, or ran out of memory, is not trusted again. */
@@ -194,7 +181,7 @@ export class LocalSolver {
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) {
         this.#shared.discard();
-        throw internalError('The solver broke', error);
+        throw brokenModule(error);
       }
       if (error instanceof SolverError && error.code === 'internal') this.#shared.discard();
       throw error;
@@ -207,5 +194,21 @@ export class LocalSolver {
     } catch (error) {
       throw loadingError(error);
     }
+  }
+}
+
+/** Frees memory of the module when `work` has ended, unless the module broke: all of it goes then. */
+async function freeing<O extends Disposable, T>(
+  owner: O,
+  work: (owner: O) => T | Promise<T>,
+): Promise<T> {
+  let broken = false;
+  try {
+    return await work(owner);
+  } catch (error) {
+    broken = error instanceof WebAssembly.RuntimeError;
+    throw error;
+  } finally {
+    if (!broken) owner[Symbol.dispose]();
   }
 }

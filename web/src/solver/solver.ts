@@ -27,6 +27,8 @@ export class Solver implements Disposable {
   #around = 0;
   readonly #spent = {alignment: 0, deformation: 0};
   #attempt = 0;
+  /** What the module broke on while shares were passed on. */
+  #broken: Error | null = null;
 
   constructor(module: SeamwiseModule, problem: ProblemTexts) {
     const started = performance.now();
@@ -39,6 +41,7 @@ export class Solver implements Disposable {
    * @throws {SolverError} for bad input, during the preparation
    */
   advance(milliseconds: number): boolean {
+    if (this.#broken) throw this.#broken;
     const started = performance.now();
     const phase = this.phase;
     let more = true;
@@ -84,7 +87,7 @@ export class Solver implements Disposable {
    * wrong is told when the solver is next advanced.
    */
   lend(): LentShare | null {
-    return this.#solver.lend();
+    return this.#unlessBroken(() => this.#solver.lend());
   }
 
   /** Whether the answers of a share that was lent are still of use. */
@@ -94,7 +97,18 @@ export class Solver implements Disposable {
 
   /** What came of a share that was lent; as above. */
   take(number: number, answers: Float64Array): void {
-    this.#solver.take(number, answers);
+    this.#unlessBroken(() => {
+      this.#solver.take(number, answers);
+    });
+  }
+
+  #unlessBroken<T>(work: () => T): T | null {
+    try {
+      return this.#broken ? null : work();
+    } catch (error) {
+      this.#broken = error as Error;
+      return null;
+    }
   }
 
   /** The garment as it was meshed, once it is prepared. */

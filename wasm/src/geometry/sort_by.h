@@ -1,0 +1,22 @@
+#pragma once
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace seamwise {
+
+/// The places of `keys` in ascending order, those of equal keys as they come.
+std::vector<std::size_t> placesInOrder(const std::vector<double>& keys);
+
+/// Sorts by key(item), a number; equal ones stay as they come. The standard library's sorts, one
+/// for every type and order, would each add 1 kB to the module, compressed.
+template <class Item, class Key>
+void sortBy(std::vector<Item>& items, Key key) {
+  std::vector<double> keys;
+  for (const Item& item : items) keys.push_back(static_cast<double>(key(item)));
+  std::vector<Item> sorted;
+  for (const std::size_t place : placesInOrder(keys)) sorted.push_back(std::move(items[place]));
+  items = std::move(sorted);
+}
+
+}  // namespace seamwise
