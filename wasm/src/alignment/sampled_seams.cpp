@@ -35,9 +35,10 @@ SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing)
                           real(m(1, 1)),   real(a.x()),     real(a.y()),
                           real(e.A(0, 0)), real(e.A(1, 0)), real(e.mirrored ? -1 : 1),
                           m(0, 0) == 0};
-    all_.push_back(reduced);
-    (e.mirrored ? improper_ : proper_).push_back(reduced);
+    all_.each.push_back(reduced);
+    (e.mirrored ? improper_ : proper_).each.push_back(reduced);
   }
+  for (Elements* elements : {&all_, &proper_, &improper_}) elements->pack();
   if (sizeof(Real) == sizeof(float) && !problem.continuous_only && group.carriesSingle()) {
     const Chamber chamber = Chamber::of(group);
     shape_ = chamber.shape;
@@ -73,6 +74,7 @@ SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing)
       weight_ += w;
     }
     samples.limit = seam.limit * seam.weight;
+    measure(samples);
     for (auto* array : {&ax_, &ay_, &bx_, &by_, &w_})
       array->resize((array->size() + kLanes - 1) / kLanes * kLanes, 0);
     seams_.push_back(samples);
@@ -85,14 +87,16 @@ typename SampledSeams<Real>::Pose SampledSeams<Real>::pose(int leader, const Ali
   const Mat2 m = to_pose_ * (Mat2() << c, s, -s, c).finished();
   Vec2 t = m * (centres_[leader] - at.translation) + pose_offset_;
   t -= t.array().round().matrix();  // lattice vectors change nothing, and small numbers are exact
-  return {static_cast<Real>(m(0, 0)),
-          static_cast<Real>(m(0, 1)),
-          static_cast<Real>(m(1, 0)),
-          static_cast<Real>(m(1, 1)),
-          static_cast<Real>(t.x()),
-          static_cast<Real>(t.y()),
-          c,
-          s};
+  const auto map = [](const Mat2& of, const Vec2& shift) {
+    const auto real = [](double v) { return static_cast<Real>(v); };
+    return typename Pose::Map{real(of(0, 0)), real(of(0, 1)),  real(of(1, 0)),
+                              real(of(1, 1)), real(shift.x()), real(shift.y())};
+  };
+  Pose pose{map(m, t), {}, static_cast<Real>(c), static_cast<Real>(s)};
+  pose.lattice = shape_ == Chamber::Shape::kCell
+                     ? pose.chamber
+                     : map(to_lattice_ * m, to_lattice_ * (t - pose_offset_));
+  return pose;
 }
 
 /// As offset().squared() on a rectangular lattice, whose nearest point is that of each coordinate.
@@ -122,26 +126,24 @@ SampledSeams<Real>::squaredInChamber(const Placed& p) const {
 
 template <class Real>
 template <bool triangle>
-typename SampledSeams<Real>::Sums SampledSeams<Real>::foldedSums(int seam, const Pose& a,
-                                                                 const Pose& b,
-                                                                 double slack) const {
-  return sumsOver(seam, a, b, slack,
-                  [this](int, const Placed& p) { return squaredInChamber<triangle>(p); });
+double SampledSeams<Real>::foldedSum(int seam, const Pose& a, const Pose& b) const {
+  return sumOver(seam, a, b,
+                 [this](int, const Placed& p) { return squaredInChamber<triangle>(p); });
 }
 
+/// Of w d, each sample with its nearest element. [cm2]
 template <class Real>
-typename SampledSeams<Real>::Sums SampledSeams<Real>::sums(int seam, const Pose& a, const Pose& b,
-                                                           double slack) const {
+double SampledSeams<Real>::sum(int seam, const Pose& a, const Pose& b) const {
   const auto nearest = [&](const auto& squared) {
-    return sumsOver(seam, a, b, slack, [&](int of, const Placed& p) {
+    return sumOver(seam, a, b, [&](int of, const Placed& p) {
       Vector best = Vector{} + std::numeric_limits<Real>::max();
-      for (const Element& e : *seams_[of].elements) best = least(best, squared(p, e));
+      for (const Element& e : seams_[of].elements->each) best = least(best, squared(p, e));
       return greatest(best, Vector{});
     });
   };
   if constexpr (sizeof(Real) == sizeof(float)) {
-    if (Chamber::isTriangle(shape_)) return foldedSums<true>(seam, a, b, slack);
-    if (shape_ != Chamber::Shape::kCell) return foldedSums<false>(seam, a, b, slack);
+    if (Chamber::isTriangle(shape_)) return foldedSum<true>(seam, a, b);
+    if (shape_ != Chamber::Shape::kCell) return foldedSum<false>(seam, a, b);
   }
   return rectangular_ ? nearest([this](const Placed& p, const Element& e) {
     return squaredOnRectangles(p, e);
@@ -153,49 +155,25 @@ typename SampledSeams<Real>::Sums SampledSeams<Real>::sums(int seam, const Pose&
 
 template <class Real>
 template <class Squared>
-[[gnu::always_inline]] inline typename SampledSeams<Real>::Sums SampledSeams<Real>::sumsOver(
-    int seam, const Pose& a, const Pose& b, double slack, const Squared& squared) const {
+[[gnu::always_inline]] inline double SampledSeams<Real>::sumOver(int seam, const Pose& a,
+                                                                 const Pose& b,
+                                                                 const Squared& squared) const {
   const Samples& samples = seams_[seam];
-  const Real allowance = static_cast<Real>(slack);
-  const Vector none{};
-  Vector all{}, beyond{};
-  for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
-    const Vector d = squareRoots(squared(seam, placed(from, a, b))), w = loaded(&w_[from]);
-    all += w * d;
-    beyond += w * greatest(d - allowance, none);
-  }
-  return {sumOf(all), sumOf(beyond)};
-}
-
-template <class Real>
-typename SampledSeams<Real>::Excess SampledSeams<Real>::excess(int seam, const Sums& of,
-                                                               double slack) const {
-  const double limit = seams_[seam].limit;
-  if (of.all <= limit) return Excess::kNone;
-  const double shaped = of.beyond + kLeftByShaping * of.all;
-  if (slack > 0 && shaped <= kWorthShaping * of.all)
-    return shaped <= limit ? Excess::kNone : Excess::kOfBeyond;
-  return Excess::kOfAll;
+  Vector all{};
+  for (int from = samples.from; from < samples.from + samples.count; from += kLanes)
+    all += loaded(&w_[from]) * squareRoots(squared(seam, placed(from, a.chamber, b.chamber)));
+  return sumOf(all);
 }
 
 template <class Real>
 double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double slack) const {
-  const Sums of = sums(seam, a, b, slack);
-  double cost = slack > 0 ? of.beyond + SeamCosts::kLeak * of.all : of.all;
-  switch (excess(seam, of, slack)) {
-    case Excess::kOfAll:
-      return cost + SeamCosts::kHard * (of.all - seams_[seam].limit);
-    case Excess::kOfBeyond:
-      return cost + SeamCosts::kHard * (of.beyond + kLeftByShaping * of.all - seams_[seam].limit);
-    default:
-      return cost;
-  }
+  return chosen(seam, a, b, slack).cost;
 }
 
 template <class Real>
 double SampledSeams<Real>::sampleCost() const {
   // placing a sample on the print takes about as long as four elements, folding as one or two
-  return 4.0 + (shape_ == Chamber::Shape::kCell ? static_cast<double>(all_.size())
+  return 4.0 + (shape_ == Chamber::Shape::kCell ? static_cast<double>(all_.each.size())
                                                 : 1.5 * static_cast<double>(cosets_.size()));
 }
 

@@ -41,7 +41,7 @@ struct SampledSeams<Real>::Offset {
 
 template <class Real>
 [[gnu::always_inline]] inline typename SampledSeams<Real>::Placed SampledSeams<Real>::placed(
-    int from, const Pose& a, const Pose& b) const {
+    int from, const typename Pose::Map& a, const typename Pose::Map& b) const {
   const Vector ax = loaded(&ax_[from]), ay = loaded(&ay_[from]);
   const Vector bx = loaded(&bx_[from]), by = loaded(&by_[from]);
   return {a.m00 * ax + a.m01 * ay + a.t0, a.m10 * ax + a.m11 * ay + a.t1,

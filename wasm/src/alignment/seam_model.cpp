@@ -11,51 +11,51 @@ constexpr double kFloor = 0.02;  ///< cm: distances below it are weighted as if 
 
 }  // namespace
 
-/// The pose in coordinates of the lattice.
 template <class Real>
-typename SampledSeams<Real>::Pose SampledSeams<Real>::onLattice(const Pose& pose) const {
-  if (shape_ == Chamber::Shape::kCell) return pose;
-  const Mat2 m = to_lattice_ * (Mat2() << pose.m00, pose.m01, pose.m10, pose.m11).finished();
-  const Vec2 t = to_lattice_ * (Vec2(pose.t0, pose.t1) - pose_offset_);
-  const auto real = [](double v) { return static_cast<Real>(v); };
-  return {real(m(0, 0)), real(m(0, 1)), real(m(1, 0)), real(m(1, 1)),
-          real(t.x()),   real(t.y()),   pose.cos,      pose.sin};
-}
-
-template <class Real>
-typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pose& at_a,
-                                                             const Pose& at_b, double slack) const {
-  const Pose a = onLattice(at_a), b = onLattice(at_b);
+typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pose& a, const Pose& b,
+                                                             double slack) const {
   const Samples& samples = seams_[seam];
-  const Real allowance = static_cast<Real>(slack);
-  double within = slack > 0 ? SeamCosts::kLeak : 1, outside = slack > 0 ? 1 + SeamCosts::kLeak : 1;
-  if (std::isfinite(samples.limit)) {
-    const Excess broken = excess(seam, sums(seam, at_a, at_b, slack), slack);
-    if (broken == Excess::kOfAll) within += SeamCosts::kHard, outside += SeamCosts::kHard;
-    if (broken == Excess::kOfBeyond)
-      within += kLeftByShaping * SeamCosts::kHard,
-          outside += (1 + kLeftByShaping) * SeamCosts::kHard;
+  bool shaped = false;
+  double within = 1, outside = 1;
+  Element join{};
+  if (slack > 0 || std::isfinite(samples.limit)) {
+    const Choice choice = chosen(seam, a, b, slack);
+    if ((shaped = choice.shaped)) {
+      join = choice.join.element;
+      within = SeamCosts::kLeak, outside = 1 + SeamCosts::kLeak;
+      if (choice.exceeds)
+        within += kLeftByShaping * SeamCosts::kHard,
+            outside += (1 + kLeftByShaping) * SeamCosts::kHard;
+    } else if (choice.exceeds) {
+      within = outside = 1 + SeamCosts::kHard;
+    }
   }
+  const Real allowance = static_cast<Real>(shaped ? slack : 0);
   const Real leak = static_cast<Real>(within), beyond = static_cast<Real>(outside);
-  const Real ac = static_cast<Real>(a.cos), as = static_cast<Real>(a.sin);
-  const Real bc = static_cast<Real>(b.cos), bs = static_cast<Real>(b.sin);
   const Vector none{};
   Vector sums[kSums] = {};
   for (int from = samples.from; from < samples.from + samples.count; from += kLanes) {
-    const Placed p = placed(from, a, b);
-    Vector best = none + std::numeric_limits<Real>::max();
+    const Placed p = placed(from, a.lattice, b.lattice);
     Vector s{}, t{}, c{}, n{}, det{};
-    for (const Element& e : *samples.elements) {
-      const Offset o = offset(p, e);
-      const Vector squared = o.squared();
-      const auto less = squared < best;
-      best = less ? squared : best;
-      s = less ? o.s : s, t = less ? o.t : t;
-      c = less ? none + e.cos : c, n = less ? none + e.sin : n, det = less ? none + e.det : det;
+    if (shaped) {
+      s = p.x0 - (join.m00 * p.y0 + join.m01 * p.y1 + join.a0);
+      t = p.x1 - (join.m10 * p.y0 + join.m11 * p.y1 + join.a1);
+      c = none + join.cos, n = none + join.sin, det = none + join.det;
+    } else {
+      Vector best = none + std::numeric_limits<Real>::max();
+      for (const Element& e : samples.elements->each) {
+        const Offset o = offset(p, e);
+        const Vector squared = o.squared();
+        const auto less = squared < best;
+        best = less ? squared : best;
+        s = less ? o.s : s, t = less ? o.t : t;
+        c = less ? none + e.cos : c, n = less ? none + e.sin : n, det = less ? none + e.det : det;
+      }
+      Offset nearest = reduced(s, t);
+      nearest.reduce();
+      s = nearest.s, t = nearest.t;
     }
-    Offset nearest = reduced(s, t);
-    nearest.reduce();
-    const Vector rx = nearest.s * u0x_ + nearest.t * u1x_, ry = nearest.s * u0y_ + nearest.t * u1y_;
+    const Vector rx = s * u0x_ + t * u1x_, ry = s * u0y_ + t * u1y_;
     const Vector d = squareRoots(rx * rx + ry * ry);
     const Vector pull = d > allowance ? none + beyond : none + leak;
     const Vector w = loaded(&w_[from]) * pull / greatest(d, none + static_cast<Real>(kFloor));
@@ -63,8 +63,8 @@ typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pos
     // j = -perp(x), I, k = A perp(y), -A
     const Vector ax = loaded(&ax_[from]), ay = loaded(&ay_[from]);
     const Vector bx = loaded(&bx_[from]), by = loaded(&by_[from]);
-    const Vector jx = ac * ay - as * ax, jy = -(ac * ax + as * ay);
-    const Vector px = bs * bx - bc * by, py = bc * bx + bs * by;
+    const Vector jx = a.cos * ay - a.sin * ax, jy = -(a.cos * ax + a.sin * ay);
+    const Vector px = b.sin * bx - b.cos * by, py = b.cos * bx + b.sin * by;
     const Vector dc = det * c, dn = det * n;
     const Vector kx = c * px - dn * py, ky = n * px + dc * py;
     const Vector wrx = w * rx, wry = w * ry, wjx = w * jx, wjy = w * jy, wkx = w * kx, wky = w * ky;
@@ -107,8 +107,6 @@ typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pos
   return m;
 }
 
-template SampledSeams<float>::Pose SampledSeams<float>::onLattice(const Pose&) const;
-template SampledSeams<double>::Pose SampledSeams<double>::onLattice(const Pose&) const;
 template SampledSeams<float>::Model SampledSeams<float>::model(int, const Pose&, const Pose&,
                                                                double) const;
 template SampledSeams<double>::Model SampledSeams<double>::model(int, const Pose&, const Pose&,

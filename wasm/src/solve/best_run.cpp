@@ -18,14 +18,14 @@ constexpr int kHoldAfter = 1;       ///< of them, towards the targets; then the 
 constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
 constexpr int kMostSettling = 200;  ///< steps in all
 constexpr double kRemedyReach = 0.6;
-constexpr double kSlack = 1.3;
+constexpr double kSlack = 1.6;
 constexpr double kMostReach =
     2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
 
 /// Answers under slack to fit from.
-constexpr std::size_t kStarts = 5;
+constexpr std::size_t kStarts = 3;
 
-constexpr int kSeekAgain = 3;  ///< times
+constexpr int kSeekAgain = 1;  ///< times
 
 /// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
 /// it lies has only its set-up left.
