@@ -25,8 +25,6 @@ constexpr double kMostReach =
 /// Answers under slack to fit from.
 constexpr std::size_t kStarts = 3;
 
-constexpr int kSeekAgain = 1;  ///< times
-
 /// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
 /// it lies has only its set-up left.
 constexpr double kFitted = 0.95;
@@ -155,7 +153,7 @@ void BestRun::startFit() {
 void BestRun::fitStep() {
   if (!fit_->advance()) stage_ = Stage::kSettle;
   if (fit_->isStuck()) {
-    if (sought_again_++ < kSeekAgain) {
+    if (!std::exchange(sought_again_, true)) {
       searching_.seekAgain(fit_->urgency());
       stage_ = Stage::kSeekAgain;
     } else {

@@ -63,7 +63,7 @@ class BestRun : public Run {
   Stage stage_ = Stage::kSearch;
   Alignments alignment_, search_result_;
   double of_bound_ = 1;  ///< less where something else than the search's best stands for it
-  int sought_again_ = 0;
+  bool sought_again_ = false;
   int settling_ = 0, settled_ = 0;  ///< iterations; with the last, which finds nothing to do
   double length_error_;             ///< of a sewn edge, cm
   double progress_, searched_ = 0;  ///< now, and once all was searched
