@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "alignment/chamber.h"
+#include "alignment/lattice_offset.h"
 #include "alignment/matching.h"
 #include "geometry/lanes.h"
 
@@ -70,7 +71,7 @@ class SampledSeams {
   enum class Excess : std::uint8_t { kNone, kOfAll, kOfBeyond };
   Excess excess(int seam, const Sums& of, double slack) const;
   struct Placed;
-  struct Offset;
+  using Offset = LatticeOffset<Real>;
   Placed placed(int from, const Pose& a, const Pose& b) const;
   Pose onLattice(const Pose& pose) const;
   Offset reduced(const Vector& s0, const Vector& t0) const;
