@@ -16,7 +16,7 @@ struct Box {
   /// The greatest shift. [cm]
   double shift() const { return std::max((half[0] + half[1]).norm(), (half[0] - half[1]).norm()); }
   /// The greatest way of a point at distance 1 under the turn.
-  double swing() const { return 2 * std::sin(std::min(turn, kPi) / 2); }
+  double swing() const { return turn > 0 ? 2 * std::sin(std::min(turn, kPi) / 2) : 0; }
 };
 
 /// A half of a box, across a side of it: its turn (0) or a shift (1, 2), towards less or more.

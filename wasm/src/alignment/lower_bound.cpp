@@ -13,7 +13,7 @@ constexpr double kPart = 3e5;       ///< evaluations: about a millisecond
 constexpr double kDescents = 0.1;   ///< share of the evaluations that go into better answers
 constexpr int kIterations = 12;     ///< of a descent, at most
 constexpr double kSumError = 1e-6;  ///< share of a sum that single precision loses, at most
-constexpr double kRoom = 60e6;      ///< bytes, for all tables
+constexpr double kRoom = 160e6;     ///< bytes, for all tables
 constexpr double kUrgent = 0.5;     ///< boxes this far from the bound to the answer are halved
 
 /// What is the greater the more there is to gain and, with as much to gain, the fewer boxes there
@@ -37,22 +37,37 @@ LowerBound::LowerBound(const MatchProblem& problem, const Component& component,
 
 bool LowerBound::step() {
   if (proven() || ended_) return false;
-  if (!tables_.step(kPart, spent_)) next();
+  next();
   return !proven() && !ended_;
 }
 
-/// Drops what cannot be part of a better answer; then looks at the next table, or halves the boxes
-/// of a leader when all have been looked at.
 void LowerBound::next() {
+  switch (stage_) {
+    case Stage::kSweep:
+      if (tables_.step(kPart, spent_)) return;
+      tighten();
+      stage_ = Stage::kDrop;
+      return;
+    case Stage::kDrop:
+      tables_.drop(static_cast<float>(enough() * (1 + kSumError)));
+      if (tables_.all(0).empty()) bound_ = std::max(bound_, enough());
+      stage_ = proven() || tables_.look() ? Stage::kSweep : Stage::kTilt;
+      return;
+    case Stage::kTilt:
+      tables_.tilt();
+      stage_ = Stage::kHalve;
+      return;
+    case Stage::kHalve:
+      ended_ = !halve();
+      if (!ended_ && !tables_.look()) tables_.sweep();
+      stage_ = Stage::kSweep;
+  }
+}
+
+/// Takes over the bound of a sweep, and tries for a better answer.
+void LowerBound::tighten() {
   bound_ = std::max(bound_, std::min(tables_.sums().total() * (1 - kSumError), enough()));
-  if (proven()) return;
-  descend();
-  tables_.drop(static_cast<float>(enough() * (1 + kSumError)));
-  if (tables_.all(0).empty()) bound_ = std::max(bound_, enough());
-  if (proven() || tables_.look()) return;
-  tables_.tilt();
-  ended_ = !halve();
-  if (!ended_ && !tables_.look()) tables_.sweep();
+  if (!proven()) descend();
 }
 
 /// Halves those boxes of a leader which keep the bound low: of the leader whose points move most.

@@ -38,6 +38,7 @@ class LowerBound {
  private:
   double enough() const { return cost_ * (1 - kProven); }  ///< a bound that proves the answer
   void next();
+  void tighten();
   bool halve();
   void descend();
   double costAt(const Alignments& at) const;
@@ -46,6 +47,9 @@ class LowerBound {
   SampledSeams<double> edges_;
   const std::vector<int> seams_;
   BoxTables tables_;
+  /// What comes next: between two sweeps all boxes and pairs are gone through several times.
+  enum class Stage { kSweep, kDrop, kTilt, kHalve };
+  Stage stage_ = Stage::kSweep;
   bool ended_ = false;
   Alignments best_;
   std::vector<Alignment> tried_;  ///< the last middles of boxes

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "alignment/chamber.h"
+#include "alignment/lattice_offset.h"
 #include "alignment/matching.h"
 #include "geometry/lanes.h"
 
@@ -108,7 +109,7 @@ class SampledSeams {
                    double slack) const;
   double sum(int seam, const Pose& a, const Pose& b) const;
   struct Placed;
-  struct Offset;
+  using Offset = LatticeOffset<Real>;
   Placed placed(int from, const typename Pose::Map& a, const typename Pose::Map& b) const;
   Offset reduced(const Vector& s0, const Vector& t0) const;
   Offset offset(const Placed& p, const Element& e) const;

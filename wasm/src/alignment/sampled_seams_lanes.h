@@ -18,25 +18,6 @@ struct SampledSeams<Real>::Placed {
   Vector x0, x1, y0, y1;
 };
 
-/// x - (A y + a), modulo the lattice: within half a cell of a lattice point that is nearest, or
-/// next to the nearest, to the origin (see WallpaperGroup::reduce).
-template <class Real>
-struct SampledSeams<Real>::Offset {
-  Vector s, t, g1, g2, n1, n2;
-
-  [[gnu::always_inline]] Vector squared() const {
-    return s * g1 + t * g2 + least(least(n1, n2), Vector{});
-  }
-  /// Moves on to the nearest lattice point.
-  void reduce() {
-    const Vector none{}, one = none + 1;
-    const Vector step1 = g1 < 0 ? one : -one, step2 = g2 < 0 ? one : -one;
-    const Vector shift0 = n1 < n2 ? step1 : none, shift1 = n1 < n2 ? none : step2;
-    const Vector nearer = least(n1, n2);
-    s += nearer < 0 ? shift0 : none, t += nearer < 0 ? shift1 : none;
-  }
-};
-
 // The innermost loops call these: Clang would not inline them by itself.
 
 template <class Real>
@@ -51,13 +32,10 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline typename SampledSeams<Real>::Offset SampledSeams<Real>::reduced(
     const Vector& s0, const Vector& t0) const {
-  Offset o;
-  o.s = s0 - internal::roundNear(s0), o.t = t0 - internal::roundNear(t0);
-  o.g1 = o.s * g11_ + o.t * g12_, o.g2 = o.s * g12_ + o.t * g22_;
-  o.n1 = g11_ - 2 * abs(o.g1), o.n2 = g22_ - 2 * abs(o.g2);
-  return o;
+  return {s0, t0, g11_, g12_, g22_};
 }
 
+/// x - (A y + a), modulo the lattice.
 template <class Real>
 [[gnu::always_inline]] inline typename SampledSeams<Real>::Offset SampledSeams<Real>::offset(
     const Placed& p, const Element& e) const {

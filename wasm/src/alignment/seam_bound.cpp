@@ -7,7 +7,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kCoarse = 0.25;  ///< radius of samples, as a share of how far points move
+constexpr double kCoarse = 0.25;  ///< spread of groups, as a share of how far points move
 constexpr double kSingle = 2e-7;  ///< relative error of places in single precision
 
 }  // namespace
@@ -40,25 +40,29 @@ SeamBound::SeamBound(const MatchProblem& problem, const MatchSeam& seam)
   for (std::size_t size = 1; size == 1 || size < 2 * edges; size *= 2) {
     Level& level = levels_.emplace_back();
     for (std::size_t first = 0; first < edges; first += size) {
-      const std::size_t last = std::min(edges, first + size), middle = (first + last) / 2;
-      double w = 0, radius = 0;
+      const std::size_t last = std::min(edges, first + size);
+      const Stretch group = seam.stretch(first, last);
+      double w = 0, spread = 0, radius = 0, far_a = 0, far_b = 0;
       for (std::size_t i = first; i < last; ++i) {
-        w += seam.w[i];
-        radius += seam.w[i] *
-                  ((seam.pa[i] - seam.pa[middle]).norm() + (seam.pb[i] - seam.pb[middle]).norm());
+        const double off = (seam.pa[i] - group.mean_a).norm() + (seam.pb[i] - group.mean_b).norm();
+        w += seam.w[i], spread += seam.w[i] * off;
+        radius = std::max(radius, off);
+        far_a = std::max(far_a, (seam.pa[i] - ca).norm());
+        far_b = std::max(far_b, (seam.pb[i] - cb).norm());
       }
       if (w <= 0) continue;
-      const Vec2 a = seam.pa[middle] - ca, b = seam.pb[middle] - cb;
+      const Vec2 a = group.mean_a - ca, b = group.mean_b - cb;
       level.ax.push_back(real(a.x())), level.ay.push_back(real(a.y()));
       level.bx.push_back(real(b.x())), level.by.push_back(real(b.y()));
-      level.far_a.push_back(real(a.norm())), level.far_b.push_back(real(b.norm()));
-      level.w.push_back(real(w)), level.radius.push_back(real(radius / w));
-      level.mean_radius += radius / seam.weight;
-      far = std::max({far, a.norm(), b.norm()});
+      level.far_a.push_back(real(far_a)), level.far_b.push_back(real(far_b));
+      level.w.push_back(real(w)), level.radius.push_back(real(radius));
+      level.spread.push_back(real(spread / w));
+      level.mean_spread += spread / seam.weight;
+      far = std::max({far, far_a, far_b});
     }
     const std::size_t padded = (level.w.size() + kLanes - 1) / kLanes * kLanes;
     for (auto* array : {&level.ax, &level.ay, &level.bx, &level.by, &level.far_a, &level.far_b,
-                        &level.w, &level.radius})
+                        &level.w, &level.radius, &level.spread})
       array->resize(padded, 0);
   }
   rounding_ = kSingle * far * seam.weight;
@@ -92,8 +96,35 @@ double SeamBound::ownFlat(const Level& level, const Box& box) const {
                                             2 * std::abs(std::sin(e.angle / 2)) * box.shift();
       flat = std::min(flat, group.reduce(at + za - e(at + zb)).norm() - std::min(rho, alone));
     }
-    sum += level.w[i] * std::max(0.0, flat - level.radius[i]);
+    sum += level.w[i] * std::max(0.0, flat - static_cast<double>(level.spread[i]));
   }
+  return sum;
+}
+
+/// Linear functions of the turns and shifts of two boxes, each the value at the centres and slopes.
+struct SeamBound::Lines {
+  Vector middle{}, ux{}, uy{}, vx{}, vy{}, turn_a{}, turn_b{};
+
+  template <class Mask>
+  [[gnu::always_inline]] void add(const Lines& other, const Mask& where) {
+    const Vector none{};
+    middle += where ? other.middle : none;
+    ux += where ? other.ux : none, uy += where ? other.uy : none;
+    vx += where ? other.vx : none, vy += where ? other.vy : none;
+    turn_a += where ? other.turn_a : none, turn_b += where ? other.turn_b : none;
+  }
+};
+
+/// The sum of lines over its lanes. Both sides of a seam of one piece move by the slopes of side a.
+SeamBound::Pair SeamBound::sumOfLines(const Lines& lines, const Box& a, const Box& b) const {
+  const Vec2 u(sumOf(lines.ux), sumOf(lines.uy)), v(sumOf(lines.vx), sumOf(lines.vy));
+  Pair sum;
+  sum.middle = sumOf(lines.middle) - rounding_;
+  sum.slope = {-a.turn * sumOf(lines.turn_a), u.dot(a.half[0]),  u.dot(a.half[1]),
+               b.turn * sumOf(lines.turn_b),  -v.dot(b.half[0]), -v.dot(b.half[1])};
+  if (seam_->a == seam_->b)
+    for (int k = 0; k < 3; ++k) sum.slope[k] += sum.slope[3 + k], sum.slope[3 + k] = 0;
+  sum.least = sum.middle - sum.steepness();
   return sum;
 }
 
@@ -102,16 +133,22 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
   const double typical = reach_a * a.swing() + reach_b * b.swing() + a.shift() + b.shift();
   const Level* level = &levels_[0];
   for (const Level& coarser : levels_)
-    if (coarser.mean_radius <= kCoarse * typical) level = &coarser;
-  const Real swing_a = static_cast<Real>(a.swing()), swing_b = static_cast<Real>(b.swing());
-  const Real shift = static_cast<Real>(a.shift() + b.shift());
-  const Real bend_a = static_cast<Real>(a.turn * a.turn / 2),
-             bend_b = static_cast<Real>(b.turn * b.turn / 2);
-  const bool turns = a.turn > 0 || b.turn > 0;
+    if (coarser.mean_spread <= kCoarse * typical) level = &coarser;
+  const auto real = [](double v) { return static_cast<Real>(v); };
+  const Real swing_a = real(a.swing()), swing_b = real(b.swing());
+  const Real shift = real(a.shift() + b.shift()), farther = real(1 + a.turn + b.turn);
+  const Real most_a = real(a.turn), most_b = real(b.turn);
+  const Real bend_a = most_a * most_a / 2, bend_b = most_b * most_b / 2;
+  const Real ax0 = real(a.half[0].x()), ay0 = real(a.half[0].y());
+  const Real ax1 = real(a.half[1].x()), ay1 = real(a.half[1].y());
+  const Real bx0 = real(b.half[0].x()), by0 = real(b.half[0].y());
+  const Real bx1 = real(b.half[1].x()), by1 = real(b.half[1].y());
+  const bool turns = a.turn > 0 || b.turn > 0, rectangular = g12_ == 0;
   const Pose pa = pose(seam_->a, a.at), pb = pose(seam_->b, b.at);
-  const Vector none{};
+  const Vector none{}, one = none + 1, tiny = none + Real(1e-9);
   const Real g33 = g11_ - 2 * g12_ + g22_;
-  Vector cost{}, flat{}, middle{}, ux{}, uy{}, vx{}, vy{}, turn_a{}, turn_b{};
+  Vector flat{};
+  Lines far, close;
   for (std::size_t from = 0; from < level->w.size(); from += kLanes) {
     const Vector ax = loaded(&level->ax[from]), ay = loaded(&level->ay[from]);
     const Vector bx = loaded(&level->bx[from]), by = loaded(&level->by[from]);
@@ -120,26 +157,20 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
     Vector first = none + std::numeric_limits<Real>::max(), second = first;
     Vector s{}, t{}, c{}, n{}, det{};
     for (const Image& e : images_) {
-      const Vector s0 = x0 - (e.m00 * y0 + e.m01 * y1 + e.a0),
-                   t0 = x1 - (e.m10 * y0 + e.m11 * y1 + e.a1);
-      const Vector os = s0 - internal::roundNear(s0), ot = t0 - internal::roundNear(t0);
-      const Vector g1 = os * g11_ + ot * g12_, g2 = os * g12_ + ot * g22_;
-      const Vector nearer = least(least(g11_ - 2 * abs(g1), g22_ - 2 * abs(g2)), none);
-      const Vector d = os * g1 + ot * g2 + nearer;
+      const LatticeOffset<Real> o(x0 - (e.m00 * y0 + e.m01 * y1 + e.a0),
+                                  x1 - (e.m10 * y0 + e.m11 * y1 + e.a1), g11_, g12_, g22_);
+      // on a rectangular lattice the nearest point is that of each coordinate
+      const Vector d = rectangular ? o.s * o.s * g11_ + o.t * o.t * g22_ : o.squared();
       second = least(second, greatest(first, d));
       const auto less = d < first;
       first = less ? d : first;
-      s = less ? os : s, t = less ? ot : t;
+      s = less ? o.s : s, t = less ? o.t : t;
       c = less ? none + e.cos : c, n = less ? none + e.sin : n, det = less ? none + e.det : det;
     }
-    // on to the nearest lattice point
-    Vector g1 = s * g11_ + t * g12_, g2 = s * g12_ + t * g22_;
-    const Vector n1 = g11_ - 2 * abs(g1), n2 = g22_ - 2 * abs(g2), nearer = least(n1, n2);
-    const Vector one = none + 1;
-    const Vector step1 = g1 < 0 ? one : -one, step2 = g2 < 0 ? one : -one;
-    const Vector shift0 = n1 < n2 ? step1 : none, shift1 = n1 < n2 ? none : step2;
-    s += nearer < 0 ? shift0 : none, t += nearer < 0 ? shift1 : none;
-    g1 = s * g11_ + t * g12_, g2 = s * g12_ + t * g22_;
+    LatticeOffset<Real> nearest(s, t, g11_, g12_, g22_);
+    nearest.reduce();
+    s = nearest.s, t = nearest.t;
+    const Vector g1 = s * g11_ + t * g12_, g2 = s * g12_ + t * g22_;
     // the same element comes as near with other repeats
     second = least(second, first + g11_ - 2 * abs(g1));
     second = least(second, first + g22_ - 2 * abs(g2));
@@ -148,32 +179,40 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
     const Vector w = loaded(&level->w[from]), radius = loaded(&level->radius[from]);
     const Vector far_a = loaded(&level->far_a[from]), far_b = loaded(&level->far_b[from]);
     const Vector rho = far_a * swing_a + far_b * swing_b + shift;
-    cost += w * d;
-    flat += w * greatest(d - rho - radius, none);
-    // others come as near as second - rho, this one as far as d + rho
-    Vector share = least(
-        greatest((squareRoots(greatest(second, none)) - rho) / greatest(d + rho, none + Real(1e-9)),
-                 none),
-        one);
-    share = d > Real(1e-9) ? w * share : none;
-    middle += share * (d - bend_a * far_a - bend_b * far_b) - w * radius;
-    const Vector scale = share / greatest(d, none + Real(1e-9));
-    const Vector px = (s * u0x_ + t * u1x_) * scale, py = (s * u0y_ + t * u1y_) * scale;
-    const Vector qx = c * px + n * py, qy = det * (c * py - n * px);
-    ux += px, uy += py, vx += qx, vy += qy;
+    flat += w * greatest(d - rho - loaded(&level->spread[from]), none);
+    // the nearest stays this far or farther: a line, and how far an edge gets from its middle
+    Lines line;
+    const Vector per = d > tiny ? one / greatest(d, tiny) : none;
+    line.ux = (s * u0x_ + t * u1x_) * per, line.uy = (s * u0y_ + t * u1y_) * per;
+    line.vx = c * line.ux + n * line.uy, line.vy = det * (c * line.uy - n * line.ux);
+    Vector range = abs(line.ux * ax0 + line.uy * ay0) + abs(line.ux * ax1 + line.uy * ay1) +
+                   abs(line.vx * bx0 + line.vy * by0) + abs(line.vx * bx1 + line.vy * by1) +
+                   radius * farther;
     if (turns) {
-      turn_a += py * (pa.cos * ax + pa.sin * ay) - px * (pa.cos * ay - pa.sin * ax);
-      turn_b += qy * (pb.cos * bx + pb.sin * by) - qx * (pb.cos * by - pb.sin * bx);
+      line.turn_a = line.uy * (pa.cos * ax + pa.sin * ay) - line.ux * (pa.cos * ay - pa.sin * ax);
+      line.turn_b = line.vy * (pb.cos * bx + pb.sin * by) - line.vx * (pb.cos * by - pb.sin * bx);
+      range += abs(line.turn_a) * most_a + abs(line.turn_b) * most_b;
     }
+    line.middle = d - bend_a * far_a - bend_b * far_b;
+    // others come as near as this: the chord of the lesser of both, from 0 on
+    const Vector others = greatest(squareRoots(greatest(second, none)) - rho - radius, none);
+    const Vector low = greatest(line.middle - range, none), high = line.middle + range;
+    const Vector chord = least(greatest((others - low) / greatest(high - low, tiny), none), one);
+    const Vector share = line.middle > none ? w * chord : none;
+    const auto meets = line.middle < range;
+    line.middle = w * least(low, others) + share * (line.middle - low);
+    line.ux *= share, line.uy *= share, line.vx *= share, line.vy *= share;
+    line.turn_a *= share, line.turn_b *= share;
+    far.add(line, !meets), close.add(line, meets);
   }
-  Pair pair;
-  pair.cost = sumOf(cost), pair.middle = sumOf(middle) - rounding_;
-  const double either = seam_->a == seam_->b ? ownFlat(*level, a) : sumOf(flat);
-  pair.flat = std::max(0.0, either - rounding_);
-  pair.slope[0] = -a.turn * sumOf(turn_a), pair.slope[3] = b.turn * sumOf(turn_b);
-  const Vec2 u(sumOf(ux), sumOf(uy)), v(sumOf(vx), sumOf(vy));
-  for (int k = 0; k < 2; ++k)
-    pair.slope[1 + k] = u.dot(a.half[k]), pair.slope[4 + k] = -v.dot(b.half[k]);
+  // edges that may come to meet count as far as they help
+  const double level_bound = seam_->a == seam_->b ? ownFlat(*level, a) : sumOf(flat);
+  const Pair without = sumOfLines(far, a, b);
+  far.add(close, none == none);
+  Pair pair = sumOfLines(far, a, b);
+  const double bound = std::max({0.0, level_bound - rounding_, without.least, pair.least});
+  if (pair.middle - pair.steepness() / 2 < without.middle - without.steepness() / 2) pair = without;
+  pair.least = bound;
   spent += static_cast<double>(level->w.size() * (4 + images_.size()));
   return pair;
 }

@@ -3,27 +3,27 @@
 #include <vector>
 
 #include "alignment/boxes.h"
-#include "geometry/lanes.h"
+#include "alignment/lattice_offset.h"
 
 namespace seamwise {
 
 /// What a seam costs at least when each of its two leaders lies somewhere in a box. It stands on
 /// two facts. A distance modulo the group changes by no more than its two points move, so that d -
-/// rho is a bound in boxes of centre distance d; and as long as one element is nearest, the
-/// distance is convex in the shifts, so that it is at least what its slope at the centre says, less
-/// what turns bend. Where another element comes near, a share of the slope is below both.
+/// rho is a bound in boxes of centre distance d, and for all elements but the nearest a bound
+/// M. And the distance to the nearest is convex in the shifts, so that it is at least what its
+/// slope at the centre says, less what turns bend. That is a line, from low to high in the boxes;
+/// the lesser of it and M is concave, and so its chord between those two is a bound. The mean of a
+/// group of edges lies on the line that their mean points have, without loss.
 class SeamBound {
  public:
   SeamBound(const MatchProblem& problem, const MatchSeam& seam);
 
-  /// A bound holds for all edges of the seam; up to rounding. [cm2]
+  /// Bounds hold for all edges of the seam; up to rounding. [cm2]
   struct Pair {
-    double cost = 0;                ///< at the centres, about
-    double flat = 0;                ///< a bound
+    double least = 0;               ///< a bound
     double middle = 0;              ///< middle + slope . x is a bound at x in [-1, 1]^6
     std::array<double, 6> slope{};  ///< for turn and shifts of side a, then of side b
     double steepness() const;
-    double bound() const { return std::max(flat, middle - steepness()); }
   };
   /// @param reach_a, reach_b   as in Boxes
   /// @param spent              grows by the element distances evaluated
@@ -35,13 +35,14 @@ class SeamBound {
   using Real = float;
   using Vector = Lanes<Real>::Vector;
   static constexpr std::size_t kLanes = Lanes<Real>::kCount;
-  /// Edges in groups, one of which stands for all of them, that are `radius` away in the mean; a
-  /// multiple of kLanes of them, the last without weight.
+  /// Edges in groups that count with the means of both sides; a multiple of kLanes of them, the
+  /// last without weight.
   struct Level {
-    std::vector<Real> ax, ay, bx, by;  ///< from the leaders' centres
-    std::vector<Real> far_a, far_b;    ///< their distances from there
-    std::vector<Real> w, radius;
-    double mean_radius = 0;
+    std::vector<Real> ax, ay, bx, by;  ///< means, from the leaders' centres
+    std::vector<Real> far_a, far_b;    ///< greatest distances from there
+    std::vector<Real> w;
+    std::vector<Real> spread, radius;  ///< distance of both sides from the means: mean, greatest
+    double mean_spread = 0;
   };
   /// An element that the seam allows, in coordinates of the reduced lattice basis and in print
   /// space, A = (cos, -det sin; sin, det cos).
@@ -55,6 +56,8 @@ class SeamBound {
     Real cos, sin;
   };
   Pose pose(int leader, const Alignment& at) const;
+  struct Lines;
+  Pair sumOfLines(const Lines& lines, const Box& a, const Box& b) const;
   double ownFlat(const Level& level, const Box& box) const;
 
   const MatchProblem& problem_;

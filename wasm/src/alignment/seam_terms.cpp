@@ -15,31 +15,25 @@ double SeamTerms::weight() const {
   return sum;
 }
 
-/// Seams whose slopes say little count with their flat bounds.
+/// Seams whose slopes say little count with their bounds.
 Term SeamTerms::between(const Box& first, double reach_first, const Box& second,
                         double reach_second, double& spent) const {
   double apart = 0, middle = 0, slopes[6] = {};
   for (const Part& part : parts_) {
-    const bool own = part.bound->seam().a == part.bound->seam().b;
     const Box& other = part.pinned ? *part.pinned : second;
     const double reach_other = part.pinned ? 0 : reach_second;
     const SeamBound::Pair pair =
         part.swapped ? part.bound->between(other, reach_other, first, reach_first, spent)
                      : part.bound->between(first, reach_first, other, reach_other, spent);
-    const int mine = part.swapped ? 3 : 0;
-    const double* slope = pair.slope.data();
-    double steepness = 0;
-    for (int k = 0; k < 3; ++k)
-      steepness +=
-          own ? std::abs(slope[k] + slope[3 + k]) : std::abs(slope[k]) + std::abs(slope[3 + k]);
-    apart += std::max(pair.flat, pair.middle - steepness);
-    if (pair.flat >= pair.middle - steepness / 2) {
-      middle += pair.flat;
+    apart += pair.least;
+    if (pair.least >= pair.middle - pair.steepness() / 2) {
+      middle += pair.least;
       continue;
     }
     middle += pair.middle;
+    const int mine = part.swapped ? 3 : 0;
     for (int k = 0; k < 3; ++k)
-      slopes[k] += slope[mine + k], slopes[own ? k : 3 + k] += slope[3 - mine + k];
+      slopes[k] += pair.slope[mine + k], slopes[3 + k] += pair.slope[3 - mine + k];
   }
   Term term;
   double steepness = 0;

@@ -207,9 +207,7 @@ bool Solver::prove(int steps) {
 
 Proven Solver::proven() const {
   if (!state_->proof) return {};
-  const Alignments search = state_->match->expanded(state_->proof->search());
-  return {state_->proof->bound(), fitAny(state_->problem.print.group, state_->pattern,
-                                         restShapes(state_->pattern), search)};
+  return {state_->proof->bound(), state_->proof->fitSearch()};
 }
 
 Outcome<Result> solve(Problem problem) {
