@@ -137,7 +137,7 @@ typename SampledSeams<Real>::Choice SampledSeams<Real>::chosen(int seam, const P
   return shaped.cost <= other.cost ? shaped : other;
 }
 
-template struct SampledSeams<float>::Elements;
+template void SampledSeams<float>::Elements::pack();
 template void SampledSeams<float>::measure(Samples&) const;
 template SampledSeams<float>::Through SampledSeams<float>::through(const Samples&, const Pose&,
                                                                    const Pose&, double) const;
@@ -146,7 +146,7 @@ template SampledSeams<float>::Sums SampledSeams<float>::sumsThrough(const Elemen
                                                                     double) const;
 template SampledSeams<float>::Choice SampledSeams<float>::chosen(int, const Pose&, const Pose&,
                                                                  double) const;
-template struct SampledSeams<double>::Elements;
+template void SampledSeams<double>::Elements::pack();
 template void SampledSeams<double>::measure(Samples&) const;
 template SampledSeams<double>::Through SampledSeams<double>::through(const Samples&, const Pose&,
                                                                      const Pose&, double) const;
