@@ -30,10 +30,11 @@ void SampledSeams<Real>::Elements::pack() {
 /// The moments that a join by least squares depends on.
 template <class Real>
 void SampledSeams<Real>::measure(Samples& samples) const {
-  const auto end = static_cast<std::size_t>(samples.from + samples.count);
+  const auto first = static_cast<std::size_t>(samples.from);
+  const auto end = first + static_cast<std::size_t>(samples.count);
   double weight = 0;
   Vec2 mean_a = Vec2::Zero(), mean_b = Vec2::Zero();
-  for (auto k = static_cast<std::size_t>(samples.from); k < end; ++k) {
+  for (std::size_t k = first; k < end; ++k) {
     const double w = w_[k];
     weight += w, mean_a += w * Vec2(ax_[k], ay_[k]), mean_b += w * Vec2(bx_[k], by_[k]);
   }
@@ -41,7 +42,7 @@ void SampledSeams<Real>::measure(Samples& samples) const {
   mean_a /= weight, mean_b /= weight;
   Mat2 products = Mat2::Zero();
   double spread = 0;
-  for (auto k = static_cast<std::size_t>(samples.from); k < end; ++k) {
+  for (std::size_t k = first; k < end; ++k) {
     const double w = w_[k];
     const Vec2 a = Vec2(ax_[k], ay_[k]) - mean_a, b = Vec2(bx_[k], by_[k]) - mean_b;
     products += w * a * b.transpose();

@@ -13,8 +13,10 @@ std::vector<std::size_t> placesInOrder(const std::vector<double>& keys);
 template <class Item, class Key>
 void sortBy(std::vector<Item>& items, Key key) {
   std::vector<double> keys;
+  keys.reserve(items.size());
   for (const Item& item : items) keys.push_back(static_cast<double>(key(item)));
   std::vector<Item> sorted;
+  sorted.reserve(items.size());
   for (const std::size_t place : placesInOrder(keys)) sorted.push_back(std::move(items[place]));
   items = std::move(sorted);
 }
