@@ -151,7 +151,11 @@ void BestRun::startFit() {
 }
 
 void BestRun::fitStep() {
-  if (!fit_->advance()) stage_ = Stage::kSettle;
+  if (!fit_->advance()) {
+    stage_ = Stage::kSettle;
+    settled_ = 0;
+    for (Cloth& cloth : fit_->fitting().cloths()) cloth.settling = 0;
+  }
   if (fit_->isStuck()) {
     if (!std::exchange(sought_again_, true)) {
       searching_.seekAgain(fit_->urgency());
@@ -213,8 +217,6 @@ void BestRun::settleStep() {
     restIfBetter();
     return finish();
   }
-  for (Cloth& cloth : fit_->fitting().cloths()) cloth.settling = 0;
-  settled_ = 0;
   stage_ = Stage::kFit;
 }
 
