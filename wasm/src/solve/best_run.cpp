@@ -260,8 +260,7 @@ void BestRun::restIfBetter() {
   if (meanMismatch(localMismatches(group, pattern_, rest, drafted), lengths) <
       meanMismatch(localMismatches(group, pattern_, fit_->fitting().shapes(), alignment_),
                    lengths)) {
-    of_bound_ =
-        match_.cost(match_.ofLeaders(search_result_)) / match_.cost(match_.ofLeaders(drafted));
+    of_bound_ = costAtRest(search_result_) / costAtRest(drafted);
     restAt(search_result_ = drafted);
   }
 }

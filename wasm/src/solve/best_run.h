@@ -32,6 +32,8 @@ class BestRun : public Run {
   const Alignments& alignment() const override { return alignment_; }
   const Alignments& search() const override { return search_result_; }
   double searchBound() const override { return searching_.bound() * of_bound_; }
+  /// What the pieces as drafted cost where they are laid, by the seams' weights. [cm2]
+  double costAtRest(const Alignments& at) const { return match_.cost(match_.ofLeaders(at)); }
   AlignmentSearch* searching() override { return searching_.searching(); }
   const Shapes& shapes() const override;
   int iterations() const override { return settling_ + (fit_ ? fit_->iterations() : 0); }

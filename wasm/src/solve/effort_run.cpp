@@ -5,7 +5,6 @@
 
 #include "solve/metrics.h"
 #include "solve/promise.h"
-#include "solve/seam_rules.h"
 
 namespace seamwise {
 namespace {
@@ -55,17 +54,12 @@ double EffortRun::fit(const BestRun& run) const {
                 run.alignment());
 }
 
-/// Whether it can be sewn as the seams of the pattern asked for are, and none of these misses by
-/// more than placing alone allows.
-bool EffortRun::isAllowed(const BestRun& symmetric) const {
-  const Pattern& pattern = asked_.pattern;
-  if (!isSewable(pattern, symmetric.shapes())) return false;
-  const WallpaperGroup group = problem_.print.group.joining(rules_.continuous_only);
-  const auto now = localMismatches(group, pattern, symmetric.shapes(), symmetric.alignment());
-  const auto placed = localMismatches(group, pattern, restShapes(pattern), best_asked_->search());
-  for (std::size_t s = 0; s < now.size(); ++s)
-    if (now[s] > greatestMean(placed[s])) return false;
-  return true;
+/// No alignment costs less than this share of search(), which may be that of the symmetric pattern.
+double EffortRun::searchBound() const {
+  if (!symmetric_stands_) return best().searchBound();
+  const double cost = best_asked_->costAtRest(best_asked_->search());
+  const double its = best_asked_->costAtRest(best_symmetric_->search());
+  return best_asked_->searchBound() * (its > cost + SearchRun::kPerfect ? cost / its : 1);
 }
 
 const BestRun& EffortRun::best() const {
@@ -82,8 +76,8 @@ bool EffortRun::advance() {
     begin();
     return true;
   }
-  symmetric_stands_ =
-      best_symmetric_ && fit(*best_symmetric_) < fit(*best_asked_) && isAllowed(*best_symmetric_);
+  symmetric_stands_ = best_symmetric_ && fit(*best_symmetric_) < fit(*best_asked_) &&
+                      isSewable(asked_.pattern, best_symmetric_->shapes());
   return false;
 }
 

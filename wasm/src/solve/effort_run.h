@@ -28,12 +28,8 @@ class EffortRun : public Run {
     return isDone() ? 1 : (ended_ + run_->fraction()) / static_cast<double>(rounds_.size());
   }
   const Alignments& alignment() const override { return best().alignment(); }
-  const Alignments& search() const override {
-    return best_asked_ ? best_asked_->search() : best().search();
-  }
-  double searchBound() const override {
-    return best_asked_ ? best_asked_->searchBound() : best().searchBound();
-  }
+  const Alignments& search() const override { return best().search(); }
+  double searchBound() const override;
   AlignmentSearch* searching() override { return run_ ? run_->searching() : nullptr; }
   const Shapes& shapes() const override { return best().shapes(); }
   int iterations() const override { return best().iterations(); }
@@ -49,7 +45,6 @@ class EffortRun : public Run {
   const BestRun& best() const;
   void begin();
   double fit(const BestRun& run) const;
-  bool isAllowed(const BestRun& symmetric) const;
 
   Problem problem_;  ///< with the seed and the change of the round
   Mesh asked_;
