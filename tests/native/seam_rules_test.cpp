@@ -129,19 +129,10 @@ TEST(Effort, NeverEndsWorse) {
   EXPECT_LE(solved(t).fit.any, once.fit.any);
 }
 
-/// Seams on which the shapes of one result miss by more than what placing alone leaves in another.
-int forbiddenIn(const Result& free, const Result& symmetric, const WallpaperGroup& group) {
-  const auto placed = localMismatches(group, free.pattern, restShapes(free.pattern), free.search);
-  int count = 0;
-  for (std::size_t s = 0; s < placed.size(); ++s)
-    count += symmetric.figures[s].final > greatestMean(placed[s]);
-  return count;
-}
-
-TEST(FreedomFromSymmetry, NeverEndsWorseButForSeamsThatItPlacesBetter) {
-  int compared = 0;
+TEST(FreedomFromSymmetry, NeverEndsWorse) {
   const std::pair<const char*, const char*> cases[] = {
-      {"raglan", "pgg"}, {"patchwork-jacket", "p4m"}, {"trousers", "pmm"}, {"shirt", "p31m"}};
+      {"raglan", "pgg"}, {"trousers", "pmm"}, {"shirt", "p31m"}, {"six-gore-skirt", "p31m"}};
+  int its_placing = 0;
   for (const auto& [garment, group] : cases) {
     Task t = onGrain(garment, group);
     const Result symmetric = solved(t);
@@ -150,11 +141,11 @@ TEST(FreedomFromSymmetry, NeverEndsWorseButForSeamsThatItPlacesBetter) {
     ASSERT_EQ(free.pattern.pieces.size(), symmetric.pattern.pieces.size());
     for (std::size_t p = 0; p < free.pattern.pieces.size(); ++p)
       EXPECT_EQ(free.pattern.pieces[p].rest, symmetric.pattern.pieces[p].rest) << garment;
-    if (forbiddenIn(free, symmetric, testing::problemOf(t).print.group) > 0) continue;
-    ++compared;
     EXPECT_LE(free.fit.any, symmetric.fit.any * (1 + 1e-9)) << garment << ' ' << group;
+    EXPECT_LE(free.search_bound, 1);
+    its_placing += free.search == symmetric.search;
   }
-  EXPECT_GT(compared, 1);
+  EXPECT_GT(its_placing, 0) << "which stands with the shapes";
 }
 
 TEST(FreedomFromSymmetry, TakesSymmetryThatWasOnlyAskedForInPart) {
@@ -168,9 +159,7 @@ TEST(FreedomFromSymmetry, TakesSymmetryThatWasOnlyAskedForInPart) {
   t.symmetry = Json{{"symmetries", {symmetry}}}.dump();
   const Result part = solved(t);
   EXPECT_EQ(part.pattern.mirrors.size(), 1u);
-  if (forbiddenIn(part, whole, testing::problemOf(t).print.group) == 0) {
-    EXPECT_LE(part.fit.any, whole.fit.any * (1 + 1e-9));
-  }
+  EXPECT_LE(part.fit.any, whole.fit.any * (1 + 1e-9));
 }
 
 }  // namespace
