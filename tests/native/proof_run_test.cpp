@@ -47,7 +47,7 @@ TEST(Proof, IsOfTheAlignmentThatTheSolveFound) {
   Solver solver = solverOf(t, &memo);
   const Result result = solver.finish().value();
   solver.prove(50);
-  EXPECT_DOUBLE_EQ(solver.proven().fit_search, result.fit_search);
+  EXPECT_DOUBLE_EQ(solver.proven().search_cost, result.search_cost);
   EXPECT_GE(solver.proven().bound, result.search_bound);
 }
 
@@ -71,8 +71,8 @@ TEST(Proof, HoldsForAlignmentsAnywhere) {
     Task other = t;
     other.seed = seed;
     other.options["maxChangeCm"] = 0;
-    EXPECT_GE(testing::solved(other).fit_search,
-              proven.bound * proven.fit_search * (1 - LowerBound::kProven));
+    EXPECT_GE(testing::solved(other).search_cost,
+              proven.bound * proven.search_cost * (1 - LowerBound::kProven));
   }
 }
 

@@ -65,7 +65,7 @@ it('selects in the picture what is clicked in a table', async () => {
   const page = await opened();
   const front = row(page, 'Front left');
   await front.getByRole('rowheader').click();
-  expect(await front.getAttribute('aria-selected')).toBe('true');
+  await expect.poll(() => front.getAttribute('aria-selected')).toBe('true');
   expect(await desk(page, 'selected')).toMatchObject({kind: 'piece'});
 });
 
@@ -81,11 +81,11 @@ it('walks the rows by keys', async () => {
   const page = await opened();
   await rows(page, 'Pieces').first().press('End');
   await page.keyboard.press('Enter');
-  expect(await rows(page, 'Pieces').last().getAttribute('aria-selected')).toBe('true');
+  await expect.poll(() => rows(page, 'Pieces').last().getAttribute('aria-selected')).toBe('true');
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press(' ');
-  expect(await rows(page, 'Pieces').nth(6).getAttribute('aria-selected')).toBe('true');
-  expect(await rows(page, 'Pieces').last().getAttribute('aria-selected')).toBe('false');
+  await expect.poll(() => rows(page, 'Pieces').nth(6).getAttribute('aria-selected')).toBe('true');
+  await expect.poll(() => rows(page, 'Pieces').last().getAttribute('aria-selected')).toBe('false');
 });
 
 it('shows the row of what is selected in the picture', async () => {

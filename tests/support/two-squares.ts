@@ -7,7 +7,16 @@ export const plainPrint: Print & Pattern['print'] = {group: 'p1', w1: [10, 0], w
 
 /** For who does not look at the figures of a result. */
 export const plainMetrics: Metrics = {
-  ...{fitRandom: 1, fitSearch: 1, searchBound: 1, fitAligned: 1, fit: 1, fitStrict: 1, fitSeam: 1},
+  ...{
+    fitRandom: 1,
+    fitSearch: 1,
+    searchBound: 1,
+    searchCost: 1,
+    fitAligned: 1,
+    fit: 1,
+    fitStrict: 1,
+    fitSeam: 1,
+  },
   ...{maxMovedCm: 0, iterations: 1, factorisations: 1, method: 'best', seed: 1},
   milliseconds: {alignment: 1, deformation: 1, total: 2},
 };

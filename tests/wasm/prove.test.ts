@@ -14,7 +14,7 @@ it('proves more and more, in the end that no placing misses by less than the one
   const {metrics} = await solve(problem);
   const told: Proof[] = [];
   const proof = await prove(problem, {onProof: (proof) => told.push(proof)});
-  expect(proof).toEqual({bound: 1, fitSearch: metrics.fitSearch});
+  expect(proof).toEqual({bound: 1, searchCost: metrics.searchCost});
   const bounds = told.map(({bound}) => bound);
   expect(bounds).toEqual([...new Set(bounds)].sort((a, b) => a - b));
   expect(bounds.at(-1)).toBe(1);

@@ -122,7 +122,7 @@ class SolverHandle {
     const Proven proven = solver_ ? solver_->proven() : Proven{};
     val answer = val::object();
     answer.set("bound", proven.bound);
-    answer.set("fitSearch", proven.fit_search);
+    answer.set("searchCost", proven.search_cost);
     return answer;
   }
 

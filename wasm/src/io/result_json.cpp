@@ -185,6 +185,7 @@ std::string writeResult(const Result& r) {
     out.close();
   }
   out.field("searchBound", r.search_bound);
+  out.field("searchCost", r.search_cost);
   out.key("localCm");
   out.openObject();
   out.field("drafted", r.local.drafted);

@@ -32,6 +32,7 @@ class BestRun : public Run {
   const Alignments& alignment() const override { return alignment_; }
   const Alignments& search() const override { return search_result_; }
   double searchBound() const override { return searching_.bound() * of_bound_; }
+  double searchCost() const override { return costAtRest(search_result_); }
   /// What the pieces as drafted cost where they are laid, by the seams' weights. [cm2]
   double costAtRest(const Alignments& at) const { return match_.cost(match_.ofLeaders(at)); }
   AlignmentSearch* searching() override { return searching_.searching(); }

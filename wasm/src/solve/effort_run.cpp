@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "alignment/lower_bound.h"
 #include "solve/metrics.h"
 #include "solve/promise.h"
 
@@ -57,9 +58,10 @@ double EffortRun::fit(const BestRun& run) const {
 /// No alignment costs less than this share of search(), which may be that of the symmetric pattern.
 double EffortRun::searchBound() const {
   if (!symmetric_stands_) return best().searchBound();
-  const double cost = best_asked_->costAtRest(best_asked_->search());
-  const double its = best_asked_->costAtRest(best_symmetric_->search());
-  return best_asked_->searchBound() * (its > cost + SearchRun::kPerfect ? cost / its : 1);
+  const double bound = best_asked_->searchBound() * best_asked_->searchCost();
+  const bool is_proven =
+      bound >= (1 - LowerBound::kProven) * searchCost() || searchCost() <= SearchRun::kPerfect;
+  return is_proven ? 1 : bound / searchCost();
 }
 
 const BestRun& EffortRun::best() const {

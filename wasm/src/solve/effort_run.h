@@ -30,6 +30,7 @@ class EffortRun : public Run {
   const Alignments& alignment() const override { return best().alignment(); }
   const Alignments& search() const override { return best().search(); }
   double searchBound() const override;
+  double searchCost() const override { return best_asked_->costAtRest(best().search()); }
   AlignmentSearch* searching() override { return run_ ? run_->searching() : nullptr; }
   const Shapes& shapes() const override { return best().shapes(); }
   int iterations() const override { return best().iterations(); }

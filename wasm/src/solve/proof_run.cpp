@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "solve/best_run.h"
-#include "solve/metrics.h"
 
 namespace seamwise {
 
 ProofRun::ProofRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
                    const std::vector<Mirror>& known, const MatchRules& rules, SearchMemo& memo)
-    : group_(problem.print.group),
-      pattern_(pattern),
-      match_(match),
+    : match_(match),
       searching_(problem, pattern, match, known, rules, BestRun::slackOf(problem.options), {},
                  memo) {}
 
@@ -19,7 +16,6 @@ ProofRun::ProofRun(const Problem& problem, const Pattern& pattern, const MatchPr
 void ProofRun::begin() {
   searched_ = true;
   cost_ = match_.cost(search());
-  fit_search_ = fitAny(group_, pattern_, restShapes(pattern_), match_.expanded(search()));
   if (searching_.isPerfect() || searching_.bound() >= 1) return;
   for (const Component& component : componentsOf(match_))
     proofs_.push_back(std::make_unique<LowerBound>(match_, component, search()));

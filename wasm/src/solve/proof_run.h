@@ -23,20 +23,18 @@ class ProofRun {
   /// nothing is known. Never falls.
   double bound() const;
   const Alignments& search() const { return searching_.best(); }  ///< of the leaders
-  /// Fits::fit_search of search() once the search has ended, 0 before. [cm2]
-  double fitSearch() const { return fit_search_; }
+  /// Result::search_cost at search() once the search has ended, 0 before. [cm2]
+  double searchCost() const { return cost_; }
 
  private:
   void begin();
 
-  const WallpaperGroup& group_;
-  const Pattern& pattern_;
   const MatchProblem& match_;
   SearchRun searching_;
   bool searched_ = false;
   std::vector<std::unique_ptr<LowerBound>> proofs_;  ///< per component
   std::vector<char> open_;                           ///< per proof: there are steps left
-  double cost_ = 0, fit_search_ = 0;                 ///< of search(). [cm2]
+  double cost_ = 0;                                  ///< of search(). [cm2]
 };
 
 }  // namespace seamwise

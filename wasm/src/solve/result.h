@@ -54,6 +54,7 @@ struct Result : PrintedPattern {
   LocalMeans local;
   std::vector<Alignment> search;  ///< where the alignment search ended, before anything deformed
   double search_bound = 0;        ///< no alignment at rest costs less than this share of `search`
+  double search_cost = 0;  ///< of the pieces as drafted at `search`, by the seams' weights. [cm2]
   double max_moved_cm = 0;
   int iterations = 0;      ///< of the deformation
   int factorisations = 0;  ///< sparse LDLT factorisations

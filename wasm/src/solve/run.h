@@ -24,6 +24,8 @@ class Run {
   /// No alignment at rest costs less than this share of search(): 1 when it is proven the best, 0
   /// when nothing is known.
   virtual double searchBound() const { return 0; }
+  /// What the pieces as drafted cost at search(), by the seams' weights. [cm2]
+  virtual double searchCost() const { return 0; }
   virtual const Shapes& shapes() const = 0;
   virtual int iterations() const = 0;
   virtual int factorisations() const = 0;

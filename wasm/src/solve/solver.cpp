@@ -167,6 +167,7 @@ Outcome<Result> Solver::finish() {
   result.alignment = run.alignment();
   result.search = run.search();
   result.search_bound = run.searchBound();
+  result.search_cost = run.searchCost();
   for (std::size_t s = 0; s < result.pattern.seams.size(); ++s) {
     const Seam& seam = result.pattern.seams[s];
     result.joins[s] =
@@ -207,7 +208,7 @@ bool Solver::prove(int steps) {
 
 Proven Solver::proven() const {
   if (!state_->proof) return {};
-  return {state_->proof->bound(), state_->proof->fitSearch()};
+  return {state_->proof->bound(), state_->proof->searchCost()};
 }
 
 Outcome<Result> solve(Problem problem) {

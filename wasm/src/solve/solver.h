@@ -20,8 +20,8 @@ struct SolveMemo {
 
 /// How good alignments of the pieces as drafted can be.
 struct Proven {
-  double bound = 0;       ///< none costs less than this share of the best one found
-  double fit_search = 0;  ///< Fits::fit_search of that one, once the search has ended. [cm2]
+  double bound = 0;        ///< none costs less than this share of the best one found
+  double search_cost = 0;  ///< Result::search_cost of that one, once the search has ended. [cm2]
 };
 
 /// A solve in small steps, so that progress is honest and cancelling needs no threads.

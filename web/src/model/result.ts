@@ -109,6 +109,8 @@ export interface Metrics extends Fits {
   readonly continuous?: Fits;
   /** No alignment of `rest` costs less than this share of the one found: 1 when it is proven the best. */
   readonly searchBound: number;
+  /** What that one costs the solver: `fitSearch` with the seams' weights and matches; 0 of other methods. [cm2] */
+  readonly searchCost: number;
   readonly maxMovedCm: number;
   /**
    * By length over the seams that count; `worst` is the greatest mean of a seam of the result, and nine tenths of its
@@ -131,7 +133,7 @@ export interface Proof {
   /** No alignment of `rest` costs less than this share of the best one found: 1 when that is proven the best. */
   readonly bound: number;
   /** Of the best one found, as in the metrics of a result. [cm2] */
-  readonly fitSearch: number;
+  readonly searchCost: number;
 }
 
 /** A solved pattern, as `seamwise-result/1`. Lengths in cm, angles in radians. */

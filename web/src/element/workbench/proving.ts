@@ -8,8 +8,8 @@ import {idle} from './idle.js';
 /** What is not proven by then would need far longer, and a battery. [ms] */
 const patience = 60_000;
 
-/** Fits that differ by less, relative to each other, are of the same placing. */
-const sameFit = 1e-9;
+/** A placing that costs no more than this share above what is proven is the best, as the solver says it. */
+const provenShare = 1e-3;
 
 export class Proving {
   readonly #solver: SolverService;
@@ -34,7 +34,7 @@ export class Proving {
   /** A design has been solved. */
   async follow(design: Design, {metrics}: SolveResult): Promise<void> {
     this.stop();
-    const {method, searchBound, fitSearch} = metrics;
+    const {method, searchBound, searchCost} = metrics;
     if (method !== 'best' || searchBound === 1 || this.#done.has(design)) return;
     const running = (this.#running = new AbortController());
     await idle();
@@ -43,10 +43,10 @@ export class Proving {
       this.#done.add(design);
       running.abort();
     }, patience);
-    const onProof = ({bound, fitSearch: found}: Proof): void => {
-      // after more effort, and where a cutter's layout stands, the placing is another one
-      if (Math.abs(found - fitSearch) > sameFit * fitSearch) running.abort();
-      else this.#learn(design, Math.max(bound, searchBound));
+    const onProof = ({bound, searchCost: found}: Proof): void => {
+      // after more effort, and where a cutter's layout or a symmetric placing stands, it is another one
+      const share = (bound * found) / searchCost;
+      this.#learn(design, share >= 1 - provenShare ? 1 : Math.max(share, searchBound));
     };
     try {
       await this.#solver.prove(this.#problemOf(design), {signal, onProof});

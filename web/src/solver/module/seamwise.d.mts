@@ -64,7 +64,7 @@ export interface ModuleProof {
   /** None costs less than this share of the best one found: 1 when that is proven the best. */
   readonly bound: number;
   /** Of the best one found, as in the result's metrics. [cm2] */
-  readonly fitSearch: number;
+  readonly searchCost: number;
 }
 
 /** All that a share depends on, as numbers that only this build of the module can read; a copy. */
