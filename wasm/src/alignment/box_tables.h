@@ -4,8 +4,8 @@
 
 #include "alignment/boxes.h"
 #include "alignment/elimination.h"
+#include "alignment/sampled_seams.h"
 #include "alignment/seam_terms.h"
-#include "alignment/search_moves.h"
 
 namespace seamwise {
 

@@ -144,4 +144,7 @@ class SampledSeams {
 extern template class SampledSeams<float>;
 extern template class SampledSeams<double>;
 
+/// What searches and bounds count with.
+using SearchSamples = SampledSeams<float>;
+
 }  // namespace seamwise

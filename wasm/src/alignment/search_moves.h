@@ -7,8 +7,6 @@
 
 namespace seamwise {
 
-using SearchSamples = SampledSeams<float>;
-
 /// An answer under construction.
 struct Layout {
   Alignments at;  ///< of the leaders
