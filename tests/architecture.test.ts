@@ -120,7 +120,7 @@ it('uses Node only where Node is meant to be', () => {
 
 it('names every failure of the core in the JavaScript API, with the same number', async () => {
   const {failureCodes} = await import('../web/src/model/failure.js');
-  const header = readFileSync(join(root, 'wasm/src/geometry/outcome.h'), 'utf8');
+  const header = readFileSync(join(root, 'wasm/src/base/outcome.h'), 'utf8');
   const declared = [...header.matchAll(/^\s*k(\w+) = (\d+),/gm)]
     .map(([, name = '', value]) => [name.charAt(0).toLowerCase() + name.slice(1), Number(value)])
     .filter(([name]) => name !== 'none');

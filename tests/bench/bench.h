@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "alignment/matching.h"
-#include "solve/prepare.h"
+#include "alignment/model/matching.h"
+#include "problem/prepare.h"
 #include "solve/result.h"
 #include "solve/solver.h"
 

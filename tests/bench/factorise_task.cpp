@@ -3,7 +3,7 @@
 
 #include "bench.h"
 #include "deform/terms.h"
-#include "solve/prepare.h"
+#include "problem/prepare.h"
 
 namespace seamwise::bench {
 namespace {

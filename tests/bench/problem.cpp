@@ -4,7 +4,7 @@
 
 #include "bench.h"
 #include "io/problem_json.h"
-#include "solve/placing_rules.h"
+#include "problem/placing_rules.h"
 
 namespace seamwise::bench {
 namespace {

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "alignment/candidates.h"
-#include "alignment/refine.h"
-#include "alignment/search.h"
+#include "alignment/icp/refine.h"
+#include "alignment/search/candidates.h"
+#include "alignment/search/search.h"
 #include "bench.h"
-#include "solve/metrics.h"
+#include "methods/metrics.h"
 
 namespace seamwise::bench {
 namespace {

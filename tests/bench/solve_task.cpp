@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "alignment/matching.h"
+#include "alignment/model/matching.h"
 #include "bench.h"
-#include "solve/metrics.h"
-#include "solve/prepare.h"
+#include "methods/metrics.h"
+#include "problem/prepare.h"
 
 namespace seamwise::bench {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "alignment/search.h"
+#include "alignment/search/search.h"
 #include "cut_layout.h"
 #include "meshed_samples.h"
-#include "solve/metrics.h"
+#include "methods/metrics.h"
 
 namespace seamwise {
 namespace {

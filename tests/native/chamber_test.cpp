@@ -1,11 +1,11 @@
-#include "alignment/chamber.h"
+#include "alignment/model/chamber.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <map>
 
-#include "geometry/random.h"
+#include "base/random.h"
 #include "print_samples.h"
 
 namespace seamwise {

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "deform/fitting.h"
-#include "deform/lengths.h"
+#include "mesh/lengths.h"
 #include "meshed_samples.h"
 #include "print_samples.h"
 

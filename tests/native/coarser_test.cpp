@@ -1,4 +1,4 @@
-#include "deform/coarser.h"
+#include "mesh/coarser.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 // Garments for which a perfect alignment is known: a printed plane cut into pieces.
-#include "alignment/matching.h"
+#include "alignment/model/matching.h"
 #include "print_samples.h"
 
 namespace seamwise::testing {

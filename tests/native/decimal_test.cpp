@@ -1,11 +1,11 @@
-#include "geometry/decimal.h"
+#include "base/decimal.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/random.h"
+#include "base/random.h"
 
 namespace seamwise {
 namespace {

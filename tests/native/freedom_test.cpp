@@ -1,8 +1,8 @@
-#include "alignment/freedom.h"
+#include "alignment/model/freedom.h"
 
 #include <gtest/gtest.h>
 
-#include "alignment/symmetric.h"
+#include "alignment/model/symmetric.h"
 #include "print_samples.h"
 
 namespace seamwise {

@@ -1,4 +1,4 @@
-#include "geometry/in_quotes.h"
+#include "base/in_quotes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "alignment/lower_bound.h"
+#include "alignment/bound/lower_bound.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "alignment/refine.h"
+#include "alignment/icp/refine.h"
 #include "print_samples.h"
 
 namespace seamwise {

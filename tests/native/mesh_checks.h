@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "deform/mesh.h"
 #include "geometry/polygon.h"
+#include "mesh/mesh.h"
 
 namespace seamwise::testing {
 

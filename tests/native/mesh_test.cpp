@@ -1,10 +1,10 @@
-#include "deform/mesh.h"
+#include "mesh/mesh.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "deform/triangulation.h"
+#include "mesh/triangulation.h"
 #include "mesh_checks.h"
 
 namespace seamwise {

@@ -2,7 +2,7 @@
 // Small garments, sampled and meshed, as the solver sees them.
 #include <gtest/gtest.h>
 
-#include "deform/mesh.h"
+#include "mesh/mesh.h"
 #include "pattern/discretise.h"
 #include "small_garments.h"
 #include "symmetry/symmetry.h"

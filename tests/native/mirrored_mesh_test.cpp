@@ -4,7 +4,7 @@
 #include <random>
 #include <set>
 
-#include "deform/mirrored.h"
+#include "mesh/mirrored.h"
 #include "mesh_checks.h"
 
 namespace seamwise {

@@ -1,4 +1,4 @@
-#include "alignment/normal_equations.h"
+#include "alignment/icp/normal_equations.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/random.h"
+#include "base/random.h"
 
 namespace seamwise {
 namespace {

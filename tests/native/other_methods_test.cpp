@@ -1,7 +1,7 @@
 // The methods to compare with: what they keep, and what makes the most of them.
 #include <algorithm>
 
-#include "alignment/sweeps.h"
+#include "alignment/baseline/sweeps.h"
 #include "cut_layout.h"
 #include "meshed_samples.h"
 #include "solver_samples.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "geometry/random.h"
+#include "base/random.h"
 #include "small_garments.h"
 #include "symmetry/mirror_search.h"
 

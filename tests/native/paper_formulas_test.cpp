@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "alignment/symmetric.h"
+#include "alignment/model/symmetric.h"
 #include "print_samples.h"
 
 namespace seamwise {

@@ -1,4 +1,4 @@
-#include "solve/placing_rules.h"
+#include "problem/placing_rules.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <random>
 
-#include "alignment/alignment.h"
+#include "alignment/model/alignment.h"
 #include "wallpaper/group.h"
 
 namespace seamwise {

@@ -1,11 +1,11 @@
-#include "solve/promise.h"
+#include "deform/promise.h"
 
 #include <gtest/gtest.h>
 
 #include "garment_texts.h"
 #include "io/problem_json.h"
 #include "mesh_checks.h"
-#include "solve/prepare.h"
+#include "problem/prepare.h"
 
 namespace seamwise {
 namespace {

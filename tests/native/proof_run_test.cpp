@@ -1,5 +1,5 @@
 // What is proven of a whole garment, besides a solve.
-#include "solve/proof_run.h"
+#include "methods/proof_run.h"
 
 #include <gtest/gtest.h>
 

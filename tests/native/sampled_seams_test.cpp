@@ -1,4 +1,4 @@
-#include "alignment/sampled_seams.h"
+#include "alignment/model/sampled_seams.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solve/seam_rules.h"
+#include "methods/seam_rules.h"
 
 #include "solver_samples.h"
 

@@ -1,7 +1,7 @@
 // Who runs a search's shares must make no difference to what is found.
 #include <gtest/gtest.h>
 
-#include "alignment/search.h"
+#include "alignment/search/search.h"
 #include "cut_layout.h"
 #include "io/share_numbers.h"
 #include "meshed_samples.h"

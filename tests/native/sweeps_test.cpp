@@ -1,4 +1,4 @@
-#include "alignment/sweeps.h"
+#include "alignment/baseline/sweeps.h"
 
 #include <gtest/gtest.h>
 

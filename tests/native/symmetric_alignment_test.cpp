@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "alignment/symmetric.h"
+#include "alignment/model/symmetric.h"
 #include "print_samples.h"
 
 namespace seamwise {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/outcome.h"
+#include "base/outcome.h"
 
 namespace seamwise {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "deform/part.h"
-#include "deform/sparse.h"
+#include "numeric/sparse.h"
 
 namespace seamwise {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "deform/cloth_plan.h"
-#include "deform/coarser.h"
+#include "mesh/coarser.h"
 
 namespace seamwise {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "deform/clearance.h"
-#include "deform/lengths.h"
+#include "mesh/lengths.h"
 
 namespace seamwise {
 namespace {

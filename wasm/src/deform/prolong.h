@@ -1,6 +1,6 @@
 #pragma once
-#include "deform/coarser.h"
 #include "deform/fitting.h"
+#include "mesh/coarser.h"
 
 namespace seamwise {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "deform/sparse.h"
+#include "numeric/sparse.h"
 
 namespace seamwise {
 

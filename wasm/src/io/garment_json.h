@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/outcome.h"
+#include "base/outcome.h"
 #include "io/json_input.h"
 #include "pattern/garment.h"
 #include "pattern/note.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/decimal.h"
+#include "base/decimal.h"
 
 namespace seamwise {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/in_quotes.h"
-#include "geometry/outcome.h"
+#include "base/in_quotes.h"
+#include "base/outcome.h"
 #include "geometry/vec2.h"
 #include "io/json_value.h"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "alignment/alignment.h"
+#include "alignment/model/alignment.h"
 #include "geometry/vec2.h"
 #include "io/json_value.h"
 

@@ -2,9 +2,9 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/outcome.h"
+#include "base/outcome.h"
 #include "pattern/garment.h"
-#include "solve/options.h"
+#include "problem/options.h"
 
 namespace seamwise {
 

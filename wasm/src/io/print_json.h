@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/outcome.h"
+#include "base/outcome.h"
 #include "wallpaper/print.h"
 
 namespace seamwise {

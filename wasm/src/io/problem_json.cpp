@@ -8,7 +8,7 @@
 #include "io/options_json.h"
 #include "io/print_json.h"
 #include "io/symmetry_json.h"
-#include "solve/placing_rules.h"
+#include "problem/placing_rules.h"
 
 namespace seamwise {
 namespace {

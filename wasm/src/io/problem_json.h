@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/outcome.h"
-#include "solve/problem.h"
+#include "base/outcome.h"
+#include "problem/problem.h"
 #include "symmetry/detection.h"
 #include "symmetry/symmetry.h"
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "alignment/search_share.h"
+#include "alignment/search/search_share.h"
 
 namespace seamwise {
 

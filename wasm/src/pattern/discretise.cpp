@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/in_quotes.h"
+#include "base/in_quotes.h"
 #include "pattern/breakpoints.h"
 #include "pattern/sampling.h"
 #include "pattern/seam_measure.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "geometry/outcome.h"
+#include "base/outcome.h"
 #include "pattern/garment.h"
 #include "pattern/pattern.h"
 

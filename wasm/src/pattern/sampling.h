@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "geometry/outcome.h"
+#include "base/outcome.h"
 #include "pattern/breakpoints.h"
 
 namespace seamwise {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "alignment/alignment.h"
+#include "alignment/model/alignment.h"
 #include "pattern/pattern.h"
 #include "wallpaper/group.h"
 

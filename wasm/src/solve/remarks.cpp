@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/in_quotes.h"
-#include "solve/promise.h"
+#include "base/in_quotes.h"
+#include "deform/promise.h"
 
 namespace seamwise {
 namespace {

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "methods/metrics.h"
 #include "pattern/note.h"
 #include "pattern/pattern.h"
+#include "problem/options.h"
 #include "seam/join.h"
-#include "solve/metrics.h"
-#include "solve/options.h"
 #include "solve/seam_reasons.h"
 
 namespace seamwise {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "solve/seam_rules.h"
+#include "methods/seam_rules.h"
 
 namespace seamwise {
 namespace {

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "alignment/matching.h"
-#include "solve/options.h"
+#include "alignment/model/matching.h"
+#include "problem/options.h"
 
 namespace seamwise {
 

@@ -5,13 +5,13 @@
 #include <optional>
 #include <utility>
 
-#include "solve/drafted.h"
-#include "solve/effort_run.h"
-#include "solve/paper_run.h"
-#include "solve/placing_rules.h"
-#include "solve/prepare_symmetric.h"
-#include "solve/promise.h"
-#include "solve/proof_run.h"
+#include "deform/promise.h"
+#include "methods/drafted.h"
+#include "methods/effort_run.h"
+#include "methods/paper_run.h"
+#include "methods/proof_run.h"
+#include "problem/placing_rules.h"
+#include "problem/prepare_symmetric.h"
 #include "solve/remarks.h"
 #include "solve/seam_figures.h"
 

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "alignment/search_memo.h"
-#include "solve/prepare_symmetric.h"
-#include "solve/problem.h"
+#include "alignment/search/search_memo.h"
+#include "methods/run.h"
+#include "problem/prepare_symmetric.h"
+#include "problem/problem.h"
 #include "solve/result.h"
-#include "solve/run.h"
 
 namespace seamwise {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "geometry/sort_by.h"
+#include "base/sort_by.h"
 #include "symmetry/symmetry.h"
 
 namespace seamwise {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "geometry/decimal.h"
-#include "geometry/in_quotes.h"
+#include "base/decimal.h"
+#include "base/in_quotes.h"
 #include "symmetry/detection.h"
 #include "symmetry/symmetry.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/sort_by.h"
+#include "base/sort_by.h"
 
 namespace seamwise {
 namespace {

@@ -3,7 +3,7 @@
 #include <variant>
 #include <vector>
 
-#include "geometry/outcome.h"
+#include "base/outcome.h"
 #include "pattern/garment.h"
 
 namespace seamwise {

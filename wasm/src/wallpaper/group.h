@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/lanes.h"
-#include "geometry/outcome.h"
+#include "base/lanes.h"
+#include "base/outcome.h"
 #include "geometry/rigid_motion.h"
 
 namespace seamwise {

@@ -1,6 +1,6 @@
 #include "wallpaper/lattice.h"
 
-#include "geometry/decimal.h"
+#include "base/decimal.h"
 
 namespace seamwise {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "geometry/outcome.h"
+#include "base/outcome.h"
 #include "geometry/vec2.h"
 #include "wallpaper/group.h"
 

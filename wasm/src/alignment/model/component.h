@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "alignment/model/matching.h"
+
+namespace seamwise {
+
+/// Leaders that seams connect, and those seams.
+struct Component {
+  std::vector<int> leaders, seams;
+};
+
+/// Of the leaders that have seams and are not pinned; pinned ones connect nothing.
+std::vector<Component> componentsOf(const MatchProblem& problem);
+
+}  // namespace seamwise

@@ -1,0 +1,11 @@
+#pragma once
+#include <vector>
+
+#include "alignment/model/matching.h"
+
+namespace seamwise {
+
+/// Per leader its place in an order that keeps neighbours close (Cuthill & McKee 1969, reversed).
+std::vector<int> rankedLeaders(const MatchProblem& problem);
+
+}  // namespace seamwise

@@ -1,0 +1,87 @@
+#include "base/decimal.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace seamwise {
+namespace {
+
+constexpr int kExact = 22;  // the greatest power of ten that a double holds exactly
+
+double powerOfTen(int exponent) {
+  double power = 1;
+  for (int k = 0; k < exponent; ++k) power *= 10;
+  return power;
+}
+
+/// value * 10^shift as a whole number, ties to even; exact where no more than one power is needed.
+/// @param value   not negative; the product is below 1e15
+std::uint64_t whole(double value, int shift) {
+  for (; shift > kExact; shift -= kExact) value *= 1e22;
+  for (; shift < -kExact; shift += kExact) value /= 1e22;
+  const double power = powerOfTen(std::abs(shift));
+  const double scaled = shift < 0 ? value / power : value * power;
+  const double below = std::floor(scaled), rest = scaled - below;
+  auto number = static_cast<std::uint64_t>(below);
+  // What rounding took from the product decides between two numbers that seem equally near.
+  const double lost = shift < 0 ? std::fma(-scaled, power, value) : std::fma(value, power, -scaled);
+  const bool is_tie = rest == 0.5;
+  if (rest > 0.5 || (is_tie && (lost > 0 || (lost == 0 && number % 2 == 1)))) ++number;
+  return number;
+}
+
+std::string signOf(double value) { return std::signbit(value) ? "-" : ""; }
+
+/// `number` / 10^decimals.
+std::string pointed(std::uint64_t number, int decimals) {
+  std::string digits = std::to_string(number);
+  const auto least = static_cast<std::size_t>(decimals) + 1;
+  if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
+  if (decimals > 0) digits.insert(digits.size() - static_cast<std::size_t>(decimals), ".");
+  return digits;
+}
+
+std::string withoutEndingZeros(std::string digits) {
+  if (digits.find('.') == digits.npos) return digits;
+  while (digits.back() == '0') digits.pop_back();
+  if (digits.back() == '.') digits.pop_back();
+  return digits;
+}
+
+/// The power of ten of the first digit of a positive number.
+int exponentOf(double value) {
+  int exponent = 0;
+  for (; value >= 1e10; value /= 1e10) exponent += 10;
+  for (; value < 1e-10; value *= 1e10) exponent -= 10;
+  for (; value >= 10; value /= 10) ++exponent;
+  for (; value < 1; value *= 10) --exponent;
+  return exponent;
+}
+
+}  // namespace
+
+std::string fixed(double value, int decimals) {
+  const double size = std::abs(value);
+  if (!(size * powerOfTen(decimals) < 1e15)) return significant(value, 15);
+  return signOf(value) + pointed(whole(size, decimals), decimals);
+}
+
+std::string significant(double value, int digits) {
+  if (std::isnan(value)) return "nan";
+  const std::string sign = signOf(value);
+  const double size = std::abs(value);
+  if (std::isinf(size)) return sign + "inf";
+  if (size == 0) return sign + "0";
+  int exponent = exponentOf(size);
+  std::uint64_t number = whole(size, digits - 1 - exponent);
+  const auto end = static_cast<std::uint64_t>(powerOfTen(digits));
+  // Rounding, or the way to the exponent, may lead over a power of ten.
+  if (number >= end) number = whole(size, digits - 1 - ++exponent);
+  if (exponent >= -4 && exponent < digits)
+    return sign + withoutEndingZeros(pointed(number, digits - 1 - exponent));
+  const std::string power = std::to_string(std::abs(exponent));
+  return sign + withoutEndingZeros(pointed(number, digits - 1)) + (exponent < 0 ? "e-" : "e+") +
+         (power.size() < 2 ? "0" : "") + power;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,88 @@
+#include "deform/promise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polygon.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kSmooth = 30 * kPi / 180;  ///< corners turn by more and may bend freely
+
+double turnAt(const std::vector<Vec2>& x, int u, int v, int w) {
+  const Vec2 in = x[v] - x[u], out = x[w] - x[v];
+  return std::atan2(cross(in, out), in.dot(out));
+}
+
+double area(const std::vector<Vec2>& x, const std::array<int, 3>& t) {
+  return cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]) / 2;
+}
+
+}  // namespace
+
+double movedOf(const Piece& piece, const std::vector<Vec2>& shape) {
+  double moved = 0;
+  for (const std::vector<int>& loop : loopsOf(piece))
+    for (const int v : loop) moved = std::max(moved, (shape[v] - piece.rest[v]).norm());
+  return moved;
+}
+
+Breach breachOf(const Piece& piece, const std::vector<Vec2>& shape, const Limits& limits) {
+  if (!(movedOf(piece, shape) <= limits.moved)) return Breach::kMoved;
+  std::vector<Polyline> loops;
+  for (const std::vector<int>& loop : loopsOf(piece)) {
+    const std::size_t n = loop.size();
+    loops.emplace_back();
+    for (std::size_t k = 0; k < n; ++k) {
+      const int u = loop[(k + n - 1) % n], v = loop[k], w = loop[(k + 1) % n];
+      loops.back().push_back(shape[v]);
+      const double rest = (piece.rest[w] - piece.rest[v]).norm();
+      if (!(std::abs((shape[w] - shape[v]).norm() - rest) <= limits.stretch * rest))
+        return Breach::kStretch;
+      const double turn = turnAt(piece.rest, u, v, w);
+      if (std::abs(turn) < kSmooth && !(std::abs(turnAt(shape, u, v, w) - turn) <= limits.kink))
+        return Breach::kKink;
+    }
+  }
+  for (const auto& t : piece.triangles)
+    if (!(area(shape, t) >= limits.area * area(piece.rest, t))) return Breach::kArea;
+  return findCrossing(loops) ? Breach::kCrossing : Breach::kNone;
+}
+
+double seamError(const Seam& seam, const Shapes& shapes) {
+  double worst = 0, whole = 0;
+  const auto length = [&](const SeamSide& side, std::size_t i) {
+    const auto& x = shapes[side.piece];
+    return (x[side.vertices[i + 1]] - x[side.vertices[i]]).norm();
+  };
+  for (std::size_t i = 0; i + 1 < seam.a.vertices.size(); ++i) {
+    const double off = length(seam.a, i) - seam.length_ratio * length(seam.b, i);
+    worst = std::max(worst, std::abs(off));
+    whole += off;
+  }
+  return std::max(worst, std::abs(whole));
+}
+
+bool isSewable(const Pattern& pattern, const Shapes& shapes) {
+  return std::all_of(pattern.seams.begin(), pattern.seams.end(),
+                     [&](const Seam& seam) { return seamError(seam, shapes) <= kSeamTolerance; });
+}
+
+Shapes evenedShapes(const Pattern& pattern) {
+  Shapes shapes = restShapes(pattern);
+  for (const Mirror& m : pattern.mirrors) {
+    auto &a = shapes[m.pieces[0]], &b = shapes[m.pieces[1]];
+    const RigidMotion back = m.map.inverse();
+    std::vector<Vec2> mean(a.size());
+    for (std::size_t v = 0; v < mean.size(); ++v) mean[v] = (a[v] + back(b[m.image[v]])) / 2;
+    for (std::size_t v = 0; v < mean.size(); ++v) {
+      if (m.single() && m.image[v] < static_cast<int>(v)) continue;  // done by its image
+      b[m.image[v]] = m.map(mean[v]);
+      a[v] = mean[v];
+    }
+  }
+  return shapes;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,31 @@
+#include "mesh/region.h"
+
+#include "mesh/triangulation.h"
+
+namespace seamwise {
+namespace {
+
+constexpr int kSmoothingPasses = 4;
+
+}  // namespace
+
+std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
+                                     const std::vector<std::vector<int>>& loops, double coarsest) {
+  auto triangulation = Triangulation::make(boundary, loops);
+  if (!triangulation) return {};
+  // A few far apart first: on a round outline every triangle has the same circle, and neighbours
+  // one after the other would each turn over all of them.
+  const std::vector<Vec2> candidates = Grading(boundary, loops, coarsest).candidates();
+  for (std::size_t stride = 512; stride >= 1; stride /= 8)
+    for (std::size_t i = 0; i < candidates.size(); i += stride)
+      if (stride == 512 || i % (8 * stride) != 0) triangulation->insert(candidates[i]);
+  triangulation->smooth(kSmoothingPasses);
+  const std::vector<Vec2> points = triangulation->points();
+  RegionMesh mesh{{points.begin() + static_cast<std::ptrdiff_t>(boundary.size()), points.end()},
+                  triangulation->triangles()};
+  for (const auto& [a, b, c] : mesh.triangles)
+    if (!(cross(points[b] - points[a], points[c] - points[a]) > 0)) return {};
+  return mesh;
+}
+
+}  // namespace seamwise

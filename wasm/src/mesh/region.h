@@ -1,0 +1,22 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "mesh/grading.h"
+
+namespace seamwise {
+
+/// Triangles of a plane region. Vertices are the given boundary points, then `interior`.
+struct RegionMesh {
+  std::vector<Vec2> interior;
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise
+};
+
+/// Meshes the region inside loops (outline counter-clockwise, cut-outs clockwise; indices into
+/// `boundary`, every point in one loop); the boundary stays as it is. Empty when the loops are not
+/// simple, or so thin that rounding leaves a triangle without area.
+std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
+                                     const std::vector<std::vector<int>>& loops, double coarsest);
+
+}  // namespace seamwise

@@ -1,0 +1,75 @@
+#pragma once
+#include <memory>
+
+#include "methods/fit_run.h"
+#include "methods/search_run.h"
+#include "problem/problem.h"
+
+namespace seamwise {
+
+/// The default method: alignments are sought with symmetry built in, then shape and alignment
+/// improved in turns, never beyond the greatest change, then whatever it takes to keep seams
+/// sewable and outlines smooth.
+class BestRun : public Run {
+ public:
+  /// @param known   mirrors of the pattern's known symmetries that the group carries; with none
+  ///                imposed the symmetric answer is one of the starts
+  /// @param offered   alignments of all pieces: the search never ends with worse ones
+  /// @param starts   alignments of all pieces to fit from, besides what the search finds
+  /// @param searches   remembered
+  /// @param plans   remembered, of this mesh; null until they were made
+  BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
+          const MatchRules& rules, std::vector<Alignments> offered, std::vector<Alignments> starts,
+          SearchMemo& searches, std::shared_ptr<FittingPlans>& plans);
+
+  /// How much a mismatch may be for shapes to take it up: two sides that may each move by the
+  /// greatest change meet across somewhat less than twice it. [cm]
+  static double slackOf(const SolveOptions& options);
+
+  bool advance() override;
+  Phase phase() const override;
+  double fraction() const override;
+  const Alignments& alignment() const override { return alignment_; }
+  const Alignments& search() const override { return search_result_; }
+  double searchBound() const override { return searching_.bound() * of_bound_; }
+  double searchCost() const override { return costAtRest(search_result_); }
+  /// What the pieces as drafted cost where they are laid, by the seams' weights. [cm2]
+  double costAtRest(const Alignments& at) const { return match_.cost(match_.ofLeaders(at)); }
+  AlignmentSearch* searching() override { return searching_.searching(); }
+  const Shapes& shapes() const override;
+  int iterations() const override { return settling_ + (fit_ ? fit_->iterations() : 0); }
+  int factorisations() const override { return fit_ ? fit_->factorisations() : 0; }
+
+ private:
+  enum class Stage : std::uint8_t { kSearch, kStartFit, kFit, kSeekAgain, kSettle, kDone };
+  void searchStep();
+  std::vector<FitStart> mostPromising(std::size_t count) const;
+  void startFit();
+  void fitStep();
+  void seekAgain();
+  void settleStep();
+  void restUnsound();
+  void restIfBetter();
+  void restAt(const Alignments& at);
+  void finish();
+  bool keepsLimits(const Cloth& cloth, double length) const;
+
+  const Problem& problem_;
+  const Pattern& pattern_;
+  MatchRules rules_;
+  double reach_;  ///< how far an outline vertex may move, cm
+  MatchProblem match_;
+  std::vector<Alignments> offered_starts_;
+  SearchRun searching_;
+  std::shared_ptr<FittingPlans> plans_;
+  std::unique_ptr<FitRun> fit_;
+  Stage stage_ = Stage::kSearch;
+  Alignments alignment_, search_result_;
+  double of_bound_ = 1;  ///< less where something else than the search's best stands for it
+  bool sought_again_ = false;
+  int settling_ = 0, settled_ = 0;  ///< iterations; with the last, which finds nothing to do
+  double length_error_;             ///< of a sewn edge, cm
+  double progress_, searched_ = 0;  ///< now, and once all was searched
+};
+
+}  // namespace seamwise

@@ -1,0 +1,114 @@
+#include <algorithm>
+
+#include "methods/fit_run.h"
+#include "methods/metrics.h"
+#include "methods/seam_rules.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kUrgent = 4;  ///< factor of what pulls more after each round
+constexpr double kMostUrgent = 64;
+constexpr double kBlame = 3;  ///< the same, for the next search
+
+}  // namespace
+
+/// Takes the pull from the seams that end where this one does. Returns whether there were any.
+bool FitRun::dropNeighbours(std::size_t seam) {
+  const Seam& own = fitted().seams[seam];
+  std::vector<char>& shaped = starts_[current_].shaped;
+  bool any = false;
+  for (std::size_t t = 0; t < shaped.size(); ++t) {
+    if (!shaped[t]) continue;
+    const Seam& other = fitted().seams[t];
+    for (const SeamSide* x : {&own.a, &own.b})
+      for (const SeamSide* y : {&other.a, &other.b})
+        for (const int v : {x->vertices.front(), x->vertices.back()})
+          if (x->piece == y->piece && (v == y->vertices.front() || v == y->vertices.back()))
+            shaped[t] = 0, any = true;
+  }
+  return any;
+}
+
+/// Takes from the seams that are bent in vain their pull, and gives more to those that are worse
+/// off than by placing alone.
+FitRun::Judgement FitRun::judge() {
+  const Pattern& pattern = fitted();
+  const Shapes rest = restShapes(pattern);
+  const WallpaperGroup joining = match_.joining();
+  const auto shaped = localMismatches(joining, pattern, fitting_->shapes(), alignment_);
+  const auto aligned = localMismatches(joining, pattern, rest, alignment_);
+  const auto placed = placedMismatches();
+  Start& start = starts_[current_];
+  Judgement found = Judgement::kGood;
+  const auto others = [&] {
+    if (found == Judgement::kGood) found = Judgement::kOthersPull;
+  };
+  worse_.assign(shaped.size(), 0);
+  excess_ = 0;
+  for (std::size_t s = 0; s < shaped.size(); ++s) {
+    if (!counts(pattern.seams[s])) continue;
+    const double moved = movedOf(pattern.seams[s], pattern, fitting_->shapes());
+    const Verdict verdict = verdictOn({placed[s], aligned[s], shaped[s]}, moved);
+    if (verdict == Verdict::kKept) continue;
+    worse_[s] = verdict == Verdict::kWorse;
+    if (worse_[s]) {
+      const double most = greatestMean(placed[s]);
+      start.margins[s] += shaped[s] - most;
+      excess_ = std::max(excess_, shaped[s] / most - 1);
+    }
+    if (worse_[s] && !start.stays) {
+      if (start.urgency[s] >= kMostUrgent)
+        found = Judgement::kHopeless;
+      else
+        start.urgency[s] *= kUrgent, others();
+    } else if (start.shaped[s] || dropNeighbours(s)) {
+      start.shaped[s] = 0, others();
+    } else {
+      found = Judgement::kHopeless;
+    }
+  }
+  return found;
+}
+
+bool FitRun::review() {
+  if (perfect_ || given_up_) return true;
+  const Judgement found = judge();
+  if (found == Judgement::kGood) return true;
+  Start& start = starts_[current_];
+  const int most = start.stays ? kReviewsOfLast : kReviewsOfOne;
+  const bool another = found == Judgement::kOthersPull && start.reviews++ < most;
+  if (++reviews_ == kMostReviews || (start.stays && !another)) {
+    giveUp();
+    return false;
+  }
+  goCoarse();
+  if (another) {
+    again();
+  } else {
+    fail();
+    stalled_ = !goOnFromBest();
+  }
+  return false;
+}
+
+/// Leaves all lines as drafted, where placing alone lays them.
+void FitRun::giveUp() {
+  given_up_ = true;
+  fitting_->setStates(fitting_->restStates());
+  current_ = starts_.size();
+  while (!starts_[--current_].stays) continue;
+  std::fill(starts_[current_].shaped.begin(), starts_[current_].shaped.end(), 0);
+  place(starts_[current_].leaders);
+  pull();
+  for (Cloth& cloth : fitting_->cloths()) cloth.clearTargets();
+}
+
+void FitRun::fail() {
+  starts_[current_].failed = true;
+  starts_[current_].excess = excess_;
+  for (std::size_t s = 0; s < worse_.size(); ++s)
+    if (worse_[s]) blame_[s] = std::min(blame_[s] * kBlame, kMostUrgent);
+}
+
+}  // namespace seamwise

@@ -1,0 +1,295 @@
+#include "methods/fit_run.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "alignment/icp/refine.h"
+#include "deform/prolong.h"
+#include "methods/metrics.h"
+#include "methods/seam_rules.h"
+#include "methods/search_run.h"
+
+namespace seamwise {
+namespace {
+
+/// Newton steps before lengths and reach must settle, and those of them from each start.
+struct Steps {
+  int all, trial;
+};
+constexpr Steps kSteps = {7, 2};
+constexpr Steps kCoarseSteps = {10, 5};  ///< they take little time
+constexpr int kFineSteps = 2;            ///< after coarse ones
+constexpr int kMoreFineSteps = 3;        ///< where pieces had to be laid anew
+constexpr int kRealignEvery = 3;         ///< steps between new joins and alignments
+/// Steps after which also seams that pull are held to what placing alone leaves of them: by then,
+/// shaping has made them meet as far as it will.
+constexpr int kLimitedFrom = 6;
+constexpr int kMostRounds = 4;    ///< from one start, each with other seams pulling
+constexpr int kMostRetried = 12;  ///< the same, once it has failed by little:
+constexpr double kLittle = 0.3;   ///< as a share of what a seam may miss by
+
+std::size_t verticesOf(const Pattern& pattern) {
+  std::size_t count = 0;
+  for (const Piece& piece : pattern.pieces) count += piece.rest.size();
+  return count;
+}
+
+}  // namespace
+
+FitRun::FitRun(const Pattern& pattern, const MatchProblem& match, const MatchRules& rules,
+               const FittingRules& fitting, FittingPlans& plans, std::vector<FitStart> starts,
+               double reach)
+    : pattern_(pattern),
+      match_(match),
+      rules_(rules),
+      fitting_rules_(fitting),
+      plans_(plans),
+      reach_(reach),
+      fine_(std::make_unique<SeamFitting>(plans.fine(pattern), pattern, match.group, fitting)),
+      fitting_(fine_.get()),
+      blame_(pattern.seams.size(), 1) {
+  for (FitStart& start : starts) add(std::move(start));
+  placed_ = match.expanded(starts_.back().leaders);
+  place(starts_[0].leaders);
+  double mismatch = 0;
+  for (std::size_t s = 0; s < pattern.seams.size(); ++s)
+    if (counts(pattern.seams[s])) mismatch += fitting_->joins()[s].cost;
+  perfect_ = mismatch < SearchRun::kPerfect;
+}
+
+void FitRun::add(FitStart from) {
+  Start start;
+  static_cast<FitStart&>(start) = std::move(from);
+  start.urgency.assign(pattern_.seams.size(), 1);
+  start.margins.assign(pattern_.seams.size(), 0);
+  starts_.push_back(std::move(start));
+}
+
+/// Plans the steps, on the coarser mesh where there is one.
+void FitRun::begin() {
+  begun_ = true;
+  if ((plan_ = plans_.coarse(pattern_))) {
+    coarse_pattern_ = plan_->coarser.pattern;
+    for (std::size_t s = 0; s < pattern_.seams.size(); ++s) {
+      coarse_pattern_.seams[s].weight = pattern_.seams[s].weight;
+      coarse_pattern_.seams[s].matched = pattern_.seams[s].matched;
+    }
+    coarse_fitting_ =
+        std::make_unique<SeamFitting>(plan_->plan, coarse_pattern_, match_.group, fitting_rules_);
+    fine_step_ = static_cast<double>(verticesOf(pattern_)) /
+                 static_cast<double>(verticesOf(coarse_pattern_));
+  }
+  const Steps steps = plan_ ? kCoarseSteps : kSteps;
+  steps_ = steps.all, trial_steps_ = steps.trial;
+  planned_ = 3 * steps.all + steps.trial * (static_cast<double>(starts_.size()) - 1) +
+             (plan_ ? kFineSteps * fine_step_ : 0);
+  goCoarse();
+  resume(0);
+}
+
+void FitRun::goCoarse() {
+  if (!plan_) return;
+  coarse_ = true;
+  fitting_ = coarse_fitting_.get();
+}
+
+void FitRun::goFine() {
+  fine_->setStates(prolonged(plan_->coarser, *fitting_, *fine_));
+  fitting_ = fine_.get();
+  coarse_ = false;
+  pull();
+  fitting_->chooseJoins(alignment_);
+  // what placing alone leaves of a seam differs a little between the meshes
+  fine_steps_ = kFineSteps;
+  if (starts_[current_].stays || !isWorseThanPlaced()) return;
+  realign();
+  fine_steps_ += kMoreFineSteps;
+}
+
+/// Whether some seam misses by more than placing alone allows.
+bool FitRun::isWorseThanPlaced() const {
+  const auto now = localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_);
+  const auto placed = placedMismatches();
+  for (std::size_t s = 0; s < now.size(); ++s)
+    if (now[s] > greatestMean(placed[s])) return true;
+  return false;
+}
+
+void FitRun::place(const Alignments& leaders) {
+  leaders_ = leaders;
+  alignment_ = match_.expanded(leaders);
+  fitting_->chooseJoins(alignment_);
+}
+
+/// Goes on from a start; first from rest, with all seams pulling that shaping may bring to meet.
+void FitRun::resume(std::size_t index) {
+  current_ = index;
+  Start& start = starts_[index];
+  const bool first = start.states.empty();
+  if (first) start.states = fitting_->restStates();
+  fitting_->setStates(start.states);
+  place(start.leaders);
+  const Pattern& pattern = fitted();
+  if (first) start.shaped.assign(pattern.seams.size(), 0);
+  for (std::size_t s = 0; s < pattern.seams.size() && first; ++s)
+    start.shaped[s] = counts(pattern.seams[s]) &&
+                      isWithinReach(joinMismatch(fitting_->joins()[s], pattern.seams[s],
+                                                 fitting_->shapes(), alignment_),
+                                    reach_);
+  pull();
+}
+
+/// From rest once more, with other seams pulling.
+void FitRun::again() {
+  Start& start = starts_[current_];
+  start.leaders = leaders_;
+  start.steps = 0;
+  start.ended = false;
+  start.states = fitting_->restStates();
+  resume(current_);
+}
+
+void FitRun::pull() {
+  const Start& start = starts_[current_];
+  std::vector<double> pulls(start.shaped.size(), 1);
+  for (std::size_t s = 0; s < pulls.size(); ++s)
+    if (counts(fitted().seams[s])) pulls[s] = start.shaped[s] ? start.urgency[s] : 0;
+  fitting_->setPulls(pulls);
+}
+
+std::vector<double> FitRun::placedMismatches() const {
+  return localMismatches(match_.joining(), fitted(), restShapes(fitted()), placed_);
+}
+
+void FitRun::realign() {
+  const Start& start = starts_[current_];
+  if (start.stays) return fitting_->chooseJoins(alignment_);
+  Pattern urgent = fitted();
+  for (std::size_t s = 0; s < start.urgency.size(); ++s) urgent.seams[s].weight *= start.urgency[s];
+  MatchProblem now =
+      makeMatchProblem(urgent, fitting_->shapes(), urgent.mirrors, rules_, match_.group);
+  const std::vector<double> placed = placedMismatches();
+  for (MatchSeam& seam : now.seams)
+    if (seam.seam >= 0 && (!start.shaped[static_cast<std::size_t>(seam.seam)] || start.rounds > 0 ||
+                           start.steps >= kLimitedFrom))
+      seam.limit = kLimitShare * greatestMean(placed[static_cast<std::size_t>(seam.seam)]) -
+                   start.margins[static_cast<std::size_t>(seam.seam)];
+  std::vector<int> all(now.leaders.size());
+  std::iota(all.begin(), all.end(), 0);
+  refine(now, SampledSeams<double>(now, 0), leaders_, all, 2);
+  alignment_ = now.expanded(leaders_);
+  fitting_->chooseJoins(alignment_);
+}
+
+bool FitRun::advance() {
+  if (perfect_) return false;
+  if (!begun_) {
+    begin();
+    return true;
+  }
+  if (stuck_) return true;
+  if (given_up_ || std::exchange(stalled_, false)) return false;
+  fitting_->step(alignment_);
+  ++iterations_;
+  if (plan_ && !coarse_) {
+    done_ += fine_step_;
+    return --fine_steps_ > 0;
+  }
+  done_ += 1;
+  Start& start = starts_[current_];
+  ++start.steps;
+  if (start.steps % kRealignEvery == 0 && start.steps < steps_) realign();
+  if (start.steps == trial_steps_ && !start.fit) return leave();
+  return start.steps < steps_ || endSteps();
+}
+
+/// Judges the seams after a start's steps. Returns whether there are more to take.
+bool FitRun::endSteps() {
+  Start& start = starts_[current_];
+  const Judgement found = judge();
+  const int most = start.retried ? kMostRetried : kMostRounds;
+  if (found == Judgement::kOthersPull && ++start.rounds < most) {
+    again();
+    return true;
+  }
+  if (found == Judgement::kGood || start.stays)
+    start.ended = true;
+  else
+    fail();
+  return leave();
+}
+
+/// Notes how far the present start has come and goes on from the one that fits best. Returns
+/// whether there are more steps to take.
+bool FitRun::leave() {
+  Start& start = starts_[current_];
+  start.leaders = leaders_;
+  start.states = fitting_->states();
+  start.fit = fitAny(match_.joining(), fitted(), fitting_->shapes(), alignment_);
+  start.fit_under_rules =
+      fitUnderRules(localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_),
+                    seamLengths(fitted(), fitting_->shapes()), placedMismatches());
+  return goOnFromBest();
+}
+
+/// Goes on with what is not tried yet, else with the start that is best under the rules, while it
+/// may still come out ahead of those that have ended.
+bool FitRun::goOnFromBest() {
+  const std::size_t none = starts_.size();
+  std::size_t open = none, ended = none;
+  for (std::size_t k = starts_.size(); k-- > 0;) {
+    const Start& start = starts_[k];
+    if (start.failed) continue;
+    if (start.ended) {
+      if (ended == none || *start.fit < *starts_[ended].fit) ended = k;
+    } else if (open == none || !start.fit ||
+               (starts_[open].fit && *start.fit_under_rules < *starts_[open].fit_under_rules)) {
+      open = k;
+    }
+  }
+  const bool ahead = open != none && (ended == none || !starts_[open].fit ||
+                                      *starts_[open].fit < *starts_[ended].fit);
+  const std::size_t best = ahead ? open : ended;
+  if (starts_[best].stays && starts_[best].ended && may_seek_) {
+    stuck_ = true;
+    return true;
+  }
+  if (starts_[best].stays && starts_[best].ended && retryNearest()) return true;
+  if (best != current_) resume(best);
+  if (!starts_[best].ended) return true;
+  if (!plan_) return false;
+  goFine();
+  return true;
+}
+
+/// Gives more rounds to the start that failed by least. Returns whether one failed by little.
+bool FitRun::retryNearest() {
+  Start* nearest = nullptr;
+  for (Start& start : starts_)
+    if (start.failed && !start.retried && start.reviews == 0 && start.excess <= kLittle &&
+        (!nearest || start.excess < nearest->excess))
+      nearest = &start;
+  if (!nearest) return false;
+  nearest->failed = false, nearest->retried = true;
+  resume(static_cast<std::size_t>(nearest - starts_.data()));
+  again();
+  return true;
+}
+
+void FitRun::goOn(std::optional<Alignments> leaders) {
+  stuck_ = false;
+  if (leaders)
+    add({std::move(*leaders)});
+  else
+    may_seek_ = false;
+  if (!goOnFromBest()) stalled_ = true;
+}
+
+int FitRun::factorisations() const {
+  return fine_->factorisations() + (coarse_fitting_ ? coarse_fitting_->factorisations() : 0);
+}
+
+double FitRun::fraction() const { return std::min(1.0, done_ / planned_); }
+
+}  // namespace seamwise

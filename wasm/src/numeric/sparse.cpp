@@ -1,0 +1,100 @@
+#include "numeric/sparse.h"
+
+#include <Eigen/OrderingMethods>
+#include <algorithm>
+
+namespace seamwise {
+
+std::vector<int> eliminationOrder(int size, const std::vector<std::pair<int, int>>& pairs) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(pairs.size() + size);
+  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, 1.0);
+  for (const auto& [i, j] : pairs)
+    if (i != j) entries.emplace_back(std::min(i, j), std::max(i, j), 1.0);
+  Eigen::SparseMatrix<double> graph(size, size);
+  graph.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> eliminated;
+  Eigen::AMDOrdering<int>()(graph.selfadjointView<Eigen::Upper>(), eliminated);
+  std::vector<int> position(size);
+  for (int k = 0; k < size; ++k) position[eliminated.indices()[k]] = k;
+  return position;
+}
+
+SparseHessian::SparseHessian(int size, const std::vector<std::pair<int, int>>& pairs, Order order)
+    : matrix_(size, size) {
+  if (order == Order::kSought) {
+    std::vector<std::pair<int, int>> coupled;
+    coupled.reserve(pairs.size());
+    for (const auto& pair : pairs)
+      if (pair.first >= 0 && pair.second >= 0) coupled.push_back(pair);
+    position_ = eliminationOrder(size, coupled);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(pairs.size() + size);
+  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, 0.0);
+  for (const auto& [i, j] : pairs) {
+    if (i < 0 || j < 0 || i == j) continue;
+    const int a = positionOf(i), b = positionOf(j);
+    entries.emplace_back(std::min(a, b), std::max(a, b), 0.0);
+  }
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+}
+
+SparseHessian::SparseHessian(const SparseHessian& other)
+    : matrix_(other.matrix_), position_(other.position_) {}
+
+SparseHessian& SparseHessian::operator=(SparseHessian other) noexcept {
+  matrix_.swap(other.matrix_);
+  position_.swap(other.position_);
+  ldlt_.swap(other.ldlt_);
+  return *this;
+}
+
+int SparseHessian::slot(int i, int j) const {
+  if (i < 0 || j < 0) return -1;
+  const int a = positionOf(i), b = positionOf(j);
+  const int row = std::min(a, b), column = std::max(a, b);
+  const int* const inner = matrix_.innerIndexPtr();
+  const int* const from = inner + matrix_.outerIndexPtr()[column];
+  const int* const to = inner + matrix_.outerIndexPtr()[column + 1];
+  if (row == column) return static_cast<int>(to - inner) - 1;  // the diagonal ends its column
+  return static_cast<int>(std::lower_bound(from, to, row) - inner);
+}
+
+VectorX SparseHessian::times(const std::vector<double>& values, const VectorX& x) const {
+  const Eigen::Map<const Matrix> given(matrix_.rows(), matrix_.cols(), matrix_.nonZeros(),
+                                       matrix_.outerIndexPtr(), matrix_.innerIndexPtr(),
+                                       values.data());
+  return unpermuted(given.selfadjointView<Eigen::Upper>() * permuted(x));
+}
+
+void SparseHessian::analyse() {
+  ldlt_ = std::make_unique<Factor>();
+  ldlt_->analyzePattern(matrix_);
+}
+
+bool SparseHessian::factorise() {
+  if (!ldlt_) analyse();
+  ldlt_->factorize(matrix_);
+  return ldlt_->info() == Eigen::Success && ldlt_->vectorD().minCoeff() > 0;
+}
+
+VectorX SparseHessian::solve(const VectorX& b) const {
+  return unpermuted(ldlt_->solve(permuted(b)));
+}
+
+VectorX SparseHessian::permuted(const VectorX& x) const {
+  if (position_.empty()) return x;
+  VectorX result(x.size());
+  for (int i = 0; i < size(); ++i) result[position_[i]] = x[i];
+  return result;
+}
+
+VectorX SparseHessian::unpermuted(const VectorX& x) const {
+  if (position_.empty()) return x;
+  VectorX result(x.size());
+  for (int i = 0; i < size(); ++i) result[i] = x[position_[i]];
+  return result;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,228 @@
+#include "problem/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/decimal.h"
+#include "deform/promise.h"
+#include "mesh/lengths.h"
+#include "pattern/discretise.h"
+#include "problem/placing_rules.h"
+#include "problem/reconcile.h"
+#include "symmetry/symmetry.h"
+
+namespace seamwise {
+namespace {
+
+// What evening out may take of what a finished shape may change; the rest is left to the fit.
+constexpr double kEvenedShare = 0.98;    ///< of the greatest change
+constexpr double kEvenedAlready = 5e-7;  ///< cm that are no movement at all
+constexpr double kEvenedKink = 12 * kPi / 180;
+constexpr double kEvenedStretch = 0.12;
+constexpr double kEvenedArea = 0.5;
+constexpr double kEvenedSeam = 0.9 * kSeamTolerance;
+constexpr double kFinest = 0.3;  ///< of the edge length asked for
+constexpr double kRoom = 0.1;    ///< cm of movement that are enough for lengths to settle
+
+/// Progress at the end of stages, as a rule.
+constexpr double kReconciled = 0.2, kSampled = 0.25;
+
+/// Why a symmetry cannot hold, as "<symmetry>: <why>", and what to do about it.
+struct Obstacle {
+  std::size_t symmetry = 0;  ///< index among the imposed ones
+  const char* code;          ///< of the note
+  std::string why, remedy;
+  std::vector<double> numbers = {};
+};
+
+/// Whether edges of a seam miss their ratio on pieces that may not move enough to restore it: one
+/// side bends more than the other, or several seams and symmetries share its vertices out. The
+/// error shrinks with the edges.
+bool isStiff(const Pattern& pattern, const Shapes& evened, double max_change) {
+  return max_change < kRoom &&
+         std::any_of(pattern.seams.begin(), pattern.seams.end(),
+                     [&](const Seam& seam) { return seamError(seam, evened) > kEvenedSeam; });
+}
+
+/// Shapes start from the evened pattern, and fall back to it: it must keep every promise by itself.
+std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, const Shapes& evened,
+                                 double max_change) {
+  const Mirror& m = pattern.mirrors[symmetry];
+  for (const int p : m.pieces) {
+    const Piece& piece = pattern.pieces[p];
+    const double moved = movedOf(piece, evened[p]);
+    if (moved > std::max(kEvenedShare * max_change, kEvenedAlready))
+      return Obstacle{symmetry,
+                      "symmetryChange",
+                      "its outlines would have to move by " + significant(moved, 2) +
+                          " cm to mirror each other exactly, which maxChangeCm does not allow",
+                      "; raise maxChangeCm to " + significant(1.1 * moved, 2),
+                      {1.1 * moved}};
+    Limits limits;
+    limits.moved = moved, limits.kink = kEvenedKink;
+    limits.stretch = kEvenedStretch, limits.area = kEvenedArea;
+    if (breachOf(piece, evened[p], limits) != Breach::kNone)
+      return Obstacle{symmetry, "symmetryKinks",
+                      "its outlines differ so much from edge to edge that they would get kinks or "
+                      "folds if they were made to mirror each other exactly",
+                      "; choose longer edges (edgeLengthCm), or draw them alike"};
+  }
+  for (const Seam& seam : pattern.seams) {
+    double moved = 0;
+    for (const int p : {seam.a.piece, seam.b.piece})
+      if (p == m.pieces[0] || p == m.pieces[1])
+        moved = std::max(moved, movedOf(pattern.pieces[p], evened[p]));
+    if (moved > kEvenedAlready && max_change - moved < kRoom &&
+        seamError(seam, evened) > kEvenedSeam)
+      return Obstacle{symmetry,
+                      "symmetryLengths",
+                      "where its outlines are made to mirror each other exactly, seams lose their "
+                      "length ratio, and maxChangeCm leaves no room to restore it",
+                      "; raise maxChangeCm to " + significant(moved + kRoom, 2),
+                      {moved + kRoom}};
+  }
+  return {};
+}
+
+/// Drops a found symmetry, with a note. Error when it was asked for, with advice that ends the
+/// sentence.
+std::optional<Error> dropOrRefuse(Problem& problem, const Obstacle& obstacle, Failure code) {
+  const BodySymmetry& symmetry = problem.imposed[obstacle.symmetry];
+  const std::string name = called(problem.garment, symmetry);
+  if (!problem.symmetries_optional)
+    return Error{code,
+                 "The symmetry of " + name + " cannot hold: " + obstacle.why + obstacle.remedy +
+                     ", or leave out that symmetry.",
+                 symmetry.pieces[0], -1, obstacle.code};
+  problem.notes.push_back({obstacle.code,
+                           "The symmetry of " + name + " is dropped: " + obstacle.why + ".",
+                           piecesOf(symmetry),
+                           {},
+                           obstacle.numbers});
+  problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(obstacle.symmetry));
+  return {};
+}
+
+/// No symmetry is left that pins or grain contradict. Errors: kSymmetryConflict when it was asked
+/// for.
+std::optional<Error> heedRules(Problem& problem) {
+  const struct {
+    std::optional<std::size_t> (*against)(const Problem&);
+    const char *code, *why, *remedy;
+  } rules[] = {
+      {symmetryAgainstPins, "symmetryPins", "as it is pinned, the print does not mirror so",
+       ". Move the pin"},
+      {symmetryAgainstGrain, "symmetryGrain", "on this print it would take the piece off its grain",
+       ". Turn the print, free the grain"}};
+  for (const auto& rule : rules)
+    while (const auto against = rule.against(problem))
+      if (auto error = dropOrRefuse(problem, {*against, rule.code, rule.why, rule.remedy},
+                                    Failure::kSymmetryConflict))
+        return error;
+  return {};
+}
+
+}  // namespace
+
+Preparation::Preparation(Problem& problem, MeshMemo* memo)
+    : problem_(problem), memo_(memo), edge_length_(problem.options.edge_length_cm) {}
+
+bool Preparation::advance() {
+  if (pattern_) return false;
+  if (!begun_) return begin();
+  if (!meshing_) return sample();
+  if (!meshing_->advance()) return judge(std::exchange(meshing_, std::nullopt)->take());
+  fraction_ = std::max(fraction_, kSampled + (1 - kSampled) * meshing_->fraction());
+  return true;
+}
+
+bool Preparation::begin() {
+  begun_ = true;
+  if (const auto error = heedRules(problem_)) return end(*error);
+  if (memo_) {
+    from_ = {problem_.garment,
+             problem_.imposed,
+             problem_.known,
+             problem_.symmetries_optional,
+             problem_.options.edge_length_cm,
+             problem_.options.max_change_cm};
+    if (memo_->last && memo_->last->from == *from_) {
+      const MeshMemo::Mesh& last = *memo_->last;
+      problem_.imposed = last.imposed, problem_.known = last.known;
+      problem_.notes.insert(problem_.notes.end(), last.notes.begin(), last.notes.end());
+      pattern_ = last.pattern, plans_ = last.plans;
+      return false;
+    }
+  }
+  notes_ = problem_.notes.size();
+  Outcome<std::optional<Pattern>> reconciled = reconcile(problem_);
+  if (!reconciled.ok()) return end(reconciled.error());
+  sampled_ = std::move(reconciled).value();
+  fraction_ = kReconciled;
+  return true;
+}
+
+bool Preparation::sample() {
+  if (!sampled_) {
+    Outcome<Pattern> now =
+        discretise(problem_.garment, problem_.known, problem_.imposed, edge_length_);
+    if (!now.ok()) return judge(now.error());
+    sampled_ = std::move(now).value();
+  }
+  meshing_.emplace(*std::exchange(sampled_, std::nullopt));
+  fraction_ = std::max(fraction_, kSampled);
+  return true;
+}
+
+/// Whether to go on with a finer sampling, or without a symmetry that cannot hold.
+bool Preparation::judge(Outcome<Pattern> ready) {
+  std::optional<Obstacle> found;
+  if (ready.ok()) {
+    const Pattern& pattern = ready.value();
+    const double max_change = problem_.options.max_change_cm;
+    const Shapes evened = evenedShapes(pattern);
+    for (std::size_t m = 0; m < pattern.mirrors.size() && !found; ++m)
+      found = obstacle(pattern, m, evened, max_change);
+    if (!found && edge_length_ > kFinest * problem_.options.edge_length_cm &&
+        isStiff(pattern, evened, max_change)) {
+      edge_length_ /= 2;
+      return true;
+    }
+    if (!found) return end(std::move(ready));
+  } else {
+    // what cannot be meshed as its own mirror image may do without it
+    for (std::size_t m = 0; m < problem_.imposed.size() && !found; ++m)
+      if (problem_.imposed[m].pieces[0] == ready.error().piece)
+        found = Obstacle{m, "symmetryCrossing",
+                         "its outline would cross itself if it were made to mirror exactly", ""};
+    if (!found || !problem_.symmetries_optional) return end(ready.error());
+  }
+  if (const auto error = dropOrRefuse(problem_, *found, Failure::kSymmetryDoesNotMirror))
+    return end(*error);
+  return true;
+}
+
+bool Preparation::end(Outcome<Pattern> pattern) {
+  fraction_ = 1;
+  if (pattern.ok() && memo_)
+    memo_->last = {
+        *std::move(from_),
+        pattern.value(),
+        problem_.imposed,
+        problem_.known,
+        {problem_.notes.begin() + static_cast<std::ptrdiff_t>(notes_), problem_.notes.end()},
+        plans_};
+  pattern_ = std::move(pattern);
+  return false;
+}
+
+Outcome<Pattern> preparedPattern(Problem& problem, MeshMemo* memo) {
+  Preparation preparation(problem, memo);
+  while (preparation.advance()) {
+  }
+  return preparation.take();
+}
+
+}  // namespace seamwise
