@@ -1,13 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
 import {printOf, type DesignPrint} from '../../web/src/model/design.js';
-import {
-  pictureIn,
-  resized,
-  tileRepeats,
-  tileSize,
-  type TileRepeat,
-} from '../../web/src/model/tile-repeat.js';
+import {pictureIn, resized, tileSize} from '../../web/src/model/tile-repeat.js';
+import {tileRepeats, type TileRepeat} from '../../web/src/model/print-tile.js';
 import {imageCell, printDistance} from '../../web/src/model/wallpaper.js';
 import {asymmetriesOf, isStriped} from '../../web/src/picture/asymmetry.js';
 import {checkTile, groupsOf} from '../../web/src/picture/tile-check.js';

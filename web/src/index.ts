@@ -23,7 +23,7 @@ export type {LinkedGarment, LinkedPrint, LinkedProject} from './model/link.js';
 export {FileError, isProject, readProject, writeProject} from './model/project.js';
 export type {Project, ProjectView} from './model/project.js';
 export {repeatOf, type RepeatSize} from './model/repeat.js';
-export {tileRepeats, type PrintTile, type TileRepeat} from './model/tile-repeat.js';
+export {tileRepeats, type PrintTile, type TileRepeat} from './model/print-tile.js';
 export type {CellOf, Repeat} from './model/wallpaper.js';
 export {resultText} from './model/result-text.js';
 export {solvedDesign, type SolvedFiles} from './model/solved-design.js';

@@ -3,7 +3,7 @@ import {basename, resolve} from 'node:path';
 import type {Garment} from '../model/garment.js';
 import type {SolveOptions} from '../model/options.js';
 import type {Print} from '../model/print.js';
-import {methods} from '../model/problem.js';
+import {methods} from '../model/method.js';
 import {resultText, withoutTimes} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
 import {readBytes, readText, textOf} from '../node/files.js';

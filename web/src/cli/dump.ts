@@ -2,7 +2,7 @@ import {mkdir} from 'node:fs/promises';
 import {join} from 'node:path';
 
 import type {Alignment} from '../model/geometry.js';
-import {methods} from '../model/problem.js';
+import {methods} from '../model/method.js';
 import type {MeshedPattern} from '../model/result.js';
 import {fileError, readText, textOf} from '../node/files.js';
 import {solve} from '../node/index.js';

@@ -2,7 +2,7 @@ import {dirname} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
 import type {SolveOptions} from '../model/options.js';
-import type {Method} from '../model/problem.js';
+import type {Method} from '../model/method.js';
 import {sha256Of} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
 import {designOf, readStoredDesign, writeStoredDesign} from '../model/stored-design.js';

@@ -3,7 +3,7 @@ import type {Design} from './design.js';
 import type {Alignment, Point} from './geometry.js';
 import type {GrainRule, Lock, SolveOptions} from './options.js';
 import {groupNames, printCells} from './print.js';
-import {methods} from './problem.js';
+import {methods} from './method.js';
 import {
   fail,
   flag,
@@ -18,7 +18,7 @@ import {
   type Read,
 } from './read.js';
 import type {Symmetry} from './symmetries.js';
-import {tileRepeats, type PrintTile} from './tile-repeat.js';
+import {tileRepeats, type PrintTile} from './print-tile.js';
 
 /** What the solver takes for the sides of a repeat, and more than any garment measures. [cm] */
 const repeat = number(0.05, 1000);

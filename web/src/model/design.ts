@@ -3,11 +3,12 @@ import type {PanelDecisions} from './garment-marks.js';
 import type {SolveOptions} from './options.js';
 import type {PieceNames} from './piece-names.js';
 import type {GroupName, Print, PrintCell} from './print.js';
-import type {Method, Problem} from './problem.js';
+import type {Problem} from './problem.js';
+import type {Method} from './method.js';
 import {latticeVectors, type RepeatSize} from './repeat.js';
-import type {StoredFile} from './stored-design.js';
+import type {StoredFile} from './stored-file.js';
 import type {Symmetry} from './symmetries.js';
-import type {PrintTile} from './tile-repeat.js';
+import type {PrintTile} from './print-tile.js';
 
 export interface DesignGarment {
   /** What messages call it: the name of its file. */

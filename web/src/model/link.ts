@@ -12,7 +12,7 @@ import {
 } from './design-reader.js';
 import {projectTitle} from './project-name.js';
 import {fieldOf, Malformed, shape, text, type Read} from './read.js';
-import type {PrintTile} from './tile-repeat.js';
+import type {PrintTile} from './print-tile.js';
 
 /** By the name of a sample, or as a whole. */
 export type LinkedGarment =

@@ -1,13 +1,9 @@
 import type {Garment} from './garment.js';
+import type {Method} from './method.js';
 import type {SolveOptions} from './options.js';
 import type {Print} from './print.js';
 import type {MeshedPattern, Proof} from './result.js';
 import type {Symmetries} from './symmetries.js';
-
-/** `best`: the default; `paper`: Wolff et al., VMV 2019; `ws19`: the method that paper extends. */
-export const methods = ['best', 'paper', 'ws19'] as const;
-
-export type Method = (typeof methods)[number];
 
 /** Everything a solve needs. An object, or the JSON text of one. */
 export interface Problem {

@@ -1,7 +1,7 @@
 import type {Alignment, Point} from './geometry.js';
 import type {NoteDetail} from './notes.js';
 import type {GroupName} from './print.js';
-import type {Method} from './problem.js';
+import type {Method} from './method.js';
 
 /** A piece before and after: `rest` and `shape` share vertices, triangles and outline. [cm] */
 export interface ResultPiece {

@@ -5,7 +5,8 @@ import type {Alignment, Point} from './geometry.js';
 import type {SolveOptions} from './options.js';
 import type {PieceNames} from './piece-names.js';
 import {colourwayOf, groupNames, type Print} from './print.js';
-import type {Method, Problem} from './problem.js';
+import type {Problem} from './problem.js';
+import type {Method} from './method.js';
 import {
   fail,
   listOf,
@@ -22,15 +23,9 @@ import {latticeVectors, repeatOf} from './repeat.js';
 import {resultText, sha256Of} from './result-text.js';
 import type {SolveResult} from './result.js';
 import type {Symmetry} from './symmetries.js';
+import type {StoredFile} from './stored-file.js';
 import {FileError, readVersioned, type FileKind} from './versioned-file.js';
 import {packageVersion} from './version.js';
-
-/** A file by its place, and by the sha256 of its bytes in lower-case hexadecimal digits. */
-export interface StoredFile {
-  /** http:, https: or file:, or relative to the design. */
-  readonly url: string;
-  readonly sha256: string;
-}
 
 /** What was changed of a print; what is left out is as the print's file has it. */
 export type PrintChanges = Partial<

@@ -1,30 +1,7 @@
-/** How a picture of somebody's own repeats, in the words of those who design prints, and what is measured of it. */
+/** How a picture of somebody's own repeats, and what is measured of it. */
 import type {DesignPrint} from './design.js';
+import type {PrintTile, TileRepeat} from './print-tile.js';
 import {coupledSize, type RepeatSize} from './repeat.js';
-
-/**
- * `halfDrop`: each column begins half a picture lower than its neighbour; `brick`: each row half a picture aside;
- * `mirrored`: every other picture is mirrored both ways, or only `mirroredAcross` (left to right) or `mirroredUp`.
- */
-export const tileRepeats = [
-  'straight',
-  'halfDrop',
-  'brick',
-  'mirrored',
-  'mirroredAcross',
-  'mirroredUp',
-] as const;
-
-export type TileRepeat = (typeof tileRepeats)[number];
-
-/** A picture as it was opened, and what the print's own picture was made of it by. */
-export interface PrintTile {
-  /** As `image` of a print. */
-  readonly image: string;
-  readonly repeat: TileRepeat;
-  /** Clockwise, to bring the group's axes to where its convention has them. [degrees] */
-  readonly turnedDeg: 0 | 90;
-}
 
 /** How often the picture stands beside and above itself in one cell of the print. */
 export const copiesIn: Readonly<Record<TileRepeat, readonly [across: number, up: number]>> = {

@@ -9,8 +9,8 @@ import {
   readStoredDesign,
   writeStoredDesign,
   type StoredDesign,
-  type StoredFile,
 } from '../model/stored-design.js';
+import type {StoredFile} from '../model/stored-file.js';
 import {FileError} from '../model/versioned-file.js';
 import {printDistance} from '../model/wallpaper.js';
 import {onPrint} from '../picture/fit.js';

@@ -1,5 +1,5 @@
 /** Whether a picture goes on where its copies touch, and where it does not. */
-import type {TileRepeat} from '../model/tile-repeat.js';
+import type {TileRepeat} from '../model/print-tile.js';
 import type {Pixels} from './tile-cloth.js';
 
 export type Side = 'left' | 'right' | 'top' | 'bottom';

@@ -1,6 +1,7 @@
 import {SolverError} from '../model/failure.js';
 import type {Garment} from '../model/garment.js';
-import {methods, type Problem, type ProofHooks, type SolveHooks} from '../model/problem.js';
+import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
+import {methods} from '../model/method.js';
 import type {Symmetry} from '../model/symmetries.js';
 
 /** A problem as text: its files, and what to call them in messages. */

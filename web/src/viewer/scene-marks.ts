@@ -5,7 +5,17 @@ import {pairLetter} from '../model/letters.js';
 import type {Pattern, ResultPiece} from '../model/result.js';
 import {grainLine} from '../picture/grain-line.js';
 import {axisAlong, innermost, mirrorImage, pick} from '../picture/marks.js';
-import type {ScenePiece, SceneSymmetry} from './scene.js';
+
+/** A place for a letter, in the coordinates of a piece, and how far the outline is from there. */
+export interface PairMark {
+  readonly piece: number;
+  readonly at: Point;
+  readonly room: number;
+}
+
+export type SceneSymmetry =
+  | {readonly kind: 'piece'; readonly piece: number; readonly axis: readonly [Point, Point]}
+  | {readonly kind: 'pair'; readonly letter: string; readonly marks: readonly PairMark[]};
 
 /** A grain line on a mirror axis is moved aside by this, since only its direction counts. */
 const grainShift = 2;
@@ -52,7 +62,7 @@ export function grainOf(
   piece: ResultPiece,
   marks: PanelMarks | undefined,
   axis: readonly [Point, Point] | undefined,
-): Pick<ScenePiece, 'grain'> {
+): {readonly grain?: readonly [Point, Point]} {
   const line = grainLine(piece, marks);
   return line ? {grain: axis ? besideAxis(line, axis) : line} : {};
 }

@@ -21,7 +21,7 @@ import {nameLines, textWidth} from '../picture/svg.js';
 import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
 import {readable} from '../model/piece-names.js';
 import {offSheet, type SheetPlace} from '../model/sheet-place.js';
-import {grainOf, symmetriesOf} from './scene-marks.js';
+import {grainOf, symmetriesOf, type SceneSymmetry} from './scene-marks.js';
 import {screenMargin} from './sheet-view.js';
 
 /** Points are in the piece's own coordinates, not in those of the sheet. */
@@ -54,17 +54,6 @@ export interface SeamMatch {
   /** Where no symmetry of the print carries all of the seam. */
   readonly drift: Drift | undefined;
 }
-
-/** A place for a letter, in the coordinates of a piece, and how far the outline is from there. */
-export interface PairMark {
-  readonly piece: number;
-  readonly at: Point;
-  readonly room: number;
-}
-
-export type SceneSymmetry =
-  | {readonly kind: 'piece'; readonly piece: number; readonly axis: readonly [Point, Point]}
-  | {readonly kind: 'pair'; readonly letter: string; readonly marks: readonly PairMark[]};
 
 /** A run of vertices of a piece. */
 export interface KeptLine {

@@ -10,7 +10,7 @@ import {
   text,
   type Read,
 } from '../../model/read.js';
-import {methods, type Method} from '../../model/problem.js';
+import {methods, type Method} from '../../model/method.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {sha256Of} from '../../model/result-text.js';

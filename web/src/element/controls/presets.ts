@@ -1,7 +1,7 @@
 /** Starting points for makers, each a few decisions at once. */
 import type {Design} from '../../model/design.js';
 import type {GrainLock, SolveOptions} from '../../model/options.js';
-import type {Method} from '../../model/problem.js';
+import type {Method} from '../../model/method.js';
 
 export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit', 'placeOnly'] as const;
 export type PresetName = (typeof presetNames)[number];

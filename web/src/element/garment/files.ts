@@ -1,7 +1,7 @@
 /** Files that the element is pointed at: read once, within limits, and with a sentence for all that goes wrong. */
 import {SolverError, type FailureCode} from '../../model/failure.js';
 import {sha256Of} from '../../model/result-text.js';
-import type {StoredFile} from '../../model/stored-design.js';
+import type {StoredFile} from '../../model/stored-file.js';
 import type {Texts} from '../texts/texts.js';
 
 export type FileWords = Texts['garment'];

@@ -1,21 +1,31 @@
 /** What the pattern can be asked for, by a key or by name. */
 import type {ShortcutIn} from '../commands/shortcuts.js';
 import {turnPiece} from '../lists/turn-piece.js';
-import type {PatternPane} from './pattern-pane.js';
-import type {Tool} from './pattern-tools.js';
+import type {PatternView} from '../../viewer/pattern-view.js';
+import type {Workbench} from '../workbench/workbench.js';
+import type {PatternTools, Tool} from './pattern-tools.js';
+
+/** The pattern as keys and commands see it. */
+export interface CommandedPattern extends EventTarget {
+  readonly desk: Workbench;
+  readonly tools: PatternTools;
+  readonly view: PatternView | undefined;
+  toggleBare(): void;
+  openZoom(): void;
+}
 
 /** One notch of zoom by a key. */
 const zoom = 1.25;
 
 const tool =
   (name: Tool) =>
-  ({tools}: PatternPane): boolean => {
+  ({tools}: CommandedPattern): boolean => {
     tools.toggle(name);
     return true;
   };
 
 /** @returns whether it means something just now */
-type Act = (pane: PatternPane) => boolean;
+type Act = (pane: CommandedPattern) => boolean;
 
 export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {
   piece: tool('piece'),

@@ -1,10 +1,10 @@
 /** Keys of the pattern, while it has the focus. */
+import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Point} from '../../model/geometry.js';
 import {shortcutFor} from '../commands/shortcuts.js';
 import {seamRows, worstSeams} from '../lists/rows.js';
 import {textsOf} from '../texts/texts.js';
-import {patternCommands} from './pattern-commands.js';
-import type {PatternPane} from './pattern-pane.js';
+import {patternCommands, type CommandedPattern} from './pattern-commands.js';
 import {steppedOut, walked} from './walking.js';
 
 /** Of a print moved by an arrow key. [cm] */
@@ -18,7 +18,13 @@ const ways: Readonly<Record<string, Point>> = {
   ArrowDown: [0, -1],
 };
 
-export function patternKeys(pane: PatternPane, event: KeyboardEvent): void {
+/** The pattern that has the keys: what lies on its sheet, and how far the drafted one is drawn over it. */
+export interface KeyedPattern extends CommandedPattern {
+  readonly index: PickIndex | undefined;
+  split: number | undefined;
+}
+
+export function patternKeys(pane: KeyedPattern, event: KeyboardEvent): void {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   if (!handled(pane, key, event)) return;
@@ -26,13 +32,13 @@ export function patternKeys(pane: PatternPane, event: KeyboardEvent): void {
   event.stopPropagation();
 }
 
-function handled(pane: PatternPane, key: string, event: KeyboardEvent): boolean {
+function handled(pane: KeyedPattern, key: string, event: KeyboardEvent): boolean {
   return (
     moved(pane, key, event.shiftKey) || chosen(pane, key) || asked(pane, event) || walk(pane, key)
   );
 }
 
-function moved({tools}: PatternPane, key: string, shift: boolean): boolean {
+function moved({tools}: KeyedPattern, key: string, shift: boolean): boolean {
   const way = ways[key];
   const step = shift ? coarseStep : fineStep;
   if (way) return tools.nudge([way[0] * step, way[1] * step]);
@@ -42,7 +48,7 @@ function moved({tools}: PatternPane, key: string, shift: boolean): boolean {
 }
 
 /** Enter and the space bar choose what is selected, or accept what has been chosen. */
-function chosen({tools, index, desk}: PatternPane, key: string): boolean {
+function chosen({tools, index, desk}: KeyedPattern, key: string): boolean {
   const {chooser} = tools;
   if (key === 'Enter' && chooser.isReady) {
     chooser.send({type: 'commit'});
@@ -57,12 +63,12 @@ function chosen({tools, index, desk}: PatternPane, key: string): boolean {
 }
 
 /** A command by its key, and what only a key can ask for. */
-function asked(pane: PatternPane, event: KeyboardEvent): boolean {
+function asked(pane: KeyedPattern, event: KeyboardEvent): boolean {
   const command = shortcutFor(event, ['pattern']);
   return command ? patternCommands[command](pane) : heldOrStepped(pane, event.key);
 }
 
-function heldOrStepped(pane: PatternPane, key: string): boolean {
+function heldOrStepped(pane: KeyedPattern, key: string): boolean {
   const {tools, desk, index} = pane;
   if (key === 'Escape') {
     if (!tools.back() && desk.selected) desk.select(index && steppedOut(index, desk.selected));
@@ -81,7 +87,7 @@ function heldOrStepped(pane: PatternPane, key: string): boolean {
   return true;
 }
 
-function walk({index, desk}: PatternPane, key: string): boolean {
+function walk({index, desk}: KeyedPattern, key: string): boolean {
   const next = index && walked(index, desk.selected, key);
   if (next) desk.select(next);
   return next !== undefined;

@@ -1,7 +1,7 @@
 /** A picture that was opened as a print and does not meet its copies: where, and what may become of it. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {TileRepeat} from '../../model/tile-repeat.js';
+import type {TileRepeat} from '../../model/print-tile.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import type {DoubtfulPicture} from '../workbench/state.js';

@@ -1,14 +1,8 @@
 /** Somebody's own picture as a print: what groups it has, and what becomes of it in each. */
 import type {DesignPrint} from '../../model/design.js';
 import {coupledSize, type FittingGroup, type RepeatSize} from '../../model/repeat.js';
-import {
-  cellTurn,
-  copiesIn,
-  pictureIn,
-  type OwnPicture,
-  type PrintTile,
-  type TileRepeat,
-} from '../../model/tile-repeat.js';
+import {cellTurn, copiesIn, pictureIn, type OwnPicture} from '../../model/tile-repeat.js';
+import type {PrintTile, TileRepeat} from '../../model/print-tile.js';
 import {latticeType} from '../../model/wallpaper.js';
 import type {FoundGroup, TileCheck} from '../../picture/tile-check.js';
 import type {OpenEdge} from '../../picture/tile-edges.js';

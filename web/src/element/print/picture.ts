@@ -1,5 +1,6 @@
 /** The picture of a print's cell as pixels, wherever a design has it. */
-import {copiesIn, type TileRepeat} from '../../model/tile-repeat.js';
+import {copiesIn} from '../../model/tile-repeat.js';
+import type {TileRepeat} from '../../model/print-tile.js';
 import type {Pixels} from '../../picture/tile-cloth.js';
 
 /** Longest side of what is compared, and of a picture that is drawn anew. [px] */

@@ -1,7 +1,7 @@
 /** What lets a picture meet its copies, one button for each way. */
 import {html, type TemplateResult} from 'lit';
 
-import type {TileRepeat} from '../../model/tile-repeat.js';
+import type {TileRepeat} from '../../model/print-tile.js';
 import type {Texts} from '../texts/en.js';
 
 export const remedies = (

@@ -1,7 +1,8 @@
 /** How somebody's own picture repeats, each way with a small drawing of it. */
 import {css, html, nothing, svg, type SVGTemplateResult, type TemplateResult} from 'lit';
 
-import {pictureIn, tileRepeats, type TileRepeat} from '../../model/tile-repeat.js';
+import {pictureIn} from '../../model/tile-repeat.js';
+import {tileRepeats, type TileRepeat} from '../../model/print-tile.js';
 import {DeskElement} from '../desk-element.js';
 import {controls} from '../style/controls.js';
 import {printOfPicture} from './own-print.js';

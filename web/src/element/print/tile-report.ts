@@ -2,7 +2,8 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {noPicture, type DesignPrint} from '../../model/design.js';
-import {pictureIn, type TileRepeat} from '../../model/tile-repeat.js';
+import {pictureIn} from '../../model/tile-repeat.js';
+import type {TileRepeat} from '../../model/print-tile.js';
 import type {Asymmetry} from '../../picture/asymmetry.js';
 import type {FoundGroup, TileCheck} from '../../picture/tile-check.js';
 import type {OpenEdge} from '../../picture/tile-edges.js';

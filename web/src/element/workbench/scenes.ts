@@ -1,5 +1,11 @@
 /** The sheets to be drawn of a workbench: the garment as it comes, and as it is or is about to be. */
-import {decidedOf, printOf, type DesignGarment, type DesignPrint} from '../../model/design.js';
+import {
+  decidedOf,
+  printOf,
+  type Design,
+  type DesignGarment,
+  type DesignPrint,
+} from '../../model/design.js';
 import {panelMarks, type PanelDecisions, type PanelMarks} from '../../model/garment-marks.js';
 import type {Garment} from '../../model/garment.js';
 import type {Alignment} from '../../model/geometry.js';
@@ -11,7 +17,6 @@ import type {MismatchScale} from '../../picture/colours.js';
 import {realigned, sceneOf, type PatternScene, type SceneOptions} from '../../viewer/scene.js';
 import {keptLines} from './kept-lines.js';
 import {lastOf} from './last-of.js';
-import type {Workbench} from './workbench.js';
 
 export interface Scenes {
   /** The pieces as drafted, cut on grain without a thought; the same in any window. */
@@ -20,6 +25,15 @@ export interface Scenes {
   readonly now: PatternScene;
   /** What the garment's file says about its panels, by name. */
   readonly marks: ReadonlyMap<string, PanelMarks>;
+}
+
+/** A design and what is known of its answer. */
+interface Work {
+  readonly design: Design | undefined;
+  readonly pattern: MeshedPattern | undefined;
+  readonly result: SolveResult | undefined;
+  readonly partial: readonly Alignment[] | undefined;
+  readonly preferences: {readonly scale: MismatchScale};
 }
 
 /** Remembers what it made last, since making a sheet costs far more than laying it on the print anew. */
@@ -56,8 +70,8 @@ export class SceneMaker {
   #lastGarment: Garment | undefined;
 
   /** Undefined until the solver has read the garment. */
-  scenes(desk: Workbench, shown: Room): Scenes | undefined {
-    const {design, pattern, result, partial} = desk;
+  scenes(work: Work, shown: Room): Scenes | undefined {
+    const {design, pattern, result, partial} = work;
     if (!design || !pattern) return undefined;
     const print = this.#print(design.print);
     const garment = this.#garment(design.garment.text);
@@ -69,7 +83,7 @@ export class SceneMaker {
     const room = this.#rooms.get(design.garment) ?? shown;
     if (isRoom(room)) this.#rooms.set(design.garment, room);
     const {width, height} = room;
-    const settings = this.#settings(garment, decided, plain, desk.preferences.scale, width, height);
+    const settings = this.#settings(garment, decided, plain, work.preferences.scale, width, height);
     const before = this.#rest(pattern, print, settings);
     const now = result
       ? this.#solved(pattern, result, print, settings)
