@@ -3,7 +3,8 @@ import type {Alignment, Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {imageCell} from '../model/wallpaper.js';
 import {onPrint} from './fit.js';
-import {escaped, imageHref, short} from './svg.js';
+import {escaped, short} from './svg.js';
+import {imageHref} from '../recognition/svg-picture.js';
 
 /** A print with the picture of its cell: SVG text, or a URL. Without one, only the cell is drawn. */
 export type PrintWithTile = Print & {readonly tile?: string};

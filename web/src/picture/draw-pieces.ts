@@ -10,7 +10,8 @@ import type {Fit} from './fit.js';
 import type {Layout} from './layout.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
 import {seamLetters} from './seam-letters.js';
-import {escaped, nameLines, polyline, short, text, textWidth} from './svg.js';
+import {escaped, polyline, short, text} from './svg.js';
+import {nameLines, textWidth} from '../layout/name-lines.js';
 
 /** One of the two states that are shown, and where on the page. */
 export interface Scene {

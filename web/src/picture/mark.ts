@@ -1,5 +1,6 @@
 /** Words across a whole sheet, which nobody can miss who is about to cut by it. */
-import {escaped, short, textWidth} from './svg.js';
+import {escaped, short} from './svg.js';
+import {textWidth} from '../layout/name-lines.js';
 
 /** For an answer that is not, byte for byte, the one that was sold. */
 export const notAsSold = 'NOT AS IT WAS SOLD';

@@ -3,7 +3,7 @@ import type {Pattern} from '../model/result.js';
 import {nameLeading, nameRoom} from './draw-pieces.js';
 import {layOutNamed} from './layout.js';
 import type {Placements} from './on-body.js';
-import {nameLines, textWidth} from './svg.js';
+import {nameLines, textWidth} from '../layout/name-lines.js';
 
 export const width = 1200;
 export const margin = 56;

@@ -17,7 +17,7 @@ import {
 import {layOutNamed, type Layout} from '../picture/layout.js';
 import {isInside, pick} from '../picture/marks.js';
 import {placementsIn} from '../picture/on-body.js';
-import {nameLines, textWidth} from '../picture/svg.js';
+import {nameLines, textWidth} from '../layout/name-lines.js';
 import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
 import {readable} from '../model/piece-names.js';
 import {offSheet, type SheetPlace} from '../model/sheet-place.js';

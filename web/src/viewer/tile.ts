@@ -1,6 +1,6 @@
 /** The picture of a print's cell, as it is loaded: before anything is drawn, and without what draws it. */
 import {trustedMarkup} from '../model/trusted.js';
-import {imageHref} from '../picture/svg.js';
+import {imageHref} from '../recognition/svg-picture.js';
 
 /** One cell of a print: pixels, or an image of an SVG, which can be drawn at any size. */
 export type Tile =

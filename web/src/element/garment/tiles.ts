@@ -2,7 +2,7 @@
 import {SolverError} from '../../model/failure.js';
 import {noPicture} from '../../model/design.js';
 import {svgTile, type Tile} from '../../viewer/tile.js';
-import {hasOutsidePictures} from '../../picture/svg.js';
+import {hasOutsidePictures} from '../../recognition/svg-picture.js';
 import type {Texts} from '../texts/texts.js';
 import {blobOf} from '../pattern/tile.js';
 import {fetchBlob} from './files.js';

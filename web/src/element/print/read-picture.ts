@@ -1,6 +1,6 @@
 /** Reads a file as the picture of a print; whatever else it is, is named. */
 import {fileKind, isWhole, type FileKind} from '../../picture/file-kind.js';
-import {hasOutsidePictures} from '../../picture/svg.js';
+import {hasOutsidePictures} from '../../recognition/svg-picture.js';
 import {sizedSvg} from '../../picture/svg-size.js';
 import type {Texts} from '../texts/en.js';
 import {loadPicture} from './picture.js';

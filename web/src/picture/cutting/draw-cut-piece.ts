@@ -3,7 +3,8 @@ import type {Point} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
 import {imageCell} from '../../model/wallpaper.js';
 import {onPrint} from '../fit.js';
-import {escaped, polyline, short, text, textWidth} from '../svg.js';
+import {escaped, polyline, short, text} from '../svg.js';
+import {textWidth} from '../../layout/name-lines.js';
 import type {CutPiece} from './cut-piece.js';
 
 export interface CutStyle {
