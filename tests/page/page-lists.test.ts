@@ -3,7 +3,7 @@ import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {Design} from '../../web/src/model/design.js';
-import type {Workbench} from '../../web/src/element/workbench/workbench.js';
+import type {Workbench} from '../../web/src/workbench/workbench.js';
 import {button, showSample, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();

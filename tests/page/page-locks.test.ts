@@ -2,7 +2,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import type {PatternPane} from '../../web/src/element/index.js';
+import type {PatternPane} from '../../web/src/editor/index.js';
 import type {Point} from '../../web/src/model/geometry.js';
 import type {SolveOptions} from '../../web/src/model/options.js';
 import type {SolveResult} from '../../web/src/model/result.js';

@@ -3,7 +3,7 @@ import {expect, it} from 'vitest';
 
 import type {Point} from '../../web/src/model/geometry.js';
 import type {Pattern} from '../../web/src/model/result.js';
-import {sceneOf, type PatternScene} from '../../web/src/viewer/scene.js';
+import {sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
 import {plainPrint as print, squarePair} from '../support/two-squares.js';
 import {colourAt, realign, screenOf, settled, show, useViewer, type Colour} from './viewer/open.js';
 

@@ -2,7 +2,7 @@ import type {Page} from 'playwright-core';
 import {beforeEach, expect, it} from 'vitest';
 
 import type {Point} from '../../web/src/model/geometry.js';
-import {sceneOf, type PatternScene} from '../../web/src/viewer/scene.js';
+import {sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
 import {plainPrint as print, squarePiece} from '../support/two-squares.js';
 import {eventually, settled, show, useViewer} from './viewer/open.js';
 

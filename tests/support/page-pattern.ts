@@ -2,7 +2,7 @@
 import type {Locator, Page} from 'playwright-core';
 
 import type {Point} from '../../web/src/model/geometry.js';
-import type {PatternPane} from '../../web/src/element/index.js';
+import type {PatternPane} from '../../web/src/editor/index.js';
 
 const pattern = (page: Page): Locator => page.locator('sw-pattern');
 

@@ -2,16 +2,16 @@
 import {expect, it} from 'vitest';
 
 import {folded, matching} from '../../web/src/app/palette/filter.js';
-import type {Command} from '../../web/src/element/commands/command.js';
+import type {Command} from '../../web/src/editor/commands/command.js';
 import {
   keyOf,
   shortcutFor,
   shortcutIds,
   shortcuts,
   titleOf,
-} from '../../web/src/element/commands/shortcuts.js';
-import {loadTexts, textsOf} from '../../web/src/element/texts/texts.js';
-import {languages} from '../../web/src/element/workbench/preferences.js';
+} from '../../web/src/editor/commands/shortcuts.js';
+import {loadTexts, textsOf} from '../../web/src/texts/texts.js';
+import {languages} from '../../web/src/texts/preferences.js';
 
 const command = (title: string, more: Partial<Command> = {}): Command => ({
   ...{id: title, title, run: () => undefined},

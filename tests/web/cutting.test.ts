@@ -6,15 +6,15 @@ import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import type {Print} from '../../web/src/model/print.js';
 import type {Pattern, ResultPiece, SolveResult} from '../../web/src/model/result.js';
 import {printDistance} from '../../web/src/model/wallpaper.js';
-import {cutLine} from '../../web/src/picture/cutting/cut-line.js';
-import {cuttingFile, type CuttingOptions} from '../../web/src/picture/cutting/cutting-file.js';
-import {notchMark, shapePoint} from '../../web/src/picture/cutting/follow.js';
-import {matchMarks} from '../../web/src/picture/cutting/match-marks.js';
+import {cutLine} from '../../web/src/cutting/cut-line.js';
+import {cuttingFile, type CuttingOptions} from '../../web/src/cutting/cutting-file.js';
+import {notchMark, shapePoint} from '../../web/src/cutting/follow.js';
+import {matchMarks} from '../../web/src/cutting/match-marks.js';
 import {pairLetter, seamLetter} from '../../web/src/model/letters.js';
-import {seamLetters} from '../../web/src/picture/seam-letters.js';
-import {onPrint} from '../../web/src/picture/fit.js';
-import {grainLine} from '../../web/src/picture/grain-line.js';
-import {isInside} from '../../web/src/picture/marks.js';
+import {seamLetters} from '../../web/src/scene/seam-letters.js';
+import {onPrint} from '../../web/src/scene/mismatch.js';
+import {grainLine} from '../../web/src/scene/grain-line.js';
+import {isInside} from '../../web/src/scene/marks.js';
 import {plainMetrics, plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 const extent = (points: readonly Point[]): number[] => [

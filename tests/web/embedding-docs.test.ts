@@ -10,7 +10,7 @@ import {expect, it} from 'vitest';
 import {spellings} from '../../web/src/element/garment/attributes.js';
 import {bubbling} from '../../web/src/element/garment/events.js';
 import {SeamwiseGarment} from '../../web/src/element/seamwise-garment.js';
-import {tokens} from '../../web/src/element/style/tokens.js';
+import {tokens} from '../../web/src/editor/style/tokens.js';
 import {failureCodes, pageFailureCodes} from '../../web/src/model/failure.js';
 import {rowsOf, snippetWith} from '../support/embedding.js';
 

@@ -6,7 +6,7 @@ import {
   wayOf,
   withImage,
   type Mirror,
-} from '../../web/src/element/workbench/grain-proposals.js';
+} from '../../web/src/workbench/grain-proposals.js';
 import type {PanelMarks, Placement} from '../../web/src/model/garment-marks.js';
 import {squarePiece} from '../support/two-squares.js';
 

@@ -2,7 +2,7 @@
 import {describe, expect, it} from 'vitest';
 
 import type {Design} from '../../web/src/model/design.js';
-import {bareCloth} from '../../web/src/element/workbench/samples.js';
+import {bareCloth} from '../../web/src/workbench/samples.js';
 import {angleAfter, grainRule} from '../../web/src/model/grain-rule.js';
 import {isAllowed} from '../../web/src/model/mirror-lines.js';
 

@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import {Afterwards} from '../../web/src/element/workbench/afterwards.js';
-import {improving, Steps} from '../../web/src/element/workbench/steps.js';
+import {Afterwards} from '../../web/src/workbench/afterwards.js';
+import {improving, Steps} from '../../web/src/workbench/steps.js';
 import {problemOf, type Design} from '../../web/src/model/design.js';
 import type {SolveOptions} from '../../web/src/model/options.js';
 import type {SolveResult} from '../../web/src/model/result.js';

@@ -3,10 +3,10 @@ import {describe, expect, it} from 'vitest';
 
 import type {Design} from '../../web/src/model/design.js';
 import type {MeshedPattern} from '../../web/src/model/result.js';
-import {cleanedOptions} from '../../web/src/element/workbench/cleaned-options.js';
-import {keptLines} from '../../web/src/element/workbench/kept-lines.js';
-import {askedOf, withKeptPins} from '../../web/src/element/workbench/kept-pins.js';
-import {bareCloth, newDesign} from '../../web/src/element/workbench/samples.js';
+import {cleanedOptions} from '../../web/src/workbench/cleaned-options.js';
+import {keptLines} from '../../web/src/workbench/kept-lines.js';
+import {askedOf, withKeptPins} from '../../web/src/workbench/kept-pins.js';
+import {bareCloth, newDesign} from '../../web/src/workbench/samples.js';
 import {squarePair} from '../support/two-squares.js';
 
 const plain = squarePair();

@@ -9,11 +9,11 @@ import {
   worstSeams,
   type PieceRow,
   type SeamRow,
-} from '../../web/src/element/lists/rows.js';
-import {de} from '../../web/src/element/texts/de.js';
-import {en} from '../../web/src/element/texts/en.js';
-import {formatFor} from '../../web/src/element/texts/format.js';
-import {realigned, sceneOf} from '../../web/src/viewer/scene.js';
+} from '../../web/src/editor/lists/rows.js';
+import {de} from '../../web/src/texts/de.js';
+import {en} from '../../web/src/texts/en.js';
+import {formatFor} from '../../web/src/texts/format.js';
+import {realigned, sceneOf} from '../../web/src/scene/scene.js';
 import {seamRow} from '../support/seam-row.js';
 import {plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 

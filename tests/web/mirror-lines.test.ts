@@ -19,8 +19,8 @@ import {
   reducedBasis,
   type Repeat,
 } from '../../web/src/model/wallpaper.js';
-import {onPrint} from '../../web/src/picture/fit.js';
-import {mirrorImage} from '../../web/src/picture/marks.js';
+import {onPrint} from '../../web/src/scene/mismatch.js';
+import {mirrorImage} from '../../web/src/scene/marks.js';
 
 const number = (least: number, most: number): fc.Arbitrary<number> =>
   fc.double({min: least, max: most, noNaN: true});

@@ -4,7 +4,7 @@ import {expect, it} from 'vitest';
 import {nextDesign, type Answered} from '../../web/src/element/garment/next-design.js';
 import type {Asked} from '../../web/src/element/garment/sources.js';
 import type {Design} from '../../web/src/model/design.js';
-import {bareCloth} from '../../web/src/element/workbench/samples.js';
+import {bareCloth} from '../../web/src/workbench/samples.js';
 
 const pins = {
   front: {angle: 0.1, translation: [3, 4]},

@@ -6,17 +6,17 @@ import {
   groupOf,
   missing,
   turnsOver,
-} from '../../web/src/element/print/choices.js';
+} from '../../web/src/editor/print/choices.js';
 import {noPicture} from '../../web/src/model/design.js';
-import {printFrom} from '../../web/src/element/print/own-tile.js';
+import {printFrom} from '../../web/src/editor/print/own-tile.js';
 import {
   fittingOf,
   presetOf,
   withFitting,
   withPreset,
-} from '../../web/src/element/controls/presets.js';
+} from '../../web/src/editor/controls/presets.js';
 import {storedPreferences} from '../../web/src/app/storage/preferences.js';
-import {en} from '../../web/src/element/texts/en.js';
+import {en} from '../../web/src/texts/en.js';
 import type {Design} from '../../web/src/model/design.js';
 import {groupNames} from '../../web/src/model/print.js';
 import type {Symmetry} from '../../web/src/model/symmetries.js';

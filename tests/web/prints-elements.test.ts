@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import {collection} from '../../web/prints/collection.js';
-import {elementsWithin} from '../../web/prints/elements.js';
-import type {Cell} from '../../web/prints/tile.js';
+import {collection} from '../../web/samples/prints/collection.js';
+import {elementsWithin} from '../../web/samples/prints/elements.js';
+import type {Cell} from '../../web/samples/prints/tile.js';
 import type {Point} from '../../web/src/model/geometry.js';
 import {printDistance} from '../../web/src/model/wallpaper.js';
 

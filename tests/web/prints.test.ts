@@ -2,12 +2,12 @@ import {readdirSync, readFileSync, statSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
-import {collection} from '../../web/prints/collection.js';
-import {palettes} from '../../web/prints/palette.js';
-import {indexedPng} from '../../web/prints/png.js';
-import {pixelsOf, printFile, printOf, tilesOf} from '../../web/prints/print-files.js';
-import {decoded, rendered} from '../../web/prints/raster.js';
-import {imageSize} from '../../web/prints/tile.js';
+import {collection} from '../../web/samples/prints/collection.js';
+import {palettes} from '../../web/samples/prints/palette.js';
+import {indexedPng} from '../../web/samples/prints/png.js';
+import {pixelsOf, printFile, printOf, tilesOf} from '../../web/samples/prints/print-files.js';
+import {decoded, rendered} from '../../web/samples/prints/raster.js';
+import {imageSize} from '../../web/samples/prints/tile.js';
 import {groupNames} from '../../web/src/model/print.js';
 import {latticeType} from '../../web/src/model/wallpaper.js';
 

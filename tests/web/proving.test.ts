@@ -1,6 +1,6 @@
 import {describe, expect, it, vi} from 'vitest';
 
-import {Proving} from '../../web/src/element/workbench/proving.js';
+import {Proving} from '../../web/src/workbench/proving.js';
 import {problemOf, type Design} from '../../web/src/model/design.js';
 import type {SolveResult} from '../../web/src/model/result.js';
 import type {SolverService} from '../../web/src/solver/service.js';

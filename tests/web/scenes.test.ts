@@ -1,7 +1,7 @@
 import {expect, it} from 'vitest';
 
-import {SceneMaker} from '../../web/src/element/workbench/scenes.js';
-import type {Workbench} from '../../web/src/element/workbench/workbench.js';
+import {SceneMaker} from '../../web/src/workbench/scenes.js';
+import type {Workbench} from '../../web/src/workbench/workbench.js';
 import type {Design} from '../../web/src/model/design.js';
 import type {MeshedPattern} from '../../web/src/model/result.js';
 import {squarePair, squarePiece} from '../support/two-squares.js';

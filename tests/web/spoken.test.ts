@@ -3,12 +3,12 @@ import {describe, expect, it} from 'vitest';
 
 import {noteCodes, symmetryReasons, type NoteDetail} from '../../web/src/model/notes.js';
 import {failureCodes, type Failure} from '../../web/src/model/failure.js';
-import {spokenNote} from '../../web/src/element/shell/spoken-note.js';
-import {formatFor} from '../../web/src/element/texts/format.js';
-import {loadTexts, textsOf} from '../../web/src/element/texts/texts.js';
-import {languages, type Language} from '../../web/src/element/workbench/preferences.js';
-import {spokenFailure} from '../../web/src/element/workbench/spoken-failure.js';
-import type {Workbench} from '../../web/src/element/workbench/workbench.js';
+import {spokenNote} from '../../web/src/editor/shell/spoken-note.js';
+import {formatFor} from '../../web/src/texts/format.js';
+import {loadTexts, textsOf} from '../../web/src/texts/texts.js';
+import {languages, type Language} from '../../web/src/texts/preferences.js';
+import {spokenFailure} from '../../web/src/workbench/spoken-failure.js';
+import type {Workbench} from '../../web/src/workbench/workbench.js';
 
 /** As much of a workbench as sentences take names from. */
 const desk = {

@@ -2,12 +2,12 @@
 import {expect, it, vi} from 'vitest';
 
 import type {Choice} from '../../web/src/clicks/symmetry-tool.js';
-import {SymmetryChooser} from '../../web/src/element/pattern/symmetry-chooser.js';
-import {en} from '../../web/src/element/texts/en.js';
-import {formatFor} from '../../web/src/element/texts/format.js';
-import type {Workbench} from '../../web/src/element/workbench/workbench.js';
+import {SymmetryChooser} from '../../web/src/editor/pattern/symmetry-chooser.js';
+import {en} from '../../web/src/texts/en.js';
+import {formatFor} from '../../web/src/texts/format.js';
+import type {Workbench} from '../../web/src/workbench/workbench.js';
 import type {Design} from '../../web/src/model/design.js';
-import type {PatternScene} from '../../web/src/viewer/scene.js';
+import type {PatternScene} from '../../web/src/scene/scene.js';
 import {sewnSquares} from '../support/clickable-sheet.js';
 
 const design = {garment: {name: 'a.json', text: '{}'}} as Design;

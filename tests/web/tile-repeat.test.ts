@@ -4,8 +4,8 @@ import {printOf, type DesignPrint} from '../../web/src/model/design.js';
 import {pictureIn, resized, tileSize} from '../../web/src/model/tile-repeat.js';
 import {tileRepeats, type TileRepeat} from '../../web/src/model/print-tile.js';
 import {imageCell, printDistance} from '../../web/src/model/wallpaper.js';
-import {asymmetriesOf, isStriped} from '../../web/src/picture/asymmetry.js';
-import {checkTile, groupsOf} from '../../web/src/picture/tile-check.js';
+import {asymmetriesOf, isStriped} from '../../web/src/recognition/asymmetry.js';
+import {checkTile, groupsOf} from '../../web/src/recognition/tile-check.js';
 import {ink, leaf, painted, paper, rose, within, type Painting} from '../support/pictures.js';
 
 const print = (repeat: TileRepeat, change: Partial<DesignPrint> = {}): DesignPrint => ({

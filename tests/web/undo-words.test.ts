@@ -1,9 +1,9 @@
 /** What undo says that it takes back, for every kind of step. */
 import {expect, it} from 'vitest';
 
-import {changeBetween, type Change} from '../../web/src/element/commands/step.js';
-import {redoWords, undoWords} from '../../web/src/element/commands/step-words.js';
-import {withFitting, withPreset, fittingOf} from '../../web/src/element/controls/presets.js';
+import {changeBetween, type Change} from '../../web/src/editor/commands/step.js';
+import {redoWords, undoWords} from '../../web/src/editor/commands/step-words.js';
+import {withFitting, withPreset, fittingOf} from '../../web/src/editor/controls/presets.js';
 import {
   withGrain,
   withGrainLines,
@@ -12,10 +12,10 @@ import {
   withoutPin,
   withPrinted,
   withQuarterTurn,
-} from '../../web/src/element/lists/choices.js';
-import {en} from '../../web/src/element/texts/en.js';
-import {samplePrint, type SamplePrint} from '../../web/src/element/workbench/samples.js';
-import type {Workbench} from '../../web/src/element/workbench/workbench.js';
+} from '../../web/src/editor/lists/choices.js';
+import {en} from '../../web/src/texts/en.js';
+import {samplePrint, type SamplePrint} from '../../web/src/workbench/samples.js';
+import type {Workbench} from '../../web/src/workbench/workbench.js';
 import type {Design} from '../../web/src/model/design.js';
 
 const ogee: SamplePrint = {

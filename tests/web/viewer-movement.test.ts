@@ -2,7 +2,7 @@ import {expect, it} from 'vitest';
 
 import type {Point} from '../../web/src/model/geometry.js';
 import {movementOf, movementStrokes} from '../../web/src/viewer/movement.js';
-import {sceneOf} from '../../web/src/viewer/scene.js';
+import {sceneOf} from '../../web/src/scene/scene.js';
 import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 /** The upper right corner of the second square is pulled to the right by 4 mm. */

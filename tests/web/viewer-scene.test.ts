@@ -4,7 +4,7 @@ import type {Alignment, Point} from '../../web/src/model/geometry.js';
 import type {Print} from '../../web/src/model/print.js';
 import type {Pattern} from '../../web/src/model/result.js';
 import {apply} from '../../web/src/model/wallpaper.js';
-import {onPrint} from '../../web/src/picture/fit.js';
+import {onPrint} from '../../web/src/scene/mismatch.js';
 import {panelMarks} from '../../web/src/model/garment-marks.js';
 import {imageCoordinates} from '../../web/src/viewer/print-coordinates.js';
 import {
@@ -13,8 +13,8 @@ import {
   realigned,
   reprinted,
   sceneOf,
-} from '../../web/src/viewer/scene.js';
-import {symmetriesOf} from '../../web/src/viewer/scene-marks.js';
+} from '../../web/src/scene/scene.js';
+import {symmetriesOf} from '../../web/src/scene/scene-marks.js';
 import {seamStrokes} from '../../web/src/viewer/strokes.js';
 import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
 

@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
 import type {Point} from '../../web/src/model/geometry.js';
-import {sceneOf, type PatternScene} from '../../web/src/viewer/scene.js';
+import {sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
 import {onPieceAt, straightSeam, type StraightSeam} from '../../web/src/viewer/seam-ribbon.js';
 import {plainPrint as print, squarePair, squarePiece} from '../support/two-squares.js';
 

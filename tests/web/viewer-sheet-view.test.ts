@@ -9,7 +9,7 @@ import {
   toSheet,
   zoomed,
   type SheetView,
-} from '../../web/src/viewer/sheet-view.js';
+} from '../../web/src/scene/sheet-view.js';
 
 const size = {width: 800, height: 600};
 const sheet: Point = [100, 40];

@@ -1,9 +1,9 @@
 import {PatternView, type PatternViewOptions} from '../../../web/src/viewer/pattern-view.js';
-import type {PatternScene} from '../../../web/src/viewer/scene.js';
-import {realigned} from '../../../web/src/viewer/scene.js';
+import type {PatternScene} from '../../../web/src/scene/scene.js';
+import {realigned} from '../../../web/src/scene/scene.js';
 import {Screen} from '../../../web/src/viewer/screen.js';
 import {SeamStrip} from '../../../web/src/viewer/seam-strip.js';
-import {loadTile, svgTile} from '../../../web/src/viewer/tile.js';
+import {loadTile, svgTile} from '../../../web/src/recognition/tile.js';
 
 /** Where something lies on the page. [CSS px] */
 export interface Box {

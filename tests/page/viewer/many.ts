@@ -2,9 +2,9 @@
 import type {Page} from 'playwright-core';
 import {expect} from 'vitest';
 
-import {decoded, type Pixels} from '../../../web/prints/raster.js';
+import {decoded, type Pixels} from '../../../web/samples/prints/raster.js';
 import type {PatternView} from '../../../web/src/viewer/pattern-view.js';
-import {sceneOf, type PatternScene} from '../../../web/src/viewer/scene.js';
+import {sceneOf, type PatternScene} from '../../../web/src/scene/scene.js';
 import {plainPrint as print, squarePair} from '../../support/two-squares.js';
 import type {Box} from './main.js';
 import {checkered, useViewer} from './open.js';

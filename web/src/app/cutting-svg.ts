@@ -2,7 +2,7 @@
 import {decidedOf, printOf} from '../model/design.js';
 import type {Garment} from '../model/garment.js';
 import {garmentTitle, panelMarks} from '../model/garment-marks.js';
-import type {Workbench} from '../element/index.js';
+import type {Workbench} from '../editor/index.js';
 
 /** The picture of a cell as something a file may hold: SVG text, or a `data:` URL. */
 async function embedded(image: string): Promise<string> {
@@ -32,7 +32,7 @@ export async function cuttingSvg(
 ): Promise<string | undefined> {
   if (!design || !result) return undefined;
   const [{cuttingFile}, tile] = await Promise.all([
-    import('../picture/cutting/cutting-file.js'), // offsetting is a matter of this file alone
+    import('../cutting/cutting-file.js'), // offsetting is a matter of this file alone
     embedded(design.print.image),
   ]);
   const garment = JSON.parse(design.garment.text) as Garment;

@@ -9,7 +9,7 @@ import {
   withAll,
   type Samples,
   type Workbench,
-} from '../element/index.js';
+} from '../editor/index.js';
 
 /** @throws {Error} with one sentence when a sample cannot be read */
 export const firstDesign = (samples: Promise<Samples>): Promise<Design> =>
@@ -49,7 +49,7 @@ export async function askedFor(address: URL, before: Design): Promise<Design | u
 /** The picture that a print file names is taken in, so that the design can be saved as a whole. */
 async function askedPrint(path: string, address: URL): Promise<Design['print']> {
   const file = await fetched(path, address);
-  const {readPrintFile} = await import('../element/print/own-tile.js');
+  const {readPrintFile} = await import('../editor/print/own-tile.js');
   const print = await readPrintFile(file);
   if (!path.endsWith('.json')) return print;
   const {image} = JSON.parse(await file.text()) as {image?: string};

@@ -9,7 +9,7 @@ import {
   type Texts,
   toFailure,
   Workbench,
-} from '../element/index.js';
+} from '../editor/index.js';
 import type {Design} from '../model/design.js';
 import {askedFor, firstDesign, welcomeDesign} from './first-design.js';
 import {showBeforeAndAfter} from './introduction/before-and-after.js';

@@ -4,7 +4,7 @@ import {SolverError} from '../model/failure.js';
 import {FileError, isProject, readProject} from '../model/project.js';
 import {longestName, withoutEnding} from '../model/project-name.js';
 import {fieldOf} from '../model/read.js';
-import {isDocument} from '../picture/file-kind.js';
+import {isDocument} from '../recognition/file-kind.js';
 import {
   kindOf,
   looksLikePicture,
@@ -14,7 +14,7 @@ import {
   toFailure,
   type Texts,
   type Workbench,
-} from '../element/index.js';
+} from '../editor/index.js';
 import type {Projects} from './projects/projects.js';
 
 /** Nobody's pattern is larger, and a browser would choke on it. [bytes] */

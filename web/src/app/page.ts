@@ -13,7 +13,7 @@ import {
   type GarmentChoice,
   type PatternPane,
   type Samples,
-} from '../element/index.js';
+} from '../editor/index.js';
 import {chooseFile, takeFiles} from './files.js';
 import {keepHints, type Hint} from './introduction/kept.js';
 import type {How} from './open-file.js';

@@ -1,5 +1,5 @@
 /** The page on paper: the whole pattern on white, without what it is worked on with. */
-import type {Workbench} from '../element/index.js';
+import type {Workbench} from '../editor/index.js';
 
 /** Lays the pattern out whenever the page is printed, until `signal` fires; page.css hides the rest then. */
 export function printPattern(desk: Workbench, signal: AbortSignal): void {

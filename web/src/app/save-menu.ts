@@ -8,7 +8,7 @@ import {
   lengthUnit,
   placeUnder,
   type NumberField,
-} from '../element/index.js';
+} from '../editor/index.js';
 import {labelled} from './page-layout.js';
 import type {Projects} from './projects/projects.js';
 import {saveCutting, savePicture, saveProject, saveResult} from './save.js';

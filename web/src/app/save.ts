@@ -1,7 +1,7 @@
 /** What a user takes away. */
 import {fileNameOf} from '../model/project-name.js';
 import {writeProject} from '../model/project.js';
-import {toFailure, type Workbench} from '../element/index.js';
+import {toFailure, type Workbench} from '../editor/index.js';
 import {cuttingSvg} from './cutting-svg.js';
 import {saveFile} from './files.js';
 import type {Projects} from './projects/projects.js';

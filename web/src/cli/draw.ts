@@ -8,7 +8,7 @@ import {fieldOf} from '../model/read.js';
 import type {SolveResult} from '../model/result.js';
 import {drawResult, type PictureOptions} from '../picture/draw-result.js';
 import {notAsSold} from '../picture/mark.js';
-import {placementsIn} from '../picture/on-body.js';
+import {placementsIn} from '../layout/on-body.js';
 import {readText, resultLimit, textOf} from '../node/files.js';
 import {parseArguments, UsageError} from './arguments.js';
 import {checkWritable, writeText} from './files.js';

@@ -3,7 +3,7 @@ import {panelMarks} from '../model/garment-marks.js';
 import type {SolveOptions} from '../model/options.js';
 import type {SolveResult} from '../model/result.js';
 import type {Remedy} from '../node/index.js';
-import {finalFit, fitOf, worstOf} from '../picture/fit.js';
+import {finalFit, fitOf, worstOf} from '../scene/mismatch.js';
 
 const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
 

@@ -7,7 +7,7 @@ import {packageVersion} from '../model/version.js';
 import {addressFrom, addressOf, folderOf, readAddress} from '../node/addresses.js';
 import {textOf} from '../node/files.js';
 import {order as solveOrder, type Order} from '../node/index.js';
-import {cuttingFile} from '../picture/cutting/cutting-file.js';
+import {cuttingFile} from '../cutting/cutting-file.js';
 import {notAsSold} from '../picture/mark.js';
 import {lengthCm, parseArguments, UsageError} from './arguments.js';
 import {figuresLine} from './figures.js';

@@ -24,18 +24,18 @@ import {GarmentSession} from './garment/session.js';
 import {Speech} from './garment/speech.js';
 import {garmentStyle} from './garment/style.js';
 import {upgrade} from './garment/upgrade.js';
-import {PatternDrawing} from './pattern/drawing.js';
-import {register} from './register.js';
-import {controls} from './style/controls.js';
-import {tokens} from './style/tokens.js';
-import type {Messages, Texts} from './texts/texts.js';
-import {preferencesFor} from './workbench/preferences.js';
+import {PatternDrawing} from '../editor/pattern/drawing.js';
+import {register} from '../editor/register.js';
+import {controls} from '../editor/style/controls.js';
+import {tokens} from '../editor/style/tokens.js';
+import type {Messages, Texts} from '../texts/texts.js';
+import {preferencesFor} from '../texts/preferences.js';
 
 export type {GarmentLoading, GarmentMode, GarmentView} from './garment/attributes.js';
 export type * from './garment/events.js';
 export type {Units} from '../model/units.js';
 export type {PrintOffer} from './garment/offered-prints.js';
-export type {Messages, Texts} from './texts/texts.js';
+export type {Messages, Texts} from '../texts/texts.js';
 
 export class SeamwiseGarment extends AttributeElement {
   /** The variables of `style/tokens.ts` are the page's to set. */

@@ -13,7 +13,7 @@ import {
 import type {StoredFile} from '../model/stored-file.js';
 import {FileError} from '../model/versioned-file.js';
 import {printDistance} from '../model/wallpaper.js';
-import {onPrint} from '../picture/fit.js';
+import {onPrint} from '../scene/mismatch.js';
 import type {NamedSolveHooks} from '../solver/texts.js';
 import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
 import {textOf} from './files.js';

@@ -2,7 +2,7 @@
 import type {Alignment, Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {imageCell} from '../model/wallpaper.js';
-import {onPrint} from './fit.js';
+import {onPrint} from '../scene/mismatch.js';
 import {escaped, short} from './svg.js';
 import {imageHref} from '../recognition/svg-picture.js';
 

@@ -5,11 +5,11 @@ import type {Print} from '../model/print.js';
 import type {Pattern, ResultPiece, SeamSide} from '../model/result.js';
 import {ontoSheet} from '../model/sheet-place.js';
 import {clothUnder} from './cloth.js';
-import {mismatchLine} from './colours.js';
-import type {Fit} from './fit.js';
-import type {Layout} from './layout.js';
-import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
-import {seamLetters} from './seam-letters.js';
+import {mismatchLine} from '../scene/colours.js';
+import type {Fit} from '../scene/mismatch.js';
+import type {Layout} from '../layout/layout.js';
+import {axisAlong, innermost, mirrorImage, pick} from '../scene/marks.js';
+import {seamLetters} from '../scene/seam-letters.js';
 import {escaped, polyline, short, text} from './svg.js';
 import {nameLines, textWidth} from '../layout/name-lines.js';
 

@@ -6,11 +6,11 @@ import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 import {imageCell, latticeType} from '../model/wallpaper.js';
 import {clothTile, type PrintWithTile} from './cloth.js';
-import {mismatchSteps, stepLines} from './colours.js';
+import {mismatchSteps, stepLines} from '../scene/colours.js';
 import {drawPieces, seamLetterAt, strokeOf, type Scene} from './draw-pieces.js';
-import {finalFit, fitOf, worstOf, type Fit} from './fit.js';
+import {finalFit, fitOf, worstOf, type Fit} from '../scene/mismatch.js';
 import {markAcross} from './mark.js';
-import type {Placements} from './on-body.js';
+import type {Placements} from '../layout/on-body.js';
 import {laidOut, margin, nameSize, width} from './page.js';
 import {escaped, short, text} from './svg.js';
 

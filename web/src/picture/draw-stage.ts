@@ -3,7 +3,7 @@ import type {Alignment} from '../model/geometry.js';
 import type {Pattern} from '../model/result.js';
 import {clothTile} from './cloth.js';
 import {drawPieces, type Scene} from './draw-pieces.js';
-import {fitOf} from './fit.js';
+import {fitOf} from '../scene/mismatch.js';
 import {laidOut, margin, nameSize, width} from './page.js';
 import {escaped, short, text} from './svg.js';
 

@@ -1,8 +1,8 @@
 /** The page that pictures are drawn on. [px] */
 import type {Pattern} from '../model/result.js';
 import {nameLeading, nameRoom} from './draw-pieces.js';
-import {layOutNamed} from './layout.js';
-import type {Placements} from './on-body.js';
+import {layOutNamed} from '../layout/layout.js';
+import type {Placements} from '../layout/on-body.js';
 import {nameLines, textWidth} from '../layout/name-lines.js';
 
 export const width = 1200;

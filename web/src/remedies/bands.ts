@@ -1,6 +1,6 @@
 /** Which pieces to turn where grains run across each other: the bands, not what they are sewn to. */
 import type {Pattern, ResultSeam} from '../model/result.js';
-import {pick} from '../picture/marks.js';
+import {pick} from '../scene/marks.js';
 
 function lengthOf({pieces}: Pattern, {a: {piece, vertices}}: ResultSeam): number {
   const line = pick(pieces[piece]?.rest ?? [], vertices);

@@ -4,7 +4,7 @@ import type {GroupName, Print} from '../model/print.js';
 import type {Problem} from '../model/problem.js';
 import type {SeamReason, SolveResult} from '../model/result.js';
 import type {Repeat} from '../model/wallpaper.js';
-import {finalFit, isGathered, meanOf} from '../picture/fit.js';
+import {finalFit, isGathered, meanOf} from '../scene/mismatch.js';
 import {bandsOf} from './bands.js';
 import {parsed, type Proposal} from './remedy.js';
 

@@ -1,7 +1,7 @@
 /** Tries what might help a result, and keeps what does. */
 import type {Problem} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
-import {countedSeams, finalFit, meanOf, type Fit} from '../picture/fit.js';
+import {countedSeams, finalFit, meanOf, type Fit} from '../scene/mismatch.js';
 import {proposals} from './proposals.js';
 import {withRemedy, type Proposal, type Remedy} from './remedy.js';
 

@@ -2,8 +2,8 @@
 import type {Point} from '../model/geometry.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
 import {onSheet} from './overlay.js';
-import {labelLines, labelSize, type PatternScene, type ScenePiece} from './scene.js';
-import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
+import {labelLines, labelSize, type PatternScene, type ScenePiece} from '../scene/scene.js';
+import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {placed, type Appearance} from './strokes.js';
 
 interface Name {

@@ -3,7 +3,7 @@ import type {Point} from '../model/geometry.js';
 import type {ResultPiece} from '../model/result.js';
 import {arrowHead, cased, inks, placed, type Appearance} from './strokes.js';
 import type {Stroke} from './line-layer.js';
-import type {PatternScene} from './scene.js';
+import type {PatternScene} from '../scene/scene.js';
 
 /** Where a pattern moved most, and by how much arrows are exaggerated to be seen. */
 export interface Movement {

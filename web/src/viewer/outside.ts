@@ -1,6 +1,6 @@
 /** Lines along the edge of a piece that lie outside of it, so that they hide nothing of the print. */
 import type {Point} from '../model/geometry.js';
-import type {ScenePiece} from './scene.js';
+import type {ScenePiece} from '../scene/scene.js';
 
 /** Of its width, that a line is moved off the edge: it still covers where the cloth ends in steps of pixels. */
 const offEdge = 0.42;

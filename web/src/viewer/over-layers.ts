@@ -4,7 +4,7 @@ import {Scene} from 'three';
 import {LineLayer, type LineMaterial} from './line-layer.js';
 import {movementStrokes} from './movement.js';
 import {overlayStrokes, type Overlay} from './overlay.js';
-import type {PatternScene} from './scene.js';
+import type {PatternScene} from '../scene/scene.js';
 import type {Appearance} from './strokes.js';
 
 export class OverLayers {

@@ -4,9 +4,9 @@ import {seamLetter} from '../model/letters.js';
 import {chipColours, chipLayer, move, placeable, textChip} from './chips.js';
 import {outsideOf} from './outside.js';
 import {onSheet, type Overlay, type Sign} from './overlay.js';
-import type {PatternScene} from './scene.js';
-import {atShare, lineOf} from './seam-line.js';
-import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
+import type {PatternScene} from '../scene/scene.js';
+import {atShare, lineOf} from '../scene/seam-line.js';
+import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import type {Appearance} from './strokes.js';
 
 interface Chip {

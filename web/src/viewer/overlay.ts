@@ -2,11 +2,11 @@
 import type {Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
 import {ontoSheet} from '../model/sheet-place.js';
-import {pick} from '../picture/marks.js';
+import {pick} from '../scene/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
-import type {PatternScene, SceneSeam} from './scene.js';
-import type {SceneSymmetry} from './scene-marks.js';
-import {atShare, lineOf} from './seam-line.js';
+import type {PatternScene, SceneSeam} from '../scene/scene.js';
+import type {SceneSymmetry} from '../scene/scene-marks.js';
+import {atShare, lineOf} from '../scene/seam-line.js';
 import {shiftsOutside} from './outside.js';
 import {axisTicks, besideEdge, cased, inks, seamStrokes, type Appearance} from './strokes.js';
 

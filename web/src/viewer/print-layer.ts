@@ -16,7 +16,7 @@ import {ontoSheet} from '../model/sheet-place.js';
 import {apply} from '../model/wallpaper.js';
 import {between, nearestLike} from './morph.js';
 import {imageCoordinates} from './print-coordinates.js';
-import type {ScenePiece} from './scene.js';
+import type {ScenePiece} from '../scene/scene.js';
 
 /** Unprinted cloth. */
 const bareCloth = new Color().setRGB(0.925, 0.91, 0.87, LinearSRGBColorSpace);

@@ -1,12 +1,12 @@
 /** Ranks of the seams that miss most: small discs beside them, and where there is no room, on a thin line that leads there. */
 import type {Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
-import {isInside} from '../picture/marks.js';
+import {isInside} from '../scene/marks.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
 import {outsideOf} from './outside.js';
-import type {PatternScene, SceneSeam} from './scene.js';
-import {atShare, lineOf, type OnLine} from './seam-line.js';
-import {toScreen, toSheet, type ScreenSize, type SheetView} from './sheet-view.js';
+import type {PatternScene, SceneSeam} from '../scene/scene.js';
+import {atShare, lineOf, type OnLine} from '../scene/seam-line.js';
+import {toScreen, toSheet, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {placed, type Appearance} from './strokes.js';
 
 /** No more seams than this get a rank, and none whose mean is less. */

@@ -4,7 +4,7 @@ import {Scene} from 'three';
 import {LineLayer, type LineMaterial} from './line-layer.js';
 import {PrintLayer, type PrintMaterial} from './print-layer.js';
 import type {Motion} from './morph.js';
-import type {PatternScene} from './scene.js';
+import type {PatternScene} from '../scene/scene.js';
 import {keptStrokes, markStrokes, outlineStrokes, seamStrokes, type Appearance} from './strokes.js';
 
 /** Shared by all scenes of a view. */

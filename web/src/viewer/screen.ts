@@ -2,7 +2,7 @@
 import type {OrthographicCamera, WebGLRenderer} from 'three';
 
 import type {LineMaterial} from './line-layer.js';
-import type {ScreenSize, SheetView} from './sheet-view.js';
+import type {ScreenSize, SheetView} from '../scene/sheet-view.js';
 import {enter, type Drawable, type Raster, type Stage} from './stage.js';
 
 /** Lines are thinner at scales below this. [CSS px per cm] */

@@ -2,9 +2,9 @@
 import type {Point} from '../model/geometry.js';
 import {chipLayer, move, placeable, type Box} from './chips.js';
 import {Ranks} from './ranks.js';
-import type {PatternScene, SceneSeam} from './scene.js';
-import {atShare, lineOf, type OnLine} from './seam-line.js';
-import {toScreen, type ScreenSize, type SheetView} from './sheet-view.js';
+import type {PatternScene, SceneSeam} from '../scene/scene.js';
+import {atShare, lineOf, type OnLine} from '../scene/seam-line.js';
+import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
 
 /** From here on every seam shows its kind. [CSS px per cm] */

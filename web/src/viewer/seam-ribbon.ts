@@ -1,9 +1,9 @@
 /** The cloth along both sides of a seam, straightened: how far along the seam, and how far in from it. Lengths in cm. */
 import type {Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
-import {pick} from '../picture/marks.js';
+import {pick} from '../scene/marks.js';
 import type {OnPiece} from './overlay.js';
-import type {PatternScene} from './scene.js';
+import type {PatternScene} from '../scene/scene.js';
 
 /** How far a ribbon reaches into a piece. */
 export const ribbonDepth = 6;

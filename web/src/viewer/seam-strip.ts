@@ -7,7 +7,7 @@ import {LineLayer, LineMaterial, type Stroke} from './line-layer.js';
 import type {OnPiece} from './overlay.js';
 import type {Wipe} from './wipe-layers.js';
 import {PrintMaterial} from './print-layer.js';
-import type {PatternScene} from './scene.js';
+import type {PatternScene} from '../scene/scene.js';
 import {look, Screen, type ScreenEvents} from './screen.js';
 import {
   onPieceAt,
@@ -19,7 +19,7 @@ import {
 import {StripMesh} from './strip-mesh.js';
 import {inks, type Appearance} from './strokes.js';
 import {TileTexture} from './tile-texture.js';
-import type {Tile} from './tile.js';
+import type {Tile} from '../recognition/tile.js';
 
 /** [CSS px per cm] */
 const greatestScale = 40;

@@ -10,9 +10,9 @@ import {
 import type {Point} from '../model/geometry.js';
 import type {LineMaterial} from './line-layer.js';
 import {readBack, readNow} from './read-back.js';
-import {labelLines, labelSize, type PatternScene} from './scene.js';
+import {labelLines, labelSize, type PatternScene} from '../scene/scene.js';
 import {look} from './screen.js';
-import {fitted, toScreen, type SheetView} from './sheet-view.js';
+import {fitted, toScreen, type SheetView} from '../scene/sheet-view.js';
 import {inks, placed, type Appearance} from './strokes.js';
 import type {TileTexture} from './tile-texture.js';
 

@@ -4,7 +4,7 @@ import {BufferAttribute, BufferGeometry, Mesh} from 'three';
 import {apply} from '../model/wallpaper.js';
 import {imageCoordinates} from './print-coordinates.js';
 import type {PrintMaterial} from './print-layer.js';
-import type {PatternScene} from './scene.js';
+import type {PatternScene} from '../scene/scene.js';
 import {ribbonDepth, type Ribbon, type StraightSeam} from './seam-ribbon.js';
 
 /** Between rows. [cm] */

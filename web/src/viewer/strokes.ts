@@ -1,12 +1,12 @@
 /** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. Those of an edge lie outside of it. */
 import type {Point} from '../model/geometry.js';
 import {ontoSheet, wayOnSheet, type SheetPlace} from '../model/sheet-place.js';
-import {mismatchLine} from '../picture/colours.js';
-import {pick} from '../picture/marks.js';
+import {mismatchLine} from '../scene/colours.js';
+import {pick} from '../scene/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
-import type {PatternScene, ScenePiece, SceneSeam} from './scene.js';
+import type {PatternScene, ScenePiece, SceneSeam} from '../scene/scene.js';
 import {endsOnOutline, outsideOf, shiftsOutside} from './outside.js';
-import {lineOf} from './seam-line.js';
+import {lineOf} from '../scene/seam-line.js';
 
 /** Light or dark surroundings. */
 export type Appearance = 'light' | 'dark';

@@ -8,7 +8,7 @@ import {
 } from 'three';
 
 import type {Point} from '../model/geometry.js';
-import type {Tile} from './tile.js';
+import type {Tile} from '../recognition/tile.js';
 
 /** Longest side of a texture. [px] */
 const greatestSide = 4096;

@@ -8,7 +8,7 @@ import {
   zoomed,
   type ScreenSize,
   type SheetView,
-} from './sheet-view.js';
+} from '../scene/sheet-view.js';
 
 export abstract class Viewport {
   readonly #listeners = new Set<() => void>();

@@ -2,7 +2,7 @@
 import type {OrthographicCamera} from 'three';
 
 import {SceneLayers} from './scene-layers.js';
-import type {PatternScene} from './scene.js';
+import type {PatternScene} from '../scene/scene.js';
 import type {Screen} from './screen.js';
 import type {Appearance} from './strokes.js';
 

@@ -2,9 +2,9 @@
 import {Labels} from './labels.js';
 import {OverlayChips} from './overlay-chips.js';
 import type {Overlay} from './overlay.js';
-import type {PatternScene} from './scene.js';
+import type {PatternScene} from '../scene/scene.js';
 import {SeamNotes} from './seam-notes.js';
-import type {ScreenSize, SheetView} from './sheet-view.js';
+import type {ScreenSize, SheetView} from '../scene/sheet-view.js';
 import type {Appearance} from './strokes.js';
 
 export class Words {

@@ -1,5 +1,5 @@
 /** What Seamwise does, shown once: the garment as drafted, then how it becomes its answer. */
-import type {PatternPane, Workbench} from '../../element/index.js';
+import type {PatternPane, Workbench} from '../../editor/index.js';
 
 /** The draft is looked at for as long, and then on its way. [ms] */
 const look = 1100;

@@ -4,7 +4,7 @@
  */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {controls, DeskElement, icon, type Editor} from '../../element/index.js';
+import {controls, DeskElement, icon, type Editor} from '../../editor/index.js';
 import {hints, type Hint} from './kept.js';
 
 export class Hints extends DeskElement {

@@ -8,7 +8,7 @@ import {
   textsOf,
   type Samples,
   type Workbench,
-} from '../../element/index.js';
+} from '../../editor/index.js';
 import type {Projects} from '../projects/projects.js';
 import {loaded} from './pictures.js';
 

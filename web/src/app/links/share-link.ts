@@ -1,7 +1,7 @@
 /** A link to the present project, for the clipboard. */
 import type {Design} from '../../model/design.js';
 import {linkOf, longestLink} from '../../model/link.js';
-import {textsOf, type Workbench} from '../../element/index.js';
+import {textsOf, type Workbench} from '../../editor/index.js';
 import type {Projects} from '../projects/projects.js';
 import {smaller} from './pictures.js';
 

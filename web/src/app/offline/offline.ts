@@ -1,6 +1,6 @@
 /** The page without a network, and newer versions of it. */
 import {trustedScript} from '../../model/trusted.js';
-import {textsOf, type Workbench} from '../../element/index.js';
+import {textsOf, type Workbench} from '../../editor/index.js';
 
 /** The first picture is not to wait for what is kept for later. [ms] */
 const patience = 3000;

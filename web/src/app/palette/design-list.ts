@@ -15,7 +15,7 @@ import {
   withFitting,
   withPreset,
   type Command,
-} from '../../element/index.js';
+} from '../../editor/index.js';
 import {withKey, type PageParts} from './page-parts.js';
 
 const grains = ['on', 'across', 'bias', 'free'] as const;

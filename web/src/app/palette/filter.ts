@@ -1,5 +1,5 @@
 /** Which commands somebody means by a few words. */
-import type {Command} from '../../element/index.js';
+import type {Command} from '../../editor/index.js';
 
 /** As it is compared: without capitals and diacritics. */
 export const folded = (text: string): string =>

@@ -1,5 +1,5 @@
 /** The list of commands, loaded when it is opened for the first time. */
-import type {Workbench} from '../../element/index.js';
+import type {Workbench} from '../../editor/index.js';
 import {allCommands} from './page-list.js';
 import type {PageParts} from './page-parts.js';
 import {CommandPalette} from './palette.js';

@@ -1,5 +1,5 @@
 /** All commands of the page, the likeliest first. */
-import {languageNames, languages, type Command, type Preferences} from '../../element/index.js';
+import {languageNames, languages, type Command, type Preferences} from '../../editor/index.js';
 import {garmentCommands, printCommands, solveCommands, stepCommands} from './design-list.js';
 import {withKey, type PageParts} from './page-parts.js';
 import {pieceCommands, toolCommands, viewCommands} from './pattern-list.js';

@@ -7,8 +7,8 @@ import type {
   ShortcutId,
   Texts,
   Workbench,
-} from '../../element/index.js';
-import {keyOf, titleOf} from '../../element/index.js';
+} from '../../editor/index.js';
+import {keyOf, titleOf} from '../../editor/index.js';
 
 /** What commands are about, and who carries them out. */
 export interface PageParts {

@@ -1,7 +1,7 @@
 /** Every command by its name: a field to look for it, and a list to choose from. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {controls, DeskElement, focused, type Command} from '../../element/index.js';
+import {controls, DeskElement, focused, type Command} from '../../editor/index.js';
 import {matching} from './filter.js';
 import {paletteStyle} from './palette-style.js';
 

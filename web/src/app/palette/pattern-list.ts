@@ -8,7 +8,7 @@ import {
   withoutPin,
   worstSeams,
   type Command,
-} from '../../element/index.js';
+} from '../../editor/index.js';
 import {withKey, type PageParts} from './page-parts.js';
 
 const tools = ['piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;

@@ -2,7 +2,7 @@
 import type {History} from '../../model/history.js';
 import {nameOf} from '../../model/project-name.js';
 import {fieldOf} from '../../model/read.js';
-import type {Step} from '../../element/index.js';
+import type {Step} from '../../editor/index.js';
 import type {Autosave} from '../storage/autosave.js';
 
 /** Of the history as it is stored; another form is not read. */

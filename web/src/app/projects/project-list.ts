@@ -3,7 +3,7 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 import {repeat} from 'lit/directives/repeat.js';
 
-import {controls, DeskElement, icon} from '../../element/index.js';
+import {controls, DeskElement, icon} from '../../editor/index.js';
 import type {Design} from '../../model/design.js';
 import {longestName} from '../../model/project-name.js';
 import {labelled} from '../page-layout.js';

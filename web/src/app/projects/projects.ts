@@ -3,7 +3,7 @@ import type {Design} from '../../model/design.js';
 import {begun, type History} from '../../model/history.js';
 import {longestName, withoutEnding} from '../../model/project-name.js';
 import {fieldOf} from '../../model/read.js';
-import {textsOf, type Step, type Workbench} from '../../element/index.js';
+import {textsOf, type Step, type Workbench} from '../../editor/index.js';
 import {Autosave, type ProjectRecord, type StorageTrouble} from '../storage/autosave.js';
 import {stash, unstashed} from '../storage/stash.js';
 import {historyIn, OpenProject, stateOf, tabKey, type Announced} from './open-project.js';

@@ -1,6 +1,6 @@
 /** Small pictures of projects, made while nothing else is to be done. */
 import type {Design} from '../../model/design.js';
-import type {Workbench} from '../../element/index.js';
+import type {Workbench} from '../../editor/index.js';
 import type {Projects} from './projects.js';
 
 /** Nothing may have changed for as long. [ms] */

@@ -1,5 +1,5 @@
 /** Preferences stay with the browser, not with a design. */
-import {languages, preferencesFor, type Preferences, type Workbench} from '../../element/index.js';
+import {languages, preferencesFor, type Preferences, type Workbench} from '../../editor/index.js';
 
 const key = 'seamwise.preferences';
 

@@ -1,7 +1,7 @@
 /** Tells the page, by events, what becomes of a workbench: each thing once. */
 import {failureOf, type Failure, type SolverError} from '../../model/failure.js';
 import type {Progress} from '../../model/problem.js';
-import type {Workbench} from '../workbench/workbench.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import type {GarmentEvents} from './events.js';
 import type {Loaded} from './sources.js';
 

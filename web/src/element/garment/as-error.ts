@@ -1,6 +1,6 @@
 import {SolverError} from '../../model/failure.js';
 import {FileError} from '../../model/versioned-file.js';
-import {toFailure} from '../workbench/latest-solve.js';
+import {toFailure} from '../../workbench/latest-solve.js';
 
 /** As the one kind of error that the element knows. */
 export function asError(error: unknown): SolverError {

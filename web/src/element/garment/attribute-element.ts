@@ -4,7 +4,7 @@ import type {Print} from '../../model/print.js';
 import type {StoredDesign} from '../../model/stored-design.js';
 import type {Symmetries, Symmetry} from '../../model/symmetries.js';
 import type {WorkerPlaces} from '../../solver/client.js';
-import type {Preferences} from '../workbench/preferences.js';
+import type {Preferences} from '../../texts/preferences.js';
 import {
   changeOf,
   unitsOf,

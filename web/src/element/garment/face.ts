@@ -1,8 +1,8 @@
 /** What is seen of the element. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import type {Texts} from '../texts/texts.js';
-import type {Workbench} from '../workbench/workbench.js';
+import type {Texts} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import type {GarmentMode} from './attributes.js';
 import type {OfferedPrint} from './offered-prints.js';
 import type {GarmentSession} from './session.js';

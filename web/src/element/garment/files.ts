@@ -2,7 +2,7 @@
 import {SolverError, type FailureCode} from '../../model/failure.js';
 import {sha256Of} from '../../model/result-text.js';
 import type {StoredFile} from '../../model/stored-file.js';
-import type {Texts} from '../texts/texts.js';
+import type {Texts} from '../../texts/texts.js';
 
 export type FileWords = Texts['garment'];
 

@@ -1,6 +1,6 @@
 /** Events of the parts that would leave the element as if they were its own. */
 import type {Failure} from '../../model/failure.js';
-import {drawnEvent, undrawableEvent} from '../pattern/drawing.js';
+import {drawnEvent, undrawableEvent} from '../../editor/pattern/drawing.js';
 
 const kept = ['input', 'change', 'select', 'sw-lens-cursor', 'sw-lens-wanted'];
 

@@ -24,7 +24,7 @@ export class Modes {
     if (mode === 'preview' || this.#loaded.has(mode)) return;
     try {
       if (mode === 'place') (await import('./placing.js')).definePlacing();
-      else (await import('../editor/editor.js')).defineEditor();
+      else (await import('../../editor/editor.js')).defineEditor();
       this.#loaded.add(mode);
       this.#changed();
     } catch (error) {

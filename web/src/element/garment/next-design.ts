@@ -1,7 +1,7 @@
 /** The design that follows when something else is asked for: what the user has changed of the rest stays. */
 import type {Design} from '../../model/design.js';
 import {fieldOf} from '../../model/read.js';
-import {newDesign} from '../workbench/samples.js';
+import {newDesign} from '../../workbench/samples.js';
 import type {Asked, Loaded} from './sources.js';
 
 /** What was asked for, and what came of it. */

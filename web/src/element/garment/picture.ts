@@ -1,7 +1,7 @@
 /** A picture of the pattern, as somebody wants it. */
 import {SolverError} from '../../model/failure.js';
-import type {Texts} from '../texts/texts.js';
-import type {SheetWindow} from '../workbench/state.js';
+import type {Texts} from '../../texts/texts.js';
+import type {SheetWindow} from '../../workbench/state.js';
 
 const types = ['image/png', 'image/jpeg', 'image/webp'];
 

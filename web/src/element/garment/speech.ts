@@ -2,9 +2,9 @@
 import type {ReactiveControllerHost} from 'lit';
 
 import type {Units} from '../../model/units.js';
-import {textsOf, type Messages, type Texts} from '../texts/texts.js';
-import {preferencesFor} from '../workbench/preferences.js';
-import type {Workbench} from '../workbench/workbench.js';
+import {textsOf, type Messages, type Texts} from '../../texts/texts.js';
+import {preferencesFor} from '../../texts/preferences.js';
+import type {Workbench} from '../../workbench/workbench.js';
 import {localeOf} from './attributes.js';
 import {LanguageAround} from './language-around.js';
 

@@ -1,10 +1,10 @@
 /** The pictures of an element's prints. A picture is fetched once, for as long as the element is in use. */
 import {SolverError} from '../../model/failure.js';
 import {noPicture} from '../../model/design.js';
-import {svgTile, type Tile} from '../../viewer/tile.js';
+import {svgTile, type Tile} from '../../recognition/tile.js';
 import {hasOutsidePictures} from '../../recognition/svg-picture.js';
-import type {Texts} from '../texts/texts.js';
-import {blobOf} from '../pattern/tile.js';
+import type {Texts} from '../../texts/texts.js';
+import {blobOf} from '../../recognition/print-tile.js';
 import {fetchBlob} from './files.js';
 import {pictureSize, type PictureSize} from './picture-size.js';
 

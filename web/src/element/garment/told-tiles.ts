@@ -1,7 +1,7 @@
 /** Pictures of prints for several parts of an editor, of which each that cannot be read is told of once. */
 import type {SolverError} from '../../model/failure.js';
-import type {Tile} from '../../viewer/tile.js';
-import type {Texts} from '../texts/texts.js';
+import type {Tile} from '../../recognition/tile.js';
+import type {Texts} from '../../texts/texts.js';
 import {asError} from './as-error.js';
 import {Tiles} from './tiles.js';
 

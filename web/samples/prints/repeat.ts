@@ -1,0 +1,24 @@
+/** How a maker names the repeat of a print: by the rectangle it is printed in. */
+import {imageCell} from '../../src/model/wallpaper.js';
+import type {Cell} from './tile.js';
+
+/** Repeats shorter than this are those of a stripe along itself, where every length is one. [cm] */
+const shortest = 1;
+
+export const isStripe = ({w2}: Cell): boolean => Math.hypot(...w2) < shortest;
+
+const rounded = (cm: number): string => String(Number(cm.toFixed(2)));
+
+/**
+ * Width across the cloth by height along it: of a centred cell its rectangle, which repeats in half-drop; of
+ * a slanted one its base and its height, and how far aside the next row begins. A stripe has its width only.
+ */
+export function repeatName(cell: Cell): string {
+  const [a, b] = imageCell(cell);
+  if (isStripe(cell)) return `${rounded(a[0])} cm`;
+  const turned = Math.abs(a[0]) < Math.abs(a[1]); // the image's x runs along the warp
+  const [across, up] = turned ? [b, a] : [a, b];
+  const size = `${rounded(Math.abs(across[0]))} × ${rounded(Math.abs(up[1]))} cm`;
+  if (cell.cell === 'rectangular') return `${size} half-drop`;
+  return Math.abs(up[0]) > 1e-9 ? `${size}, ${rounded(up[0])} cm aside` : size;
+}

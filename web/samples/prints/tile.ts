@@ -1,0 +1,128 @@
+/** Builds one seamless cell of a print: the group's symmetries applied to motifs. */
+import type {Point} from '../../src/model/geometry.js';
+import {apply, imageCell, printElements, type PlaneMap} from '../../src/model/wallpaper.js';
+import type {Cell} from '../../src/recognition/tile-cloth.js';
+import type {Palette} from './palette.js';
+import type {Motif, Outline} from './shape.js';
+
+export type {Cell};
+
+/** Without the zeros that say nothing: .5, -.25, 3. */
+function short(value: number, digits: number): string {
+  const [whole = '', fraction = ''] = Math.abs(value).toFixed(digits).split('.');
+  const decimals = fraction.replace(/0+$/, '');
+  const size = decimals === '' ? whole : `${whole === '0' ? '' : whole}.${decimals}`;
+  return value < 0 && size !== '0' ? `-${size}` : size;
+}
+const list = (values: readonly number[], digits: number): string =>
+  values.map((value) => short(value, digits)).join(' ');
+
+/** As SVG, in steps from point to point on a grid of 0.01 cm, which is finer than a printer's. */
+export function pathData({start, sides}: Outline): string {
+  const grid = 100;
+  const snapped = ([x, y]: Point): Point => [Math.round(x * grid), Math.round(y * grid)];
+  let from = snapped(start);
+  const steps = sides.map((side) => {
+    const ends = side.map(snapped);
+    const numbers = ends.flatMap(([x, y]) => [(x - from[0]) / grid, (y - from[1]) / grid]);
+    from = ends.at(-1) ?? from;
+    return (ends.length === 1 ? 'l' : 'c') + list(numbers, 2);
+  });
+  const packed = steps
+    .join('')
+    .replace(/ -/g, '-')
+    .replace(/(\.\d+) (?=\.)/g, '$1');
+  return `M${list(
+    snapped(start).map((v) => v / grid),
+    2,
+  )}${packed}z`;
+}
+
+/** The size of the image of one cell. [cm] */
+export function imageSize(cell: Cell): readonly [width: number, height: number] {
+  const [a, b] = imageCell(cell);
+  return [Math.hypot(...a), Math.hypot(...b)];
+}
+
+/** From the print to the image of one cell, in which y runs down; a slanted cell is drawn upright. [cm] */
+function intoImage(cell: Cell): PlaneMap {
+  const [a, b] = imageCell(cell);
+  const area = a[0] * b[1] - a[1] * b[0];
+  const [width, height] = imageSize(cell);
+  return {
+    xx: (b[1] / area) * width,
+    xy: (-b[0] / area) * width,
+    yx: (a[1] / area) * height,
+    yy: (-a[0] / area) * height,
+    shift: [0, height],
+  };
+}
+
+/** Every copy of a motif that can be seen in the image of the cell, as a map of the print. */
+function copies(motif: Motif, cell: Cell): readonly PlaneMap[] {
+  const {w1, w2} = cell;
+  const [width, height] = imageSize(cell);
+  const image = intoImage(cell);
+  // a Bezier curve stays among its control points
+  const hull = motif.flatMap(({outlines}) =>
+    outlines.flatMap(({start, sides}) => [start, ...sides.flat()]),
+  );
+  const seen = (map: PlaneMap): boolean => {
+    const all = hull.map((p) => apply(image, apply(map, p)));
+    const [xs, ys] = [all.map(([x]) => x), all.map(([, y]) => y)];
+    const across = Math.min(...xs) < width && Math.max(...xs) > 0;
+    return across && Math.min(...ys) < height && Math.max(...ys) > 0;
+  };
+  const range = [-4, -3, -2, -1, 0, 1, 2, 3, 4];
+  return printElements(cell).flatMap((element) =>
+    range.flatMap((i) =>
+      range.flatMap((j) => {
+        const [x, y] = element.shift;
+        const shift: Point = [x + i * w1[0] + j * w2[0], y + i * w1[1] + j * w2[1]];
+        const copy = {...element, shift};
+        return seen(copy) ? [copy] : [];
+      }),
+    ),
+  );
+}
+
+/** As the value of an SVG attribute; the linear part to 1 in 100 000, the shift to 0.001 cm. */
+function transform({xx, yx, xy, yy, shift}: PlaneMap): string {
+  const linear = list([xx, yx, xy, yy], 5);
+  return linear === '1 0 0 1'
+    ? `translate(${list(shift, 3)})`
+    : `matrix(${linear} ${list(shift, 3)})`;
+}
+
+/** An SVG file whose viewBox is the cell in cm. */
+export function tileFile(cell: Cell, pixels: readonly [number, number], content: string[]): string {
+  const size = imageSize(cell);
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${pixels[0]}" height="${pixels[1]}" viewBox="0 0 ${list(size, 5)}" preserveAspectRatio="none">`,
+    ...content,
+    '</svg>\n',
+  ].join('\n');
+}
+
+export const groundOf = (palette: Palette): string =>
+  `<rect width="100%" height="100%" fill="${palette.ground}"/>`;
+
+/**
+ * The motifs in one cell. Each block is printed in all its copies before the next one, so that copies may
+ * overlap without one lying on top of the other, which would break the symmetry.
+ */
+export function printed(cell: Cell, motifs: readonly Motif[], palette: Palette): string[] {
+  const definitions: string[] = [];
+  const blocks: string[] = [];
+  motifs.forEach((motif, k) => {
+    const maps = copies(motif, cell).map(transform);
+    motif.forEach(({ink, outlines}, level) => {
+      const id = `${String.fromCharCode(97 + k)}${level}`;
+      definitions.push(`<path id="${id}" d="${outlines.map(pathData).join('')}"/>`);
+      const uses = maps.map((map) => `<use href="#${id}" transform="${map}"/>`);
+      blocks.push(`<g fill="${palette[ink]}">${uses.join('')}</g>`);
+    });
+  });
+  const upright = transform(intoImage(cell));
+  return ['<defs>', ...definitions, '</defs>', `<g transform="${upright}">`, ...blocks, '</g>'];
+}

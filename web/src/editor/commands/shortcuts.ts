@@ -1,0 +1,94 @@
+/** The keys of all commands that have one: read by whoever hears keys, shows them or lists commands. */
+import type {Texts} from '../../texts/texts.js';
+
+/**
+ * Where a key works. `page`: everywhere, under a field that is typed into, too; `editor`: everywhere else;
+ * `pattern`: while the pattern has the focus.
+ */
+export type Where = 'page' | 'editor' | 'pattern';
+
+interface Shortcut {
+  readonly where: Where;
+  /** The first is the one that is shown. `Mod` is Ctrl, or Command where there is one. */
+  readonly keys: readonly string[];
+}
+
+const table = {
+  commands: {where: 'page', keys: ['Mod K']},
+  keys: {where: 'editor', keys: ['?']},
+  undo: {where: 'editor', keys: ['Mod Z']},
+  redo: {where: 'editor', keys: ['Mod Shift Z', 'Mod Y']},
+  save: {where: 'page', keys: ['Mod S']},
+  open: {where: 'page', keys: ['Mod O']},
+  piece: {where: 'pattern', keys: ['S']},
+  axis: {where: 'pattern', keys: ['X']},
+  pair: {where: 'pattern', keys: ['P']},
+  move: {where: 'pattern', keys: ['M']},
+  keep: {where: 'pattern', keys: ['K']},
+  grain: {where: 'pattern', keys: ['G']},
+  turn: {where: 'pattern', keys: ['R']},
+  lens: {where: 'pattern', keys: ['L']},
+  clothOnly: {where: 'pattern', keys: ['C']},
+  fit: {where: 'pattern', keys: ['F', '0']},
+  zoomIn: {where: 'pattern', keys: ['+', '=']},
+  zoomOut: {where: 'pattern', keys: ['-']},
+  zoom: {where: 'pattern', keys: ['Z']},
+} as const satisfies Readonly<Record<string, Shortcut>>;
+
+export type ShortcutId = keyof typeof table;
+
+/** Those that work in a place. */
+export type ShortcutIn<Place extends Where> = {
+  [Id in ShortcutId]: (typeof table)[Id]['where'] extends Place ? Id : never;
+}[ShortcutId];
+
+export const shortcuts: Readonly<Record<ShortcutId, Shortcut>> = table;
+
+export const shortcutIds = Object.keys(table) as readonly ShortcutId[];
+
+type Pressed = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>;
+
+/** "Mod Shift Z", "S". A letter without Ctrl is the same with Shift. */
+function nameOf({key, ctrlKey, metaKey, shiftKey}: Pressed): string {
+  const name = key.length === 1 ? key.toUpperCase() : key;
+  if (!ctrlKey && !metaKey) return name;
+  return shiftKey ? `Mod Shift ${name}` : `Mod ${name}`;
+}
+
+/** The command that a key means in these places, if any. */
+export function shortcutFor<Place extends Where>(
+  event: Pressed,
+  places: readonly Place[],
+): ShortcutIn<Place> | undefined {
+  if (event.altKey) return undefined;
+  const name = nameOf(event);
+  const found = shortcutIds.find((id) => {
+    const {where, keys} = shortcuts[id];
+    return (places as readonly Where[]).includes(where) && keys.includes(name);
+  });
+  return found as ShortcutIn<Place> | undefined;
+}
+
+const isApple = (): boolean =>
+  'navigator' in globalThis && /Mac OS X|iPhone|iPad/.test(navigator.userAgent);
+
+/** A command's key as it stands on the keyboard: "Ctrl Shift Z". */
+export function keyOf(id: ShortcutId, {keyNames}: Pick<Texts, 'keyNames'>): string {
+  const names = isApple() ? {Mod: '⌘', Shift: '⇧'} : keyNames;
+  const [key = ''] = shortcuts[id].keys;
+  return key.replace('Mod', names.Mod).replace('Shift', names.Shift).replace(/^-$/, '−');
+}
+
+/** What a command is called. */
+export function titleOf(id: ShortcutId, texts: Texts): string {
+  const {app, symmetry, keep, pattern, commands} = texts;
+  const titles: Readonly<Record<ShortcutId, string>> = {
+    ...{commands: commands.title, keys: app.keys, undo: app.undo, redo: app.redo},
+    ...{save: app.saveProject, open: app.openGarment},
+    ...{piece: symmetry.piece, axis: commands.axis, pair: symmetry.pair, move: symmetry.move},
+    ...{keep: keep.tool, grain: commands.grain, turn: commands.turnSelected, lens: commands.lens},
+    ...{clothOnly: pattern.clothOnly, fit: pattern.fit},
+    ...{zoomIn: pattern.zoomIn, zoomOut: pattern.zoomOut, zoom: pattern.zoomPercent},
+  };
+  return titles[id];
+}

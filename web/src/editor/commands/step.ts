@@ -1,0 +1,107 @@
+/** What a step changed, so that taking it back can say what goes. */
+import type {Design} from '../../model/design.js';
+import type {SolveOptions} from '../../model/options.js';
+import type {Symmetry} from '../../model/symmetries.js';
+import {fittingOf, type Fitting} from '../controls/presets.js';
+import {withQuarterTurn} from '../lists/choices.js';
+import type {Texts} from '../../texts/texts.js';
+
+/** What was changed, and of what, where that is not the whole design. */
+export interface Change {
+  readonly kind: keyof Texts['steps'];
+  /** By their names in the garment file. */
+  readonly pieces?: readonly string[];
+  /** By their numbers. */
+  readonly seams?: readonly number[];
+}
+
+const differ = (a: unknown, b: unknown): boolean => JSON.stringify(a) !== JSON.stringify(b);
+
+type Table = Readonly<Record<string, unknown>>;
+
+/** The keys under which two tables differ. */
+function changedIn(a: Table = {}, b: Table = {}): readonly string[] {
+  return Object.keys({...a, ...b}).filter((key) => differ(a[key], b[key]));
+}
+
+/** What only one of two lists has. */
+const apart = <T>(a: readonly T[] = [], b: readonly T[] = []): readonly T[] => [
+  ...a.filter((one) => !b.includes(one)),
+  ...b.filter((one) => !a.includes(one)),
+];
+
+/** The first in this order of all that differs: another garment begins with other symmetries, too. */
+export function changeBetween(from: Design, to: Design): Change {
+  const [kind] = [garmentChange(from, to), printChange(from, to)].filter((one) => one);
+  if (kind) return {kind};
+  if (differ(from.symmetries, to.symmetries)) return symmetryChange(from, to);
+  const names = changedIn(from.names, to.names);
+  if (names.length > 0) return {kind: 'name', pieces: names};
+  return (
+    pieceGrain(from.options, to.options) ??
+    fittingChange(from, to) ??
+    optionChange(from.options, to.options) ?? {kind: 'cutting'}
+  );
+}
+
+function garmentChange({garment: a}: Design, {garment: b}: Design): Change['kind'] | undefined {
+  if (a.name === b.name && a.text === b.text) return undefined;
+  if (a.sample && a.sample.style === b.sample?.style) return 'size';
+  return a.name === b.name ? 'unit' : 'garment';
+}
+
+function printChange({print: p}: Design, {print: q}: Design): Change['kind'] | undefined {
+  if (p.title !== q.title || p.group !== q.group || p.sample?.name !== q.sample?.name)
+    return 'print';
+  if (p.image !== q.image) return p.sample ? 'colours' : 'print';
+  if (differ(p.size, q.size)) return 'printSize';
+  if (p.turnDeg !== q.turnDeg) return 'turn';
+  return differ(p, q) ? 'print' : undefined;
+}
+
+const piecesOf = (one: Symmetry): readonly string[] =>
+  one.kind === 'piece' ? [one.piece] : one.pieces;
+
+function symmetryChange({symmetries: a}: Design, {symmetries: b}: Design): Change {
+  const [before, after] = [a, b].map((all) => all.map((one) => JSON.stringify(one)));
+  const changed = apart(before, after).map((one) => JSON.parse(one) as Symmetry);
+  return {kind: 'symmetry', pieces: [...new Set(changed.flatMap(piecesOf))]};
+}
+
+/** Of single pieces; a quarter turn is what it is called. */
+function pieceGrain(from: SolveOptions, to: SolveOptions): Change | undefined {
+  const pieces = changedIn(from.grain?.pieces, to.grain?.pieces);
+  if (pieces.length === 0) return undefined;
+  const turned = pieces.reduce(withQuarterTurn, from);
+  const isTurn = !differ(turned.grain?.pieces, to.grain?.pieces);
+  return {kind: isTurn ? 'turned' : 'grain', pieces};
+}
+
+const fittingNames: Readonly<Record<keyof Fitting, Change['kind']>> = {
+  ...{maxChangeCm: 'change', grain: 'grain', continuousOnly: 'cutting', method: 'method'},
+};
+
+/** Several decisions at once are how it is cut. */
+function fittingChange(from: Design, to: Design): Change | undefined {
+  const changed = changedIn({...fittingOf(from)}, {...fittingOf(to)});
+  const [only] = changed as (keyof Fitting)[];
+  if (only === undefined) return undefined;
+  return {kind: changed.length === 1 ? fittingNames[only] : 'cutting'};
+}
+
+/** Pins move on with what else is decided, and the effort ends with it: both come last. */
+function optionChange(from: SolveOptions, to: SolveOptions): Change | undefined {
+  const locked = changedIn(from.locked, to.locked);
+  if (locked.length > 0) return {kind: 'keep', pieces: locked};
+  if (from.openEdges !== to.openEdges) return {kind: 'openEdges'};
+  const seams = new Set([
+    ...changedIn(from.weights, to.weights).map(Number),
+    ...apart(from.unmatched, to.unmatched),
+  ]);
+  if (seams.size > 0) return {kind: 'matching', seams: [...seams]};
+  const plain = apart(from.plain, to.plain);
+  if (plain.length > 0) return {kind: 'printed', pieces: plain};
+  const pinned = changedIn(from.pins, to.pins);
+  if (pinned.length > 0) return {kind: 'place', pieces: pinned};
+  return from.effort === to.effort ? undefined : {kind: 'improve'};
+}

@@ -1,0 +1,270 @@
+/** The editing desk: what is decided on the left, the pattern in the middle, how well it fits on the right. */
+import {html, type TemplateResult} from 'lit';
+
+import {canAlign} from './commands/can-align.js';
+import {redoWords, undoWords} from './commands/step-words.js';
+import type {ShortcutId} from './commands/shortcuts.js';
+import {DeskElement} from './desk-element.js';
+import type {SeamLens} from './lens/lens.js';
+import {loadLaterParts} from './load-later-parts.js';
+import {defineParts} from './parts.js';
+import type {LensCursor} from './pattern/marks.js';
+import type {PatternPane} from './pattern/pattern-pane.js';
+import {register} from './register.js';
+import type {KeyMap} from './shell/key-map.js';
+import {controls} from './style/controls.js';
+import {icon} from './style/icons.js';
+import type {Samples} from '../workbench/samples.js';
+import {sameTarget} from '../workbench/state.js';
+import type {Target} from '../workbench/workbench.js';
+import {editorKeys, type KeyCommands} from './editor-keys.js';
+import {editorLayout} from './editor-layout.js';
+import {KeptHeight} from './kept-height.js';
+
+type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
+
+/** What somebody does who does not wait for the first answer. */
+const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;
+
+/**
+ * Whoever uses it puts controls of their own into its head: what is being edited into the slot `start`, what can
+ * be done with it into `actions`, and what may lie over the legend for a while into `hint`. Where it is narrow, those of `order: -1` join the steps in its first row.
+ */
+export class Editor extends DeskElement {
+  static override properties = {
+    ...DeskElement.properties,
+    samples: {attribute: false},
+    commands: {attribute: false},
+    sheet: {state: true},
+  };
+  /** The prints that come with Seamwise, to choose from. */
+  declare samples: Samples | undefined;
+  /** What a page adds that has keys of its own. */
+  declare commands: KeyCommands;
+  /** What is open below the pattern where there is no room beside it. */
+  declare protected sheet: Sheet | undefined;
+
+  static override styles = [controls, editorLayout];
+
+  #selected: Target | undefined;
+  #headline: KeptHeight | undefined;
+
+  readonly #own = {
+    undo: () => {
+      this.desk.undo();
+    },
+    redo: () => {
+      this.desk.redo();
+    },
+    keys: () => void this.#toggleKeys(),
+  } satisfies KeyCommands;
+
+  constructor() {
+    super();
+    this.commands = {};
+    this.sheet = 'print';
+    this.addEventListener('keydown', (event) => {
+      this.press(event);
+    });
+    for (const type of interactions) {
+      this.addEventListener(type, () => void loadLaterParts(), {once: true, passive: true});
+    }
+    this.addEventListener('sw-lens-wanted', () => void this.#toLens());
+    this.addEventListener('sw-grain-wanted', () => {
+      const {pattern} = this;
+      if (pattern?.tools.active !== 'grain') pattern?.tools.toggle('grain');
+      pattern?.focus();
+    });
+  }
+
+  /** Keys that work wherever the focus is: in the editor by themselves, elsewhere when a page hands them on. */
+  press(event: KeyboardEvent): void {
+    editorKeys(event, {...this.commands, ...this.#own});
+  }
+
+  get pattern(): PatternPane | null {
+    return this.renderRoot.querySelector<PatternPane>('sw-pattern');
+  }
+
+  /** The keys of the pattern work. */
+  toPattern(): void {
+    this.pattern?.focus();
+  }
+
+  /** Shows or hides the map of keys. */
+  toggleKeys(): void {
+    this.#own.keys();
+  }
+
+  async #toggleKeys(): Promise<void> {
+    await loadLaterParts();
+    const map = this.renderRoot.querySelector<KeyMap>('sw-key-map');
+    await map?.updateComplete;
+    map?.open();
+  }
+
+  /** Where it is narrow, the lens is on a sheet. */
+  async #toLens(): Promise<void> {
+    this.sheet = 'fit';
+    await loadLaterParts();
+    await this.updateComplete;
+    this.renderRoot.querySelector<SeamLens>('sw-lens')?.focus();
+  }
+
+  /** A seam that somebody picks in the pattern is to be seen from near. */
+  protected override deskChanged(): void {
+    super.deskChanged();
+    const {selected} = this.desk;
+    if (sameTarget(selected, this.#selected)) return;
+    this.#selected = selected;
+    if (selected?.kind === 'seam' && this.sheet !== 'lists') this.sheet = 'fit';
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#headline?.dispose();
+    this.#headline = undefined;
+  }
+
+  protected override updated(): void {
+    const {kind} = this.desk.state;
+    if (kind !== 'opening' && kind !== 'solving') void loadLaterParts();
+    const part = this.renderRoot.querySelector<HTMLElement>('sw-headline');
+    if (!part || !this.isConnected) return;
+    this.#headline ??= new KeptHeight(part);
+    const {garment, symmetries} = this.desk.design ?? {};
+    this.#headline.about = `${garment?.name} ${symmetries?.length ? 'symmetric' : ''}`;
+    this.#headline.stir(kind === 'done');
+  }
+
+  protected override render(): TemplateResult {
+    const {desk} = this;
+    const {app} = this.texts;
+    return html`<div class="desk" data-sheet=${this.sheet ?? 'none'}>
+      <header>
+        <slot name="start"></slot>
+        <span class="gap"></span>
+        ${this.#steps()}
+        <slot name="actions"></slot>
+        <span class="solving">
+          <sw-progress .desk=${desk}></sw-progress>
+          ${this.#solving()}
+        </span>
+        <button
+          class="icon keys"
+          aria-label=${app.keys}
+          title="${app.keys} (?)"
+          @click=${this.#own.keys}
+        >
+          ?
+        </button>
+      </header>
+      <div class="pattern">
+        <sw-units-question .desk=${desk}></sw-units-question>
+        <sw-grain-question .desk=${desk}></sw-grain-question>
+        <sw-pattern .desk=${desk}
+          ><sw-notice slot="notice" .desk=${desk}></sw-notice><slot name="hint" slot="hint"></slot
+        ></sw-pattern>
+      </div>
+      <div class="side">
+        <section class="setup" aria-label=${app.setup}>
+          <sw-print-panel .desk=${desk} .samples=${this.samples}></sw-print-panel>
+          <sw-symmetry-panel .desk=${desk}></sw-symmetry-panel>
+          <sw-fit-panel .desk=${desk}></sw-fit-panel>
+        </section>
+        <section class="report" aria-label=${app.report}>
+          <sw-headline .desk=${desk} .samples=${this.samples}></sw-headline>
+          <sw-lens
+            .desk=${desk}
+            @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {
+              if (this.pattern) this.pattern.cursor = event.detail;
+            }}
+          ></sw-lens>
+          <sw-tables .desk=${desk}></sw-tables>
+        </section>
+        ${this.#tabs()}
+      </div>
+      <sw-key-map .desk=${desk} .known=${this.#known}></sw-key-map>
+    </div>`;
+  }
+
+  /** Commands whose keys work here. */
+  get #known(): readonly ShortcutId[] {
+    return Object.keys({...this.commands, ...this.#own}) as ShortcutId[];
+  }
+
+  /** What opens below the pattern, one sheet at a time; another press closes it. */
+  #tabs(): TemplateResult {
+    const {app, print, controls: cutting, headline, lists} = this.texts;
+    const names: readonly (readonly [Sheet, string])[] = [
+      ['print', print.title],
+      ['cutting', cutting.fit],
+      ['fit', headline.fit],
+      ['lists', lists.pieces],
+    ];
+    return html`<nav class="tabs" aria-label=${app.panels}>
+      ${names.map(
+        ([name, label]) =>
+          html`<button
+            aria-expanded=${this.sheet === name}
+            @click=${() => {
+              this.sheet = this.sheet === name ? undefined : name;
+            }}
+          >
+            ${label}
+          </button>`,
+      )}
+    </nav>`;
+  }
+
+  #steps(): TemplateResult {
+    const {desk} = this;
+    const {app} = this.texts;
+    const [undone, redone] = [undoWords(desk, this.texts), redoWords(desk, this.texts)];
+    return html`${this.#icon(app.undo, undone && app.undoOf(undone), icon.undo, this.#own.undo)}
+    ${this.#icon(app.redo, redone && app.redoOf(redone), icon.redo, this.#own.redo)}`;
+  }
+
+  /** One button: it ends what is under way, or begins it where nobody else does. */
+  #solving(): TemplateResult {
+    const {desk} = this;
+    const {app} = this.texts;
+    const isSolving = desk.state.kind === 'solving';
+    const aligns = canAlign(desk);
+    return html`<button
+      class=${aligns ? 'primary' : 'outlined'}
+      ?hidden=${!aligns && !isSolving}
+      @click=${({detail}: MouseEvent) => {
+        if (detail > 1) return; // the second half of a double click
+        if (isSolving) desk.cancel();
+        else if (aligns) desk.align();
+      }}
+    >
+      ${aligns ? app.align : app.cancel}
+    </button>`;
+  }
+
+  /** @param title says what it would do; without, there is nothing to be done */
+  #icon(
+    label: string,
+    title: string | undefined,
+    picture: TemplateResult,
+    act: () => void,
+  ): TemplateResult {
+    return html`<button
+      class="icon"
+      aria-label=${label}
+      title=${title ?? label}
+      ?disabled=${title === undefined}
+      @click=${act}
+    >
+      ${picture}
+    </button>`;
+  }
+}
+
+/** Registers the editor as `sw-editor`, and all that it is made of. */
+export function defineEditor(): void {
+  defineParts();
+  register('sw-editor', Editor);
+}

@@ -1,0 +1,236 @@
+/** A table whose rows are parts of the pattern: sorted by its columns, walked by keys, tied to the picture both ways. */
+import {html, nothing, type TemplateResult} from 'lit';
+import {guard} from 'lit/directives/guard.js';
+import {repeat} from 'lit/directives/repeat.js';
+
+import {PatientElement} from '../desk-element.js';
+import type {Target} from '../../workbench/workbench.js';
+import {inOrder, type Order, type SortKey} from './order.js';
+
+export interface Column<Row> {
+  readonly title: string;
+  /** Columns without one cannot be sorted. */
+  readonly key?: SortKey<Row>;
+  /** Numbers stand on the right, and the greatest come first. */
+  readonly numeric?: boolean;
+}
+
+export abstract class ListTable<Row> extends PatientElement {
+  #order: Order;
+  /** Numbers of the rows from above, as they were sorted last. */
+  #sorted: readonly number[] = [];
+  /** What `#sorted` was made of. */
+  #sortedFrom: readonly unknown[] = [];
+  /** The row that takes part in the tab order. */
+  #stop = 0;
+  /** What was selected last, so that a new choice is noticed; and what was chosen in this table itself. */
+  #selected: Target | undefined;
+  #chosen: Target | undefined;
+
+  /** The row that something is being typed into. */
+  protected edited: number | undefined;
+
+  protected constructor(order: Order) {
+    super();
+    this.#order = order;
+  }
+
+  protected abstract get label(): string;
+  protected abstract get columns(): readonly Column<Row>[];
+  /** By number: row n is piece or seam n. */
+  protected abstract get rows(): readonly Row[];
+  protected abstract targetOf(number: number): Target;
+  /** The number of the row that a target is, if it is one of this table's. */
+  protected abstract numberOf(target: Target): number | undefined;
+  /** `tabIndex` is for the controls in the row. */
+  protected abstract cells(row: Row, tabIndex: number): TemplateResult;
+  /** What stands in place of rows when there are none. */
+  protected abstract get empty(): string | undefined;
+
+  protected override render(): TemplateResult {
+    const {columns, rows, label} = this;
+    const {selected, pointed} = this.desk;
+    const [selectedRow, pointedRow] = [selected, pointed].map((one) => one && this.numberOf(one));
+    this.#sort(rows, columns);
+    if (this.#stop >= rows.length) this.#stop = this.#sorted[0] ?? 0;
+    const {empty} = this;
+    return html`
+      <table aria-label=${label}>
+        <caption>
+          ${label}
+          <span class="soft">${rows.length || ''}</span>
+        </caption>
+        <thead>
+          <tr>
+            ${columns.map((column, k) => this.#header(column, k))}
+          </tr>
+        </thead>
+        <tbody
+          @click=${this.#click}
+          @keydown=${this.#key}
+          @pointerover=${this.#point}
+          @pointerleave=${this.#leave}
+          @focusin=${this.#point}
+          @focusout=${this.#leave}
+        >
+          ${repeat(
+            this.#sorted,
+            (number) => number,
+            (number) => {
+              const row = rows[number];
+              const isSelected = number === selectedRow;
+              const tabIndex = number === this.#stop ? 0 : -1;
+              const state = isSelected ? 'selected' : number === pointedRow ? 'pointed' : '';
+              const isEdited = number === this.edited;
+              return guard([row, state, tabIndex, isEdited, this.texts, this.format], () =>
+                row === undefined
+                  ? nothing
+                  : html`<tr
+                      data-number=${number}
+                      class=${state}
+                      tabindex=${tabIndex}
+                      aria-selected=${isSelected}
+                    >
+                      ${this.cells(row, tabIndex)}
+                    </tr>`,
+              );
+            },
+          )}
+        </tbody>
+      </table>
+      ${empty === undefined ? nothing : html`<p class="soft">${empty}</p>`}
+    `;
+  }
+
+  #header({title, key, numeric = false}: Column<Row>, column: number): TemplateResult {
+    const cell = numeric ? 'number' : '';
+    if (!key) return html`<th scope="col" class=${cell}>${title}</th>`;
+    const {column: by, descending} = this.#order;
+    const direction = descending ? 'descending' : 'ascending';
+    return html`<th scope="col" class=${cell} aria-sort=${by === column ? direction : nothing}>
+      <button
+        @click=${() => {
+          this.#order = {column, descending: by === column ? !descending : numeric};
+          this.#sortedFrom = [];
+          this.requestUpdate();
+        }}
+      >
+        ${title}
+      </button>
+    </th>`;
+  }
+
+  /** Rows keep their places while a solve runs, since everything about them changes many times a second. */
+  #sort(rows: readonly Row[], columns: readonly Column<Row>[]): void {
+    const {column, descending} = this.#order;
+    const {language} = this.desk.preferences;
+    const from = [rows, language];
+    const runs = this.desk.state.kind === 'solving' && this.#sorted.length === rows.length;
+    const isSame = from.every((one, k) => one === this.#sortedFrom[k]);
+    if (this.#sortedFrom.length > 0 && (runs || isSame)) return;
+    this.#sortedFrom = from;
+    const numbers = new Map(rows.map((row, number) => [row, number]));
+    const key = columns[column]?.key ?? (() => undefined);
+    this.#sorted = inOrder(rows, key, descending, language).map((row) => numbers.get(row) ?? 0);
+  }
+
+  /** A row that moves to another place keeps the focus. */
+  protected override update(...given: Parameters<PatientElement['update']>): void {
+    const root = this.shadowRoot;
+    const held = root?.activeElement;
+    super.update(...given);
+    if (held instanceof HTMLElement && held.isConnected && root?.activeElement !== held) {
+      held.focus({preventScroll: true});
+    }
+  }
+
+  protected override updated(): void {
+    const {selected} = this.desk;
+    if (selected === this.#selected) return;
+    this.#selected = selected;
+    const number = selected && this.numberOf(selected);
+    if (number === undefined || selected === this.#chosen) return;
+    this.#setStop(number);
+    const row = this.renderRoot.querySelector<HTMLElement>(`tr[data-number="${number}"]`);
+    if (row) reveal(row, this);
+  }
+
+  #setStop(number: number): void {
+    if (number === this.#stop) return;
+    this.#stop = number;
+    this.requestUpdate();
+  }
+
+  #click = (event: MouseEvent): void => {
+    const number = rowNumber(event);
+    if (number !== undefined && !isInControl(event)) this.#choose(number);
+  };
+
+  #key = (event: KeyboardEvent): void => {
+    const {target: row, key} = event;
+    if (!(row instanceof HTMLTableRowElement)) return;
+    const number = rowNumber(event);
+    const to = {
+      ArrowDown: row.nextElementSibling,
+      ArrowUp: row.previousElementSibling,
+      Home: row.parentElement?.firstElementChild,
+      End: row.parentElement?.lastElementChild,
+    }[key];
+    if (to instanceof HTMLElement) to.focus();
+    else if (key === 'Escape') this.desk.select(undefined);
+    else if (number !== undefined && (key === 'Enter' || key === ' ')) this.#choose(number);
+    else if (event.ctrlKey || event.metaKey || event.altKey) return;
+    else if (number === undefined || !this.press?.(number, key)) return;
+    event.preventDefault();
+  };
+
+  /** A key on a row that is not the table's own. @returns whether it means something */
+  protected press?(number: number, key: string): boolean;
+
+  #point = (event: Event): void => {
+    const number = rowNumber(event);
+    if (number === undefined) return;
+    if (event.type === 'focusin') this.#setStop(number);
+    this.desk.point(this.targetOf(number));
+  };
+
+  #leave = (): void => {
+    this.desk.point(undefined);
+  };
+
+  #choose(number: number): void {
+    this.#setStop(number);
+    this.desk.select(this.targetOf(number));
+    this.#chosen = this.desk.selected;
+  }
+}
+
+function rowNumber({target}: Event): number | undefined {
+  const row = target instanceof Element ? target.closest('tr') : null;
+  return row?.dataset.number === undefined ? undefined : Number(row.dataset.number);
+}
+
+const isInControl = ({target}: Event): boolean =>
+  target instanceof Element && target.closest('button, select, input') !== null;
+
+/** What may stand over the rows at the top of the column, as a part of its height. */
+const lensShare = 0.35;
+
+/** Scrolls the column that the table is in, if it is in one: the whole page stays where the picture is seen. */
+function reveal(row: HTMLElement, table: HTMLElement): void {
+  const column = scroller(table);
+  if (!column) return;
+  const [at, shown] = [row.getBoundingClientRect(), column.getBoundingClientRect()];
+  const from = shown.top + lensShare * shown.height;
+  if (at.top < from || at.bottom > shown.bottom) {
+    column.scrollTop += (at.top + at.bottom - from - shown.bottom) / 2;
+  }
+}
+
+function scroller(element: Element): Element | undefined {
+  const root = element.getRootNode();
+  const parent = element.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
+  if (!parent || parent === document.body) return undefined;
+  const scrolls = ['auto', 'scroll'].includes(getComputedStyle(parent).overflowY);
+  return scrolls && parent.scrollHeight > parent.clientHeight ? parent : scroller(parent);
+}

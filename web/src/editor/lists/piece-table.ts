@@ -1,0 +1,230 @@
+/** The pieces of a garment, and what is decided about each. */
+import {html, nothing, type TemplateResult} from 'lit';
+import {live} from 'lit/directives/live.js';
+
+import type {GrainLock} from '../../model/options.js';
+import {togglePart} from '../pattern/keeping.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import type {Target} from '../../workbench/workbench.js';
+import {withGrain, withName, withoutPin, withPrinted} from './choices.js';
+import {listStyle} from './list-style.js';
+import {ListTable, type Column} from './list-table.js';
+import {nameField} from './name-field.js';
+import {pieceRows, type PieceRow} from './rows.js';
+import {turnPiece} from './turn-piece.js';
+
+const grains = ['all', 'on', 'across', 'bias', 'free'] as const satisfies readonly (
+  GrainLock | 'all'
+)[];
+
+export class PieceTable extends ListTable<PieceRow> {
+  static override styles = [controls, listStyle];
+
+  constructor() {
+    super({column: 0, descending: false});
+  }
+
+  protected override get label(): string {
+    return this.texts.lists.pieces;
+  }
+
+  protected override get columns(): readonly Column<PieceRow>[] {
+    const {lists} = this.texts;
+    return [
+      {title: lists.piece, key: ({label}) => label},
+      {title: lists.moved, key: ({moved}) => moved, numeric: true},
+      {title: lists.offGrain, key: ({offGrain}) => offGrain, numeric: true},
+      {title: lists.grain},
+      {title: lists.printed},
+      {title: this.texts.keep.column},
+    ];
+  }
+
+  protected override get rows(): readonly PieceRow[] {
+    return pieceRows(this.desk);
+  }
+
+  protected override get empty(): undefined {
+    return undefined;
+  }
+
+  protected override targetOf(piece: number): Target {
+    return {kind: 'piece', piece};
+  }
+
+  protected override numberOf(target: Target): number | undefined {
+    return target.kind === 'piece' ? target.piece : undefined;
+  }
+
+  protected override cells(row: PieceRow, tabIndex: number): TemplateResult {
+    const {texts, format} = this;
+    const {lists, pattern} = texts;
+    const {moved, offGrain, width, height} = row;
+    const size = lists.size(format.length(Math.round(width)), format.length(Math.round(height)));
+    return html`
+      <th scope="row">
+        ${this.#name(row, tabIndex)}
+        <span class="line"><span>${size},</span> <span>${pattern.seams(row.seams)}</span></span>
+        ${row.pinned ? this.#pin(row, tabIndex) : nothing}
+      </th>
+      <td class="number">
+        ${moved === undefined ? html`<span aria-label=${lists.unknown}>–</span>` : format.fine(moved)}
+      </td>
+      <td class="number">${format.number(offGrain)}°</td>
+      <td class="grain">${this.#grain(row, tabIndex)}${this.#turn(row, tabIndex)}</td>
+      <td class="middle">
+        <input
+          type="checkbox"
+          tabindex=${tabIndex}
+          aria-label=${lists.of(lists.printed, row.label)}
+          .checked=${row.printed}
+          @change=${({target}: Event) => {
+            this.#decide((options) =>
+              withPrinted(options, row.name, (target as HTMLInputElement).checked),
+            );
+          }}
+        />
+      </td>
+      <td class="middle">${this.#keep(row, tabIndex)}</td>
+    `;
+  }
+
+  protected override press(piece: number, key: string): boolean {
+    if (key === 'F2') this.#edit(piece);
+    else if (key === 'r') return turnPiece(this.desk, piece);
+    else return false;
+    return true;
+  }
+
+  #edit(piece: number | undefined): void {
+    this.edited = piece;
+    this.requestUpdate();
+    if (piece === undefined) return;
+    // once the table has given the focus back to the row
+    void this.updateComplete.then(() => {
+      this.renderRoot.querySelector<HTMLInputElement>('input.name')?.select();
+    });
+  }
+
+  #name(row: PieceRow, tabIndex: number): TemplateResult {
+    const {lists} = this.texts;
+    const {piece, label} = row;
+    if (piece === this.edited)
+      return nameField({
+        name: label,
+        label: lists.of(lists.name, label),
+        keep: (name) => this.#rename(row, name),
+        close: (byKey) => {
+          this.#edit(undefined);
+          if (byKey)
+            this.renderRoot.querySelector<HTMLElement>(`tr[data-number="${piece}"]`)?.focus();
+        },
+      });
+    const edit = (): void => {
+      this.#edit(piece);
+    };
+    return html`<span class="named" @dblclick=${edit}
+      >${label}
+      <button
+        class="icon"
+        tabindex=${tabIndex}
+        aria-label=${lists.of(lists.rename, label)}
+        title="${lists.rename} (F2)"
+        @click=${edit}
+      >
+        ${icon.pencil}
+      </button></span
+    >`;
+  }
+
+  #rename({piece, name, label}: PieceRow, chosen: string): boolean {
+    const {design} = this.desk;
+    if (!design || chosen === label) return true;
+    if (this.rows.some((other) => other.piece !== piece && other.label === chosen)) {
+      this.desk.say({tone: 'error', text: this.texts.lists.nameTaken(chosen)});
+      return false;
+    }
+    this.desk.change({names: withName(design.names, name, chosen)});
+    return true;
+  }
+
+  #turn({piece, label}: PieceRow, tabIndex: number): TemplateResult {
+    const {lists} = this.texts;
+    return html`<button
+      class="turn"
+      tabindex=${tabIndex}
+      aria-label=${lists.of(lists.quarterTurn, label)}
+      title="${lists.quarterTurn} (R)"
+      @click=${() => turnPiece(this.desk, piece)}
+    >
+      ${icon.quarterTurn} 90°
+    </button>`;
+  }
+
+  #grain(row: PieceRow, tabIndex: number): TemplateResult {
+    const {lists, controls: words, grain: grainWords} = this.texts;
+    return html`<select
+      tabindex=${tabIndex}
+      aria-label=${lists.of(lists.grain, row.label)}
+      @change=${({target}: Event) => {
+        const {value} = target as HTMLSelectElement;
+        const grain = grains.find((one) => one === value);
+        if (grain) this.#decide((options) => withGrain(options, row.name, grain));
+        else this.#wantGrainLine(row, target as HTMLSelectElement);
+      }}
+    >
+      ${grains.map(
+        (grain) =>
+          html`<option value=${grain} .selected=${grain === row.grain}>
+            ${grain === 'all' ? lists.asAll : words.grains[grain]}
+          </option>`,
+      )}
+      <option value="line">${grainWords.line}</option>
+    </select>`;
+  }
+
+  #keep(row: PieceRow, tabIndex: number): TemplateResult {
+    const {lists, keep} = this.texts;
+    return html`<input
+      type="checkbox"
+      tabindex=${tabIndex}
+      aria-label=${lists.of(keep.kept, row.label)}
+      title=${row.kept === 'some' ? keep.some : keep.kept}
+      .checked=${live(row.kept === 'all')}
+      .indeterminate=${live(row.kept === 'some')}
+      @change=${() => {
+        togglePart(this.desk, {piece: row.piece});
+      }}
+    />`;
+  }
+
+  /** By clicks on the pattern. */
+  #wantGrainLine({piece, grain}: PieceRow, select: HTMLSelectElement): void {
+    select.value = grain;
+    this.desk.select(this.targetOf(piece));
+    this.dispatchEvent(new CustomEvent('sw-grain-wanted', {bubbles: true, composed: true}));
+  }
+
+  #pin(row: PieceRow, tabIndex: number): TemplateResult {
+    const {lists} = this.texts;
+    return html`<span class="line"
+      >${icon.pin} ${lists.pinned}
+      <button
+        class="link"
+        tabindex=${tabIndex}
+        aria-label=${lists.of(lists.free, row.label)}
+        @click=${() => {
+          this.#decide((options) => withoutPin(options, row.name));
+        }}
+      >
+        ${lists.free}
+      </button></span
+    >`;
+  }
+
+  #decide(change: (options: Parameters<typeof withoutPin>[0]) => ReturnType<typeof withoutPin>) {
+    const {design} = this.desk;
+    if (design) this.desk.change({options: change(design.options)});
+  }
+}

@@ -1,0 +1,263 @@
+/** Pieces and seams as rows of a table: what there is to know about each, in numbers and names. */
+import type {Design} from '../../model/design.js';
+import type {Point} from '../../model/geometry.js';
+import {seamLetter} from '../../model/letters.js';
+import type {GrainLock} from '../../model/options.js';
+import type {Pattern, SeamReason, SeamSide} from '../../model/result.js';
+import {mismatchSteps, severity} from '../../scene/colours.js';
+import {isGathered, onPrint, type Drift} from '../../scene/mismatch.js';
+import {pick} from '../../scene/marks.js';
+import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
+import type {Format} from '../../texts/format.js';
+import type {Texts} from '../../texts/texts.js';
+import {lastOf} from '../../workbench/last-of.js';
+import type {Scenes} from '../../workbench/scenes.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {garmentSeams, type GarmentSeam} from './garment-seams.js';
+
+export interface PieceRow {
+  /** Its number, from 0. */
+  readonly piece: number;
+  /** What the files call it. */
+  readonly name: string;
+  readonly label: string;
+  /** Of the piece as drafted. [cm] */
+  readonly width: number;
+  readonly height: number;
+  readonly seams: number;
+  /** How far its outline was reshaped where that is most; unknown before it is solved. [cm] */
+  readonly moved: number | undefined;
+  /** Between its grain line and the length of the cloth. [degrees, 0 to 90; of a one-way print to 180] */
+  readonly offGrain: number;
+  /** `all`: no rule of its own. */
+  readonly grain: GrainLock | 'all';
+  readonly printed: boolean;
+  readonly pinned: boolean;
+  /** How much of its outline stays as drafted. */
+  readonly kept: 'all' | 'some' | 'none';
+}
+
+export interface SeamRow {
+  /** Its number, from 0. */
+  readonly seam: number;
+  /** No other seam has the same. */
+  readonly name: string;
+  /** In short, as on the pieces to cut. */
+  readonly letter: string;
+  /** Which pieces it joins, unless the name says that. */
+  readonly between: string | undefined;
+  /** Labels of the pieces on sides a and b. */
+  readonly sides: readonly [string, string];
+  /** Mean of both sides, as drafted. [cm] */
+  readonly length: number;
+  /** Mean mismatches, point by point. [cm] */
+  readonly before: number;
+  readonly after: number;
+  /** The worst mismatch of any edge. [cm] */
+  readonly worst: number;
+  /** Its sides differ too much in length for a print to run on all along. */
+  readonly gathered: boolean;
+  /** Where the print, followed along the whole seam, runs off; of gathers that says nothing. */
+  readonly drift: Drift | undefined;
+  /** Why it stays off, if it does and an answer says so. */
+  readonly why: SeamReason | undefined;
+  /** `after` on the scale of the picture: 0 is perfect, 1 is drawn as the worst. */
+  readonly severity: number;
+  readonly kind: SceneSeam['kind'];
+  /** While solving. */
+  readonly weight: number;
+  /** What the garment file says about the weight. */
+  readonly ownWeight: number;
+  readonly matched: boolean;
+  /** Labels of the pieces whose side of it stays as drafted. */
+  readonly keptOn: readonly string[];
+  /** Whether it is for its match switch to say so: no plain piece, no word of the file is against it. */
+  readonly canMatch: boolean;
+  /** False as well for a seam that meets however the print lies. */
+  readonly counts: boolean;
+}
+
+type Shown = Pick<Workbench, 'design' | 'pattern' | 'result' | 'scenes'>;
+
+/** Empty until the garment has been read. The same desk gives the same rows until something about them changes. */
+export function pieceRows({design, pattern, result, scenes}: Shown): readonly PieceRow[] {
+  return design && scenes && (result ?? pattern) ? piecesOf(design.options, scenes.now) : [];
+}
+
+/** Empty until the garment has been read. The same desk gives the same rows until something about them changes. */
+export function seamRows(
+  {design, pattern, result, scenes}: Shown,
+  texts: Texts,
+): readonly SeamRow[] {
+  if (!design || !scenes || !(result ?? pattern)) return [];
+  return seamsOf(design, scenes, texts);
+}
+
+/** Of those that count, the worst first. */
+export const worstSeams = (rows: readonly SeamRow[], most = rows.length): readonly SeamRow[] =>
+  rows
+    .filter(({counts}) => counts)
+    .sort((a, b) => b.after - a.after)
+    .slice(0, most);
+
+/** Those that miss by more than a step back lets one overlook, the worst first. */
+export const offSeams = (rows: readonly SeamRow[]): readonly SeamRow[] =>
+  worstSeams(rows).filter(({after}) => after > mismatchSteps[1]);
+
+/** "Side seam, left (A), Front to Back, 41 cm, mismatch 2 mm, mirrored" */
+export function seamText(row: SeamRow, texts: Texts, format: Format): string {
+  const {pattern} = texts;
+  const own = `${row.name} (${row.letter})`;
+  const name = row.between === undefined ? own : `${own}, ${row.between}`;
+  const kind = row.counts ? pattern[row.kind] : pattern.notCounted;
+  const text = pattern.seam(name, format.length(row.length), format.fine(row.after), kind);
+  const remark = remarkOn(row, texts, format);
+  return remark === undefined ? text : `${text}, ${remark}`;
+}
+
+/**
+ * "meets at one end, 40 mm off at the other"; or why it stays off, where following the print along it means nothing,
+ * or is not what is wrong with it.
+ */
+export function remarkOn(
+  {drift, gathered, why}: Pick<SeamRow, 'drift' | 'gathered' | 'why'>,
+  {lists, remedies}: Texts,
+  format: Format,
+): string | undefined {
+  if (gathered) return remedies.why.gather;
+  if (why === 'grain' || (why && !drift)) return remedies.why[why];
+  if (!drift) return undefined;
+  const [near, far] = [Math.min(drift.start, drift.end), Math.max(drift.start, drift.end)];
+  const meets = near <= mismatchSteps[1] && far > mismatchSteps[1];
+  return meets ? lists.runsOff(format.fine(far)) : lists.offAlong(format.fine(drift.most));
+}
+
+const fileSeams = lastOf(garmentSeams);
+
+const size = (points: readonly Point[], axis: 0 | 1): number => {
+  const along = points.map((point) => point[axis]);
+  return Math.max(...along) - Math.min(...along);
+};
+
+/** What depends on nothing but the outlines. */
+const measures = lastOf(({pieces, seams}: Pattern) => {
+  const way = ({piece, vertices}: SeamSide): number => {
+    const points = pick(pieces[piece]?.rest ?? [], vertices);
+    return points.slice(1).reduce((sum, [x, y], k) => {
+      const [fromX, fromY] = points[k] ?? [x, y];
+      return sum + Math.hypot(x - fromX, y - fromY);
+    }, 0);
+  };
+  return {
+    pieces: pieces.map(({rest, shape, outline}, piece) => {
+      const loop = pick(rest, outline);
+      const after = pick(shape, outline);
+      return {
+        width: size(loop, 0),
+        height: size(loop, 1),
+        seams: seams.filter(({a, b}) => a.piece === piece || b.piece === piece).length,
+        moved: Math.max(
+          ...loop.map(([x, y], k) =>
+            Math.hypot(x - (after[k]?.[0] ?? x), y - (after[k]?.[1] ?? y)),
+          ),
+        ),
+      };
+    }),
+    lengths: seams.map(({a, b}) => (way(a) + way(b)) / 2),
+  };
+});
+
+function offGrain({grain, alignment}: ScenePiece, oneWay: boolean): number {
+  const [from, to] = grain ?? [
+    [0, 0],
+    [0, 1],
+  ];
+  const line: Point = [to[0] - from[0], to[1] - from[1]];
+  const [across, along] = onPrint({angle: alignment.angle, translation: [0, 0]}, line);
+  return (Math.atan2(Math.abs(across), oneWay ? along : Math.abs(along)) * 180) / Math.PI;
+}
+
+/** Whether all of an outline, or some of it, stays as drafted. */
+function keptOf({kept = [], pieces}: PatternScene, piece: number): PieceRow['kept'] {
+  const count = kept
+    .filter((line) => line.piece === piece)
+    .reduce((sum, {vertices}) => sum + vertices.length - 1, 0);
+  if (count === 0) return 'none';
+  return count === pieces[piece]?.outline.length ? 'all' : 'some';
+}
+
+/** Whether all of a side of a seam stays as drafted. */
+const isKeptSide = ({kept = []}: PatternScene, {piece, vertices}: SeamSide): boolean =>
+  kept.some(
+    (line) => line.piece === piece && vertices.every((vertex) => line.vertices.includes(vertex)),
+  );
+
+const piecesOf = lastOf((options: Design['options'], scene: PatternScene): readonly PieceRow[] => {
+  const known = measures(scene.pattern).pieces;
+  return scene.pieces.map((piece, k): PieceRow => {
+    const {name, label, plain} = piece;
+    const {width = 0, height = 0, seams = 0, moved} = known[k] ?? {};
+    const rule = options.grain?.pieces?.[name] ?? 'all';
+    return {
+      ...{piece: k, name, label, width, height, seams},
+      moved: scene.outline === 'shape' ? moved : undefined,
+      offGrain: offGrain(piece, scene.print.oneWay ?? false),
+      grain: typeof rule === 'string' ? rule : (rule.lock ?? 'all'),
+      printed: !plain,
+      pinned: options.pins !== undefined && Object.hasOwn(options.pins, name),
+      kept: keptOf(scene, k),
+    };
+  });
+});
+
+/** Names from the file or of the pieces; numbered where several are alike. */
+function seamNames(
+  {pieces, seams}: PatternScene,
+  file: ReadonlyMap<number, GarmentSeam>,
+  {lists}: Texts,
+): readonly Pick<SeamRow, 'name' | 'between' | 'sides'>[] {
+  const label = (piece: number): string => pieces[piece]?.label ?? '';
+  const all = seams.map(({a, b}, seam) => {
+    const sides = [label(a.piece), label(b.piece)] as const;
+    const joined = a.piece === b.piece ? lists.within(sides[0]) : lists.between(...sides);
+    const own = file.get(seam)?.name;
+    return {sides, name: own ?? joined, between: own === undefined ? undefined : joined};
+  });
+  const count = new Map<string, number>();
+  for (const {name} of all) count.set(name, (count.get(name) ?? 0) + 1);
+  const met = new Map<string, number>();
+  return all.map((one) => {
+    const number = (met.get(one.name) ?? 0) + 1;
+    met.set(one.name, number);
+    return count.get(one.name) === 1 ? one : {...one, name: lists.numbered(one.name, number)};
+  });
+}
+
+const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts: Texts) => {
+  const file = fileSeams(garment.text);
+  const names = seamNames(now, file, texts);
+  const {lengths} = measures(now.pattern);
+  return now.seams.map(({a, b, mean, worst: {mismatch}, drift, kind, counts}, seam): SeamRow => {
+    const {sides = ['', ''] as const, name = '', between} = names[seam] ?? {};
+    const {weight = 1, matched = true} = file.get(seam) ?? {};
+    const own = now.pattern.seams[seam];
+    const gathered = counts && own !== undefined && isGathered(own);
+    const canMatch = matched && ![a, b].some(({piece}) => now.pieces[piece]?.plain);
+    return {
+      letter: seamLetter(seam),
+      ...{seam, name, between, sides, kind, counts, canMatch},
+      keptOn: [a, b].flatMap((side, k) => (isKeptSide(now, side) ? [sides[k] ?? ''] : [])),
+      length: lengths[seam] ?? 0,
+      before: before.seams[seam]?.mean ?? 0,
+      after: mean,
+      worst: mismatch,
+      gathered,
+      drift: counts && !gathered ? drift : undefined,
+      why: counts ? own?.why : undefined,
+      severity: severity(mean, now.scale),
+      weight: options.weights?.[seam] ?? weight,
+      ownWeight: weight,
+      matched: canMatch && !options.unmatched?.includes(seam),
+    };
+  });
+});

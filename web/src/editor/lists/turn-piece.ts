@@ -1,0 +1,15 @@
+/** A piece turned by 90 degrees on the cloth, from wherever that is asked for. */
+import {textsOf} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {withQuarterTurn} from './choices.js';
+
+/** @returns whether there is such a piece */
+export function turnPiece(desk: Workbench, piece: number): boolean {
+  const {design, scenes} = desk;
+  const turned = scenes?.now.pieces[piece];
+  if (!design || !turned) return false;
+  desk.change({options: withQuarterTurn(design.options, turned.name)});
+  const {lists} = textsOf(desk.preferences.language, desk.preferences.messages);
+  desk.say({tone: 'info', text: lists.turned(turned.label), undo: true});
+  return true;
+}

@@ -1,0 +1,102 @@
+/** Where the print is centred: on an edge that is chosen, else on the middle of the body, as far as a piece reaches it. */
+import type {Placement} from '../../model/garment-marks.js';
+import type {Alignment, Point} from '../../model/geometry.js';
+import {footOnAxis} from '../../model/mirror-lines.js';
+import {turned} from '../../layout/on-body.js';
+import {pick} from '../../scene/marks.js';
+import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
+import {atShare} from '../../scene/seam-line.js';
+import {mirrorsOf} from '../../workbench/grain-proposals.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {middleOf} from './print-mover.js';
+
+/** A point of a piece, in its own coordinates. [cm] */
+export interface Middle {
+  readonly piece: ScenePiece;
+  readonly at: Point;
+}
+
+type Shown = Pick<Workbench, 'selected' | 'scenes' | 'pattern' | 'found'>;
+
+/** A half is no further from the middle of the body than this: its edges overlap there, or leave room for a band. [cm] */
+const offMiddle = 4;
+
+/** What a look at the front falls on: the edge or piece that is selected, or the piece that is called so. */
+export function middleToCentre(desk: Shown): Middle | undefined {
+  const scene = desk.scenes?.now;
+  if (!scene) return undefined;
+  const {pieces, seams} = scene;
+  const {selected} = desk;
+  if (selected?.kind === 'seam') {
+    const side = seams[selected.seam]?.[selected.side];
+    const piece = side && pieces[side.piece];
+    return piece && {piece, at: atShare(pick(piece.points, side.vertices), 0.5).at};
+  }
+  const front = pieces.findIndex(({name}) => /front/i.test(name));
+  const number = selected ? selected.piece : Math.max(front, 0);
+  const piece = pieces[number];
+  return piece && {piece, at: middleOfBody(desk, scene, number) ?? middleOf(piece)};
+}
+
+/** The place on a piece's own axis, or on that between it and its mirror image, where the body has its middle. */
+function middleOfBody(desk: Shown, scene: PatternScene, number: number): Point | undefined {
+  const piece = scene.pieces[number];
+  if (!piece) return undefined;
+  for (const one of mirrorsOf(desk)) {
+    if (one.kind === 'piece') {
+      if (one.piece === piece.name) return footOnAxis(one.map, middleOf(piece));
+    } else if (one.pieces.includes(piece.name)) {
+      const twin = one.pieces[one.pieces[0] === piece.name ? 1 : 0];
+      const placement = desk.scenes?.marks.get(piece.name)?.placement;
+      const faceUp = scene.pattern.pieces[number]?.mirroredFromInput ? -1 : 1;
+      return middleOfSeam(scene, number, twin) ?? middlePlaced(piece, placement, faceUp);
+    }
+  }
+  return undefined;
+}
+
+/** Of the longest seam that joins a half to the other one. */
+function middleOfSeam(
+  {pieces, seams}: PatternScene,
+  half: number,
+  twin: string,
+): Point | undefined {
+  const lengthOf = ({a}: SceneSeam): number => a.vertices.length;
+  const [seam] = seams
+    .filter(({a, b}) => {
+      const other = a.piece === half ? b.piece : b.piece === half ? a.piece : -1;
+      return pieces[other]?.name === twin;
+    })
+    .sort((one, other) => lengthOf(other) - lengthOf(one));
+  if (!seam) return undefined;
+  const {vertices} = seam.a.piece === half ? seam.a : seam.b;
+  return atShare(pick(pieces[half]?.points ?? [], vertices), 0.5).at;
+}
+
+/** Where halves are not sewn together: beside the middle of a piece, by where the file places it. */
+function middlePlaced(
+  piece: ScenePiece,
+  placement: Placement | undefined,
+  faceUp: 1 | -1,
+): Point | undefined {
+  if (!placement) return undefined;
+  const {translation, rotation = [0, 0, 0]} = placement;
+  const [x, y] = middleOf(piece);
+  const across = turned([faceUp, 0, 0], rotation)[0];
+  if (Math.abs(across) < 0.7) return undefined; // it hangs at the side
+  const away = (translation[0] + turned([faceUp * x, y, 0], rotation)[0]) / across;
+  const half = Math.max(...pick(piece.points, piece.outline).map((point) => point[0])) - x;
+  return Math.abs(away) <= half + offMiddle ? [x - away, y] : undefined;
+}
+
+/**
+ * The print upright on the sheet, with a motif, which is at the print's origin, in the very middle, or with the
+ * line through the motifs along it, as high as it lies.
+ */
+export function centred({piece, at: [x, y]}: Middle, what: 'motif' | 'line'): Alignment {
+  const {isTurned, alignment} = piece;
+  return {
+    angle: isTurned ? Math.PI : 0,
+    translation: [x, what === 'motif' ? y : alignment.translation[1]],
+  };
+}

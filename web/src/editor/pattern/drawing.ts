@@ -1,0 +1,276 @@
+/** The pattern as it is drawn, and nothing else: the pieces of a workbench in their print. */
+import {css, html, type PropertyValues, type TemplateResult} from 'lit';
+
+import type {DesignGarment} from '../../model/design.js';
+import type {Motion} from '../../viewer/morph.js';
+import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
+import {AppearanceController, colourScheme} from '../appearance.js';
+import {PatientElement} from '../desk-element.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import {onceOnline} from '../once-online.js';
+import {SceneMaker} from '../../workbench/scenes.js';
+import type {Notice, SheetWindow} from '../../workbench/workbench.js';
+
+/** The print of the pattern is on the screen. */
+export const drawnEvent = 'sw-drawn';
+/** A graphics context that has not come back within this is not expected any more. [ms] */
+const lossPatience = 3000;
+/** Nothing can be drawn, or nothing any more; the failure is the `detail`. */
+export const undrawableEvent = 'sw-undrawable';
+
+export class PatternDrawing extends PatientElement {
+  static override styles = [
+    colourScheme,
+    css`
+      :host {
+        display: block;
+        position: relative;
+        overflow: hidden;
+      }
+      .stage {
+        position: absolute;
+        inset: 0;
+      }
+      .stage.gone {
+        visibility: hidden; /* what was drawn last is not what there is */
+      }
+    `,
+  ];
+
+  readonly #maker = new SceneMaker();
+  readonly #appearance = new AppearanceController(this);
+  #view: PatternView | undefined;
+  #window: SheetWindow | undefined;
+  /** Why nothing can be drawn. */
+  #undrawable: string | undefined;
+  #isLost = false;
+  #waiting: ReturnType<typeof setTimeout> | undefined;
+  #showsDraft = false;
+  /** Of the next way to the answer; usually as always. [ms] */
+  #time: number | undefined;
+  /** The garment that was drawn last. */
+  #drawn: DesignGarment | undefined;
+  /** Whose tile is shown, or being fetched. */
+  #image: string | undefined;
+  /** The picture that there was no network for, and what was said of it. */
+  #awaited: {readonly image: string; readonly notice: Notice} | undefined;
+  #life: AbortController | undefined;
+  /** Of the stage. Asking for it at every update would lay the page out each time. [CSS px] */
+  #size: {readonly width: number; readonly height: number} | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#life = new AbortController();
+    void this.#open(this.#life.signal);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#life?.abort();
+    clearTimeout(this.#waiting);
+    this.#view?.dispose();
+    this.#view = undefined;
+    this.#isLost = false;
+    this.#image = undefined;
+    this.#drawn = undefined;
+    if (this.desk.view === this.#window) this.desk.view = undefined;
+  }
+
+  /** Whether the garment is shown as drafted just now. */
+  get showsDraft(): boolean {
+    return this.#showsDraft;
+  }
+
+  /** Shows the garment as drafted, until `showAnswer`. Points and pictures are those of the draft as well. */
+  showDraft(): void {
+    this.#showsDraft = true;
+    this.requestUpdate();
+  }
+
+  /** Shows what is known of the answer again, after a way of so many milliseconds. */
+  showAnswer(ms: number): void {
+    this.#showsDraft = false;
+    this.#time = ms;
+    this.requestUpdate();
+  }
+
+  get view(): PatternView | undefined {
+    return this.#view;
+  }
+
+  /** A sentence where nothing can be drawn: without WebGL 2, without its context, or without the code for it. */
+  protected get undrawable(): string | undefined {
+    return this.#undrawable;
+  }
+
+  /** Whether seams are drawn by how they match. */
+  protected hasSeams?(): boolean;
+
+  /** What a drawing that somebody works on adds. */
+  protected viewOptions(): PatternViewOptions {
+    return {};
+  }
+
+  /** The stage is there for somebody to work on, until `signal` fires. */
+  protected opened?(stage: HTMLElement, signal: AbortSignal): void;
+
+  /** The scenes of the workbench are shown. */
+  protected drew?(view: PatternView): void;
+
+  async #open(signal: AbortSignal): Promise<void> {
+    // begun before anything is laid out: the drawing is the heaviest part
+    const code = import('../../viewer/pattern-view.js').catch((error: unknown) => toFailure(error));
+    const [viewer] = await Promise.all([code, this.updateComplete]);
+    const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
+    if (signal.aborted || !stage) return;
+    if ('code' in viewer) this.#giveUp(viewer);
+    else this.#show(viewer, stage);
+    stage.inert = !this.opened;
+    this.opened?.(stage, signal);
+    const resized = new ResizeObserver(([entry]) => {
+      if (entry) this.#size = entry.contentRect;
+      this.requestUpdate();
+    });
+    resized.observe(stage);
+    signal.addEventListener('abort', () => {
+      resized.disconnect();
+    });
+    this.requestUpdate();
+  }
+
+  #show({PatternView}: typeof import('../../viewer/pattern-view.js'), stage: HTMLElement): void {
+    const options = {
+      appearance: this.#appearance.value,
+      onLost: (isLost: boolean) => {
+        this.#turn(isLost);
+      },
+      ...this.viewOptions(),
+    };
+    try {
+      this.#view = new PatternView(stage, options);
+    } catch {
+      const message = this.texts.pattern.noWebGl;
+      this.#giveUp({code: 'no-webgl', message, piece: null, seam: null});
+      return;
+    }
+    const view = this.#view;
+    view.setSeams(this.hasSeams?.() ?? false);
+    const isLost = (): boolean => this.#isLost;
+    this.#window = {
+      get isLost() {
+        return isLost();
+      },
+      get widest() {
+        return view.widestPicture;
+      },
+      get: () => view.state,
+      picture: (width) => view.toBlob(width),
+      onPaper: () => view.onPaper(),
+      set: (state) => {
+        view.state = state;
+      },
+    };
+    this.desk.view = this.#window;
+  }
+
+  /** What was taken away usually comes back within a second. */
+  #turn(isLost: boolean): void {
+    this.#isLost = isLost;
+    clearTimeout(this.#waiting);
+    if (isLost) {
+      this.#waiting = setTimeout(() => {
+        const message = this.texts.pattern.lost;
+        this.#giveUp({code: 'no-webgl', message, piece: null, seam: null});
+      }, lossPatience);
+    } else if (this.#undrawable !== undefined) {
+      this.#setUndrawable(undefined);
+      this.#tell(drawnEvent);
+    }
+  }
+
+  #giveUp(detail: ReturnType<typeof toFailure>): void {
+    this.#setUndrawable(detail.message);
+    this.#tell(undrawableEvent, detail);
+  }
+
+  #setUndrawable(why: string | undefined): void {
+    this.#undrawable = why;
+    this.renderRoot.querySelector('.stage')?.classList.toggle('gone', why !== undefined);
+    this.requestUpdate();
+  }
+
+  #tell(type: string, detail?: unknown): void {
+    this.dispatchEvent(new CustomEvent(type, {detail, bubbles: true, composed: true}));
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    if (this.#size) this.desk.scenes = this.#maker.scenes(this.desk, this.#size);
+  }
+
+  protected override updated(): void {
+    const view = this.#view;
+    if (!view) return;
+    view.setAppearance(this.#appearance.value);
+    const {scenes} = this.desk;
+    if (scenes) {
+      if (this.#showsDraft) view.show(scenes.before);
+      else view.show(scenes.now, this.#motion(), this.#time);
+      this.#time = undefined;
+      this.drew?.(view);
+    }
+    void this.#showTile(view);
+  }
+
+  /** A garment is simply there at first; then an answer moves it all, and what is not an answer yet its shapes alone. */
+  #motion(): Motion {
+    const {design, result, isHeld} = this.desk;
+    const isKnown = design?.garment === this.#drawn;
+    this.#drawn = design?.garment;
+    if (!isKnown) return 'none';
+    return result && !isHeld ? 'all' : 'shapes';
+  }
+
+  async #showTile(view: PatternView): Promise<void> {
+    const image = this.desk.design?.print.image;
+    if (image === undefined || !this.desk.scenes || image === this.#image) return;
+    this.#image = image;
+    const signal = this.#life?.signal;
+    try {
+      const tile = await this.desk.tileOf(image, signal);
+      if (this.#image !== image) return;
+      view.setTile(tile);
+      if (this.#awaited && this.desk.notice === this.#awaited.notice) this.desk.say(undefined);
+      this.#awaited = undefined;
+    } catch (error) {
+      if (this.#image !== image || signal?.aborted) return;
+      view.setTile(undefined);
+      this.#miss(image, error, signal);
+    }
+    if (this.#image === image) this.#tell(drawnEvent);
+  }
+
+  /** Says so; what there is no network for is looked for again, unless it is of no use any more. */
+  #miss(image: string, error: unknown, signal: AbortSignal | undefined): void {
+    const isUnreached = error instanceof TypeError && !image.startsWith('data:');
+    if (!isUnreached || !signal) {
+      this.desk.say({tone: 'error', text: toFailure(error).message});
+      return;
+    }
+    if (this.#awaited?.image !== image) {
+      const title = this.desk.design?.print.title ?? image;
+      const notice: Notice = {tone: 'info', text: this.texts.offline.waits(title)};
+      this.#awaited = {image, notice};
+      this.desk.say(notice);
+    }
+    onceOnline(() => {
+      if (this.#image !== image) return;
+      this.#image = undefined;
+      this.requestUpdate();
+    }, signal);
+  }
+
+  protected override render(): TemplateResult {
+    return html`<div class="stage"></div>`;
+  }
+}

@@ -1,0 +1,102 @@
+/** Where the grain line of a piece runs, by clicks: along an edge, or through two points. */
+import type {LineTarget, OnPiece, Target} from '../../clicks/pick.js';
+import {inputPoint} from '../../clicks/sheet.js';
+import type {Point} from '../../model/geometry.js';
+import type {Overlay} from '../../viewer/overlay.js';
+import type {PatternScene} from '../../scene/scene.js';
+import {withGrainLines} from '../lists/choices.js';
+import type {Texts} from '../../texts/texts.js';
+import {mirrorsOf, withImage} from '../../workbench/grain-proposals.js';
+import type {Workbench} from '../../workbench/workbench.js';
+
+/** Two points closer than this give no direction. [cm] */
+const shortest = 1;
+
+const degreesOf = ([fromX, fromY]: Point, [toX, toY]: Point): number =>
+  (Math.atan2(toY - fromY, toX - fromX) * 180) / Math.PI;
+
+/** A point of the drafted piece, face up. */
+function drafted(scene: PatternScene, {piece, point}: OnPiece): Point {
+  const [x, y] = inputPoint(scene, piece, point);
+  return [scene.pattern.pieces[piece]?.mirroredFromInput ? -x : x, y];
+}
+
+/** From one end of an edge to the other as it was drafted, upwards: an edge has no direction of its own. */
+function alongEdge(scene: PatternScene, {piece, edge}: LineTarget): number | undefined {
+  const {rest = [], outline = []} = scene.pattern.pieces[piece] ?? {};
+  const {edges = []} = scene.pieces[piece] ?? {};
+  const count = outline.length;
+  const isOf = (k: number): boolean => edges[(k + count) % count] === edge;
+  const first = outline.findIndex((_, k) => isOf(k) && !isOf(k - 1));
+  let last = first;
+  while (first >= 0 && isOf(last)) last++;
+  const [from, to] = [rest[outline[first] ?? -1], rest[outline[last % count] ?? -1]];
+  if (!from || !to) return undefined;
+  const degrees = degreesOf(from, to);
+  return degrees > -1e-9 && degrees < 180 - 1e-9 ? degrees : degrees + 180;
+}
+
+export class GrainClicks {
+  readonly #desk: Workbench;
+  #first: OnPiece | undefined;
+  #refused: 'otherPiece' | 'samePoint' | 'unnumbered' | undefined;
+
+  constructor(desk: Workbench) {
+    this.#desk = desk;
+  }
+
+  /** Whether the next click is a point, whatever is near. */
+  get hasFirst(): boolean {
+    return this.#first !== undefined;
+  }
+
+  begin(): void {
+    this.#first = this.#refused = undefined;
+  }
+
+  /** Takes the first point back. @returns whether there was one */
+  back(): boolean {
+    const had = this.hasFirst;
+    this.begin();
+    return had;
+  }
+
+  /** @param snapped where a click is that is meant as a point */
+  take(scene: PatternScene, target: Target, snapped: Point): void {
+    const {piece} = target;
+    const here = {piece, point: snapped};
+    const first = this.#first;
+    this.#refused = undefined;
+    if (!first && target.kind !== 'piece') {
+      const degrees = target.edge === undefined ? undefined : alongEdge(scene, target);
+      if (degrees === undefined) this.#refused = 'unnumbered';
+      else this.#keep(scene, piece, degrees);
+    } else if (!first) {
+      this.#first = here;
+    } else if (first.piece !== piece) {
+      this.#refused = 'otherPiece';
+    } else {
+      const [from, to] = [drafted(scene, first), drafted(scene, here)];
+      if (Math.hypot(to[0] - from[0], to[1] - from[1]) < shortest) this.#refused = 'samePoint';
+      else this.#keep(scene, piece, degreesOf(from, to));
+    }
+  }
+
+  #keep(scene: PatternScene, piece: number, degrees: number): void {
+    this.#first = undefined;
+    const {design} = this.#desk;
+    const {name} = scene.pieces[piece] ?? {};
+    if (!design || name === undefined) return;
+    const lines = withImage(name, degrees, mirrorsOf(this.#desk));
+    this.#desk.change({options: withGrainLines(design.options, lines)});
+  }
+
+  words({grain, symmetry}: Texts): string {
+    if (this.#refused) return symmetry.refusals[this.#refused];
+    return this.#first ? grain.second : grain.first;
+  }
+
+  marks(): Overlay {
+    return this.#first ? {points: [this.#first]} : {};
+  }
+}

@@ -1,0 +1,224 @@
+/** Asks once where the grain runs on pieces whose file does not say it, and proposes an answer for each. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {DesignGarment} from '../../model/design.js';
+import {DeskElement} from '../desk-element.js';
+import {withGrainLines} from '../lists/choices.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import {
+  angleOfWay,
+  grainProposals,
+  grainWays,
+  mirrorsOf,
+  upwards,
+  wayOf,
+  withImage,
+} from '../../workbench/grain-proposals.js';
+
+/** A piece that has no grain line yet. */
+interface Asked {
+  readonly piece: number;
+  readonly name: string;
+  readonly label: string;
+  /** On the sheet. [degrees, face up] */
+  readonly proposal: number;
+  /** From the sheet to the piece's own coordinates. [degrees] */
+  readonly turn: number;
+}
+
+/** An arrow along the grain. */
+const arrow = (degrees: number): TemplateResult =>
+  html`<svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true">
+    <path
+      d="M-6 0H6M3 -3 6 0 3 3"
+      fill="none"
+      stroke="currentColor"
+      stroke-width="1.5"
+      transform="rotate(${-degrees})"
+    />
+  </svg>`;
+
+export class GrainQuestion extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      .card {
+        display: grid;
+        gap: var(--sw-space-2);
+        max-height: 40vh;
+        overflow-y: auto;
+        padding: var(--sw-space-2) var(--sw-space-4);
+        border-bottom: 1px solid var(--sw-line);
+        background: var(--sw-tint);
+      }
+      .row {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: var(--sw-space-2);
+      }
+      .row > span {
+        flex: 1 1 16rem;
+      }
+      ul {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(min(20rem, 100%), 1fr));
+        gap: var(--sw-space-1) var(--sw-space-4);
+        margin: 0;
+        padding: 0;
+        list-style: none;
+      }
+      li {
+        display: grid;
+        grid-template-columns: 1rem minmax(0, 1fr) minmax(0, 12.5rem);
+        align-items: center;
+        gap: var(--sw-space-2);
+      }
+      label {
+        display: contents;
+      }
+    `,
+  ];
+
+  /** Whose owner does not want to be asked. */
+  #later: DesignGarment | undefined;
+  #isOpen = false;
+
+  /** Nothing is asked while nothing depends on it. */
+  #asked(): readonly Asked[] {
+    const {design, scenes, pattern} = this.desk;
+    if (!design || !scenes || !pattern || design.garment === this.#later) return [];
+    const {grain} = design.options;
+    if ((grain?.default ?? 'free') === 'free' && !design.print.oneWay) return [];
+    const proposals = grainProposals(pattern.pieces, scenes.marks, mirrorsOf(this.desk));
+    return scenes.now.pieces.flatMap(({name, label, plain, isTurned}, piece): Asked[] => {
+      const turn = isTurned ? 180 : 0;
+      const proposal = proposals.get(name);
+      const isSaid = scenes.marks.get(name)?.grainDeg !== undefined;
+      if (plain || isSaid || proposal === undefined) return [];
+      return [{piece, name, label, turn, proposal: (proposal + turn) % 360}];
+    });
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const asked = this.#asked();
+    this.toggleAttribute('asks', asked.length > 0); // what stands around it makes room
+    if (asked.length === 0) return nothing;
+    const {grain} = this.texts;
+    const turned = asked.filter(({proposal}) => wayOf(proposal) !== 'up').length;
+    const all = this.desk.scenes?.now.pieces.length ?? 0;
+    return html`<div class="card" role="region" aria-label=${grain.title}>
+      <div class="row">
+        <span role="status"
+          >${asked.length === all ? grain.none : grain.some(asked.length)}
+          ${turned === 0 ? grain.asDrawn : grain.turned(turned)}</span
+        >
+        <button
+          class="primary"
+          @click=${() => {
+            this.#say(asked.map((one) => ({...one, degrees: one.proposal})));
+          }}
+        >
+          ${grain.takeAll}
+        </button>
+        ${
+          turned === 0
+            ? nothing
+            : html`<button
+                class="outlined"
+                @click=${() => {
+                  this.#say(asked.map((one) => ({...one, degrees: upwards})));
+                }}
+              >
+                ${grain.allUp}
+              </button>`
+        }
+        <button
+          class="outlined"
+          aria-expanded=${this.#isOpen}
+          @click=${() => {
+            this.#isOpen = !this.#isOpen;
+            this.requestUpdate();
+          }}
+        >
+          ${grain.each}
+        </button>
+        <button
+          class="icon"
+          aria-label=${grain.later}
+          title=${grain.later}
+          @click=${() => {
+            this.#later = this.desk.design?.garment;
+            this.requestUpdate();
+          }}
+        >
+          ${icon.close}
+        </button>
+      </div>
+      ${
+        this.#isOpen
+          ? html`<ul>
+              ${asked.map((one) => this.#row(one))}
+            </ul>`
+          : nothing
+      }
+    </div>`;
+  }
+
+  #row(one: Asked): TemplateResult {
+    const {piece, label, proposal} = one;
+    const {grain} = this.texts;
+    const to = Math.round(proposal);
+    const directions: Readonly<Record<number, string>> = grain.directions;
+    return html`<li
+      @pointerenter=${() => {
+        this.desk.point({kind: 'piece', piece});
+      }}
+    >
+      ${arrow(proposal)}
+      <label
+        ><span>${label}</span>
+        <select
+          @focus=${() => {
+            this.desk.select({kind: 'piece', piece});
+          }}
+          @change=${({target}: Event) => {
+            const {value} = target as HTMLSelectElement;
+            const chosen = grainWays.find((way) => way === value);
+            if (value === 'clicks') this.#click(piece);
+            else if (chosen) this.#sayMirrored(one, angleOfWay[chosen]);
+            else if (value === 'proposal') this.#sayMirrored(one, proposal);
+          }}
+        >
+          <option value="" selected>${grain.proposal(directions[to] ?? grain.other(to))}</option>
+          <option value="proposal">${grain.take}</option>
+          ${grainWays.map((way) => html`<option value=${way}>${grain.ways[way]}</option>`)}
+          <option value="clicks">${grain.clicks}</option>
+        </select></label
+      >
+    </li>`;
+  }
+
+  /** @param degrees on the sheet */
+  #sayMirrored({name, turn}: Asked, degrees: number): void {
+    this.#take(withImage(name, (degrees + turn) % 360, mirrorsOf(this.desk)));
+  }
+
+  /** Of every piece for itself, on the sheet. */
+  #say(lines: readonly (Asked & {readonly degrees: number})[]): void {
+    this.#take(
+      Object.fromEntries(lines.map(({name, turn, degrees}) => [name, (degrees + turn) % 360])),
+    );
+  }
+
+  #take(lines: Readonly<Record<string, number>>): void {
+    const {design} = this.desk;
+    if (design) this.desk.change({options: withGrainLines(design.options, lines)});
+  }
+
+  #click(piece: number): void {
+    this.desk.select({kind: 'piece', piece});
+    this.dispatchEvent(new CustomEvent('sw-grain-wanted', {bubbles: true, composed: true}));
+  }
+}

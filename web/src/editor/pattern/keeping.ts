@@ -1,0 +1,41 @@
+/** What a press keeps as drafted, or lets go, and how that is shown beforehand. */
+import type {Target as Picked} from '../../clicks/pick.js';
+import {isKept, keptParts, toggledLock, type Lockable} from '../../model/locks.js';
+import {pick} from '../../scene/marks.js';
+import type {Overlay} from '../../viewer/overlay.js';
+import type {PatternScene} from '../../scene/scene.js';
+import type {Texts} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
+
+const partOf = (target: Picked): Lockable =>
+  target.kind === 'piece' ? {piece: target.piece} : {piece: target.piece, edge: target.edge};
+
+/** A line that the file does not number stands for its piece. */
+export function toggleKept(desk: Workbench, target: Picked): void {
+  togglePart(desk, partOf(target));
+}
+
+export function togglePart(desk: Workbench, part: Lockable): void {
+  const {design, pattern} = desk;
+  if (design && pattern) desk.change({options: toggledLock(design.options, pattern, part)});
+}
+
+/** The edge under the pointer, and what a press would do with it. */
+export function keepMarks(
+  {design, pattern}: Workbench,
+  scene: PatternScene,
+  target: Picked | undefined,
+  {keep}: Texts,
+): Overlay {
+  if (!target || !pattern) return {};
+  const part = partOf(target);
+  const {outline = [], points = []} = scene.pieces[part.piece] ?? {};
+  const {edges = []} = pattern.pieces[part.piece] ?? {};
+  const label = isKept(keptParts(pattern, design?.options.locked), part) ? keep.release : keep.keep;
+  const lines = outline.flatMap((from, k) =>
+    part.edge !== undefined && edges[k] === part.edge
+      ? [{piece: part.piece, line: pick(points, [from, outline[(k + 1) % outline.length] ?? from])}]
+      : [],
+  );
+  return {lines, points: [{piece: part.piece, point: target.point, label}]};
+}

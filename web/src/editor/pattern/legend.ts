@@ -1,0 +1,124 @@
+/** What the colours along the seams mean. */
+import {css, html, nothing, svg, type TemplateResult} from 'lit';
+
+import {
+  mismatchLine,
+  mismatchSteps,
+  stepLines,
+  worstMismatch,
+  type MismatchLine,
+} from '../../scene/colours.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+
+/** A stretch of a seam's line, as it is drawn on the pattern. [px] */
+const stretch = ({colour, width, dash}: MismatchLine, from: number, to: number) =>
+  svg`<path d="M${from} 5H${to}" stroke=${colour} stroke-width=${width}
+    stroke-dasharray=${dash ? dash.map((part) => part / 2).join(' ') : 'none'}
+    stroke-dashoffset=${from} />`;
+
+const rampSteps = 24;
+const rampWidth = 96;
+
+/** From perfect to worst on the scale of the paper. */
+const ramp = Array.from({length: rampSteps}, (_, k) => {
+  const line = mismatchLine((worstMismatch.paper * (k + 0.5)) / rampSteps, 'paper');
+  const to = ((k + 1) * rampWidth) / rampSteps;
+  return stretch(line, (k * rampWidth) / rampSteps, to + 0.3);
+});
+
+const sampleWidth = 26;
+
+export class Legend extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 0 var(--sw-space-2);
+        font-size: var(--sw-text-small);
+        color: var(--sw-soft);
+      }
+      .dotted::before {
+        content: '· · · ';
+        font-weight: 700;
+        letter-spacing: 0.05em;
+      }
+      .kept::before {
+        content: '';
+        display: inline-block;
+        width: 1.5rem;
+        height: 3px;
+        margin-right: 0.4em;
+        border-block: 1px solid currentcolor;
+        vertical-align: 0.25em;
+      }
+      svg {
+        display: block;
+      }
+      .step {
+        display: inline-flex;
+        align-items: center;
+        gap: var(--sw-space-1);
+        white-space: nowrap;
+      }
+      button {
+        min-height: var(--sw-target);
+        padding: 0 var(--sw-space-2);
+        font-size: var(--sw-text-small);
+        color: var(--sw-soft);
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult {
+    const {legend} = this.texts;
+    const {scale} = this.desk.preferences;
+    const scene = this.desk.scenes?.now;
+    return html`
+      <span>${legend.title}</span>
+      ${scale === 'paper' ? this.#ramp() : this.#steps()}
+      ${
+        scene?.seams.some(({counts}) => !counts)
+          ? html`<span class="dotted">${legend.notCounted}</span>`
+          : nothing
+      }
+      ${scene?.kept ? html`<span class="kept">${this.texts.keep.kept}</span>` : nothing}
+      <button
+        aria-pressed=${scale === 'paper'}
+        title=${legend.asPaperNote}
+        @click=${() => {
+          this.desk.prefer({scale: scale === 'paper' ? 'absolute' : 'paper'});
+        }}
+      >
+        ${legend.asPaper}
+      </button>
+    `;
+  }
+
+  /** 1 mm, 3 mm, 6 mm and more: each with the line that it is drawn with. */
+  #steps(): TemplateResult[] {
+    const {legend} = this.texts;
+    return stepLines.map((line, k) => {
+      const bound = mismatchSteps[k] ?? mismatchSteps[2];
+      const words = k < mismatchSteps.length ? legend.upTo : legend.over;
+      return html`<span class="step">
+        <svg width=${sampleWidth} height="10" viewBox="0 0 ${sampleWidth} 10" aria-hidden="true">
+          ${stretch(line, 0, sampleWidth)}
+        </svg>
+        ${words(this.format.fine(bound))}
+      </span>`;
+    });
+  }
+
+  #ramp(): TemplateResult {
+    const {legend} = this.texts;
+    return html`<span>${legend.none}</span>
+      <svg width=${rampWidth} height="10" viewBox="0 0 ${rampWidth} 10" aria-hidden="true">
+        ${ramp}
+      </svg>
+      <span>${legend.andMore(this.format.fine(worstMismatch.paper))}</span>`;
+  }
+}

@@ -1,0 +1,65 @@
+/** What the pattern can be asked for, by a key or by name. */
+import type {ShortcutIn} from '../commands/shortcuts.js';
+import {turnPiece} from '../lists/turn-piece.js';
+import type {PatternView} from '../../viewer/pattern-view.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import type {PatternTools, Tool} from './pattern-tools.js';
+
+/** The pattern as keys and commands see it. */
+export interface CommandedPattern extends EventTarget {
+  readonly desk: Workbench;
+  readonly tools: PatternTools;
+  readonly view: PatternView | undefined;
+  toggleBare(): void;
+  openZoom(): void;
+}
+
+/** One notch of zoom by a key. */
+const zoom = 1.25;
+
+const tool =
+  (name: Tool) =>
+  ({tools}: CommandedPattern): boolean => {
+    tools.toggle(name);
+    return true;
+  };
+
+/** @returns whether it means something just now */
+type Act = (pane: CommandedPattern) => boolean;
+
+export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {
+  piece: tool('piece'),
+  axis: tool('axis'),
+  pair: tool('pair'),
+  move: tool('move'),
+  keep: tool('keep'),
+  grain: tool('grain'),
+  turn: ({tools, desk}) =>
+    desk.selected?.kind === 'piece' && !tools.isFixed && turnPiece(desk, desk.selected.piece),
+  lens: (pane) => {
+    pane.dispatchEvent(new CustomEvent('sw-lens-wanted', {bubbles: true, composed: true}));
+    return true;
+  },
+  clothOnly: (pane) => {
+    if (pane.tools.isFixed) return false;
+    pane.toggleBare();
+    return true;
+  },
+  fit: ({view}) => {
+    view?.fit();
+    return true;
+  },
+  zoomIn: ({view}) => {
+    view?.zoomBy(zoom);
+    return true;
+  },
+  zoomOut: ({view}) => {
+    view?.zoomBy(1 / zoom);
+    return true;
+  },
+  zoom: (pane) => {
+    if (pane.tools.isFixed) return false;
+    pane.openZoom();
+    return true;
+  },
+};

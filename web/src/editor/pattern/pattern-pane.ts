@@ -1,0 +1,278 @@
+/** The pattern: its drawing, what lies over it, and the same as words for those who do not see it. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import type {PickIndex} from '../../clicks/pick-index.js';
+import type {Target as Picked} from '../../clicks/pick.js';
+import {movementOf} from '../../viewer/movement.js';
+import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
+import type {DeskElement} from '../desk-element.js';
+import {seamRows} from '../lists/rows.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import {lastOf} from '../../workbench/last-of.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {PatternDrawing} from './drawing.js';
+import {overlayOf, type LensCursor} from './marks.js';
+import {patternKeys} from './pattern-keys.js';
+import {optionId, patternOptions} from './pattern-options.js';
+import {paneStyle} from './pane-style.js';
+import {PatternTools, pointedAt} from './pattern-tools.js';
+import {Pointing} from './pointing.js';
+import {SheetIndex} from './sheet-index.js';
+import {emptyNote, noteStyle, stateNote, undrawableNote} from './state-note.js';
+import type {ZoomMenu} from './zoom-menu.js';
+
+export class PatternPane extends PatternDrawing {
+  static override properties = {...PatternDrawing.properties, purpose: {reflect: true}};
+  static override styles = [...PatternDrawing.styles, controls, paneStyle, noteStyle];
+  /** `place`: for who moves the print, and does nothing else. */
+  declare purpose: 'edit' | 'place';
+
+  readonly #index = new SheetIndex();
+  readonly #movementOf = lastOf(movementOf);
+  #tools: PatternTools | undefined;
+  #pointing: Pointing | undefined;
+  /** How much of the width shows the garment as it comes; undefined when none does. */
+  #split: number | undefined;
+  #showsMovement = false;
+  #isBare = false;
+  #cursor: LensCursor | undefined;
+
+  constructor() {
+    super();
+    this.purpose = 'edit';
+  }
+
+  get tools(): PatternTools {
+    return (this.#tools ??= new PatternTools(
+      this.desk,
+      () => {
+        this.requestUpdate();
+        for (const part of this.renderRoot.querySelectorAll<DeskElement>(
+          'sw-toolbar, sw-tool-hint',
+        ))
+          part.requestUpdate();
+      },
+      this.purpose,
+    ));
+  }
+
+  /** Where the lens is pointed at, to be shown on both pieces. */
+  set cursor(cursor: LensCursor | undefined) {
+    this.#cursor = cursor;
+    this.requestUpdate();
+  }
+
+  /** Shows the garment as it comes on a part of the width: all of it, say, while a key is held. */
+  set split(split: number | undefined) {
+    this.#split = split;
+    this.requestUpdate();
+  }
+
+  get split(): number | undefined {
+    return this.#split;
+  }
+
+  /** Shows nothing but the cloth, or all that lies over it again. */
+  toggleBare(): void {
+    this.#isBare = !this.#isBare;
+    this.requestUpdate();
+  }
+
+  /** Shows the garment as it comes on one half, or not any more. */
+  toggleWipe(): void {
+    this.split = this.#split === undefined ? 0.5 : undefined;
+  }
+
+  /** Shows how far each outline has moved, or not any more. */
+  toggleMovement(): void {
+    this.#showsMovement = !this.#showsMovement;
+    this.requestUpdate();
+  }
+
+  /** Asks how large the pattern is to be shown. */
+  openZoom(): void {
+    this.renderRoot.querySelector<ZoomMenu>('sw-zoom')?.open();
+  }
+
+  protected override hasSeams(): boolean {
+    return this.purpose === 'edit';
+  }
+
+  protected override viewOptions(): PatternViewOptions {
+    return {
+      leavesWheel: this.purpose === 'place',
+      onPress: (event, at) => this.#pointing?.press(event, at) ?? false,
+    };
+  }
+
+  protected override opened(stage: HTMLElement, signal: AbortSignal): void {
+    this.#pointing = new Pointing(this, stage, signal);
+    stage.tabIndex = -1; // the pattern as a whole has the focus
+  }
+
+  protected override drew(view: PatternView): void {
+    const {desk} = this;
+    const {scenes} = desk;
+    if (!scenes) return;
+    view.setWipe(
+      this.#split === undefined ? undefined : {before: scenes.before, split: this.#split},
+    );
+    view.setBare(this.#isBare);
+    view.setMovement(
+      this.#showsMovement && desk.result ? this.#movementOf(desk.result.pieces) : undefined,
+    );
+    view.setOverlay(overlayOf(desk, scenes.now, this.tools, this.#cursor, this.texts, this.format));
+  }
+
+  /** The keys of the pattern work again. */
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
+  }
+
+  get index(): PickIndex | undefined {
+    const {scenes} = this.desk;
+    return scenes && this.#index.of(scenes.now);
+  }
+
+  protected override render(): TemplateResult {
+    const {pattern} = this.texts;
+    const {desk, index} = this;
+    const empty = desk.state.kind === 'empty';
+    const places = this.purpose === 'place';
+    return html`
+      ${empty ? emptyNote(this.texts) : nothing}
+      ${
+        empty || places
+          ? nothing
+          : html`<sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>`
+      }
+      <div
+        class="application"
+        role="application"
+        aria-label=${pattern.label}
+        aria-description=${pattern.description}
+        aria-activedescendant=${desk.selected ? optionId(desk.selected) : nothing}
+        aria-owns="options"
+        tabindex="0"
+        @keydown=${(event: KeyboardEvent) => {
+          patternKeys(this, event);
+        }}
+        @keyup=${(event: KeyboardEvent) => {
+          if (event.key === 'w') this.split = undefined;
+        }}
+      >
+        <div class="stage"></div>
+      </div>
+      ${index ? patternOptions(desk, index, this.texts, this.format) : nothing} ${this.#note()}
+      <slot name="notice"></slot>
+      ${this.#menu()}
+      ${
+        this.#split === undefined
+          ? nothing
+          : html`<sw-wipe-handle
+              .desk=${desk}
+              .split=${this.#split}
+              @input=${(event: CustomEvent<number>) => {
+                this.split = event.detail;
+              }}
+            ></sw-wipe-handle>`
+      }
+      <div class="foot" ?hidden=${empty}>
+        ${
+          this.tools.active
+            ? html`<sw-tool-hint
+                .desk=${desk}
+                .tools=${this.tools}
+                @click=${() => {
+                  this.focus();
+                }}
+              ></sw-tool-hint>`
+            : html`<div class="said">
+                <sw-legend .desk=${desk}></sw-legend><slot name="hint"></slot>
+              </div>`
+        }
+        <div class="view" role="group" aria-label=${pattern.view}>
+          ${places ? nothing : this.#comparing()}
+          ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4), 'zoom')}
+          ${this.#button(pattern.fit, icon.fit, () => this.view?.fit(), places ? '' : 'zoom')}
+          ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4), 'zoom')}
+          ${places ? nothing : html`<sw-zoom .desk=${desk} .view=${this.view}></sw-zoom>`}
+        </div>
+      </div>
+    `;
+  }
+
+  #comparing(): TemplateResult {
+    const {pattern} = this.texts;
+    return html`${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
+      this.toggleWipe();
+    })}
+    ${this.#toggle(pattern.clothOnly, icon.cloth, this.#isBare, () => {
+      this.toggleBare();
+    })}
+    ${this.#toggle(pattern.movement, icon.movement, this.#showsMovement, () => {
+      this.toggleMovement();
+    })}`;
+  }
+
+  #note(): TemplateResult | typeof nothing {
+    if (this.undrawable !== undefined) return undrawableNote(this.undrawable);
+    return stateNote(this.desk, this.texts, () => {
+      const {result, scenes} = this.desk;
+      if (!this.#showsMovement || !result) return undefined;
+      const {factor, greatest} = this.#movementOf(result.pieces);
+      const label = scenes?.now.pieces[greatest.piece]?.label ?? '';
+      const {movementNote} = this.texts.pattern;
+      return movementNote(String(factor), this.format.fine(greatest.cm), label);
+    });
+  }
+
+  #menu(): TemplateResult | typeof nothing {
+    const {desk} = this;
+    const pointing = this.#pointing;
+    const ties = pointing?.ties;
+    if (!pointing || !ties) return nothing;
+    const rows = seamRows(desk, this.texts);
+    const choices = ties.targets.map((target) => ({
+      text: tiedText(desk, target, rows, this.texts.pattern.edge),
+      choose: () => {
+        pointing.take(target);
+      },
+      point: () => {
+        desk.point(pointedAt(target));
+      },
+    }));
+    return html`<sw-ties-menu
+      .at=${ties.at}
+      .choices=${choices}
+      .label=${this.texts.pattern.which}
+      @close=${() => {
+        pointing.forgetTies();
+      }}
+    ></sw-ties-menu>`;
+  }
+
+  #button(label: string, picture: TemplateResult, act: () => void, kind = ''): TemplateResult {
+    return html`<button class=${kind} aria-label=${label} title=${label} @click=${act}>
+      ${picture}
+    </button>`;
+  }
+
+  #toggle(label: string, picture: TemplateResult, on: boolean, act: () => void): TemplateResult {
+    return html`<button aria-label=${label} title=${label} aria-pressed=${on} @click=${act}>
+      ${picture}
+    </button>`;
+  }
+}
+
+/** "Side seam, left, on Front" */
+function tiedText(
+  {scenes}: Workbench,
+  target: Picked,
+  rows: ReturnType<typeof seamRows>,
+  edge: string,
+): string {
+  const piece = scenes?.now.pieces[target.piece]?.label ?? '';
+  return `${target.kind === 'seam' ? (rows[target.seam]?.name ?? '') : edge}, ${piece}`;
+}

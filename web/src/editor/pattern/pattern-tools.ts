@@ -1,0 +1,249 @@
+/** What a press on the pattern means just now: a choice for a symmetry, a print to be moved, or a look. */
+import {choices, seamTarget, targetsAt, type Target as Picked} from '../../clicks/pick.js';
+import type {PickIndex} from '../../clicks/pick-index.js';
+import {snap, type Snapped} from '../../clicks/snap.js';
+import type {Alignment, Point} from '../../model/geometry.js';
+import {groupsThatCarry} from '../../model/repeat.js';
+import {wayOnSheet} from '../../model/sheet-place.js';
+import {notchMark} from '../../cutting/follow.js';
+import type {Overlay} from '../../viewer/overlay.js';
+import type {PatternScene} from '../../scene/scene.js';
+import type {Format} from '../../texts/format.js';
+import {textsOf, type Texts} from '../../texts/texts.js';
+import {withAll} from '../../workbench/symmetry-steps.js';
+import type {Target, Workbench} from '../../workbench/workbench.js';
+import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js';
+import {GrainClicks} from './grain-clicks.js';
+import {keepMarks, toggleKept} from './keeping.js';
+import {railsOf} from './rails.js';
+import {SymmetryChooser} from './symmetry-chooser.js';
+
+/**
+ * `axis`: a symmetric piece by two points, even where a line is near. `keep`: what is pressed stays as drafted,
+ * or is let go. `grain`: where the grain line of a piece runs.
+ */
+export type Tool = 'piece' | 'axis' | 'pair' | 'move' | 'keep' | 'grain';
+
+/** How near a pointer has to come to a line. [CSS px] */
+export const reachOf = (pointerType: string): number => (pointerType === 'touch' ? 22 : 6);
+
+/** Lines no further apart than this are as good as each other. [CSS px] */
+const tie = 2;
+
+export class PatternTools {
+  readonly chooser: SymmetryChooser;
+  readonly grain: GrainClicks;
+  /** There is one tool, and it is at work. */
+  readonly isFixed: boolean;
+  readonly #desk: Workbench;
+  readonly #changed: () => void;
+  /** A tool that names no symmetry. */
+  #own: 'move' | 'keep' | 'grain' | undefined;
+  #byPoints = false;
+  /** What a press would keep or let go. */
+  #pointed: Picked | undefined;
+  #hovered: (Snapped & {readonly piece: number}) | undefined;
+
+  /** @param purpose with `place` the print is moved, and there is no other tool */
+  constructor(desk: Workbench, changed: () => void, purpose: 'edit' | 'place' = 'edit') {
+    this.isFixed = purpose === 'place';
+    if (this.isFixed) this.#own = 'move';
+    this.#desk = desk;
+    this.#changed = changed;
+    this.chooser = new SymmetryChooser(desk, changed);
+    this.grain = new GrainClicks(desk);
+  }
+
+  get active(): Tool | undefined {
+    if (this.#own) return this.#own;
+    const {tool} = this.chooser;
+    return tool === 'piece' && this.#byPoints ? 'axis' : tool;
+  }
+
+  toggle(tool: Tool): void {
+    if (this.isFixed) return;
+    if (tool === 'move' || tool === 'keep' || tool === 'grain') {
+      this.chooser.leave();
+      this.grain.begin();
+      this.#own = this.#own === tool ? undefined : tool;
+    } else {
+      this.#own = undefined;
+      if (tool === this.active) this.chooser.leave();
+      else this.chooser.send({type: 'start', tool: tool === 'pair' ? 'pair' : 'piece'});
+      this.#byPoints = tool === 'axis';
+    }
+    this.#changed();
+  }
+
+  /** One step back. @returns whether there was one */
+  back(): boolean {
+    const {active, isFixed} = this;
+    if (isFixed) return false;
+    if (active === 'grain' && this.grain.back()) this.#changed();
+    else if (this.#own) this.toggle(this.#own);
+    else if (active) this.chooser.send({type: 'back'});
+    return active !== undefined;
+  }
+
+  /** All symmetries that were found; where the print can keep none of them, that is said. */
+  acceptAll(): void {
+    const {design, kept, found, preferences} = this.#desk;
+    if (!design) return;
+    const {group} = design.print;
+    const symmetries = withAll(kept, group, found);
+    if (symmetries.length === kept.length) {
+      const {symmetry} = textsOf(preferences.language, preferences.messages);
+      const groups = groupsThatCarry('piece').join(', ');
+      this.#desk.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
+      return;
+    }
+    this.chooser.leave();
+    this.#desk.change({symmetries});
+  }
+
+  words(texts: Texts, format: Format): string {
+    if (this.#own === 'move') return texts.symmetry.moving;
+    if (this.#own === 'keep') return texts.keep.hint;
+    return this.#own ? this.grain.words(texts) : this.chooser.words(texts, format);
+  }
+
+  /** What a press may have meant: one thing, or several as good as each other. */
+  meant(index: PickIndex, at: Point, reach: number, scale: number): readonly Picked[] {
+    const targets = targetsAt(index, at, reach / scale);
+    if (this.active === 'pair' || this.active === 'move') {
+      const piece = targets.find(({kind}) => kind === 'piece') ?? targets[0];
+      return piece ? [piece] : [];
+    }
+    return choices(targets, tie / scale);
+  }
+
+  /** Where a press just here would be taken to be; undefined when it would not be a point. */
+  hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
+    this.#pointed = this.#own === 'keep' ? target : undefined;
+    const isPoint = this.active === 'axis' || this.#isPointInside(target);
+    const before = this.#hovered;
+    this.#hovered =
+      target && isPoint
+        ? {piece: target.piece, ...this.#snapped(index, target, reachCm)}
+        : undefined;
+    if (before || this.#hovered || this.#own === 'keep') this.#changed();
+  }
+
+  /** Inside of a piece a press is a point; after a first point of a grain line, on a line as well. */
+  #isPointInside(target: Picked | undefined): boolean {
+    const takesPoints = this.active === 'piece' || this.active === 'grain';
+    return takesPoints && (target?.kind === 'piece' || this.grain.hasFirst);
+  }
+
+  #takeForGrain(target: Picked, point: Point): void {
+    const scene = this.#desk.scenes?.now;
+    if (scene) this.grain.take(scene, target, point);
+    this.#changed();
+  }
+
+  #snapped(index: PickIndex, {piece, point}: Picked, reachCm: number): Snapped {
+    return snap(index, piece, point, reachCm, {notches: this.#notches(piece)});
+  }
+
+  /** A press that has been understood. */
+  take(index: PickIndex, target: Picked, reachCm: number): void {
+    if (this.#own === 'grain') {
+      this.#takeForGrain(target, this.#snapped(index, target, reachCm).point);
+    } else if (this.chooser.tool) {
+      const {point} = this.#snapped(index, target, reachCm);
+      const {piece} = target;
+      this.chooser.send(
+        this.active === 'axis'
+          ? {type: 'pickPoint', piece, point}
+          : {type: 'pick', target, snapped: point},
+      );
+    }
+    if (this.#own === 'keep') toggleKept(this.#desk, target);
+    this.#desk.select(
+      target.kind === 'seam'
+        ? {kind: 'seam', seam: target.seam, side: target.side}
+        : {kind: 'piece', piece: target.piece},
+    );
+  }
+
+  #notches(piece: number): readonly Point[] {
+    const {scenes} = this.#desk;
+    const shown = scenes?.now.pieces[piece];
+    const meshed = scenes?.now.pattern.pieces[piece];
+    if (!shown || !meshed) return [];
+    const {notches = []} = scenes.marks.get(shown.name) ?? {};
+    return notches.flatMap((notch) => {
+      const mark = notchMark({...meshed, shape: shown.points}, notch);
+      return mark ? [mark.at] : [];
+    });
+  }
+
+  /** As if what is selected had been pressed. */
+  takeSelected(index: PickIndex): void {
+    const {selected} = this.#desk;
+    const target = selected && this.#targetOf(index, selected);
+    if (!target) return;
+    if (this.#own === 'keep') toggleKept(this.#desk, target);
+    else if (this.#own === 'grain') this.#takeForGrain(target, target.point);
+    else if (this.chooser.tool) this.chooser.send({type: 'pick', target});
+  }
+
+  #targetOf(index: PickIndex, selected: Target): Picked | undefined {
+    if (selected.kind === 'seam') return seamTarget(index, selected.seam, selected.side);
+    const piece = this.#desk.scenes?.now.pieces[selected.piece];
+    return piece && {kind: 'piece', piece: selected.piece, point: middleOf(piece)};
+  }
+
+  /** The print of the selected piece, moved by a way on the sheet [cm] or turned by degrees. */
+  nudge(way: Point, degrees = 0): boolean {
+    const {selected, scenes} = this.#desk;
+    const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
+    if (this.#own !== 'move' || !piece) return false;
+    const wanted =
+      degrees === 0
+        ? stepped(this.#desk, piece, wayOnSheet(piece, way))
+        : turnedOn(this.#desk, piece, degrees);
+    if (wanted) pin(this.#desk, piece, wanted);
+    else {
+      const {language, messages} = this.#desk.preferences;
+      const {cannotTurn} = textsOf(language, messages).symmetry;
+      this.#desk.say({tone: 'info', text: cannotTurn(piece.label)});
+    }
+    return true;
+  }
+
+  /** Drags the print of a piece from where it lies. @returns what follows the pointer by ways on the sheet [cm] */
+  drag(scene: PatternScene, piece: number): ((way: Point) => void) | undefined {
+    const dragged = scene.pieces[piece];
+    if (this.#own !== 'move' || !dragged) return undefined;
+    const from: Alignment = dragged.alignment;
+    this.#desk.select({kind: 'piece', piece});
+    return (way) => {
+      pin(this.#desk, dragged, shifted(from, wayOnSheet(dragged, way)));
+    };
+  }
+
+  /** Lets go of a print that had been moved. */
+  free(piece: number): void {
+    const freed = this.#desk.scenes?.now.pieces[piece];
+    if (this.#own === 'move' && freed) unpin(this.#desk, freed);
+  }
+
+  marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
+    if (this.#own === 'move') return railsOf(scene, this.#desk.selected, texts);
+    if (this.#own === 'keep') return keepMarks(this.#desk, scene, this.#pointed, texts);
+    const isGrain = this.#own === 'grain';
+    const marks = isGrain ? this.grain.marks() : this.chooser.marks(scene, texts, format);
+    if (!this.#hovered || !(isGrain || this.chooser.tool)) return marks;
+    const {piece, point, snapped} = this.#hovered;
+    const label = texts.symmetry.snaps[snapped];
+    return {...marks, points: [...(marks.points ?? []), {piece, point, label}]};
+  }
+}
+
+/** What a pointer over a target points at. */
+export const pointedAt = (target: Picked | undefined): Target | undefined => {
+  if (!target) return undefined;
+  if (target.kind === 'seam') return {kind: 'seam', seam: target.seam, side: target.side};
+  return {kind: 'piece', piece: target.piece};
+};

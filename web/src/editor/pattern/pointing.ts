@@ -1,0 +1,130 @@
+/** Pointers over the pattern: what they point at, pick, and drag. */
+import type {PickIndex} from '../../clicks/pick-index.js';
+import type {Target as Picked} from '../../clicks/pick.js';
+import type {Point} from '../../model/geometry.js';
+import type {PatternView} from '../../viewer/pattern-view.js';
+import {holdWhilePressed} from './hold.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {pointedAt, reachOf, type PatternTools} from './pattern-tools.js';
+
+/** What pointers work on. */
+export interface Pointable {
+  readonly desk: Workbench;
+  readonly tools: PatternTools;
+  readonly view: PatternView | undefined;
+  readonly index: PickIndex | undefined;
+  requestUpdate(): void;
+}
+
+/** Lines that a click may have meant, and where it was. [CSS px] */
+export interface Ties {
+  readonly at: Point;
+  readonly targets: readonly Picked[];
+}
+
+export class Pointing {
+  readonly #pane: Pointable;
+  readonly #stage: HTMLElement;
+  #ties: Ties | undefined;
+
+  constructor(pane: Pointable, stage: HTMLElement, signal: AbortSignal) {
+    this.#pane = pane;
+    this.#stage = stage;
+    const listen = <K extends keyof HTMLElementEventMap>(
+      type: K,
+      listener: (event: HTMLElementEventMap[K]) => void,
+    ): void => {
+      stage.addEventListener(type, listener, {signal});
+    };
+    listen('click', (event) => {
+      this.#click(event);
+    });
+    listen('dblclick', (event) => {
+      const pressed = pane.view?.pieceAt(...this.#at(event));
+      if (pressed) pane.tools.free(pressed.piece);
+    });
+    listen('pointermove', (event) => {
+      this.#hover(event);
+    });
+    listen('pointerleave', () => {
+      pane.desk.point(undefined);
+    });
+  }
+
+  /** To be decided by the user. */
+  get ties(): Ties | undefined {
+    return this.#ties;
+  }
+
+  forgetTies(): void {
+    this.#ties = undefined;
+    this.#pane.requestUpdate();
+  }
+
+  take(target: Picked): void {
+    const {index, view, tools} = this.#pane;
+    if (index && view) tools.take(index, target, reachOf('mouse') / view.scale);
+    this.forgetTies();
+  }
+
+  /** A press inside a piece moves its print, while that is the tool. @returns whether it does */
+  press(event: PointerEvent, at: Point): boolean {
+    const {desk, view, tools} = this.#pane;
+    const pressed = view?.pieceAt(...at);
+    const follow = desk.scenes && pressed && tools.drag(desk.scenes.now, pressed.piece);
+    if (!view || !follow) return false;
+    const [x, y] = view.sheetPointAt(...at);
+    holdWhilePressed(desk, event);
+    const done = new AbortController();
+    const {signal} = done;
+    this.#stage.setPointerCapture(event.pointerId);
+    this.#stage.addEventListener(
+      'pointermove',
+      (move) => {
+        const [toX, toY] = view.sheetPointAt(...this.#at(move));
+        follow([toX - x, toY - y]);
+      },
+      {signal},
+    );
+    for (const end of ['pointerup', 'pointercancel'] as const) {
+      this.#stage.addEventListener(
+        end,
+        () => {
+          done.abort();
+        },
+        {signal},
+      );
+    }
+    return true;
+  }
+
+  #at(event: MouseEvent): Point {
+    const {left, top} = this.#stage.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  }
+
+  #meant(event: MouseEvent, at: Point): readonly Picked[] {
+    const {index, view, tools} = this.#pane;
+    if (!index || !view) return [];
+    const reach = reachOf(event instanceof PointerEvent ? event.pointerType : 'mouse');
+    return tools.meant(index, view.sheetPointAt(...at), reach, view.scale);
+  }
+
+  #click(event: MouseEvent): void {
+    const at = this.#at(event);
+    const targets = this.#meant(event, at);
+    const [first] = targets;
+    this.#ties = targets.length > 1 ? {at, targets} : undefined;
+    if (!first) this.#pane.desk.select(undefined);
+    else if (targets.length === 1) this.take(first);
+    this.#pane.requestUpdate();
+  }
+
+  #hover(event: PointerEvent): void {
+    if (event.pointerType === 'touch' || event.buttons > 0) return;
+    const [target] = this.#meant(event, this.#at(event));
+    const {index, view, tools, desk} = this.#pane;
+    if (index && view) tools.hover(index, target, reachOf('mouse') / view.scale);
+    desk.point(pointedAt(target));
+  }
+}

@@ -1,0 +1,61 @@
+/** Where the print of a symmetric piece may go: its axis on one of the print's mirror lines. */
+import type {Point} from '../../model/geometry.js';
+import {mirroringsOf, ownMirroring} from '../../model/pins.js';
+import {axisLine, footOnAxis} from '../../model/mirror-lines.js';
+import {wayOnSheet} from '../../model/sheet-place.js';
+import {pick} from '../../scene/marks.js';
+import type {Overlay} from '../../viewer/overlay.js';
+import type {PatternScene} from '../../scene/scene.js';
+import type {Texts} from '../../texts/texts.js';
+import type {Target} from '../../workbench/state.js';
+
+/** The parts of an endless line that lie inside of a loop. */
+function inside(
+  loop: readonly Point[],
+  [x, y]: Point,
+  [ux, uy]: Point,
+): readonly (readonly [Point, Point])[] {
+  const crossings = loop.flatMap(([ax, ay], k): number[] => {
+    const [bx, by] = loop[(k + 1) % loop.length] ?? [ax, ay];
+    const [from, to] = [ux * (ay - y) - uy * (ax - x), ux * (by - y) - uy * (bx - x)];
+    if (from > 0 === to > 0) return [];
+    const share = from / (from - to);
+    return [ux * (ax + share * (bx - ax) - x) + uy * (ay + share * (by - ay) - y)];
+  });
+  const sorted = crossings.sort((one, other) => one - other);
+  const at = (way: number): Point => [x + way * ux, y + way * uy];
+  return sorted.flatMap((start, k) => {
+    const end = sorted[k + 1];
+    return k % 2 === 0 && end !== undefined ? [[at(start), at(end)] as const] : [];
+  });
+}
+
+/** The axis of the selected piece, and the next mirror lines of the print on both sides of it, as they lie now. */
+export function railsOf(
+  scene: PatternScene,
+  selected: Target | undefined,
+  {symmetry}: Texts,
+): Overlay {
+  const number = selected?.kind === 'piece' ? selected.piece : -1;
+  const piece = scene.pieces[number];
+  const own = piece && ownMirroring(mirroringsOf(scene.pattern), piece.name);
+  const at = own && axisLine(scene.print, own.map, piece.alignment);
+  if (!at) return {};
+  const {along, spacing, isOnMotif} = at;
+  const loop = pick(piece.points, piece.outline);
+  const foot = footOnAxis(own.map, [0, 0]);
+  const lineAt = (step: number): readonly (readonly [Point, Point])[] =>
+    inside(loop, [foot[0] - step * spacing * along[1], foot[1] + step * spacing * along[0]], along);
+  const axis = lineAt(0);
+  const ends = axis.flat();
+  const [first, last] = [ends[0], ends.at(-1)];
+  if (!first || !last) return {};
+  const label = isOnMotif ? symmetry.onMotif : symmetry.onMirror;
+  const isUpper = wayOnSheet(piece, [first[0] - last[0], first[1] - last[1]])[1] > 0;
+  const top = isUpper ? first : last;
+  return {
+    candidate: {piece: number, axis: [first, last]},
+    points: [{piece: number, point: top, label}],
+    rails: [-1, 1].flatMap((step) => lineAt(step).map((line) => ({piece: number, line}))),
+  };
+}

@@ -1,0 +1,22 @@
+import {pickIndex, type PickIndex} from '../../clicks/pick-index.js';
+import type {PatternScene} from '../../scene/scene.js';
+
+/** What clicks are looked up in, which stays while pieces only lie otherwise on the print. */
+export class SheetIndex {
+  #for: Pick<PatternScene, 'pattern' | 'outline' | 'size'> | undefined;
+  #index: PickIndex | undefined;
+
+  of(scene: PatternScene): PickIndex {
+    const {pattern, outline, size} = scene;
+    const known = this.#for;
+    if (
+      this.#index &&
+      known?.pattern === pattern &&
+      known.outline === outline &&
+      known.size === size
+    )
+      return this.#index;
+    this.#for = {pattern, outline, size};
+    return (this.#index = pickIndex(scene));
+  }
+}

@@ -1,0 +1,68 @@
+/** What is to be said about the pattern as a whole, over it. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {Texts} from '../../texts/en.js';
+import type {Workbench} from '../../workbench/workbench.js';
+
+export const noteStyle = css`
+  .state {
+    grid-area: 2 / 1;
+    place-self: end center;
+    z-index: 1;
+    max-width: calc(100% - 2rem);
+    margin-bottom: var(--sw-space-2);
+    padding: var(--sw-space-1) var(--sw-space-3);
+    border: 1px solid var(--sw-line);
+    border-radius: 2rem;
+    background: var(--sw-paper);
+    color: var(--sw-soft);
+    pointer-events: none;
+  }
+  .nothing {
+    grid-area: 1 / 1 / -1 / 1;
+    place-self: center;
+    display: grid;
+    gap: var(--sw-space-2);
+    max-width: 24rem;
+    padding: var(--sw-space-4);
+    color: var(--sw-soft);
+    text-align: center;
+    text-wrap: balance;
+  }
+  .nothing h2 {
+    color: var(--sw-ink);
+    font-size: var(--sw-text-title);
+    font-weight: 600;
+  }
+`;
+
+const state = (text: string): TemplateResult => html`<p class="state">${text}</p>`;
+
+/** Undefined when there is nothing to say. */
+function trouble(
+  {state: {kind}, pattern: meshed}: Workbench,
+  {pattern}: Texts,
+): string | undefined {
+  if (kind === 'stale') return pattern.stale;
+  if (kind === 'failed') return pattern.failed;
+  return meshed?.seams.length === 0 ? pattern.noSeams : undefined;
+}
+
+/** `movement` says how far pieces have moved; undefined when that is not shown. */
+export function stateNote(
+  desk: Workbench,
+  texts: Texts,
+  movement: () => string | undefined,
+): TemplateResult | typeof nothing {
+  const text = trouble(desk, texts) ?? movement();
+  return text === undefined ? nothing : state(text);
+}
+
+/** Nothing is open. */
+export const emptyNote = ({pattern}: Texts): TemplateResult =>
+  html`<div class="nothing">
+    <h2>${pattern.nothing}</h2>
+    <p>${pattern.howToOpen}</p>
+  </div>`;
+
+export const undrawableNote = (why: string): TemplateResult => state(why);

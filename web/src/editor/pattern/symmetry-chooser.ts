@@ -1,0 +1,176 @@
+/** The clicks that name a symmetry, from the first to the step that they lead to. */
+import {
+  afterEvent,
+  outlived,
+  outside,
+  type Choice,
+  type SymmetryEvent,
+  type SymmetryState,
+  type SymmetryTool,
+} from '../../clicks/symmetry-tool.js';
+import type {Design} from '../../model/design.js';
+import type {GroupName} from '../../model/print.js';
+import {carries} from '../../model/repeat.js';
+import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
+import {axisAlong, pick} from '../../scene/marks.js';
+import type {Overlay} from '../../viewer/overlay.js';
+import {symmetriesOf} from '../../scene/scene-marks.js';
+import type {PatternScene} from '../../scene/scene.js';
+import type {Format} from '../../texts/format.js';
+import {textsOf, type Texts} from '../../texts/texts.js';
+import {withSymmetry} from '../../workbench/symmetry-steps.js';
+import {spokenFailure} from '../../workbench/spoken-failure.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import type {Workbench} from '../../workbench/workbench.js';
+
+export class SymmetryChooser {
+  readonly #desk: Workbench;
+  readonly #changed: () => void;
+  #latest: SymmetryState = outside;
+  /** What `#latest` is about. */
+  #design: Design | undefined;
+
+  constructor(desk: Workbench, changed: () => void) {
+    this.#desk = desk;
+    this.#changed = changed;
+  }
+
+  /** What was refused of a design is not said of another; choices on another garment mean nothing. */
+  get #state(): SymmetryState {
+    const {design} = this.#desk;
+    if (design !== this.#design) {
+      this.#latest = outlived(this.#latest, design?.garment === this.#design?.garment);
+      this.#design = design;
+    }
+    return this.#latest;
+  }
+
+  get tool(): SymmetryTool | undefined {
+    return this.#state.stage === 'outside' ? undefined : this.#state.tool;
+  }
+
+  /** Both choices are made and fit: it is for the user to accept. */
+  get isReady(): boolean {
+    const state = this.#state;
+    return (
+      state.stage === 'candidate' && state.measured !== undefined && this.#isCarried(state.tool)
+    );
+  }
+
+  get #group(): GroupName {
+    return this.#desk.design?.print.group ?? 'p1';
+  }
+
+  /** Whether the print has what the symmetry needs. */
+  #isCarried(tool: SymmetryTool): boolean {
+    return carries(this.#group, tool);
+  }
+
+  leave(): void {
+    this.#set({stage: 'outside', asked: this.#state.asked});
+  }
+
+  send(event: SymmetryEvent): void {
+    const scene = this.#desk.scenes?.now;
+    if (!scene) return;
+    const next = afterEvent(this.#state, event, scene);
+    if (next === this.#state) return;
+    this.#set(next);
+    if (next.stage === 'candidate' && !next.measured) void this.#measure(next.symmetry, next.asked);
+    if (next.stage === 'committed') {
+      this.#desk.change(withSymmetry(this.#desk.kept, next.symmetry));
+      this.#set({stage: 'idle', tool: next.tool, asked: next.asked});
+    }
+  }
+
+  async #measure(symmetry: Symmetry, candidate: number): Promise<void> {
+    try {
+      const result = await this.#desk.measure(symmetry);
+      this.send({type: 'measured', candidate, result});
+    } catch (error) {
+      const {language, messages} = this.#desk.preferences;
+      const text = spokenFailure(toFailure(error), this.#desk, textsOf(language, messages));
+      this.#desk.say({tone: 'error', text});
+      this.send({type: 'back'});
+    }
+  }
+
+  #set(state: SymmetryState): void {
+    this.#latest = state;
+    this.#design = this.#desk.design;
+    this.#changed();
+  }
+
+  /** What to do next, or what has been found. */
+  words(texts: Texts, format: Format): string {
+    const {symmetry} = texts;
+    const state = this.#state;
+    switch (state.stage) {
+      case 'outside':
+        return '';
+      case 'idle':
+      case 'committed':
+        return symmetry.begin[state.tool];
+      case 'chosen':
+        return symmetry.next[state.first.kind];
+      case 'refused':
+        return state.measured
+          ? symmetry.noMirror(format.fine(state.measured.residual))
+          : symmetry.refusals[state.reason];
+      case 'candidate': {
+        if (!state.measured) return symmetry.measuring;
+        if (!this.#isCarried(state.tool)) return symmetry.notCarried(this.#group);
+        return symmetry.found[state.tool](format.fine(state.measured.residual));
+      }
+    }
+  }
+
+  /** Marks on the pattern for what has been chosen. */
+  marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
+    const state = this.#state;
+    if (state.stage === 'outside' || state.stage === 'idle' || state.stage === 'committed')
+      return {};
+    const choices = [
+      ...(state.first ? [state.first] : []),
+      ...('second' in state ? [state.second] : []),
+    ];
+    const marks: Overlay = {
+      points: choices.flatMap(({kind, piece, point}) => (kind === 'line' ? [] : [{piece, point}])),
+      lines: choices.flatMap((choice) => lineOf(scene, choice)),
+    };
+    if (state.stage === 'refused') {
+      const text = this.words(texts, format);
+      return {...marks, message: {...state.at, text, tone: 'error'}};
+    }
+    if (state.stage !== 'candidate' || !state.measured) return marks;
+    return {...marks, ...candidateMarks(scene, state.symmetry, state.measured)};
+  }
+}
+
+/** The edge that was chosen, as it lies on the sheet. */
+function lineOf(scene: PatternScene, choice: Choice): NonNullable<Overlay['lines']> {
+  const piece = scene.pieces[choice.piece];
+  if (choice.kind !== 'line' || !piece?.edges) return [];
+  const {edges, outline, points} = piece;
+  const vertices = outline.flatMap((from, k) =>
+    edges[k] === choice.edge ? [from, outline[(k + 1) % outline.length] ?? from] : [],
+  );
+  return [{piece: choice.piece, line: pick(points, vertices)}];
+}
+
+/** The candidate as the scene would draw it if it were imposed: an axis, or two letters. */
+function candidateMarks(
+  scene: PatternScene,
+  symmetry: Symmetry,
+  {map}: Pick<MeasuredSymmetry, 'map'>,
+): Overlay {
+  const number = (name: string): number => scene.pieces.findIndex((piece) => piece.name === name);
+  if (symmetry.kind === 'piece') {
+    const piece = number(symmetry.piece);
+    const {points = [], outline = []} = scene.pieces[piece] ?? {};
+    return {candidate: {piece, axis: axisAlong(map, pick(points, outline), 3)}};
+  }
+  const pieces = [number(symmetry.pieces[0]), number(symmetry.pieces[1])] as const;
+  const symmetries = [{kind: 'pair', pieces, map, pairs: []}] as const;
+  return {ghosts: symmetriesOf({...scene.pattern, symmetries}, scene.outline)};
+}

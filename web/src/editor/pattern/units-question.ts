@@ -1,0 +1,60 @@
+/** Asks what unit a file is in, when the garment would fit nobody. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {DesignGarment} from '../../model/design.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {doubtfulHeight, inUnit, likelyUnits} from '../../workbench/doubtful-units.js';
+import {lastOf} from '../../workbench/last-of.js';
+
+export class UnitsQuestion extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      div {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: var(--sw-space-2);
+        padding: var(--sw-space-2) var(--sw-space-4);
+        border-bottom: 1px solid var(--sw-line);
+        background: var(--sw-tint);
+      }
+    `,
+  ];
+
+  /** Whose owner says that it is right. */
+  #confirmed: DesignGarment | undefined;
+  readonly #height = lastOf(doubtfulHeight);
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {design, pattern} = this.desk;
+    const height = pattern && this.#height(pattern);
+    if (!design || height === undefined || design.garment === this.#confirmed) return nothing;
+    const {doubt} = this.texts;
+    const {garment} = design;
+    return html`<div role="status">
+      <span>${doubt.question(this.format.length(height))}</span>
+      <button
+        class="outlined"
+        @click=${() => {
+          this.#confirmed = garment;
+          this.requestUpdate();
+        }}
+      >
+        ${doubt.yes}
+      </button>
+      ${likelyUnits(garment.text, height).map(
+        (unit) =>
+          html`<button
+            class="outlined"
+            @click=${() => {
+              this.desk.change({garment: {...garment, text: inUnit(garment.text, unit)}});
+            }}
+          >
+            ${doubt.no(doubt.units[unit])}
+          </button>`,
+      )}
+    </div>`;
+  }
+}

@@ -1,0 +1,80 @@
+/** A picture that was opened as a print and does not meet its copies: where, and what may become of it. */
+import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+
+import type {TileRepeat} from '../../model/print-tile.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import type {DoubtfulPicture} from '../../workbench/state.js';
+import {edgesPath, markedTile, markedTileStyle} from './marked-tile.js';
+import {closedRepeats, openPairs, printOfPicture} from './own-print.js';
+import {remedies} from './remedies.js';
+
+/** Fires `another` when somebody would rather choose another file. */
+export class DoubtfulTile extends DeskElement {
+  static override properties = {...DeskElement.properties, repeats: {state: true}};
+  /** Ways to repeat it in which it does meet them. */
+  declare protected repeats: readonly TileRepeat[];
+  #shown: DoubtfulPicture | undefined;
+
+  static override styles = [
+    controls,
+    markedTileStyle,
+    css`
+      :host {
+        display: block;
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.repeats = [];
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const {doubtful} = this.desk;
+    if (doubtful === this.#shown) return;
+    this.#shown = doubtful;
+    this.repeats = [];
+    if (!doubtful) return;
+    void closedRepeats(doubtful.own).then((repeats) => {
+      if (this.#shown === doubtful) this.repeats = repeats;
+    });
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {doubtful} = this.desk;
+    if (!doubtful) return nothing;
+    const texts = this.texts.print;
+    const {own, edges} = doubtful;
+    return html`<div class="breaks" role="group" aria-label=${texts.remedy.label}>
+      ${markedTile({
+        ...{image: own.image, size: own.size, turnDeg: 0, marks: edgesPath(edges)},
+        label: texts.marked(own.title),
+      })}
+      <div>
+        <p role="status">${texts.doubtful(own.title)} ${texts.openEdges[openPairs(edges)]}</p>
+        <div class="row">
+          ${remedies(texts, this.repeats, (repeat) => this.#take(doubtful, repeat))}
+          <button
+            class="outlined"
+            @click=${() => {
+              this.dispatchEvent(new CustomEvent('another'));
+            }}
+          >
+            ${texts.remedy.another}
+          </button>
+          <button @click=${() => this.#take(doubtful, 'straight')}>${texts.remedy.anyway}</button>
+        </div>
+      </div>
+    </div>`;
+  }
+
+  async #take(doubtful: DoubtfulPicture, repeat: TileRepeat): Promise<void> {
+    const print = await printOfPicture({...doubtful.own, repeat});
+    if (this.desk.doubtful !== doubtful) return;
+    this.desk.doubtful = undefined;
+    this.desk.change({print});
+  }
+}

@@ -1,0 +1,40 @@
+/** How large the file of a picture says that it is to be printed. */
+import {fileKind} from '../../recognition/file-kind.js';
+import {dpiOf, lengthOnPaper, resolutionOf} from '../../recognition/printed-size.js';
+import {rootAttribute} from '../../recognition/svg-size.js';
+import {blobOf} from '../../recognition/print-tile.js';
+import {leastRepeat, mostRepeat} from './limits.js';
+import {loadPicture} from './picture.js';
+
+export interface FileSize {
+  /** Of the picture. [cm] */
+  readonly width: number;
+  /** Undefined of an SVG, which has a length instead. */
+  readonly dpi: number | undefined;
+}
+
+/** What programs write that were told nothing. */
+const unasked: ReadonlySet<number> = new Set([72, 96]);
+
+export const isUnasked = ({dpi}: FileSize): boolean =>
+  dpi !== undefined && unasked.has(Math.round(dpi));
+
+/** Undefined where the file does not say, or says what no print can be. @param image a `data:` URL */
+export async function sizeInFile(image: string): Promise<FileSize | undefined> {
+  if (!image.startsWith('data:')) return undefined;
+  const size = await sizeOf(image);
+  return size && size.width >= leastRepeat && size.width <= mostRepeat ? size : undefined;
+}
+
+async function sizeOf(image: string): Promise<FileSize | undefined> {
+  const bytes = new Uint8Array(await blobOf(image).arrayBuffer());
+  const kind = fileKind(bytes);
+  if (kind === 'svg') {
+    const width = lengthOnPaper(rootAttribute(new TextDecoder().decode(bytes), 'width'));
+    return width === undefined ? undefined : {width, dpi: undefined};
+  }
+  const resolution = kind && resolutionOf(bytes, kind);
+  if (!resolution) return undefined;
+  const {naturalWidth} = await loadPicture(image);
+  return {width: naturalWidth / resolution.across, dpi: dpiOf(resolution.across)};
+}

@@ -1,0 +1,120 @@
+/** The picture of a print with what does not match in it marked. */
+import {css, html, svg, type TemplateResult} from 'lit';
+
+import type {TileBreak} from '../../recognition/tile-check.js';
+import type {OpenEdge} from '../../recognition/tile-edges.js';
+
+/** The outline of places that touch: the sides that no two of them share. */
+export function outlineOf(breaks: readonly TileBreak[]): string {
+  const sides = new Map<string, number>();
+  for (const {x, y, width, height} of breaks) {
+    const [left, right] = [x, x + width].map((value) => value.toFixed(4));
+    const [top, bottom] = [y, y + height].map((value) => value.toFixed(4));
+    for (const side of [
+      `M${left} ${top}H${right}`,
+      `M${left} ${bottom}H${right}`,
+      `M${left} ${top}V${bottom}`,
+      `M${right} ${top}V${bottom}`,
+    ]) {
+      sides.set(side, (sides.get(side) ?? 0) + 1);
+    }
+  }
+  return Array.from(sides)
+    .filter(([, times]) => times === 1)
+    .map(([side]) => side)
+    .join('');
+}
+
+export function edgesPath(edges: readonly OpenEdge[]): string {
+  return edges
+    .map(({side, from, to}) => {
+      switch (side) {
+        case 'left':
+          return `M0 ${from}V${to}`;
+        case 'right':
+          return `M1 ${from}V${to}`;
+        case 'top':
+          return `M${from} 0H${to}`;
+        case 'bottom':
+          return `M${from} 1H${to}`;
+      }
+    })
+    .join('');
+}
+
+export interface MarkedPicture {
+  readonly image: string;
+  /** Of the picture. */
+  readonly size: {readonly width: number; readonly height: number};
+  /** How far the picture has to be turned to lie upright, counter-clockwise. [degrees] */
+  readonly turnDeg: 0 | 90;
+  /** A path in shares of the picture, from its upper left corner. */
+  readonly marks: string;
+  readonly label: string;
+}
+
+/** Around the picture, for lines on its edges; a share of its longer side. */
+const margin = 0.04;
+
+export function markedTile({image, size, turnDeg, marks, label}: MarkedPicture): TemplateResult {
+  const scale = 1 / Math.max(size.width, size.height);
+  const [width, height] = [size.width * scale, size.height * scale];
+  const [across, up] = turnDeg === 0 ? [width, height] : [height, width];
+  const upright = turnDeg === 0 ? '' : `translate(0 ${up}) rotate(-90)`;
+  return html`<svg
+    viewBox="${-margin} ${-margin} ${across + 2 * margin} ${up + 2 * margin}"
+    role="img"
+    aria-label=${label}
+  >
+    ${svg`<g transform=${upright}>
+      <image href=${image} width=${width} height=${height} preserveAspectRatio="none"></image>
+      <g transform="scale(${width} ${height})">
+        <path class="casing" d=${marks}></path>
+        <path class="line" d=${marks}></path>
+      </g>
+    </g>`}
+  </svg>`;
+}
+
+/** A box with such a picture and what is said of it. */
+export const markedTileStyle = css`
+  .breaks {
+    display: grid;
+    grid-template-columns: 7rem 1fr;
+    gap: var(--sw-space-3);
+    padding: var(--sw-space-3);
+    border-radius: var(--sw-radius);
+    background: var(--sw-bad-tint);
+  }
+  .breaks > div {
+    display: grid;
+    align-content: start;
+    gap: var(--sw-space-2);
+  }
+  .row {
+    display: flex;
+    flex-wrap: wrap;
+    gap: var(--sw-space-2);
+  }
+  .row button {
+    white-space: normal;
+    text-align: start;
+  }
+  .breaks svg {
+    width: 100%;
+    max-height: 10rem;
+  }
+  .breaks path {
+    fill: none;
+    stroke-linecap: square;
+    vector-effect: non-scaling-stroke;
+  }
+  .casing {
+    stroke: #fff;
+    stroke-width: 6;
+  }
+  .line {
+    stroke: #c22318;
+    stroke-width: 3;
+  }
+`;

@@ -1,0 +1,257 @@
+/** The prints to choose from: one for each group, more of them, and their colours. */
+import {html, nothing, type TemplateResult} from 'lit';
+import {guard} from 'lit/directives/guard.js';
+
+import type {Design, DesignPrint} from '../../model/design.js';
+import type {GroupName} from '../../model/print.js';
+import {carries, groupsThatCarry} from '../../model/repeat.js';
+import {PatientElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {inColours, samplePrint, type SamplePrint, type Samples} from '../../workbench/samples.js';
+import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choices.js';
+import {swatch} from './swatch.js';
+import {swatches} from './swatch-style.js';
+
+/** Of the gallery, which the arrow keys up and down jump by; as in its style. */
+const columns = 4;
+
+const steps: Readonly<Record<string, number>> = {
+  ...{ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columns, ArrowDown: columns},
+};
+
+const standIns = new Set(choices.map(sampleOf));
+
+/** In its first colours, unless others are named: what is offered looks the same whatever is chosen. */
+const coloured = (print: SamplePrint, name?: string): string => {
+  const {colourways} = print;
+  const shown = colourways.find((one) => one.name === name) ?? colourways[0];
+  return `prints/${shown?.raster ?? shown?.image ?? ''}`;
+};
+
+/** What somebody looks for. */
+const filters = ['botanical', 'geometric', 'tailored', 'mirrors'] as const;
+type Filter = (typeof filters)[number];
+
+const passes = ({family, group}: SamplePrint, filter: Filter | undefined): boolean =>
+  filter === 'mirrors' ? carries(group, 'piece') : filter === undefined || family === filter;
+
+export class PrintGallery extends PatientElement {
+  static override properties = {
+    ...PatientElement.properties,
+    samples: {attribute: false},
+    focused: {state: true},
+    refused: {state: true},
+    filter: {state: true},
+  };
+  declare samples: Samples | undefined;
+  declare protected focused: Choice | undefined;
+  /** The group that somebody asked for and that the symmetries do not allow; said until the design is another. */
+  declare protected refused: {readonly group: GroupName; readonly design: Design} | undefined;
+
+  /** Of the prints that come with Seamwise, only these are shown. */
+  declare protected filter: Filter | undefined;
+
+  static override styles = [controls, swatches];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {design, preferences} = this.desk;
+    const {samples, focused, filter} = this;
+    if (!design || !samples) return nothing;
+    const refused = this.refused?.design === design ? this.refused.group : undefined;
+    const {print, symmetries} = design;
+    // drawn again only when one of these is new, not with every step of a solve
+    const seen = [print, symmetries, preferences, samples, focused, refused, filter];
+    return html`${guard(
+      seen,
+      () => html`
+        ${print.sample ? this.#filters() : nothing} ${this.#groups(design, samples)}
+        ${this.#meaning(design, refused)} ${this.#more(design, samples)}
+        ${this.#colourways(design, samples)}
+      `,
+    )}`;
+  }
+
+  #filters(): TemplateResult {
+    const texts = this.texts.print;
+    return html`<div class="filters" role="group" aria-label=${texts.filter}>
+      ${filters.map(
+        (filter) =>
+          html`<button
+            class="outlined"
+            aria-pressed=${filter === this.filter}
+            @click=${() => {
+              this.filter = filter === this.filter ? undefined : filter;
+            }}
+          >
+            ${texts.filters[filter]}
+          </button>`,
+      )}
+    </div>`;
+  }
+
+  /** A print of one's own may become any of them. */
+  #shown({print}: Design, {prints}: Samples): readonly Choice[] {
+    if (!print.sample) return choices;
+    return choices.filter((choice) =>
+      prints.some((one) => one.name === sampleOf(choice) && passes(one, this.filter)),
+    );
+  }
+
+  #groups(design: Design, samples: Samples): TemplateResult {
+    const {print, symmetries} = design;
+    const texts = this.texts.print;
+    const checked = choiceOf(print);
+    const shown = this.#shown(design, samples);
+    const first = [this.focused, checked].find((one) => one && shown.includes(one)) ?? shown[0];
+    return html`<div
+      class="groups"
+      role="radiogroup"
+      aria-label=${texts.group}
+      @keydown=${(event: KeyboardEvent) => {
+        this.#walk(event, shown, first);
+      }}
+      @focusout=${() => {
+        this.focused = undefined;
+      }}
+    >
+      ${shown.map((choice) => {
+        const sample = samples.prints.find(({name}) => name === sampleOf(choice));
+        if (!sample) return nothing;
+        const label = choice === 'stripes' ? texts.stripes : choice;
+        const what = print.sample ? this.#titleOf(sample) : texts.meanings[choice];
+        return html`<button
+          id=${choice}
+          role="radio"
+          aria-label="${label}, ${what}"
+          aria-checked=${choice === checked}
+          aria-disabled=${missing(groupOf(choice), symmetries) ? 'true' : nothing}
+          title=${print.sample ? `${what}, ${label}` : what}
+          tabindex=${choice === first ? 0 : -1}
+          @focus=${() => {
+            this.focused = choice;
+            this.#ask(groupOf(choice));
+          }}
+          @click=${() => {
+            this.#choose(choice);
+          }}
+        >
+          ${swatch(`cloth-${choice}`, sample, coloured(sample))}
+          <span>${print.sample ? this.#titleOf(sample) : label}</span>
+        </button>`;
+      })}
+    </div>`;
+  }
+
+  /** What the group means; or why it will not do, and those that would. */
+  #meaning({print, symmetries}: Design, refused: GroupName | undefined): TemplateResult {
+    const texts = this.texts.print;
+    const group = refused ?? print.group;
+    const kind = missing(group, symmetries);
+    if (!kind) return html`<p class="soft" role="status">${texts.meanings[choiceOf(print)]}</p>`;
+    return html`<div class="refusal" role="status">
+      <p>${texts.lacks[kind](group)}</p>
+      <div class="row">
+        ${texts.wouldDo}
+        ${groupsThatCarry(kind).map(
+          (one) =>
+            html`<button
+              class="link"
+              @click=${() => {
+                this.#choose(one);
+              }}
+            >
+              ${one}
+            </button>`,
+        )}
+      </div>
+    </div>`;
+  }
+
+  #more({print, symmetries}: Design, {prints}: Samples): TemplateResult | typeof nothing {
+    const texts = this.texts.print;
+    const others = prints.filter(({name}) => !standIns.has(name));
+    const shown = print.sample ? others.filter((one) => passes(one, this.filter)) : prints;
+    if (shown.length === 0) return nothing;
+    return html`<h3>${print.sample ? texts.more : texts.ours}</h3>
+      <div class="more" role="group" aria-label=${print.sample ? texts.more : texts.ours}>
+        ${shown.map(
+          (sample) =>
+            html`<button
+              aria-label="${this.#titleOf(sample)}, ${sample.group}"
+              aria-pressed=${sample.name === print.sample?.name}
+              aria-disabled=${missing(sample.group, symmetries) ? 'true' : nothing}
+              title="${this.#titleOf(sample)}, ${sample.group}"
+              @click=${() => {
+                this.#take(sample);
+              }}
+            >
+              ${swatch(`more-${sample.name}`, sample, coloured(sample))}
+              <span>${this.#titleOf(sample)}</span>
+            </button>`,
+        )}
+      </div>`;
+  }
+
+  #titleOf({name, title}: SamplePrint): string {
+    return this.texts.samples.prints[name] ?? title;
+  }
+
+  #colourways({print}: Design, {prints}: Samples): TemplateResult | typeof nothing {
+    const sample = prints.find(({name}) => name === print.sample?.name);
+    if (!sample) return nothing;
+    return html`<h3>${this.#titleOf(sample)}</h3>
+      <div class="colourways" role="group" aria-label=${this.texts.print.colourways}>
+        ${sample.colourways.map(
+          ({name}) =>
+            html`<button
+              aria-pressed=${name === print.sample?.colourway}
+              @click=${() => {
+                this.desk.change({print: inColours(print, sample, name)});
+              }}
+            >
+              ${swatch(`colour-${name}`, sample, coloured(sample, name))}
+              <span>${this.texts.samples.colourways[name] ?? name}</span>
+            </button>`,
+        )}
+      </div>`;
+  }
+
+  /** @returns whether the symmetries allow this group; if not, why is said */
+  #ask(group: GroupName): boolean {
+    const {design} = this.desk;
+    const allowed = !missing(group, design?.symmetries ?? []);
+    this.refused = allowed || !design ? undefined : {group, design};
+    return allowed;
+  }
+
+  #choose(choice: Choice): void {
+    const {design} = this.desk;
+    if (!design || !this.#ask(groupOf(choice))) return;
+    const sample = this.samples?.prints.find(({name}) => name === sampleOf(choice));
+    if (!design.print.sample) void this.#regroup(design.print, choice);
+    else if (sample) this.#take(sample);
+  }
+
+  async #regroup(print: DesignPrint, choice: Choice): Promise<void> {
+    const {ownPrintAs} = await import('./own-print.js');
+    const regrouped = await ownPrintAs(print, choice);
+    if (this.desk.design?.print === print) this.desk.change({print: regrouped}, 'print');
+  }
+
+  #take(sample: SamplePrint): void {
+    const {design} = this.desk;
+    if (!design || !this.#ask(sample.group)) return;
+    this.desk.change({print: samplePrint(sample)}, 'print');
+  }
+
+  #walk(event: KeyboardEvent, shown: readonly Choice[], from: Choice | undefined): void {
+    const at = shown.findIndex((one) => one === from);
+    const step = steps[event.key];
+    const next = step === undefined ? undefined : shown[at + step];
+    if (step === undefined) return;
+    event.preventDefault();
+    if (next === undefined) return;
+    this.renderRoot.querySelector<HTMLElement>(`#${next}`)?.focus();
+    this.#choose(next);
+  }
+}

@@ -1,0 +1,90 @@
+/** Which print, how large, and which way up. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {noPicture, type DesignPrint} from '../../model/design.js';
+import {section} from '../controls/section.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import type {Samples} from '../../workbench/samples.js';
+import {OpenEdgesError, printFiles} from './print-files.js';
+
+export class PrintPanel extends DeskElement {
+  static override properties = {
+    ...DeskElement.properties,
+    samples: {attribute: false},
+    problem: {state: true},
+  };
+  declare samples: Samples | undefined;
+  /** What is wrong with the file that was opened last. */
+  declare protected problem: string | undefined;
+
+  static override styles = [
+    controls,
+    section,
+    css`
+      header {
+        display: flex;
+        align-items: center;
+        gap: var(--sw-space-2);
+      }
+      h2 {
+        flex: 1;
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {desk, samples} = this;
+    if (!desk.design) return nothing;
+    const texts = this.texts.print;
+    return html`<section aria-labelledby="title">
+      <header>
+        <h2 id="title">${texts.title}</h2>
+        <input
+          type="file"
+          hidden
+          accept=${printFiles}
+          @change=${(event: Event) => this.#open(event.target as HTMLInputElement)}
+        />
+        <button class="outlined" @click=${this.#choose}>${icon.open} ${texts.open}</button>
+      </header>
+      ${this.problem ? html`<p class="error" role="alert">${this.problem}</p>` : nothing}
+      ${
+        desk.doubtful?.beside === desk.design.print
+          ? html`<sw-doubtful-tile .desk=${desk} @another=${this.#choose}></sw-doubtful-tile>`
+          : nothing
+      }
+      ${desk.design.print.sample ? nothing : this.#own(desk.design.print)}
+      <sw-print-gallery .desk=${desk} .samples=${samples}></sw-print-gallery>
+      <sw-repeat-fields .desk=${desk}></sw-repeat-fields>
+    </section>`;
+  }
+
+  #own(print: DesignPrint): TemplateResult {
+    const {desk} = this;
+    const isPicture = !print.file && print.image !== noPicture && print.size.angleDeg === 90;
+    return html`<p>${this.texts.print.own(print.title)}</p>
+      <sw-tile-report .desk=${desk}></sw-tile-report>
+      ${isPicture ? html`<sw-tile-repeat .desk=${desk}></sw-tile-repeat>` : nothing}`;
+  }
+
+  readonly #choose = (): void => {
+    this.renderRoot.querySelector<HTMLInputElement>('input[type=file]')?.click();
+  };
+
+  async #open(input: HTMLInputElement): Promise<void> {
+    const [file] = input.files ?? [];
+    if (!file) return;
+    this.problem = undefined;
+    try {
+      const {openPrint} = await import('./own-tile.js');
+      await openPrint(this.desk, file);
+    } catch (error) {
+      // what may become of such a picture is asked instead
+      if (!(error instanceof OpenEdgesError)) this.problem = toFailure(error).message;
+    }
+    input.value = ''; // the same file may be opened again
+  }
+}

@@ -1,0 +1,80 @@
+/** Reads a file as the picture of a print; whatever else it is, is named. */
+import {fileKind, isWhole, type FileKind} from '../../recognition/file-kind.js';
+import {hasOutsidePictures} from '../../recognition/svg-picture.js';
+import {sizedSvg} from '../../recognition/svg-size.js';
+import type {Texts} from '../../texts/en.js';
+import {loadPicture} from './picture.js';
+import {pictureEndings} from './print-files.js';
+
+type Words = Texts['print']['files'];
+
+const mostBytes = 12 * 2 ** 20;
+/** Longest side. [px] */
+const mostPixels = 8192;
+/** Enough to know a file by. [bytes] */
+const beginning = 4096;
+
+/** The kinds that become prints. */
+const pictureTypes: Readonly<Partial<Record<FileKind, string>>> = {
+  ...{png: 'image/png', jpeg: 'image/jpeg', webp: 'image/webp', svg: 'image/svg+xml'},
+};
+
+export interface OpenedPicture {
+  /** A `data:` URL. */
+  readonly image: string;
+  /** [px] */
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A picture by its first bytes, or by what it is called. */
+export async function looksLikePicture(file: File): Promise<boolean> {
+  const ending = file.name.slice(file.name.lastIndexOf('.') + 1).toLowerCase();
+  const isCalledSo = file.type.startsWith('image/') || pictureEndings.includes(ending);
+  return isCalledSo || (await kindOf(file)) !== undefined;
+}
+
+/** What a file is by its first bytes; undefined for what is no picture and no document. */
+export const kindOf = async (file: File): Promise<FileKind | undefined> =>
+  fileKind(new Uint8Array(await file.slice(0, beginning).arrayBuffer()));
+
+/** @throws {Error} with one sentence that says what the file is, and what to do */
+export async function readPicture(file: File, words: Words): Promise<OpenedPicture> {
+  const {name} = file;
+  const kind = await kindOf(file);
+  const type = kind && pictureTypes[kind];
+  if (kind && !type) throw new Error(words.wrongKind(name, words.kinds[kind]));
+  if (file.size > mostBytes) throw new Error(words.tooLarge(name));
+  if (!kind || !type) throw new Error(words.unreadable(name));
+  const damaged = new Error(words.damaged(name, words.kinds[kind]));
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  if (!isWhole(bytes, kind)) throw damaged;
+  const image = await dataUrl(
+    kind === 'svg' ? svgBlob(bytes, name, words) : new Blob([bytes], {type}),
+  );
+  const picture = await loadPicture(image).catch(() => {
+    throw damaged;
+  });
+  const {naturalWidth: width, naturalHeight: height} = picture;
+  if (Math.max(width, height) > mostPixels) throw new Error(words.tooWide(name));
+  return {image, width, height};
+}
+
+function svgBlob(bytes: Uint8Array, name: string, words: Words): Blob {
+  const text = new TextDecoder().decode(bytes);
+  if (hasOutsidePictures(text)) throw new Error(words.outsidePictures(name));
+  return new Blob([sizedSvg(text)], {type: 'image/svg+xml'});
+}
+
+function dataUrl(blob: Blob): Promise<string> {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.addEventListener('load', () => {
+      resolve(typeof reader.result === 'string' ? reader.result : '');
+    });
+    reader.addEventListener('error', () => {
+      reject(new Error(reader.error?.message));
+    });
+    reader.readAsDataURL(blob);
+  });
+}

@@ -1,0 +1,168 @@
+/** Somebody's own picture beside what it is used as: whether it has that, and where it does not. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {noPicture, type DesignPrint} from '../../model/design.js';
+import {pictureIn} from '../../model/tile-repeat.js';
+import type {TileRepeat} from '../../model/print-tile.js';
+import type {Asymmetry} from '../../recognition/asymmetry.js';
+import type {FoundGroup, TileCheck} from '../../recognition/tile-check.js';
+import type {OpenEdge} from '../../recognition/tile-edges.js';
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {choiceOf, missing} from './choices.js';
+import {edgesPath, markedTile, markedTileStyle, outlineOf} from './marked-tile.js';
+import {
+  checked,
+  closedRepeats,
+  groupsIn,
+  openEdgesOf,
+  openPairs,
+  pixelsOfTile,
+  printOfPicture,
+  withFound,
+} from './own-print.js';
+import {remedies} from './remedies.js';
+
+interface Report {
+  readonly print: DesignPrint;
+  readonly check: TileCheck;
+  readonly lacks: readonly Asymmetry[];
+  readonly isStriped: boolean;
+  readonly groups: readonly FoundGroup[];
+  readonly edges: readonly OpenEdge[];
+  /** What would let it meet its copies. */
+  readonly repeats: readonly TileRepeat[];
+}
+
+async function reportOf(print: DesignPrint): Promise<Report> {
+  const own = pictureIn(print);
+  const [{asymmetriesOf, isStriped}, check, groups, pixels, edges, repeats] = await Promise.all([
+    import('../../recognition/asymmetry.js'),
+    checked(print),
+    groupsIn(own),
+    pixelsOfTile(own),
+    openEdgesOf(own),
+    closedRepeats(own),
+  ]);
+  const turn = 90 * Math.round(print.turnDeg / 90);
+  const striped = isStriped(pixels) || choiceOf(print) === 'stripes';
+  const lacks = asymmetriesOf(check, print.group, turn);
+  return {print, check, lacks, groups, edges, repeats, isStriped: striped};
+}
+
+export class TileReport extends DeskElement {
+  static override properties = {...DeskElement.properties, report: {state: true}};
+  declare protected report: Report | undefined;
+  #looked: DesignPrint | undefined;
+
+  static override styles = [
+    controls,
+    markedTileStyle,
+    css`
+      :host {
+        display: grid;
+        gap: var(--sw-space-2);
+      }
+      small {
+        font-size: var(--sw-text-small);
+        color: var(--sw-soft);
+      }
+    `,
+  ];
+
+  protected override updated(): void {
+    const print = this.desk.design?.print;
+    if (!print || print === this.#looked) return;
+    this.#looked = print;
+    if (print.image === noPicture) return;
+    this.#look(print).catch(() => undefined); // who draws the picture says that it cannot be read
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const print = this.desk.design?.print;
+    if (!print) return nothing;
+    const texts = this.texts.print;
+    if (print.image === noPicture) return html`<p role="status">${texts.needsPicture}</p>`;
+    const {report} = this;
+    if (report?.print !== print) return nothing;
+    return html`${this.#edges(report)}
+    ${
+      report.check.breaks.length > 0
+        ? this.#breaks(report)
+        : html`<p role="status" class="soft">
+            ${texts.keeps} ${texts.meanings[choiceOf(print)]} <small>${print.group}</small>
+          </p>`
+    }`;
+  }
+
+  #edges({print, edges, repeats}: Report): TemplateResult | typeof nothing {
+    if (edges.length === 0) return nothing;
+    const texts = this.texts.print;
+    const own = pictureIn(print);
+    return html`<div class="breaks" role="status">
+      ${markedTile({
+        ...{image: own.image, size: own.size, turnDeg: 0, marks: edgesPath(edges)},
+        label: texts.marked(print.title),
+      })}
+      <div>
+        <p>${texts.openEdges[openPairs(edges)]}</p>
+        ${
+          print.file
+            ? nothing
+            : html`<div class="row">
+                ${remedies(texts, repeats, (repeat) => this.#repeat(print, repeat))}
+              </div>`
+        }
+      </div>
+    </div>`;
+  }
+
+  #breaks({print, check, lacks, isStriped, groups}: Report): TemplateResult {
+    const texts = this.texts.print;
+    const {language} = this.desk.preferences;
+    const hows = new Intl.ListFormat(language, {type: 'conjunction'});
+    // along a stripe the repeat is as short as you like, and would show nothing
+    const shape = choiceOf(print) === 'stripes' ? {width: 3, height: 2} : print.size;
+    const how = hows.format(lacks.slice(0, 3).map((one) => texts.differs[one]));
+    return html`<div class="breaks" role="status">
+      ${markedTile({
+        ...{image: print.image, size: shape, marks: outlineOf(check.breaks)},
+        ...{label: texts.marked(print.title), turnDeg: print.tile?.turnedDeg ?? 0},
+      })}
+      <div>
+        <p>
+          ${texts.reads[isStriped ? 'stripes' : 'picture'](how)}
+          <small title=${texts.meanings[print.group]}>(${print.group})</small>
+        </p>
+        <p>${texts.has}</p>
+        <div class="row">${groups.map((found) => this.#found(print, found))}</div>
+      </div>
+    </div>`;
+  }
+
+  #found(print: DesignPrint, found: FoundGroup): TemplateResult {
+    const lacks = missing(found.group, this.desk.design?.symmetries ?? []);
+    return html`<button
+      class="outlined"
+      ?disabled=${lacks !== undefined}
+      title=${found.group}
+      @click=${() => this.#take(print, withFound(print, found))}
+    >
+      ${this.texts.print.meanings[found.group]}
+    </button>`;
+  }
+
+  async #look(print: DesignPrint): Promise<void> {
+    const report = await reportOf(print);
+    if (this.#looked === print) this.report = report;
+  }
+
+  #repeat(print: DesignPrint, repeat: TileRepeat): Promise<void> {
+    return this.#take(print, printOfPicture({...pictureIn(print), repeat}));
+  }
+
+  async #take(print: DesignPrint, taken: Promise<DesignPrint>): Promise<void> {
+    const next = await taken;
+    if (this.desk.design?.print === print) this.desk.change({print: next});
+  }
+}

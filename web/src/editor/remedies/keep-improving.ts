@@ -1,0 +1,71 @@
+/** A better answer, looked for when somebody asks for it and for as long as they like. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {mostEffort} from '../../workbench/improvement.js';
+import type {Workbench} from '../../workbench/workbench.js';
+
+/** What there is to be asked for: to begin, or to stop what is under way. */
+export function improvementOffer({
+  afterwards,
+  design,
+  result,
+  state,
+}: Workbench): {readonly kind: 'begin' | 'stop'; readonly act: () => void} | undefined {
+  if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return undefined;
+  const improving = afterwards.improving(design);
+  if (improving?.isRunning) {
+    const act = (): void => {
+      afterwards.stopImproving();
+    };
+    return {kind: 'stop', act};
+  }
+  const isDone = 2 * (design.options.effort ?? 1) > mostEffort;
+  if (improving || isDone || design.method !== 'best') return undefined;
+  return {kind: 'begin', act: () => void afterwards.improve(design, result)};
+}
+
+export class KeepImproving extends DeskElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: baseline;
+        min-height: 1.5rem;
+        color: var(--sw-soft);
+      }
+      span:not(:empty) {
+        margin-inline-end: var(--sw-space-2);
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {afterwards, design, result, state} = this.desk;
+    if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return nothing;
+    const {improve} = this.texts;
+    const offer = improvementOffer(this.desk);
+    const words = this.#words(afterwards.improving(design));
+    return html`
+      <span role="status" aria-label=${improve.label} .textContent=${words}></span>
+      ${
+        offer &&
+        html`<button class="link" title=${improve.note} @click=${offer.act}>
+          ${improve[offer.kind]}
+        </button>`
+      }
+    `;
+  }
+
+  #words(improving: ReturnType<DeskElement['desk']['afterwards']['improving']>): string {
+    const {improve} = this.texts;
+    if (!improving) return '';
+    const {isRunning, gained} = improving;
+    if (gained === 0) return isRunning ? improve.looking : improve.nothing;
+    const words = isRunning ? improve.soFar : improve.gained;
+    return words(this.format.fine(gained));
+  }
+}

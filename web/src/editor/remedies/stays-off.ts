@@ -1,0 +1,117 @@
+/** Which seams stay off, why, and what would help, one click away. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import type {Remedy} from '../../remedies/remedy.js';
+import {DeskElement} from '../desk-element.js';
+import {offSeams, seamRows, type SeamRow} from '../lists/rows.js';
+import {controls} from '../style/controls.js';
+import type {Format} from '../../texts/format.js';
+import type {Texts} from '../../texts/texts.js';
+import type {Samples} from '../../workbench/samples.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {remedied} from './apply.js';
+
+/** More seams than these are only counted. */
+const mostSeams = 3;
+
+/** "Turn Waistband by 90°: 20.5 mm → 0 mm" */
+export function remedyWords(
+  {kind, pieces, before, after}: Remedy,
+  {scenes}: Workbench,
+  {remedies}: Texts,
+  format: Format,
+): string {
+  const labels = new Map(scenes?.now.pieces.map(({name, label}) => [name, label]));
+  const names = pieces.map((name) => labels.get(name) ?? name).join(', ');
+  const effect = remedies.effect(format.fine(before), format.fine(after));
+  return `${remedies.what[kind](names)}: ${effect}`;
+}
+
+export class StaysOff extends DeskElement {
+  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+  declare samples: Samples | undefined;
+
+  static override styles = [
+    controls,
+    css`
+      section {
+        padding: var(--sw-space-3);
+        border-radius: var(--sw-radius);
+        background: var(--sw-tint);
+      }
+      ul {
+        display: grid;
+        gap: var(--sw-space-1);
+        margin: var(--sw-space-1) 0 0;
+        padding: 0;
+        list-style: none;
+      }
+      li,
+      li .link {
+        text-align: start;
+        white-space: normal;
+      }
+      li .link {
+        display: inline;
+      }
+      .remedy {
+        width: 100%;
+        height: auto;
+        min-height: 2.25rem;
+        margin-top: var(--sw-space-2);
+        justify-content: start;
+        padding-block: var(--sw-space-1);
+        text-align: start;
+        white-space: normal;
+      }
+    `,
+  ];
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {afterwards, design, result, state} = this.desk;
+    if (!design || !result || state.kind !== 'done') return nothing;
+    const off = offSeams(seamRows(this.desk, this.texts));
+    if (off.length === 0) return nothing;
+    const {remedies} = this.texts;
+    const left = off.length - mostSeams;
+    return html`<section aria-labelledby="title">
+      <h3 id="title">${remedies.title(off.length)}</h3>
+      <ul>
+        ${off.slice(0, mostSeams).map((row) => this.#seam(row))}
+        ${left > 0 ? html`<li class="soft">${remedies.more(left)}</li>` : nothing}
+      </ul>
+      <div role="status" aria-label=${remedies.help}>
+        ${afterwards.remedies(design).map((remedy) => this.#remedy(remedy))}
+      </div>
+    </section>`;
+  }
+
+  #seam(row: SeamRow): TemplateResult {
+    const {remedies} = this.texts;
+    return html`<li>
+      <button
+        class="link"
+        @click=${() => {
+          this.desk.select({kind: 'seam', seam: row.seam, side: 'a'});
+        }}
+      >
+        ${row.name}</button
+      >: ${this.format.fine(row.after)}${row.why ? html`, ${remedies.why[row.why]}` : nothing}
+    </li>`;
+  }
+
+  #remedy(remedy: Remedy): TemplateResult | typeof nothing {
+    const {design} = this.desk;
+    const change = design && remedied(design, remedy, this.samples);
+    const words = remedyWords(remedy, this.desk, this.texts, this.format);
+    if (!change) return html`<p>${words}</p>`;
+    return html`<button
+      class="outlined remedy"
+      @click=${() => {
+        this.desk.change(change);
+      }}
+    >
+      ${words}
+    </button>`;
+  }
+}

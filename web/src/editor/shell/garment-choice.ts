@@ -1,0 +1,119 @@
+/** Which garment, and in which size. */
+import {css, html, nothing, type TemplateResult} from 'lit';
+
+import {DeskElement} from '../desk-element.js';
+import {controls} from '../style/controls.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import {onceOnline} from '../once-online.js';
+import {sampleGarment, Unreachable, type Samples} from '../../workbench/samples.js';
+
+export class GarmentChoice extends DeskElement {
+  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+  declare samples: Samples | undefined;
+  /** Of the garment that was chosen last, until it is there. */
+  #waits: AbortController | undefined;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: flex;
+        gap: var(--sw-space-1);
+      }
+      select {
+        width: auto;
+        min-width: 0;
+        max-width: 12rem;
+        border-color: transparent;
+        background: transparent;
+        font-weight: 600;
+        cursor: pointer;
+      }
+      /* the name of a garment gives way, its size does not */
+      select + select {
+        flex: none;
+      }
+      select:hover {
+        background: color-mix(in srgb, var(--sw-ink) 7%, transparent);
+      }
+      option {
+        background: var(--sw-raised);
+        color: var(--sw-ink);
+      }
+    `,
+  ];
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#waits?.abort();
+  }
+
+  /** A list that somebody has used shows that choice until it is told otherwise. */
+  protected override updated(): void {
+    const {style = '', size = ''} = this.desk.design?.garment.sample ?? {};
+    this.renderRoot.querySelectorAll('select').forEach((list, k) => {
+      list.value = k === 0 ? style : size;
+    });
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const {design} = this.desk;
+    if (!design || !this.samples) return nothing;
+    const {app} = this.texts;
+    const {sample, name} = design.garment;
+    const style = this.samples.garments.find((one) => one.style === sample?.style);
+    return html`
+      <select
+        aria-label=${app.garment}
+        @change=${(event: Event) => {
+          void this.choose((event.target as HTMLSelectElement).value, sample?.size ?? 'm');
+        }}
+      >
+        ${style ? nothing : html`<option value="">${name}</option>`}
+        ${this.samples.garments.map(
+          (one) =>
+            html`<option value=${one.style}>
+              ${this.texts.samples.garments[one.style] ?? one.title}
+            </option>`,
+        )}
+      </select>
+      ${
+        style &&
+        html`<select
+          aria-label=${app.size}
+          @change=${(event: Event) => {
+            void this.choose(style.style, (event.target as HTMLSelectElement).value);
+          }}
+        >
+          ${style.sizes.map((size) => html`<option value=${size}>${size.toUpperCase()}</option>`)}
+        </select>`
+      }
+    `;
+  }
+
+  /** Another size keeps all that was decided about the garment; another garment cannot. */
+  async choose(style: string, size: string, isAgain = false): Promise<void> {
+    this.#waits?.abort();
+    if (style === '') return;
+    this.#waits = new AbortController();
+    const {signal} = this.#waits;
+    try {
+      const garment = await sampleGarment(style, size, signal);
+      if (style === this.desk.design?.garment.sample?.style) this.desk.change({garment});
+      else await this.desk.open(garment);
+    } catch (error) {
+      if (signal.aborted) return;
+      if (error instanceof Unreachable) this.#await(style, size, isAgain, signal);
+      else this.desk.say({tone: 'error', text: toFailure(error).message});
+      this.requestUpdate(); // the lists show what is shown
+    }
+  }
+
+  /** Chooses again by itself, unless something else is chosen before. */
+  #await(style: string, size: string, isAgain: boolean, signal: AbortSignal): void {
+    const sample = this.samples?.garments.find((one) => one.style === style);
+    const title = this.texts.samples.garments[style] ?? sample?.title ?? style;
+    if (!isAgain) this.desk.say({tone: 'info', text: this.texts.offline.waits(title)});
+    onceOnline(() => void this.choose(style, size, true), signal);
+  }
+}

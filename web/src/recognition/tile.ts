@@ -1,0 +1,37 @@
+/** The picture of a print's cell, as it is loaded: before anything is drawn, and without what draws it. */
+import {trustedMarkup} from '../model/trusted.js';
+import {imageHref} from './svg-picture.js';
+
+/** One cell of a print: pixels, or an image of an SVG, which can be drawn at any size. */
+export type Tile =
+  ImageBitmap | HTMLCanvasElement | HTMLImageElement | {readonly vector: HTMLImageElement};
+
+async function vectorTile(url: string): Promise<Tile> {
+  const image = new Image();
+  image.src = url;
+  await image.decode();
+  return {vector: image};
+}
+
+/** Reads a tile from a file. An SVG needs a width and a height. */
+export async function loadTile(url: string | URL, signal?: AbortSignal): Promise<Tile> {
+  const response = await fetch(url, signal ? {signal} : {});
+  if (!response.ok) throw new Error(`The print's image ${String(url)} cannot be read.`);
+  const blob = await response.blob();
+  if (blob.type.startsWith('image/svg')) return vectorTile(response.url);
+  return createImageBitmap(blob, {colorSpaceConversion: 'none'});
+}
+
+/** A tile from the text of an SVG, whatever size it gives itself. The page's policy has to allow `data:` images. */
+export async function svgTile(svg: string): Promise<Tile> {
+  const document = new DOMParser().parseFromString(trustedMarkup(svg), 'image/svg+xml');
+  const root = document.documentElement;
+  const side = (name: string): number => Number.parseFloat(root.getAttribute(name) ?? '') || 100;
+  if (!root.hasAttribute('viewBox')) {
+    root.setAttribute('viewBox', `0 0 ${side('width')} ${side('height')}`);
+  }
+  root.setAttribute('width', '512');
+  root.setAttribute('height', '512');
+  root.setAttribute('preserveAspectRatio', 'none');
+  return vectorTile(imageHref(new XMLSerializer().serializeToString(document)));
+}

@@ -1,0 +1,238 @@
+/** What a view of a pattern shows, as plain data. Lengths in cm, y up. */
+import type {Alignment, Point} from '../model/geometry.js';
+import type {Garment} from '../model/garment.js';
+import type {Print} from '../model/print.js';
+import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
+import type {MismatchScale} from './colours.js';
+import {
+  countedSeams,
+  driftOf,
+  fitOf,
+  meanOf,
+  seamFitOf,
+  type Drift,
+  type JoinedSeam,
+  type SeamFit,
+} from './mismatch.js';
+import {layOutNamed, type Layout} from '../layout/layout.js';
+import {isInside, pick} from './marks.js';
+import {placementsIn} from '../layout/on-body.js';
+import {nameLines, textWidth} from '../layout/name-lines.js';
+import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
+import {readable} from '../model/piece-names.js';
+import {offSheet, type SheetPlace} from '../model/sheet-place.js';
+import {grainOf, symmetriesOf, type SceneSymmetry} from './scene-marks.js';
+import {screenMargin} from './sheet-view.js';
+
+/** Points are in the piece's own coordinates, not in those of the sheet. */
+export interface ScenePiece
+  extends SheetPlace, Pick<ResultPiece, 'name' | 'triangles' | 'outline' | 'holes'> {
+  /** What people call it. */
+  readonly label: string;
+  readonly points: readonly Point[];
+  readonly alignment: Alignment;
+  readonly grain?: readonly [Point, Point];
+  /** Per outline edge the number of the panel's edge in the file, for clicks. */
+  readonly edges?: readonly number[];
+  /** Cut from unprinted cloth. */
+  readonly plain: boolean;
+}
+
+export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b'>, SeamMatch {
+  readonly counts: boolean;
+}
+
+/** How the print meets along a seam as the pieces lie in a scene. */
+export interface SeamMatch {
+  readonly kind: ResultSeam['kind'];
+  /** Per edge, each under the symmetry of the print that suits it. [cm] */
+  readonly mismatch: readonly number[];
+  /** The edge where it misses most. [cm] */
+  readonly worst: {readonly edge: number; readonly mismatch: number};
+  /** By length. [cm] */
+  readonly mean: number;
+  /** Where no symmetry of the print carries all of the seam. */
+  readonly drift: Drift | undefined;
+}
+
+/** A run of vertices of a piece. */
+export interface KeptLine {
+  readonly piece: number;
+  readonly vertices: readonly number[];
+  /** A seam is drawn along it. */
+  readonly isSewn: boolean;
+}
+
+export interface PatternScene {
+  readonly pattern: Pattern;
+  readonly outline: 'rest' | 'shape';
+  readonly print: Print;
+  readonly pieces: readonly ScenePiece[];
+  readonly seams: readonly SceneSeam[];
+  readonly symmetries: readonly SceneSymmetry[];
+  /** Parts of outlines that stay as drafted. */
+  readonly kept?: readonly KeptLine[];
+  /** The sheet reaches from (0, 0) to here. */
+  readonly size: Point;
+  readonly scale: MismatchScale;
+}
+
+export interface SceneOptions {
+  /** Which of a piece's two states. Default `shape`. */
+  readonly outline?: 'rest' | 'shape';
+  /** One per piece. Default: the pattern's own. */
+  readonly alignments?: readonly Alignment[];
+  /** Gives labels and grain lines. */
+  readonly garment?: Garment;
+  /** Goes before what the garment says of its panels. */
+  readonly decided?: PanelDecisions;
+  /** What the layout is made for. [CSS px] */
+  readonly viewport?: {readonly width: number; readonly height: number};
+  /** Names of the pieces that are cut from unprinted cloth. */
+  readonly plain?: ReadonlySet<string>;
+  /** Default `absolute`. */
+  readonly scale?: MismatchScale;
+}
+
+/** Height of the letters of a piece's name. [CSS px] */
+export const labelSize = 12;
+/** A longer name is broken between words. [CSS px] */
+const labelRoom = 96;
+
+export const labelLines = (label: string): readonly string[] =>
+  nameLines(label, labelRoom, labelSize);
+
+/** Room that names may cost: where pieces would get smaller than this part of what they could be, names do without. */
+const leastShare = 0.75;
+/** Pieces of a very small garment lie no further apart than they would at this scale. [CSS px per cm] */
+const greatestLayoutScale = 14;
+
+/** Pieces on a sheet with the proportions of the viewport; a name has room below its piece at the scale of the whole sheet. */
+function sheet(
+  pattern: Pattern,
+  labels: readonly string[],
+  marks: ReadonlyMap<string, PanelMarks>,
+  viewport = {width: 1200, height: 750},
+): Layout {
+  const lines = labels.map(labelLines);
+  const widths = lines.map((some) => Math.max(...some.map((line) => textWidth(line, labelSize))));
+  const placements = placementsIn(marks);
+  const page = {
+    width: Math.max(viewport.width - 2 * screenMargin, 1),
+    height: Math.max(viewport.height - 2 * screenMargin, 1),
+    greatestScale: greatestLayoutScale,
+    gap: 16,
+  };
+  const named = layOutNamed(
+    pattern,
+    {
+      ...page,
+      nameHeight: (piece) => 18 + 1.25 * labelSize * (lines[piece]?.length ?? 0),
+      nameWidth: (piece) => widths[piece] ?? 0,
+    },
+    placements,
+  );
+  const bare = layOutNamed(
+    pattern,
+    {...page, nameHeight: () => page.gap, nameWidth: () => 0},
+    placements,
+  );
+  return (named.scale < leastShare * bare.scale ? bare : named).layout;
+}
+
+/** Lays a pattern out and measures how the print meets along its seams. */
+export function sceneOf(pattern: Pattern, print: Print, options: SceneOptions = {}): PatternScene {
+  const outline = options.outline ?? 'shape';
+  const {garment, decided} = options;
+  const marks = garment ? panelMarks(garment, decided) : new Map<string, PanelMarks>();
+  const labels = pattern.pieces.map(({name}) => marks.get(name)?.label ?? readable(name));
+  const {places, width, height} = sheet(pattern, labels, marks, options.viewport);
+  const symmetries = symmetriesOf(pattern, outline);
+  const axes = new Map(
+    symmetries.flatMap((s) => (s.kind === 'piece' ? [[s.piece, s.axis] as const] : [])),
+  );
+  const scene: PatternScene = {
+    ...{pattern, outline, print, symmetries, size: [width, height]},
+    scale: options.scale ?? 'absolute',
+    pieces: pattern.pieces.map((piece, k) => {
+      const {name, triangles, outline: loop, holes, alignment} = piece;
+      return {
+        ...{name, triangles, outline: loop, holes, alignment, points: piece[outline]},
+        label: labels[k] ?? name,
+        ...(places[k] ?? {offset: [0, 0]}),
+        plain: options.plain?.has(name) ?? false,
+        ...grainOf(piece, marks.get(name), axes.get(k)),
+      };
+    }),
+    seams: unmatched(pattern),
+  };
+  return realigned(scene, options.alignments ?? pattern.pieces.map(({alignment}) => alignment));
+}
+
+/** The seams before any mismatch is measured. */
+function unmatched(pattern: Pattern): readonly SceneSeam[] {
+  const counted = countedSeams(pattern);
+  return pattern.seams.map(({a, b, kind}, k) => ({
+    ...{a, b, kind, mismatch: [], worst: {edge: 0, mismatch: 0}, mean: 0, drift: undefined},
+    counts: counted[k] ?? false,
+  }));
+}
+
+/** The same sheet with the pieces lying otherwise on the print. Shares all geometry with `scene`, so that showing it is cheap. */
+export function realigned(scene: PatternScene, alignments: readonly Alignment[]): PatternScene {
+  const counted = scene.seams.map(({counts}) => counts);
+  const {pattern, outline} = scene;
+  const local = fitOf(pattern, outline, alignments, counted).seams;
+  const whole = seamFitOf(pattern, outline, alignments, counted).seams;
+  return {
+    ...scene,
+    pieces: scene.pieces.map((piece, k) => ({
+      ...piece,
+      alignment: alignments[k] ?? piece.alignment,
+    })),
+    seams: scene.seams.map((seam, k) => ({...seam, ...matchOf(local[k], whole[k])})),
+  };
+}
+
+function matchOf(local: SeamFit | undefined, whole: JoinedSeam | undefined): SeamMatch | undefined {
+  if (!local || !whole) return undefined;
+  const {mismatch} = local;
+  const most = Math.max(0, ...mismatch);
+  const worst = {edge: Math.max(0, mismatch.indexOf(most)), mismatch: most};
+  return {
+    ...{kind: whole.kind, mismatch, worst},
+    mean: meanOf(local),
+    drift: driftOf(local, whole),
+  };
+}
+
+/** The same sheet in another print. */
+export function reprinted(scene: PatternScene, print: Print): PatternScene {
+  const {group, w1, w2} = print;
+  const pattern = {...scene.pattern, print: {group, w1, w2}};
+  return realigned(
+    {...scene, pattern, print},
+    scene.pieces.map(({alignment}) => alignment),
+  );
+}
+
+/** Alignments as a solve reports them on its way: angle, x, y per piece. */
+export const alignmentsFrom = (numbers: Float64Array): readonly Alignment[] =>
+  Array.from({length: Math.floor(numbers.length / 3)}, (_, k) => {
+    const [angle = 0, x = 0, y = 0] = numbers.subarray(3 * k, 3 * k + 3);
+    return {angle, translation: [x, y]};
+  });
+
+/** The piece that lies under a point of the sheet, and the point in that piece's coordinates. */
+export function pieceAt(
+  scene: PatternScene,
+  at: Point,
+): {readonly piece: number; readonly point: Point} | undefined {
+  for (const [piece, shown] of scene.pieces.entries()) {
+    const {points, outline, holes} = shown;
+    const point = offSheet(shown, at);
+    const inside = (loop: readonly number[]): boolean => isInside(pick(points, loop), point);
+    if (inside(outline) && !holes.some(inside)) return {piece, point};
+  }
+  return undefined;
+}

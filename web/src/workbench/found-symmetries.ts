@@ -1,0 +1,62 @@
+/** Symmetries that a garment shows by itself. */
+import type {DesignGarment} from '../model/design.js';
+import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
+import type {SolverService} from '../solver/service.js';
+import {lastOf} from './last-of.js';
+import type {Pattern} from '../model/result.js';
+import {asked, concernsSame} from './symmetry-steps.js';
+
+export class FoundSymmetries {
+  readonly #solver: SolverService;
+  readonly #changed: () => void;
+  readonly #unasked = lastOf(
+    (found: readonly DetectedSymmetry[], asked: readonly Symmetry[] = []) =>
+      found.filter((one) => !asked.some((other) => concernsSame(one, other))),
+  );
+  readonly #held = lastOf((found: readonly DetectedSymmetry[], {symmetries, pieces}: Pattern) => {
+    const nameOf = (piece: number): string => pieces[piece]?.name ?? '';
+    const held = symmetries.map((one): Symmetry =>
+      one.kind === 'piece'
+        ? {kind: 'piece', piece: nameOf(one.piece)}
+        : {kind: 'pair', pieces: [nameOf(one.pieces[0]), nameOf(one.pieces[1])]},
+    );
+    return found.filter((one) => held.some((other) => concernsSame(one, other))).map(asked);
+  });
+  /** What `#found` is about. */
+  #garment: DesignGarment | undefined;
+  #found: readonly DetectedSymmetry[] = [];
+
+  constructor(solver: SolverService, changed: () => void) {
+    this.#solver = solver;
+    this.#changed = changed;
+  }
+
+  /** Those that an answer keeps without being asked. */
+  heldBy(pattern: Pattern): readonly Symmetry[] {
+    return this.#held(this.#found, pattern);
+  }
+
+  /** Those that are not kept yet. */
+  beside(asked: readonly Symmetry[] | undefined): readonly DetectedSymmetry[] {
+    return this.#unasked(this.#found, asked);
+  }
+
+  /** Looks for them in another garment. */
+  follow(garment: DesignGarment): void {
+    this.forget();
+    this.#garment = garment;
+    this.#solver.symmetries(garment.text, {name: garment.name}).then(
+      ({symmetries}) => {
+        if (this.#garment !== garment) return;
+        this.#found = symmetries;
+        this.#changed();
+      },
+      () => undefined, // a garment that cannot be read fails to solve as well, and that is said
+    );
+  }
+
+  forget(): void {
+    this.#garment = undefined;
+    this.#found = [];
+  }
+}

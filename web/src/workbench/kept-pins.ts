@@ -1,0 +1,65 @@
+/** Pins of a design, kept where the symmetries of its garment can keep them. */
+import {printOf, type Design} from '../model/design.js';
+import {grainRule} from '../model/grain-rule.js';
+import {keptPins, type Mirroring, type PieceFacts} from '../model/pins.js';
+import type {MeshedPattern} from '../model/result.js';
+import type {MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import {pick} from '../scene/marks.js';
+
+const namesOf = (symmetry: Symmetry): readonly [string, string] =>
+  symmetry.kind === 'piece' ? [symmetry.piece, symmetry.piece] : symmetry.pieces;
+
+const isOf =
+  (symmetry: Symmetry) =>
+  ({pieces}: Mirroring): boolean =>
+    namesOf(symmetry).every((name) => pieces.includes(name)) &&
+    (symmetry.kind === 'piece') === (pieces[0] === pieces[1]);
+
+/** Those of the mirrorings that a design asks for. */
+export const askedOf = (
+  {symmetries}: Pick<Design, 'symmetries'>,
+  mirrorings: readonly Mirroring[],
+): readonly Mirroring[] =>
+  mirrorings.filter((one) => symmetries.some((symmetry) => isOf(symmetry)(one)));
+
+/** Without a mesh, prints are turned about the pieces' origins. */
+function factsIn(
+  design: Design,
+  pattern: Pick<MeshedPattern, 'pieces'> | undefined,
+  name: string,
+): PieceFacts {
+  const {rest = [], outline = []} = pattern?.pieces.find((piece) => piece.name === name) ?? {};
+  const loop = pick(rest, outline);
+  const middle = (axis: 0 | 1): number =>
+    loop.length === 0 ? 0 : loop.reduce((sum, point) => sum + point[axis], 0) / loop.length;
+  return {middle: [middle(0), middle(1)], rule: grainRule(design, name)};
+}
+
+/** The same design when no pin has to move. */
+export function withKeptPins(
+  design: Design,
+  pattern: Pick<MeshedPattern, 'pieces'> | undefined,
+  mirrorings: readonly Mirroring[],
+): Design {
+  const {pins} = design.options;
+  if (!pins) return design;
+  const kept = keptPins(printOf(design.print), mirrorings, pins, (name) =>
+    factsIn(design, pattern, name),
+  );
+  return kept === pins ? design : {...design, options: {...design.options, pins: kept}};
+}
+
+/** Where the symmetries of pinned pieces lie on the garment, as far as they can be measured. */
+export async function measuredMirrorings(
+  {symmetries, options: {pins = {}}}: Design,
+  measure: (symmetry: Symmetry) => Promise<MeasuredSymmetry>,
+): Promise<readonly Mirroring[]> {
+  const concerned = symmetries.filter((one) => namesOf(one).some((name) => name in pins));
+  const all = await Promise.allSettled(concerned.map(measure));
+  return all.flatMap((one, k) => {
+    const symmetry = concerned[k];
+    return one.status === 'fulfilled' && symmetry
+      ? [{pieces: namesOf(symmetry), map: one.value.map}]
+      : [];
+  });
+}

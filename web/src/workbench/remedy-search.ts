@@ -1,0 +1,62 @@
+/** What would make the seams of a design meet that stay off, looked for when nothing else is to be done. */
+import type {Design} from '../model/design.js';
+import type {Problem} from '../model/problem.js';
+import type {SolveResult} from '../model/result.js';
+import type {Remedy} from '../remedies/remedy.js';
+import type {SolverService} from '../solver/service.js';
+import {idle} from './idle.js';
+
+export class RemedySearch {
+  readonly #solver: SolverService;
+  readonly #problemOf: (design: Design) => Problem;
+  readonly #changed: () => void;
+  readonly #known = new WeakMap<Design, readonly Remedy[]>();
+  readonly #finished = new WeakSet<Design>();
+  #running: AbortController | undefined;
+
+  constructor(solver: SolverService, problemOf: (design: Design) => Problem, changed: () => void) {
+    this.#solver = solver;
+    this.#problemOf = problemOf;
+    this.#changed = changed;
+  }
+
+  /** Those that are known by now. */
+  of(design: Design): readonly Remedy[] {
+    return this.#known.get(design) ?? [];
+  }
+
+  /** A design has been solved. */
+  async follow(design: Design, result: SolveResult): Promise<void> {
+    this.stop();
+    if (this.#finished.has(design)) return;
+    const {signal} = (this.#running = new AbortController());
+    const found: Remedy[] = [];
+    try {
+      await idle();
+      const {remediesOf} = await import('../remedies/remedies.js');
+      signal.throwIfAborted();
+      await remediesOf(
+        this.#problemOf(design),
+        result,
+        (problem, stop) => this.#solver.solve(problem, stop ? {signal: stop} : {}),
+        {
+          signal,
+          idle,
+          onRemedy: (remedy) => {
+            found.push(remedy);
+            this.#known.set(design, [...found]);
+            this.#changed();
+          },
+        },
+      );
+      this.#finished.add(design);
+    } catch {
+      // somebody has gone on; when they come back it is looked for again
+    }
+  }
+
+  stop(): void {
+    this.#running?.abort();
+    this.#running = undefined;
+  }
+}

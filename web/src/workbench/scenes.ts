@@ -1,0 +1,147 @@
+/** The sheets to be drawn of a workbench: the garment as it comes, and as it is or is about to be. */
+import {
+  decidedOf,
+  printOf,
+  type Design,
+  type DesignGarment,
+  type DesignPrint,
+} from '../model/design.js';
+import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
+import type {Garment} from '../model/garment.js';
+import type {Alignment} from '../model/geometry.js';
+import type {Print} from '../model/print.js';
+import {mirroringsOf, pinnedPlace} from '../model/pins.js';
+import type {SolveOptions} from '../model/options.js';
+import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {MismatchScale} from '../scene/colours.js';
+import {realigned, sceneOf, type PatternScene, type SceneOptions} from '../scene/scene.js';
+import {keptLines} from './kept-lines.js';
+import {lastOf} from './last-of.js';
+
+export interface Scenes {
+  /** The pieces as drafted, cut on grain without a thought; the same in any window. */
+  readonly before: PatternScene;
+  /** The answer, what is known of it so far, or the one before. */
+  readonly now: PatternScene;
+  /** What the garment's file says about its panels, by name. */
+  readonly marks: ReadonlyMap<string, PanelMarks>;
+}
+
+/** A design and what is known of its answer. */
+interface Work {
+  readonly design: Design | undefined;
+  readonly pattern: MeshedPattern | undefined;
+  readonly result: SolveResult | undefined;
+  readonly partial: readonly Alignment[] | undefined;
+  readonly preferences: {readonly scale: MismatchScale};
+}
+
+/** Remembers what it made last, since making a sheet costs far more than laying it on the print anew. */
+export class SceneMaker {
+  readonly #print = lastOf((print: DesignPrint) => printOf(print));
+  readonly #garment = lastOf((text: string) => JSON.parse(text) as Garment);
+  readonly #decided = lastOf(
+    (names: PanelDecisions['names'], grain: PanelDecisions['grain']): PanelDecisions => ({
+      ...(names && {names}),
+      ...(grain && {grain}),
+    }),
+  );
+  readonly #marks = lastOf(panelMarks);
+  readonly #settings = lastOf(settingsOf);
+  readonly #rest = lastOf(sheetAtRest);
+  readonly #solved = lastOf(sheetSolved);
+  readonly #lying = lastOf(lying);
+  readonly #kept = lastOf(keptLines);
+  readonly #marked = lastOf((scene: PatternScene, kept: PatternScene['kept']) =>
+    kept ? {...scene, kept} : scene,
+  );
+  /** Before anything is known the pieces stay as they lay. */
+  readonly #waiting = lastOf((rest: PatternScene, pins: Pins) =>
+    lying(
+      rest,
+      rest.pieces.map(({name, alignment}) => this.#last.get(name) ?? alignment),
+      pins,
+    ),
+  );
+  /** What each garment was laid out for, once and for all: windows and panels change, pieces stay where they lie. */
+  readonly #rooms = new WeakMap<DesignGarment, Room>();
+  /** How the pieces lay last, by name, and of which garment. */
+  #last = new Map<string, Alignment>();
+  #lastGarment: Garment | undefined;
+
+  /** Undefined until the solver has read the garment. */
+  scenes(work: Work, shown: Room): Scenes | undefined {
+    const {design, pattern, result, partial} = work;
+    if (!design || !pattern) return undefined;
+    const print = this.#print(design.print);
+    const garment = this.#garment(design.garment.text);
+    if (garment !== this.#lastGarment) this.#last = new Map();
+    this.#lastGarment = garment;
+    const {plain, pins, locked} = design.options;
+    const {names, grain} = decidedOf(design);
+    const decided = this.#decided(names, grain);
+    const room = this.#rooms.get(design.garment) ?? shown;
+    if (isRoom(room)) this.#rooms.set(design.garment, room);
+    const {width, height} = room;
+    const settings = this.#settings(garment, decided, plain, work.preferences.scale, width, height);
+    const before = this.#rest(pattern, print, settings);
+    const now = result
+      ? this.#solved(pattern, result, print, settings)
+      : partial
+        ? this.#lying(before, partial, pins)
+        : this.#waiting(before, pins);
+    const kept = this.#kept(pattern, locked);
+    this.#last = new Map(now.pieces.map(({name, alignment}) => [name, alignment]));
+    return {before, now: this.#marked(now, kept), marks: this.#marks(garment, decided)};
+  }
+}
+
+/** [CSS px] */
+interface Room {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Whether there is a window yet, rather than what a page has for a moment while it is put together. */
+const isRoom = ({width, height}: Room): boolean => Math.min(width, height) > 80;
+
+type Pins = SolveOptions['pins'];
+
+function settingsOf(
+  garment: Garment,
+  decided: PanelDecisions,
+  plain: readonly string[] | undefined,
+  scale: MismatchScale,
+  width: number,
+  height: number,
+): SceneOptions {
+  return {garment, decided, plain: new Set(plain), scale, viewport: {width, height}};
+}
+
+/** Clicks ask for the edges of the file, which a result does not know. */
+const withEdges = (scene: PatternScene, {pieces}: MeshedPattern): PatternScene => ({
+  ...scene,
+  pieces: scene.pieces.map((piece, k) => ({...piece, edges: pieces[k]?.edges ?? []})),
+});
+
+const sheetAtRest = (pattern: MeshedPattern, print: Print, settings: SceneOptions): PatternScene =>
+  withEdges(sceneOf(pattern, print, {...settings, outline: 'rest'}), pattern);
+
+const sheetSolved = (
+  pattern: MeshedPattern,
+  result: SolveResult,
+  print: Print,
+  settings: SceneOptions,
+): PatternScene => withEdges(sceneOf(result, print, settings), pattern);
+
+/** What is pinned lies where it is pinned, and its twin as its mirror image, whatever an answer to an earlier question says. */
+function lying(scene: PatternScene, alignments: readonly Alignment[], pins: Pins): PatternScene {
+  const mirrorings = mirroringsOf(scene.pattern);
+  return realigned(
+    scene,
+    scene.pieces.map(({name, alignment}, k) => {
+      const at = alignments[k] ?? alignment;
+      return pinnedPlace(scene.print, mirrorings, pins, name, at) ?? at;
+    }),
+  );
+}

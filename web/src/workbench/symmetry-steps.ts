@@ -1,0 +1,52 @@
+/** Steps that add and remove symmetries. A piece takes part in one of each kind at most. */
+import type {Design} from '../model/design.js';
+import {carries} from '../model/repeat.js';
+import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
+
+const piecesOf = (symmetry: Symmetry): readonly string[] =>
+  symmetry.kind === 'piece' ? [symmetry.piece] : symmetry.pieces;
+
+/** Whether two symmetries speak of the same piece or the same two pieces. */
+export const concernsSame = (a: Symmetry, b: Symmetry): boolean =>
+  a.kind === b.kind && piecesOf(a).every((name) => piecesOf(b).includes(name));
+
+/** Whether both can hold: a piece is symmetric in itself, or one of a pair. */
+const compatible = (a: Symmetry, b: Symmetry): boolean =>
+  !piecesOf(a).some((name) => piecesOf(b).includes(name));
+
+/** The newest goes before those it does not go with. */
+export const withSymmetry = (kept: readonly Symmetry[], symmetry: Symmetry): Partial<Design> => ({
+  symmetries: [...kept.filter((other) => compatible(symmetry, other)), symmetry],
+});
+
+export const withoutSymmetry = (
+  kept: readonly Symmetry[],
+  symmetry: Symmetry,
+): Partial<Design> => ({
+  symmetries: kept.filter((other) => other !== symmetry),
+});
+
+/** Without what only says how well it was found. */
+export const asked = (found: DetectedSymmetry): Symmetry =>
+  found.kind === 'pair'
+    ? {kind: 'pair', pieces: found.pieces}
+    : {
+        kind: 'piece',
+        piece: found.piece,
+        ...(found.axis && {axis: found.axis}),
+        ...(found.seams && {seams: found.seams}),
+      };
+
+/** All that were found and go with what there is and with the print. */
+export function withAll(
+  kept: readonly Symmetry[],
+  group: Design['print']['group'],
+  found: readonly DetectedSymmetry[],
+): readonly Symmetry[] {
+  let symmetries = kept;
+  for (const one of found) {
+    if (carries(group, one.kind) && symmetries.every((other) => compatible(one, other)))
+      symmetries = [...symmetries, asked(one)];
+  }
+  return symmetries;
+}
