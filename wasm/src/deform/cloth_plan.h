@@ -44,7 +44,7 @@ struct ClothTerms {
 /// Of a triangle of a part, of which vertex v is at x[v]. [cm2]
 inline double areaOf(const std::array<int, 3>& triangle, const std::vector<Vec2>& x) {
   const auto& [i, j, k] = triangle;
-  return cross(x[j] - x[i], x[k] - x[i]) / 2;
+  return triangleArea(x[i], x[j], x[k]);
 }
 
 /// What all deformations of a part have in common. Parts that rest never ask for the terms.

@@ -39,8 +39,7 @@ Cloth::Violations Cloth::violations() const {
 double Cloth::kink(const Part::Bend& b) const {
   auto turn = [&](const std::vector<Vec2>& x) {
     const Vec2 h = b.h >= 0 ? x[b.h] : Vec2(-x[b.j].x(), x[b.j].y());
-    const Vec2 in = x[b.i] - h, out = x[b.j] - x[b.i];
-    return std::atan2(cross(in, out), in.dot(out));
+    return turnAt(h, x[b.i], x[b.j]);
   };
   return turn(state_.shape) - turn(part().rest);
 }

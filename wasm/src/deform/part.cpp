@@ -4,20 +4,14 @@
 #include <cmath>
 
 #include "deform/clearance.h"
+#include "deform/promise.h"
 #include "mesh/lengths.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kSmooth = 30 * kPi / 180;  ///< corners turn by more
-
 constexpr double kGapShare = 0.45;    ///< of a gap, that one side may take
 constexpr double kLeastReach = 1e-5;  ///< cm
-
-double turnAt(const Vec2& h, const Vec2& i, const Vec2& j) {
-  const Vec2 a = i - h, b = j - i;
-  return std::atan2(cross(a, b), a.dot(b));
-}
 
 /// Part frame in which the axis of the reflection `map` is x = 0.
 RigidMotion axisFrame(const RigidMotion& map) {

@@ -8,15 +8,8 @@
 namespace seamwise {
 namespace {
 
-constexpr double kSmooth = 30 * kPi / 180;  ///< corners turn by more and may bend freely
-
-double turnAt(const std::vector<Vec2>& x, int u, int v, int w) {
-  const Vec2 in = x[v] - x[u], out = x[w] - x[v];
-  return std::atan2(cross(in, out), in.dot(out));
-}
-
 double area(const std::vector<Vec2>& x, const std::array<int, 3>& t) {
-  return cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]) / 2;
+  return triangleArea(x[t[0]], x[t[1]], x[t[2]]);
 }
 
 }  // namespace
@@ -40,8 +33,9 @@ Breach breachOf(const Piece& piece, const std::vector<Vec2>& shape, const Limits
       const double rest = (piece.rest[w] - piece.rest[v]).norm();
       if (!(std::abs((shape[w] - shape[v]).norm() - rest) <= limits.stretch * rest))
         return Breach::kStretch;
-      const double turn = turnAt(piece.rest, u, v, w);
-      if (std::abs(turn) < kSmooth && !(std::abs(turnAt(shape, u, v, w) - turn) <= limits.kink))
+      const double turn = turnAt(piece.rest[u], piece.rest[v], piece.rest[w]);
+      if (std::abs(turn) < kSmooth &&
+          !(std::abs(turnAt(shape[u], shape[v], shape[w]) - turn) <= limits.kink))
         return Breach::kKink;
     }
   }

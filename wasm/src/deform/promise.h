@@ -14,6 +14,9 @@ struct Limits {
   double area = 0.3;             ///< least area of a triangle, as a share of what it was
 };
 
+/// Corners of an outline turn by more, and may bend freely. [rad]
+inline constexpr double kSmooth = 30 * kPi / 180;
+
 /// How far two sides of a seam may miss their length ratio, edge by edge and as a whole. [cm]
 inline constexpr double kSeamTolerance = 0.01;
 

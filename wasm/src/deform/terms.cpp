@@ -42,7 +42,7 @@ double proximityEnergy(const std::vector<Target>& targets, const VectorX& x, Vec
 
 ConformalTriangle conformalTriangle(const std::array<int, 3>& vertices, const Vec2& a,
                                     const Vec2& b, const Vec2& c) {
-  ConformalTriangle t{vertices, cross(b - a, c - a) / 2, {}};
+  ConformalTriangle t{vertices, triangleArea(a, b, c), {}};
   const Vec2 corner[3] = {a, b, c};
   for (int k = 0; k < 3; ++k) {
     const Vec2 opposite = corner[(k + 2) % 3] - corner[(k + 1) % 3];
@@ -75,7 +75,7 @@ double flipEnergy(const std::vector<ConformalTriangle>& triangles, const VectorX
   for (const ConformalTriangle& t : triangles) {
     const Vec2 a = at(x, t.vertices[0]), b = at(x, t.vertices[1]), c = at(x, t.vertices[2]);
     const double scale = kFlipStart * t.area;
-    const double d = cross(b - a, c - a) / 2 / scale;
+    const double d = triangleArea(a, b, c) / scale;
     if (d >= 1) continue;
     if (d <= 0) return std::numeric_limits<double>::infinity();
     const double g = d * d * d - 3 * d * d + 3 * d;

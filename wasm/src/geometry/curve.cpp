@@ -179,7 +179,7 @@ double Curve::turning(double s0, double s1) const {
   for (int k = 0; k <= kTurningSamples; ++k) {
     const Vec2 d = derivative(t0 + (t1 - t0) * k / kTurningSamples);
     if (d.squaredNorm() == 0) continue;
-    if (last.squaredNorm() > 0) total += std::abs(std::atan2(cross(last, d), last.dot(d)));
+    if (last.squaredNorm() > 0) total += std::abs(turnBetween(last, d));
     last = d;
   }
   return total;

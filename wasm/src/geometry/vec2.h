@@ -25,6 +25,21 @@ inline Mat2 rotation(double angle) {
   return (Mat2() << c, -s, s, c).finished();
 }
 
+/// The turn that brings the direction of `from` to that of `to`, counter-clockwise, in [-pi, pi].
+inline double turnBetween(const Vec2& from, const Vec2& to) {
+  return std::atan2(cross(from, to), from.dot(to));
+}
+
+/// The turn of the polyline u, v, w at v, counter-clockwise, in [-pi, pi].
+inline double turnAt(const Vec2& u, const Vec2& v, const Vec2& w) {
+  return turnBetween(v - u, w - v);
+}
+
+/// Positive when a, b, c are counter-clockwise. [cm2]
+inline double triangleArea(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return cross(b - a, c - a) / 2;
+}
+
 /// The same direction in (-pi, pi].
 inline double wrapAngle(double angle) {
   const double a = angle - 2 * kPi * std::nearbyint(angle / (2 * kPi));

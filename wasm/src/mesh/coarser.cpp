@@ -1,8 +1,8 @@
 #include "mesh/coarser.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "mesh/mesh.h"
 #include "pattern/seam_measure.h"
 
@@ -21,8 +21,8 @@ class Thinning {
       piece_.resize(piece_.size() + piece.outline.size(), static_cast<int>(first_.size()) - 1);
     }
     const int count = static_cast<int>(piece_.size());
-    class_.resize(count), next_.resize(count), before_.resize(count);
-    std::iota(class_.begin(), class_.end(), 0);
+    classes_ = DisjointSets(count);
+    next_.resize(count), before_.resize(count);
     fixed_.assign(count, 0), left_out_.assign(count, 0);
     for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
       const int n = static_cast<int>(pattern.pieces[p].outline.size());
@@ -36,8 +36,8 @@ class Thinning {
     for (const Mirror& mirror : pattern.mirrors) tie(mirror);
     members_.resize(count);
     for (int v = 0; v < count; ++v) {
-      members_[root(v)].push_back(v);
-      if (fixed_[v]) fixed_[root(v)] = 1;
+      members_[classes_.find(v)].push_back(v);
+      if (fixed_[v]) fixed_[classes_.find(v)] = 1;
     }
   }
 
@@ -46,8 +46,8 @@ class Thinning {
     std::vector<char> touched(piece_.size(), 0);
     int count = 0;
     for (std::size_t v = 0; v < piece_.size(); ++v) {
-      const std::vector<int>& all = members_[root(static_cast<int>(v))];
-      if (fixed_[root(static_cast<int>(v))] || left_out_[v] ||
+      const std::vector<int>& all = members_[classes_.find(static_cast<int>(v))];
+      if (fixed_[classes_.find(static_cast<int>(v))] || left_out_[v] ||
           !std::all_of(all.begin(), all.end(), [&](int m) { return !touched[m] && mayGo(m); }) ||
           areNeighbours(all))
         continue;
@@ -68,7 +68,7 @@ class Thinning {
     for (std::size_t k = 0; k <= last; ++k) {
       const int a = first_[seam.a.piece] + seam.a.vertices[k];
       const int b = first_[seam.b.piece] + seam.b.vertices[k];
-      class_[root(a)] = root(b);
+      classes_.join(a, b);
       if (k == 0 || k == last) fixed_[a] = fixed_[b] = 1;
     }
   }
@@ -77,19 +77,12 @@ class Thinning {
     for (int v = 0; v < n; ++v) {
       const int a = first_[mirror.pieces[0]] + v;
       const int b = first_[mirror.pieces[1]] + mirror.image[v];
-      class_[root(a)] = root(b);
+      classes_.join(a, b);
       if (a == b) fixed_[a] = 1;
     }
   }
-  int root(int v) {
-    while (class_[v] != v) v = class_[v] = class_[class_[v]];
-    return v;
-  }
   const Vec2& at(int v) const { return pattern_.pieces[piece_[v]].rest[v - first_[piece_[v]]]; }
-  double turn(int h, int i, int j) const {
-    const Vec2 in = at(i) - at(h), out = at(j) - at(i);
-    return std::abs(std::atan2(cross(in, out), in.dot(out)));
-  }
+  double turn(int h, int i, int j) const { return std::abs(turnAt(at(h), at(i), at(j))); }
   /// Whether edges stay short enough and bends blunt without a vertex.
   bool mayGo(int v) const {
     const int h = before_[v], j = next_[v];
@@ -108,7 +101,7 @@ class Thinning {
   const Pattern& pattern_;
   double longest_;
   std::vector<int> first_, piece_;  ///< per piece its first vertex, per vertex its piece
-  std::vector<int> class_;          ///< per vertex another of its class; a root is its own
+  DisjointSets classes_{0};         ///< of vertices that stay or go together
   std::vector<int> next_, before_;  ///< on the outline, of those that are left
   std::vector<char> fixed_, left_out_;
   std::vector<std::vector<int>> members_;  ///< of the class of a root

@@ -15,8 +15,8 @@ constexpr double kLeastArea = 0.05;
 
 using Ring = std::vector<int>;
 
-double twiceArea(const std::vector<Vec2>& p, const std::array<int, 3>& t) {
-  return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+double areaOf(const std::vector<Vec2>& p, const std::array<int, 3>& t) {
+  return triangleArea(p[t[0]], p[t[1]], p[t[2]]);
 }
 
 /// Outline and hole vertices of pieces[0], each the mean of itself and of its image brought back.
@@ -213,8 +213,8 @@ Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
   for (bool again = true; again;) {
     again = false;
     for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
-      const double least = kLeastArea * twiceArea(mesh->points, mesh->triangles[t]);
-      if (twiceArea(a.rest, a.triangles[t]) >= least && twiceArea(b.rest, b.triangles[t]) >= least)
+      const double least = kLeastArea * areaOf(mesh->points, mesh->triangles[t]);
+      if (areaOf(a.rest, a.triangles[t]) >= least && areaOf(b.rest, b.triangles[t]) >= least)
         continue;
       for (const int v : mesh->triangles[t]) {
         if (v >= static_cast<int>(boundary) || !moved.insert(v).second) continue;

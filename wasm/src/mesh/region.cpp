@@ -24,7 +24,7 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
   RegionMesh mesh{{points.begin() + static_cast<std::ptrdiff_t>(boundary.size()), points.end()},
                   triangulation->triangles()};
   for (const auto& [a, b, c] : mesh.triangles)
-    if (!(cross(points[b] - points[a], points[c] - points[a]) > 0)) return {};
+    if (!(triangleArea(points[a], points[b], points[c]) > 0)) return {};
   return mesh;
 }
 

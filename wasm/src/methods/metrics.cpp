@@ -25,7 +25,7 @@ double strictFit(const WallpaperGroup& group, const Seam& seam, const Shapes& sh
     const Vec2 db = rb * (b[seam.b.vertices[i + 1]] - b[seam.b.vertices[i]]);
     for (std::size_t k = 0; k < elements.size(); ++k) {
       const Vec2 v = elements[k].A * db;
-      turn[k] = std::abs(std::atan2(cross(da, v), da.dot(v)));
+      turn[k] = std::abs(turnBetween(da, v));
     }
     const double least = *std::min_element(turn.begin(), turn.end());
     double best = std::numeric_limits<double>::infinity();

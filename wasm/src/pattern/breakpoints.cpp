@@ -2,32 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "pattern/ties.h"
 
 namespace seamwise {
-namespace {
-
-/// Groups of intervals, each known by its least member.
-class Groups {
- public:
-  explicit Groups(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(int a, int b) {
-    a = find(a), b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
-}  // namespace
-
 int Breakpoints::nodeAt(int loop, double position) const {
   const auto& all = nodes[loop];
   return static_cast<int>(std::lower_bound(all.begin(), all.end(), position) - all.begin());
@@ -53,7 +32,7 @@ Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::siz
     result.nodes.back().resize(order.size());
     count += static_cast<int>(order.size());
   }
-  Groups groups(count);
+  DisjointSets groups(count);
   for (const Tie& tie : tied.ties()) {
     const Tie::Side &a = tie.side[0], &b = tie.side[1];
     const int n = static_cast<int>(result.nodes[a.loop].size());
@@ -72,7 +51,7 @@ Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::siz
       const int at = s.sense > 0 ? rank[s.first] + k : rank[s.first] - k - 1;
       return result.first_interval[s.loop] + ((at % size) + size) % size;
     };
-    for (int k = 0; k < parts(a, n); ++k) groups.unite(interval(a, n, k), interval(b, m, k));
+    for (int k = 0; k < parts(a, n); ++k) groups.join(interval(a, n, k), interval(b, m, k));
     if (tie.mirror) result.image_of_first.push_back(((rank[a.first] + rank[b.first]) % n + n) % n);
   }
   for (int i = 0; i < count; ++i) result.group.push_back(groups.find(i));

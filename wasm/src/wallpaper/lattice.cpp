@@ -38,7 +38,7 @@ Error notOfType(const GroupData& group, const std::string& needs, const std::str
 Vec2 turned60(const Vec2& v) { return 0.5 * v + kSin60 * perp(v); }
 
 std::string degrees(const Vec2& w1, const Vec2& w2) {
-  const double angle = std::atan2(cross(w1, w2), w1.dot(w2));
+  const double angle = turnBetween(w1, w2);
   return "w1 and w2 are at " + number(angle * 180 / kPi, 8) + " degrees";
 }
 

@@ -138,7 +138,7 @@ void LowerBound::descend() {
 double LowerBound::bound() const { return std::min(cost_, bound_); }
 
 bool LowerBound::proven() const {
-  return cost_ < SearchMoves::kPerfect * edges_.weight() || bound() >= enough();
+  return cost_ < kPerfectDistance * edges_.weight() || bound() >= enough();
 }
 
 }  // namespace seamwise

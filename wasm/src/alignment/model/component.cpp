@@ -1,25 +1,21 @@
 #include "alignment/model/component.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace seamwise {
 
 std::vector<Component> componentsOf(const MatchProblem& problem) {
-  std::vector<int> parent(problem.leaders.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  auto root = [&](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets sets(static_cast<int>(problem.leaders.size()));
   auto pinned = [&](int l) { return problem.leaders[l].freedom.isPinned(); };
   for (const MatchSeam& seam : problem.seams)
-    if (!pinned(seam.a) && !pinned(seam.b)) parent[root(seam.a)] = root(seam.b);
+    if (!pinned(seam.a) && !pinned(seam.b)) sets.join(seam.a, seam.b);
   std::vector<Component> components;
   std::vector<int> index(problem.leaders.size(), -1);
   for (std::size_t l = 0; l < problem.leaders.size(); ++l) {
     if (pinned(static_cast<int>(l)) || problem.leaders[l].seams.empty()) continue;
-    int& at = index[root(static_cast<int>(l))];
+    int& at = index[sets.find(static_cast<int>(l))];
     if (at < 0) {
       at = static_cast<int>(components.size());
       components.emplace_back();

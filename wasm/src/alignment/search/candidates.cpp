@@ -69,7 +69,7 @@ std::optional<Alignment> inStep(const MatchProblem& problem, const Freedom& free
     const double off = std::abs(step.norm() - apart);
     if (off < least) least = off, best = step;
   }
-  const double turn = std::atan2(cross(along, best), along.dot(best));
+  const double turn = turnBetween(along, best);
   const Vec2 middle = (mine[i] + mine[j]) / 2;
   return freedom.nearest({wrapAngle(-turn), middle - rotation(-turn) * (from + best / 2)}, middle);
 }

@@ -17,8 +17,6 @@ struct Layout {
 class SearchMoves {
  public:
   static constexpr double kSame = 2e-3;  ///< answers whose costs differ by less count as one
-  /// cm of mean distance below which nothing is left to find in single precision
-  static constexpr double kPerfect = 2e-5;
 
   /// @param slack   as in SampledSeams::cost
   SearchMoves(const MatchProblem& problem, const SearchSamples& samples, std::uint64_t seed,
@@ -26,8 +24,8 @@ class SearchMoves {
 
   Layout layoutOf(const Alignments& at) const;
   double costOf(const Component& c, const Layout& layout, double slack);
-  /// The cost that kPerfect makes of all seams.
-  static double perfect(const SearchSamples& samples) { return kPerfect * samples.weight(); }
+  /// The cost that kPerfectDistance makes of all seams.
+  static double perfect(const SearchSamples& samples) { return kPerfectDistance * samples.weight(); }
   double perfect() const { return perfect(samples_); }
   double slack() const { return slack_; }
 

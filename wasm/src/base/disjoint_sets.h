@@ -1,0 +1,31 @@
+#pragma once
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace seamwise {
+
+/// Sets of the numbers 0 to count - 1, each known by its least member; at first one for each.
+/// Joining and finding take next to constant time.
+class DisjointSets {
+ public:
+  explicit DisjointSets(int count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  /// The least member of the set that i is in.
+  int find(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  void join(int a, int b) {
+    a = find(a), b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+}  // namespace seamwise
