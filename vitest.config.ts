@@ -1,5 +1,11 @@
+import {fileURLToPath} from 'node:url';
+
 import {defineConfig} from 'vitest/config';
 
+const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
 export default defineConfig({
+  // tests name sources by their rooms, as in tsconfig.json
+  resolve: {alias: {'@/': at('web/src/'), '@samples/': at('web/samples/')}},
   test: {include: ['tests/**/*.test.ts'], testTimeout: 60_000, hookTimeout: 120_000},
 });

@@ -9,7 +9,7 @@ import type {Locator, Page} from 'playwright-core';
 import {order, readStoredDesign, resultText, sha256Of} from 'seamwise/node';
 import {beforeAll, expect, it} from 'vitest';
 
-import type {SeamwiseGarment} from '../../web/src/element/seamwise-garment.js';
+import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {barriers} from '../support/barriers.js';
 import {samples, solved, useChromium, useExamples} from '../support/examples.js';
 

@@ -7,7 +7,7 @@ import {fileURLToPath} from 'node:url';
 import type {Browser} from 'playwright-core';
 import {afterAll, beforeAll, describe, expect, it, vi} from 'vitest';
 
-import type {SeamwiseGarment} from '../../web/src/element/seamwise-garment.js';
+import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {openBrowser, serveFiles, type Served} from '../support/browser.js';
 import {rowsOf, snippetsIn, snippetWith} from '../support/embedding.js';
 

@@ -4,7 +4,7 @@ import {readdirSync} from 'node:fs';
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import {decoded} from '../../web/samples/prints/raster.js';
+import {decoded} from '@samples/prints/raster.js';
 import {useElementPage} from './element/open.js';
 import {isHelper} from './fixture/open.js';
 

@@ -2,7 +2,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {PatternPane} from '../../web/src/editor/pattern/pattern-pane.js';
+import type {PatternPane} from '@/editor/pattern/pattern-pane.js';
 import {tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();

@@ -2,7 +2,7 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import type {SeamwisePage} from '../../web/src/app/page.js';
+import type {SeamwisePage} from '@/app/page.js';
 import {designOf} from '../support/page-design.js';
 import {chooseGroup, groupOf, quiet, reloaded} from '../support/page-quiet.js';
 import {

@@ -2,8 +2,8 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {Design} from '../../web/src/model/design.js';
-import type {Workbench} from '../../web/src/workbench/workbench.js';
+import type {Design} from '@/model/design.js';
+import type {Workbench} from '@/workbench/workbench.js';
 import {button, showSample, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();

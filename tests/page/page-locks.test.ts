@@ -2,10 +2,10 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import type {PatternPane} from '../../web/src/editor/index.js';
-import type {Point} from '../../web/src/model/geometry.js';
-import type {SolveOptions} from '../../web/src/model/options.js';
-import type {SolveResult} from '../../web/src/model/result.js';
+import type {PatternPane} from '@/editor/index.js';
+import type {Point} from '@/model/geometry.js';
+import type {SolveOptions} from '@/model/options.js';
+import type {SolveResult} from '@/model/result.js';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {clickPiece, clickSeam, seamOf} from '../support/page-pattern.js';

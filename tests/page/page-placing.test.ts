@@ -2,11 +2,11 @@
 import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
-import {mirrors} from '../../web/src/model/mirror-images.js';
-import {printOf, type Design} from '../../web/src/model/design.js';
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
-import type {Workbench} from '../../web/src/workbench/workbench.js';
-import type {PatternPane} from '../../web/src/editor/index.js';
+import {mirrors} from '@/model/mirror-images.js';
+import {printOf, type Design} from '@/model/design.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import type {Workbench} from '@/workbench/workbench.js';
+import type {PatternPane} from '@/editor/index.js';
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
 import {clickSeam, middleOfPiece, seamOf} from '../support/page-pattern.js';

@@ -2,7 +2,7 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {SeamwisePage} from '../../web/src/app/page.js';
+import type {SeamwisePage} from '@/app/page.js';
 import {button, usePage} from '../support/page.js';
 import {designOf} from '../support/page-design.js';
 

@@ -4,7 +4,7 @@ import {gzipSync} from 'node:zlib';
 import type {Page, Request} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {SeamwisePage} from '../../web/src/app/page.js';
+import type {SeamwisePage} from '@/app/page.js';
 import {solved, usePage} from '../support/page.js';
 
 const openPage = usePage();

@@ -2,7 +2,7 @@ import type {Page} from 'playwright-core';
 import {convert, mirror, prepare, solve, symmetries, type Symmetry} from 'seamwise/node';
 import {afterEach, beforeEach, describe, expect, it} from 'vitest';
 
-import type {FromWorker} from '../../web/src/solver/protocol.js';
+import type {FromWorker} from '@/solver/protocol.js';
 import {checks, twoStrips} from '../wasm/garments.js';
 import {isHelper, jacket, tee, useFixture, withoutTimes} from './fixture/open.js';
 

@@ -1,9 +1,9 @@
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import type {Pattern} from '../../web/src/model/result.js';
-import {sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
+import type {Point} from '@/model/geometry.js';
+import type {Pattern} from '@/model/result.js';
+import {sceneOf, type PatternScene} from '@/scene/scene.js';
 import {plainPrint as print, squarePair} from '../support/two-squares.js';
 import {colourAt, realign, screenOf, settled, show, useViewer, type Colour} from './viewer/open.js';
 

@@ -1,8 +1,8 @@
 import type {Page} from 'playwright-core';
 import {beforeEach, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import {sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
+import type {Point} from '@/model/geometry.js';
+import {sceneOf, type PatternScene} from '@/scene/scene.js';
 import {plainPrint as print, squarePiece} from '../support/two-squares.js';
 import {eventually, settled, show, useViewer} from './viewer/open.js';
 

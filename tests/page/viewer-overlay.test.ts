@@ -1,9 +1,9 @@
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import {decoded, type Pixels} from '../../web/samples/prints/raster.js';
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
-import {realigned, sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
+import {decoded, type Pixels} from '@samples/prints/raster.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import {realigned, sceneOf, type PatternScene} from '@/scene/scene.js';
 import {plainPrint as print, squarePair} from '../support/two-squares.js';
 import {
   checkered,

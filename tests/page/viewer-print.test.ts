@@ -4,11 +4,11 @@ import type {Page} from 'playwright-core';
 import {solve} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import {decoded} from '../../web/samples/prints/raster.js';
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
-import type {Print} from '../../web/src/model/print.js';
-import type {ResultPiece} from '../../web/src/model/result.js';
-import {sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
+import {decoded} from '@samples/prints/raster.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import type {Print} from '@/model/print.js';
+import type {ResultPiece} from '@/model/result.js';
+import {sceneOf, type PatternScene} from '@/scene/scene.js';
 import {
   checkered,
   colourAt,

@@ -1,8 +1,8 @@
 /** Many views of a document, each shown as if it were alone. */
 import {expect, it} from 'vitest';
 
-import {decoded, type Pixels} from '../../web/samples/prints/raster.js';
-import {sceneOf} from '../../web/src/scene/scene.js';
+import {decoded, type Pixels} from '@samples/prints/raster.js';
+import {sceneOf} from '@/scene/scene.js';
 import {plainPrint as print, squarePair} from '../support/two-squares.js';
 import {
   canvases,

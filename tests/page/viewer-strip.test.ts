@@ -1,11 +1,11 @@
 import type {JSHandle, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import type {Pixels} from '../../web/samples/prints/raster.js';
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
-import type {Print} from '../../web/src/model/print.js';
-import {sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
-import type {SeamStrip} from '../../web/src/viewer/seam-strip.js';
+import type {Pixels} from '@samples/prints/raster.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import type {Print} from '@/model/print.js';
+import {sceneOf, type PatternScene} from '@/scene/scene.js';
+import type {SeamStrip} from '@/viewer/seam-strip.js';
 import {plainPrint, squarePair} from '../support/two-squares.js';
 import {
   checkered,

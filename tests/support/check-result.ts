@@ -20,7 +20,7 @@ import {
   turn,
   turned,
 } from './plane.js';
-import {determinant, printElements} from '../../web/src/model/wallpaper.js';
+import {determinant, printElements} from '@/model/wallpaper.js';
 
 const degree = Math.PI / 180;
 

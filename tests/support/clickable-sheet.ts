@@ -1,6 +1,6 @@
-import type {Sheet, SheetPiece} from '../../web/src/clicks/sheet.js';
-import type {Point} from '../../web/src/model/geometry.js';
-import type {SeamSide} from '../../web/src/model/result.js';
+import type {Sheet, SheetPiece} from '@/clicks/sheet.js';
+import type {Point} from '@/model/geometry.js';
+import type {SeamSide} from '@/model/result.js';
 
 export interface DrawnPiece extends Partial<Omit<SheetPiece, 'outline' | 'holes'>> {
   /** Counter-clockwise; its points come first. */

@@ -1,4 +1,4 @@
-import type {StoredDesign} from '../../web/src/model/stored-design.js';
+import type {StoredDesign} from '@/model/stored-design.js';
 
 /** A design with something in every one of its fields. */
 export const storedDesign: StoredDesign = {

@@ -1,9 +1,9 @@
 /** Every garment of the wardrobe, drafted for the size table and for bodies in between. */
 import fc from 'fast-check';
 
-import {bodyOf, sizeNames, type Body} from '../../web/samples/drafting/body.js';
-import type {Garment} from '../../web/samples/drafting/panel.js';
-import {wardrobe} from '../../web/samples/drafting/wardrobe.js';
+import {bodyOf, sizeNames, type Body} from '@samples/drafting/body.js';
+import type {Garment} from '@samples/drafting/panel.js';
+import {wardrobe} from '@samples/drafting/wardrobe.js';
 
 const sizes = sizeNames.map(bodyOf);
 export const medium = bodyOf('m');

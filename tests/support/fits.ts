@@ -1,7 +1,7 @@
 /** The fits of a result, from its geometry, and distances modulo the symmetries of its print. */
 import type {Alignment, Point, ResultSeam, SolveResult} from 'seamwise/node';
 
-import {apply, printElements, type PlaneMap, type Repeat} from '../../web/src/model/wallpaper.js';
+import {apply, printElements, type PlaneMap, type Repeat} from '@/model/wallpaper.js';
 import {
   add,
   alongLine,

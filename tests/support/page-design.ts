@@ -1,8 +1,8 @@
 /** What the page works on, read from the page itself. */
 import type {Page} from 'playwright-core';
 
-import type {SeamwisePage} from '../../web/src/app/page.js';
-import type {Design} from '../../web/src/model/design.js';
+import type {SeamwisePage} from '@/app/page.js';
+import type {Design} from '@/model/design.js';
 
 export const designOf = (page: Page): Promise<Design> =>
   page.locator('seamwise-page').evaluate((element) => {

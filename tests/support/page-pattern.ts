@@ -1,8 +1,8 @@
 /** Where things lie on the screen that somebody would click in the page's pattern. */
 import type {Locator, Page} from 'playwright-core';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import type {PatternPane} from '../../web/src/editor/index.js';
+import type {Point} from '@/model/geometry.js';
+import type {PatternPane} from '@/editor/index.js';
 
 const pattern = (page: Page): Locator => page.locator('sw-pattern');
 

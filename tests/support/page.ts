@@ -10,7 +10,7 @@ import type {Browser, BrowserContextOptions, Locator, Page} from 'playwright-cor
 import {preview, type PreviewServer} from 'vite';
 import {afterAll, afterEach, beforeAll, expect} from 'vitest';
 
-import type {SeamwisePage} from '../../web/src/app/page.js';
+import type {SeamwisePage} from '@/app/page.js';
 import {openBrowser} from './browser.js';
 
 const run = promisify(execFile);

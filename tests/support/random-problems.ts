@@ -9,8 +9,8 @@ import {
   type Symmetries,
 } from 'seamwise/node';
 
-import {groupNames} from '../../web/src/model/print.js';
-import {latticeType} from '../../web/src/model/wallpaper.js';
+import {groupNames} from '@/model/print.js';
+import {latticeType} from '@/model/wallpaper.js';
 import {at, turned} from './plane.js';
 import {between, draftedGarment, type DraftedGarment} from './random-garments.js';
 

@@ -1,12 +1,12 @@
 /** What meets where a garment's seams end: the corners of the panels, and the lines that run on across the seams. */
-import {velocity} from '../../web/samples/drafting/geometry.js';
+import {velocity} from '@samples/drafting/geometry.js';
 import {
   findEdge,
   type CornerName,
   type EdgeName,
   type Garment,
   type Panel,
-} from '../../web/samples/drafting/panel.js';
+} from '@samples/drafting/panel.js';
 
 /** A corner of a panel, by the number of the edge that starts there. */
 export interface Corner {

@@ -4,7 +4,7 @@ import {readFileSync} from 'node:fs';
 import {remedies, solve, type Problem, type SolveResult} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {withRemedy} from '../../web/src/remedies/remedy.js';
+import {withRemedy} from '@/remedies/remedy.js';
 
 interface Drafted {
   readonly pattern: {

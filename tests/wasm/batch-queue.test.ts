@@ -13,8 +13,8 @@ import {Redis} from 'ioredis';
 import {afterAll, afterEach, beforeAll, describe, expect, it} from 'vitest';
 
 import {has} from '../../web/setup/shell.mjs';
-import {sha256Of} from '../../web/src/model/result-text.js';
-import {packageVersion} from '../../web/src/model/version.js';
+import {sha256Of} from '@/model/result-text.js';
+import {packageVersion} from '@/model/version.js';
 import {Shop, until, type Started} from '../support/batch.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));

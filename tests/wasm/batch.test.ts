@@ -4,8 +4,8 @@ import {hostname} from 'node:os';
 
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
-import {sha256Of} from '../../web/src/model/result-text.js';
-import {progressText} from '../../web/src/cli/batch/progress.js';
+import {sha256Of} from '@/model/result-text.js';
+import {progressText} from '@/cli/batch/progress.js';
 import {Shop, until, type JobLine} from '../support/batch.js';
 
 let shop: Shop;

@@ -6,10 +6,10 @@ import {Worker} from 'node:worker_threads';
 
 import {afterEach, expect, it} from 'vitest';
 
-import {Helpers, type StartHelper} from '../../web/src/solver/helpers.js';
-import {LocalSolver} from '../../web/src/solver/local.js';
-import type {FromWorker, ToWorker} from '../../web/src/solver/protocol.js';
-import {problemTexts} from '../../web/src/solver/texts.js';
+import {Helpers, type StartHelper} from '@/solver/helpers.js';
+import {LocalSolver} from '@/solver/local.js';
+import type {FromWorker, ToWorker} from '@/solver/protocol.js';
+import {problemTexts} from '@/solver/texts.js';
 import {sample} from './garments.js';
 
 const wasmBinary = await readFile(

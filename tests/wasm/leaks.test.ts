@@ -5,9 +5,9 @@ import {runInNewContext} from 'node:vm';
 import {convert, memory, solve, symmetries, type Problem} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {SharedModule} from '../../web/src/solver/load.js';
-import {Solver} from '../../web/src/solver/solver.js';
-import {problemTexts} from '../../web/src/solver/texts.js';
+import {SharedModule} from '@/solver/load.js';
+import {Solver} from '@/solver/solver.js';
+import {problemTexts} from '@/solver/texts.js';
 import {checks, sample, twoStrips} from './garments.js';
 
 const problem: Problem = {garment: twoStrips(2), print: checks};

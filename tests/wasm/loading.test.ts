@@ -3,9 +3,9 @@ import {readFile} from 'node:fs/promises';
 import {convert, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {SharedModule} from '../../web/src/solver/load.js';
-import {LocalSolver} from '../../web/src/solver/local.js';
-import {warmUpProblems} from '../../web/src/solver/warm-up.js';
+import {SharedModule} from '@/solver/load.js';
+import {LocalSolver} from '@/solver/local.js';
+import {warmUpProblems} from '@/solver/warm-up.js';
 import {twoStrips} from './garments.js';
 
 const module = await readFile(

@@ -3,7 +3,7 @@ import {readFileSync} from 'node:fs';
 import {remedies, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {finalFit, fitOf, meanOf, worstOf} from '../../web/src/scene/mismatch.js';
+import {finalFit, fitOf, meanOf, worstOf} from '@/scene/mismatch.js';
 import {sample} from './garments.js';
 
 const print = readFileSync(new URL('../../public/prints/cm.json', import.meta.url), 'utf8');

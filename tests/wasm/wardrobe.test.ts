@@ -4,8 +4,8 @@ import {readFileSync} from 'node:fs';
 import {solve, symmetries, type GarmentCodeSpecification, type Print} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import {bodyOf, sizeNames} from '../../web/samples/drafting/body.js';
-import {wardrobe} from '../../web/samples/drafting/wardrobe.js';
+import {bodyOf, sizeNames} from '@samples/drafting/body.js';
+import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {strays} from '../support/check-garment.js';
 import {violations} from '../support/check-result.js';
 

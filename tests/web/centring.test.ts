@@ -1,11 +1,11 @@
 import {describe, expect, it} from 'vitest';
 
-import type {PanelMarks, Placement} from '../../web/src/model/garment-marks.js';
-import type {MeshedPattern, Pattern} from '../../web/src/model/result.js';
-import type {DetectedSymmetry} from '../../web/src/model/symmetries.js';
-import {centred, middleToCentre} from '../../web/src/editor/pattern/centring.js';
-import {sceneOf} from '../../web/src/scene/scene.js';
-import type {Target} from '../../web/src/workbench/workbench.js';
+import type {PanelMarks, Placement} from '@/model/garment-marks.js';
+import type {MeshedPattern, Pattern} from '@/model/result.js';
+import type {DetectedSymmetry} from '@/model/symmetries.js';
+import {centred, middleToCentre} from '@/editor/pattern/centring.js';
+import {sceneOf} from '@/scene/scene.js';
+import type {Target} from '@/workbench/workbench.js';
 import {plainPrint, squarePair} from '../support/two-squares.js';
 
 /** The halves of a front, 4 cm wide each: x = 4 of the left one is sewn to x = 0 of the right one. */

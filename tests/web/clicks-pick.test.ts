@@ -1,9 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import {choices, seamTarget, targetsAt, type Target} from '../../web/src/clicks/pick.js';
-import {pickIndex} from '../../web/src/clicks/pick-index.js';
-import type {Sheet} from '../../web/src/clicks/sheet.js';
-import type {Point} from '../../web/src/model/geometry.js';
+import {choices, seamTarget, targetsAt, type Target} from '@/clicks/pick.js';
+import {pickIndex} from '@/clicks/pick-index.js';
+import type {Sheet} from '@/clicks/sheet.js';
+import type {Point} from '@/model/geometry.js';
 import {dartedSquare, rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
 
 const at = (sheet: Sheet, point: Point, reach: number): readonly Target[] =>

@@ -1,9 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import {inputPoint, type Sheet} from '../../web/src/clicks/sheet.js';
-import {targetsAt} from '../../web/src/clicks/pick.js';
-import {pickIndex} from '../../web/src/clicks/pick-index.js';
-import {sceneOf} from '../../web/src/scene/scene.js';
+import {inputPoint, type Sheet} from '@/clicks/sheet.js';
+import {targetsAt} from '@/clicks/pick.js';
+import {pickIndex} from '@/clicks/pick-index.js';
+import {sceneOf} from '@/scene/scene.js';
 import {rectangle, sheetOf} from '../support/clickable-sheet.js';
 import {plainPrint, squarePair} from '../support/two-squares.js';
 

@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import {pickIndex} from '../../web/src/clicks/pick-index.js';
-import {snap, type Snapped} from '../../web/src/clicks/snap.js';
-import type {Point} from '../../web/src/model/geometry.js';
+import {pickIndex} from '@/clicks/pick-index.js';
+import {snap, type Snapped} from '@/clicks/snap.js';
+import type {Point} from '@/model/geometry.js';
 import {rectangle, sheetOf, type DrawnPiece} from '../support/clickable-sheet.js';
 
 /** 20 cm wide and high, with a vertex in the middle of its lower side. */

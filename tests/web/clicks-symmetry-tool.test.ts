@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import {pickIndex} from '../../web/src/clicks/pick-index.js';
-import {targetsAt, type Target} from '../../web/src/clicks/pick.js';
-import type {Sheet} from '../../web/src/clicks/sheet.js';
+import {pickIndex} from '@/clicks/pick-index.js';
+import {targetsAt, type Target} from '@/clicks/pick.js';
+import type {Sheet} from '@/clicks/sheet.js';
 import {
   afterEvent,
   outside,
@@ -10,8 +10,8 @@ import {
   type SymmetryEvent,
   type SymmetryState,
   type SymmetryTool,
-} from '../../web/src/clicks/symmetry-tool.js';
-import type {Point} from '../../web/src/model/geometry.js';
+} from '@/clicks/symmetry-tool.js';
+import type {Point} from '@/model/geometry.js';
 import {dartedSquare, rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
 
 const squares = sewnSquares();

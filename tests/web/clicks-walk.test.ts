@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import {pickIndex, type PickIndex} from '../../web/src/clicks/pick-index.js';
+import {pickIndex, type PickIndex} from '@/clicks/pick-index.js';
 import {
   inwards,
   nextPiece,
@@ -11,7 +11,7 @@ import {
   twin,
   type Direction,
   type SeamPlace,
-} from '../../web/src/clicks/walk.js';
+} from '@/clicks/walk.js';
 import {dartedLoop, rectangle, sewnSquares, sheetOf} from '../support/clickable-sheet.js';
 
 const piece = (

@@ -1,17 +1,11 @@
 /** The list of commands, and the keys that they have. */
 import {expect, it} from 'vitest';
 
-import {folded, matching} from '../../web/src/app/palette/filter.js';
-import type {Command} from '../../web/src/editor/commands/command.js';
-import {
-  keyOf,
-  shortcutFor,
-  shortcutIds,
-  shortcuts,
-  titleOf,
-} from '../../web/src/editor/commands/shortcuts.js';
-import {loadTexts, textsOf} from '../../web/src/texts/texts.js';
-import {languages} from '../../web/src/texts/preferences.js';
+import {folded, matching} from '@/app/palette/filter.js';
+import type {Command} from '@/editor/commands/command.js';
+import {keyOf, shortcutFor, shortcutIds, shortcuts, titleOf} from '@/editor/commands/shortcuts.js';
+import {loadTexts, textsOf} from '@/texts/texts.js';
+import {languages} from '@/texts/preferences.js';
 
 const command = (title: string, more: Partial<Command> = {}): Command => ({
   ...{id: title, title, run: () => undefined},

@@ -1,20 +1,20 @@
 import {describe, expect, it} from 'vitest';
 
-import type {PanelMarks} from '../../web/src/model/garment-marks.js';
-import {garmentTitle, panelMarks} from '../../web/src/model/garment-marks.js';
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
-import type {Print} from '../../web/src/model/print.js';
-import type {Pattern, ResultPiece, SolveResult} from '../../web/src/model/result.js';
-import {printDistance} from '../../web/src/model/wallpaper.js';
-import {cutLine} from '../../web/src/cutting/cut-line.js';
-import {cuttingFile, type CuttingOptions} from '../../web/src/cutting/cutting-file.js';
-import {notchMark, shapePoint} from '../../web/src/cutting/follow.js';
-import {matchMarks} from '../../web/src/cutting/match-marks.js';
-import {pairLetter, seamLetter} from '../../web/src/model/letters.js';
-import {seamLetters} from '../../web/src/scene/seam-letters.js';
-import {onPrint} from '../../web/src/scene/mismatch.js';
-import {grainLine} from '../../web/src/scene/grain-line.js';
-import {isInside} from '../../web/src/scene/marks.js';
+import type {PanelMarks} from '@/model/garment-marks.js';
+import {garmentTitle, panelMarks} from '@/model/garment-marks.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import type {Print} from '@/model/print.js';
+import type {Pattern, ResultPiece, SolveResult} from '@/model/result.js';
+import {printDistance} from '@/model/wallpaper.js';
+import {cutLine} from '@/cutting/cut-line.js';
+import {cuttingFile, type CuttingOptions} from '@/cutting/cutting-file.js';
+import {notchMark, shapePoint} from '@/cutting/follow.js';
+import {matchMarks} from '@/cutting/match-marks.js';
+import {pairLetter, seamLetter} from '@/model/letters.js';
+import {seamLetters} from '@/scene/seam-letters.js';
+import {onPrint} from '@/scene/mismatch.js';
+import {grainLine} from '@/scene/grain-line.js';
+import {isInside} from '@/scene/marks.js';
 import {plainMetrics, plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 const extent = (points: readonly Point[]): number[] => [

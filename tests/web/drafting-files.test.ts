@@ -3,12 +3,12 @@ import {readFileSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
-import {draftApron} from '../../web/samples/drafting/apron.js';
-import {bodyOf, sizeNames} from '../../web/samples/drafting/body.js';
-import {garmentFile, grainLine} from '../../web/samples/drafting/garment-file.js';
-import {length, minus, norm, type Point} from '../../web/samples/drafting/geometry.js';
-import {sampleList} from '../../web/samples/drafting/sample-list.js';
-import {wardrobe} from '../../web/samples/drafting/wardrobe.js';
+import {draftApron} from '@samples/drafting/apron.js';
+import {bodyOf, sizeNames} from '@samples/drafting/body.js';
+import {garmentFile, grainLine} from '@samples/drafting/garment-file.js';
+import {length, minus, norm, type Point} from '@samples/drafting/geometry.js';
+import {sampleList} from '@samples/drafting/sample-list.js';
+import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {medium} from '../support/drafts.js';
 
 describe.each(sizeNames)('size %s', (size) => {

@@ -1,11 +1,11 @@
 /** How wide fitted garments are around the body: their panels are drafted with the waist at y = 0. */
 import {describe, expect, it} from 'vitest';
 
-import {draftAsymmetricDress} from '../../web/samples/drafting/asymmetric-dress.js';
-import {bodyOf, sizeNames} from '../../web/samples/drafting/body.js';
-import {length, minus, norm, pointAt, type Point} from '../../web/samples/drafting/geometry.js';
-import {findEdge, type Panel} from '../../web/samples/drafting/panel.js';
-import {draftPrincessDress} from '../../web/samples/drafting/princess-dress.js';
+import {draftAsymmetricDress} from '@samples/drafting/asymmetric-dress.js';
+import {bodyOf, sizeNames} from '@samples/drafting/body.js';
+import {length, minus, norm, pointAt, type Point} from '@samples/drafting/geometry.js';
+import {findEdge, type Panel} from '@samples/drafting/panel.js';
+import {draftPrincessDress} from '@samples/drafting/princess-dress.js';
 import {medium} from '../support/drafts.js';
 
 /** How much cloth a panel has at a height: between every second and third place where its outline passes. [cm] */

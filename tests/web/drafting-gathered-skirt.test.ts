@@ -1,8 +1,8 @@
 import {expect, it} from 'vitest';
 
-import {draftGatheredSkirt, waistGathers} from '../../web/samples/drafting/gathered-skirt.js';
-import {length} from '../../web/samples/drafting/geometry.js';
-import {findEdge} from '../../web/samples/drafting/panel.js';
+import {draftGatheredSkirt, waistGathers} from '@samples/drafting/gathered-skirt.js';
+import {length} from '@samples/drafting/geometry.js';
+import {findEdge} from '@samples/drafting/panel.js';
 import {medium} from '../support/drafts.js';
 
 it('gathers 1.6 cm of skirt into every centimetre of waistband', () => {

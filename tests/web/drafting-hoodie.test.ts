@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import {draftHoodie} from '../../web/samples/drafting/hoodie.js';
-import {length} from '../../web/samples/drafting/geometry.js';
-import {findEdge} from '../../web/samples/drafting/panel.js';
+import {draftHoodie} from '@samples/drafting/hoodie.js';
+import {length} from '@samples/drafting/geometry.js';
+import {findEdge} from '@samples/drafting/panel.js';
 import {medium} from '../support/drafts.js';
 
 describe('the hoodie', () => {

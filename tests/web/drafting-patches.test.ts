@@ -1,8 +1,8 @@
 /** Garments that are cut in many pieces, or in pairs throughout. */
 import {describe, expect, it} from 'vitest';
 
-import {draftPatchworkJacket} from '../../web/samples/drafting/patchwork-jacket.js';
-import {draftRaglan} from '../../web/samples/drafting/raglan.js';
+import {draftPatchworkJacket} from '@samples/drafting/patchwork-jacket.js';
+import {draftRaglan} from '@samples/drafting/raglan.js';
 import {medium} from '../support/drafts.js';
 import {closedPoints} from '../support/sewn-corners.js';
 

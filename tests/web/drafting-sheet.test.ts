@@ -1,8 +1,8 @@
 import {expect, it} from 'vitest';
 
-import {titled} from '../../web/samples/drafting/garment-file.js';
-import {garmentSheet} from '../../web/samples/drafting/sheet.js';
-import {wardrobe} from '../../web/samples/drafting/wardrobe.js';
+import {titled} from '@samples/drafting/garment-file.js';
+import {garmentSheet} from '@samples/drafting/sheet.js';
+import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {medium} from '../support/drafts.js';
 
 const garments = wardrobe.map((draft) => draft(medium));

@@ -1,8 +1,8 @@
 import {expect, it} from 'vitest';
 
-import {length, minus, norm} from '../../web/samples/drafting/geometry.js';
-import {findEdge} from '../../web/samples/drafting/panel.js';
-import {draftShiftDress} from '../../web/samples/drafting/shift-dress.js';
+import {length, minus, norm} from '@samples/drafting/geometry.js';
+import {findEdge} from '@samples/drafting/panel.js';
+import {draftShiftDress} from '@samples/drafting/shift-dress.js';
 import {medium} from '../support/drafts.js';
 
 it('has bust darts that are a notch with legs of one length', () => {

@@ -1,9 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import {length, type Point} from '../../web/samples/drafting/geometry.js';
-import {findEdge} from '../../web/samples/drafting/panel.js';
-import {draftShirt} from '../../web/samples/drafting/shirt.js';
-import {buttonStand, cuffPleats} from '../../web/samples/drafting/shirt-pieces.js';
+import {length, type Point} from '@samples/drafting/geometry.js';
+import {findEdge} from '@samples/drafting/panel.js';
+import {draftShirt} from '@samples/drafting/shirt.js';
+import {buttonStand, cuffPleats} from '@samples/drafting/shirt-pieces.js';
 import {medium} from '../support/drafts.js';
 
 describe('the shirt', () => {

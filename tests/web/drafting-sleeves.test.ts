@@ -1,7 +1,7 @@
 /** Set-in sleeves, whatever they are set into: edges of a cap are named so. */
 import {expect, it} from 'vitest';
 
-import {notchesOf} from '../../web/samples/drafting/garment-file.js';
+import {notchesOf} from '@samples/drafting/garment-file.js';
 import {
   length,
   minus,
@@ -10,9 +10,9 @@ import {
   velocity,
   type Curve,
   type Point,
-} from '../../web/samples/drafting/geometry.js';
-import {findEdge, type Garment} from '../../web/samples/drafting/panel.js';
-import {wardrobe} from '../../web/samples/drafting/wardrobe.js';
+} from '@samples/drafting/geometry.js';
+import {findEdge, type Garment} from '@samples/drafting/panel.js';
+import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
 
 const cross = (a: Point, b: Point): number => a[0] * b[1] - a[1] * b[0];

@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import {length, minus, pointAt} from '../../web/samples/drafting/geometry.js';
-import {findEdge} from '../../web/samples/drafting/panel.js';
-import {draftTee} from '../../web/samples/drafting/tee.js';
+import {length, minus, pointAt} from '@samples/drafting/geometry.js';
+import {findEdge} from '@samples/drafting/panel.js';
+import {draftTee} from '@samples/drafting/tee.js';
 import {medium} from '../support/drafts.js';
 
 describe('the tee', () => {

@@ -1,10 +1,10 @@
 import {describe, expect, it} from 'vitest';
 
-import {bodyOf, sizeNames} from '../../web/samples/drafting/body.js';
-import {notchesOf} from '../../web/samples/drafting/garment-file.js';
-import {length, pointAt, velocity, type Curve} from '../../web/samples/drafting/geometry.js';
-import {findEdge} from '../../web/samples/drafting/panel.js';
-import {draftTrousers} from '../../web/samples/drafting/trousers.js';
+import {bodyOf, sizeNames} from '@samples/drafting/body.js';
+import {notchesOf} from '@samples/drafting/garment-file.js';
+import {length, pointAt, velocity, type Curve} from '@samples/drafting/geometry.js';
+import {findEdge} from '@samples/drafting/panel.js';
+import {draftTrousers} from '@samples/drafting/trousers.js';
 
 describe.each(sizeNames)('the trousers in size %s', (size) => {
   const body = bodyOf(size);

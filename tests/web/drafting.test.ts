@@ -1,10 +1,10 @@
 /** What must be true of every garment that is shipped, for any body. What is true of one only stands in its own file. */
 import {describe, expect, it} from 'vitest';
 
-import {notchesOf, type Notch} from '../../web/samples/drafting/garment-file.js';
-import {minus, norm, parameterAt, plus, pointAt, type Point} from '../../web/samples/drafting/geometry.js';
-import {untrue, type Panel} from '../../web/samples/drafting/panel.js';
-import {wardrobe} from '../../web/samples/drafting/wardrobe.js';
+import {notchesOf, type Notch} from '@samples/drafting/garment-file.js';
+import {minus, norm, parameterAt, plus, pointAt, type Point} from '@samples/drafting/geometry.js';
+import {untrue, type Panel} from '@samples/drafting/panel.js';
+import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
 import {
   anglesAt,

@@ -7,11 +7,11 @@ import {promisify} from 'node:util';
 
 import {expect, it} from 'vitest';
 
-import {spellings} from '../../web/src/element/garment/attributes.js';
-import {bubbling} from '../../web/src/element/garment/events.js';
-import {SeamwiseGarment} from '../../web/src/element/seamwise-garment.js';
-import {tokens} from '../../web/src/editor/style/tokens.js';
-import {failureCodes, pageFailureCodes} from '../../web/src/model/failure.js';
+import {spellings} from '@/element/garment/attributes.js';
+import {bubbling} from '@/element/garment/events.js';
+import {SeamwiseGarment} from '@/element/seamwise-garment.js';
+import {tokens} from '@/editor/style/tokens.js';
+import {failureCodes, pageFailureCodes} from '@/model/failure.js';
 import {rowsOf, snippetWith} from '../support/embedding.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));

@@ -1,6 +1,6 @@
 import {expect, it} from 'vitest';
 
-import {garmentText} from '../../web/src/solver/json/garment-text.js';
+import {garmentText} from '@/solver/json/garment-text.js';
 
 const plain = {
   pattern: {panels: {front: {vertices: [[0, 0]], edges: []}}, stitches: []},

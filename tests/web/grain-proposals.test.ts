@@ -1,13 +1,8 @@
 /** What is proposed for pieces whose file says nothing about grain. */
 import {describe, expect, it} from 'vitest';
 
-import {
-  grainProposals,
-  wayOf,
-  withImage,
-  type Mirror,
-} from '../../web/src/workbench/grain-proposals.js';
-import type {PanelMarks, Placement} from '../../web/src/model/garment-marks.js';
+import {grainProposals, wayOf, withImage, type Mirror} from '@/workbench/grain-proposals.js';
+import type {PanelMarks, Placement} from '@/model/garment-marks.js';
 import {squarePiece} from '../support/two-squares.js';
 
 const placed = (translation: Placement['translation'], rotation: Placement['rotation']) => ({

@@ -1,10 +1,10 @@
 /** The angles that grain allows a piece. */
 import {describe, expect, it} from 'vitest';
 
-import type {Design} from '../../web/src/model/design.js';
-import {bareCloth} from '../../web/src/workbench/samples.js';
-import {angleAfter, grainRule} from '../../web/src/model/grain-rule.js';
-import {isAllowed} from '../../web/src/model/mirror-lines.js';
+import type {Design} from '@/model/design.js';
+import {bareCloth} from '@/workbench/samples.js';
+import {angleAfter, grainRule} from '@/model/grain-rule.js';
+import {isAllowed} from '@/model/mirror-lines.js';
 
 const degrees = (angle: number): number => (angle * Math.PI) / 180;
 type Grain = Design['options']['grain'];

@@ -1,11 +1,11 @@
 import {describe, expect, it} from 'vitest';
 
-import {Afterwards} from '../../web/src/workbench/afterwards.js';
-import {improving, Steps} from '../../web/src/workbench/steps.js';
-import {problemOf, type Design} from '../../web/src/model/design.js';
-import type {SolveOptions} from '../../web/src/model/options.js';
-import type {SolveResult} from '../../web/src/model/result.js';
-import type {SolverService} from '../../web/src/solver/service.js';
+import {Afterwards} from '@/workbench/afterwards.js';
+import {improving, Steps} from '@/workbench/steps.js';
+import {problemOf, type Design} from '@/model/design.js';
+import type {SolveOptions} from '@/model/options.js';
+import type {SolveResult} from '@/model/result.js';
+import type {SolverService} from '@/solver/service.js';
 import {plainMetrics, squarePair, squarePiece} from '../support/two-squares.js';
 
 const design: Design = {

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import {expect, it} from 'vitest';
 
-import {documentBytes, documentValue} from '../../web/src/solver/json/document.js';
+import {documentBytes, documentValue} from '@/solver/json/document.js';
 
 const limits = {maxFileBytes: 1e6, maxValues: 1e6};
 const there = (text: string): Uint8Array => documentBytes(text, limits);

@@ -1,12 +1,12 @@
 /** What the workbench makes of pins, locks and options that a garment cannot have. */
 import {describe, expect, it} from 'vitest';
 
-import type {Design} from '../../web/src/model/design.js';
-import type {MeshedPattern} from '../../web/src/model/result.js';
-import {cleanedOptions} from '../../web/src/workbench/cleaned-options.js';
-import {keptLines} from '../../web/src/workbench/kept-lines.js';
-import {askedOf, withKeptPins} from '../../web/src/workbench/kept-pins.js';
-import {bareCloth, newDesign} from '../../web/src/workbench/samples.js';
+import type {Design} from '@/model/design.js';
+import type {MeshedPattern} from '@/model/result.js';
+import {cleanedOptions} from '@/workbench/cleaned-options.js';
+import {keptLines} from '@/workbench/kept-lines.js';
+import {askedOf, withKeptPins} from '@/workbench/kept-pins.js';
+import {bareCloth, newDesign} from '@/workbench/samples.js';
 import {squarePair} from '../support/two-squares.js';
 
 const plain = squarePair();

@@ -8,8 +8,8 @@ import {
   withoutPin,
   withPrinted,
   withQuarterTurn,
-} from '../../web/src/editor/lists/choices.js';
-import {inOrder} from '../../web/src/editor/lists/order.js';
+} from '@/editor/lists/choices.js';
+import {inOrder} from '@/editor/lists/order.js';
 
 const seam = {seam: 3, ownWeight: 1};
 

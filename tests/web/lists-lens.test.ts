@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import {rulerOf} from '../../web/src/editor/lens/ruler.js';
-import {nextWorst, rankOf} from '../../web/src/editor/lens/worst-walk.js';
+import {rulerOf} from '@/editor/lens/ruler.js';
+import {nextWorst, rankOf} from '@/editor/lens/worst-walk.js';
 import {seamRow as row} from '../support/seam-row.js';
 
 /** By mismatch: 2, 0, 1; seam 3 does not count. */

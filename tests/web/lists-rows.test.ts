@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Design} from '../../web/src/model/design.js';
-import type {Pattern} from '../../web/src/model/result.js';
+import type {Design} from '@/model/design.js';
+import type {Pattern} from '@/model/result.js';
 import {
   pieceRows,
   seamRows,
@@ -9,11 +9,11 @@ import {
   worstSeams,
   type PieceRow,
   type SeamRow,
-} from '../../web/src/editor/lists/rows.js';
-import {de} from '../../web/src/texts/de.js';
-import {en} from '../../web/src/texts/en.js';
-import {formatFor} from '../../web/src/texts/format.js';
-import {realigned, sceneOf} from '../../web/src/scene/scene.js';
+} from '@/editor/lists/rows.js';
+import {de} from '@/texts/de.js';
+import {en} from '@/texts/en.js';
+import {formatFor} from '@/texts/format.js';
+import {realigned, sceneOf} from '@/scene/scene.js';
 import {seamRow} from '../support/seam-row.js';
 import {plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 

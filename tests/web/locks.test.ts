@@ -1,8 +1,8 @@
 /** What stays as drafted, with mirror images. */
 import {describe, expect, it} from 'vitest';
 
-import {decisions} from '../../web/src/model/design-reader.js';
-import {isKept, keptParts, toggledLock, type LockablePattern} from '../../web/src/model/locks.js';
+import {decisions} from '@/model/design-reader.js';
+import {isKept, keptParts, toggledLock, type LockablePattern} from '@/model/locks.js';
 import {squarePiece} from '../support/two-squares.js';
 
 /** Squares of four edges each, counter-clockwise from below, of which two are a pair that mirrors left and right. */

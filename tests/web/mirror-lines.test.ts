@@ -2,25 +2,19 @@
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
-import {inverse, mirrorAlignment, mirrors, turnToGrain} from '../../web/src/model/mirror-images.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import {inverse, mirrorAlignment, mirrors, turnToGrain} from '@/model/mirror-images.js';
 import {
   axisLine,
   footOnAxis,
   mirrorLines,
   nearestMirrored,
   nextMirrored,
-} from '../../web/src/model/mirror-lines.js';
-import {groupsThatCarry, latticeVectors} from '../../web/src/model/repeat.js';
-import {
-  apply,
-  determinant,
-  printElements,
-  reducedBasis,
-  type Repeat,
-} from '../../web/src/model/wallpaper.js';
-import {onPrint} from '../../web/src/scene/mismatch.js';
-import {mirrorImage} from '../../web/src/scene/marks.js';
+} from '@/model/mirror-lines.js';
+import {groupsThatCarry, latticeVectors} from '@/model/repeat.js';
+import {apply, determinant, printElements, reducedBasis, type Repeat} from '@/model/wallpaper.js';
+import {onPrint} from '@/scene/mismatch.js';
+import {mirrorImage} from '@/scene/marks.js';
 
 const number = (least: number, most: number): fc.Arbitrary<number> =>
   fc.double({min: least, max: most, noNaN: true});

@@ -1,10 +1,10 @@
 /** What stays of a customer's design when the page asks for something else. */
 import {expect, it} from 'vitest';
 
-import {nextDesign, type Answered} from '../../web/src/element/garment/next-design.js';
-import type {Asked} from '../../web/src/element/garment/sources.js';
-import type {Design} from '../../web/src/model/design.js';
-import {bareCloth} from '../../web/src/workbench/samples.js';
+import {nextDesign, type Answered} from '@/element/garment/next-design.js';
+import type {Asked} from '@/element/garment/sources.js';
+import type {Design} from '@/model/design.js';
+import {bareCloth} from '@/workbench/samples.js';
 
 const pins = {
   front: {angle: 0.1, translation: [3, 4]},

@@ -1,11 +1,11 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import type {Pattern, ResultPiece} from '../../web/src/model/result.js';
-import {ontoSheet} from '../../web/src/model/sheet-place.js';
-import {layOut, layOutNamed, type Layout} from '../../web/src/layout/layout.js';
-import type {Placement} from '../../web/src/model/garment-marks.js';
-import type {Placements} from '../../web/src/layout/on-body.js';
+import type {Point} from '@/model/geometry.js';
+import type {Pattern, ResultPiece} from '@/model/result.js';
+import {ontoSheet} from '@/model/sheet-place.js';
+import {layOut, layOutNamed, type Layout} from '@/layout/layout.js';
+import type {Placement} from '@/model/garment-marks.js';
+import type {Placements} from '@/layout/on-body.js';
 import {plainPrint as print, squarePiece} from '../support/two-squares.js';
 
 /** A rectangle with its middle at `at`. */

@@ -1,11 +1,11 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
-import type {ResultSymmetry, SolveResult} from '../../web/src/model/result.js';
-import {hasOutsidePictures} from '../../web/src/recognition/svg-picture.js';
-import {mismatchLine} from '../../web/src/scene/colours.js';
-import {drawResult} from '../../web/src/picture/draw-result.js';
-import {driftOf, finalFit, fitOf, meanOf, seamFitOf, worstOf} from '../../web/src/scene/mismatch.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import type {ResultSymmetry, SolveResult} from '@/model/result.js';
+import {hasOutsidePictures} from '@/recognition/svg-picture.js';
+import {mismatchLine} from '@/scene/colours.js';
+import {drawResult} from '@/picture/draw-result.js';
+import {driftOf, finalFit, fitOf, meanOf, seamFitOf, worstOf} from '@/scene/mismatch.js';
 import {
   plainMetrics,
   plainPrint as print,

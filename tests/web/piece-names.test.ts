@@ -3,9 +3,9 @@ import {readdirSync, readFileSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
-import type {Garment} from '../../web/src/model/garment.js';
-import {panelMarks} from '../../web/src/model/garment-marks.js';
-import {pieceNames, readable, titleOfFile} from '../../web/src/model/piece-names.js';
+import type {Garment} from '@/model/garment.js';
+import {panelMarks} from '@/model/garment-marks.js';
+import {pieceNames, readable, titleOfFile} from '@/model/piece-names.js';
 
 const named = (labels: Record<string, string | undefined>, chosen = {}): string[] => [
   ...pieceNames(new Map(Object.entries(labels)), chosen).values(),

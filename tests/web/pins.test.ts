@@ -1,7 +1,7 @@
 /** Pins of pieces that share symmetries. */
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment} from '../../web/src/model/geometry.js';
+import type {Alignment} from '@/model/geometry.js';
 import {
   contradictions,
   keptPins,
@@ -10,8 +10,8 @@ import {
   pinnedPlace,
   withPin,
   type Mirroring,
-} from '../../web/src/model/pins.js';
-import {mirrors} from '../../web/src/model/mirror-images.js';
+} from '@/model/pins.js';
+import {mirrors} from '@/model/mirror-images.js';
 import {squarePair} from '../support/two-squares.js';
 
 const repeat = {group: 'pmm', w1: [10, 0], w2: [0, 8]} as const;

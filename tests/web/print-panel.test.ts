@@ -1,25 +1,14 @@
 import {describe, expect, it} from 'vitest';
 
-import {
-  choiceOf,
-  choices,
-  groupOf,
-  missing,
-  turnsOver,
-} from '../../web/src/editor/print/choices.js';
-import {noPicture} from '../../web/src/model/design.js';
-import {printFrom} from '../../web/src/editor/print/own-tile.js';
-import {
-  fittingOf,
-  presetOf,
-  withFitting,
-  withPreset,
-} from '../../web/src/editor/controls/presets.js';
-import {storedPreferences} from '../../web/src/app/storage/preferences.js';
-import {en} from '../../web/src/texts/en.js';
-import type {Design} from '../../web/src/model/design.js';
-import {groupNames} from '../../web/src/model/print.js';
-import type {Symmetry} from '../../web/src/model/symmetries.js';
+import {choiceOf, choices, groupOf, missing, turnsOver} from '@/editor/print/choices.js';
+import {noPicture} from '@/model/design.js';
+import {printFrom} from '@/editor/print/own-tile.js';
+import {fittingOf, presetOf, withFitting, withPreset} from '@/editor/controls/presets.js';
+import {storedPreferences} from '@/app/storage/preferences.js';
+import {en} from '@/texts/en.js';
+import type {Design} from '@/model/design.js';
+import {groupNames} from '@/model/print.js';
+import type {Symmetry} from '@/model/symmetries.js';
 
 const front: Symmetry = {kind: 'piece', piece: 'front'};
 const sleeves: Symmetry = {kind: 'pair', pieces: ['left', 'right']};

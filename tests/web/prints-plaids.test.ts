@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import {collection} from '../../web/samples/prints/collection.js';
-import {even, plaidCell, sett, stripeCell} from '../../web/samples/prints/plaid.js';
+import {collection} from '@samples/prints/collection.js';
+import {even, plaidCell, sett, stripeCell} from '@samples/prints/plaid.js';
 
 const symmetric = even('ground 1 line 2 leaf 1');
 const other = even('ground 2 line 2 bloom 1');

@@ -2,8 +2,8 @@ import {readFileSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
-import {collection} from '../../web/samples/prints/collection.js';
-import {repeatName} from '../../web/samples/prints/repeat.js';
+import {collection} from '@samples/prints/collection.js';
+import {repeatName} from '@samples/prints/repeat.js';
 
 const cellOf = (id: string) => {
   const cell = collection.find((design) => design.id === id)?.cell;

@@ -1,19 +1,19 @@
 import {describe, expect, it} from 'vitest';
 
-import {collection} from '../../web/samples/prints/collection.js';
-import type {Design} from '../../web/samples/prints/design.js';
+import {collection} from '@samples/prints/collection.js';
+import type {Design} from '@samples/prints/design.js';
 import {
   cosets,
   difference,
   finerCloth,
   leastDifference,
   imageFor,
-} from '../../web/samples/prints/measure.js';
-import {printOf, tilesOf} from '../../web/samples/prints/print-files.js';
-import {palettes} from '../../web/samples/prints/palette.js';
-import {rendered, type Pixels} from '../../web/samples/prints/raster.js';
-import {printDistance, printElements, type PlaneMap} from '../../web/src/model/wallpaper.js';
-import {seenThrough, type Cloth} from '../../web/src/recognition/tile-cloth.js';
+} from '@samples/prints/measure.js';
+import {printOf, tilesOf} from '@samples/prints/print-files.js';
+import {palettes} from '@samples/prints/palette.js';
+import {rendered, type Pixels} from '@samples/prints/raster.js';
+import {printDistance, printElements, type PlaneMap} from '@/model/wallpaper.js';
+import {seenThrough, type Cloth} from '@/recognition/tile-cloth.js';
 
 /** Differences are means over all pixels and the three colours, of 255. */
 const still = 1;

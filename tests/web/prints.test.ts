@@ -2,14 +2,14 @@ import {readdirSync, readFileSync, statSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
-import {collection} from '../../web/samples/prints/collection.js';
-import {palettes} from '../../web/samples/prints/palette.js';
-import {indexedPng} from '../../web/samples/prints/png.js';
-import {pixelsOf, printFile, printOf, tilesOf} from '../../web/samples/prints/print-files.js';
-import {decoded, rendered} from '../../web/samples/prints/raster.js';
-import {imageSize} from '../../web/samples/prints/tile.js';
-import {groupNames} from '../../web/src/model/print.js';
-import {latticeType} from '../../web/src/model/wallpaper.js';
+import {collection} from '@samples/prints/collection.js';
+import {palettes} from '@samples/prints/palette.js';
+import {indexedPng} from '@samples/prints/png.js';
+import {pixelsOf, printFile, printOf, tilesOf} from '@samples/prints/print-files.js';
+import {decoded, rendered} from '@samples/prints/raster.js';
+import {imageSize} from '@samples/prints/tile.js';
+import {groupNames} from '@/model/print.js';
+import {latticeType} from '@/model/wallpaper.js';
 
 const folder = 'public/prints';
 const isStripe = (id: string): boolean => ['ticking', 'regatta'].includes(id);

@@ -2,10 +2,10 @@ import {deflateRawSync} from 'node:zlib';
 
 import {describe, expect, it} from 'vitest';
 
-import type {Design} from '../../web/src/model/design.js';
-import {LinkError, linkOf, readLink} from '../../web/src/model/link.js';
-import {FileError, isProject, readProject, writeProject} from '../../web/src/model/project.js';
-import {fileNameOf, nameOf} from '../../web/src/model/project-name.js';
+import type {Design} from '@/model/design.js';
+import {LinkError, linkOf, readLink} from '@/model/link.js';
+import {FileError, isProject, readProject, writeProject} from '@/model/project.js';
+import {fileNameOf, nameOf} from '@/model/project-name.js';
 
 const design: Design = {
   garment: {name: 'tee-m.json', text: '{"pattern": {}}', sample: {style: 'tee', size: 'm'}},

@@ -1,9 +1,9 @@
 import {describe, expect, it, vi} from 'vitest';
 
-import {Proving} from '../../web/src/workbench/proving.js';
-import {problemOf, type Design} from '../../web/src/model/design.js';
-import type {SolveResult} from '../../web/src/model/result.js';
-import type {SolverService} from '../../web/src/solver/service.js';
+import {Proving} from '@/workbench/proving.js';
+import {problemOf, type Design} from '@/model/design.js';
+import type {SolveResult} from '@/model/result.js';
+import type {SolverService} from '@/solver/service.js';
 import {plainMetrics, squarePair} from '../support/two-squares.js';
 
 const design: Design = {

@@ -1,10 +1,10 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Problem} from '../../web/src/model/problem.js';
-import type {ResultSeam, SeamReason, SolveResult} from '../../web/src/model/result.js';
-import {groupWithMirrors, proposals} from '../../web/src/remedies/proposals.js';
-import {remediesOf} from '../../web/src/remedies/remedies.js';
-import {withRemedy} from '../../web/src/remedies/remedy.js';
+import type {Problem} from '@/model/problem.js';
+import type {ResultSeam, SeamReason, SolveResult} from '@/model/result.js';
+import {groupWithMirrors, proposals} from '@/remedies/proposals.js';
+import {remediesOf} from '@/remedies/remedies.js';
+import {withRemedy} from '@/remedies/remedy.js';
 import {plainMetrics, plainPrint, squarePair, squarePiece} from '../support/two-squares.js';
 
 /** A skirt of two large panels, and a band in two halves on them: all squares, sewn side to side. */

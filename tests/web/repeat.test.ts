@@ -1,8 +1,8 @@
 import {readdirSync, readFileSync} from 'node:fs';
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import {groupNames, type GroupName, type Print} from '../../web/src/model/print.js';
+import type {Point} from '@/model/geometry.js';
+import {groupNames, type GroupName, type Print} from '@/model/print.js';
 import {
   carries,
   coupledSize,
@@ -12,8 +12,8 @@ import {
   latticeVectors,
   repeatOf,
   type RepeatSize,
-} from '../../web/src/model/repeat.js';
-import {apply, printDistance, printElements, type Repeat} from '../../web/src/model/wallpaper.js';
+} from '@/model/repeat.js';
+import {apply, printDistance, printElements, type Repeat} from '@/model/wallpaper.js';
 
 const measured: RepeatSize = {width: 7, height: 9.5, angleDeg: 70};
 

@@ -1,9 +1,9 @@
 import {expect, it} from 'vitest';
 
-import {SceneMaker} from '../../web/src/workbench/scenes.js';
-import type {Workbench} from '../../web/src/workbench/workbench.js';
-import type {Design} from '../../web/src/model/design.js';
-import type {MeshedPattern} from '../../web/src/model/result.js';
+import {SceneMaker} from '@/workbench/scenes.js';
+import type {Workbench} from '@/workbench/workbench.js';
+import type {Design} from '@/model/design.js';
+import type {MeshedPattern} from '@/model/result.js';
 import {squarePair, squarePiece} from '../support/two-squares.js';
 
 const design: Design = {

@@ -1,9 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import {offSheet, ontoSheet, wayOnSheet} from '../../web/src/model/sheet-place.js';
-import {sceneOf, pieceAt} from '../../web/src/scene/scene.js';
-import {lineOf} from '../../web/src/scene/seam-line.js';
+import type {Point} from '@/model/geometry.js';
+import {offSheet, ontoSheet, wayOnSheet} from '@/model/sheet-place.js';
+import {sceneOf, pieceAt} from '@/scene/scene.js';
+import {lineOf} from '@/scene/seam-line.js';
 import {plainPrint, squarePair} from '../support/two-squares.js';
 
 const upright = {offset: [3, 4]} as const;

@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import {noPicture} from '../../web/src/model/design.js';
-import type {ResultPiece, ResultSymmetry, SolveResult} from '../../web/src/model/result.js';
-import {solvedDesign, type SolvedFiles} from '../../web/src/model/solved-design.js';
+import {noPicture} from '@/model/design.js';
+import type {ResultPiece, ResultSymmetry, SolveResult} from '@/model/result.js';
+import {solvedDesign, type SolvedFiles} from '@/model/solved-design.js';
 
 const files: SolvedFiles = {
   garment: {name: 'coat.json', text: '{}'},

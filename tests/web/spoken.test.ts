@@ -1,14 +1,14 @@
 /** What the core says in English, as the page says it in the language of its user. */
 import {describe, expect, it} from 'vitest';
 
-import {noteCodes, symmetryReasons, type NoteDetail} from '../../web/src/model/notes.js';
-import {failureCodes, type Failure} from '../../web/src/model/failure.js';
-import {spokenNote} from '../../web/src/editor/shell/spoken-note.js';
-import {formatFor} from '../../web/src/texts/format.js';
-import {loadTexts, textsOf} from '../../web/src/texts/texts.js';
-import {languages, type Language} from '../../web/src/texts/preferences.js';
-import {spokenFailure} from '../../web/src/workbench/spoken-failure.js';
-import type {Workbench} from '../../web/src/workbench/workbench.js';
+import {noteCodes, symmetryReasons, type NoteDetail} from '@/model/notes.js';
+import {failureCodes, type Failure} from '@/model/failure.js';
+import {spokenNote} from '@/editor/shell/spoken-note.js';
+import {formatFor} from '@/texts/format.js';
+import {loadTexts, textsOf} from '@/texts/texts.js';
+import {languages, type Language} from '@/texts/preferences.js';
+import {spokenFailure} from '@/workbench/spoken-failure.js';
+import type {Workbench} from '@/workbench/workbench.js';
 
 /** As much of a workbench as sentences take names from. */
 const desk = {

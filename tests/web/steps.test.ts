@@ -1,7 +1,7 @@
 import {afterEach, beforeEach, expect, it, vi} from 'vitest';
 
-import type {Design} from '../../web/src/model/design.js';
-import {Steps} from '../../web/src/workbench/steps.js';
+import type {Design} from '@/model/design.js';
+import {Steps} from '@/workbench/steps.js';
 
 const design: Design = {
   garment: {name: 'tee.json', text: '{}'},

@@ -3,17 +3,17 @@ import {readFileSync} from 'node:fs';
 import * as fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import type {Print} from '../../web/src/model/print.js';
-import {repeatOf} from '../../web/src/model/repeat.js';
+import type {Print} from '@/model/print.js';
+import {repeatOf} from '@/model/repeat.js';
 import {
   changesOf,
   printOfStored,
   problemOfStored,
   readStoredDesign,
   writeStoredDesign,
-} from '../../web/src/model/stored-design.js';
-import {packageVersion} from '../../web/src/model/version.js';
-import {FileError} from '../../web/src/model/versioned-file.js';
+} from '@/model/stored-design.js';
+import {packageVersion} from '@/model/version.js';
+import {FileError} from '@/model/versioned-file.js';
 import {storedDesign} from '../support/designs.js';
 
 type Json = Record<string, unknown>;

@@ -1,13 +1,13 @@
 /** What is left of choices and refusals when the design becomes another, by undo above all. */
 import {expect, it, vi} from 'vitest';
 
-import type {Choice} from '../../web/src/clicks/symmetry-tool.js';
-import {SymmetryChooser} from '../../web/src/editor/pattern/symmetry-chooser.js';
-import {en} from '../../web/src/texts/en.js';
-import {formatFor} from '../../web/src/texts/format.js';
-import type {Workbench} from '../../web/src/workbench/workbench.js';
-import type {Design} from '../../web/src/model/design.js';
-import type {PatternScene} from '../../web/src/scene/scene.js';
+import type {Choice} from '@/clicks/symmetry-tool.js';
+import {SymmetryChooser} from '@/editor/pattern/symmetry-chooser.js';
+import {en} from '@/texts/en.js';
+import {formatFor} from '@/texts/format.js';
+import type {Workbench} from '@/workbench/workbench.js';
+import type {Design} from '@/model/design.js';
+import type {PatternScene} from '@/scene/scene.js';
 import {sewnSquares} from '../support/clickable-sheet.js';
 
 const design = {garment: {name: 'a.json', text: '{}'}} as Design;

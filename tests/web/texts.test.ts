@@ -2,10 +2,10 @@ import {readFileSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
-import {en} from '../../web/src/texts/en.js';
-import {loadTexts, textsOf} from '../../web/src/texts/texts.js';
-import {languages, preferencesFor} from '../../web/src/texts/preferences.js';
-import type {Samples} from '../../web/src/workbench/samples.js';
+import {en} from '@/texts/en.js';
+import {loadTexts, textsOf} from '@/texts/texts.js';
+import {languages, preferencesFor} from '@/texts/preferences.js';
+import type {Samples} from '@/workbench/samples.js';
 
 const samples = JSON.parse(readFileSync('public/samples.json', 'utf8')) as Samples;
 

@@ -2,12 +2,12 @@ import {readdirSync, readFileSync} from 'node:fs';
 import {createCanvas, loadImage} from '@napi-rs/canvas';
 import {describe, expect, it} from 'vitest';
 
-import {decoded} from '../../web/samples/prints/raster.js';
-import type {GroupName, Print} from '../../web/src/model/print.js';
-import {repeatOf} from '../../web/src/model/repeat.js';
-import {imageCell} from '../../web/src/model/wallpaper.js';
-import {checkTile, groupsOf, visibleDifference} from '../../web/src/recognition/tile-check.js';
-import type {Pixels} from '../../web/src/recognition/tile-cloth.js';
+import {decoded} from '@samples/prints/raster.js';
+import type {GroupName, Print} from '@/model/print.js';
+import {repeatOf} from '@/model/repeat.js';
+import {imageCell} from '@/model/wallpaper.js';
+import {checkTile, groupsOf, visibleDifference} from '@/recognition/tile-check.js';
+import type {Pixels} from '@/recognition/tile-cloth.js';
 
 const folder = new URL('../../public/prints/', import.meta.url);
 const prints = readdirSync(folder)

@@ -2,7 +2,7 @@ import {readdirSync, readFileSync} from 'node:fs';
 import {createCanvas, loadImage} from '@napi-rs/canvas';
 import {describe, expect, it} from 'vitest';
 
-import {openEdges, type Side} from '../../web/src/recognition/tile-edges.js';
+import {openEdges, type Side} from '@/recognition/tile-edges.js';
 import {cut, halfDrop, leaf, painted, paper, ink, type Painting} from '../support/pictures.js';
 
 const sidesOf = (edges: readonly {readonly side: Side}[]): readonly Side[] => [

@@ -1,11 +1,11 @@
 import {describe, expect, it} from 'vitest';
 
-import {printOf, type DesignPrint} from '../../web/src/model/design.js';
-import {pictureIn, resized, tileSize} from '../../web/src/model/tile-repeat.js';
-import {tileRepeats, type TileRepeat} from '../../web/src/model/print-tile.js';
-import {imageCell, printDistance} from '../../web/src/model/wallpaper.js';
-import {asymmetriesOf, isStriped} from '../../web/src/recognition/asymmetry.js';
-import {checkTile, groupsOf} from '../../web/src/recognition/tile-check.js';
+import {printOf, type DesignPrint} from '@/model/design.js';
+import {pictureIn, resized, tileSize} from '@/model/tile-repeat.js';
+import {tileRepeats, type TileRepeat} from '@/model/print-tile.js';
+import {imageCell, printDistance} from '@/model/wallpaper.js';
+import {asymmetriesOf, isStriped} from '@/recognition/asymmetry.js';
+import {checkTile, groupsOf} from '@/recognition/tile-check.js';
 import {ink, leaf, painted, paper, rose, within, type Painting} from '../support/pictures.js';
 
 const print = (repeat: TileRepeat, change: Partial<DesignPrint> = {}): DesignPrint => ({

@@ -1,6 +1,6 @@
 import {expect, it} from 'vitest';
 
-import {Turns} from '../../web/src/solver/turns.js';
+import {Turns} from '@/solver/turns.js';
 
 /** Work that ends when it is told to; what has begun and ended is written down. */
 function worker(turns: Turns) {

@@ -1,9 +1,9 @@
 /** What undo says that it takes back, for every kind of step. */
 import {expect, it} from 'vitest';
 
-import {changeBetween, type Change} from '../../web/src/editor/commands/step.js';
-import {redoWords, undoWords} from '../../web/src/editor/commands/step-words.js';
-import {withFitting, withPreset, fittingOf} from '../../web/src/editor/controls/presets.js';
+import {changeBetween, type Change} from '@/editor/commands/step.js';
+import {redoWords, undoWords} from '@/editor/commands/step-words.js';
+import {withFitting, withPreset, fittingOf} from '@/editor/controls/presets.js';
 import {
   withGrain,
   withGrainLines,
@@ -12,11 +12,11 @@ import {
   withoutPin,
   withPrinted,
   withQuarterTurn,
-} from '../../web/src/editor/lists/choices.js';
-import {en} from '../../web/src/texts/en.js';
-import {samplePrint, type SamplePrint} from '../../web/src/workbench/samples.js';
-import type {Workbench} from '../../web/src/workbench/workbench.js';
-import type {Design} from '../../web/src/model/design.js';
+} from '@/editor/lists/choices.js';
+import {en} from '@/texts/en.js';
+import {samplePrint, type SamplePrint} from '@/workbench/samples.js';
+import type {Workbench} from '@/workbench/workbench.js';
+import type {Design} from '@/model/design.js';
 
 const ogee: SamplePrint = {
   ...{name: 'cm', title: 'Ogee tulip', group: 'cm', w1: [12, 0], w2: [6, 9]},

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import {formatLength, fractionOrNumber, numberTyped} from '../../web/src/model/units.js';
+import {formatLength, fractionOrNumber, numberTyped} from '@/model/units.js';
 
 /** Locales part numbers from units by spaces of different kinds. */
 const plain = (text: string): string => text.replace(/\s/gu, ' ');

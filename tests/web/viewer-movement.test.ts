@@ -1,8 +1,8 @@
 import {expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import {movementOf, movementStrokes} from '../../web/src/viewer/movement.js';
-import {sceneOf} from '../../web/src/scene/scene.js';
+import type {Point} from '@/model/geometry.js';
+import {movementOf, movementStrokes} from '@/viewer/movement.js';
+import {sceneOf} from '@/scene/scene.js';
 import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 /** The upper right corner of the second square is pulled to the right by 4 mm. */

@@ -1,8 +1,8 @@
 /** Lines of an edge lie outside of it. */
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import {endsOnOutline, outsideOf, shiftsOutside} from '../../web/src/viewer/outside.js';
+import type {Point} from '@/model/geometry.js';
+import {endsOnOutline, outsideOf, shiftsOutside} from '@/viewer/outside.js';
 
 const square: readonly Point[] = [
   [0, 0],

@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import type {Box} from '../../web/src/viewer/chips.js';
-import {spotFor, type Anchor} from '../../web/src/viewer/ranks.js';
+import type {Point} from '@/model/geometry.js';
+import type {Box} from '@/viewer/chips.js';
+import {spotFor, type Anchor} from '@/viewer/ranks.js';
 
 const size = {width: 400, height: 300};
 /** Of an edge that runs down the screen at x = 100; the piece is on its left. */

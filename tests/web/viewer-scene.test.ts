@@ -1,21 +1,15 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment, Point} from '../../web/src/model/geometry.js';
-import type {Print} from '../../web/src/model/print.js';
-import type {Pattern} from '../../web/src/model/result.js';
-import {apply} from '../../web/src/model/wallpaper.js';
-import {onPrint} from '../../web/src/scene/mismatch.js';
-import {panelMarks} from '../../web/src/model/garment-marks.js';
-import {imageCoordinates} from '../../web/src/viewer/print-coordinates.js';
-import {
-  alignmentsFrom,
-  pieceAt,
-  realigned,
-  reprinted,
-  sceneOf,
-} from '../../web/src/scene/scene.js';
-import {symmetriesOf} from '../../web/src/scene/scene-marks.js';
-import {seamStrokes} from '../../web/src/viewer/strokes.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import type {Print} from '@/model/print.js';
+import type {Pattern} from '@/model/result.js';
+import {apply} from '@/model/wallpaper.js';
+import {onPrint} from '@/scene/mismatch.js';
+import {panelMarks} from '@/model/garment-marks.js';
+import {imageCoordinates} from '@/viewer/print-coordinates.js';
+import {alignmentsFrom, pieceAt, realigned, reprinted, sceneOf} from '@/scene/scene.js';
+import {symmetriesOf} from '@/scene/scene-marks.js';
+import {seamStrokes} from '@/viewer/strokes.js';
 import {plainPrint as print, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 const squareHole: Point[] = [

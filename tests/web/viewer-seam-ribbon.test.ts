@@ -1,8 +1,8 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import {sceneOf, type PatternScene} from '../../web/src/scene/scene.js';
-import {onPieceAt, straightSeam, type StraightSeam} from '../../web/src/viewer/seam-ribbon.js';
+import type {Point} from '@/model/geometry.js';
+import {sceneOf, type PatternScene} from '@/scene/scene.js';
+import {onPieceAt, straightSeam, type StraightSeam} from '@/viewer/seam-ribbon.js';
 import {plainPrint as print, squarePair, squarePiece} from '../support/two-squares.js';
 
 function straight(scene: PatternScene): StraightSeam {

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
+import type {Point} from '@/model/geometry.js';
 import {
   fitted,
   panned,
@@ -9,7 +9,7 @@ import {
   toSheet,
   zoomed,
   type SheetView,
-} from '../../web/src/scene/sheet-view.js';
+} from '@/scene/sheet-view.js';
 
 const size = {width: 800, height: 600};
 const sheet: Point = [100, 40];

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import type {Point} from '../../web/src/model/geometry.js';
-import {groupNames, type GroupName} from '../../web/src/model/print.js';
-import {latticeVectors} from '../../web/src/model/repeat.js';
+import type {Point} from '@/model/geometry.js';
+import {groupNames, type GroupName} from '@/model/print.js';
+import {latticeVectors} from '@/model/repeat.js';
 import {
   apply,
   determinant,
@@ -14,7 +14,7 @@ import {
   printElements,
   reducedBasis,
   type Repeat,
-} from '../../web/src/model/wallpaper.js';
+} from '@/model/wallpaper.js';
 
 const root3 = Math.sqrt(3);
 const lattices: Record<ReturnType<typeof latticeType>, [Point, Point]> = {

@@ -5,7 +5,7 @@ import {fileURLToPath} from 'node:url';
 import type {Browser, BrowserContextOptions, Page, Route} from 'playwright-core';
 import {afterAll, afterEach, beforeAll, expect, vi} from 'vitest';
 
-import type {SeamwiseGarment} from '../../../web/src/element/seamwise-garment.js';
+import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {openBrowser, serveBuilt, strictPolicy, type Served} from '../../support/browser.js';
 
 const fixture = fileURLToPath(new URL('.', import.meta.url));

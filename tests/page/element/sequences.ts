@@ -1,6 +1,6 @@
 /** What pages may do with an element, in any order and at any moment: by a seed, so that it can be done again. */
-import type {SeamwiseGarment} from '../../../web/src/element/seamwise-garment.js';
-import {resultText, sha256Of} from '../../../web/src/model/result-text.js';
+import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
+import {resultText, sha256Of} from '@/model/result-text.js';
 
 const prints = ['prints/p4m.json', 'prints/cm.json', 'prints/p1.json'];
 const garments = ['garments/strips-{size}.json', 'garments/strips-m.json'];

@@ -5,12 +5,12 @@ import {createCanvas} from '@napi-rs/canvas';
 import type {Browser, Page} from 'playwright-core';
 import {afterAll, afterEach, beforeAll, expect, vi} from 'vitest';
 
-import {decoded, type Pixels} from '../../../web/samples/prints/raster.js';
-import type {Alignment, Point} from '../../../web/src/model/geometry.js';
-import type {Print} from '../../../web/src/model/print.js';
-import {imageCell} from '../../../web/src/model/wallpaper.js';
-import {isInside, pick} from '../../../web/src/scene/marks.js';
-import type {PatternScene, ScenePiece} from '../../../web/src/scene/scene.js';
+import {decoded, type Pixels} from '@samples/prints/raster.js';
+import type {Alignment, Point} from '@/model/geometry.js';
+import type {Print} from '@/model/print.js';
+import {imageCell} from '@/model/wallpaper.js';
+import {isInside, pick} from '@/scene/marks.js';
+import type {PatternScene, ScenePiece} from '@/scene/scene.js';
 import {openBrowser, serveSources, type Served} from '../../support/browser.js';
 
 /** A browser that draws in software may have to share a busy machine. [ms] */
