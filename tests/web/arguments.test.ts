@@ -1,6 +1,6 @@
 import {expect, it} from 'vitest';
 
-import {choice, parseArguments, wholeNumber} from '@/cli/arguments.js';
+import {choice, parseArguments, wholeNumber} from '@/cli/base/arguments.js';
 
 const grammar = {files: ['the file'], valued: ['--seed', '--mode'], switches: ['--json']};
 const parse = (...words: string[]) => parseArguments(words, grammar);

@@ -17,7 +17,7 @@ import {
 import {chooseFile, takeFiles} from './files.js';
 import {keepHints, type Hint} from './introduction/kept.js';
 import type {How} from './open-file.js';
-import {pageLayout} from './page-layout.js';
+import {pageLayout} from './style/page-layout.js';
 import type {PageParts} from './palette/page-parts.js';
 import {printPattern} from './print-pattern.js';
 import type {ProjectList} from './projects/project-list.js';

@@ -9,7 +9,7 @@ import {
   placeUnder,
   type NumberField,
 } from '../editor/index.js';
-import {labelled} from './page-layout.js';
+import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
 import {saveCutting, savePicture, saveProject, saveResult} from './save.js';
 

@@ -8,12 +8,19 @@ import {resultText, withoutTimes} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
 import {readBytes, readText, textOf} from '../node/files.js';
 import {remedies, solve, type ProblemNames, type Remedy} from '../node/index.js';
-import {choice, factor, lengthCm, parseArguments, UsageError, wholeNumber} from './arguments.js';
+import {
+  choice,
+  factor,
+  lengthCm,
+  parseArguments,
+  UsageError,
+  wholeNumber,
+} from './base/arguments.js';
 import {figuresLine, remedyLine} from './figures.js';
-import {checkWritable, writeText} from './files.js';
+import {checkWritable, writeText} from './base/files.js';
 import {readPicture, readPrint} from './print-files.js';
 import type {Aligned} from './stored.js';
-import {advise, print, ProgressLine, remark} from './terminal.js';
+import {advise, print, ProgressLine, remark} from './base/terminal.js';
 
 const grammar = {
   files: ['the garment file'],

@@ -10,11 +10,11 @@ import {drawResult, type PictureOptions} from '../picture/draw-result.js';
 import {notAsSold} from '../picture/mark.js';
 import {placementsIn} from '../layout/on-body.js';
 import {readText, resultLimit, textOf} from '../node/files.js';
-import {parseArguments, UsageError} from './arguments.js';
-import {checkWritable, writeText} from './files.js';
+import {parseArguments, UsageError} from './base/arguments.js';
+import {checkWritable, writeText} from './base/files.js';
 import {imageTypes, inColourway, readPrint, readTile} from './print-files.js';
 import {asResult, type ResultFile} from './result-file.js';
-import {print} from './terminal.js';
+import {print} from './base/terminal.js';
 
 const grammar = {
   files: ['the result file'],

@@ -7,10 +7,10 @@ import type {MeshedPattern} from '../model/result.js';
 import {fileError, readText, textOf} from '../node/files.js';
 import {solve} from '../node/index.js';
 import {drawStage, type Stage} from '../picture/draw-stage.js';
-import {choice, parseArguments, UsageError, wholeNumber} from './arguments.js';
-import {writeText} from './files.js';
+import {choice, parseArguments, UsageError, wholeNumber} from './base/arguments.js';
+import {writeText} from './base/files.js';
 import {readPrint} from './print-files.js';
-import {print} from './terminal.js';
+import {print} from './base/terminal.js';
 
 const grammar = {
   files: ['the garment file'],

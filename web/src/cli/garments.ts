@@ -1,8 +1,8 @@
 import {convert, symmetries} from '../node/index.js';
 import {readText} from '../node/files.js';
-import {parseArguments} from './arguments.js';
-import {checkWritable, writeText} from './files.js';
-import {print} from './terminal.js';
+import {parseArguments} from './base/arguments.js';
+import {checkWritable, writeText} from './base/files.js';
+import {print} from './base/terminal.js';
 
 const grammar = {files: ['the garment file'], valued: ['--out'], switches: []};
 

@@ -2,8 +2,8 @@
 import {SolverError} from '../model/failure.js';
 import {packageVersion} from '../model/version.js';
 import {FileError} from '../model/versioned-file.js';
-import {UsageError} from './arguments.js';
-import {print} from './terminal.js';
+import {UsageError} from './base/arguments.js';
+import {print} from './base/terminal.js';
 
 type Command = (words: readonly string[]) => Promise<void>;
 

@@ -9,11 +9,11 @@ import {textOf} from '../node/files.js';
 import {order as solveOrder, type Order} from '../node/index.js';
 import {cuttingFile} from '../cutting/cutting-file.js';
 import {notAsSold} from '../picture/mark.js';
-import {lengthCm, parseArguments, UsageError} from './arguments.js';
+import {lengthCm, parseArguments, UsageError} from './base/arguments.js';
 import {figuresLine} from './figures.js';
-import {checkWritable, writeText} from './files.js';
+import {checkWritable, writeText} from './base/files.js';
 import {fetchTile} from './print-files.js';
-import {print, ProgressLine, remark} from './terminal.js';
+import {print, ProgressLine, remark} from './base/terminal.js';
 
 const grammar = {
   files: ['the design file'],

@@ -5,7 +5,7 @@ import {colourwayOf, type Print} from '../model/print.js';
 import {FileError} from '../model/versioned-file.js';
 import {addressFrom, readAddress, type ReadingLimits} from '../node/addresses.js';
 import {readBytes, textOf} from '../node/files.js';
-import {UsageError} from './arguments.js';
+import {UsageError} from './base/arguments.js';
 
 /** Kinds of image that every browser shows, by the file's extension. */
 export const imageTypes: Readonly<Record<string, string>> = {

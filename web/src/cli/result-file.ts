@@ -17,7 +17,7 @@ import {
   type Read,
 } from '../model/read.js';
 import type {SolveResult} from '../model/result.js';
-import {UsageError} from './arguments.js';
+import {UsageError} from './base/arguments.js';
 
 export type ResultFile = SolveResult & {
   /** What `order` writes of a result says first if it is not the one that was sold. */

@@ -1,11 +1,11 @@
 /** The parts that the page is built of. */
-export * from './desk-element.js';
+export * from './base/desk-element.js';
 export {controls} from './style/controls.js';
 export {openPrint} from './print/own-tile.js';
 export {printFiles} from './print/print-files.js';
 export {icon} from './style/icons.js';
 export {defineEditor, type Editor} from './editor.js';
-export {focused} from './focused.js';
+export {focused} from './base/focused.js';
 export {canAlign} from './commands/can-align.js';
 export type {Command} from './commands/command.js';
 export {keyOf, titleOf, type ShortcutId} from './commands/shortcuts.js';
@@ -16,7 +16,7 @@ export {withAll} from '../workbench/symmetry-steps.js';
 export {withoutPin} from './lists/choices.js';
 export {pieceRows, seamRows, worstSeams} from './lists/rows.js';
 export {turnPiece} from './lists/turn-piece.js';
-export {togglePart} from './pattern/keeping.js';
+export {togglePart} from './lists/keeping.js';
 export {patternCommands} from './pattern/pattern-commands.js';
 export {missing} from './print/choices.js';
 export {pictureOfTile} from './print/own-print.js';

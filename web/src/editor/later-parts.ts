@@ -16,7 +16,7 @@ import {FileSizeNote} from './print/file-size-note.js';
 import {MeasureDialog} from './print/measure-dialog.js';
 import {TileRepeatChoice} from './print/tile-repeat-choice.js';
 import {TileReport} from './print/tile-report.js';
-import {registerAll} from './register.js';
+import {registerAll} from './base/register.js';
 import {KeepImproving} from './remedies/keep-improving.js';
 import {StaysOff} from './remedies/stays-off.js';
 import {KeyMap} from './shell/key-map.js';

@@ -11,7 +11,7 @@ import {ZoomMenu} from './pattern/zoom-menu.js';
 import {PrintGallery} from './print/print-gallery.js';
 import {PrintPanel} from './print/print-panel.js';
 import {RepeatFields} from './print/repeat-fields.js';
-import {registerAll} from './register.js';
+import {registerAll} from './base/register.js';
 import {GarmentChoice} from './shell/garment-choice.js';
 import {Headline} from './shell/headline.js';
 import {NoticeBar} from './shell/notice.js';

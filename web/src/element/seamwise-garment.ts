@@ -25,7 +25,7 @@ import {Speech} from './garment/speech.js';
 import {garmentStyle} from './garment/style.js';
 import {upgrade} from './garment/upgrade.js';
 import {PatternDrawing} from '../editor/pattern/drawing.js';
-import {register} from '../editor/register.js';
+import {register} from '../editor/base/register.js';
 import {controls} from '../editor/style/controls.js';
 import {tokens} from '../editor/style/tokens.js';
 import type {Messages, Texts} from '../texts/texts.js';

@@ -1,6 +1,6 @@
 import {css} from 'lit';
 
-import {unseen} from '../page-layout.js';
+import {unseen} from '../style/page-layout.js';
 
 export const projectListStyle = css`
   @container (width < 100rem) {

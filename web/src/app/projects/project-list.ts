@@ -6,7 +6,7 @@ import {repeat} from 'lit/directives/repeat.js';
 import {controls, DeskElement, icon} from '../../editor/index.js';
 import type {Design} from '../../model/design.js';
 import {longestName} from '../../model/project-name.js';
-import {labelled} from '../page-layout.js';
+import {labelled} from '../style/page-layout.js';
 import {projectListStyle} from './project-list-style.js';
 import type {ProjectEntry, Projects} from './projects.js';
 

@@ -2,8 +2,8 @@ import {stat} from 'node:fs/promises';
 import {availableParallelism} from 'node:os';
 
 import {fileError} from '../../node/files.js';
-import {parseArguments, UsageError, wholeNumber, type Arguments} from '../arguments.js';
-import {print, remark} from '../terminal.js';
+import {parseArguments, UsageError, wholeNumber, type Arguments} from '../base/arguments.js';
+import {print, remark} from '../base/terminal.js';
 import {Threads, type Crew} from './crew.js';
 import {lockFolder} from './lock.js';
 import {BatchProgress} from './progress.js';

@@ -4,7 +4,7 @@ import {link, readFile, rename, rm, writeFile} from 'node:fs/promises';
 import {hostname} from 'node:os';
 
 import {fieldOf} from '../../model/read.js';
-import {UsageError} from '../arguments.js';
+import {UsageError} from '../base/arguments.js';
 
 interface Owner {
   readonly host: string;

@@ -1,4 +1,4 @@
-import {StatusLine} from '../terminal.js';
+import {StatusLine} from '../base/terminal.js';
 import {listedIn, type Tally} from './run.js';
 
 /** Often enough to be seen as moving. [ms] */

@@ -8,7 +8,7 @@ import type {Job as QueuedJob, Queue, QueueEvents, Worker} from 'bullmq';
 import type {Redis} from 'ioredis';
 
 import {packageVersion} from '../../model/version.js';
-import {UsageError} from '../arguments.js';
+import {UsageError} from '../base/arguments.js';
 import type {Crew, Threads} from './crew.js';
 import {checkedJob, complaintAbout, type KeyedJob} from './jobs.js';
 import {failedFor, type Outcome} from './outcome.js';

@@ -9,8 +9,8 @@ import {fieldOf} from '../../model/read.js';
 import {sha256Of} from '../../model/result-text.js';
 import type {SolveResult} from '../../model/result.js';
 import {fileError} from '../../node/files.js';
-import {UsageError} from '../arguments.js';
-import {writeText} from '../files.js';
+import {UsageError} from '../base/arguments.js';
+import {writeText} from '../base/files.js';
 import {figuresOf, type JobFailure, type Outcome} from './outcome.js';
 
 export type Status = Outcome['status'];

@@ -3,7 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {GrainLock} from '../../model/options.js';
 import {methods, type Method} from '../../model/method.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {
   fittingOf,

@@ -1,7 +1,7 @@
 /** How the page speaks and looks, behind one button. */
 import {css, html, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {placeUnder} from '../style/place-under.js';
 import {icon} from '../style/icons.js';

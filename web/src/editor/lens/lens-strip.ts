@@ -2,8 +2,8 @@
 import {css, html, nothing, svg, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {SeamStrip, ShownSeam} from '../../viewer/seam-strip.js';
-import {AppearanceController, colourScheme} from '../appearance.js';
-import {DeskElement, PatientElement} from '../desk-element.js';
+import {AppearanceController, colourScheme} from '../base/appearance.js';
+import {DeskElement, PatientElement} from '../base/desk-element.js';
 import type {SeamRow} from '../lists/rows.js';
 import type {LensCursor} from '../pattern/marks.js';
 import {controls} from '../style/controls.js';

@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
-import {PatientElement} from '../desk-element.js';
+import {PatientElement} from '../base/desk-element.js';
 import {remarkOn, seamRows, worstSeams, type SeamRow} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';

@@ -3,7 +3,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 import {repeat} from 'lit/directives/repeat.js';
 
-import {PatientElement} from '../desk-element.js';
+import {PatientElement} from '../base/desk-element.js';
 import type {Target} from '../../workbench/workbench.js';
 import {inOrder, type Order, type SortKey} from './order.js';
 

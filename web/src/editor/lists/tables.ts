@@ -1,7 +1,7 @@
 /** Everything about the garment as text: its pieces, and below them its seams. */
 import {html, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 
 export class Tables extends DeskElement {
   protected override render(): TemplateResult {

@@ -4,10 +4,10 @@ import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 import type {DesignGarment} from '../../model/design.js';
 import type {Motion} from '../../viewer/morph.js';
 import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
-import {AppearanceController, colourScheme} from '../appearance.js';
-import {PatientElement} from '../desk-element.js';
+import {AppearanceController, colourScheme} from '../base/appearance.js';
+import {PatientElement} from '../base/desk-element.js';
 import {toFailure} from '../../workbench/latest-solve.js';
-import {onceOnline} from '../once-online.js';
+import {onceOnline} from '../base/once-online.js';
 import {SceneMaker} from '../../workbench/scenes.js';
 import type {Notice, SheetWindow} from '../../workbench/workbench.js';
 

@@ -4,10 +4,10 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {isKept, keptParts} from '../../model/locks.js';
 import type {MeshedPattern} from '../../model/result.js';
 import {pick} from '../../scene/marks.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
-import {togglePart} from './keeping.js';
+import {togglePart} from '../lists/keeping.js';
 
 interface Edge {
   readonly edge: number;

@@ -8,7 +8,7 @@ import {
   worstMismatch,
   type MismatchLine,
 } from '../../scene/colours.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 
 /** A stretch of a seam's line, as it is drawn on the pattern. [px] */

@@ -5,7 +5,7 @@ import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import {movementOf} from '../../viewer/movement.js';
 import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
-import type {DeskElement} from '../desk-element.js';
+import type {DeskElement} from '../base/desk-element.js';
 import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';

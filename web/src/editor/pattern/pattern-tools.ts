@@ -14,7 +14,7 @@ import {withAll} from '../../workbench/symmetry-steps.js';
 import type {Target, Workbench} from '../../workbench/workbench.js';
 import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js';
 import {GrainClicks} from './grain-clicks.js';
-import {keepMarks, toggleKept} from './keeping.js';
+import {keepMarks, toggleKept} from '../lists/keeping.js';
 import {railsOf} from './rails.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
 

@@ -3,7 +3,7 @@ import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import type {Point} from '../../model/geometry.js';
 import type {PatternView} from '../../viewer/pattern-view.js';
-import {holdWhilePressed} from './hold.js';
+import {holdWhilePressed} from '../base/hold.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {pointedAt, reachOf, type PatternTools} from './pattern-tools.js';
 

@@ -1,7 +1,7 @@
 /** What to do next with the tool that is at work, and what can be done with it. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import type {PatternTools} from './pattern-tools.js';
 import {centred, middleToCentre} from './centring.js';

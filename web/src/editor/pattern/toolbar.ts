@@ -1,7 +1,7 @@
 /** The tools over the pattern. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {PatternTools} from './pattern-tools.js';

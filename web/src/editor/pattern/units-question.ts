@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {doubtfulHeight, inUnit, likelyUnits} from '../../workbench/doubtful-units.js';
 import {lastOf} from '../../workbench/last-of.js';

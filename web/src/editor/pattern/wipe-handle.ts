@@ -1,7 +1,7 @@
 /** The line between before and after, and the handle that moves it. */
 import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 
 /** Browsers know the handle by different names, which cannot share a rule. */

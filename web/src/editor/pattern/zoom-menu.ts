@@ -3,7 +3,7 @@ import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {PatternView} from '../../viewer/pattern-view.js';
 import type {NumberField} from '../controls/number-field.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 
 /** At 100 %, by how the web counts. [CSS px per cm] */

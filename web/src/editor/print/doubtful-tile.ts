@@ -2,7 +2,7 @@
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {TileRepeat} from '../../model/print-tile.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import type {DoubtfulPicture} from '../../workbench/state.js';
 import {edgesPath, markedTile, markedTileStyle} from './marked-tile.js';

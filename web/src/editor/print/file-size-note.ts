@@ -3,7 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignPrint} from '../../model/design.js';
 import {pictureIn, resized, tileSize} from '../../model/tile-repeat.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {isUnasked, sizeInFile, type FileSize} from './file-size.js';
 import {firstWidth} from './own-tile.js';

@@ -5,7 +5,7 @@ import {noPicture, type DesignPrint} from '../../model/design.js';
 import type {Point} from '../../model/geometry.js';
 import {resized, tileSize} from '../../model/tile-repeat.js';
 import {lengthUnit} from '../controls/number-field.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {alongStripe, choiceOf} from './choices.js';

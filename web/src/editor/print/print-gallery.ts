@@ -5,7 +5,7 @@ import {guard} from 'lit/directives/guard.js';
 import type {Design, DesignPrint} from '../../model/design.js';
 import type {GroupName} from '../../model/print.js';
 import {carries, groupsThatCarry} from '../../model/repeat.js';
-import {PatientElement} from '../desk-element.js';
+import {PatientElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {inColours, samplePrint, type SamplePrint, type Samples} from '../../workbench/samples.js';
 import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choices.js';

@@ -6,7 +6,7 @@ import {fittingGroup, isCoupled, type FittingGroup, type RepeatSize} from '../..
 import {cellSize, cellTurn, resized, tileSize, tileTurn} from '../../model/tile-repeat.js';
 import {latticeType} from '../../model/wallpaper.js';
 import {lengthUnit} from '../controls/number-field.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {cellDiagram, cellDiagramStyle} from './cell-diagram.js';

@@ -3,7 +3,7 @@ import {css, html, nothing, svg, type SVGTemplateResult, type TemplateResult} fr
 
 import {pictureIn} from '../../model/tile-repeat.js';
 import {tileRepeats, type TileRepeat} from '../../model/print-tile.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {printOfPicture} from './own-print.js';
 

@@ -7,7 +7,7 @@ import type {TileRepeat} from '../../model/print-tile.js';
 import type {Asymmetry} from '../../recognition/asymmetry.js';
 import type {FoundGroup, TileCheck} from '../../recognition/tile-check.js';
 import type {OpenEdge} from '../../recognition/tile-edges.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {choiceOf, missing} from './choices.js';
 import {edgesPath, markedTile, markedTileStyle, outlineOf} from './marked-tile.js';

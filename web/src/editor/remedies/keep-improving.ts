@@ -1,7 +1,7 @@
 /** A better answer, looked for when somebody asks for it and for as long as they like. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {mostEffort} from '../../workbench/improvement.js';
 import type {Workbench} from '../../workbench/workbench.js';

@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Remedy} from '../../remedies/remedy.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {offSeams, seamRows, type SeamRow} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import type {Format} from '../../texts/format.js';

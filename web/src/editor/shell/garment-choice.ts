@@ -1,10 +1,10 @@
 /** Which garment, and in which size. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {toFailure} from '../../workbench/latest-solve.js';
-import {onceOnline} from '../once-online.js';
+import {onceOnline} from '../base/once-online.js';
 import {sampleGarment, Unreachable, type Samples} from '../../workbench/samples.js';
 
 export class GarmentChoice extends DeskElement {

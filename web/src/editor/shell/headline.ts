@@ -3,7 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Failure} from '../../model/failure.js';
 import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {finalFit, fitOf, worstOf, type Fit} from '../../scene/mismatch.js';
 import {seamRows} from '../lists/rows.js';

@@ -2,8 +2,8 @@
 import {css, html, type TemplateResult} from 'lit';
 
 import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../commands/shortcuts.js';
-import {DeskElement} from '../desk-element.js';
-import {focused} from '../focused.js';
+import {DeskElement} from '../base/desk-element.js';
+import {focused} from '../base/focused.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 

@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {undoAndSay} from '../commands/step-words.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Notice} from '../../workbench/state.js';

@@ -1,7 +1,7 @@
 /** How far the solve is: a bar for the eye, and words at every quarter for who listens. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 
 export class SolveProgress extends DeskElement {

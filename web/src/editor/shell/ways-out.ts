@@ -7,7 +7,7 @@ import {grainRule} from '../../model/grain-rule.js';
 import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-images.js';
 import {carries} from '../../model/repeat.js';
 import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {withGrain, withoutPin} from '../lists/choices.js';
 import {controls} from '../style/controls.js';
 import {cleanedOptions} from '../../workbench/cleaned-options.js';

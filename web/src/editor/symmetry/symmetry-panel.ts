@@ -4,7 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {groupsThatCarry, carries} from '../../model/repeat.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {section} from '../controls/section.js';
-import {DeskElement} from '../desk-element.js';
+import {DeskElement} from '../base/desk-element.js';
 import {controls} from '../style/controls.js';
 import {asked, withoutSymmetry, withSymmetry} from '../../workbench/symmetry-steps.js';
 

@@ -4,10 +4,10 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import type {DesignPrint} from '../../model/design.js';
 import {coupledSize} from '../../model/repeat.js';
 import {lengthUnit} from '../../editor/controls/number-field.js';
-import {DeskElement} from '../../editor/desk-element.js';
+import {DeskElement} from '../../editor/base/desk-element.js';
 import {swatch} from '../../editor/print/swatch.js';
 import {controls} from '../../editor/style/controls.js';
-import {holdWhilePressed} from '../../editor/pattern/hold.js';
+import {holdWhilePressed} from '../../editor/base/hold.js';
 import type {OfferedPrint} from './offered-prints.js';
 
 /** The slider's ends, as shares of the repeat that the print's maker gave it. */

@@ -1,7 +1,7 @@
 /** What a person needs who places the print: loaded only then. */
 import {defineParts} from '../../editor/parts.js';
 import {ToolHint} from '../../editor/pattern/tool-hint.js';
-import {registerAll} from '../../editor/register.js';
+import {registerAll} from '../../editor/base/register.js';
 import {PlaceBar} from './place-bar.js';
 
 export function definePlacing(): void {

@@ -1,10 +1,10 @@
 /** What every part of the page is: an element that shows a workbench and is drawn again when that changes. */
 import {LitElement, type PropertyValues} from 'lit';
 
-import type {Format} from '../texts/format.js';
-import {formatFor} from '../texts/format.js';
-import {textsOf, type Texts} from '../texts/texts.js';
-import type {Workbench} from '../workbench/workbench.js';
+import type {Format} from '../../texts/format.js';
+import {formatFor} from '../../texts/format.js';
+import {textsOf, type Texts} from '../../texts/texts.js';
+import type {Workbench} from '../../workbench/workbench.js';
 
 export abstract class DeskElement extends LitElement {
   static override properties: Record<string, object> = {desk: {attribute: false}};

@@ -1,7 +1,7 @@
 /** Whether a part is to be drawn light or dark: as its user chose, or as what is around it. */
 import {css, type ReactiveController} from 'lit';
 
-import type {Appearance} from '../viewer/strokes.js';
+import type {Appearance} from '../../viewer/strokes.js';
 import type {DeskElement} from './desk-element.js';
 
 /**

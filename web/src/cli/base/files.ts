@@ -3,7 +3,7 @@ import {constants} from 'node:fs';
 import {access, rename, rm, stat, writeFile} from 'node:fs/promises';
 import {dirname, resolve} from 'node:path';
 
-import {fileError} from '../node/files.js';
+import {fileError} from '../../node/files.js';
 import {UsageError} from './arguments.js';
 
 /**
