@@ -6,40 +6,53 @@ import {expect, it} from 'vitest';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 
-/** What a folder of wasm/src may include, besides itself. Arrows run one way. */
-const coreLayers: Readonly<Record<string, readonly string[]>> = below([
-  ['geometry'],
-  ['pattern', 'wallpaper'],
-  ['symmetry'],
-  ['alignment'],
-  ['seam'],
-  ['deform'],
-  ['solve'],
-  ['io'],
-  ['bindings'],
-]);
+/** The rooms of wasm/src, from the bottom up: each may include those before it. */
+const coreRooms = [
+  'base',
+  'geometry',
+  'numeric',
+  'pattern',
+  'wallpaper',
+  'symmetry',
+  'alignment/model',
+  'alignment/icp',
+  'alignment/baseline',
+  'alignment/bound',
+  'alignment/search',
+  'seam',
+  'mesh',
+  'deform',
+  'problem',
+  'methods',
+  'solve',
+  'io',
+  'bindings',
+];
 
-/** What a folder of web/src may import, besides itself. */
-const webLayers: Readonly<Record<string, readonly string[]>> = {
+/** What a room of web/src may import, besides itself. */
+const webRooms: Readonly<Record<string, readonly string[]>> = {
   model: [],
   solver: ['model'],
+  recognition: ['model'],
+  layout: ['model'],
   clicks: ['model'],
-  picture: ['model'],
-  viewer: ['model', 'clicks', 'picture'], // never the solver: views read a result
-  remedies: ['model', 'picture'],
-  element: ['model', 'solver', 'clicks', 'picture', 'viewer', 'remedies'],
-  app: ['model', 'element', 'picture'],
-  node: ['model', 'solver', 'picture', 'remedies'],
-  cli: ['model', 'node', 'picture', 'remedies'],
+  scene: ['model', 'layout'], // no GL, no SVG, no DOM
+  picture: ['model', 'recognition', 'layout', 'scene'],
+  cutting: ['model', 'layout', 'scene', 'picture'],
+  remedies: ['model', 'scene'],
+  viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
+  texts: ['model', 'scene'],
+  workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'remedies', 'texts'],
+  editor: [
+    ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'remedies'],
+    ...['viewer', 'texts', 'workbench'],
+  ],
+  element: ['model', 'solver', 'recognition', 'texts', 'workbench', 'editor'],
+  app: ['model', 'recognition', 'cutting', 'editor'],
+  node: ['model', 'solver', 'scene', 'remedies'],
+  cli: ['model', 'layout', 'scene', 'picture', 'cutting', 'node'],
   '': ['model', 'solver'], // index.ts, the entry of the package
 };
-
-/** Every layer may use all the layers before its own. */
-function below(layers: readonly (readonly string[])[]): Record<string, readonly string[]> {
-  return Object.fromEntries(
-    layers.flatMap((layer, level) => layer.map((name) => [name, layers.slice(0, level).flat()])),
-  );
-}
 
 function filesUnder(folder: string, extensions: readonly string[]): string[] {
   return readdirSync(join(root, folder), {recursive: true, withFileTypes: true})
@@ -52,10 +65,10 @@ function references(file: string, pattern: RegExp): string[] {
   return [...readFileSync(file, 'utf8').matchAll(pattern)].map((match) => match[1] ?? '');
 }
 
-/** Files directly in the source folder count as the layer ''. */
-function layerOf(file: string, folder: string): string {
-  const parts = relative(join(root, folder), file).split(sep);
-  return parts.length > 1 ? (parts[0] ?? '') : '';
+/** Files directly in the source folder count as the room ''. */
+function topFolder(file: string): string {
+  const [first = '', ...rest] = file.split('/');
+  return rest.length > 0 ? first : '';
 }
 
 const coreFiles = filesUnder('wasm/src', ['.h', '.cpp']);
@@ -65,29 +78,105 @@ const systemIncludes = /^\s*#\s*include\s+<([^>]+)>/gm;
 const imports = /(?:\bfrom|\bimport)\s*\(?\s*'(\.[^']+)'/g;
 const packages = /(?:\bfrom|\bimport)\s*\(?\s*'([^.'][^']*)'/g;
 
-it('lets the layers of the core depend only on those below them', () => {
-  const offences = coreFiles.flatMap((file) => {
-    const own = layerOf(file, 'wasm/src');
-    const allowed = [own, ...(coreLayers[own] ?? [])];
-    return references(file, includes)
-      .filter((header) => !allowed.includes(header.split('/')[0] ?? ''))
-      .map((header) => `${relative(root, file)} includes ${header}`);
+type Graph = ReadonlyMap<string, readonly string[]>;
+
+/** Per file of the core, below wasm/src, what it includes. */
+const coreGraph: Graph = new Map(
+  coreFiles.map((file) => [inFolder('wasm/src', file), references(file, includes)]),
+);
+
+/** Per file of the web sources, below web/src, what it imports, types too. */
+const webGraph: Graph = new Map(
+  webFiles.map((file) => [
+    stem(inFolder('web/src', file)),
+    references(file, imports).map((path) =>
+      stem(inFolder('web/src', normalize(join(dirname(file), path)))),
+    ),
+  ]),
+);
+
+function inFolder(folder: string, file: string): string {
+  return relative(join(root, folder), file).split(sep).join('/');
+}
+
+function stem(file: string): string {
+  return file.replace(/(\.d)?\.m?[jt]s$/, '');
+}
+
+/** What depends on itself by way of others: `names` gives a file its place, which may be the file. */
+function cycles(graph: Graph, names: (file: string) => string): string[] {
+  const arrows = new Map<string, Set<string>>();
+  for (const [file, targets] of graph) {
+    const from = names(file);
+    const all = arrows.get(from) ?? new Set();
+    arrows.set(from, all);
+    for (const target of targets) if (names(target) !== from) all.add(names(target));
+  }
+  const reaches = (from: string, to: string): boolean => {
+    const seen = new Set<string>();
+    const open = [...(arrows.get(from) ?? [])];
+    for (let next = open.pop(); next !== undefined; next = open.pop()) {
+      if (next === to) return true;
+      if (seen.has(next)) continue;
+      seen.add(next);
+      open.push(...(arrows.get(next) ?? []));
+    }
+    return false;
+  };
+  return [...arrows.keys()].filter((name) => reaches(name, name));
+}
+
+it('lets the rooms of the core include only those below them', () => {
+  const offences = [...coreGraph].flatMap(([file, headers]) => {
+    const level = coreRooms.indexOf(dirname(file));
+    return headers
+      .filter((header) => !coreRooms.slice(0, level + 1).includes(dirname(header)))
+      .map((header) => `${file} includes ${header}`);
   });
   expect(offences).toEqual([]);
 });
 
-it('knows every folder of the sources', () => {
-  const unknown = [
-    ...coreFiles.map((file) => layerOf(file, 'wasm/src')).filter((name) => !(name in coreLayers)),
-    ...webFiles.map((file) => layerOf(file, 'web/src')).filter((name) => !(name in webLayers)),
+it('lets the rooms of the web sources import only what they may', () => {
+  const offences = [...webGraph].flatMap(([file, targets]) => {
+    const own = topFolder(file);
+    const allowed = [own, ...(webRooms[own] ?? [])];
+    return targets
+      .filter((target) => !allowed.includes(topFolder(target)))
+      .map((target) => `${file} imports ${target}`);
+  });
+  expect(offences).toEqual([]);
+});
+
+it('knows every room, and has none that is empty', () => {
+  expect([...new Set([...coreGraph.keys()].map(dirname))].sort()).toEqual([...coreRooms].sort());
+  const web = [...new Set([...webGraph.keys()].map(topFolder))];
+  expect(web.sort()).toEqual(Object.keys(webRooms).sort());
+});
+
+it('has no cycle: of files, of folders, of rooms', () => {
+  for (const graph of [coreGraph, webGraph]) {
+    expect(cycles(graph, (file) => file)).toEqual([]);
+    expect(cycles(graph, dirname)).toEqual([]);
+    expect(cycles(graph, topFolder)).toEqual([]);
+  }
+});
+
+it('draws with WebGL in the viewer alone, and knows of no page below the workbench', () => {
+  const using = (name: RegExp): string[] => [
+    ...new Set(
+      webFiles
+        .filter((file) => references(file, packages).some((used) => name.test(used)))
+        .map((file) => topFolder(inFolder('web/src', file))),
+    ),
   ];
-  expect([...new Set(unknown)]).toEqual([]);
+  expect(using(/^three/)).toEqual(['viewer']);
+  expect(using(/^lit/).sort()).toEqual(['app', 'editor', 'element']);
 });
 
 it('keeps JavaScript, streams, clocks and true randomness out of the core', () => {
   const banned = /^(emscripten.*|iostream|chrono|ctime|time\.h|sys\/time\.h)$/;
   const offences = coreFiles
-    .filter((file) => layerOf(file, 'wasm/src') !== 'bindings')
+    .filter((file) => topFolder(inFolder('wasm/src', file)) !== 'bindings')
     .flatMap((file) => [
       ...references(file, systemIncludes).filter((header) => banned.test(header)),
       ...references(file, /\b(std::random_device|std::rand|srand)\b/g),
@@ -95,21 +184,9 @@ it('keeps JavaScript, streams, clocks and true randomness out of the core', () =
   expect(offences).toEqual([]);
 });
 
-it('lets the folders of the web sources import only what they may', () => {
-  const offences = webFiles.flatMap((file) => {
-    const own = layerOf(file, 'web/src');
-    const allowed = [own, ...(webLayers[own] ?? [])];
-    return references(file, imports)
-      .map((path) => normalize(join(dirname(file), path)))
-      .filter((target) => !allowed.includes(layerOf(target, 'web/src')))
-      .map((target) => `${relative(root, file)} imports ${relative(root, target)}`);
-  });
-  expect(offences).toEqual([]);
-});
-
 it('uses Node only where Node is meant to be', () => {
   const offences = webFiles
-    .filter((file) => !['node', 'cli'].includes(layerOf(file, 'web/src')))
+    .filter((file) => !['node', 'cli'].includes(topFolder(inFolder('web/src', file))))
     .flatMap((file) =>
       references(file, packages)
         .filter((name) => name.startsWith('node:'))

@@ -20,7 +20,7 @@ using Names = std::set<std::string_view>;
 
 const Names kPairGroups{"pm",  "pg",  "cm",  "pmm",  "pmg",  "pgg",
                         "cmm", "p4m", "p4g", "p3m1", "p31m", "p6m"};
-const Names kTurnedGroups{"cm", "cmm", "p3m1"};  // "CM, CMM, C3M1" in Eq. (5)
+const Names kTurnedGroups{"cm", "cmm", "p3m1"};  // "CM, CMM, C3M1" in Eq. 5
 
 /// How Eqs. (5) and (7) are read.
 struct Reading {
@@ -36,11 +36,11 @@ Alignment paperImage(const WallpaperGroup& group, const Alignment& first, const 
   const std::string_view name = group.data().name;
   const Vec2 &w1 = group.w1(), &w2 = group.w2();
   const double between = std::atan2(cross(w1, w2), w1.dot(w2));
-  const double turn_g =  // Eq. (5)
+  const double turn_g =  // Eq. 5
       (reading.turned.contains(name) ? reading.sense_of_eq5 * between : 0) + reading.extra_turn;
   const Mat2 r_sym = rotation(map.angle), r_pi = rotation(kPi), r_c = rotation(first.angle);
-  const Mat2 r = rotation(turn_g) * r_sym * r_pi * r_c.transpose();  // Eq. (4)
-  Vec2 half = Vec2::Zero();                                          // Eq. (7)
+  const Mat2 r = rotation(turn_g) * r_sym * r_pi * r_c.transpose();  // Eq. 4
+  Vec2 half = Vec2::Zero();                                          // Eq. 7
   if (name == "pg") half = w1 / 2;
   if (name == "pmg") half = w2 / 2;
   if (name == "pgg" || name == "p4g") half = (w1 + w2) / 2;
@@ -110,7 +110,7 @@ TEST(PaperFormulas, NeedTheShiftOfEquation7InTheFourGroupsItNames) {
 }
 
 TEST(PaperFormulas, HoldForCmmAsPrintedOnlyOnASquareLattice) {
-  // There the other mirrors of cmm lie where Eq. (5) turns to; cm has no others.
+  // There the other mirrors of cmm lie where Eq. 5 turns to; cm has no others.
   const auto on_square = [](std::string_view name) {
     return holds(WallpaperGroup::make(name, {10, 0}, {0, 10}).value(), {});
   };
@@ -124,7 +124,7 @@ TEST(PaperFormulas, HoldForNoGroupAsPrintedWhenW1IsNotOnTheXAxis) {
   for (const double turn : {0.3, -1.2, 2.0}) {
     EXPECT_EQ(holdsFor({}, turn), Names{});
     EXPECT_EQ(holdsFor(inverse, turn), Names{});
-    // Turned back by twice the angle of w1, Eq. (4) is right on every lattice.
+    // Turned back by twice the angle of w1, Eq. 4 is right on every lattice.
     inverse.extra_turn = -2 * turn;
     EXPECT_EQ(holdsFor(inverse, turn), kPairGroups);
     inverse.extra_turn = 0;
@@ -159,7 +159,7 @@ TEST(PaperFormulas, AgreeWithTheRuleByElementsWhereTheyHold) {
 }
 
 /// E_sym of the paper as printed, sum |b - (R_sym F b' + t_sym)|^2, and with b and b' swapped to
-/// agree with its Eq. (3), for vertices b' that Eq. (3) maps b to. [cm^2]
+/// agree with its Eq. 3, for vertices b' that Eq. 3 maps b to. [cm^2]
 struct SymmetryEnergies {
   double printed = 0, swapped = 0;
 };

@@ -19,7 +19,7 @@ export const turn = (a: Point, b: Point): number => Math.atan2(cross(a, b), dot(
 export const onPrint = ({angle, translation}: Alignment, p: Point): Point =>
   turned(sub(p, translation), -angle);
 
-/** Eq. (3): p' = R F p + t with F = diag(-1, 1). */
+/** Eq. 3: p' = R F p + t with F = diag(-1, 1). */
 export const mirrored = ({angle, translation}: Alignment, [x, y]: Point): Point =>
   add(turned([-x, y], angle), translation);
 

@@ -6,7 +6,7 @@
 
 namespace seamwise {
 
-/// The deformation of Wolff et al. 2019, Eq. (8): one energy over all vertices of all pieces,
+/// The deformation of Wolff et al. 2019, Eq. 8: one energy over all vertices of all pieces,
 /// damped Newton with line search, sewability and symmetry by quadratic penalties whose weight
 /// gamma doubles from 1 until both hold.
 class PenaltyDeformation {

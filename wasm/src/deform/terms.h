@@ -6,7 +6,7 @@
 
 namespace seamwise {
 
-/// The terms of the deformation energy of Wolff et al. 2019, Eq. (8), each a pure function of the
+/// The terms of the deformation energy of Wolff et al. 2019, Eq. 8, each a pure function of the
 /// coordinates x = (x0, y0, x1, y1, ...) in cm. Each returns its value and adds, where the pointers
 /// are not null, its gradient and a positive semidefinite Hessian (exact for the quadratic terms,
 /// Gauss-Newton for the others).
@@ -55,7 +55,7 @@ struct MirrorPair {
   Mat2 linear;
   Vec2 shift;
 };
-/// E_sym = sum |b' - (Q b + t)|^2; the map runs from b to b' as in Eq. (3) of the paper
+/// E_sym = sum |b' - (Q b + t)|^2; the map runs from b to b' as in Eq. 3 of the paper
 double symmetryEnergy(const std::vector<MirrorPair>& pairs, const VectorX& x, double weight,
                       VectorX* gradient, SparseHessian* hessian);
 

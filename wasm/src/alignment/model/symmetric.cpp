@@ -3,7 +3,7 @@
 // With W(p) = R^T (p - t), a pair p' = S F p + s is symmetric when W' (S F W^-1) is an
 // orientation-reversing element (A, a) of the print. That gives R' = S F R A and
 // t' = S F t + s - R' a for *any* such element, without special cases by group. The paper's Eqs.
-// (4)-(7) are the same rule for w1 on the x-axis, save that its Eq. (5) turns the wrong way for CM
+// (4)-(7) are the same rule for w1 on the x-axis, save that its Eq. 5 turns the wrong way for CM
 // and CMM.
 #include "alignment/model/symmetric.h"
 
