@@ -28,7 +28,7 @@ int freePieces(const Problem& problem, const Pattern& pattern) {
                                               rulesOf(problem), problem.print.group);
   return static_cast<int>(std::count_if(
       match.leaders.begin(), match.leaders.end(),
-      [](const Leader& leader) { return !leader.seams.empty() && !leader.freedom.isPinned(); }));
+      [](const Leader& leader) { return !leader.seams.empty() && !leader.admissible.isPinned(); }));
 }
 
 }  // namespace

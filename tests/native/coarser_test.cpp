@@ -42,7 +42,7 @@ class Coarser : public ::testing::TestWithParam<std::tuple<bool, double>> {
 
   /// What the finer pattern becomes when every part of the coarser one moves by `move`.
   Shapes followed(const std::function<Vec2(const Vec2&)>& move) {
-    std::vector<Cloth::State> states = from_.restStates();
+    std::vector<PartDeformation::State> states = from_.restStates();
     for (std::size_t c = 0; c < states.size(); ++c) {
       const Part& part = from_.parts().parts[c];
       for (std::size_t i = 0; i < part.rest.size(); ++i) {
@@ -131,11 +131,11 @@ TEST_P(Coarser, ASmoothMoveIsFollowedSmoothlyAndAsSymmetrically) {
   const Shapes moved = followed(swell);
   EXPECT_LT(testing::shapeAsymmetry(fine_, moved), 1e-6);
   EXPECT_GT(testing::leastArea(fine_, moved), 0.8);
-  for (const Cloth& cloth : to_.cloths()) {
-    const Part& part = cloth.part();
+  for (const PartDeformation& deformation : to_.deformations()) {
+    const Part& part = deformation.part();
     for (std::size_t i = 0; i < part.rest.size(); ++i) {
       if (part.reach[i] <= 0) continue;
-      EXPECT_LT((cloth.shape()[i] - part.rest[i] - swell(part.rest[i])).norm(), 0.03);
+      EXPECT_LT((deformation.shape()[i] - part.rest[i] - swell(part.rest[i])).norm(), 0.03);
     }
   }
 }

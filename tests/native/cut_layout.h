@@ -95,7 +95,7 @@ inline MatchProblem matchProblem(const Pattern& pattern, const WallpaperGroup& g
 inline Alignments randomLeaders(const MatchProblem& problem, Random& random) {
   Alignments at;
   for (const Leader& leader : problem.leaders)
-    at.push_back(leader.freedom.nearest(random.alignment(), leader.centre));
+    at.push_back(leader.admissible.nearest(random.alignment(), leader.centre));
   return at;
 }
 

@@ -22,10 +22,10 @@ class Made {
   Made(const char* group, unsigned seed)
       : problem(sampleGroup(*findGroup(group), 0.3)), random_(seed) {}
 
-  void piece(const Freedom& freedom) {
+  void piece(const AdmissibleAlignments& admissible) {
     Leader leader;
     leader.piece = static_cast<int>(problem.leaders.size());
-    leader.freedom = freedom;
+    leader.admissible = admissible;
     leader.centre = random_.point() / 20;
     problem.leaders.push_back(leader);
     component.leaders.push_back(leader.piece);
@@ -49,7 +49,7 @@ class Made {
   Alignments somewhere() {
     Alignments at;
     for (const Leader& leader : problem.leaders)
-      at.push_back(leader.freedom.nearest(random_.alignment(), leader.centre));
+      at.push_back(leader.admissible.nearest(random_.alignment(), leader.centre));
     return at;
   }
   /// Alignments about a random one: of any size, or of those that matter at the end of a proof.
@@ -65,12 +65,14 @@ class Made {
     for (double& v : x) v = std::clamp(random_.between(-1.5, 1.5), -1.0, 1.0);
     return x;
   }
-  Freedom mirrored() { return Freedom::mirrored(random_.reflection(), problem.group); }
-  Freedom pinned() { return Freedom::pinned(random_.alignment()); }
-  static Freedom onGrain(double tolerance) {
-    Freedom freedom;
-    freedom.restrictAngles({0.4, 0.4 - kPi}, tolerance);
-    return freedom;
+  AdmissibleAlignments mirrored() {
+    return AdmissibleAlignments::mirrored(random_.reflection(), problem.group);
+  }
+  AdmissibleAlignments pinned() { return AdmissibleAlignments::pinned(random_.alignment()); }
+  static AdmissibleAlignments onGrain(double tolerance) {
+    AdmissibleAlignments admissible;
+    admissible.restrictAngles({0.4, 0.4 - kPi}, tolerance);
+    return admissible;
   }
 
   MatchProblem problem;
@@ -130,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Groups, LowerBoundInMirrors,
 TEST_P(LowerBoundIn, SaysOfASeamWhatNoAlignmentInTwoBoxesFallsBelow) {
   for (const bool own : {false, true}) {
     Made made(GetParam(), 9);
-    made.piece(Freedom::anywhere()), made.piece(Freedom::anywhere());
+    made.piece(AdmissibleAlignments::anywhere()), made.piece(AdmissibleAlignments::anywhere());
     made.seam(0, own ? 0 : 1, 7);
     const SeamBound bound(made.problem, made.problem.seams[0]);
     const Boxes of_a(made.problem, 0);
@@ -171,7 +173,7 @@ TEST_P(LowerBoundIn, IsNeverAboveTheCostOfPiecesThatAllMeet) {
 
 TEST_P(LowerBoundIn, IsNeverAboveTheCostOfAFreePieceBesideAPinnedOne) {
   Made made(GetParam(), 1);
-  made.piece(made.pinned()), made.piece(Freedom::anywhere());
+  made.piece(made.pinned()), made.piece(AdmissibleAlignments::anywhere());
   made.seam(0, 1, 4), made.seam(1, 0, 3);
   EXPECT_GT(checkedShare(made, 2e7), 20);
 }
@@ -180,7 +182,7 @@ TEST_P(LowerBoundIn, IsNeverAboveTheCostOfASeamOfAPieceWithItself) {
   for (const bool reversing : {false, true}) {
     Made made(GetParam(), 2);
     made.problem.continuous_only = reversing && made.problem.group.carriesPair();
-    made.piece(Freedom::anywhere());
+    made.piece(AdmissibleAlignments::anywhere());
     made.seam(0, 0, 5, made.problem.continuous_only);
     EXPECT_GT(checkedShare(made, 1e7), 20);
   }
@@ -188,7 +190,7 @@ TEST_P(LowerBoundIn, IsNeverAboveTheCostOfASeamOfAPieceWithItself) {
 
 TEST_P(LowerBoundIn, IsNeverAboveTheCostOfTwoFreePieces) {
   Made made(GetParam(), 3);
-  made.piece(Freedom::anywhere()), made.piece(Freedom::anywhere());
+  made.piece(AdmissibleAlignments::anywhere()), made.piece(AdmissibleAlignments::anywhere());
   made.seam(0, 1, 6), made.seam(0, 0, 3);
   EXPECT_GE(checkedShare(made, 2e6), 0);
 }
@@ -247,7 +249,8 @@ TEST(LowerBound, LeavesABadAnswerForTheBest) {
 TEST(LowerBound, GrowsStepByStepAndAlwaysTheSame) {
   const auto bounds = [] {
     Made made("p4m", 8);
-    made.piece(made.mirrored()), made.piece(made.mirrored()), made.piece(Freedom::anywhere());
+    made.piece(made.mirrored()), made.piece(made.mirrored()),
+        made.piece(AdmissibleAlignments::anywhere());
     made.seam(0, 1, 6), made.seam(1, 2, 6), made.seam(2, 2, 4);
     LowerBound search(made.problem, made.component, made.somewhere());
     std::vector<double> out;

@@ -26,8 +26,9 @@ SeamFitting::SeamFitting(const FittingPlan& plan, const Pattern& pattern,
       joins_(pattern.seams.size()),
       pulls_(pattern.seams.size(), 1),
       shapes_(restShapes(pattern)) {
-  cloths_.reserve(plan.cloths.size());
-  for (const ClothPlan& cloth : plan.cloths) cloths_.emplace_back(cloth);
+  deformations_.reserve(plan.deformations.size());
+  for (const DeformationPlan& deformation : plan.deformations)
+    deformations_.emplace_back(deformation);
   lock();
   setPulls(pulls_);
   collectShapes();
@@ -35,7 +36,8 @@ SeamFitting::SeamFitting(const FittingPlan& plan, const Pattern& pattern,
 
 /// Marks the vertices of locked edges, on what a piece and its mirror image are made of.
 void SeamFitting::lock() {
-  for (const Cloth& cloth : cloths_) locked_.emplace_back(cloth.shape().size(), 0);
+  for (const PartDeformation& deformation : deformations_)
+    locked_.emplace_back(deformation.shape().size(), 0);
   for (const EdgeRef& edge : rules_.locked) {
     const Piece& piece = pattern_.pieces[edge.piece];
     const auto& start = piece.edge_start;
@@ -71,32 +73,34 @@ void SeamFitting::setPulls(const std::vector<double>& pulls) {
       }
     }
   }
-  for (std::size_t c = 0; c < cloths_.size(); ++c) cloths_[c].limitReach(limits[c]);
+  for (std::size_t c = 0; c < deformations_.size(); ++c) deformations_[c].limitReach(limits[c]);
 }
 
 void SeamFitting::collectShapes() {
   for (std::size_t p = 0; p < shapes_.size(); ++p) {
     const Follower& f = plan_.parts.pieces[p];
-    const auto& local = cloths_[f.part].shape();
+    const auto& local = deformations_[f.part].shape();
     for (std::size_t v = 0; v < shapes_[p].size(); ++v)
       shapes_[p][v] = f.at(static_cast<int>(v), local[f.source[v]]);
   }
 }
 
-std::vector<Cloth::State> SeamFitting::states() const {
-  std::vector<Cloth::State> states;
-  for (const Cloth& cloth : cloths_) states.push_back(cloth.state());
+std::vector<PartDeformation::State> SeamFitting::states() const {
+  std::vector<PartDeformation::State> states;
+  for (const PartDeformation& deformation : deformations_) states.push_back(deformation.state());
   return states;
 }
 
-std::vector<Cloth::State> SeamFitting::restStates() const {
-  std::vector<Cloth::State> states;
-  for (const Cloth& cloth : cloths_) states.push_back(cloth.restState());
+std::vector<PartDeformation::State> SeamFitting::restStates() const {
+  std::vector<PartDeformation::State> states;
+  for (const PartDeformation& deformation : deformations_)
+    states.push_back(deformation.restState());
   return states;
 }
 
-void SeamFitting::setStates(std::vector<Cloth::State> states) {
-  for (std::size_t k = 0; k < cloths_.size(); ++k) cloths_[k].setState(std::move(states[k]));
+void SeamFitting::setStates(std::vector<PartDeformation::State> states) {
+  for (std::size_t k = 0; k < deformations_.size(); ++k)
+    deformations_[k].setState(std::move(states[k]));
   collectShapes();
 }
 
@@ -106,22 +110,23 @@ void SeamFitting::chooseJoins(const std::vector<Alignment>& at) {
 }
 
 void SeamFitting::addTarget(int piece, int vertex, const Vec2& position, double weight,
-                            const Cloth* only) {
+                            const PartDeformation* only) {
   const Follower& f = plan_.parts.pieces[piece];
-  if (only && only != &cloths_[f.part]) return;
+  if (only && only != &deformations_[f.part]) return;
   const PointMap& back =
       f.reflected[vertex] ? plan_.to_part_mirror[piece] : plan_.to_part_direct[piece];
-  cloths_[f.part].addTarget(f.source[vertex], back(position), weight);
+  deformations_[f.part].addTarget(f.source[vertex], back(position), weight);
 }
 
 void SeamFitting::step(const std::vector<Alignment>& at) {
   aim(at, nullptr);
-  for (Cloth& cloth : cloths_) cloth.step();
+  for (PartDeformation& deformation : deformations_) deformation.step();
   collectShapes();
 }
 
-void SeamFitting::aimAtPartners(const Cloth& cloth, const std::vector<Alignment>& at) {
-  aim(at, &cloth);
+void SeamFitting::aimAtPartners(const PartDeformation& deformation,
+                                const std::vector<Alignment>& at) {
+  aim(at, &deformation);
 }
 
 /// Where both sides of a seam should lie, on equivalent points of the print: in the middle, or
@@ -149,9 +154,9 @@ IdealLines SeamFitting::linesOf(const Seam& seam, const Join& join,
 }
 
 /// Targets of all parts, or of only one.
-void SeamFitting::aim(const std::vector<Alignment>& at, const Cloth* only) {
-  for (Cloth& cloth : cloths_)
-    if (!only || only == &cloth) cloth.clearTargets();
+void SeamFitting::aim(const std::vector<Alignment>& at, const PartDeformation* only) {
+  for (PartDeformation& deformation : deformations_)
+    if (!only || only == &deformation) deformation.clearTargets();
   for (std::size_t s = 0; s < joins_.size(); ++s) {
     const Seam& seam = pattern_.seams[s];
     if (!seam.matched || seam.twin || pulls_[s] <= 0) continue;
@@ -180,7 +185,7 @@ bool SeamFitting::crosses(int piece) const {
 
 int SeamFitting::factorisations() const {
   int total = 0;
-  for (const Cloth& cloth : cloths_) total += cloth.factorisations();
+  for (const PartDeformation& deformation : deformations_) total += deformation.factorisations();
   return total;
 }
 

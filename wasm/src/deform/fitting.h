@@ -1,14 +1,14 @@
 #pragma once
 #include <vector>
 
-#include "deform/cloth.h"
 #include "deform/fitting_plan.h"
+#include "deform/part_deformation.h"
 #include "pattern/garment.h"
 #include "seam/ideal_line.h"
 
 namespace seamwise {
 
-/// What the deformation heeds besides the pattern.
+/// What the deformation depends on besides the pattern.
 struct FittingRules {
   bool continuous_only = false;  ///< forbid mirrored seams
   bool average_shapes = false;   ///< seam lines take the mean of both sides' turning angles
@@ -35,18 +35,18 @@ class SeamFitting {
   void step(const std::vector<Alignment>& at);
 
   /// New targets for one part: the partners' present seam lines, half way.
-  void aimAtPartners(const Cloth& cloth, const std::vector<Alignment>& at);
+  void aimAtPartners(const PartDeformation& deformation, const std::vector<Alignment>& at);
 
   /// What steps change, joins apart: to go back to it later.
-  std::vector<Cloth::State> states() const;
-  void setStates(std::vector<Cloth::State> states);
+  std::vector<PartDeformation::State> states() const;
+  void setStates(std::vector<PartDeformation::State> states);
   /// As drafted: where every deformation starts.
-  std::vector<Cloth::State> restStates() const;
+  std::vector<PartDeformation::State> restStates() const;
 
-  std::vector<Cloth>& cloths() { return cloths_; }
-  const std::vector<Cloth>& cloths() const { return cloths_; }
+  std::vector<PartDeformation>& deformations() { return deformations_; }
+  const std::vector<PartDeformation>& deformations() const { return deformations_; }
   const Parts& parts() const { return plan_.parts; }
-  /// Index of the cloth that a piece, or what mirrors it, is made of.
+  /// Index of the part that a piece, or what mirrors it, belongs to.
   int clothOf(int piece) const { return plan_.parts.pieces[piece].part; }
   const Shapes& shapes() const { return shapes_; }
   const std::vector<Join>& joins() const { return joins_; }
@@ -58,8 +58,9 @@ class SeamFitting {
   bool crosses(int piece) const;
 
  private:
-  void addTarget(int piece, int vertex, const Vec2& position, double weight, const Cloth* only);
-  void aim(const std::vector<Alignment>& at, const Cloth* only);
+  void addTarget(int piece, int vertex, const Vec2& position, double weight,
+                 const PartDeformation* only);
+  void aim(const std::vector<Alignment>& at, const PartDeformation* only);
   bool isLocked(int piece, int vertex) const;
   void lock();
   IdealLines linesOf(const Seam& seam, const Join& join, const std::vector<Alignment>& at) const;
@@ -68,7 +69,7 @@ class SeamFitting {
   const Pattern& pattern_;
   const WallpaperGroup& group_;
   FittingRules rules_;
-  std::vector<Cloth> cloths_;
+  std::vector<PartDeformation> deformations_;
   std::vector<Join> joins_;
   std::vector<double> pulls_;              ///< per seam
   std::vector<std::vector<char>> locked_;  ///< per part and its vertices

@@ -9,7 +9,7 @@ constexpr double kLongest = 2.1;  ///< cm: outline edges of the coarser pattern
 
 FittingPlan::FittingPlan(const Pattern& pattern, const ClothWeights& weights, double max_change)
     : parts(splitIntoParts(pattern, max_change)) {
-  for (const Part& part : parts.parts) cloths.emplace_back(part, weights);
+  for (const Part& part : parts.parts) deformations.emplace_back(part, weights);
   for (const Follower& f : parts.pieces) {
     to_part_direct.push_back(f.direct.inverse());
     to_part_mirror.push_back(f.mirror.inverse());

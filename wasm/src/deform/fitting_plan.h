@@ -2,7 +2,7 @@
 #include <memory>
 #include <optional>
 
-#include "deform/cloth_plan.h"
+#include "deform/deformation_plan.h"
 #include "mesh/coarser.h"
 
 namespace seamwise {
@@ -13,7 +13,7 @@ struct FittingPlan {
   FittingPlan(const Pattern& pattern, const ClothWeights& weights, double max_change);
 
   Parts parts;
-  std::vector<ClothPlan> cloths;                         ///< per part
+  std::vector<DeformationPlan> deformations;             ///< per part
   std::vector<PointMap> to_part_direct, to_part_mirror;  ///< per piece
   std::vector<std::vector<double>>
       vertex_length;  ///< per seam and vertex: cm of seam it stands for

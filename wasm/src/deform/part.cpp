@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "deform/clearance.h"
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 #include "mesh/lengths.h"
 
 namespace seamwise {

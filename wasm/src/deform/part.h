@@ -6,7 +6,7 @@
 
 namespace seamwise {
 
-/// The cloth that deforms by itself once the seams' targets are known: a piece, the first piece of
+/// The region that deforms by itself once the seams' targets are known: a piece, the first piece of
 /// a mirrored pair, or one half of a piece that is symmetric in itself. What mirrors it follows
 /// exactly.
 struct Part {

@@ -8,11 +8,11 @@ constexpr int kSweeps = 4;  ///< over the interior, which is balanced by the nex
 /// How far the vertices of a piece of the coarser pattern have moved, in the frame of its part.
 std::vector<Vec2> movesOf(const SeamFitting& from, int piece) {
   const Follower& follower = from.parts().pieces[piece];
-  const Cloth& cloth = from.cloths()[follower.part];
+  const PartDeformation& deformation = from.deformations()[follower.part];
   std::vector<Vec2> moves;
   for (std::size_t v = 0; v < follower.source.size(); ++v) {
     const int i = follower.source[v];
-    Vec2 move = cloth.shape()[i] - cloth.part().rest[i];
+    Vec2 move = deformation.shape()[i] - deformation.part().rest[i];
     if (follower.reflected[v]) move.x() = -move.x();  // the axis is x = 0
     moves.push_back(move);
   }
@@ -48,12 +48,12 @@ void fillInterior(const Part& part, std::vector<char> known, std::vector<Vec2>& 
 
 }  // namespace
 
-std::vector<Cloth::State> prolonged(const CoarserPattern& coarser, const SeamFitting& from,
-                                    const SeamFitting& to) {
-  std::vector<Cloth::State> states;
-  for (const Cloth& cloth : to.cloths()) {
-    const Part& part = cloth.part();
-    const Cloth& coarse = from.cloths()[states.size()];
+std::vector<PartDeformation::State> prolonged(const CoarserPattern& coarser,
+                                              const SeamFitting& from, const SeamFitting& to) {
+  std::vector<PartDeformation::State> states;
+  for (const PartDeformation& deformation : to.deformations()) {
+    const Part& part = deformation.part();
+    const PartDeformation& coarse = from.deformations()[states.size()];
     const std::vector<Vec2> coarse_moves = movesOf(from, part.piece);
     const auto& places = coarser.places[part.piece];
     std::vector<Vec2> moves(part.rest.size(), Vec2::Zero());
@@ -66,7 +66,7 @@ std::vector<Cloth::State> prolonged(const CoarserPattern& coarser, const SeamFit
       known[i] = 1;
     }
     fillInterior(part, std::move(known), moves);
-    Cloth::State state = cloth.restState();
+    PartDeformation::State state = deformation.restState();
     for (std::size_t i = 0; i < moves.size(); ++i)
       for (int c = 0; c < 2; ++c)
         if (c == 1 || !part.onAxis(static_cast<int>(i))) state.shape[i][c] += moves[i][c];

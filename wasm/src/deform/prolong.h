@@ -6,7 +6,7 @@ namespace seamwise {
 
 /// The state that every part of the finer pattern has when its outline follows that of the coarser
 /// one, its interior goes along smoothly, and its edges pull as theirs do.
-std::vector<Cloth::State> prolonged(const CoarserPattern& coarser, const SeamFitting& from,
-                                    const SeamFitting& to);
+std::vector<PartDeformation::State> prolonged(const CoarserPattern& coarser,
+                                              const SeamFitting& from, const SeamFitting& to);
 
 }  // namespace seamwise

@@ -62,12 +62,12 @@ void exchange(Numbers& with, Alignment& at) { with(at.angle, at.translation); }
 
 void exchange(Numbers& with, Element& e) { with(e.A, e.a, e.mirrored, e.angle); }
 
-void exchange(Numbers& with, Freedom::Place& place) {
+void exchange(Numbers& with, AdmissibleAlignments::Place& place) {
   with(place.angle, place.on_line, place.along, place.period, place.spacing);
 }
 
 void exchange(Numbers& with, Leader& leader) {
-  with(leader.piece, leader.freedom, leader.centre, leader.seams);
+  with(leader.piece, leader.admissible, leader.centre, leader.seams);
 }
 
 void exchange(Numbers& with, Stretch& stretch) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 #include "methods/drafted.h"
 #include "methods/metrics.h"
 #include "methods/predicted_mismatch.h"
@@ -30,7 +30,7 @@ constexpr std::size_t kStarts = 3;
 constexpr double kFitted = 0.95;
 constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
 
-/// Limits that a finished shape keeps, a little inside what is promised.
+/// Limits that a finished shape keeps, a little inside those of the result.
 constexpr double kLengthError = 5e-5;       ///< cm an edge, of seams with up to forty
 constexpr double kSeamShare = 0.2;          ///< of the tolerance of a seam, for all its edges
 constexpr double kAlmostKept = 2e-3;        ///< cm an edge
@@ -139,8 +139,8 @@ void BestRun::startFit() {
   const FittingRules rules{problem_.options.continuous_only,
                            problem_.options.average_seam_shapes.value_or(false),
                            problem_.options.locked};
-  fit_ =
-      std::make_unique<FitRun>(pattern_, match_, rules_, rules, *plans_, std::move(from), reach_);
+  fit_ = std::make_unique<FittingStage>(pattern_, match_, rules_, rules, *plans_, std::move(from),
+                                        reach_);
   alignment_ = fit_->alignment();
   stage_ = Stage::kFit;
   if (fit_->isPerfect()) {
@@ -154,7 +154,7 @@ void BestRun::fitStep() {
   if (!fit_->advance()) {
     stage_ = Stage::kSettle;
     settled_ = 0;
-    for (Cloth& cloth : fit_->fitting().cloths()) cloth.settling = 0;
+    for (PartDeformation& deformation : fit_->fitting().deformations()) deformation.settling = 0;
   }
   if (fit_->isStuck()) {
     if (!std::exchange(sought_again_, true)) {
@@ -177,10 +177,11 @@ void BestRun::seekAgain() {
 
 /// Whether the part keeps every limit of a finished shape, its sewn edges their length to `length`
 /// cm.
-bool BestRun::keepsLimits(const Cloth& cloth, double length) const {
-  const Cloth::Violations v = cloth.violations();
+bool BestRun::keepsLimits(const PartDeformation& deformation, double length) const {
+  const PartDeformation::Violations v = deformation.violations();
   return v.length < length && v.reach < kReachExcess * problem_.options.max_change_cm &&
-         v.kink < kKink && v.stretch < kStretch && !fit_->fitting().crosses(cloth.part().piece);
+         v.kink < kKink && v.stretch < kStretch &&
+         !fit_->fitting().crosses(deformation.part().piece);
 }
 
 /// Parts that keep their limits rest; the others go on, stiffer where they bend too much, at last
@@ -188,24 +189,25 @@ bool BestRun::keepsLimits(const Cloth& cloth, double length) const {
 /// it went wrong; the last time without targets.
 void BestRun::settleStep() {
   bool all_kept = true;
-  for (Cloth& cloth : fit_->fitting().cloths()) {
-    if (keepsLimits(cloth, length_error_)) continue;
+  for (PartDeformation& deformation : fit_->fitting().deformations()) {
+    if (keepsLimits(deformation, length_error_)) continue;
     all_kept = false;
-    const int remedies = cloth.settling / kSettleSteps, step = cloth.settling % kSettleSteps;
+    const int remedies = deformation.settling / kSettleSteps,
+              step = deformation.settling % kSettleSteps;
     // lengths that are almost kept only need more steps
     if (step == 0 && remedies > 0 &&
-        !(keepsLimits(cloth, kAlmostKept) && remedies < kMostRemedies)) {
+        !(keepsLimits(deformation, kAlmostKept) && remedies < kMostRemedies)) {
       if (remedies > kMostRemedies)
-        cloth.clearTargets();
+        deformation.clearTargets();
       else
-        fit_->fitting().aimAtPartners(cloth, alignment_);
-      cloth.restart(kRemedyReach);
+        fit_->fitting().aimAtPartners(deformation, alignment_);
+      deformation.restart(kRemedyReach);
     }
-    cloth.stiffenKinks((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kKink);
-    cloth.stiffenStretched((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kStretch);
-    if (step == kHoldAfter) cloth.holdShape();
-    cloth.step();
-    ++cloth.settling;
+    deformation.stiffenKinks((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kKink);
+    deformation.stiffenStretched((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kStretch);
+    if (step == kHoldAfter) deformation.holdShape();
+    deformation.step();
+    ++deformation.settling;
   }
   fit_->fitting().collectShapes();
   ++settled_;
@@ -220,26 +222,26 @@ void BestRun::settleStep() {
   stage_ = Stage::kFit;
 }
 
-/// What breaks a promise after all stays as it was drafted, which breaks none.
+/// What breaks a limit after all stays as it was drafted, which breaks none.
 void BestRun::restUnsound() {
-  Limits limits;
+  ShapeLimits limits;
   limits.moved = problem_.options.max_change_cm;
-  std::vector<char> unsound(fit_->fitting().cloths().size());
+  std::vector<char> unsound(fit_->fitting().deformations().size());
   for (bool again = true; again;) {
     again = false;
     std::fill(unsound.begin(), unsound.end(), 0);
     const Shapes& now = fit_->fitting().shapes();
     for (std::size_t p = 0; p < now.size(); ++p)
-      if (breachOf(pattern_.pieces[p], now[p], limits) != Breach::kNone)
+      if (brokenLimit(pattern_.pieces[p], now[p], limits) != BrokenLimit::kNone)
         unsound[fit_->fitting().clothOf(static_cast<int>(p))] = 1;
     for (const Seam& seam : pattern_.seams)
       if (seamError(seam, now) > kSeamTolerance)
         unsound[fit_->fitting().clothOf(seam.a.piece)] =
             unsound[fit_->fitting().clothOf(seam.b.piece)] = 1;
     for (std::size_t c = 0; c < unsound.size(); ++c) {
-      Cloth& cloth = fit_->fitting().cloths()[c];
-      if (!unsound[c] || cloth.state().shape == cloth.part().rest) continue;
-      cloth.setState(cloth.restState());
+      PartDeformation& deformation = fit_->fitting().deformations()[c];
+      if (!unsound[c] || deformation.state().shape == deformation.part().rest) continue;
+      deformation.setState(deformation.restState());
       again = true;
     }
     fit_->fitting().collectShapes();

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "methods/fit_run.h"
-#include "methods/search_run.h"
+#include "methods/fitting_stage.h"
+#include "methods/search_stage.h"
 #include "problem/problem.h"
 
 namespace seamwise {
@@ -52,7 +52,7 @@ class BestRun : public Run {
   void restIfBetter();
   void restAt(const Alignments& at);
   void finish();
-  bool keepsLimits(const Cloth& cloth, double length) const;
+  bool keepsLimits(const PartDeformation& deformation, double length) const;
 
   const Problem& problem_;
   const Pattern& pattern_;
@@ -60,9 +60,9 @@ class BestRun : public Run {
   double reach_;  ///< how far an outline vertex may move, cm
   MatchProblem match_;
   std::vector<Alignments> offered_starts_;
-  SearchRun searching_;
+  SearchStage searching_;
   std::shared_ptr<FittingPlans> plans_;
-  std::unique_ptr<FitRun> fit_;
+  std::unique_ptr<FittingStage> fit_;
   Stage stage_ = Stage::kSearch;
   Alignments alignment_, search_result_;
   double of_bound_ = 1;  ///< less where something else than the search's best stands for it

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "alignment/bound/lower_bound.h"
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 #include "methods/metrics.h"
 
 namespace seamwise {
@@ -60,7 +60,7 @@ double EffortRun::searchBound() const {
   if (!symmetric_stands_) return best().searchBound();
   const double bound = best_asked_->searchBound() * best_asked_->searchCost();
   const bool is_proven =
-      bound >= (1 - LowerBound::kProven) * searchCost() || searchCost() <= SearchRun::kPerfect;
+      bound >= (1 - LowerBound::kProven) * searchCost() || searchCost() <= SearchStage::kPerfect;
   return is_proven ? 1 : bound / searchCost();
 }
 

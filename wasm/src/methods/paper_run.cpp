@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 #include "geometry/polygon.h"
 #include "methods/metrics.h"
 

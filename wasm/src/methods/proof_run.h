@@ -4,7 +4,7 @@
 
 #include "alignment/bound/lower_bound.h"
 #include "alignment/model/component.h"
-#include "methods/search_run.h"
+#include "methods/search_stage.h"
 
 namespace seamwise {
 
@@ -13,7 +13,7 @@ namespace seamwise {
 /// remembered as a rule.
 class ProofRun {
  public:
-  /// As for SearchRun.
+  /// As for SearchStage.
   ProofRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
            const std::vector<Mirror>& known, const MatchRules& rules, SearchMemo& memo);
 
@@ -30,7 +30,7 @@ class ProofRun {
   void begin();
 
   const MatchProblem& match_;
-  SearchRun searching_;
+  SearchStage searching_;
   bool searched_ = false;
   std::vector<std::unique_ptr<LowerBound>> proofs_;  ///< per component
   std::vector<char> open_;                           ///< per proof: there are steps left

@@ -184,13 +184,13 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
                    imposed[s].pieces[0]};
     std::move(ties->begin(), ties->end(), std::back_inserter(outlines.ties));
   }
-  Outlines wishes = outlines;
+  Outlines demands = outlines;
   for (const BodySymmetry& s : sampled) {
     if (std::any_of(imposed.begin(), imposed.end(),
                     [&](const BodySymmetry& other) { return samePieces(s, other); }))
       continue;
     if (auto ties = tiesOf(outlines, s, -1))
-      std::move(ties->begin(), ties->end(), std::back_inserter(wishes.ties));
+      std::move(ties->begin(), ties->end(), std::back_inserter(demands.ties));
   }
 
   // Exact patterns need no tolerance. Where symmetries and seams disagree, the least that ends the
@@ -205,9 +205,9 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
   const std::size_t few = kFewPerCorner * corners;
   const std::size_t many = 2 * few + static_cast<std::size_t>(length / edge_length);
   double measured = kCornerTolerance;
-  for (const LoopTie& t : wishes.ties) measured = std::max(measured, t.map.tolerance);
+  for (const LoopTie& t : demands.ties) measured = std::max(measured, t.map.tolerance);
   std::vector<const Outlines*> attempts{&outlines};
-  if (wishes.ties.size() > outlines.ties.size()) attempts.insert(attempts.begin(), &wishes);
+  if (demands.ties.size() > outlines.ties.size()) attempts.insert(attempts.begin(), &demands);
   std::vector<std::size_t> limits{few};
   if (effort == Effort::kFull) limits.push_back(many);
   Breakpoints breakpoints;

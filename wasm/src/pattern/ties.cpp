@@ -203,7 +203,8 @@ bool TiedNodes::close(double tolerance, std::size_t most) {
   return true;
 }
 
-TiedNodes::Wish TiedNodes::wishOf(const Tie& tie, int side, int before, int node, int after) const {
+TiedNodes::Demand TiedNodes::demandOf(const Tie& tie, int side, int before, int node,
+                                      int after) const {
   const Tie::Side &own = tie.side[side], &other = tie.side[1 - side];
   const bool ahead = own.sense > 0;
   // Seen along the loop, `before` can only be the low end of a side that runs ahead, and so on.
@@ -220,7 +221,7 @@ void TiedNodes::settle() {
   struct Free {
     int before, node, after;
     const Loop* loop;
-    std::vector<Wish> wishes;
+    std::vector<Demand> demands;
   };
   std::vector<Free> free;
   for (std::size_t l = 0; l < order_.size(); ++l) {
@@ -231,8 +232,8 @@ void TiedNodes::settle() {
       Free f{order[i - 1], order[i], order[(i + 1) % order.size()], &own, {}};
       for (const auto& [t, side] : ties_of_[l])
         if (holds(ties_[t].side[side], f.node))
-          f.wishes.push_back(wishOf(ties_[t], side, f.before, f.node, f.after));
-      if (!f.wishes.empty()) free.push_back(std::move(f));
+          f.demands.push_back(demandOf(ties_[t], side, f.before, f.node, f.after));
+      if (!f.demands.empty()) free.push_back(std::move(f));
     }
   }
   const auto distance = [&](const Loop& loop, int from, int to, double sense) {
@@ -242,12 +243,12 @@ void TiedNodes::settle() {
     double moved = 0;
     for (const Free& f : free) {
       double sum = 0;
-      for (const Wish& w : f.wishes) {
+      for (const Demand& w : f.demands) {
         const double part = distance(*w.loop, w.before, w.at, w.sense);
         const double whole = part + distance(*w.loop, w.at, w.after, w.sense);
         sum += whole > 0 ? part / whole : 0.5;  // neighbours that meet say nothing
       }
-      const double share = sum / static_cast<double>(f.wishes.size());
+      const double share = sum / static_cast<double>(f.demands.size());
       const double position =
           nodes_[f.before].position + share * distance(*f.loop, f.before, f.after, 1);
       moved = std::max(moved, std::abs(position - nodes_[f.node].position));

@@ -50,8 +50,8 @@ class TiedNodes {
     double at = 0, low = 0, high = 0, other_low = 0, other_high = 0;
   };
 
-  /// Where a tie wants a node between its neighbours: as the counterparts lie, seen in `sense`.
-  struct Wish {
+  /// Where a tie demands a node between its neighbours: as the counterparts lie, seen in `sense`.
+  struct Demand {
     int before, at, after;
     double sense;
     const Loop* loop;  ///< of all three
@@ -70,7 +70,7 @@ class TiedNodes {
   void addSeam(const Stitch& stitch);
   void addMirror(const LoopTie& mirror);
   void anchor(Tie& tie, const Correspondence& map, double tolerance);
-  Wish wishOf(const Tie& tie, int side, int before, int node, int after) const;
+  Demand demandOf(const Tie& tie, int side, int before, int node, int after) const;
 
   const Outlines* outlines_;
   std::vector<Node> nodes_;

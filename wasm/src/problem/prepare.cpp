@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/decimal.h"
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 #include "mesh/lengths.h"
 #include "pattern/discretise.h"
 #include "problem/placing_rules.h"
@@ -46,7 +46,7 @@ bool isStiff(const Pattern& pattern, const Shapes& evened, double max_change) {
                      [&](const Seam& seam) { return seamError(seam, evened) > kEvenedSeam; });
 }
 
-/// Shapes start from the evened pattern, and fall back to it: it must keep every promise by itself.
+/// Shapes start from the evened pattern, and fall back to it: it must keep every limit by itself.
 std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, const Shapes& evened,
                                  double max_change) {
   const Mirror& m = pattern.mirrors[symmetry];
@@ -60,10 +60,10 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
                           " cm to mirror each other exactly, which maxChangeCm does not allow",
                       "; raise maxChangeCm to " + significant(1.1 * moved, 2),
                       {1.1 * moved}};
-    Limits limits;
+    ShapeLimits limits;
     limits.moved = moved, limits.kink = kEvenedKink;
     limits.stretch = kEvenedStretch, limits.area = kEvenedArea;
-    if (breachOf(piece, evened[p], limits) != Breach::kNone)
+    if (brokenLimit(piece, evened[p], limits) != BrokenLimit::kNone)
       return Obstacle{symmetry, "symmetryKinks",
                       "its outlines differ so much from edge to edge that they would get kinks or "
                       "folds if they were made to mirror each other exactly",

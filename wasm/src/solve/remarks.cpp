@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/in_quotes.h"
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 
 namespace seamwise {
 namespace {

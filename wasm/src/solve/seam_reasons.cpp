@@ -48,10 +48,11 @@ Mat2 bestLinear(const SeamMidpoints& m, bool mirrored) {
 std::vector<double> anglesOf(const MatchProblem& match, int piece) {
   const MatchProblem::Follow& follow = match.pieces[piece];
   if (follow.mirrored) return follow.angles;
-  const Freedom& freedom = match.leaders[follow.leader].freedom;
-  if (!freedom.isMirrored()) return freedom.angles();
+  const AdmissibleAlignments& admissible = match.leaders[follow.leader].admissible;
+  if (!admissible.isMirrored()) return admissible.angles();
   std::vector<double> angles;
-  for (const Freedom::Place& place : freedom.places()) angles.push_back(place.angle);
+  for (const AdmissibleAlignments::Place& place : admissible.places())
+    angles.push_back(place.angle);
   return angles;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 #include "methods/drafted.h"
 #include "methods/effort_run.h"
 #include "methods/paper_run.h"

@@ -93,8 +93,8 @@ class Registrar {
     const Curve &first = panel.edges[request.first], &second = panel.edges[request.second];
     const Outline outline(panel);
     const MirrorFit registered = refineMirror(outline, outline, registerEdges(first, second));
-    // Where the two edges alone leave a freedom (straight edges of unequal length slide along each
-    // other), the piece's own mirrors are asked which of them carries one edge to the other.
+    // Where the two edges alone leave a admissible (straight edges of unequal length slide along
+    // each other), the piece's own mirrors are asked which of them carries one edge to the other.
     std::vector<MirrorFit> fits = findMirrors(outline, outline);
     fits.insert(fits.begin(), registered);
     const MirrorFit* best = nullptr;

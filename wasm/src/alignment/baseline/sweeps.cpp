@@ -32,7 +32,7 @@ Alignments randomStart(const MatchProblem& problem, std::uint64_t seed) {
     const Vec2 print =
         problem.group.w1() * random.uniform() + problem.group.w2() * random.uniform();
     const Alignment any{wrapAngle(angle), leader.centre - rotation(angle) * print};
-    at.push_back(leader.freedom.nearest(any, leader.centre));
+    at.push_back(leader.admissible.nearest(any, leader.centre));
   }
   return at;
 }
@@ -76,7 +76,7 @@ double LocalSweeps::turn(int l) {
       }
     }
   }
-  at_[l] = leader.freedom.nearest(
+  at_[l] = leader.admissible.nearest(
       moved(at_[l], leader.centre, wrapAngle(direction(sum) - before), Vec2::Zero()),
       leader.centre);
   return std::abs(wrapAngle(at_[l].angle - before));
@@ -130,14 +130,14 @@ double LocalSweeps::shift(int l) {
   }
   if (weight <= 0) return 0;
   const Vec2 before = at_[l].translation;
-  at_[l] = leader.freedom.nearest(moved(at_[l], leader.centre, 0, sum / weight), leader.centre);
+  at_[l] = leader.admissible.nearest(moved(at_[l], leader.centre, 0, sum / weight), leader.centre);
   return (at_[l].translation - before).norm();
 }
 
 bool LocalSweeps::step() {
   double change = 0;
   for (std::size_t l = 0; l < at_.size(); ++l) {
-    if (problem_.leaders[l].freedom.isPinned()) continue;
+    if (problem_.leaders[l].admissible.isPinned()) continue;
     const int leader = static_cast<int>(l);
     change = std::max(change, turning_ ? turn(leader) : shift(leader));
   }

@@ -22,13 +22,13 @@ BoxTables::BoxTables(const MatchProblem& problem, const Component& component)
   bool free = true;
   for (const int s : component.seams)
     for (const int l : {problem.seams[s].a, problem.seams[s].b})
-      free = free && !problem.leaders[l].freedom.isPinned();
+      free = free && !problem.leaders[l].admissible.isPinned();
   std::vector<double> sizes;
   for (const int l : component.leaders) {
-    const Freedom& freedom = problem.leaders[l].freedom;
-    if (freedom.isPinned()) continue;
+    const AdmissibleAlignments& admissible = problem.leaders[l].admissible;
+    if (admissible.isPinned()) continue;
     index[l] = leaders();
-    const int slots = freedom.turns() ? 3 : freedom.isMirrored() ? 1 : 2;
+    const int slots = admissible.mayRotate() ? 3 : admissible.isMirrored() ? 1 : 2;
     covers_.push_back({Boxes(problem, l), slots == 3 ? 0 : 1, slots, 0, {}, {}, {}, {}, {}});
     covers_.back().all = covers_.back().boxes.all(free && index[l] == 0);
     sizes.push_back(slots == 3 ? 27e3 : slots == 2 ? 900 : 30);  // 30 a slot
@@ -81,7 +81,7 @@ void BoxTables::addSeams(const Component& component, const std::vector<int>& ind
       Cover& mine = covers_[std::max(a, b)];
       const int other = a < 0 ? seam.a : seam.b;
       const Leader& leader = problem_.leaders[other];
-      pinned_.push_back({leader.freedom.nearest({0, leader.centre}, leader.centre)});
+      pinned_.push_back({leader.admissible.nearest({0, leader.centre}, leader.centre)});
       mine.own.add(bound, a < 0, pinned_.back());
       mine.weight += seam.weight;
       continue;

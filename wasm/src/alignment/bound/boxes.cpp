@@ -6,7 +6,7 @@
 namespace seamwise {
 
 Boxes::Boxes(const MatchProblem& problem, int leader) : problem_(problem), leader_(leader) {
-  const auto& [piece, freedom, centre, seams] = problem.leaders[leader];
+  const auto& [piece, admissible, centre, seams] = problem.leaders[leader];
   double weight = 0;
   for (const int s : seams) {
     const MatchSeam& seam = problem.seams[s];
@@ -20,19 +20,19 @@ Boxes::Boxes(const MatchProblem& problem, int leader) : problem_(problem), leade
 }
 
 std::vector<Box> Boxes::all(bool first) const {
-  const auto& [piece, freedom, centre, seams] = problem_.leaders[leader_];
-  if (freedom.isPinned()) return {{freedom.nearest({0, centre}, centre)}};
-  if (freedom.isMirrored()) return onMirrors(first);
-  if (!freedom.turns()) {
+  const auto& [piece, admissible, centre, seams] = problem_.leaders[leader_];
+  if (admissible.isPinned()) return {{admissible.nearest({0, centre}, centre)}};
+  if (admissible.isMirrored()) return onMirrors(first);
+  if (!admissible.mayRotate()) {
     std::vector<Box> boxes;
-    for (const double angle : freedom.angles())
-      boxes.push_back({freedom.nearest({angle, centre}, centre), 0, cell(first)});
+    for (const double angle : admissible.angles())
+      boxes.push_back({admissible.nearest({angle, centre}, centre), 0, cell(first)});
     return boxes;
   }
   // turning a piece by a rotation of the print leaves the print on it as it is
   int rotations = 0;
   for (const Element& e : problem_.group.elements()) rotations += !e.mirrored;
-  return {{{0, centre}, freedom.angles().empty() ? kPi / rotations : kPi, cell(first)}};
+  return {{{0, centre}, admissible.angles().empty() ? kPi / rotations : kPi, cell(first)}};
 }
 
 /// Whether the shift, given to both points, changes no distance modulo the group.
@@ -68,10 +68,10 @@ std::vector<Box> Boxes::onMirrors(bool first) const {
   const Leader& leader = problem_.leaders[leader_];
   const auto& repeats = problem_.group.reducedBasis();
   const Vec2 shifts[3] = {repeats[0] / 2, repeats[1] / 2, (repeats[0] + repeats[1]) / 2};
-  std::vector<Freedom::Place> taken;
+  std::vector<AdmissibleAlignments::Place> taken;
   std::vector<Box> boxes;
-  for (const Freedom::Place& place : leader.freedom.places()) {
-    const auto reached = [&](const Freedom::Place& other) {
+  for (const AdmissibleAlignments::Place& place : leader.admissible.places()) {
+    const auto reached = [&](const AdmissibleAlignments::Place& other) {
       if ((place.along - other.along).norm() > 1e-9) return false;
       for (const Vec2& shift : shifts) {
         const double lines =
@@ -88,7 +88,7 @@ std::vector<Box> Boxes::onMirrors(bool first) const {
       half.setZero();
     else if (first && neutral(half))
       half /= 2;
-    boxes.push_back({leader.freedom.onPlace(place, leader.centre, 0), 0, {half, Vec2::Zero()}});
+    boxes.push_back({leader.admissible.onPlace(place, leader.centre, 0), 0, {half, Vec2::Zero()}});
   }
   return boxes;
 }
@@ -107,7 +107,7 @@ std::vector<HalfBox> Boxes::halves(const Box& box) const {
     } else {
       half.turn /= 2;
       half.at = moved(box.at, leader.centre, sign * half.turn, Vec2::Zero());
-      const double admissible = leader.freedom.nearest(half.at, leader.centre).angle;
+      const double admissible = leader.admissible.nearest(half.at, leader.centre).angle;
       if (std::abs(wrapAngle(admissible - half.at.angle)) > half.turn + 1e-9) continue;
     }
     halves.push_back({half, widest, sign});

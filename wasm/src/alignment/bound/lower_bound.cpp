@@ -106,7 +106,7 @@ double LowerBound::costAt(const Alignments& at) const {
   return cost;
 }
 
-/// Improves the answer in the middle of the boxes that promise most, and keeps it if it is the
+/// Improves the answer in the middle of the boxes with the least bounds, and keeps it if it is the
 /// best.
 void LowerBound::descend() {
   if (descents_ > kDescents * spent_) return;
@@ -119,7 +119,7 @@ void LowerBound::descend() {
     const int l = tables_.boxes(v).leader();
     const Leader& leader = problem_.leaders[l];
     middles.push_back(tables_.all(v)[box].at);
-    at[l] = leader.freedom.nearest(middles.back(), leader.centre);
+    at[l] = leader.admissible.nearest(middles.back(), leader.centre);
     active.push_back(l);
   }
   if (middles == tried_) return;

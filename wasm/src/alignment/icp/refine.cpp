@@ -14,7 +14,7 @@ constexpr double kSlow = 1e-4;  ///< a relative gain below it ends the iteration
 /// held.
 template <class Model>
 void assemble(const Model& model, const int sides[2], const std::vector<int>& first,
-              const std::vector<Freedom::Basis>& bases, NormalEquations& equations) {
+              const std::vector<AdmissibleAlignments::Basis>& bases, NormalEquations& equations) {
   for (int i = 0; i < 2; ++i) {
     const int row = first[sides[i]];
     if (row < 0) continue;
@@ -48,10 +48,10 @@ double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Al
   std::sort(active.begin(), active.end(),
             [&](int l, int k) { return samples.rank(l) < samples.rank(k); });
   std::vector<int> first(problem.leaders.size(), -1);
-  std::vector<Freedom::Basis> bases(problem.leaders.size());
+  std::vector<AdmissibleAlignments::Basis> bases(problem.leaders.size());
   std::vector<int> seams, tied;
   for (int l : active) {
-    bases[l] = problem.leaders[l].freedom.basis(at[l]);
+    bases[l] = problem.leaders[l].admissible.basis(at[l]);
     first[l] = static_cast<int>(tied.size());
     int least = first[l];
     for (int s : problem.leaders[l].seams) {
@@ -95,7 +95,8 @@ double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Al
         for (int c = 0; c < bases[l].cols(); ++c) d -= scale * step[first[l] + c] * bases[l].col(c);
         const Leader& leader = problem.leaders[l];
         trial[l] = moved(at[l], leader.centre, d.x(), d.tail<2>());
-        if (leader.freedom.turns()) trial[l] = leader.freedom.nearest(trial[l], leader.centre);
+        if (leader.admissible.mayRotate())
+          trial[l] = leader.admissible.nearest(trial[l], leader.centre);
         trial_poses[l] = samples.pose(l, trial[l]);
       }
       reached = total(trial_poses);

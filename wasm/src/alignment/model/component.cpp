@@ -8,7 +8,7 @@ namespace seamwise {
 
 std::vector<Component> componentsOf(const MatchProblem& problem) {
   DisjointSets sets(static_cast<int>(problem.leaders.size()));
-  auto pinned = [&](int l) { return problem.leaders[l].freedom.isPinned(); };
+  auto pinned = [&](int l) { return problem.leaders[l].admissible.isPinned(); };
   for (const MatchSeam& seam : problem.seams)
     if (!pinned(seam.a) && !pinned(seam.b)) sets.join(seam.a, seam.b);
   std::vector<Component> components;

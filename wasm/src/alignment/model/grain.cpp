@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "alignment/model/freedom.h"
+#include "alignment/model/admissible_alignments.h"
 #include "alignment/model/symmetric.h"
 
 namespace seamwise {
@@ -68,7 +68,8 @@ PieceRule withImage(const WallpaperGroup& group, const RigidMotion& map, const P
 bool keepsGrain(const WallpaperGroup& group, const RigidMotion& map, const PieceRule& first,
                 const PieceRule& second, bool single) {
   if (first.pin || second.pin || first.angles.empty() || second.angles.empty()) return true;
-  if (single) return Freedom::mirrored(map, group).restrictAngles(first.angles, first.tolerance);
+  if (single)
+    return AdmissibleAlignments::mirrored(map, group).restrictAngles(first.angles, first.tolerance);
   const double room = first.tolerance + second.tolerance + 1e-6;
   return std::any_of(first.angles.begin(), first.angles.end(), [&](double angle) {
     const Alignment on_grain{angle, Vec2::Zero()};

@@ -31,7 +31,7 @@ Alignments MatchProblem::expanded(const Alignments& of_leaders) const {
 Alignments MatchProblem::ofLeaders(const Alignments& of_pieces) const {
   Alignments at(leaders.size());
   for (std::size_t l = 0; l < leaders.size(); ++l)
-    at[l] = leaders[l].freedom.nearest(of_pieces[leaders[l].piece], leaders[l].centre);
+    at[l] = leaders[l].admissible.nearest(of_pieces[leaders[l].piece], leaders[l].centre);
   return at;
 }
 
@@ -152,11 +152,12 @@ MatchProblem makeMatchProblem(const Pattern& pattern, const Shapes& shapes,
     for (int v : pattern.pieces[p].outline) leader.centre += shapes[p][v];
     leader.centre /= static_cast<double>(pattern.pieces[p].outline.size());
     const PieceRule& rule = led[p];
-    if (own[p]) leader.freedom = Freedom::mirrored(own[p]->map, group);
+    if (own[p]) leader.admissible = AdmissibleAlignments::mirrored(own[p]->map, group);
     // in a search for others to start from, a symmetry goes before the grain
-    if (!rule.angles.empty()) leader.freedom.restrictAngles(rule.angles, rule.tolerance);
+    if (!rule.angles.empty()) leader.admissible.restrictAngles(rule.angles, rule.tolerance);
     if (rule.pin)
-      leader.freedom = Freedom::pinned(leader.freedom.nearest(*rule.pin, leader.centre));
+      leader.admissible =
+          AdmissibleAlignments::pinned(leader.admissible.nearest(*rule.pin, leader.centre));
     problem.leaders.push_back(std::move(leader));
   }
   for (MatchProblem::Follow& follow : problem.pieces)

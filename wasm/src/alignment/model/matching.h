@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "alignment/model/admissible_alignments.h"
 #include "alignment/model/alignment.h"
-#include "alignment/model/freedom.h"
 #include "alignment/model/grain.h"
 #include "pattern/garment.h"
 #include "pattern/pattern.h"
@@ -47,13 +47,13 @@ struct MatchSeam {
 /// The variables of an alignment: one leader per mirrored pair or single piece.
 struct Leader {
   int piece = -1;
-  Freedom freedom;
+  AdmissibleAlignments admissible;
   Vec2 centre = Vec2::Zero();  ///< of the piece's matched points; turns are about it
   std::vector<int> seams;      ///< indices in MatchProblem::seams
   bool operator==(const Leader&) const = default;
 };
 
-/// What the alignment must heed besides the seams.
+/// What restricts alignments besides the seams.
 struct MatchRules {
   std::vector<PieceRule> pieces;  ///< per piece: pin and grain
   std::vector<MatchLine> lines;   ///< lines that lie on each other unsewn, in rest coordinates

@@ -12,9 +12,9 @@ constexpr double kEased = 0.1;  ///< sides that differ by a larger share of thei
 constexpr int kDirections = 8;  ///< tried, to find images that are as far apart as wanted
 
 /// The alignment that brings a stretch of a piece's seam best onto `image` of its neighbour's side,
-/// where that neighbour lies (weighted Procrustes), turned to what the piece's freedom admits.
-Alignment onto(const Freedom& freedom, const Stretch& stretch, bool from_a, const Alignment& other,
-               const Element& image) {
+/// where that neighbour lies (weighted Procrustes), turned to what is admissible for the piece.
+Alignment onto(const AdmissibleAlignments& admissible, const Stretch& stretch, bool from_a,
+               const Alignment& other, const Element& image) {
   const Vec2 &mine = from_a ? stretch.mean_a : stretch.mean_b,
              &theirs = from_a ? stretch.mean_b : stretch.mean_a;
   const Mat2 covariance = from_a ? stretch.covariance : Mat2(stretch.covariance.transpose());
@@ -23,15 +23,15 @@ Alignment onto(const Freedom& freedom, const Stretch& stretch, bool from_a, cons
   const double cross = linear.row(1).dot(covariance.row(0)) - linear.row(0).dot(covariance.row(1));
   const Vec2 print = linear * (theirs - other.translation) + image.a;
   const double angle = -std::atan2(cross, dot);
-  return freedom.nearest({angle, mine - rotation(angle) * print}, mine);
+  return admissible.nearest({angle, mine - rotation(angle) * print}, mine);
 }
 
 void addForMirrored(const MatchProblem& problem, int l, std::vector<Alignment>& out) {
   const Leader& leader = problem.leaders[l];
-  for (const Freedom::Place& place : leader.freedom.places()) {
+  for (const AdmissibleAlignments::Place& place : leader.admissible.places()) {
     const int slides = std::clamp(static_cast<int>(place.period), 5, 12);
     for (int k = 0; k < slides; ++k)
-      out.push_back(leader.freedom.onPlace(place, leader.centre, place.period * k / slides));
+      out.push_back(leader.admissible.onPlace(place, leader.centre, place.period * k / slides));
   }
 }
 
@@ -45,7 +45,7 @@ Stretch randomStretch(const MatchSeam& seam, Random& random) {
 /// Where a seam is gathered or eased, the print may still meet wherever the sides cross its repeats
 /// in step: the alignment that lays two edges of a piece's seam, drawn at random, on images of
 /// their partners which are about as far apart as they are.
-std::optional<Alignment> inStep(const MatchProblem& problem, const Freedom& freedom,
+std::optional<Alignment> inStep(const MatchProblem& problem, const AdmissibleAlignments& admissible,
                                 const MatchSeam& seam, bool from_a, const Alignment& other,
                                 Random& random) {
   const int edges = static_cast<int>(seam.w.size());
@@ -71,7 +71,8 @@ std::optional<Alignment> inStep(const MatchProblem& problem, const Freedom& free
   }
   const double turn = turnBetween(along, best);
   const Vec2 middle = (mine[i] + mine[j]) / 2;
-  return freedom.nearest({wrapAngle(-turn), middle - rotation(-turn) * (from + best / 2)}, middle);
+  return admissible.nearest({wrapAngle(-turn), middle - rotation(-turn) * (from + best / 2)},
+                            middle);
 }
 
 }  // namespace
@@ -80,8 +81,8 @@ std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alig
                                   const std::vector<char>& placed, int stretches, Random& random) {
   std::vector<Alignment> out;
   const Leader& leader = problem.leaders[l];
-  if (leader.freedom.isPinned()) return {leader.freedom.nearest({}, leader.centre)};
-  if (leader.freedom.isMirrored()) addForMirrored(problem, l, out);
+  if (leader.admissible.isPinned()) return {leader.admissible.nearest({}, leader.centre)};
+  if (leader.admissible.isMirrored()) addForMirrored(problem, l, out);
   const auto& elements = problem.group.elements();
   for (int s : leader.seams) {
     const MatchSeam& seam = problem.seams[s];
@@ -94,12 +95,12 @@ std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alig
         if (!problem.allows(seam, e)) continue;
         // Elements of one orientation differ by a rotation of the print: the same print on the
         // piece, unless its angle is bound.
-        if (leader.freedom.turns() && seen[e.mirrored]) continue;
+        if (leader.admissible.mayRotate() && seen[e.mirrored]) continue;
         seen[e.mirrored] = true;
-        out.push_back(onto(leader.freedom, part, seam.a == l, at[other], e));
+        out.push_back(onto(leader.admissible, part, seam.a == l, at[other], e));
       }
       if (k > 0)
-        if (auto stepped = inStep(problem, leader.freedom, seam, seam.a == l, at[other], random))
+        if (auto stepped = inStep(problem, leader.admissible, seam, seam.a == l, at[other], random))
           out.push_back(*stepped);
     }
   }
@@ -108,10 +109,10 @@ std::vector<Alignment> candidates(const MatchProblem& problem, int l, const Alig
 
 Alignment randomAlignment(const MatchProblem& problem, int l, Random& random) {
   const Leader& leader = problem.leaders[l];
-  if (leader.freedom.isMirrored()) {
-    const auto& places = leader.freedom.places();
+  if (leader.admissible.isMirrored()) {
+    const auto& places = leader.admissible.places();
     const auto& place = places[random.below(static_cast<int>(places.size()))];
-    return leader.freedom.onPlace(place, leader.centre, place.period * random.uniform());
+    return leader.admissible.onPlace(place, leader.centre, place.period * random.uniform());
   }
   const Vec2 print = problem.group.w1() * random.uniform() + problem.group.w2() * random.uniform();
   double angle = 2 * kPi * random.uniform();
@@ -136,7 +137,7 @@ Alignment randomAlignment(const MatchProblem& problem, int l, Random& random) {
     }
   }
   const Alignment any{wrapAngle(angle), leader.centre - rotation(angle) * print};
-  return leader.freedom.nearest(any, leader.centre);
+  return leader.admissible.nearest(any, leader.centre);
 }
 
 }  // namespace seamwise

@@ -10,7 +10,7 @@ namespace seamwise {
 namespace {
 
 constexpr double kEqual = 1e-6;  ///< answers whose costs differ by less are as good as each other
-constexpr int kGlance = 3;       ///< iterations on all edges that tell which finalists go on
+constexpr int kFirstIterations = 3;  ///< iterations on all edges that tell which finalists go on
 constexpr std::size_t kPolished = 12;
 constexpr int kPolish = 30;  ///< iterations at most
 
@@ -25,7 +25,7 @@ std::vector<std::pair<double, Alignments>> finalistsOf(
     for (const std::size_t k : order) all[k].first = improve(all[k].second, iterations);
     sortBy(order, [&](std::size_t k) { return all[k].first; });
   };
-  sort(kGlance);
+  sort(kFirstIterations);
   if (order.size() > kPolished) order.resize(kPolished);
   sort(kPolish);
   std::vector<std::pair<double, Alignments>> finalists;

@@ -56,7 +56,7 @@ AlignmentSearch::AlignmentSearch(const MatchProblem& problem, std::uint64_t seed
       known_(components_.size()),
       shown_(components_.size(), -1) {
   for (const Leader& leader : problem.leaders)
-    best_.push_back(leader.freedom.nearest({0, leader.centre}, leader.centre));
+    best_.push_back(leader.admissible.nearest({0, leader.centre}, leader.centre));
   progress();
 }
 
@@ -64,7 +64,7 @@ void AlignmentSearch::offer(const Alignments& at) {
   Alignments admissible = at;
   for (std::size_t l = 0; l < at.size(); ++l) {
     const Leader& leader = problem_.leaders[l];
-    admissible[l] = leader.freedom.nearest(at[l], leader.centre);
+    admissible[l] = leader.admissible.nearest(at[l], leader.centre);
   }
   offered_.push_back(admissible);
   for (std::size_t k = 0; k < components_.size(); ++k) {
@@ -212,7 +212,7 @@ double AlignmentSearch::proofAllowed(const Component& c) const {
   if (moves_.slack() > 0) return 0;
   int unknowns = 0;
   for (int l : c.leaders)
-    unknowns += static_cast<int>(problem_.leaders[l].freedom.basis(best_[l]).cols());
+    unknowns += static_cast<int>(problem_.leaders[l].admissible.basis(best_[l]).cols());
   return budget_.proof.value_or(unknowns > kProvable ? 0 : kProof) * allowedIn(c, budget_);
 }
 

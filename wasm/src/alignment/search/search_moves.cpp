@@ -215,7 +215,7 @@ std::vector<int> SearchMoves::randomPart(const Component& c) {
       const MatchSeam& seam = problem_.seams[s];
       const int other = seam.a == part[k] ? seam.b : seam.a;
       if (std::find(part.begin(), part.end(), other) != part.end()) continue;
-      if (problem_.leaders[other].freedom.isPinned() || random_.uniform() < kSkip) continue;
+      if (problem_.leaders[other].admissible.isPinned() || random_.uniform() < kSkip) continue;
       part.push_back(other);
       if (static_cast<int>(part.size()) >= size) break;
     }

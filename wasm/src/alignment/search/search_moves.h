@@ -25,7 +25,9 @@ class SearchMoves {
   Layout layoutOf(const Alignments& at) const;
   double costOf(const Component& c, const Layout& layout, double slack);
   /// The cost that kPerfectDistance makes of all seams.
-  static double perfect(const SearchSamples& samples) { return kPerfectDistance * samples.weight(); }
+  static double perfect(const SearchSamples& samples) {
+    return kPerfectDistance * samples.weight();
+  }
   double perfect() const { return perfect(samples_); }
   double slack() const { return slack_; }
 

@@ -1,4 +1,4 @@
-#include "deform/cloth_plan.h"
+#include "deform/deformation_plan.h"
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ std::array<int, 10> slotsOf(const ClothTerms& terms, int i, int j) {
 
 }  // namespace
 
-ClothPlan::ClothPlan(const Part& part, const ClothWeights& weights)
+DeformationPlan::DeformationPlan(const Part& part, const ClothWeights& weights)
     : part_(&part), weights_(weights) {
   rest_area_.reserve(part.triangles.size());
   for (const auto& t : part.triangles) rest_area_.push_back(areaOf(t, part.rest));

@@ -7,7 +7,7 @@
 namespace seamwise {
 
 /// What a finished shape keeps of the piece that was drafted.
-struct Limits {
+struct ShapeLimits {
   double moved = 1;              ///< cm that an outline vertex may move, as it lies
   double kink = 15 * kPi / 180;  ///< rad by which a smooth outline may bend further at a vertex
   double stretch = 0.15;         ///< change of an outline edge, as a share of its length
@@ -23,10 +23,11 @@ inline constexpr double kSeamTolerance = 0.01;
 /// Greatest changes below it leave nothing to deform. [cm]
 inline constexpr double kLeastChange = 1e-3;
 
-enum class Breach : std::uint8_t { kNone, kMoved, kKink, kStretch, kArea, kCrossing };
+enum class BrokenLimit : std::uint8_t { kNone, kMoved, kKink, kStretch, kArea, kCrossing };
 
 /// The first limit that a shape of a piece breaks.
-Breach breachOf(const Piece& piece, const std::vector<Vec2>& shape, const Limits& limits);
+BrokenLimit brokenLimit(const Piece& piece, const std::vector<Vec2>& shape,
+                        const ShapeLimits& limits);
 
 /// How far an outline vertex moved at most, as it lies. [cm]
 double movedOf(const Piece& piece, const std::vector<Vec2>& shape);

@@ -21,16 +21,16 @@ struct FitStart {
 /// and pull nothing: once they are known, shapes start again without them. A start that leaves
 /// seams worse off than placing alone does is given up for the next; where none is left, the one
 /// that came closest may go on. Seam lengths and limits are left to settle.
-class FitRun {
+class FittingStage {
  public:
   /// All but the starts outlives the run.
   /// @param match    of the pattern at rest, made by the rules
   /// @param plans    for the pattern
   /// @param starts   at least one; the last stays: what placing alone ends with
   /// @param reach    how far an outline vertex may move. [cm]
-  FitRun(const Pattern& pattern, const MatchProblem& match, const MatchRules& rules,
-         const FittingRules& fitting, FittingPlans& plans, std::vector<FitStart> starts,
-         double reach);
+  FittingStage(const Pattern& pattern, const MatchProblem& match, const MatchRules& rules,
+               const FittingRules& fitting, FittingPlans& plans, std::vector<FitStart> starts,
+               double reach);
 
   /// One step of all parts. False when there is nothing left to do.
   bool advance();
@@ -60,7 +60,7 @@ class FitRun {
   enum class Judgement : std::uint8_t { kGood, kOthersPull, kHopeless };
   /// How far a start has come.
   struct Start : FitStart {
-    std::vector<Cloth::State> states;
+    std::vector<PartDeformation::State> states;
     std::vector<char> shaped;     ///< per seam: it pulls
     std::vector<double> urgency;  ///< per seam: multiple of its weight
     std::vector<double> margins;  ///< per seam: by how much it is held below what is allowed. [cm]

@@ -14,7 +14,7 @@ namespace seamwise {
 /// again with the weights and pins that are asked for, on the print as it lies, where that makes a
 /// difference. So whoever changes a weight, a pin or the print's turn has most of it done already,
 /// and comes to the same answer as who has not.
-class SearchRun {
+class SearchStage {
  public:
   static constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies
 
@@ -23,9 +23,9 @@ class SearchRun {
   /// @param slack     cm of mismatch that shapes may take up
   /// @param offered   of all pieces: the last search at rest ends no worse than any of them, nor
   ///                  than the drafted layout
-  SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
-            const std::vector<Mirror>& known, const MatchRules& rules, double slack,
-            std::vector<Alignments> offered, SearchMemo& memo);
+  SearchStage(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
+              const std::vector<Mirror>& known, const MatchRules& rules, double slack,
+              std::vector<Alignments> offered, SearchMemo& memo);
 
   /// Some milliseconds of work. False when it has ended.
   bool advance();

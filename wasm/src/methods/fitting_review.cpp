@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "methods/fit_run.h"
+#include "methods/fitting_stage.h"
 #include "methods/metrics.h"
 #include "methods/seam_rules.h"
 
@@ -14,7 +14,7 @@ constexpr double kBlame = 3;  ///< the same, for the next search
 }  // namespace
 
 /// Takes the pull from the seams that end where this one does. Returns whether there were any.
-bool FitRun::dropNeighbours(std::size_t seam) {
+bool FittingStage::dropNeighbours(std::size_t seam) {
   const Seam& own = fitted().seams[seam];
   std::vector<char>& shaped = starts_[current_].shaped;
   bool any = false;
@@ -32,7 +32,7 @@ bool FitRun::dropNeighbours(std::size_t seam) {
 
 /// Takes from the seams that are bent in vain their pull, and gives more to those that are worse
 /// off than by placing alone.
-FitRun::Judgement FitRun::judge() {
+FittingStage::Judgement FittingStage::judge() {
   const Pattern& pattern = fitted();
   const Shapes rest = restShapes(pattern);
   const WallpaperGroup joining = match_.joining();
@@ -71,7 +71,7 @@ FitRun::Judgement FitRun::judge() {
   return found;
 }
 
-bool FitRun::review() {
+bool FittingStage::review() {
   if (perfect_ || given_up_) return true;
   const Judgement found = judge();
   if (found == Judgement::kGood) return true;
@@ -93,7 +93,7 @@ bool FitRun::review() {
 }
 
 /// Leaves all lines as drafted, where placing alone lays them.
-void FitRun::giveUp() {
+void FittingStage::giveUp() {
   given_up_ = true;
   fitting_->setStates(fitting_->restStates());
   current_ = starts_.size();
@@ -101,10 +101,10 @@ void FitRun::giveUp() {
   std::fill(starts_[current_].shaped.begin(), starts_[current_].shaped.end(), 0);
   place(starts_[current_].leaders);
   pull();
-  for (Cloth& cloth : fitting_->cloths()) cloth.clearTargets();
+  for (PartDeformation& deformation : fitting_->deformations()) deformation.clearTargets();
 }
 
-void FitRun::fail() {
+void FittingStage::fail() {
   starts_[current_].failed = true;
   starts_[current_].excess = excess_;
   for (std::size_t s = 0; s < worse_.size(); ++s)

@@ -1,4 +1,4 @@
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,9 @@ double movedOf(const Piece& piece, const std::vector<Vec2>& shape) {
   return moved;
 }
 
-Breach breachOf(const Piece& piece, const std::vector<Vec2>& shape, const Limits& limits) {
-  if (!(movedOf(piece, shape) <= limits.moved)) return Breach::kMoved;
+BrokenLimit brokenLimit(const Piece& piece, const std::vector<Vec2>& shape,
+                        const ShapeLimits& limits) {
+  if (!(movedOf(piece, shape) <= limits.moved)) return BrokenLimit::kMoved;
   std::vector<Polyline> loops;
   for (const std::vector<int>& loop : loopsOf(piece)) {
     const std::size_t n = loop.size();
@@ -32,16 +33,16 @@ Breach breachOf(const Piece& piece, const std::vector<Vec2>& shape, const Limits
       loops.back().push_back(shape[v]);
       const double rest = (piece.rest[w] - piece.rest[v]).norm();
       if (!(std::abs((shape[w] - shape[v]).norm() - rest) <= limits.stretch * rest))
-        return Breach::kStretch;
+        return BrokenLimit::kStretch;
       const double turn = turnAt(piece.rest[u], piece.rest[v], piece.rest[w]);
       if (std::abs(turn) < kSmooth &&
           !(std::abs(turnAt(shape[u], shape[v], shape[w]) - turn) <= limits.kink))
-        return Breach::kKink;
+        return BrokenLimit::kKink;
     }
   }
   for (const auto& t : piece.triangles)
-    if (!(area(shape, t) >= limits.area * area(piece.rest, t))) return Breach::kArea;
-  return findCrossing(loops) ? Breach::kCrossing : Breach::kNone;
+    if (!(area(shape, t) >= limits.area * area(piece.rest, t))) return BrokenLimit::kArea;
+  return findCrossing(loops) ? BrokenLimit::kCrossing : BrokenLimit::kNone;
 }
 
 double seamError(const Seam& seam, const Shapes& shapes) {

@@ -1,4 +1,4 @@
-#include "methods/fit_run.h"
+#include "methods/fitting_stage.h"
 
 #include <algorithm>
 #include <numeric>
@@ -8,7 +8,7 @@
 #include "deform/prolong.h"
 #include "methods/metrics.h"
 #include "methods/seam_rules.h"
-#include "methods/search_run.h"
+#include "methods/search_stage.h"
 
 namespace seamwise {
 namespace {
@@ -37,9 +37,9 @@ std::size_t verticesOf(const Pattern& pattern) {
 
 }  // namespace
 
-FitRun::FitRun(const Pattern& pattern, const MatchProblem& match, const MatchRules& rules,
-               const FittingRules& fitting, FittingPlans& plans, std::vector<FitStart> starts,
-               double reach)
+FittingStage::FittingStage(const Pattern& pattern, const MatchProblem& match,
+                           const MatchRules& rules, const FittingRules& fitting,
+                           FittingPlans& plans, std::vector<FitStart> starts, double reach)
     : pattern_(pattern),
       match_(match),
       rules_(rules),
@@ -55,10 +55,10 @@ FitRun::FitRun(const Pattern& pattern, const MatchProblem& match, const MatchRul
   double mismatch = 0;
   for (std::size_t s = 0; s < pattern.seams.size(); ++s)
     if (counts(pattern.seams[s])) mismatch += fitting_->joins()[s].cost;
-  perfect_ = mismatch < SearchRun::kPerfect;
+  perfect_ = mismatch < SearchStage::kPerfect;
 }
 
-void FitRun::add(FitStart from) {
+void FittingStage::add(FitStart from) {
   Start start;
   static_cast<FitStart&>(start) = std::move(from);
   start.urgency.assign(pattern_.seams.size(), 1);
@@ -67,7 +67,7 @@ void FitRun::add(FitStart from) {
 }
 
 /// Plans the steps, on the coarser mesh where there is one.
-void FitRun::begin() {
+void FittingStage::begin() {
   begun_ = true;
   if ((plan_ = plans_.coarse(pattern_))) {
     coarse_pattern_ = plan_->coarser.pattern;
@@ -88,13 +88,13 @@ void FitRun::begin() {
   resume(0);
 }
 
-void FitRun::goCoarse() {
+void FittingStage::goCoarse() {
   if (!plan_) return;
   coarse_ = true;
   fitting_ = coarse_fitting_.get();
 }
 
-void FitRun::goFine() {
+void FittingStage::goFine() {
   fine_->setStates(prolonged(plan_->coarser, *fitting_, *fine_));
   fitting_ = fine_.get();
   coarse_ = false;
@@ -108,7 +108,7 @@ void FitRun::goFine() {
 }
 
 /// Whether some seam misses by more than placing alone allows.
-bool FitRun::isWorseThanPlaced() const {
+bool FittingStage::isWorseThanPlaced() const {
   const auto now = localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_);
   const auto placed = placedMismatches();
   for (std::size_t s = 0; s < now.size(); ++s)
@@ -116,14 +116,14 @@ bool FitRun::isWorseThanPlaced() const {
   return false;
 }
 
-void FitRun::place(const Alignments& leaders) {
+void FittingStage::place(const Alignments& leaders) {
   leaders_ = leaders;
   alignment_ = match_.expanded(leaders);
   fitting_->chooseJoins(alignment_);
 }
 
 /// Goes on from a start; first from rest, with all seams pulling that shaping may bring to meet.
-void FitRun::resume(std::size_t index) {
+void FittingStage::resume(std::size_t index) {
   current_ = index;
   Start& start = starts_[index];
   const bool first = start.states.empty();
@@ -141,7 +141,7 @@ void FitRun::resume(std::size_t index) {
 }
 
 /// From rest once more, with other seams pulling.
-void FitRun::again() {
+void FittingStage::again() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.steps = 0;
@@ -150,7 +150,7 @@ void FitRun::again() {
   resume(current_);
 }
 
-void FitRun::pull() {
+void FittingStage::pull() {
   const Start& start = starts_[current_];
   std::vector<double> pulls(start.shaped.size(), 1);
   for (std::size_t s = 0; s < pulls.size(); ++s)
@@ -158,11 +158,11 @@ void FitRun::pull() {
   fitting_->setPulls(pulls);
 }
 
-std::vector<double> FitRun::placedMismatches() const {
+std::vector<double> FittingStage::placedMismatches() const {
   return localMismatches(match_.joining(), fitted(), restShapes(fitted()), placed_);
 }
 
-void FitRun::realign() {
+void FittingStage::realign() {
   const Start& start = starts_[current_];
   if (start.stays) return fitting_->chooseJoins(alignment_);
   Pattern urgent = fitted();
@@ -182,7 +182,7 @@ void FitRun::realign() {
   fitting_->chooseJoins(alignment_);
 }
 
-bool FitRun::advance() {
+bool FittingStage::advance() {
   if (perfect_) return false;
   if (!begun_) {
     begin();
@@ -205,7 +205,7 @@ bool FitRun::advance() {
 }
 
 /// Judges the seams after a start's steps. Returns whether there are more to take.
-bool FitRun::endSteps() {
+bool FittingStage::endSteps() {
   Start& start = starts_[current_];
   const Judgement found = judge();
   const int most = start.retried ? kMostRetried : kMostRounds;
@@ -222,7 +222,7 @@ bool FitRun::endSteps() {
 
 /// Notes how far the present start has come and goes on from the one that fits best. Returns
 /// whether there are more steps to take.
-bool FitRun::leave() {
+bool FittingStage::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.states = fitting_->states();
@@ -235,7 +235,7 @@ bool FitRun::leave() {
 
 /// Goes on with what is not tried yet, else with the start that is best under the rules, while it
 /// may still come out ahead of those that have ended.
-bool FitRun::goOnFromBest() {
+bool FittingStage::goOnFromBest() {
   const std::size_t none = starts_.size();
   std::size_t open = none, ended = none;
   for (std::size_t k = starts_.size(); k-- > 0;) {
@@ -264,7 +264,7 @@ bool FitRun::goOnFromBest() {
 }
 
 /// Gives more rounds to the start that failed by least. Returns whether one failed by little.
-bool FitRun::retryNearest() {
+bool FittingStage::retryNearest() {
   Start* nearest = nullptr;
   for (Start& start : starts_)
     if (start.failed && !start.retried && start.reviews == 0 && start.excess <= kLittle &&
@@ -277,7 +277,7 @@ bool FitRun::retryNearest() {
   return true;
 }
 
-void FitRun::goOn(std::optional<Alignments> leaders) {
+void FittingStage::goOn(std::optional<Alignments> leaders) {
   stuck_ = false;
   if (leaders)
     add({std::move(*leaders)});
@@ -286,10 +286,10 @@ void FitRun::goOn(std::optional<Alignments> leaders) {
   if (!goOnFromBest()) stalled_ = true;
 }
 
-int FitRun::factorisations() const {
+int FittingStage::factorisations() const {
   return fine_->factorisations() + (coarse_fitting_ ? coarse_fitting_->factorisations() : 0);
 }
 
-double FitRun::fraction() const { return std::min(1.0, done_ / planned_); }
+double FittingStage::fraction() const { return std::min(1.0, done_ / planned_); }
 
 }  // namespace seamwise

@@ -48,10 +48,10 @@ inline double areaOf(const std::array<int, 3>& triangle, const std::vector<Vec2>
 }
 
 /// What all deformations of a part have in common. Parts that rest never ask for the terms.
-class ClothPlan {
+class DeformationPlan {
  public:
   /// @param part   outlives the plan
-  ClothPlan(const Part& part, const ClothWeights& weights);
+  DeformationPlan(const Part& part, const ClothWeights& weights);
 
   const Part& part() const { return *part_; }
   const ClothWeights& weights() const { return weights_; }

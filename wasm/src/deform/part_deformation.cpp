@@ -1,4 +1,4 @@
-#include "deform/cloth.h"
+#include "deform/part_deformation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +16,11 @@ constexpr double kLongestStep = 0.4;   ///< cm: beyond it the linearised lengths
 
 }  // namespace
 
-Cloth::State Cloth::restState() const {
+PartDeformation::State PartDeformation::restState() const {
   return {part().rest, std::vector<double>(part().edges.size(), 0)};
 }
 
-Cloth::Cloth(const ClothPlan& plan)
+PartDeformation::PartDeformation(const DeformationPlan& plan)
     : plan_(&plan),
       state_(restState()),
       reach_(plan.part().reach),
@@ -30,27 +30,27 @@ Cloth::Cloth(const ClothPlan& plan)
       edge_factor_(plan.part().edges.size(), 1) {}
 
 /// Parts that rest need no hessian.
-void Cloth::setUp() {
+void PartDeformation::setUp() {
   if (!constant_.empty()) return;
   hessian_ = plan_->terms().quadratic;
   constant_.assign(hessian_.values(), hessian_.values() + hessian_.nonZeros());
 }
 
-void Cloth::clearTargets() {
+void PartDeformation::clearTargets() {
   std::fill(target_weight_.begin(), target_weight_.end(), 0.0);
   std::fill(target_pull_.begin(), target_pull_.end(), Vec2::Zero());
 }
 
-void Cloth::addTarget(int vertex, const Vec2& position, double weight) {
+void PartDeformation::addTarget(int vertex, const Vec2& position, double weight) {
   target_weight_[vertex] += weight;
   target_pull_[vertex] += weight * position;
 }
 
-void Cloth::limitReach(const std::vector<double>& limits) {
+void PartDeformation::limitReach(const std::vector<double>& limits) {
   for (std::size_t i = 0; i < reach_.size(); ++i) reach_[i] = std::min(part().reach[i], limits[i]);
 }
 
-VectorX Cloth::moves() const {
+VectorX PartDeformation::moves() const {
   const ClothTerms& terms = plan_->terms();
   VectorX u(terms.unknowns);
   for (std::size_t i = 0; i < state_.shape.size(); ++i)
@@ -62,7 +62,7 @@ VectorX Cloth::moves() const {
 
 /// The energy but for its quadratic terms, targets and multipliers held: it depends on the outline
 /// alone.
-double Cloth::outlineEnergy(const std::vector<Vec2>& shape) const {
+double PartDeformation::outlineEnergy(const std::vector<Vec2>& shape) const {
   double e = 0;
   for (std::size_t i = 0; i < shape.size(); ++i) {
     if (target_weight_[i] > 0)
@@ -79,14 +79,14 @@ double Cloth::outlineEnergy(const std::vector<Vec2>& shape) const {
   return e;
 }
 
-double Cloth::stiffness(std::size_t edge) const {
+double PartDeformation::stiffness(std::size_t edge) const {
   const Part::Edge& e = part().edges[edge];
   if (e.sewn) return kLengthPenalty / std::min(1.0, e.length);
   return plan_->weights().unsewn * edge_factor_[edge];
 }
 
 /// Gradient and Gauss-Newton Hessian at the present shape.
-void Cloth::assemble(const VectorX& quadratic_force) {
+void PartDeformation::assemble(const VectorX& quadratic_force) {
   const Part& part = plan_->part();
   const std::vector<int>& unknown = plan_->terms().unknown;
   std::copy(constant_.begin(), constant_.end(), hessian_.values());
@@ -129,7 +129,7 @@ void Cloth::assemble(const VectorX& quadratic_force) {
   }
 }
 
-void Cloth::step() {
+void PartDeformation::step() {
   const Part& part = plan_->part();
   setUp();
   const std::vector<int>& unknown = plan_->terms().unknown;

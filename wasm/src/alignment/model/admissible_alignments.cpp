@@ -1,4 +1,4 @@
-#include "alignment/model/freedom.h"
+#include "alignment/model/admissible_alignments.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -15,7 +15,8 @@ Alignment moved(const Alignment& alignment, const Vec2& centre, double turn, con
 namespace {
 
 /// Whether a rotation of the print carries the line of `from` to a line of `to`, sense included.
-bool samePrint(const Freedom::Place& from, const Freedom::Place& to, const WallpaperGroup& group) {
+bool samePrint(const AdmissibleAlignments::Place& from, const AdmissibleAlignments::Place& to,
+               const WallpaperGroup& group) {
   for (const Element& e : group.elements()) {
     if (e.mirrored || (e.A * from.along - to.along).norm() > 1e-6) continue;
     const double lines = perp(to.along).dot(e(from.on_line) - to.on_line) / to.spacing;
@@ -26,15 +27,16 @@ bool samePrint(const Freedom::Place& from, const Freedom::Place& to, const Wallp
 
 }  // namespace
 
-Freedom Freedom::pinned(const Alignment& at) {
-  Freedom f;
+AdmissibleAlignments AdmissibleAlignments::pinned(const Alignment& at) {
+  AdmissibleAlignments f;
   f.pinned_ = true;
   f.pin_ = at;
   return f;
 }
 
-Freedom Freedom::mirrored(const RigidMotion& map, const WallpaperGroup& group) {
-  Freedom f;
+AdmissibleAlignments AdmissibleAlignments::mirrored(const RigidMotion& map,
+                                                    const WallpaperGroup& group) {
+  AdmissibleAlignments f;
   const double axis = (map.angle - kPi) / 2;  // R(2 axis + pi) F is the reflection at that axis
   f.axis_direction_ = unit(axis);
   f.axis_point_ = map.shift / 2;
@@ -61,7 +63,7 @@ Freedom Freedom::mirrored(const RigidMotion& map, const WallpaperGroup& group) {
   return f;
 }
 
-bool Freedom::restrictAngles(const std::vector<double>& angles, double tolerance) {
+bool AdmissibleAlignments::restrictAngles(const std::vector<double>& angles, double tolerance) {
   if (pinned_) return true;
   if (!places_.empty()) {
     std::vector<Place> kept;
@@ -80,13 +82,14 @@ bool Freedom::restrictAngles(const std::vector<double>& angles, double tolerance
   return true;
 }
 
-Alignment Freedom::onPlace(const Place& place, const Vec2& centre, double slide) const {
+Alignment AdmissibleAlignments::onPlace(const Place& place, const Vec2& centre,
+                                        double slide) const {
   const Vec2 foot = axis_point_ + axis_direction_ * axis_direction_.dot(centre - axis_point_);
   const Vec2 print = place.on_line + place.along * slide;
   return {place.angle, foot - rotation(place.angle) * print};
 }
 
-Alignment Freedom::nearest(const Alignment& wanted, const Vec2& centre) const {
+Alignment AdmissibleAlignments::nearest(const Alignment& wanted, const Vec2& centre) const {
   if (pinned_) return pin_;
   if (!places_.empty()) {
     const Vec2 foot = axis_point_ + axis_direction_ * axis_direction_.dot(centre - axis_point_);
@@ -118,13 +121,13 @@ Alignment Freedom::nearest(const Alignment& wanted, const Vec2& centre) const {
   return moved(wanted, centre, turn, Vec2::Zero());
 }
 
-Freedom::Basis Freedom::basis(const Alignment& at) const {
+AdmissibleAlignments::Basis AdmissibleAlignments::basis(const Alignment& at) const {
   if (pinned_) return Basis(3, 0);
   if (!places_.empty()) {
     const Vec2 along = rotation(-at.angle) * axis_direction_;
     return Eigen::Vector3d(0, along.x(), along.y());
   }
-  if (!turns()) return Basis::Identity(3, 3).rightCols(2);
+  if (!mayRotate()) return Basis::Identity(3, 3).rightCols(2);
   return Basis::Identity(3, 3);
 }
 

@@ -1,4 +1,4 @@
-#include "alignment/model/freedom.h"
+#include "alignment/model/admissible_alignments.h"
 
 #include <gtest/gtest.h>
 
@@ -25,10 +25,10 @@ double offAngles(double angle, const std::vector<double>& angles) {
   return off;
 }
 
-TEST(Freedom, ThatIsUnboundKeepsEveryWish) {
+TEST(AdmissibleAlignments, ThatIsUnboundKeepsEveryWish) {
   Random random(1);
-  const Freedom free = Freedom::anywhere();
-  EXPECT_TRUE(free.turns());
+  const AdmissibleAlignments free = AdmissibleAlignments::anywhere();
+  EXPECT_TRUE(free.mayRotate());
   for (int k = 0; k < 10; ++k) {
     const Alignment wish = random.alignment();
     expectSame(free.nearest(wish, random.point()), wish);
@@ -36,12 +36,12 @@ TEST(Freedom, ThatIsUnboundKeepsEveryWish) {
   }
 }
 
-TEST(Freedom, ThatIsPinnedAlwaysGivesThePin) {
+TEST(AdmissibleAlignments, ThatIsPinnedAlwaysGivesThePin) {
   Random random(2);
   const Alignment pin = random.alignment();
-  const Freedom pinned = Freedom::pinned(pin);
+  const AdmissibleAlignments pinned = AdmissibleAlignments::pinned(pin);
   EXPECT_TRUE(pinned.isPinned());
-  EXPECT_FALSE(pinned.turns());
+  EXPECT_FALSE(pinned.mayRotate());
   for (int k = 0; k < 10; ++k) {
     const Alignment got = pinned.nearest(random.alignment(), random.point());
     EXPECT_EQ(got.angle, pin.angle);
@@ -50,14 +50,14 @@ TEST(Freedom, ThatIsPinnedAlwaysGivesThePin) {
   }
 }
 
-TEST(Freedom, OnGrainTurnsByTheLeastAngleAboutTheGivenPoint) {
+TEST(AdmissibleAlignments, OnGrainTurnsByTheLeastAngleAboutTheGivenPoint) {
   Random random(3);
   for (const std::vector<double>& angles :
        {std::vector<double>{0.3}, std::vector<double>{0.3, 0.3 + kPi}}) {
     for (double tolerance : {0.0, 0.1}) {
-      Freedom grain;
+      AdmissibleAlignments grain;
       ASSERT_TRUE(grain.restrictAngles(angles, tolerance));
-      EXPECT_EQ(grain.turns(), tolerance > 0);
+      EXPECT_EQ(grain.mayRotate(), tolerance > 0);
       EXPECT_EQ(grain.basis({}).cols(), tolerance > 0 ? 3 : 2);
       for (int k = 0; k < 50; ++k) {
         const Alignment wish = random.alignment();
@@ -73,9 +73,9 @@ TEST(Freedom, OnGrainTurnsByTheLeastAngleAboutTheGivenPoint) {
   }
 }
 
-TEST(Freedom, OfAOneWayPrintNeverTurnsAPieceUpsideDown) {
+TEST(AdmissibleAlignments, OfAOneWayPrintNeverTurnsAPieceUpsideDown) {
   Random random(4);
-  Freedom one_way;
+  AdmissibleAlignments one_way;
   ASSERT_TRUE(one_way.restrictAngles({0}, 0.05));
   for (int k = 0; k < 50; ++k)
     EXPECT_LT(std::abs(one_way.nearest(random.alignment(), random.point()).angle), 0.05 + kExact);
@@ -98,29 +98,29 @@ INSTANTIATE_TEST_SUITE_P(All, MirroredFreedom, ::testing::ValuesIn([] {
 TEST_P(MirroredFreedom, LaysTheAxisOnAMirrorLineAsNearAsCanBe) {
   for (int k = 0; k < 20; ++k) {
     const RigidMotion map = random_.reflection();
-    const Freedom freedom = Freedom::mirrored(map, group_);
-    EXPECT_TRUE(freedom.isMirrored());
-    EXPECT_FALSE(freedom.turns());
+    const AdmissibleAlignments admissible = AdmissibleAlignments::mirrored(map, group_);
+    EXPECT_TRUE(admissible.isMirrored());
+    EXPECT_FALSE(admissible.mayRotate());
     const Alignment wish = random_.alignment();
     const Vec2 centre = random_.point();
-    const Alignment got = freedom.nearest(wish, centre);
+    const Alignment got = admissible.nearest(wish, centre);
     EXPECT_LT(asymmetry(group_, got, got, map), kExact);
     expectSame(got, snapToMirror(wish, map, centre, group_));
-    expectSame(freedom.nearest(got, centre), got);
+    expectSame(admissible.nearest(got, centre), got);
   }
 }
 
 TEST_P(MirroredFreedom, KeepsTheAxisOnTheMirrorLineWhereverItSlides) {
   const RigidMotion map = random_.reflection();
-  const Freedom freedom = Freedom::mirrored(map, group_);
-  ASSERT_FALSE(freedom.places().empty());
-  for (const Freedom::Place& place : freedom.places()) {
+  const AdmissibleAlignments admissible = AdmissibleAlignments::mirrored(map, group_);
+  ASSERT_FALSE(admissible.places().empty());
+  for (const AdmissibleAlignments::Place& place : admissible.places()) {
     for (int k = 0; k < 5; ++k) {
       const Vec2 centre = random_.point();
       const double slide = random_.between(-20, 20);
-      const Alignment at = freedom.onPlace(place, centre, slide);
+      const Alignment at = admissible.onPlace(place, centre, slide);
       EXPECT_LT(asymmetry(group_, at, at, map), kExact);
-      const auto basis = freedom.basis(at);
+      const auto basis = admissible.basis(at);
       ASSERT_EQ(basis.cols(), 1);
       const Eigen::Vector3d d = 3.7 * basis.col(0);
       const Alignment slid = moved(at, centre, d.x(), d.tail<2>());
@@ -131,11 +131,12 @@ TEST_P(MirroredFreedom, KeepsTheAxisOnTheMirrorLineWhereverItSlides) {
 }
 
 TEST_P(MirroredFreedom, RepeatsItsPrintAfterOnePeriodAlongTheLine) {
-  const Freedom freedom = Freedom::mirrored(random_.reflection(), group_);
-  for (const Freedom::Place& place : freedom.places()) {
+  const AdmissibleAlignments admissible =
+      AdmissibleAlignments::mirrored(random_.reflection(), group_);
+  for (const AdmissibleAlignments::Place& place : admissible.places()) {
     const Vec2 centre = random_.point(), p = random_.point();
-    const Alignment here = freedom.onPlace(place, centre, 1.3);
-    const Alignment next = freedom.onPlace(place, centre, 1.3 + place.period);
+    const Alignment here = admissible.onPlace(place, centre, 1.3);
+    const Alignment next = admissible.onPlace(place, centre, 1.3 + place.period);
     EXPECT_LT(group_.reduce(here.toPrint(p) - next.toPrint(p)).norm(), kExact);
   }
 }
@@ -144,20 +145,20 @@ TEST_P(MirroredFreedom, MissesNoPrintThatTheSymmetryAllows) {
   // Any admissible alignment shows the print of one of the places, at some slide: a rotation of
   // the print carries one onto the other.
   const RigidMotion map = random_.reflection();
-  const Freedom freedom = Freedom::mirrored(map, group_);
+  const AdmissibleAlignments admissible = AdmissibleAlignments::mirrored(map, group_);
   const Vec2 centre = random_.point();
   for (int k = 0; k < 30; ++k) {
-    const Alignment got = freedom.nearest(random_.alignment(), centre);
+    const Alignment got = admissible.nearest(random_.alignment(), centre);
     const Vec2 foot = (centre + map(centre)) / 2;
     bool found = false;
-    for (const Freedom::Place& place : freedom.places()) {
+    for (const AdmissibleAlignments::Place& place : admissible.places()) {
       for (const Element& e : group_.elements()) {
         if (e.mirrored) continue;
         // the slide at which the axis points would coincide, if this element is the right one
         const Vec2 off = group_.reduce(e(got.toPrint(foot)) - place.on_line);
         for (int line = -3; line <= 3; ++line) {
           const double slide = off.dot(place.along) + line * place.period / 2;
-          const Alignment other = freedom.onPlace(place, centre, slide);
+          const Alignment other = admissible.onPlace(place, centre, slide);
           bool same = true;
           for (const Vec2& p : {Vec2(0, 0), Vec2(7, 2), Vec2(-3, 11)})
             same &= group_.reduce(e(got.toPrint(p)) - other.toPrint(p)).norm() < 1e-6;
@@ -172,9 +173,9 @@ TEST_P(MirroredFreedom, MissesNoPrintThatTheSymmetryAllows) {
 TEST_P(MirroredFreedom, WithGrainKeepsBothOrRefusesAndStaysAsItWas) {
   for (int k = 0; k < 20; ++k) {
     const RigidMotion map = random_.reflection();
-    const Freedom before = Freedom::mirrored(map, group_);
+    const AdmissibleAlignments before = AdmissibleAlignments::mirrored(map, group_);
     const double admissible = before.nearest(random_.alignment(), Vec2::Zero()).angle;
-    Freedom both = before;
+    AdmissibleAlignments both = before;
     ASSERT_TRUE(both.restrictAngles({admissible}, 1e-3));
     const Alignment wish = random_.alignment();
     const Alignment got = both.nearest(wish, Vec2::Zero());
@@ -183,7 +184,7 @@ TEST_P(MirroredFreedom, WithGrainKeepsBothOrRefusesAndStaysAsItWas) {
     expectSame(both.nearest(got, Vec2::Zero()), got);
 
     // mirror lines lie at multiples of 15 degrees, so 7.5 degrees off is off every one
-    Freedom refused = before;
+    AdmissibleAlignments refused = before;
     EXPECT_FALSE(refused.restrictAngles({admissible + kPi / 24}, 0.05));
     expectSame(refused.nearest(wish, Vec2::Zero()), before.nearest(wish, Vec2::Zero()));
   }

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "deform/cloth_plan.h"
+#include "deform/deformation_plan.h"
 
 namespace seamwise {
 
@@ -11,10 +11,10 @@ namespace seamwise {
 ///
 /// E(u) = sum w |x - x*|^2 + conformal + bend + rest + unsewn + AL(lengths) + AL(reach), x = rest +
 /// u
-class Cloth {
+class PartDeformation {
  public:
-  /// @param plan   outlives the cloth
-  explicit Cloth(const ClothPlan& plan);
+  /// @param plan   outlives the deformation
+  explicit PartDeformation(const DeformationPlan& plan);
 
   const Part& part() const { return plan_->part(); }
   const std::vector<Vec2>& shape() const { return state_.shape; }
@@ -71,7 +71,7 @@ class Cloth {
   void assemble(const VectorX& quadratic_force);
   double kink(const Part::Bend& bend) const;  ///< change of the turn at a smooth vertex, rad
 
-  const ClothPlan* plan_;
+  const DeformationPlan* plan_;
   State state_;
   std::vector<double> reach_;
   SparseHessian hessian_;

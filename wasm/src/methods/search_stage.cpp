@@ -1,4 +1,4 @@
-#include "methods/search_run.h"
+#include "methods/search_stage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,9 +74,9 @@ Pattern asDrafted(const Problem& problem, Pattern pattern) {
 
 }  // namespace
 
-SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
-                     const std::vector<Mirror>& known, const MatchRules& rules, double slack,
-                     std::vector<Alignments> offered, SearchMemo& memo)
+SearchStage::SearchStage(const Problem& problem, const Pattern& pattern, const MatchProblem& match,
+                         const std::vector<Mirror>& known, const MatchRules& rules, double slack,
+                         std::vector<Alignments> offered, SearchMemo& memo)
     : problem_(problem), match_(match), slack_(slack), offered_(std::move(offered)), memo_(memo) {
   const WallpaperGroup& group = match.group;
   const std::uint64_t seed = problem.options.seed;
@@ -123,14 +123,14 @@ SearchRun::SearchRun(const Problem& problem, const Pattern& pattern, const Match
 }
 
 /// Of the pieces on the print as it lies, from those of the leaders of a search.
-Alignments SearchRun::placed(const Search& search, const Alignments& leaders) const {
+Alignments SearchStage::placed(const Search& search, const Alignments& leaders) const {
   Alignments pieces = search.problem.expanded(leaders);
   for (Alignment& at : pieces) at.angle -= search.turn;
   return pieces;
 }
 
 /// Holds seams that may move to what placing alone leaves of them.
-void SearchRun::limit(Search& search) const {
+void SearchStage::limit(Search& search) const {
   const Alignments placed = search.problem.ofLeaders(found_[search.after[0]][0]);
   const SampledSeams<double> edges(search.problem, 0);
   for (std::size_t s = 0; s < search.problem.seams.size(); ++s) {
@@ -143,7 +143,7 @@ void SearchRun::limit(Search& search) const {
   }
 }
 
-void SearchRun::begin() {
+void SearchStage::begin() {
   Search& search = searches_[current_];
   if (search.slack > 0) limit(search);
   std::vector<Alignments> offered;
@@ -175,7 +175,7 @@ void SearchRun::begin() {
   for (const Alignments& leaders : offered) searching_->offer(leaders);
 }
 
-void SearchRun::end(const SearchMemo::Outcome& outcome) {
+void SearchStage::end(const SearchMemo::Outcome& outcome) {
   const Search& search = searches_[current_];
   found_.push_back(
       {search.problem.expanded(outcome.few[0]), search.problem.expanded(outcome.watched)});
@@ -190,7 +190,7 @@ void SearchRun::end(const SearchMemo::Outcome& outcome) {
   perfect_ = match_.cost(best_) < kPerfect;
 }
 
-void SearchRun::seekAgain(const std::vector<double>& urgency) {
+void SearchStage::seekAgain(const std::vector<double>& urgency) {
   const Search& last = searches_.back();
   Search next{last.problem, slackBudget(), last.seed + 1, 0, {at_rest_, searches_.size() - 1},
               slack_,       last.turn};
@@ -204,7 +204,7 @@ void SearchRun::seekAgain(const std::vector<double>& urgency) {
   searches_.push_back(std::move(next));
 }
 
-bool SearchRun::advance() {
+bool SearchStage::advance() {
   if (current_ == searches_.size()) return false;
   if (!searching_) begin();
   if (searching_) {

@@ -8,13 +8,13 @@ namespace seamwise {
 
 /// How a piece may lie on the print: anywhere, pinned, with its own axis on a mirror line of the
 /// print, within a tolerance of given angles (grain), or both of the last two.
-class Freedom {
+class AdmissibleAlignments {
  public:
-  bool operator==(const Freedom&) const = default;
-  static Freedom anywhere() { return {}; }
-  static Freedom pinned(const Alignment& at);
+  bool operator==(const AdmissibleAlignments&) const = default;
+  static AdmissibleAlignments anywhere() { return {}; }
+  static AdmissibleAlignments pinned(const Alignment& at);
   /// @param map   the piece's own reflection; the group must carry single pieces
-  static Freedom mirrored(const RigidMotion& map, const WallpaperGroup& group);
+  static AdmissibleAlignments mirrored(const RigidMotion& map, const WallpaperGroup& group);
 
   /// Keeps only angles within `tolerance` of one of `angles` (rad). Returns false, and changes
   /// nothing, when a mirrored piece cannot lie so on this print.
@@ -22,7 +22,9 @@ class Freedom {
 
   bool isPinned() const { return pinned_; }
   bool isMirrored() const { return !places_.empty(); }
-  bool turns() const { return !pinned_ && places_.empty() && (angles_.empty() || tolerance_ > 0); }
+  bool mayRotate() const {
+    return !pinned_ && places_.empty() && (angles_.empty() || tolerance_ > 0);
+  }
 
   /// A way for a mirrored piece to lie: its axis at `angle`, anywhere along `along` through a line.
   struct Place {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deform/cloth.h"
+#include "deform/part_deformation.h"
 
-// What a cloth that should rest still lacks, and what can be done about it.
+// Limits that a part breaks once its targets are fixed, and stiffening where it breaks them.
 
 namespace seamwise {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kNearTrouble = 6.0;    ///< cm
 
 }  // namespace
 
-Cloth::Violations Cloth::violations() const {
+PartDeformation::Violations PartDeformation::violations() const {
   const Part& part = plan_->part();
   Violations v;
   v.moved = last_move_;
@@ -36,7 +36,7 @@ Cloth::Violations Cloth::violations() const {
   return v;
 }
 
-double Cloth::kink(const Part::Bend& b) const {
+double PartDeformation::kink(const Part::Bend& b) const {
   auto turn = [&](const std::vector<Vec2>& x) {
     const Vec2 h = b.h >= 0 ? x[b.h] : Vec2(-x[b.j].x(), x[b.j].y());
     return turnAt(h, x[b.i], x[b.j]);
@@ -44,7 +44,7 @@ double Cloth::kink(const Part::Bend& b) const {
   return turn(state_.shape) - turn(part().rest);
 }
 
-bool Cloth::stiffenKinks(double limit) {
+bool PartDeformation::stiffenKinks(double limit) {
   setUp();
   bool any = false;
   for (std::size_t b = 0; b < part().bends.size(); ++b) {
@@ -62,7 +62,7 @@ bool Cloth::stiffenKinks(double limit) {
   return any;
 }
 
-void Cloth::stiffenStretched(double limit) {
+void PartDeformation::stiffenStretched(double limit) {
   for (std::size_t e = 0; e < part().edges.size(); ++e) {
     const Part::Edge& edge = part().edges[e];
     if (edge.sewn) continue;
@@ -74,10 +74,10 @@ void Cloth::stiffenStretched(double limit) {
   }
 }
 
-void Cloth::holdShape() {
+void PartDeformation::holdShape() {
   setUp();
   clearTargets();
-  // The outline is pulled by just what the cloth pulls back, so that nothing but lengths and reach
+  // The outline is pulled by just what the part pulls back, so that nothing but lengths and reach
   // is left to settle. Interior vertices are in balance without.
   const VectorX force = hessian_.times(constant_, moves());
   const std::vector<int>& unknown = plan_->terms().unknown;
@@ -91,7 +91,7 @@ void Cloth::holdShape() {
   std::fill(state_.length_force.begin(), state_.length_force.end(), 0.0);
 }
 
-void Cloth::restart(double reach_factor) {
+void PartDeformation::restart(double reach_factor) {
   const Part& part = plan_->part();
   // where it went wrong: squeezed triangles, lengths that are not kept
   std::vector<char> trouble(part.rest.size(), 0);

@@ -23,9 +23,9 @@ std::vector<char> sewnVertices(const Part& part) {
   return sewn;
 }
 
-void expectKept(const Cloth& cloth) {
-  const Part& part = cloth.part();
-  const auto& x = cloth.shape();
+void expectKept(const PartDeformation& deformation) {
+  const Part& part = deformation.part();
+  const auto& x = deformation.shape();
   for (const Part::Edge& e : part.edges) {
     if (e.sewn) {
       EXPECT_NEAR((x[e.i] - x[e.j]).norm(), e.length, 1e-3);
@@ -136,12 +136,12 @@ INSTANTIATE_TEST_SUITE_P(Tee, ClothOf, ::testing::Bool(), [](const auto& test) {
 
 TEST_P(ClothOf, StaysWhereItIsWithoutTargets) {
   for (const Part& part : parts_.parts) {
-    const ClothPlan plan(part, {});
-    Cloth cloth(plan);
-    for (int k = 0; k < 10; ++k) cloth.step();
+    const DeformationPlan plan(part, {});
+    PartDeformation deformation(plan);
+    for (int k = 0; k < 10; ++k) deformation.step();
     for (std::size_t i = 0; i < part.rest.size(); ++i)
-      EXPECT_LT((cloth.shape()[i] - part.rest[i]).norm(), 0.02);
-    EXPECT_LT(cloth.violations().length, 1e-3);
+      EXPECT_LT((deformation.shape()[i] - part.rest[i]).norm(), 0.02);
+    EXPECT_LT(deformation.violations().length, 1e-3);
   }
 }
 
@@ -153,14 +153,15 @@ TEST_P(ClothOf, KeepsSeamLengthsReachAndUprightTrianglesHoweverFarItsTargetsLie)
   for (const std::function<Vec2(const Vec2&)>& offset :
        {std::function<Vec2(const Vec2&)>(anywhere), std::function<Vec2(const Vec2&)>(smoothly)}) {
     for (const Part& part : parts_.parts) {
-      const ClothPlan plan(part, {});
-      Cloth cloth(plan);
+      const DeformationPlan plan(part, {});
+      PartDeformation deformation(plan);
       const auto sewn = sewnVertices(part);
       for (std::size_t i = 0; i < part.rest.size(); ++i)
-        if (sewn[i]) cloth.addTarget(static_cast<int>(i), part.rest[i] + offset(part.rest[i]), 0.1);
-      for (int k = 0; k < 60; ++k) cloth.step();
-      EXPECT_EQ(cloth.factorisations(), 60);
-      expectKept(cloth);
+        if (sewn[i])
+          deformation.addTarget(static_cast<int>(i), part.rest[i] + offset(part.rest[i]), 0.1);
+      for (int k = 0; k < 60; ++k) deformation.step();
+      EXPECT_EQ(deformation.factorisations(), 60);
+      expectKept(deformation);
     }
   }
 }
@@ -168,26 +169,26 @@ TEST_P(ClothOf, KeepsSeamLengthsReachAndUprightTrianglesHoweverFarItsTargetsLie)
 TEST_P(ClothOf, NeverTurnsATriangleOverHoweverStrongThePull) {
   Random random(12);
   for (const Part& part : parts_.parts) {
-    const ClothPlan plan(part, {});
-    Cloth cloth(plan);
+    const DeformationPlan plan(part, {});
+    PartDeformation deformation(plan);
     for (std::size_t i = 0; i < part.rest.size(); ++i)
       if (part.reach[i] > 0)
-        cloth.addTarget(static_cast<int>(i), part.rest[i] + random.point() / 5, 20);
+        deformation.addTarget(static_cast<int>(i), part.rest[i] + random.point() / 5, 20);
     for (int k = 0; k < 15; ++k) {
-      cloth.step();
-      EXPECT_GT(cloth.violations().area, 0.3);
+      deformation.step();
+      EXPECT_GT(deformation.violations().area, 0.3);
     }
   }
 }
 
 TEST_P(ClothOf, ReportsWhatItViolates) {
   for (const Part& part : parts_.parts) {
-    const ClothPlan plan(part, {});
-    Cloth cloth(plan);
-    cloth.addTarget(part.edges[0].i, part.rest[part.edges[0].i] + Vec2(0, 5), 10);
-    for (int k = 0; k < 3; ++k) cloth.step();
-    const auto& x = cloth.shape();
-    const Cloth::Violations v = cloth.violations();
+    const DeformationPlan plan(part, {});
+    PartDeformation deformation(plan);
+    deformation.addTarget(part.edges[0].i, part.rest[part.edges[0].i] + Vec2(0, 5), 10);
+    for (int k = 0; k < 3; ++k) deformation.step();
+    const auto& x = deformation.shape();
+    const PartDeformation::Violations v = deformation.violations();
     double length = 0, stretch = 0, reach = 0, area = 1;
     for (const Part::Edge& e : part.edges) {
       const double now = (x[e.i] - x[e.j]).norm();
@@ -212,19 +213,19 @@ TEST(ClothWithoutMirror, FollowsTargetsThatAreARigidShiftWithinItsReach) {
   ClothWeights weights;
   weights.line = 0;
   for (const Part& part : parts.parts) {
-    const ClothPlan plan(part, weights);
-    Cloth cloth(plan);
+    const DeformationPlan plan(part, weights);
+    PartDeformation deformation(plan);
     const auto sewn = sewnVertices(part);
     const Vec2 shift(0.3, -0.5);
     for (std::size_t i = 0; i < part.rest.size(); ++i)
-      if (sewn[i]) cloth.addTarget(static_cast<int>(i), part.rest[i] + shift, 5);
-    for (int k = 0; k < 30; ++k) cloth.step();
+      if (sewn[i]) deformation.addTarget(static_cast<int>(i), part.rest[i] + shift, 5);
+    for (int k = 0; k < 30; ++k) deformation.step();
     for (std::size_t i = 0; i < part.rest.size(); ++i) {
       if (sewn[i]) {
-        EXPECT_LT((cloth.shape()[i] - part.rest[i] - shift).norm(), 0.05);
+        EXPECT_LT((deformation.shape()[i] - part.rest[i] - shift).norm(), 0.05);
       }
     }
-    EXPECT_LT(cloth.violations().kink, 0.02);
+    EXPECT_LT(deformation.violations().kink, 0.02);
   }
 }
 
@@ -232,8 +233,8 @@ TEST(ClothWithStiffenedKinks, BendsLess) {
   const Pattern pattern = meshedPattern(small::skirt(), false);
   const Parts parts = splitIntoParts(pattern, kReach);
   const Part& part = parts.parts[0];
-  const ClothPlan plan(part, {});
-  Cloth cloth(plan);
+  const DeformationPlan plan(part, {});
+  PartDeformation deformation(plan);
   // On a sewn edge: the others are held to their line, whatever their kinks cost.
   const auto sewn = sewnVertices(part);
   const auto bend = std::find_if(part.bends.begin(), part.bends.end(), [&](const auto& b) {
@@ -241,13 +242,13 @@ TEST(ClothWithStiffenedKinks, BendsLess) {
   });
   ASSERT_NE(bend, part.bends.end());
   const int pulled = bend->i;
-  cloth.addTarget(pulled, part.rest[pulled] + perp(part.rest[pulled]).normalized(), 50);
-  for (int k = 0; k < 20; ++k) cloth.step();
-  const double before = cloth.violations().kink;
-  EXPECT_FALSE(cloth.stiffenKinks(2 * before)) << "nothing bends by so much";
-  EXPECT_TRUE(cloth.stiffenKinks(before / 2));
-  for (int k = 0; k < 20; ++k) cloth.step();
-  EXPECT_LT(cloth.violations().kink, 0.8 * before);
+  deformation.addTarget(pulled, part.rest[pulled] + perp(part.rest[pulled]).normalized(), 50);
+  for (int k = 0; k < 20; ++k) deformation.step();
+  const double before = deformation.violations().kink;
+  EXPECT_FALSE(deformation.stiffenKinks(2 * before)) << "nothing bends by so much";
+  EXPECT_TRUE(deformation.stiffenKinks(before / 2));
+  for (int k = 0; k < 20; ++k) deformation.step();
+  EXPECT_LT(deformation.violations().kink, 0.8 * before);
 }
 
 TEST(SeamFitting, BringsTheSidesOfSeamsTogetherWhileSeamsStaySewable) {
@@ -267,8 +268,8 @@ TEST(SeamFitting, BringsTheSidesOfSeamsTogetherWhileSeamsStaySewable) {
     fitting.chooseJoins(at);
     const double before = mismatch(fitting);
     for (int k = 0; k < 20; ++k) fitting.step(at);
-    for (Cloth& cloth : fitting.cloths())
-      for (int k = 0; k < 10; ++k) cloth.step();
+    for (PartDeformation& deformation : fitting.deformations())
+      for (int k = 0; k < 10; ++k) deformation.step();
     fitting.collectShapes();
     EXPECT_LT(mismatch(fitting), 0.9 * before);
     EXPECT_LT(testing::seamError(pattern, fitting.shapes()), 0.01);

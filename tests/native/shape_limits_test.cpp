@@ -1,4 +1,4 @@
-#include "deform/promise.h"
+#include "deform/shape_limits.h"
 
 #include <gtest/gtest.h>
 
@@ -16,42 +16,42 @@ Piece square() {
 }
 
 /// What the square breaks when its lower side's middle moves by `by`.
-Breach moved(const Vec2& by, Limits limits = {}) {
+BrokenLimit moved(const Vec2& by, ShapeLimits limits = {}) {
   const Piece piece = square();
   std::vector<Vec2> shape = piece.rest;
   shape[2] += by;
-  return breachOf(piece, shape, limits);
+  return brokenLimit(piece, shape, limits);
 }
 
-TEST(Promise, HoldsAtRest) {
-  Limits nothing{0, 0, 0, 1};
-  EXPECT_EQ(moved({0, 0}, nothing), Breach::kNone);
+TEST(ShapeLimits, HoldsAtRest) {
+  ShapeLimits nothing{0, 0, 0, 1};
+  EXPECT_EQ(moved({0, 0}, nothing), BrokenLimit::kNone);
 }
 
-TEST(Promise, BoundsMovementKinksAndStretch) {
-  EXPECT_EQ(moved({0.1, 0}), Breach::kNone);
-  EXPECT_EQ(moved({0.2, 0}), Breach::kStretch);  // by 20 %
-  Limits limits;
+TEST(ShapeLimits, BoundsMovementKinksAndStretch) {
+  EXPECT_EQ(moved({0.1, 0}), BrokenLimit::kNone);
+  EXPECT_EQ(moved({0.2, 0}), BrokenLimit::kStretch);  // by 20 %
+  ShapeLimits limits;
   limits.moved = 0.09;
-  EXPECT_EQ(moved({0.1, 0}, limits), Breach::kMoved);
-  EXPECT_EQ(moved({0, -0.12}), Breach::kNone);  // 2 atan 0.12 = 13.7 degrees
-  EXPECT_EQ(moved({0, -0.14}), Breach::kKink);  // 16 degrees
+  EXPECT_EQ(moved({0.1, 0}, limits), BrokenLimit::kMoved);
+  EXPECT_EQ(moved({0, -0.12}), BrokenLimit::kNone);  // 2 atan 0.12 = 13.7 degrees
+  EXPECT_EQ(moved({0, -0.14}), BrokenLimit::kKink);  // 16 degrees
 }
 
-TEST(Promise, LetsCornersBend) {
+TEST(ShapeLimits, LetsCornersBend) {
   const Piece piece = square();
   std::vector<Vec2> shape = piece.rest;
   for (Vec2& p : shape) p.x() += 0.3 * p.y();  // corners of 73 and 107 degrees
-  Limits limits;
+  ShapeLimits limits;
   limits.moved = 2;
-  EXPECT_EQ(breachOf(piece, shape, limits), Breach::kNone);
+  EXPECT_EQ(brokenLimit(piece, shape, limits), BrokenLimit::kNone);
 }
 
-TEST(Promise, RefusesTurnedTrianglesAndOutlinesThatCross) {
-  Limits any{10, 10, 10, 0.3};
-  EXPECT_EQ(moved({0, 3.5}, any), Breach::kArea);
+TEST(ShapeLimits, RefusesTurnedTrianglesAndOutlinesThatCross) {
+  ShapeLimits any{10, 10, 10, 0.3};
+  EXPECT_EQ(moved({0, 3.5}, any), BrokenLimit::kArea);
   any.area = -100;
-  EXPECT_EQ(moved({0, 5}, any), Breach::kCrossing);
+  EXPECT_EQ(moved({0, 5}, any), BrokenLimit::kCrossing);
 }
 
 TEST(SeamError, IsTheWorstEdgeOrAllOfThemTogether) {
