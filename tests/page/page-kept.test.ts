@@ -63,8 +63,8 @@ it('keeps all steps over a reload', async () => {
 it('keeps what is changed at the very moment of a reload', async () => {
   const page = await quietPage();
   await page.locator('seamwise-page').evaluate((element) => {
-    const {desk} = element as SeamwisePage;
-    for (const maxChangeCm of [0.2, 0.3]) desk.change({options: {maxChangeCm}});
+    const {workbench} = element as SeamwisePage;
+    for (const maxChangeCm of [0.2, 0.3]) workbench.change({options: {maxChangeCm}});
     location.reload();
   });
   await expect

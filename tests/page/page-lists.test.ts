@@ -17,13 +17,13 @@ const row = (page: Page, name: string): Locator =>
   page.getByRole('row').filter({has: page.getByRole('rowheader', {name: new RegExp(`^${name}`)})});
 
 /** What the page's workbench has as one of its parts. */
-const desk = (page: Page, part: 'design' | 'pointed' | 'selected'): Promise<unknown> =>
+const workbench = (page: Page, part: 'design' | 'pointed' | 'selected'): Promise<unknown> =>
   page.evaluate((name) => {
-    const element = document.querySelector<HTMLElement & {desk: Workbench}>('seamwise-page');
-    return element?.desk[name];
+    const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
+    return element?.workbench[name];
   }, part);
 const options = async (page: Page): Promise<Design['options'] | undefined> =>
-  ((await desk(page, 'design')) as Design | undefined)?.options;
+  ((await workbench(page, 'design')) as Design | undefined)?.options;
 
 async function opened(): Promise<Page> {
   const page = await openPage();
@@ -66,15 +66,15 @@ it('selects in the picture what is clicked in a table', async () => {
   const front = row(page, 'Front left');
   await front.getByRole('rowheader').click();
   await expect.poll(() => front.getAttribute('aria-selected')).toBe('true');
-  expect(await desk(page, 'selected')).toMatchObject({kind: 'piece'});
+  expect(await workbench(page, 'selected')).toMatchObject({kind: 'piece'});
 });
 
 it('points in the picture at what the pointer is over in a table', async () => {
   const page = await opened();
   await row(page, 'Centre back').getByRole('rowheader').hover();
-  expect(await desk(page, 'pointed')).toMatchObject({kind: 'seam'});
+  expect(await workbench(page, 'pointed')).toMatchObject({kind: 'seam'});
   await page.getByRole('heading', {name: 'Seamwise'}).hover();
-  expect(await desk(page, 'pointed')).toBeUndefined();
+  expect(await workbench(page, 'pointed')).toBeUndefined();
 });
 
 it('walks the rows by keys', async () => {
@@ -91,8 +91,8 @@ it('walks the rows by keys', async () => {
 it('shows the row of what is selected in the picture', async () => {
   const page = await opened();
   await page.evaluate(() => {
-    const element = document.querySelector<HTMLElement & {desk: Workbench}>('seamwise-page');
-    element?.desk.select({kind: 'seam', seam: 1, side: 'b'});
+    const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
+    element?.workbench.select({kind: 'seam', seam: 1, side: 'b'});
   });
   const centreBack = row(page, 'Centre back');
   await expect.poll(() => centreBack.getAttribute('aria-selected')).toBe('true');
@@ -126,8 +126,8 @@ it('cuts a piece from plain cloth, or on a grain of its own', async () => {
 it('frees a piece that was pinned', async () => {
   const page = await opened();
   await page.evaluate(() => {
-    const element = document.querySelector<HTMLElement & {desk: Workbench}>('seamwise-page');
-    const {desk: bench} = element ?? {};
+    const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
+    const {workbench: bench} = element ?? {};
     if (!bench?.design) return;
     const pins = {front_left: {angle: 0, translation: [0, 0]}} as const;
     bench.change({options: {...bench.design.options, pins}});
@@ -139,7 +139,7 @@ it('frees a piece that was pinned', async () => {
 it('says that a garment without seams has nothing to match', async () => {
   const page = await opened();
   await page.evaluate(async () => {
-    const element = document.querySelector<HTMLElement & {desk: Workbench}>('seamwise-page');
+    const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
     const cloth = {
       vertices: [
         [0, 0],
@@ -150,7 +150,7 @@ it('says that a garment without seams has nothing to match', async () => {
       edges: [0, 1, 2, 3].map((k) => ({endpoints: [k, (k + 1) % 4]})),
     };
     const text = JSON.stringify({pattern: {panels: {scarf: cloth}, stitches: []}});
-    await element?.desk.open({name: 'scarf.json', text});
+    await element?.workbench.open({name: 'scarf.json', text});
   });
   const words = 'This file has no seams, so there is nothing to match.';
   await page.locator('sw-tables').getByText(words).waitFor();

@@ -26,11 +26,11 @@ type Changes = Pick<Design, 'symmetries'> & {
 const change = (page: Page, {options, print, ...more}: Partial<Changes>): Promise<void> =>
   page.evaluate(
     ([own, of, rest]) => {
-      const element = document.querySelector<HTMLElement & {desk: Workbench}>('seamwise-page');
-      const {desk} = element ?? {};
-      if (!desk?.design) return;
-      const {design} = desk;
-      desk.change({
+      const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
+      const {workbench} = element ?? {};
+      if (!workbench?.design) return;
+      const {design} = workbench;
+      workbench.change({
         ...rest,
         options: {...design.options, ...own},
         print: {...design.print, ...of},
@@ -45,8 +45,8 @@ const lying = (
   name: string,
 ): Promise<{readonly alignment: Alignment; readonly map: Alignment | undefined}> =>
   page.evaluate((wanted) => {
-    const element = document.querySelector<HTMLElement & {desk: Workbench}>('seamwise-page');
-    const result = element?.desk.result;
+    const element = document.querySelector<HTMLElement & {workbench: Workbench}>('seamwise-page');
+    const result = element?.workbench.result;
     const number = result?.pieces.findIndex((piece) => piece.name === wanted) ?? -1;
     const alignment = result?.pieces[number]?.alignment;
     if (!alignment) throw new Error(`${wanted} lies nowhere.`);
@@ -116,9 +116,9 @@ it('centres a motif on the edge that is chosen', async () => {
   const {sleeve_left: pin, ...others} = await pinsOf(page);
   expect(others).toEqual({});
   const edge = await page.locator('sw-pattern').evaluate(
-    ({desk}: PatternPane, [one, of]) => {
-      const {piece, vertices} = desk.scenes?.now.seams[one]?.[of] ?? {piece: -1, vertices: []};
-      return vertices.map((v) => desk.pattern?.pieces[piece]?.rest[v] ?? [NaN, NaN]);
+    ({workbench}: PatternPane, [one, of]) => {
+      const {piece, vertices} = workbench.scenes?.now.seams[one]?.[of] ?? {piece: -1, vertices: []};
+      return vertices.map((v) => workbench.pattern?.pieces[piece]?.rest[v] ?? [NaN, NaN]);
     },
     [seam, side] as const,
   );

@@ -214,8 +214,8 @@ it('carries a garment, a print, how that repeats, and a name of somebody’s own
   await page.getByRole('radio', {name: 'Half-drop', exact: true}).click();
   await expect.poll(async () => (await designOf(page)).print.tile?.repeat).toBe('halfDrop');
   await page.locator('seamwise-page').evaluate((element) => {
-    const {desk} = element as HTMLElement & {desk: {align: () => void}};
-    desk.align();
+    const {workbench} = element as HTMLElement & {workbench: {align: () => void}};
+    workbench.align();
   });
   await button(page, 'Save …').click({timeout: 60_000});
   await button(page, 'Copy link').click();

@@ -39,7 +39,7 @@ it('keeps the garment in sight on a phone, whatever is chosen below it', async (
     expect(await what.isVisible(), name).toBe(true);
     const [{y, height}, below] = [
       await box(stage),
-      await box(page.locator('sw-editor .desk > .side')),
+      await box(page.locator('sw-editor .workbench > .side')),
     ];
     expect(y, name).toBeGreaterThanOrEqual(0);
     expect(height, name).toBeGreaterThan(200);
@@ -123,7 +123,7 @@ const designWith = async (page: Page, group: string): Promise<void> => {
 const places = (page: Page): Promise<unknown> =>
   page
     .locator('sw-pattern')
-    .evaluate(({desk}: PatternPane) => desk.scenes?.now.pieces.map(({offset}) => offset));
+    .evaluate(({workbench}: PatternPane) => workbench.scenes?.now.pieces.map(({offset}) => offset));
 
 it('leaves pieces where they lie when the window or a panel changes, or a print is chosen', async () => {
   const page = await openPage();

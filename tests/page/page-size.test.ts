@@ -25,11 +25,11 @@ async function answered(page: Page): Promise<number> {
   return page.evaluate(
     () =>
       new Promise<number>((resolve) => {
-        const desk = document.querySelector<SeamwisePage>('seamwise-page')?.desk;
+        const workbench = document.querySelector<SeamwisePage>('seamwise-page')?.workbench;
         const look = (): void => {
-          if (desk?.state.kind === 'done') resolve(Date.now());
+          if (workbench?.state.kind === 'done') resolve(Date.now());
         };
-        desk?.subscribe(look);
+        workbench?.subscribe(look);
         look();
       }),
   );

@@ -16,7 +16,7 @@ interface Place {
 /** Runs in the page: a point of a piece, as a share along a side of a seam or in the middle of the piece. */
 function locate(pane: PatternPane, {seam, side, piece, share}: Place): Point | null {
   const stage = pane.shadowRoot?.querySelector('.stage');
-  const scene = pane.desk.scenes?.now;
+  const scene = pane.workbench.scenes?.now;
   if (!pane.view || !stage || !scene) return null;
   const line = seam === undefined ? undefined : scene.seams[seam]?.[side ?? 'a'];
   const shape = scene.pieces.find(({name}, k) => (line ? k === line.piece : name === piece));
@@ -69,9 +69,11 @@ export async function seamOf(
   piece: string,
 ): Promise<{readonly seam: number; readonly side: 'a' | 'b'}> {
   const found = await pattern(page).evaluate(
-    ({desk}: PatternPane, [wanted, owner]) => {
-      const scene = desk.scenes?.now;
-      const file = JSON.parse(desk.design?.garment.text ?? '{}') as {seams?: {name?: string}[]};
+    ({workbench}: PatternPane, [wanted, owner]) => {
+      const scene = workbench.scenes?.now;
+      const file = JSON.parse(workbench.design?.garment.text ?? '{}') as {
+        seams?: {name?: string}[];
+      };
       const seam = file.seams?.findIndex((one) => one.name === wanted) ?? -1;
       const {a} = scene?.seams[seam] ?? {};
       if (!scene || !a) return null;

@@ -116,7 +116,7 @@ export async function showSample(page: Page, style: string): Promise<void> {
   await page.getByLabel('Garment', {exact: true}).selectOption(style);
   await page.waitForFunction((wanted) => {
     const shown = document.querySelector<SeamwisePage>('seamwise-page');
-    return shown?.desk.design?.garment.sample?.style === wanted;
+    return shown?.workbench.design?.garment.sample?.style === wanted;
   }, style);
   await solved(page);
 }

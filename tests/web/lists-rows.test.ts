@@ -27,7 +27,13 @@ interface Shown {
 }
 
 /** What the rows read of a workbench, of two sewn squares unless told. */
-function desk({pattern = squarePair(), garment = {}, options = {}, high = [2, 0], oneWay}: Shown) {
+function workbench({
+  pattern = squarePair(),
+  garment = {},
+  options = {},
+  high = [2, 0],
+  oneWay,
+}: Shown) {
   const design: Design = {
     garment: {name: 'two.json', text: JSON.stringify(garment)},
     print: {
@@ -53,8 +59,8 @@ function desk({pattern = squarePair(), garment = {}, options = {}, high = [2, 0]
   return {design, pattern: meshed, result: undefined, scenes: {before, now, marks: new Map()}};
 }
 
-const seams = (shown: Shown = {}): readonly SeamRow[] => seamRows(desk(shown), en);
-const pieces = (shown: Shown = {}): readonly PieceRow[] => pieceRows(desk(shown));
+const seams = (shown: Shown = {}): readonly SeamRow[] => seamRows(workbench(shown), en);
+const pieces = (shown: Shown = {}): readonly PieceRow[] => pieceRows(workbench(shown));
 const seam = (shown: Shown = {}): Partial<SeamRow> => seams(shown)[0] ?? {};
 const piece = (shown: Shown = {}): Partial<PieceRow> => pieces(shown)[0] ?? {};
 
@@ -113,14 +119,14 @@ describe('rows of seams', () => {
   });
 
   it('stay the same while nothing changes', () => {
-    const shown = desk({});
+    const shown = workbench({});
     expect(seamRows({...shown}, en)).toBe(seamRows(shown, en));
     expect(seamRows(shown, de)).not.toBe(seamRows(shown, en));
   });
 
   it('are none before the garment has been read', () => {
-    expect(seamRows({...desk({}), scenes: undefined}, en)).toEqual([]);
-    expect(pieceRows({...desk({}), pattern: undefined})).toEqual([]);
+    expect(seamRows({...workbench({}), scenes: undefined}, en)).toEqual([]);
+    expect(pieceRows({...workbench({}), pattern: undefined})).toEqual([]);
   });
 });
 

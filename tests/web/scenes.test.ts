@@ -36,9 +36,9 @@ function row(): MeshedPattern {
 
 it('shows the same figures before in every window', () => {
   const pattern = row();
-  const desk = {design, pattern, preferences: {scale: 'absolute'}} as unknown as Workbench;
+  const workbench = {design, pattern, preferences: {scale: 'absolute'}} as unknown as Workbench;
   const all = [390, 820, 1280, 2560].map((width) =>
-    new SceneMaker().scenes(desk, {width, height: 800}),
+    new SceneMaker().scenes(workbench, {width, height: 800}),
   );
   const offsets = all.map((scenes) => JSON.stringify(scenes?.before.pieces.map((p) => p.offset)));
   expect(new Set(offsets).size).toBeGreaterThan(1);

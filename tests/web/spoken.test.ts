@@ -11,7 +11,7 @@ import {spokenFailure} from '@/workbench/spoken-failure.js';
 import type {Workbench} from '@/workbench/workbench.js';
 
 /** As much of a workbench as sentences take names from. */
-const desk = {
+const workbench = {
   design: {print: {group: 'p1'}},
   scenes: {now: {pieces: [{label: 'Front'}, {label: 'Back'}]}},
 } as unknown as Workbench;
@@ -21,7 +21,7 @@ const detailOf = (code: string): NoteDetail => ({
 });
 const english = 'What the core wrote.';
 const note = (code: string, language: Language): string =>
-  spokenNote(english, detailOf(code), desk, textsOf(language), formatFor(language, 'cm'));
+  spokenNote(english, detailOf(code), workbench, textsOf(language), formatFor(language, 'cm'));
 const failure = (more: Partial<Failure>): Failure => ({
   ...{code: 'symmetryConflict', message: english, piece: 0, seam: null, ...more},
 });
@@ -45,29 +45,29 @@ describe.each(languages)('in %s', (language) => {
   it('a note and a failure that are not known stay as they were written', async () => {
     await loadTexts(language);
     expect(note('fromTheFuture', language)).toBe(english);
-    expect(spokenNote(english, undefined, desk, textsOf(language), formatFor(language, 'cm'))).toBe(
-      english,
-    );
-    expect(spokenFailure(failure({}), desk, textsOf(language))).toBe(english);
+    expect(
+      spokenNote(english, undefined, workbench, textsOf(language), formatFor(language, 'cm')),
+    ).toBe(english);
+    expect(spokenFailure(failure({}), workbench, textsOf(language))).toBe(english);
   });
 
   it('a symmetry that cannot hold says why', async () => {
     await loadTexts(language);
     const texts = textsOf(language);
     for (const reason of symmetryReasons) {
-      const said = spokenFailure(failure({reason}), desk, texts);
+      const said = spokenFailure(failure({reason}), workbench, texts);
       expect(said).toContain('Front');
       expect(said).toContain(texts.notes.why[reason]);
     }
-    const both = spokenFailure(failure({reason: 'symmetryPins'}), desk, texts, 'Front, Back');
+    const both = spokenFailure(failure({reason: 'symmetryPins'}), workbench, texts, 'Front, Back');
     expect(both).toContain('Front, Back');
-    expect(spokenFailure(failure({code: 'symmetryGroup'}), desk, texts)).toMatch(/p1.*pmm/);
+    expect(spokenFailure(failure({code: 'symmetryGroup'}), workbench, texts)).toMatch(/p1.*pmm/);
   });
 
   it('a file that cannot be read is said to be a garment’s, around the place in it', async () => {
     await loadTexts(language);
     for (const code of Object.keys(failureCodes) as (keyof typeof failureCodes)[]) {
-      const said = spokenFailure(failure({code}), desk, textsOf(language));
+      const said = spokenFailure(failure({code}), workbench, textsOf(language));
       if (failureCodes[code] >= 10 && failureCodes[code] < 40) {
         expect(said).toContain(english);
         if (language !== 'en') expect(said.length).toBeGreaterThan(english.length);

@@ -13,18 +13,18 @@ import {sewnSquares} from '../support/clickable-sheet.js';
 const design = {garment: {name: 'a.json', text: '{}'}} as Design;
 const format = formatFor('en', 'cm');
 
-/** A desk that shows two squares. */
+/** A workbench that shows two squares. */
 function chooserAt(): {
   readonly chooser: SymmetryChooser;
   readonly show: (design: Design) => void;
   readonly words: () => string;
 } {
-  const desk = {design, kept: [], scenes: {now: sewnSquares()}, measure: vi.fn()};
-  const chooser = new SymmetryChooser(desk as unknown as Workbench, () => undefined);
+  const workbench = {design, kept: [], scenes: {now: sewnSquares()}, measure: vi.fn()};
+  const chooser = new SymmetryChooser(workbench as unknown as Workbench, () => undefined);
   return {
     chooser,
     show: (next) => {
-      desk.design = next;
+      workbench.design = next;
     },
     words: () => chooser.words(en, format),
   };

@@ -155,9 +155,9 @@ const deskOf = (past: Design, present: Design, future: Design): Workbench =>
 it('says of which piece, by the name that it is called by', () => {
   const turned = {...design, options: withQuarterTurn(options, 'waistband')};
   const named = {...turned, names: {waistband: 'Belt'}};
-  const desk = deskOf(design, turned, named);
-  expect(undoWords(desk, en)).toBe('turn Waistband');
-  expect(redoWords(desk, en)).toBe('name, Belt');
+  const workbench = deskOf(design, turned, named);
+  expect(undoWords(workbench, en)).toBe('turn Waistband');
+  expect(redoWords(workbench, en)).toBe('name, Belt');
 });
 
 it('says which size and which print', () => {
@@ -166,6 +166,6 @@ it('says which size and which print', () => {
     garment: {...garment, text: '[]', sample: {style: 'apron', size: 'xl'}},
   };
   const dotted = {...sized, print: {...print, title: 'Dots', group: 'p4m' as const}};
-  const desk = deskOf(design, sized, dotted);
-  expect([undoWords(desk, en), redoWords(desk, en)]).toEqual(['size, XL', 'print, Dots']);
+  const workbench = deskOf(design, sized, dotted);
+  expect([undoWords(workbench, en), redoWords(workbench, en)]).toEqual(['size, XL', 'print, Dots']);
 });

@@ -36,7 +36,7 @@ async function opened(style, colorScheme) {
   await page.getByLabel('Garment', {exact: true}).selectOption(style);
   await page.waitForFunction(
     (wanted) =>
-      globalThis.document.querySelector('seamwise-page').desk.design?.garment.sample?.style ===
+      globalThis.document.querySelector('seamwise-page').workbench.design?.garment.sample?.style ===
       wanted,
     style,
   );

@@ -25,17 +25,17 @@ import {keepPreferences, storedPreferences} from './storage/preferences.js';
 
 const samples = loadSamples();
 const preferences = storedPreferences();
-const words = (): Texts => textsOf(desk.preferences.language);
+const words = (): Texts => textsOf(workbench.preferences.language);
 const lease = leaseSolver({
   onBlocked: (failure) => {
-    desk.say({tone: 'info', text: spokenFailure(failure, desk, words())});
+    workbench.say({tone: 'info', text: spokenFailure(failure, workbench, words())});
   },
 });
 lease.warm(); // while the first files are on their way
-const desk: Workbench = new Workbench(lease, preferences);
-keepPreferences(desk);
-const projects = new Projects(desk, (trouble) => {
-  desk.say({tone: 'error', text: words().storage[trouble]});
+const workbench: Workbench = new Workbench(lease, preferences);
+keepPreferences(workbench);
+const projects = new Projects(workbench, (trouble) => {
+  workbench.say({tone: 'error', text: words().storage[trouble]});
 });
 
 defineEditor();
@@ -44,14 +44,14 @@ customElements.define('sw-project-list', ProjectList);
 customElements.define('sw-save-menu', SaveMenu);
 customElements.define('seamwise-page', SeamwisePage);
 const page = new SeamwisePage();
-page.desk = desk;
+page.workbench = workbench;
 page.projects = projects;
 page.blank = () => firstDesign(samples);
 const hintsAtFirst = hintsLeft();
 page.hints = hintsAtFirst ?? [];
 
 const sayFailure = (error: unknown): void => {
-  desk.say({tone: 'error', text: toFailure(error).message});
+  workbench.say({tone: 'error', text: toFailure(error).message});
 };
 
 async function begin(address: URL): Promise<void> {
@@ -73,17 +73,17 @@ async function begin(address: URL): Promise<void> {
 
 /** For somebody who has not been here yet. */
 async function welcome(): Promise<void> {
-  projects.beginWith(await welcomeDesign(samples, desk.solver), {origin: 'given'});
+  projects.beginWith(await welcomeDesign(samples, workbench.solver), {origin: 'given'});
   page.hints = hints;
   const {pattern} = page;
-  if (pattern) showBeforeAndAfter(desk, pattern);
+  if (pattern) showBeforeAndAfter(workbench, pattern);
 }
 
 /** Once something is changed or opened, the tab comes back to what is made of it. */
 function forgetAddress(): void {
-  const {beginnings} = desk;
-  const end = desk.subscribe(() => {
-    if (!desk.canUndo && desk.beginnings === beginnings) return;
+  const {beginnings} = workbench;
+  const end = workbench.subscribe(() => {
+    if (!workbench.canUndo && workbench.beginnings === beginnings) return;
     end();
     history.replaceState(null, '', location.pathname);
   });
@@ -94,7 +94,7 @@ async function followed(address: URL): Promise<boolean> {
   try {
     if (address.hash === '') return false;
     const {openLink} = await import('./links/open-link.js');
-    if (!(await openLink(address.hash, desk, projects, samples))) return false;
+    if (!(await openLink(address.hash, workbench, projects, samples))) return false;
     await projects.present?.flush();
     // where nothing is kept, a reload comes back to the link
     if (projects.present?.unwritten) forgetAddress();
@@ -102,7 +102,7 @@ async function followed(address: URL): Promise<boolean> {
     return true;
   } catch (error) {
     history.replaceState(null, '', address.pathname);
-    if (!desk.design && !(await projects.resume())) {
+    if (!workbench.design && !(await projects.resume())) {
       projects.beginWith(await firstDesign(samples), {origin: 'given'});
     }
     sayFailure(error);
@@ -113,7 +113,7 @@ async function followed(address: URL): Promise<boolean> {
 /** What the address asks for, if it can be read. */
 async function soundlyAsked(address: URL, before: Design): Promise<Design | undefined> {
   const asked = await askedFor(address, before);
-  if (asked) await desk.meshed(asked);
+  if (asked) await workbench.meshed(asked);
   return asked;
 }
 
@@ -127,12 +127,12 @@ async function open(): Promise<void> {
     }, sayFailure);
     await begin(new URL(location.href));
   } catch (error) {
-    desk.beginEmpty();
+    workbench.beginEmpty();
     sayFailure(error);
   }
   projects.keep(new AbortController().signal);
-  illustrate(desk, projects);
-  workOffline(desk);
+  illustrate(workbench, projects);
+  workOffline(workbench);
   // a link that is followed from here to here does not load the page by itself
   addEventListener('hashchange', () => {
     if (location.hash !== '') void followed(new URL(location.href));

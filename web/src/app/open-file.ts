@@ -25,12 +25,12 @@ export type How = 'chosen as garment' | 'handed over';
 
 /** What a file is, its first bytes say, whatever it is called. What cannot be opened is said, and leaves everything as it is. */
 export async function openFile(
-  desk: Workbench,
+  workbench: Workbench,
   projects: Projects,
   file: File,
   how: How = 'handed over',
 ): Promise<void> {
-  const texts = textsOf(desk.preferences.language);
+  const texts = textsOf(workbench.preferences.language);
   try {
     const kind = await kindOf(file);
     if (kind && isDocument(kind))
@@ -38,27 +38,27 @@ export async function openFile(
     const isPicture = await looksLikePicture(file);
     if (isPicture && how === 'chosen as garment')
       throw new Error(texts.failures.picture(file.name));
-    await (isPicture ? openPrint(desk, file) : opened(desk, projects, file, texts));
+    await (isPicture ? openPrint(workbench, file) : opened(workbench, projects, file, texts));
     if (isPicture)
-      desk.say({
+      workbench.say({
         tone: 'info',
         text: texts.app.takenAsPrint(file.name),
         undo: true,
       });
   } catch (error) {
-    desk.say({tone: 'error', text: sentenceOn(error, desk, texts)});
+    workbench.say({tone: 'error', text: sentenceOn(error, workbench, texts)});
   }
 }
 
 /** Of the core's failures and of projects; whatever else goes wrong is said in the user's language already. */
-function sentenceOn(error: unknown, desk: Workbench, texts: Texts): string {
+function sentenceOn(error: unknown, workbench: Workbench, texts: Texts): string {
   if (error instanceof FileError) return texts.failures.project(error.message);
   const failure = toFailure(error);
-  return error instanceof SolverError ? spokenFailure(failure, desk, texts) : failure.message;
+  return error instanceof SolverError ? spokenFailure(failure, workbench, texts) : failure.message;
 }
 
 async function opened(
-  desk: Workbench,
+  workbench: Workbench,
   projects: Projects,
   file: File,
   {failures}: Texts,
@@ -71,11 +71,11 @@ async function opened(
     const {design, view = null, title = withoutEnding(name)} = readProject(text, name);
     projects.beginWith(design, {origin: 'own', title: title.slice(0, longestName)}, view);
   } else if (hasFormat(content, 'seamwise-print') || looksLikePrint(content)) {
-    await openPrint(desk, file);
+    await openPrint(workbench, file);
   } else if (hasFormat(content, 'seamwise-result')) {
     projects.beginWith(designIn(content, name, failures), {origin: 'own'});
   } else {
-    await desk.open({name, text});
+    await workbench.open({name, text});
   }
 }
 

@@ -4,7 +4,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 import type {Design} from '../model/design.js';
 import {
   controls,
-  DeskElement,
+  WorkbenchElement,
   icon,
   keyOf,
   printFiles,
@@ -25,9 +25,9 @@ import type {Projects} from './projects/projects.js';
 import type {SaveMenu} from './save-menu.js';
 import {savePicture, saveProject, saveResult} from './save.js';
 
-export class SeamwisePage extends DeskElement {
+export class SeamwisePage extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     samples: {attribute: false},
     projects: {attribute: false},
     blank: {attribute: false},
@@ -85,7 +85,7 @@ export class SeamwisePage extends DeskElement {
       },
       signal,
     );
-    printPattern(this.desk, signal);
+    printPattern(this.workbench, signal);
     addEventListener(
       'keydown',
       (event) => {
@@ -101,25 +101,29 @@ export class SeamwisePage extends DeskElement {
   }
 
   protected override render(): TemplateResult {
-    const {desk, projects, samples} = this;
+    const {workbench, projects, samples} = this;
     const {app, commands} = this.texts;
     return html`<main>
       <button class="primary skip" @click=${() => this.#editor?.toPattern()}>
         ${app.toPattern}
       </button>
-      <sw-editor .desk=${desk} .samples=${samples} .commands=${this.#keyed}>
+      <sw-editor .workbench=${workbench} .samples=${samples} .commands=${this.#keyed}>
         <h1 slot="start">${app.name}</h1>
         <sw-project-list
           slot="start"
-          .desk=${desk}
+          .workbench=${workbench}
           .projects=${projects}
           .blank=${this.blank}
         ></sw-project-list>
-        <sw-garment-choice slot="start" .desk=${desk} .samples=${samples}></sw-garment-choice>
+        <sw-garment-choice
+          slot="start"
+          .workbench=${workbench}
+          .samples=${samples}
+        ></sw-garment-choice>
         <button slot="start" class="outlined" title=${app.openGarment} @click=${this.#keyed.open}>
           ${icon.open} <span class="label">${app.openGarment}</span>
         </button>
-        <sw-save-menu slot="actions" .desk=${desk} .projects=${projects}></sw-save-menu>
+        <sw-save-menu slot="actions" .workbench=${workbench} .projects=${projects}></sw-save-menu>
         <button
           slot="actions"
           class="icon"
@@ -130,13 +134,13 @@ export class SeamwisePage extends DeskElement {
         >
           ${icon.search}
         </button>
-        <sw-settings slot="actions" .desk=${desk}></sw-settings>
+        <sw-settings slot="actions" .workbench=${workbench}></sw-settings>
         ${
           this.hints.length === 0
             ? nothing
             : html`<sw-hints
                 slot="hint"
-                .desk=${desk}
+                .workbench=${workbench}
                 .editor=${this.#editor}
                 .left=${this.hints}
                 @given=${({detail}: CustomEvent<Hint>) => {
@@ -152,7 +156,7 @@ export class SeamwisePage extends DeskElement {
 
   /** The document itself speaks the language, wears the colours and has the name that were chosen. */
   protected override updated(): void {
-    const {language, theme} = this.desk.preferences;
+    const {language, theme} = this.workbench.preferences;
     const root = document.documentElement;
     root.lang = language;
     const {name} = this.projects;
@@ -168,7 +172,7 @@ export class SeamwisePage extends DeskElement {
 
   async #take(file: File, how?: How): Promise<void> {
     const {openFile} = await import('./open-file.js');
-    await openFile(this.desk, this.projects, file, how);
+    await openFile(this.workbench, this.projects, file, how);
   }
 
   async #openPrint(): Promise<void> {
@@ -179,18 +183,18 @@ export class SeamwisePage extends DeskElement {
   /** All commands to look through; loaded once somebody wants to. */
   async #commands(): Promise<void> {
     const {toggleCommands} = await import('./palette/index.js');
-    await toggleCommands(this.desk, this.renderRoot, () => this.#parts);
+    await toggleCommands(this.workbench, this.renderRoot, () => this.#parts);
   }
 
   /** Undefined until the page is drawn. */
   get #parts(): PageParts | undefined {
-    const {desk, texts, format, samples, renderRoot: root} = this;
+    const {workbench, texts, format, samples, renderRoot: root} = this;
     const [editor, list] = [this.#editor, root.querySelector<ProjectList>('sw-project-list')];
     const garments = root.querySelector<GarmentChoice>('sw-garment-choice');
     const menu = root.querySelector<SaveMenu>('sw-save-menu');
     if (!editor || !list || !garments || !menu) return undefined;
     return {
-      ...{desk, texts, format, samples, editor, garments},
+      ...{workbench, texts, format, samples, editor, garments},
       saves: {
         project: this.#keyed.save,
         result: () => {

@@ -2,7 +2,7 @@
 import type {Workbench} from '../editor/index.js';
 
 /** Lays the pattern out whenever the page is printed, until `signal` fires; page.css hides the rest then. */
-export function printPattern(desk: Workbench, signal: AbortSignal): void {
+export function printPattern(workbench: Workbench, signal: AbortSignal): void {
   let sheet: HTMLCanvasElement | undefined;
   const clear = (): void => {
     sheet?.remove();
@@ -13,7 +13,7 @@ export function printPattern(desk: Workbench, signal: AbortSignal): void {
     () => {
       clear();
       // at once: the browser does not wait for anything
-      sheet = desk.view?.onPaper();
+      sheet = workbench.view?.onPaper();
       if (!sheet) return;
       sheet.className = 'on-paper';
       document.body.append(sheet);

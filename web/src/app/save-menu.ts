@@ -3,7 +3,7 @@ import {css, html, type TemplateResult} from 'lit';
 
 import {
   controls,
-  DeskElement,
+  WorkbenchElement,
   icon,
   lengthUnit,
   placeUnder,
@@ -18,9 +18,9 @@ const usualAllowance = 1;
 /** More than any hem. [cm] */
 const greatestAllowance = 5;
 
-export class SaveMenu extends DeskElement {
+export class SaveMenu extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     projects: {attribute: false},
     allowance: {state: true},
   };
@@ -61,15 +61,15 @@ export class SaveMenu extends DeskElement {
 
   readonly copyLink = async (): Promise<void> => {
     const {copyLink} = await import('./links/share-link.js');
-    await copyLink(this.desk, this.projects);
+    await copyLink(this.workbench, this.projects);
   };
 
   protected override render(): TemplateResult {
     const {app, controls: controlTexts} = this.texts;
-    const {desk} = this;
-    const {cm, name} = lengthUnit[desk.preferences.units];
+    const {workbench} = this;
+    const {cm, name} = lengthUnit[workbench.preferences.units];
     return html`
-      <button class="outlined" popovertarget="save" ?disabled=${!desk.design}>
+      <button class="outlined" popovertarget="save" ?disabled=${!workbench.design}>
         ${icon.save} <span class="label">${app.saveMore}</span>
       </button>
       <div
@@ -90,14 +90,18 @@ export class SaveMenu extends DeskElement {
           </button>
           <button
             class="outlined"
-            ?disabled=${!desk.result}
+            ?disabled=${!workbench.result}
             @click=${() => {
               saveResult(this);
             }}
           >
             ${icon.result} ${app.saveResult}
           </button>
-          <button class="outlined" ?disabled=${!desk.result} @click=${() => void savePicture(this)}>
+          <button
+            class="outlined"
+            ?disabled=${!workbench.result}
+            @click=${() => void savePicture(this)}
+          >
             ${icon.save} ${app.savePicture}
           </button>
           <sw-number-field
@@ -106,7 +110,7 @@ export class SaveMenu extends DeskElement {
             .least=${0}
             .most=${greatestAllowance / cm}
             .step=${0.1}
-            .fractions=${desk.preferences.units === 'inch'}
+            .fractions=${workbench.preferences.units === 'inch'}
             .digits=${3}
             .wrong=${controlTexts.between(this.format.length(0), this.format.length(greatestAllowance))}
             @entered=${({detail}: CustomEvent<number>) => {
@@ -115,7 +119,7 @@ export class SaveMenu extends DeskElement {
           ></sw-number-field>
           <button
             class="outlined"
-            ?disabled=${!desk.result}
+            ?disabled=${!workbench.result}
             @click=${() => {
               this.saveCutting();
             }}

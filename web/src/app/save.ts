@@ -6,19 +6,19 @@ import {cuttingSvg} from './cutting-svg.js';
 import {saveFile} from './files.js';
 import type {Projects} from './projects/projects.js';
 
-/** What is saved of a desk, under which name. */
+/** What is saved of a workbench, under which name. */
 export interface Saved {
-  readonly desk: Workbench;
+  readonly workbench: Workbench;
   readonly projects: Projects;
 }
 
 const stem = ({projects}: Saved): string => fileNameOf(projects.name);
 
 export function saveProject(saved: Saved): void {
-  const {desk, projects} = saved;
-  if (!desk.design) return;
-  const [view, title] = [desk.view?.get(), projects.present?.title];
-  const content = writeProject(desk.design, {
+  const {workbench, projects} = saved;
+  if (!workbench.design) return;
+  const [view, title] = [workbench.view?.get(), projects.present?.title];
+  const content = writeProject(workbench.design, {
     ...(view && {view}),
     ...(title !== undefined && {title}),
   });
@@ -27,23 +27,26 @@ export function saveProject(saved: Saved): void {
 
 /** With the design that it is the answer to, so that it can be opened again. */
 export function saveResult(saved: Saved): void {
-  const {desk} = saved;
-  if (desk.result)
-    saveFile(`${stem(saved)}.result.json`, JSON.stringify({...desk.result, design: desk.design}));
+  const {workbench} = saved;
+  if (workbench.result)
+    saveFile(
+      `${stem(saved)}.result.json`,
+      JSON.stringify({...workbench.result, design: workbench.design}),
+    );
 }
 
 /** The whole sheet as it is shown. */
 export async function savePicture(saved: Saved): Promise<void> {
-  const picture = await saved.desk.view?.picture();
+  const picture = await saved.workbench.view?.picture();
   if (picture) saveFile(`${stem(saved)}.png`, picture);
 }
 
 export async function saveCutting(saved: Saved, allowanceCm: number): Promise<void> {
-  const {desk} = saved;
+  const {workbench} = saved;
   try {
-    const file = await cuttingSvg(desk, allowanceCm);
+    const file = await cuttingSvg(workbench, allowanceCm);
     if (file !== undefined) saveFile(`${stem(saved)}.cut.svg`, file, 'image/svg+xml');
   } catch (error) {
-    desk.say({tone: 'error', text: toFailure(error).message});
+    workbench.say({tone: 'error', text: toFailure(error).message});
   }
 }

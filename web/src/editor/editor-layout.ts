@@ -10,7 +10,7 @@ export const editorLayout = css`
     display: block;
     container-type: inline-size;
   }
-  .desk {
+  .workbench {
     position: relative;
     display: grid;
     grid:
@@ -89,7 +89,7 @@ export const editorLayout = css`
     min-height: 14.25rem;
   }
   @container (64rem <= width < 88rem) {
-    .desk {
+    .workbench {
       grid-template-columns: 19rem minmax(0, 1fr) 23rem;
     }
   }
@@ -108,7 +108,7 @@ export const editorLayout = css`
       border: 1px solid var(--sw-line);
       border-bottom: 0;
     }
-    .desk:has(sw-lens[wide]) .pattern {
+    .workbench:has(sw-lens[wide]) .pattern {
       padding-bottom: 19rem; /* its height */
     }
   }
@@ -136,7 +136,7 @@ export const editorLayout = css`
   }
   /* beside it: how well it fits, then what is asked most often; the tables last */
   @container (40rem <= width < 64rem) {
-    .desk {
+    .workbench {
       grid: 'header header' auto 'pattern side' minmax(0, 1fr) / minmax(0, 1fr) 20rem;
     }
     .side {
@@ -161,7 +161,7 @@ export const editorLayout = css`
   }
   /* below it: one sheet at a time */
   @container (width < 40rem) {
-    .desk {
+    .workbench {
       grid: 'header' auto 'pattern' minmax(0, 1fr) 'side' auto / minmax(0, 1fr);
     }
     header {
@@ -216,7 +216,7 @@ export const editorLayout = css`
       height: min(22rem, calc(0.37 * var(--height)));
     }
     /* who is asked how the grain runs has to see the pieces */
-    .desk:has(sw-grain-question[asks]) .side section {
+    .workbench:has(sw-grain-question[asks]) .side section {
       height: calc(0.15 * var(--height));
     }
     :is([data-sheet='print'], [data-sheet='cutting']) .setup,

@@ -1,10 +1,10 @@
-/** The editing desk: what is decided on the left, the pattern in the middle, how well it fits on the right. */
+/** The editing workbench: what is decided on the left, the pattern in the middle, how well it fits on the right. */
 import {html, type TemplateResult} from 'lit';
 
 import {canAlign} from './commands/can-align.js';
 import {redoWords, undoWords} from './commands/step-words.js';
 import type {ShortcutId} from './commands/shortcuts.js';
-import {DeskElement} from './base/desk-element.js';
+import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
 import {loadLaterParts} from './load-later-parts.js';
 import {defineParts} from './parts.js';
@@ -30,9 +30,9 @@ const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;
  * Whoever uses it puts controls of their own into its head: what is being edited into the slot `start`, what can
  * be done with it into `actions`, and what may lie over the legend for a while into `hint`. Where it is narrow, those of `order: -1` join the steps in its first row.
  */
-export class Editor extends DeskElement {
+export class Editor extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     samples: {attribute: false},
     commands: {attribute: false},
     sheet: {state: true},
@@ -51,10 +51,10 @@ export class Editor extends DeskElement {
 
   readonly #own = {
     undo: () => {
-      this.desk.undo();
+      this.workbench.undo();
     },
     redo: () => {
-      this.desk.redo();
+      this.workbench.redo();
     },
     keys: () => void this.#toggleKeys(),
   } satisfies KeyCommands;
@@ -114,7 +114,7 @@ export class Editor extends DeskElement {
   /** A seam that somebody picks in the pattern is to be seen from near. */
   protected override deskChanged(): void {
     super.deskChanged();
-    const {selected} = this.desk;
+    const {selected} = this.workbench;
     if (sameTarget(selected, this.#selected)) return;
     this.#selected = selected;
     if (selected?.kind === 'seam' && this.sheet !== 'lists') this.sheet = 'fit';
@@ -127,27 +127,27 @@ export class Editor extends DeskElement {
   }
 
   protected override updated(): void {
-    const {kind} = this.desk.state;
+    const {kind} = this.workbench.state;
     if (kind !== 'opening' && kind !== 'solving') void loadLaterParts();
     const part = this.renderRoot.querySelector<HTMLElement>('sw-headline');
     if (!part || !this.isConnected) return;
     this.#headline ??= new KeptHeight(part);
-    const {garment, symmetries} = this.desk.design ?? {};
+    const {garment, symmetries} = this.workbench.design ?? {};
     this.#headline.about = `${garment?.name} ${symmetries?.length ? 'symmetric' : ''}`;
     this.#headline.stir(kind === 'done');
   }
 
   protected override render(): TemplateResult {
-    const {desk} = this;
+    const {workbench} = this;
     const {app} = this.texts;
-    return html`<div class="desk" data-sheet=${this.sheet ?? 'none'}>
+    return html`<div class="workbench" data-sheet=${this.sheet ?? 'none'}>
       <header>
         <slot name="start"></slot>
         <span class="gap"></span>
         ${this.#steps()}
         <slot name="actions"></slot>
         <span class="solving">
-          <sw-progress .desk=${desk}></sw-progress>
+          <sw-progress .workbench=${workbench}></sw-progress>
           ${this.#solving()}
         </span>
         <button
@@ -160,31 +160,32 @@ export class Editor extends DeskElement {
         </button>
       </header>
       <div class="pattern">
-        <sw-units-question .desk=${desk}></sw-units-question>
-        <sw-grain-question .desk=${desk}></sw-grain-question>
-        <sw-pattern .desk=${desk}
-          ><sw-notice slot="notice" .desk=${desk}></sw-notice><slot name="hint" slot="hint"></slot
+        <sw-units-question .workbench=${workbench}></sw-units-question>
+        <sw-grain-question .workbench=${workbench}></sw-grain-question>
+        <sw-pattern .workbench=${workbench}
+          ><sw-notice slot="notice" .workbench=${workbench}></sw-notice
+          ><slot name="hint" slot="hint"></slot
         ></sw-pattern>
       </div>
       <div class="side">
         <section class="setup" aria-label=${app.setup}>
-          <sw-print-panel .desk=${desk} .samples=${this.samples}></sw-print-panel>
-          <sw-symmetry-panel .desk=${desk}></sw-symmetry-panel>
-          <sw-fit-panel .desk=${desk}></sw-fit-panel>
+          <sw-print-panel .workbench=${workbench} .samples=${this.samples}></sw-print-panel>
+          <sw-symmetry-panel .workbench=${workbench}></sw-symmetry-panel>
+          <sw-fit-panel .workbench=${workbench}></sw-fit-panel>
         </section>
         <section class="report" aria-label=${app.report}>
-          <sw-headline .desk=${desk} .samples=${this.samples}></sw-headline>
+          <sw-headline .workbench=${workbench} .samples=${this.samples}></sw-headline>
           <sw-lens
-            .desk=${desk}
+            .workbench=${workbench}
             @sw-lens-cursor=${(event: CustomEvent<LensCursor | undefined>) => {
               if (this.pattern) this.pattern.cursor = event.detail;
             }}
           ></sw-lens>
-          <sw-tables .desk=${desk}></sw-tables>
+          <sw-tables .workbench=${workbench}></sw-tables>
         </section>
         ${this.#tabs()}
       </div>
-      <sw-key-map .desk=${desk} .known=${this.#known}></sw-key-map>
+      <sw-key-map .workbench=${workbench} .known=${this.#known}></sw-key-map>
     </div>`;
   }
 
@@ -218,26 +219,26 @@ export class Editor extends DeskElement {
   }
 
   #steps(): TemplateResult {
-    const {desk} = this;
+    const {workbench} = this;
     const {app} = this.texts;
-    const [undone, redone] = [undoWords(desk, this.texts), redoWords(desk, this.texts)];
+    const [undone, redone] = [undoWords(workbench, this.texts), redoWords(workbench, this.texts)];
     return html`${this.#icon(app.undo, undone && app.undoOf(undone), icon.undo, this.#own.undo)}
     ${this.#icon(app.redo, redone && app.redoOf(redone), icon.redo, this.#own.redo)}`;
   }
 
   /** One button: it ends what is under way, or begins it where nobody else does. */
   #solving(): TemplateResult {
-    const {desk} = this;
+    const {workbench} = this;
     const {app} = this.texts;
-    const isSolving = desk.state.kind === 'solving';
-    const aligns = canAlign(desk);
+    const isSolving = workbench.state.kind === 'solving';
+    const aligns = canAlign(workbench);
     return html`<button
       class=${aligns ? 'primary' : 'outlined'}
       ?hidden=${!aligns && !isSolving}
       @click=${({detail}: MouseEvent) => {
         if (detail > 1) return; // the second half of a double click
-        if (isSolving) desk.cancel();
-        else if (aligns) desk.align();
+        if (isSolving) workbench.cancel();
+        else if (aligns) workbench.align();
       }}
     >
       ${aligns ? app.align : app.cancel}

@@ -1,5 +1,5 @@
 /** The parts that the page is built of. */
-export * from './base/desk-element.js';
+export * from './base/workbench-element.js';
 export {controls} from './style/controls.js';
 export {openPrint} from './print/own-tile.js';
 export {printFiles} from './print/print-files.js';

@@ -84,7 +84,7 @@ export class SeamwiseGarment extends AttributeElement {
       },
       preferencesFor(localeOf(navigator.language)),
     );
-    this.#speech = new Speech(this, this.#session.desk);
+    this.#speech = new Speech(this, this.#session.workbench);
     this.#beginning = new Beginning(
       {
         element: this,
@@ -214,7 +214,7 @@ export class SeamwiseGarment extends AttributeElement {
     type,
     width,
   }: {readonly type?: string; readonly width?: number} = {}): Promise<Blob> {
-    return pictureOf(this.#session.desk.view, this.#isDrawn, {type, width}, this.#texts);
+    return pictureOf(this.#session.workbench.view, this.#isDrawn, {type, width}, this.#texts);
   }
 
   formResetCallback(): void {
@@ -301,7 +301,7 @@ export class SeamwiseGarment extends AttributeElement {
     const shown = this.#modes.shown(this.mode);
     if (this.#shown !== shown) this.#isDrawn = false;
     this.#shown = shown;
-    this.#session.desk.isEdited = shown === 'edit';
+    this.#session.workbench.isEdited = shown === 'edit';
     const {garment} = this.#texts;
     this.enter(this.#session.state);
     this.present(this.value, this.error?.message ?? garment.required);

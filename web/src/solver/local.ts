@@ -12,7 +12,7 @@ import {Share} from './share.js';
 import {convertGarment, Detection, measureSymmetry, Solver} from './solver.js';
 import type {QuestionHooks} from './service.js';
 import type {MirrorTexts, ProblemTexts} from './texts.js';
-import {Turns} from './turns.js';
+import {TaskQueue} from './task-queue.js';
 import {unlessAborted} from './unless-aborted.js';
 
 /** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
@@ -34,9 +34,9 @@ interface LocalWays {
 export class LocalSolver {
   readonly #shared: SharedModule;
   readonly #pace: Pace;
-  readonly #turns = new Turns(solvesAtOnce);
+  readonly #queue = new TaskQueue(solvesAtOnce);
   /** The sooner one share has ended, the sooner it is of use. */
-  readonly #shareTurns = new Turns(1);
+  readonly #shareTurns = new TaskQueue(1);
   readonly #helpers: Helpers | undefined;
 
   /**
@@ -95,7 +95,7 @@ export class LocalSolver {
           this.#helpers?.leave(solver);
         }
       });
-    return this.#turns.take(solve, hooks.signal);
+    return this.#queue.take(solve, hooks.signal);
   }
 
   /** The garment as a solve would begin with it. @throws {SolverError}; the signal's reason */
@@ -112,7 +112,7 @@ export class LocalSolver {
       await runPreparation(solver, {...(signal && {signal})}, this.#pace);
       let told = 0;
       const work = (slice: number): boolean => {
-        if (!this.#turns.isIdle) return true;
+        if (!this.#queue.isIdle) return true;
         const more = solver.prove(slice);
         const proof = solver.proof();
         if (proof.bound > told) onProof?.(proof);

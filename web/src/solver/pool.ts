@@ -59,7 +59,7 @@ function workersWanted(): number {
 export class SolverPool {
   readonly #places: WorkerPlaces;
   readonly #emptied: () => void;
-  readonly #seats = new Set<Seat>();
+  readonly #workers = new Set<PooledWorker>();
   readonly #page: MainThreadSolver;
 
   /** @param emptied called when the last worker has been ended */
@@ -70,49 +70,49 @@ export class SolverPool {
   }
 
   lease(onBlocked?: (failure: Failure) => void): SolverLease {
-    const seat = this.#freest();
-    seat.leases += 1;
-    clearTimeout(seat.ending);
-    const solver = new LeasedSolver(seat, this.#page, onBlocked);
+    const pooled = this.#freest();
+    pooled.leases += 1;
+    clearTimeout(pooled.ending);
+    const solver = new LeasedSolver(pooled, this.#page, onBlocked);
     let released = false;
     const release = () => {
       if (released) return;
       released = true;
       solver.end();
-      seat.leases -= 1;
-      if (seat.leases > 0) return;
-      seat.ending = setTimeout(() => {
-        this.#close(seat);
+      pooled.leases -= 1;
+      if (pooled.leases > 0) return;
+      pooled.ending = setTimeout(() => {
+        this.#close(pooled);
       }, idlePatience);
     };
     const warm = () => {
-      if (!released) seat.warm();
+      if (!released) pooled.warm();
     };
     return {solver, warm, release};
   }
 
-  /** The seat with the fewest leases; a new one only if all have some. */
-  #freest(): Seat {
-    const [freest] = [...this.#seats].sort((a, b) => a.leases - b.leases);
-    if (freest && (freest.leases === 0 || this.#seats.size >= workersWanted())) return freest;
-    const blocked = [...this.#seats].find((seat) => seat.blocked)?.blocked;
+  /** The worker with the fewest leases; a new one only if all have some. */
+  #freest(): PooledWorker {
+    const [freest] = [...this.#workers].sort((a, b) => a.leases - b.leases);
+    if (freest && (freest.leases === 0 || this.#workers.size >= workersWanted())) return freest;
+    const blocked = [...this.#workers].find((pooled) => pooled.blocked)?.blocked;
     const client = new SolverClient(this.#places, () =>
-      helpersFor(navigator.hardwareConcurrency, this.#seats.size),
+      helpersFor(navigator.hardwareConcurrency, this.#workers.size),
     );
-    const seat = new Seat(client, blocked);
-    this.#seats.add(seat);
-    return seat;
+    const pooled = new PooledWorker(client, blocked);
+    this.#workers.add(pooled);
+    return pooled;
   }
 
-  #close(seat: Seat): void {
-    seat.client.dispose();
-    this.#seats.delete(seat);
-    if (this.#seats.size === 0) this.#emptied();
+  #close(pooled: PooledWorker): void {
+    pooled.client.dispose();
+    this.#workers.delete(pooled);
+    if (this.#workers.size === 0) this.#emptied();
   }
 }
 
-/** A worker's place in the pool; the worker itself starts with the first job. */
-class Seat {
+/** A worker of the pool, which starts with its first job. */
+class PooledWorker {
   leases = 0;
   #warming: AbortController | undefined;
   ending: ReturnType<typeof setTimeout> | undefined;
@@ -141,16 +141,20 @@ class Seat {
   }
 }
 
-/** A seat's worker, as one lease sees it; the page itself where there can be no worker. */
+/** A pooled worker as one lease sees it; the page itself where there can be no worker. */
 class LeasedSolver extends TextService {
-  readonly #seat: Seat;
+  readonly #pooled: PooledWorker;
   readonly #page: MainThreadSolver;
   readonly #released = new AbortController();
   #onBlocked: ((failure: Failure) => void) | undefined;
 
-  constructor(seat: Seat, page: MainThreadSolver, onBlocked?: (failure: Failure) => void) {
+  constructor(
+    pooled: PooledWorker,
+    page: MainThreadSolver,
+    onBlocked?: (failure: Failure) => void,
+  ) {
     super();
-    this.#seat = seat;
+    this.#pooled = pooled;
     this.#page = page;
     this.#onBlocked = onBlocked;
   }
@@ -163,15 +167,15 @@ class LeasedSolver extends TextService {
     const signal = hooks.signal ? AbortSignal.any([hooks.signal, released]) : released;
     signal.throwIfAborted();
     const all = {...hooks, signal};
-    if (!this.#seat.blocked) {
+    if (!this.#pooled.blocked) {
       try {
-        return await this.#seat.ask<K>(question, all);
+        return await this.#pooled.ask<K>(question, all);
       } catch (error) {
         if (!(error instanceof SolverError) || error.code !== 'worker-blocked') throw error;
-        this.#seat.blocked = error;
+        this.#pooled.blocked = error;
       }
     }
-    this.#tell(this.#seat.blocked);
+    this.#tell(this.#pooled.blocked);
     return this.#page.ask<K>(question, all);
   }
 

@@ -8,9 +8,9 @@ export function unlessAborted<T>(promise: Promise<T>, signal: AbortSignal | unde
     };
     if (signal.aborted) abort();
     else signal.addEventListener('abort', abort, {once: true});
-    const heed = () => {
+    const stopListening = () => {
       signal.removeEventListener('abort', abort);
     };
-    promise.then(resolve, reject).finally(heed);
+    promise.then(resolve, reject).finally(stopListening);
   });
 }

@@ -51,5 +51,5 @@ export function spokenFailure(
 }
 
 /** The same as an error. */
-export const spokenError = (failure: Failure, desk: Workbench, texts: Texts): SolverError =>
-  new SolverError({...failure, message: spokenFailure(failure, desk, texts)});
+export const spokenError = (failure: Failure, workbench: Workbench, texts: Texts): SolverError =>
+  new SolverError({...failure, message: spokenFailure(failure, workbench, texts)});

@@ -14,7 +14,7 @@ import {tileOf} from '../recognition/print-tile.js';
 import {textsOf} from '../texts/texts.js';
 import {Afterwards} from './afterwards.js';
 import {FoundSymmetries} from './found-symmetries.js';
-import {Journal} from './journal.js';
+import {DesignHistory} from './design-history.js';
 import {KnownGarment} from './known-garment.js';
 import {LatestSolve} from './latest-solve.js';
 import {askedOf, measuredMirrorings, withKeptPins} from './kept-pins.js';
@@ -37,7 +37,7 @@ export interface WorkbenchOptions {
   readonly tileOf?: (image: string, signal?: AbortSignal) => Promise<Tile | undefined>;
 }
 
-export class Workbench extends Journal {
+export class Workbench extends DesignHistory {
   readonly solver: SolverService;
   readonly tileOf: NonNullable<WorkbenchOptions['tileOf']>;
   /** What is worked on once an answer is there. */
@@ -285,7 +285,7 @@ export class Workbench extends Journal {
 
   /** A garment that was not there before. */
   #met(garment: DesignGarment): void {
-    this.lookAway();
+    this.clearTargets();
     if (this.#isEdited) this.#found.follow(garment);
     else this.#found.forget();
   }

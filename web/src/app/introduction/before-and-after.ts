@@ -9,11 +9,11 @@ const way = 700;
 const inputs = ['pointerdown', 'keydown', 'wheel', 'touchstart', 'dragenter', 'paste'] as const;
 
 /** Begins with the first drawing of a garment, which has been asked for and is not drawn yet. */
-export function showBeforeAndAfter(desk: Workbench, pattern: PatternPane): void {
+export function showBeforeAndAfter(workbench: Workbench, pattern: PatternPane): void {
   if (document.hidden || matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   const life = new AbortController();
   const {signal} = life;
-  const {design} = desk;
+  const {design} = workbench;
   let isDrawn = false;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const end = (ms: number): void => {
@@ -22,8 +22,8 @@ export function showBeforeAndAfter(desk: Workbench, pattern: PatternPane): void 
     pattern.showAnswer(ms);
   };
   const follow = (): void => {
-    const {state} = desk;
-    const isOver = desk.design !== design || state.kind === 'failed' || state.kind === 'stale';
+    const {state} = workbench;
+    const isOver = workbench.design !== design || state.kind === 'failed' || state.kind === 'stale';
     if (isOver) end(0);
     else if (isDrawn && state.kind === 'done')
       timer ??= setTimeout(() => {
@@ -44,6 +44,6 @@ export function showBeforeAndAfter(desk: Workbench, pattern: PatternPane): void 
     },
     {signal},
   );
-  signal.addEventListener('abort', desk.subscribe(follow));
+  signal.addEventListener('abort', workbench.subscribe(follow));
   pattern.showDraft();
 }

@@ -4,12 +4,12 @@
  */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {controls, DeskElement, icon, type Editor} from '../../editor/index.js';
+import {controls, WorkbenchElement, icon, type Editor} from '../../editor/index.js';
 import {hints, type Hint} from './kept.js';
 
-export class Hints extends DeskElement {
+export class Hints extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     editor: {attribute: false},
     left: {attribute: false},
   };
@@ -87,7 +87,7 @@ export class Hints extends DeskElement {
   /** What somebody does needs no hint. */
   protected override deskChanged(): void {
     super.deskChanged();
-    const {design, selected} = this.desk;
+    const {design, selected} = this.workbench;
     const print = design && `${design.print.title} ${design.print.image}`;
     if (this.#print !== undefined && print !== this.#print) this.#done('print');
     this.#print = print;
@@ -96,7 +96,7 @@ export class Hints extends DeskElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const [hint] = this.left;
-    this.#isReady ||= this.desk.state.kind === 'done';
+    this.#isReady ||= this.workbench.state.kind === 'done';
     this.hidden = hint === undefined || !this.#isReady;
     if (hint === undefined) return nothing;
     const {app, introduction} = this.texts;

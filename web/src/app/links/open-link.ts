@@ -19,11 +19,11 @@ import {loaded} from './pictures.js';
  */
 export async function openLink(
   fragment: string,
-  desk: Workbench,
+  workbench: Workbench,
   projects: Projects,
   samples: Promise<Samples>,
 ): Promise<boolean> {
-  const {link: words} = textsOf(desk.preferences.language);
+  const {link: words} = textsOf(workbench.preferences.language);
   try {
     const link = await readLink(fragment);
     if (!link) return false;
@@ -33,7 +33,7 @@ export async function openLink(
       garment: await garmentOf(garment, await samples, words.noSample),
       print: await printOf(print, await samples, words.noSample),
     };
-    await desk.meshed(design);
+    await workbench.meshed(design);
     projects.beginWith(design, {origin: 'own', ...(title !== undefined && {title})});
     return true;
   } catch (error) {

@@ -32,23 +32,23 @@ async function shortest(design: Design, title: string | undefined): Promise<Link
 }
 
 /** Says how long it is; what is too long to travel is refused. */
-export async function copyLink(desk: Workbench, projects: Projects): Promise<void> {
-  const {design} = desk;
+export async function copyLink(workbench: Workbench, projects: Projects): Promise<void> {
+  const {design} = workbench;
   if (!design) return;
-  const {link} = textsOf(desk.preferences.language);
+  const {link} = textsOf(workbench.preferences.language);
   const {text, hasSmallerPicture} = await shortest(design, projects.present?.title);
   const {href} = new URL(text, location.href);
-  const size = `${Math.ceil(href.length / 1000).toLocaleString(desk.preferences.language)} kB`;
+  const size = `${Math.ceil(href.length / 1000).toLocaleString(workbench.preferences.language)} kB`;
   if (text.length > longestLink) {
-    desk.say({tone: 'error', text: link.tooLong(size)});
+    workbench.say({tone: 'error', text: link.tooLong(size)});
     return;
   }
   try {
     await navigator.clipboard.writeText(href);
   } catch {
-    desk.say({tone: 'error', text: link.notCopied});
+    workbench.say({tone: 'error', text: link.notCopied});
     return;
   }
   const said = href.length > safeLength ? link.long(size) : link.copied;
-  desk.say({tone: 'info', text: hasSmallerPicture ? `${said} ${link.smaller}` : said});
+  workbench.say({tone: 'info', text: hasSmallerPicture ? `${said} ${link.smaller}` : said});
 }

@@ -8,12 +8,12 @@ const patience = 3000;
 const hour = 3_600_000;
 
 /** Has the browser keep the page, where it can and may. */
-export function workOffline(desk: Workbench): void {
+export function workOffline(workbench: Workbench): void {
   if (!('serviceWorker' in navigator)) return;
-  setTimeout(() => void keep(desk), patience);
+  setTimeout(() => void keep(workbench), patience);
 }
 
-async function keep(desk: Workbench): Promise<void> {
+async function keep(workbench: Workbench): Promise<void> {
   const {serviceWorker} = navigator;
   const isFirst = !serviceWorker.controller;
   if (isFirst) serviceWorker.addEventListener('controllerchange', again, {once: true});
@@ -28,7 +28,7 @@ async function keep(desk: Workbench): Promise<void> {
   registration.addEventListener('updatefound', () => {
     const {installing} = registration;
     installing?.addEventListener('statechange', () => {
-      if (installing.state === 'activated') void tell(desk);
+      if (installing.state === 'activated') void tell(workbench);
     });
   });
   setInterval(() => void registration.update().catch(() => undefined), hour); // or there is no network
@@ -44,15 +44,15 @@ function again(): void {
 }
 
 /** A page that was loaded just now may be the new version itself. */
-async function tell(desk: Workbench): Promise<void> {
+async function tell(workbench: Workbench): Promise<void> {
   const script = document.querySelector('script[type="module"][src]')?.getAttribute('src');
   const newest = await fetch(document.baseURI, {cache: 'no-store'})
     .then((answer) => answer.text())
     .catch(() => undefined);
   if (!script || newest === undefined || newest.includes(script)) return;
-  const {newVersion, reload} = textsOf(desk.preferences.language).offline;
+  const {newVersion, reload} = textsOf(workbench.preferences.language).offline;
   const act = (): void => {
     location.reload();
   };
-  desk.say({tone: 'info', text: newVersion, action: {label: reload, act}});
+  workbench.say({tone: 'info', text: newVersion, action: {label: reload, act}});
 }

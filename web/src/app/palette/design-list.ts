@@ -20,14 +20,14 @@ import {withKey, type PageParts} from './page-parts.js';
 
 const grains = ['on', 'across', 'bias', 'free'] as const;
 
-export function stepCommands({desk, texts}: PageParts): readonly Command[] {
+export function stepCommands({workbench, texts}: PageParts): readonly Command[] {
   const {app} = texts;
-  const [undone, redone] = [undoWords(desk, texts), redoWords(desk, texts)];
+  const [undone, redone] = [undoWords(workbench, texts), redoWords(workbench, texts)];
   const undo = (): void => {
-    desk.undo();
+    workbench.undo();
   };
   const redo = (): void => {
-    desk.redo();
+    workbench.redo();
   };
   return [
     ...(undone === undefined
@@ -39,57 +39,60 @@ export function stepCommands({desk, texts}: PageParts): readonly Command[] {
   ];
 }
 
-export function solveCommands({desk, texts, format, samples}: PageParts): readonly Command[] {
+export function solveCommands({workbench, texts, format, samples}: PageParts): readonly Command[] {
   const {app, commands, controls, improve} = texts;
-  const {design, state, preferences} = desk;
+  const {design, state, preferences} = workbench;
   if (!design) return [];
   const {solve} = commands.also;
   const list: Command[] = [];
   const add = (id: string, title: string, words: string, run: () => void): void => {
     list.push({id, title, words, run});
   };
-  if (canAlign(desk)) {
+  if (canAlign(workbench)) {
     add('align', app.align, solve, () => {
-      desk.align();
+      workbench.align();
     });
   }
   if (state.kind === 'solving') {
     add('cancel', app.cancel, solve, () => {
-      desk.cancel();
+      workbench.cancel();
     });
   }
-  const offer = improvementOffer(desk);
+  const offer = improvementOffer(workbench);
   if (offer) add('improve', improve[offer.kind], commands.also.improve, offer.act);
-  for (const [k, remedy] of (desk.result ? desk.afterwards.remedies(design) : []).entries()) {
+  for (const [k, remedy] of (workbench.result
+    ? workbench.afterwards.remedies(design)
+    : []
+  ).entries()) {
     const change = remedied(design, remedy, samples);
     if (!change) continue;
-    add(`remedy ${k}`, remedyWords(remedy, desk, texts, format), '', () => {
-      desk.change(change);
+    add(`remedy ${k}`, remedyWords(remedy, workbench, texts, format), '', () => {
+      workbench.change(change);
     });
   }
   add('solve as I go', controls.solveAsIGo, solve, () => {
-    desk.prefer({solveAsIGo: !preferences.solveAsIGo});
+    workbench.prefer({solveAsIGo: !preferences.solveAsIGo});
   });
   for (const name of presetNames) {
     if (name === presetOf(design)) continue;
     const words = name === 'placeOnly' ? commands.also.placeOnly : controls.presets;
     add(`preset ${name}`, controls.presetNames[name], words, () => {
-      desk.change(withPreset(design, name));
+      workbench.change(withPreset(design, name));
     });
   }
   const fitting = fittingOf(design);
   for (const grain of grains) {
     if (grain === fitting.grain) continue;
     add(`grain ${grain}`, texts.lists.of(controls.grain, controls.grains[grain]), '', () => {
-      desk.change(withFitting(design, {...fitting, grain}));
+      workbench.change(withFitting(design, {...fitting, grain}));
     });
   }
   return list;
 }
 
 /** A print that the symmetries do not allow says so. */
-export function printCommands({desk, texts, samples}: PageParts): readonly Command[] {
-  const {design} = desk;
+export function printCommands({workbench, texts, samples}: PageParts): readonly Command[] {
+  const {design} = workbench;
   if (!design || !samples) return [];
   const {print, commands, lists, samples: named} = texts;
   const titleOf = (name: string, title: string): string => named.prints[name] ?? title;
@@ -104,7 +107,7 @@ export function printCommands({desk, texts, samples}: PageParts): readonly Comma
         words: `${group} ${commands.also.print}`,
         why: lacks && print.lacks[lacks](group),
         run: () => {
-          desk.change({print: samplePrint(sample)}, 'print');
+          workbench.change({print: samplePrint(sample)}, 'print');
         },
       };
     }),
@@ -113,16 +116,21 @@ export function printCommands({desk, texts, samples}: PageParts): readonly Comma
       title: lists.of(print.colourways, named.colourways[name] ?? name),
       words: titleOf(worn?.name ?? '', worn?.title ?? ''),
       run: () => {
-        if (worn) desk.change({print: inColours(design.print, worn, name)});
+        if (worn) workbench.change({print: inColours(design.print, worn, name)});
       },
     })),
   ];
 }
 
-export function garmentCommands({desk, texts, samples, garments}: PageParts): readonly Command[] {
+export function garmentCommands({
+  workbench,
+  texts,
+  samples,
+  garments,
+}: PageParts): readonly Command[] {
   if (!samples) return [];
   const {app, commands, lists, samples: named} = texts;
-  const {style: shown, size: worn = 'm'} = desk.design?.garment.sample ?? {};
+  const {style: shown, size: worn = 'm'} = workbench.design?.garment.sample ?? {};
   const sizes = samples.garments.find(({style}) => style === shown)?.sizes ?? [];
   return [
     ...samples.garments.map(({style, title}): Command => ({

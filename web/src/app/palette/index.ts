@@ -8,7 +8,7 @@ const name = 'sw-commands';
 
 /** Opens the list in a page, or closes it. @param parts undefined while there is nothing to be done */
 export async function toggleCommands(
-  desk: Workbench,
+  workbench: Workbench,
   root: HTMLElement | DocumentFragment,
   parts: () => PageParts | undefined,
 ): Promise<void> {
@@ -16,7 +16,7 @@ export async function toggleCommands(
   let palette = root.querySelector<CommandPalette>(name);
   if (!palette) {
     palette = new CommandPalette();
-    palette.desk = desk;
+    palette.workbench = workbench;
     palette.commands = () => {
       const present = parts();
       return present ? allCommands(present) : [];

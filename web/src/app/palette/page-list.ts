@@ -17,7 +17,7 @@ export const allCommands = (parts: PageParts): readonly Command[] => [
 ];
 
 function fileCommands(parts: PageParts): readonly Command[] {
-  const {desk, texts, saves} = parts;
+  const {workbench, texts, saves} = parts;
   const {app, commands, print, projects} = texts;
   const {also, needs} = commands;
   const open: readonly Command[] = [
@@ -28,8 +28,8 @@ function fileCommands(parts: PageParts): readonly Command[] {
     },
     {id: 'projects', title: projects.title, words: also.open, run: parts.showProjects},
   ];
-  if (!desk.design) return open;
-  const why = desk.result ? undefined : needs.answer;
+  if (!workbench.design) return open;
+  const why = workbench.result ? undefined : needs.answer;
   const saved = (id: keyof typeof saves, title: string, words: string, why?: string): Command => ({
     ...{id: `save ${id}`, title, words: `${also.save} ${words}`, why, run: saves[id]},
   });
@@ -49,14 +49,14 @@ function fileCommands(parts: PageParts): readonly Command[] {
   ];
 }
 
-function settingCommands({desk, texts, editor}: PageParts): readonly Command[] {
+function settingCommands({workbench, texts, editor}: PageParts): readonly Command[] {
   const {app, commands, controls, lists} = texts;
-  const {language, units, theme, scale} = desk.preferences;
+  const {language, units, theme, scale} = workbench.preferences;
   const {settings, help} = commands.also;
   const choice = (label: string, name: string, change: Partial<Preferences>): Command => ({
     ...{id: JSON.stringify(change), title: lists.of(label, name), words: settings},
     run: () => {
-      desk.prefer(change);
+      workbench.prefer(change);
     },
   });
   const others = <Value>(all: readonly Value[], present: Value): readonly Value[] =>

@@ -12,7 +12,7 @@ import {keyOf, titleOf} from '../../editor/index.js';
 
 /** What commands are about, and who carries them out. */
 export interface PageParts {
-  readonly desk: Workbench;
+  readonly workbench: Workbench;
   readonly texts: Texts;
   readonly format: Format;
   readonly samples: Samples | undefined;

@@ -1,16 +1,16 @@
 /** Every command by its name: a field to look for it, and a list to choose from. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {controls, DeskElement, focused, type Command} from '../../editor/index.js';
+import {controls, WorkbenchElement, focused, type Command} from '../../editor/index.js';
 import {matching} from './filter.js';
 import {paletteStyle} from './palette-style.js';
 
 /** Rows that PageUp and PageDown jump over. */
 const page = 8;
 
-export class CommandPalette extends DeskElement {
+export class CommandPalette extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     commands: {attribute: false},
     typed: {state: true},
     active: {state: true},

@@ -14,8 +14,8 @@ import {withKey, type PageParts} from './page-parts.js';
 const tools = ['piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;
 const zooms = ['fit', 'zoomIn', 'zoomOut', 'zoom'] as const;
 
-export function toolCommands({desk, texts, editor: {pattern}}: PageParts): readonly Command[] {
-  if (!pattern || !desk.design) return [];
+export function toolCommands({workbench, texts, editor: {pattern}}: PageParts): readonly Command[] {
+  if (!pattern || !workbench.design) return [];
   const {commands, symmetry} = texts;
   const list = tools.map((id) =>
     withKey(texts, id, {
@@ -26,7 +26,7 @@ export function toolCommands({desk, texts, editor: {pattern}}: PageParts): reado
       },
     }),
   );
-  if (desk.found.length === 0) return list;
+  if (workbench.found.length === 0) return list;
   const accept: Command = {
     id: 'accept',
     title: symmetry.acceptAll,
@@ -38,11 +38,11 @@ export function toolCommands({desk, texts, editor: {pattern}}: PageParts): reado
   return [...list, accept];
 }
 
-export function viewCommands({desk, texts, editor: {pattern}}: PageParts): readonly Command[] {
-  if (!pattern || !desk.design) return [];
+export function viewCommands({workbench, texts, editor: {pattern}}: PageParts): readonly Command[] {
+  if (!pattern || !workbench.design) return [];
   const {commands, pattern: words} = texts;
   const {view, zoom} = commands.also;
-  const why = desk.result ? undefined : commands.needs.answer;
+  const why = workbench.result ? undefined : commands.needs.answer;
   const toggle = (id: string, title: string, run: () => void): Command => ({
     ...{id, title, words: view, why, run},
   });
@@ -62,20 +62,24 @@ export function viewCommands({desk, texts, editor: {pattern}}: PageParts): reado
 }
 
 /** What is done to a piece, by its name. */
-export function pieceCommands({desk, texts, editor: {pattern}}: PageParts): readonly Command[] {
+export function pieceCommands({
+  workbench,
+  texts,
+  editor: {pattern},
+}: PageParts): readonly Command[] {
   const {commands, remedies, keep, lists, symmetry} = texts;
-  const {design, selected} = desk;
+  const {design, selected} = workbench;
   if (!pattern || !design) return [];
-  const rows = pieceRows(desk);
+  const rows = pieceRows(workbench);
   const ofSelected = withKey(texts, 'turn', {
     words: commands.also.turn,
     why: selected?.kind === 'piece' ? undefined : commands.needs.piece,
     run: () => patternCommands.turn(pattern),
   });
-  const seams = seamRows(desk, texts);
+  const seams = seamRows(workbench, texts);
   const [worst] = worstSeams(seams, 1);
   const toSeam = (seam: number): void => {
-    desk.select({kind: 'seam', seam, side: 'a'});
+    workbench.select({kind: 'seam', seam, side: 'a'});
     pattern.focus();
   };
   return [
@@ -97,14 +101,14 @@ export function pieceCommands({desk, texts, editor: {pattern}}: PageParts): read
         id: `turn ${name}`,
         title: remedies.what.turn(label),
         words: commands.also.turn,
-        run: () => turnPiece(desk, piece),
+        run: () => turnPiece(workbench, piece),
       },
       {
         id: `keep ${name}`,
         title: lists.of(kept === 'all' ? keep.release : keep.keep, label),
         words: commands.also.keep,
         run: () => {
-          togglePart(desk, {piece});
+          togglePart(workbench, {piece});
         },
       },
       ...(pinned
@@ -113,7 +117,7 @@ export function pieceCommands({desk, texts, editor: {pattern}}: PageParts): read
               id: `free ${name}`,
               title: symmetry.freePiece(label),
               run: () => {
-                desk.change({options: withoutPin(design.options, name)});
+                workbench.change({options: withoutPin(design.options, name)});
               },
             },
           ]
@@ -122,7 +126,7 @@ export function pieceCommands({desk, texts, editor: {pattern}}: PageParts): read
         id: `piece ${name}`,
         title: lists.of(lists.piece, label),
         run: () => {
-          desk.select({kind: 'piece', piece});
+          workbench.select({kind: 'piece', piece});
           pattern.focus();
         },
       },

@@ -3,16 +3,16 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {live} from 'lit/directives/live.js';
 import {repeat} from 'lit/directives/repeat.js';
 
-import {controls, DeskElement, icon} from '../../editor/index.js';
+import {controls, WorkbenchElement, icon} from '../../editor/index.js';
 import type {Design} from '../../model/design.js';
 import {longestName} from '../../model/project-name.js';
 import {labelled} from '../style/page-layout.js';
 import {projectListStyle} from './project-list-style.js';
 import type {ProjectEntry, Projects} from './projects.js';
 
-export class ProjectList extends DeskElement {
+export class ProjectList extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     projects: {attribute: false},
     blank: {attribute: false},
     entries: {state: true},
@@ -201,7 +201,7 @@ export class ProjectList extends DeskElement {
 
   async #take(id: string): Promise<void> {
     if (await this.projects.open(id)) this.#dialog?.close();
-    else this.desk.say({tone: 'error', text: this.texts.projects.gone});
+    else this.workbench.say({tone: 'error', text: this.texts.projects.gone});
   }
 
   async #remove(id: string): Promise<void> {

@@ -20,18 +20,18 @@ export interface ProjectEntry extends Pick<ProjectRecord, 'id' | 'changed' | 'th
 const shownName = ({title, name}: ProjectRecord): string => title ?? withoutEnding(name);
 
 export class Projects {
-  readonly #desk: Workbench;
+  readonly #workbench: Workbench;
   readonly #autosave: Autosave;
   readonly #listeners = new Set<() => void>();
   readonly #troubles = new Set<StorageTrouble>();
   #present: OpenProject | undefined;
-  /** Which of the beginnings of the desk the present project is. */
+  /** Which of the beginnings of the workbench the present project is. */
   #beginning = -1;
   #announced: Announced | undefined;
 
   /** @param report hears once of each trouble that keeps work from being kept */
-  constructor(desk: Workbench, report: (trouble: StorageTrouble) => void) {
-    this.#desk = desk;
+  constructor(workbench: Workbench, report: (trouble: StorageTrouble) => void) {
+    this.#workbench = workbench;
     const told = new Set<StorageTrouble>();
     this.#autosave = new Autosave((trouble, isLoss) => {
       this.#troubles.add(trouble);
@@ -43,7 +43,7 @@ export class Projects {
       if (renamed && this.#present?.id === renamed.id) this.#present.title = renamed.title;
       for (const listener of this.#listeners) listener();
     });
-    desk.subscribe(() => {
+    workbench.subscribe(() => {
       this.#follow();
     });
   }
@@ -71,7 +71,7 @@ export class Projects {
   /** Shows another project; the present one stays in the list as it is. */
   begin(history: History<Step>, announced: Announced = {}): void {
     this.#announced = announced;
-    this.#desk.begin(history);
+    this.#workbench.begin(history);
   }
 
   beginWith(design: Design, announced: Announced = {}, view: Step['view'] = null): void {
@@ -212,7 +212,7 @@ export class Projects {
   }
 
   #follow(): void {
-    const {history, beginnings} = this.#desk;
+    const {history, beginnings} = this.#workbench;
     if (!history) return;
     if (this.#present && beginnings === this.#beginning) {
       this.#present.follow(history);
@@ -241,7 +241,7 @@ export class Projects {
     words: (texts: ReturnType<typeof textsOf>) => string,
     action?: (texts: ReturnType<typeof textsOf>) => {label: string; act: () => void},
   ): void {
-    const texts = textsOf(this.#desk.preferences.language);
-    this.#desk.say({tone: 'info', text: words(texts), ...(action && {action: action(texts)})});
+    const texts = textsOf(this.#workbench.preferences.language);
+    this.#workbench.say({tone: 'info', text: words(texts), ...(action && {action: action(texts)})});
   }
 }

@@ -8,22 +8,22 @@ const rest = 1500;
 /** As wide as a card of the list on a sharp screen. [px] */
 const width = 448;
 
-/** Follows the desk, and gives each project a picture of what it has become. */
-export function illustrate(desk: Workbench, projects: Projects): void {
+/** Follows the workbench, and gives each project a picture of what it has become. */
+export function illustrate(workbench: Workbench, projects: Projects): void {
   let pictured: Design | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const take = async (design: Design): Promise<void> => {
-    if (desk.design !== design || !desk.view) return;
+    if (workbench.design !== design || !workbench.view) return;
     pictured = design;
     // a lost graphics context gives no picture; the next change tries again
-    const picture = await desk.view.picture(width).catch(() => undefined);
-    if (picture && desk.design === design) await projects.illustrate(picture);
+    const picture = await workbench.view.picture(width).catch(() => undefined);
+    if (picture && workbench.design === design) await projects.illustrate(picture);
   };
-  desk.subscribe(() => {
-    const {design, state} = desk;
+  workbench.subscribe(() => {
+    const {design, state} = workbench;
     const isSettled = state.kind === 'done' || state.kind === 'stale';
     clearTimeout(timer);
-    if (!design || design === pictured || !isSettled || desk.isHeld) return;
+    if (!design || design === pictured || !isSettled || workbench.isHeld) return;
     timer = setTimeout(() => {
       whenIdle(() => void take(design));
     }, rest);

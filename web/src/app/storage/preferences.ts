@@ -27,11 +27,11 @@ export function storedPreferences(locale = navigator.language): Preferences {
 }
 
 /** Stores the preferences of a workbench whenever they change. @returns what ends that */
-export function keepPreferences(desk: Workbench): () => void {
-  let last = desk.preferences;
-  return desk.subscribe(() => {
-    if (desk.preferences === last) return;
-    last = desk.preferences;
+export function keepPreferences(workbench: Workbench): () => void {
+  let last = workbench.preferences;
+  return workbench.subscribe(() => {
+    if (workbench.preferences === last) return;
+    last = workbench.preferences;
     try {
       localStorage.setItem(key, JSON.stringify(last));
     } catch {

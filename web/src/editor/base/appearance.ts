@@ -2,7 +2,7 @@
 import {css, type ReactiveController} from 'lit';
 
 import type {Appearance} from '../../viewer/strokes.js';
-import type {DeskElement} from './desk-element.js';
+import type {WorkbenchElement} from './workbench-element.js';
 
 /**
  * For the styles of whoever is drawn. It shows in a property that is seen nowhere else which `color-scheme` the
@@ -21,18 +21,18 @@ const shown: Readonly<Record<string, Appearance>> = {
 };
 
 export class AppearanceController implements ReactiveController {
-  readonly #host: DeskElement;
+  readonly #host: WorkbenchElement;
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   /** As last asked for. Asking at every update would have the page styled each time. */
   #around: Appearance | undefined;
 
-  constructor(host: DeskElement) {
+  constructor(host: WorkbenchElement) {
     this.#host = host;
     host.addController(this);
   }
 
   get value(): Appearance {
-    const {theme} = this.#host.desk.preferences;
+    const {theme} = this.#host.workbench.preferences;
     if (theme !== 'system') return theme;
     return (this.#around ??= this.#ask());
   }

@@ -2,8 +2,8 @@
 import type {Workbench} from '../../workbench/workbench.js';
 
 /** From a press until that pointer is lifted, wherever it is by then. */
-export function holdWhilePressed(desk: Workbench, {pointerId}: PointerEvent): void {
-  const letGo = desk.hold();
+export function holdWhilePressed(workbench: Workbench, {pointerId}: PointerEvent): void {
+  const letGo = workbench.hold();
   const done = new AbortController();
   for (const end of ['pointerup', 'pointercancel'] as const) {
     addEventListener(

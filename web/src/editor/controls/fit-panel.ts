@@ -3,7 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {GrainLock} from '../../model/options.js';
 import {methods, type Method} from '../../model/method.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {
   fittingOf,
@@ -27,7 +27,7 @@ const mostChangeCm = 2;
 
 const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
 
-export class FitPanel extends DeskElement {
+export class FitPanel extends WorkbenchElement {
   static override styles = [
     controls,
     section,
@@ -79,7 +79,7 @@ export class FitPanel extends DeskElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design} = this.desk;
+    const {design} = this.workbench;
     if (!design) return nothing;
     const texts = this.texts.controls;
     const fitting = fittingOf(design);
@@ -94,7 +94,7 @@ export class FitPanel extends DeskElement {
               aria-pressed=${name === preset}
               title=${texts.presetNotes[name]}
               @click=${() => {
-                this.desk.change(withPreset(design, name));
+                this.workbench.change(withPreset(design, name));
               }}
             >
               ${texts.presetNames[name]}
@@ -138,7 +138,7 @@ export class FitPanel extends DeskElement {
           .checked=${design.options.openEdges !== 'free'}
           @change=${({target}: Event) => {
             const openEdges = (target as HTMLInputElement).checked ? 'kept' : 'free';
-            this.desk.change({options: {...design.options, openEdges}});
+            this.workbench.change({options: {...design.options, openEdges}});
           }}
         />
         ${this.texts.keep.openEdges}
@@ -164,7 +164,7 @@ export class FitPanel extends DeskElement {
 
   #change({maxChangeCm}: Fitting): TemplateResult {
     const texts = this.texts.controls;
-    const {name, cm, step, digits} = changeUnit[this.desk.preferences.units];
+    const {name, cm, step, digits} = changeUnit[this.workbench.preferences.units];
     const [least, most] = [leastChangeCm / cm, mostChangeCm / cm];
     return html`<sw-number-field
       .label=${texts.greatestChange(name)}
@@ -173,7 +173,7 @@ export class FitPanel extends DeskElement {
       .most=${most}
       .step=${step}
       .digits=${digits}
-      .fractions=${this.desk.preferences.units === 'inch'}
+      .fractions=${this.workbench.preferences.units === 'inch'}
       .wrong=${texts.between(this.format.fine(leastChangeCm), this.format.fine(mostChangeCm))}
       @entered=${({detail}: CustomEvent<number>) => {
         this.#fit({maxChangeCm: detail * cm}, 'greatest change');
@@ -182,12 +182,12 @@ export class FitPanel extends DeskElement {
   }
 
   #solveAsIGo(): TemplateResult {
-    const {solveAsIGo} = this.desk.preferences;
+    const {solveAsIGo} = this.workbench.preferences;
     return html`<button
       role="switch"
       aria-checked=${solveAsIGo}
       @click=${() => {
-        this.desk.prefer({solveAsIGo: !solveAsIGo});
+        this.workbench.prefer({solveAsIGo: !solveAsIGo});
       }}
     >
       ${this.texts.controls.solveAsIGo}
@@ -196,7 +196,7 @@ export class FitPanel extends DeskElement {
   }
 
   #fit(change: Partial<Fitting>, kind = ''): void {
-    const {design} = this.desk;
-    if (design) this.desk.change(withFitting(design, {...fittingOf(design), ...change}), kind);
+    const {design} = this.workbench;
+    if (design) this.workbench.change(withFitting(design, {...fittingOf(design), ...change}), kind);
   }
 }

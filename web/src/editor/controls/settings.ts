@@ -1,7 +1,7 @@
 /** How the page speaks and looks, behind one button. */
 import {css, html, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {placeUnder} from '../style/place-under.js';
 import {icon} from '../style/icons.js';
@@ -16,7 +16,7 @@ export const languageNames = {
   it: 'Italiano',
 } as const;
 
-export class Settings extends DeskElement {
+export class Settings extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -39,7 +39,7 @@ export class Settings extends DeskElement {
 
   protected override render(): TemplateResult {
     const {app, controls: texts} = this.texts;
-    const {language, units, theme, scale} = this.desk.preferences;
+    const {language, units, theme, scale} = this.workbench.preferences;
     return html`
       <button popovertarget="panel" aria-label=${app.settings} title=${app.settings}>
         ${icon.settings}
@@ -62,7 +62,7 @@ export class Settings extends DeskElement {
             .checked=${scale === 'paper'}
             @change=${(event: Event) => {
               const {checked} = event.target as HTMLInputElement;
-              this.desk.prefer({scale: checked ? 'paper' : 'absolute'});
+              this.workbench.prefer({scale: checked ? 'paper' : 'absolute'});
             }}
           />
           ${texts.paperScale}
@@ -81,7 +81,7 @@ export class Settings extends DeskElement {
       ${label}
       <select
         @change=${(event: Event) => {
-          this.desk.prefer({[name]: (event.target as HTMLSelectElement).value});
+          this.workbench.prefer({[name]: (event.target as HTMLSelectElement).value});
         }}
       >
         ${Object.entries(options).map(

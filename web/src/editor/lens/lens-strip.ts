@@ -3,7 +3,7 @@ import {css, html, nothing, svg, type PropertyValues, type TemplateResult} from 
 
 import type {SeamStrip, ShownSeam} from '../../viewer/seam-strip.js';
 import {AppearanceController, colourScheme} from '../base/appearance.js';
-import {DeskElement, PatientElement} from '../base/desk-element.js';
+import {WorkbenchElement, PatientElement} from '../base/workbench-element.js';
 import type {SeamRow} from '../lists/rows.js';
 import type {LensCursor} from '../pattern/marks.js';
 import {controls} from '../style/controls.js';
@@ -11,7 +11,7 @@ import {rulerOf} from './ruler.js';
 
 /** Sends `sw-lens-cursor` with where on the seam the pointer is, if it is over one of its sides. */
 export class LensStrip extends PatientElement {
-  static override properties = {...DeskElement.properties, row: {attribute: false}};
+  static override properties = {...WorkbenchElement.properties, row: {attribute: false}};
   declare row: SeamRow;
 
   static override styles = [
@@ -118,7 +118,7 @@ export class LensStrip extends PatientElement {
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     const strip = this.#strip;
-    const {scenes} = this.desk;
+    const {scenes} = this.workbench;
     if (!strip || !scenes) return;
     strip.setAppearance(this.#appearance.value);
     const {seam} = this.row;
@@ -131,11 +131,11 @@ export class LensStrip extends PatientElement {
   }
 
   async #showTile(strip: SeamStrip): Promise<void> {
-    const image = this.desk.design?.print.image;
+    const image = this.workbench.design?.print.image;
     if (image === undefined || image === this.#image) return;
     this.#image = image;
     // the pattern says when a picture cannot be read
-    const tile = await this.desk.tileOf(image, this.#life?.signal).catch(() => undefined);
+    const tile = await this.workbench.tileOf(image, this.#life?.signal).catch(() => undefined);
     if (this.#image === image) strip.setTile(tile);
   }
 
@@ -158,7 +158,7 @@ export class LensStrip extends PatientElement {
             ? html`<p class="soft">${this.texts.pattern.noWebGl}</p>`
             : html`<sw-wipe-handle
                 bare
-                .desk=${this.desk}
+                .workbench=${this.workbench}
                 .split=${this.#split}
                 @input=${({detail}: CustomEvent<number>) => {
                   this.#split = detail;
@@ -175,7 +175,7 @@ export class LensStrip extends PatientElement {
     const strip = this.#strip;
     if (!strip) return nothing;
     const [from, to] = strip.span;
-    const {units} = this.desk.preferences;
+    const {units} = this.workbench.preferences;
     const {step, ticks} = rulerOf(from, to - from, strip.scale, units);
     const name = this.texts.lens.ruler(this.format.length(step));
     const path = ticks.map((x, k) => `M${x.toFixed(1)} 2v${k % 5 === 0 ? 8 : 5}`).join('');

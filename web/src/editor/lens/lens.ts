@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
-import {PatientElement} from '../base/desk-element.js';
+import {PatientElement} from '../base/workbench-element.js';
 import {remarkOn, seamRows, worstSeams, type SeamRow} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
@@ -89,7 +89,7 @@ export class SeamLens extends PatientElement {
 
   protected override render(): TemplateResult {
     const {lens} = this.texts;
-    const rows = seamRows(this.desk, this.texts);
+    const rows = seamRows(this.workbench, this.texts);
     const row = rows[this.#seam(rows) ?? -1];
     return html`<section
       class="lens"
@@ -133,7 +133,7 @@ export class SeamLens extends PatientElement {
           this.wide = !this.wide;
         })}
       </header>
-      <sw-lens-strip .desk=${this.desk} .row=${row}></sw-lens-strip>
+      <sw-lens-strip .workbench=${this.workbench} .row=${row}></sw-lens-strip>
       <p class="soft">
         ${lens.mismatch(format.fine(row.before), format.fine(row.after))}${remark === undefined ? nothing : `; ${remark}`}
       </p>
@@ -143,12 +143,12 @@ export class SeamLens extends PatientElement {
   /** The first answer has the machine to itself: a drawing of its own costs the lens some time. */
   get #isAwake(): boolean {
     return (this.#wasAwake ||=
-      this.desk.state.kind !== 'solving' && this.desk.state.kind !== 'empty');
+      this.workbench.state.kind !== 'solving' && this.workbench.state.kind !== 'empty');
   }
 
   /** The seam that is shown, by number. */
   #seam(rows: readonly SeamRow[]): number | undefined {
-    const {design, pointed, selected} = this.desk;
+    const {design, pointed, selected} = this.workbench;
     if (this.#pinned && this.#pinned.garment !== design?.garment) this.#pinned = undefined;
     const meant = [pointed, selected].find((target) => target?.kind === 'seam');
     if (this.#pinned) return this.#pinned.seam;
@@ -157,17 +157,17 @@ export class SeamLens extends PatientElement {
   }
 
   #pin(seam: number | undefined): void {
-    const garment = this.desk.design?.garment;
+    const garment = this.workbench.design?.garment;
     this.#pinned = seam === undefined || !garment ? undefined : {seam, garment};
     this.requestUpdate();
   }
 
   #walk(step: 1 | -1): void {
-    const rows = seamRows(this.desk, this.texts);
+    const rows = seamRows(this.workbench, this.texts);
     const seam = nextWorst(rows, this.#seam(rows), step);
     if (seam === undefined) return;
     if (this.#pinned) this.#pin(seam);
-    this.desk.select({kind: 'seam', seam, side: 'a'});
+    this.workbench.select({kind: 'seam', seam, side: 'a'});
   }
 
   #key = (event: KeyboardEvent): void => {

@@ -11,13 +11,13 @@ const partOf = (target: Picked): Lockable =>
   target.kind === 'piece' ? {piece: target.piece} : {piece: target.piece, edge: target.edge};
 
 /** A line that the file does not number stands for its piece. */
-export function toggleKept(desk: Workbench, target: Picked): void {
-  togglePart(desk, partOf(target));
+export function toggleKept(workbench: Workbench, target: Picked): void {
+  togglePart(workbench, partOf(target));
 }
 
-export function togglePart(desk: Workbench, part: Lockable): void {
-  const {design, pattern} = desk;
-  if (design && pattern) desk.change({options: toggledLock(design.options, pattern, part)});
+export function togglePart(workbench: Workbench, part: Lockable): void {
+  const {design, pattern} = workbench;
+  if (design && pattern) workbench.change({options: toggledLock(design.options, pattern, part)});
 }
 
 /** The edge under the pointer, and what a press would do with it. */

@@ -3,7 +3,7 @@ import {html, nothing, type TemplateResult} from 'lit';
 import {guard} from 'lit/directives/guard.js';
 import {repeat} from 'lit/directives/repeat.js';
 
-import {PatientElement} from '../base/desk-element.js';
+import {PatientElement} from '../base/workbench-element.js';
 import type {Target} from '../../workbench/workbench.js';
 import {inOrder, type Order, type SortKey} from './order.js';
 
@@ -49,7 +49,7 @@ export abstract class ListTable<Row> extends PatientElement {
 
   protected override render(): TemplateResult {
     const {columns, rows, label} = this;
-    const {selected, pointed} = this.desk;
+    const {selected, pointed} = this.workbench;
     const [selectedRow, pointedRow] = [selected, pointed].map((one) => one && this.numberOf(one));
     this.#sort(rows, columns);
     if (this.#stop >= rows.length) this.#stop = this.#sorted[0] ?? 0;
@@ -123,9 +123,9 @@ export abstract class ListTable<Row> extends PatientElement {
   /** Rows keep their places while a solve runs, since everything about them changes many times a second. */
   #sort(rows: readonly Row[], columns: readonly Column<Row>[]): void {
     const {column, descending} = this.#order;
-    const {language} = this.desk.preferences;
+    const {language} = this.workbench.preferences;
     const from = [rows, language];
-    const runs = this.desk.state.kind === 'solving' && this.#sorted.length === rows.length;
+    const runs = this.workbench.state.kind === 'solving' && this.#sorted.length === rows.length;
     const isSame = from.every((one, k) => one === this.#sortedFrom[k]);
     if (this.#sortedFrom.length > 0 && (runs || isSame)) return;
     this.#sortedFrom = from;
@@ -145,7 +145,7 @@ export abstract class ListTable<Row> extends PatientElement {
   }
 
   protected override updated(): void {
-    const {selected} = this.desk;
+    const {selected} = this.workbench;
     if (selected === this.#selected) return;
     this.#selected = selected;
     const number = selected && this.numberOf(selected);
@@ -177,7 +177,7 @@ export abstract class ListTable<Row> extends PatientElement {
       End: row.parentElement?.lastElementChild,
     }[key];
     if (to instanceof HTMLElement) to.focus();
-    else if (key === 'Escape') this.desk.select(undefined);
+    else if (key === 'Escape') this.workbench.select(undefined);
     else if (number !== undefined && (key === 'Enter' || key === ' ')) this.#choose(number);
     else if (event.ctrlKey || event.metaKey || event.altKey) return;
     else if (number === undefined || !this.press?.(number, key)) return;
@@ -191,17 +191,17 @@ export abstract class ListTable<Row> extends PatientElement {
     const number = rowNumber(event);
     if (number === undefined) return;
     if (event.type === 'focusin') this.#setStop(number);
-    this.desk.point(this.targetOf(number));
+    this.workbench.point(this.targetOf(number));
   };
 
   #leave = (): void => {
-    this.desk.point(undefined);
+    this.workbench.point(undefined);
   };
 
   #choose(number: number): void {
     this.#setStop(number);
-    this.desk.select(this.targetOf(number));
-    this.#chosen = this.desk.selected;
+    this.workbench.select(this.targetOf(number));
+    this.#chosen = this.workbench.selected;
   }
 }
 

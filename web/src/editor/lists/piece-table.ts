@@ -42,7 +42,7 @@ export class PieceTable extends ListTable<PieceRow> {
   }
 
   protected override get rows(): readonly PieceRow[] {
-    return pieceRows(this.desk);
+    return pieceRows(this.workbench);
   }
 
   protected override get empty(): undefined {
@@ -92,7 +92,7 @@ export class PieceTable extends ListTable<PieceRow> {
 
   protected override press(piece: number, key: string): boolean {
     if (key === 'F2') this.#edit(piece);
-    else if (key === 'r') return turnPiece(this.desk, piece);
+    else if (key === 'r') return turnPiece(this.workbench, piece);
     else return false;
     return true;
   }
@@ -139,13 +139,13 @@ export class PieceTable extends ListTable<PieceRow> {
   }
 
   #rename({piece, name, label}: PieceRow, chosen: string): boolean {
-    const {design} = this.desk;
+    const {design} = this.workbench;
     if (!design || chosen === label) return true;
     if (this.rows.some((other) => other.piece !== piece && other.label === chosen)) {
-      this.desk.say({tone: 'error', text: this.texts.lists.nameTaken(chosen)});
+      this.workbench.say({tone: 'error', text: this.texts.lists.nameTaken(chosen)});
       return false;
     }
-    this.desk.change({names: withName(design.names, name, chosen)});
+    this.workbench.change({names: withName(design.names, name, chosen)});
     return true;
   }
 
@@ -156,7 +156,7 @@ export class PieceTable extends ListTable<PieceRow> {
       tabindex=${tabIndex}
       aria-label=${lists.of(lists.quarterTurn, label)}
       title="${lists.quarterTurn} (R)"
-      @click=${() => turnPiece(this.desk, piece)}
+      @click=${() => turnPiece(this.workbench, piece)}
     >
       ${icon.quarterTurn} 90°
     </button>`;
@@ -194,7 +194,7 @@ export class PieceTable extends ListTable<PieceRow> {
       .checked=${live(row.kept === 'all')}
       .indeterminate=${live(row.kept === 'some')}
       @change=${() => {
-        togglePart(this.desk, {piece: row.piece});
+        togglePart(this.workbench, {piece: row.piece});
       }}
     />`;
   }
@@ -202,7 +202,7 @@ export class PieceTable extends ListTable<PieceRow> {
   /** By clicks on the pattern. */
   #wantGrainLine({piece, grain}: PieceRow, select: HTMLSelectElement): void {
     select.value = grain;
-    this.desk.select(this.targetOf(piece));
+    this.workbench.select(this.targetOf(piece));
     this.dispatchEvent(new CustomEvent('sw-grain-wanted', {bubbles: true, composed: true}));
   }
 
@@ -224,7 +224,7 @@ export class PieceTable extends ListTable<PieceRow> {
   }
 
   #decide(change: (options: Parameters<typeof withoutPin>[0]) => ReturnType<typeof withoutPin>) {
-    const {design} = this.desk;
-    if (design) this.desk.change({options: change(design.options)});
+    const {design} = this.workbench;
+    if (design) this.workbench.change({options: change(design.options)});
   }
 }

@@ -79,12 +79,12 @@ export interface SeamRow {
 
 type Shown = Pick<Workbench, 'design' | 'pattern' | 'result' | 'scenes'>;
 
-/** Empty until the garment has been read. The same desk gives the same rows until something about them changes. */
+/** Empty until the garment has been read. The same workbench gives the same rows until something about them changes. */
 export function pieceRows({design, pattern, result, scenes}: Shown): readonly PieceRow[] {
   return design && scenes && (result ?? pattern) ? piecesOf(design.options, scenes.now) : [];
 }
 
-/** Empty until the garment has been read. The same desk gives the same rows until something about them changes. */
+/** Empty until the garment has been read. The same workbench gives the same rows until something about them changes. */
 export function seamRows(
   {design, pattern, result, scenes}: Shown,
   texts: Texts,

@@ -39,11 +39,11 @@ export class SeamTable extends ListTable<SeamRow> {
   }
 
   protected override get rows(): readonly SeamRow[] {
-    return seamRows(this.desk, this.texts);
+    return seamRows(this.workbench, this.texts);
   }
 
   protected override get empty(): string | undefined {
-    const {scenes} = this.desk;
+    const {scenes} = this.workbench;
     return scenes?.now.seams.length === 0 ? this.texts.pattern.noSeams : undefined;
   }
 
@@ -76,7 +76,7 @@ export class SeamTable extends ListTable<SeamRow> {
       <td class="number">${format.length(row.length)}</td>
       <td class="number soft">${format.fine(row.before)}</td>
       <td class="number" title=${lists.worst(format.fine(row.worst))}>
-        ${format.fine(row.after)} ${counts ? bar(row, this.desk.preferences.scale) : nothing}
+        ${format.fine(row.after)} ${counts ? bar(row, this.workbench.preferences.scale) : nothing}
       </td>
       <td>${this.#match(row, tabIndex)}</td>
     `;
@@ -98,9 +98,9 @@ export class SeamTable extends ListTable<SeamRow> {
       ?disabled=${!row.canMatch}
       @change=${({target}: Event) => {
         const match = matches.find((one) => one === (target as HTMLSelectElement).value);
-        const {design} = this.desk;
+        const {design} = this.workbench;
         if (design && match) {
-          this.desk.change({options: withMatch(design.options, row, match)});
+          this.workbench.change({options: withMatch(design.options, row, match)});
         }
       }}
     >

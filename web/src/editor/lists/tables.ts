@@ -1,11 +1,11 @@
 /** Everything about the garment as text: its pieces, and below them its seams. */
 import {html, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 
-export class Tables extends DeskElement {
+export class Tables extends WorkbenchElement {
   protected override render(): TemplateResult {
-    return html`<sw-piece-table .desk=${this.desk}></sw-piece-table
-      ><sw-seam-table .desk=${this.desk}></sw-seam-table>`;
+    return html`<sw-piece-table .workbench=${this.workbench}></sw-piece-table
+      ><sw-seam-table .workbench=${this.workbench}></sw-seam-table>`;
   }
 }

@@ -4,12 +4,12 @@ import type {Workbench} from '../../workbench/workbench.js';
 import {withQuarterTurn} from './choices.js';
 
 /** @returns whether there is such a piece */
-export function turnPiece(desk: Workbench, piece: number): boolean {
-  const {design, scenes} = desk;
+export function turnPiece(workbench: Workbench, piece: number): boolean {
+  const {design, scenes} = workbench;
   const turned = scenes?.now.pieces[piece];
   if (!design || !turned) return false;
-  desk.change({options: withQuarterTurn(design.options, turned.name)});
-  const {lists} = textsOf(desk.preferences.language, desk.preferences.messages);
-  desk.say({tone: 'info', text: lists.turned(turned.label), undo: true});
+  workbench.change({options: withQuarterTurn(design.options, turned.name)});
+  const {lists} = textsOf(workbench.preferences.language, workbench.preferences.messages);
+  workbench.say({tone: 'info', text: lists.turned(turned.label), undo: true});
   return true;
 }

@@ -22,11 +22,11 @@ type Shown = Pick<Workbench, 'selected' | 'scenes' | 'pattern' | 'found'>;
 const offMiddle = 4;
 
 /** What a look at the front falls on: the edge or piece that is selected, or the piece that is called so. */
-export function middleToCentre(desk: Shown): Middle | undefined {
-  const scene = desk.scenes?.now;
+export function middleToCentre(workbench: Shown): Middle | undefined {
+  const scene = workbench.scenes?.now;
   if (!scene) return undefined;
   const {pieces, seams} = scene;
-  const {selected} = desk;
+  const {selected} = workbench;
   if (selected?.kind === 'seam') {
     const side = seams[selected.seam]?.[selected.side];
     const piece = side && pieces[side.piece];
@@ -35,19 +35,19 @@ export function middleToCentre(desk: Shown): Middle | undefined {
   const front = pieces.findIndex(({name}) => /front/i.test(name));
   const number = selected ? selected.piece : Math.max(front, 0);
   const piece = pieces[number];
-  return piece && {piece, at: middleOfBody(desk, scene, number) ?? middleOf(piece)};
+  return piece && {piece, at: middleOfBody(workbench, scene, number) ?? middleOf(piece)};
 }
 
 /** The place on a piece's own axis, or on that between it and its mirror image, where the body has its middle. */
-function middleOfBody(desk: Shown, scene: PatternScene, number: number): Point | undefined {
+function middleOfBody(workbench: Shown, scene: PatternScene, number: number): Point | undefined {
   const piece = scene.pieces[number];
   if (!piece) return undefined;
-  for (const one of mirrorsOf(desk)) {
+  for (const one of mirrorsOf(workbench)) {
     if (one.kind === 'piece') {
       if (one.piece === piece.name) return footOnAxis(one.map, middleOf(piece));
     } else if (one.pieces.includes(piece.name)) {
       const twin = one.pieces[one.pieces[0] === piece.name ? 1 : 0];
-      const placement = desk.scenes?.marks.get(piece.name)?.placement;
+      const placement = workbench.scenes?.marks.get(piece.name)?.placement;
       const faceUp = scene.pattern.pieces[number]?.mirroredFromInput ? -1 : 1;
       return middleOfSeam(scene, number, twin) ?? middlePlaced(piece, placement, faceUp);
     }

@@ -5,7 +5,7 @@ import type {DesignGarment} from '../../model/design.js';
 import type {Motion} from '../../viewer/morph.js';
 import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
 import {AppearanceController, colourScheme} from '../base/appearance.js';
-import {PatientElement} from '../base/desk-element.js';
+import {PatientElement} from '../base/workbench-element.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {onceOnline} from '../base/once-online.js';
 import {SceneMaker} from '../../workbench/scenes.js';
@@ -73,7 +73,7 @@ export class PatternDrawing extends PatientElement {
     this.#isLost = false;
     this.#image = undefined;
     this.#drawn = undefined;
-    if (this.desk.view === this.#window) this.desk.view = undefined;
+    if (this.workbench.view === this.#window) this.workbench.view = undefined;
   }
 
   /** Whether the garment is shown as drafted just now. */
@@ -170,7 +170,7 @@ export class PatternDrawing extends PatientElement {
         view.state = state;
       },
     };
-    this.desk.view = this.#window;
+    this.workbench.view = this.#window;
   }
 
   /** What was taken away usually comes back within a second. */
@@ -205,14 +205,14 @@ export class PatternDrawing extends PatientElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    if (this.#size) this.desk.scenes = this.#maker.scenes(this.desk, this.#size);
+    if (this.#size) this.workbench.scenes = this.#maker.scenes(this.workbench, this.#size);
   }
 
   protected override updated(): void {
     const view = this.#view;
     if (!view) return;
     view.setAppearance(this.#appearance.value);
-    const {scenes} = this.desk;
+    const {scenes} = this.workbench;
     if (scenes) {
       if (this.#showsDraft) view.show(scenes.before);
       else view.show(scenes.now, this.#motion(), this.#time);
@@ -224,7 +224,7 @@ export class PatternDrawing extends PatientElement {
 
   /** A garment is simply there at first; then an answer moves it all, and what is not an answer yet its shapes alone. */
   #motion(): Motion {
-    const {design, result, isHeld} = this.desk;
+    const {design, result, isHeld} = this.workbench;
     const isKnown = design?.garment === this.#drawn;
     this.#drawn = design?.garment;
     if (!isKnown) return 'none';
@@ -232,15 +232,16 @@ export class PatternDrawing extends PatientElement {
   }
 
   async #showTile(view: PatternView): Promise<void> {
-    const image = this.desk.design?.print.image;
-    if (image === undefined || !this.desk.scenes || image === this.#image) return;
+    const image = this.workbench.design?.print.image;
+    if (image === undefined || !this.workbench.scenes || image === this.#image) return;
     this.#image = image;
     const signal = this.#life?.signal;
     try {
-      const tile = await this.desk.tileOf(image, signal);
+      const tile = await this.workbench.tileOf(image, signal);
       if (this.#image !== image) return;
       view.setTile(tile);
-      if (this.#awaited && this.desk.notice === this.#awaited.notice) this.desk.say(undefined);
+      if (this.#awaited && this.workbench.notice === this.#awaited.notice)
+        this.workbench.say(undefined);
       this.#awaited = undefined;
     } catch (error) {
       if (this.#image !== image || signal?.aborted) return;
@@ -254,14 +255,14 @@ export class PatternDrawing extends PatientElement {
   #miss(image: string, error: unknown, signal: AbortSignal | undefined): void {
     const isUnreached = error instanceof TypeError && !image.startsWith('data:');
     if (!isUnreached || !signal) {
-      this.desk.say({tone: 'error', text: toFailure(error).message});
+      this.workbench.say({tone: 'error', text: toFailure(error).message});
       return;
     }
     if (this.#awaited?.image !== image) {
-      const title = this.desk.design?.print.title ?? image;
+      const title = this.workbench.design?.print.title ?? image;
       const notice: Notice = {tone: 'info', text: this.texts.offline.waits(title)};
       this.#awaited = {image, notice};
-      this.desk.say(notice);
+      this.workbench.say(notice);
     }
     onceOnline(() => {
       if (this.#image !== image) return;

@@ -37,12 +37,12 @@ function alongEdge(scene: PatternScene, {piece, edge}: LineTarget): number | und
 }
 
 export class GrainClicks {
-  readonly #desk: Workbench;
+  readonly #workbench: Workbench;
   #first: OnPiece | undefined;
   #refused: 'otherPiece' | 'samePoint' | 'unnumbered' | undefined;
 
-  constructor(desk: Workbench) {
-    this.#desk = desk;
+  constructor(workbench: Workbench) {
+    this.#workbench = workbench;
   }
 
   /** Whether the next click is a point, whatever is near. */
@@ -84,11 +84,11 @@ export class GrainClicks {
 
   #keep(scene: PatternScene, piece: number, degrees: number): void {
     this.#first = undefined;
-    const {design} = this.#desk;
+    const {design} = this.#workbench;
     const {name} = scene.pieces[piece] ?? {};
     if (!design || name === undefined) return;
-    const lines = withImage(name, degrees, mirrorsOf(this.#desk));
-    this.#desk.change({options: withGrainLines(design.options, lines)});
+    const lines = withImage(name, degrees, mirrorsOf(this.#workbench));
+    this.#workbench.change({options: withGrainLines(design.options, lines)});
   }
 
   words({grain, symmetry}: Texts): string {

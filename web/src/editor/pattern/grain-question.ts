@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {withGrainLines} from '../lists/choices.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
@@ -39,7 +39,7 @@ const arrow = (degrees: number): TemplateResult =>
     />
   </svg>`;
 
-export class GrainQuestion extends DeskElement {
+export class GrainQuestion extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -87,11 +87,11 @@ export class GrainQuestion extends DeskElement {
 
   /** Nothing is asked while nothing depends on it. */
   #asked(): readonly Asked[] {
-    const {design, scenes, pattern} = this.desk;
+    const {design, scenes, pattern} = this.workbench;
     if (!design || !scenes || !pattern || design.garment === this.#later) return [];
     const {grain} = design.options;
     if ((grain?.default ?? 'free') === 'free' && !design.print.oneWay) return [];
-    const proposals = grainProposals(pattern.pieces, scenes.marks, mirrorsOf(this.desk));
+    const proposals = grainProposals(pattern.pieces, scenes.marks, mirrorsOf(this.workbench));
     return scenes.now.pieces.flatMap(({name, label, plain, isTurned}, piece): Asked[] => {
       const turn = isTurned ? 180 : 0;
       const proposal = proposals.get(name);
@@ -107,7 +107,7 @@ export class GrainQuestion extends DeskElement {
     if (asked.length === 0) return nothing;
     const {grain} = this.texts;
     const turned = asked.filter(({proposal}) => wayOf(proposal) !== 'up').length;
-    const all = this.desk.scenes?.now.pieces.length ?? 0;
+    const all = this.workbench.scenes?.now.pieces.length ?? 0;
     return html`<div class="card" role="region" aria-label=${grain.title}>
       <div class="row">
         <span role="status"
@@ -149,7 +149,7 @@ export class GrainQuestion extends DeskElement {
           aria-label=${grain.later}
           title=${grain.later}
           @click=${() => {
-            this.#later = this.desk.design?.garment;
+            this.#later = this.workbench.design?.garment;
             this.requestUpdate();
           }}
         >
@@ -173,7 +173,7 @@ export class GrainQuestion extends DeskElement {
     const directions: Readonly<Record<number, string>> = grain.directions;
     return html`<li
       @pointerenter=${() => {
-        this.desk.point({kind: 'piece', piece});
+        this.workbench.point({kind: 'piece', piece});
       }}
     >
       ${arrow(proposal)}
@@ -181,7 +181,7 @@ export class GrainQuestion extends DeskElement {
         ><span>${label}</span>
         <select
           @focus=${() => {
-            this.desk.select({kind: 'piece', piece});
+            this.workbench.select({kind: 'piece', piece});
           }}
           @change=${({target}: Event) => {
             const {value} = target as HTMLSelectElement;
@@ -202,7 +202,7 @@ export class GrainQuestion extends DeskElement {
 
   /** @param degrees on the sheet */
   #sayMirrored({name, turn}: Asked, degrees: number): void {
-    this.#take(withImage(name, (degrees + turn) % 360, mirrorsOf(this.desk)));
+    this.#take(withImage(name, (degrees + turn) % 360, mirrorsOf(this.workbench)));
   }
 
   /** Of every piece for itself, on the sheet. */
@@ -213,12 +213,12 @@ export class GrainQuestion extends DeskElement {
   }
 
   #take(lines: Readonly<Record<string, number>>): void {
-    const {design} = this.desk;
-    if (design) this.desk.change({options: withGrainLines(design.options, lines)});
+    const {design} = this.workbench;
+    if (design) this.workbench.change({options: withGrainLines(design.options, lines)});
   }
 
   #click(piece: number): void {
-    this.desk.select({kind: 'piece', piece});
+    this.workbench.select({kind: 'piece', piece});
     this.dispatchEvent(new CustomEvent('sw-grain-wanted', {bubbles: true, composed: true}));
   }
 }

@@ -4,7 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {isKept, keptParts} from '../../model/locks.js';
 import type {MeshedPattern} from '../../model/result.js';
 import {pick} from '../../scene/marks.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {togglePart} from '../lists/keeping.js';
@@ -14,7 +14,7 @@ interface Edge {
   readonly name: string;
 }
 
-export class KeepMenu extends DeskElement {
+export class KeepMenu extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -42,7 +42,7 @@ export class KeepMenu extends DeskElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {selected, scenes, design, pattern} = this.desk;
+    const {selected, scenes, design, pattern} = this.workbench;
     const number = selected?.kind === 'piece' ? selected.piece : -1;
     const piece = scenes?.now.pieces[number];
     if (!design || !pattern || !piece) return nothing;
@@ -54,7 +54,7 @@ export class KeepMenu extends DeskElement {
           type="checkbox"
           .checked=${isKept(parts, {piece: number, edge})}
           @change=${() => {
-            togglePart(this.desk, {piece: number, edge});
+            togglePart(this.workbench, {piece: number, edge});
           }}
         />
         ${name}
@@ -89,7 +89,7 @@ export class KeepMenu extends DeskElement {
   /** In the order of the outline, sewn ones by the names of their seams. */
   #edges({pieces, seams}: MeshedPattern, piece: number): readonly Edge[] {
     const {outline = [], edges = [], rest = []} = pieces[piece] ?? {};
-    const rows = seamRows(this.desk, this.texts);
+    const rows = seamRows(this.workbench, this.texts);
     const names = new Map<string, string>();
     seams.forEach(({a, b}, seam) => {
       for (const side of [a, b]) {

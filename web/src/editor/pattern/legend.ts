@@ -8,7 +8,7 @@ import {
   worstMismatch,
   type MismatchLine,
 } from '../../scene/colours.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 
 /** A stretch of a seam's line, as it is drawn on the pattern. [px] */
@@ -29,7 +29,7 @@ const ramp = Array.from({length: rampSteps}, (_, k) => {
 
 const sampleWidth = 26;
 
-export class Legend extends DeskElement {
+export class Legend extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -75,8 +75,8 @@ export class Legend extends DeskElement {
 
   protected override render(): TemplateResult {
     const {legend} = this.texts;
-    const {scale} = this.desk.preferences;
-    const scene = this.desk.scenes?.now;
+    const {scale} = this.workbench.preferences;
+    const scene = this.workbench.scenes?.now;
     return html`
       <span>${legend.title}</span>
       ${scale === 'paper' ? this.#ramp() : this.#steps()}
@@ -90,7 +90,7 @@ export class Legend extends DeskElement {
         aria-pressed=${scale === 'paper'}
         title=${legend.asPaperNote}
         @click=${() => {
-          this.desk.prefer({scale: scale === 'paper' ? 'absolute' : 'paper'});
+          this.workbench.prefer({scale: scale === 'paper' ? 'absolute' : 'paper'});
         }}
       >
         ${legend.asPaper}

@@ -22,25 +22,25 @@ export interface LensCursor {
 }
 
 export function overlayOf(
-  desk: Workbench,
+  workbench: Workbench,
   scene: PatternScene,
   tools: PatternTools,
   cursor: LensCursor | undefined,
   texts: Texts,
   format: Format,
 ): Overlay {
-  const {selected, pointed} = desk;
+  const {selected, pointed} = workbench;
   const seam =
     pointed?.kind === 'seam' ? pointed : selected?.kind === 'seam' ? selected : undefined;
   const marks = tools.marks(scene, texts, format);
   const chosen = marks.ghosts ?? [];
-  const found = ghostsOf(desk.found, scene.pattern, scene.outline);
+  const found = ghostsOf(workbench.found, scene.pattern, scene.outline);
   return {
     ...(seam && {highlight: {seam: seam.seam, side: seam.side}}),
     ...(pointed?.kind === 'piece' && {hoverPiece: pointed.piece}),
     ...(selected?.kind === 'piece' && {selectPiece: selected.piece}),
     cursors: cursorsOf(scene, cursor),
-    signs: signsOf(scene, desk.design?.options),
+    signs: signsOf(scene, workbench.design?.options),
     ...marks,
     ghosts: [...found.filter((one) => !chosen.some((other) => isSamePair(one, other))), ...chosen],
   };

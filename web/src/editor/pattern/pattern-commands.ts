@@ -7,7 +7,7 @@ import type {PatternTools, Tool} from './pattern-tools.js';
 
 /** The pattern as keys and commands see it. */
 export interface CommandedPattern extends EventTarget {
-  readonly desk: Workbench;
+  readonly workbench: Workbench;
   readonly tools: PatternTools;
   readonly view: PatternView | undefined;
   toggleBare(): void;
@@ -34,8 +34,10 @@ export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {
   move: tool('move'),
   keep: tool('keep'),
   grain: tool('grain'),
-  turn: ({tools, desk}) =>
-    desk.selected?.kind === 'piece' && !tools.isFixed && turnPiece(desk, desk.selected.piece),
+  turn: ({tools, workbench}) =>
+    workbench.selected?.kind === 'piece' &&
+    !tools.isFixed &&
+    turnPiece(workbench, workbench.selected.piece),
   lens: (pane) => {
     pane.dispatchEvent(new CustomEvent('sw-lens-wanted', {bubbles: true, composed: true}));
     return true;

@@ -48,14 +48,15 @@ function moved({tools}: KeyedPattern, key: string, shift: boolean): boolean {
 }
 
 /** Enter and the space bar choose what is selected, or accept what has been chosen. */
-function chosen({tools, index, desk}: KeyedPattern, key: string): boolean {
+function chosen({tools, index, workbench}: KeyedPattern, key: string): boolean {
   const {chooser} = tools;
   if (key === 'Enter' && chooser.isReady) {
     chooser.send({type: 'commit'});
     return true;
   }
   const chooses =
-    key === ' ' || (key === 'Enter' && (tools.active === 'pair' || desk.selected?.kind === 'seam'));
+    key === ' ' ||
+    (key === 'Enter' && (tools.active === 'pair' || workbench.selected?.kind === 'seam'));
   const takes = chooser.tool !== undefined || tools.active === 'keep' || tools.active === 'grain';
   if (!index || !takes || !chooses) return false;
   tools.takeSelected(index);
@@ -69,9 +70,10 @@ function asked(pane: KeyedPattern, event: KeyboardEvent): boolean {
 }
 
 function heldOrStepped(pane: KeyedPattern, key: string): boolean {
-  const {tools, desk, index} = pane;
+  const {tools, workbench, index} = pane;
   if (key === 'Escape') {
-    if (!tools.back() && desk.selected) desk.select(index && steppedOut(index, desk.selected));
+    if (!tools.back() && workbench.selected)
+      workbench.select(index && steppedOut(index, workbench.selected));
     return true;
   }
   if (tools.isFixed) return false;
@@ -81,14 +83,14 @@ function heldOrStepped(pane: KeyedPattern, key: string): boolean {
   }
   const number = Number(key);
   if (!(number >= 1 && number <= 9)) return false;
-  const texts = textsOf(desk.preferences.language, desk.preferences.messages);
-  const row = worstSeams(seamRows(desk, texts), number)[number - 1];
-  if (row) desk.select({kind: 'seam', seam: row.seam, side: 'a'});
+  const texts = textsOf(workbench.preferences.language, workbench.preferences.messages);
+  const row = worstSeams(seamRows(workbench, texts), number)[number - 1];
+  if (row) workbench.select({kind: 'seam', seam: row.seam, side: 'a'});
   return true;
 }
 
-function walk({index, desk}: KeyedPattern, key: string): boolean {
-  const next = index && walked(index, desk.selected, key);
-  if (next) desk.select(next);
+function walk({index, workbench}: KeyedPattern, key: string): boolean {
+  const next = index && walked(index, workbench.selected, key);
+  if (next) workbench.select(next);
   return next !== undefined;
 }

@@ -12,15 +12,15 @@ export const optionId = (target: Target): string =>
   target.kind === 'piece' ? `piece-${target.piece}` : `seam-${target.seam}-${target.side}`;
 
 export function patternOptions(
-  desk: Workbench,
+  workbench: Workbench,
   index: PickIndex,
   texts: Texts,
   format: Format,
 ): TemplateResult {
-  const pieces = pieceRows(desk);
-  const seams = seamRows(desk, texts);
+  const pieces = pieceRows(workbench);
+  const seams = seamRows(workbench, texts);
   const {pattern} = texts;
-  const selected = desk.selected && optionId(desk.selected);
+  const selected = workbench.selected && optionId(workbench.selected);
   const option = (target: Target, text: string): TemplateResult => {
     const id = optionId(target);
     return html`<div role="option" id=${id} aria-selected=${id === selected}>${text}</div>`;

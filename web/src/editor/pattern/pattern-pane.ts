@@ -5,7 +5,7 @@ import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
 import {movementOf} from '../../viewer/movement.js';
 import type {PatternView, PatternViewOptions} from '../../viewer/pattern-view.js';
-import type {DeskElement} from '../base/desk-element.js';
+import type {WorkbenchElement} from '../base/workbench-element.js';
 import {seamRows} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
@@ -45,10 +45,10 @@ export class PatternPane extends PatternDrawing {
 
   get tools(): PatternTools {
     return (this.#tools ??= new PatternTools(
-      this.desk,
+      this.workbench,
       () => {
         this.requestUpdate();
-        for (const part of this.renderRoot.querySelectorAll<DeskElement>(
+        for (const part of this.renderRoot.querySelectorAll<WorkbenchElement>(
           'sw-toolbar, sw-tool-hint',
         ))
           part.requestUpdate();
@@ -112,17 +112,21 @@ export class PatternPane extends PatternDrawing {
   }
 
   protected override drew(view: PatternView): void {
-    const {desk} = this;
-    const {scenes} = desk;
+    const {workbench} = this;
+    const {scenes} = workbench;
     if (!scenes) return;
     view.setWipe(
       this.#split === undefined ? undefined : {before: scenes.before, split: this.#split},
     );
     view.setBare(this.#isBare);
     view.setMovement(
-      this.#showsMovement && desk.result ? this.#movementOf(desk.result.pieces) : undefined,
+      this.#showsMovement && workbench.result
+        ? this.#movementOf(workbench.result.pieces)
+        : undefined,
     );
-    view.setOverlay(overlayOf(desk, scenes.now, this.tools, this.#cursor, this.texts, this.format));
+    view.setOverlay(
+      overlayOf(workbench, scenes.now, this.tools, this.#cursor, this.texts, this.format),
+    );
   }
 
   /** The keys of the pattern work again. */
@@ -131,28 +135,28 @@ export class PatternPane extends PatternDrawing {
   }
 
   get index(): PickIndex | undefined {
-    const {scenes} = this.desk;
+    const {scenes} = this.workbench;
     return scenes && this.#index.of(scenes.now);
   }
 
   protected override render(): TemplateResult {
     const {pattern} = this.texts;
-    const {desk, index} = this;
-    const empty = desk.state.kind === 'empty';
+    const {workbench, index} = this;
+    const empty = workbench.state.kind === 'empty';
     const places = this.purpose === 'place';
     return html`
       ${empty ? emptyNote(this.texts) : nothing}
       ${
         empty || places
           ? nothing
-          : html`<sw-toolbar .desk=${desk} .tools=${this.tools}></sw-toolbar>`
+          : html`<sw-toolbar .workbench=${workbench} .tools=${this.tools}></sw-toolbar>`
       }
       <div
         class="application"
         role="application"
         aria-label=${pattern.label}
         aria-description=${pattern.description}
-        aria-activedescendant=${desk.selected ? optionId(desk.selected) : nothing}
+        aria-activedescendant=${workbench.selected ? optionId(workbench.selected) : nothing}
         aria-owns="options"
         tabindex="0"
         @keydown=${(event: KeyboardEvent) => {
@@ -164,14 +168,14 @@ export class PatternPane extends PatternDrawing {
       >
         <div class="stage"></div>
       </div>
-      ${index ? patternOptions(desk, index, this.texts, this.format) : nothing} ${this.#note()}
+      ${index ? patternOptions(workbench, index, this.texts, this.format) : nothing} ${this.#note()}
       <slot name="notice"></slot>
       ${this.#menu()}
       ${
         this.#split === undefined
           ? nothing
           : html`<sw-wipe-handle
-              .desk=${desk}
+              .workbench=${workbench}
               .split=${this.#split}
               @input=${(event: CustomEvent<number>) => {
                 this.split = event.detail;
@@ -182,14 +186,14 @@ export class PatternPane extends PatternDrawing {
         ${
           this.tools.active
             ? html`<sw-tool-hint
-                .desk=${desk}
+                .workbench=${workbench}
                 .tools=${this.tools}
                 @click=${() => {
                   this.focus();
                 }}
               ></sw-tool-hint>`
             : html`<div class="said">
-                <sw-legend .desk=${desk}></sw-legend><slot name="hint"></slot>
+                <sw-legend .workbench=${workbench}></sw-legend><slot name="hint"></slot>
               </div>`
         }
         <div class="view" role="group" aria-label=${pattern.view}>
@@ -197,7 +201,7 @@ export class PatternPane extends PatternDrawing {
           ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4), 'zoom')}
           ${this.#button(pattern.fit, icon.fit, () => this.view?.fit(), places ? '' : 'zoom')}
           ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4), 'zoom')}
-          ${places ? nothing : html`<sw-zoom .desk=${desk} .view=${this.view}></sw-zoom>`}
+          ${places ? nothing : html`<sw-zoom .workbench=${workbench} .view=${this.view}></sw-zoom>`}
         </div>
       </div>
     `;
@@ -218,8 +222,8 @@ export class PatternPane extends PatternDrawing {
 
   #note(): TemplateResult | typeof nothing {
     if (this.undrawable !== undefined) return undrawableNote(this.undrawable);
-    return stateNote(this.desk, this.texts, () => {
-      const {result, scenes} = this.desk;
+    return stateNote(this.workbench, this.texts, () => {
+      const {result, scenes} = this.workbench;
       if (!this.#showsMovement || !result) return undefined;
       const {factor, greatest} = this.#movementOf(result.pieces);
       const label = scenes?.now.pieces[greatest.piece]?.label ?? '';
@@ -229,18 +233,18 @@ export class PatternPane extends PatternDrawing {
   }
 
   #menu(): TemplateResult | typeof nothing {
-    const {desk} = this;
+    const {workbench} = this;
     const pointing = this.#pointing;
     const ties = pointing?.ties;
     if (!pointing || !ties) return nothing;
-    const rows = seamRows(desk, this.texts);
+    const rows = seamRows(workbench, this.texts);
     const choices = ties.targets.map((target) => ({
-      text: tiedText(desk, target, rows, this.texts.pattern.edge),
+      text: tiedText(workbench, target, rows, this.texts.pattern.edge),
       choose: () => {
         pointing.take(target);
       },
       point: () => {
-        desk.point(pointedAt(target));
+        workbench.point(pointedAt(target));
       },
     }));
     return html`<sw-ties-menu

@@ -35,7 +35,7 @@ export class PatternTools {
   readonly grain: GrainClicks;
   /** There is one tool, and it is at work. */
   readonly isFixed: boolean;
-  readonly #desk: Workbench;
+  readonly #workbench: Workbench;
   readonly #changed: () => void;
   /** A tool that names no symmetry. */
   #own: 'move' | 'keep' | 'grain' | undefined;
@@ -45,13 +45,13 @@ export class PatternTools {
   #hovered: (Snapped & {readonly piece: number}) | undefined;
 
   /** @param purpose with `place` the print is moved, and there is no other tool */
-  constructor(desk: Workbench, changed: () => void, purpose: 'edit' | 'place' = 'edit') {
+  constructor(workbench: Workbench, changed: () => void, purpose: 'edit' | 'place' = 'edit') {
     this.isFixed = purpose === 'place';
     if (this.isFixed) this.#own = 'move';
-    this.#desk = desk;
+    this.#workbench = workbench;
     this.#changed = changed;
-    this.chooser = new SymmetryChooser(desk, changed);
-    this.grain = new GrainClicks(desk);
+    this.chooser = new SymmetryChooser(workbench, changed);
+    this.grain = new GrainClicks(workbench);
   }
 
   get active(): Tool | undefined {
@@ -87,18 +87,18 @@ export class PatternTools {
 
   /** All symmetries that were found; where the print can keep none of them, that is said. */
   acceptAll(): void {
-    const {design, kept, found, preferences} = this.#desk;
+    const {design, kept, found, preferences} = this.#workbench;
     if (!design) return;
     const {group} = design.print;
     const symmetries = withAll(kept, group, found);
     if (symmetries.length === kept.length) {
       const {symmetry} = textsOf(preferences.language, preferences.messages);
       const groups = groupsThatCarry('piece').join(', ');
-      this.#desk.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
+      this.#workbench.say({tone: 'info', text: symmetry.wouldCarry(group, groups)});
       return;
     }
     this.chooser.leave();
-    this.#desk.change({symmetries});
+    this.#workbench.change({symmetries});
   }
 
   words(texts: Texts, format: Format): string {
@@ -136,7 +136,7 @@ export class PatternTools {
   }
 
   #takeForGrain(target: Picked, point: Point): void {
-    const scene = this.#desk.scenes?.now;
+    const scene = this.#workbench.scenes?.now;
     if (scene) this.grain.take(scene, target, point);
     this.#changed();
   }
@@ -158,8 +158,8 @@ export class PatternTools {
           : {type: 'pick', target, snapped: point},
       );
     }
-    if (this.#own === 'keep') toggleKept(this.#desk, target);
-    this.#desk.select(
+    if (this.#own === 'keep') toggleKept(this.#workbench, target);
+    this.#workbench.select(
       target.kind === 'seam'
         ? {kind: 'seam', seam: target.seam, side: target.side}
         : {kind: 'piece', piece: target.piece},
@@ -167,7 +167,7 @@ export class PatternTools {
   }
 
   #notches(piece: number): readonly Point[] {
-    const {scenes} = this.#desk;
+    const {scenes} = this.#workbench;
     const shown = scenes?.now.pieces[piece];
     const meshed = scenes?.now.pattern.pieces[piece];
     if (!shown || !meshed) return [];
@@ -180,34 +180,34 @@ export class PatternTools {
 
   /** As if what is selected had been pressed. */
   takeSelected(index: PickIndex): void {
-    const {selected} = this.#desk;
+    const {selected} = this.#workbench;
     const target = selected && this.#targetOf(index, selected);
     if (!target) return;
-    if (this.#own === 'keep') toggleKept(this.#desk, target);
+    if (this.#own === 'keep') toggleKept(this.#workbench, target);
     else if (this.#own === 'grain') this.#takeForGrain(target, target.point);
     else if (this.chooser.tool) this.chooser.send({type: 'pick', target});
   }
 
   #targetOf(index: PickIndex, selected: Target): Picked | undefined {
     if (selected.kind === 'seam') return seamTarget(index, selected.seam, selected.side);
-    const piece = this.#desk.scenes?.now.pieces[selected.piece];
+    const piece = this.#workbench.scenes?.now.pieces[selected.piece];
     return piece && {kind: 'piece', piece: selected.piece, point: middleOf(piece)};
   }
 
   /** The print of the selected piece, moved by a way on the sheet [cm] or turned by degrees. */
   nudge(way: Point, degrees = 0): boolean {
-    const {selected, scenes} = this.#desk;
+    const {selected, scenes} = this.#workbench;
     const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
     if (this.#own !== 'move' || !piece) return false;
     const wanted =
       degrees === 0
-        ? stepped(this.#desk, piece, wayOnSheet(piece, way))
-        : turnedOn(this.#desk, piece, degrees);
-    if (wanted) pin(this.#desk, piece, wanted);
+        ? stepped(this.#workbench, piece, wayOnSheet(piece, way))
+        : turnedOn(this.#workbench, piece, degrees);
+    if (wanted) pin(this.#workbench, piece, wanted);
     else {
-      const {language, messages} = this.#desk.preferences;
+      const {language, messages} = this.#workbench.preferences;
       const {cannotTurn} = textsOf(language, messages).symmetry;
-      this.#desk.say({tone: 'info', text: cannotTurn(piece.label)});
+      this.#workbench.say({tone: 'info', text: cannotTurn(piece.label)});
     }
     return true;
   }
@@ -217,21 +217,21 @@ export class PatternTools {
     const dragged = scene.pieces[piece];
     if (this.#own !== 'move' || !dragged) return undefined;
     const from: Alignment = dragged.alignment;
-    this.#desk.select({kind: 'piece', piece});
+    this.#workbench.select({kind: 'piece', piece});
     return (way) => {
-      pin(this.#desk, dragged, shifted(from, wayOnSheet(dragged, way)));
+      pin(this.#workbench, dragged, shifted(from, wayOnSheet(dragged, way)));
     };
   }
 
   /** Lets go of a print that had been moved. */
   free(piece: number): void {
-    const freed = this.#desk.scenes?.now.pieces[piece];
-    if (this.#own === 'move' && freed) unpin(this.#desk, freed);
+    const freed = this.#workbench.scenes?.now.pieces[piece];
+    if (this.#own === 'move' && freed) unpin(this.#workbench, freed);
   }
 
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
-    if (this.#own === 'move') return railsOf(scene, this.#desk.selected, texts);
-    if (this.#own === 'keep') return keepMarks(this.#desk, scene, this.#pointed, texts);
+    if (this.#own === 'move') return railsOf(scene, this.#workbench.selected, texts);
+    if (this.#own === 'keep') return keepMarks(this.#workbench, scene, this.#pointed, texts);
     const isGrain = this.#own === 'grain';
     const marks = isGrain ? this.grain.marks() : this.chooser.marks(scene, texts, format);
     if (!this.#hovered || !(isGrain || this.chooser.tool)) return marks;

@@ -9,7 +9,7 @@ import {pointedAt, reachOf, type PatternTools} from './pattern-tools.js';
 
 /** What pointers work on. */
 export interface Pointable {
-  readonly desk: Workbench;
+  readonly workbench: Workbench;
   readonly tools: PatternTools;
   readonly view: PatternView | undefined;
   readonly index: PickIndex | undefined;
@@ -47,7 +47,7 @@ export class Pointing {
       this.#hover(event);
     });
     listen('pointerleave', () => {
-      pane.desk.point(undefined);
+      pane.workbench.point(undefined);
     });
   }
 
@@ -69,12 +69,12 @@ export class Pointing {
 
   /** A press inside a piece moves its print, while that is the tool. @returns whether it does */
   press(event: PointerEvent, at: Point): boolean {
-    const {desk, view, tools} = this.#pane;
+    const {workbench, view, tools} = this.#pane;
     const pressed = view?.pieceAt(...at);
-    const follow = desk.scenes && pressed && tools.drag(desk.scenes.now, pressed.piece);
+    const follow = workbench.scenes && pressed && tools.drag(workbench.scenes.now, pressed.piece);
     if (!view || !follow) return false;
     const [x, y] = view.sheetPointAt(...at);
-    holdWhilePressed(desk, event);
+    holdWhilePressed(workbench, event);
     const done = new AbortController();
     const {signal} = done;
     this.#stage.setPointerCapture(event.pointerId);
@@ -115,7 +115,7 @@ export class Pointing {
     const targets = this.#meant(event, at);
     const [first] = targets;
     this.#ties = targets.length > 1 ? {at, targets} : undefined;
-    if (!first) this.#pane.desk.select(undefined);
+    if (!first) this.#pane.workbench.select(undefined);
     else if (targets.length === 1) this.take(first);
     this.#pane.requestUpdate();
   }
@@ -123,8 +123,8 @@ export class Pointing {
   #hover(event: PointerEvent): void {
     if (event.pointerType === 'touch' || event.buttons > 0) return;
     const [target] = this.#meant(event, this.#at(event));
-    const {index, view, tools, desk} = this.#pane;
+    const {index, view, tools, workbench} = this.#pane;
     if (index && view) tools.hover(index, target, reachOf('mouse') / view.scale);
-    desk.point(pointedAt(target));
+    workbench.point(pointedAt(target));
   }
 }

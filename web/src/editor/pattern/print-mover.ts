@@ -55,23 +55,26 @@ const same = (one: Alignment | undefined, other: Alignment): boolean =>
  * Pins a piece at the nearest place that keeps its symmetry; a twin's pin gives way. Moves of one piece that
  * follow each other quickly are one step of the history.
  */
-export function pin(desk: Workbench, piece: ScenePiece, wanted: Alignment): void {
-  const {design, scenes} = desk;
+export function pin(workbench: Workbench, piece: ScenePiece, wanted: Alignment): void {
+  const {design, scenes} = workbench;
   if (!design || !scenes) return;
   const known = mirrorings(scenes.now.pattern);
   const {name} = piece;
   const at = nearestPlace(scenes.now.print, known, name, wanted, factsOf(design, piece));
   const {pins} = design.options;
   if (same(pins?.[name], at)) return;
-  desk.change({options: {...design.options, pins: withPin(pins, known, name, at)}}, `pin ${name}`);
+  workbench.change(
+    {options: {...design.options, pins: withPin(pins, known, name, at)}},
+    `pin ${name}`,
+  );
 }
 
 /**
  * A place that is so far from where a piece lies. Across the axis of a symmetric piece any way leads to the
  * next line that the axis can lie on.
  */
-export function stepped(desk: Workbench, piece: ScenePiece, way: Point): Alignment {
-  const {scenes} = desk;
+export function stepped(workbench: Workbench, piece: ScenePiece, way: Point): Alignment {
+  const {scenes} = workbench;
   const wanted = shifted(piece.alignment, way);
   const own = scenes && ownMirroring(mirrorings(scenes.now.pattern), piece.name);
   const line = own && axisLine(scenes.now.print, own.map, piece.alignment);
@@ -88,11 +91,11 @@ export function stepped(desk: Workbench, piece: ScenePiece, way: Point): Alignme
  * @returns undefined when there is none but the one it has
  */
 export function turnedOn(
-  desk: Workbench,
+  workbench: Workbench,
   piece: ScenePiece,
   degrees: number,
 ): Alignment | undefined {
-  const {design, scenes} = desk;
+  const {design, scenes} = workbench;
   if (!design || !scenes) return undefined;
   const {middle, rule} = factsOf(design, piece);
   const {alignment} = piece;
@@ -104,11 +107,11 @@ export function turnedOn(
   return next && Math.abs(Math.sin((next.angle - alignment.angle) / 2)) < 1e-9 ? undefined : next;
 }
 
-export function unpin(desk: Workbench, {name}: ScenePiece): void {
-  const {pins, ...options} = desk.design?.options ?? {};
+export function unpin(workbench: Workbench, {name}: ScenePiece): void {
+  const {pins, ...options} = workbench.design?.options ?? {};
   if (!pins || !(name in pins)) return;
   const others = Object.fromEntries(Object.entries(pins).filter(([other]) => other !== name));
-  desk.change({
+  workbench.change({
     options: {...options, ...(Object.keys(others).length > 0 && {pins: others})},
   });
 }

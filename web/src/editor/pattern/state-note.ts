@@ -50,11 +50,11 @@ function trouble(
 
 /** `movement` says how far pieces have moved; undefined when that is not shown. */
 export function stateNote(
-  desk: Workbench,
+  workbench: Workbench,
   texts: Texts,
   movement: () => string | undefined,
 ): TemplateResult | typeof nothing {
-  const text = trouble(desk, texts) ?? movement();
+  const text = trouble(workbench, texts) ?? movement();
   return text === undefined ? nothing : state(text);
 }
 

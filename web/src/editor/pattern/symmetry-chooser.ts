@@ -24,20 +24,20 @@ import {toFailure} from '../../workbench/latest-solve.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
 export class SymmetryChooser {
-  readonly #desk: Workbench;
+  readonly #workbench: Workbench;
   readonly #changed: () => void;
   #latest: SymmetryState = outside;
   /** What `#latest` is about. */
   #design: Design | undefined;
 
-  constructor(desk: Workbench, changed: () => void) {
-    this.#desk = desk;
+  constructor(workbench: Workbench, changed: () => void) {
+    this.#workbench = workbench;
     this.#changed = changed;
   }
 
   /** What was refused of a design is not said of another; choices on another garment mean nothing. */
   get #state(): SymmetryState {
-    const {design} = this.#desk;
+    const {design} = this.#workbench;
     if (design !== this.#design) {
       this.#latest = outlived(this.#latest, design?.garment === this.#design?.garment);
       this.#design = design;
@@ -58,7 +58,7 @@ export class SymmetryChooser {
   }
 
   get #group(): GroupName {
-    return this.#desk.design?.print.group ?? 'p1';
+    return this.#workbench.design?.print.group ?? 'p1';
   }
 
   /** Whether the print has what the symmetry needs. */
@@ -71,33 +71,33 @@ export class SymmetryChooser {
   }
 
   send(event: SymmetryEvent): void {
-    const scene = this.#desk.scenes?.now;
+    const scene = this.#workbench.scenes?.now;
     if (!scene) return;
     const next = afterEvent(this.#state, event, scene);
     if (next === this.#state) return;
     this.#set(next);
     if (next.stage === 'candidate' && !next.measured) void this.#measure(next.symmetry, next.asked);
     if (next.stage === 'committed') {
-      this.#desk.change(withSymmetry(this.#desk.kept, next.symmetry));
+      this.#workbench.change(withSymmetry(this.#workbench.kept, next.symmetry));
       this.#set({stage: 'idle', tool: next.tool, asked: next.asked});
     }
   }
 
   async #measure(symmetry: Symmetry, candidate: number): Promise<void> {
     try {
-      const result = await this.#desk.measure(symmetry);
+      const result = await this.#workbench.measure(symmetry);
       this.send({type: 'measured', candidate, result});
     } catch (error) {
-      const {language, messages} = this.#desk.preferences;
-      const text = spokenFailure(toFailure(error), this.#desk, textsOf(language, messages));
-      this.#desk.say({tone: 'error', text});
+      const {language, messages} = this.#workbench.preferences;
+      const text = spokenFailure(toFailure(error), this.#workbench, textsOf(language, messages));
+      this.#workbench.say({tone: 'error', text});
       this.send({type: 'back'});
     }
   }
 
   #set(state: SymmetryState): void {
     this.#latest = state;
-    this.#design = this.#desk.design;
+    this.#design = this.#workbench.design;
     this.#changed();
   }
 

@@ -1,14 +1,14 @@
 /** What to do next with the tool that is at work, and what can be done with it. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import type {PatternTools} from './pattern-tools.js';
 import {centred, middleToCentre} from './centring.js';
 import {pin, unpin} from './print-mover.js';
 
-export class ToolHint extends DeskElement {
-  static override properties = {...DeskElement.properties, tools: {attribute: false}};
+export class ToolHint extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, tools: {attribute: false}};
   declare tools: PatternTools;
 
   static override styles = [
@@ -47,7 +47,7 @@ export class ToolHint extends DeskElement {
           : nothing
       }
       ${this.tools.active === 'move' ? html`${this.#presets()} ${this.#free()}` : nothing}
-      ${this.tools.active === 'keep' ? html`<sw-keep-menu .desk=${this.desk}></sw-keep-menu>` : nothing}
+      ${this.tools.active === 'keep' ? html`<sw-keep-menu .workbench=${this.workbench}></sw-keep-menu>` : nothing}
       ${
         this.tools.isFixed
           ? nothing
@@ -64,13 +64,13 @@ export class ToolHint extends DeskElement {
 
   /** For the selected piece, while it is pinned. */
   #free(): TemplateResult | typeof nothing {
-    const {selected, scenes, design} = this.desk;
+    const {selected, scenes, design} = this.workbench;
     const piece = selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece] : undefined;
     if (!piece || !design?.options.pins?.[piece.name]) return nothing;
     return html`<button
       class="outlined"
       @click=${() => {
-        unpin(this.desk, piece);
+        unpin(this.workbench, piece);
       }}
     >
       ${this.texts.symmetry.freePiece(piece.label)}
@@ -83,8 +83,8 @@ export class ToolHint extends DeskElement {
       html`<button
         class="outlined"
         @click=${() => {
-          const middle = middleToCentre(this.desk);
-          if (middle) pin(this.desk, middle.piece, centred(middle, what));
+          const middle = middleToCentre(this.workbench);
+          if (middle) pin(this.workbench, middle.piece, centred(middle, what));
         }}
       >
         ${label}

@@ -1,13 +1,13 @@
 /** The tools over the pattern. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {PatternTools} from './pattern-tools.js';
 
-export class Toolbar extends DeskElement {
-  static override properties = {...DeskElement.properties, tools: {attribute: false}};
+export class Toolbar extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, tools: {attribute: false}};
   declare tools: PatternTools;
 
   static override styles = [
@@ -88,7 +88,7 @@ export class Toolbar extends DeskElement {
   }
 
   #acceptAll(): TemplateResult | typeof nothing {
-    const {design, found} = this.desk;
+    const {design, found} = this.workbench;
     if (!design || found.length === 0) return nothing;
     const {symmetry} = this.texts;
     return html`<button

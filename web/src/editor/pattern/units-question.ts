@@ -2,12 +2,12 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignGarment} from '../../model/design.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {doubtfulHeight, inUnit, likelyUnits} from '../../workbench/doubtful-units.js';
 import {lastOf} from '../../workbench/last-of.js';
 
-export class UnitsQuestion extends DeskElement {
+export class UnitsQuestion extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -28,7 +28,7 @@ export class UnitsQuestion extends DeskElement {
   readonly #height = lastOf(doubtfulHeight);
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design, pattern} = this.desk;
+    const {design, pattern} = this.workbench;
     const height = pattern && this.#height(pattern);
     if (!design || height === undefined || design.garment === this.#confirmed) return nothing;
     const {doubt} = this.texts;
@@ -49,7 +49,7 @@ export class UnitsQuestion extends DeskElement {
           html`<button
             class="outlined"
             @click=${() => {
-              this.desk.change({garment: {...garment, text: inUnit(garment.text, unit)}});
+              this.workbench.change({garment: {...garment, text: inUnit(garment.text, unit)}});
             }}
           >
             ${doubt.no(doubt.units[unit])}

@@ -1,7 +1,7 @@
 /** The line between before and after, and the handle that moves it. */
 import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 
 /** Browsers know the handle by different names, which cannot share a rule. */
@@ -16,8 +16,8 @@ const thumb = css`
 `;
 
 /** Sends `input` with the share of the width, from 0 to 1, as its detail. `bare`: without words, the handle at the foot. */
-export class WipeHandle extends DeskElement {
-  static override properties = {...DeskElement.properties, split: {attribute: false}};
+export class WipeHandle extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, split: {attribute: false}};
   declare split: number;
 
   static override styles = [

@@ -3,7 +3,7 @@ import {css, html, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {PatternView} from '../../viewer/pattern-view.js';
 import type {NumberField} from '../controls/number-field.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 
 /** At 100 %, by how the web counts. [CSS px per cm] */
@@ -12,8 +12,8 @@ const presets = [0.5, 1, 2];
 /** What may be typed; the view has limits of its own. [%] */
 const [least, most] = [1, 1000];
 
-export class ZoomMenu extends DeskElement {
-  static override properties = {...DeskElement.properties, view: {attribute: false}};
+export class ZoomMenu extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, view: {attribute: false}};
   declare view: PatternView | undefined;
   #end: (() => void) | undefined;
 

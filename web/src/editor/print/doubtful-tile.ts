@@ -2,7 +2,7 @@
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {TileRepeat} from '../../model/print-tile.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import type {DoubtfulPicture} from '../../workbench/state.js';
 import {edgesPath, markedTile, markedTileStyle} from './marked-tile.js';
@@ -10,8 +10,8 @@ import {closedRepeats, openPairs, printOfPicture} from './own-print.js';
 import {remedies} from './remedies.js';
 
 /** Fires `another` when somebody would rather choose another file. */
-export class DoubtfulTile extends DeskElement {
-  static override properties = {...DeskElement.properties, repeats: {state: true}};
+export class DoubtfulTile extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, repeats: {state: true}};
   /** Ways to repeat it in which it does meet them. */
   declare protected repeats: readonly TileRepeat[];
   #shown: DoubtfulPicture | undefined;
@@ -33,7 +33,7 @@ export class DoubtfulTile extends DeskElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const {doubtful} = this.desk;
+    const {doubtful} = this.workbench;
     if (doubtful === this.#shown) return;
     this.#shown = doubtful;
     this.repeats = [];
@@ -44,7 +44,7 @@ export class DoubtfulTile extends DeskElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {doubtful} = this.desk;
+    const {doubtful} = this.workbench;
     if (!doubtful) return nothing;
     const texts = this.texts.print;
     const {own, edges} = doubtful;
@@ -73,8 +73,8 @@ export class DoubtfulTile extends DeskElement {
 
   async #take(doubtful: DoubtfulPicture, repeat: TileRepeat): Promise<void> {
     const print = await printOfPicture({...doubtful.own, repeat});
-    if (this.desk.doubtful !== doubtful) return;
-    this.desk.doubtful = undefined;
-    this.desk.change({print});
+    if (this.workbench.doubtful !== doubtful) return;
+    this.workbench.doubtful = undefined;
+    this.workbench.change({print});
   }
 }

@@ -3,7 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {DesignPrint} from '../../model/design.js';
 import {pictureIn, resized, tileSize} from '../../model/tile-repeat.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {isUnasked, sizeInFile, type FileSize} from './file-size.js';
 import {firstWidth} from './own-tile.js';
@@ -11,8 +11,8 @@ import {firstWidth} from './own-tile.js';
 /** What is as good as the same. [cm] */
 const same = 0.005;
 
-export class FileSizeNote extends DeskElement {
-  static override properties = {...DeskElement.properties, said: {state: true}};
+export class FileSizeNote extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, said: {state: true}};
   declare protected said: {readonly image: string; readonly size: FileSize | undefined} | undefined;
   #looked = '';
 
@@ -27,7 +27,7 @@ export class FileSizeNote extends DeskElement {
   ];
 
   protected override updated(): void {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (!print) return;
     const {image} = pictureIn(print);
     if (image === this.#looked) return;
@@ -40,7 +40,7 @@ export class FileSizeNote extends DeskElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     const {said} = this;
     if (!print || said?.image !== pictureIn(print).image) return nothing;
     const texts = this.texts.print;
@@ -72,6 +72,6 @@ export class FileSizeNote extends DeskElement {
   #take(print: DesignPrint, width: number): void {
     const size = tileSize(print);
     const height = (size.height * width) / size.width;
-    this.desk.change({print: resized(print, {...size, width, height})}, 'print size');
+    this.workbench.change({print: resized(print, {...size, width, height})}, 'print size');
   }
 }

@@ -5,7 +5,7 @@ import {noPicture, type DesignPrint} from '../../model/design.js';
 import type {Point} from '../../model/geometry.js';
 import {resized, tileSize} from '../../model/tile-repeat.js';
 import {lengthUnit} from '../controls/number-field.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {alongStripe, choiceOf} from './choices.js';
@@ -27,9 +27,9 @@ const arrows: Readonly<Record<string, Point>> = {
 
 type Two = readonly [Point, Point];
 
-export class MeasureDialog extends DeskElement {
+export class MeasureDialog extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     points: {state: true},
     typed: {state: true},
     isOpen: {state: true},
@@ -53,7 +53,7 @@ export class MeasureDialog extends DeskElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (!print || print.image === noPicture) return nothing;
     const texts = this.texts.print.measure;
     return html`<button class="outlined" @click=${this.#open}>${icon.measure} ${texts.open}</button>
@@ -69,7 +69,7 @@ export class MeasureDialog extends DeskElement {
 
   /** Where things are: a strict policy allows no styles in the markup. */
   protected override updated(): void {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     const picture = this.renderRoot.querySelector<HTMLElement>('.picture');
     if (!print || !picture) return;
     const {width, height} = windowOn(print);
@@ -86,7 +86,7 @@ export class MeasureDialog extends DeskElement {
     const {print: words, app, controls: limits} = this.texts;
     const texts = words.measure;
     const {format} = this;
-    const {name, cm} = lengthUnit[this.desk.preferences.units];
+    const {name, cm} = lengthUnit[this.workbench.preferences.units];
     const size = tileSize(this.#measured(print));
     const distance = this.#distance(print);
     const isFar = distance > nearest * this.#longest(print);
@@ -106,7 +106,7 @@ export class MeasureDialog extends DeskElement {
           .least=${0.1 / cm}
           .most=${mostRepeat / cm}
           .step=${0.1}
-          .fractions=${this.desk.preferences.units === 'inch'}
+          .fractions=${this.workbench.preferences.units === 'inch'}
           .wrong=${limits.between(format.length(0.1), format.length(mostRepeat))}
           @entered=${({detail}: CustomEvent<number>) => {
             this.typed = detail * cm;
@@ -116,7 +116,7 @@ export class MeasureDialog extends DeskElement {
           class="primary"
           ?disabled=${!isFar || size.width > mostRepeat || size.width < leastRepeat}
           @click=${() => {
-            this.desk.change({print: this.#measured(print)}, 'print size');
+            this.workbench.change({print: this.#measured(print)}, 'print size');
             this.#close();
           }}
         >
@@ -158,7 +158,7 @@ export class MeasureDialog extends DeskElement {
       aria-describedby="how"
       @keydown=${(event: KeyboardEvent) => {
         const direction = arrows[event.key];
-        const print = this.desk.design?.print;
+        const print = this.workbench.design?.print;
         if (!direction || !print) return;
         event.preventDefault();
         const {width, height} = windowOn(print);

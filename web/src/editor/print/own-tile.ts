@@ -55,26 +55,26 @@ export async function readPrintFile(
  * One that does not meet its copies is left for somebody to decide about.
  * @throws {Error} with one sentence that says what is wrong; the print stays as it is
  */
-export async function openPrint(desk: Workbench, file: File): Promise<void> {
-  const {language, messages} = desk.preferences;
+export async function openPrint(workbench: Workbench, file: File): Promise<void> {
+  const {language, messages} = workbench.preferences;
   const words = textsOf(language, messages).print.files;
-  const present = desk.design?.print;
-  desk.doubtful = undefined;
+  const present = workbench.design?.print;
+  workbench.doubtful = undefined;
   if (!(await looksLikePicture(file))) {
-    desk.change({print: await readPrintFile(file, words)});
+    workbench.change({print: await readPrintFile(file, words)});
     return;
   }
   const own = await readOwnPicture(file, words);
   if (present?.image === noPicture && !present.sample) {
-    desk.change({print: {...present, image: own.image}});
+    workbench.change({print: {...present, image: own.image}});
     return;
   }
   const edges = await openEdgesOf(own);
   if (edges.length > 0) {
-    if (present) desk.doubtful = {own, edges, beside: present};
+    if (present) workbench.doubtful = {own, edges, beside: present};
     throw new OpenEdgesError(words.openEdges[openPairs(edges)](file.name));
   }
-  desk.change({print: await printOfPicture(own)});
+  workbench.change({print: await printOfPicture(own)});
 }
 
 /** @throws {Error} */

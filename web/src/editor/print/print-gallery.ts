@@ -5,7 +5,7 @@ import {guard} from 'lit/directives/guard.js';
 import type {Design, DesignPrint} from '../../model/design.js';
 import type {GroupName} from '../../model/print.js';
 import {carries, groupsThatCarry} from '../../model/repeat.js';
-import {PatientElement} from '../base/desk-element.js';
+import {PatientElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {inColours, samplePrint, type SamplePrint, type Samples} from '../../workbench/samples.js';
 import {choiceOf, choices, groupOf, missing, sampleOf, type Choice} from './choices.js';
@@ -54,7 +54,7 @@ export class PrintGallery extends PatientElement {
   static override styles = [controls, swatches];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design, preferences} = this.desk;
+    const {design, preferences} = this.workbench;
     const {samples, focused, filter} = this;
     if (!design || !samples) return nothing;
     const refused = this.refused?.design === design ? this.refused.group : undefined;
@@ -206,7 +206,7 @@ export class PrintGallery extends PatientElement {
             html`<button
               aria-pressed=${name === print.sample?.colourway}
               @click=${() => {
-                this.desk.change({print: inColours(print, sample, name)});
+                this.workbench.change({print: inColours(print, sample, name)});
               }}
             >
               ${swatch(`colour-${name}`, sample, coloured(sample, name))}
@@ -218,14 +218,14 @@ export class PrintGallery extends PatientElement {
 
   /** @returns whether the symmetries allow this group; if not, why is said */
   #ask(group: GroupName): boolean {
-    const {design} = this.desk;
+    const {design} = this.workbench;
     const allowed = !missing(group, design?.symmetries ?? []);
     this.refused = allowed || !design ? undefined : {group, design};
     return allowed;
   }
 
   #choose(choice: Choice): void {
-    const {design} = this.desk;
+    const {design} = this.workbench;
     if (!design || !this.#ask(groupOf(choice))) return;
     const sample = this.samples?.prints.find(({name}) => name === sampleOf(choice));
     if (!design.print.sample) void this.#regroup(design.print, choice);
@@ -235,13 +235,13 @@ export class PrintGallery extends PatientElement {
   async #regroup(print: DesignPrint, choice: Choice): Promise<void> {
     const {ownPrintAs} = await import('./own-print.js');
     const regrouped = await ownPrintAs(print, choice);
-    if (this.desk.design?.print === print) this.desk.change({print: regrouped}, 'print');
+    if (this.workbench.design?.print === print) this.workbench.change({print: regrouped}, 'print');
   }
 
   #take(sample: SamplePrint): void {
-    const {design} = this.desk;
+    const {design} = this.workbench;
     if (!design || !this.#ask(sample.group)) return;
-    this.desk.change({print: samplePrint(sample)}, 'print');
+    this.workbench.change({print: samplePrint(sample)}, 'print');
   }
 
   #walk(event: KeyboardEvent, shown: readonly Choice[], from: Choice | undefined): void {

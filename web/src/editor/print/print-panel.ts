@@ -3,16 +3,16 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {noPicture, type DesignPrint} from '../../model/design.js';
 import {section} from '../controls/section.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Samples} from '../../workbench/samples.js';
 import {OpenEdgesError, printFiles} from './print-files.js';
 
-export class PrintPanel extends DeskElement {
+export class PrintPanel extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     samples: {attribute: false},
     problem: {state: true},
   };
@@ -36,8 +36,8 @@ export class PrintPanel extends DeskElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {desk, samples} = this;
-    if (!desk.design) return nothing;
+    const {workbench, samples} = this;
+    if (!workbench.design) return nothing;
     const texts = this.texts.print;
     return html`<section aria-labelledby="title">
       <header>
@@ -52,22 +52,25 @@ export class PrintPanel extends DeskElement {
       </header>
       ${this.problem ? html`<p class="error" role="alert">${this.problem}</p>` : nothing}
       ${
-        desk.doubtful?.beside === desk.design.print
-          ? html`<sw-doubtful-tile .desk=${desk} @another=${this.#choose}></sw-doubtful-tile>`
+        workbench.doubtful?.beside === workbench.design.print
+          ? html`<sw-doubtful-tile
+              .workbench=${workbench}
+              @another=${this.#choose}
+            ></sw-doubtful-tile>`
           : nothing
       }
-      ${desk.design.print.sample ? nothing : this.#own(desk.design.print)}
-      <sw-print-gallery .desk=${desk} .samples=${samples}></sw-print-gallery>
-      <sw-repeat-fields .desk=${desk}></sw-repeat-fields>
+      ${workbench.design.print.sample ? nothing : this.#own(workbench.design.print)}
+      <sw-print-gallery .workbench=${workbench} .samples=${samples}></sw-print-gallery>
+      <sw-repeat-fields .workbench=${workbench}></sw-repeat-fields>
     </section>`;
   }
 
   #own(print: DesignPrint): TemplateResult {
-    const {desk} = this;
+    const {workbench} = this;
     const isPicture = !print.file && print.image !== noPicture && print.size.angleDeg === 90;
     return html`<p>${this.texts.print.own(print.title)}</p>
-      <sw-tile-report .desk=${desk}></sw-tile-report>
-      ${isPicture ? html`<sw-tile-repeat .desk=${desk}></sw-tile-repeat>` : nothing}`;
+      <sw-tile-report .workbench=${workbench}></sw-tile-report>
+      ${isPicture ? html`<sw-tile-repeat .workbench=${workbench}></sw-tile-repeat>` : nothing}`;
   }
 
   readonly #choose = (): void => {
@@ -80,7 +83,7 @@ export class PrintPanel extends DeskElement {
     this.problem = undefined;
     try {
       const {openPrint} = await import('./own-tile.js');
-      await openPrint(this.desk, file);
+      await openPrint(this.workbench, file);
     } catch (error) {
       // what may become of such a picture is asked instead
       if (!(error instanceof OpenEdgesError)) this.problem = toFailure(error).message;

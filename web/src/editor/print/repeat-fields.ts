@@ -6,16 +6,16 @@ import {fittingGroup, isCoupled, type FittingGroup, type RepeatSize} from '../..
 import {cellSize, cellTurn, resized, tileSize, tileTurn} from '../../model/tile-repeat.js';
 import {latticeType} from '../../model/wallpaper.js';
 import {lengthUnit} from '../controls/number-field.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {cellDiagram, cellDiagramStyle} from './cell-diagram.js';
 import {choiceOf, missing} from './choices.js';
 import {leastRepeat, mostRepeat} from './limits.js';
 
-export class RepeatFields extends DeskElement {
+export class RepeatFields extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     measured: {state: true},
     isFree: {state: true},
   };
@@ -68,23 +68,23 @@ export class RepeatFields extends DeskElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (this.measured && this.measured.of !== print) this.measured = undefined;
     if (this.isFree !== print?.image) this.isFree = undefined;
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (!print) return nothing;
     const texts = this.texts.print;
-    const {desk} = this;
+    const {workbench} = this;
     return html`
       ${this.#sides(print)} ${this.#offer(print)}
-      <sw-measure .desk=${desk}></sw-measure>
+      <sw-measure .workbench=${workbench}></sw-measure>
       ${
         print.sample || print.image === noPicture
           ? nothing
-          : html`<sw-file-size .desk=${desk}></sw-file-size>`
+          : html`<sw-file-size .workbench=${workbench}></sw-file-size>`
       }
       ${this.#lie(print)}
       <div class="question">
@@ -95,7 +95,7 @@ export class RepeatFields extends DeskElement {
             .checked=${print.oneWay}
             @change=${(event: Event) => {
               const {checked} = event.target as HTMLInputElement;
-              desk.change({print: {...print, oneWay: checked}});
+              workbench.change({print: {...print, oneWay: checked}});
             }}
           />
           ${texts.oneWay}
@@ -163,7 +163,10 @@ export class RepeatFields extends DeskElement {
             : nothing
         }
         ${this.#degrees(texts.turn, turn, -180, 180, (degrees) => {
-          this.desk.change({print: {...print, turnDeg: cellTurn(print, degrees)}}, 'print size');
+          this.workbench.change(
+            {print: {...print, turnDeg: cellTurn(print, degrees)}},
+            'print size',
+          );
         })}
       </div>
       ${cellDiagram({
@@ -177,16 +180,16 @@ export class RepeatFields extends DeskElement {
     value: number,
     enter: (cm: number) => void,
   ): TemplateResult {
-    const {name, cm} = lengthUnit[this.desk.preferences.units];
+    const {name, cm} = lengthUnit[this.workbench.preferences.units];
     const {format} = this;
     return html`<sw-number-field
       .label=${label(name)}
       .value=${value / cm}
-      .subject=${this.desk.design?.print.image}
+      .subject=${this.workbench.design?.print.image}
       .least=${leastRepeat / cm}
       .most=${mostRepeat / cm}
       .step=${0.1}
-      .fractions=${this.desk.preferences.units === 'inch'}
+      .fractions=${this.workbench.preferences.units === 'inch'}
       .wrong=${this.texts.controls.between(format.length(leastRepeat), format.length(mostRepeat))}
       @entered=${({detail}: CustomEvent<number>) => {
         enter(detail * cm);
@@ -204,7 +207,7 @@ export class RepeatFields extends DeskElement {
     return html`<sw-number-field
       .label=${label}
       .value=${value}
-      .subject=${this.desk.design?.print.image}
+      .subject=${this.workbench.design?.print.image}
       .least=${least}
       .most=${most}
       .wrong=${this.texts.controls.between(`${least}°`, `${most}°`)}
@@ -221,7 +224,7 @@ export class RepeatFields extends DeskElement {
     const drawn = latticeType(print.group) === 'square' || print.cell === 'rectangular';
     if (!fitting || !drawn) return nothing;
     const texts = this.texts.print;
-    const lacks = missing(fitting.group, this.desk.design?.symmetries ?? []);
+    const lacks = missing(fitting.group, this.workbench.design?.symmetries ?? []);
     return html`<div class="offer" role="status">
       <p>${texts.notQuite(print.group, fitting.group)}</p>
       ${lacks ? html`<p>${texts.lacks[lacks](fitting.group)}</p>` : nothing}
@@ -245,12 +248,12 @@ export class RepeatFields extends DeskElement {
   }
 
   #resize(print: DesignPrint, size: RepeatSize): void {
-    this.desk.change({print: resized(print, size)}, 'print size');
+    this.workbench.change({print: resized(print, size)}, 'print size');
   }
 
   async #take(print: DesignPrint, fitting: FittingGroup): Promise<void> {
     const {withGroup} = await import('./own-print.js');
     const smaller = await withGroup(print, fitting);
-    if (this.desk.design?.print === print) this.desk.change({print: smaller});
+    if (this.workbench.design?.print === print) this.workbench.change({print: smaller});
   }
 }

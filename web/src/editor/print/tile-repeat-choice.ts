@@ -3,7 +3,7 @@ import {css, html, nothing, svg, type SVGTemplateResult, type TemplateResult} fr
 
 import {pictureIn} from '../../model/tile-repeat.js';
 import {tileRepeats, type TileRepeat} from '../../model/print-tile.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {printOfPicture} from './own-print.js';
 
@@ -28,7 +28,7 @@ function drawing(repeat: TileRepeat): SVGTemplateResult {
   return svg`${tiles}`;
 }
 
-export class TileRepeatChoice extends DeskElement {
+export class TileRepeatChoice extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -76,7 +76,7 @@ export class TileRepeatChoice extends DeskElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (!print) return nothing;
     const texts = this.texts.print.repeats;
     const chosen = pictureIn(print).repeat;
@@ -117,9 +117,10 @@ export class TileRepeatChoice extends DeskElement {
   }
 
   async #take(repeat: TileRepeat): Promise<void> {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (!print || pictureIn(print).repeat === repeat) return;
     const taken = await printOfPicture({...pictureIn(print), repeat});
-    if (this.desk.design?.print === print) this.desk.change({print: taken}, 'print repeat');
+    if (this.workbench.design?.print === print)
+      this.workbench.change({print: taken}, 'print repeat');
   }
 }

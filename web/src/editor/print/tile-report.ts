@@ -7,7 +7,7 @@ import type {TileRepeat} from '../../model/print-tile.js';
 import type {Asymmetry} from '../../recognition/asymmetry.js';
 import type {FoundGroup, TileCheck} from '../../recognition/tile-check.js';
 import type {OpenEdge} from '../../recognition/tile-edges.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {choiceOf, missing} from './choices.js';
 import {edgesPath, markedTile, markedTileStyle, outlineOf} from './marked-tile.js';
@@ -50,8 +50,8 @@ async function reportOf(print: DesignPrint): Promise<Report> {
   return {print, check, lacks, groups, edges, repeats, isStriped: striped};
 }
 
-export class TileReport extends DeskElement {
-  static override properties = {...DeskElement.properties, report: {state: true}};
+export class TileReport extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, report: {state: true}};
   declare protected report: Report | undefined;
   #looked: DesignPrint | undefined;
 
@@ -71,7 +71,7 @@ export class TileReport extends DeskElement {
   ];
 
   protected override updated(): void {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (!print || print === this.#looked) return;
     this.#looked = print;
     if (print.image === noPicture) return;
@@ -79,7 +79,7 @@ export class TileReport extends DeskElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (!print) return nothing;
     const texts = this.texts.print;
     if (print.image === noPicture) return html`<p role="status">${texts.needsPicture}</p>`;
@@ -119,7 +119,7 @@ export class TileReport extends DeskElement {
 
   #breaks({print, check, lacks, isStriped, groups}: Report): TemplateResult {
     const texts = this.texts.print;
-    const {language} = this.desk.preferences;
+    const {language} = this.workbench.preferences;
     const hows = new Intl.ListFormat(language, {type: 'conjunction'});
     // along a stripe the repeat is as short as you like, and would show nothing
     const shape = choiceOf(print) === 'stripes' ? {width: 3, height: 2} : print.size;
@@ -141,7 +141,7 @@ export class TileReport extends DeskElement {
   }
 
   #found(print: DesignPrint, found: FoundGroup): TemplateResult {
-    const lacks = missing(found.group, this.desk.design?.symmetries ?? []);
+    const lacks = missing(found.group, this.workbench.design?.symmetries ?? []);
     return html`<button
       class="outlined"
       ?disabled=${lacks !== undefined}
@@ -163,6 +163,6 @@ export class TileReport extends DeskElement {
 
   async #take(print: DesignPrint, taken: Promise<DesignPrint>): Promise<void> {
     const next = await taken;
-    if (this.desk.design?.print === print) this.desk.change({print: next});
+    if (this.workbench.design?.print === print) this.workbench.change({print: next});
   }
 }

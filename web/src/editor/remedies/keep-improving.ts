@@ -1,7 +1,7 @@
 /** A better answer, looked for when somebody asks for it and for as long as they like. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {mostEffort} from '../../workbench/improvement.js';
 import type {Workbench} from '../../workbench/workbench.js';
@@ -26,7 +26,7 @@ export function improvementOffer({
   return {kind: 'begin', act: () => void afterwards.improve(design, result)};
 }
 
-export class KeepImproving extends DeskElement {
+export class KeepImproving extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -44,10 +44,10 @@ export class KeepImproving extends DeskElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {afterwards, design, result, state} = this.desk;
+    const {afterwards, design, result, state} = this.workbench;
     if (!design || !result || state.kind !== 'done' || result.seams.length === 0) return nothing;
     const {improve} = this.texts;
-    const offer = improvementOffer(this.desk);
+    const offer = improvementOffer(this.workbench);
     const words = this.#words(afterwards.improving(design));
     return html`
       <span role="status" aria-label=${improve.label} .textContent=${words}></span>
@@ -60,7 +60,7 @@ export class KeepImproving extends DeskElement {
     `;
   }
 
-  #words(improving: ReturnType<DeskElement['desk']['afterwards']['improving']>): string {
+  #words(improving: ReturnType<WorkbenchElement['workbench']['afterwards']['improving']>): string {
     const {improve} = this.texts;
     if (!improving) return '';
     const {isRunning, gained} = improving;

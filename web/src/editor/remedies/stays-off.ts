@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Remedy} from '../../remedies/remedy.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {offSeams, seamRows, type SeamRow} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import type {Format} from '../../texts/format.js';
@@ -27,8 +27,8 @@ export function remedyWords(
   return `${remedies.what[kind](names)}: ${effect}`;
 }
 
-export class StaysOff extends DeskElement {
-  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+export class StaysOff extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, samples: {attribute: false}};
   declare samples: Samples | undefined;
 
   static override styles = [
@@ -68,9 +68,9 @@ export class StaysOff extends DeskElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {afterwards, design, result, state} = this.desk;
+    const {afterwards, design, result, state} = this.workbench;
     if (!design || !result || state.kind !== 'done') return nothing;
-    const off = offSeams(seamRows(this.desk, this.texts));
+    const off = offSeams(seamRows(this.workbench, this.texts));
     if (off.length === 0) return nothing;
     const {remedies} = this.texts;
     const left = off.length - mostSeams;
@@ -92,7 +92,7 @@ export class StaysOff extends DeskElement {
       <button
         class="link"
         @click=${() => {
-          this.desk.select({kind: 'seam', seam: row.seam, side: 'a'});
+          this.workbench.select({kind: 'seam', seam: row.seam, side: 'a'});
         }}
       >
         ${row.name}</button
@@ -101,14 +101,14 @@ export class StaysOff extends DeskElement {
   }
 
   #remedy(remedy: Remedy): TemplateResult | typeof nothing {
-    const {design} = this.desk;
+    const {design} = this.workbench;
     const change = design && remedied(design, remedy, this.samples);
-    const words = remedyWords(remedy, this.desk, this.texts, this.format);
+    const words = remedyWords(remedy, this.workbench, this.texts, this.format);
     if (!change) return html`<p>${words}</p>`;
     return html`<button
       class="outlined remedy"
       @click=${() => {
-        this.desk.change(change);
+        this.workbench.change(change);
       }}
     >
       ${words}

@@ -1,14 +1,14 @@
 /** Which garment, and in which size. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import {onceOnline} from '../base/once-online.js';
 import {sampleGarment, Unreachable, type Samples} from '../../workbench/samples.js';
 
-export class GarmentChoice extends DeskElement {
-  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+export class GarmentChoice extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, samples: {attribute: false}};
   declare samples: Samples | undefined;
   /** Of the garment that was chosen last, until it is there. */
   #waits: AbortController | undefined;
@@ -50,14 +50,14 @@ export class GarmentChoice extends DeskElement {
 
   /** A list that somebody has used shows that choice until it is told otherwise. */
   protected override updated(): void {
-    const {style = '', size = ''} = this.desk.design?.garment.sample ?? {};
+    const {style = '', size = ''} = this.workbench.design?.garment.sample ?? {};
     this.renderRoot.querySelectorAll('select').forEach((list, k) => {
       list.value = k === 0 ? style : size;
     });
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design} = this.desk;
+    const {design} = this.workbench;
     if (!design || !this.samples) return nothing;
     const {app} = this.texts;
     const {sample, name} = design.garment;
@@ -99,12 +99,12 @@ export class GarmentChoice extends DeskElement {
     const {signal} = this.#waits;
     try {
       const garment = await sampleGarment(style, size, signal);
-      if (style === this.desk.design?.garment.sample?.style) this.desk.change({garment});
-      else await this.desk.open(garment);
+      if (style === this.workbench.design?.garment.sample?.style) this.workbench.change({garment});
+      else await this.workbench.open(garment);
     } catch (error) {
       if (signal.aborted) return;
       if (error instanceof Unreachable) this.#await(style, size, isAgain, signal);
-      else this.desk.say({tone: 'error', text: toFailure(error).message});
+      else this.workbench.say({tone: 'error', text: toFailure(error).message});
       this.requestUpdate(); // the lists show what is shown
     }
   }
@@ -113,7 +113,7 @@ export class GarmentChoice extends DeskElement {
   #await(style: string, size: string, isAgain: boolean, signal: AbortSignal): void {
     const sample = this.samples?.garments.find((one) => one.style === style);
     const title = this.texts.samples.garments[style] ?? sample?.title ?? style;
-    if (!isAgain) this.desk.say({tone: 'info', text: this.texts.offline.waits(title)});
+    if (!isAgain) this.workbench.say({tone: 'info', text: this.texts.offline.waits(title)});
     onceOnline(() => void this.choose(style, size, true), signal);
   }
 }

@@ -3,7 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Failure} from '../../model/failure.js';
 import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {finalFit, fitOf, worstOf, type Fit} from '../../scene/mismatch.js';
 import {seamRows} from '../lists/rows.js';
@@ -11,8 +11,8 @@ import {lastOf} from '../../workbench/last-of.js';
 import type {Samples} from '../../workbench/samples.js';
 import {spokenNote} from './spoken-note.js';
 
-export class Headline extends DeskElement {
-  static override properties = {...DeskElement.properties, samples: {attribute: false}};
+export class Headline extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, samples: {attribute: false}};
   declare samples: Samples | undefined;
 
   static override styles = [
@@ -69,7 +69,7 @@ export class Headline extends DeskElement {
   readonly #fits = lastOf(fits);
 
   protected override render(): TemplateResult | typeof nothing {
-    const {pattern, result, state} = this.desk;
+    const {pattern, result, state} = this.workbench;
     const {headline, progress} = this.texts;
     if (state.kind === 'failed') {
       return this.#failed(state.failure);
@@ -91,19 +91,19 @@ export class Headline extends DeskElement {
             </output>`
           : nothing
       }
-      <sw-keep-improving .desk=${this.desk}></sw-keep-improving>
-      <sw-stays-off .desk=${this.desk} .samples=${this.samples}></sw-stays-off>
+      <sw-keep-improving .workbench=${this.workbench}></sw-keep-improving>
+      <sw-stays-off .workbench=${this.workbench} .samples=${this.samples}></sw-stays-off>
       ${this.#cost(after.mean)} ${this.#more(result.metrics)} ${this.#notes(result)}
     `;
   }
 
   #seamName(seam: number): string {
-    return seamRows(this.desk, this.texts)[seam]?.name ?? '';
+    return seamRows(this.workbench, this.texts)[seam]?.name ?? '';
   }
 
   #failed(failure: Failure): TemplateResult {
     return html`<h2>${this.texts.progress.failed}</h2>
-      <sw-ways-out .desk=${this.desk} .failure=${failure}></sw-ways-out>`;
+      <sw-ways-out .workbench=${this.workbench} .failure=${failure}></sw-ways-out>`;
   }
 
   /** For who compares with the paper. */
@@ -123,7 +123,7 @@ export class Headline extends DeskElement {
   #proof({method, searchBound}: Metrics): TemplateResult | typeof nothing {
     if (method !== 'best') return nothing;
     const {proven, nearlyProven, unproven} = this.texts.headline;
-    const {afterwards, design} = this.desk;
+    const {afterwards, design} = this.workbench;
     const bound = Math.max(searchBound, (design && afterwards.bound(design)) ?? 0);
     // up to the next per cent: what is said must hold
     const left = this.format.percent(Math.ceil(100 * (1 - bound)) / 100);
@@ -133,7 +133,7 @@ export class Headline extends DeskElement {
 
   /** @param mean with symmetry [cm] */
   #cost(mean: number): TemplateResult | typeof nothing {
-    const {afterwards, design} = this.desk;
+    const {afterwards, design} = this.workbench;
     const free = design && afterwards.withoutSymmetry(design);
     if (free === undefined) return nothing;
     const {headline} = this.texts;
@@ -157,7 +157,7 @@ export class Headline extends DeskElement {
         ${notes.map(
           (note, k) =>
             html`<li>
-              ${spokenNote(note, noteDetails?.[k], this.desk, this.texts, this.format)}
+              ${spokenNote(note, noteDetails?.[k], this.workbench, this.texts, this.format)}
             </li>`,
         )}
       </ul>

@@ -2,13 +2,13 @@
 import {css, html, type TemplateResult} from 'lit';
 
 import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../commands/shortcuts.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {focused} from '../base/focused.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 
-export class KeyMap extends DeskElement {
-  static override properties = {...DeskElement.properties, known: {attribute: false}};
+export class KeyMap extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, known: {attribute: false}};
   /** Commands that there are beside those of the pattern. */
   declare known: readonly ShortcutId[];
   /** Had the focus before the map; browsers forget it when it is in a shadow. */

@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {undoAndSay} from '../commands/step-words.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import type {Notice} from '../../workbench/state.js';
@@ -10,7 +10,7 @@ import type {Notice} from '../../workbench/state.js';
 /** How long it stays: for looking up, and for every letter. [ms] */
 const [least, perLetter] = [4000, 60];
 
-export class NoticeBar extends DeskElement {
+export class NoticeBar extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -54,14 +54,14 @@ export class NoticeBar extends DeskElement {
   }
 
   protected override updated(): void {
-    const {notice} = this.desk;
+    const {notice} = this.workbench;
     if (notice === this.#shown) return;
     this.#shown = notice;
     this.#stay();
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const {notice} = this.desk;
+    const {notice} = this.workbench;
     if (!notice) return nothing;
     const {app} = this.texts;
     return html`<div
@@ -76,7 +76,7 @@ export class NoticeBar extends DeskElement {
           ? html`<button
               class="link"
               @click=${() => {
-                undoAndSay(this.desk);
+                undoAndSay(this.workbench);
               }}
             >
               ${app.undo}
@@ -93,7 +93,7 @@ export class NoticeBar extends DeskElement {
         aria-label=${app.dismiss}
         title=${app.dismiss}
         @click=${() => {
-          this.desk.say(undefined);
+          this.workbench.say(undefined);
         }}
       >
         ${icon.close}
@@ -104,12 +104,12 @@ export class NoticeBar extends DeskElement {
   /** Counts anew, and not at all while somebody points at it or has the focus in it. */
   readonly #stay = (): void => {
     clearTimeout(this.#timer);
-    const {notice} = this.desk;
+    const {notice} = this.workbench;
     if (!notice || notice.tone === 'error') return;
     this.#timer = setTimeout(
       () => {
         const isHeld = this.renderRoot.querySelector('.notice:is(:hover, :focus-within)');
-        if (!isHeld && this.desk.notice === notice) this.desk.say(undefined);
+        if (!isHeld && this.workbench.notice === notice) this.workbench.say(undefined);
       },
       least + perLetter * notice.text.length,
     );

@@ -1,10 +1,10 @@
 /** How far the solve is: a bar for the eye, and words at every quarter for who listens. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 
-export class SolveProgress extends DeskElement {
+export class SolveProgress extends WorkbenchElement {
   static override styles = [
     controls,
     css`
@@ -44,7 +44,7 @@ export class SolveProgress extends DeskElement {
 
   protected override render(): TemplateResult {
     const {progress} = this.texts;
-    const {state} = this.desk;
+    const {state} = this.workbench;
     const solving = state.kind === 'solving';
     return html`
       <span role="status" aria-label=${progress.label}>${this.#words()}</span>
@@ -59,7 +59,7 @@ export class SolveProgress extends DeskElement {
 
   #words(): string | typeof nothing {
     const {progress} = this.texts;
-    const {state, result} = this.desk;
+    const {state, result} = this.workbench;
     switch (state.kind) {
       case 'solving': {
         const quarter = Math.floor(state.fraction * 4) / 4;

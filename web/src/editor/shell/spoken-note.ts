@@ -13,17 +13,17 @@ const joined = (names: readonly (string | undefined)[]): string =>
 export function spokenNote(
   sentence: string,
   detail: NoteDetail | undefined,
-  desk: Workbench,
+  workbench: Workbench,
   texts: Texts,
   format: Format,
 ): string {
   if (!detail) return sentence;
   const {notes} = texts;
   const {code, numbers} = detail;
-  const labels = detail.pieces.map((piece) => desk.scenes?.now.pieces[piece]?.label);
-  const rows = seamRows(desk, texts);
+  const labels = detail.pieces.map((piece) => workbench.scenes?.now.pieces[piece]?.label);
+  const rows = seamRows(workbench, texts);
   const seams = joined(detail.seams.map((seam) => rows[seam]?.name));
-  const group = desk.design?.print.group ?? '';
+  const group = workbench.design?.print.group ?? '';
   const [stated = '', drafted = ''] = numbers.map((number) => format.number(number, 2));
   const pairs = labels.flatMap((label, k) =>
     k % 2 === 0 ? [texts.symmetry.both(label ?? '', labels[k + 1] ?? '')] : [],

@@ -7,7 +7,7 @@ import {grainRule} from '../../model/grain-rule.js';
 import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-images.js';
 import {carries} from '../../model/repeat.js';
 import type {MeasuredSymmetry, Symmetry} from '../../model/symmetries.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {withGrain, withoutPin} from '../lists/choices.js';
 import {controls} from '../style/controls.js';
 import {cleanedOptions} from '../../workbench/cleaned-options.js';
@@ -25,9 +25,9 @@ const namesOf = (symmetry: Symmetry): readonly string[] =>
 /** More ways than this are none. */
 const mostWays = 6;
 
-export class WaysOut extends DeskElement {
+export class WaysOut extends WorkbenchElement {
   static override properties = {
-    ...DeskElement.properties,
+    ...WorkbenchElement.properties,
     failure: {attribute: false},
     measured: {state: true},
   };
@@ -73,7 +73,7 @@ export class WaysOut extends DeskElement {
                   html`<button
                     class="outlined"
                     @click=${() => {
-                      this.desk.change(change);
+                      this.workbench.change(change);
                     }}
                   >
                     ${label}
@@ -86,14 +86,14 @@ export class WaysOut extends DeskElement {
   async #measure(failure: Failure): Promise<void> {
     this.measured = [];
     if (failure.code !== 'symmetryConflict') return;
-    const all = await Promise.allSettled(this.#toBlame().map((one) => this.desk.measure(one)));
+    const all = await Promise.allSettled(this.#toBlame().map((one) => this.workbench.measure(one)));
     if (failure !== this.failure) return;
     this.measured = all.flatMap((one) => (one.status === 'fulfilled' ? [one.value] : []));
   }
 
   /** Symmetries of the piece that the failure names; all of them when it names none. */
   #toBlame(): readonly Symmetry[] {
-    const {design, pattern} = this.desk;
+    const {design, pattern} = this.workbench;
     const name = pattern?.pieces[this.failure.piece ?? -1]?.name;
     const asked = design?.symmetries ?? [];
     const own = asked.filter((one) => name !== undefined && namesOf(one).includes(name));
@@ -103,11 +103,11 @@ export class WaysOut extends DeskElement {
   #words(): string {
     const [one, more] = this.#toBlame();
     const pieces = one && !more ? this.#labels(one) : undefined;
-    return spokenFailure(this.failure, this.desk, this.texts, pieces);
+    return spokenFailure(this.failure, this.workbench, this.texts, pieces);
   }
 
   #ways(): readonly Way[] {
-    const {design} = this.desk;
+    const {design} = this.workbench;
     if (!design) return [];
     const {symmetry: texts} = this.texts;
     switch (this.failure.code) {
@@ -127,7 +127,7 @@ export class WaysOut extends DeskElement {
         return [...kept, ...dropped.map((one) => this.#dropped(design, one))];
       }
       case 'options': {
-        const {pattern} = this.desk;
+        const {pattern} = this.workbench;
         const options = pattern && cleanedOptions(design.options, pattern);
         return options && options !== design.options
           ? [{label: texts.cleanUp, change: {options}}]
@@ -139,7 +139,7 @@ export class WaysOut extends DeskElement {
   }
 
   #label(name: string): string {
-    const {pieces = []} = this.desk.scenes?.now ?? {};
+    const {pieces = []} = this.workbench.scenes?.now ?? {};
     return pieces.find((piece) => piece.name === name)?.label ?? name.replaceAll('_', ' ');
   }
 
@@ -182,7 +182,7 @@ export class WaysOut extends DeskElement {
     const {print, options} = design;
     const names = namesOf(one);
     if (!carries(print.group, one.kind) || names.some((name) => options.pins?.[name])) return [];
-    const {pieces = []} = this.desk.scenes?.now ?? {};
+    const {pieces = []} = this.workbench.scenes?.now ?? {};
     const [first, second = first] = names.map((name) =>
       grainRule(design, name, pieces.find((piece) => piece.name === name)?.grain),
     );

@@ -4,11 +4,11 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {groupsThatCarry, carries} from '../../model/repeat.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {section} from '../controls/section.js';
-import {DeskElement} from '../base/desk-element.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {asked, withoutSymmetry, withSymmetry} from '../../workbench/symmetry-steps.js';
 
-export class SymmetryPanel extends DeskElement {
+export class SymmetryPanel extends WorkbenchElement {
   static override styles = [
     controls,
     section,
@@ -34,7 +34,7 @@ export class SymmetryPanel extends DeskElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design, kept, found} = this.desk;
+    const {design, kept, found} = this.workbench;
     if (!design) return nothing;
     const {symmetry} = this.texts;
     return html`<section aria-label=${symmetry.list}>
@@ -43,7 +43,7 @@ export class SymmetryPanel extends DeskElement {
         kept.length === 0
           ? html`<p class="soft">${symmetry.none}</p>`
           : this.#list(symmetry.kept, kept, symmetry.remove, (one) => {
-              this.desk.change(withoutSymmetry(kept, one));
+              this.workbench.change(withoutSymmetry(kept, one));
             })
       }
       ${
@@ -55,7 +55,7 @@ export class SymmetryPanel extends DeskElement {
               symmetry.accept,
               (_, k) => {
                 const chosen = found[k];
-                if (chosen) this.desk.change(withSymmetry(kept, asked(chosen)));
+                if (chosen) this.workbench.change(withSymmetry(kept, asked(chosen)));
               },
               ({kind}) => carries(design.print.group, kind),
             )
@@ -94,7 +94,7 @@ export class SymmetryPanel extends DeskElement {
 
   #uncarried(): TemplateResult {
     const {symmetry} = this.texts;
-    const {group = 'p1'} = this.desk.design?.print ?? {};
+    const {group = 'p1'} = this.workbench.design?.print ?? {};
     const kind = carries(group, 'pair') ? 'piece' : 'pair';
     return html`<p class="soft">
       ${symmetry.wouldCarry(group, groupsThatCarry(kind).join(', '))}
@@ -104,7 +104,7 @@ export class SymmetryPanel extends DeskElement {
   #name(one: Symmetry): string {
     const {symmetry} = this.texts;
     const label = (name: string): string =>
-      this.desk.scenes?.now.pieces.find((piece) => piece.name === name)?.label ??
+      this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ??
       name.replaceAll('_', ' ');
     return one.kind === 'piece'
       ? symmetry.itself(label(one.piece))

@@ -25,15 +25,15 @@ export interface Face {
 
 export function faceOf(face: Face): TemplateResult {
   const {session, mode, texts, isDrawn} = face;
-  const {state, error, desk} = session;
+  const {state, error, workbench} = session;
   const hidesDrawing = !isDrawn || (state === 'error' && mode === 'preview');
   const isBusy = state === 'loading' || state === 'solving';
   // the editor says itself what its user can mend
-  const says = error && !(mode === 'edit' && desk.state.kind === 'failed');
+  const says = error && !(mode === 'edit' && workbench.state.kind === 'failed');
   return html`<div class="frame" ?inert=${face.isDisabled}>
       <div part="toolbar"><slot name="toolbar"></slot></div>
       <div class="stage" part="stage" tabindex=${face.isMissing ? -1 : nothing}>
-        ${face.hasBegun ? stage(mode, desk) : nothing}
+        ${face.hasBegun ? stage(mode, workbench) : nothing}
         <div class="poster" part="poster" ?hidden=${!hidesDrawing || mode === 'edit'}>
           <slot name="poster"><p>${face.alt || texts.garment.label}</p></slot>
         </div>
@@ -42,7 +42,7 @@ export function faceOf(face: Face): TemplateResult {
           aria-hidden="true"
           ?hidden=${!isBusy || mode === 'edit'}
           max="1"
-          .value=${desk.state.kind === 'solving' ? desk.state.fraction : 0}
+          .value=${workbench.state.kind === 'solving' ? workbench.state.fraction : 0}
         ></progress>
       </div>
       ${mode === 'place' ? panel(face) : nothing}
@@ -50,23 +50,23 @@ export function faceOf(face: Face): TemplateResult {
     ${says ? html`<p class="message" part="message" role="alert">${error.message}</p>` : nothing}`;
 }
 
-function stage(mode: GarmentMode, desk: Workbench): TemplateResult {
+function stage(mode: GarmentMode, workbench: Workbench): TemplateResult {
   switch (mode) {
     case 'preview':
-      return html`<sw-drawing .desk=${desk}></sw-drawing>`;
+      return html`<sw-drawing .workbench=${workbench}></sw-drawing>`;
     case 'place':
-      return html`<sw-pattern .desk=${desk} .purpose=${'place'}></sw-pattern>`;
+      return html`<sw-pattern .workbench=${workbench} .purpose=${'place'}></sw-pattern>`;
     case 'edit':
-      return html`<sw-editor .desk=${desk}></sw-editor>`;
+      return html`<sw-editor .workbench=${workbench}></sw-editor>`;
   }
 }
 
-const panel = ({session: {desk}, prints, choose}: Face): TemplateResult =>
+const panel = ({session: {workbench}, prints, choose}: Face): TemplateResult =>
   html`<sw-place-bar
     part="panel"
-    .desk=${desk}
+    .workbench=${workbench}
     .prints=${prints}
-    .chosen=${desk.design?.print.file?.place?.url ?? ''}
+    .chosen=${workbench.design?.print.file?.place?.url ?? ''}
     @sw-print=${({detail}: CustomEvent<OfferedPrint>) => {
       choose(detail);
     }}

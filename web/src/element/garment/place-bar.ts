@@ -4,7 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import type {DesignPrint} from '../../model/design.js';
 import {coupledSize} from '../../model/repeat.js';
 import {lengthUnit} from '../../editor/controls/number-field.js';
-import {DeskElement} from '../../editor/base/desk-element.js';
+import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {swatch} from '../../editor/print/swatch.js';
 import {controls} from '../../editor/style/controls.js';
 import {holdWhilePressed} from '../../editor/base/hold.js';
@@ -15,8 +15,12 @@ const [least, most] = [0.25, 4];
 const steps = 100;
 
 /** Fires `sw-print` with the offered print as `detail`, when one is chosen. */
-export class PlaceBar extends DeskElement {
-  static override properties = {...DeskElement.properties, prints: {attribute: false}, chosen: {}};
+export class PlaceBar extends WorkbenchElement {
+  static override properties = {
+    ...WorkbenchElement.properties,
+    prints: {attribute: false},
+    chosen: {},
+  };
   declare prints: readonly OfferedPrint[];
   /** The URL of the print that is shown. */
   declare chosen: string;
@@ -79,7 +83,7 @@ export class PlaceBar extends DeskElement {
   ];
 
   protected override render(): TemplateResult | typeof nothing {
-    const print = this.desk.design?.print;
+    const print = this.workbench.design?.print;
     if (!print) return nothing;
     return html`${this.#gallery()} ${this.#scale(print)}`;
   }
@@ -89,7 +93,7 @@ export class PlaceBar extends DeskElement {
     if (this.#usual?.image !== print.image) {
       this.#usual = {image: print.image, width: print.size.width};
     }
-    const {name, cm} = lengthUnit[this.desk.preferences.units];
+    const {name, cm} = lengthUnit[this.workbench.preferences.units];
     const label = garment.scale(name);
     const usual = this.#usual.width;
     const [from, to] = [least * usual, most * usual];
@@ -103,7 +107,7 @@ export class PlaceBar extends DeskElement {
         max=${steps}
         .value=${String(Math.round(steps * share(width, from, to)))}
         @pointerdown=${(event: PointerEvent) => {
-          holdWhilePressed(this.desk, event);
+          holdWhilePressed(this.workbench, event);
         }}
         @input=${(event: Event) => {
           const {valueAsNumber} = event.target as HTMLInputElement;
@@ -117,7 +121,7 @@ export class PlaceBar extends DeskElement {
         .least=${from / cm}
         .most=${to / cm}
         .step=${0.1}
-        .fractions=${this.desk.preferences.units === 'inch'}
+        .fractions=${this.workbench.preferences.units === 'inch'}
         .wrong=${words.between(this.format.length(from), this.format.length(to))}
         @entered=${({detail}: CustomEvent<number>) => {
           this.#resize(print, detail * cm);
@@ -154,7 +158,7 @@ export class PlaceBar extends DeskElement {
     const width = Math.round(wanted * 100) / 100;
     const {size, group} = print;
     const height = (size.height * width) / size.width;
-    this.desk.change(
+    this.workbench.change(
       {print: {...print, size: coupledSize(group, {...size, width, height})}},
       'print size',
     );

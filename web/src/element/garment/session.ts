@@ -42,7 +42,7 @@ const states: Readonly<Record<Workbench['state']['kind'], GarmentState>> = {
 };
 
 export class GarmentSession {
-  readonly desk: Workbench;
+  readonly workbench: Workbench;
   readonly #owner: SessionOwner;
   readonly #tell: Announcer;
   readonly #lease: LastingSolver;
@@ -75,7 +75,7 @@ export class GarmentSession {
         this.report(error);
       },
     );
-    this.desk = new Workbench(this.#lease, preferences, {
+    this.workbench = new Workbench(this.#lease, preferences, {
       problemOf: (design) => problemFor(design, this.#terms),
       isAuto: (design) => unasked(design, this.#terms) === 'auto',
       tileOf: (image, signal) => tiles.tile(image, signal),
@@ -83,26 +83,26 @@ export class GarmentSession {
         this.#tell.progress(progress);
       },
     });
-    this.desk.isEdited = false;
-    this.desk.subscribe(() => {
+    this.workbench.isEdited = false;
+    this.workbench.subscribe(() => {
       this.#follow();
     });
   }
 
   get state(): GarmentState {
     if (this.#loading) return 'loading';
-    if (this.#isOutdated) return this.desk.design ? 'stale' : 'idle';
-    return this.#failure ? 'error' : states[this.desk.state.kind];
+    if (this.#isOutdated) return this.workbench.design ? 'stale' : 'idle';
+    return this.#failure ? 'error' : states[this.workbench.state.kind];
   }
 
   get error(): SolverError | undefined {
     if (this.state !== 'error') return undefined;
-    const {state} = this.desk;
+    const {state} = this.workbench;
     return this.#failure ?? (state.kind === 'failed' ? this.#spoken(state.failure) : undefined);
   }
 
   get result(): SolveResult | undefined {
-    return this.state === 'ready' ? this.desk.result : undefined;
+    return this.state === 'ready' ? this.workbench.result : undefined;
   }
 
   /** Whether a promise of an answer has not been kept yet. */
@@ -111,12 +111,12 @@ export class GarmentSession {
   }
 
   get #texts(): Texts {
-    const {language, messages} = this.desk.preferences;
+    const {language, messages} = this.workbench.preferences;
     return textsOf(language, messages);
   }
 
   readonly #spoken = (failure: Failure): SolverError =>
-    spokenError(failure, this.desk, this.#texts);
+    spokenError(failure, this.workbench, this.#texts);
 
   get #words(): FileWords {
     return this.#texts.garment;
@@ -138,7 +138,7 @@ export class GarmentSession {
     this.#loading = loading;
     this.#failure = undefined;
     this.#isOutdated = false;
-    this.desk.cancel();
+    this.workbench.cancel();
     if (!this.#last) this.#lease.warm(); // while the files are on their way
     this.#owner.changed();
     try {
@@ -147,7 +147,7 @@ export class GarmentSession {
       const answered = {asked, loaded};
       const design = stored
         ? restored(loaded, stored, this.#words)
-        : nextDesign(answered, this.#last, this.desk.design);
+        : nextDesign(answered, this.#last, this.workbench.design);
       this.#tell.loaded(loaded);
       if (this.#loading !== loading) return false; // whoever heard it wants something else
       this.#loading = undefined;
@@ -155,7 +155,7 @@ export class GarmentSession {
       // where the user has taken the last one away, and the rest is as it was, none is kept
       const isKept =
         this.#last?.asked.symmetry === asked.symmetry &&
-        design.symmetries === this.desk.design?.symmetries;
+        design.symmetries === this.workbench.design?.symmetries;
       this.#terms = {
         symmetry: symmetry ?? (isKept ? unasked(design, this.#terms) : loaded.symmetry),
         given: design.symmetries,
@@ -187,8 +187,8 @@ export class GarmentSession {
 
   /** @returns whether there was anything to solve again */
   solveAgain(): boolean {
-    if (this.#failure || this.#isOutdated || !this.desk.design) return false;
-    this.desk.align();
+    if (this.#failure || this.#isOutdated || !this.workbench.design) return false;
+    this.workbench.align();
     return true;
   }
 
@@ -210,7 +210,7 @@ export class GarmentSession {
     const wasLoading = this.#loading !== undefined;
     this.#isOutdated ||= wasLoading;
     this.#loading = undefined;
-    this.desk.cancel();
+    this.workbench.cancel();
     this.#waiting.reject(new DOMException(this.#words.cancelled, 'AbortError'));
     if (wasLoading) this.#owner.changed();
   }
@@ -225,7 +225,7 @@ export class GarmentSession {
 
   /** @throws {SolverError} with one sentence when there is nothing to store, or no place to name */
   stored(): StoredDesign & {readonly format: string} {
-    const {design, result} = this.desk;
+    const {design, result} = this.workbench;
     if (this.state !== 'ready' || !design || !result) {
       throw new SolverError({code: 'options', message: this.#words.noAnswer});
     }
@@ -241,7 +241,7 @@ export class GarmentSession {
   #begin(design: Design, byUser = false): void {
     this.#given = design;
     this.#isTouched = byUser;
-    this.desk.begin({past: [], present: {design, view: null}, future: []});
+    this.workbench.begin({past: [], present: {design, view: null}, future: []});
   }
 
   #fail(error: SolverError): void {
@@ -253,21 +253,21 @@ export class GarmentSession {
 
   /** The workbench has changed: by a program, by its user, or by an answer. */
   #follow(): void {
-    const {desk} = this;
-    if (desk.design !== this.#given) {
-      this.#given = desk.design;
+    const {workbench} = this;
+    if (workbench.design !== this.#given) {
+      this.#given = workbench.design;
       this.#isTouched = true;
     }
     this.#owner.changed();
-    this.#tell.solved(desk);
+    this.#tell.solved(workbench);
     if (this.state === 'ready' && this.#isTouched) this.#tellOfUser();
-    this.#tell.selected(desk);
+    this.#tell.selected(workbench);
     this.#settle();
   }
 
   /** Once for a whole drag, and meanwhile as something that goes on. */
   #tellOfUser(): void {
-    const {isHeld, design} = this.desk;
+    const {isHeld, design} = this.workbench;
     if (isHeld && design === this.#told) return;
     this.#told = isHeld ? design : undefined;
     this.#isTouched = isHeld;
@@ -287,7 +287,7 @@ export class GarmentSession {
     const {state, result, error} = this;
     if (state === 'ready' && result) this.#waiting.resolve(result);
     else if (state === 'error') this.#waiting.reject(error);
-    else if (state === 'stale' && this.desk.state.kind === 'stale' && !this.#isOutdated) {
+    else if (state === 'stale' && this.workbench.state.kind === 'stale' && !this.#isOutdated) {
       this.#waiting.reject(new DOMException(this.#words.cancelled, 'AbortError'));
     }
   }

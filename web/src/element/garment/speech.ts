@@ -16,13 +16,13 @@ interface Speaker extends ReactiveControllerHost, Element {
 
 export class Speech {
   readonly #speaker: Speaker;
-  readonly #desk: Workbench;
+  readonly #workbench: Workbench;
   readonly #language: LanguageAround;
   #messages: Messages | undefined;
 
-  constructor(speaker: Speaker & Element, desk: Workbench) {
+  constructor(speaker: Speaker & Element, workbench: Workbench) {
     this.#speaker = speaker;
-    this.#desk = desk;
+    this.#workbench = workbench;
     this.#language = new LanguageAround(speaker, () => {
       this.prefer();
     });
@@ -39,7 +39,7 @@ export class Speech {
   }
 
   get texts(): Texts {
-    const {language, messages} = this.#desk.preferences;
+    const {language, messages} = this.#workbench.preferences;
     return textsOf(language, messages);
   }
 
@@ -48,9 +48,9 @@ export class Speech {
     const {locale, units} = this.#speaker;
     const {language} = preferencesFor(localeOf(locale, this.#language.around, navigator.language));
     const messages = this.#messages;
-    const known = this.#desk.preferences;
+    const known = this.#workbench.preferences;
     const isKnown =
       language === known.language && units === known.units && messages === known.messages;
-    if (!isKnown) this.#desk.prefer({language, units, messages});
+    if (!isKnown) this.#workbench.prefer({language, units, messages});
   }
 }

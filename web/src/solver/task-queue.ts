@@ -1,5 +1,5 @@
 /** Lets a few work at a time, in the order they came. */
-export class Turns {
+export class TaskQueue {
   readonly #atOnce: number;
   #free: number;
   /** What lets each of them begin; in order. */

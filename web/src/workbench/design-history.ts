@@ -1,11 +1,11 @@
 /** A design with its history: taken step by step, back and forth. */
 import type {Design} from '../model/design.js';
 import type {History} from '../model/history.js';
-import {Attention} from './attention.js';
+import {ViewState} from './view-state.js';
 import type {Step} from './state.js';
 import {Steps} from './steps.js';
 
-export abstract class Journal extends Attention {
+export abstract class DesignHistory extends ViewState {
   protected readonly steps = new Steps();
   #beginnings = 0;
 
@@ -49,7 +49,7 @@ export abstract class Journal extends Attention {
     const taken = effort === undefined ? change : {...change, options};
     this.steps.change(taken, kind, this.view?.get() ?? null);
     this.stepped();
-    this.unsay();
+    this.clearNotice();
     this.arrive();
   }
 
@@ -82,7 +82,7 @@ export abstract class Journal extends Attention {
   protected abstract arrive(): void;
 
   #travel(): void {
-    this.unsay();
+    this.clearNotice();
     this.arrive();
     const view = this.history?.present.view;
     if (view) this.view?.set(view);

@@ -11,7 +11,7 @@ import {
   type Target,
 } from './state.js';
 
-export class Attention extends Observable {
+export class ViewState extends Observable {
   /** Asked for the view when a step is taken, and told when one is to be restored; the page sets it. */
   view: SheetWindow | undefined;
   #preferences: Preferences;
@@ -97,12 +97,12 @@ export class Attention extends Observable {
   }
 
   /** Takes back what was said, as a part of a change that is told later. */
-  protected unsay(): void {
+  protected clearNotice(): void {
     this.#notice = undefined;
   }
 
   /** Forgets what was meant, as a part of a change that is told later. */
-  protected lookAway(): void {
+  protected clearTargets(): void {
     this.#selected = undefined;
     this.#pointed = undefined;
   }

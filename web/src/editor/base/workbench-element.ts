@@ -6,9 +6,9 @@ import {formatFor} from '../../texts/format.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
-export abstract class DeskElement extends LitElement {
-  static override properties: Record<string, object> = {desk: {attribute: false}};
-  declare desk: Workbench;
+export abstract class WorkbenchElement extends LitElement {
+  static override properties: Record<string, object> = {workbench: {attribute: false}};
+  declare workbench: Workbench;
   #unsubscribe: (() => void) | undefined;
 
   override connectedCallback(): void {
@@ -23,18 +23,18 @@ export abstract class DeskElement extends LitElement {
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has('desk')) this.#follow();
+    if (changed.has('workbench')) this.#follow();
   }
 
   /** All words, in the language of the user. */
   protected get texts(): Texts {
-    const {language, messages} = this.desk.preferences;
+    const {language, messages} = this.workbench.preferences;
     return textsOf(language, messages);
   }
 
   /** All numbers, in the language and units of the user. */
   protected get format(): Format {
-    const {language, units} = this.desk.preferences;
+    const {language, units} = this.workbench.preferences;
     return formatFor(language, units);
   }
 
@@ -45,7 +45,7 @@ export abstract class DeskElement extends LitElement {
   #follow(): void {
     this.#unsubscribe?.();
     // until the parent has set it there is nothing to follow
-    this.#unsubscribe = (this.desk as Workbench | undefined)?.subscribe(() => {
+    this.#unsubscribe = (this.workbench as Workbench | undefined)?.subscribe(() => {
       this.deskChanged();
     });
   }
@@ -55,7 +55,7 @@ export abstract class DeskElement extends LitElement {
  * A part that takes its time to be drawn. What the workbench tells it is drawn in a task of its own, so that it
  * holds up no other part and no frame; what is done to the part itself is answered at once.
  */
-export abstract class PatientElement extends DeskElement {
+export abstract class PatientElement extends WorkbenchElement {
   #waits = false;
 
   protected override deskChanged(): void {

@@ -1,9 +1,9 @@
 import {expect, it} from 'vitest';
 
-import {Turns} from '@/solver/turns.js';
+import {TaskQueue} from '@/solver/task-queue.js';
 
 /** Work that ends when it is told to; what has begun and ended is written down. */
-function worker(turns: Turns) {
+function worker(turns: TaskQueue) {
   const told: string[] = [];
   const ends = new Map<string, (failure?: Error) => void>();
   const begin = (name: string, signal?: AbortSignal) =>
@@ -20,7 +20,7 @@ function worker(turns: Turns) {
 }
 
 it('lets as many work at once as it is told, the others in the order they came', async () => {
-  const {told, begin, end} = worker(new Turns(2));
+  const {told, begin, end} = worker(new TaskQueue(2));
   const all = ['a', 'b', 'c', 'd'].map((name) => begin(name));
   expect(told).toEqual(['a', 'b']);
   end('b');
@@ -35,7 +35,7 @@ it('lets as many work at once as it is told, the others in the order they came',
 });
 
 it('passes the turn on when work fails', async () => {
-  const {told, begin, end} = worker(new Turns(1));
+  const {told, begin, end} = worker(new TaskQueue(1));
   const [first, second] = [begin('a'), begin('b')];
   end('a', new Error('failed'));
   await expect(first).rejects.toThrow('failed');
@@ -46,7 +46,7 @@ it('passes the turn on when work fails', async () => {
 });
 
 it('lets who waits leave at once, with the reason of the signal', async () => {
-  const {told, begin, end} = worker(new Turns(1));
+  const {told, begin, end} = worker(new TaskQueue(1));
   const controller = new AbortController();
   const first = begin('a');
   const second = begin('b', controller.signal);
