@@ -210,7 +210,7 @@ TEST_P(ClothOf, ReportsWhatItViolates) {
 TEST(ClothWithoutMirror, FollowsTargetsThatAreARigidShiftWithinItsReach) {
   const Pattern pattern = meshedPattern(small::tee(1.5), false);
   const Parts parts = splitIntoParts(pattern, kReach);
-  ClothWeights weights;
+  DeformationWeights weights;
   weights.line = 0;
   for (const Part& part : parts.parts) {
     const DeformationPlan plan(part, weights);

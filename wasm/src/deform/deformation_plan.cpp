@@ -24,7 +24,7 @@ Pairs coupledVertices(const Part& part) {
   return pairs;
 }
 
-std::array<int, 10> slotsOf(const ClothTerms& terms, int i, int j) {
+std::array<int, 10> slotsOf(const DeformationTerms& terms, int i, int j) {
   const SparseHessian& hessian = terms.quadratic;
   const std::vector<int>& unknown = terms.unknown;
   std::array<int, 10> slots;
@@ -40,13 +40,13 @@ std::array<int, 10> slotsOf(const ClothTerms& terms, int i, int j) {
 
 }  // namespace
 
-DeformationPlan::DeformationPlan(const Part& part, const ClothWeights& weights)
+DeformationPlan::DeformationPlan(const Part& part, const DeformationWeights& weights)
     : part_(&part), weights_(weights) {
   rest_area_.reserve(part.triangles.size());
   for (const auto& t : part.triangles) rest_area_.push_back(areaOf(t, part.rest));
 }
 
-ClothTerms::ClothTerms(const Part& part, const ClothWeights& weights) {
+DeformationTerms::DeformationTerms(const Part& part, const DeformationWeights& weights) {
   number(part);
   addConformal(part, weights.conformal);
   for (const Part::Bend& b : part.bends)
@@ -61,7 +61,7 @@ ClothTerms::ClothTerms(const Part& part, const ClothWeights& weights) {
 }
 
 /// Both coordinates of a vertex have the same neighbours, so vertices are put in order.
-void ClothTerms::number(const Part& part) {
+void DeformationTerms::number(const Part& part) {
   const int count = static_cast<int>(part.rest.size());
   const Pairs vertices = coupledVertices(part);
   const std::vector<int> position = eliminationOrder(count, vertices);
@@ -81,7 +81,7 @@ void ClothTerms::number(const Part& part) {
 }
 
 /// The conformal energy is quadratic and rest is its minimum, so it needs no more than its Hessian.
-void ClothTerms::addConformal(const Part& part, double weight) {
+void DeformationTerms::addConformal(const Part& part, double weight) {
   for (const auto& v : part.triangles) {
     const ConformalTriangle t =
         conformalTriangle(v, part.rest[v[0]], part.rest[v[1]], part.rest[v[2]]);
@@ -95,7 +95,7 @@ void ClothTerms::addConformal(const Part& part, double weight) {
 
 /// Both ends of an unsewn edge stay on its line, w l (n . u)^2: a vertex between two of them moves
 /// along the outline, the corner of two not at all.
-void ClothTerms::addLines(const Part& part, double weight) {
+void DeformationTerms::addLines(const Part& part, double weight) {
   for (const Part::Edge& edge : part.edges) {
     if (edge.sewn) continue;
     const Vec2 along = part.rest[edge.j] - part.rest[edge.i];
@@ -108,7 +108,7 @@ void ClothTerms::addLines(const Part& part, double weight) {
   }
 }
 
-void ClothTerms::addBend(SparseHessian& to, const Part::Bend& b, double weight) const {
+void DeformationTerms::addBend(SparseHessian& to, const Part::Bend& b, double weight) const {
   const double w = 2 * weight;
   if (b.h < 0) {  // u_h is u_j with x negated: only the y part is left, 2 (u_j - u_i) / after
     const double c = 2 / b.after;

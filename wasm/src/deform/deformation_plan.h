@@ -9,20 +9,20 @@
 namespace seamwise {
 
 /// Weights of the terms that keep a part a part. Lengths in cm, energies per cm of outline.
-struct ClothWeights {
+struct DeformationWeights {
   double conformal = 0.3;  ///< LSCM energy of the map from rest to shape, per cm2 of cloth
   double bend = 12.0;      ///< change of the outline's direction, per rad2 at a vertex
   double corner = 4.0;     ///< the same at a corner
   double rest = 0.01;      ///< pull of the outline to its rest position, per cm2
   double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
   double line = 2000.0;    ///< vertices of unsewn edges leave their line, per cm2
-  bool operator==(const ClothWeights&) const = default;
+  bool operator==(const DeformationWeights&) const = default;
 };
 
 /// The quadratic terms of a part's energy, which no deformation changes, and where everything is in
 /// its Hessian. Unknowns are the vertices' moves, numbered in the order of elimination.
-struct ClothTerms {
-  ClothTerms(const Part& part, const ClothWeights& weights);
+struct DeformationTerms {
+  DeformationTerms(const Part& part, const DeformationWeights& weights);
 
   /// Adds w |(u_j - u_i) / after - (u_i - u_h) / before|^2: the outline's direction keeps turning
   /// as at rest.
@@ -51,21 +51,21 @@ inline double areaOf(const std::array<int, 3>& triangle, const std::vector<Vec2>
 class DeformationPlan {
  public:
   /// @param part   outlives the plan
-  DeformationPlan(const Part& part, const ClothWeights& weights);
+  DeformationPlan(const Part& part, const DeformationWeights& weights);
 
   const Part& part() const { return *part_; }
-  const ClothWeights& weights() const { return weights_; }
+  const DeformationWeights& weights() const { return weights_; }
   double restArea(std::size_t triangle) const { return rest_area_[triangle]; }  ///< cm2
-  const ClothTerms& terms() const {
-    if (!terms_) terms_ = std::make_unique<const ClothTerms>(*part_, weights_);
+  const DeformationTerms& terms() const {
+    if (!terms_) terms_ = std::make_unique<const DeformationTerms>(*part_, weights_);
     return *terms_;
   }
 
  private:
   const Part* part_;
-  ClothWeights weights_;
+  DeformationWeights weights_;
   std::vector<double> rest_area_;
-  mutable std::unique_ptr<const ClothTerms> terms_;
+  mutable std::unique_ptr<const DeformationTerms> terms_;
 };
 
 }  // namespace seamwise

@@ -47,7 +47,7 @@ class SeamFitting {
   const std::vector<PartDeformation>& deformations() const { return deformations_; }
   const Parts& parts() const { return plan_.parts; }
   /// Index of the part that a piece, or what mirrors it, belongs to.
-  int clothOf(int piece) const { return plan_.parts.pieces[piece].part; }
+  int partIndexOf(int piece) const { return plan_.parts.pieces[piece].part; }
   const Shapes& shapes() const { return shapes_; }
   const std::vector<Join>& joins() const { return joins_; }
   int factorisations() const;

@@ -7,7 +7,8 @@ constexpr double kLongest = 2.1;  ///< cm: outline edges of the coarser pattern
 
 }  // namespace
 
-FittingPlan::FittingPlan(const Pattern& pattern, const ClothWeights& weights, double max_change)
+FittingPlan::FittingPlan(const Pattern& pattern, const DeformationWeights& weights,
+                         double max_change)
     : parts(splitIntoParts(pattern, max_change)) {
   for (const Part& part : parts.parts) deformations.emplace_back(part, weights);
   for (const Follower& f : parts.pieces) {

@@ -10,7 +10,7 @@ namespace seamwise {
 /// A pattern's parts, ready to deform however its seams weigh and whatever the print.
 struct FittingPlan {
   /// @param max_change   greatest movement of an outline vertex, cm
-  FittingPlan(const Pattern& pattern, const ClothWeights& weights, double max_change);
+  FittingPlan(const Pattern& pattern, const DeformationWeights& weights, double max_change);
 
   Parts parts;
   std::vector<DeformationPlan> deformations;             ///< per part
@@ -28,10 +28,10 @@ struct CoarserPlan {
 /// Plans for one mesh, each made when it is first asked for.
 class FittingPlans {
  public:
-  FittingPlans(const ClothWeights& weights, double max_change)
+  FittingPlans(const DeformationWeights& weights, double max_change)
       : weights_(weights), max_change_(max_change) {}
 
-  bool areFor(const ClothWeights& weights, double max_change) const {
+  bool areFor(const DeformationWeights& weights, double max_change) const {
     return weights_ == weights && max_change_ == max_change;
   }
   /// @param pattern   the mesh; weights of its seams may differ from call to call
@@ -40,7 +40,7 @@ class FittingPlans {
   const CoarserPlan* coarse(const Pattern& pattern);
 
  private:
-  ClothWeights weights_;
+  DeformationWeights weights_;
   double max_change_;
   std::unique_ptr<const FittingPlan> fine_;
   std::optional<std::unique_ptr<const CoarserPlan>> coarse_;

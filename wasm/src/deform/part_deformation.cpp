@@ -51,7 +51,7 @@ void PartDeformation::limitReach(const std::vector<double>& limits) {
 }
 
 VectorX PartDeformation::moves() const {
-  const ClothTerms& terms = plan_->terms();
+  const DeformationTerms& terms = plan_->terms();
   VectorX u(terms.unknowns);
   for (std::size_t i = 0; i < state_.shape.size(); ++i)
     for (int c = 0; c < 2; ++c)

@@ -64,7 +64,7 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
       length_error_(kLengthError),
       progress_(kPrepared) {
   alignment_ = search_result_ = match_.expanded(searching_.best());
-  ClothWeights weights;
+  DeformationWeights weights;
   if (problem.options.open_edges == OpenEdges::kFree) weights.line = 0;
   if (problem.options.alpha) weights.conformal *= *problem.options.alpha;
   const double most = kReachMargin * reach_;
@@ -233,11 +233,11 @@ void BestRun::restUnsound() {
     const Shapes& now = fit_->fitting().shapes();
     for (std::size_t p = 0; p < now.size(); ++p)
       if (brokenLimit(pattern_.pieces[p], now[p], limits) != BrokenLimit::kNone)
-        unsound[fit_->fitting().clothOf(static_cast<int>(p))] = 1;
+        unsound[fit_->fitting().partIndexOf(static_cast<int>(p))] = 1;
     for (const Seam& seam : pattern_.seams)
       if (seamError(seam, now) > kSeamTolerance)
-        unsound[fit_->fitting().clothOf(seam.a.piece)] =
-            unsound[fit_->fitting().clothOf(seam.b.piece)] = 1;
+        unsound[fit_->fitting().partIndexOf(seam.a.piece)] =
+            unsound[fit_->fitting().partIndexOf(seam.b.piece)] = 1;
     for (std::size_t c = 0; c < unsound.size(); ++c) {
       PartDeformation& deformation = fit_->fitting().deformations()[c];
       if (!unsound[c] || deformation.state().shape == deformation.part().rest) continue;
