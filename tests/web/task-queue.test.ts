@@ -3,11 +3,11 @@ import {expect, it} from 'vitest';
 import {TaskQueue} from '@/solver/task-queue.js';
 
 /** Work that ends when it is told to; what has begun and ended is written down. */
-function worker(turns: TaskQueue) {
+function worker(queue: TaskQueue) {
   const told: string[] = [];
   const ends = new Map<string, (failure?: Error) => void>();
   const begin = (name: string, signal?: AbortSignal) =>
-    turns.take(() => {
+    queue.take(() => {
       told.push(name);
       return new Promise<string>((resolve, reject) => {
         ends.set(name, (failure) => {

@@ -4,6 +4,7 @@ export type * from './model/garment.js';
 export {garmentTitle, type GarmentTitle} from './model/garment-marks.js';
 export type * from './model/options.js';
 export * from './model/print.js';
+export * from './model/method.js';
 export * from './model/problem.js';
 export * from './model/notes.js';
 export type * from './model/result.js';
@@ -28,6 +29,7 @@ export type {CellOf, Repeat} from './model/wallpaper.js';
 export {resultText} from './model/result-text.js';
 export {solvedDesign, type SolvedFiles} from './model/solved-design.js';
 export * from './model/stored-design.js';
+export type * from './model/stored-file.js';
 
 export * from './solver/client.js';
 export * from './solver/main-thread.js';

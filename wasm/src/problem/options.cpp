@@ -2,35 +2,31 @@
 
 #include <cmath>
 
+#include "base/decimal.h"
+#include "problem/option_limits.h"
+
 namespace seamwise {
 namespace {
 
-constexpr double kMaxEdgeLengthCm = 1.05;  // coarser edges hide mismatch
-constexpr double kMinEdgeLengthCm = 0.1;
-constexpr double kMaxChangeCm = 50;
-constexpr double kMaxWeight = 1e6;
-constexpr double kMaxEffort = 64;
-constexpr int kMaxStarts = 1000;
-
-bool usableWeight(double weight) { return weight >= 0 && weight <= kMaxWeight; }
-
 bool usableRule(const GrainRule& rule) {
-  return rule.tolerance >= 0 && rule.tolerance <= kPi / 2 + 1e-12;
+  return rule.tolerance >= 0 && rule.tolerance <= kToleranceDeg.most * kPi / 180 + 1e-12;
+}
+
+std::string between(const char* option, const Range& range, const char* unit = "") {
+  return std::string(option) + " must be between " + significant(range.least, 6) + " and " +
+         significant(range.most, 6) + unit + ".";
 }
 
 }  // namespace
 
-// Comparisons are written so that NaN fails them.
 std::string SolveOptions::problem() const {
-  if (!(max_change_cm >= 0 && max_change_cm <= kMaxChangeCm))
-    return "maxChangeCm must be between 0 and 50 cm.";
-  if (!(edge_length_cm >= kMinEdgeLengthCm && edge_length_cm <= kMaxEdgeLengthCm))
-    return "edgeLengthCm must be between 0.1 and 1.05 cm.";
-  if (alpha && !(*alpha > 0 && *alpha <= 1e9)) return "alpha must be positive and at most 1e9.";
-  if (!(effort >= 1 && effort <= kMaxEffort)) return "effort must be between 1 and 64.";
-  if (!(starts >= 1 && starts <= kMaxStarts)) return "starts must be between 1 and 1000.";
-  if (proof && !(*proof >= 0 && *proof <= 1e6)) return "proof must be between 0 and 1e6.";
-  if (!usableRule(grain)) return "grain.toleranceDeg must be between 0 and 90 degrees.";
+  if (!kMaxChangeCm.holds(max_change_cm)) return between("maxChangeCm", kMaxChangeCm, " cm");
+  if (!kEdgeLengthCm.holds(edge_length_cm)) return between("edgeLengthCm", kEdgeLengthCm, " cm");
+  if (alpha && !kAlpha.holds(*alpha)) return between("alpha", kAlpha);
+  if (!kEffort.holds(effort)) return between("effort", kEffort);
+  if (!kStarts.holds(starts)) return between("starts", kStarts);
+  if (proof && !kProof.holds(*proof)) return between("proof", kProof);
+  if (!usableRule(grain)) return between("grain.toleranceDeg", kToleranceDeg, " degrees");
   for (const auto& [piece, own] : piece_grain)
     if (piece < 0 || (own.rule && !usableRule(*own.rule)) ||
         (own.line && !std::isfinite(*own.line)))
@@ -39,7 +35,7 @@ std::string SolveOptions::problem() const {
     if (piece < 0 || !std::isfinite(pin.angle) || !pin.translation.allFinite())
       return "pins must name pieces of the garment, with a finite angle and translation.";
   for (const auto& [seam, weight] : weights)
-    if (seam < 0 || !usableWeight(weight))
+    if (seam < 0 || !kSeamWeight.holds(weight))
       return "weights must name seams of the garment, with values between 0 and 1e6 (seam " +
              std::to_string(seam) + ").";
   for (const int seam : unmatched)
@@ -50,7 +46,7 @@ std::string SolveOptions::problem() const {
     if (piece < 0) return "plain must name pieces of the garment.";
   for (const MatchLine& match : matches)
     if (match.piece_a < 0 || match.piece_b < 0 || match.a.size() < 2 ||
-        match.a.size() != match.b.size() || !usableWeight(match.weight))
+        match.a.size() != match.b.size() || !kSeamWeight.holds(match.weight))
       return "matches must join two lines of equally many points, with a weight between 0 and 1e6.";
   return "";
 }

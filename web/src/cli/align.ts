@@ -1,5 +1,6 @@
 import {basename, resolve} from 'node:path';
 
+import {optionLimits} from '../model/core-tables.js';
 import type {Garment} from '../model/garment.js';
 import type {SolveOptions} from '../model/options.js';
 import type {Print} from '../model/print.js';
@@ -31,10 +32,6 @@ const grammar = {
   switches: ['--json', '--no-times', '--no-remedies'],
 };
 
-/** [cm] */
-const mostChangeCm = 50;
-const mostEffort = 64;
-
 /** `align`: solves a garment and prints its figures. */
 export async function align(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
@@ -46,8 +43,8 @@ export async function align(words: readonly string[]): Promise<void> {
   const symmetryFile = args.value('--symmetry') ?? 'auto';
   const optionsFile = args.value('--options');
   const decided = {
-    maxChangeCm: lengthCm(args, '--max-change', mostChangeCm),
-    effort: factor(args, '--effort', mostEffort),
+    maxChangeCm: lengthCm(args, '--max-change', optionLimits.maxChangeCm[1]),
+    effort: factor(args, '--effort', optionLimits.effort[1]),
   };
   const outFile = args.value('--out');
   const designFile = args.value('--design');

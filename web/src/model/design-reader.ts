@@ -1,4 +1,5 @@
 /** Designs that come from outside: each value is checked, so that the rest of the page may trust it. */
+import {optionLimits} from './core-tables.js';
 import type {Design} from './design.js';
 import type {Alignment, Point} from './geometry.js';
 import type {GrainRule, Lock, SolveOptions} from './options.js';
@@ -21,12 +22,12 @@ import type {Symmetry} from './symmetries.js';
 import {tileRepeats, type PrintTile} from './print-tile.js';
 
 /** What the solver takes for the sides of a repeat, and more than any garment measures. [cm] */
-const repeat = number(0.05, 1000);
+const repeat = number(...optionLimits.repeatCm);
 const length = number(-10_000, 10_000);
 const point: Read<Point> = pairOf(length);
 const fileStem = text(/^[\w-]{1,80}$/, 'the name of a sample');
 const locks = oneOf(['free', 'on', 'across', 'bias']);
-const degrees = number(0, 90);
+const degrees = number(...optionLimits.toleranceDeg);
 
 export const readAlignment: Read<Alignment> = shape({
   angle: number(-1000, 1000),
@@ -48,22 +49,24 @@ const lock: Read<Lock> = (value, at) => (value === true ? value : listOf(wholeNu
 const options: Read<SolveOptions> = shape(
   {},
   {
-    maxChangeCm: number(0, 1000),
-    alpha: number(0, 1e12),
-    edgeLengthCm: number(0.01, 1000),
+    maxChangeCm: number(...optionLimits.maxChangeCm),
+    alpha: number(...optionLimits.alpha),
+    edgeLengthCm: number(...optionLimits.edgeLengthCm),
     continuousOnly: flag,
     averageSeamShapes: flag,
     starts: wholeNumber,
     clipTargets: flag,
     grain: shape({}, {default: locks, toleranceDeg: degrees, pieces: recordOf(grainRule)}),
     pins: recordOf(readAlignment),
-    weights: recordOf(number(0, 1e6)),
+    weights: recordOf(number(...optionLimits.weight)),
     unmatched: listOf(wholeNumber),
     plain: listOf(text()),
-    matches: listOf(shape({a: markedLine, b: markedLine}, {weight: number(0, 1e6)})),
+    matches: listOf(
+      shape({a: markedLine, b: markedLine}, {weight: number(...optionLimits.weight)}),
+    ),
     locked: recordOf(lock),
     openEdges: oneOf(['kept', 'free']),
-    proof: number(0, 1e6),
+    proof: number(...optionLimits.proof),
   },
 );
 

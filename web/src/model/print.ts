@@ -1,25 +1,8 @@
+import type {groupNames} from './core-tables.js';
 import type {Point} from './geometry.js';
 
 /** The 17 wallpaper groups by their usual short names. */
-export const groupNames = [
-  'p1',
-  'p2',
-  'pm',
-  'pg',
-  'cm',
-  'pmm',
-  'pmg',
-  'pgg',
-  'cmm',
-  'p4',
-  'p4m',
-  'p4g',
-  'p3',
-  'p3m1',
-  'p31m',
-  'p6',
-  'p6m',
-] as const;
+export {groupNames} from './core-tables.js';
 
 export type GroupName = (typeof groupNames)[number];
 

@@ -1,4 +1,4 @@
-/** TaskQueue what was read from outside into checked values. */
+/** Turns what was read from outside into checked values. */
 
 /** Says which field is wrong, and what it has to be. */
 export class Malformed extends Error {

@@ -1,4 +1,5 @@
 /** The 17 wallpaper groups: their symmetries on a given lattice, and the distance between points modulo them. */
+import {groupTable} from './core-tables.js';
 import type {Point} from './geometry.js';
 import type {GroupName, Print} from './print.js';
 
@@ -14,6 +15,9 @@ export interface PlaneMap {
   readonly shift: Point;
 }
 
+/** A symmetry in lattice coordinates (u, v), as the table has it. */
+type Generator = readonly [number, number, number, number, number, number];
+
 /** A print's lattice and group, which is all that the geometry depends on. */
 export type Repeat = Pick<Print, 'group' | 'w1' | 'w2'>;
 
@@ -28,38 +32,7 @@ const map = (xx: number, xy: number, yx: number, yy: number, x = 0, y = 0): Plan
   shift: [x, y],
 });
 
-const half = 1 / 2;
-const turn2 = map(-1, 0, 0, -1);
-const turn3 = map(-1, -1, 1, 0);
-const turn4 = map(0, -1, 1, 0);
-const turn6 = map(0, -1, 1, 1);
-/** Mirrors along w1 (glides, when shifted), along w1 + w2, and along w1 of a hexagonal lattice. */
-const along1 = (u = 0, v = 0): PlaneMap => map(1, 0, 0, -1, u, v);
-const swap = map(0, 1, 1, 0);
-const hexagonal1 = map(1, 1, 0, -1);
-
-/** Lattice type, number of symmetries modulo translations, and generators in lattice coordinates (u, v). */
-const groups: Readonly<Record<GroupName, readonly [LatticeType, number, ...PlaneMap[]]>> = {
-  p1: ['oblique', 1],
-  p2: ['oblique', 2, turn2],
-  pm: ['rectangular', 2, along1()],
-  pg: ['rectangular', 2, along1(half)],
-  cm: ['rhombic', 2, swap],
-  pmm: ['rectangular', 4, turn2, along1()],
-  pmg: ['rectangular', 4, turn2, along1(0, half)],
-  pgg: ['rectangular', 4, turn2, along1(half, half)],
-  cmm: ['rhombic', 4, turn2, swap],
-  p4: ['square', 4, turn4],
-  p4m: ['square', 8, turn4, along1()],
-  p4g: ['square', 8, turn4, along1(half, half)],
-  p3: ['hexagonal', 3, turn3],
-  p3m1: ['hexagonal', 6, turn3, swap],
-  p31m: ['hexagonal', 6, turn3, hexagonal1],
-  p6: ['hexagonal', 6, turn6],
-  p6m: ['hexagonal', 12, turn6, hexagonal1],
-};
-
-export const latticeType = (group: GroupName): LatticeType => groups[group][0];
+export const latticeType = (group: GroupName): LatticeType => groupTable[group][0];
 
 /** First `inner`, then `outer`. */
 function after(outer: PlaneMap, inner: PlaneMap): PlaneMap {
@@ -83,12 +56,13 @@ export const determinant = ({xx, xy, yx, yy}: PlaneMap): number => xx * yy - xy 
 
 /** One symmetry per linear part, in lattice coordinates; the first is the identity. */
 function latticeElements(group: GroupName): readonly PlaneMap[] {
-  const [, order, ...generators] = groups[group];
+  const [, order, generators] = groupTable[group];
+  const maps = (generators as readonly Generator[]).map((numbers) => map(...numbers));
   const elements = [map(1, 0, 0, 1)];
   const same = (a: PlaneMap, b: PlaneMap): boolean =>
     a.xx === b.xx && a.xy === b.xy && a.yx === b.yx && a.yy === b.yy;
   for (let i = 0; i < elements.length && elements.length < order; i++) {
-    for (const generator of generators) {
+    for (const generator of maps) {
       const known = elements[i];
       if (!known) continue;
       const next = after(generator, known);
@@ -111,7 +85,7 @@ export function joining(repeat: Repeat, continuousOnly = false): Repeat {
   if (!continuousOnly) return repeat;
   const turns = latticeElements(repeat.group).filter((element) => determinant(element) > 0).length;
   const left = (['p1', 'p2', 'p3', 'p4', 'p6'] as const).find(
-    (group) => groups[group][1] === turns,
+    (group) => groupTable[group][1] === turns,
   );
   return {...repeat, group: left ?? 'p1'};
 }

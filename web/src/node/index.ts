@@ -27,6 +27,7 @@ export type {Alignment, Point} from '../model/geometry.js';
 export type * from '../model/garment.js';
 export type * from '../model/options.js';
 export type * from '../model/print.js';
+export type * from '../model/method.js';
 export type * from '../model/problem.js';
 export type {NoteCode, NoteDetail, SymmetryReason} from '../model/notes.js';
 export type * from '../model/result.js';
@@ -39,6 +40,7 @@ export type {
 } from '../solver/texts.js';
 export {SolverError, type Failure, type FailureCode} from '../model/failure.js';
 export * from '../model/stored-design.js';
+export type * from '../model/stored-file.js';
 export {resultText, sha256Of} from '../model/result-text.js';
 export {FileError} from '../model/versioned-file.js';
 export type {Order, OrderHooks} from './order.js';

@@ -51,7 +51,7 @@ export function withGrain(
   return {...options, grain: {...options.grain, pieces}};
 }
 
-/** TaskQueue a piece by 90 degrees on the cloth: across it, or back along it. */
+/** Turns a piece by 90 degrees on the cloth: across it, or back along it. */
 export function withQuarterTurn(options: SolveOptions, piece: string): SolveOptions {
   const rule = options.grain?.pieces?.[piece];
   const own = typeof rule === 'object' ? rule.lock : rule;

@@ -1,4 +1,5 @@
 /** What the element's attributes mean. Whatever is written in them, they mean something. */
+import {optionLimits} from '../../model/core-tables.js';
 import type {Units} from '../../model/units.js';
 
 export type GarmentView = 'pattern';
@@ -29,7 +30,7 @@ export const asking: ReadonlySet<string> = new Set([
 ]);
 
 const usualChange = 10;
-const greatestChange = 1000;
+const greatestChange = 10 * optionLimits.maxChangeCm[1];
 
 /** One of the words, however it is capitalised; the first if it is another. */
 export const wordOf = <const T extends string>(
