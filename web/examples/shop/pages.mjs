@@ -37,6 +37,8 @@ const layout = (title, cart, main, body = '') =>
         <title>${title} – Selvedge</title>
         <link rel="icon" href="/icon.svg" />
         <link rel="stylesheet" href="/shop.css" />
+        <link rel="stylesheet" href="/product.css" />
+        <link rel="stylesheet" href="/cart.css" />
         <script type="module" src="/seamwise/seamwise.js"></script>
         <script type="module" src="/shop.js"></script>
       </head>

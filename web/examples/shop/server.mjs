@@ -65,7 +65,7 @@ const routes = [
   ['GET', /^\/cart\/([\w-]+)\/([\w-]+)\/design\.json$/, lineDesign],
   ['POST', /^\/cart\/([\w-]+)\/([\w-]+)\/order$/, orderFile],
   ['POST', /^\/cart\/([\w-]+)\/([\w-]+)\/remove$/, removeLine],
-  ['GET', /^\/(shop\.(?:js|css))$/, (_, name) => file(here(name), name)],
+  ['GET', /^\/(shop\.js|(?:shop|product|cart)\.css)$/, (_, name) => file(here(name), name)],
   ['GET', /^\/seamwise\/([\w.-]+)$/, (_, name) => file(join(standalone, name), name)],
   ['GET', /^(\/(?:garments|prints)\/[\w-]+\.\w+|\/icon\.svg)$/, (_, path) => sample(path)],
 ];
