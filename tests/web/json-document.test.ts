@@ -31,6 +31,12 @@ it('keeps members in the order of the text, and both of one name', () => {
   expect(new TextDecoder().decode(bytes.subarray(8 * 16))).toBe('b10');
 });
 
+it('keeps a member whose name means something to the engine', () => {
+  const back = andBack('{"__proto__": {"a": 1}}') as object;
+  expect(Object.keys(back)).toEqual(['__proto__']);
+  expect(Object.getPrototypeOf(back)).toBe(Object.prototype);
+});
+
 it('reads numbers as numbers are read', () => {
   const tokens = ['0', '1e5', '-1.25E-3', '0.30000000000000004', '12345678901234567890', '1e-400'];
   expect(andBack(`[${tokens.join()}]`)).toEqual(tokens.map(Number));

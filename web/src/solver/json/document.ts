@@ -72,9 +72,9 @@ export function documentValue(bytes: Uint8Array<ArrayBuffer>): unknown {
         return list;
       }
       case kinds.object: {
-        const object: Record<string, unknown> = {};
-        while (next < end) object[textAt(next++)] = value();
-        return object;
+        const members: (readonly [string, unknown])[] = [];
+        while (next < end) members.push([textAt(next++), value()]);
+        return Object.fromEntries(members); // a member may be called __proto__
       }
       default:
         return null;
