@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "alignment/bound/lower_bound.h"
 #include "problem/option_limits.h"
 #include "wallpaper/group.h"
 
@@ -79,7 +80,11 @@ std::string tables() {
   text += limitRow("toleranceDeg", kToleranceDeg);
   text += limitRow("weight", kSeamWeight);
   text += limitRow("repeatCm", {kShortestRepeat, kLongestRepeat});
-  return text + "} as const;\n";
+  text +=
+      "} as const;\n\n"
+      "/** A placing that costs no more than this share above what is proven is the best. */\n"
+      "export const provenShare = ";
+  return text + shown(LowerBound::kProven) + ";\n";
 }
 
 TEST(CoreTables, AreWhatTheScriptsHave) {

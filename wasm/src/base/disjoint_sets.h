@@ -6,7 +6,7 @@
 namespace seamwise {
 
 /// Sets of the numbers 0 to count - 1, each known by its least member; at first one for each.
-/// Joining and finding take next to constant time.
+/// Joining and finding take about the logarithm of their number, usually far less.
 class DisjointSets {
  public:
   explicit DisjointSets(int count) : parent_(count) {

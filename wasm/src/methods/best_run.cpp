@@ -262,7 +262,8 @@ void BestRun::restIfBetter() {
   if (meanMismatch(localMismatches(group, pattern_, rest, drafted), lengths) <
       meanMismatch(localMismatches(group, pattern_, fit_->fitting().shapes(), alignment_),
                    lengths)) {
-    of_bound_ = costAtRest(search_result_) / costAtRest(drafted);
+    const double cost = costAtRest(drafted);
+    if (cost > SearchStage::kPerfect) of_bound_ = costAtRest(search_result_) / cost;
     restAt(search_result_ = drafted);
   }
 }

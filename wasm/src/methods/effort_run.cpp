@@ -59,9 +59,9 @@ double EffortRun::fit(const BestRun& run) const {
 double EffortRun::searchBound() const {
   if (!symmetric_stands_) return best().searchBound();
   const double bound = best_asked_->searchBound() * best_asked_->searchCost();
-  const bool is_proven =
-      bound >= (1 - LowerBound::kProven) * searchCost() || searchCost() <= SearchStage::kPerfect;
-  return is_proven ? 1 : bound / searchCost();
+  const double cost = searchCost();
+  const bool is_proven = bound >= (1 - LowerBound::kProven) * cost || cost <= SearchStage::kPerfect;
+  return is_proven ? 1 : bound / cost;
 }
 
 const BestRun& EffortRun::best() const {

@@ -13,8 +13,8 @@ bool usableRule(const GrainRule& rule) {
 }
 
 std::string between(const char* option, const Range& range, const char* unit = "") {
-  return std::string(option) + " must be between " + significant(range.least, 6) + " and " +
-         significant(range.most, 6) + unit + ".";
+  return std::string(option) + " must be between " + significant(range.least, 10) + " and " +
+         significant(range.most, 10) + unit + ".";
 }
 
 }  // namespace

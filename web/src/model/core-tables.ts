@@ -53,3 +53,6 @@ export const optionLimits = {
   weight: [0, 1e6],
   repeatCm: [0.05, 1000],
 } as const;
+
+/** A placing that costs no more than this share above what is proven is the best. */
+export const provenShare = 0.001;

@@ -36,7 +36,7 @@ export class LocalSolver {
   readonly #pace: Pace;
   readonly #queue = new TaskQueue(solvesAtOnce);
   /** The sooner one share has ended, the sooner it is of use. */
-  readonly #shareTurns = new TaskQueue(1);
+  readonly #shareQueue = new TaskQueue(1);
   readonly #helpers: Helpers | undefined;
 
   /**
@@ -149,7 +149,7 @@ export class LocalSolver {
       return share.answers();
     };
     const run = () => this.#withModule((module) => freeing(new Share(module, order), work), signal);
-    return this.#shareTurns.take(run, signal);
+    return this.#shareQueue.take(run, signal);
   }
 
   /** @throws {SolverError} */

@@ -1,4 +1,5 @@
 /** How good the placing of a design can be: looked into when nothing else is to be done. */
+import {provenShare} from '../model/core-tables.js';
 import type {Design} from '../model/design.js';
 import type {Problem} from '../model/problem.js';
 import type {Proof, SolveResult} from '../model/result.js';
@@ -7,9 +8,6 @@ import {idle} from './idle.js';
 
 /** What is not proven by then would need far longer, and a battery. [ms] */
 const patience = 60_000;
-
-/** A placing that costs no more than this share above what is proven is the best, as the solver says it. */
-const provenShare = 1e-3;
 
 export class Proving {
   readonly #solver: SolverService;
