@@ -126,3 +126,13 @@ it('makes a pair by keyboard alone', async () => {
   await page.keyboard.press(' ');
   await hint(page, /Now click the piece/);
 });
+
+it('puts a tool away that a button began, by Escape on that button', async () => {
+  const page = await openPage();
+  await solved(page);
+  const tool = page.getByRole('toolbar').getByRole('button', {name: 'Symmetric piece'});
+  await tool.click();
+  expect(await tool.getAttribute('aria-pressed')).toBe('true');
+  await page.keyboard.press('Escape');
+  await expect.poll(() => tool.getAttribute('aria-pressed')).toBe('false');
+});

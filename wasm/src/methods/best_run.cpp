@@ -31,13 +31,11 @@ constexpr double kFitted = 0.95;
 constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
 
 /// Limits that a finished shape keeps, a little inside those of the result.
-constexpr double kLengthError = 5e-5;       ///< cm an edge, of seams with up to forty
-constexpr double kSeamShare = 0.2;          ///< of the tolerance of a seam, for all its edges
-constexpr double kAlmostKept = 2e-3;        ///< cm an edge
-constexpr double kKink = 12.5 * kPi / 180;  ///< rad
-constexpr double kStiffenFrom = 0.9;        ///< share of kKink; while a shape is held:
+constexpr double kLengthError = 5e-5;  ///< cm an edge, of seams with up to forty
+constexpr double kSeamShare = 0.2;     ///< of the tolerance of a seam, for all its edges
+constexpr double kAlmostKept = 2e-3;   ///< cm an edge
+constexpr double kStiffenFrom = 0.9;   ///< share of its limits; while a shape is held:
 constexpr double kStiffenHeld = 0.99;
-constexpr double kStretch = 0.12;
 constexpr double kReachExcess = 0.012;  ///< share of the greatest change
 constexpr double kReachMargin = 0.985;
 
@@ -180,7 +178,7 @@ void BestRun::seekAgain() {
 bool BestRun::keepsLimits(const PartDeformation& deformation, double length) const {
   const PartDeformation::Violations v = deformation.violations();
   return v.length < length && v.reach < kReachExcess * problem_.options.max_change_cm &&
-         v.kink < kKink && v.stretch < kStretch &&
+         v.kink < kSettledLimits.kink && v.stretch < kSettledLimits.stretch &&
          !fit_->fitting().crosses(deformation.part().piece);
 }
 
@@ -203,8 +201,9 @@ void BestRun::settleStep() {
         fit_->fitting().aimAtPartners(deformation, alignment_);
       deformation.restart(kRemedyReach);
     }
-    deformation.stiffenKinks((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kKink);
-    deformation.stiffenStretched((step < kHoldAfter ? kStiffenFrom : kStiffenHeld) * kStretch);
+    const double share = step < kHoldAfter ? kStiffenFrom : kStiffenHeld;
+    deformation.stiffenKinks(share * kSettledLimits.kink);
+    deformation.stiffenStretched(share * kSettledLimits.stretch);
     if (step == kHoldAfter) deformation.holdShape();
     deformation.step();
     ++deformation.settling;

@@ -19,9 +19,6 @@ namespace {
 // What evening out may take of what a finished shape may change; the rest is left to the fit.
 constexpr double kEvenedShare = 0.98;    ///< of the greatest change
 constexpr double kEvenedAlready = 5e-7;  ///< cm that are no movement at all
-constexpr double kEvenedKink = 12 * kPi / 180;
-constexpr double kEvenedStretch = 0.12;
-constexpr double kEvenedArea = 0.5;
 constexpr double kEvenedSeam = 0.9 * kSeamTolerance;
 constexpr double kFinest = 0.3;  ///< of the edge length asked for
 constexpr double kRoom = 0.1;    ///< cm of movement that are enough for lengths to settle
@@ -60,9 +57,8 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
                           " cm to mirror each other exactly, which maxChangeCm does not allow",
                       "; raise maxChangeCm to " + significant(1.1 * moved, 2),
                       {1.1 * moved}};
-    ShapeLimits limits;
-    limits.moved = moved, limits.kink = kEvenedKink;
-    limits.stretch = kEvenedStretch, limits.area = kEvenedArea;
+    ShapeLimits limits = kEvenedLimits;
+    limits.moved = moved;
     if (brokenLimit(piece, evened[p], limits) != BrokenLimit::kNone)
       return Obstacle{symmetry, "symmetryKinks",
                       "its outlines differ so much from edge to edge that they would get kinks or "

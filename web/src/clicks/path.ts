@@ -1,5 +1,5 @@
 /** Lines through points, to measure along and to find the nearest point of. Lengths in cm. */
-import {crossesRay, type Point} from '../model/geometry.js';
+import {crossesRay, distance, dot, minus, type Point} from '../model/geometry.js';
 
 export interface Box {
   readonly low: Point;
@@ -29,8 +29,6 @@ export interface PlaceOnPath {
   readonly along: number;
 }
 
-export const distanceOf = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
-
 function boxOf(points: readonly Point[]): Box {
   const xs = points.map(([x]) => x);
   const ys = points.map(([, y]) => y);
@@ -42,7 +40,7 @@ export function pathThrough(points: readonly Point[]): Path {
   let length = 0;
   points.slice(1).forEach((to, k) => {
     const from = points[k] ?? to;
-    const step = distanceOf(from, to);
+    const step = distance(from, to);
     segments.push({from, to, start: length, length: step});
     length += step;
   });
@@ -66,12 +64,12 @@ export function nearestOn({segments}: Path, p: Point): PlaceOnPath | undefined {
   let nearest: PlaceOnPath | undefined;
   for (const [k, segment] of segments.entries()) {
     const {from, to, start, length} = segment;
-    const dot = (p[0] - from[0]) * (to[0] - from[0]) + (p[1] - from[1]) * (to[1] - from[1]);
-    const share = length > 0 ? Math.min(Math.max(dot / length ** 2, 0), 1) : 0;
+    const along = dot(minus(p, from), minus(to, from));
+    const share = length > 0 ? Math.min(Math.max(along / length ** 2, 0), 1) : 0;
     const point = between(segment, share);
-    const distance = distanceOf(point, p);
-    if (nearest && distance >= nearest.distance) continue;
-    nearest = {point, distance, segment: k, along: start + share * length};
+    const far = distance(point, p);
+    if (nearest && far >= nearest.distance) continue;
+    nearest = {point, distance: far, segment: k, along: start + share * length};
   }
   return nearest;
 }

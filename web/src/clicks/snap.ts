@@ -1,6 +1,6 @@
 /** Draws a point of a piece to what is nearby and easier to mean. Lengths in cm. */
-import type {Point} from '../model/geometry.js';
-import {distanceOf, nearestOn} from './path.js';
+import {distance, type Point} from '../model/geometry.js';
+import {nearestOn} from './path.js';
 import type {PickIndex} from './pick-index.js';
 
 /** From the most to the least wanted, where several are about as near. */
@@ -39,7 +39,7 @@ export function snap(
   };
   const near = marks
     .flatMap((snapped) =>
-      places[snapped].map((at) => ({point: at, snapped, distance: distanceOf(at, point)})),
+      places[snapped].map((at) => ({point: at, snapped, distance: distance(at, point)})),
     )
     .filter(({distance}) => distance <= reach);
   const least = Math.min(...near.map(({distance}) => distance));

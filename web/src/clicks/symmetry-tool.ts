@@ -1,7 +1,6 @@
 /** How symmetries are named by clicks: two lines or two points of a piece, or two pieces. */
-import type {Alignment, Point} from '../model/geometry.js';
+import {distance, type Alignment, type Point} from '../model/geometry.js';
 import type {Symmetry} from '../model/symmetries.js';
-import {distanceOf} from './path.js';
 import type {LineTarget, OnPiece, Target} from './pick.js';
 import {inputPoint, type Sheet} from './sheet.js';
 
@@ -119,7 +118,7 @@ function proposal(sheet: Sheet, first: Choice, second: Choice): Symmetry | Refus
       ? 'sameLine'
       : {kind: 'piece', piece, seams: [first.edge, second.edge]};
   }
-  if (distanceOf(first.point, second.point) < shortestAxis) return 'samePoint';
+  if (distance(first.point, second.point) < shortestAxis) return 'samePoint';
   const drafted = ({point}: Choice): Point => inputPoint(sheet, first.piece, point);
   return {kind: 'piece', piece, axis: [drafted(first), drafted(second)]};
 }

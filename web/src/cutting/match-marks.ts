@@ -1,5 +1,5 @@
 /** Places inside a piece that show the same point of the print, to lay paper on printed cloth by. Lengths in cm. */
-import type {Alignment, Point} from '../model/geometry.js';
+import {distance, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {onPrint} from '../scene/mismatch.js';
 import {isInside} from '../scene/marks.js';
@@ -14,8 +14,6 @@ const parts = 6;
 const enough = 0.3;
 
 type Lattice = Pick<Print, 'w1' | 'w2'>;
-
-const distance = (p: Point, q: Point): number => Math.hypot(p[0] - q[0], p[1] - q[1]);
 
 /** From a point to a closed line. */
 function clearance(line: readonly Point[], p: Point): number {

@@ -1,6 +1,6 @@
 /** How two pieces lie on a print as each other's mirror image. */
-import type {Alignment, Point} from './geometry.js';
-import {mirrored, mirrorLines, reduced, rotated, wrapped, type AngleRule} from './mirror-lines.js';
+import {rotated, type Alignment, type Point} from './geometry.js';
+import {mirrored, mirrorLines, reduced, wrapped, type AngleRule} from './mirror-lines.js';
 import type {PlaneMap, Repeat} from './wallpaper.js';
 
 /** The other way round: from the second piece of a pair to the first. */

@@ -1,5 +1,5 @@
 /** Where a symmetric piece may lie on a print: with its axis on one of the print's mirror lines. */
-import type {Alignment, Point} from './geometry.js';
+import {cross, dot, minus, rotated, type Alignment, type Point} from './geometry.js';
 import {determinant, printElements, reducedBasis, type PlaneMap, type Repeat} from './wallpaper.js';
 
 /** Parallel mirror lines of a print, at equal distances; glide lines are none. Points of the print. */
@@ -19,7 +19,6 @@ const tolerance = 1e-4;
 /** Lattice vectors along the axes of a reduced basis have no greater coordinates. */
 const reach = 3;
 
-const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1];
 const normalOf = ([x, y]: Point): Point => [0 - y, x];
 
 /** To (-pi, pi]. */
@@ -28,14 +27,9 @@ export function wrapped(angle: number): number {
   return turn <= -Math.PI ? turn + 2 * Math.PI : turn;
 }
 
-export function rotated([x, y]: Point, angle: number): Point {
-  const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  return [c * x - s * y, s * x + c * y];
-}
-
 /** The point of the print that lies under a point of a piece. */
 const printPoint = ({angle, translation}: Alignment, [x, y]: Point): Point =>
-  rotated([x - translation[0], y - translation[1]], -angle);
+  rotated(minus([x, y], translation), -angle);
 
 /** The alignment of this angle under which a point of the piece lies on a point of the print. */
 function lyingOn(angle: number, [x, y]: Point, print: Point): Alignment {
@@ -63,7 +57,7 @@ export function mirrorLines(repeat: Repeat): readonly MirrorLines[] {
   const vectors = latticeVectors(repeat);
   const [a, b] = reducedBasis(repeat.w1, repeat.w2);
   const near = tolerance * Math.hypot(...a);
-  const area = Math.abs(a[0] * b[1] - a[1] * b[0]);
+  const area = Math.abs(cross(a, b));
   const shortest = (along: Point): number =>
     Math.min(
       ...vectors

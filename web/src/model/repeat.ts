@@ -1,5 +1,5 @@
 /** A repeat as a maker measures it, and the lattice that it stands for. */
-import type {Point} from './geometry.js';
+import {rotated, type Point} from './geometry.js';
 import {groupNames, type GroupName, type PrintCell} from './print.js';
 import {latticeType, type CellOf} from './wallpaper.js';
 
@@ -17,11 +17,6 @@ export interface RepeatSize {
 const root3 = Math.sqrt(3);
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 const degrees = (angle: number): number => (angle * 180) / Math.PI;
-
-const turned = ([x, y]: Point, angle: number): Point => [
-  x * Math.cos(angle) - y * Math.sin(angle),
-  x * Math.sin(angle) + y * Math.cos(angle),
-];
 
 /** w1, w2 of a group's lattice, the whole print turned counter-clockwise. [cm] */
 export function latticeVectors(
@@ -53,7 +48,7 @@ export function latticeVectors(
           [0, height],
         ];
       case 'oblique': {
-        const [x, y] = turned([height, 0], radians(angleDeg));
+        const [x, y] = rotated([height, 0], radians(angleDeg));
         const upward: Point = [x, y];
         if (cell !== 'centred') return [[width, 0], upward];
         return [
@@ -65,7 +60,7 @@ export function latticeVectors(
   })();
   if (turnDeg === 0) return upright;
   const angle = radians(turnDeg);
-  return [turned(upright[0], angle), turned(upright[1], angle)];
+  return [rotated(upright[0], angle), rotated(upright[1], angle)];
 }
 
 /** The inverse of `latticeVectors`; the turn lies above -180 degrees, up to 180. */

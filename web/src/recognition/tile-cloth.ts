@@ -1,5 +1,5 @@
 /** A print by the pixels of one cell, and how it looks when the plane is moved. */
-import type {Point} from '../model/geometry.js';
+import {cross, type Point} from '../model/geometry.js';
 import {apply, imageCell, type CellOf as Cell, type PlaneMap} from '../model/wallpaper.js';
 
 export type {Cell};
@@ -23,7 +23,7 @@ export interface Cloth {
 /** Where the centres of an image's pixels lie on the print [cm], and which pixel shows a point, in whole cells or beyond. */
 export function pixelGrid(cell: Cell, width: number, height: number) {
   const [a, b] = imageCell(cell);
-  const area = a[0] * b[1] - a[1] * b[0];
+  const area = cross(a, b);
   const centre = (x: number, y: number): Point => {
     const [s, t] = [(x + 0.5) / width, 1 - (y + 0.5) / height];
     return [s * a[0] + t * b[0], s * a[1] + t * b[1]];

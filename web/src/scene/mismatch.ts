@@ -2,7 +2,7 @@
  * How well a print meets along the seams of a result, under any alignment of its pieces: point by point, which is
  * what every figure for people says, and by one symmetry of the print for all of a seam, which tells where it runs off.
  */
-import type {Alignment, Point} from '../model/geometry.js';
+import {cross, type Alignment, type Point} from '../model/geometry.js';
 import type {Pattern, ResultSeam, SeamSide} from '../model/result.js';
 import {
   determinant,
@@ -234,7 +234,7 @@ function bestJoin(
   [u, v]: readonly [Point, Point],
   {a, b, lengths}: Edges,
 ): Pick<JoinedSeam, 'kind' | 'mismatch'> {
-  const area = u[0] * v[1] - u[1] * v[0];
+  const area = cross(u, v);
   const whole = lengths.reduce((sum, length) => sum + length, 0);
   let least = Infinity;
   let kind: JoinedSeam['kind'] = 'continuous';

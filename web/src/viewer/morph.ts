@@ -1,5 +1,5 @@
 /** The way of a drawing from what it showed to what it shows: how much of it is gone, and how a print lies on that way. */
-import type {Alignment, Point} from '../model/geometry.js';
+import {rotated, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {apply, determinant, printElements, type PlaneMap} from '../model/wallpaper.js';
 
@@ -45,14 +45,9 @@ export class Morph {
   }
 }
 
-const turned = (angle: number, [x, y]: Point): Point => {
-  const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  return [c * x - s * y, s * x + c * y];
-};
-
 /** The point of the print under a point of a piece. */
 const underneath = ({angle, translation: [x, y]}: Alignment, p: Point): Point =>
-  turned(-angle, [p[0] - x, p[1] - y]);
+  rotated([p[0] - x, p[1] - y], -angle);
 
 /** Into (-pi, pi]. */
 const nearZero = (angle: number): number => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
@@ -96,6 +91,6 @@ export function between(from: Alignment, to: Alignment, share: number, at: Point
 
 /** The alignment that brings a point of the print under a point of the piece. */
 function lyingOn(angle: number, at: Point, printPoint: Point): Alignment {
-  const [x, y] = turned(angle, printPoint);
+  const [x, y] = rotated(printPoint, angle);
   return {angle, translation: [at[0] - x, at[1] - y]};
 }

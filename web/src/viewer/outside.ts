@@ -1,5 +1,5 @@
 /** Lines along the edge of a piece that lie outside of it, so that they hide nothing of the print. */
-import type {Point} from '../model/geometry.js';
+import {unit, type Point} from '../model/geometry.js';
 import type {ScenePiece} from '../scene/scene.js';
 
 /** Of its width, that a line is moved off the edge: it still covers where the cloth ends in steps of pixels. */
@@ -31,11 +31,6 @@ export function outsideOf(
 ): 1 | -1 {
   return piece && followersOn(piece).get(first) !== second ? -1 : 1;
 }
-
-const unit = ([x, y]: Point): Point => {
-  const length = Math.hypot(x, y) || 1;
-  return [x / length, y / length];
-};
 
 /** Unit vectors to the right of every edge. */
 const rights = (points: readonly Point[], closed: boolean): readonly Point[] =>

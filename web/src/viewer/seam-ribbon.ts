@@ -1,5 +1,5 @@
 /** The cloth along both sides of a seam, straightened: how far along the seam, and how far in from it. Lengths in cm. */
-import type {Point} from '../model/geometry.js';
+import {minus, unit, type Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
 import {pick} from '../scene/marks.js';
 import type {OnPiece} from './overlay.js';
@@ -43,12 +43,6 @@ export interface NearSeam {
   readonly share: number;
   readonly offset: number;
 }
-
-const minus = ([ax, ay]: Point, [bx, by]: Point): Point => [ax - bx, ay - by];
-const unit = ([x, y]: Point): Point => {
-  const length = Math.hypot(x, y) || 1;
-  return [x / length, y / length];
-};
 
 /** Undefined for a seam without length. */
 export function straightSeam(scene: PatternScene, number: number): StraightSeam | undefined {

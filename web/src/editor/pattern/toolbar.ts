@@ -61,7 +61,16 @@ export class Toolbar extends WorkbenchElement {
   protected override render(): TemplateResult {
     const {symmetry} = this.texts;
     return html`
-      <div class="tools" role="toolbar" aria-label=${symmetry.tools}>
+      <div
+        class="tools"
+        role="toolbar"
+        aria-label=${symmetry.tools}
+        @keydown=${(event: KeyboardEvent) => {
+          if (event.key !== 'Escape' || !this.tools.back()) return;
+          event.preventDefault();
+          event.stopPropagation();
+        }}
+      >
         ${this.#tool('piece', symmetry.piece, icon.piece)}
         ${this.#tool('pair', symmetry.pair, icon.pair)}
         ${this.#tool('move', symmetry.move, icon.move)}
