@@ -41,7 +41,7 @@ std::vector<std::pair<int, int>> coupled(const Whole& whole) {
 /// are timed: an engine that has only begun to optimise would lengthen the yardstick.
 Json factoriseTask(const Json& task) {
   Problem problem = problemOf(task);
-  const Pattern pattern = required(preparedPattern(problem));
+  const Pattern pattern = required(prepared(problem)).pattern;
   const Whole whole = wholeOf(pattern);
   const int unknowns = 2 * static_cast<int>(whole.rest.size());
   const auto pairs = coupled(whole);

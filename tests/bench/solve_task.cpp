@@ -127,7 +127,7 @@ Json meshTask(const Json& task) {
   for (int round = 0; round < 8; ++round) {
     Problem problem = problemOf(task);
     problem.options.edge_length_cm = length;
-    triangles = trianglesOf(required(preparedPattern(problem)));
+    triangles = trianglesOf(required(prepared(problem)).pattern);
     const bool coarsest = length == kLongest && triangles > wanted;
     if (coarsest || std::abs(triangles / wanted - 1) < 0.02) break;
     length = std::min(kLongest, length * std::pow(triangles / wanted, 0.8));

@@ -35,8 +35,8 @@ ProblemTexts texts(const char* print = kMirrored, const char* symmetry = "auto",
 TEST(ProblemFromFiles, ImposesTheSymmetriesItFindsWhenThePrintCarriesThem) {
   const auto problem = makeProblem(texts());
   ASSERT_TRUE(problem.ok()) << problem.error().message;
-  EXPECT_FALSE(problem.value().imposed.empty());
-  EXPECT_EQ(problem.value().imposed.size(), problem.value().known.size());
+  EXPECT_FALSE(problem.value().symmetries.imposed.empty());
+  EXPECT_EQ(problem.value().symmetries.imposed.size(), problem.value().symmetries.known.size());
   EXPECT_TRUE(problem.value().notes.empty());
 }
 
@@ -52,7 +52,7 @@ TEST(ProblemFromFiles, AreReadInStepsThatTellHowFarTheyAre) {
   EXPECT_GT(steps, 3);  // the files, then what may mirror onto what
   EXPECT_EQ(reader.fraction(), 1);
   EXPECT_FALSE(reader.advance());
-  EXPECT_EQ(reader.take().value().imposed, makeProblem(texts()).value().imposed);
+  EXPECT_EQ(reader.take().value().symmetries.imposed, makeProblem(texts()).value().symmetries.imposed);
 }
 
 TEST(ProblemFromFiles, DropsWhatThePrintCannotCarryAndSaysSo) {
@@ -60,8 +60,8 @@ TEST(ProblemFromFiles, DropsWhatThePrintCannotCarryAndSaysSo) {
   t.garment = twoTriangles().dump();
   const auto problem = makeProblem(t);
   ASSERT_TRUE(problem.ok()) << problem.error().message;
-  EXPECT_TRUE(problem.value().imposed.empty());
-  EXPECT_EQ(problem.value().known.size(), 1u);
+  EXPECT_TRUE(problem.value().symmetries.imposed.empty());
+  EXPECT_EQ(problem.value().symmetries.known.size(), 1u);
   ASSERT_EQ(problem.value().notes.size(), 1u);
   for (const char* word : {"p1", "'left' and 'right'", "pg"})
     EXPECT_NE(problem.value().notes[0].text.find(word), std::string::npos)
@@ -73,7 +73,7 @@ TEST(ProblemFromFiles, CarriesPairsButNoSinglePiecesInAPrintOfGlides) {
   t.garment = twoTriangles().dump();
   const auto pair = makeProblem(t);
   ASSERT_TRUE(pair.ok()) << pair.error().message;
-  EXPECT_EQ(pair.value().imposed.size(), 1u);
+  EXPECT_EQ(pair.value().symmetries.imposed.size(), 1u);
 
   const auto single =
       makeProblem(texts(kGlides, R"({"symmetries": [{"kind": "piece", "piece": "front"}]})"));
@@ -91,18 +91,18 @@ TEST(ProblemFromFiles, RefusesAPairThatThePrintCannotCarry) {
 TEST(ProblemFromFiles, ImposesNothingWhenToldSoButKeepsWhatItKnows) {
   const auto problem = makeProblem(texts(kMirrored, "none"));
   ASSERT_TRUE(problem.ok()) << problem.error().message;
-  EXPECT_TRUE(problem.value().imposed.empty());
-  EXPECT_FALSE(problem.value().known.empty());
+  EXPECT_TRUE(problem.value().symmetries.imposed.empty());
+  EXPECT_FALSE(problem.value().symmetries.known.empty());
 }
 
 TEST(ProblemFromFiles, ImposesWhatIsAskedForAndKnowsTheRest) {
   const auto problem =
       makeProblem(texts(kMirrored, R"({"symmetries": [{"kind": "piece", "piece": "back"}]})"));
   ASSERT_TRUE(problem.ok()) << problem.error().message;
-  ASSERT_EQ(problem.value().imposed.size(), 1u);
-  EXPECT_EQ(problem.value().imposed[0].pieces[0], 1);
-  EXPECT_TRUE(problem.value().imposed[0].single());
-  for (const BodySymmetry& known : problem.value().known)
+  ASSERT_EQ(problem.value().symmetries.imposed.size(), 1u);
+  EXPECT_EQ(problem.value().symmetries.imposed[0].pieces[0], 1);
+  EXPECT_TRUE(problem.value().symmetries.imposed[0].single());
+  for (const BodySymmetry& known : problem.value().symmetries.known)
     EXPECT_TRUE(known.pieces[0] == 0 ? known.single() : known.pieces[0] == 1);
 }
 
@@ -114,8 +114,8 @@ TEST(ProblemFromFiles, PrefersTheSymmetriesThatTheGarmentStates) {
   t.garment = garment.dump();
   const auto problem = makeProblem(t);
   ASSERT_TRUE(problem.ok()) << problem.error().message;
-  ASSERT_EQ(problem.value().imposed.size(), 1u);
-  EXPECT_LT((problem.value().imposed[0].map({2, 3}) - Vec2(2, 17)).norm(), 1e-6);
+  ASSERT_EQ(problem.value().symmetries.imposed.size(), 1u);
+  EXPECT_LT((problem.value().symmetries.imposed[0].map({2, 3}) - Vec2(2, 17)).norm(), 1e-6);
   ASSERT_EQ(problem.value().notes.size(), 1u);
   EXPECT_NE(problem.value().notes[0].text.find("shirt.json"), std::string::npos);
 }
@@ -126,8 +126,8 @@ TEST(ProblemFromFiles, ImposesNoSymmetryOnTheMethodThatKnowsNone) {
   t.seed = 7;
   const auto problem = makeProblem(t);
   ASSERT_TRUE(problem.ok()) << problem.error().message;
-  EXPECT_TRUE(problem.value().imposed.empty());
-  EXPECT_FALSE(problem.value().known.empty());
+  EXPECT_TRUE(problem.value().symmetries.imposed.empty());
+  EXPECT_FALSE(problem.value().symmetries.known.empty());
   EXPECT_EQ(problem.value().notes.size(), 1u);
   EXPECT_EQ(problem.value().options.method, Method::kWs19);
   EXPECT_EQ(problem.value().options.seed, 7u);

@@ -82,9 +82,9 @@ ProblemTexts leaning(double by, const char* symmetry, const char* options) {
 
 constexpr const char* kFrontOnly = R"({"symmetries": [{"kind": "piece", "piece": "front"}]})";
 
-TEST(PreparedPattern, EvensOutANearlySymmetricPieceExactly) {
-  Problem problem = makeProblem(leaning(0.08, kFrontOnly, "")).value();
-  const Pattern pattern = preparedPattern(problem).value();
+TEST(Prepared, EvensOutANearlySymmetricPieceExactly) {
+  const Problem problem = makeProblem(leaning(0.08, kFrontOnly, "")).value();
+  const Pattern pattern = prepared(problem).value().pattern;
   ASSERT_EQ(pattern.mirrors.size(), 1u);
   const Mirror& m = pattern.mirrors[0];
   const Shapes evened = evenedShapes(pattern);
@@ -95,26 +95,26 @@ TEST(PreparedPattern, EvensOutANearlySymmetricPieceExactly) {
   EXPECT_EQ(evened[1], pattern.pieces[1].rest);
 }
 
-TEST(PreparedPattern, DropsADetectedSymmetryThatNeedsMoreThanTheGreatestChange) {
-  Problem problem = makeProblem(leaning(0.08, "auto", R"({"maxChangeCm": 0.001})")).value();
-  const std::size_t before = problem.imposed.size();
-  ASSERT_GE(before, 1u);
-  ASSERT_TRUE(preparedPattern(problem).ok());
-  EXPECT_LT(problem.imposed.size(), before);
-  ASSERT_FALSE(problem.notes.empty());
-  EXPECT_NE(problem.notes.back().text.find("'front'"), std::string::npos);
-  EXPECT_NE(problem.notes.back().text.find("maxChangeCm"), std::string::npos);
+TEST(Prepared, DropsADetectedSymmetryThatNeedsMoreThanTheGreatestChange) {
+  const Problem problem = makeProblem(leaning(0.08, "auto", R"({"maxChangeCm": 0.001})")).value();
+  ASSERT_FALSE(problem.symmetries.imposed.empty());
+  const Prepared made = prepared(problem).value();
+  EXPECT_LT(made.symmetries.imposed.size(), problem.symmetries.imposed.size());
+  ASSERT_FALSE(made.notes.empty());
+  EXPECT_NE(made.notes.back().text.find("'front'"), std::string::npos);
+  EXPECT_NE(made.notes.back().text.find("maxChangeCm"), std::string::npos);
 }
 
-TEST(PreparedPattern, RefusesToDropASymmetryThatWasAskedFor) {
-  Problem problem = makeProblem(leaning(0.08, kFrontOnly, R"({"maxChangeCm": 0.001})")).value();
-  testing::expectError(preparedPattern(problem), Failure::kSymmetryDoesNotMirror,
+TEST(Prepared, RefusesToDropASymmetryThatWasAskedFor) {
+  const Problem problem =
+      makeProblem(leaning(0.08, kFrontOnly, R"({"maxChangeCm": 0.001})")).value();
+  testing::expectError(prepared(problem), Failure::kSymmetryDoesNotMirror,
                        {"'front'", "raise maxChangeCm to 0.0", "leave out that symmetry"});
 }
 
-TEST(PreparedPattern, KeepsAnExactSymmetryThatMayNotMove) {
-  Problem problem = makeProblem(leaning(0, kFrontOnly, R"({"maxChangeCm": 0})")).value();
-  EXPECT_EQ(preparedPattern(problem).value().mirrors.size(), 1u);
+TEST(Prepared, KeepsAnExactSymmetryThatMayNotMove) {
+  const Problem problem = makeProblem(leaning(0, kFrontOnly, R"({"maxChangeCm": 0})")).value();
+  EXPECT_EQ(prepared(problem).value().pattern.mirrors.size(), 1u);
 }
 
 }  // namespace

@@ -79,12 +79,12 @@ TEST(SolveMemo, DeformsAsIfForTheFirstTime) {
   SolveMemo memo;
   const Task plain = task("tee", "pmm");
   solved(plain, &memo);
-  const auto* const plans = memo.mesh.last->plans.get();
+  const auto* const plans = memo.mesh.last->made.plans.get();
   Task changed = plain;
   changed.options["weights"] = {{"0", 3}};
   EXPECT_EQ(solved(changed, &memo), solved(changed, nullptr));
   EXPECT_EQ(solved(plain, &memo), solved(plain, nullptr));
-  EXPECT_EQ(memo.mesh.last->plans.get(), plans);
+  EXPECT_EQ(memo.mesh.last->made.plans.get(), plans);
   changed.options["alpha"] = 2;
   EXPECT_EQ(solved(changed, &memo), solved(changed, nullptr));
 }
@@ -93,15 +93,15 @@ TEST(SolveMemo, KeepsTheMeshOverChangesThatLeaveItAsItIs) {
   SolveMemo memo;
   Task t = task("apron", "pmm");
   solved(t, &memo);
-  const Pattern* const mesh = &memo.mesh.last->pattern;
+  const Pattern* const mesh = &memo.mesh.last->made.pattern;
   const auto* const vertices = mesh->pieces[0].rest.data();
   t.options["weights"] = {{"0", 3}};
   t.print = testing::samplePrint("pmm", 7);
   solved(t, &memo);
-  EXPECT_EQ(memo.mesh.last->pattern.pieces[0].rest.data(), vertices);
+  EXPECT_EQ(memo.mesh.last->made.pattern.pieces[0].rest.data(), vertices);
   t.options["edgeLengthCm"] = 0.8;
   solved(t, &memo);
-  EXPECT_NE(memo.mesh.last->pattern.pieces[0].rest.data(), vertices);
+  EXPECT_NE(memo.mesh.last->made.pattern.pieces[0].rest.data(), vertices);
 }
 
 TEST(SolveMemo, IsSharedByTwoWhoTakeTurnsFromTheirFirstStepOn) {
@@ -154,7 +154,7 @@ TEST(SolveMemo, RemembersWhichSymmetryWasDroppedAndSaysSoAgain) {
   corner = corner.get<double>() + 0.03;  // nearly symmetric,
   t.options["maxChangeCm"] = 1e-3;       // and not allowed to become so
   const std::string first = solved(t, &memo);
-  ASSERT_FALSE(memo.mesh.last->notes.empty());
+  ASSERT_FALSE(memo.mesh.last->made.notes.empty());
   EXPECT_EQ(solved(t, &memo), first);
 }
 

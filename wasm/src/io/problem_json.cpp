@@ -117,7 +117,8 @@ std::optional<Error> readSymmetriesInto(const ProblemTexts& texts,
                                         const Symmetries& detected, Problem* problem) {
   const Garment& garment = problem->garment;
   const WallpaperGroup& group = problem->print.group;
-  problem->symmetries_optional = texts.symmetry == "auto";
+  GarmentSymmetries& symmetries = problem->symmetries;
+  symmetries.optional = texts.symmetry == "auto";
   Symmetries treated = detected;
   if (texts.symmetry == "auto") {
     if (!of_garment.empty()) {
@@ -127,7 +128,7 @@ std::optional<Error> readSymmetriesInto(const ProblemTexts& texts,
       problem->notes.push_back(
           {"symmetriesStated", "The symmetries are those that " + texts.garment_name + " states."});
     }
-    problem->imposed = carried(treated, garment, group, &problem->notes);
+    symmetries.imposed = carried(treated, garment, group, &problem->notes);
   } else if (texts.symmetry != "none") {
     const auto requests = readSymmetries(texts.symmetry, texts.symmetry_name);
     if (!requests.ok()) return requests.error();
@@ -135,11 +136,11 @@ std::optional<Error> readSymmetriesInto(const ProblemTexts& texts,
     if (!wanted.ok()) return wanted.error();
     treated = std::move(wanted).value();
     if (auto error = notCarried(treated, garment, group, texts.symmetry_name)) return error;
-    problem->imposed = treated;
+    symmetries.imposed = treated;
   }
-  problem->known = joined(std::move(treated), detected);
-  if (texts.method == Method::kWs19 && !problem->imposed.empty()) {
-    problem->imposed.clear();
+  symmetries.known = joined(std::move(treated), detected);
+  if (texts.method == Method::kWs19 && !symmetries.imposed.empty()) {
+    symmetries.imposed.clear();
     problem->notes.push_back(
         {"ws19", "Method ws19 knows no global symmetries, so none is imposed."});
   }
@@ -163,7 +164,7 @@ std::optional<Error> ProblemReader::read() {
   if (!print.ok()) return print.error();
   GarmentFile& file = garment.value();
   problem_.reset(new Problem{
-      std::move(file.garment), std::move(print).value(), {}, {}, false, {}, std::move(file.notes)});
+      std::move(file.garment), std::move(print).value(), {}, {}, std::move(file.notes)});
   of_garment_ = std::move(file.symmetries);
   return readOptionsInto(texts_, problem_.get());
 }

@@ -105,10 +105,11 @@ std::optional<Note> assumedGrain(const Problem& problem, const std::string& file
       std::move(assumed)};
 }
 
-std::optional<std::size_t> symmetryAgainstPins(const Problem& problem) {
+std::optional<std::size_t> symmetryAgainstPins(const Problem& problem,
+                                               const std::vector<BodySymmetry>& imposed) {
   const auto& pins = problem.options.pins;
-  for (std::size_t k = 0; k < problem.imposed.size(); ++k) {
-    const BodySymmetry& s = problem.imposed[k];
+  for (std::size_t k = 0; k < imposed.size(); ++k) {
+    const BodySymmetry& s = imposed[k];
     const auto first = pins.find(s.pieces[0]), second = pins.find(s.pieces[1]);
     if (first == pins.end() || second == pins.end()) continue;
     if (!mirrors(problem.print.group, first->second, second->second, s.map)) return k;
@@ -116,10 +117,11 @@ std::optional<std::size_t> symmetryAgainstPins(const Problem& problem) {
   return {};
 }
 
-std::optional<std::size_t> symmetryAgainstGrain(const Problem& problem) {
+std::optional<std::size_t> symmetryAgainstGrain(const Problem& problem,
+                                                const std::vector<BodySymmetry>& imposed) {
   const std::vector<PieceRule> rules = pieceRules(problem);
-  for (std::size_t k = 0; k < problem.imposed.size(); ++k) {
-    const BodySymmetry& s = problem.imposed[k];
+  for (std::size_t k = 0; k < imposed.size(); ++k) {
+    const BodySymmetry& s = imposed[k];
     if (!keepsGrain(problem.print.group, s.map, rules[s.pieces[0]], rules[s.pieces[1]], s.single()))
       return k;
   }

@@ -84,28 +84,37 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
 
 /// Drops a found symmetry, with a note. Error when it was asked for, with advice that ends the
 /// sentence.
-std::optional<Error> dropOrRefuse(Problem& problem, const Obstacle& obstacle, Failure code) {
-  const BodySymmetry& symmetry = problem.imposed[obstacle.symmetry];
-  const std::string name = called(problem.garment, symmetry);
-  if (!problem.symmetries_optional)
+std::optional<Error> dropOrRefuse(const Garment& garment, const Obstacle& obstacle, Failure code,
+                                  GarmentSymmetries& symmetries, std::vector<Note>& notes) {
+  const auto at = symmetries.imposed.begin() + static_cast<std::ptrdiff_t>(obstacle.symmetry);
+  const std::string name = called(garment, *at);
+  if (!symmetries.optional)
     return Error{code,
                  "The symmetry of " + name + " cannot hold: " + obstacle.why + obstacle.remedy +
                      ", or leave out that symmetry.",
-                 symmetry.pieces[0], -1, obstacle.code};
-  problem.notes.push_back({obstacle.code,
-                           "The symmetry of " + name + " is dropped: " + obstacle.why + ".",
-                           piecesOf(symmetry),
-                           {},
-                           obstacle.numbers});
-  problem.imposed.erase(problem.imposed.begin() + static_cast<std::ptrdiff_t>(obstacle.symmetry));
+                 at->pieces[0], -1, obstacle.code};
+  notes.push_back({obstacle.code,
+                   "The symmetry of " + name + " is dropped: " + obstacle.why + ".",
+                   piecesOf(*at),
+                   {},
+                   obstacle.numbers});
+  symmetries.imposed.erase(at);
   return {};
 }
 
-/// No symmetry is left that pins or grain contradict. Errors: kSymmetryConflict when it was asked
+}  // namespace
+
+Preparation::Preparation(const Problem& problem, GarmentSymmetries symmetries, MeshMemo* memo)
+    : problem_(problem), memo_(memo), edge_length_(problem.options.edge_length_cm) {
+  made_.symmetries = std::move(symmetries);
+  made_.plans = std::make_shared<LastPlans>();
+}
+
+/// Keeps no symmetry that pins or grain contradict. Errors: kSymmetryConflict when it was asked
 /// for.
-std::optional<Error> heedRules(Problem& problem) {
+std::optional<Error> Preparation::keepRules() {
   const struct {
-    std::optional<std::size_t> (*against)(const Problem&);
+    std::optional<std::size_t> (*against)(const Problem&, const std::vector<BodySymmetry>&);
     const char *code, *why, *remedy;
   } rules[] = {
       {symmetryAgainstPins, "symmetryPins", "as it is pinned, the print does not mirror so",
@@ -113,20 +122,15 @@ std::optional<Error> heedRules(Problem& problem) {
       {symmetryAgainstGrain, "symmetryGrain", "on this print it would take the piece off its grain",
        ". Turn the print, free the grain"}};
   for (const auto& rule : rules)
-    while (const auto against = rule.against(problem))
-      if (auto error = dropOrRefuse(problem, {*against, rule.code, rule.why, rule.remedy},
-                                    Failure::kSymmetryConflict))
+    while (const auto against = rule.against(problem_, made_.symmetries.imposed))
+      if (auto error = dropOrRefuse(problem_.garment, {*against, rule.code, rule.why, rule.remedy},
+                                    Failure::kSymmetryConflict, made_.symmetries, rule_notes_))
         return error;
   return {};
 }
 
-}  // namespace
-
-Preparation::Preparation(Problem& problem, MeshMemo* memo)
-    : problem_(problem), memo_(memo), edge_length_(problem.options.edge_length_cm) {}
-
 bool Preparation::advance() {
-  if (pattern_) return false;
+  if (ended_) return false;
   if (!begun_) return begin();
   if (!meshing_) return sample();
   if (!meshing_->advance()) return judge(std::exchange(meshing_, std::nullopt)->take());
@@ -136,34 +140,30 @@ bool Preparation::advance() {
 
 bool Preparation::begin() {
   begun_ = true;
-  if (const auto error = heedRules(problem_)) return end(*error);
+  if (const auto error = keepRules()) return end(*error);
   if (memo_) {
-    from_ = {problem_.garment,
-             problem_.imposed,
-             problem_.known,
-             problem_.symmetries_optional,
-             problem_.options.edge_length_cm,
+    from_ = {problem_.garment, made_.symmetries, problem_.options.edge_length_cm,
              problem_.options.max_change_cm};
     if (memo_->last && memo_->last->from == *from_) {
-      const MeshMemo::Mesh& last = *memo_->last;
-      problem_.imposed = last.imposed, problem_.known = last.known;
-      problem_.notes.insert(problem_.notes.end(), last.notes.begin(), last.notes.end());
-      pattern_ = last.pattern, plans_ = last.plans;
+      made_ = memo_->last->made;
+      ended_ = true;
       return false;
     }
   }
-  notes_ = problem_.notes.size();
-  Outcome<std::optional<Pattern>> reconciled = reconcile(problem_);
+  Outcome<Reconciled> reconciled = reconcile(problem_, made_.symmetries);
   if (!reconciled.ok()) return end(reconciled.error());
-  sampled_ = std::move(reconciled).value();
+  Reconciled& left = reconciled.value();
+  made_.symmetries = std::move(left.symmetries);
+  made_.notes = std::move(left.notes);
+  sampled_ = std::move(left.sampled);
   fraction_ = kReconciled;
   return true;
 }
 
 bool Preparation::sample() {
   if (!sampled_) {
-    Outcome<Pattern> now =
-        discretise(problem_.garment, problem_.known, problem_.imposed, edge_length_);
+    Outcome<Pattern> now = discretise(problem_.garment, made_.symmetries.known,
+                                      made_.symmetries.imposed, edge_length_);
     if (!now.ok()) return judge(now.error());
     sampled_ = std::move(now).value();
   }
@@ -189,33 +189,39 @@ bool Preparation::judge(Outcome<Pattern> ready) {
     if (!found) return end(std::move(ready));
   } else {
     // what cannot be meshed as its own mirror image may do without it
-    for (std::size_t m = 0; m < problem_.imposed.size() && !found; ++m)
-      if (problem_.imposed[m].pieces[0] == ready.error().piece)
+    const std::vector<BodySymmetry>& imposed = made_.symmetries.imposed;
+    for (std::size_t m = 0; m < imposed.size() && !found; ++m)
+      if (imposed[m].pieces[0] == ready.error().piece)
         found = Obstacle{m, "symmetryCrossing",
                          "its outline would cross itself if it were made to mirror exactly", ""};
-    if (!found || !problem_.symmetries_optional) return end(ready.error());
+    if (!found || !made_.symmetries.optional) return end(ready.error());
   }
-  if (const auto error = dropOrRefuse(problem_, *found, Failure::kSymmetryDoesNotMirror))
+  if (const auto error = dropOrRefuse(problem_.garment, *found, Failure::kSymmetryDoesNotMirror,
+                                      made_.symmetries, made_.notes))
     return end(*error);
   return true;
 }
 
 bool Preparation::end(Outcome<Pattern> pattern) {
   fraction_ = 1;
-  if (pattern.ok() && memo_)
-    memo_->last = {
-        *std::move(from_),
-        pattern.value(),
-        problem_.imposed,
-        problem_.known,
-        {problem_.notes.begin() + static_cast<std::ptrdiff_t>(notes_), problem_.notes.end()},
-        plans_};
-  pattern_ = std::move(pattern);
+  ended_ = true;
+  if (pattern.ok()) {
+    made_.pattern = std::move(pattern).value();
+    if (memo_) memo_->last = {*std::move(from_), made_};
+  } else {
+    error_ = pattern.error();
+  }
   return false;
 }
 
-Outcome<Pattern> preparedPattern(Problem& problem, MeshMemo* memo) {
-  Preparation preparation(problem, memo);
+Outcome<Prepared> Preparation::take() {
+  if (error_) return *error_;
+  made_.notes.insert(made_.notes.begin(), rule_notes_.begin(), rule_notes_.end());
+  return std::move(made_);
+}
+
+Outcome<Prepared> prepared(const Problem& problem, MeshMemo* memo) {
+  Preparation preparation(problem, problem.symmetries, memo);
   while (preparation.advance()) {
   }
   return preparation.take();

@@ -14,10 +14,9 @@ constexpr double kMore = 0.9;  ///< of the progress, for more symmetry: it may b
 using Symmetries = std::vector<BodySymmetry>;
 
 /// Those that are imposed, then the known ones that the print's group carries besides.
-Symmetries carriedSymmetries(const Problem& problem) {
-  Symmetries carried = problem.imposed;
-  const WallpaperGroup& group = problem.print.group;
-  for (const BodySymmetry& s : problem.known)
+Symmetries carriedSymmetries(const GarmentSymmetries& symmetries, const WallpaperGroup& group) {
+  Symmetries carried = symmetries.imposed;
+  for (const BodySymmetry& s : symmetries.known)
     if (!contains(carried, s) && (s.single() ? group.carriesSingle() : group.carriesPair()))
       carried.push_back(s);
   return carried;
@@ -25,7 +24,7 @@ Symmetries carriedSymmetries(const Problem& problem) {
 
 /// The symmetric pattern with only those of its mirrors that are asked for.
 /// @param imposed   of the symmetric pattern, in the order of its mirrors
-Pattern freed(Pattern pattern, const Symmetries& imposed, const Symmetries& asked) {
+Pattern freedPattern(Pattern pattern, const Symmetries& imposed, const Symmetries& asked) {
   std::vector<Mirror> kept;
   for (std::size_t m = 0; m < imposed.size(); ++m)
     if (contains(asked, imposed[m])) kept.push_back(std::move(pattern.mirrors[m]));
@@ -36,46 +35,54 @@ Pattern freed(Pattern pattern, const Symmetries& imposed, const Symmetries& aske
 
 }  // namespace
 
-SymmetricPreparation::SymmetricPreparation(Problem& problem, MeshMemo* memo)
+SymmetricPreparation::SymmetricPreparation(const Problem& problem, MeshMemo* memo)
     : problem_(problem), memo_(memo) {
-  Symmetries carried = carriedSymmetries(problem);
-  if (problem.options.method == Method::kBest && carried.size() > problem.imposed.size()) {
-    more_ = problem;
-    more_->imposed = std::move(carried);
-    more_->symmetries_optional = true;
+  GarmentSymmetries symmetries = problem.symmetries;
+  if (problem.options.method == Method::kBest) {
+    Symmetries carried = carriedSymmetries(symmetries, problem.print.group);
+    has_more_ = carried.size() > symmetries.imposed.size();
+    if (has_more_) symmetries = {std::move(carried), std::move(symmetries.known), true};
   }
-  preparation_.emplace(more_ ? *more_ : problem, memo);
+  preparation_.emplace(problem, std::move(symmetries), memo);
 }
 
 bool SymmetricPreparation::advance() {
   if (symmetric_) return false;
   const bool more = preparation_->advance();
-  fraction_ = std::max(fraction_, (more_ ? kMore : 1) * preparation_->fraction());
-  return more || (more_ && judge());
+  fraction_ = std::max(fraction_, (has_more_ ? kMore : 1) * preparation_->fraction());
+  return more || (has_more_ && judge());
 }
 
 /// Whether to begin anew, without more symmetries than are asked for.
 bool SymmetricPreparation::judge() {
-  const Symmetries &left = more_->imposed, &asked = problem_.imposed;
-  const Outcome<Pattern> pattern = preparation_->take();
-  if (pattern.ok() && left.size() > asked.size() &&
-      std::all_of(asked.begin(), asked.end(),
-                  [&](const BodySymmetry& s) { return contains(left, s); })) {
-    symmetric_ = {freed(pattern.value(), left, asked), pattern.value(), pattern.value().mirrors};
-    return false;
+  Outcome<Prepared> made = preparation_->take();
+  if (made.ok()) {
+    Prepared& more = made.value();
+    const Symmetries &left = more.symmetries.imposed, &asked = problem_.symmetries.imposed;
+    if (left.size() > asked.size() &&
+        std::all_of(asked.begin(), asked.end(),
+                    [&](const BodySymmetry& s) { return contains(left, s); })) {
+      std::vector<Mirror> known = more.pattern.mirrors;
+      Pattern freed = freedPattern(more.pattern, left, asked);
+      symmetric_ = {{std::move(freed), problem_.symmetries, {}, std::move(more.plans)},
+                    std::move(more.pattern),
+                    std::move(known)};
+      return false;
+    }
   }
-  more_.reset();
-  preparation_.emplace(problem_, memo_);
+  has_more_ = false;
+  preparation_.emplace(problem_, problem_.symmetries, memo_);
   return true;
 }
 
-Outcome<PreparedPatterns> SymmetricPreparation::take() {
+Outcome<PreparedProblem> SymmetricPreparation::take() {
   if (symmetric_) return *std::move(symmetric_);
-  Outcome<Pattern> asked = preparation_->take();
+  Outcome<Prepared> asked = preparation_->take();
   if (!asked.ok()) return asked.error();
-  PreparedPatterns prepared{std::move(asked).value(), {}, {}};
-  if (problem_.imposed.empty())
-    for (const BodySymmetry& s : carriedSymmetries(problem_))
+  PreparedProblem prepared{std::move(asked).value(), {}, {}};
+  const GarmentSymmetries& left = prepared.asked.symmetries;
+  if (left.imposed.empty())
+    for (const BodySymmetry& s : carriedSymmetries(left, problem_.print.group))
       prepared.known.push_back({{s.pieces[0], s.pieces[1]}, s.map, {}});
   return prepared;
 }

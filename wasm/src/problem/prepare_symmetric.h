@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -7,9 +6,9 @@
 
 namespace seamwise {
 
-/// The pattern that a problem asks for, and what more symmetry it could have.
-struct PreparedPatterns {
-  Pattern asked;
+/// What a problem is made into before it is solved.
+struct PreparedProblem {
+  Prepared asked;
   /// With all known symmetries imposed that the print's group carries, where these are more than
   /// are asked for. Its vertices are those of `asked`, so its shapes are shapes of that.
   std::optional<Pattern> symmetric;
@@ -24,23 +23,22 @@ class SymmetricPreparation {
  public:
   /// @param problem   outlives it
   /// @param memo      may be null
-  explicit SymmetricPreparation(Problem& problem, MeshMemo* memo = nullptr);
+  explicit SymmetricPreparation(const Problem& problem, MeshMemo* memo = nullptr);
 
   /// Some milliseconds of work. False when there is none left.
   bool advance();
   double fraction() const { return fraction_; }  ///< 0..1, monotone
   /// Once it has ended. Errors: as Preparation::take().
-  Outcome<PreparedPatterns> take();
-  std::shared_ptr<LastPlans> plans() const { return preparation_->plans(); }
+  Outcome<PreparedProblem> take();
 
  private:
   bool judge();
 
-  Problem& problem_;
+  const Problem& problem_;
   MeshMemo* memo_;
-  std::optional<Problem> more_;  ///< the problem with more symmetries, while they may hold
+  bool has_more_ = false;  ///< more symmetries than are asked for are tried
   std::optional<Preparation> preparation_;
-  std::optional<PreparedPatterns> symmetric_;
+  std::optional<PreparedProblem> symmetric_;
   double fraction_ = 0;
 };
 

@@ -9,16 +9,22 @@
 
 namespace seamwise {
 
+/// The symmetries of a garment, as a solve treats them.
+struct GarmentSymmetries {
+  std::vector<BodySymmetry> imposed;  ///< obeyed by print and shape
+  std::vector<BodySymmetry> known;    ///< all that the sampling follows; contains `imposed`
+  bool optional = false;  ///< found by the program: an imposed one that cannot hold may be dropped
+  bool operator==(const GarmentSymmetries&) const = default;
+};
+
 /// Everything a solve needs, checked: numbers are finite, references resolve, the print's group
-/// carries the imposed symmetries.
+/// carries the imposed symmetries. Solving changes nothing of it.
 struct Problem {
   Garment garment;
   Print print;
-  std::vector<BodySymmetry> imposed;  ///< obeyed by print and shape
-  std::vector<BodySymmetry> known;    ///< all that the sampling follows; contains `imposed`
-  bool symmetries_optional = false;   ///< found by the program: one that cannot hold may be dropped
+  GarmentSymmetries symmetries;
   SolveOptions options;
-  std::vector<Note> notes;  ///< what was dropped or assumed
+  std::vector<Note> notes;  ///< what reading dropped or assumed
 };
 
 }  // namespace seamwise

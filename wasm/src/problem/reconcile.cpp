@@ -97,13 +97,13 @@ double unmappedSeams(const Garment& garment, const Symmetries& known, const Body
 /// As many of the known symmetries as hold together: the fixed ones, then those first that fit the
 /// seams best.
 /// @param sampled   by the fixed ones; in the end by all
-Symmetries consistent(const Problem& problem, const Symmetries& fixed,
+Symmetries consistent(const Problem& problem, const Symmetries& known, const Symmetries& fixed,
                       std::optional<Pattern>* sampled) {
   Symmetries rest;
-  for (const BodySymmetry& s : problem.known)
+  for (const BodySymmetry& s : known)
     if (!contains(fixed, s)) rest.push_back(s);
   sortBy(rest, [&](const BodySymmetry& symmetry) {
-    return unmappedSeams(problem.garment, problem.known, symmetry);
+    return unmappedSeams(problem.garment, known, symmetry);
   });
   Symmetries kept = fixed;
   for (const BodySymmetry& s : rest) {
@@ -118,9 +118,10 @@ Symmetries consistent(const Problem& problem, const Symmetries& fixed,
 
 /// What was sampled by the known symmetries, with the mirrors of the imposed ones, if the sampling
 /// is the same by these.
-std::optional<Pattern> asImposed(const Problem& problem, std::optional<Pattern> sampled) {
-  if (!sampled || problem.imposed == problem.known) return sampled;
-  if (!problem.imposed.empty()) return {};
+std::optional<Pattern> asImposed(const GarmentSymmetries& symmetries,
+                                 std::optional<Pattern> sampled) {
+  if (!sampled || symmetries.imposed == symmetries.known) return sampled;
+  if (!symmetries.imposed.empty()) return {};
   sampled->mirrors.clear();
   measureSeams(*sampled);
   return sampled;
@@ -138,35 +139,36 @@ std::string called(const Garment& garment, const BodySymmetry& s) {
   return (s.single() ? "piece " : "the pair ") + namesOf(garment, s);
 }
 
-Outcome<std::optional<Pattern>> reconcile(Problem& problem) {
-  std::optional<Pattern> sampled = heldTogether(problem, problem.known);
-  if (sampled) return asImposed(problem, std::move(sampled));
-  const Symmetries fixed = problem.symmetries_optional ? Symmetries{} : problem.imposed;
-  if (!fixed.empty() && !(sampled = heldTogether(problem, fixed))) {
-    std::string names;
-    for (const BodySymmetry& s : fixed)
-      names += (names.empty() ? "" : ", ") + called(problem.garment, s);
-    return Error{Failure::kSymmetryConflict,
-                 "The symmetries of " + names +
-                     " cannot all hold: mirrored edges are sewn to edges that do not mirror. "
-                     "Leave one of them out.",
-                 fixed.front().pieces[0], -1, "symmetrySewn"};
+Outcome<Reconciled> reconcile(const Problem& problem, const GarmentSymmetries& symmetries) {
+  Reconciled left{symmetries, {}, heldTogether(problem, symmetries.known)};
+  if (!left.sampled) {
+    const Symmetries fixed = symmetries.optional ? Symmetries{} : symmetries.imposed;
+    if (!fixed.empty() && !(left.sampled = heldTogether(problem, fixed))) {
+      std::string names;
+      for (const BodySymmetry& s : fixed)
+        names += (names.empty() ? "" : ", ") + called(problem.garment, s);
+      return Error{Failure::kSymmetryConflict,
+                   "The symmetries of " + names +
+                       " cannot all hold: mirrored edges are sewn to edges that do not mirror. "
+                       "Leave one of them out.",
+                   fixed.front().pieces[0], -1, "symmetrySewn"};
+    }
+    const Symmetries& kept = left.symmetries.known =
+        consistent(problem, symmetries.known, fixed, &left.sampled);
+    left.symmetries.imposed.clear();
+    for (const BodySymmetry& s : symmetries.imposed) {
+      if (contains(kept, s))
+        left.symmetries.imposed.push_back(s);
+      else
+        left.notes.push_back({"symmetrySewn",
+                              "The symmetry of " + called(problem.garment, s) +
+                                  " is dropped: its mirrored edges are sewn to edges that do not "
+                                  "mirror.",
+                              piecesOf(s)});
+    }
   }
-  const Symmetries kept = consistent(problem, fixed, &sampled);
-  Symmetries imposed;
-  for (const BodySymmetry& s : problem.imposed) {
-    if (contains(kept, s))
-      imposed.push_back(s);
-    else
-      problem.notes.push_back({"symmetrySewn",
-                               "The symmetry of " + called(problem.garment, s) +
-                                   " is dropped: its mirrored edges are sewn to edges that do not "
-                                   "mirror.",
-                               piecesOf(s)});
-  }
-  problem.imposed = std::move(imposed);
-  problem.known = kept;
-  return asImposed(problem, std::move(sampled));
+  left.sampled = asImposed(left.symmetries, std::move(left.sampled));
+  return left;
 }
 
 }  // namespace seamwise

@@ -9,10 +9,18 @@
 
 namespace seamwise {
 
-/// Drops detected symmetries that contradict each other, with a note: shortens problem.imposed and
-/// problem.known. Errors: kSymmetryConflict when those asked for do.
-/// @return the garment as discretise() samples it by what is left, where that is known by then
-Outcome<std::optional<Pattern>> reconcile(Problem& problem);
+/// Symmetries that can hold together.
+struct Reconciled {
+  GarmentSymmetries symmetries;
+  std::vector<Note> notes;  ///< which ones were dropped, and why
+  /// The garment as discretise() samples it by the symmetries, where that is known by then.
+  std::optional<Pattern> sampled;
+};
+
+/// Drops detected symmetries that contradict each other. Errors: kSymmetryConflict when those asked
+/// for do.
+/// @param symmetries   of the problem, or fewer
+Outcome<Reconciled> reconcile(const Problem& problem, const GarmentSymmetries& symmetries);
 
 /// Whether one of the list is of the same pieces.
 bool contains(const std::vector<BodySymmetry>& list, const BodySymmetry& s);

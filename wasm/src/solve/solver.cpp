@@ -39,12 +39,13 @@ Error unsewable(int seam) {
 struct Solver::State {
   explicit State(Problem p) : problem(std::move(p)) {
     // it knows no symmetry of the body
-    if (problem.options.method == Method::kWs19) problem.imposed.clear();
+    if (problem.options.method == Method::kWs19) problem.symmetries.imposed.clear();
   }
-  Problem problem;
+  Problem problem;  ///< as it was asked
   Pattern pattern;
   std::optional<Pattern> symmetric;  ///< with more symmetries than are asked for
   std::shared_ptr<LastPlans> plans;
+  std::vector<Note> notes;  ///< what was dropped or assumed
   MatchRules rules;
   std::optional<MatchProblem> match;  ///< the pieces as drafted
   Alignments drafted;
@@ -87,14 +88,17 @@ bool SolverSetup::advance() { return preparation_.advance(); }
 double SolverSetup::fraction() const { return preparation_.fraction(); }
 
 Outcome<Solver> SolverSetup::take() {
-  Outcome<PreparedPatterns> prepared = preparation_.take();
-  if (!prepared.ok()) return prepared.error();
+  Outcome<PreparedProblem> outcome = preparation_.take();
+  if (!outcome.ok()) return outcome.error();
+  PreparedProblem& prepared = outcome.value();
   Solver::State& state = *state_;
   const Problem& p = state.problem;
-  state.pattern = std::move(prepared.value().asked);
-  state.symmetric = std::move(prepared.value().symmetric);
-  state.plans = preparation_.plans();
-  state.known = std::move(prepared.value().known);
+  state.pattern = std::move(prepared.asked.pattern);
+  state.symmetric = std::move(prepared.symmetric);
+  state.plans = std::move(prepared.asked.plans);
+  state.known = std::move(prepared.known);
+  state.notes = p.notes;
+  for (Note& note : prepared.asked.notes) state.notes.push_back(std::move(note));
   if (memo_) state.memo = memo_;
   applySeamOptions(p.options, state.pattern);
   if (state.symmetric) applySeamOptions(p.options, *state.symmetric);
@@ -102,12 +106,12 @@ Outcome<Solver> SolverSetup::take() {
   state.match.emplace(makeMatchProblem(state.pattern, restShapes(state.pattern),
                                        state.pattern.mirrors, state.rules, p.print.group));
   state.drafted = draftedLayout(p, *state.match);
-  std::vector<Note>* const notes = &state.problem.notes;
-  for (Note& remark : remarksOn(state.pattern)) notes->push_back(std::move(remark));
+  for (Note& remark : remarksOn(state.pattern)) state.notes.push_back(std::move(remark));
   if (p.options.method == Method::kBest)
     state.run = state.best();
   else
-    state.run = std::make_unique<PaperRun>(p, state.pattern, state.rules, state.drafted, notes);
+    state.run =
+        std::make_unique<PaperRun>(p, state.pattern, state.rules, state.drafted, &state.notes);
   return Solver(std::move(state_));
 }
 
@@ -127,7 +131,7 @@ double Solver::fraction() const {
 int Solver::attempt() const { return state_->run->attempt(); }
 const Alignments& Solver::partial() const { return state_->run->alignment(); }
 AlignmentSearch* Solver::searching() { return state_->run->searching(); }
-const std::vector<Note>& Solver::notes() const { return state_->problem.notes; }
+const std::vector<Note>& Solver::notes() const { return state_->notes; }
 const Pattern& Solver::pattern() const { return state_->pattern; }
 
 PrintedPattern Solver::unsolved() const {
@@ -148,7 +152,7 @@ PrintedPattern Solver::unsolved() const {
   };
   static_cast<Fits&>(printed) = measured(group);
   if (state_->match->continuous_only) printed.continuous = measured(state_->match->joining());
-  printed.notes = state_->problem.notes;
+  printed.notes = state_->notes;
   return printed;
 }
 
