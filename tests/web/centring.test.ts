@@ -1,6 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import type {PanelMarks, Placement} from '@/model/garment-marks.js';
+import type {Placement} from '@/model/garment-document.js';
+import type {PanelMarks} from '@/model/garment-marks.js';
 import type {MeshedPattern, Pattern} from '@/model/result.js';
 import type {DetectedSymmetry} from '@/model/symmetries.js';
 import {centred, middleToCentre} from '@/editor/pattern/centring.js';

@@ -2,6 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import type {PanelMarks} from '@/model/garment-marks.js';
 import {garmentTitle, panelMarks} from '@/model/garment-marks.js';
+import {documentOf, draftedSquare} from '../support/garment-documents.js';
 import type {Alignment, Point} from '@/model/geometry.js';
 import type {Print} from '@/model/print.js';
 import type {Pattern, ResultPiece, SolveResult} from '@/model/result.js';
@@ -300,48 +301,34 @@ describe('the file to cut by', () => {
   });
 });
 
-describe('what a garment file says about its panels', () => {
-  const garment = {
-    format: 'seamwise-garment/1',
-    title: 'Tie',
-    size: 'M',
-    properties: {units_in_meter: 1000},
-    pattern: {
-      panels: {
-        tip: {
-          label: 'Tip',
-          grain: {
-            line: [
-              [10, 5],
-              [10, 35],
-            ],
-          },
-          translation: [0, 1200, 100],
-          rotation: [0, 180, 0],
-          vertices: [
-            [0, 0],
-            [40, 0],
-            [40, 40],
-          ],
-          edges: [{endpoints: [0, 1]}, {endpoints: [1, 2]}, {endpoints: [2, 0]}],
-          notches: [
-            {edge: 1, at: 0.25},
-            {edge: 7, at: 0.5},
+describe('what a garment says about its pieces', () => {
+  const placement = {translation: [0, 120, 10], rotation: [0, 180, 0]} as const;
+  const garment = documentOf(
+    [
+      draftedSquare('tip', {
+        label: 'Tip',
+        grain: {
+          line: [
+            [1, 0.5],
+            [1, 3.5],
           ],
         },
-        lining: {},
-      },
-    },
-  } as const;
+        placement,
+        notches: [{edge: 1, at: 0.25}],
+      }),
+      draftedSquare('lining'),
+    ],
+    {title: 'Tie', size: 'M'},
+  );
 
-  it('is read in centimetres, with notches by the ends of their edges', () => {
+  it('has notches by the ends of their edges', () => {
     expect(panelMarks(garment).get('tip')).toEqual({
       label: 'Tip',
       grain: [
         [1, 0.5],
         [1, 3.5],
       ],
-      placement: {translation: [0, 120, 10], rotation: [0, 180, 0]},
+      placement,
       notches: [{from: [4, 0], to: [4, 4], at: 0.25}],
     });
     expect(panelMarks(garment).get('lining')).toEqual({label: 'Lining'});
@@ -349,12 +336,13 @@ describe('what a garment file says about its panels', () => {
 
   it('has a title and a size', () => {
     expect(garmentTitle(garment)).toEqual({title: 'Tie', size: 'M'});
-    expect(garmentTitle({format: 'seamwise-garment/1'})).toEqual({});
+    expect(garmentTitle({})).toEqual({});
   });
 
   it('is titled by its file where it says no title', () => {
-    const untitled = {format: 'seamwise-garment/1', title: ' '} as const;
-    expect(garmentTitle(untitled, 'shirt_mean_specification.json')).toEqual({title: 'Shirt mean'});
+    expect(garmentTitle({title: ' '}, 'shirt_mean_specification.json')).toEqual({
+      title: 'Shirt mean',
+    });
     expect(garmentTitle(garment, 'shirt.json').title).toBe('Tie');
   });
 

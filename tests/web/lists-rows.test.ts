@@ -14,12 +14,15 @@ import {de} from '@/texts/de.js';
 import {en} from '@/texts/en.js';
 import {formatFor} from '@/texts/format.js';
 import {realigned, sceneOf} from '@/scene/scene.js';
+import {documentOf, draftedSeam} from '../support/garment-documents.js';
 import {seamRow} from '../support/seam-row.js';
+import type {GarmentSeam} from '@/model/garment-document.js';
 import {plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 interface Shown {
   readonly pattern?: Pattern;
-  readonly garment?: object;
+  /** What the garment says of its seams. */
+  readonly drafted?: readonly Partial<GarmentSeam>[];
   readonly options?: Design['options'];
   /** The second piece lies so much too high before, and after. [cm] */
   readonly high?: readonly [number, number];
@@ -29,13 +32,13 @@ interface Shown {
 /** What the rows read of a workbench, of two sewn squares unless told. */
 function workbench({
   pattern = squarePair(),
-  garment = {},
+  drafted = [],
   options = {},
   high = [2, 0],
   oneWay,
 }: Shown) {
   const design: Design = {
-    garment: {name: 'two.json', text: JSON.stringify(garment)},
+    garment: {name: 'two.json', text: '{}'},
     print: {
       ...{title: '', group: 'p1', turnDeg: 0, oneWay: false, cell: 'primitive', image: ''},
       size: {width: 10, height: 10, angleDeg: 90},
@@ -56,7 +59,14 @@ function workbench({
   );
   const [before, now] = [realigned(scene, lying(high[0])), realigned(scene, lying(high[1]))];
   const meshed = {...pattern, pieces: [], fitRandom: 0, notes: []};
-  return {design, pattern: meshed, result: undefined, scenes: {before, now, marks: new Map()}};
+  const garment = documentOf([], {seams: drafted.map(draftedSeam)});
+  return {
+    design,
+    garment,
+    pattern: meshed,
+    result: undefined,
+    scenes: {before, now, marks: new Map()},
+  };
 }
 
 const seams = (shown: Shown = {}): readonly SeamRow[] => seamRows(workbench(shown), en);
@@ -78,13 +88,8 @@ describe('rows of seams', () => {
   });
 
   it('take names from the garment file, by stitch', () => {
-    const garment = {
-      seams: [
-        {stitch: 1, name: 'Side'},
-        {stitch: 0, name: 'Waist'},
-      ],
-    };
-    expect(seams({pattern: twice(), garment}).map(({name}) => name)).toEqual(['Waist', 'Side']);
+    const drafted = [{name: 'Waist'}, {name: 'Side'}];
+    expect(seams({pattern: twice(), drafted}).map(({name}) => name)).toEqual(['Waist', 'Side']);
   });
 
   it('are named after the pieces where the file has no name', () => {
@@ -93,27 +98,22 @@ describe('rows of seams', () => {
   });
 
   it('number names that are alike', () => {
-    const garment = {
-      seams: [
-        {stitch: 0, name: 'Side'},
-        {stitch: 1, name: 'Side'},
-      ],
-    };
-    expect(seams({pattern: twice(), garment}).map(({name}) => name)).toEqual(['Side 1', 'Side 2']);
+    const drafted = [{name: 'Side'}, {name: 'Side'}];
+    expect(seams({pattern: twice(), drafted}).map(({name}) => name)).toEqual(['Side 1', 'Side 2']);
   });
 
   it('have the weight of the options, else of the file, else 1', () => {
-    const garment = {seams: [{stitch: 0, weight: 0.75}]};
-    expect(seam({garment, options: {weights: {0: 0.5}}}).weight).toBe(0.5);
-    expect(seam({garment}).weight).toBe(0.75);
+    const drafted = [{weight: 0.75}];
+    expect(seam({drafted, options: {weights: {0: 0.5}}}).weight).toBe(0.5);
+    expect(seam({drafted}).weight).toBe(0.75);
     expect(seam().weight).toBe(1);
   });
 
   it('say which seams are not matched, and which could not be', () => {
     expect(seam()).toMatchObject({matched: true, canMatch: true});
     expect(seam({options: {unmatched: [0]}})).toMatchObject({matched: false, canMatch: true});
-    const garment = {seams: [{stitch: 0, matched: false}]};
-    expect(seam({garment})).toMatchObject({matched: false, canMatch: false});
+    const drafted = [{matched: false}];
+    expect(seam({drafted})).toMatchObject({matched: false, canMatch: false});
     const options = {plain: ['left_half']};
     expect(seam({options})).toMatchObject({matched: false, canMatch: false});
   });
@@ -132,10 +132,10 @@ describe('rows of seams', () => {
 
 describe('the text of a seam', () => {
   const format = formatFor('en', 'cm');
-  const garment = {seams: [{stitch: 0, name: 'Side seam'}]};
+  const drafted = [{name: 'Side seam'}];
 
   it('tells name, pieces, length, mismatch and kind', () => {
-    expect(seams({garment, high: [2, 0.2]}).map((row) => seamText(row, en, format))).toEqual([
+    expect(seams({drafted, high: [2, 0.2]}).map((row) => seamText(row, en, format))).toEqual([
       'Side seam (A), Left half to Right half, 4 cm, mismatch 2 mm, continuous',
     ]);
   });

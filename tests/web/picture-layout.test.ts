@@ -4,7 +4,7 @@ import type {Point} from '@/model/geometry.js';
 import type {Pattern, ResultPiece} from '@/model/result.js';
 import {ontoSheet} from '@/model/sheet-place.js';
 import {layOut, layOutNamed, type Layout} from '@/layout/layout.js';
-import type {Placement} from '@/model/garment-marks.js';
+import type {Placement} from '@/model/garment-document.js';
 import type {Placements} from '@/layout/on-body.js';
 import {plainPrint as print, squarePiece} from '../support/two-squares.js';
 

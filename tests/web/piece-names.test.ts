@@ -1,10 +1,11 @@
 /** What pieces are called where a file says little. */
 import {readdirSync, readFileSync} from 'node:fs';
 
+import {readGarment} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import type {Garment} from '@/model/garment.js';
 import {panelMarks} from '@/model/garment-marks.js';
+import {documentOf, draftedSquare} from '../support/garment-documents.js';
 import {pieceNames, readable, titleOfFile} from '@/model/piece-names.js';
 
 const named = (labels: Record<string, string | undefined>, chosen = {}): string[] => [
@@ -66,19 +67,17 @@ describe('the name of a piece', () => {
   });
 
   it('may be chosen in a garment file, and in the design over it', () => {
-    const panel = {vertices: [], edges: []};
-    const garment = {
-      ...{format: 'seamwise-garment/1', names: {front: 'Bib', back: 'Rear'}},
-      pattern: {panels: {front: panel, back: panel}},
-    } as const satisfies Garment;
+    const garment = documentOf([draftedSquare('front'), draftedSquare('back')], {
+      names: {front: 'Bib', back: 'Rear'},
+    });
     const marks = panelMarks(garment, {names: {back: 'Seat'}});
     expect([...marks.values()].map(({label}) => label)).toEqual(['Bib', 'Seat']);
   });
 
-  it('is never given twice in the sample garments', () => {
+  it('is never given twice in the sample garments', async () => {
     for (const name of readdirSync('public/garments')) {
       const text = readFileSync(`public/garments/${name}`, 'utf8');
-      const labels = [...panelMarks(JSON.parse(text) as Garment).values()].map((one) => one.label);
+      const labels = [...panelMarks(await readGarment(text)).values()].map((one) => one.label);
       expect(new Set(labels).size, name).toBe(labels.length);
     }
   });

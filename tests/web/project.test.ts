@@ -248,11 +248,11 @@ describe('a link', () => {
 
 describe('the name of a project', () => {
   it('is that of its garment’s file, or of a sample and its size', () => {
-    expect(nameOf({name: 'Jacke_v2.json', text: '{}'})).toBe('Jacke_v2');
-    expect(nameOf({name: 'hoody.seamwise.json', text: '{}'})).toBe('hoody');
-    const text = '{"title": "Tee", "size": "M"}';
-    expect(nameOf({...design.garment, text})).toBe('Tee, M');
-    expect(nameOf(design.garment)).toBe('tee, M');
+    expect(nameOf({name: 'Jacke_v2.json'})).toBe('Jacke_v2');
+    expect(nameOf({name: 'hoody.seamwise.json'})).toBe('hoody');
+    expect(nameOf(design.garment)).toBe('Tee, M');
+    const sample = {style: 'six-gore-skirt', size: 'xs'};
+    expect(nameOf({name: 'six-gore-skirt-xs.json', sample})).toBe('Six gore skirt, XS');
   });
 
   it('makes a file’s name on any system', () => {

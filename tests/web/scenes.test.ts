@@ -4,6 +4,7 @@ import {SceneMaker} from '@/workbench/scenes.js';
 import type {Workbench} from '@/workbench/workbench.js';
 import type {Design} from '@/model/design.js';
 import type {MeshedPattern} from '@/model/result.js';
+import {documentOf} from '../support/garment-documents.js';
 import {squarePair, squarePiece} from '../support/two-squares.js';
 
 const design: Design = {
@@ -36,7 +37,13 @@ function row(): MeshedPattern {
 
 it('shows the same figures before in every window', () => {
   const pattern = row();
-  const workbench = {design, pattern, preferences: {scale: 'absolute'}} as unknown as Workbench;
+  const garment = documentOf([]);
+  const workbench = {
+    design,
+    garment,
+    pattern,
+    preferences: {scale: 'absolute'},
+  } as unknown as Workbench;
   const all = [390, 820, 1280, 2560].map((width) =>
     new SceneMaker().scenes(workbench, {width, height: 800}),
   );

@@ -6,6 +6,7 @@ import type {Pattern} from '@/model/result.js';
 import {apply} from '@/model/wallpaper.js';
 import {onPrint} from '@/scene/mismatch.js';
 import {panelMarks} from '@/model/garment-marks.js';
+import {documentOf, draftedSquare} from '../support/garment-documents.js';
 import {imageCoordinates} from '@/viewer/print-coordinates.js';
 import {alignmentsFrom, pieceAt, realigned, reprinted, sceneOf} from '@/scene/scene.js';
 import {symmetriesOf} from '@/scene/scene-marks.js';
@@ -138,27 +139,21 @@ describe('a scene', () => {
   });
 });
 
-describe('what the garment file adds', () => {
-  const garment = {
-    format: 'seamwise-garment/1',
-    properties: {units_in_meter: 1000},
-    pattern: {
-      panels: {
-        left_half: {
-          label: 'Left half',
-          grain: {
-            line: [
-              [10, 5],
-              [10, 35],
-            ],
-          },
-        },
-        right_half: {},
+describe('what the garment adds', () => {
+  const garment = documentOf([
+    draftedSquare('left_half', {
+      label: 'Left half',
+      grain: {
+        line: [
+          [1, 0.5],
+          [1, 3.5],
+        ],
       },
-    },
-  } as const;
+    }),
+    draftedSquare('right_half'),
+  ]);
 
-  it('is read in centimetres', () => {
+  it('is a name and a grain line', () => {
     expect(panelMarks(garment).get('left_half')).toEqual({
       label: 'Left half',
       grain: [
@@ -169,13 +164,12 @@ describe('what the garment file adds', () => {
     expect(panelMarks(garment).get('right_half')).toEqual({label: 'Right half'});
   });
 
-  it('is mirrored with a piece that the file shows from the back', () => {
-    const pieces = [squarePiece('left_half', {mirroredFromInput: true}), squarePiece('right_half')];
-    const scene = sceneOf(squarePair({pieces}), print, {garment});
+  it('is drawn on its piece', () => {
+    const scene = sceneOf(squarePair(), print, {garment});
     expect(scene.pieces.map(({label}) => label)).toEqual(['Left half', 'Right half']);
     expect(scene.pieces[0]?.grain).toEqual([
-      [-1, 0.5],
-      [-1, 3.5],
+      [1, 0.5],
+      [1, 3.5],
     ]);
     expect(scene.pieces[1]?.grain).toBeUndefined();
   });

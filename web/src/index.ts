@@ -1,6 +1,8 @@
 /** The package for pages: the solver in workers, and the files that a page may be handed. */
 export type {Alignment, Point} from './model/geometry.js';
 export type * from './model/garment.js';
+export * from './model/garment-document.js';
+export {garmentFile} from './model/garment-file.js';
 export {garmentTitle, type GarmentTitle} from './model/garment-marks.js';
 export type * from './model/options.js';
 export * from './model/print.js';

@@ -14,6 +14,7 @@
 #include "bindings/share_handle.h"
 #include "bindings/solver_handle.h"
 #include "bindings/values.h"
+#include "io/garment_document.h"
 #include "io/garment_json.h"
 #include "io/json_ends.h"
 #include "io/symmetry_json.h"
@@ -75,9 +76,8 @@ val measuredSymmetries(const std::string& text, const std::string& name, const s
   return documentValue(writeMeasured(garment, measured.value()));
 }
 
-val garmentFailure(const std::string& text, const std::string& name) {
-  const Outcome<GarmentFile> file = readGarment(text, name);
-  return file.ok() ? val::null() : failureValue(file.error());
+val garmentValue(const std::string& text, const std::string& name) {
+  return documentValue(garmentDocument(text, name));
 }
 
 double liveBytes() { return static_cast<double>(static_cast<unsigned>(mallinfo().uordblks)); }
@@ -110,7 +110,7 @@ EMSCRIPTEN_BINDINGS(seamwise) {
       .function("advance", &ShareHandle::advance)
       .function("answers", &ShareHandle::answers);
   emscripten::function("measureSymmetries", &measuredSymmetries);
-  emscripten::function("garmentFailure", &garmentFailure);
+  emscripten::function("garment", &garmentValue);
   emscripten::constant("maxFileBytes", static_cast<double>(kMaxFileBytes));
   emscripten::constant("maxValues", static_cast<double>(kMaxValues));
   emscripten::function("heapBytes", &heapBytes);

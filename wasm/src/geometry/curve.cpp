@@ -227,4 +227,12 @@ Curve Curve::reversed() const {
   return c;
 }
 
+std::vector<Vec2> Curve::points() const {
+  std::vector<Vec2> points{start()};
+  if (kind_ == Kind::kQuadratic || kind_ == Kind::kCubic) points.push_back(p_[1]);
+  if (kind_ == Kind::kCubic) points.push_back(p_[2]);
+  points.push_back(end());
+  return points;
+}
+
 }  // namespace seamwise

@@ -39,6 +39,11 @@ class Curve {
   Curve transformed(const RigidMotion& motion) const;
   Curve reversed() const;
   bool straight() const { return kind_ == Kind::kLine; }
+  bool circular() const { return kind_ == Kind::kArc; }
+  /// Its ends, with a Bezier curve's control points between them: 2 of a line or an arc, 3, or 4.
+  std::vector<Vec2> points() const;
+  double radius() const { return radius_; }  ///< of an arc [cm]
+  double sweep() const { return sweep_; }    ///< of an arc, positive counter-clockwise [rad]
   bool operator==(const Curve&) const = default;
 
  private:

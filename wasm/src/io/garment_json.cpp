@@ -75,12 +75,8 @@ void checkSize(const JsonValue& panels, const Units& units, const Place& place) 
   const auto [extent, panel] = largestExtent(panels, units.panel.cm);
   if (extent <= 0 || (extent >= kSmallestPieceCm && extent <= kLargestPieceCm)) return;
   std::string likely;
-  for (const auto& [per_metre, name] : {std::pair(100.0, "cm"), std::pair(1000.0, "mm"),
-                                        std::pair(39.3701, "inches"), std::pair(1.0, "m")}) {
-    const double then = extent * units.per_metre / per_metre;
-    if (then >= 20 && then <= 300)
-      likely += (likely.empty() ? "" : " or ") + shown(per_metre) + " (" + name + ")";
-  }
+  for (const auto& [per_metre, name] : likelyUnits(extent, units.per_metre))
+    likely += (likely.empty() ? "" : " or ") + shown(per_metre) + " (" + name + ")";
   place.fail(Failure::kUnits,
              "has a largest panel, " + inQuotes(panel) + ", of " + shown(extent) + " cm with " +
                  (units.stated ? "properties.units_in_meter " + shown(units.per_metre)
@@ -131,10 +127,26 @@ JsonValue panelsOf(const JsonValue& document, const Place& place) {
   return panels;
 }
 
-GarmentFile garmentFile(const JsonValue& document, const Place& place) {
+}  // namespace
+
+std::vector<LengthUnit> likelyUnits(double extent_cm, double per_metre) {
+  std::vector<LengthUnit> likely;
+  for (const LengthUnit& unit :
+       {LengthUnit{100, "cm"}, {1000, "mm"}, {100 / 2.54, "inch"}, {1, "m"}})
+    if (isWearable(extent_cm * per_metre / unit.per_metre)) likely.push_back(unit);
+  return likely;
+}
+
+bool isWearable(double height_cm) {
+  constexpr double kBib = 14, kTrain = 260;  // of a baby, of a bride
+  return height_cm >= kBib && height_cm <= kTrain;
+}
+
+GarmentFile readGarmentFile(const JsonValue& document, const Place& place) {
   GarmentFile result;
   const JsonValue panels = panelsOf(document, place);
   const Units units = readUnits(document, place);
+  result.unit_cm = units.panel.cm;
   if (!place.failed()) checkSize(panels, units, place);
 
   Garment& garment = result.garment;
@@ -160,12 +172,14 @@ GarmentFile garmentFile(const JsonValue& document, const Place& place) {
   return result;
 }
 
-}  // namespace
-
-Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file) {
+Place garmentPlace(const std::string& file) {
   Place place{file, Failure::kNotAGarment, Failure::kNumber};
   place.keeps_unknown = true;
-  return readDocument<GarmentFile>(text, place, garmentFile);
+  return place;
+}
+
+Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file) {
+  return readDocument<GarmentFile>(text, garmentPlace(file), readGarmentFile);
 }
 
 }  // namespace seamwise

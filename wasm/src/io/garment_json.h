@@ -16,7 +16,20 @@ struct GarmentFile {
   Garment garment;
   std::vector<SymmetryRequest> symmetries;  ///< of the file itself; points in input coordinates, cm
   std::vector<Note> notes;                  ///< what was assumed
+  double unit_cm = 1;                       ///< centimetres per unit of the file
 };
+
+/// What makes a garment of a likely size: how many units a metre has, and what such a unit is
+/// called.
+struct LengthUnit {
+  double per_metre;
+  const char* name;
+};
+/// Units in which a piece would be one that somebody can wear.
+/// @param extent_cm   its greatest width or height, with so many units in a metre
+std::vector<LengthUnit> likelyUnits(double extent_cm, double per_metre);
+/// Whether it is the height of the tallest piece of a garment for anybody.
+bool isWearable(double height_cm);
 
 /// Reads a GarmentCode / Garment-Pattern-Generator specification or the project's own superset of
 /// it, seamwise-garment/1, from a file called `file`. Panels keep the order of the file; a panel
@@ -24,5 +37,10 @@ struct GarmentFile {
 /// Errors: those of Failure's garment file section; each names the file and the panel, edge or
 /// stitch.
 Outcome<GarmentFile> readGarment(std::string_view text, const std::string& file);
+
+/// The same of a document; of no use after a defect. `place` names the file.
+GarmentFile readGarmentFile(const JsonValue& document, const Place& place);
+/// How a garment's place reports defects.
+Place garmentPlace(const std::string& file);
 
 }  // namespace seamwise

@@ -30,4 +30,17 @@ void JsonWriter::put(const Alignment& alignment) {
   close();
 }
 
+void JsonWriter::put(const JsonValue& value) {
+  if (value.isNumber()) return put(value.number());
+  if (value.isText()) return put(value.text());
+  if (value.isList()) return putAll(value.items());
+  if (!value.isObject()) {
+    document_.add(value.kind());
+    return;
+  }
+  openObject();
+  for (const auto& [name, member] : value.members()) field(name, member);
+  close();
+}
+
 }  // namespace seamwise

@@ -32,6 +32,8 @@ class JsonWriter {
   void put(const char* value) { put(std::string_view(value)); }
   void put(const Vec2& point);
   void put(const Alignment& alignment);
+  /// A value of another document, as it is.
+  void put(const JsonValue& value);
   template <std::size_t n>
   void put(const std::array<int, n>& list) {
     putAll(list);

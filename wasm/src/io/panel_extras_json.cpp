@@ -83,8 +83,18 @@ void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const 
   if (const JsonValue holes = json.find("holes")) readHoles(holes, vertices, units, place, panel);
   for (const char* key : {"cutLine", "sewLine"})
     if (const JsonValue line = json.find(key)) polyline(line, place, inQuotes(key), units.cm);
+  if (const JsonValue lines = json.find("internalLines")) {
+    std::size_t n = 0;
+    for (const JsonValue& line : array(lines, place, "'internalLines'"))
+      polyline(line, numbered(place, "internal line", n++), "its points", units.cm);
+  }
   if (const JsonValue notches = json.find("notches"))
     checkNotches(notches, place, panel->edges.size());
+  if (const JsonValue quantity = json.find("quantity"))
+    if (integer(quantity, place, "'quantity'") < 1)
+      place.fail(place.number, "has a 'quantity' below 1; write how many are cut");
+  for (const char* key : {"size", "material"})
+    if (const JsonValue words = json.find(key)) text(words, place, inQuotes(key));
 }
 
 }  // namespace seamwise

@@ -1,6 +1,5 @@
 /** The pieces of a solved design to cut along, as one file that stands alone. */
 import {decidedOf, printOf} from '../model/design.js';
-import type {Garment} from '../model/garment.js';
 import {garmentTitle, panelMarks} from '../model/garment-marks.js';
 import type {Workbench} from '../editor/index.js';
 
@@ -27,15 +26,14 @@ const dataUrl = (blob: Blob): Promise<string> =>
 
 /** @throws {Error} when the print's image cannot be read; undefined before there is a result */
 export async function cuttingSvg(
-  {design, result, preferences}: Workbench,
+  {design, garment, result, preferences}: Workbench,
   allowanceCm: number,
 ): Promise<string | undefined> {
-  if (!design || !result) return undefined;
+  if (!design || !garment || !result) return undefined;
   const [{cuttingFile}, tile] = await Promise.all([
     import('../cutting/cutting-file.js'), // offsetting is a matter of this file alone
     embedded(design.print.image),
   ]);
-  const garment = JSON.parse(design.garment.text) as Garment;
   const {units, language} = preferences;
   return cuttingFile(
     result,

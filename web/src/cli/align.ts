@@ -1,14 +1,13 @@
 import {basename, resolve} from 'node:path';
 
 import {optionLimits} from '../model/core-tables.js';
-import type {Garment} from '../model/garment.js';
 import type {SolveOptions} from '../model/options.js';
 import type {Print} from '../model/print.js';
 import {methods} from '../model/method.js';
 import {resultText, withoutTimes} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
 import {readBytes, readText, textOf} from '../node/files.js';
-import {remedies, solve, type ProblemNames, type Remedy} from '../node/index.js';
+import {readGarment, remedies, solve, type ProblemNames, type Remedy} from '../node/index.js';
 import {
   choice,
   factor,
@@ -91,7 +90,7 @@ export async function align(words: readonly string[]): Promise<void> {
     result.notes.forEach(remark);
     print(
       figuresLine(garmentFile, exact ? withoutTimes(result) : result, {
-        garment: JSON.parse(textOf(given.garment.bytes)) as Garment,
+        garment: await readGarment(textOf(given.garment.bytes), names.garment),
         options: JSON.parse(given.options) as SolveOptions,
       }),
     );

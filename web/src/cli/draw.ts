@@ -1,6 +1,5 @@
 import {extname} from 'node:path';
 
-import type {Garment} from '../model/garment.js';
 import {chosenNames, garmentTitle, panelMarks} from '../model/garment-marks.js';
 import {titleOfFile} from '../model/piece-names.js';
 import {groupNames, type Print} from '../model/print.js';
@@ -10,6 +9,7 @@ import {drawResult, type PictureOptions} from '../picture/draw-result.js';
 import {notAsSold} from '../picture/mark.js';
 import {placementsIn} from '../layout/on-body.js';
 import {readText, resultLimit, textOf} from '../node/files.js';
+import {readGarment} from '../node/index.js';
 import {parseArguments, UsageError} from './base/arguments.js';
 import {checkWritable, writeText} from './base/files.js';
 import {imageTypes, inColourway, readPrint, readTile} from './print-files.js';
@@ -44,7 +44,7 @@ export async function draw(words: readonly string[]): Promise<void> {
     );
   }
   if (out !== undefined) await checkWritable(out, [resultFile, printFile]);
-  const known = designIn(result);
+  const known = await designIn(result);
   const tile = await readTile(cloth, printFile);
   const picture = drawResult(
     result,
@@ -61,14 +61,14 @@ export async function draw(words: readonly string[]): Promise<void> {
 }
 
 /** What the design that a result may hold says of the garment and its pieces; undefined where it holds none. */
-function designIn({
+async function designIn({
   pieces,
   design,
-}: ResultFile): Pick<PictureOptions, 'title' | 'names' | 'placements'> | undefined {
+}: ResultFile): Promise<Pick<PictureOptions, 'title' | 'names' | 'placements'> | undefined> {
   const [text, file] = ['text', 'name'].map((key) => fieldOf(fieldOf(design, 'garment'), key));
   if (typeof text !== 'string') return undefined;
   try {
-    const garment = JSON.parse(text) as Garment;
+    const garment = await readGarment(text);
     const marks = panelMarks(garment, {names: chosenNames(design)});
     const {title} = garmentTitle(garment, typeof file === 'string' ? file : undefined);
     return {

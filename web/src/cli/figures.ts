@@ -1,4 +1,4 @@
-import type {Garment} from '../model/garment.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import {panelMarks} from '../model/garment-marks.js';
 import type {SolveOptions} from '../model/options.js';
 import type {SolveResult} from '../model/result.js';
@@ -9,7 +9,7 @@ const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
 
 /** What was aligned, as far as a line of figures says something of it. */
 export interface Asked {
-  readonly garment: Garment;
+  readonly garment: GarmentDocument;
   readonly options: SolveOptions;
 }
 

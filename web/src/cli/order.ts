@@ -1,12 +1,11 @@
 import {resolve} from 'node:path';
 
 import {decidedOf} from '../model/design.js';
-import type {Garment} from '../model/garment.js';
 import {garmentTitle, panelMarks} from '../model/garment-marks.js';
 import {packageVersion} from '../model/version.js';
 import {addressFrom, addressOf, folderOf, readAddress} from '../node/addresses.js';
 import {textOf} from '../node/files.js';
-import {order as solveOrder, type Order} from '../node/index.js';
+import {order as solveOrder, readGarment, type Order} from '../node/index.js';
 import {cuttingFile} from '../cutting/cutting-file.js';
 import {notAsSold} from '../picture/mark.js';
 import {lengthCm, parseArguments, UsageError} from './base/arguments.js';
@@ -64,7 +63,7 @@ export async function order(words: readonly string[]): Promise<void> {
   if (cutFile !== undefined)
     await writeText(cutFile, await toCut(done, {base, within}, allowanceCm));
   if (outFile !== undefined) await writeText(outFile, done.text);
-  report(designFile, done, args.has('--json'));
+  await report(designFile, done, args.has('--json'));
   if (!done.reproduced) process.exitCode = notReproducedCode;
 }
 
@@ -73,7 +72,7 @@ async function toCut(
   {base, within}: {readonly base: URL; readonly within: readonly URL[]},
   allowanceCm: number,
 ): Promise<string> {
-  const garment = JSON.parse(text) as Garment;
+  const garment = await readGarment(text, design.garment.url);
   const tile = await fetchTile(cloth, addressFrom(base, design.print.url), {within});
   const {size} = design.garment;
   return cuttingFile(
@@ -91,7 +90,7 @@ async function toCut(
   );
 }
 
-function report(designFile: string, done: Order, asJson: boolean): void {
+async function report(designFile: string, done: Order, asJson: boolean): Promise<void> {
   const {design, garment, result, reproduced, differenceCm} = done;
   if (asJson) {
     print(
@@ -106,7 +105,8 @@ function report(designFile: string, done: Order, asJson: boolean): void {
     );
   } else {
     result.notes.forEach(remark);
-    const asked = {garment: JSON.parse(garment) as Garment, options: design.options};
+    const read = await readGarment(garment, design.garment.url);
+    const asked = {garment: read, options: design.options};
     print(`${figuresLine(designFile, result, asked)}; reproduced ${String(reproduced)}`);
   }
   if (!reproduced) remark(difference(designFile, done));

@@ -57,8 +57,7 @@ export function cutPiece(
   marks: PanelMarks,
   {allowanceCm, isPlain, letters}: CutOptions,
 ): CutPiece {
-  const {name, shape, alignment, mirroredFromInput} = piece;
-  const faceUp = ([x, y]: Point): Point => [mirroredFromInput ? -x : x, y];
+  const {name, shape, alignment} = piece;
   const outline = pick(shape, piece.outline);
   const holes = piece.holes.map((hole) => pick(shape, hole));
   // where nobody says how the grain runs, the length of the cloth does as the piece lies on the print
@@ -70,8 +69,8 @@ export function cutPiece(
     label: marks.label,
     sewn: [outline, ...holes],
     cut: cutLine(outline, holes, allowanceCm),
-    notches: (marks.notches ?? []).flatMap(({from, to, at}) => {
-      const mark = notchMark(piece, {from: faceUp(from), to: faceUp(to), at});
+    notches: (marks.notches ?? []).flatMap((notch) => {
+      const mark = notchMark(piece, notch);
       return mark ? [mark] : [];
     }),
     words: innermost(outline, [

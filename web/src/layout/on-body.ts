@@ -1,5 +1,5 @@
 /** Pieces arranged as they hang on the body: by where a garment file places them in space. Lengths in cm. */
-import type {Placement} from '../model/garment-marks.js';
+import type {Placement} from '../model/garment-document.js';
 import type {Point} from '../model/geometry.js';
 import type {Pattern, ResultPiece} from '../model/result.js';
 import {below, beside, shelves, type Block} from './blocks.js';
@@ -72,15 +72,14 @@ export const headDown = (
   });
 
 function hung(
-  {name, mirroredFromInput}: ResultPiece,
+  {name}: ResultPiece,
   middle: Point,
   [width, height]: Point,
   {translation, rotation = [0, 0, 0]}: Placement,
   block: Block,
 ): Hung {
-  const sign = mirroredFromInput ? -1 : 1;
-  const [nx, , nz] = turned([0, 0, sign], rotation);
-  const [dx, dy, dz] = turned([sign * middle[0], middle[1], 0], rotation);
+  const [nx, , nz] = turned([0, 0, 1], rotation);
+  const [dx, dy, dz] = turned([middle[0], middle[1], 0], rotation);
   const [x, y, z] = [translation[0] + dx, translation[1] + dy, translation[2] + dz];
   const common = {block, name, width, height};
   if (Math.abs(nz) < sideways && Math.abs(nx) > sideways) {

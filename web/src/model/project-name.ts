@@ -1,7 +1,6 @@
 /** What projects and the files made of them are called. */
 import type {DesignGarment} from './design.js';
-import {garmentTitle} from './garment-marks.js';
-import type {Garment} from './garment.js';
+import {readable} from './piece-names.js';
 import {text} from './read.js';
 
 /** Longer ones fit no list and no file system. [characters] */
@@ -15,11 +14,10 @@ export const withoutEnding = (file: string): string =>
   file.replace(/(\.(seamwise|result))?\.json$/i, '') || file;
 
 /** What a project is called until its owner calls it something else. */
-export function nameOf({name, text, sample}: DesignGarment): string {
-  if (!sample) return withoutEnding(name).slice(0, longestName);
-  const {title, size} = garmentTitle(JSON.parse(text) as Garment);
-  return [title ?? sample.style, size ?? sample.size.toUpperCase()].join(', ');
-}
+export const nameOf = ({name, sample}: Pick<DesignGarment, 'name' | 'sample'>): string =>
+  sample
+    ? [readable(sample.style), sample.size.toUpperCase()].join(', ')
+    : withoutEnding(name).slice(0, longestName);
 
 /** A name as part of a file's: all that some system forbids there is left out. */
 export const fileNameOf = (name: string): string =>

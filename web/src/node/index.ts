@@ -3,6 +3,7 @@ import {availableParallelism} from 'node:os';
 import {isMainThread} from 'node:worker_threads';
 
 import type {Garment} from '../model/garment.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {Problem} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
@@ -25,6 +26,8 @@ import type {Order, OrderHooks} from './order.js';
 
 export type {Alignment, Point} from '../model/geometry.js';
 export type * from '../model/garment.js';
+export type * from '../model/garment-document.js';
+export {garmentFile} from '../model/garment-file.js';
 export type * from '../model/options.js';
 export type * from '../model/print.js';
 export type * from '../model/method.js';
@@ -138,6 +141,18 @@ export async function mirror(
   name = plainNames.garment,
 ): Promise<MeasuredSymmetry> {
   return solver.mirror(mirrorTexts(garment, symmetry, name));
+}
+
+/**
+ * A garment of any readable format as one document: pieces face side up in centimetres, seams, matches, symmetries, and
+ * what its file leaves open. `garmentFile` writes one.
+ * @throws {SolverError} for bad input
+ */
+export async function readGarment(
+  garment: Garment | string,
+  name = plainNames.garment,
+): Promise<GarmentDocument> {
+  return solver.garment(jsonText(garment, name), name);
 }
 
 /** A garment of any readable format as the text of a seamwise-garment/1 file. */

@@ -7,7 +7,7 @@ import {innermost, pick} from './marks.js';
 /** Longest line that is drawn where the file draws none. */
 const greatest = 20;
 
-type Drafted = Pick<ResultPiece, 'rest' | 'outline' | 'mirroredFromInput'>;
+type Drafted = Pick<ResultPiece, 'rest' | 'outline'>;
 
 /** In the widest part of the drafted piece. @param angle from its x axis, face up [radians] */
 export function lineAt({rest, outline}: Drafted, angle: number): readonly [Point, Point] {
@@ -20,12 +20,11 @@ export function lineAt({rest, outline}: Drafted, angle: number): readonly [Point
   ];
 }
 
-/** Of the drafted piece as it lies face up: as it was decided, else as the file has it; undefined where nobody says it. */
+/** Of the drafted piece as it lies face up: as it was decided, else as the garment has it; undefined where nobody says it. */
 export function grainLine(
   piece: Drafted,
   {grain, grainDeg}: Pick<PanelMarks, 'grain' | 'grainDeg'> = {},
 ): readonly [Point, Point] | undefined {
   if (grainDeg !== undefined) return lineAt(piece, (grainDeg * Math.PI) / 180);
-  const faceUp = ([x, y]: Point): Point => [piece.mirroredFromInput ? -x : x, y];
-  return grain && [faceUp(grain[0]), faceUp(grain[1])];
+  return grain;
 }

@@ -1,6 +1,6 @@
 /** What a view of a pattern shows, as plain data. Lengths in cm, y up. */
 import type {Alignment, Point} from '../model/geometry.js';
-import type {Garment} from '../model/garment.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {Print} from '../model/print.js';
 import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
 import type {MismatchScale} from './colours.js';
@@ -83,7 +83,7 @@ export interface SceneOptions {
   /** One per piece. Default: the pattern's own. */
   readonly alignments?: readonly Alignment[];
   /** Gives labels and grain lines. */
-  readonly garment?: Garment;
+  readonly garment?: Pick<GarmentDocument, 'pieces' | 'names'>;
   /** Goes before what the garment says of its panels. */
   readonly decided?: PanelDecisions;
   /** What the layout is made for. [CSS px] */

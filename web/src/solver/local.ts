@@ -1,4 +1,5 @@
 import {SolverError} from '../model/failure.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {ProofHooks, SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
@@ -9,7 +10,7 @@ import type {Answer, Answers, Question, QuestionOf} from './protocol.js';
 import {ownThread, type Pace} from './pace.js';
 import {run, runInSlices, runPreparation} from './run.js';
 import {Share} from './share.js';
-import {convertGarment, Detection, measureSymmetry, Solver} from './solver.js';
+import {convertGarment, Detection, garmentDocument, measureSymmetry, Solver} from './solver.js';
 import type {QuestionHooks} from './service.js';
 import type {MirrorTexts, ProblemTexts} from './texts.js';
 import {TaskQueue} from './task-queue.js';
@@ -73,6 +74,7 @@ export class LocalSolver {
         return this.mirror(question.texts, hooks.signal);
       case 'share':
         return this.share(question.order, hooks.signal);
+      case 'garment':
       case 'symmetries':
       case 'convert':
         return this[question.kind](question.garment, question.name, hooks.signal);
@@ -150,6 +152,11 @@ export class LocalSolver {
     };
     const run = () => this.#withModule((module) => freeing(new Share(module, order), work), signal);
     return this.#shareQueue.take(run, signal);
+  }
+
+  /** @throws {SolverError} */
+  garment(garment: string, name: string, signal?: AbortSignal): Promise<GarmentDocument> {
+    return this.#withModule((module) => garmentDocument(module, garment, name), signal);
   }
 
   /** @throws {SolverError} */

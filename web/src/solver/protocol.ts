@@ -1,11 +1,12 @@
 import type {Failure} from '../model/failure.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {Phase} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
 import type {MirrorTexts, ProblemTexts} from './texts.js';
 
 /** Grows with every change of the messages: a page must not talk to a worker from an old cache. */
-export const protocolVersion = '4';
+export const protocolVersion = '5';
 
 /** What the answer to each kind of question is. */
 export interface Answers {
@@ -14,6 +15,7 @@ export interface Answers {
   readonly prove: Proof;
   readonly mirror: MeasuredSymmetry;
   readonly symmetries: DetectedSymmetries;
+  readonly garment: GarmentDocument;
   readonly convert: string;
   /** Of a share, for `Solver.take`. */
   readonly share: Float64Array;
@@ -36,7 +38,7 @@ export type Question =
   /** To run a share of another worker's search, from `Solver.lend`. */
   | {readonly kind: 'share'; readonly order: Float64Array}
   | {
-      readonly kind: 'symmetries' | 'convert';
+      readonly kind: 'garment' | 'symmetries' | 'convert';
       readonly garment: string;
       /** What to call the garment in messages. */
       readonly name: string;

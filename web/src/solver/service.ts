@@ -1,4 +1,5 @@
 import type {Garment} from '../model/garment.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
@@ -61,6 +62,9 @@ export interface SolverService {
   /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */
   symmetries(garment: Garment | string, hooks?: GarmentHooks): Promise<DetectedSymmetries>;
 
+  /** A garment of any readable format as one document. @throws {SolverError} for bad input */
+  garment(garment: Garment | string, hooks?: GarmentHooks): Promise<GarmentDocument>;
+
   /** A garment of any readable format as the text of a seamwise-garment/1 file. */
   convert(garment: Garment | string, hooks?: GarmentHooks): Promise<string>;
 }
@@ -110,6 +114,14 @@ export abstract class TextService implements SolverService {
       {kind: 'symmetries', garment: jsonText(garment, name), name},
       hooks,
     );
+  }
+
+  async garment(
+    garment: Garment | string,
+    {name = plainNames.garment, ...hooks}: GarmentHooks = {},
+  ): Promise<GarmentDocument> {
+    hooks.signal?.throwIfAborted();
+    return this.ask<'garment'>({kind: 'garment', garment: jsonText(garment, name), name}, hooks);
   }
 
   async convert(

@@ -1,6 +1,7 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import {symmetryReasons} from '../model/notes.js';
 import {failureCode, SolverError} from '../model/failure.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {Phase} from '../model/problem.js';
 import type {MeshedPattern, Milliseconds, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
@@ -217,10 +218,18 @@ export function measureSymmetry(
   return (valueOf(measured) as {symmetries: [MeasuredSymmetry]}).symmetries[0];
 }
 
+/** The garment as everybody but the solver looks at it. @param garment JSON text @throws {SolverError} */
+export function garmentDocument(
+  module: SeamwiseModule,
+  garment: string,
+  name: string,
+): GarmentDocument {
+  return valueOf(module.garment(documentBytes(garment, module), name)) as GarmentDocument;
+}
+
 /** The garment in the project's own format. @param garment JSON text @throws {SolverError} */
 export function convertGarment(module: SeamwiseModule, garment: string, name: string): string {
-  const failure = module.garmentFailure(documentBytes(garment, module), name);
-  if (failure) throw toError(failure);
+  garmentDocument(module, garment, name);
   return garmentText(garment);
 }
 

@@ -53,6 +53,7 @@ class Service {
       case 'prepare':
       case 'prove':
       case 'mirror':
+      case 'garment':
       case 'symmetries':
       case 'convert':
       case 'share':

@@ -1,12 +1,13 @@
 /** Where the grain of pieces probably runs, when their file does not say it: from how they hang, and from their symmetry. */
-import type {PanelMarks, Placement} from '../model/garment-marks.js';
+import type {Placement} from '../model/garment-document.js';
+import type {PanelMarks} from '../model/garment-marks.js';
 import type {Point} from '../model/geometry.js';
 import type {ResultPiece} from '../model/result.js';
 import type {Registration, Symmetry} from '../model/symmetries.js';
 import {turned} from '../layout/on-body.js';
 import type {Workbench} from './workbench.js';
 
-type Drafted = Pick<ResultPiece, 'name' | 'rest' | 'outline' | 'mirroredFromInput'>;
+type Drafted = Pick<ResultPiece, 'name' | 'rest' | 'outline'>;
 
 /** As drawn. [degrees, counter-clockwise from the x axis of the face-up piece] */
 export const upwards = 90;
@@ -36,17 +37,17 @@ function upOf(name: string, middle: Point, {translation, rotation = [0, 0, 0]}: 
 
 /** Of the ways in which a piece is drawn the one that leads up most on the body; undefined where nothing tells. */
 function placedUp(piece: Drafted, placement: Placement | undefined): number | undefined {
-  if (!placement?.rotation) return undefined;
+  const {rotation} = placement ?? {};
+  if (!placement || !rotation) return undefined;
   const xs = piece.rest.map(([x]) => x);
   const ys = piece.rest.map(([, y]) => y);
-  const sign = piece.mirroredFromInput ? -1 : 1;
   const middle: Point = [
-    (sign * (Math.min(...xs) + Math.max(...xs))) / 2,
+    (Math.min(...xs) + Math.max(...xs)) / 2,
     (Math.min(...ys) + Math.max(...ys)) / 2,
   ];
   const [ux, uy] = upOf(piece.name, middle, placement);
   const rise = (x: number, y: number): number => {
-    const [dx, dy] = turned([sign * x, y, 0], placement.rotation ?? [0, 0, 0]);
+    const [dx, dy] = turned([x, y, 0], rotation);
     return dx * ux + dy * uy;
   };
   const [across, along] = [rise(1, 0), rise(0, 1)];

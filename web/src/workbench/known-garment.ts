@@ -1,16 +1,23 @@
-/** What is known of the garment that is worked on, beside its answers: its mesh, and how its pieces lie on their way. */
+/** What is known of the garment that is worked on, beside its answers: what its file holds, its mesh, and how its pieces lie on their way. */
 import type {DesignGarment} from '../model/design.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {Alignment} from '../model/geometry.js';
 import type {MeshedPattern} from '../model/result.js';
 import {alignmentsFrom} from '../scene/scene.js';
 
 export class KnownGarment {
   #garment: DesignGarment | undefined;
+  readonly #documents = new WeakMap<DesignGarment, GarmentDocument>();
   #pattern: MeshedPattern | undefined;
   #partial: readonly Alignment[] | undefined;
 
   get garment(): DesignGarment | undefined {
     return this.#garment;
+  }
+
+  /** What its file holds; undefined until it has been read. */
+  get document(): GarmentDocument | undefined {
+    return this.#garment && this.#documents.get(this.#garment);
   }
 
   get pattern(): MeshedPattern | undefined {
@@ -29,6 +36,12 @@ export class KnownGarment {
     this.#pattern = undefined;
     this.#partial = undefined;
     return true;
+  }
+
+  /** Once for every garment. @returns whether it is the one that is worked on */
+  read(garment: DesignGarment, document: GarmentDocument): boolean {
+    this.#documents.set(garment, document);
+    return garment === this.#garment;
   }
 
   /** @returns whether it is the mesh of the garment that is worked on */

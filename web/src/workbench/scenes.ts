@@ -7,7 +7,7 @@ import {
   type DesignPrint,
 } from '../model/design.js';
 import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
-import type {Garment} from '../model/garment.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {Alignment} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {mirroringsOf, pinnedPlace} from '../model/pins.js';
@@ -30,6 +30,7 @@ export interface Scenes {
 /** A design and what is known of its answer. */
 interface Work {
   readonly design: Design | undefined;
+  readonly garment: GarmentDocument | undefined;
   readonly pattern: MeshedPattern | undefined;
   readonly result: SolveResult | undefined;
   readonly partial: readonly Alignment[] | undefined;
@@ -39,7 +40,6 @@ interface Work {
 /** Remembers what it made last, since making a sheet costs far more than laying it on the print anew. */
 export class SceneMaker {
   readonly #print = lastOf((print: DesignPrint) => printOf(print));
-  readonly #garment = lastOf((text: string) => JSON.parse(text) as Garment);
   readonly #decided = lastOf(
     (names: PanelDecisions['names'], grain: PanelDecisions['grain']): PanelDecisions => ({
       ...(names && {names}),
@@ -67,14 +67,13 @@ export class SceneMaker {
   readonly #rooms = new WeakMap<DesignGarment, Room>();
   /** How the pieces lay last, by name, and of which garment. */
   #last = new Map<string, Alignment>();
-  #lastGarment: Garment | undefined;
+  #lastGarment: GarmentDocument | undefined;
 
   /** Undefined until the solver has read the garment. */
   scenes(work: Work, shown: Room): Scenes | undefined {
-    const {design, pattern, result, partial} = work;
-    if (!design || !pattern) return undefined;
+    const {design, garment, pattern, result, partial} = work;
+    if (!design || !garment || !pattern) return undefined;
     const print = this.#print(design.print);
-    const garment = this.#garment(design.garment.text);
     if (garment !== this.#lastGarment) this.#last = new Map();
     this.#lastGarment = garment;
     const {plain, pins, locked} = design.options;
@@ -108,7 +107,7 @@ const isRoom = ({width, height}: Room): boolean => Math.min(width, height) > 80;
 type Pins = SolveOptions['pins'];
 
 function settingsOf(
-  garment: Garment,
+  garment: GarmentDocument,
   decided: PanelDecisions,
   plain: readonly string[] | undefined,
   scale: MismatchScale,

@@ -1,5 +1,6 @@
 /** What a page or element works on: a design with its history, and what the solver knows of it. */
 import {printOf, problemOf, type Design, type DesignGarment} from '../model/design.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import type {Alignment} from '../model/geometry.js';
 import type {Failure} from '../model/failure.js';
 import {begun} from '../model/history.js';
@@ -52,6 +53,8 @@ export class Workbench extends DesignHistory {
   /** What the solver broke on, and was begun anew. */
   #retried: Design | undefined;
   #isEdited = true;
+  /** What is being read. */
+  #learning: DesignGarment | undefined;
 
   /** @param lease given back by `dispose` */
   constructor(
@@ -112,6 +115,11 @@ export class Workbench extends DesignHistory {
     return this.#state;
   }
 
+  /** The garment as its file has it; undefined until it has been read. */
+  get garment(): GarmentDocument | undefined {
+    return this.#known.document;
+  }
+
   /** The garment meshed, with the symmetries of the last solve that was begun. */
   get pattern(): MeshedPattern | undefined {
     return this.#known.pattern;
@@ -169,7 +177,8 @@ export class Workbench extends DesignHistory {
    */
   async open(garment: DesignGarment): Promise<void> {
     const design = newDesign(garment, this.design?.print ?? bareCloth);
-    const pattern = await this.meshed(design);
+    const [pattern, document] = await Promise.all([this.meshed(design), this.#read(garment)]);
+    this.#known.read(garment, document);
     const method = this.design?.method ?? design.method;
     this.begin(begun({design: {...design, method}, view: null}));
     this.#known.takeFirst(garment, pattern);
@@ -185,6 +194,7 @@ export class Workbench extends DesignHistory {
   /** Solves the present design, whatever is under way. */
   align(): void {
     if (!this.design) return;
+    void this.#learn(this.design.garment);
     this.afterwards.stop();
     this.#state = {kind: 'solving', phase: 'preparation', fraction: 0};
     this.#solve.start(this.design);
@@ -238,6 +248,7 @@ export class Workbench extends DesignHistory {
     if (!design) return;
     this.afterwards.stop();
     if (this.#known.meet(design.garment)) this.#met(design.garment);
+    void this.#learn(design.garment);
     const known = this.#results.of(design);
     if (known ?? !this.preferences.solveAsIGo) {
       this.#solve.cancel();
@@ -288,6 +299,19 @@ export class Workbench extends DesignHistory {
     this.clearTargets();
     if (this.#isEdited) this.#found.follow(garment);
     else this.#found.forget();
+  }
+
+  #read({text, name}: DesignGarment): Promise<GarmentDocument> {
+    return this.solver.garment(text, {name});
+  }
+
+  /** Unless it is known. What cannot be read cannot be solved, either, and the solve says why. */
+  async #learn(garment: DesignGarment): Promise<void> {
+    if (this.#known.document || this.#learning === garment) return;
+    this.#learning = garment;
+    const document = await this.#read(garment).catch(() => undefined);
+    if (this.#learning === garment) this.#learning = undefined;
+    if (document && this.#known.read(garment, document)) this.changed();
   }
 
   #follow(): void {

@@ -1,5 +1,6 @@
 /** Pieces and seams as rows of a table: what there is to know about each, in numbers and names. */
 import type {Design} from '../../model/design.js';
+import type {GarmentDocument, GarmentSeam} from '../../model/garment-document.js';
 import type {Point} from '../../model/geometry.js';
 import {seamLetter} from '../../model/letters.js';
 import type {GrainLock} from '../../model/options.js';
@@ -13,7 +14,6 @@ import type {Texts} from '../../texts/texts.js';
 import {lastOf} from '../../workbench/last-of.js';
 import type {Scenes} from '../../workbench/scenes.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import {garmentSeams, type GarmentSeam} from './garment-seams.js';
 
 export interface PieceRow {
   /** Its number, from 0. */
@@ -77,7 +77,7 @@ export interface SeamRow {
   readonly counts: boolean;
 }
 
-type Shown = Pick<Workbench, 'design' | 'pattern' | 'result' | 'scenes'>;
+type Shown = Pick<Workbench, 'design' | 'garment' | 'pattern' | 'result' | 'scenes'>;
 
 /** Empty until the garment has been read. The same workbench gives the same rows until something about them changes. */
 export function pieceRows({design, pattern, result, scenes}: Shown): readonly PieceRow[] {
@@ -86,11 +86,11 @@ export function pieceRows({design, pattern, result, scenes}: Shown): readonly Pi
 
 /** Empty until the garment has been read. The same workbench gives the same rows until something about them changes. */
 export function seamRows(
-  {design, pattern, result, scenes}: Shown,
+  {design, garment, pattern, result, scenes}: Shown,
   texts: Texts,
 ): readonly SeamRow[] {
-  if (!design || !scenes || !(result ?? pattern)) return [];
-  return seamsOf(design, scenes, texts);
+  if (!design || !garment || !scenes || !(result ?? pattern)) return [];
+  return seamsOf(garment, design.options, scenes, texts);
 }
 
 /** Of those that count, the worst first. */
@@ -131,8 +131,6 @@ export function remarkOn(
   const meets = near <= mismatchSteps[1] && far > mismatchSteps[1];
   return meets ? lists.runsOff(format.fine(far)) : lists.offAlong(format.fine(drift.most));
 }
-
-const fileSeams = lastOf(garmentSeams);
 
 const size = (points: readonly Point[], axis: 0 | 1): number => {
   const along = points.map((point) => point[axis]);
@@ -213,14 +211,14 @@ const piecesOf = lastOf((options: Design['options'], scene: PatternScene): reado
 /** Names from the file or of the pieces; numbered where several are alike. */
 function seamNames(
   {pieces, seams}: PatternScene,
-  file: ReadonlyMap<number, GarmentSeam>,
+  drafted: readonly GarmentSeam[],
   {lists}: Texts,
 ): readonly Pick<SeamRow, 'name' | 'between' | 'sides'>[] {
   const label = (piece: number): string => pieces[piece]?.label ?? '';
   const all = seams.map(({a, b}, seam) => {
     const sides = [label(a.piece), label(b.piece)] as const;
     const joined = a.piece === b.piece ? lists.within(sides[0]) : lists.between(...sides);
-    const own = file.get(seam)?.name;
+    const own = drafted[seam]?.name;
     return {sides, name: own ?? joined, between: own === undefined ? undefined : joined};
   });
   const count = new Map<string, number>();
@@ -233,13 +231,19 @@ function seamNames(
   });
 }
 
-const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts: Texts) => {
-  const file = fileSeams(garment.text);
-  const names = seamNames(now, file, texts);
+const seamsOf = lastOf(rowsOfSeams);
+
+function rowsOfSeams(
+  {seams: drafted}: GarmentDocument,
+  options: Design['options'],
+  {before, now}: Scenes,
+  texts: Texts,
+): readonly SeamRow[] {
+  const names = seamNames(now, drafted, texts);
   const {lengths} = measures(now.pattern);
   return now.seams.map(({a, b, mean, worst: {mismatch}, drift, kind, counts}, seam): SeamRow => {
     const {sides = ['', ''] as const, name = '', between} = names[seam] ?? {};
-    const {weight = 1, matched = true} = file.get(seam) ?? {};
+    const {weight = 1, matched = true} = drafted[seam] ?? {};
     const own = now.pattern.seams[seam];
     const gathered = counts && own !== undefined && isGathered(own);
     const canMatch = matched && ![a, b].some(({piece}) => now.pieces[piece]?.plain);
@@ -260,4 +264,4 @@ const seamsOf = lastOf(({garment, options}: Design, {before, now}: Scenes, texts
       matched: canMatch && !options.unmatched?.includes(seam),
     };
   });
-});
+}

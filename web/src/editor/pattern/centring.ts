@@ -1,5 +1,5 @@
 /** Where the print is centred: on an edge that is chosen, else on the middle of the body, as far as a piece reaches it. */
-import type {Placement} from '../../model/garment-marks.js';
+import type {Placement} from '../../model/garment-document.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import {footOnAxis} from '../../model/mirror-lines.js';
 import {turned} from '../../layout/on-body.js';
@@ -48,8 +48,7 @@ function middleOfBody(workbench: Shown, scene: PatternScene, number: number): Po
     } else if (one.pieces.includes(piece.name)) {
       const twin = one.pieces[one.pieces[0] === piece.name ? 1 : 0];
       const placement = workbench.scenes?.marks.get(piece.name)?.placement;
-      const faceUp = scene.pattern.pieces[number]?.mirroredFromInput ? -1 : 1;
-      return middleOfSeam(scene, number, twin) ?? middlePlaced(piece, placement, faceUp);
+      return middleOfSeam(scene, number, twin) ?? middlePlaced(piece, placement);
     }
   }
   return undefined;
@@ -74,17 +73,13 @@ function middleOfSeam(
 }
 
 /** Where halves are not sewn together: beside the middle of a piece, by where the file places it. */
-function middlePlaced(
-  piece: ScenePiece,
-  placement: Placement | undefined,
-  faceUp: 1 | -1,
-): Point | undefined {
+function middlePlaced(piece: ScenePiece, placement: Placement | undefined): Point | undefined {
   if (!placement) return undefined;
   const {translation, rotation = [0, 0, 0]} = placement;
   const [x, y] = middleOf(piece);
-  const across = turned([faceUp, 0, 0], rotation)[0];
+  const across = turned([1, 0, 0], rotation)[0];
   if (Math.abs(across) < 0.7) return undefined; // it hangs at the side
-  const away = (translation[0] + turned([faceUp * x, y, 0], rotation)[0]) / across;
+  const away = (translation[0] + turned([x, y, 0], rotation)[0]) / across;
   const half = Math.max(...pick(piece.points, piece.outline).map((point) => point[0])) - x;
   return Math.abs(away) <= half + offMiddle ? [x - away, y] : undefined;
 }

@@ -4,8 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import type {DesignGarment} from '../../model/design.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {doubtfulHeight, inUnit, likelyUnits} from '../../workbench/doubtful-units.js';
-import {lastOf} from '../../workbench/last-of.js';
+import {inUnit} from '../../model/garment-units.js';
 
 export class UnitsQuestion extends WorkbenchElement {
   static override styles = [
@@ -25,16 +24,15 @@ export class UnitsQuestion extends WorkbenchElement {
 
   /** Whose owner says that it is right. */
   #confirmed: DesignGarment | undefined;
-  readonly #height = lastOf(doubtfulHeight);
 
   protected override render(): TemplateResult | typeof nothing {
-    const {design, pattern} = this.workbench;
-    const height = pattern && this.#height(pattern);
-    if (!design || height === undefined || design.garment === this.#confirmed) return nothing;
+    const {design, garment: document} = this.workbench;
+    const question = document?.questions.find(({about}) => about === 'units');
+    if (!design || !question || design.garment === this.#confirmed) return nothing;
     const {doubt} = this.texts;
     const {garment} = design;
     return html`<div role="status">
-      <span>${doubt.question(this.format.length(height))}</span>
+      <span>${doubt.question(this.format.length(question.tallestCm))}</span>
       <button
         class="outlined"
         @click=${() => {
@@ -44,7 +42,7 @@ export class UnitsQuestion extends WorkbenchElement {
       >
         ${doubt.yes}
       </button>
-      ${likelyUnits(garment.text, height).map(
+      ${question.likely.map(
         (unit) =>
           html`<button
             class="outlined"

@@ -31,6 +31,7 @@ export class LastingSolver implements SolverService, SolverLease {
   readonly prepare: SolverService['prepare'] = async (...asked) => this.#solver.prepare(...asked);
   readonly prove: SolverService['prove'] = async (...asked) => this.#solver.prove(...asked);
   readonly mirror: SolverService['mirror'] = async (...asked) => this.#solver.mirror(...asked);
+  readonly garment: SolverService['garment'] = async (...asked) => this.#solver.garment(...asked);
   readonly convert: SolverService['convert'] = async (...asked) => this.#solver.convert(...asked);
   readonly symmetries: SolverService['symmetries'] = async (...asked) =>
     this.#solver.symmetries(...asked);

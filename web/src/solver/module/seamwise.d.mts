@@ -109,7 +109,7 @@ export interface SeamwiseModule {
     symmetryName: string,
   ): ModuleDocument;
   /** Why a garment cannot be read. */
-  garmentFailure(garment: Uint8Array, name: string): ModuleFailure | null;
+  garment(garment: Uint8Array, name: string): ModuleDocument;
   /** The largest text that is read. [bytes] */
   readonly maxFileBytes: number;
   /** The most values of one document. */

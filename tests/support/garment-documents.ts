@@ -1,0 +1,38 @@
+/** Garment documents for tests. */
+import type {
+  DraftedEdge,
+  GarmentDocument,
+  GarmentPiece,
+  GarmentSeam,
+} from '@/model/garment-document.js';
+import type {Point} from '@/model/geometry.js';
+
+const corners: readonly Point[] = [
+  [0, 0],
+  [4, 0],
+  [4, 4],
+  [0, 4],
+];
+
+/** A square with sides of 4 cm, as `squarePiece` is. */
+export const draftedSquare = (name: string, changes: Partial<GarmentPiece> = {}): GarmentPiece => ({
+  name,
+  mirroredFromInput: false,
+  outline: corners.map((from, k): DraftedEdge => ({points: [from, corners[(k + 1) % 4] ?? from]})),
+  ...{holes: [], internalLines: []},
+  ...changes,
+});
+
+export const draftedSeam = (changes: Partial<GarmentSeam> = {}): GarmentSeam => ({
+  ...{a: {piece: 0, edge: 1}, b: {piece: 1, edge: 3}},
+  ...{sameDirection: false, weight: 1, matched: true},
+  ...changes,
+});
+
+export const documentOf = (
+  pieces: readonly GarmentPiece[],
+  changes: Partial<GarmentDocument> = {},
+): GarmentDocument => ({
+  ...{pieces, seams: [], matches: [], symmetries: [], questions: []},
+  ...changes,
+});

@@ -1,0 +1,281 @@
+#include "io/garment_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+#include "io/garment_json.h"
+#include "io/json_ends.h"
+#include "io/json_writer.h"
+
+namespace seamwise {
+namespace {
+
+using Names = std::initializer_list<std::string_view>;
+
+/// Points of the file in the frame of the document.
+struct Frame {
+  double cm = 1;          ///< per unit
+  bool mirrored = false;  ///< the file shows the back: x is negated
+
+  Vec2 operator()(const JsonValue& point) const {
+    const double x = cm * point[0].number();
+    return {mirrored ? 0 - x : x, cm * point[1].number()};
+  }
+};
+
+void putLine(JsonWriter& out, const JsonValue& line, const Frame& frame) {
+  out.openList();
+  for (const JsonValue& point : line.items()) out.put(frame(point));
+  out.close();
+}
+
+/// The named members that `object` has.
+void copyMembers(JsonWriter& out, const JsonValue& object, Names names) {
+  for (const std::string_view name : names)
+    if (const JsonValue value = object.find(name)) out.field(name, value);
+}
+
+/// The same, of texts alone: what is for people is no reason to refuse a file.
+void copyTexts(JsonWriter& out, const JsonValue& object, Names names) {
+  for (const std::string_view name : names)
+    if (const JsonValue value = object.find(name); value.isText()) out.field(name, value);
+}
+
+/// All members but the named ones, where there are any, as an object called `as`.
+void copyOthers(JsonWriter& out, const JsonValue& object, Names named,
+                std::string_view as = "more") {
+  bool any = false;
+  for (const auto& [name, value] : object.members()) {
+    if (std::find(named.begin(), named.end(), name) != named.end()) continue;
+    if (!std::exchange(any, true)) {
+      out.key(as);
+      out.openObject();
+    }
+    out.field(name, value);
+  }
+  if (any) out.close();
+}
+
+void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue& edges) {
+  out.openList();
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Curve& curve = loop[k];
+    out.openObject();
+    out.field("points", curve.points());
+    if (curve.circular()) {
+      out.field("radius", curve.radius());
+      out.field("sweep", curve.sweep());
+    }
+    copyTexts(out, edges[k], {"label"});
+    copyOthers(out, edges[k], {"endpoints", "curvature", "label"});
+    out.close();
+  }
+  out.close();
+}
+
+void writeGrain(JsonWriter& out, const JsonValue& grain, const Frame& frame) {
+  if (!grain) return;
+  out.key("grain");
+  out.openObject();
+  if (const JsonValue line = grain.find("line")) {
+    out.key("line");
+    putLine(out, line, frame);
+  }
+  copyMembers(out, grain, {"lock", "toleranceDeg"});
+  out.close();
+}
+
+/// The turn of a panel whose x axis has been negated: R(rotation) = R(this) F on the panel's plane.
+Vec3 turnedOver(const Vec3& rotation) {
+  return {0 - rotation.x(), rotation.y() + 180, rotation.z()};
+}
+
+void writePlacement(JsonWriter& out, const JsonValue& panel, const Frame& frame) {
+  const JsonValue translation = panel.find("translation"), rotation = panel.find("rotation");
+  if (!translation) return;
+  const auto triple = [](const JsonValue& of) {
+    return Vec3(of[0].number(), of[1].number(), of[2].number());
+  };
+  const auto put = [&](const char* name, const Vec3& v) {
+    out.field(name, std::vector{v.x(), v.y(), v.z()});
+  };
+  out.key("placement");
+  out.openObject();
+  put("translation", frame.cm * triple(translation));
+  if (rotation || frame.mirrored)
+    put("rotation", frame.mirrored ? turnedOver(triple(rotation)) : triple(rotation));
+  out.close();
+}
+
+void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, double cm) {
+  const Frame frame{cm, panel.mirrored_from_input};
+  out.openObject();
+  out.field("name", panel.name);
+  out.field("mirroredFromInput", panel.mirrored_from_input);
+  out.key("outline");
+  writeLoop(out, panel.edges, json.find("edges"));
+  out.key("holes");
+  out.openList();
+  for (const std::vector<Curve>& hole : panel.holes) writeLoop(out, hole, {});
+  out.close();
+  out.key("internalLines");
+  out.openList();
+  for (const JsonValue& line : json.find("internalLines").items()) putLine(out, line, frame);
+  out.close();
+  for (const char* name : {"cutLine", "sewLine"})
+    if (const JsonValue line = json.find(name)) {
+      out.key(name);
+      putLine(out, line, frame);
+    }
+  writeGrain(out, json.find("grain"), frame);
+  writePlacement(out, json, frame);
+  copyMembers(out, json, {"notches", "quantity", "size", "material"});
+  copyTexts(out, json, {"label"});
+  copyOthers(out, json,
+             {"vertices", "edges", "holes", "internalLines", "cutLine", "sewLine", "grain",
+              "translation", "rotation", "notches", "label", "quantity", "size", "material"});
+  out.close();
+}
+
+void writeSeam(JsonWriter& out, const Stitch& stitch, const JsonValue& described) {
+  const auto side = [&](const char* name, const EdgeRef& of) {
+    out.key(name);
+    out.openObject();
+    out.field("piece", of.piece);
+    out.field("edge", of.edge);
+    out.close();
+  };
+  out.openObject();
+  side("a", stitch.a);
+  side("b", stitch.b);
+  out.field("sameDirection", stitch.same_direction);
+  out.field("weight", stitch.weight);
+  out.field("matched", stitch.matched);
+  copyMembers(out, described, {"name", "lengthRatio"});
+  copyOthers(out, described, {"stitch", "weight", "matched", "direction", "name", "lengthRatio"});
+  out.close();
+}
+
+class DocumentWriter {
+ public:
+  DocumentWriter(const JsonValue& json, const GarmentFile& file) : json_(json), file_(file) {}
+
+  std::string write() {
+    out_.openObject();
+    writePieces();
+    writeSeams();
+    out_.key("matches");
+    out_.openList();
+    for (const JsonValue& match : json_.find("matches").items()) writeMatch(match);
+    out_.close();
+    out_.key("symmetries");
+    out_.openList();
+    for (const JsonValue& symmetry : json_.find("symmetries").items()) writeSymmetry(symmetry);
+    out_.close();
+    copyTexts(out_, json_, {"title", "size"});
+    copyMembers(out_, json_, {"names"});
+    copyOthers(out_, json_,
+               {"format", "pattern", "properties", "seams", "matches", "symmetries", "title",
+                "size", "names"});
+    copyOthers(out_, json_.find("pattern"), {"panels", "stitches"}, "morePattern");
+    copyOthers(out_, json_.find("properties"), {"units_in_meter", "curvature_coords"},
+               "moreProperties");
+    writeQuestions();
+    out_.close();
+    return textOf(out_.take());
+  }
+
+ private:
+  void writePieces() {
+    out_.key("pieces");
+    out_.openList();
+    std::size_t p = 0;
+    for (const auto& [name, panel] : json_.find("pattern").find("panels").members())
+      writePiece(out_, panel, file_.garment.panels[p++], file_.unit_cm);
+    out_.close();
+  }
+
+  void writeSeams() {
+    const std::vector<Stitch>& stitches = file_.garment.stitches;
+    std::vector<JsonValue> described(stitches.size());
+    for (const JsonValue& seam : json_.find("seams").items())
+      described[static_cast<std::size_t>(seam.find("stitch").number())] = seam;
+    out_.key("seams");
+    out_.openList();
+    for (std::size_t s = 0; s < stitches.size(); ++s) writeSeam(out_, stitches[s], described[s]);
+    out_.close();
+  }
+
+  /// Of points in centimetres, whatever the unit of the file.
+  Frame frameOf(const std::string& piece) const {
+    const int found = file_.garment.find(piece);
+    return {1, found >= 0 && file_.garment.panels[found].mirrored_from_input};
+  }
+
+  void writeMatch(const JsonValue& match) {
+    out_.openObject();
+    for (const char* side : {"a", "b"}) {
+      const JsonValue of = match.find(side);
+      out_.key(side);
+      out_.openObject();
+      copyMembers(out_, of, {"piece"});
+      out_.key("line");
+      putLine(out_, of.find("line"), frameOf(of.find("piece").text()));
+      out_.close();
+    }
+    copyMembers(out_, match, {"weight", "name"});
+    out_.close();
+  }
+
+  void writeSymmetry(const JsonValue& symmetry) {
+    out_.openObject();
+    copyMembers(out_, symmetry, {"kind", "piece", "pieces", "seams"});
+    if (const JsonValue axis = symmetry.find("axis")) {
+      out_.key("axis");
+      putLine(out_, axis, frameOf(symmetry.find("piece").text()));
+    }
+    out_.close();
+  }
+
+  /// Whether its unit can be right: as it is taken, nobody could wear it.
+  void writeQuestions() {
+    out_.key("questions");
+    out_.openList();
+    double tallest = 0;
+    for (const Panel& panel : file_.garment.panels) {
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (const Curve& edge : panel.edges)
+        for (const Vec2& p : edge.flattened(0.1))
+          low = std::min(low, p.y()), high = std::max(high, p.y());
+      tallest = std::max(tallest, high - low);
+    }
+    if (!isWearable(tallest)) {
+      out_.openObject();
+      out_.field("about", "units");
+      out_.field("tallestCm", tallest);
+      out_.list("likely", likelyUnits(tallest, 100 / file_.unit_cm),
+                [&](const LengthUnit& unit) { out_.put(unit.name); });
+      out_.close();
+    }
+    out_.close();
+  }
+
+  JsonValue json_;
+  const GarmentFile& file_;
+  JsonWriter out_;
+};
+
+}  // namespace
+
+Outcome<std::string> garmentDocument(std::string_view text, const std::string& file) {
+  return readDocument<std::string>(
+      text, garmentPlace(file), [](const JsonValue& json, const Place& place) {
+        const GarmentFile read = readGarmentFile(json, place);
+        return place.failed() ? std::string() : DocumentWriter(json, read).write();
+      });
+}
+
+}  // namespace seamwise

@@ -1,0 +1,11 @@
+/** The unit of a garment file. */
+import {unitsInMetre, type FileUnit} from './garment-document.js';
+import {fieldOf} from './read.js';
+
+/** The same file in another unit. @param text of a file that can be read */
+export function inUnit(text: string, unit: FileUnit): string {
+  const garment = JSON.parse(text) as object;
+  const stated = fieldOf(garment, 'properties');
+  const properties = {...(stated as object | undefined), units_in_meter: unitsInMetre[unit]};
+  return JSON.stringify({...garment, properties});
+}
