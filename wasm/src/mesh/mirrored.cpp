@@ -6,12 +6,12 @@
 #include "base/in_quotes.h"
 #include "base/sort_by.h"
 #include "mesh/region.h"
+#include "tuning/mesh.h"
 
 namespace seamwise {
 namespace {
 
 /// A triangle below this part of its area in the mean shape counts as turned over.
-constexpr double kLeastArea = 0.05;
 
 using Ring = std::vector<int>;
 
@@ -213,7 +213,7 @@ Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
   for (bool again = true; again;) {
     again = false;
     for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
-      const double least = kLeastArea * areaOf(mesh->points, mesh->triangles[t]);
+      const double least = MeshTuning::kLeastArea * areaOf(mesh->points, mesh->triangles[t]);
       if (areaOf(a.rest, a.triangles[t]) >= least && areaOf(b.rest, b.triangles[t]) >= least)
         continue;
       for (const int v : mesh->triangles[t]) {

@@ -9,42 +9,23 @@
 #include "methods/metrics.h"
 #include "methods/predicted_mismatch.h"
 #include "methods/seam_rules.h"
+#include "tuning/progress.h"
+#include "tuning/search.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
 
-constexpr int kSettleSteps = 15;    ///< under fixed targets, before a remedy
-constexpr int kHoldAfter = 1;       ///< of them, towards the targets; then the shape is held
-constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
-constexpr int kMostSettling = 200;  ///< steps in all
-constexpr double kRemedyReach = 0.6;
-constexpr double kSlack = 1.6;
-constexpr double kMostReach =
-    2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
-
-/// Answers under slack to fit from.
-constexpr std::size_t kStarts = 3;
-
-/// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
-/// it lies has only its set-up left.
-constexpr double kFitted = 0.95;
-constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
-
-/// Limits that a finished shape keeps, a little inside those of the result.
-constexpr double kLengthError = 5e-5;  ///< cm an edge, of seams with up to forty
-constexpr double kSeamShare = 0.2;     ///< of the tolerance of a seam, for all its edges
-constexpr double kAlmostKept = 2e-3;   ///< cm an edge
-constexpr double kStiffenFrom = 0.9;   ///< share of its limits; while a shape is held:
-constexpr double kStiffenHeld = 0.99;
-constexpr double kReachExcess = 0.012;  ///< share of the greatest change
-constexpr double kReachMargin = 0.985;
-
 /// How far an outline vertex may move. [cm]
-double reachOf(const SolveOptions& options) { return std::min(options.max_change_cm, kMostReach); }
+double reachOf(const SolveOptions& options) {
+  return std::min(options.max_change_cm, ShapingTuning::kMostReach);
+}
 
 }  // namespace
 
-double BestRun::slackOf(const SolveOptions& options) { return kSlack * reachOf(options); }
+double BestRun::slackOf(const SolveOptions& options) {
+  return SearchTuning::kSlack * reachOf(options);
+}
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
                  const MatchRules& rules, std::vector<Alignments> offered,
@@ -59,30 +40,31 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
       offered_starts_(std::move(starts)),
       searching_(problem, pattern, match_, known, rules, slackOf(problem.options),
                  std::move(offered), searches),
-      length_error_(kLengthError),
-      progress_(kPrepared) {
+      length_error_(ShapingTuning::kLengthError),
+      progress_(ProgressTuning::kPrepared) {
   alignment_ = search_result_ = match_.expanded(searching_.best());
   DeformationWeights weights;
   if (problem.options.open_edges == OpenEdges::kFree) weights.line = 0;
   if (problem.options.alpha) weights.conformal *= *problem.options.alpha;
-  const double most = kReachMargin * reach_;
+  const double most = ShapingTuning::kReachShare * reach_;
   if (!plans || !plans->areFor(weights, most))
     plans = std::make_shared<FittingPlans>(weights, most);
   plans_ = plans;
   for (const Seam& seam : pattern.seams)
-    length_error_ = std::min(
-        length_error_, kSeamShare * kSeamTolerance / static_cast<double>(seam.a.vertices.size()));
+    length_error_ = std::min(length_error_, ShapingTuning::kSeamShare * kSeamTolerance /
+                                                static_cast<double>(seam.a.vertices.size()));
 }
 
 void BestRun::searchStep() {
   const bool more = searching_.advance();
   alignment_ = match_.expanded(searching_.best());
-  progress_ = std::max(progress_, searching_.isPerfect()
-                                      ? kPerfectlySearched
-                                      : kPrepared + searching_.share() * searching_.fraction());
+  progress_ = std::max(
+      progress_, searching_.isPerfect()
+                     ? ProgressTuning::kPerfectlySearched
+                     : ProgressTuning::kPrepared + searching_.share() * searching_.fraction());
   if (more) return;
   search_result_ = alignment_;
-  searched_ = kPrepared + searching_.share();
+  searched_ = ProgressTuning::kPrepared + searching_.share();
   stage_ = Stage::kStartFit;
 }
 
@@ -131,7 +113,7 @@ std::vector<FitStart> BestRun::mostPromising(std::size_t count) const {
 
 /// Fits from the best few answers under slack and, where it differs, from the search's own.
 void BestRun::startFit() {
-  std::vector<FitStart> from = mostPromising(kStarts);
+  std::vector<FitStart> from = mostPromising(ShapingTuning::kStarts);
   for (const Alignments& at : offered_starts_) from.push_back({match_.ofLeaders(at)});
   from.push_back({searching_.best(), true});
   const FittingRules rules{problem_.options.continuous_only,
@@ -143,7 +125,7 @@ void BestRun::startFit() {
   stage_ = Stage::kFit;
   if (fit_->isPerfect()) {
     stage_ = Stage::kSettle;
-    progress_ = std::max(progress_, kPerfectlySetUp);
+    progress_ = std::max(progress_, ProgressTuning::kPerfectlySetUp);
   }
   if (problem_.options.max_change_cm < kLeastChange) finish();
 }
@@ -163,7 +145,8 @@ void BestRun::fitStep() {
     }
   }
   alignment_ = fit_->alignment();
-  progress_ = std::max(progress_, searched_ + (kFitted - searched_) * fit_->fraction());
+  progress_ =
+      std::max(progress_, searched_ + (ProgressTuning::kFitted - searched_) * fit_->fraction());
 }
 
 /// Another answer under slack to fit from, with more weight on what those before it left worse off.
@@ -177,7 +160,8 @@ void BestRun::seekAgain() {
 /// cm.
 bool BestRun::keepsLimits(const PartDeformation& deformation, double length) const {
   const PartDeformation::Violations v = deformation.violations();
-  return v.length < length && v.reach < kReachExcess * problem_.options.max_change_cm &&
+  return v.length < length &&
+         v.reach < ShapingTuning::kReachExcess * problem_.options.max_change_cm &&
          v.kink < kSettledLimits.kink && v.stretch < kSettledLimits.stretch &&
          !fit_->fitting().crosses(deformation.part().piece);
 }
@@ -190,29 +174,31 @@ void BestRun::settleStep() {
   for (PartDeformation& deformation : fit_->fitting().deformations()) {
     if (keepsLimits(deformation, length_error_)) continue;
     all_kept = false;
-    const int remedies = deformation.settling / kSettleSteps,
-              step = deformation.settling % kSettleSteps;
+    const int remedies = deformation.settling / ShapingTuning::kSettleSteps,
+              step = deformation.settling % ShapingTuning::kSettleSteps;
     // lengths that are almost kept only need more steps
     if (step == 0 && remedies > 0 &&
-        !(keepsLimits(deformation, kAlmostKept) && remedies < kMostRemedies)) {
-      if (remedies > kMostRemedies)
+        !(keepsLimits(deformation, ShapingTuning::kAlmostKept) &&
+          remedies < ShapingTuning::kMostRemedies)) {
+      if (remedies > ShapingTuning::kMostRemedies)
         deformation.clearTargets();
       else
         fit_->fitting().aimAtPartners(deformation, alignment_);
-      deformation.restart(kRemedyReach);
+      deformation.restart(ShapingTuning::kRemedyReach);
     }
-    const double share = step < kHoldAfter ? kStiffenFrom : kStiffenHeld;
+    const double share = step < ShapingTuning::kHoldAfter ? ShapingTuning::kStiffenFrom
+                                                          : ShapingTuning::kStiffenHeld;
     deformation.stiffenKinks(share * kSettledLimits.kink);
     deformation.stiffenStretched(share * kSettledLimits.stretch);
-    if (step == kHoldAfter) deformation.holdShape();
+    if (step == ShapingTuning::kHoldAfter) deformation.holdShape();
     deformation.step();
     ++deformation.settling;
   }
   fit_->fitting().collectShapes();
   ++settled_;
-  progress_ = std::max(progress_, 1 - (1 - kFitted) / (1 + settled_));
+  progress_ = std::max(progress_, 1 - (1 - ProgressTuning::kFitted) / (1 + settled_));
   if (!all_kept) ++settling_;
-  if (!all_kept && settled_ <= kMostSettling) return;
+  if (!all_kept && settled_ <= ShapingTuning::kMostSettling) return;
   restUnsound();
   if (fit_->review()) {
     restIfBetter();
@@ -262,7 +248,7 @@ void BestRun::restIfBetter() {
       meanMismatch(localMismatches(group, pattern_, fit_->fitting().shapes(), alignment_),
                    lengths)) {
     const double cost = costAtRest(drafted);
-    if (cost > SearchStage::kPerfect) of_bound_ = costAtRest(search_result_) / cost;
+    if (cost > SearchTuning::kPerfectCost) of_bound_ = costAtRest(search_result_) / cost;
     restAt(search_result_ = drafted);
   }
 }

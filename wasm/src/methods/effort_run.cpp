@@ -6,16 +6,11 @@
 #include "alignment/bound/lower_bound.h"
 #include "deform/shape_limits.h"
 #include "methods/metrics.h"
+#include "tuning/proof.h"
+#include "tuning/search.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
-namespace {
-
-/// Outlines that may move further do not always end with less: what these find is a shape that
-/// those may have as well. [cm]
-constexpr double kUsualChange = 1.0;
-
-}  // namespace
-
 EffortRun::EffortRun(const Problem& problem, Mesh asked, std::optional<Mesh> symmetric,
                      std::vector<Mirror> known, const MatchRules& rules, SearchMemo& searches)
     : problem_(problem),
@@ -26,8 +21,8 @@ EffortRun::EffortRun(const Problem& problem, Mesh asked, std::optional<Mesh> sym
       searches_(searches) {
   const SolveOptions& options = problem.options;
   const auto plan = [&](bool is_symmetric) {
-    if (options.max_change_cm > kUsualChange)
-      rounds_.push_back({is_symmetric, kUsualChange, options.seed});
+    if (options.max_change_cm > ShapingTuning::kUsualChange)
+      rounds_.push_back({is_symmetric, ShapingTuning::kUsualChange, options.seed});
     for (std::uint32_t k = 0; k < options.effort; ++k)
       rounds_.push_back({is_symmetric, options.max_change_cm, options.seed + k});
   };
@@ -60,7 +55,8 @@ double EffortRun::searchBound() const {
   if (!symmetric_stands_) return best().searchBound();
   const double bound = best_asked_->searchBound() * best_asked_->searchCost();
   const double cost = searchCost();
-  const bool is_proven = bound >= (1 - LowerBound::kProven) * cost || cost <= SearchStage::kPerfect;
+  const bool is_proven =
+      bound >= (1 - ProofTuning::kProven) * cost || cost <= SearchTuning::kPerfectCost;
   return is_proven ? 1 : bound / cost;
 }
 

@@ -9,25 +9,11 @@
 #include "methods/metrics.h"
 #include "methods/seam_rules.h"
 #include "methods/search_stage.h"
+#include "tuning/search.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
-
-/// Newton steps before lengths and reach must settle, and those of them from each start.
-struct Steps {
-  int all, trial;
-};
-constexpr Steps kSteps = {7, 2};
-constexpr Steps kCoarseSteps = {10, 5};  ///< they take little time
-constexpr int kFineSteps = 2;            ///< after coarse ones
-constexpr int kMoreFineSteps = 3;        ///< where pieces had to be laid anew
-constexpr int kRealignEvery = 3;         ///< steps between new joins and alignments
-/// Steps after which also seams that pull are held to what placing alone leaves of them: by then,
-/// shaping has made them meet as far as it will.
-constexpr int kLimitedFrom = 6;
-constexpr int kMostRounds = 4;    ///< from one start, each with other seams pulling
-constexpr int kMostRetried = 12;  ///< the same, once it has failed by little:
-constexpr double kLittle = 0.3;   ///< as a share of what a seam may miss by
 
 std::size_t verticesOf(const Pattern& pattern) {
   std::size_t count = 0;
@@ -55,7 +41,7 @@ FittingStage::FittingStage(const Pattern& pattern, const MatchProblem& match,
   double mismatch = 0;
   for (std::size_t s = 0; s < pattern.seams.size(); ++s)
     if (counts(pattern.seams[s])) mismatch += fitting_->joins()[s].cost;
-  perfect_ = mismatch < SearchStage::kPerfect;
+  perfect_ = mismatch < SearchTuning::kPerfectCost;
 }
 
 void FittingStage::add(FitStart from) {
@@ -80,10 +66,10 @@ void FittingStage::begin() {
     fine_step_ = static_cast<double>(verticesOf(pattern_)) /
                  static_cast<double>(verticesOf(coarse_pattern_));
   }
-  const Steps steps = plan_ ? kCoarseSteps : kSteps;
-  steps_ = steps.all, trial_steps_ = steps.trial;
-  planned_ = 3 * steps.all + steps.trial * (static_cast<double>(starts_.size()) - 1) +
-             (plan_ ? kFineSteps * fine_step_ : 0);
+  steps_ = plan_ ? ShapingTuning::kCoarseSteps : ShapingTuning::kSteps;
+  trial_steps_ = plan_ ? ShapingTuning::kCoarseTrialSteps : ShapingTuning::kTrialSteps;
+  planned_ = 3 * steps_ + trial_steps_ * (static_cast<double>(starts_.size()) - 1) +
+             (plan_ ? ShapingTuning::kFineSteps * fine_step_ : 0);
   goCoarse();
   resume(0);
 }
@@ -101,10 +87,10 @@ void FittingStage::goFine() {
   pull();
   fitting_->chooseJoins(alignment_);
   // what placing alone leaves of a seam differs a little between the meshes
-  fine_steps_ = kFineSteps;
+  fine_steps_ = ShapingTuning::kFineSteps;
   if (starts_[current_].stays || !isWorseThanPlaced()) return;
   realign();
-  fine_steps_ += kMoreFineSteps;
+  fine_steps_ += ShapingTuning::kMoreFineSteps;
 }
 
 /// Whether some seam misses by more than placing alone allows.
@@ -172,12 +158,13 @@ void FittingStage::realign() {
   const std::vector<double> placed = placedMismatches();
   for (MatchSeam& seam : now.seams)
     if (seam.seam >= 0 && (!start.shaped[static_cast<std::size_t>(seam.seam)] || start.rounds > 0 ||
-                           start.steps >= kLimitedFrom))
-      seam.limit = kLimitShare * greatestMean(placed[static_cast<std::size_t>(seam.seam)]) -
-                   start.margins[static_cast<std::size_t>(seam.seam)];
+                           start.steps >= ShapingTuning::kLimitedFrom))
+      seam.limit =
+          ShapingTuning::kLimitShare * greatestMean(placed[static_cast<std::size_t>(seam.seam)]) -
+          start.margins[static_cast<std::size_t>(seam.seam)];
   std::vector<int> all(now.leaders.size());
   std::iota(all.begin(), all.end(), 0);
-  refine(now, SampledSeams<double>(now, 0), leaders_, all, 2);
+  refine(now, SampledSeams<double>(now, 0), leaders_, all, ShapingTuning::kRealignIterations);
   alignment_ = now.expanded(leaders_);
   fitting_->chooseJoins(alignment_);
 }
@@ -199,7 +186,7 @@ bool FittingStage::advance() {
   done_ += 1;
   Start& start = starts_[current_];
   ++start.steps;
-  if (start.steps % kRealignEvery == 0 && start.steps < steps_) realign();
+  if (start.steps % ShapingTuning::kRealignEvery == 0 && start.steps < steps_) realign();
   if (start.steps == trial_steps_ && !start.fit) return leave();
   return start.steps < steps_ || endSteps();
 }
@@ -208,7 +195,7 @@ bool FittingStage::advance() {
 bool FittingStage::endSteps() {
   Start& start = starts_[current_];
   const Judgement found = judge();
-  const int most = start.retried ? kMostRetried : kMostRounds;
+  const int most = start.retried ? ShapingTuning::kMostRetried : ShapingTuning::kMostRounds;
   if (found == Judgement::kOthersPull && ++start.rounds < most) {
     again();
     return true;
@@ -267,7 +254,8 @@ bool FittingStage::goOnFromBest() {
 bool FittingStage::retryNearest() {
   Start* nearest = nullptr;
   for (Start& start : starts_)
-    if (start.failed && !start.retried && start.reviews == 0 && start.excess <= kLittle &&
+    if (start.failed && !start.retried && start.reviews == 0 &&
+        start.excess <= ShapingTuning::kFailedByLittle &&
         (!nearest || start.excess < nearest->excess))
       nearest = &start;
   if (!nearest) return false;

@@ -56,7 +56,6 @@ class FittingStage {
   int factorisations() const;
 
  private:
-  static constexpr int kMostReviews = 12, kReviewsOfOne = 2, kReviewsOfLast = 6;
   enum class Judgement : std::uint8_t { kGood, kOthersPull, kHopeless };
   /// How far a start has come.
   struct Start : FitStart {

@@ -27,8 +27,6 @@ inline bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
 
 /// The greatest mean that a seam may end with of which placing alone leaves `placed`. [cm]
 double greatestMean(double placed);
-/// Share of it that alignments are held to, so that shaping may miss a little.
-inline constexpr double kLimitShare = 0.98;
 
 /// The fit of seams with these means, by their lengths; what exceeds the greatest mean that placing
 /// alone allows counts several times more, because no result may end with it. [cm2]
@@ -54,9 +52,6 @@ Verdict verdictOn(const SeamMeans& means, double moved);
 /// `reach` cm.
 /// @param mismatch   per edge as the pieces lie, through the seam's join. [cm]
 bool isWithinReach(const std::vector<double>& mismatch, double reach);
-
-/// Movement that leaves a line as drafted, to the eye. [cm]
-inline constexpr double kStraightEnough = 0.1;
 
 /// How far vertices of a seam moved at most, its ends apart. [cm]
 double movedOf(const Seam& seam, const Pattern& pattern, const Shapes& shapes);

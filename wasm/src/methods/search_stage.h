@@ -16,8 +16,6 @@ namespace seamwise {
 /// and comes to the same answer as who has not.
 class SearchStage {
  public:
-  static constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies
-
   /// @param pattern   with the weights that are asked for
   /// @param match     its seams and leaders, with pins
   /// @param slack     cm of mismatch that shapes may take up

@@ -5,11 +5,10 @@
 
 #include "pattern/seam_measure.h"
 #include "problem/reconcile.h"
+#include "tuning/progress.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kMore = 0.9;  ///< of the progress, for more symmetry: it may be in vain
 
 using Symmetries = std::vector<BodySymmetry>;
 
@@ -50,7 +49,8 @@ SymmetricPreparation::SymmetricPreparation(Problem& problem, MeshMemo* memo)
 bool SymmetricPreparation::advance() {
   if (symmetric_) return false;
   const bool more = preparation_->advance();
-  fraction_ = std::max(fraction_, (more_ ? kMore : 1) * preparation_->fraction());
+  fraction_ =
+      std::max(fraction_, (more_ ? ProgressTuning::kMoreSymmetry : 1) * preparation_->fraction());
   return more || (more_ && judge());
 }
 

@@ -14,6 +14,7 @@
 #include "problem/prepare_symmetric.h"
 #include "solve/remarks.h"
 #include "solve/seam_figures.h"
+#include "tuning/progress.h"
 
 namespace seamwise {
 namespace {
@@ -53,7 +54,7 @@ struct Solver::State {
   std::vector<Mirror> known;  ///< to begin a search with
   std::unique_ptr<Run> run;
   std::unique_ptr<ProofRun> proof;
-  double reported = kPrepared;
+  double reported = ProgressTuning::kPrepared;
 
   std::unique_ptr<Run> best() {
     std::optional<EffortRun::Mesh> more;

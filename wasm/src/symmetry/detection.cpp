@@ -4,12 +4,10 @@
 #include <optional>
 
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
-
-constexpr int kFirstChoices = 12;        // components a solution may begin with
-constexpr double kPlacementSlack = 5.0;  // cm; pieces are hung around the body by eye
 
 struct Solution {
   Assignment assignment;
@@ -26,7 +24,7 @@ class Search {
     const Solution empty{Assignment(maps_.pieces(), -1), {}};
     std::vector<Solution> starts = extensions(empty, seeds);
     Solution best = empty;
-    for (int k = 0; k < kFirstChoices && !starts.empty(); ++k) {
+    for (int k = 0; k < SymmetryTuning::kFirstChoices && !starts.empty(); ++k) {
       const auto first = bestOf(starts);
       const Solution whole = completed(*first, seeds);
       if (whole.coverage.betterThan(best.coverage)) best = whole;
@@ -77,7 +75,7 @@ class Search {
     return std::all_of(added.begin(), added.end(), [&](int piece) {
       return !maps_.sewn(piece) ||
              (maps_.placement().known() &&
-              maps_.maps()[assignment[piece]].disagreement <= kPlacementSlack);
+              maps_.maps()[assignment[piece]].disagreement <= SymmetryTuning::kPlacementSlack);
     });
   }
 

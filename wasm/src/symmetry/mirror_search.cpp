@@ -6,11 +6,10 @@
 
 #include "base/sort_by.h"
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
-
-constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
 
 using EvenPoints = std::array<Vec2, Outline::kEven>;
 
@@ -53,7 +52,7 @@ std::vector<MirrorStart> startMaps(const Outline& a, const Outline& b) {
     starts.push_back({map, std::sqrt(std::max(0.0, square[shift]))});
   }
   sortBy(starts, [](const MirrorStart& start) { return start.rms; });
-  if (starts.size() > kMaxStarts) starts.resize(kMaxStarts);
+  if (starts.size() > SymmetryTuning::kMostStarts) starts.resize(SymmetryTuning::kMostStarts);
   return starts;
 }
 

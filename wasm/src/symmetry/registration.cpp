@@ -4,22 +4,20 @@
 #include <limits>
 
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
 
-constexpr int kMaxIcpSteps = 60;
-constexpr double kIcpSettled = 1e-9;  // cm; ICP stops when no point moves further
-constexpr double kStalled = 0.99;
+constexpr double kIcpSettled = 1e-9;   // cm; ICP stops when no point moves further
 constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
-constexpr std::size_t kFew = 4;        // every so manieth sample tells whether a start is hopeless
-constexpr std::size_t kEnough = 500;   // samples for that, however many there are
-constexpr std::size_t kMany = 500;     // samples to settle a map on, corners to make it exact
-constexpr double kHopeless = 5;        // times the residual wanted, as root mean square over those
 
-// Every so manieth of `count` things is looked at: all, unless they are twice kMany and more.
-std::size_t strideFor(std::size_t count) { return std::max<std::size_t>(1, count / kMany); }
+// Every so manieth of `count` things is looked at: all, unless they are twice those that are
+// wanted.
+std::size_t strideFor(std::size_t count) {
+  return std::max<std::size_t>(1, count / SymmetryTuning::kSettlingSamples);
+}
 
 struct CornerPairs {
   std::vector<Vec2> from, to;
@@ -94,7 +92,7 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
   for (std::size_t i = 0; i < a.samples().size(); i += stride) from.push_back(a.samples()[i]);
   std::vector<Vec2> to(from.size());
   double before = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kMaxIcpSteps; ++k) {
+  for (int k = 0; k < SymmetryTuning::kMostIterations; ++k) {
     double sum = 0;
     const Mat2 linear = map.linear();
     for (std::size_t i = 0; i < to.size(); ++i) {
@@ -105,7 +103,7 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
     // The mean only falls; where it stalls above the limit, the greatest distance stays above it
     // too.
     const double rms = std::sqrt(sum / static_cast<double>(to.size()));
-    const bool stalled = rms > kMirrorTolerance && rms > kStalled * before;
+    const bool stalled = rms > kMirrorTolerance && rms > SymmetryTuning::kStalled * before;
     before = rms;
     if (stalled) break;
     const RigidMotion next = fitMirror(from, to, single);
@@ -176,7 +174,9 @@ MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& st
   const RigidMotion near = direct.residual < gate ? direct.map : begin;
   const std::size_t samples = a.samples().size();
   if (enough < kFarApart &&
-      closestPoints(a, b, near, std::max(kFew, samples / kEnough)).second > kHopeless * enough)
+      closestPoints(a, b, near,
+                    std::max(SymmetryTuning::kTrialStride, samples / SymmetryTuning::kTrialSamples))
+              .second > SymmetryTuning::kHopeless * enough)
     return direct;
   MirrorFit settled = measured(closestPoints(a, b, near, strideFor(samples)).first);
   MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));

@@ -5,13 +5,10 @@
 #include "base/in_quotes.h"
 #include "symmetry/detection.h"
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kClickTurn = 5 * kPi / 180;  // a clicked axis may be off by this much,
-constexpr double kClickShift = 1.0;           // and by this much at the middle of the clicks, cm
-constexpr double kEdgesMeet = 2 * kMirrorTolerance;
 
 std::string centimetres(double value) { return fixed(value, 2); }
 
@@ -65,8 +62,8 @@ class Registrar {
     fits.push_back({clicked, mirrorResidual(outline, outline, clicked, 1e3)});
     const MirrorFit* best = nullptr;
     for (const MirrorFit& fit : fits) {
-      const bool near = axisTurn(fit.map, clicked) <= kClickTurn &&
-                        (fit.map(middle) - middle).norm() / 2 <= kClickShift;
+      const bool near = axisTurn(fit.map, clicked) <= SymmetryTuning::kClickTurn &&
+                        (fit.map(middle) - middle).norm() / 2 <= SymmetryTuning::kClickShift;
       if (near && (!best || (mirrors(fit) && !mirrors(*best)) ||
                    fit.residual + 2 * Outline::kFlatness < best->residual))
         best = &fit;
@@ -98,7 +95,7 @@ class Registrar {
     std::vector<MirrorFit> fits = findMirrors(outline, outline);
     fits.insert(fits.begin(), registered);
     const MirrorFit* best = nullptr;
-    double least = kEdgesMeet;
+    double least = SymmetryTuning::kEdgesMeet;
     for (const MirrorFit& fit : fits) {
       const double apart = edgeResidual(first, second, fit.map);
       if (!mirrors(fit) || apart > least - (best ? Outline::kFlatness : 0)) continue;

@@ -4,14 +4,10 @@
 #include <numeric>
 
 #include "base/sort_by.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kSeamSlack = 0.5;       // cm; a seam's image may miss the other seam by this much
-constexpr double kSeamSlackShare = 0.2;  // of its length: a reversed seam misses by a quarter
-constexpr double kGrainWeight = 0.01;    // cm; the grain decides only where the placement does not
-constexpr double kNoticeable = 0.01;
 
 double probeFraction(int k) { return (2 * k + 1) / (2.0 * PieceMap::kProbes); }
 
@@ -29,7 +25,7 @@ Coverage Coverage::operator+(const Coverage& other) const {
 
 bool Coverage::betterThan(const Coverage& other) const {
   const auto differs = [](double x, double y) {
-    return std::abs(x - y) > kNoticeable * std::max(x, y);
+    return std::abs(x - y) > SymmetryTuning::kNoticeable * std::max(x, y);
   };
   if (differs(seams, other.seams)) return seams > other.seams;
   if (differs(outline, other.outline)) return outline > other.outline;
@@ -90,7 +86,8 @@ void SeamMaps::addMaps(int from, int to, const std::vector<MirrorFit>& fits) {
       map.fit = {back ? fit.map.inverse() : fit.map, fit.residual};
       map.disagreement =
           placement_.disagreement(map.from, map.to, map.fit.map, outlines_[map.from]) +
-          kGrainWeight * grainTurn(garment_.panels[map.from], garment_.panels[map.to], map.fit.map);
+          SymmetryTuning::kGrainWeight *
+              grainTurn(garment_.panels[map.from], garment_.panels[map.to], map.fit.map);
       probe(map);
       from_[map.from].push_back(static_cast<int>(maps_.size()));
       maps_.push_back(std::move(map));
@@ -127,7 +124,8 @@ int SeamMaps::agreeing(const Stitch& stitch, bool swapped, const PieceMap& near,
                        const PieceMap& far) const {
   const EdgeRef &a = swapped ? stitch.b : stitch.a, &b = swapped ? stitch.a : stitch.b;
   const double slack =
-      std::min(kSeamSlack, kSeamSlackShare * outlines_[b.piece].edgeLength(b.edge));
+      std::min(SymmetryTuning::kSeamSlack,
+               SymmetryTuning::kSeamSlackShare * outlines_[b.piece].edgeLength(b.edge));
   int count = 0;
   for (int k = 0; k < PieceMap::kProbes; ++k) {
     const Probe& probe = near.probes[a.edge][k];

@@ -5,11 +5,9 @@
 
 #include "base/outcome.h"
 #include "pattern/garment.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
-
-/// Greatest residual at which pieces count as mirror images. [cm]
-inline constexpr double kMirrorTolerance = 0.1;
 
 /// What a user asked for, before it is registered. Points are in the coordinates of the *input*
 /// panel, cm (so x is negated first when the panel was mirrored on import).

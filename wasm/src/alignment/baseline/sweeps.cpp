@@ -5,11 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "tuning/paper.h"
+
 namespace seamwise {
 namespace {
-
-constexpr double kStill = 1e-5;    ///< rad or cm: a sweep that changes less has converged
-constexpr double kSameTurn = 0.1;  ///< rad: elements that turn alike compete by distance
 
 double direction(const Vec2& d) { return std::atan2(d.y(), d.x()); }
 
@@ -106,7 +105,8 @@ double LocalSweeps::shift(int l) {
         double least = std::numeric_limits<double>::infinity();
         for (const Element& e : problem_.group.elements()) {
           if (!problem_.allows(seam, e)) continue;
-          if (std::abs(wrapAngle(direction(e.A * dy) - direction(dx))) > least_turn + kSameTurn)
+          if (std::abs(wrapAngle(direction(e.A * dy) - direction(dx))) >
+              least_turn + PaperTuning::kSameTurn)
             continue;
           const Vec2 residual = problem_.group.reduce(x - e(y));
           if (residual.norm() >= least) continue;
@@ -142,7 +142,8 @@ bool LocalSweeps::step() {
     change = std::max(change, turning_ ? turn(leader) : shift(leader));
   }
   ++sweeps_;
-  const bool ended = change < kStill || ++of_this_kind_ >= kMostSweeps;
+  const bool ended =
+      change < PaperTuning::kSweepStill || ++of_this_kind_ >= PaperTuning::kMostSweeps;
   if (!ended) return true;
   if (!turning_) return false;
   turning_ = false;

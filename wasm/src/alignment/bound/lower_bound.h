@@ -3,6 +3,7 @@
 
 #include "alignment/bound/box_tables.h"
 #include "alignment/model/sampled_seams.h"
+#include "tuning/proof.h"
 
 namespace seamwise {
 
@@ -14,9 +15,6 @@ namespace seamwise {
 /// in seconds, so that results do not depend on the machine.
 class LowerBound {
  public:
-  /// An answer whose cost exceeds the bound by no more than this share of it is proven.
-  static constexpr double kProven = 1e-3;
-
   /// @param known   alignments of all leaders; those outside the component stay where they are
   LowerBound(const MatchProblem& problem, const Component& component, const Alignments& known);
   LowerBound(const LowerBound&) = delete;
@@ -27,7 +25,7 @@ class LowerBound {
 
   /// No alignment of the component costs less than this. At most cost(). [cm2]
   double bound() const;
-  /// Whether best() costs at most kProven more than it has to, or next to nothing.
+  /// Whether best() costs at most ProofTuning::kProven more than it has to, or next to nothing.
   bool proven() const;
   /// `known`, unless a better answer was met on the way: then whoever searched should go on there.
   const Alignments& best() const { return best_; }
@@ -36,7 +34,9 @@ class LowerBound {
   double spent() const { return spent_; }
 
  private:
-  double enough() const { return cost_ * (1 - kProven); }  ///< a bound that proves the answer
+  double enough() const {
+    return cost_ * (1 - ProofTuning::kProven);
+  }  ///< a bound that proves the answer
   void next();
   void tighten();
   bool halve();

@@ -147,7 +147,4 @@ extern template class SampledSeams<double>;
 /// What searches and bounds count with.
 using SearchSamples = SampledSeams<float>;
 
-/// A mean distance below which nothing is left to find in single precision. [cm]
-inline constexpr double kPerfectDistance = 2e-5;
-
 }  // namespace seamwise
