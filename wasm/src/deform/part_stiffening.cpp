@@ -87,10 +87,10 @@ void PartDeformation::holdShape() {
 void PartDeformation::restart(double reach_factor) {
   const Part& part = plan_->part();
   // where it went wrong: squeezed triangles, lengths that are not kept
-  std::vector<char> trouble(part.rest.size(), 0);
+  std::vector<char> faulty(part.rest.size(), 0);
   bool any = false;
   auto mark = [&](int v) {
-    trouble[v] = 1;
+    faulty[v] = 1;
     any = true;
   };
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
@@ -102,8 +102,8 @@ void PartDeformation::restart(double reach_factor) {
       mark(e.i), mark(e.j);
   for (std::size_t i = 0; i < reach_.size(); ++i) {
     bool near = !any;
-    for (std::size_t k = 0; k < trouble.size() && !near; ++k)
-      near = trouble[k] && (part.rest[i] - part.rest[k]).norm() < ShapingTuning::kNearTrouble;
+    for (std::size_t k = 0; k < faulty.size() && !near; ++k)
+      near = faulty[k] && (part.rest[i] - part.rest[k]).norm() < ShapingTuning::kNearFault;
     if (near) reach_[i] *= reach_factor;
   }
   state_ = restState();

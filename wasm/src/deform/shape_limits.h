@@ -20,7 +20,7 @@ double movedOf(const Piece& piece, const std::vector<Vec2>& shape);
 /// [cm]
 double seamError(const Seam& seam, const Shapes& shapes);
 
-/// Whether all seams keep that.
+/// Whether seamError() of every seam is at most kSeamTolerance.
 bool isSewable(const Pattern& pattern, const Shapes& shapes);
 
 /// Every vertex in the middle between itself and what mirrors onto it: the exactly symmetric shapes

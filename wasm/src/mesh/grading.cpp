@@ -98,12 +98,12 @@ struct Grading::Pattern {
 double Grading::gridSpacing(const Grid& grid, const Vec2& p) const {
   const std::size_t cell = grid.index(grid.column(p.x()), grid.row(p.y()));
   double least = coarsest_;
-  const auto ask = [&](int source) {
+  const auto consider = [&](int source) {
     const Source& s = sources_[source];
     least = std::min(least, s.spacing + MeshTuning::kGrowth * (p - s.at).norm());
   };
-  ask(grid.source[cell]);
-  for (const int source : grid.local[cell]) ask(source);
+  consider(grid.source[cell]);
+  for (const int source : grid.local[cell]) consider(source);
   return least;
 }
 
@@ -208,7 +208,7 @@ std::vector<Vec2> Grading::candidates() const {
   }
 
   // Hexagonal patterns, each the thirds of the one before (spacing / sqrt 3), so that every coarser
-  // one is part of every finer one. A point of pattern k stays where the spacing asks for k or
+  // one is part of every finer one. A point of pattern k stays where the spacing takes k or
   // finer.
   Pattern pattern{Vec2(coarsest_, 0), coarsest_ * unit(kPi / 3),
                   grid.low + Vec2(grid.columns, grid.rows) * (grid.cell / 2), false};

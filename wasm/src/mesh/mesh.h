@@ -15,7 +15,7 @@ namespace seamwise {
 /// the first one's mesh. Extends Mirror::image to every vertex. Errors: kMesh, naming the piece.
 Outcome<Pattern> meshed(Pattern pattern, double coarsest = MeshTuning::kCoarsest);
 
-/// meshed() in steps.
+/// meshed() in steps, of one piece or pair each.
 class Meshing {
  public:
   explicit Meshing(Pattern pattern, double coarsest = MeshTuning::kCoarsest);

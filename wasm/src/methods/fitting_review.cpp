@@ -35,7 +35,7 @@ FittingStage::Judgement FittingStage::judge() {
   Start& start = starts_[current_];
   Judgement found = Judgement::kGood;
   const auto others = [&] {
-    if (found == Judgement::kGood) found = Judgement::kOthersPull;
+    if (found == Judgement::kGood) found = Judgement::kOtherPulls;
   };
   worse_.assign(shaped.size(), 0);
   excess_ = 0;
@@ -51,14 +51,14 @@ FittingStage::Judgement FittingStage::judge() {
       excess_ = std::max(excess_, shaped[s] / most - 1);
     }
     if (worse_[s] && !start.stays) {
-      if (start.urgency[s] >= ShapingTuning::kMostPull)
-        found = Judgement::kHopeless;
+      if (start.pull_factors[s] >= ShapingTuning::kMostPull)
+        found = Judgement::kFailed;
       else
-        start.urgency[s] *= ShapingTuning::kPullGrowth, others();
+        start.pull_factors[s] *= ShapingTuning::kPullGrowth, others();
     } else if (start.shaped[s] || dropNeighbours(s)) {
       start.shaped[s] = 0, others();
     } else {
-      found = Judgement::kHopeless;
+      found = Judgement::kFailed;
     }
   }
   return found;
@@ -70,7 +70,7 @@ bool FittingStage::review() {
   if (found == Judgement::kGood) return true;
   Start& start = starts_[current_];
   const int most = start.stays ? ShapingTuning::kReviewsOfLast : ShapingTuning::kReviewsOfOne;
-  const bool another = found == Judgement::kOthersPull && start.reviews++ < most;
+  const bool another = found == Judgement::kOtherPulls && start.reviews++ < most;
   if (++reviews_ == ShapingTuning::kMostReviews || (start.stays && !another)) {
     giveUp();
     return false;
@@ -102,7 +102,8 @@ void FittingStage::fail() {
   starts_[current_].excess = excess_;
   for (std::size_t s = 0; s < worse_.size(); ++s)
     if (worse_[s])
-      blame_[s] = std::min(blame_[s] * ShapingTuning::kWeightGrowth, ShapingTuning::kMostPull);
+      search_factors_[s] =
+          std::min(search_factors_[s] * ShapingTuning::kWeightGrowth, ShapingTuning::kMostPull);
 }
 
 }  // namespace seamwise

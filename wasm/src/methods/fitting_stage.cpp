@@ -25,7 +25,7 @@ std::size_t verticesOf(const Pattern& pattern) {
 
 FittingStage::FittingStage(const Pattern& pattern, const MatchProblem& match,
                            const MatchRules& rules, const FittingRules& fitting,
-                           FittingPlans& plans, std::vector<FitStart> starts, double reach)
+                           FittingPlans& plans, std::vector<FittingStart> starts, double reach)
     : pattern_(pattern),
       match_(match),
       rules_(rules),
@@ -34,8 +34,8 @@ FittingStage::FittingStage(const Pattern& pattern, const MatchProblem& match,
       reach_(reach),
       fine_(std::make_unique<SeamFitting>(plans.fine(pattern), pattern, match.group, fitting)),
       fitting_(fine_.get()),
-      blame_(pattern.seams.size(), 1) {
-  for (FitStart& start : starts) add(std::move(start));
+      search_factors_(pattern.seams.size(), 1) {
+  for (FittingStart& start : starts) add(std::move(start));
   placed_ = match.expanded(starts_.back().leaders);
   place(starts_[0].leaders);
   double mismatch = 0;
@@ -44,10 +44,10 @@ FittingStage::FittingStage(const Pattern& pattern, const MatchProblem& match,
   perfect_ = mismatch < SearchTuning::kPerfectCost;
 }
 
-void FittingStage::add(FitStart from) {
+void FittingStage::add(FittingStart from) {
   Start start;
-  static_cast<FitStart&>(start) = std::move(from);
-  start.urgency.assign(pattern_.seams.size(), 1);
+  static_cast<FittingStart&>(start) = std::move(from);
+  start.pull_factors.assign(pattern_.seams.size(), 1);
   start.margins.assign(pattern_.seams.size(), 0);
   starts_.push_back(std::move(start));
 }
@@ -140,7 +140,7 @@ void FittingStage::pull() {
   const Start& start = starts_[current_];
   std::vector<double> pulls(start.shaped.size(), 1);
   for (std::size_t s = 0; s < pulls.size(); ++s)
-    if (counts(fitted().seams[s])) pulls[s] = start.shaped[s] ? start.urgency[s] : 0;
+    if (counts(fitted().seams[s])) pulls[s] = start.shaped[s] ? start.pull_factors[s] : 0;
   fitting_->setPulls(pulls);
 }
 
@@ -151,10 +151,11 @@ std::vector<double> FittingStage::placedMismatches() const {
 void FittingStage::realign() {
   const Start& start = starts_[current_];
   if (start.stays) return fitting_->chooseJoins(alignment_);
-  Pattern urgent = fitted();
-  for (std::size_t s = 0; s < start.urgency.size(); ++s) urgent.seams[s].weight *= start.urgency[s];
+  Pattern reweighted = fitted();
+  for (std::size_t s = 0; s < start.pull_factors.size(); ++s)
+    reweighted.seams[s].weight *= start.pull_factors[s];
   MatchProblem now =
-      makeMatchProblem(urgent, fitting_->shapes(), urgent.mirrors, rules_, match_.group);
+      makeMatchProblem(reweighted, fitting_->shapes(), reweighted.mirrors, rules_, match_.group);
   const std::vector<double> placed = placedMismatches();
   for (MatchSeam& seam : now.seams)
     if (seam.seam >= 0 && (!start.shaped[static_cast<std::size_t>(seam.seam)] || start.rounds > 0 ||
@@ -175,7 +176,7 @@ bool FittingStage::advance() {
     begin();
     return true;
   }
-  if (stuck_) return true;
+  if (needs_start_) return true;
   if (given_up_ || std::exchange(stalled_, false)) return false;
   fitting_->step(alignment_);
   ++iterations_;
@@ -187,7 +188,7 @@ bool FittingStage::advance() {
   Start& start = starts_[current_];
   ++start.steps;
   if (start.steps % ShapingTuning::kRealignEvery == 0 && start.steps < steps_) realign();
-  if (start.steps == trial_steps_ && !start.fit) return leave();
+  if (start.steps == trial_steps_ && !start.mismatch) return leave();
   return start.steps < steps_ || endSteps();
 }
 
@@ -196,7 +197,7 @@ bool FittingStage::endSteps() {
   Start& start = starts_[current_];
   const Judgement found = judge();
   const int most = start.retried ? ShapingTuning::kMostRetried : ShapingTuning::kMostRounds;
-  if (found == Judgement::kOthersPull && ++start.rounds < most) {
+  if (found == Judgement::kOtherPulls && ++start.rounds < most) {
     again();
     return true;
   }
@@ -213,10 +214,10 @@ bool FittingStage::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.states = fitting_->states();
-  start.fit = fitAny(match_.joining(), fitted(), fitting_->shapes(), alignment_);
-  start.fit_under_rules =
-      fitUnderRules(localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_),
-                    seamLengths(fitted(), fitting_->shapes()), placedMismatches());
+  start.mismatch = totalMismatch(match_.joining(), fitted(), fitting_->shapes(), alignment_);
+  start.mismatch_under_rules = mismatchUnderRules(
+      localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_),
+      seamLengths(fitted(), fitting_->shapes()), placedMismatches());
   return goOnFromBest();
 }
 
@@ -229,17 +230,18 @@ bool FittingStage::goOnFromBest() {
     const Start& start = starts_[k];
     if (start.failed) continue;
     if (start.ended) {
-      if (ended == none || *start.fit < *starts_[ended].fit) ended = k;
-    } else if (open == none || !start.fit ||
-               (starts_[open].fit && *start.fit_under_rules < *starts_[open].fit_under_rules)) {
+      if (ended == none || *start.mismatch < *starts_[ended].mismatch) ended = k;
+    } else if (open == none || !start.mismatch ||
+               (starts_[open].mismatch &&
+                *start.mismatch_under_rules < *starts_[open].mismatch_under_rules)) {
       open = k;
     }
   }
-  const bool ahead = open != none && (ended == none || !starts_[open].fit ||
-                                      *starts_[open].fit < *starts_[ended].fit);
+  const bool ahead = open != none && (ended == none || !starts_[open].mismatch ||
+                                      *starts_[open].mismatch < *starts_[ended].mismatch);
   const std::size_t best = ahead ? open : ended;
   if (starts_[best].stays && starts_[best].ended && may_seek_) {
-    stuck_ = true;
+    needs_start_ = true;
     return true;
   }
   if (starts_[best].stays && starts_[best].ended && retryNearest()) return true;
@@ -266,7 +268,7 @@ bool FittingStage::retryNearest() {
 }
 
 void FittingStage::goOn(std::optional<Alignments> leaders) {
-  stuck_ = false;
+  needs_start_ = false;
   if (leaders)
     add({std::move(*leaders)});
   else

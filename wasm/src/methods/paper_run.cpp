@@ -159,8 +159,8 @@ bool PaperRun::isKept() const {
 void PaperRun::restIfBetter() {
   const WallpaperGroup group = match_.joining();
   const Shapes rest = evenedShapes(pattern_);
-  if (isSewable(pattern_, rest) &&
-      fitAny(group, pattern_, rest, alignment_) < fitAny(group, pattern_, shapes_, alignment_))
+  if (isSewable(pattern_, rest) && totalMismatch(group, pattern_, rest, alignment_) <
+                                       totalMismatch(group, pattern_, shapes_, alignment_))
     shapes_ = rest;
 }
 

@@ -45,8 +45,8 @@ double greatestMean(double placed) {
   return std::max(ShapingTuning::kMet, placed + ShapingTuning::kUnseen);
 }
 
-double fitUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
-                     const std::vector<double>& placed) {
+double mismatchUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
+                          const std::vector<double>& placed) {
   double total = 0;
   for (std::size_t s = 0; s < lengths.size(); ++s)
     total +=

@@ -12,14 +12,14 @@ namespace seamwise {
 double localMismatch(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
                      const std::vector<Alignment>& at);
 
-/// The same for every seam; 0 for those that count in no fit.
+/// localMismatch() of every seam; 0 for those that do not count. [cm]
 std::vector<double> localMismatches(const WallpaperGroup& group, const Pattern& pattern,
                                     const Shapes& shapes, const std::vector<Alignment>& at);
 
-/// Length of every seam, mean of its sides; 0 for those that count in no fit. [cm]
+/// Length of every seam, mean of its sides; 0 for those that do not count. [cm]
 std::vector<double> seamLengths(const Pattern& pattern, const Shapes& shapes);
 
-/// Mean of the seams' mismatches by their lengths: what all seams miss by, whatever they weigh.
+/// Mean of the seams' mismatches by their lengths, whatever they weigh. [cm]
 double meanMismatch(const std::vector<double>& mismatches, const std::vector<double>& lengths);
 
 /// Whether a seam counts: matched, and not joining a piece to its own mirror twin.
@@ -28,10 +28,10 @@ inline bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
 /// The greatest mean that a seam may end with of which placing alone leaves `placed`. [cm]
 double greatestMean(double placed);
 
-/// The fit of seams with these means, by their lengths; what exceeds the greatest mean that placing
-/// alone allows counts several times more, because no result may end with it. [cm2]
-double fitUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
-                     const std::vector<double>& placed);
+/// Total mismatch of seams with these means, by their lengths; what exceeds the greatest mean that
+/// placing alone allows counts several times more, because no result may end with it. [cm2]
+double mismatchUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
+                          const std::vector<double>& placed);
 
 /// Means of one seam: of the pieces as drafted where placing alone lays them, where they lie at
 /// last, and of their final shape there. [cm]

@@ -86,7 +86,7 @@ SearchStage::SearchStage(const Problem& problem, const Pattern& pattern, const M
   }
   const auto rest = std::find_if(searches_.rbegin(), searches_.rend(),
                                  [](const Search& search) { return search.slack == 0; });
-  rest->asked = true;
+  rest->requested = true;
   share_ = ProgressTuning::searches(static_cast<double>(match.leaders.size()), group.data().order);
   double whole = 0;
   for (const Search& search : searches_) whole += search.share;
@@ -130,7 +130,7 @@ void SearchStage::begin() {
       offer(pieces, search.turn - searches_[before].turn);
   if (search.slack == 0)
     offered.push_back(search.problem.ofLeaders(draftedLayout(problem_, search.problem)));
-  if (search.asked)
+  if (search.requested)
     for (const Alignments& pieces : offered_) offer(pieces, search.turn);
   if (search.slack > 0 && search.problem.cost(offered[0]) < SearchTuning::kPerfectCost) {
     share_ -= search.share;
@@ -163,7 +163,7 @@ void SearchStage::end(const SearchMemo::Outcome& outcome) {
   perfect_ = match_.cost(best_) < SearchTuning::kPerfectCost;
 }
 
-void SearchStage::seekAgain(const std::vector<double>& urgency) {
+void SearchStage::seekAgain(const std::vector<double>& factors) {
   const Search& last = searches_.back();
   Search next{last.problem,
               SearchTuning::kUnderSlack,
@@ -174,7 +174,7 @@ void SearchStage::seekAgain(const std::vector<double>& urgency) {
               last.turn};
   for (MatchSeam& seam : next.problem.seams) {
     if (seam.seam < 0) continue;
-    const double factor = urgency[static_cast<std::size_t>(seam.seam)];
+    const double factor = factors[static_cast<std::size_t>(seam.seam)];
     for (double& w : seam.w) w *= factor;
     seam.weight *= factor;
     seam.whole = seam.stretch(0, seam.w.size());

@@ -99,7 +99,7 @@ std::optional<Error> dropOrRefuse(Problem& problem, const Obstacle& obstacle, Fa
 
 /// No symmetry is left that pins or grain contradict. Errors: kSymmetryConflict when it was asked
 /// for.
-std::optional<Error> heedRules(Problem& problem) {
+std::optional<Error> enforceRules(Problem& problem) {
   const struct {
     std::optional<std::size_t> (*against)(const Problem&);
     const char *code, *why, *remedy;
@@ -133,7 +133,7 @@ bool Preparation::advance() {
 
 bool Preparation::begin() {
   begun_ = true;
-  if (const auto error = heedRules(problem_)) return end(*error);
+  if (const auto error = enforceRules(problem_)) return end(*error);
   if (memo_) {
     from_ = {problem_.garment,
              problem_.imposed,

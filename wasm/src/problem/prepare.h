@@ -14,7 +14,7 @@ namespace seamwise {
 
 /// What the pattern of a mesh, and the same with fewer mirrors, was deformed by last; null until
 /// then.
-struct LastPlans {
+struct MeshPlans {
   std::shared_ptr<FittingPlans> plans, freed;
 };
 
@@ -34,7 +34,7 @@ struct MeshMemo {
     Pattern pattern;
     std::vector<BodySymmetry> imposed, known;  ///< that were left
     std::vector<Note> notes;                   ///< that were added
-    std::shared_ptr<LastPlans> plans;
+    std::shared_ptr<MeshPlans> plans;
   };
   std::optional<Mesh> last;
 };
@@ -56,7 +56,7 @@ class Preparation {
   /// Once it has ended. Errors: kMesh, kSymmetryConflict.
   Outcome<Pattern> take() { return *std::move(pattern_); }
   /// Of the pattern, to be kept for as long as it: another mesh may be the last by then.
-  std::shared_ptr<LastPlans> plans() const { return plans_; }
+  std::shared_ptr<MeshPlans> plans() const { return plans_; }
 
  private:
   bool begin();
@@ -72,7 +72,7 @@ class Preparation {
   std::optional<Pattern> sampled_;        ///< by the symmetries, at the edge length
   std::optional<Meshing> meshing_;
   std::optional<Outcome<Pattern>> pattern_;
-  std::shared_ptr<LastPlans> plans_ = std::make_shared<LastPlans>();
+  std::shared_ptr<MeshPlans> plans_ = std::make_shared<MeshPlans>();
   bool begun_ = false;
   double fraction_ = 0;
 };

@@ -31,7 +31,7 @@ class SymmetricPreparation {
   double fraction() const { return fraction_; }  ///< 0..1, monotone
   /// Once it has ended. Errors: as Preparation::take().
   Outcome<PreparedPatterns> take();
-  std::shared_ptr<LastPlans> plans() const { return preparation_->plans(); }
+  std::shared_ptr<MeshPlans> plans() const { return preparation_->plans(); }
 
  private:
   bool judge();

@@ -39,10 +39,10 @@ RigidMotion registerEdges(const Curve& first, const Curve& second) {
   const Polyline target = (swapped ? first : second).flattened(Outline::kFlatness);
   // Outlines run counter-clockwise, so mirrored edges run against each other.
   std::reverse(to.begin(), to.end());
-  RigidMotion map = fitMirror(from, to, false);
+  RigidMotion map = leastSquaresMirror(from, to, false);
   for (int k = 0; k < SymmetryTuning::kMostEdgeIterations; ++k) {
     for (std::size_t i = 0; i < from.size(); ++i) to[i] = nearestOn(target, map(from[i]));
-    const RigidMotion next = fitMirror(from, to, false);
+    const RigidMotion next = leastSquaresMirror(from, to, false);
     const double moved = (next(from.front()) - map(from.front())).norm() +
                          (next(from.back()) - map(from.back())).norm();
     map = next;

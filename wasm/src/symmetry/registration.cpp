@@ -58,7 +58,7 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
   for (; gate > kMirrorTolerance; gate /= 3) {
     const CornerPairs pairs = pairCorners(a, b, map, gate);
     if (pairs.from.size() < 2 || !spread(pairs.from)) return map;
-    map = fitMirror(pairs.from, pairs.to, single);
+    map = leastSquaresMirror(pairs.from, pairs.to, single);
   }
   RigidMotion trimmed = map;
   for (int round = 0; round < 12; ++round) {
@@ -74,7 +74,7 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
         to.push_back(pairs.to[i]);
       }
     if (from.size() < 2 || !spread(from)) return map;
-    const RigidMotion next = fitMirror(from, to, single);
+    const RigidMotion next = leastSquaresMirror(from, to, single);
     if (limit == kExactCorner)
       return 2 * from.size() * strideFor(a.corners().size()) >= a.corners().size() ? next : map;
     if (next == trimmed) break;  // and will be for ever
@@ -106,7 +106,7 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
     const bool stalled = rms > kMirrorTolerance && rms > SymmetryTuning::kStalled * before;
     before = rms;
     if (stalled) break;
-    const RigidMotion next = fitMirror(from, to, single);
+    const RigidMotion next = leastSquaresMirror(from, to, single);
     const double moved = std::abs(wrapAngle(next.angle - map.angle)) * a.length() +
                          (next(a.corners()[0]) - map(a.corners()[0])).norm();
     map = next;
@@ -117,7 +117,8 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
 
 }  // namespace
 
-RigidMotion fitMirror(const std::vector<Vec2>& p, const std::vector<Vec2>& q, bool single) {
+RigidMotion leastSquaresMirror(const std::vector<Vec2>& p, const std::vector<Vec2>& q,
+                               bool single) {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
   for (std::size_t i = 0; i < p.size(); ++i) {
     from += p[i];
@@ -162,25 +163,25 @@ double mirrorResidual(const Outline& a, const Outline& b, const RigidMotion& map
   return worst;
 }
 
-MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& start,
-                       double enough) {
+MirrorRegistration registerMirror(const Outline& a, const Outline& b, const RigidMotion& start,
+                                  double enough) {
   const double gate = a.length() / Outline::kEven;
   const RigidMotion begin = &a == &b ? withoutGlide(start) : start;
   const auto measured = [&](const RigidMotion& map) {
-    return MirrorFit{map, mirrorResidual(a, b, map, std::max(enough, gate))};
+    return MirrorRegistration{map, mirrorResidual(a, b, map, std::max(enough, gate))};
   };
-  MirrorFit direct = measured(polishOnCorners(a, b, begin, gate));
+  MirrorRegistration direct = measured(polishOnCorners(a, b, begin, gate));
   if (direct.residual <= 2 * Outline::kFlatness) return direct;
   const RigidMotion near = direct.residual < gate ? direct.map : begin;
   const std::size_t samples = a.samples().size();
   if (enough < kFarApart &&
       closestPoints(a, b, near,
                     std::max(SymmetryTuning::kTrialStride, samples / SymmetryTuning::kTrialSamples))
-              .second > SymmetryTuning::kHopeless * enough)
+              .second > SymmetryTuning::kPruned * enough)
     return direct;
-  MirrorFit settled = measured(closestPoints(a, b, near, strideFor(samples)).first);
-  MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
-  // Corners win when they fit as well as flattening can tell.
+  MirrorRegistration settled = measured(closestPoints(a, b, near, strideFor(samples)).first);
+  MirrorRegistration polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
+  // Corners win when their residual is as small as flattening can tell.
   if (polished.residual <= settled.residual + Outline::kFlatness &&
       polished.residual <= direct.residual)
     return polished;

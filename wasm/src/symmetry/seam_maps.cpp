@@ -73,8 +73,8 @@ void SeamMaps::connect() {
   for (std::vector<int>& seams : seams_) sortBy(seams, [&](int seam) { return -lengths_[seam]; });
 }
 
-void SeamMaps::addMaps(int from, int to, const std::vector<MirrorFit>& fits) {
-  for (const MirrorFit& fit : fits) {
+void SeamMaps::addMaps(int from, int to, const std::vector<MirrorRegistration>& registrations) {
+  for (const MirrorRegistration& registration : registrations) {
     const int index = static_cast<int>(maps_.size());
     const bool single = from == to;
     for (const bool back : {false, true}) {
@@ -83,11 +83,12 @@ void SeamMaps::addMaps(int from, int to, const std::vector<MirrorFit>& fits) {
       map.from = back ? to : from;
       map.to = back ? from : to;
       map.inverse = single ? index : back ? index : index + 1;
-      map.fit = {back ? fit.map.inverse() : fit.map, fit.residual};
+      map.registration = {back ? registration.map.inverse() : registration.map,
+                          registration.residual};
       map.disagreement =
-          placement_.disagreement(map.from, map.to, map.fit.map, outlines_[map.from]) +
+          placement_.disagreement(map.from, map.to, map.registration.map, outlines_[map.from]) +
           SymmetryTuning::kGrainWeight *
-              grainTurn(garment_.panels[map.from], garment_.panels[map.to], map.fit.map);
+              grainTurn(garment_.panels[map.from], garment_.panels[map.to], map.registration.map);
       probe(map);
       from_[map.from].push_back(static_cast<int>(maps_.size()));
       maps_.push_back(std::move(map));
@@ -101,7 +102,7 @@ void SeamMaps::probe(PieceMap& map) const {
     if (partners_[map.from][e].edge.piece < 0) continue;
     for (int k = 0; k < PieceMap::kProbes; ++k) {
       const Vec2 point = outlines_[map.from].at(static_cast<int>(e), probeFraction(k));
-      map.probes[e][k] = probed(map.to, outlines_[map.to].nearest(map.fit.map(point)));
+      map.probes[e][k] = probed(map.to, outlines_[map.to].nearest(map.registration.map(point)));
     }
   }
 }

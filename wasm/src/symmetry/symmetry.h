@@ -33,7 +33,7 @@ using SymmetryRequest = std::variant<AxisRequest, EdgesRequest, PieceRequest, Pa
 Outcome<std::vector<BodySymmetry>> registerSymmetries(const Garment& garment,
                                                       const std::vector<SymmetryRequest>& requests);
 
-/// A request as near as the garment comes to it.
+/// The symmetry that comes nearest to a request.
 struct MeasuredSymmetry {
   BodySymmetry symmetry;
   bool mirrors = false;  ///< near enough to be imposed
@@ -52,7 +52,7 @@ std::vector<BodySymmetry> detectSymmetries(const Garment& garment);
 
 /// The pieces of a symmetry as messages name them: "'front'", or "'left' and 'right'".
 std::string namesOf(const Garment& garment, const BodySymmetry& symmetry);
-/// One piece, or two.
+/// The pieces of a symmetry, one or two: indices in the garment.
 std::vector<int> piecesOf(const BodySymmetry& symmetry);
 
 }  // namespace seamwise

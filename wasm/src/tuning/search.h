@@ -92,7 +92,7 @@ struct SearchTuning {
   static constexpr int kRounds = 4, kRoundIterations = 4;
   /// Cost, over the best, beyond which an answer is dropped at once. Measured: "The search" (2,
   /// and 1.5 with a margin).
-  static constexpr double kHopeless = 1.5;
+  static constexpr double kPruned = 1.5;
   /// Cost, over the best, up to which an answer is improved further. Chosen.
   static constexpr double kClose = 1.1;
   /// Cost of a single piece elsewhere, over that where it lies, up to which it is refined. Chosen.

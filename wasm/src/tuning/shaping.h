@@ -142,8 +142,8 @@ struct ShapingTuning {
   /// What has gone wrong: a triangle's area, as a share of that at rest, and a sewn edge's length.
   /// [share, cm] Chosen.
   static constexpr double kSqueezed = 0.45, kMissedLength = 2e-3;
-  /// How near to that vertices may move less. [cm] Chosen.
-  static constexpr double kNearTrouble = 6.0;
+  /// Distance from such a fault within which vertices may move less. [cm] Chosen.
+  static constexpr double kNearFault = 6.0;
 };
 
 }  // namespace seamwise

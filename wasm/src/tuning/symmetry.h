@@ -23,7 +23,7 @@ struct SymmetryTuning {
   /// A start is judged by every fourth sample, or by so many, and is hopeless where their root mean
   /// square is more than so many times the residual that is wanted.
   static constexpr std::size_t kTrialStride = 4, kTrialSamples = 500;
-  static constexpr double kHopeless = 5;
+  static constexpr double kPruned = 5;
   /// Samples, and corners, that a map is settled on where there are twice as many and more.
   static constexpr std::size_t kSettlingSamples = 500;
   /// Points that an edge is registered by; points of each of a piece's curves that tell how far two

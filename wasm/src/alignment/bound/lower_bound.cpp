@@ -48,7 +48,7 @@ void LowerBound::next() {
     case Stage::kDrop:
       tables_.drop(static_cast<float>(enough() * (1 + kSumError)));
       if (tables_.all(0).empty()) bound_ = std::max(bound_, enough());
-      stage_ = proven() || tables_.look() ? Stage::kSweep : Stage::kTilt;
+      stage_ = proven() || tables_.evaluate() ? Stage::kSweep : Stage::kTilt;
       return;
     case Stage::kTilt:
       tables_.tilt();
@@ -56,7 +56,7 @@ void LowerBound::next() {
       return;
     case Stage::kHalve:
       ended_ = !halve();
-      if (!ended_ && !tables_.look()) tables_.sweep();
+      if (!ended_ && !tables_.evaluate()) tables_.sweep();
       stage_ = Stage::kSweep;
   }
 }
@@ -68,7 +68,7 @@ void LowerBound::tighten() {
 }
 
 /// Halves those boxes of a leader which keep the bound low: of the leader whose points move most.
-/// False when there is no room.
+/// False when there is no memory.
 bool LowerBound::halve() {
   const double least = tables_.sums().total(), above = std::max(0.0, enough() - least);
   for (double share = ProofTuning::kHalvedShare; share > 1e-3; share /= 2) {

@@ -20,14 +20,15 @@ class LowerBound {
   LowerBound(const LowerBound&) = delete;
   LowerBound& operator=(const LowerBound&) = delete;
 
-  /// Some milliseconds of work. False when the answer is proven or no room is left for more boxes.
+  /// Some milliseconds of work. False when the answer is proven or no memory is left for more
+  /// boxes.
   bool step();
 
   /// No alignment of the component costs less than this. At most cost(). [cm2]
   double bound() const;
   /// Whether best() costs at most ProofTuning::kProven more than it has to, or next to nothing.
   bool proven() const;
-  /// `known`, unless a better answer was met on the way: then whoever searched should go on there.
+  /// The best answer met, of all leaders: `known`, or a better one to go on from.
   const Alignments& best() const { return best_; }
   double cost() const { return cost_; }  ///< of best(), all edges of the component. [cm2]
   /// Element distances evaluated, or work that takes as long.

@@ -190,7 +190,7 @@ double SearchMoves::improve(const Component& c, Layout& layout, std::vector<char
   // most regrown parts fall back into place
   if (known >= 0 && std::abs(cost - known) < SearchTuning::kSameAnswer * known) return cost;
   for (int round = 0; round < SearchTuning::kRounds && cost > nothing; ++round) {
-    if (known >= 0 && cost > (round == 0 ? SearchTuning::kHopeless : SearchTuning::kClose) * known)
+    if (known >= 0 && cost > (round == 0 ? SearchTuning::kPruned : SearchTuning::kClose) * known)
       break;
     const bool moved = moveSingles(c, layout, fresh);
     cost = costOf(c, layout, slack_);
