@@ -44,7 +44,7 @@ std::array<int, 10> slotsOf(const DeformationTerms& terms, int i, int j) {
 DeformationPlan::DeformationPlan(const Part& part, const DeformationWeights& weights)
     : part_(&part), weights_(weights) {
   rest_area_.reserve(part.triangles.size());
-  for (const auto& t : part.triangles) rest_area_.push_back(areaOf(t, part.rest));
+  for (const auto& t : part.triangles) rest_area_.push_back(triangleArea(part.rest, t));
 }
 
 DeformationTerms::DeformationTerms(const Part& part, const DeformationWeights& weights) {

@@ -45,12 +45,6 @@ struct DeformationTerms {
   void addLines(const Part& part, double weight);
 };
 
-/// Area of a triangle of a part of which vertex v is at x[v]. [cm2]
-inline double areaOf(const std::array<int, 3>& triangle, const std::vector<Vec2>& x) {
-  const auto& [i, j, k] = triangle;
-  return triangleArea(x[i], x[j], x[k]);
-}
-
 /// What all deformations of a part have in common. Parts that rest never ask for the terms.
 class DeformationPlan {
  public:

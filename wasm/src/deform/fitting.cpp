@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/polygon.h"
+#include "deform/shape_limits.h"
 #include "tuning/shaping.h"
 
 namespace seamwise {
@@ -174,12 +174,7 @@ void SeamFitting::aim(const std::vector<Alignment>& at, const PartDeformation* o
 }
 
 bool SeamFitting::crosses(int piece) const {
-  std::vector<Polyline> loops;
-  for (const std::vector<int>& loop : loopsOf(pattern_.pieces[piece])) {
-    loops.emplace_back();
-    for (int v : loop) loops.back().push_back(shapes_[piece][v]);
-  }
-  return findCrossing(loops).has_value();
+  return crossesItself(pattern_.pieces[piece], shapes_[piece]);
 }
 
 int SeamFitting::factorisations() const {

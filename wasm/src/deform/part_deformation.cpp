@@ -148,7 +148,8 @@ void PartDeformation::step() {
       trial[i] = state_.shape[i] + scale * Vec2(moveOf(i, 0), moveOf(i, 1));
     bool upright = true;
     for (std::size_t t = 0; t < part.triangles.size() && upright; ++t)
-      upright = areaOf(part.triangles[t], trial) > ShapingTuning::kLeastArea * plan_->restArea(t);
+      upright =
+          triangleArea(trial, part.triangles[t]) > ShapingTuning::kLeastArea * plan_->restArea(t);
     if (!upright) continue;
     const double after = at_start + scale * (first + scale * second) + outlineEnergy(trial);
     // below rounding there is nothing left to compare

@@ -23,7 +23,7 @@ PartDeformation::Violations PartDeformation::violations() const {
   for (const Part::Bend& b : part.bends)
     if (!b.corner) v.kink = std::max(v.kink, std::abs(kink(b)));
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
-    v.area = std::min(v.area, areaOf(part.triangles[t], state_.shape) / plan_->restArea(t));
+    v.area = std::min(v.area, triangleArea(state_.shape, part.triangles[t]) / plan_->restArea(t));
   return v;
 }
 
@@ -94,7 +94,8 @@ void PartDeformation::restart(double reach_factor) {
     any = true;
   };
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
-    if (areaOf(part.triangles[t], state_.shape) < ShapingTuning::kSqueezed * plan_->restArea(t))
+    if (triangleArea(state_.shape, part.triangles[t]) <
+        ShapingTuning::kSqueezed * plan_->restArea(t))
       for (int v : part.triangles[t]) mark(v);
   for (const Part::Edge& e : part.edges)
     if (e.sewn && std::abs((state_.shape[e.i] - state_.shape[e.j]).norm() - e.length) >

@@ -9,6 +9,9 @@ namespace seamwise {
 
 enum class BrokenLimit : std::uint8_t { kNone, kMoved, kKink, kStretch, kArea, kCrossing };
 
+/// Whether outline and cut-outs of a piece in this shape cross or touch themselves or each other.
+bool crossesItself(const Piece& piece, const std::vector<Vec2>& shape);
+
 /// The first limit that a shape of a piece breaks.
 BrokenLimit brokenLimit(const Piece& piece, const std::vector<Vec2>& shape,
                         const ShapeLimits& limits);

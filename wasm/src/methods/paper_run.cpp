@@ -5,22 +5,15 @@
 #include <limits>
 
 #include "deform/shape_limits.h"
-#include "geometry/polygon.h"
 #include "methods/metrics.h"
 #include "tuning/paper.h"
 
 namespace seamwise {
 namespace {
 
-bool crossesItself(const Pattern& pattern, const Shapes& shapes) {
-  for (std::size_t p = 0; p < shapes.size(); ++p) {
-    std::vector<Polyline> loops;
-    for (const std::vector<int>& loop : loopsOf(pattern.pieces[p])) {
-      loops.emplace_back();
-      for (const int v : loop) loops.back().push_back(shapes[p][v]);
-    }
-    if (findCrossing(loops)) return true;
-  }
+bool anyCrossesItself(const Pattern& pattern, const Shapes& shapes) {
+  for (std::size_t p = 0; p < shapes.size(); ++p)
+    if (crossesItself(pattern.pieces[p], shapes[p])) return true;
   return false;
 }
 
@@ -153,7 +146,7 @@ bool PaperRun::endAttempt() {
 /// Whether the shapes can be cut and sewn, and none moved further than allowed.
 bool PaperRun::isKept() const {
   if (greatestMovement(pattern_, shapes_) > problem_.options.max_change_cm) return false;
-  return isSewable(pattern_, shapes_) && !crossesItself(pattern_, shapes_);
+  return isSewable(pattern_, shapes_) && !anyCrossesItself(pattern_, shapes_);
 }
 
 void PaperRun::restIfBetter() {

@@ -19,7 +19,7 @@ SearchBudget withProof(SearchBudget budget, std::optional<double> proof) {
 
 /// The same print with w1 along the x-axis, to about eight digits: equal however it was turned.
 WallpaperGroup straightened(const WallpaperGroup& group) {
-  const Mat2 back = rotation(-std::atan2(group.w1().y(), group.w1().x()));
+  const Mat2 back = rotation(-directionOf(group.w1()));
   const double unit = std::ldexp(1.0, std::ilogb(group.w1().norm()) - 24);
   const auto rounded = [&](const Vec2& w) {
     const Vec2 turned = back * w;
@@ -51,7 +51,7 @@ SearchStage::SearchStage(const Problem& problem, const Pattern& pattern, const M
   const bool turns = std::all_of(rules.pieces.begin(), rules.pieces.end(),
                                  [](const PieceRule& rule) { return rule.angles.empty(); });
   const WallpaperGroup straight = turns ? straightened(group) : group;
-  const double turn = turns ? std::atan2(group.w1().y(), group.w1().x()) : 0;
+  const double turn = turns ? directionOf(group.w1()) : 0;
   Pattern reweighted;
   const Pattern& drafted =
       problem.options.weights.empty() ? pattern : (reweighted = asDrafted(problem, pattern));

@@ -10,8 +10,6 @@
 namespace seamwise {
 namespace {
 
-double direction(const Vec2& d) { return std::atan2(d.y(), d.x()); }
-
 /// One side of a seam as its leader sees it.
 struct View {
   int other;
@@ -54,7 +52,7 @@ double LocalSweeps::turn(int l) {
       if ((from_a ? seam.a : seam.b) != l || (!from_a && seam.a == seam.b)) continue;
       const View view = viewFrom(seam, from_a);
       for (std::size_t i = 0; i < seam.w.size(); ++i) {
-        const double mine = direction(view.my_direction[i]);
+        const double mine = directionOf(view.my_direction[i]);
         double wanted = 0, least = std::numeric_limits<double>::infinity();
         for (const Element& e : problem_.group.elements()) {
           if (!problem_.allows(seam, e)) continue;
@@ -62,11 +60,11 @@ double LocalSweeps::turn(int l) {
           if (view.other == l) {
             // under a rotation the angle cancels; a reflection wants its axis along the bisector
             if (!e.mirrored) continue;
-            angle = (mine + direction(view.their_direction[i])) / 2 - e.angle / 2;
+            angle = (mine + directionOf(view.their_direction[i])) / 2 - e.angle / 2;
             if (std::abs(wrapAngle(angle - before)) > kPi / 2) angle += kPi;
           } else {
             const Vec2 other = rotation(-at_[view.other].angle) * view.their_direction[i];
-            angle = mine - direction(e.A * other);
+            angle = mine - directionOf(e.A * other);
           }
           const double off = std::abs(wrapAngle(angle - before));
           if (off < least) least = off, wanted = angle;
@@ -76,7 +74,7 @@ double LocalSweeps::turn(int l) {
     }
   }
   at_[l] = leader.admissible.nearest(
-      moved(at_[l], leader.centre, wrapAngle(direction(sum) - before), Vec2::Zero()),
+      moved(at_[l], leader.centre, wrapAngle(directionOf(sum) - before), Vec2::Zero()),
       leader.centre);
   return std::abs(wrapAngle(at_[l].angle - before));
 }
@@ -100,12 +98,12 @@ double LocalSweeps::shift(int l) {
         for (const Element& e : problem_.group.elements())
           if (problem_.allows(seam, e))
             least_turn =
-                std::min(least_turn, std::abs(wrapAngle(direction(e.A * dy) - direction(dx))));
+                std::min(least_turn, std::abs(wrapAngle(directionOf(e.A * dy) - directionOf(dx))));
         Vec2 step = Vec2::Zero();
         double least = std::numeric_limits<double>::infinity();
         for (const Element& e : problem_.group.elements()) {
           if (!problem_.allows(seam, e)) continue;
-          if (std::abs(wrapAngle(direction(e.A * dy) - direction(dx))) >
+          if (std::abs(wrapAngle(directionOf(e.A * dy) - directionOf(dx))) >
               least_turn + PaperTuning::kSameTurn)
             continue;
           const Vec2 residual = problem_.group.reduce(x - e(y));
