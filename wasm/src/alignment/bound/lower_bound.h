@@ -35,9 +35,8 @@ class LowerBound {
   double spent() const { return spent_; }
 
  private:
-  double enough() const {
-    return cost_ * (1 - ProofTuning::kProven);
-  }  ///< a bound that proves the answer
+  /// A bound that proves the answer. [cm2]
+  double enough() const { return cost_ * (1 - ProofTuning::kProven); }
   void next();
   void tighten();
   bool halve();

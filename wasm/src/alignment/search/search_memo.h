@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// The outcomes of the last few searches, for solves of almost the same problem. They
-/// are kept under all that a search depends on: with a memo or without, results are the same.
+/// The outcomes of the last few searches, for solves of almost the same problem. They are kept
+/// under all that a search depends on: with a memo or without, results are the same.
 class SearchMemo {
  public:
   struct Inputs {
