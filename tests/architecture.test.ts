@@ -10,6 +10,7 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 const coreRooms = [
   'base',
   'geometry',
+  'tuning',
   'numeric',
   'pattern',
   'wallpaper',

@@ -64,7 +64,7 @@ Json editTask(const Json& task) {
     changes[name] = {{"first", timed.first},
                      {"firstFit", timed.first_fit},
                      {"final", timed.total()},
-                     {"fit", timed.result.fit.any}};
+                     {"fit", timed.result.total.nearest}};
   };
   change(
       "weight",
@@ -91,7 +91,7 @@ Json editTask(const Json& task) {
   change(
       "symmetryRemoved", [&] { return problemOf(without); }, memoOf(with));
   return {{"triangles", trianglesOf(before.result.pattern)},
-          {"fit", before.result.fit.any},
+          {"fit", before.result.total.nearest},
           {"solve", before.total()},
           {"changes", changes}};
 }

@@ -24,7 +24,8 @@ struct Searchable {
                                problem.print.group)) {}
 
   double fit(const Alignments& leaders) const {
-    return fitAny(problem.print.group, pattern, restShapes(pattern), match.expanded(leaders));
+    return totalMismatch(problem.print.group, pattern, restShapes(pattern),
+                         match.expanded(leaders));
   }
 };
 
@@ -100,7 +101,7 @@ Json startsTask(const Json& task) {
 /// With `long` milliseconds, the search of the default budget once more with that much time.
 Json searchTask(const Json& task) {
   const Timed solved = quickest(task, [&] { return problemOf(task); });
-  Json answer = {{"fitSearch", solved.result.fit_search},
+  Json answer = {{"fitSearch", solved.result.total_search},
                  {"milliseconds", solved.alignment},
                  {"bound", solved.result.search_bound}};
   const double time = task.value("long", 0.0);

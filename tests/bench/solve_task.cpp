@@ -10,8 +10,8 @@
 namespace seamwise::bench {
 namespace {
 
-/// The mean over random alignments of the shapes of the fit with one element a seam: to Fit::seam
-/// what fitRandom is to Fit::any.
+/// Mean of TotalMismatch::joined over random alignments: to it what randomMismatch() is to the
+/// total of the nearest elements. [cm2]
 double seamFitRandom(const WallpaperGroup& group, const Pattern& pattern) {
   const Shapes rest = restShapes(pattern);
   const auto draws = randomAlignments(group, pattern.pieces.size());
@@ -67,7 +67,7 @@ Timed timedSolve(const std::function<Problem()>& make, const SolveMemo& memo) {
   }
   const Problem problem = make();
   timed.first_fit =
-      fitAny(problem.print.group, solver.pattern(), restShapes(solver.pattern()), first);
+      totalMismatch(problem.print.group, solver.pattern(), restShapes(solver.pattern()), first);
   return timed;
 }
 
@@ -94,13 +94,13 @@ Json solveTask(const Json& task) {
           {"freePieces", freePieces(problem, r.pattern)},
           {"symmetries", r.pattern.mirrors.size()},
           {"triangles", trianglesOf(r.pattern)},
-          {"fitRandom", r.fit_random},
+          {"fitRandom", r.total_random},
           {"fitSeamRandom", seamFitRandom(problem.print.group, r.pattern)},
-          {"fitDrafted", r.fit_drafted},
-          {"fitSearch", r.fit_search},
-          {"fitAligned", r.fit_aligned},
-          {"fit", r.fit.any},
-          {"fitSeam", r.fit.seam},
+          {"fitDrafted", r.total_drafted},
+          {"fitSearch", r.total_search},
+          {"fitAligned", r.total_aligned},
+          {"fit", r.total.nearest},
+          {"fitSeam", r.total.joined},
           {"off", r.local.off},
           {"p90", r.local.p90},
           {"iterations", r.iterations},

@@ -27,7 +27,7 @@ Alignments searched(const MatchProblem& problem, std::uint64_t seed, SearchBudge
 
 /// E_fit of all pieces, measured on the pattern itself. [cm2]
 double fitOf(const Pattern& pattern, const MatchProblem& problem, const Alignments& leaders) {
-  return fitAny(problem.group, pattern, restShapes(pattern), problem.expanded(leaders));
+  return totalMismatch(problem.group, pattern, restShapes(pattern), problem.expanded(leaders));
 }
 
 TEST(AlignmentSearch, OfVeryManyPiecesTakesNoMoreTimeThanOfMany) {
@@ -70,7 +70,7 @@ TEST_P(CutLayoutIn, IsPutTogetherAroundAPinnedPiece) {
   const Alignments best = problem.expanded(searched(problem, 1));
   EXPECT_EQ(best[1].angle, rules[1].pin->angle);
   EXPECT_EQ(best[1].translation, rules[1].pin->translation);
-  EXPECT_LT(fitAny(group_, pattern, restShapes(pattern), best), kZeroFit);
+  EXPECT_LT(totalMismatch(group_, pattern, restShapes(pattern), best), kZeroFit);
 }
 
 TEST_P(CutLayoutIn, IsPutTogetherOnGrain) {

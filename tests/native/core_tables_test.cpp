@@ -9,6 +9,7 @@
 
 #include "alignment/bound/lower_bound.h"
 #include "problem/option_limits.h"
+#include "tuning/proof.h"
 #include "wallpaper/group.h"
 
 namespace seamwise {
@@ -84,7 +85,7 @@ std::string tables() {
       "} as const;\n\n"
       "/** A placing that costs no more than this share above what is proven is the best. */\n"
       "export const provenShare = ";
-  return text + shown(LowerBound::kProven) + ";\n";
+  return text + shown(ProofTuning::kProven) + ";\n";
 }
 
 TEST(CoreTables, AreWhatTheScriptsHave) {

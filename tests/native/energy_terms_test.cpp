@@ -6,6 +6,7 @@
 
 #include "deform/terms.h"
 #include "print_samples.h"
+#include "tuning/paper.h"
 
 namespace seamwise {
 namespace {
@@ -199,8 +200,8 @@ TEST(FlipBarrier, IsZeroAboveItsStartAndInfiniteOnceATriangleTurnsOver) {
     return flipEnergy(triangles, x, 1, nullptr, nullptr);
   };
   EXPECT_EQ(withWidth(1), 0);
-  EXPECT_EQ(withWidth(kFlipStart + 1e-9), 0);
-  EXPECT_GT(withWidth(0.9 * kFlipStart), 0);
+  EXPECT_EQ(withWidth(PaperTuning::kFlipStart + 1e-9), 0);
+  EXPECT_GT(withWidth(0.9 * PaperTuning::kFlipStart), 0);
   EXPECT_GT(withWidth(0.01), withWidth(0.1));
   EXPECT_EQ(withWidth(0), std::numeric_limits<double>::infinity());
   EXPECT_EQ(withWidth(-0.5), std::numeric_limits<double>::infinity());

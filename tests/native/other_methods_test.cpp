@@ -30,7 +30,7 @@ TEST(OtherMethods, EndAndKeepTheGreatestChange) {
     EXPECT_LT(testing::seamError(r.pattern, r.shapes), 0.01);
     EXPECT_GT(testing::leastArea(r.pattern, r.shapes), 0);
     EXPECT_LE(r.max_moved_cm, 1);
-    EXPECT_LE(r.fit.any, r.fit_aligned);
+    EXPECT_LE(r.total.nearest, r.total_aligned);
   }
 }
 
@@ -56,7 +56,7 @@ TEST(OtherMethods, LeaveThePiecesAsDraftedWhereAllTheyFindFitsWorse) {
   const Result r = solved(t);
   EXPECT_TRUE(says(r, "leftAsDrafted"));
   EXPECT_LT(r.max_moved_cm, 1e-9);
-  EXPECT_NEAR(r.fit.any, r.fit_aligned, 1e-9 * r.fit_aligned);
+  EXPECT_NEAR(r.total.nearest, r.total_aligned, 1e-9 * r.total_aligned);
 }
 
 TEST(OtherMethods, PlaceNoWorseWithMoreStartsWhichTheDraftedLayoutIsOneOf) {
@@ -64,20 +64,20 @@ TEST(OtherMethods, PlaceNoWorseWithMoreStartsWhichTheDraftedLayoutIsOneOf) {
     Task t = task("tee", "pmm");
     t.method = method;
     t.options["maxChangeCm"] = 0;
-    const double one = solved(t).fit_search;
+    const double one = solved(t).total_search;
     t.options["starts"] = 8;
     const Result eight = solved(t);
     t.options["starts"] = 16;
-    EXPECT_LT(eight.fit_search, one);
-    EXPECT_LE(solved(t).fit_search, eight.fit_search * (1 + 1e-12));
+    EXPECT_LT(eight.total_search, one);
+    EXPECT_LE(solved(t).total_search, eight.total_search * (1 + 1e-12));
     const WallpaperGroup group = testing::problemOf(t).print.group;
     const MatchProblem match = testing::matchProblem(eight.pattern, group);
     LocalSweeps sweeps(match, match.ofLeaders(eight.drafted));
     while (sweeps.step()) {
     }
     const double drafted =
-        fitAny(group, eight.pattern, restShapes(eight.pattern), match.expanded(sweeps.at()));
-    EXPECT_LE(eight.fit_search, drafted * (1 + 1e-9));
+        totalMismatch(group, eight.pattern, restShapes(eight.pattern), match.expanded(sweeps.at()));
+    EXPECT_LE(eight.total_search, drafted * (1 + 1e-9));
   }
 }
 
@@ -90,7 +90,7 @@ TEST(OtherMethods, MoveLessTowardsClippedTargets) {
   const Result clipped = solved(t);
   EXPECT_GT(moved, 1);
   EXPECT_LT(clipped.max_moved_cm, 0.8 * moved);
-  EXPECT_LT(clipped.fit.any, clipped.fit_aligned);
+  EXPECT_LT(clipped.total.nearest, clipped.total_aligned);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(OutlineOfManyEdges, FindsWhatLooksAtAllOfThemFind) {
 
 TEST(OutlineOfManyEdges, IsFoundToBeSymmetric) {
   const Outline outline(wavy(2500));
-  const std::vector<MirrorFit> mirrors = findMirrors(outline, outline);
+  const std::vector<MirrorRegistration> mirrors = findMirrors(outline, outline);
   ASSERT_FALSE(mirrors.empty());
   EXPECT_LT(mirrors[0].residual, 1e-6);
 }

@@ -7,6 +7,7 @@
 
 #include "io/result_json.h"
 #include "solver_samples.h"
+#include "tuning/proof.h"
 
 namespace seamwise {
 namespace {
@@ -72,7 +73,7 @@ TEST(Proof, HoldsForAlignmentsAnywhere) {
     other.seed = seed;
     other.options["maxChangeCm"] = 0;
     EXPECT_GE(testing::solved(other).search_cost,
-              proven.bound * proven.search_cost * (1 - LowerBound::kProven));
+              proven.bound * proven.search_cost * (1 - ProofTuning::kProven));
   }
 }
 

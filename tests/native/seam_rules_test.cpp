@@ -126,7 +126,7 @@ TEST(Effort, NeverEndsWorse) {
   Task t = onGrain("asymmetric-dress", "pgg");
   const Result once = solved(t);
   t.options["effort"] = 2;
-  EXPECT_LE(solved(t).fit.any, once.fit.any);
+  EXPECT_LE(solved(t).total.nearest, once.total.nearest);
 }
 
 TEST(FreedomFromSymmetry, NeverEndsWorse) {
@@ -141,7 +141,7 @@ TEST(FreedomFromSymmetry, NeverEndsWorse) {
     ASSERT_EQ(free.pattern.pieces.size(), symmetric.pattern.pieces.size());
     for (std::size_t p = 0; p < free.pattern.pieces.size(); ++p)
       EXPECT_EQ(free.pattern.pieces[p].rest, symmetric.pattern.pieces[p].rest) << garment;
-    EXPECT_LE(free.fit.any, symmetric.fit.any * (1 + 1e-9)) << garment << ' ' << group;
+    EXPECT_LE(free.total.nearest, symmetric.total.nearest * (1 + 1e-9)) << garment << ' ' << group;
     EXPECT_LE(free.search_bound, 1);
     its_placing += free.search == symmetric.search;
   }
@@ -159,7 +159,7 @@ TEST(FreedomFromSymmetry, TakesSymmetryThatWasOnlyAskedForInPart) {
   t.symmetry = Json{{"symmetries", {symmetry}}}.dump();
   const Result part = solved(t);
   EXPECT_EQ(part.pattern.mirrors.size(), 1u);
-  EXPECT_LE(part.fit.any, whole.fit.any * (1 + 1e-9));
+  EXPECT_LE(part.total.nearest, whole.total.nearest * (1 + 1e-9));
 }
 
 }  // namespace

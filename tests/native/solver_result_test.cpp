@@ -36,16 +36,16 @@ TEST(Metrics, SayWhatTheGeometrySays) {
     auto expectClose = [&](double stated, double found) {
       EXPECT_NEAR(stated, found, 1e-9 * (1 + found)) << t.print;
     };
-    expectClose(r.fit.any, own.fit(r.shapes, r.alignment));
-    expectClose(r.fit.strict, own.fit(r.shapes, r.alignment, true));
-    expectClose(r.fit.seam, own.seamFit(r.shapes, r.alignment));
-    expectClose(r.fit_drafted, own.fit(rest, r.drafted));
-    expectClose(r.fit_search, own.fit(rest, r.search));
-    expectClose(r.fit_aligned, own.fit(rest, r.alignment));
+    expectClose(r.total.nearest, own.fit(r.shapes, r.alignment));
+    expectClose(r.total.strict, own.fit(r.shapes, r.alignment, true));
+    expectClose(r.total.joined, own.seamFit(r.shapes, r.alignment));
+    expectClose(r.total_drafted, own.fit(rest, r.drafted));
+    expectClose(r.total_search, own.fit(rest, r.search));
+    expectClose(r.total_aligned, own.fit(rest, r.alignment));
     EXPECT_LE(r.max_moved_cm, movedAsItLies(r) + 1e-12);
-    EXPECT_LE(r.fit.any, r.fit.strict * (1 + 1e-9));
-    EXPECT_LE(r.fit.any, r.fit.seam * (1 + 1e-9));
-    EXPECT_LT(r.fit_search, r.fit_random);
+    EXPECT_LE(r.total.nearest, r.total.strict * (1 + 1e-9));
+    EXPECT_LE(r.total.nearest, r.total.joined * (1 + 1e-9));
+    EXPECT_LT(r.total_search, r.total_random);
   }
 }
 
@@ -61,17 +61,17 @@ TEST(Metrics, CountOnlyWhatMayMeetWhereMirroredSeamsAreForbidden) {
     auto expectClose = [&](double stated, double found) {
       EXPECT_NEAR(stated, found, 1e-9 * (1 + found)) << group;
     };
-    expectClose(r.continuous->fit.any, own.fit(r.shapes, r.alignment));
-    expectClose(r.continuous->fit.strict, own.fit(r.shapes, r.alignment, true));
-    expectClose(r.continuous->fit.seam, own.seamFit(r.shapes, r.alignment));
-    expectClose(r.continuous->fit_drafted, own.fit(rest, r.drafted));
-    expectClose(r.continuous->fit_search, own.fit(rest, r.search));
-    expectClose(r.continuous->fit_aligned, own.fit(rest, r.alignment));
-    expectClose(r.fit.any, Reckoning(r).fit(r.shapes, r.alignment));
-    EXPECT_GT(r.continuous->fit_random, r.fit_random);
-    EXPECT_GT(r.continuous->fit.any, r.fit.any);
+    expectClose(r.continuous->total.nearest, own.fit(r.shapes, r.alignment));
+    expectClose(r.continuous->total.strict, own.fit(r.shapes, r.alignment, true));
+    expectClose(r.continuous->total.joined, own.seamFit(r.shapes, r.alignment));
+    expectClose(r.continuous->total_drafted, own.fit(rest, r.drafted));
+    expectClose(r.continuous->total_search, own.fit(rest, r.search));
+    expectClose(r.continuous->total_aligned, own.fit(rest, r.alignment));
+    expectClose(r.total.nearest, Reckoning(r).fit(r.shapes, r.alignment));
+    EXPECT_GT(r.continuous->total_random, r.total_random);
+    EXPECT_GT(r.continuous->total.nearest, r.total.nearest);
     const double length = own.lengthOver(-1);
-    expectClose(r.local.final * length, r.continuous->fit.any);
+    expectClose(r.local.final * length, r.continuous->total.nearest);
     expectClose(r.local.off, own.lengthOver(0.5));
   }
 }
@@ -97,7 +97,7 @@ TEST(Metrics, FitOfRandomAlignmentsIsTheirMean) {
     for (Alignment& a : at) a = random.alignment();
     total += own.fit(restShapes(r.pattern), at) / kDraws;
   }
-  EXPECT_NEAR(r.fit_random, total, 0.1 * total);
+  EXPECT_NEAR(r.total_random, total, 0.1 * total);
 }
 
 TEST(Metrics, MismatchOfEverySeamIsThatOfItsJoin) {
@@ -111,7 +111,7 @@ TEST(Metrics, MismatchOfEverySeamIsThatOfItsJoin) {
     for (std::size_t i = 0; i < m.x.size(); ++i)
       if (seam.matched && !seam.twin) total += m.length[i] * r.mismatch[s][i];
   }
-  EXPECT_NEAR(total, r.fit.seam, 1e-9 * total);
+  EXPECT_NEAR(total, r.total.joined, 1e-9 * total);
 }
 
 TEST(BestMethod, KeepsSymmetrySewabilityAndTheGarmentsLines) {
@@ -145,10 +145,10 @@ TEST(BestMethod, IsStifferWithALargerAlphaAndAveragesSeamShapesWhenAsked) {
   soft.options["alpha"] = 0.1, stiff.options["alpha"] = 100;
   averaged.options["averageSeamShapes"] = true;
   const Result softly = solved(soft), stiffly = solved(stiff), average = solved(averaged);
-  EXPECT_LT(softly.fit.any, stiffly.fit.any);
+  EXPECT_LT(softly.total.nearest, stiffly.total.nearest);
   EXPECT_NE(average.shapes, solved(plain).shapes);
   for (const Result* r : {&softly, &stiffly, &average}) {
-    EXPECT_LT(r->fit.any, r->fit_aligned);
+    EXPECT_LT(r->total.nearest, r->total_aligned);
     EXPECT_LT(testing::seamError(r->pattern, r->shapes), 0.01);
     EXPECT_LE(r->max_moved_cm, 1);
   }

@@ -10,6 +10,7 @@
 #include "io/result_json.h"
 #include "io/share_numbers.h"
 #include "solve/solver.h"
+#include "tuning/progress.h"
 
 namespace seamwise {
 
@@ -35,9 +36,6 @@ inline ProblemTexts problemTexts(const val& problem) {
 /// A page changes one thing at a time, and its worker solves again with the same module.
 inline SolveMemo memo;
 
-/// Of the time until a garment is ready to be solved, as a rule.
-inline constexpr double kReadingPart = 0.7;
-
 /// A solve as JavaScript holds it: first its problem is read, then it is set up, then it runs.
 /// After a failure every call is harmless and does nothing.
 class SolverHandle {
@@ -62,7 +60,8 @@ class SolverHandle {
   double fraction() const {
     if (solver_) return solver_->fraction();
     const double read = reader_ ? reader_->fraction() : 1, set_up = setup_ ? setup_->fraction() : 0;
-    return kPrepared * (kReadingPart * read + (1 - kReadingPart) * set_up);
+    return ProgressTuning::kPrepared *
+           (ProgressTuning::kReading * read + (1 - ProgressTuning::kReading) * set_up);
   }
 
   val partial() const {

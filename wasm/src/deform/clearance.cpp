@@ -3,15 +3,9 @@
 #include <algorithm>
 
 #include "geometry/polygon.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
-namespace {
-
-/// Along a line that merely bends, the straight distance stays above this share of the way around.
-constexpr double kDetour = 0.6;
-
-}  // namespace
-
 std::vector<double> outsideClearance(const Piece& piece, double horizon) {
   const int n = static_cast<int>(piece.outline.size());
   Polyline rim;
@@ -37,7 +31,7 @@ std::vector<double> outsideClearance(const Piece& piece, double horizon) {
       if (distance >= clear[i]) continue;
       double way = std::abs(along[k] + t * length - along[i]);
       way = std::min(way, along[n] - way);
-      if (distance > kDetour * way || contains(rim, (q + rim[i]) / 2)) continue;
+      if (distance > ShapingTuning::kGapDetour * way || contains(rim, (q + rim[i]) / 2)) continue;
       clear[i] = distance;
     }
   }

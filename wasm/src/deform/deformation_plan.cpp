@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "deform/terms.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
@@ -43,7 +44,7 @@ std::array<int, 10> slotsOf(const DeformationTerms& terms, int i, int j) {
 DeformationPlan::DeformationPlan(const Part& part, const DeformationWeights& weights)
     : part_(&part), weights_(weights) {
   rest_area_.reserve(part.triangles.size());
-  for (const auto& t : part.triangles) rest_area_.push_back(areaOf(t, part.rest));
+  for (const auto& t : part.triangles) rest_area_.push_back(triangleArea(part.rest, t));
 }
 
 DeformationTerms::DeformationTerms(const Part& part, const DeformationWeights& weights) {
@@ -53,7 +54,8 @@ DeformationTerms::DeformationTerms(const Part& part, const DeformationWeights& w
     addBend(quadratic, b, b.corner ? weights.corner : weights.bend);
   if (weights.line > 0) addLines(part, weights.line);
   for (std::size_t i = 0; i < part.rest.size(); ++i) {
-    const double pull = part.reach[i] > 0 ? weights.rest : 1e-4 * weights.rest;
+    const double pull =
+        part.reach[i] > 0 ? weights.rest : ShapingTuning::kInteriorPull * weights.rest;
     for (int c = 0; c < 2; ++c) quadratic.add(unknown[2 * i + c], unknown[2 * i + c], 2 * pull);
   }
   edge_slots.reserve(part.edges.size());

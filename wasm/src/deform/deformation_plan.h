@@ -5,17 +5,21 @@
 
 #include "deform/part.h"
 #include "numeric/sparse.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 
 /// Weights of the terms that keep a part a part. Lengths in cm, energies per cm of outline.
 struct DeformationWeights {
-  double conformal = 0.3;  ///< LSCM energy of the map from rest to shape, per cm2 of cloth
-  double bend = 12.0;      ///< change of the outline's direction, per rad2 at a vertex
-  double corner = 4.0;     ///< the same at a corner
-  double rest = 0.01;      ///< pull of the outline to its rest position, per cm2
-  double unsewn = 20.0;    ///< unsewn edges keep their length, per cm2
-  double line = 2000.0;    ///< vertices of unsewn edges leave their line, per cm2
+  /// Of the LSCM energy of the map from rest to shape, per cm2 of cloth.
+  double conformal = ShapingTuning::kConformal;
+  /// Of the change of the outline's direction, per rad2 at a vertex; the same at a corner.
+  double bend = ShapingTuning::kBend, corner = ShapingTuning::kCornerBend;
+  /// Of the pull of the outline to its rest position, per cm2.
+  double rest = ShapingTuning::kRestPull;
+  /// Of the change of an unsewn edge's length, and of its vertices' distance from its line, per
+  /// cm2.
+  double unsewn = ShapingTuning::kUnsewn, line = ShapingTuning::kLine;
   bool operator==(const DeformationWeights&) const = default;
 };
 
@@ -40,12 +44,6 @@ struct DeformationTerms {
   void addConformal(const Part& part, double weight);
   void addLines(const Part& part, double weight);
 };
-
-/// Of a triangle of a part, of which vertex v is at x[v]. [cm2]
-inline double areaOf(const std::array<int, 3>& triangle, const std::vector<Vec2>& x) {
-  const auto& [i, j, k] = triangle;
-  return triangleArea(x[i], x[j], x[k]);
-}
 
 /// What all deformations of a part have in common. Parts that rest never ask for the terms.
 class DeformationPlan {

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/polygon.h"
+#include "deform/shape_limits.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kFloor = 0.05;        ///< cm: mismatch below it pulls no harder than this
-constexpr double kGatheredPull = 0.3;  ///< of a seam that cannot match all along
-/// How far a vertex may leave a line that is kept: the seam's mean then stays within 0.3 mm. [cm]
-constexpr double kLineReach = 0.02;
 constexpr double kLockedReach = 1e-5;  ///< cm
 
 }  // namespace
@@ -69,7 +66,7 @@ void SeamFitting::setPulls(const std::vector<double>& pulls) {
       const Follower& f = plan_.parts.pieces[side->piece];
       for (std::size_t k = 1; k + 1 < side->vertices.size(); ++k) {
         double& limit = limits[f.part][f.source[side->vertices[k]]];
-        limit = std::min(limit, kLineReach);
+        limit = std::min(limit, ShapingTuning::kLineReach);
       }
     }
   }
@@ -161,13 +158,15 @@ void SeamFitting::aim(const std::vector<Alignment>& at, const PartDeformation* o
     const Seam& seam = pattern_.seams[s];
     if (!seam.matched || seam.twin || pulls_[s] <= 0) continue;
     const IdealLines lines = linesOf(seam, joins_[s], at);
-    const double pull = pulls_[s] * seam.weight * (isGathered(seam) ? kGatheredPull : 1);
+    const double pull =
+        pulls_[s] * seam.weight * (isGathered(seam) ? ShapingTuning::kGatheredPull : 1);
     for (std::size_t k = 0; k < seam.a.vertices.size(); ++k) {
       const int va = seam.a.vertices[k], vb = seam.b.vertices[k];
       // what both sides have to move together: the mismatch, when they meet in the middle
       const double apart = (lines.a[k] - shapes_[seam.a.piece][va]).norm() +
                            (lines.b[k] - shapes_[seam.b.piece][vb]).norm();
-      const double weight = pull * plan_.vertex_length[s][k] / std::max(apart, kFloor);
+      const double weight =
+          pull * plan_.vertex_length[s][k] / std::max(apart, ShapingTuning::kLeastDistance);
       addTarget(seam.a.piece, va, lines.a[k], weight, only);
       addTarget(seam.b.piece, vb, lines.b[k], weight, only);
     }
@@ -175,12 +174,7 @@ void SeamFitting::aim(const std::vector<Alignment>& at, const PartDeformation* o
 }
 
 bool SeamFitting::crosses(int piece) const {
-  std::vector<Polyline> loops;
-  for (const std::vector<int>& loop : loopsOf(pattern_.pieces[piece])) {
-    loops.emplace_back();
-    for (int v : loop) loops.back().push_back(shapes_[piece][v]);
-  }
-  return findCrossing(loops).has_value();
+  return crossesItself(pattern_.pieces[piece], shapes_[piece]);
 }
 
 int SeamFitting::factorisations() const {

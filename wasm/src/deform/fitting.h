@@ -8,7 +8,7 @@
 
 namespace seamwise {
 
-/// What the deformation depends on besides the pattern.
+/// Rules that fitting keeps besides those of the pattern.
 struct FittingRules {
   bool continuous_only = false;  ///< forbid mirrored seams
   bool average_shapes = false;   ///< seam lines take the mean of both sides' turning angles
@@ -37,10 +37,10 @@ class SeamFitting {
   /// New targets for one part: the partners' present seam lines, half way.
   void aimAtPartners(const PartDeformation& deformation, const std::vector<Alignment>& at);
 
-  /// What steps change, joins apart: to go back to it later.
+  /// The state of every part, which steps change; joins are no part of it.
   std::vector<PartDeformation::State> states() const;
   void setStates(std::vector<PartDeformation::State> states);
-  /// As drafted: where every deformation starts.
+  /// The state of every part as drafted.
   std::vector<PartDeformation::State> restStates() const;
 
   std::vector<PartDeformation>& deformations() { return deformations_; }
@@ -52,7 +52,7 @@ class SeamFitting {
   const std::vector<Join>& joins() const { return joins_; }
   int factorisations() const;
 
-  /// Takes over the parts' shapes.
+  /// Updates shapes() from those of the parts.
   void collectShapes();
   /// Whether a piece's outline crosses itself.
   bool crosses(int piece) const;

@@ -1,12 +1,8 @@
 #include "deform/fitting_plan.h"
 
+#include "tuning/shaping.h"
+
 namespace seamwise {
-namespace {
-
-constexpr double kLongest = 2.1;  ///< cm: outline edges of the coarser pattern
-
-}  // namespace
-
 FittingPlan::FittingPlan(const Pattern& pattern, const DeformationWeights& weights,
                          double max_change)
     : parts(splitIntoParts(pattern, max_change)) {
@@ -34,7 +30,7 @@ const FittingPlan& FittingPlans::fine(const Pattern& pattern) {
 const CoarserPlan* FittingPlans::coarse(const Pattern& pattern) {
   if (!coarse_) {
     coarse_.emplace();
-    if (auto coarser = coarsened(pattern, kLongest)) {
+    if (auto coarser = coarsened(pattern, ShapingTuning::kCoarseEdge)) {
       FittingPlan plan(coarser->pattern, weights_, max_change_);
       *coarse_ =
           std::make_unique<const CoarserPlan>(CoarserPlan{std::move(*coarser), std::move(plan)});

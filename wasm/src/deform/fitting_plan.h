@@ -7,7 +7,7 @@
 
 namespace seamwise {
 
-/// A pattern's parts, ready to deform however its seams weigh and whatever the print.
+/// What deforming a pattern needs and depends on neither its seams' weights nor the print.
 struct FittingPlan {
   /// @param max_change   greatest movement of an outline vertex, cm
   FittingPlan(const Pattern& pattern, const DeformationWeights& weights, double max_change);
@@ -19,7 +19,7 @@ struct FittingPlan {
       vertex_length;  ///< per seam and vertex: cm of seam it stands for
 };
 
-/// The same for the coarser pattern.
+/// The coarser pattern with its plan.
 struct CoarserPlan {
   CoarserPattern coarser;
   FittingPlan plan;

@@ -6,11 +6,11 @@
 #include "deform/clearance.h"
 #include "deform/shape_limits.h"
 #include "mesh/lengths.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kGapShare = 0.45;    ///< of a gap, that one side may take
 constexpr double kLeastReach = 1e-5;  ///< cm
 
 /// Part frame in which the axis of the reflection `map` is x = 0.
@@ -135,7 +135,8 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
 
     // The true rest may lie up to the mirror tolerance away from the evened one. And two sides of a
     // gap must not meet.
-    const std::vector<double> clear = outsideClearance(piece, 2 * max_change / kGapShare);
+    const std::vector<double> clear =
+        outsideClearance(piece, 2 * max_change / ShapingTuning::kGapShare);
     part.reach.assign(part.vertices.size(), 0);
     std::vector<char> rim(n, 0);
     for (const auto& loop : loopsOf(piece))
@@ -148,7 +149,8 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
         const Vec2& image = pattern.pieces[mirror->pieces[1]].rest[mirror->image[v]];
         off = std::max(off, (frame(unmirror(image)) - part.rest[i]).norm());
       }
-      const double gap = v < static_cast<int>(clear.size()) ? kGapShare * clear[v] : max_change;
+      const double gap =
+          v < static_cast<int>(clear.size()) ? ShapingTuning::kGapShare * clear[v] : max_change;
       part.reach[i] = std::max(kLeastReach, std::min(max_change - off, gap));
     }
     if (mirror && !mirror->single()) {

@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuning/shaping.h"
+
 namespace seamwise {
-namespace {
-
-/// Of an edge of 1 cm, per cm2. Shorter ones are held harder in proportion: many springs one after
-/// the other give way by as much as all of them do. Held alike, a line of 0.1 cm edges came to its
-/// length in 70 steps in place of 20, and mostly was put to rest before (princess dress, pmm).
-constexpr double kLengthPenalty = 2e4;
-constexpr double kReachPenalty = 4e3;  ///< per cm2; pulls are about 1 a cm, so the excess is slight
-constexpr double kUpright = 0.33;      ///< least area of a triangle, as a share of its rest area
-constexpr double kLongestStep = 0.4;   ///< cm: beyond it the linearised lengths are worthless
-
-}  // namespace
-
 PartDeformation::State PartDeformation::restState() const {
   return {part().rest, std::vector<double>(part().edges.size(), 0)};
 }
@@ -69,7 +59,7 @@ double PartDeformation::outlineEnergy(const std::vector<Vec2>& shape) const {
       e += target_weight_[i] * shape[i].squaredNorm() - 2 * target_pull_[i].dot(shape[i]);
     if (part().reach[i] <= 0) continue;
     const double excess = (shape[i] - part().rest[i]).norm() - reach_[i];
-    if (excess > 0) e += kReachPenalty * excess * excess / 2;
+    if (excess > 0) e += ShapingTuning::kReachPenalty * excess * excess / 2;
   }
   for (std::size_t k = 0; k < part().edges.size(); ++k) {
     const Part::Edge& edge = part().edges[k];
@@ -81,7 +71,7 @@ double PartDeformation::outlineEnergy(const std::vector<Vec2>& shape) const {
 
 double PartDeformation::stiffness(std::size_t edge) const {
   const Part::Edge& e = part().edges[edge];
-  if (e.sewn) return kLengthPenalty / std::min(1.0, e.length);
+  if (e.sewn) return ShapingTuning::kLengthPenalty / std::min(1.0, e.length);
   return plan_->weights().unsewn * edge_factor_[edge];
 }
 
@@ -109,8 +99,9 @@ void PartDeformation::assemble(const VectorX& quadratic_force) {
     const Vec2 n = move / length;
     for (int c = 0; c < 2; ++c)
       for (int d = 0; d <= c; ++d)
-        hessian_.add(unknown[2 * i + c], unknown[2 * i + d], kReachPenalty * n[c] * n[d]);
-    addGradient(v, kReachPenalty * excess * move / length);
+        hessian_.add(unknown[2 * i + c], unknown[2 * i + d],
+                     ShapingTuning::kReachPenalty * n[c] * n[d]);
+    addGradient(v, ShapingTuning::kReachPenalty * excess * move / length);
   }
   for (std::size_t e = 0; e < part.edges.size(); ++e) {
     const Part::Edge& edge = part.edges[e];
@@ -146,7 +137,7 @@ void PartDeformation::step() {
   double longest = 0;
   for (std::size_t i = 0; i < part.rest.size(); ++i)
     longest = std::max(longest, std::hypot(moveOf(i, 0), moveOf(i, 1)));
-  double scale = std::min(1.0, kLongestStep / std::max(longest, 1e-12));
+  double scale = std::min(1.0, ShapingTuning::kLongestStep / std::max(longest, 1e-12));
   // the quadratic terms along the way, by Taylor
   const double at_start = u.dot(force) / 2, first = force.dot(full);
   const double second = full.dot(hessian_.times(constant_, full)) / 2;
@@ -157,7 +148,8 @@ void PartDeformation::step() {
       trial[i] = state_.shape[i] + scale * Vec2(moveOf(i, 0), moveOf(i, 1));
     bool upright = true;
     for (std::size_t t = 0; t < part.triangles.size() && upright; ++t)
-      upright = areaOf(part.triangles[t], trial) > kUpright * plan_->restArea(t);
+      upright =
+          triangleArea(trial, part.triangles[t]) > ShapingTuning::kLeastArea * plan_->restArea(t);
     if (!upright) continue;
     const double after = at_start + scale * (first + scale * second) + outlineEnergy(trial);
     // below rounding there is nothing left to compare

@@ -30,20 +30,20 @@ class PartDeformation {
   /// One Newton step and one update of the multipliers.
   void step();
 
-  /// What steps change, targets apart: to go back to it later.
+  /// What steps change, targets apart.
   struct State {
-    std::vector<Vec2> shape;
-    std::vector<double> length_force;
+    std::vector<Vec2> shape;           ///< per vertex, in the part's frame, cm
+    std::vector<double> length_force;  ///< per outline edge: multiplier of its length, per cm
   };
   const State& state() const { return state_; }
   void setState(State state) { state_ = std::move(state); }
-  /// As drafted: where every deformation starts.
+  /// The state as drafted.
   State restState() const;
 
   int settling = 0;  ///< steps since the targets were fixed; for the caller's use
   int factorisations() const { return factorisations_; }
 
-  /// What a shape must keep; each is 0 or less when kept.
+  /// How far a shape is from what a finished one has to keep.
   struct Violations {
     double length = 0;   ///< greatest |edge - kept length| of a sewn edge, cm
     double reach = 0;    ///< greatest excess over the reach, cm

@@ -2,20 +2,11 @@
 #include <cmath>
 
 #include "deform/part_deformation.h"
+#include "tuning/shaping.h"
 
 // Limits that a part breaks once its targets are fixed, and stiffening where it breaks them.
 
 namespace seamwise {
-namespace {
-
-constexpr double kMostStiffened = 1e3;  ///< times what an unsewn edge resists at first
-constexpr double kHold = 5.0;           ///< weight that holds a shape in place, per cm2
-constexpr double kSqueezed = 0.45;  ///< share of its rest area below which a triangle is in trouble
-constexpr double kMissedLength = 2e-3;  ///< cm
-constexpr double kNearTrouble = 6.0;    ///< cm
-
-}  // namespace
-
 PartDeformation::Violations PartDeformation::violations() const {
   const Part& part = plan_->part();
   Violations v;
@@ -32,7 +23,7 @@ PartDeformation::Violations PartDeformation::violations() const {
   for (const Part::Bend& b : part.bends)
     if (!b.corner) v.kink = std::max(v.kink, std::abs(kink(b)));
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
-    v.area = std::min(v.area, areaOf(part.triangles[t], state_.shape) / plan_->restArea(t));
+    v.area = std::min(v.area, triangleArea(state_.shape, part.triangles[t]) / plan_->restArea(t));
   return v;
 }
 
@@ -54,7 +45,7 @@ bool PartDeformation::stiffenKinks(double limit) {
     if (!any) std::copy(constant_.begin(), constant_.end(), hessian_.values());
     any = true;
     const double before = bend_factor_[b];
-    bend_factor_[b] *= 1.5 * excess * excess;
+    bend_factor_[b] *= ShapingTuning::kBendGrowth * excess * excess;
     plan_->terms().addBend(hessian_, part().bends[b],
                            plan_->weights().bend * (bend_factor_[b] - before));
   }
@@ -70,7 +61,8 @@ void PartDeformation::stiffenStretched(double limit) {
     const double now = (state_.shape[edge.i] - state_.shape[edge.j]).norm();
     const double excess = std::abs(now / rest - 1) / limit;
     if (excess > 1)
-      edge_factor_[e] = std::min(kMostStiffened, edge_factor_[e] * 2 * excess * excess);
+      edge_factor_[e] = std::min(ShapingTuning::kMostStiffened,
+                                 edge_factor_[e] * ShapingTuning::kEdgeGrowth * excess * excess);
   }
 }
 
@@ -86,7 +78,8 @@ void PartDeformation::holdShape() {
     Vec2 pull = Vec2::Zero();
     for (int c = 0; c < 2; ++c)
       if (const int k = unknown[2 * i + c]; k >= 0) pull[c] = force[k];
-    addTarget(static_cast<int>(i), state_.shape[i] + pull / (2 * kHold), kHold);
+    addTarget(static_cast<int>(i), state_.shape[i] + pull / (2 * ShapingTuning::kHold),
+              ShapingTuning::kHold);
   }
   std::fill(state_.length_force.begin(), state_.length_force.end(), 0.0);
 }
@@ -94,23 +87,24 @@ void PartDeformation::holdShape() {
 void PartDeformation::restart(double reach_factor) {
   const Part& part = plan_->part();
   // where it went wrong: squeezed triangles, lengths that are not kept
-  std::vector<char> trouble(part.rest.size(), 0);
+  std::vector<char> faulty(part.rest.size(), 0);
   bool any = false;
   auto mark = [&](int v) {
-    trouble[v] = 1;
+    faulty[v] = 1;
     any = true;
   };
   for (std::size_t t = 0; t < part.triangles.size(); ++t)
-    if (areaOf(part.triangles[t], state_.shape) < kSqueezed * plan_->restArea(t))
+    if (triangleArea(state_.shape, part.triangles[t]) <
+        ShapingTuning::kSqueezed * plan_->restArea(t))
       for (int v : part.triangles[t]) mark(v);
   for (const Part::Edge& e : part.edges)
-    if (e.sewn &&
-        std::abs((state_.shape[e.i] - state_.shape[e.j]).norm() - e.length) > kMissedLength)
+    if (e.sewn && std::abs((state_.shape[e.i] - state_.shape[e.j]).norm() - e.length) >
+                      ShapingTuning::kMissedLength)
       mark(e.i), mark(e.j);
   for (std::size_t i = 0; i < reach_.size(); ++i) {
     bool near = !any;
-    for (std::size_t k = 0; k < trouble.size() && !near; ++k)
-      near = trouble[k] && (part.rest[i] - part.rest[k]).norm() < kNearTrouble;
+    for (std::size_t k = 0; k < faulty.size() && !near; ++k)
+      near = faulty[k] && (part.rest[i] - part.rest[k]).norm() < ShapingTuning::kNearFault;
     if (near) reach_[i] *= reach_factor;
   }
   state_ = restState();

@@ -5,19 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "tuning/paper.h"
+
 namespace seamwise {
-namespace {
-
-constexpr double kFlipWeight = 0.01;   ///< beta
-constexpr double kSatisfied = 1e-6;    ///< cm2 a vertex, for E_match and for E_sym
-constexpr double kSeamError = 8e-3;    ///< cm between the two sides of a whole seam
-constexpr double kMirrorError = 8e-4;  ///< cm between a vertex and its image
-constexpr int kMostNewton = 60;        ///< steps under one gamma
-constexpr double kStill = 1e-5;        ///< cm: a step that moves nothing further ends a gamma
-constexpr double kMostGamma = 1e12;
-
-}  // namespace
-
 PenaltyDeformation::PenaltyDeformation(const Pattern& pattern, bool with_symmetry)
     : pattern_(pattern) {
   int count = 0;
@@ -87,7 +77,7 @@ double PenaltyDeformation::energy(const VectorX& x, VectorX* gradient,
                                   SparseHessian* hessian) const {
   return proximityEnergy(targets_, x, gradient, hessian) +
          conformalEnergy(triangles_, x, alpha_, gradient, hessian) +
-         flipEnergy(triangles_, x, kFlipWeight, gradient, hessian) +
+         flipEnergy(triangles_, x, PaperTuning::kFlipWeight, gradient, hessian) +
          matchEnergy(edges_, x, gamma_, gradient, hessian) +
          symmetryEnergy(mirrors_, x, gamma_, gradient, hessian);
 }
@@ -109,22 +99,23 @@ bool PenaltyDeformation::step() {
       const double after = energy(trial, nullptr, nullptr);
       if (!(after <= before + 1e-4 * scale * slope)) continue;
       x_ = trial;
-      converged = scale * direction.lpNorm<Eigen::Infinity>() < kStill;
+      converged = scale * direction.lpNorm<Eigen::Infinity>() < PaperTuning::kNewtonStill;
       break;
     }
   }
-  if (!converged && at_this_gamma_ < kMostNewton) return true;
+  if (!converged && at_this_gamma_ < PaperTuning::kMostNewton) return true;
   at_this_gamma_ = 0;
   ++gammas_;
   const double vertices = static_cast<double>(x_.size()) / 2;
   const double match = matchEnergy(edges_, x_, 1, nullptr, nullptr) / vertices;
   const double symmetry = symmetryEnergy(mirrors_, x_, 1, nullptr, nullptr) / vertices;
   // means over many vertices may hide a seam that cannot be sewn, or a vertex off its image
-  if (match < kSatisfied && symmetry < kSatisfied && greatestSeamError() < kSeamError &&
-      greatestMirrorError() < kMirrorError)
+  if (match < PaperTuning::kSatisfied && symmetry < PaperTuning::kSatisfied &&
+      greatestSeamError() < PaperTuning::kSeamError &&
+      greatestMirrorError() < PaperTuning::kMirrorError)
     return false;
   gamma_ *= 2;
-  return gamma_ <= kMostGamma;
+  return gamma_ <= PaperTuning::kMostGamma;
 }
 
 double PenaltyDeformation::greatestSeamError() const {

@@ -1,9 +1,9 @@
 #include "deform/prolong.h"
 
+#include "tuning/shaping.h"
+
 namespace seamwise {
 namespace {
-
-constexpr int kSweeps = 4;  ///< over the interior, which is balanced by the next step anyway
 
 /// How far the vertices of a piece of the coarser pattern have moved, in the frame of its part.
 std::vector<Vec2> movesOf(const SeamFitting& from, int piece) {
@@ -33,7 +33,7 @@ void fillInterior(const Part& part, std::vector<char> known, std::vector<Vec2>& 
       if (!known[j]) known[j] = 1, order.push_back(j);
   std::vector<char> filled(part.rest.size(), 0);
   for (std::size_t k = 0; k < boundary; ++k) filled[order[k]] = 1;
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  for (int sweep = 0; sweep < ShapingTuning::kProlongSweeps; ++sweep) {
     for (std::size_t k = boundary; k < order.size(); ++k) {
       const int i = order[k];
       Vec2 sum = Vec2::Zero();

@@ -4,8 +4,8 @@
 
 namespace seamwise {
 
-/// The state that every part of the finer pattern has when its outline follows that of the coarser
-/// one, its interior goes along smoothly, and its edges pull as theirs do.
+/// The state of every part of the finer pattern whose outline follows that of the coarser one: its
+/// interior goes along smoothly, its edges have the multipliers of theirs.
 std::vector<PartDeformation::State> prolonged(const CoarserPattern& coarser,
                                               const SeamFitting& from, const SeamFitting& to);
 

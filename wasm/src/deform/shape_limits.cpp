@@ -6,14 +6,6 @@
 #include "geometry/polygon.h"
 
 namespace seamwise {
-namespace {
-
-double area(const std::vector<Vec2>& x, const std::array<int, 3>& t) {
-  return triangleArea(x[t[0]], x[t[1]], x[t[2]]);
-}
-
-}  // namespace
-
 double movedOf(const Piece& piece, const std::vector<Vec2>& shape) {
   double moved = 0;
   for (const std::vector<int>& loop : loopsOf(piece))
@@ -21,16 +13,22 @@ double movedOf(const Piece& piece, const std::vector<Vec2>& shape) {
   return moved;
 }
 
+bool crossesItself(const Piece& piece, const std::vector<Vec2>& shape) {
+  std::vector<Polyline> loops;
+  for (const std::vector<int>& loop : loopsOf(piece)) {
+    loops.emplace_back();
+    for (const int v : loop) loops.back().push_back(shape[v]);
+  }
+  return findCrossing(loops).has_value();
+}
+
 BrokenLimit brokenLimit(const Piece& piece, const std::vector<Vec2>& shape,
                         const ShapeLimits& limits) {
   if (!(movedOf(piece, shape) <= limits.moved)) return BrokenLimit::kMoved;
-  std::vector<Polyline> loops;
   for (const std::vector<int>& loop : loopsOf(piece)) {
     const std::size_t n = loop.size();
-    loops.emplace_back();
     for (std::size_t k = 0; k < n; ++k) {
       const int u = loop[(k + n - 1) % n], v = loop[k], w = loop[(k + 1) % n];
-      loops.back().push_back(shape[v]);
       const double rest = (piece.rest[w] - piece.rest[v]).norm();
       if (!(std::abs((shape[w] - shape[v]).norm() - rest) <= limits.stretch * rest))
         return BrokenLimit::kStretch;
@@ -41,8 +39,9 @@ BrokenLimit brokenLimit(const Piece& piece, const std::vector<Vec2>& shape,
     }
   }
   for (const auto& t : piece.triangles)
-    if (!(area(shape, t) >= limits.area * area(piece.rest, t))) return BrokenLimit::kArea;
-  return findCrossing(loops) ? BrokenLimit::kCrossing : BrokenLimit::kNone;
+    if (!(triangleArea(shape, t) >= limits.area * triangleArea(piece.rest, t)))
+      return BrokenLimit::kArea;
+  return crossesItself(piece, shape) ? BrokenLimit::kCrossing : BrokenLimit::kNone;
 }
 
 double seamError(const Seam& seam, const Shapes& shapes) {

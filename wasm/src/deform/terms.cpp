@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tuning/paper.h"
+
 namespace seamwise {
 namespace {
 
@@ -74,7 +76,7 @@ double flipEnergy(const std::vector<ConformalTriangle>& triangles, const VectorX
   double energy = 0;
   for (const ConformalTriangle& t : triangles) {
     const Vec2 a = at(x, t.vertices[0]), b = at(x, t.vertices[1]), c = at(x, t.vertices[2]);
-    const double scale = kFlipStart * t.area;
+    const double scale = PaperTuning::kFlipStart * t.area;
     const double d = triangleArea(a, b, c) / scale;
     if (d >= 1) continue;
     if (d <= 0) return std::numeric_limits<double>::infinity();

@@ -34,11 +34,9 @@ double conformalEnergy(const std::vector<ConformalTriangle>& triangles, const Ve
                        double weight, VectorX* gradient, SparseHessian* hessian);
 
 /// E_flip = sum A phi(d / s), d = area / rest area, phi(t) = 1 / (t^3 - 3 t^2 + 3 t) - 1 for 0 < t
-/// < 1, 0 above, infinite below (Schueller et al. 2013).
+/// < 1, 0 above, infinite below, s = PaperTuning::kFlipStart (Schueller et al. 2013).
 double flipEnergy(const std::vector<ConformalTriangle>& triangles, const VectorX& x, double weight,
                   VectorX* gradient, SparseHessian* hessian);
-inline constexpr double kFlipStart =
-    0.5;  ///< s: the share of the rest area at which the barrier starts
 
 /// Two sewn edges (a0 a1), (b0 b1) whose lengths keep the ratio rho.
 struct EdgePair {

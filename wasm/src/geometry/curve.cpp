@@ -68,7 +68,7 @@ Curve Curve::arc(const Vec2& a, const Vec2& b, double radius, bool large, bool s
   const double half = std::atan2(span / 2, height);  // in (0, pi/2], exact near both ends
   c.sweep_ = (large ? 2 * kPi - 2 * half : 2 * half) * (sweep ? 1 : -1);
   const Vec2 from = a - c.p_[1];
-  c.angle0_ = std::atan2(from.y(), from.x());
+  c.angle0_ = directionOf(from);
   c.length_ = c.radius_ * std::abs(c.sweep_);
   return c;
 }
@@ -205,7 +205,7 @@ Curve Curve::transformed(const RigidMotion& motion) const {
   c.setSlope();
   if (kind_ == Kind::kArc) {
     const Vec2 from = c.p_[0] - c.p_[1];
-    c.angle0_ = std::atan2(from.y(), from.x());
+    c.angle0_ = directionOf(from);
     if (motion.mirrored) c.sweep_ = -sweep_;
   }
   return c;
@@ -216,7 +216,7 @@ Curve Curve::reversed() const {
   std::swap(c.p_[0], c.p_[3]);
   if (kind_ == Kind::kArc) {
     const Vec2 from = c.p_[0] - c.p_[1];
-    c.angle0_ = std::atan2(from.y(), from.x());
+    c.angle0_ = directionOf(from);
     c.sweep_ = -sweep_;
   } else {
     std::swap(c.p_[1], c.p_[2]);

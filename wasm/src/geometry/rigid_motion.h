@@ -35,7 +35,7 @@ struct RigidMotion {
   /// The reflection across the line through a and b.
   static RigidMotion reflection(const Vec2& a, const Vec2& b) {
     // R(2 psi) diag(1,-1) = R(2 psi + pi) F for an axis at angle psi
-    const double psi = std::atan2(b.y() - a.y(), b.x() - a.x());
+    const double psi = directionOf(b - a);
     RigidMotion m{wrapAngle(2 * psi + kPi), Vec2::Zero(), true};
     m.shift = a - m.linear() * a;
     return m;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -18,7 +19,10 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 /// v turned a quarter counter-clockwise.
 inline Vec2 perp(const Vec2& v) { return {-v.y(), v.x()}; }
 
+/// The unit vector in a direction, and the direction of a vector, in [-pi, pi].
 inline Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+inline double directionOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 inline Mat2 rotation(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -38,6 +42,10 @@ inline double turnAt(const Vec2& u, const Vec2& v, const Vec2& w) {
 /// Positive when a, b, c are counter-clockwise. [cm2]
 inline double triangleArea(const Vec2& a, const Vec2& b, const Vec2& c) {
   return cross(b - a, c - a) / 2;
+}
+/// The same of a triangle of a mesh: vertex v is at x[v].
+inline double triangleArea(const std::vector<Vec2>& x, const std::array<int, 3>& triangle) {
+  return triangleArea(x[triangle[0]], x[triangle[1]], x[triangle[2]]);
 }
 
 /// The same direction in (-pi, pi].

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -12,8 +11,6 @@
 
 namespace seamwise {
 namespace {
-
-using Names = std::initializer_list<std::string_view>;
 
 /// Points of the file in the frame of the document.
 struct Frame {
@@ -32,24 +29,34 @@ void putLine(JsonWriter& out, const JsonValue& line, const Frame& frame) {
   out.close();
 }
 
-/// The named members that `object` has.
-void copyMembers(JsonWriter& out, const JsonValue& object, Names names) {
-  for (const std::string_view name : names)
-    if (const JsonValue value = object.find(name)) out.field(name, value);
+/// Whether a name is one of a list, which spaces divide.
+bool isOneOf(std::string_view list, std::string_view name) {
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(' '), list.size());
+    if (list.substr(0, end) == name) return true;
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return false;
+}
+
+/// The listed members that `object` has.
+void copyMembers(JsonWriter& out, const JsonValue& object, std::string_view listed) {
+  for (const auto& [name, value] : object.members())
+    if (isOneOf(listed, name) && !value.isNull()) out.field(name, value);
 }
 
 /// The same, of texts alone: what is for people is no reason to refuse a file.
-void copyTexts(JsonWriter& out, const JsonValue& object, Names names) {
-  for (const std::string_view name : names)
-    if (const JsonValue value = object.find(name); value.isText()) out.field(name, value);
+void copyTexts(JsonWriter& out, const JsonValue& object, std::string_view listed) {
+  for (const auto& [name, value] : object.members())
+    if (isOneOf(listed, name) && value.isText()) out.field(name, value);
 }
 
-/// All members but the named ones, where there are any, as an object called `as`.
-void copyOthers(JsonWriter& out, const JsonValue& object, Names named,
+/// All members but the listed ones, where there are any, as an object called `as`.
+void copyOthers(JsonWriter& out, const JsonValue& object, std::string_view listed,
                 std::string_view as = "more") {
   bool any = false;
   for (const auto& [name, value] : object.members()) {
-    if (std::find(named.begin(), named.end(), name) != named.end()) continue;
+    if (isOneOf(listed, name)) continue;
     if (!std::exchange(any, true)) {
       out.key(as);
       out.openObject();
@@ -69,8 +76,8 @@ void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue&
       out.field("radius", curve.radius());
       out.field("sweep", curve.sweep());
     }
-    copyTexts(out, edges[k], {"label"});
-    copyOthers(out, edges[k], {"endpoints", "curvature", "label"});
+    copyTexts(out, edges[k], "label");
+    copyOthers(out, edges[k], "endpoints curvature label");
     out.close();
   }
   out.close();
@@ -84,7 +91,7 @@ void writeGrain(JsonWriter& out, const JsonValue& grain, const Frame& frame) {
     out.key("line");
     putLine(out, line, frame);
   }
-  copyMembers(out, grain, {"lock", "toleranceDeg"});
+  copyMembers(out, grain, "lock toleranceDeg");
   out.close();
 }
 
@@ -132,11 +139,11 @@ void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, doub
     }
   writeGrain(out, json.find("grain"), frame);
   writePlacement(out, json, frame);
-  copyMembers(out, json, {"notches", "quantity", "size", "material"});
-  copyTexts(out, json, {"label"});
+  copyMembers(out, json, "notches quantity size material");
+  copyTexts(out, json, "label");
   copyOthers(out, json,
-             {"vertices", "edges", "holes", "internalLines", "cutLine", "sewLine", "grain",
-              "translation", "rotation", "notches", "label", "quantity", "size", "material"});
+             "vertices edges holes internalLines cutLine sewLine grain translation rotation "
+             "notches label quantity size material");
   out.close();
 }
 
@@ -154,8 +161,8 @@ void writeSeam(JsonWriter& out, const Stitch& stitch, const JsonValue& described
   out.field("sameDirection", stitch.same_direction);
   out.field("weight", stitch.weight);
   out.field("matched", stitch.matched);
-  copyMembers(out, described, {"name", "lengthRatio"});
-  copyOthers(out, described, {"stitch", "weight", "matched", "direction", "name", "lengthRatio"});
+  copyMembers(out, described, "name lengthRatio");
+  copyOthers(out, described, "stitch weight matched direction name lengthRatio");
   out.close();
 }
 
@@ -175,14 +182,11 @@ class DocumentWriter {
     out_.openList();
     for (const JsonValue& symmetry : json_.find("symmetries").items()) writeSymmetry(symmetry);
     out_.close();
-    copyTexts(out_, json_, {"title", "size"});
-    copyMembers(out_, json_, {"names"});
-    copyOthers(out_, json_,
-               {"format", "pattern", "properties", "seams", "matches", "symmetries", "title",
-                "size", "names"});
-    copyOthers(out_, json_.find("pattern"), {"panels", "stitches"}, "morePattern");
-    copyOthers(out_, json_.find("properties"), {"units_in_meter", "curvature_coords"},
-               "moreProperties");
+    copyTexts(out_, json_, "title size");
+    copyMembers(out_, json_, "names");
+    copyOthers(out_, json_, "format pattern properties seams matches symmetries title size names");
+    copyOthers(out_, json_.find("pattern"), "panels stitches", "morePattern");
+    copyOthers(out_, json_.find("properties"), "units_in_meter curvature_coords", "moreProperties");
     writeQuestions();
     out_.close();
     return textOf(out_.take());
@@ -221,18 +225,18 @@ class DocumentWriter {
       const JsonValue of = match.find(side);
       out_.key(side);
       out_.openObject();
-      copyMembers(out_, of, {"piece"});
+      copyMembers(out_, of, "piece");
       out_.key("line");
       putLine(out_, of.find("line"), frameOf(of.find("piece").text()));
       out_.close();
     }
-    copyMembers(out_, match, {"weight", "name"});
+    copyMembers(out_, match, "weight name");
     out_.close();
   }
 
   void writeSymmetry(const JsonValue& symmetry) {
     out_.openObject();
-    copyMembers(out_, symmetry, {"kind", "piece", "pieces", "seams"});
+    copyMembers(out_, symmetry, "kind piece pieces seams");
     if (const JsonValue axis = symmetry.find("axis")) {
       out_.key("axis");
       putLine(out_, axis, frameOf(symmetry.find("piece").text()));

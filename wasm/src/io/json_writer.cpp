@@ -23,10 +23,10 @@ void JsonWriter::put(const Vec2& point) {
   close();
 }
 
-void JsonWriter::put(const Alignment& alignment) {
+void JsonWriter::putPose(double angle, const Vec2& translation) {
   openObject();
-  field("angle", alignment.angle);
-  field("translation", alignment.translation);
+  field("angle", angle);
+  field("translation", translation);
   close();
 }
 

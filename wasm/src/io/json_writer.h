@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "alignment/model/alignment.h"
-#include "geometry/vec2.h"
+#include "geometry/rigid_motion.h"
 #include "io/json_value.h"
 
 namespace seamwise {
@@ -31,7 +31,9 @@ class JsonWriter {
   void put(const std::string& value) { put(std::string_view(value)); }
   void put(const char* value) { put(std::string_view(value)); }
   void put(const Vec2& point);
-  void put(const Alignment& alignment);
+  void put(const Alignment& alignment) { putPose(alignment.angle, alignment.translation); }
+  /// As an alignment is, {angle, translation}; whether it mirrors goes without saying.
+  void put(const RigidMotion& motion) { putPose(motion.angle, motion.shift); }
   /// A value of another document, as it is.
   void put(const JsonValue& value);
   template <std::size_t n>
@@ -59,6 +61,7 @@ class JsonWriter {
   }
 
  private:
+  void putPose(double angle, const Vec2& translation);
   template <class List>
   void putAll(const List& list) {
     openList();

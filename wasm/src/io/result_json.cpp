@@ -103,7 +103,7 @@ void writeMirror(JsonWriter& out, const Pattern& pattern, const Mirror& m) {
     out.field("piece", m.pieces[0]);
   else
     out.field("pieces", std::array<int, 2>{m.pieces[0], m.pieces[1]});
-  out.field("map", Alignment{m.map.angle, m.map.shift});
+  out.field("map", m.map);
   std::vector<std::array<int, 2>> pairs;
   for (const auto& loop : loopsOf(pattern.pieces[m.pieces[0]]))
     for (int v : loop) pairs.push_back({v, m.image[v]});
@@ -153,14 +153,14 @@ void writeNotes(JsonWriter& out, const std::vector<Note>& notes) {
   });
 }
 
-void writeFits(JsonWriter& out, const Fits& fits) {
-  out.field("fitRandom", fits.fit_random);
-  out.field("fitDrafted", fits.fit_drafted);
-  out.field("fitSearch", fits.fit_search);
-  out.field("fitAligned", fits.fit_aligned);
-  out.field("fit", fits.fit.any);
-  out.field("fitStrict", fits.fit.strict);
-  out.field("fitSeam", fits.fit.seam);
+void writeTotals(JsonWriter& out, const MismatchTotals& totals) {
+  out.field("fitRandom", totals.total_random);
+  out.field("fitDrafted", totals.total_drafted);
+  out.field("fitSearch", totals.total_search);
+  out.field("fitAligned", totals.total_aligned);
+  out.field("fit", totals.total.nearest);
+  out.field("fitStrict", totals.total.strict);
+  out.field("fitSeam", totals.total.joined);
 }
 
 }  // namespace
@@ -177,11 +177,11 @@ std::string writeResult(const Result& r) {
   out.openObject();
   out.field("method", methodName(r.method));
   out.field("seed", r.seed);
-  writeFits(out, r);
+  writeTotals(out, r);
   if (r.continuous) {
     out.key("continuous");
     out.openObject();
-    writeFits(out, *r.continuous);
+    writeTotals(out, *r.continuous);
     out.close();
   }
   out.field("searchBound", r.search_bound);
@@ -212,7 +212,7 @@ std::string writePattern(const PrintedPattern& printed) {
   JsonWriter out;
   out.openObject();
   writePrinted(out, printed, nullptr);
-  out.field("fitRandom", printed.fit_random);
+  out.field("fitRandom", printed.total_random);
   writeNotes(out, printed.notes);
   out.close();
   return textOf(out.take());

@@ -80,7 +80,7 @@ void writeSymmetry(JsonWriter& out, const Garment& garment, const BodySymmetry& 
     out.field("pieces", std::vector{first.name, garment.panels[symmetry.pieces[1]].name});
   }
   out.field("residual", shortened(symmetry.residual));
-  out.field("map", Alignment{symmetry.map.angle, symmetry.map.shift});
+  out.field("map", symmetry.map);
 }
 
 }  // namespace

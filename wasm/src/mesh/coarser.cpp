@@ -5,12 +5,10 @@
 #include "base/disjoint_sets.h"
 #include "mesh/mesh.h"
 #include "pattern/seam_measure.h"
+#include "tuning/mesh.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kSharp = 20 * kPi / 180;  ///< greatest bend that leaving out a vertex may make
-constexpr double kWorthIt = 0.7;           ///< share of the vertices that may be left
 
 /// The outlines' vertices, those tied together by seams and mirrors in one class.
 class Thinning {
@@ -87,8 +85,9 @@ class Thinning {
   bool mayGo(int v) const {
     const int h = before_[v], j = next_[v];
     if (h == next_[j] || (at(j) - at(h)).norm() > longest_) return false;
-    return turn(h, v, j) < kSharp && (fixed_[h] || turn(before_[h], h, j) < kSharp) &&
-           (fixed_[j] || turn(h, j, next_[j]) < kSharp);
+    return turn(h, v, j) < MeshTuning::kSharp &&
+           (fixed_[h] || turn(before_[h], h, j) < MeshTuning::kSharp) &&
+           (fixed_[j] || turn(h, j, next_[j]) < MeshTuning::kSharp);
   }
   /// Whether one of a class lies beside another or beside its neighbour.
   bool areNeighbours(const std::vector<int>& all) const {
@@ -153,7 +152,7 @@ std::optional<CoarserPattern> coarsened(const Pattern& fine, double longest) {
   int all = 0, gone = 0;
   for (const Piece& piece : fine.pieces) all += static_cast<int>(piece.outline.size());
   while (const int more = thinning.pass()) gone += more;
-  if (all - gone > kWorthIt * all) return {};
+  if (all - gone > MeshTuning::kWorthIt * all) return {};
 
   CoarserPattern result;
   std::vector<std::vector<int>> kept;  // per piece, per vertex of outline and cut-outs

@@ -4,15 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "tuning/mesh.h"
+
 namespace seamwise {
 namespace {
 
-constexpr double kGrowth = 0.4;  // of the spacing, per cm of distance from the outline
-constexpr double kRowHeight =
-    0.85;  // of an edge's length: its first row of triangles is equilateral
-constexpr double kVertexClear = 0.65;  // of the local spacing that no other vertex may lie within
-constexpr double kEdgeClear = 0.6;
-constexpr double kRowClear = 0.72;
 constexpr int kMostCells = 1 << 20;
 constexpr int kMostLevels = 16;
 
@@ -66,7 +62,8 @@ Grading::Grading(const std::vector<Vec2>& points, const std::vector<std::vector<
 
 double Grading::spacingAt(const Vec2& p) const {
   double least = coarsest_;
-  for (const Source& s : sources_) least = std::min(least, s.spacing + kGrowth * (p - s.at).norm());
+  for (const Source& s : sources_)
+    least = std::min(least, s.spacing + MeshTuning::kGrowth * (p - s.at).norm());
   return least;
 }
 
@@ -101,19 +98,20 @@ struct Grading::Pattern {
 double Grading::gridSpacing(const Grid& grid, const Vec2& p) const {
   const std::size_t cell = grid.index(grid.column(p.x()), grid.row(p.y()));
   double least = coarsest_;
-  const auto ask = [&](int source) {
+  const auto consider = [&](int source) {
     const Source& s = sources_[source];
-    least = std::min(least, s.spacing + kGrowth * (p - s.at).norm());
+    least = std::min(least, s.spacing + MeshTuning::kGrowth * (p - s.at).norm());
   };
-  ask(grid.source[cell]);
-  for (const int source : grid.local[cell]) ask(source);
+  consider(grid.source[cell]);
+  for (const int source : grid.local[cell]) consider(source);
   return least;
 }
 
 bool Grading::scatter(const Grid& grid, const Pattern& pattern, const Vec2& low, double size,
                       double widest, std::vector<Vec2>& found) const {
   const Vec2 middle = low + Vec2::Constant(size / 2);
-  if (gridSpacing(grid, middle) - kGrowth * size * std::sqrt(0.5) > widest) return false;
+  if (gridSpacing(grid, middle) - MeshTuning::kGrowth * size * std::sqrt(0.5) > widest)
+    return false;
   if (size > 6 * pattern.spacing()) {
     bool used = false;
     for (const Vec2& corner : {Vec2(0, 0), Vec2(0.5, 0), Vec2(0, 0.5), Vec2(0.5, 0.5)})
@@ -163,7 +161,7 @@ Grading::Grid Grading::makeGrid() const {
   // Each cell takes the best source of its neighbours, in two sweeps [Danielsson 1980].
   const auto spacing = [&](int source, const Vec2& p) {
     if (source < 0) return std::numeric_limits<double>::infinity();
-    return sources_[source].spacing + kGrowth * (p - sources_[source].at).norm();
+    return sources_[source].spacing + MeshTuning::kGrowth * (p - sources_[source].at).norm();
   };
   const auto offer = [&](int x, int y, int source) {
     int& own = g.source[g.index(x, y)];
@@ -200,17 +198,17 @@ std::vector<Vec2> Grading::candidates() const {
   if (sources_.empty()) return found;
   Grid grid = makeGrid();
   for (std::size_t i = 0; i < corners_.size(); ++i)
-    grid.keepClear(corners_[i], kVertexClear * std::min(reach_[i], coarsest_));
-  for (const Source& s : sources_) grid.keepClear(s.at, kEdgeClear * s.spacing);
+    grid.keepClear(corners_[i], MeshTuning::kVertexClear * std::min(reach_[i], coarsest_));
+  for (const Source& s : sources_) grid.keepClear(s.at, MeshTuning::kEdgeClear * s.spacing);
   for (const Source& s : sources_) {
-    const Vec2 p = s.at + kRowHeight * s.spacing * s.inward;
+    const Vec2 p = s.at + MeshTuning::kRowHeight * s.spacing * s.inward;
     if (!grid.isClear(p)) continue;
     found.push_back(p);
-    grid.keepClear(p, kRowClear * s.spacing);
+    grid.keepClear(p, MeshTuning::kRowClear * s.spacing);
   }
 
   // Hexagonal patterns, each the thirds of the one before (spacing / sqrt 3), so that every coarser
-  // one is part of every finer one. A point of pattern k stays where the spacing asks for k or
+  // one is part of every finer one. A point of pattern k stays where the spacing takes k or
   // finer.
   Pattern pattern{Vec2(coarsest_, 0), coarsest_ * unit(kPi / 3),
                   grid.low + Vec2(grid.columns, grid.rows) * (grid.cell / 2), false};

@@ -14,7 +14,8 @@ class Grading {
           double coarsest);
 
   double spacingAt(const Vec2& p) const;
-  /// The vertices strictly between a and b on a straight line, spaced as spacingAt() asks.
+  /// The vertices strictly between a and b on a straight line, at the distances that spacingAt()
+  /// gives.
   std::vector<Vec2> spaced(const Vec2& a, const Vec2& b) const;
   /// Candidates for interior vertices of the region inside the loops, in an order in which
   /// neighbours follow each other: a row facing every outline edge, then a graded hexagonal pattern

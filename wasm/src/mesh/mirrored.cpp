@@ -6,18 +6,12 @@
 #include "base/in_quotes.h"
 #include "base/sort_by.h"
 #include "mesh/region.h"
+#include "tuning/mesh.h"
 
 namespace seamwise {
 namespace {
 
-/// A triangle below this part of its area in the mean shape counts as turned over.
-constexpr double kLeastArea = 0.05;
-
 using Ring = std::vector<int>;
-
-double areaOf(const std::vector<Vec2>& p, const std::array<int, 3>& t) {
-  return triangleArea(p[t[0]], p[t[1]], p[t[2]]);
-}
 
 /// Outline and hole vertices of pieces[0], each the mean of itself and of its image brought back.
 std::vector<Vec2> meanBoundary(const Pattern& pattern, const Mirror& mirror) {
@@ -213,8 +207,9 @@ Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
   for (bool again = true; again;) {
     again = false;
     for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
-      const double least = kLeastArea * areaOf(mesh->points, mesh->triangles[t]);
-      if (areaOf(a.rest, a.triangles[t]) >= least && areaOf(b.rest, b.triangles[t]) >= least)
+      const double least = MeshTuning::kLeastArea * triangleArea(mesh->points, mesh->triangles[t]);
+      if (triangleArea(a.rest, a.triangles[t]) >= least &&
+          triangleArea(b.rest, b.triangles[t]) >= least)
         continue;
       for (const int v : mesh->triangles[t]) {
         if (v >= static_cast<int>(boundary) || !moved.insert(v).second) continue;

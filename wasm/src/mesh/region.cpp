@@ -1,14 +1,9 @@
 #include "mesh/region.h"
 
 #include "mesh/triangulation.h"
+#include "tuning/mesh.h"
 
 namespace seamwise {
-namespace {
-
-constexpr int kSmoothingPasses = 4;
-
-}  // namespace
-
 std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
                                      const std::vector<std::vector<int>>& loops, double coarsest) {
   auto triangulation = Triangulation::make(boundary, loops);
@@ -19,7 +14,7 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vec2>& boundary,
   for (std::size_t stride = 512; stride >= 1; stride /= 8)
     for (std::size_t i = 0; i < candidates.size(); i += stride)
       if (stride == 512 || i % (8 * stride) != 0) triangulation->insert(candidates[i]);
-  triangulation->smooth(kSmoothingPasses);
+  triangulation->smooth(MeshTuning::kSmoothingPasses);
   const std::vector<Vec2> points = triangulation->points();
   RegionMesh mesh{{points.begin() + static_cast<std::ptrdiff_t>(boundary.size()), points.end()},
                   triangulation->triangles()};

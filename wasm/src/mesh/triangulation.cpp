@@ -3,14 +3,9 @@
 #include <algorithm>
 
 #include "geometry/predicates.h"
+#include "tuning/mesh.h"
 
 namespace seamwise {
-namespace {
-
-constexpr double kFairQuality = 0.6;  // of an equilateral triangle's 1
-
-}  // namespace
-
 int Triangulation::side(int a, int b, int c) const {
   return orientation(points_[a], points_[b], points_[c]);
 }
@@ -242,7 +237,7 @@ void Triangulation::smooth(int passes) {
         return least;
       };
       const Vec2 before = points_[v];
-      const double limit = std::min(worst(), kFairQuality);
+      const double limit = std::min(worst(), MeshTuning::kFairQuality);
       points_[v] = sum / static_cast<double>(ring.size());
       if (!(worst() >= limit)) points_[v] = before;
     }

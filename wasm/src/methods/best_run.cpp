@@ -9,42 +9,23 @@
 #include "methods/metrics.h"
 #include "methods/predicted_mismatch.h"
 #include "methods/seam_rules.h"
+#include "tuning/progress.h"
+#include "tuning/search.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
 
-constexpr int kSettleSteps = 15;    ///< under fixed targets, before a remedy
-constexpr int kHoldAfter = 1;       ///< of them, towards the targets; then the shape is held
-constexpr int kMostRemedies = 4;    ///< then a part gives up its targets
-constexpr int kMostSettling = 200;  ///< steps in all
-constexpr double kRemedyReach = 0.6;
-constexpr double kSlack = 1.6;
-constexpr double kMostReach =
-    2.0;  ///< cm: beyond it, outlines lose their lines and nothing is gained
-
-/// Answers under slack to fit from.
-constexpr std::size_t kStarts = 3;
-
-/// Progress at the end of stages, by the share of time that they take as a rule. What is perfect as
-/// it lies has only its set-up left.
-constexpr double kFitted = 0.95;
-constexpr double kPerfectlySearched = 0.72, kPerfectlySetUp = 0.86;
-
-/// Limits that a finished shape keeps, a little inside those of the result.
-constexpr double kLengthError = 5e-5;  ///< cm an edge, of seams with up to forty
-constexpr double kSeamShare = 0.2;     ///< of the tolerance of a seam, for all its edges
-constexpr double kAlmostKept = 2e-3;   ///< cm an edge
-constexpr double kStiffenFrom = 0.9;   ///< share of its limits; while a shape is held:
-constexpr double kStiffenHeld = 0.99;
-constexpr double kReachExcess = 0.012;  ///< share of the greatest change
-constexpr double kReachMargin = 0.985;
-
 /// How far an outline vertex may move. [cm]
-double reachOf(const SolveOptions& options) { return std::min(options.max_change_cm, kMostReach); }
+double reachOf(const SolveOptions& options) {
+  return std::min(options.max_change_cm, ShapingTuning::kMostReach);
+}
 
 }  // namespace
 
-double BestRun::slackOf(const SolveOptions& options) { return kSlack * reachOf(options); }
+double BestRun::slackOf(const SolveOptions& options) {
+  return SearchTuning::kSlack * reachOf(options);
+}
 
 BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
                  const MatchRules& rules, std::vector<Alignments> offered,
@@ -59,31 +40,32 @@ BestRun::BestRun(const Problem& problem, const Pattern& pattern, const std::vect
       offered_starts_(std::move(starts)),
       searching_(problem, pattern, match_, known, rules, slackOf(problem.options),
                  std::move(offered), searches),
-      length_error_(kLengthError),
-      progress_(kPrepared) {
+      length_error_(ShapingTuning::kLengthError),
+      progress_(ProgressTuning::kPrepared) {
   alignment_ = search_result_ = match_.expanded(searching_.best());
   DeformationWeights weights;
   if (problem.options.open_edges == OpenEdges::kFree) weights.line = 0;
   if (problem.options.alpha) weights.conformal *= *problem.options.alpha;
-  const double most = kReachMargin * reach_;
+  const double most = ShapingTuning::kReachShare * reach_;
   if (!plans || !plans->areFor(weights, most))
     plans = std::make_shared<FittingPlans>(weights, most);
   plans_ = plans;
   for (const Seam& seam : pattern.seams)
-    length_error_ = std::min(
-        length_error_, kSeamShare * kSeamTolerance / static_cast<double>(seam.a.vertices.size()));
+    length_error_ = std::min(length_error_, ShapingTuning::kSeamShare * kSeamTolerance /
+                                                static_cast<double>(seam.a.vertices.size()));
 }
 
 void BestRun::searchStep() {
   const bool more = searching_.advance();
   alignment_ = match_.expanded(searching_.best());
-  progress_ = std::max(progress_, searching_.isPerfect()
-                                      ? kPerfectlySearched
-                                      : kPrepared + searching_.share() * searching_.fraction());
+  progress_ = std::max(
+      progress_, searching_.isPerfect()
+                     ? ProgressTuning::kPerfectlySearched
+                     : ProgressTuning::kPrepared + searching_.share() * searching_.fraction());
   if (more) return;
   search_result_ = alignment_;
-  searched_ = kPrepared + searching_.share();
-  stage_ = Stage::kStartFit;
+  searched_ = ProgressTuning::kPrepared + searching_.share();
+  stage_ = Stage::kStartFitting;
 }
 
 bool BestRun::advance() {
@@ -91,11 +73,11 @@ bool BestRun::advance() {
     case Stage::kSearch:
       searchStep();
       break;
-    case Stage::kStartFit:
-      startFit();
+    case Stage::kStartFitting:
+      startFitting();
       break;
-    case Stage::kFit:
-      fitStep();
+    case Stage::kFitting:
+      fittingStep();
       break;
     case Stage::kSeekAgain:
       seekAgain();
@@ -110,76 +92,81 @@ bool BestRun::advance() {
 }
 
 /// Those answers under slack of which shaping is likely to make the most.
-std::vector<FitStart> BestRun::mostPromising(std::size_t count) const {
+std::vector<FittingStart> BestRun::bestPredicted(std::size_t count) const {
   const WallpaperGroup group = match_.joining();
   const Shapes rest = restShapes(pattern_);
   const std::vector<double> lengths = seamLengths(pattern_, rest);
   const std::vector<double> placed = localMismatches(group, pattern_, rest, search_result_);
-  std::vector<std::pair<double, std::size_t>> by_fit;
+  std::vector<std::pair<double, std::size_t>> by_mismatch;
   const std::vector<Alignments>& answers = searching_.underSlack();
   for (std::size_t k = 0; k < answers.size(); ++k) {
     const Alignments at = match_.expanded(answers[k]);
-    by_fit.emplace_back(
-        fitUnderRules(predictedMismatches(group, pattern_, at, reach_), lengths, placed), k);
+    by_mismatch.emplace_back(
+        mismatchUnderRules(predictedMismatches(group, pattern_, at, reach_), lengths, placed), k);
   }
-  std::sort(by_fit.begin(), by_fit.end());
-  std::vector<FitStart> starts;
-  for (const auto& [fit, k] : by_fit)
+  std::sort(by_mismatch.begin(), by_mismatch.end());
+  std::vector<FittingStart> starts;
+  for (const auto& [mismatch, k] : by_mismatch)
     if (starts.size() < count) starts.push_back({answers[k]});
   return starts;
 }
 
-/// Fits from the best few answers under slack and, where it differs, from the search's own.
-void BestRun::startFit() {
-  std::vector<FitStart> from = mostPromising(kStarts);
+/// Begins fitting with the best few answers under slack and, where it differs, with the search's
+/// own.
+void BestRun::startFitting() {
+  std::vector<FittingStart> from = bestPredicted(ShapingTuning::kStarts);
   for (const Alignments& at : offered_starts_) from.push_back({match_.ofLeaders(at)});
   from.push_back({searching_.best(), true});
   const FittingRules rules{problem_.options.continuous_only,
                            problem_.options.average_seam_shapes.value_or(false),
                            problem_.options.locked};
-  fit_ = std::make_unique<FittingStage>(pattern_, match_, rules_, rules, *plans_, std::move(from),
-                                        reach_);
-  alignment_ = fit_->alignment();
-  stage_ = Stage::kFit;
-  if (fit_->isPerfect()) {
+  fitting_ = std::make_unique<FittingStage>(pattern_, match_, rules_, rules, *plans_,
+                                            std::move(from), reach_);
+  alignment_ = fitting_->alignment();
+  stage_ = Stage::kFitting;
+  if (fitting_->isPerfect()) {
     stage_ = Stage::kSettle;
-    progress_ = std::max(progress_, kPerfectlySetUp);
+    progress_ = std::max(progress_, ProgressTuning::kPerfectlySetUp);
   }
   if (problem_.options.max_change_cm < kLeastChange) finish();
 }
 
-void BestRun::fitStep() {
-  if (!fit_->advance()) {
+void BestRun::fittingStep() {
+  if (!fitting_->advance()) {
     stage_ = Stage::kSettle;
     settled_ = 0;
-    for (PartDeformation& deformation : fit_->fitting().deformations()) deformation.settling = 0;
+    for (PartDeformation& deformation : fitting_->fitting().deformations())
+      deformation.settling = 0;
   }
-  if (fit_->isStuck()) {
+  if (fitting_->needsStart()) {
     if (!std::exchange(sought_again_, true)) {
-      searching_.seekAgain(fit_->urgency());
+      searching_.seekAgain(fitting_->searchFactors());
       stage_ = Stage::kSeekAgain;
     } else {
-      fit_->goOn({});
+      fitting_->goOn({});
     }
   }
-  alignment_ = fit_->alignment();
-  progress_ = std::max(progress_, searched_ + (kFitted - searched_) * fit_->fraction());
+  alignment_ = fitting_->alignment();
+  progress_ =
+      std::max(progress_, searched_ + (ProgressTuning::kFitted - searched_) * fitting_->fraction());
 }
 
-/// Another answer under slack to fit from, with more weight on what those before it left worse off.
+/// Seeks another answer under slack to fit from, with more weight on what those before it left
+/// worse off.
 void BestRun::seekAgain() {
   if (searching_.advance()) return;
-  fit_->goOn(mostPromising(1)[0].leaders);
-  stage_ = Stage::kFit;
+  fitting_->goOn(bestPredicted(1)[0].leaders);
+  stage_ = Stage::kFitting;
 }
 
 /// Whether the part keeps every limit of a finished shape, its sewn edges their length to `length`
 /// cm.
 bool BestRun::keepsLimits(const PartDeformation& deformation, double length) const {
   const PartDeformation::Violations v = deformation.violations();
-  return v.length < length && v.reach < kReachExcess * problem_.options.max_change_cm &&
+  return v.length < length &&
+         v.reach < ShapingTuning::kReachExcess * problem_.options.max_change_cm &&
          v.kink < kSettledLimits.kink && v.stretch < kSettledLimits.stretch &&
-         !fit_->fitting().crosses(deformation.part().piece);
+         !fitting_->fitting().crosses(deformation.part().piece);
 }
 
 /// Parts that keep their limits rest; the others go on, stiffer where they bend too much, at last
@@ -187,63 +174,65 @@ bool BestRun::keepsLimits(const PartDeformation& deformation, double length) con
 /// it went wrong; the last time without targets.
 void BestRun::settleStep() {
   bool all_kept = true;
-  for (PartDeformation& deformation : fit_->fitting().deformations()) {
+  for (PartDeformation& deformation : fitting_->fitting().deformations()) {
     if (keepsLimits(deformation, length_error_)) continue;
     all_kept = false;
-    const int remedies = deformation.settling / kSettleSteps,
-              step = deformation.settling % kSettleSteps;
+    const int remedies = deformation.settling / ShapingTuning::kSettleSteps,
+              step = deformation.settling % ShapingTuning::kSettleSteps;
     // lengths that are almost kept only need more steps
     if (step == 0 && remedies > 0 &&
-        !(keepsLimits(deformation, kAlmostKept) && remedies < kMostRemedies)) {
-      if (remedies > kMostRemedies)
+        !(keepsLimits(deformation, ShapingTuning::kAlmostKept) &&
+          remedies < ShapingTuning::kMostRemedies)) {
+      if (remedies > ShapingTuning::kMostRemedies)
         deformation.clearTargets();
       else
-        fit_->fitting().aimAtPartners(deformation, alignment_);
-      deformation.restart(kRemedyReach);
+        fitting_->fitting().aimAtPartners(deformation, alignment_);
+      deformation.restart(ShapingTuning::kRemedyReach);
     }
-    const double share = step < kHoldAfter ? kStiffenFrom : kStiffenHeld;
+    const double share = step < ShapingTuning::kHoldAfter ? ShapingTuning::kStiffenFrom
+                                                          : ShapingTuning::kStiffenHeld;
     deformation.stiffenKinks(share * kSettledLimits.kink);
     deformation.stiffenStretched(share * kSettledLimits.stretch);
-    if (step == kHoldAfter) deformation.holdShape();
+    if (step == ShapingTuning::kHoldAfter) deformation.holdShape();
     deformation.step();
     ++deformation.settling;
   }
-  fit_->fitting().collectShapes();
+  fitting_->fitting().collectShapes();
   ++settled_;
-  progress_ = std::max(progress_, 1 - (1 - kFitted) / (1 + settled_));
+  progress_ = std::max(progress_, 1 - (1 - ProgressTuning::kFitted) / (1 + settled_));
   if (!all_kept) ++settling_;
-  if (!all_kept && settled_ <= kMostSettling) return;
+  if (!all_kept && settled_ <= ShapingTuning::kMostSettling) return;
   restUnsound();
-  if (fit_->review()) {
+  if (fitting_->review()) {
     restIfBetter();
     return finish();
   }
-  stage_ = Stage::kFit;
+  stage_ = Stage::kFitting;
 }
 
 /// What breaks a limit after all stays as it was drafted, which breaks none.
 void BestRun::restUnsound() {
   ShapeLimits limits;
   limits.moved = problem_.options.max_change_cm;
-  std::vector<char> unsound(fit_->fitting().deformations().size());
+  std::vector<char> unsound(fitting_->fitting().deformations().size());
   for (bool again = true; again;) {
     again = false;
     std::fill(unsound.begin(), unsound.end(), 0);
-    const Shapes& now = fit_->fitting().shapes();
+    const Shapes& now = fitting_->fitting().shapes();
     for (std::size_t p = 0; p < now.size(); ++p)
       if (brokenLimit(pattern_.pieces[p], now[p], limits) != BrokenLimit::kNone)
-        unsound[fit_->fitting().partIndexOf(static_cast<int>(p))] = 1;
+        unsound[fitting_->fitting().partIndexOf(static_cast<int>(p))] = 1;
     for (const Seam& seam : pattern_.seams)
       if (seamError(seam, now) > kSeamTolerance)
-        unsound[fit_->fitting().partIndexOf(seam.a.piece)] =
-            unsound[fit_->fitting().partIndexOf(seam.b.piece)] = 1;
+        unsound[fitting_->fitting().partIndexOf(seam.a.piece)] =
+            unsound[fitting_->fitting().partIndexOf(seam.b.piece)] = 1;
     for (std::size_t c = 0; c < unsound.size(); ++c) {
-      PartDeformation& deformation = fit_->fitting().deformations()[c];
+      PartDeformation& deformation = fitting_->fitting().deformations()[c];
       if (!unsound[c] || deformation.state().shape == deformation.part().rest) continue;
       deformation.setState(deformation.restState());
       again = true;
     }
-    fit_->fitting().collectShapes();
+    fitting_->fitting().collectShapes();
   }
 }
 
@@ -253,22 +242,22 @@ void BestRun::restIfBetter() {
   const WallpaperGroup group = match_.joining();
   const Shapes rest = evenedShapes(pattern_);
   if (!isSewable(pattern_, rest)) return;
-  if (fitAny(group, pattern_, rest, search_result_) <
-      fitAny(group, pattern_, fit_->fitting().shapes(), alignment_))
+  if (totalMismatch(group, pattern_, rest, search_result_) <
+      totalMismatch(group, pattern_, fitting_->fitting().shapes(), alignment_))
     restAt(search_result_);
   const Alignments drafted = draftedLayout(problem_, match_);
-  const std::vector<double> lengths = seamLengths(pattern_, fit_->fitting().shapes());
+  const std::vector<double> lengths = seamLengths(pattern_, fitting_->fitting().shapes());
   if (meanMismatch(localMismatches(group, pattern_, rest, drafted), lengths) <
-      meanMismatch(localMismatches(group, pattern_, fit_->fitting().shapes(), alignment_),
+      meanMismatch(localMismatches(group, pattern_, fitting_->fitting().shapes(), alignment_),
                    lengths)) {
     const double cost = costAtRest(drafted);
-    if (cost > SearchStage::kPerfect) of_bound_ = costAtRest(search_result_) / cost;
+    if (cost > SearchTuning::kPerfectCost) of_bound_ = costAtRest(search_result_) / cost;
     restAt(search_result_ = drafted);
   }
 }
 
 void BestRun::restAt(const Alignments& at) {
-  fit_->fitting().setStates(fit_->fitting().restStates());
+  fitting_->fitting().setStates(fitting_->fitting().restStates());
   alignment_ = at;
 }
 
@@ -279,11 +268,11 @@ void BestRun::finish() {
 
 Phase BestRun::phase() const {
   if (stage_ == Stage::kDone) return Phase::kDone;
-  return stage_ < Stage::kStartFit ? Phase::kAlignment : Phase::kDeformation;
+  return stage_ < Stage::kStartFitting ? Phase::kAlignment : Phase::kDeformation;
 }
 
 double BestRun::fraction() const { return progress_; }
 
-const Shapes& BestRun::shapes() const { return fit_->fitting().shapes(); }
+const Shapes& BestRun::shapes() const { return fitting_->fitting().shapes(); }
 
 }  // namespace seamwise

@@ -15,9 +15,9 @@ class BestRun : public Run {
   /// @param known   mirrors of the pattern's known symmetries that the group carries; with none
   ///                imposed the symmetric answer is one of the starts
   /// @param offered   alignments of all pieces: the search never ends with worse ones
-  /// @param starts   alignments of all pieces to fit from, besides what the search finds
-  /// @param searches   remembered
-  /// @param plans   remembered, of this mesh; null until they were made
+  /// @param starts   alignments of all pieces to begin fitting with, besides what the search finds
+  /// @param searches   outcomes of the searches of solves before
+  /// @param plans   of this mesh; null: made here, for later solves
   BestRun(const Problem& problem, const Pattern& pattern, const std::vector<Mirror>& known,
           const MatchRules& rules, std::vector<Alignments> offered, std::vector<Alignments> starts,
           SearchMemo& searches, std::shared_ptr<FittingPlans>& plans);
@@ -37,15 +37,15 @@ class BestRun : public Run {
   double costAtRest(const Alignments& at) const { return match_.cost(match_.ofLeaders(at)); }
   AlignmentSearch* searching() override { return searching_.searching(); }
   const Shapes& shapes() const override;
-  int iterations() const override { return settling_ + (fit_ ? fit_->iterations() : 0); }
-  int factorisations() const override { return fit_ ? fit_->factorisations() : 0; }
+  int iterations() const override { return settling_ + (fitting_ ? fitting_->iterations() : 0); }
+  int factorisations() const override { return fitting_ ? fitting_->factorisations() : 0; }
 
  private:
-  enum class Stage : std::uint8_t { kSearch, kStartFit, kFit, kSeekAgain, kSettle, kDone };
+  enum class Stage : std::uint8_t { kSearch, kStartFitting, kFitting, kSeekAgain, kSettle, kDone };
   void searchStep();
-  std::vector<FitStart> mostPromising(std::size_t count) const;
-  void startFit();
-  void fitStep();
+  std::vector<FittingStart> bestPredicted(std::size_t count) const;
+  void startFitting();
+  void fittingStep();
   void seekAgain();
   void settleStep();
   void restUnsound();
@@ -62,10 +62,10 @@ class BestRun : public Run {
   std::vector<Alignments> offered_starts_;
   SearchStage searching_;
   std::shared_ptr<FittingPlans> plans_;
-  std::unique_ptr<FittingStage> fit_;
+  std::unique_ptr<FittingStage> fitting_;
   Stage stage_ = Stage::kSearch;
   Alignments alignment_, search_result_;
-  double of_bound_ = 1;  ///< less where something else than the search's best stands for it
+  double of_bound_ = 1;  ///< less where something else is the result than the search's best
   bool sought_again_ = false;
   int settling_ = 0, settled_ = 0;  ///< iterations; with the last, which finds nothing to do
   double length_error_;             ///< of a sewn edge, cm

@@ -6,10 +6,10 @@
 
 namespace seamwise {
 
-/// The default method several times; the answer that fits best stands. So more of them never end
-/// worse. Each begins with what the ones before have found: outlines that may move further than
-/// usual with what is found without that, what need not be symmetric with what is found where it
-/// has to be, then the same with other seeds.
+/// The default method several times; the answer with the least total mismatch is taken. So more of
+/// them never end worse. Each begins with what the ones before have found: outlines that may move
+/// further than usual with what is found without that, what need not be symmetric with what is
+/// found where it has to be, then the same with other seeds.
 class EffortRun : public Run {
  public:
   /// A mesh and what is remembered of it.
@@ -19,7 +19,7 @@ class EffortRun : public Run {
   };
 
   /// @param symmetric   the same vertices with more symmetries imposed, which may do better
-  EffortRun(const Problem& problem, Mesh asked, std::optional<Mesh> symmetric,
+  EffortRun(const Problem& problem, Mesh requested, std::optional<Mesh> symmetric,
             std::vector<Mirror> known, const MatchRules& rules, SearchMemo& searches);
 
   bool advance() override;
@@ -30,7 +30,7 @@ class EffortRun : public Run {
   const Alignments& alignment() const override { return best().alignment(); }
   const Alignments& search() const override { return best().search(); }
   double searchBound() const override;
-  double searchCost() const override { return best_asked_->costAtRest(best().search()); }
+  double searchCost() const override { return best_requested_->costAtRest(best().search()); }
   AlignmentSearch* searching() override { return run_ ? run_->searching() : nullptr; }
   const Shapes& shapes() const override { return best().shapes(); }
   int iterations() const override { return best().iterations(); }
@@ -45,18 +45,18 @@ class EffortRun : public Run {
   bool isDone() const { return ended_ == rounds_.size(); }
   const BestRun& best() const;
   void begin();
-  double fit(const BestRun& run) const;
+  double mismatchOf(const BestRun& run) const;
 
   Problem problem_;  ///< with the seed and the change of the round
-  Mesh asked_;
+  Mesh requested_;
   std::optional<Mesh> symmetric_;
   std::vector<Mirror> known_;
   const MatchRules& rules_;
   SearchMemo& searches_;
   std::vector<Round> rounds_;
-  std::size_t ended_ = 0;                                 ///< of the rounds
-  std::unique_ptr<BestRun> run_;                          ///< at work
-  std::unique_ptr<BestRun> best_symmetric_, best_asked_;  ///< of the rounds before
+  std::size_t ended_ = 0;                                     ///< of the rounds
+  std::unique_ptr<BestRun> run_;                              ///< at work
+  std::unique_ptr<BestRun> best_symmetric_, best_requested_;  ///< of the rounds before
   bool symmetric_stands_ = false;
 };
 

@@ -3,16 +3,9 @@
 #include "methods/fitting_stage.h"
 #include "methods/metrics.h"
 #include "methods/seam_rules.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
-namespace {
-
-constexpr double kUrgent = 4;  ///< factor of what pulls more after each round
-constexpr double kMostUrgent = 64;
-constexpr double kBlame = 3;  ///< the same, for the next search
-
-}  // namespace
-
 /// Takes the pull from the seams that end where this one does. Returns whether there were any.
 bool FittingStage::dropNeighbours(std::size_t seam) {
   const Seam& own = fitted().seams[seam];
@@ -42,7 +35,7 @@ FittingStage::Judgement FittingStage::judge() {
   Start& start = starts_[current_];
   Judgement found = Judgement::kGood;
   const auto others = [&] {
-    if (found == Judgement::kGood) found = Judgement::kOthersPull;
+    if (found == Judgement::kGood) found = Judgement::kOtherPulls;
   };
   worse_.assign(shaped.size(), 0);
   excess_ = 0;
@@ -58,14 +51,14 @@ FittingStage::Judgement FittingStage::judge() {
       excess_ = std::max(excess_, shaped[s] / most - 1);
     }
     if (worse_[s] && !start.stays) {
-      if (start.urgency[s] >= kMostUrgent)
-        found = Judgement::kHopeless;
+      if (start.pull_factors[s] >= ShapingTuning::kMostPull)
+        found = Judgement::kFailed;
       else
-        start.urgency[s] *= kUrgent, others();
+        start.pull_factors[s] *= ShapingTuning::kPullGrowth, others();
     } else if (start.shaped[s] || dropNeighbours(s)) {
       start.shaped[s] = 0, others();
     } else {
-      found = Judgement::kHopeless;
+      found = Judgement::kFailed;
     }
   }
   return found;
@@ -76,9 +69,9 @@ bool FittingStage::review() {
   const Judgement found = judge();
   if (found == Judgement::kGood) return true;
   Start& start = starts_[current_];
-  const int most = start.stays ? kReviewsOfLast : kReviewsOfOne;
-  const bool another = found == Judgement::kOthersPull && start.reviews++ < most;
-  if (++reviews_ == kMostReviews || (start.stays && !another)) {
+  const int most = start.stays ? ShapingTuning::kReviewsOfLast : ShapingTuning::kReviewsOfOne;
+  const bool another = found == Judgement::kOtherPulls && start.reviews++ < most;
+  if (++reviews_ == ShapingTuning::kMostReviews || (start.stays && !another)) {
     giveUp();
     return false;
   }
@@ -108,7 +101,9 @@ void FittingStage::fail() {
   starts_[current_].failed = true;
   starts_[current_].excess = excess_;
   for (std::size_t s = 0; s < worse_.size(); ++s)
-    if (worse_[s]) blame_[s] = std::min(blame_[s] * kBlame, kMostUrgent);
+    if (worse_[s])
+      search_factors_[s] =
+          std::min(search_factors_[s] * ShapingTuning::kWeightGrowth, ShapingTuning::kMostPull);
 }
 
 }  // namespace seamwise

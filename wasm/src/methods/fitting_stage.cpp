@@ -9,25 +9,11 @@
 #include "methods/metrics.h"
 #include "methods/seam_rules.h"
 #include "methods/search_stage.h"
+#include "tuning/search.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
-
-/// Newton steps before lengths and reach must settle, and those of them from each start.
-struct Steps {
-  int all, trial;
-};
-constexpr Steps kSteps = {7, 2};
-constexpr Steps kCoarseSteps = {10, 5};  ///< they take little time
-constexpr int kFineSteps = 2;            ///< after coarse ones
-constexpr int kMoreFineSteps = 3;        ///< where pieces had to be laid anew
-constexpr int kRealignEvery = 3;         ///< steps between new joins and alignments
-/// Steps after which also seams that pull are held to what placing alone leaves of them: by then,
-/// shaping has made them meet as far as it will.
-constexpr int kLimitedFrom = 6;
-constexpr int kMostRounds = 4;    ///< from one start, each with other seams pulling
-constexpr int kMostRetried = 12;  ///< the same, once it has failed by little:
-constexpr double kLittle = 0.3;   ///< as a share of what a seam may miss by
 
 std::size_t verticesOf(const Pattern& pattern) {
   std::size_t count = 0;
@@ -39,7 +25,7 @@ std::size_t verticesOf(const Pattern& pattern) {
 
 FittingStage::FittingStage(const Pattern& pattern, const MatchProblem& match,
                            const MatchRules& rules, const FittingRules& fitting,
-                           FittingPlans& plans, std::vector<FitStart> starts, double reach)
+                           FittingPlans& plans, std::vector<FittingStart> starts, double reach)
     : pattern_(pattern),
       match_(match),
       rules_(rules),
@@ -48,20 +34,20 @@ FittingStage::FittingStage(const Pattern& pattern, const MatchProblem& match,
       reach_(reach),
       fine_(std::make_unique<SeamFitting>(plans.fine(pattern), pattern, match.group, fitting)),
       fitting_(fine_.get()),
-      blame_(pattern.seams.size(), 1) {
-  for (FitStart& start : starts) add(std::move(start));
+      search_factors_(pattern.seams.size(), 1) {
+  for (FittingStart& start : starts) add(std::move(start));
   placed_ = match.expanded(starts_.back().leaders);
   place(starts_[0].leaders);
   double mismatch = 0;
   for (std::size_t s = 0; s < pattern.seams.size(); ++s)
     if (counts(pattern.seams[s])) mismatch += fitting_->joins()[s].cost;
-  perfect_ = mismatch < SearchStage::kPerfect;
+  perfect_ = mismatch < SearchTuning::kPerfectCost;
 }
 
-void FittingStage::add(FitStart from) {
+void FittingStage::add(FittingStart from) {
   Start start;
-  static_cast<FitStart&>(start) = std::move(from);
-  start.urgency.assign(pattern_.seams.size(), 1);
+  static_cast<FittingStart&>(start) = std::move(from);
+  start.pull_factors.assign(pattern_.seams.size(), 1);
   start.margins.assign(pattern_.seams.size(), 0);
   starts_.push_back(std::move(start));
 }
@@ -80,10 +66,10 @@ void FittingStage::begin() {
     fine_step_ = static_cast<double>(verticesOf(pattern_)) /
                  static_cast<double>(verticesOf(coarse_pattern_));
   }
-  const Steps steps = plan_ ? kCoarseSteps : kSteps;
-  steps_ = steps.all, trial_steps_ = steps.trial;
-  planned_ = 3 * steps.all + steps.trial * (static_cast<double>(starts_.size()) - 1) +
-             (plan_ ? kFineSteps * fine_step_ : 0);
+  steps_ = plan_ ? ShapingTuning::kCoarseSteps : ShapingTuning::kSteps;
+  trial_steps_ = plan_ ? ShapingTuning::kCoarseTrialSteps : ShapingTuning::kTrialSteps;
+  planned_ = 3 * steps_ + trial_steps_ * (static_cast<double>(starts_.size()) - 1) +
+             (plan_ ? ShapingTuning::kFineSteps * fine_step_ : 0);
   goCoarse();
   resume(0);
 }
@@ -101,10 +87,10 @@ void FittingStage::goFine() {
   pull();
   fitting_->chooseJoins(alignment_);
   // what placing alone leaves of a seam differs a little between the meshes
-  fine_steps_ = kFineSteps;
+  fine_steps_ = ShapingTuning::kFineSteps;
   if (starts_[current_].stays || !isWorseThanPlaced()) return;
   realign();
-  fine_steps_ += kMoreFineSteps;
+  fine_steps_ += ShapingTuning::kMoreFineSteps;
 }
 
 /// Whether some seam misses by more than placing alone allows.
@@ -154,7 +140,7 @@ void FittingStage::pull() {
   const Start& start = starts_[current_];
   std::vector<double> pulls(start.shaped.size(), 1);
   for (std::size_t s = 0; s < pulls.size(); ++s)
-    if (counts(fitted().seams[s])) pulls[s] = start.shaped[s] ? start.urgency[s] : 0;
+    if (counts(fitted().seams[s])) pulls[s] = start.shaped[s] ? start.pull_factors[s] : 0;
   fitting_->setPulls(pulls);
 }
 
@@ -165,19 +151,21 @@ std::vector<double> FittingStage::placedMismatches() const {
 void FittingStage::realign() {
   const Start& start = starts_[current_];
   if (start.stays) return fitting_->chooseJoins(alignment_);
-  Pattern urgent = fitted();
-  for (std::size_t s = 0; s < start.urgency.size(); ++s) urgent.seams[s].weight *= start.urgency[s];
+  Pattern reweighted = fitted();
+  for (std::size_t s = 0; s < start.pull_factors.size(); ++s)
+    reweighted.seams[s].weight *= start.pull_factors[s];
   MatchProblem now =
-      makeMatchProblem(urgent, fitting_->shapes(), urgent.mirrors, rules_, match_.group);
+      makeMatchProblem(reweighted, fitting_->shapes(), reweighted.mirrors, rules_, match_.group);
   const std::vector<double> placed = placedMismatches();
   for (MatchSeam& seam : now.seams)
     if (seam.seam >= 0 && (!start.shaped[static_cast<std::size_t>(seam.seam)] || start.rounds > 0 ||
-                           start.steps >= kLimitedFrom))
-      seam.limit = kLimitShare * greatestMean(placed[static_cast<std::size_t>(seam.seam)]) -
-                   start.margins[static_cast<std::size_t>(seam.seam)];
+                           start.steps >= ShapingTuning::kLimitedFrom))
+      seam.limit =
+          ShapingTuning::kLimitShare * greatestMean(placed[static_cast<std::size_t>(seam.seam)]) -
+          start.margins[static_cast<std::size_t>(seam.seam)];
   std::vector<int> all(now.leaders.size());
   std::iota(all.begin(), all.end(), 0);
-  refine(now, SampledSeams<double>(now, 0), leaders_, all, 2);
+  refine(now, SampledSeams<double>(now, 0), leaders_, all, ShapingTuning::kRealignIterations);
   alignment_ = now.expanded(leaders_);
   fitting_->chooseJoins(alignment_);
 }
@@ -188,7 +176,7 @@ bool FittingStage::advance() {
     begin();
     return true;
   }
-  if (stuck_) return true;
+  if (needs_start_) return true;
   if (given_up_ || std::exchange(stalled_, false)) return false;
   fitting_->step(alignment_);
   ++iterations_;
@@ -199,8 +187,8 @@ bool FittingStage::advance() {
   done_ += 1;
   Start& start = starts_[current_];
   ++start.steps;
-  if (start.steps % kRealignEvery == 0 && start.steps < steps_) realign();
-  if (start.steps == trial_steps_ && !start.fit) return leave();
+  if (start.steps % ShapingTuning::kRealignEvery == 0 && start.steps < steps_) realign();
+  if (start.steps == trial_steps_ && !start.mismatch) return leave();
   return start.steps < steps_ || endSteps();
 }
 
@@ -208,8 +196,8 @@ bool FittingStage::advance() {
 bool FittingStage::endSteps() {
   Start& start = starts_[current_];
   const Judgement found = judge();
-  const int most = start.retried ? kMostRetried : kMostRounds;
-  if (found == Judgement::kOthersPull && ++start.rounds < most) {
+  const int most = start.retried ? ShapingTuning::kMostRetried : ShapingTuning::kMostRounds;
+  if (found == Judgement::kOtherPulls && ++start.rounds < most) {
     again();
     return true;
   }
@@ -226,10 +214,10 @@ bool FittingStage::leave() {
   Start& start = starts_[current_];
   start.leaders = leaders_;
   start.states = fitting_->states();
-  start.fit = fitAny(match_.joining(), fitted(), fitting_->shapes(), alignment_);
-  start.fit_under_rules =
-      fitUnderRules(localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_),
-                    seamLengths(fitted(), fitting_->shapes()), placedMismatches());
+  start.mismatch = totalMismatch(match_.joining(), fitted(), fitting_->shapes(), alignment_);
+  start.mismatch_under_rules = mismatchUnderRules(
+      localMismatches(match_.joining(), fitted(), fitting_->shapes(), alignment_),
+      seamLengths(fitted(), fitting_->shapes()), placedMismatches());
   return goOnFromBest();
 }
 
@@ -242,17 +230,18 @@ bool FittingStage::goOnFromBest() {
     const Start& start = starts_[k];
     if (start.failed) continue;
     if (start.ended) {
-      if (ended == none || *start.fit < *starts_[ended].fit) ended = k;
-    } else if (open == none || !start.fit ||
-               (starts_[open].fit && *start.fit_under_rules < *starts_[open].fit_under_rules)) {
+      if (ended == none || *start.mismatch < *starts_[ended].mismatch) ended = k;
+    } else if (open == none || !start.mismatch ||
+               (starts_[open].mismatch &&
+                *start.mismatch_under_rules < *starts_[open].mismatch_under_rules)) {
       open = k;
     }
   }
-  const bool ahead = open != none && (ended == none || !starts_[open].fit ||
-                                      *starts_[open].fit < *starts_[ended].fit);
+  const bool ahead = open != none && (ended == none || !starts_[open].mismatch ||
+                                      *starts_[open].mismatch < *starts_[ended].mismatch);
   const std::size_t best = ahead ? open : ended;
   if (starts_[best].stays && starts_[best].ended && may_seek_) {
-    stuck_ = true;
+    needs_start_ = true;
     return true;
   }
   if (starts_[best].stays && starts_[best].ended && retryNearest()) return true;
@@ -267,7 +256,8 @@ bool FittingStage::goOnFromBest() {
 bool FittingStage::retryNearest() {
   Start* nearest = nullptr;
   for (Start& start : starts_)
-    if (start.failed && !start.retried && start.reviews == 0 && start.excess <= kLittle &&
+    if (start.failed && !start.retried && start.reviews == 0 &&
+        start.excess <= ShapingTuning::kFailedByLittle &&
         (!nearest || start.excess < nearest->excess))
       nearest = &start;
   if (!nearest) return false;
@@ -278,7 +268,7 @@ bool FittingStage::retryNearest() {
 }
 
 void FittingStage::goOn(std::optional<Alignments> leaders) {
-  stuck_ = false;
+  needs_start_ = false;
   if (leaders)
     add({std::move(*leaders)});
   else

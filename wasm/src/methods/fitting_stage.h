@@ -10,7 +10,7 @@
 namespace seamwise {
 
 /// An alignment of the leaders to fit from.
-struct FitStart {
+struct FittingStart {
   Alignments leaders;
   bool stays = false;  ///< only shapes change, no piece is placed anew
 };
@@ -29,7 +29,7 @@ class FittingStage {
   /// @param starts   at least one; the last stays: what placing alone ends with
   /// @param reach    how far an outline vertex may move. [cm]
   FittingStage(const Pattern& pattern, const MatchProblem& match, const MatchRules& rules,
-               const FittingRules& fitting, FittingPlans& plans, std::vector<FitStart> starts,
+               const FittingRules& fitting, FittingPlans& plans, std::vector<FittingStart> starts,
                double reach);
 
   /// One step of all parts. False when there is nothing left to do.
@@ -38,11 +38,11 @@ class FittingStage {
   /// Whether the print meets everywhere as the pieces lie, so that nothing has to move.
   bool isPerfect() const { return perfect_; }
 
-  /// Whether no start has led to shapes that leave every seam as good as placing alone does. Then
-  /// goOn() has to be called before the next step.
-  bool isStuck() const { return stuck_; }
-  /// How much harder each seam should count in the search for another start, as a multiple.
-  const std::vector<double>& urgency() const { return blame_; }
+  /// Whether another start is needed: none has led to shapes that leave every seam as good as
+  /// placing alone does. Then goOn() has to be called before the next step.
+  bool needsStart() const { return needs_start_; }
+  /// Factor, per seam, of its weight in the search for another start.
+  const std::vector<double>& searchFactors() const { return search_factors_; }
   /// Goes on with another start, or without.
   void goOn(std::optional<Alignments> leaders);
 
@@ -56,16 +56,15 @@ class FittingStage {
   int factorisations() const;
 
  private:
-  static constexpr int kMostReviews = 12, kReviewsOfOne = 2, kReviewsOfLast = 6;
-  enum class Judgement : std::uint8_t { kGood, kOthersPull, kHopeless };
+  enum class Judgement : std::uint8_t { kGood, kOtherPulls, kFailed };
   /// How far a start has come.
-  struct Start : FitStart {
+  struct Start : FittingStart {
     std::vector<PartDeformation::State> states;
-    std::vector<char> shaped;     ///< per seam: it pulls
-    std::vector<double> urgency;  ///< per seam: multiple of its weight
+    std::vector<char> shaped;          ///< per seam: it pulls
+    std::vector<double> pull_factors;  ///< per seam: multiple of its weight
     std::vector<double> margins;  ///< per seam: by how much it is held below what is allowed. [cm]
-    /// After its last steps: as it is, and under the rules. [cm2]
-    std::optional<double> fit, fit_under_rules;
+    /// Total after its last steps: as it is, and under the rules. [cm2]
+    std::optional<double> mismatch, mismatch_under_rules;
     int steps = 0, rounds = 0, reviews = 0;
     bool ended = false, failed = false;
     /// By how much the worst seam exceeded what it may miss by when it failed, as a share of that.
@@ -73,7 +72,7 @@ class FittingStage {
     bool retried = false;
   };
   const Pattern& fitted() const { return coarse_ ? coarse_pattern_ : pattern_; }
-  void add(FitStart from);
+  void add(FittingStart from);
   void begin();
   void goCoarse();
   void goFine();
@@ -108,10 +107,10 @@ class FittingStage {
   std::vector<Start> starts_;
   std::size_t current_ = 0;  ///< of the starts
   Alignments leaders_, alignment_;
-  std::vector<double> blame_;  ///< per seam: what failed, for searches
-  std::vector<char> worse_;    ///< per seam: by the last judgement
-  double excess_ = 0;          ///< of the worst of them, as in Start
-  bool perfect_ = false, begun_ = false, stuck_ = false, may_seek_ = true, given_up_ = false;
+  std::vector<double> search_factors_;  ///< per seam, see searchFactors()
+  std::vector<char> worse_;             ///< per seam: by the last judgement
+  double excess_ = 0;                   ///< of the worst of them, as in Start
+  bool perfect_ = false, begun_ = false, needs_start_ = false, may_seek_ = true, given_up_ = false;
   bool stalled_ = false;             ///< the best start has no steps left to take
   int steps_ = 0, trial_steps_ = 0;  ///< to do, all and from each start
   int fine_steps_ = 0;               ///< to do, after coarse ones

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kStrictTurn = 0.1;  ///< rad
 
-double strictFit(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
-                 const std::vector<Alignment>& at) {
+double strictMismatch(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
+                      const std::vector<Alignment>& at) {
   const SeamMidpoints m = seamMidpoints(seam, shapes, at);
   const auto& elements = group.elements();
   const Mat2 ra = rotation(-at[seam.a.piece].angle), rb = rotation(-at[seam.b.piece].angle);
@@ -39,8 +39,8 @@ double strictFit(const WallpaperGroup& group, const Seam& seam, const Shapes& sh
 
 }  // namespace
 
-double fitAny(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
-              const std::vector<Alignment>& at) {
+double totalMismatch(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
+                     const std::vector<Alignment>& at) {
   double total = 0;
   for (const Seam& seam : pattern.seams) {
     if (!counts(seam)) continue;
@@ -51,16 +51,16 @@ double fitAny(const WallpaperGroup& group, const Pattern& pattern, const Shapes&
   return total;
 }
 
-Fit measureFit(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes,
-               const std::vector<Alignment>& at) {
-  Fit fit;
-  fit.any = fitAny(group, pattern, shapes, at);
+TotalMismatch measureTotal(const WallpaperGroup& group, const Pattern& pattern,
+                           const Shapes& shapes, const std::vector<Alignment>& at) {
+  TotalMismatch total;
+  total.nearest = totalMismatch(group, pattern, shapes, at);
   for (const Seam& seam : pattern.seams) {
     if (!counts(seam)) continue;
-    fit.strict += strictFit(group, seam, shapes, at);
-    fit.seam += bestJoin(group, seam, shapes, at).cost;
+    total.strict += strictMismatch(group, seam, shapes, at);
+    total.joined += bestJoin(group, seam, shapes, at).cost;
   }
-  return fit;
+  return total;
 }
 
 std::vector<std::vector<Alignment>> randomAlignments(const WallpaperGroup& group,
@@ -82,10 +82,10 @@ std::vector<std::vector<Alignment>> randomAlignments(const WallpaperGroup& group
   return draws;
 }
 
-double fitRandom(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes) {
+double randomMismatch(const WallpaperGroup& group, const Pattern& pattern, const Shapes& shapes) {
   const auto draws = randomAlignments(group, pattern.pieces.size());
   double total = 0;
-  for (const auto& at : draws) total += fitAny(group, pattern, shapes, at);
+  for (const auto& at : draws) total += totalMismatch(group, pattern, shapes, at);
   return total / static_cast<double>(draws.size());
 }
 

@@ -5,26 +5,15 @@
 #include <limits>
 
 #include "deform/shape_limits.h"
-#include "geometry/polygon.h"
 #include "methods/metrics.h"
+#include "tuning/paper.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kMostAlpha = 65536;
-constexpr double kLost = 3;              ///< times the greatest change
-constexpr double kLeastDraw = 1.0 / 32;  ///< share of the way to their targets that seams still go
-constexpr double kClip = 0.9;            ///< of the greatest change
-
-bool crossesItself(const Pattern& pattern, const Shapes& shapes) {
-  for (std::size_t p = 0; p < shapes.size(); ++p) {
-    std::vector<Polyline> loops;
-    for (const std::vector<int>& loop : loopsOf(pattern.pieces[p])) {
-      loops.emplace_back();
-      for (const int v : loop) loops.back().push_back(shapes[p][v]);
-    }
-    if (findCrossing(loops)) return true;
-  }
+bool anyCrossesItself(const Pattern& pattern, const Shapes& shapes) {
+  for (std::size_t p = 0; p < shapes.size(); ++p)
+    if (crossesItself(pattern.pieces[p], shapes[p])) return true;
   return false;
 }
 
@@ -62,7 +51,8 @@ bool PaperRun::advance() {
   bool more = deformation_.step();
   // A growing gamma hardly takes movement back: an attempt far beyond the bound has failed.
   if (more && deformation_.gammas() > before && !problem_.options.alpha &&
-      greatestMovement(pattern_, deformation_.shapes()) > kLost * problem_.options.max_change_cm)
+      greatestMovement(pattern_, deformation_.shapes()) >
+          PaperTuning::kLost * problem_.options.max_change_cm)
     more = false;
   // gamma ends at about 2^20; later attempts tell nothing new
   const double within = std::min(1.0, std::ilogb(deformation_.gamma()) / 22.0);
@@ -106,8 +96,9 @@ void PaperRun::startDeformation() {
   const bool average =
       problem_.options.average_seam_shapes.value_or(problem_.options.method == Method::kPaper);
   const IdealShape shape = average ? IdealShape::kAveraged : IdealShape::kTransported;
-  const double most = problem_.options.clip_targets ? kClip * problem_.options.max_change_cm
-                                                    : std::numeric_limits<double>::infinity();
+  const double most = problem_.options.clip_targets
+                          ? PaperTuning::kClip * problem_.options.max_change_cm
+                          : std::numeric_limits<double>::infinity();
   const Shapes rest = restShapes(pattern_);
   for (const Seam& seam : pattern_.seams) {
     if (!seam.matched) continue;
@@ -133,7 +124,7 @@ bool PaperRun::endAttempt() {
   shapes_ = deformation_.shapes();
   if (problem_.options.alpha || isKept()) return true;
   ++attempt_;
-  if (alpha_ < kMostAlpha) {
+  if (alpha_ < PaperTuning::kMostAlpha) {
     alpha_ *= 2;
     deformation_.start(targets_, alpha_);
     return false;
@@ -144,7 +135,7 @@ bool PaperRun::endAttempt() {
          "No weight of the conformal term keeps the outlines simple and within the "
          "greatest change, so the seams go only part of the way to their ideal lines."});
   draw_ /= 2;
-  if (draw_ < kLeastDraw) {
+  if (draw_ < PaperTuning::kLeastDraw) {
     shapes_ = evenedShapes(pattern_);
     return true;
   }
@@ -155,14 +146,14 @@ bool PaperRun::endAttempt() {
 /// Whether the shapes can be cut and sewn, and none moved further than allowed.
 bool PaperRun::isKept() const {
   if (greatestMovement(pattern_, shapes_) > problem_.options.max_change_cm) return false;
-  return isSewable(pattern_, shapes_) && !crossesItself(pattern_, shapes_);
+  return isSewable(pattern_, shapes_) && !anyCrossesItself(pattern_, shapes_);
 }
 
 void PaperRun::restIfBetter() {
   const WallpaperGroup group = match_.joining();
   const Shapes rest = evenedShapes(pattern_);
-  if (isSewable(pattern_, rest) &&
-      fitAny(group, pattern_, rest, alignment_) < fitAny(group, pattern_, shapes_, alignment_))
+  if (isSewable(pattern_, rest) && totalMismatch(group, pattern_, rest, alignment_) <
+                                       totalMismatch(group, pattern_, shapes_, alignment_))
     shapes_ = rest;
 }
 

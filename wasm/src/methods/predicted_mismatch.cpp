@@ -4,16 +4,10 @@
 
 #include "alignment/model/matching.h"
 #include "methods/seam_rules.h"
+#include "tuning/search.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
-namespace {
-
-/// Of what two sides may move, so much is taken up by a seam whose neighbours pull otherwise.
-/// Measured on 12 garments in 3 prints: 1.4 led to fits 1 to 2 % below 1.0 and 2.0.
-constexpr double kTakenUp = 1.4;
-
-}  // namespace
-
 std::vector<double> predictedMismatches(const WallpaperGroup& group, const Pattern& pattern,
                                         const std::vector<Alignment>& at, double reach) {
   const Shapes rest = restShapes(pattern);
@@ -26,9 +20,10 @@ std::vector<double> predictedMismatches(const WallpaperGroup& group, const Patte
         joinMismatch(bestJoin(group, seam, rest, at), seam, rest, at);
     double left = 0;
     for (const double d : mismatch)
-      left += std::max(0.0, d - kTakenUp * reach) + kLeftByShaping * d;
+      left += std::max(0.0, d - ShapingTuning::kTakenUp * reach) + SearchTuning::kLeftByShaping * d;
     left /= static_cast<double>(mismatch.size());
-    if (isWithinReach(mismatch, reach) && left < kWorthShaping * means[s]) means[s] = left;
+    if (isWithinReach(mismatch, reach) && left < SearchTuning::kWorthShaping * means[s])
+      means[s] = left;
   }
   return means;
 }

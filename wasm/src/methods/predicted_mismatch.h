@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// What shaping is likely to leave of each seam's mean mismatch, as the pieces lie; 0 for seams
-/// that count in no fit. [cm]
+/// Mean mismatch, per seam, that shaping is likely to leave of pieces that lie so; 0 for seams that
+/// do not count. [cm]
 /// @param reach   how far an outline vertex may move. [cm]
 std::vector<double> predictedMismatches(const WallpaperGroup& group, const Pattern& pattern,
                                         const std::vector<Alignment>& at, double reach);

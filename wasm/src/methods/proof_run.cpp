@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "methods/best_run.h"
+#include "tuning/proof.h"
 
 namespace seamwise {
 
@@ -44,7 +45,7 @@ double ProofRun::bound() const {
   if (proofs_.empty()) return 1;
   double bound = 0;
   for (const auto& proof : proofs_) bound += proof->proven() ? proof->cost() : proof->bound();
-  if (bound >= (1 - LowerBound::kProven) * cost_) return 1;
+  if (bound >= (1 - ProofTuning::kProven) * cost_) return 1;
   return std::max(bound / cost_, searching_.bound());
 }
 

@@ -9,7 +9,7 @@
 namespace seamwise {
 
 /// Proves how good the alignments are that a solve has found for the pattern as drafted, for as
-/// long as somebody likes. The search runs first; after a solve with the same memo its outcome is
+/// long as it is advanced. The search runs first; after a solve with the same memo its outcome is
 /// remembered as a rule.
 class ProofRun {
  public:

@@ -8,9 +8,6 @@ namespace seamwise {
 
 enum class Phase : std::uint8_t { kAlignment = 0, kDeformation = 1, kDone = 2 };
 
-/// Progress when a garment has been read and meshed, by the share of time that it takes as a rule.
-inline constexpr double kPrepared = 0.15;
-
 /// One method at work on a meshed pattern, in small steps.
 class Run {
  public:

@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
+#include "tuning/shaping.h"
+
 namespace seamwise {
-namespace {
-
-/// What stays above it looks broken: nobody bends cloth for it unless it gets far better. [cm]
-constexpr double kBroken = 1.0;
-constexpr double kMet = 0.1;          ///< what stays below it is met. [cm]
-constexpr double kUnseen = 0.03;      ///< difference of two means that nobody sees. [cm]
-constexpr double kWorthwhile = 0.75;  ///< what shaping must leave at most of a mismatch
-constexpr double kForbidden = 8;      ///< weight of what exceeds the greatest mean
-constexpr double kHalved = 0.5;       ///< the same of what still looks broken
-
-}  // namespace
-
 double localMismatch(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
                      const std::vector<Alignment>& at) {
   const SeamMidpoints m = seamMidpoints(seam, shapes, at);
@@ -51,20 +41,24 @@ double meanMismatch(const std::vector<double>& mismatches, const std::vector<dou
   return length > 0 ? total / length : 0;
 }
 
-double greatestMean(double placed) { return std::max(kMet, placed + kUnseen); }
+double greatestMean(double placed) {
+  return std::max(ShapingTuning::kMet, placed + ShapingTuning::kUnseen);
+}
 
-double fitUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
-                     const std::vector<double>& placed) {
+double mismatchUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
+                          const std::vector<double>& placed) {
   double total = 0;
   for (std::size_t s = 0; s < lengths.size(); ++s)
-    total += lengths[s] *
-             (mismatches[s] + kForbidden * std::max(0.0, mismatches[s] - greatestMean(placed[s])));
+    total +=
+        lengths[s] * (mismatches[s] + ShapingTuning::kBeyondLimit *
+                                          std::max(0.0, mismatches[s] - greatestMean(placed[s])));
   return total;
 }
 
 Verdict verdictOn(const SeamMeans& means, double moved) {
-  const bool bent = moved > kStraightEnough;
-  const double most = means.shaped > kBroken ? kHalved : kWorthwhile;
+  const bool bent = moved > ShapingTuning::kStraight;
+  const double most = means.shaped > ShapingTuning::kBroken ? ShapingTuning::kWorthwhileBroken
+                                                            : ShapingTuning::kWorthwhile;
   if (bent && means.shaped > most * means.aligned) return Verdict::kInVain;
   if (means.shaped > greatestMean(std::min(means.placed, means.aligned))) return Verdict::kWorse;
   return Verdict::kKept;
@@ -73,7 +67,7 @@ Verdict verdictOn(const SeamMeans& means, double moved) {
 bool isWithinReach(const std::vector<double>& mismatch, double reach) {
   double left = 0;
   for (const double d : mismatch) left += std::max(0.0, d - 2 * reach);
-  return left <= kBroken * static_cast<double>(mismatch.size());
+  return left <= ShapingTuning::kBroken * static_cast<double>(mismatch.size());
 }
 
 double movedOf(const Seam& seam, const Pattern& pattern, const Shapes& shapes) {

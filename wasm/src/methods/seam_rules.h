@@ -12,14 +12,14 @@ namespace seamwise {
 double localMismatch(const WallpaperGroup& group, const Seam& seam, const Shapes& shapes,
                      const std::vector<Alignment>& at);
 
-/// The same for every seam; 0 for those that count in no fit.
+/// localMismatch() of every seam; 0 for those that do not count. [cm]
 std::vector<double> localMismatches(const WallpaperGroup& group, const Pattern& pattern,
                                     const Shapes& shapes, const std::vector<Alignment>& at);
 
-/// Length of every seam, mean of its sides; 0 for those that count in no fit. [cm]
+/// Length of every seam, mean of its sides; 0 for those that do not count. [cm]
 std::vector<double> seamLengths(const Pattern& pattern, const Shapes& shapes);
 
-/// Mean of the seams' mismatches by their lengths: what all seams miss by, whatever they weigh.
+/// Mean of the seams' mismatches by their lengths, whatever they weigh. [cm]
 double meanMismatch(const std::vector<double>& mismatches, const std::vector<double>& lengths);
 
 /// Whether a seam counts: matched, and not joining a piece to its own mirror twin.
@@ -27,13 +27,11 @@ inline bool counts(const Seam& seam) { return seam.matched && !seam.twin; }
 
 /// The greatest mean that a seam may end with of which placing alone leaves `placed`. [cm]
 double greatestMean(double placed);
-/// Share of it that alignments are held to, so that shaping may miss a little.
-inline constexpr double kLimitShare = 0.98;
 
-/// The fit of seams with these means, by their lengths; what exceeds the greatest mean that placing
-/// alone allows counts several times more, because no result may end with it. [cm2]
-double fitUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
-                     const std::vector<double>& placed);
+/// Total mismatch of seams with these means, by their lengths; what exceeds the greatest mean that
+/// placing alone allows counts several times more, because no result may end with it. [cm2]
+double mismatchUnderRules(const std::vector<double>& mismatches, const std::vector<double>& lengths,
+                          const std::vector<double>& placed);
 
 /// Means of one seam: of the pieces as drafted where placing alone lays them, where they lie at
 /// last, and of their final shape there. [cm]
@@ -54,9 +52,6 @@ Verdict verdictOn(const SeamMeans& means, double moved);
 /// `reach` cm.
 /// @param mismatch   per edge as the pieces lie, through the seam's join. [cm]
 bool isWithinReach(const std::vector<double>& mismatch, double reach);
-
-/// Movement that leaves a line as drafted, to the eye. [cm]
-inline constexpr double kStraightEnough = 0.1;
 
 /// How far vertices of a seam moved at most, its ends apart. [cm]
 double movedOf(const Seam& seam, const Pattern& pattern, const Shapes& shapes);

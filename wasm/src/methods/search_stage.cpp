@@ -5,56 +5,21 @@
 
 #include "methods/drafted.h"
 #include "methods/seam_rules.h"
+#include "tuning/progress.h"
+#include "tuning/search.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kSearchStep = 1e6;  ///< element distances: some milliseconds
-
-/// Of the time of a whole solve, as a rule: all searches together. They take more of it the more
-/// pieces there are to place and symmetries to try.
-double searchShare(double pieces, double symmetries) {
-  return 0.85 - 0.42 / (1 + pieces / 8) * (0.85 + 0.6 / symmetries);
-}
-
-/// Of the searches' time, as a rule; more is shared out where more follow.
-struct SearchParts {
-  double guide, plain, slack;
-};
-constexpr SearchParts kGuided{0.22, 0.45, 0.33}, kUnguided{0, 0.62, 0.38};
-constexpr double kNearPart = 0.15, kTouchUpPart = 0.04;
-
-/// To seek from nothing.
-SearchBudget fullBudget(std::optional<double> proof) {
-  SearchBudget budget;
+SearchBudget withProof(SearchBudget budget, std::optional<double> proof) {
   budget.proof = proof;
-  return budget;
-}
-
-/// To go on from answers to almost the same question.
-SearchBudget slackBudget() {
-  SearchBudget budget;
-  budget.trees = 8, budget.idle = 8, budget.evaluations = 3e6;
-  budget.samples = 6;  // what counts there changes slowly
-  return budget;
-}
-SearchBudget nearBudget(std::optional<double> proof) {
-  SearchBudget budget = fullBudget(proof);
-  budget.trees = 2, budget.idle = 3, budget.hits = 8, budget.evaluations = 1e6;
-  budget.shares = 1;
-  return budget;
-}
-
-/// For answers that only rounding keeps from being the best.
-SearchBudget touchUpBudget(std::optional<double> proof) {
-  SearchBudget budget = fullBudget(proof);
-  budget.trees = budget.hits = 0, budget.idle = 0, budget.shares = 1;
   return budget;
 }
 
 /// The same print with w1 along the x-axis, to about eight digits: equal however it was turned.
 WallpaperGroup straightened(const WallpaperGroup& group) {
-  const Mat2 back = rotation(-std::atan2(group.w1().y(), group.w1().x()));
+  const Mat2 back = rotation(-directionOf(group.w1()));
   const double unit = std::ldexp(1.0, std::ilogb(group.w1().norm()) - 24);
   const auto rounded = [&](const Vec2& w) {
     const Vec2 turned = back * w;
@@ -86,7 +51,7 @@ SearchStage::SearchStage(const Problem& problem, const Pattern& pattern, const M
   const bool turns = std::all_of(rules.pieces.begin(), rules.pieces.end(),
                                  [](const PieceRule& rule) { return rule.angles.empty(); });
   const WallpaperGroup straight = turns ? straightened(group) : group;
-  const double turn = turns ? std::atan2(group.w1().y(), group.w1().x()) : 0;
+  const double turn = turns ? directionOf(group.w1()) : 0;
   Pattern reweighted;
   const Pattern& drafted =
       problem.options.weights.empty() ? pattern : (reweighted = asDrafted(problem, pattern));
@@ -95,26 +60,34 @@ SearchStage::SearchStage(const Problem& problem, const Pattern& pattern, const M
   };
 
   const bool guided = known.size() > pattern.mirrors.size();
-  const SearchParts& parts = guided ? kGuided : kUnguided;
+  const ProgressTuning::Searches& parts =
+      guided ? ProgressTuning::kGuided : ProgressTuning::kUnguided;
   if (guided)
-    searches_.push_back({plainProblem(known), fullBudget(proof), seed, parts.guide, {}, 0, turn});
+    searches_.push_back(
+        {plainProblem(known), withProof({}, proof), seed, parts.guide, {}, 0, turn});
   const std::size_t plain = searches_.size();
   searches_.push_back(
-      {plainProblem(pattern.mirrors), fullBudget(proof), seed, parts.plain, {}, 0, turn});
+      {plainProblem(pattern.mirrors), withProof({}, proof), seed, parts.rest, {}, 0, turn});
   if (guided) searches_[plain].after = {0};
-  searches_.push_back(
-      {searches_[plain].problem, slackBudget(), seed + 1, parts.slack, {plain}, slack, turn});
+  searches_.push_back({searches_[plain].problem,
+                       SearchTuning::kUnderSlack,
+                       seed + 1,
+                       parts.slack,
+                       {plain},
+                       slack,
+                       turn});
   if (searches_[plain].problem != match) {
     const bool turned_only = problem.options.weights.empty() && problem.options.pins.empty();
-    const SearchBudget budget = turned_only ? touchUpBudget(proof) : nearBudget(proof);
-    const double part = turned_only ? kTouchUpPart : kNearPart;
+    const SearchBudget budget =
+        withProof(turned_only ? SearchTuning::kTouchUp : SearchTuning::kNearby, proof);
+    const double part = turned_only ? ProgressTuning::kTouchUp : ProgressTuning::kNearby;
     searches_.push_back({match, budget, seed, part, {plain}});
     searches_.push_back({match, budget, seed + 1, part, {plain + 2, plain + 1}, slack});
   }
   const auto rest = std::find_if(searches_.rbegin(), searches_.rend(),
                                  [](const Search& search) { return search.slack == 0; });
-  rest->asked = true;
-  share_ = searchShare(static_cast<double>(match.leaders.size()), group.data().order);
+  rest->requested = true;
+  share_ = ProgressTuning::searches(static_cast<double>(match.leaders.size()), group.data().order);
   double whole = 0;
   for (const Search& search : searches_) whole += search.share;
   for (Search& search : searches_) search.share *= share_ / whole;
@@ -139,7 +112,7 @@ void SearchStage::limit(Search& search) const {
     const double mean = edges.cost(static_cast<int>(s), edges.pose(seam.a, placed[seam.a]),
                                    edges.pose(seam.b, placed[seam.b]), 0) /
                         seam.weight;
-    seam.limit = kLimitShare * greatestMean(mean);
+    seam.limit = ShapingTuning::kLimitShare * greatestMean(mean);
   }
 }
 
@@ -157,9 +130,9 @@ void SearchStage::begin() {
       offer(pieces, search.turn - searches_[before].turn);
   if (search.slack == 0)
     offered.push_back(search.problem.ofLeaders(draftedLayout(problem_, search.problem)));
-  if (search.asked)
+  if (search.requested)
     for (const Alignments& pieces : offered_) offer(pieces, search.turn);
-  if (search.slack > 0 && search.problem.cost(offered[0]) < kPerfect) {
+  if (search.slack > 0 && search.problem.cost(offered[0]) < SearchTuning::kPerfectCost) {
     share_ -= search.share;
     return end({{offered[0]}, offered[0], 0});  // nothing has to move
   }
@@ -187,16 +160,21 @@ void SearchStage::end(const SearchMemo::Outcome& outcome) {
   at_rest_ = current_ - 1;
   best_ = under_slack_[0];
   bound_ = outcome.bound;
-  perfect_ = match_.cost(best_) < kPerfect;
+  perfect_ = match_.cost(best_) < SearchTuning::kPerfectCost;
 }
 
-void SearchStage::seekAgain(const std::vector<double>& urgency) {
+void SearchStage::seekAgain(const std::vector<double>& factors) {
   const Search& last = searches_.back();
-  Search next{last.problem, slackBudget(), last.seed + 1, 0, {at_rest_, searches_.size() - 1},
-              slack_,       last.turn};
+  Search next{last.problem,
+              SearchTuning::kUnderSlack,
+              last.seed + 1,
+              0,
+              {at_rest_, searches_.size() - 1},
+              slack_,
+              last.turn};
   for (MatchSeam& seam : next.problem.seams) {
     if (seam.seam < 0) continue;
-    const double factor = urgency[static_cast<std::size_t>(seam.seam)];
+    const double factor = factors[static_cast<std::size_t>(seam.seam)];
     for (double& w : seam.w) w *= factor;
     seam.weight *= factor;
     seam.whole = seam.stretch(0, seam.w.size());
@@ -209,7 +187,7 @@ bool SearchStage::advance() {
   if (!searching_) begin();
   if (searching_) {
     const Search& search = searches_[current_];
-    const double until = searching_->spent() + kSearchStep;
+    const double until = searching_->spent() + SearchTuning::kStepWork;
     bool more = true;
     while (more && searching_->spent() < until) more = searching_->step();
     if (search.slack == 0) best_ = match_.ofLeaders(placed(search, searching_->best()));

@@ -11,14 +11,12 @@ namespace seamwise {
 /// Seeks the alignments of the pattern as drafted, in up to five searches that hand on what they
 /// find: of the garment with its known symmetry, where not all of it is imposed; of the garment by
 /// itself, on the print lying straight, and of what comes near there once seams may move; then both
-/// again with the weights and pins that are asked for, on the print as it lies, where that makes a
+/// again with the weights and pins of the options, on the print as it lies, where that makes a
 /// difference. So whoever changes a weight, a pin or the print's turn has most of it done already,
 /// and comes to the same answer as who has not.
 class SearchStage {
  public:
-  static constexpr double kPerfect = 1e-3;  ///< cm2: the print meets as it lies
-
-  /// @param pattern   with the weights that are asked for
+  /// @param pattern   with the weights of the options
   /// @param match     its seams and leaders, with pins
   /// @param slack     cm of mismatch that shapes may take up
   /// @param offered   of all pieces: the last search at rest ends no worse than any of them, nor
@@ -33,8 +31,8 @@ class SearchStage {
   AlignmentSearch* searching() { return searching_.get(); }
   /// Once it has ended: seeks once more what comes near when seams may move, with other weights.
   /// underSlack() is of that search then.
-  /// @param urgency   per seam: multiple of its weight
-  void seekAgain(const std::vector<double>& urgency);
+  /// @param factors   per seam: multiple of its weight
+  void seekAgain(const std::vector<double>& factors);
   double fraction() const { return fraction_; }  ///< 0..1, never falls
   /// What it takes as a rule, as a share of the time of a whole solve; less once something turns
   /// out to be remembered.
@@ -42,9 +40,10 @@ class SearchStage {
   /// Whether the print meets everywhere as the pieces lie.
   bool isPerfect() const { return perfect_; }
 
-  /// The best so far; once it has ended, the best of rest. Of the leaders, pins heeded.
+  /// The best alignments of the leaders so far, with pins; once it has ended, the best at rest.
   const Alignments& best() const { return best_; }
-  /// The best few of what may move, the very best first; as at rest when nothing needs to.
+  /// The best few alignments of the leaders under slack, the very best first; the one at rest when
+  /// nothing has to move.
   const std::vector<Alignments>& underSlack() const { return under_slack_; }
   /// No alignment at rest costs less than this share of the best: 1 when it is proven.
   double bound() const { return bound_; }
@@ -58,7 +57,7 @@ class SearchStage {
     std::vector<std::size_t> after;  ///< searches whose answers it begins with
     double slack = 0;                ///< cm
     double turn = 0;                 ///< of the print as it lies, against this problem's. [rad]
-    bool asked = false;              ///< of the alignments of the pieces at rest that are asked for
+    bool requested = false;          ///< its answer at rest is the result's
   };
   void begin();
   void limit(Search& search) const;

@@ -13,7 +13,7 @@ namespace seamwise {
 using VectorX = Eigen::VectorXd;
 
 /// When each node of a graph is to be eliminated, so that little fills in (AMD).
-/// @param pairs   neighbours; either order, duplicates welcome
+/// @param pairs   neighbours; in either order, duplicates allowed
 /// @return   per node its place in the order
 std::vector<int> eliminationOrder(int size, const std::vector<std::pair<int, int>>& pairs);
 
@@ -26,7 +26,7 @@ class SparseHessian {
 
   SparseHessian() = default;
   /// @param pairs   entries that may be non-zero; either triangle, diagonal added, duplicates
-  ///                welcome
+  ///                allowed
   /// @param order   kGiven: unknowns are numbered as they are to be eliminated
   SparseHessian(int size, const std::vector<std::pair<int, int>>& pairs,
                 Order order = Order::kSought);

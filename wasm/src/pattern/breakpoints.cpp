@@ -17,8 +17,8 @@ Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::siz
   Breakpoints result;
   TiedNodes tied(outlines);
   if (!tied.close(tolerance, most)) {
-    result.trouble = "seams and symmetries demand ever more vertices of its outline";
-    result.troubled_panel = outlines.loops[tied.nodes().back().loop].panel;
+    result.conflict = "seams and symmetries demand ever more vertices of its outline";
+    result.conflicting_panel = outlines.loops[tied.nodes().back().loop].panel;
     return result;
   }
 
@@ -42,8 +42,8 @@ Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::siz
       return s.first == s.last ? size : (steps % size + size) % size;
     };
     if (parts(a, n) != parts(b, m)) {
-      result.trouble = "its outline cannot be cut into parts that match along seams and mirrors";
-      result.troubled_panel = outlines.loops[a.loop].panel;
+      result.conflict = "its outline cannot be cut into parts that match along seams and mirrors";
+      result.conflicting_panel = outlines.loops[a.loop].panel;
       return result;
     }
     // The k-th interval of a side starts at its k-th node, or ends there when it runs backwards.

@@ -21,7 +21,7 @@ struct LoopTie {
   Correspondence map;
 };
 
-/// What the sampling has to respect.
+/// What sampling depends on: loops, the stitches between their edges, and their mirror ties.
 struct Outlines {
   std::vector<PanelLoop> loops;  ///< the panels' outlines and cut-outs, in order
   std::vector<int> first;        ///< index of each panel's outline in `loops`
@@ -37,8 +37,8 @@ struct Breakpoints {
   /// Per tie: the node of loop `to` that is the image of node 0 of loop `from`; node i goes to
   /// image_of_first - i, cyclically.
   std::vector<int> image_of_first;
-  std::string trouble;  ///< why the outlines cannot be tied one-to-one; empty when they can
-  int troubled_panel = -1;
+  std::string conflict;  ///< why the outlines cannot be tied one-to-one; empty when they can
+  int conflicting_panel = -1;
 
   /// Number of the node of a loop at a position that is one, e.g. a corner.
   int nodeAt(int loop, double position) const;
@@ -48,9 +48,9 @@ struct Breakpoints {
 /// breakpoint that arrives within `tolerance` cm of one that has no counterpart yet is taken for
 /// it, so seams and symmetries that disagree a little do not chase each other round the garment;
 /// the difference is then spread over the neighbouring intervals.
-/// More than `most` breakpoints are trouble.
-/// @param settled   whether they move to where tied intervals have like proportions; to know of
-///                  trouble they need not
+/// More than `most` breakpoints are a conflict.
+/// @param settled   whether they move to where tied intervals have like proportions, which no
+///                  conflict depends on
 Breakpoints findBreakpoints(const Outlines& outlines, double tolerance, std::size_t most,
                             bool settled = true);
 

@@ -215,11 +215,11 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
     for (const std::size_t most : limits) {
       // where the most tolerant chase does not end, the others do not either
       breakpoints = findBreakpoints(*attempt, 0.5 * edge_length, most, false);
-      if (!breakpoints.trouble.empty()) continue;
+      if (!breakpoints.conflict.empty()) continue;
       for (const double tolerance : {kCornerTolerance, measured, 0.03 * edge_length,
                                      0.1 * edge_length, 0.3 * edge_length, 0.5 * edge_length}) {
         breakpoints = findBreakpoints(*attempt, tolerance, most);
-        if (!breakpoints.trouble.empty()) continue;
+        if (!breakpoints.conflict.empty()) continue;
         auto loops = sampleLoops(*attempt, breakpoints, edge_length);
         if (loops.ok()) return assembled(garment, *attempt, breakpoints, loops.value(), imposed);
         Error error = loops.error();
@@ -229,9 +229,9 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
     }
   }
   return Error{Failure::kMesh,
-               called(garment.panels[breakpoints.troubled_panel]) + ": " + breakpoints.trouble +
+               called(garment.panels[breakpoints.conflicting_panel]) + ": " + breakpoints.conflict +
                    "; leave out one of the symmetries it takes part in",
-               breakpoints.troubled_panel};
+               breakpoints.conflicting_panel};
 }
 
 }  // namespace seamwise

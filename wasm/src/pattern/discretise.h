@@ -7,7 +7,7 @@
 
 namespace seamwise {
 
-/// How many vertices symmetries may ask for: a few per corner, or as many as it takes where they
+/// How many vertices symmetries may add: a few per corner, or as many as it takes where they
 /// and the seams disagree.
 enum class Effort : std::uint8_t { kFull, kTrial };
 

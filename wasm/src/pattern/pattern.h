@@ -42,10 +42,10 @@ struct SeamSide {
 struct Seam {
   SeamSide a, b;
   double weight = 1.0;
-  bool matched = true;        ///< false: sewn, but does not count in the fit
+  bool matched = true;        ///< false: sewn, but its mismatch does not count
   double length_ratio = 1.0;  ///< rho: rest length of a / rest length of b
   bool twin = false;  ///< joins a piece to its own mirror twin along corresponding points: any
-                      ///< symmetric alignment matches it, so it counts in no fit
+                      ///< symmetric alignment matches it, so it never counts
 };
 
 /// Sides of so different a length that the print cannot match all along them, however they lie:

@@ -7,7 +7,7 @@ namespace seamwise {
 namespace {
 
 constexpr double kSame = 1e-9;     // cm
-constexpr double kApart = 1e-3;    // cm; different nodes keep this distance where there is room
+constexpr double kApart = 1e-3;    // cm; different nodes keep this distance where they can
 constexpr double kSettled = 1e-6;  // cm
 constexpr int kMostSweeps = 150;   // where symmetries contradict each other, nodes creep for ever
 

@@ -12,19 +12,14 @@
 #include "problem/placing_rules.h"
 #include "problem/reconcile.h"
 #include "symmetry/symmetry.h"
+#include "tuning/progress.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
 
-// What evening out may take of what a finished shape may change; the rest is left to the fit.
-constexpr double kEvenedShare = 0.98;    ///< of the greatest change
 constexpr double kEvenedAlready = 5e-7;  ///< cm that are no movement at all
-constexpr double kEvenedSeam = 0.9 * kSeamTolerance;
-constexpr double kFinest = 0.3;  ///< of the edge length asked for
-constexpr double kRoom = 0.1;    ///< cm of movement that are enough for lengths to settle
-
-/// Progress at the end of stages, as a rule.
-constexpr double kReconciled = 0.2, kSampled = 0.25;
+constexpr double kEvenedSeam = SymmetryTuning::kEvenedSeamShare * kSeamTolerance;  ///< cm
 
 /// Why a symmetry cannot hold, as "<symmetry>: <why>", and what to do about it.
 struct Obstacle {
@@ -38,7 +33,7 @@ struct Obstacle {
 /// side bends more than the other, or several seams and symmetries share its vertices out. The
 /// error shrinks with the edges.
 bool isStiff(const Pattern& pattern, const Shapes& evened, double max_change) {
-  return max_change < kRoom &&
+  return max_change < SymmetryTuning::kSettlingReach &&
          std::any_of(pattern.seams.begin(), pattern.seams.end(),
                      [&](const Seam& seam) { return seamError(seam, evened) > kEvenedSeam; });
 }
@@ -50,7 +45,7 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
   for (const int p : m.pieces) {
     const Piece& piece = pattern.pieces[p];
     const double moved = movedOf(piece, evened[p]);
-    if (moved > std::max(kEvenedShare * max_change, kEvenedAlready))
+    if (moved > std::max(SymmetryTuning::kEvenedShare * max_change, kEvenedAlready))
       return Obstacle{symmetry,
                       "symmetryChange",
                       "its outlines would have to move by " + significant(moved, 2) +
@@ -70,14 +65,15 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
     for (const int p : {seam.a.piece, seam.b.piece})
       if (p == m.pieces[0] || p == m.pieces[1])
         moved = std::max(moved, movedOf(pattern.pieces[p], evened[p]));
-    if (moved > kEvenedAlready && max_change - moved < kRoom &&
+    if (moved > kEvenedAlready && max_change - moved < SymmetryTuning::kSettlingReach &&
         seamError(seam, evened) > kEvenedSeam)
-      return Obstacle{symmetry,
-                      "symmetryLengths",
-                      "where its outlines are made to mirror each other exactly, seams lose their "
-                      "length ratio, and maxChangeCm leaves no room to restore it",
-                      "; raise maxChangeCm to " + significant(moved + kRoom, 2),
-                      {moved + kRoom}};
+      return Obstacle{
+          symmetry,
+          "symmetryLengths",
+          "where its outlines are made to mirror each other exactly, seams lose their "
+          "length ratio, and maxChangeCm leaves no room to restore it",
+          "; raise maxChangeCm to " + significant(moved + SymmetryTuning::kSettlingReach, 2),
+          {moved + SymmetryTuning::kSettlingReach}};
   }
   return {};
 }
@@ -107,12 +103,12 @@ std::optional<Error> dropOrRefuse(const Garment& garment, const Obstacle& obstac
 Preparation::Preparation(const Problem& problem, GarmentSymmetries symmetries, MeshMemo* memo)
     : problem_(problem), memo_(memo), edge_length_(problem.options.edge_length_cm) {
   made_.symmetries = std::move(symmetries);
-  made_.plans = std::make_shared<LastPlans>();
+  made_.plans = std::make_shared<MeshPlans>();
 }
 
 /// Keeps no symmetry that pins or grain contradict. Errors: kSymmetryConflict when it was asked
 /// for.
-std::optional<Error> Preparation::keepRules() {
+std::optional<Error> Preparation::enforceRules() {
   const struct {
     std::optional<std::size_t> (*against)(const Problem&, const std::vector<BodySymmetry>&);
     const char *code, *why, *remedy;
@@ -134,13 +130,14 @@ bool Preparation::advance() {
   if (!begun_) return begin();
   if (!meshing_) return sample();
   if (!meshing_->advance()) return judge(std::exchange(meshing_, std::nullopt)->take());
-  fraction_ = std::max(fraction_, kSampled + (1 - kSampled) * meshing_->fraction());
+  fraction_ = std::max(
+      fraction_, ProgressTuning::kSampled + (1 - ProgressTuning::kSampled) * meshing_->fraction());
   return true;
 }
 
 bool Preparation::begin() {
   begun_ = true;
-  if (const auto error = keepRules()) return end(*error);
+  if (const auto error = enforceRules()) return end(*error);
   if (memo_) {
     from_ = {problem_.garment, made_.symmetries, problem_.options.edge_length_cm,
              problem_.options.max_change_cm};
@@ -156,7 +153,7 @@ bool Preparation::begin() {
   made_.symmetries = std::move(left.symmetries);
   made_.notes = std::move(left.notes);
   sampled_ = std::move(left.sampled);
-  fraction_ = kReconciled;
+  fraction_ = ProgressTuning::kReconciled;
   return true;
 }
 
@@ -168,7 +165,7 @@ bool Preparation::sample() {
     sampled_ = std::move(now).value();
   }
   meshing_.emplace(*std::exchange(sampled_, std::nullopt));
-  fraction_ = std::max(fraction_, kSampled);
+  fraction_ = std::max(fraction_, ProgressTuning::kSampled);
   return true;
 }
 
@@ -181,7 +178,7 @@ bool Preparation::judge(Outcome<Pattern> ready) {
     const Shapes evened = evenedShapes(pattern);
     for (std::size_t m = 0; m < pattern.mirrors.size() && !found; ++m)
       found = obstacle(pattern, m, evened, max_change);
-    if (!found && edge_length_ > kFinest * problem_.options.edge_length_cm &&
+    if (!found && edge_length_ > SymmetryTuning::kFinestShare * problem_.options.edge_length_cm &&
         isStiff(pattern, evened, max_change)) {
       edge_length_ /= 2;
       return true;

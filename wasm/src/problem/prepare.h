@@ -14,7 +14,7 @@ namespace seamwise {
 
 /// What the pattern of a mesh, and the same with fewer mirrors, was deformed by last; null until
 /// then.
-struct LastPlans {
+struct MeshPlans {
   std::shared_ptr<FittingPlans> plans, freed;
 };
 
@@ -24,7 +24,7 @@ struct Prepared {
   GarmentSymmetries symmetries;  ///< those that hold
   std::vector<Note> notes;       ///< which ones were dropped, and why
   /// Of the pattern, to be kept for as long as it.
-  std::shared_ptr<LastPlans> plans;
+  std::shared_ptr<MeshPlans> plans;
 };
 
 /// The mesh that was made last, for whoever solves the same garment again and again: where weights,
@@ -66,7 +66,7 @@ class Preparation {
   bool sample();
   bool judge(Outcome<Pattern> ready);
   bool end(Outcome<Pattern> pattern);
-  std::optional<Error> keepRules();
+  std::optional<Error> enforceRules();
 
   const Problem& problem_;
   MeshMemo* memo_;

@@ -5,11 +5,10 @@
 
 #include "pattern/seam_measure.h"
 #include "problem/reconcile.h"
+#include "tuning/progress.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kMore = 0.9;  ///< of the progress, for more symmetry: it may be in vain
 
 using Symmetries = std::vector<BodySymmetry>;
 
@@ -49,7 +48,8 @@ SymmetricPreparation::SymmetricPreparation(const Problem& problem, MeshMemo* mem
 bool SymmetricPreparation::advance() {
   if (symmetric_) return false;
   const bool more = preparation_->advance();
-  fraction_ = std::max(fraction_, (has_more_ ? kMore : 1) * preparation_->fraction());
+  fraction_ = std::max(fraction_,
+                       (has_more_ ? ProgressTuning::kMoreSymmetry : 1) * preparation_->fraction());
   return more || (has_more_ && judge());
 }
 

@@ -8,17 +8,12 @@
 #include "pattern/discretise.h"
 #include "pattern/seam_measure.h"
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
 
 using Symmetries = std::vector<BodySymmetry>;
-
-// What symmetries may ask of the drafted outlines, well inside what a finished shape may change.
-constexpr double kRatioError = 4e-3;  ///< cm by which the sides of a whole seam miss their ratio
-constexpr double kEdgeChange = 0.08;  ///< of a sewn edge's rest length
-constexpr double kSeamChange = 0.01;  ///< of a seam side's rest length, or as many times 10 cm
-constexpr double kImageOffset = 0.3;  ///< cm between a vertex and its image
 
 /// How badly a sampled pattern's symmetries contradict each other: below 1 they can all hold.
 double conflict(const Pattern& pattern) {
@@ -31,24 +26,25 @@ double conflict(const Pattern& pattern) {
       const int u = s.vertices[i], v = s.vertices[i + 1];
       const double rest = (piece.rest[v] - piece.rest[u]).norm();
       lengths->push_back(kept[s.piece][outlineEdge(piece, u, v)]);
-      worst = std::max(worst, std::abs(lengths->back() / rest - 1) / kEdgeChange);
+      worst = std::max(worst, std::abs(lengths->back() / rest - 1) / SymmetryTuning::kEdgeChange);
       rest_sum += rest, kept_sum += lengths->back();
     }
-    worst =
-        std::max(worst, std::abs(kept_sum - rest_sum) / (kSeamChange * std::max(rest_sum, 10.0)));
+    worst = std::max(worst, std::abs(kept_sum - rest_sum) /
+                                (SymmetryTuning::kSeamChange * std::max(rest_sum, 10.0)));
   };
   for (const Seam& seam : pattern.seams) {
     std::vector<double> a, b;
     side(seam.a, &a), side(seam.b, &b);
     double missed = 0;
     for (std::size_t i = 0; i < a.size(); ++i) missed += std::abs(a[i] - seam.length_ratio * b[i]);
-    worst = std::max(worst, missed / kRatioError);
+    worst = std::max(worst, missed / SymmetryTuning::kRatioError);
   }
   for (const Mirror& m : pattern.mirrors) {
     const auto &from = pattern.pieces[m.pieces[0]].rest, &to = pattern.pieces[m.pieces[1]].rest;
     for (std::size_t v = 0; v < m.image.size(); ++v)
       if (m.image[v] >= 0)
-        worst = std::max(worst, (m.map(from[v]) - to[m.image[v]]).norm() / kImageOffset);
+        worst = std::max(worst,
+                         (m.map(from[v]) - to[m.image[v]]).norm() / SymmetryTuning::kImageOffset);
   }
   return worst;
 }
@@ -72,8 +68,8 @@ double unmappedSeams(const Garment& garment, const Symmetries& known, const Body
         const Curve& curve = garment.panels[e.piece].edges[e.edge];
         const auto& edges = garment.panels[k.pieces[1 - from]].edges;
         for (std::size_t i = 0; i < edges.size(); ++i)
-          if ((map(curve.start()) - edges[i].end()).norm() < kImageOffset &&
-              (map(curve.end()) - edges[i].start()).norm() < kImageOffset)
+          if ((map(curve.start()) - edges[i].end()).norm() < SymmetryTuning::kImageOffset &&
+              (map(curve.end()) - edges[i].start()).norm() < SymmetryTuning::kImageOffset)
             return {k.pieces[1 - from], static_cast<int>(i)};
       }
     }

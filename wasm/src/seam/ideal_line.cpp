@@ -6,17 +6,16 @@
 namespace seamwise {
 
 std::vector<Vec2> averagedShape(const std::vector<Vec2>& first, const std::vector<Vec2>& second) {
-  auto direction = [](const Vec2& d) { return std::atan2(d.y(), d.x()); };
   std::vector<Vec2> line{Vec2::Zero()};
   double heading = 0;
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
     const Vec2 a = first[i + 1] - first[i], b = second[i + 1] - second[i];
     if (i == 0) {
-      heading = direction(a) + wrapAngle(direction(b) - direction(a)) / 2;
+      heading = directionOf(a) + wrapAngle(directionOf(b) - directionOf(a)) / 2;
     } else {
       const Vec2 before_a = first[i] - first[i - 1], before_b = second[i] - second[i - 1];
-      heading += (wrapAngle(direction(a) - direction(before_a)) +
-                  wrapAngle(direction(b) - direction(before_b))) /
+      heading += (wrapAngle(directionOf(a) - directionOf(before_a)) +
+                  wrapAngle(directionOf(b) - directionOf(before_b))) /
                  2;
     }
     line.push_back(line.back() + unit(heading) * ((a.norm() + b.norm()) / 2));

@@ -19,6 +19,8 @@ enum class IdealShape : std::uint8_t {
                  ///< kept, laid rigidly between the two (Wolff et al. 2019, 3.3)
 };
 
+/// The ideal lines of a seam whose sides the join carries onto each other. [cm]
+/// @param at   per piece
 IdealLines idealLines(const Seam& seam, const Join& join, const Shapes& shapes,
                       const std::vector<Alignment>& at, IdealShape shape);
 

@@ -24,9 +24,9 @@ Join bestJoin(const WallpaperGroup& group, const Seam& seam, const Shapes& shape
 std::vector<double> joinMismatch(const Join& join, const Seam& seam, const Shapes& shapes,
                                  const std::vector<Alignment>& at);
 
-/// Midpoints of a seam's edges in print space, and mean edge lengths.
+/// Per edge of a seam: midpoints of both sides in print space, and the sides' mean length. [cm]
 struct SeamMidpoints {
-  std::vector<Vec2> x, y;
+  std::vector<Vec2> x, y;  ///< of side a, of side b
   std::vector<double> length;
 };
 SeamMidpoints seamMidpoints(const Seam& seam, const Shapes& shapes,

@@ -31,8 +31,8 @@ struct LocalMeans {
 };
 
 /// Pieces on a print: what there is to draw, of a result or of a garment that is not solved yet,
-/// which has the first two of the fits only.
-struct PrintedPattern : Fits {
+/// which has the first two of the totals only.
+struct PrintedPattern : MismatchTotals {
   Pattern pattern;  ///< rest, meshed, with the imposed mirrors
   Shapes shapes;    ///< the pieces as they are now, cm
   std::vector<Alignment> alignment;
@@ -41,9 +41,9 @@ struct PrintedPattern : Fits {
       mismatch;  ///< per seam and edge, through its join, cm; none before a solve
   std::string group;
   Vec2 w1, w2;
-  /// Where mirrored seams are forbidden: the fits without mirrors and glides. The other ones count
-  /// whatever the print has, as for every result.
-  std::optional<Fits> continuous;
+  /// Where mirrored seams are forbidden: the totals without mirrors and glides. The other ones
+  /// count whatever the print has, as for every result.
+  std::optional<MismatchTotals> continuous;
   std::vector<Note> notes;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "methods/seam_rules.h"
+#include "tuning/shaping.h"
 
 namespace seamwise {
 namespace {
@@ -28,7 +29,7 @@ void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
     of.drafted = localMismatch(group, seam, rest, result.drafted);
     of.placed = localMismatch(group, seam, rest, result.search);
     of.final = localMismatch(group, seam, result.shapes, result.alignment);
-    of.shaped = movedOf(seam, pattern, result.shapes) > kStraightEnough;
+    of.shaped = movedOf(seam, pattern, result.shapes) > ShapingTuning::kStraight;
     const SeamMidpoints m = seamMidpoints(seam, result.shapes, result.alignment);
     double length = 0;
     for (std::size_t i = 0; i < m.length.size(); ++i) {

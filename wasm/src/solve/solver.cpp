@@ -14,6 +14,7 @@
 #include "problem/prepare_symmetric.h"
 #include "solve/remarks.h"
 #include "solve/seam_figures.h"
+#include "tuning/progress.h"
 
 namespace seamwise {
 namespace {
@@ -44,7 +45,7 @@ struct Solver::State {
   Problem problem;  ///< as it was asked
   Pattern pattern;
   std::optional<Pattern> symmetric;  ///< with more symmetries than are asked for
-  std::shared_ptr<LastPlans> plans;
+  std::shared_ptr<MeshPlans> plans;
   std::vector<Note> notes;  ///< what was dropped or assumed
   MatchRules rules;
   std::optional<MatchProblem> match;  ///< the pieces as drafted
@@ -54,7 +55,7 @@ struct Solver::State {
   std::vector<Mirror> known;  ///< to begin a search with
   std::unique_ptr<Run> run;
   std::unique_ptr<ProofRun> proof;
-  double reported = kPrepared;
+  double reported = ProgressTuning::kPrepared;
 
   std::unique_ptr<Run> best() {
     std::optional<EffortRun::Mesh> more;
@@ -145,12 +146,12 @@ PrintedPattern Solver::unsolved() const {
   printed.group = group.data().name;
   printed.w1 = group.w1(), printed.w2 = group.w2();
   const auto measured = [&](const WallpaperGroup& by) {
-    Fits fits;
-    fits.fit_random = fitRandom(by, printed.pattern, printed.shapes);
-    fits.fit_drafted = fitAny(by, printed.pattern, printed.shapes, printed.alignment);
-    return fits;
+    MismatchTotals totals;
+    totals.total_random = randomMismatch(by, printed.pattern, printed.shapes);
+    totals.total_drafted = totalMismatch(by, printed.pattern, printed.shapes, printed.alignment);
+    return totals;
   };
-  static_cast<Fits&>(printed) = measured(group);
+  static_cast<MismatchTotals&>(printed) = measured(group);
   if (state_->match->continuous_only) printed.continuous = measured(state_->match->joining());
   printed.notes = state_->notes;
   return printed;
@@ -178,10 +179,10 @@ Outcome<Result> Solver::finish() {
         bestJoin(group, seam, result.shapes, result.alignment, problem.options.continuous_only);
     result.mismatch[s] = joinMismatch(result.joins[s], seam, result.shapes, result.alignment);
   }
-  const auto measure = [&](const WallpaperGroup& by, Fits* fits) {
-    fits->fit_search = fitAny(by, result.pattern, rest, result.search);
-    fits->fit_aligned = fitAny(by, result.pattern, rest, result.alignment);
-    fits->fit = measureFit(by, result.pattern, result.shapes, result.alignment);
+  const auto measure = [&](const WallpaperGroup& by, MismatchTotals* totals) {
+    totals->total_search = totalMismatch(by, result.pattern, rest, result.search);
+    totals->total_aligned = totalMismatch(by, result.pattern, rest, result.alignment);
+    totals->total = measureTotal(by, result.pattern, result.shapes, result.alignment);
   };
   measure(group, &result);
   const WallpaperGroup joining = state_->match->joining();

@@ -4,12 +4,10 @@
 #include <optional>
 
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
-
-constexpr int kFirstChoices = 12;        // components a solution may begin with
-constexpr double kPlacementSlack = 5.0;  // cm; pieces are hung around the body by eye
 
 struct Solution {
   Assignment assignment;
@@ -26,7 +24,7 @@ class Search {
     const Solution empty{Assignment(maps_.pieces(), -1), {}};
     std::vector<Solution> starts = extensions(empty, seeds);
     Solution best = empty;
-    for (int k = 0; k < kFirstChoices && !starts.empty(); ++k) {
+    for (int k = 0; k < SymmetryTuning::kFirstChoices && !starts.empty(); ++k) {
       const auto first = bestOf(starts);
       const Solution whole = completed(*first, seeds);
       if (whole.coverage.betterThan(best.coverage)) best = whole;
@@ -54,7 +52,7 @@ class Search {
       if (added.empty()) continue;
       for (const int piece : added) seen[next.assignment[piece]] = 1;
       const Coverage gain = maps_.coverage(next.assignment, added);
-      if (!vouched(next.assignment, added, gain)) continue;
+      if (!supported(next.assignment, added, gain)) continue;
       next.coverage = base.coverage + gain;
       found.push_back(std::move(next));
     }
@@ -69,15 +67,15 @@ class Search {
     }
   }
 
-  // Simple shapes mirror by chance. A mirror of sewn pieces is believed when a seam or the
-  // placement speaks for it.
-  bool vouched(const Assignment& assignment, const std::vector<int>& added,
-               const Coverage& gain) const {
+  // Simple shapes mirror by chance. A mirror of sewn pieces counts when a seam or the
+  // placement supports it.
+  bool supported(const Assignment& assignment, const std::vector<int>& added,
+                 const Coverage& gain) const {
     if (gain.seams > 0) return true;
     return std::all_of(added.begin(), added.end(), [&](int piece) {
       return !maps_.sewn(piece) ||
              (maps_.placement().known() &&
-              maps_.maps()[assignment[piece]].disagreement <= kPlacementSlack);
+              maps_.maps()[assignment[piece]].disagreement <= SymmetryTuning::kPlacementSlack);
     });
   }
 
@@ -153,9 +151,10 @@ int likeliestMap(const SeamMaps& maps, const std::vector<int>& candidates) {
   return best;
 }
 
-BodySymmetry bodySymmetry(const Garment& garment, int from, int to, const MirrorFit& fit) {
-  const double exact = edgewiseResidual(garment.panels[from], garment.panels[to], fit.map);
-  return {{from, to}, fit.map, std::min(fit.residual, exact)};
+BodySymmetry bodySymmetry(const Garment& garment, int from, int to,
+                          const MirrorRegistration& registration) {
+  const double exact = edgewiseResidual(garment.panels[from], garment.panels[to], registration.map);
+  return {{from, to}, registration.map, std::min(registration.residual, exact)};
 }
 
 std::vector<BodySymmetry> SymmetryDetection::found() const {
@@ -165,7 +164,7 @@ std::vector<BodySymmetry> SymmetryDetection::found() const {
     if (assignment[i] < 0) continue;
     const PieceMap& map = maps_.maps()[assignment[i]];
     if (map.from <= map.to)
-      found.push_back(bodySymmetry(maps_.garment(), map.from, map.to, map.fit));
+      found.push_back(bodySymmetry(maps_.garment(), map.from, map.to, map.registration));
   }
   return found;
 }

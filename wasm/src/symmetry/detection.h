@@ -25,6 +25,7 @@ class SymmetryDetection {
 int likeliestMap(const SeamMaps& maps, const std::vector<int>& candidates);
 
 /// The symmetry that a map describes, its residual measured on the exact curves where possible.
-BodySymmetry bodySymmetry(const Garment& garment, int from, int to, const MirrorFit& fit);
+BodySymmetry bodySymmetry(const Garment& garment, int from, int to,
+                          const MirrorRegistration& registration);
 
 }  // namespace seamwise

@@ -3,18 +3,17 @@
 
 #include "symmetry/registration.h"
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
 
-constexpr int kEdgeSamples = 32;
-constexpr int kCurveSamples = 8;
-constexpr int kMaxIterations = 50;
 constexpr double kSettled = 1e-10;  // cm
 
 Polyline sampled(const Curve& curve) {
-  Polyline points(kEdgeSamples + 1);
-  for (int k = 0; k <= kEdgeSamples; ++k) points[k] = curve.atFraction(double(k) / kEdgeSamples);
+  Polyline points(SymmetryTuning::kEdgeSamples + 1);
+  for (int k = 0; k <= SymmetryTuning::kEdgeSamples; ++k)
+    points[k] = curve.atFraction(double(k) / SymmetryTuning::kEdgeSamples);
   return points;
 }
 
@@ -40,10 +39,10 @@ RigidMotion registerEdges(const Curve& first, const Curve& second) {
   const Polyline target = (swapped ? first : second).flattened(Outline::kFlatness);
   // Outlines run counter-clockwise, so mirrored edges run against each other.
   std::reverse(to.begin(), to.end());
-  RigidMotion map = fitMirror(from, to, false);
-  for (int k = 0; k < kMaxIterations; ++k) {
+  RigidMotion map = leastSquaresMirror(from, to, false);
+  for (int k = 0; k < SymmetryTuning::kMostEdgeIterations; ++k) {
     for (std::size_t i = 0; i < from.size(); ++i) to[i] = nearestOn(target, map(from[i]));
-    const RigidMotion next = fitMirror(from, to, false);
+    const RigidMotion next = leastSquaresMirror(from, to, false);
     const double moved = (next(from.front()) - map(from.front())).norm() +
                          (next(from.back()) - map(from.back())).norm();
     map = next;
@@ -76,8 +75,8 @@ double edgewiseResidual(const Panel& a, const Panel& b, const RigidMotion& map) 
       worst = std::max(worst, (map(a.edges[k].start()) - image(k).end()).norm());
     for (std::size_t k = 0; k < n && worst <= kMirrorTolerance; ++k) {
       if (a.edges[k].straight() && image(k).straight()) continue;
-      for (int i = 1; i < kCurveSamples; ++i) {
-        const double s = double(i) / kCurveSamples;
+      for (int i = 1; i < SymmetryTuning::kCurveSamples; ++i) {
+        const double s = double(i) / SymmetryTuning::kCurveSamples;
         worst =
             std::max(worst, (map(a.edges[k].atFraction(s)) - image(k).atFraction(1 - s)).norm());
       }

@@ -6,11 +6,10 @@
 
 #include "base/sort_by.h"
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
-
-constexpr std::size_t kMaxStarts = 8;  // a circle has a mirror in every direction
 
 using EvenPoints = std::array<Vec2, Outline::kEven>;
 
@@ -53,7 +52,7 @@ std::vector<MirrorStart> startMaps(const Outline& a, const Outline& b) {
     starts.push_back({map, std::sqrt(std::max(0.0, square[shift]))});
   }
   sortBy(starts, [](const MirrorStart& start) { return start.rms; });
-  if (starts.size() > kMaxStarts) starts.resize(kMaxStarts);
+  if (starts.size() > SymmetryTuning::kMostStarts) starts.resize(SymmetryTuning::kMostStarts);
   return starts;
 }
 
@@ -72,38 +71,39 @@ MirrorSearch::MirrorSearch(const Outline& a, const Outline& b) : a_(&a), b_(&b) 
     return;
   starts_ = startMaps(a, b);
   const double limit = 0.75 * a.length() / Outline::kEven + 2 * kMirrorTolerance;
-  const auto hopeless = std::find_if(starts_.begin(), starts_.end(),
-                                     [&](const MirrorStart& start) { return start.rms > limit; });
-  starts_.erase(hopeless, starts_.end());
+  const auto pruned = std::find_if(starts_.begin(), starts_.end(),
+                                   [&](const MirrorStart& start) { return start.rms > limit; });
+  starts_.erase(pruned, starts_.end());
 }
 
 bool MirrorSearch::advance() {
   if (next_ == starts_.size()) return false;
-  const MirrorFit fit = refineMirror(*a_, *b_, starts_[next_++].map, kMirrorTolerance);
-  const bool known = std::any_of(found_.begin(), found_.end(), [&](const MirrorFit& other) {
-    return sameMap(*a_, fit.map, other.map);
-  });
-  if (fit.residual <= kMirrorTolerance && !known) found_.push_back(fit);
+  const MirrorRegistration registration =
+      registerMirror(*a_, *b_, starts_[next_++].map, kMirrorTolerance);
+  const bool known = std::any_of(
+      found_.begin(), found_.end(),
+      [&](const MirrorRegistration& other) { return sameMap(*a_, registration.map, other.map); });
+  if (registration.residual <= kMirrorTolerance && !known) found_.push_back(registration);
   return true;
 }
 
-std::vector<MirrorFit> MirrorSearch::take() {
-  sortBy(found_, [](const MirrorFit& fit) { return fit.residual; });
+std::vector<MirrorRegistration> MirrorSearch::take() {
+  sortBy(found_, [](const MirrorRegistration& registration) { return registration.residual; });
   return std::move(found_);
 }
 
-std::vector<MirrorFit> findMirrors(const Outline& a, const Outline& b) {
+std::vector<MirrorRegistration> findMirrors(const Outline& a, const Outline& b) {
   MirrorSearch search(a, b);
   while (search.advance()) {
   }
   return search.take();
 }
 
-MirrorFit bestMirror(const Outline& a, const Outline& b) {
-  MirrorFit best{{}, std::numeric_limits<double>::infinity()};
+MirrorRegistration bestMirror(const Outline& a, const Outline& b) {
+  MirrorRegistration best{{}, std::numeric_limits<double>::infinity()};
   for (const MirrorStart& start : startMaps(a, b)) {
-    const MirrorFit fit = refineMirror(a, b, start.map);
-    if (fit.residual < best.residual) best = fit;
+    const MirrorRegistration registration = registerMirror(a, b, start.map);
+    if (registration.residual < best.residual) best = registration;
   }
   return best;
 }

@@ -22,19 +22,19 @@ class MirrorSearch {
   /// was left.
   bool advance();
   /// Once it has ended: all that were found, best first.
-  std::vector<MirrorFit> take();
+  std::vector<MirrorRegistration> take();
 
  private:
   const Outline *a_, *b_;
-  std::vector<MirrorStart> starts_;  ///< those that are not hopeless
+  std::vector<MirrorStart> starts_;  ///< without those that lie too far off
   std::size_t next_ = 0;
-  std::vector<MirrorFit> found_;
+  std::vector<MirrorRegistration> found_;
 };
 
-/// What a search finds in the end.
-std::vector<MirrorFit> findMirrors(const Outline& a, const Outline& b);
+/// All mirror maps of a onto b that a MirrorSearch finds, the least residual first.
+std::vector<MirrorRegistration> findMirrors(const Outline& a, const Outline& b);
 
 /// The best mirror map of a onto b, however bad it is.
-MirrorFit bestMirror(const Outline& a, const Outline& b);
+MirrorRegistration bestMirror(const Outline& a, const Outline& b);
 
 }  // namespace seamwise

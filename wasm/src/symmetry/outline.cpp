@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "tuning/symmetry.h"
+
 namespace seamwise {
-namespace {
-
-constexpr double kSampleSpacing = 2.0;  // cm; straight runs need no more, curves are finer anyway
-
-}  // namespace
-
 Outline::Outline(const Panel& panel) {
   for (std::size_t k = 0; k < panel.edges.size(); ++k) append(panel.edges[k], static_cast<int>(k));
   for (const Segment& s : segments_) area_ += 0.5 * cross(s.from, s.from + s.step);
@@ -36,7 +32,7 @@ void Outline::append(const Curve& curve, int edge) {
     if (!(l > 0)) continue;
     segments_.push_back({line[i], step, 1 / (l * l), edge, length, l});
     length += l;
-    const int pieces = std::max(1, static_cast<int>(std::ceil(l / kSampleSpacing)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(l / SymmetryTuning::kSampleSpacing)));
     for (int k = 0; k < pieces; ++k) samples_.push_back(line[i] + step * (double(k) / pieces));
   }
   for (std::size_t i = first; i < segments_.size(); ++i) {

@@ -4,22 +4,20 @@
 #include <limits>
 
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
 
-constexpr int kMaxIcpSteps = 60;
-constexpr double kIcpSettled = 1e-9;  // cm; ICP stops when no point moves further
-constexpr double kStalled = 0.99;
+constexpr double kIcpSettled = 1e-9;   // cm; ICP stops when no point moves further
 constexpr double kUpright = 1e-9;      // rad
 constexpr double kExactCorner = 1e-6;  // cm; coordinates in files carry at least this many digits
-constexpr std::size_t kFew = 4;        // every so manieth sample tells whether a start is hopeless
-constexpr std::size_t kEnough = 500;   // samples for that, however many there are
-constexpr std::size_t kMany = 500;     // samples to settle a map on, corners to make it exact
-constexpr double kHopeless = 5;        // times the residual wanted, as root mean square over those
 
-// Every so manieth of `count` things is looked at: all, unless they are twice kMany and more.
-std::size_t strideFor(std::size_t count) { return std::max<std::size_t>(1, count / kMany); }
+// Every so manieth of `count` things is looked at: all, unless they are twice those that are
+// wanted.
+std::size_t strideFor(std::size_t count) {
+  return std::max<std::size_t>(1, count / SymmetryTuning::kSettlingSamples);
+}
 
 struct CornerPairs {
   std::vector<Vec2> from, to;
@@ -60,7 +58,7 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
   for (; gate > kMirrorTolerance; gate /= 3) {
     const CornerPairs pairs = pairCorners(a, b, map, gate);
     if (pairs.from.size() < 2 || !spread(pairs.from)) return map;
-    map = fitMirror(pairs.from, pairs.to, single);
+    map = leastSquaresMirror(pairs.from, pairs.to, single);
   }
   RigidMotion trimmed = map;
   for (int round = 0; round < 12; ++round) {
@@ -76,7 +74,7 @@ RigidMotion polishOnCorners(const Outline& a, const Outline& b, RigidMotion map,
         to.push_back(pairs.to[i]);
       }
     if (from.size() < 2 || !spread(from)) return map;
-    const RigidMotion next = fitMirror(from, to, single);
+    const RigidMotion next = leastSquaresMirror(from, to, single);
     if (limit == kExactCorner)
       return 2 * from.size() * strideFor(a.corners().size()) >= a.corners().size() ? next : map;
     if (next == trimmed) break;  // and will be for ever
@@ -94,7 +92,7 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
   for (std::size_t i = 0; i < a.samples().size(); i += stride) from.push_back(a.samples()[i]);
   std::vector<Vec2> to(from.size());
   double before = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kMaxIcpSteps; ++k) {
+  for (int k = 0; k < SymmetryTuning::kMostIterations; ++k) {
     double sum = 0;
     const Mat2 linear = map.linear();
     for (std::size_t i = 0; i < to.size(); ++i) {
@@ -105,10 +103,10 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
     // The mean only falls; where it stalls above the limit, the greatest distance stays above it
     // too.
     const double rms = std::sqrt(sum / static_cast<double>(to.size()));
-    const bool stalled = rms > kMirrorTolerance && rms > kStalled * before;
+    const bool stalled = rms > kMirrorTolerance && rms > SymmetryTuning::kStalled * before;
     before = rms;
     if (stalled) break;
-    const RigidMotion next = fitMirror(from, to, single);
+    const RigidMotion next = leastSquaresMirror(from, to, single);
     const double moved = std::abs(wrapAngle(next.angle - map.angle)) * a.length() +
                          (next(a.corners()[0]) - map(a.corners()[0])).norm();
     map = next;
@@ -119,7 +117,8 @@ std::pair<RigidMotion, double> closestPoints(const Outline& a, const Outline& b,
 
 }  // namespace
 
-RigidMotion fitMirror(const std::vector<Vec2>& p, const std::vector<Vec2>& q, bool single) {
+RigidMotion leastSquaresMirror(const std::vector<Vec2>& p, const std::vector<Vec2>& q,
+                               bool single) {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
   for (std::size_t i = 0; i < p.size(); ++i) {
     from += p[i];
@@ -164,23 +163,25 @@ double mirrorResidual(const Outline& a, const Outline& b, const RigidMotion& map
   return worst;
 }
 
-MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& start,
-                       double enough) {
+MirrorRegistration registerMirror(const Outline& a, const Outline& b, const RigidMotion& start,
+                                  double enough) {
   const double gate = a.length() / Outline::kEven;
   const RigidMotion begin = &a == &b ? withoutGlide(start) : start;
   const auto measured = [&](const RigidMotion& map) {
-    return MirrorFit{map, mirrorResidual(a, b, map, std::max(enough, gate))};
+    return MirrorRegistration{map, mirrorResidual(a, b, map, std::max(enough, gate))};
   };
-  MirrorFit direct = measured(polishOnCorners(a, b, begin, gate));
+  MirrorRegistration direct = measured(polishOnCorners(a, b, begin, gate));
   if (direct.residual <= 2 * Outline::kFlatness) return direct;
   const RigidMotion near = direct.residual < gate ? direct.map : begin;
   const std::size_t samples = a.samples().size();
   if (enough < kFarApart &&
-      closestPoints(a, b, near, std::max(kFew, samples / kEnough)).second > kHopeless * enough)
+      closestPoints(a, b, near,
+                    std::max(SymmetryTuning::kTrialStride, samples / SymmetryTuning::kTrialSamples))
+              .second > SymmetryTuning::kPruned * enough)
     return direct;
-  MirrorFit settled = measured(closestPoints(a, b, near, strideFor(samples)).first);
-  MirrorFit polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
-  // Corners win when they fit as well as flattening can tell.
+  MirrorRegistration settled = measured(closestPoints(a, b, near, strideFor(samples)).first);
+  MirrorRegistration polished = measured(polishOnCorners(a, b, settled.map, 2 * kMirrorTolerance));
+  // Corners win when their residual is as small as flattening can tell.
   if (polished.residual <= settled.residual + Outline::kFlatness &&
       polished.residual <= direct.residual)
     return polished;

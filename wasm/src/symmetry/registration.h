@@ -5,10 +5,12 @@
 
 namespace seamwise {
 
-constexpr double kFarApart = 1e3;  ///< cm; residuals beyond are all the same to a reader
+/// Residual beyond which none needs to be told from another. [cm]
+inline constexpr double kFarApart = 1e3;
 
-/// An orientation-reversing rigid map of one outline onto another.
-struct MirrorFit {
+/// A registration of one outline on another: an orientation-reversing rigid motion, and what it
+/// leaves.
+struct MirrorRegistration {
   RigidMotion map;  ///< `map.mirrored` is true
   double residual =
       0;  ///< greatest distance between either outline and the image of the other. [cm]
@@ -17,7 +19,7 @@ struct MirrorFit {
 /// The mirrored rigid motion that brings p nearest to q in the least-squares sense (Procrustes,
 /// closed form). `single`: the nearest true reflection instead, without a glide along its axis. An
 /// angle within rounding of a quarter turn becomes one, so that upright axes stay upright.
-RigidMotion fitMirror(const std::vector<Vec2>& p, const std::vector<Vec2>& q, bool single);
+RigidMotion leastSquaresMirror(const std::vector<Vec2>& p, const std::vector<Vec2>& q, bool single);
 
 /// The reflection in a mirrored motion: the same axis, the glide along it left out.
 RigidMotion withoutGlide(RigidMotion motion);
@@ -25,9 +27,9 @@ RigidMotion withoutGlide(RigidMotion motion);
 /// Registers the mirrored outline a onto b from a start: iterative closest points [Besl & McKay
 /// 1992], then closed form on the corners that correspond, which is exact for pieces drafted as
 /// exact mirror images. a and b are the same object for a piece that is symmetric in itself.
-/// @param enough   of a fit that is worse than this nobody needs to know by how much. [cm]
-MirrorFit refineMirror(const Outline& a, const Outline& b, const RigidMotion& start,
-                       double enough = kFarApart);
+/// @param enough   residual beyond which none is measured exactly. [cm]
+MirrorRegistration registerMirror(const Outline& a, const Outline& b, const RigidMotion& start,
+                                  double enough = kFarApart);
 
 /// Greatest distance between either outline and the image of the other, corners included; the
 /// search stops beyond `enough`. [cm]

@@ -5,13 +5,10 @@
 #include "base/in_quotes.h"
 #include "symmetry/detection.h"
 #include "symmetry/symmetry.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kClickTurn = 5 * kPi / 180;  // a clicked axis may be off by this much,
-constexpr double kClickShift = 1.0;           // and by this much at the middle of the clicks, cm
-constexpr double kEdgesMeet = 2 * kMirrorTolerance;
 
 std::string centimetres(double value) { return fixed(value, 2); }
 
@@ -60,16 +57,16 @@ class Registrar {
     const Vec2 middle = (from + to) / 2;
     // ICP from the click first: a round piece has mirrors everywhere, and the click means just one.
     // The piece's own mirrors help where ICP was led astray, the bare click where it ran away.
-    std::vector<MirrorFit> fits = findMirrors(outline, outline);
-    fits.insert(fits.begin(), refineMirror(outline, outline, clicked));
-    fits.push_back({clicked, mirrorResidual(outline, outline, clicked, 1e3)});
-    const MirrorFit* best = nullptr;
-    for (const MirrorFit& fit : fits) {
-      const bool near = axisTurn(fit.map, clicked) <= kClickTurn &&
-                        (fit.map(middle) - middle).norm() / 2 <= kClickShift;
-      if (near && (!best || (mirrors(fit) && !mirrors(*best)) ||
-                   fit.residual + 2 * Outline::kFlatness < best->residual))
-        best = &fit;
+    std::vector<MirrorRegistration> candidates = findMirrors(outline, outline);
+    candidates.insert(candidates.begin(), registerMirror(outline, outline, clicked));
+    candidates.push_back({clicked, mirrorResidual(outline, outline, clicked, 1e3)});
+    const MirrorRegistration* best = nullptr;
+    for (const MirrorRegistration& candidate : candidates) {
+      const bool near = axisTurn(candidate.map, clicked) <= SymmetryTuning::kClickTurn &&
+                        (candidate.map(middle) - middle).norm() / 2 <= SymmetryTuning::kClickShift;
+      if (near && (!best || (mirrors(candidate) && !mirrors(*best)) ||
+                   candidate.residual + 2 * Outline::kFlatness < best->residual))
+        best = &candidate;
     }
     return Registered{measured(piece, piece, *best),
                       "piece " + inQuotes(panel.name) + " does not mirror across the given axis",
@@ -92,17 +89,18 @@ class Registrar {
                        piece);
     const Curve &first = panel.edges[request.first], &second = panel.edges[request.second];
     const Outline outline(panel);
-    const MirrorFit registered = refineMirror(outline, outline, registerEdges(first, second));
+    const MirrorRegistration registered =
+        registerMirror(outline, outline, registerEdges(first, second));
     // Where the two edges alone leave a admissible (straight edges of unequal length slide along
     // each other), the piece's own mirrors are asked which of them carries one edge to the other.
-    std::vector<MirrorFit> fits = findMirrors(outline, outline);
-    fits.insert(fits.begin(), registered);
-    const MirrorFit* best = nullptr;
-    double least = kEdgesMeet;
-    for (const MirrorFit& fit : fits) {
-      const double apart = edgeResidual(first, second, fit.map);
-      if (!mirrors(fit) || apart > least - (best ? Outline::kFlatness : 0)) continue;
-      best = &fit;
+    std::vector<MirrorRegistration> candidates = findMirrors(outline, outline);
+    candidates.insert(candidates.begin(), registered);
+    const MirrorRegistration* best = nullptr;
+    double least = SymmetryTuning::kEdgesMeet;
+    for (const MirrorRegistration& candidate : candidates) {
+      const double apart = edgeResidual(first, second, candidate.map);
+      if (!mirrors(candidate) || apart > least - (best ? Outline::kFlatness : 0)) continue;
+      best = &candidate;
       least = apart;
     }
     if (best) return Registered{measured(piece, piece, *best), "", ""};
@@ -130,10 +128,12 @@ class Registrar {
   }
 
  private:
-  static bool mirrors(const MirrorFit& fit) { return fit.residual <= kMirrorTolerance; }
+  static bool mirrors(const MirrorRegistration& candidate) {
+    return candidate.residual <= kMirrorTolerance;
+  }
 
-  MeasuredSymmetry measured(int from, int to, const MirrorFit& fit) const {
-    return {bodySymmetry(garment_, from, to, fit), mirrors(fit)};
+  MeasuredSymmetry measured(int from, int to, const MirrorRegistration& candidate) const {
+    return {bodySymmetry(garment_, from, to, candidate), mirrors(candidate)};
   }
 
   Registered between(int from, int to, const std::string& complaint, const std::string& remedy) {
@@ -146,9 +146,10 @@ class Registrar {
     for (const int m : maps_->mapsFrom(from))
       if (maps_->maps()[m].to == to) candidates.push_back(m);
     const int chosen = likeliestMap(*maps_, candidates);
-    const MirrorFit& fit = chosen >= 0 ? maps_->maps()[chosen].fit
-                                       : bestMirror(maps_->outline(from), maps_->outline(to));
-    return {measured(from, to, fit), complaint, remedy};
+    const MirrorRegistration& candidate =
+        chosen >= 0 ? maps_->maps()[chosen].registration
+                    : bestMirror(maps_->outline(from), maps_->outline(to));
+    return {measured(from, to, candidate), complaint, remedy};
   }
 
   const Garment& garment_;

@@ -4,14 +4,10 @@
 #include <numeric>
 
 #include "base/sort_by.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kSeamSlack = 0.5;       // cm; a seam's image may miss the other seam by this much
-constexpr double kSeamSlackShare = 0.2;  // of its length: a reversed seam misses by a quarter
-constexpr double kGrainWeight = 0.01;    // cm; the grain decides only where the placement does not
-constexpr double kNoticeable = 0.01;
 
 double probeFraction(int k) { return (2 * k + 1) / (2.0 * PieceMap::kProbes); }
 
@@ -29,7 +25,7 @@ Coverage Coverage::operator+(const Coverage& other) const {
 
 bool Coverage::betterThan(const Coverage& other) const {
   const auto differs = [](double x, double y) {
-    return std::abs(x - y) > kNoticeable * std::max(x, y);
+    return std::abs(x - y) > SymmetryTuning::kNoticeable * std::max(x, y);
   };
   if (differs(seams, other.seams)) return seams > other.seams;
   if (differs(outline, other.outline)) return outline > other.outline;
@@ -77,8 +73,8 @@ void SeamMaps::connect() {
   for (std::vector<int>& seams : seams_) sortBy(seams, [&](int seam) { return -lengths_[seam]; });
 }
 
-void SeamMaps::addMaps(int from, int to, const std::vector<MirrorFit>& fits) {
-  for (const MirrorFit& fit : fits) {
+void SeamMaps::addMaps(int from, int to, const std::vector<MirrorRegistration>& registrations) {
+  for (const MirrorRegistration& registration : registrations) {
     const int index = static_cast<int>(maps_.size());
     const bool single = from == to;
     for (const bool back : {false, true}) {
@@ -87,10 +83,12 @@ void SeamMaps::addMaps(int from, int to, const std::vector<MirrorFit>& fits) {
       map.from = back ? to : from;
       map.to = back ? from : to;
       map.inverse = single ? index : back ? index : index + 1;
-      map.fit = {back ? fit.map.inverse() : fit.map, fit.residual};
+      map.registration = {back ? registration.map.inverse() : registration.map,
+                          registration.residual};
       map.disagreement =
-          placement_.disagreement(map.from, map.to, map.fit.map, outlines_[map.from]) +
-          kGrainWeight * grainTurn(garment_.panels[map.from], garment_.panels[map.to], map.fit.map);
+          placement_.disagreement(map.from, map.to, map.registration.map, outlines_[map.from]) +
+          SymmetryTuning::kGrainWeight *
+              grainTurn(garment_.panels[map.from], garment_.panels[map.to], map.registration.map);
       probe(map);
       from_[map.from].push_back(static_cast<int>(maps_.size()));
       maps_.push_back(std::move(map));
@@ -104,7 +102,7 @@ void SeamMaps::probe(PieceMap& map) const {
     if (partners_[map.from][e].edge.piece < 0) continue;
     for (int k = 0; k < PieceMap::kProbes; ++k) {
       const Vec2 point = outlines_[map.from].at(static_cast<int>(e), probeFraction(k));
-      map.probes[e][k] = probed(map.to, outlines_[map.to].nearest(map.fit.map(point)));
+      map.probes[e][k] = probed(map.to, outlines_[map.to].nearest(map.registration.map(point)));
     }
   }
 }
@@ -127,7 +125,8 @@ int SeamMaps::agreeing(const Stitch& stitch, bool swapped, const PieceMap& near,
                        const PieceMap& far) const {
   const EdgeRef &a = swapped ? stitch.b : stitch.a, &b = swapped ? stitch.a : stitch.b;
   const double slack =
-      std::min(kSeamSlack, kSeamSlackShare * outlines_[b.piece].edgeLength(b.edge));
+      std::min(SymmetryTuning::kSeamSlack,
+               SymmetryTuning::kSeamSlackShare * outlines_[b.piece].edgeLength(b.edge));
   int count = 0;
   for (int k = 0; k < PieceMap::kProbes; ++k) {
     const Probe& probe = near.probes[a.edge][k];

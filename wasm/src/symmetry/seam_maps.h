@@ -22,7 +22,7 @@ struct PieceMap {
 
   int from = -1, to = -1;
   int inverse = -1;  ///< index of the map back; its own for a reflection
-  MirrorFit fit;
+  MirrorRegistration registration;
   double disagreement = 0;  ///< with the 3D placement, then with the grain. [cm]
   std::vector<std::array<Probe, kProbes>> probes;  ///< per edge of `from`
 };
@@ -77,7 +77,7 @@ class SeamMaps {
   };
 
   void connect();
-  void addMaps(int from, int to, const std::vector<MirrorFit>& fits);
+  void addMaps(int from, int to, const std::vector<MirrorRegistration>& registrations);
   void probe(PieceMap& map) const;
   Probe probed(int piece, const OutlinePoint& image) const;
   int agreeing(const Stitch& stitch, bool swapped, const PieceMap& near, const PieceMap& far) const;

@@ -5,11 +5,9 @@
 
 #include "base/outcome.h"
 #include "pattern/garment.h"
+#include "tuning/symmetry.h"
 
 namespace seamwise {
-
-/// Greatest residual at which pieces count as mirror images. [cm]
-inline constexpr double kMirrorTolerance = 0.1;
 
 /// What a user asked for, before it is registered. Points are in the coordinates of the *input*
 /// panel, cm (so x is negated first when the panel was mirrored on import).
@@ -35,7 +33,7 @@ using SymmetryRequest = std::variant<AxisRequest, EdgesRequest, PieceRequest, Pa
 Outcome<std::vector<BodySymmetry>> registerSymmetries(const Garment& garment,
                                                       const std::vector<SymmetryRequest>& requests);
 
-/// A request as near as the garment comes to it.
+/// The symmetry that comes nearest to a request.
 struct MeasuredSymmetry {
   BodySymmetry symmetry;
   bool mirrors = false;  ///< near enough to be imposed
@@ -54,7 +52,7 @@ std::vector<BodySymmetry> detectSymmetries(const Garment& garment);
 
 /// The pieces of a symmetry as messages name them: "'front'", or "'left' and 'right'".
 std::string namesOf(const Garment& garment, const BodySymmetry& symmetry);
-/// One piece, or two.
+/// The pieces of a symmetry, one or two: indices in the garment.
 std::vector<int> piecesOf(const BodySymmetry& symmetry);
 
 }  // namespace seamwise

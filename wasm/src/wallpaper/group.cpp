@@ -24,7 +24,7 @@ Element inCentimetres(const LatticeElement& e, const Mat2& basis) {
   }
   out.A.col(0) = first;
   out.A.col(1) = sign * perp(first);
-  out.angle = std::atan2(first.y(), first.x());
+  out.angle = directionOf(first);
   out.a = basis * Vec2(e.a[0], e.a[1]);
   return out;
 }

@@ -5,13 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "tuning/paper.h"
+
 namespace seamwise {
 namespace {
-
-constexpr double kStill = 1e-5;    ///< rad or cm: a sweep that changes less has converged
-constexpr double kSameTurn = 0.1;  ///< rad: elements that turn alike compete by distance
-
-double direction(const Vec2& d) { return std::atan2(d.y(), d.x()); }
 
 /// One side of a seam as its leader sees it.
 struct View {
@@ -55,7 +52,7 @@ double LocalSweeps::turn(int l) {
       if ((from_a ? seam.a : seam.b) != l || (!from_a && seam.a == seam.b)) continue;
       const View view = viewFrom(seam, from_a);
       for (std::size_t i = 0; i < seam.w.size(); ++i) {
-        const double mine = direction(view.my_direction[i]);
+        const double mine = directionOf(view.my_direction[i]);
         double wanted = 0, least = std::numeric_limits<double>::infinity();
         for (const Element& e : problem_.group.elements()) {
           if (!problem_.allows(seam, e)) continue;
@@ -63,11 +60,11 @@ double LocalSweeps::turn(int l) {
           if (view.other == l) {
             // under a rotation the angle cancels; a reflection wants its axis along the bisector
             if (!e.mirrored) continue;
-            angle = (mine + direction(view.their_direction[i])) / 2 - e.angle / 2;
+            angle = (mine + directionOf(view.their_direction[i])) / 2 - e.angle / 2;
             if (std::abs(wrapAngle(angle - before)) > kPi / 2) angle += kPi;
           } else {
             const Vec2 other = rotation(-at_[view.other].angle) * view.their_direction[i];
-            angle = mine - direction(e.A * other);
+            angle = mine - directionOf(e.A * other);
           }
           const double off = std::abs(wrapAngle(angle - before));
           if (off < least) least = off, wanted = angle;
@@ -77,7 +74,7 @@ double LocalSweeps::turn(int l) {
     }
   }
   at_[l] = leader.admissible.nearest(
-      moved(at_[l], leader.centre, wrapAngle(direction(sum) - before), Vec2::Zero()),
+      moved(at_[l], leader.centre, wrapAngle(directionOf(sum) - before), Vec2::Zero()),
       leader.centre);
   return std::abs(wrapAngle(at_[l].angle - before));
 }
@@ -101,12 +98,13 @@ double LocalSweeps::shift(int l) {
         for (const Element& e : problem_.group.elements())
           if (problem_.allows(seam, e))
             least_turn =
-                std::min(least_turn, std::abs(wrapAngle(direction(e.A * dy) - direction(dx))));
+                std::min(least_turn, std::abs(wrapAngle(directionOf(e.A * dy) - directionOf(dx))));
         Vec2 step = Vec2::Zero();
         double least = std::numeric_limits<double>::infinity();
         for (const Element& e : problem_.group.elements()) {
           if (!problem_.allows(seam, e)) continue;
-          if (std::abs(wrapAngle(direction(e.A * dy) - direction(dx))) > least_turn + kSameTurn)
+          if (std::abs(wrapAngle(directionOf(e.A * dy) - directionOf(dx))) >
+              least_turn + PaperTuning::kSameTurn)
             continue;
           const Vec2 residual = problem_.group.reduce(x - e(y));
           if (residual.norm() >= least) continue;
@@ -142,7 +140,8 @@ bool LocalSweeps::step() {
     change = std::max(change, turning_ ? turn(leader) : shift(leader));
   }
   ++sweeps_;
-  const bool ended = change < kStill || ++of_this_kind_ >= kMostSweeps;
+  const bool ended =
+      change < PaperTuning::kSweepStill || ++of_this_kind_ >= PaperTuning::kMostSweeps;
   if (!ended) return true;
   if (!turning_) return false;
   turning_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 #include "alignment/model/matching.h"
 #include "base/random.h"
+#include "tuning/paper.h"
 
 namespace seamwise {
 
@@ -15,14 +16,13 @@ class LocalSweeps {
   LocalSweeps(const MatchProblem& problem, Alignments start);
   /// One sweep over all pieces. False when it has converged.
   bool step();
-  double fraction() const { return static_cast<double>(sweeps_) / (2 * kMostSweeps); }
+  double fraction() const { return static_cast<double>(sweeps_) / (2 * PaperTuning::kMostSweeps); }
   const Alignments& at() const { return at_; }
   int sweeps() const { return sweeps_; }
 
  private:
-  static constexpr int kMostSweeps = 300;  ///< of each kind
-  double turn(int leader);                 ///< returns the change, rad
-  double shift(int leader);                ///< returns the change, cm
+  double turn(int leader);   ///< returns the change, rad
+  double shift(int leader);  ///< returns the change, cm
 
   const MatchProblem& problem_;
   Alignments at_;

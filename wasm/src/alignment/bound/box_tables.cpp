@@ -201,7 +201,7 @@ void BoxTables::inherit(int t, int v, const std::vector<HalfBox>& halves,
 }
 
 /// What takes least is looked at first: little is left of the others then.
-bool BoxTables::look() {
+bool BoxTables::evaluate() {
   double least = 0;
   for (std::size_t t = 0; t < joints_.size(); ++t) {
     const Joint& joint = joints_[t];
@@ -221,7 +221,7 @@ bool BoxTables::step(double work, double& spent) {
     for (const int rows = static_cast<int>(table.begin.size()) - 1; row_ < rows; ++row_) {
       if (spent >= until) return true;
       for (int e = table.begin[row_]; e < table.begin[row_ + 1]; ++e)
-        if (joint.stale[e]) lookAt(joint, row_, e, spent);
+        if (joint.stale[e]) evaluateEntry(joint, row_, e, spent);
     }
     table_ = -1;
     sweep();
@@ -229,7 +229,7 @@ bool BoxTables::step(double work, double& spent) {
   return elimination_.step(until - spent, spent);
 }
 
-void BoxTables::lookAt(Joint& joint, int r, int e, double& spent) {
+void BoxTables::evaluateEntry(Joint& joint, int r, int e, double& spent) {
   const PairTable& table = elimination_.tables[table_];
   const Cover &row = covers_[table.row], &column = covers_[table.column];
   const int c = table.to[e];

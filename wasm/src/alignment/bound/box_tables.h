@@ -22,17 +22,18 @@ class BoxTables {
   double weight(int v) const { return covers_[v].weight; }  ///< of the seams. [cm]
   /// What boxes and pairs cost at least, since the last sweep.
   const Elimination& sums() const { return elimination_; }
-  /// About what tables take once boxes of `v` that may cost less than `below` are halved.
+  /// Memory of the tables, about, once boxes of `v` that may cost less than `below` are halved.
+  /// [bytes]
   double bytesWith(int v, float below) const;
 
   /// Replaces the boxes of a leader that may cost less than `below` by halves, which cost no less.
   void halve(int v, float below, double& spent);
-  /// Has the pairs of one table looked at whose boxes were halved, and then all swept. False when
-  /// there are none.
-  bool look();
-  /// Has the sums found anew.
+  /// Begins to evaluate the pairs of one table whose boxes were halved, and then to sweep. False
+  /// when there are none.
+  bool evaluate();
+  /// Begins to find the sums anew.
   void sweep();
-  /// Goes on with either until `spent` has grown by `work`. False at the end.
+  /// Goes on with either of these until `spent` has grown by `work`. False at the end.
   bool step(double work, double& spent);
   /// Drops what costs `cost` or more.
   void drop(float cost);
@@ -68,7 +69,7 @@ class BoxTables {
   std::vector<std::vector<float>> balance() const;
   void addSeams(const Component& component, const std::vector<int>& index);
   void inherit(int table, int v, const std::vector<HalfBox>& halves, const std::vector<int>& first);
-  void lookAt(Joint& joint, int row, int entry, double& spent);
+  void evaluateEntry(Joint& joint, int row, int entry, double& spent);
 
   const MatchProblem& problem_;
   std::vector<SeamBound> bounds_;
@@ -77,7 +78,7 @@ class BoxTables {
   std::vector<Joint> joints_;
   Elimination elimination_;
 
-  int table_ = -1, row_ = 0;  ///< looked at
+  int table_ = -1, row_ = 0;  ///< evaluated at present
 };
 
 }  // namespace seamwise

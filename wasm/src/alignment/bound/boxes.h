@@ -15,7 +15,7 @@ struct Box {
   std::array<Vec2, 2> half{Vec2::Zero(), Vec2::Zero()};  ///< in print space, cm
   /// The greatest shift. [cm]
   double shift() const { return std::max((half[0] + half[1]).norm(), (half[0] - half[1]).norm()); }
-  /// The greatest way of a point at distance 1 under the turn.
+  /// The greatest way under the turn of a point at distance 1 from the centre.
   double swing() const { return turn > 0 ? 2 * std::sin(std::min(turn, kPi) / 2) : 0; }
 };
 

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "tuning/proof.h"
+
 namespace seamwise {
-namespace {
-
-constexpr double kTerm = 0.1;  ///< a sum of costs takes as long as so many distances
-
-}  // namespace
-
 Elimination::Elimination(const std::vector<double>& sizes,
                          const std::vector<std::pair<int, int>>& joined)
     : alone(sizes.size()), least(sizes.size()), rank_(sizes.size(), -1) {
@@ -104,7 +100,7 @@ bool Elimination::step(double work, double& spent) {
     Cluster& c = clusters_[forwards ? done_ : 2 * clusters_.size() - 1 - done_];
     for (const int rows = rowsOf(c); row_ < rows; ++row_) {
       if (spent >= until) return true;
-      spent += kTerm * (forwards ? forward(c, row_) : backward(c, row_));
+      spent += ProofTuning::kSumWork * (forwards ? forward(c, row_) : backward(c, row_));
     }
     ++done_, row_ = 0;
   }

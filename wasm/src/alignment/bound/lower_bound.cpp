@@ -5,16 +5,13 @@
 #include <limits>
 
 #include "alignment/icp/refine.h"
+#include "tuning/proof.h"
+#include "tuning/search.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kPart = 3e5;       ///< evaluations: about a millisecond
-constexpr double kDescents = 0.1;   ///< share of the evaluations that go into better answers
-constexpr int kIterations = 12;     ///< of a descent, at most
 constexpr double kSumError = 1e-6;  ///< share of a sum that single precision loses, at most
-constexpr double kRoom = 160e6;     ///< bytes, for all tables
-constexpr double kUrgent = 0.5;     ///< boxes this far from the bound to the answer are halved
 
 /// What is the greater the more there is to gain and, with as much to gain, the fewer boxes there
 /// are: gain / boxes^0.4, to the fifth power, since only the order counts.
@@ -44,14 +41,14 @@ bool LowerBound::step() {
 void LowerBound::next() {
   switch (stage_) {
     case Stage::kSweep:
-      if (tables_.step(kPart, spent_)) return;
+      if (tables_.step(ProofTuning::kStepWork, spent_)) return;
       tighten();
       stage_ = Stage::kDrop;
       return;
     case Stage::kDrop:
       tables_.drop(static_cast<float>(enough() * (1 + kSumError)));
       if (tables_.all(0).empty()) bound_ = std::max(bound_, enough());
-      stage_ = proven() || tables_.look() ? Stage::kSweep : Stage::kTilt;
+      stage_ = proven() || tables_.evaluate() ? Stage::kSweep : Stage::kTilt;
       return;
     case Stage::kTilt:
       tables_.tilt();
@@ -59,7 +56,7 @@ void LowerBound::next() {
       return;
     case Stage::kHalve:
       ended_ = !halve();
-      if (!ended_ && !tables_.look()) tables_.sweep();
+      if (!ended_ && !tables_.evaluate()) tables_.sweep();
       stage_ = Stage::kSweep;
   }
 }
@@ -71,10 +68,10 @@ void LowerBound::tighten() {
 }
 
 /// Halves those boxes of a leader which keep the bound low: of the leader whose points move most.
-/// False when there is no room.
+/// False when there is no memory.
 bool LowerBound::halve() {
   const double least = tables_.sums().total(), above = std::max(0.0, enough() - least);
-  for (double share = kUrgent; share > 1e-3; share /= 2) {
+  for (double share = ProofTuning::kHalvedShare; share > 1e-3; share /= 2) {
     const float below = std::nextafter(static_cast<float>(least + share * above),
                                        std::numeric_limits<float>::max());
     int best = -1;
@@ -88,7 +85,7 @@ bool LowerBound::halve() {
       }
       if (count == 0) continue;
       const double gain = fewFirst(movement / count * tables_.weight(v), count);
-      if (gain > most && tables_.bytesWith(v, below) < kRoom) most = gain, best = v;
+      if (gain > most && tables_.bytesWith(v, below) < ProofTuning::kMemory) most = gain, best = v;
     }
     if (best < 0) continue;
     tables_.halve(best, below, spent_);
@@ -109,7 +106,7 @@ double LowerBound::costAt(const Alignments& at) const {
 /// Improves the answer in the middle of the boxes with the least bounds, and keeps it if it is the
 /// best.
 void LowerBound::descend() {
-  if (descents_ > kDescents * spent_) return;
+  if (descents_ > ProofTuning::kDescentShare * spent_) return;
   Alignments at = best_;
   std::vector<Alignment> middles;
   std::vector<int> active;
@@ -127,10 +124,10 @@ void LowerBound::descend() {
   double edges = 0;
   for (const int s : seams_) edges += static_cast<double>(problem_.seams[s].w.size());
   // each step of it counts the cost and the model
-  const double work =
-      3 * kIterations * edges * static_cast<double>(4 + problem_.group.elements().size());
+  const double work = 3 * ProofTuning::kDescentIterations * edges *
+                      static_cast<double>(4 + problem_.group.elements().size());
   spent_ += work, descents_ += work;
-  refine(problem_, edges_, at, active, kIterations);
+  refine(problem_, edges_, at, active, ProofTuning::kDescentIterations);
   const double refined = costAt(at);
   if (refined < cost_) cost_ = refined, best_ = std::move(at);
 }
@@ -138,7 +135,7 @@ void LowerBound::descend() {
 double LowerBound::bound() const { return std::min(cost_, bound_); }
 
 bool LowerBound::proven() const {
-  return cost_ < kPerfectDistance * edges_.weight() || bound() >= enough();
+  return cost_ < SearchTuning::kPerfectDistance * edges_.weight() || bound() >= enough();
 }
 
 }  // namespace seamwise

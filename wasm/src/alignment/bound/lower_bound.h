@@ -3,6 +3,7 @@
 
 #include "alignment/bound/box_tables.h"
 #include "alignment/model/sampled_seams.h"
+#include "tuning/proof.h"
 
 namespace seamwise {
 
@@ -14,29 +15,28 @@ namespace seamwise {
 /// in seconds, so that results do not depend on the machine.
 class LowerBound {
  public:
-  /// An answer whose cost exceeds the bound by no more than this share of it is proven.
-  static constexpr double kProven = 1e-3;
-
   /// @param known   alignments of all leaders; those outside the component stay where they are
   LowerBound(const MatchProblem& problem, const Component& component, const Alignments& known);
   LowerBound(const LowerBound&) = delete;
   LowerBound& operator=(const LowerBound&) = delete;
 
-  /// Some milliseconds of work. False when the answer is proven or no room is left for more boxes.
+  /// Some milliseconds of work. False when the answer is proven or no memory is left for more
+  /// boxes.
   bool step();
 
   /// No alignment of the component costs less than this. At most cost(). [cm2]
   double bound() const;
-  /// Whether best() costs at most kProven more than it has to, or next to nothing.
+  /// Whether best() costs at most ProofTuning::kProven more than it has to, or next to nothing.
   bool proven() const;
-  /// `known`, unless a better answer was met on the way: then whoever searched should go on there.
+  /// The best answer met, of all leaders: `known`, or a better one to go on from.
   const Alignments& best() const { return best_; }
   double cost() const { return cost_; }  ///< of best(), all edges of the component. [cm2]
   /// Element distances evaluated, or work that takes as long.
   double spent() const { return spent_; }
 
  private:
-  double enough() const { return cost_ * (1 - kProven); }  ///< a bound that proves the answer
+  /// A bound that proves the answer. [cm2]
+  double enough() const { return cost_ * (1 - ProofTuning::kProven); }
   void next();
   void tighten();
   bool halve();

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "tuning/proof.h"
+
 namespace seamwise {
 namespace {
 
-constexpr double kCoarse = 0.25;  ///< spread of groups, as a share of how far points move
 constexpr double kSingle = 2e-7;  ///< relative error of places in single precision
 
 }  // namespace
@@ -133,7 +134,7 @@ SeamBound::Pair SeamBound::between(const Box& a, double reach_a, const Box& b, d
   const double typical = reach_a * a.swing() + reach_b * b.swing() + a.shift() + b.shift();
   const Level* level = &levels_[0];
   for (const Level& coarser : levels_)
-    if (coarser.mean_spread <= kCoarse * typical) level = &coarser;
+    if (coarser.mean_spread <= ProofTuning::kGroupSpread * typical) level = &coarser;
   const auto real = [](double v) { return static_cast<Real>(v); };
   const Real swing_a = real(a.swing()), swing_b = real(b.swing());
   const Real shift = real(a.shift() + b.shift()), farther = real(1 + a.turn + b.turn);

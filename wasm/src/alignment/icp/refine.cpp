@@ -4,11 +4,10 @@
 #include <utility>
 
 #include "alignment/icp/normal_equations.h"
+#include "tuning/search.h"
 
 namespace seamwise {
 namespace {
-
-constexpr double kSlow = 1e-4;  ///< a relative gain below it ends the iteration
 
 /// Adds one seam's model to the normal equations; `first` is the first unknown of a leader, -1 if
 /// held.
@@ -106,7 +105,7 @@ double refine(const MatchProblem& problem, const SampledSeams<Real>& samples, Al
     const double gain = cost - reached;
     at.swap(trial), poses.swap(trial_poses);
     cost = reached;
-    if (gain < kSlow * cost) break;
+    if (gain < SearchTuning::kSlowGain * cost) break;
   }
   return cost;
 }

@@ -50,7 +50,7 @@ AdmissibleAlignments AdmissibleAlignments::mirrored(const RigidMotion& map,
     for (double constant : family.constants) {
       for (int sense = 0; sense < 2; ++sense) {
         const Vec2 along = sense == 0 ? Vec2(v.normalized()) : Vec2(-v.normalized());
-        const double psi = std::atan2(along.y(), along.x());
+        const double psi = directionOf(along);
         const Place place{wrapAngle(axis - psi), normal * (constant * spacing), along, v.norm(),
                           spacing};
         f.places_.push_back(place);

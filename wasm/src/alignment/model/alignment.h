@@ -10,6 +10,7 @@ struct Alignment {
   double angle = 0;
   Vec2 translation = Vec2::Zero();
   bool operator==(const Alignment&) const = default;
+  /// W(p): from the piece to the print, and back. [cm]
   Vec2 toPrint(const Vec2& p) const { return rotation(-angle) * (p - translation); }
   Vec2 toPiece(const Vec2& w) const { return rotation(angle) * w + translation; }
 };

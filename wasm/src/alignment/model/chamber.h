@@ -22,12 +22,13 @@ struct Chamber {
     kHalfEquilateral
   };
   Shape shape = Shape::kCell;
-  /// From the print, in cm, to coordinates of the chamber: p -> to p + offset.
+  /// Map from the print, in cm, to coordinates of the chamber: p -> to p + offset.
   Mat2 to = Mat2::Identity();
   Vec2 offset = Vec2::Zero();
   /// Squares of the coordinates' units; of a triangle's three, which add up to 0, the first. [cm2]
   double square0 = 1, square1 = 1;
-  /// One of each coset, in these coordinates: p -> m p + a. The first is the identity.
+  /// One element of each coset of the mirrors' subgroup, in these coordinates: p -> m p + a. The
+  /// first is the identity.
   struct Coset {
     Mat2 m = Mat2::Identity();
     Vec2 a = Vec2::Zero();
@@ -38,6 +39,7 @@ struct Chamber {
     return shape == Shape::kEquilateral || shape == Shape::kHalfEquilateral;
   }
 
+  /// The chamber of a group; a cell where it has no mirrors.
   static Chamber of(const WallpaperGroup& group);
 };
 

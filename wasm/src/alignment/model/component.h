@@ -10,7 +10,7 @@ struct Component {
   std::vector<int> leaders, seams;
 };
 
-/// Of the leaders that have seams and are not pinned; pinned ones connect nothing.
+/// The components of the leaders that have seams and are not pinned: pinned ones connect nothing.
 std::vector<Component> componentsOf(const MatchProblem& problem);
 
 }  // namespace seamwise

@@ -44,7 +44,7 @@ PieceRule withImage(const WallpaperGroup& group, const RigidMotion& map, const P
       if (e.mirrored) sources.push_back(mirrorImage({angle, Vec2::Zero()}, map, e).angle);
   if (first.angles.empty()) return {{}, std::move(sources), second.tolerance};
   PieceRule both;
-  double room = -1;
+  double widest = -1;
   for (double angle : first.angles) {
     for (double source : sources) {
       // where the ranges about both angles overlap, from `angle` on
@@ -52,8 +52,8 @@ PieceRule withImage(const WallpaperGroup& group, const RigidMotion& map, const P
       const double low = std::max(-first.tolerance, off - second.tolerance);
       const double high = std::min(first.tolerance, off + second.tolerance);
       const double half = std::max(0.0, (high - low) / 2);
-      if (high < low - kSameAngle || half < room - kSameAngle) continue;
-      if (half > room + kSameAngle) both.angles.clear(), room = half;
+      if (high < low - kSameAngle || half < widest - kSameAngle) continue;
+      if (half > widest + kSameAngle) both.angles.clear(), widest = half;
       const bool whole = half > first.tolerance - kSameAngle;
       const double middle = whole ? angle : angle + (low + high) / 2;
       if (both.angles.empty() || offGrain(both.angles, {middle, Vec2::Zero()}) > kSameAngle)
@@ -61,7 +61,7 @@ PieceRule withImage(const WallpaperGroup& group, const RigidMotion& map, const P
     }
   }
   if (both.angles.empty()) return first;
-  both.tolerance = room;
+  both.tolerance = widest;
   return both;
 }
 
@@ -70,10 +70,11 @@ bool keepsGrain(const WallpaperGroup& group, const RigidMotion& map, const Piece
   if (first.pin || second.pin || first.angles.empty() || second.angles.empty()) return true;
   if (single)
     return AdmissibleAlignments::mirrored(map, group).restrictAngles(first.angles, first.tolerance);
-  const double room = first.tolerance + second.tolerance + 1e-6;
+  const double tolerance = first.tolerance + second.tolerance + 1e-6;
   return std::any_of(first.angles.begin(), first.angles.end(), [&](double angle) {
     const Alignment on_grain{angle, Vec2::Zero()};
-    return offGrain(second.angles, mirroredOnGrain(group, map, second.angles, on_grain)) <= room;
+    return offGrain(second.angles, mirroredOnGrain(group, map, second.angles, on_grain)) <=
+           tolerance;
   });
 }
 

@@ -20,8 +20,8 @@ struct PieceRule {
 Alignment mirroredOnGrain(const WallpaperGroup& group, const RigidMotion& map,
                           const std::vector<double>& angles, const Alignment& first);
 
-/// The angles at which both a piece and its mirror image are on their grain; of several ranges,
-/// those that leave most room. The rule of `first` where there is none.
+/// The angles at which both a piece and its mirror image are on their grain; of several ranges, the
+/// widest. The rule of `first` where there is none.
 /// @param map   first piece -> second
 PieceRule withImage(const WallpaperGroup& group, const RigidMotion& map, const PieceRule& first,
                     const PieceRule& second);

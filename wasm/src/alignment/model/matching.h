@@ -20,10 +20,6 @@ struct Stretch {
   bool operator==(const Stretch&) const = default;
 };
 
-/// What shaping is taken to do, by searches and by whoever chooses among their answers, as shares:
-/// of what it can take up, left as a rule; of a mismatch, left at most where it is worth it.
-inline constexpr double kLeftByShaping = 0.15, kWorthShaping = 0.7;
-
 /// A seam as the alignment search sees it: pairs of points that should fall on equivalent points of
 /// the print, in the coordinates of the leading pieces (a mirrored follower's points are mapped
 /// back to its leader, where the print is equivalent).

@@ -7,11 +7,11 @@
 
 #include "alignment/model/leader_order.h"
 #include "alignment/model/sampled_seams_lanes.h"
+#include "tuning/search.h"
 
 namespace seamwise {
 namespace {
 
-constexpr int kFewest = 4;         ///< samples a seam
 constexpr double kSquare = 1e-12;  ///< cosine of an angle that is a right one
 
 }  // namespace
@@ -61,7 +61,8 @@ SampledSeams<Real>::SampledSeams(const MatchProblem& problem, double spacing)
     for (const Vec2& d : seam.da) length += d.norm();
     samples.count = edges;
     if (spacing > 0)
-      samples.count = std::min(edges, std::max(kFewest, static_cast<int>(length / spacing) + 1));
+      samples.count = std::min(
+          edges, std::max(SearchTuning::kFewestSamples, static_cast<int>(length / spacing) + 1));
     for (int k = 0; k < samples.count; ++k) {
       const int first = k * edges / samples.count, last = (k + 1) * edges / samples.count;
       double w = 0;
@@ -173,8 +174,10 @@ double SampledSeams<Real>::cost(int seam, const Pose& a, const Pose& b, double s
 template <class Real>
 double SampledSeams<Real>::sampleCost() const {
   // placing a sample on the print takes about as long as four elements, folding as one or two
-  return 4.0 + (shape_ == Chamber::Shape::kCell ? static_cast<double>(all_.each.size())
-                                                : 1.5 * static_cast<double>(cosets_.size()));
+  return SearchTuning::kPlacingWork +
+         (shape_ == Chamber::Shape::kCell
+              ? static_cast<double>(all_.each.size())
+              : SearchTuning::kFoldWork * static_cast<double>(cosets_.size()));
 }
 
 template class SampledSeams<float>;

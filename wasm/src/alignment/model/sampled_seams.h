@@ -9,7 +9,7 @@
 
 namespace seamwise {
 
-/// The seams of a MatchProblem as arrays that a vector unit likes: samples relative to the pieces'
+/// The seams of a MatchProblem as arrays for vector instructions: samples relative to the pieces'
 /// centres, print positions in coordinates of the reduced lattice basis, where the nearest lattice
 /// vector is found by rounding. In single precision twice as fast and exact to about 1e-5 cm; there
 /// positions are those of the print's chamber, if it has mirrors and all elements are allowed.
@@ -33,12 +33,14 @@ class SampledSeams {
     Map chamber, lattice;
     Real cos, sin;  ///< of the alignment's angle
   };
+  /// The pose of a leader that lies at `at`.
   Pose pose(int leader, const Alignment& at) const;
 
-  /// Sum of w d over one seam, d from each sample to the nearest equivalent point; several times as
-  /// much of what exceeds its limit, if it has one. With slack, at most the sum of
-  /// w (max(0, r - slack) + leak r) by which the seam may be shaped, r through its best join, and
-  /// several times as much of what shaping is likely to leave beyond the limit. [cm2]
+  /// Cost of one seam: E = sum of w d, d from each sample to the nearest equivalent point, and
+  /// SearchTuning::kBeyondLimit times what E exceeds the seam's limit by. Under slack, at most the
+  /// cost of shaping: the sum of w (max(0, r - slack) + kLeak r), r through the best join, and so
+  /// many times what shaping is likely to leave beyond the limit. [cm2]
+  /// @param slack   mismatch that shapes can take up; 0: none. [cm]
   double cost(int seam, const Pose& a, const Pose& b, double slack) const;
 
   /// Second-order model of one seam's cost in (turn, shift) of side a, then of side b, about the
@@ -52,7 +54,7 @@ class SampledSeams {
 
   /// Number of samples of a seam.
   int count(int seam) const { return seams_[seam].count; }
-  /// What cost() takes for a sample, in element distances.
+  /// Work of cost() for one sample, in element distances.
   double sampleCost() const;
   /// Place of a leader in an order in which neighbours follow closely.
   int rank(int leader) const { return ranks_[leader]; }
@@ -144,10 +146,7 @@ class SampledSeams {
 extern template class SampledSeams<float>;
 extern template class SampledSeams<double>;
 
-/// What searches and bounds count with.
+/// Seams in single precision, as searches and bounds use them.
 using SearchSamples = SampledSeams<float>;
-
-/// A mean distance below which nothing is left to find in single precision. [cm]
-inline constexpr double kPerfectDistance = 2e-5;
 
 }  // namespace seamwise

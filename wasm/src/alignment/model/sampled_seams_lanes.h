@@ -4,14 +4,6 @@
 
 namespace seamwise {
 
-/// Shares that a seam's cost is made of.
-struct SeamCosts {
-  /// Of a distance that counts inside the slack: ties go to the better.
-  static constexpr double kLeak = 0.1;
-  /// What a seam misses by beyond its limit counts so many times more.
-  static constexpr double kHard = 6;
-};
-
 /// Both sides of a few samples on the print, in reduced coordinates.
 template <class Real>
 struct SampledSeams<Real>::Placed {

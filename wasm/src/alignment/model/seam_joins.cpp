@@ -3,16 +3,9 @@
 #include <limits>
 
 #include "alignment/model/sampled_seams_lanes.h"
+#include "tuning/search.h"
 
 namespace seamwise {
-namespace {
-
-/// A seam whose distances through its best join have a greater root mean square than so many times
-/// the slack is not shaped.
-constexpr double kReach = 2;
-
-}  // namespace
-
 template <class Real>
 void SampledSeams<Real>::Elements::pack() {
   for (std::size_t from = 0; from < each.size(); from += kLanes) {
@@ -89,7 +82,7 @@ typename SampledSeams<Real>::Through SampledSeams<Real>::through(const Samples& 
       best.element.a0 = a0[k], best.element.a1 = a1[k];
     }
   }
-  const Real reach = static_cast<Real>(kReach * slack);
+  const Real reach = static_cast<Real>(SearchTuning::kShapedUpTo * slack);
   best.within_reach = best_value + of.spread <= reach * reach * of.weight;
   return best;
 }
@@ -120,7 +113,7 @@ typename SampledSeams<Real>::Choice SampledSeams<Real>::chosen(int seam, const P
   const Samples& of = seams_[seam];
   const auto taken = [&](bool shaped, double cost, double mismatch) {
     const double excess = std::max(0.0, mismatch - of.limit);
-    return Choice{shaped, excess > 0, cost + SeamCosts::kHard * excess, {}};
+    return Choice{shaped, excess > 0, cost + SearchTuning::kBeyondLimit * excess, {}};
   };
   const auto unshaped = [&] {
     const double all = sum(seam, a, b);
@@ -130,8 +123,8 @@ typename SampledSeams<Real>::Choice SampledSeams<Real>::chosen(int seam, const P
   const Through join = through(of, a, b, slack);
   if (!join.within_reach) return unshaped();
   const Sums left = sumsThrough(join.element, of, a, b, slack);
-  Choice shaped = taken(true, left.beyond + SeamCosts::kLeak * left.all,
-                        left.beyond + kLeftByShaping * left.all);
+  Choice shaped = taken(true, left.beyond + SearchTuning::kLeak * left.all,
+                        left.beyond + SearchTuning::kLeftByShaping * left.all);
   shaped.join = join;
   if (left.beyond == 0) return shaped;
   const Choice other = unshaped();

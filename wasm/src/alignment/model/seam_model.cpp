@@ -3,14 +3,9 @@
 #include <limits>
 
 #include "alignment/model/sampled_seams_lanes.h"
+#include "tuning/search.h"
 
 namespace seamwise {
-namespace {
-
-constexpr double kFloor = 0.02;  ///< cm: distances below it are weighted as if they were it
-
-}  // namespace
-
 template <class Real>
 typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pose& a, const Pose& b,
                                                              double slack) const {
@@ -22,12 +17,12 @@ typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pos
     const Choice choice = chosen(seam, a, b, slack);
     if ((shaped = choice.shaped)) {
       join = choice.join.element;
-      within = SeamCosts::kLeak, outside = 1 + SeamCosts::kLeak;
+      within = SearchTuning::kLeak, outside = 1 + SearchTuning::kLeak;
       if (choice.exceeds)
-        within += kLeftByShaping * SeamCosts::kHard,
-            outside += (1 + kLeftByShaping) * SeamCosts::kHard;
+        within += SearchTuning::kLeftByShaping * SearchTuning::kBeyondLimit,
+            outside += (1 + SearchTuning::kLeftByShaping) * SearchTuning::kBeyondLimit;
     } else if (choice.exceeds) {
-      within = outside = 1 + SeamCosts::kHard;
+      within = outside = 1 + SearchTuning::kBeyondLimit;
     }
   }
   const Real allowance = static_cast<Real>(shaped ? slack : 0);
@@ -58,7 +53,8 @@ typename SampledSeams<Real>::Model SampledSeams<Real>::model(int seam, const Pos
     const Vector rx = s * u0x_ + t * u1x_, ry = s * u0y_ + t * u1y_;
     const Vector d = squareRoots(rx * rx + ry * ry);
     const Vector pull = d > allowance ? none + beyond : none + leak;
-    const Vector w = loaded(&w_[from]) * pull / greatest(d, none + static_cast<Real>(kFloor));
+    const Vector w = loaded(&w_[from]) * pull /
+                     greatest(d, none + static_cast<Real>(SearchTuning::kLeastDistance));
     // r = x - (A y + a + T) with A = (c, -det n; n, det c); the columns of its Jacobian are
     // j = -perp(x), I, k = A perp(y), -A
     const Vector ax = loaded(&ax_[from]), ay = loaded(&ay_[from]);

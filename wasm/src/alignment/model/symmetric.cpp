@@ -41,7 +41,7 @@ Alignment snapToMirror(const Alignment& wanted, const RigidMotion& map, const Ve
   double turn = 0;
   for (const MirrorFamily& f : group.data().mirrors) {
     const Vec2 d = f.direction[0] * group.w1() + f.direction[1] * group.w2();
-    const double needed = turnOfLine(std::atan2(d.y(), d.x()) + wanted.angle, axis);
+    const double needed = turnOfLine(directionOf(d) + wanted.angle, axis);
     if (family != nullptr && std::abs(needed) >= std::abs(turn)) continue;
     family = &f;
     direction = d;

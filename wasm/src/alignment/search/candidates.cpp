@@ -5,11 +5,10 @@
 #include <limits>
 #include <optional>
 
+#include "tuning/search.h"
+
 namespace seamwise {
 namespace {
-
-constexpr double kEased = 0.1;  ///< sides that differ by a larger share of their length
-constexpr int kDirections = 8;  ///< tried, to find images that are as far apart as wanted
 
 /// The alignment that brings a stretch of a piece's seam best onto `image` of its neighbour's side,
 /// where that neighbour lies (weighted Procrustes), turned to what is admissible for the piece.
@@ -29,7 +28,8 @@ Alignment onto(const AdmissibleAlignments& admissible, const Stretch& stretch, b
 void addForMirrored(const MatchProblem& problem, int l, std::vector<Alignment>& out) {
   const Leader& leader = problem.leaders[l];
   for (const AdmissibleAlignments::Place& place : leader.admissible.places()) {
-    const int slides = std::clamp(static_cast<int>(place.period), 5, 12);
+    const int slides = std::clamp(static_cast<int>(place.period), SearchTuning::kFewestSlides,
+                                  SearchTuning::kMostSlides);
     for (int k = 0; k < slides; ++k)
       out.push_back(leader.admissible.onPlace(place, leader.centre, place.period * k / slides));
   }
@@ -54,7 +54,8 @@ std::optional<Alignment> inStep(const MatchProblem& problem, const AdmissibleAli
   const auto &mine = from_a ? seam.pa : seam.pb, &theirs = from_a ? seam.pb : seam.pa;
   const Vec2 along = mine[j] - mine[i];
   const double apart = along.norm(), theirs_apart = (theirs[j] - theirs[i]).norm();
-  if (std::abs(apart - theirs_apart) < kEased * std::max(apart, theirs_apart)) return std::nullopt;
+  if (std::abs(apart - theirs_apart) < SearchTuning::kEased * std::max(apart, theirs_apart))
+    return std::nullopt;
   const auto& elements = problem.group.elements();
   const int count = static_cast<int>(elements.size());
   const Element &e = elements[random.below(count)], &f = elements[random.below(count)];
@@ -62,7 +63,7 @@ std::optional<Alignment> inStep(const MatchProblem& problem, const AdmissibleAli
   const Vec2 from = e(other.toPrint(theirs[i])), to = f(other.toPrint(theirs[j]));
   Vec2 best = Vec2::Zero();
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kDirections; ++k) {
+  for (int k = 0; k < SearchTuning::kDirections; ++k) {
     const double angle = 2 * kPi * random.uniform();
     const Vec2 wanted = apart * Vec2(std::cos(angle), std::sin(angle));
     const Vec2 step = wanted - problem.group.reduce(from + wanted - to);

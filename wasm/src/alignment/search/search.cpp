@@ -5,18 +5,17 @@
 
 #include "alignment/icp/refine.h"
 #include "alignment/search/finalists.h"
+#include "tuning/progress.h"
+#include "tuning/proof.h"
+#include "tuning/search.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kProof = 0.03;       ///< share of the evaluations that may go into a proof,
-constexpr int kProvable = 5;          ///< where no more unknowns than these make it likely
-constexpr double kProofDistance = 5;  ///< a distance there takes as long as so many elsewhere
-constexpr double kSought = 0.6;       ///< share of the time before a proof, as a rule
-
 /// The more symmetries a print has, the more answers there are to choose from.
 SearchBudget enlarged(SearchBudget budget, int symmetries) {
-  const double ratio = symmetries / 4.0, more = std::max(1.0, ratio * std::sqrt(std::sqrt(ratio)));
+  const double ratio = symmetries / SearchTuning::kSymmetries,
+               more = std::max(1.0, ratio * std::sqrt(std::sqrt(ratio)));
   budget.trees = static_cast<int>(budget.trees * more);
   budget.idle = std::floor(budget.idle * more);
   budget.hits = static_cast<int>(budget.hits * more);
@@ -193,7 +192,7 @@ void AlignmentSearch::progress() {
   if (components_.empty()) return;
   const auto provable = [this](const Component& c) { return proofAllowed(c) > 0; };
   const bool proves = std::any_of(components_.begin(), components_.end(), provable);
-  const double sought = proves ? kSought : 1;
+  const double sought = proves ? ProgressTuning::kBeforeProof : 1;
   double fraction = 0;
   if (merged_) {
     const double part =
@@ -213,7 +212,8 @@ double AlignmentSearch::proofAllowed(const Component& c) const {
   int unknowns = 0;
   for (int l : c.leaders)
     unknowns += static_cast<int>(problem_.leaders[l].admissible.basis(best_[l]).cols());
-  return budget_.proof.value_or(unknowns > kProvable ? 0 : kProof) * allowedIn(c, budget_);
+  return budget_.proof.value_or(unknowns > ProofTuning::kProvable ? 0 : ProofTuning::kWorkShare) *
+         allowedIn(c, budget_);
 }
 
 void AlignmentSearch::prove() {
@@ -236,7 +236,7 @@ double AlignmentSearch::bound() const { return cost_ > 0 ? bound_ / cost_ : 1; }
 
 double AlignmentSearch::spent() const {
   return moves_.spent() + spent_ + (local_ ? local_->spent() : 0) +
-         kProofDistance * (proof_spent_ + (proof_ ? proof_->spent() : 0));
+         ProofTuning::kDistanceWork * (proof_spent_ + (proof_ ? proof_->spent() : 0));
 }
 
 /// Compares the finalists and what was offered on all edges of the seams; of answers that are as

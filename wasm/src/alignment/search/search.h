@@ -21,8 +21,10 @@ class AlignmentSearch {
   AlignmentSearch(const MatchProblem& problem, std::uint64_t seed, SearchBudget budget,
                   double slack = 0);
 
-  /// Also remembers which of the answers met on the way is best under this slack.
+  /// Remembers as well which answer met on the way is best under this slack. [cm] Set before the
+  /// first step.
   void watch(double slack) { watch_slack_ = slack; }
+  /// That answer, of the leaders.
   Alignments watched() const;
 
   /// Adds an answer found elsewhere (of the leaders; made admissible), before the first step. The
@@ -47,9 +49,10 @@ class AlignmentSearch {
   /// Element distances evaluated here so far, or work that takes as long.
   double spent() const;
 
-  /// Of the leaders, polished on all edges once the search has ended.
+  /// The best alignments of the leaders; polished on all edges once the search has ended.
   const Alignments& best() const { return best_; }
-  /// Once the search has ended: the best, then a few others that are good, cheaper ones first.
+  /// Once the search has ended: alignments of the leaders, the best, then a few others that are
+  /// good, cheaper ones first.
   std::vector<Alignments> bestFew() const;
   /// No alignment costs less than this share of best(), once a search without slack has ended: 1
   /// when it is proven the best, 0 when nothing is known.

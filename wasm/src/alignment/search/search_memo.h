@@ -6,8 +6,8 @@
 
 namespace seamwise {
 
-/// The outcomes of the last few searches, for whoever solves almost the same problem again. They
-/// are kept under all that a search depends on: with a memo or without, results are the same.
+/// The outcomes of the last few searches, for solves of almost the same problem. They are kept
+/// under all that a search depends on: with a memo or without, results are the same.
 class SearchMemo {
  public:
   struct Inputs {
@@ -18,7 +18,7 @@ class SearchMemo {
     std::vector<Alignments> offered;  ///< of the leaders
     bool operator==(const Inputs&) const = default;
   };
-  /// Of the leaders.
+  /// How a search has ended, as alignments of the leaders.
   struct Outcome {
     std::vector<Alignments> few;  ///< the best and some more
     Alignments watched;

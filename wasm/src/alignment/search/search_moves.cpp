@@ -5,18 +5,11 @@
 
 #include "alignment/icp/refine.h"
 #include "alignment/search/candidates.h"
+#include "tuning/search.h"
 
 namespace seamwise {
 namespace {
 
-/// A raw candidate this much worse may still win when refined.
-constexpr double kWorthRefining = 1.5;
-constexpr double kHopeless = 1.5;    ///< an answer this much worse than the best is dropped
-constexpr double kClose = 1.1;       ///< one this much worse is polished
-constexpr double kSecondBest = 0.5;  ///< share of pieces placed at their second best candidate
-constexpr int kStretches = 4;        ///< of a seam, that a piece is laid along besides the whole
-constexpr double kSkip = 0.35;       ///< share of neighbours that a lifted part leaves in place
-constexpr double kMultiplications = 20;  ///< that take as long as a distance
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -78,7 +71,7 @@ double SearchMoves::costOf(const Component& c, const Layout& layout, double slac
 void SearchMoves::place(int leader, Layout& layout, std::vector<char>& placed) {
   placed[leader] = 1;
   const std::vector<Alignment> choices =
-      candidates(problem_, leader, layout.at, placed, kStretches, random_);
+      candidates(problem_, leader, layout.at, placed, SearchTuning::kStretches, random_);
   if (choices.empty()) {
     layAnywhere(leader, layout);
     return;
@@ -94,7 +87,7 @@ void SearchMoves::place(int leader, Layout& layout, std::vector<char>& placed) {
       second = k, next = cost;
     }
   }
-  set(layout, leader, choices[random_.uniform() < kSecondBest ? second : first]);
+  set(layout, leader, choices[random_.uniform() < SearchTuning::kSecondBest ? second : first]);
 }
 
 void SearchMoves::grow(const Component& c, Layout& layout, std::vector<char>& placed) {
@@ -147,7 +140,7 @@ bool SearchMoves::moveSingles(const Component& c, Layout& layout, std::vector<ch
     const Alignment present = layout.at[l];
     const double before = costAt(present, l, layout, nullptr, kUnbounded);
     if (before < perfect()) continue;
-    double least = kWorthRefining * before;
+    double least = SearchTuning::kWorthRefining * before;
     const Alignment* best = nullptr;
     const std::vector<Alignment> choices = candidates(problem_, l, layout.at, all, 0, random_);
     for (const Alignment& choice : choices) {
@@ -156,7 +149,7 @@ bool SearchMoves::moveSingles(const Component& c, Layout& layout, std::vector<ch
     }
     if (!best) continue;
     set(layout, l, *best);
-    if (refined(layout, {l}, 1) < before * (1 - 1e-4)) {
+    if (refined(layout, {l}, 1) < before * (1 - SearchTuning::kMoveGain)) {
       improved = true;
       for (int s : problem_.leaders[l].seams)
         fresh[problem_.seams[s].a] = fresh[problem_.seams[s].b] = 1;
@@ -173,10 +166,10 @@ double SearchMoves::refined(Layout& layout, const std::vector<int>& leaders, int
   for (int l : leaders)
     for (int s : problem_.leaders[l].seams) samples += samples_.count(s);
   // finding the nearest element and assembling cost a few plain distances a sample and element
-  spent_ += iterations * samples * sample_cost_ * 3;
+  spent_ += iterations * samples * sample_cost_ * SearchTuning::kModelWork;
   double work = 0;
   const double cost = refine(problem_, samples_, layout.at, leaders, iterations, slack_, &work);
-  spent_ += work / kMultiplications;
+  spent_ += work / SearchTuning::kMultiplications;
   for (int l : leaders) set(layout, l, layout.at[l]);
   return cost;
 }
@@ -188,19 +181,21 @@ double SearchMoves::improve(const Component& c, Layout& layout, std::vector<char
   std::vector<int> changed;
   for (int l : c.leaders)
     if (fresh[l]) changed.push_back(l);
-  refined(layout, changed, 3);
+  refined(layout, changed, SearchTuning::kFreshIterations);
   double cost = costOf(c, layout, slack_);
   for (int l : changed)
     for (int s : problem_.leaders[l].seams)
       fresh[problem_.seams[s].a] = fresh[problem_.seams[s].b] = 1;
   const double nothing = perfect();
   // most regrown parts fall back into place
-  if (known >= 0 && std::abs(cost - known) < kSame * known) return cost;
-  for (int round = 0; round < 4 && cost > nothing; ++round) {
-    if (known >= 0 && cost > (round == 0 ? kHopeless : kClose) * known) break;
+  if (known >= 0 && std::abs(cost - known) < SearchTuning::kSameAnswer * known) return cost;
+  for (int round = 0; round < SearchTuning::kRounds && cost > nothing; ++round) {
+    if (known >= 0 && cost > (round == 0 ? SearchTuning::kPruned : SearchTuning::kClose) * known)
+      break;
     const bool moved = moveSingles(c, layout, fresh);
     cost = costOf(c, layout, slack_);
-    if (known < 0 || cost < kClose * known) cost = refined(layout, c.leaders, 4);
+    if (known < 0 || cost < SearchTuning::kClose * known)
+      cost = refined(layout, c.leaders, SearchTuning::kRoundIterations);
     if (!moved) break;
   }
   return cost;
@@ -215,7 +210,9 @@ std::vector<int> SearchMoves::randomPart(const Component& c) {
       const MatchSeam& seam = problem_.seams[s];
       const int other = seam.a == part[k] ? seam.b : seam.a;
       if (std::find(part.begin(), part.end(), other) != part.end()) continue;
-      if (problem_.leaders[other].admissible.isPinned() || random_.uniform() < kSkip) continue;
+      if (problem_.leaders[other].admissible.isPinned() ||
+          random_.uniform() < SearchTuning::kSkipped)
+        continue;
       part.push_back(other);
       if (static_cast<int>(part.size()) >= size) break;
     }

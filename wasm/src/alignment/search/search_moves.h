@@ -4,6 +4,7 @@
 #include "alignment/model/component.h"
 #include "alignment/model/sampled_seams.h"
 #include "base/random.h"
+#include "tuning/search.h"
 
 namespace seamwise {
 
@@ -16,17 +17,15 @@ struct Layout {
 /// How a search gets from one answer to others. All costs are those of samples of the seams. [cm2]
 class SearchMoves {
  public:
-  static constexpr double kSame = 2e-3;  ///< answers whose costs differ by less count as one
-
   /// @param slack   as in SampledSeams::cost
   SearchMoves(const MatchProblem& problem, const SearchSamples& samples, std::uint64_t seed,
               double slack);
 
   Layout layoutOf(const Alignments& at) const;
   double costOf(const Component& c, const Layout& layout, double slack);
-  /// The cost that kPerfectDistance makes of all seams.
+  /// The cost that SearchTuning::kPerfectDistance makes of all seams.
   static double perfect(const SearchSamples& samples) {
-    return kPerfectDistance * samples.weight();
+    return SearchTuning::kPerfectDistance * samples.weight();
   }
   double perfect() const { return perfect(samples_); }
   double slack() const { return slack_; }

@@ -3,28 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuning/search.h"
+
 namespace seamwise {
 namespace {
 
 /// Share of starts from nothing once the first trees are grown; of many pieces, some lie badly in
 /// each of them, and parts of the best are worth more.
-double freshShare(int pieces) { return std::min(0.7, 5.0 / pieces); }
+double freshShare(int pieces) {
+  return std::min(SearchTuning::kFreshShare, SearchTuning::kFreshPieces / pieces);
+}
 /// And the more of them, the longer it takes until nothing is to be gained. With few, thousands of
 /// answers are within reach, and looking at more of them takes little time.
 double patienceFor(double pieces) {
-  return std::clamp(std::max(pieces / 10, 8 / pieces), 1.0, 2.0);
+  return std::clamp(std::max(pieces / SearchTuning::kManyPieces, SearchTuning::kFewPieces / pieces),
+                    1.0, SearchTuning::kMostPatience);
 }
 /// The pieces that time is allowed for. All that are sewn together take part in each step, so that
 /// beyond some, more of them get less of it: nobody waits minutes for one garment.
 double countedOf(double pieces) {
-  constexpr double kMany = 40;
+  constexpr double kMany = SearchTuning::kCountedPieces;
   return pieces <= kMany ? pieces : kMany * std::sqrt(kMany / pieces);
 }
-constexpr double kScattered = 0.3;  ///< share of these whose pieces lie anywhere, not grown
-constexpr double kOther = 0.3;      ///< share of regrowths of another answer than the best
-constexpr double kDetached = 0.5;   ///< share of regrowths that begin anywhere, apart from the rest
-constexpr std::size_t kFinalists = 16;
-constexpr double kGain = 1e-5;  ///< share of the cost that counts as one
 
 }  // namespace
 
@@ -38,7 +38,7 @@ double allowedIn(const Component& component, const SearchBudget& budget) {
 }
 
 void Answers::add(double cost, const Alignments& own, double perfect) {
-  const double margin = SearchMoves::kSame * cost + perfect;
+  const double margin = SearchTuning::kSameAnswer * cost + perfect;
   const auto same = std::find_if(few.begin(), few.end(), [&](const auto& other) {
     return std::abs(other.first - cost) < margin;
   });
@@ -49,7 +49,7 @@ void Answers::add(double cost, const Alignments& own, double perfect) {
   const auto after = std::upper_bound(few.begin(), few.end(), cost,
                                       [](double v, const auto& other) { return v < other.first; });
   few.insert(after, {cost, own});
-  if (few.size() > kFinalists) few.pop_back();
+  if (few.size() > SearchTuning::kFinalists) few.pop_back();
 }
 
 void Answers::watch(double cost, const Alignments& own) {
@@ -89,7 +89,7 @@ void SearchShare::next() {
     const Component& c = components_[current_];
     const double pieces = static_cast<double>(c.leaders.size());
     allowed_ = allowedIn(c, task_.budget);
-    patience_ = task_.budget.idle * (pieces + 4) * patienceFor(pieces);
+    patience_ = task_.budget.idle * (pieces + SearchTuning::kPatiencePieces) * patienceFor(pieces);
     return;
   }
 }
@@ -101,7 +101,7 @@ void SearchShare::keep(const Component& c, const Layout& layout, double cost) {
   if (task_.watched > 0) answers.watch(moves_->costOf(c, layout, task_.watched), own);
   const double known = answers.cost();
   answers.add(cost, own, moves_->perfect());
-  const bool gained = known < 0 || cost <= known - kGain * known;
+  const bool gained = known < 0 || cost <= known - SearchTuning::kGain * known;
   idle_ = gained ? 0 : idle_ + 1;
 }
 
@@ -110,7 +110,7 @@ Alignments SearchShare::startFrom(const Component& c, bool anew) {
   Alignments at = task_.at;
   const auto& few = task_.known[current_].few;
   if (few.empty()) return at;
-  const bool other = !anew && moves_->uniform() < kOther;
+  const bool other = !anew && moves_->uniform() < SearchTuning::kOtherAnswer;
   const Alignments& own = few[other ? moves_->below(static_cast<int>(few.size())) : 0].second;
   for (std::size_t i = 0; i < own.size(); ++i) at[c.leaders[i]] = own[i];
   return at;
@@ -122,7 +122,8 @@ void SearchShare::lay(const Component& part, bool anew, const std::vector<char>&
   std::vector<char> placed(fresh.size());
   // the very first answer is shown, so it is grown
   const bool grown =
-      task_.known[current_].few.empty() || moves_->uniform() >= (anew ? kScattered : kDetached);
+      task_.known[current_].few.empty() ||
+      moves_->uniform() >= (anew ? SearchTuning::kScattered : SearchTuning::kDetached);
   if (!grown && anew) {
     for (int l : part.leaders) moves_->layAnywhere(l, layout);
     return;
@@ -155,8 +156,8 @@ bool SearchShare::step() {
   const double known = answers.cost(), cost = moves_->improve(c, layout, fresh, known);
   keep(c, layout, cost);
   const double best = answers.cost();
-  if (known < 0 || best < known * (1 - SearchMoves::kSame)) hits_ = 0;
-  if (anew && cost < best * (1 + SearchMoves::kSame)) ++hits_;
+  if (known < 0 || best < known * (1 - SearchTuning::kSameAnswer)) hits_ = 0;
+  if (anew && cost < best * (1 + SearchTuning::kSameAnswer)) ++hits_;
   const double spent = moves_->spent();
   const bool enough = starts_ >= budget.trees && (hits_ >= budget.hits || idle_ >= patience_);
   share_ = std::max(share_, std::min(1.0, std::max(spent / allowed_, idle_ / patience_)));

@@ -5,25 +5,9 @@
 #include <vector>
 
 #include "alignment/search/search_moves.h"
+#include "tuning/search.h"
 
 namespace seamwise {
-
-/// How long to look, for a print of up to four symmetries besides its shifts; for one of more, the
-/// search takes longer. Counted in distance evaluations, never in seconds, so that results do not
-/// depend on the machine.
-struct SearchBudget {
-  int trees = 40;    ///< spanning-tree starts for each component, at least
-  double idle = 12;  ///< stop after so many steps without gain, for each free piece and four more
-  int hits = 12;     ///< or after so many starts that ended at the same, best answer
-  double evaluations = 5e6;  ///< stop after so many element distances for each free piece
-  double samples = 12;       ///< along the print's shortest repeat, while searching
-  /// Shares that all this is split into, each with starts of its own: see SearchShare.
-  int shares = 4;
-  /// Work for a proof that nothing better is left, as a share of `evaluations`; unset: a little,
-  /// where that may be enough.
-  std::optional<double> proof;
-  bool operator==(const SearchBudget&) const = default;
-};
 
 /// What is known of a component. Costs are those of samples of the seams. [cm2]
 struct Answers {
