@@ -1,6 +1,7 @@
 /** The editing workbench: what is decided on the left, the pattern in the middle, how well it fits on the right. */
 import {html, type TemplateResult} from 'lit';
 
+import {askedSymmetries} from '../model/design.js';
 import {canAlign} from './commands/can-align.js';
 import {redoWords, undoWords} from './commands/step-words.js';
 import type {ShortcutId} from './commands/shortcuts.js';
@@ -132,8 +133,9 @@ export class Editor extends WorkbenchElement {
     const part = this.renderRoot.querySelector<HTMLElement>('sw-headline');
     if (!part || !this.isConnected) return;
     this.#headline ??= new KeptHeight(part);
-    const {garment, symmetries} = this.workbench.design ?? {};
-    this.#headline.about = `${garment?.name} ${symmetries?.length ? 'symmetric' : ''}`;
+    const {design} = this.workbench;
+    const isSymmetric = design && askedSymmetries(design).length > 0;
+    this.#headline.about = `${design?.garment.name} ${isSymmetric ? 'symmetric' : ''}`;
     this.#headline.stir(kind === 'done');
   }
 

@@ -1,22 +1,20 @@
 /** What the symmetries of a design cost: the same design solved without them, when nothing else is to be done. */
 import type {Design} from '../model/design.js';
-import type {Problem} from '../model/problem.js';
+import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
 import {countedSeams, finalFit} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 
 export class Comparison {
   readonly #solver: SolverService;
-  readonly #problemOf: (design: Design) => Problem;
   readonly #changed: () => void;
   readonly #known = new WeakMap<Design, number>();
   /** The last design without symmetries, and what came of it. */
   #free: {readonly design: Design; readonly result: SolveResult} | undefined;
   #running: AbortController | undefined;
 
-  constructor(solver: SolverService, problemOf: (design: Design) => Problem, changed: () => void) {
+  constructor(solver: SolverService, changed: () => void) {
     this.#solver = solver;
-    this.#problemOf = problemOf;
     this.#changed = changed;
   }
 
@@ -25,10 +23,10 @@ export class Comparison {
     return this.#known.get(design);
   }
 
-  /** A design has been solved; if it has symmetries, it is solved without them as well. */
+  /** A design has been solved; if its answer has symmetries, it is solved without them as well. */
   async follow(design: Design, result: SolveResult): Promise<void> {
     this.stop();
-    if (design.symmetries.length === 0) {
+    if (result.symmetries.length === 0) {
       this.#free = {design, result};
     } else if (!this.#known.has(design)) {
       if (!this.#free || !differOnlyInSymmetry(this.#free.design, design)) {
@@ -46,10 +44,9 @@ export class Comparison {
 
   /** @returns whether there is an answer */
   async #solveFree(design: Design, signal: AbortSignal): Promise<boolean> {
-    const free = {...design, symmetries: []};
-    const problem: Problem = {...this.#problemOf(free), symmetry: 'none'};
+    const free: Design = {...design, symmetry: 'none'};
     // the main solve has said what there is to say; without a comparison none is shown
-    const result = await this.#solver.solve(problem, {signal}).catch(() => undefined);
+    const result = await this.#solver.solve(problemOf(free), {signal}).catch(() => undefined);
     if (result) this.#free = {design: free, result};
     return result !== undefined;
   }
@@ -68,4 +65,5 @@ const differOnlyInSymmetry = (a: Design, b: Design): boolean =>
   a.garment === b.garment &&
   a.print === b.print &&
   a.method === b.method &&
-  a.options === b.options;
+  a.options === b.options &&
+  a.seed === b.seed;

@@ -1,6 +1,6 @@
 /** A better answer to the same question, looked for as long as somebody lets it: each try looks twice as long as the one before. */
 import type {Design} from '../model/design.js';
-import type {Problem} from '../model/problem.js';
+import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
 import {finalFit} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
@@ -25,7 +25,6 @@ const leastGain = 0.005;
 
 export class Improvement {
   readonly #solver: SolverService;
-  readonly #problemOf: (design: Design) => Problem;
   readonly #changed: () => void;
   readonly #keep: (design: Design, effort: number, result: SolveResult) => Design;
   #running: AbortController | undefined;
@@ -35,12 +34,10 @@ export class Improvement {
   /** @param keep is handed every better answer, and gives back the design that it answers from then on */
   constructor(
     solver: SolverService,
-    problemOf: (design: Design) => Problem,
     changed: () => void,
     keep: (design: Design, effort: number, result: SolveResult) => Design,
   ) {
     this.#solver = solver;
-    this.#problemOf = problemOf;
     this.#changed = changed;
     this.#keep = keep;
   }
@@ -65,9 +62,7 @@ export class Improvement {
       await idle();
       const longer = {...design, options: {...design.options, effort}};
       // what cannot be solved any more, or is stopped, ends it: what was gained by then is kept
-      const next = await this.#solver
-        .solve(this.#problemOf(longer), {signal})
-        .catch(() => undefined);
+      const next = await this.#solver.solve(problemOf(longer), {signal}).catch(() => undefined);
       if (!next || signal.aborted) break;
       const reached = finalFit(next).mean;
       if (mean - reached < leastGain) continue;

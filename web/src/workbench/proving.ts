@@ -1,7 +1,7 @@
 /** How good the placing of a design can be: looked into when nothing else is to be done. */
 import {provenShare} from '../model/core-tables.js';
 import type {Design} from '../model/design.js';
-import type {Problem} from '../model/problem.js';
+import {problemOf} from '../model/design-problem.js';
 import type {Proof, SolveResult} from '../model/result.js';
 import type {SolverService} from '../solver/service.js';
 import {idle} from './idle.js';
@@ -11,16 +11,14 @@ const patience = 60_000;
 
 export class Proving {
   readonly #solver: SolverService;
-  readonly #problemOf: (design: Design) => Problem;
   readonly #changed: () => void;
   readonly #known = new WeakMap<Design, number>();
   /** Those that have been looked into for as long as makes sense. */
   readonly #done = new WeakSet<Design>();
   #running: AbortController | undefined;
 
-  constructor(solver: SolverService, problemOf: (design: Design) => Problem, changed: () => void) {
+  constructor(solver: SolverService, changed: () => void) {
     this.#solver = solver;
-    this.#problemOf = problemOf;
     this.#changed = changed;
   }
 
@@ -47,7 +45,7 @@ export class Proving {
       this.#learn(design, share >= 1 - provenShare ? 1 : Math.max(share, searchBound));
     };
     try {
-      await this.#solver.prove(this.#problemOf(design), {signal, onProof});
+      await this.#solver.prove(problemOf(design), {signal, onProof});
       this.#done.add(design);
     } catch {
       // nobody has asked for it: what is known by then stays

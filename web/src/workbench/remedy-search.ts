@@ -1,6 +1,6 @@
 /** What would make the seams of a design meet that stay off, looked for when nothing else is to be done. */
 import type {Design} from '../model/design.js';
-import type {Problem} from '../model/problem.js';
+import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
@@ -8,15 +8,13 @@ import {idle} from './idle.js';
 
 export class RemedySearch {
   readonly #solver: SolverService;
-  readonly #problemOf: (design: Design) => Problem;
   readonly #changed: () => void;
   readonly #known = new WeakMap<Design, readonly Remedy[]>();
   readonly #finished = new WeakSet<Design>();
   #running: AbortController | undefined;
 
-  constructor(solver: SolverService, problemOf: (design: Design) => Problem, changed: () => void) {
+  constructor(solver: SolverService, changed: () => void) {
     this.#solver = solver;
-    this.#problemOf = problemOf;
     this.#changed = changed;
   }
 
@@ -36,7 +34,7 @@ export class RemedySearch {
       const {remediesOf} = await import('../remedies/remedies.js');
       signal.throwIfAborted();
       await remediesOf(
-        this.#problemOf(design),
+        problemOf(design),
         result,
         (problem, stop) => this.#solver.solve(problem, stop ? {signal: stop} : {}),
         {

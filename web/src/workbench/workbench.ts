@@ -1,10 +1,10 @@
 /** What a page or element works on: a design with its history, and what the solver knows of it. */
-import {printOf, problemOf, type Design, type DesignGarment} from '../model/design.js';
+import {askedSymmetries, printOf, type Design, type DesignGarment} from '../model/design.js';
 import type {Alignment} from '../model/geometry.js';
 import type {Failure} from '../model/failure.js';
 import {begun} from '../model/history.js';
 import {mirroringsOf} from '../model/pins.js';
-import type {Problem, Progress} from '../model/problem.js';
+import type {Progress} from '../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import {leaseSolver, type SolverLease} from '../solver/pool.js';
@@ -27,10 +27,6 @@ import {improving} from './steps.js';
 export type * from './state.js';
 
 export interface WorkbenchOptions {
-  /** What the solver is asked for a design. */
-  readonly problemOf?: (design: Design) => Problem;
-  /** Whether a design's answer keeps symmetries that it does not ask for. None does so by itself. */
-  readonly isAuto?: (design: Design) => boolean;
   /** Hears all that the solver says of a solve, of which the rest is told at a slower pace. */
   readonly progress?: (progress: Progress) => void;
   /** The picture of a print's cell, by its URL; none shows bare cloth. */
@@ -42,7 +38,6 @@ export class Workbench extends DesignHistory {
   readonly tileOf: NonNullable<WorkbenchOptions['tileOf']>;
   /** What is worked on once an answer is there. */
   readonly afterwards: Afterwards;
-  readonly #isAuto: WorkbenchOptions['isAuto'];
   readonly #lease: SolverLease;
   readonly #results = new ResultCache();
   readonly #solve: LatestSolve;
@@ -57,23 +52,21 @@ export class Workbench extends DesignHistory {
   constructor(
     lease: SolverLease = leaseSolver(),
     preferences = preferencesFor(navigator.language),
-    {problemOf: asked = problemOf, isAuto, progress, tileOf: read = tileOf}: WorkbenchOptions = {},
+    {progress, tileOf: read = tileOf}: WorkbenchOptions = {},
   ) {
     super(preferences);
     this.solver = lease.solver;
     this.#lease = lease;
     this.tileOf = read;
-    this.#isAuto = isAuto;
     const changed = (): void => {
       this.changed();
     };
     this.afterwards = new Afterwards(this.solver, {
-      problemOf: asked,
       changed,
       improved: (design, effort, result) => this.#improved(design, effort, result),
     });
     this.#found = new FoundSymmetries(this.solver, changed);
-    this.#solve = new LatestSolve(this.solver, asked, {
+    this.#solve = new LatestSolve(this.solver, {
       pattern: (design, pattern) => {
         if (this.#known.take(design.garment, pattern)) this.changedNext();
       },
@@ -127,12 +120,13 @@ export class Workbench extends DesignHistory {
     return this.#known.partial;
   }
 
-  /** Symmetries that are asked for; where none is, those that the answer keeps all the same. */
+  /** Symmetries that are asked for; with `auto`, those that the answer keeps. */
   get kept(): readonly Symmetry[] {
-    const {design} = this;
-    const isHeld = design?.symmetries.length === 0 && this.#isAuto?.(design);
-    const {pattern} = this;
-    return isHeld && pattern ? this.#found.heldBy(pattern) : (design?.symmetries ?? []);
+    const {design, pattern} = this;
+    if (!design) return [];
+    return design.symmetry === 'auto' && pattern
+      ? this.#found.heldBy(pattern)
+      : askedSymmetries(design);
   }
 
   /** Symmetries the garment shows by itself and that are not kept yet. */
@@ -213,9 +207,9 @@ export class Workbench extends DesignHistory {
   protected override stepped(): void {
     const {design, pattern} = this;
     if (!design?.options.pins || !pattern) return;
-    const isAuto = design.symmetries.length === 0 && this.#isAuto?.(design);
     const known = mirroringsOf(pattern);
-    this.steps.mend(withKeptPins(design, pattern, isAuto ? known : askedOf(design, known)));
+    const held = design.symmetry === 'auto' ? known : askedOf(design, known);
+    this.steps.mend(withKeptPins(design, pattern, held));
   }
 
   /** All better answers that are found in one go are one step. */

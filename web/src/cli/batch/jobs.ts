@@ -1,4 +1,5 @@
 /** Jobs as lines of a file: what is to be solved, and by which key its answer is known. */
+import type {Design} from '../../model/design.js';
 import {FileError} from '../../model/versioned-file.js';
 import {
   fail,
@@ -10,7 +11,7 @@ import {
   text,
   type Read,
 } from '../../model/read.js';
-import {methods, type Method} from '../../model/method.js';
+import {methods} from '../../model/method.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {sha256Of} from '../../model/result-text.js';
@@ -18,14 +19,8 @@ import {packageVersion} from '../../model/version.js';
 import {addressFrom} from '../../node/addresses.js';
 
 /** A garment in a print. Addresses are whole; the options and symmetries are as the line has them. */
-export interface Job {
+export interface Job extends Omit<Design<string, string>, 'names'> {
   readonly label: Label;
-  readonly garment: string;
-  readonly print: string;
-  readonly symmetry: 'auto' | 'none' | readonly Symmetry[];
-  readonly method: Method;
-  readonly options: SolveOptions;
-  readonly seed: number;
 }
 
 /** What a job is called; nothing in it but the files it names changes the answer. */
