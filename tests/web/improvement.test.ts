@@ -49,16 +49,14 @@ function keeping(found: Readonly<Record<number, number>>) {
   const told: string[] = [];
   const kept: number[] = [];
   const present = (): Design => steps.history?.present.design ?? design;
-  const afterwards: Afterwards = new Afterwards(searching(found), {
-    changed: () => {
-      const {isRunning, gained} = afterwards.improving(present()) ?? {isRunning: false, gained: 0};
-      told.push(`${isRunning ? 'looking' : 'done'} ${(10 * gained).toFixed(1)}`);
-    },
-    improved: (from, effort) => {
-      kept.push(effort);
-      steps.change({options: {...from.options, effort}}, improving, null);
-      return present();
-    },
+  const afterwards = new Afterwards(searching(found), (from, effort) => {
+    kept.push(effort);
+    steps.change({options: {...from.options, effort}}, improving, null);
+    return present();
+  });
+  afterwards.subscribe(() => {
+    const {isRunning, gained} = afterwards.improving(present()) ?? {isRunning: false, gained: 0};
+    told.push(`${isRunning ? 'looking' : 'done'} ${(10 * gained).toFixed(1)}`);
   });
   return {steps, told, kept, afterwards, present};
 }

@@ -5,23 +5,25 @@ import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
 import {Comparison} from './comparison.js';
 import {Improvement, type Improving} from './improvement.js';
+import {Observable} from './observable.js';
 import {Proving} from './proving.js';
 import {RemedySearch} from './remedy-search.js';
 
-export interface AfterwardsHooks {
-  readonly changed: () => void;
-  /** A better answer to the present design, looked for with more effort. @returns the design that it answers, from now the present one */
-  readonly improved: (design: Design, effort: number, result: SolveResult) => Design;
-}
+/** A better answer to the present design, looked for with more effort. @returns the design that it answers, from now the present one */
+type Improved = (design: Design, effort: number, result: SolveResult) => Design;
 
-export class Afterwards {
+export class Afterwards extends Observable {
   readonly #comparison: Comparison;
   readonly #remedies: RemedySearch;
   readonly #proving: Proving;
   readonly #improvement: Improvement;
   #latest: Design | undefined;
 
-  constructor(solver: SolverService, {changed, improved}: AfterwardsHooks) {
+  constructor(solver: SolverService, improved: Improved) {
+    super();
+    const changed = (): void => {
+      this.changed();
+    };
     this.#comparison = new Comparison(solver, changed);
     this.#remedies = new RemedySearch(solver, changed);
     this.#proving = new Proving(solver, changed);

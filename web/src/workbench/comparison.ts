@@ -4,23 +4,23 @@ import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
 import {countedSeams, finalFit} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
+import {DesignFindings, NewestTask} from './background-task.js';
 
 export class Comparison {
   readonly #solver: SolverService;
-  readonly #changed: () => void;
-  readonly #known = new WeakMap<Design, number>();
+  readonly #task = new NewestTask();
+  readonly #means: DesignFindings<number>;
   /** The last design without symmetries, and what came of it. */
   #free: {readonly design: Design; readonly result: SolveResult} | undefined;
-  #running: AbortController | undefined;
 
   constructor(solver: SolverService, changed: () => void) {
     this.#solver = solver;
-    this.#changed = changed;
+    this.#means = new DesignFindings(changed);
   }
 
   /** The mean mismatch without symmetries, along the seams that count with them. [cm] */
   of(design: Design): number | undefined {
-    return this.#known.get(design);
+    return this.#means.of(design);
   }
 
   /** A design has been solved; if its answer has symmetries, it is solved without them as well. */
@@ -28,18 +28,16 @@ export class Comparison {
     this.stop();
     if (result.symmetries.length === 0) {
       this.#free = {design, result};
-    } else if (!this.#known.has(design)) {
+    } else if (this.#means.of(design) === undefined) {
       if (!this.#free || !differOnlyInSymmetry(this.#free.design, design)) {
-        this.#running = new AbortController();
-        if (!(await this.#solveFree(design, this.#running.signal))) return;
+        if (!(await this.#solveFree(design, this.#task.begin().signal))) return;
       }
       this.#compare(design, result);
     }
   }
 
   stop(): void {
-    this.#running?.abort();
-    this.#running = undefined;
+    this.#task.stop();
   }
 
   /** @returns whether there is an answer */
@@ -56,8 +54,7 @@ export class Comparison {
     const counted = countedSeams(result);
     // both are searches; without symmetry one is free to keep it
     const mean = Math.min(...[this.#free.result, result].map((one) => finalFit(one, counted).mean));
-    this.#known.set(design, mean);
-    this.#changed();
+    this.#means.learn(design, mean);
   }
 }
 

@@ -4,6 +4,7 @@ import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
 import {finalFit} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
+import {NewestTask} from './background-task.js';
 import {idle} from './idle.js';
 
 /** How far it has come. */
@@ -27,7 +28,7 @@ export class Improvement {
   readonly #solver: SolverService;
   readonly #changed: () => void;
   readonly #keep: (design: Design, effort: number, result: SolveResult) => Design;
-  #running: AbortController | undefined;
+  readonly #task = new NewestTask();
   /** Of which design, as it is now. */
   #state: (Improving & {readonly design: Design}) | undefined;
 
@@ -50,7 +51,7 @@ export class Improvement {
   /** @param result the answer to `design`. @returns the best that was found */
   async start(design: Design, result: SolveResult): Promise<Answered> {
     this.stop();
-    const {signal} = (this.#running = new AbortController());
+    const {signal} = this.#task.begin();
     const first = finalFit(result).mean;
     let [best, mean]: [Answered, number] = [{design, result}, first];
     const tell = (isRunning: boolean): void => {
@@ -75,8 +76,7 @@ export class Improvement {
   }
 
   stop(): void {
-    this.#running?.abort();
-    this.#running = undefined;
+    this.#task.stop();
     if (!this.#state?.isRunning) return;
     this.#state = {...this.#state, isRunning: false};
     this.#changed();

@@ -1,13 +1,10 @@
-/** What is known of the garment that is worked on, beside its answers: its mesh, and how its pieces lie on their way. */
+/** What is known of the garment that is worked on, beside its answers: its mesh. */
 import type {DesignGarment} from '../model/design.js';
-import type {Alignment} from '../model/geometry.js';
 import type {MeshedPattern} from '../model/result.js';
-import {alignmentsFrom} from '../scene/scene.js';
 
 export class KnownGarment {
   #garment: DesignGarment | undefined;
   #pattern: MeshedPattern | undefined;
-  #partial: readonly Alignment[] | undefined;
 
   get garment(): DesignGarment | undefined {
     return this.#garment;
@@ -17,17 +14,11 @@ export class KnownGarment {
     return this.#pattern;
   }
 
-  /** How the pieces lie in the answer that is on its way; of `pattern`'s pieces. */
-  get partial(): readonly Alignment[] | undefined {
-    return this.#partial;
-  }
-
   /** What was known of another garment is forgotten. @returns whether it was another one */
   meet(garment: DesignGarment): boolean {
     if (garment === this.#garment) return false;
     this.#garment = garment;
     this.#pattern = undefined;
-    this.#partial = undefined;
     return true;
   }
 
@@ -35,24 +26,11 @@ export class KnownGarment {
   take(garment: DesignGarment, pattern: MeshedPattern): boolean {
     if (garment !== this.#garment) return false;
     this.#pattern = pattern;
-    this.#partial = undefined;
     return true;
   }
 
   /** Unless it is known already. @returns whether it was not */
   takeFirst(garment: DesignGarment, pattern: MeshedPattern): boolean {
     return !this.#pattern && this.take(garment, pattern);
-  }
-
-  /** @param alignments as a solve reports them @returns whether they are of the garment that is worked on */
-  lay(garment: DesignGarment, alignments: Float64Array): boolean {
-    if (garment !== this.#garment) return false;
-    this.#partial = alignmentsFrom(alignments);
-    return true;
-  }
-
-  /** No answer is on its way any more. */
-  rest(): void {
-    this.#partial = undefined;
   }
 }

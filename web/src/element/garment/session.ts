@@ -41,6 +41,9 @@ const states: Readonly<Record<Workbench['state']['kind'], GarmentState>> = {
   ...{done: 'ready', failed: 'error'},
 };
 
+/** What state, errors and events depend on: what is said of pieces calls them as the sheet does. */
+const heard = ['history', 'solving', 'running', 'selection', 'sheet', 'preferences'] as const;
+
 export class GarmentSession {
   readonly workbench: Workbench;
   readonly #owner: SessionOwner;
@@ -81,7 +84,7 @@ export class GarmentSession {
       },
     });
     this.workbench.isEdited = false;
-    this.workbench.subscribe(() => {
+    this.workbench.subscribe(heard, () => {
       this.#follow();
     });
   }
