@@ -170,4 +170,9 @@ it('notes what is read of while it is asked to', () => {
   expect(count(() => workbench.design)).toBe(1);
   expect(count(() => [workbench.selected, workbench.pointed])).toBe(1);
   expect(count(() => seamRows(workbench, textsOf('en')))).toBe(3);
+  workbench.subscribe(['selection'], () => [workbench.design, workbench.notice]);
+  const pointing = (): void => {
+    workbench.point({kind: 'piece', piece: 0});
+  };
+  expect(count(pointing)).toBe(0);
 });

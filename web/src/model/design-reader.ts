@@ -89,9 +89,9 @@ export const askedSymmetry: Read<AskedSymmetry> = (value, at) =>
       : fail(at, "'auto', 'none' or a list of symmetries");
 
 export const seed: Read<number> = (value, at) =>
-  Number.isInteger(value)
-    ? number(0, 0xffffffff)(value, at)
-    : fail(at, 'a whole number, 0 or more');
+  Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 0xffffffff
+    ? Number(value)
+    : fail(at, 'a whole number from 0 to 4294967295');
 
 export const garmentSample = shape({style: fileStem, size: fileStem});
 export const printSample = shape({name: fileStem, colourway: text()});

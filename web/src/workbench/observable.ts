@@ -40,12 +40,18 @@ export class Observable {
 
   static #tell(changed: Iterable<Observable>): void {
     const told = new Set<() => void>();
-    for (const one of changed) {
-      for (const listener of one.#listeners) {
-        if (told.has(listener)) continue;
-        told.add(listener);
-        listener();
+    const before = read;
+    read = undefined; // what listeners read, whoever has made the change has not
+    try {
+      for (const one of changed) {
+        for (const listener of one.#listeners) {
+          if (told.has(listener)) continue;
+          told.add(listener);
+          listener();
+        }
       }
+    } finally {
+      read = before;
     }
   }
 
