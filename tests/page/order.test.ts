@@ -1,11 +1,11 @@
-import {order, sha256Of, type StoredProblem} from 'seamwise/node';
+import {order, sha256Of, type FiledDesign} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
 import {tee, useFixture} from './fixture/open.js';
 
 const openPage = useFixture();
 const texts = {garment: tee.garment as string, print: tee.print as string};
-const problem: StoredProblem = {
+const problem: FiledDesign = {
   garment: {url: 'tee.json', sha256: sha256Of(texts.garment)},
   print: {url: 'p4m.json', sha256: sha256Of(texts.print)},
   symmetry: 'auto',
@@ -19,7 +19,7 @@ const shelf = new Map([
 ]);
 const read = (url: string) => Promise.resolve(new TextEncoder().encode(shelf.get(url)));
 
-it.each<[string, Partial<StoredProblem['print']>]>([
+it.each<[string, Partial<FiledDesign['print']>]>([
   ['as the shop has it', {}],
   ['turned and resized', {turnDeg: 33, size: {width: 7.7, height: 7.7, angleDeg: 90}}],
 ])('an order in Node gives the bytes that a browser sold, the print %s', async (_, changes) => {

@@ -17,7 +17,7 @@ vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
 
-type Changes = Pick<Design, 'symmetries'> & {
+type Changes = Pick<Design, 'symmetry'> & {
   readonly options?: Design['options'];
   readonly print?: Partial<Design['print']>;
 };
@@ -147,16 +147,16 @@ it('takes a stored pin to the nearest place that keeps the symmetry, as part of 
 
 it('takes a pin along when a symmetry is asked for later', async () => {
   const page = await symmetricTee(openPage);
-  const {symmetries} = await designOf(page);
+  const {symmetry} = await designOf(page);
   const {alignment} = await lying(page, 'front');
   const [x, y] = alignment.translation;
-  await change(page, {symmetries: []});
+  await change(page, {symmetry: 'none'});
   await change(page, {
     options: {pins: {front: {...alignment, translation: [x + 0.4, y] as const}}},
   });
   await solved(page);
   expect((await pinsOf(page)).front?.translation[0]).toBeCloseTo(x + 0.4, 6);
-  await change(page, {symmetries});
+  await change(page, {symmetry});
   await page.getByText('went to the nearest place').waitFor();
   await solved(page);
   expect((await pinsOf(page)).front?.translation[0]).toBeCloseTo(x, 5);
@@ -211,6 +211,6 @@ it('offers to leave out what the print cannot keep', async () => {
   await page.getByRole('alert').filter({hasText: 'p2 has neither mirrors nor glides'}).waitFor();
   await button(page, 'Leave out what it cannot keep').click();
   await solved(page);
-  expect((await designOf(page)).symmetries).toEqual([]);
+  expect((await designOf(page)).symmetry).toBe('none');
   expect(await progress(page).innerText()).toMatch(/^Aligned in/);
 });

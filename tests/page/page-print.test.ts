@@ -80,7 +80,7 @@ it('names its prints, and shows only those that are looked for', async () => {
 it('says why a group will not do, and which would', async () => {
   const page = await quietPage();
   await page.locator('seamwise-page').evaluate((element) => {
-    (element as SeamwisePage).workbench.change({symmetries: [{kind: 'piece', piece: 'front'}]});
+    (element as SeamwisePage).workbench.change({symmetry: [{kind: 'piece', piece: 'front'}]});
   });
   const greyed = page.locator('[role=radio][aria-disabled=true]');
   expect(await greyed.count()).toBe(7);

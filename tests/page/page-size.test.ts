@@ -29,7 +29,7 @@ async function answered(page: Page): Promise<number> {
         const look = (): void => {
           if (workbench?.state.kind === 'done') resolve(Date.now());
         };
-        workbench?.subscribe(look);
+        workbench?.subscribe(['solving'], look);
         look();
       }),
   );

@@ -33,6 +33,7 @@ export const storedDesign: StoredDesign = {
     plain: ['yoke'],
   },
   seed: 4294967295,
+  names: {sleeve_left: 'Ärmel'},
   alignments: {
     front: {angle: 0.1, translation: [1, -2]},
     constructor: {angle: -3.1, translation: [0, 1e-9] as const},

@@ -11,7 +11,7 @@ import {
   sha256Of,
   solve,
   type StoredDesign,
-  type StoredProblem,
+  type FiledDesign,
 } from 'seamwise/node';
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
@@ -25,7 +25,7 @@ const shelf = new Map([
 ]);
 const read = (url: string) => Promise.resolve(new TextEncoder().encode(shelf.get(url)));
 
-const chosen: StoredProblem = {
+const chosen: FiledDesign = {
   garment: {url: 'strips.json', sha256: sha256Of(garment)},
   print: {url: 'checks.json', sha256: sha256Of(print)},
   symmetry: 'auto',
@@ -35,7 +35,7 @@ const chosen: StoredProblem = {
 };
 
 /** What a shop would store of a choice. */
-async function sold(problem: StoredProblem = chosen): Promise<StoredDesign> {
+async function sold(problem: FiledDesign = chosen): Promise<StoredDesign> {
   return designOf(
     problem,
     await solve(problemOfStored(problem, {garment: garment.slice(1), print})),
@@ -43,7 +43,7 @@ async function sold(problem: StoredProblem = chosen): Promise<StoredDesign> {
 }
 
 describe('an order', () => {
-  it.each<[string, Partial<StoredProblem>]>([
+  it.each<[string, Partial<FiledDesign>]>([
     ['as it was chosen', {}],
     ['without symmetry', {symmetry: 'none', method: 'ws19'}],
     ['with a symmetry of its own', {symmetry: [{kind: 'pair', pieces: ['left', 'right']}]}],

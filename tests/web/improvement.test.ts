@@ -2,7 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import {Afterwards} from '@/workbench/afterwards.js';
 import {improving, Steps} from '@/workbench/steps.js';
-import {problemOf, type Design} from '@/model/design.js';
+import type {Design} from '@/model/design.js';
 import type {SolveOptions} from '@/model/options.js';
 import type {SolveResult} from '@/model/result.js';
 import type {SolverService} from '@/solver/service.js';
@@ -14,7 +14,7 @@ const design: Design = {
     ...{title: '', group: 'p1', turnDeg: 0, oneWay: false, cell: 'primitive', image: ''},
     size: {width: 10, height: 10, angleDeg: 90},
   },
-  ...{symmetries: [], method: 'best', options: {maxChangeCm: 0.5}},
+  ...{symmetry: 'none', seed: 1, method: 'best', options: {maxChangeCm: 0.5}},
 };
 
 /** Two squares whose seam misses by so much. [cm] */
@@ -49,17 +49,14 @@ function keeping(found: Readonly<Record<number, number>>) {
   const told: string[] = [];
   const kept: number[] = [];
   const present = (): Design => steps.history?.present.design ?? design;
-  const afterwards: Afterwards = new Afterwards(searching(found), {
-    problemOf,
-    changed: () => {
-      const {isRunning, gained} = afterwards.improving(present()) ?? {isRunning: false, gained: 0};
-      told.push(`${isRunning ? 'looking' : 'done'} ${(10 * gained).toFixed(1)}`);
-    },
-    improved: (from, effort) => {
-      kept.push(effort);
-      steps.change({options: {...from.options, effort}}, improving, null);
-      return present();
-    },
+  const afterwards = new Afterwards(searching(found), (from, effort) => {
+    kept.push(effort);
+    steps.change({options: {...from.options, effort}}, improving, null);
+    return present();
+  });
+  afterwards.subscribe(() => {
+    const {isRunning, gained} = afterwards.improving(present()) ?? {isRunning: false, gained: 0};
+    told.push(`${isRunning ? 'looking' : 'done'} ${(10 * gained).toFixed(1)}`);
   });
   return {steps, told, kept, afterwards, present};
 }

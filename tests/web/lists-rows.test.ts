@@ -43,7 +43,7 @@ function workbench({
       ...{title: '', group: 'p1', turnDeg: 0, oneWay: false, cell: 'primitive', image: ''},
       size: {width: 10, height: 10, angleDeg: 90},
     },
-    ...{symmetries: [], method: 'best', options},
+    ...{symmetry: 'none', seed: 1, method: 'best', options},
   };
   const lying = (up: number) =>
     pattern.pieces.map(({alignment: {angle, translation}}, k) => ({

@@ -20,7 +20,7 @@ function answered(garment: string, file: object, change: Partial<Asked> = {}): A
     },
     loaded: {
       garment: {name: 'garment.json', text: JSON.stringify(file)},
-      ...{print: bareCloth, symmetries: [], symmetry: 'auto'},
+      ...{print: bareCloth, symmetry: 'auto'},
     },
   };
 }
@@ -67,4 +67,15 @@ it('keeps it while only the print or the greatest change is another', () => {
   const {asked, loaded} = before;
   const after = {asked: {...asked, maxChangeCm: 0.5, print: 'q.json'}, loaded: {...loaded}};
   expect(keptPins(before, after)).toEqual(['front', 'sleeve']);
+});
+
+it('keeps the symmetries that a customer has let go of, and what pieces are called, on the same garment', () => {
+  const before = answered('tee-m.json', pieces('front'));
+  const now: Design = {...placedOn(before), symmetry: 'none', seed: 3, names: {front: 'Vorn'}};
+  const after = {...before, asked: {...before.asked, print: 'q.json'}};
+  const kept = {symmetry: 'none', seed: 3, names: {front: 'Vorn'}};
+  expect(nextDesign(after, before, now)).toMatchObject(kept);
+  const other = nextDesign(answered('dress-m.json', pieces('front')), before, now);
+  expect(other).toMatchObject({symmetry: 'auto', seed: 3});
+  expect(other).not.toHaveProperty('names');
 });

@@ -27,11 +27,11 @@ describe('the gallery', () => {
   });
 
   it('asks for mirrors where a piece is symmetric, for mirrors or glides where a pair is', () => {
-    expect(missing('pg', [front, sleeves])).toBe('piece');
-    expect(missing('pg', [sleeves])).toBeUndefined();
-    expect(missing('p4', [sleeves])).toBe('pair');
-    expect(missing('cm', [front, sleeves])).toBeUndefined();
-    expect(missing('p1', [])).toBeUndefined();
+    expect(missing('pg', {symmetry: [front, sleeves]})).toBe('piece');
+    expect(missing('pg', {symmetry: [sleeves]})).toBeUndefined();
+    expect(missing('p4', {symmetry: [sleeves]})).toBe('pair');
+    expect(missing('cm', {symmetry: [front, sleeves]})).toBeUndefined();
+    expect(missing('p1', {symmetry: 'none'})).toBeUndefined();
   });
 
   it('knows the groups that look the same upside down', () => {
@@ -92,7 +92,8 @@ describe('the starting points', () => {
       ...{title: '', group: 'p1', size: square, turnDeg: 0, oneWay: false},
       ...{cell: 'primitive', image: ''},
     },
-    symmetries: [],
+    symmetry: 'none',
+    seed: 1,
     method: 'best',
     options: {maxChangeCm: 1, grain: {default: 'on', pieces: {cuff: 'bias'}}, weights: {2: 3}},
   };

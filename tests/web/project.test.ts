@@ -5,6 +5,7 @@ import {describe, expect, it} from 'vitest';
 import type {Design} from '@/model/design.js';
 import {LinkError, linkOf, readLink} from '@/model/link.js';
 import {FileError, isProject, readProject, writeProject} from '@/model/project.js';
+import {written} from '@/model/written-design.js';
 import {fileNameOf, nameOf} from '@/model/project-name.js';
 
 const design: Design = {
@@ -19,7 +20,7 @@ const design: Design = {
     image: 'prints/cm-mist.svg',
     sample: {name: 'cm', colourway: 'Mist'},
   },
-  symmetries: [
+  symmetry: [
     {
       kind: 'piece',
       piece: 'front',
@@ -54,7 +55,13 @@ const design: Design = {
       },
     ],
   },
+  seed: 7,
 };
+/** As a file holds it. */
+interface Fields {
+  readonly design: Record<string, unknown>;
+}
+
 const view = {centre: [40, 60.5], scale: 7} as const;
 
 /** The design with one of its fields replaced. */
@@ -82,6 +89,27 @@ describe('a project', () => {
     expect(readProject(writeProject(design), 'x')).toEqual({design});
     const title = 'Für Ada';
     expect(readProject(writeProject(design, {title}), 'x')).toEqual({design, title});
+  });
+
+  it('is written in the fields that it has always had, an usual seed left out', () => {
+    const {symmetry, ...rest} = (JSON.parse(writeProject(design)) as Fields).design;
+    expect(symmetry).toBeUndefined();
+    expect(rest).toMatchObject({symmetries: design.symmetry, seed: 7});
+    const plain = JSON.parse(writeProject({...design, symmetry: 'none', seed: 1})) as Fields;
+    expect(plain.design).toMatchObject({symmetries: []});
+    expect(plain.design).not.toHaveProperty('seed');
+  });
+
+  it.each(['auto', 'none'] as const)('keeps what is asked for where it is %s', (symmetry) => {
+    const asking = {...design, symmetry};
+    expect(readProject(writeProject(asking), 'x').design).toEqual(asking);
+  });
+
+  it('of an earlier page has no seed, and a list of no symmetries', () => {
+    const file = JSON.parse(changed('design.symmetries', [])) as Fields;
+    delete file.design.seed;
+    const read = readProject(JSON.stringify(file), 'x').design;
+    expect(read).toEqual({...design, symmetry: 'none', seed: 1});
   });
 
   it('may hold a garment and a picture of its own', () => {
@@ -130,6 +158,7 @@ describe('a project', () => {
     ['design.symmetries.0.axis', [[0, 0]]],
     ['design.symmetries.2.pieces', ['one']],
     ['design.method', 'worst'],
+    ['design.seed', -1],
     ['design.options.maxChangeCm', -1],
     ['design.options.grain.default', 'off'],
     ['design.options.unmatched', [1.5]],
@@ -163,12 +192,12 @@ describe('a link', () => {
       ...{turnDeg: 90, oneWay: true, cell: 'rectangular', image: 'data:image/png;base64,AAAA'},
     },
   };
-  const {garment, print, symmetries, method, options} = design;
+  const {garment, print, symmetry, method, options, seed} = design;
   const {group, size, turnDeg, oneWay, cell, sample} = print;
   const samples = {
     garment: garment.sample,
     print: {group, size, turnDeg, oneWay, cell, sample},
-    ...{symmetries, method, options},
+    ...{symmetry, method, options, seed},
   };
 
   it('holds all of a design of samples but the samples', async () => {
@@ -202,9 +231,10 @@ describe('a link', () => {
     `#design=${Buffer.from(JSON.stringify(value)).toString('base64url')}`;
 
   it('that was made before links were deflated can still be read', async () => {
-    expect(await readLink(plain(samples))).toEqual({
+    const early = {...samples, symmetries: []};
+    expect(await readLink(plain({...early, symmetry: undefined, seed: undefined}))).toEqual({
       ...samples,
-      garment: {sample: garment.sample},
+      ...{garment: {sample: garment.sample}, symmetry: 'none', seed: 1},
     });
   });
 
@@ -214,7 +244,7 @@ describe('a link', () => {
 
   const packed = (text: string | Buffer): string =>
     `#project=${deflateRawSync(text).toString('base64url')}`;
-  const changed = (change: object): string => packed(JSON.stringify({...own, ...change}));
+  const changed = (change: object): string => packed(JSON.stringify({...written(own), ...change}));
 
   it.each([
     ['no base64', '#design=%%%'],
@@ -226,7 +256,7 @@ describe('a link', () => {
     ['no design', packed('{"garment": 1}')],
     ['null', packed('null')],
     ['a plain null', plain(null)],
-    ['a path for a style', plain({...samples, garment: {style: '../x', size: 'm'}})],
+    ['a path for a style', plain({...written(samples), garment: {style: '../x', size: 'm'}})],
     ['a garment without a text', changed({garment: {name: 'x.json'}})],
     ['a picture of another host', changed({print: {...own.print, image: 'https://x.org/a.png'}})],
     ['a picture that is a sample’s', changed({print: {...own.print, image: 'prints/cm.svg'}})],

@@ -1,7 +1,7 @@
 import {describe, expect, it, vi} from 'vitest';
 
 import {Proving} from '@/workbench/proving.js';
-import {problemOf, type Design} from '@/model/design.js';
+import type {Design} from '@/model/design.js';
 import type {SolveResult} from '@/model/result.js';
 import type {SolverService} from '@/solver/service.js';
 import {plainMetrics, squarePair} from '../support/two-squares.js';
@@ -12,7 +12,7 @@ const design: Design = {
     ...{title: '', group: 'p1', turnDeg: 0, oneWay: false, cell: 'primitive', image: ''},
     size: {width: 10, height: 10, angleDeg: 90},
   },
-  ...{symmetries: [], method: 'best', options: {}},
+  ...{symmetry: 'none', seed: 1, method: 'best', options: {}},
 };
 
 const result = (metrics: Partial<SolveResult['metrics']> = {}): SolveResult => ({
@@ -33,7 +33,7 @@ function provingSolver(bounds: readonly number[], searchCost = 50) {
 
 function following(solver: SolverService) {
   let changes = 0;
-  const proving = new Proving(solver, problemOf, () => (changes += 1));
+  const proving = new Proving(solver, () => (changes += 1));
   return {proving, changes: () => changes};
 }
 

@@ -13,7 +13,7 @@ const design: Design = {
     ...{title: '', group: 'p1', turnDeg: 0, oneWay: false, cell: 'primitive', image: ''},
     size: {width: 10, height: 10, angleDeg: 90},
   },
-  ...{symmetries: [], method: 'best', options: {}},
+  ...{symmetry: 'none', seed: 1, method: 'best', options: {}},
 };
 
 /** A row of squares, each sewn to the next, as they were drafted: each a little higher than that. */

@@ -1,6 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
-import {noPicture} from '@/model/design.js';
+import {askedSymmetries, noPicture} from '@/model/design.js';
 import type {ResultPiece, ResultSymmetry, SolveResult} from '@/model/result.js';
 import {solvedDesign, type SolvedFiles} from '@/model/solved-design.js';
 
@@ -9,6 +9,7 @@ const files: SolvedFiles = {
   print: {group: 'pmm', w1: [6, 0], w2: [0, 8]},
   picture: undefined,
   options: {maxChangeCm: 0.5},
+  seed: 3,
 };
 
 const piece = (name: string, mirroredFromInput = false): ResultPiece => ({
@@ -23,11 +24,13 @@ const piece = (name: string, mirroredFromInput = false): ResultPiece => ({
 });
 
 const symmetriesFor = (symmetry: ResultSymmetry, pieces: readonly ResultPiece[]) =>
-  solvedDesign(files, {
-    pieces,
-    symmetries: [symmetry],
-    metrics: {method: 'best'},
-  } as unknown as SolveResult).symmetries;
+  askedSymmetries(
+    solvedDesign(files, {
+      pieces,
+      symmetries: [symmetry],
+      metrics: {method: 'best'},
+    } as unknown as SolveResult),
+  );
 
 const folded = (angle: number, translation: readonly [number, number]): ResultSymmetry => ({
   kind: 'piece',
@@ -54,7 +57,8 @@ describe('the design of a result', () => {
         cell: 'primitive',
         image: noPicture,
       },
-      symmetries: [],
+      symmetry: 'none',
+      seed: 3,
       method: 'paper',
       options: {maxChangeCm: 0.5},
     });

@@ -9,7 +9,8 @@ const design: Design = {
     ...{title: 'Dots', group: 'p4m', size: {width: 8, height: 8, angleDeg: 90}, turnDeg: 0},
     ...{oneWay: false, cell: 'primitive', image: 'data:image/png,'},
   },
-  symmetries: [],
+  symmetry: 'none',
+  seed: 1,
   method: 'best',
   options: {maxChangeCm: 0},
 };

@@ -3,12 +3,12 @@ import {readFileSync} from 'node:fs';
 import * as fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
+import {problemOfStored} from '@/model/design-problem.js';
 import type {Print} from '@/model/print.js';
 import {repeatOf} from '@/model/repeat.js';
 import {
   changesOf,
   printOfStored,
-  problemOfStored,
   readStoredDesign,
   writeStoredDesign,
 } from '@/model/stored-design.js';
@@ -52,6 +52,14 @@ function changed(path: string, value: unknown): string {
 describe('a stored design', () => {
   it('is read as it was written', () => {
     expect(readStoredDesign(writeStoredDesign(storedDesign), 'x')).toEqual(storedDesign);
+  });
+
+  it.each(['auto', 'none'])('is read where its symmetries are %s', (symmetry) => {
+    expect(readStoredDesign(changed('symmetry', symmetry), 'x').symmetry).toBe(symmetry);
+  });
+
+  it('asks for none where it lists none', () => {
+    expect(readStoredDesign(changed('symmetry', []), 'x').symmetry).toBe('none');
   });
 
   it('may come with fields of the shop, which are left out', () => {

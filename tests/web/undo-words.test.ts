@@ -16,7 +16,7 @@ import {
 import {en} from '@/texts/en.js';
 import {samplePrint, type SamplePrint} from '@/workbench/samples.js';
 import type {Workbench} from '@/workbench/workbench.js';
-import type {Design} from '@/model/design.js';
+import {askedSymmetries, type Design} from '@/model/design.js';
 
 const ogee: SamplePrint = {
   ...{name: 'cm', title: 'Ogee tulip', group: 'cm', w1: [12, 0], w2: [6, 9]},
@@ -29,7 +29,8 @@ const ogee: SamplePrint = {
 const design: Design = {
   garment: {name: 'apron-m.json', text: '{}', sample: {style: 'apron', size: 'm'}},
   print: samplePrint(ogee),
-  symmetries: [{kind: 'piece', piece: 'bib'}],
+  symmetry: [{kind: 'piece', piece: 'bib'}],
+  seed: 1,
   method: 'best',
   options: {maxChangeCm: 1, grain: {default: 'on'}, pins: {bib: at(1)}},
 };
@@ -58,10 +59,10 @@ const cases: readonly (readonly [step: string, change: Partial<Design>, said: Ch
   ['a print that has an upside', {print: {...print, oneWay: true}}, {kind: 'print'}],
   [
     'a symmetry more',
-    {symmetries: [...design.symmetries, {kind: 'pair', pieces: ['tie', 'tie 2']}]},
+    {symmetry: [...askedSymmetries(design), {kind: 'pair', pieces: ['tie', 'tie 2']}]},
     {kind: 'symmetry', pieces: ['tie', 'tie 2']},
   ],
-  ['a symmetry less', {symmetries: []}, {kind: 'symmetry', pieces: ['bib']}],
+  ['a symmetry less', {symmetry: 'none'}, {kind: 'symmetry', pieces: ['bib']}],
   ['another name', {names: withName(undefined, 'bib', 'Top')}, {kind: 'name', pieces: ['bib']}],
   [
     'a quarter turn',

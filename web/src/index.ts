@@ -19,8 +19,16 @@ export {
   type FailureCode,
 } from './model/failure.js';
 
-export {printOf, problemOf} from './model/design.js';
-export type {Design, DesignGarment, DesignPrint, DesignPrintFile} from './model/design.js';
+export {askedSymmetries, printOf} from './model/design.js';
+export type {
+  AskedSymmetry,
+  Decisions,
+  Design,
+  DesignGarment,
+  DesignPrint,
+  DesignPrintFile,
+} from './model/design.js';
+export {problemOf, problemOfStored} from './model/design-problem.js';
 export {LinkError, linkOf, readLink} from './model/link.js';
 export type {LinkedGarment, LinkedPrint, LinkedProject} from './model/link.js';
 export {FileError, isProject, readProject, writeProject} from './model/project.js';

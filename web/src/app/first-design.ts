@@ -1,5 +1,5 @@
 /** What the page shows at first: the files that its address names, or the opening sample. */
-import type {Design} from '../model/design.js';
+import {askingFor, type Design} from '../model/design.js';
 import {
   newDesign,
   opening,
@@ -22,7 +22,7 @@ export async function welcomeDesign(
 ): Promise<Design> {
   const design = await sampleDesign(samples, welcome);
   const {symmetries} = await solver.symmetries(design.garment.text, {name: design.garment.name});
-  return {...design, symmetries: withAll([], design.print.group, symmetries)};
+  return {...design, symmetry: askingFor(withAll([], design.print.group, symmetries))};
 }
 
 async function sampleDesign(

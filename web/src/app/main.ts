@@ -82,7 +82,7 @@ async function welcome(): Promise<void> {
 /** Once something is changed or opened, the tab comes back to what is made of it. */
 function forgetAddress(): void {
   const {beginnings} = workbench;
-  const end = workbench.subscribe(() => {
+  const end = workbench.subscribe(['history'], () => {
     if (!workbench.canUndo && workbench.beginnings === beginnings) return;
     end();
     history.replaceState(null, '', location.pathname);

@@ -49,6 +49,8 @@ export class SeamwisePage extends WorkbenchElement {
     return this.renderRoot.querySelector('sw-editor');
   }
 
+  readonly #shownEditor = (): Editor | null => this.#editor;
+
   /** What has a key of its own beside the editor's. */
   readonly #keyed = {
     commands: (): void => void this.#commands(),
@@ -141,7 +143,7 @@ export class SeamwisePage extends WorkbenchElement {
             : html`<sw-hints
                 slot="hint"
                 .workbench=${workbench}
-                .editor=${this.#editor}
+                .editor=${this.#shownEditor}
                 .left=${this.hints}
                 @given=${({detail}: CustomEvent<Hint>) => {
                   this.hints = this.hints.filter((hint) => hint !== detail);

@@ -1,6 +1,7 @@
 /** What a user takes away. */
 import {fileNameOf} from '../model/project-name.js';
 import {writeProject} from '../model/project.js';
+import {written} from '../model/written-design.js';
 import {toFailure, type Workbench} from '../editor/index.js';
 import {cuttingSvg} from './cutting-svg.js';
 import {saveFile} from './files.js';
@@ -27,12 +28,10 @@ export function saveProject(saved: Saved): void {
 
 /** With the design that it is the answer to, so that it can be opened again. */
 export function saveResult(saved: Saved): void {
-  const {workbench} = saved;
-  if (workbench.result)
-    saveFile(
-      `${stem(saved)}.result.json`,
-      JSON.stringify({...workbench.result, design: workbench.design}),
-    );
+  const {design, result} = saved.workbench;
+  if (!design || !result) return;
+  const content = JSON.stringify({...result, design: written(design)});
+  saveFile(`${stem(saved)}.result.json`, content);
 }
 
 /** The whole sheet as it is shown. */

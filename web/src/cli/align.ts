@@ -153,11 +153,12 @@ async function checkOutputs(
 
 /** A result with the design that it answers, which lets a page open it, and with what would make it better. */
 async function openable(
-  {garment, print, options}: Aligned,
+  {garment, print, options, seed}: Aligned,
   result: SolveResult,
   found: readonly Remedy[] | undefined,
 ): Promise<string> {
   const {solvedDesign} = await import('../model/solved-design.js');
+  const {written} = await import('../model/written-design.js');
   const cloth = JSON.parse(textOf(print.bytes)) as Print;
   const design = solvedDesign(
     {
@@ -165,8 +166,9 @@ async function openable(
       print: cloth,
       picture: await readPicture(cloth, print.path),
       options: JSON.parse(options) as SolveOptions,
+      seed,
     },
     result,
   );
-  return `${JSON.stringify({...result, ...(found && {remedies: found}), design})}\n`;
+  return `${JSON.stringify({...result, ...(found && {remedies: found}), design: written(design)})}\n`;
 }

@@ -1,6 +1,7 @@
 /** The editing workbench: what is decided on the left, the pattern in the middle, how well it fits on the right. */
-import {html, type TemplateResult} from 'lit';
+import {html, type PropertyValues, type TemplateResult} from 'lit';
 
+import {askedSymmetries} from '../model/design.js';
 import {canAlign} from './commands/can-align.js';
 import {redoWords, undoWords} from './commands/step-words.js';
 import type {ShortcutId} from './commands/shortcuts.js';
@@ -112,8 +113,8 @@ export class Editor extends WorkbenchElement {
   }
 
   /** A seam that somebody picks in the pattern is to be seen from near. */
-  protected override deskChanged(): void {
-    super.deskChanged();
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
     const {selected} = this.workbench;
     if (sameTarget(selected, this.#selected)) return;
     this.#selected = selected;
@@ -132,9 +133,12 @@ export class Editor extends WorkbenchElement {
     const part = this.renderRoot.querySelector<HTMLElement>('sw-headline');
     if (!part || !this.isConnected) return;
     this.#headline ??= new KeptHeight(part);
-    const {garment, symmetries} = this.workbench.design ?? {};
-    this.#headline.about = `${garment?.name} ${symmetries?.length ? 'symmetric' : ''}`;
-    this.#headline.stir(kind === 'done');
+    const {design, afterwards} = this.workbench;
+    const isSymmetric = design && askedSymmetries(design).length > 0;
+    this.#headline.about = `${design?.garment.name} ${isSymmetric ? 'symmetric' : ''}`;
+    // all that is found out afterwards is said there, too, and comes bit by bit
+    const isImproving = design && afterwards.improving(design)?.isRunning;
+    this.#headline.stir(kind === 'done' && !isImproving);
   }
 
   protected override render(): TemplateResult {

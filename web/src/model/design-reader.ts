@@ -1,6 +1,6 @@
 /** Designs that come from outside: each value is checked, so that the rest of the page may trust it. */
 import {optionLimits} from './core-tables.js';
-import type {Design} from './design.js';
+import {askingFor, type AskedSymmetry, type Decisions, type Design} from './design.js';
 import type {Alignment, Point} from './geometry.js';
 import type {GrainRule, Lock, SolveOptions} from './options.js';
 import {groupNames, printCells} from './print.js';
@@ -20,6 +20,7 @@ import {
 } from './read.js';
 import type {Symmetry} from './symmetries.js';
 import {tileRepeats, type PrintTile} from './print-tile.js';
+import {heldOf} from './written-design.js';
 
 /** What the solver takes for the sides of a repeat, and more than any garment measures. [cm] */
 const repeat = number(...optionLimits.repeatCm);
@@ -77,6 +78,21 @@ const symmetry: Read<Symmetry> = (value, at) => {
   return {kind, ...shape({piece: text()}, optional)(value, at)};
 };
 
+export const symmetryList = listOf(symmetry);
+
+/** An empty list is `none`. */
+export const askedSymmetry: Read<AskedSymmetry> = (value, at) =>
+  Array.isArray(value)
+    ? askingFor(symmetryList(value, at))
+    : typeof value === 'string'
+      ? oneOf(['auto', 'none'])(value, at)
+      : fail(at, "'auto', 'none' or a list of symmetries");
+
+export const seed: Read<number> = (value, at) =>
+  Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 0xffffffff
+    ? Number(value)
+    : fail(at, 'a whole number from 0 to 4294967295');
+
 export const garmentSample = shape({style: fileStem, size: fileStem});
 export const printSample = shape({name: fileStem, colourway: text()});
 
@@ -92,14 +108,21 @@ export const repeatFields = {
 /** The repeat of a print, without its picture. */
 export const printMeasures = shape(repeatFields);
 
-/** The fields that are decided about garment and print together. */
-export const decisionFields = {
-  symmetries: listOf(symmetry),
-  method: oneOf(methods),
-  options,
-};
+export const pieceNames = recordOf(pieceName);
 
-export const decisions = shape(decisionFields, {names: recordOf(pieceName)});
+/** Those of the decisions that all files write alike. */
+export const decisionFields = {method: oneOf(methods), options};
+
+const writtenDecisions = shape(
+  {symmetries: askedSymmetry, ...decisionFields},
+  {seed, names: pieceNames},
+);
+
+/** As `written` writes them. */
+export const decisions: Read<Decisions> = (value, at) => {
+  const {symmetries, ...others} = writtenDecisions(value, at);
+  return heldOf({...others, ...(symmetries !== 'none' && {symmetries})});
+};
 
 const isOwnPicture = (source: string): boolean => /^data:image\/[\w.+-]+[;,]/.test(source);
 

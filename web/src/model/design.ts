@@ -3,7 +3,6 @@ import type {PanelDecisions} from './garment-marks.js';
 import type {SolveOptions} from './options.js';
 import type {PieceNames} from './piece-names.js';
 import type {GroupName, Print, PrintCell} from './print.js';
-import type {Problem} from './problem.js';
 import type {Method} from './method.js';
 import {latticeVectors, type RepeatSize} from './repeat.js';
 import type {StoredFile} from './stored-file.js';
@@ -51,20 +50,53 @@ export const noPicture = `data:image/svg+xml,${encodeURIComponent(
   '<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100" preserveAspectRatio="none"><rect width="100" height="100" fill="#c9c1ae"/><rect x="1" y="1" width="98" height="98" fill="#f1ede3"/></svg>',
 )}`;
 
-/** Never changed in place: whoever holds one holds a state that undo can come back to. */
-export interface Design {
-  readonly garment: DesignGarment;
-  readonly print: DesignPrint;
-  /** Those that the user has asked for; found ones that were not accepted are not among them. */
-  readonly symmetries: readonly Symmetry[];
+/** `auto`: those that the garment shows by itself; `none`, never an empty list; or those that are listed. */
+export type AskedSymmetry = 'auto' | 'none' | readonly Symmetry[];
+
+/** What is decided about garment and print together. */
+export interface Decisions {
+  readonly symmetry: AskedSymmetry;
   readonly method: Method;
   readonly options: SolveOptions;
+  /** A whole number from 0 to 4294967295. */
+  readonly seed: number;
   /** What pieces are called, where that was chosen. */
   readonly names?: PieceNames;
 }
 
+/**
+ * Never changed in place: whoever holds one holds a state that undo can come back to. Garment and print are held
+ * themselves, or are referred to in another way.
+ */
+export interface Design<Garment = DesignGarment, Print = DesignPrint> extends Decisions {
+  readonly garment: Garment;
+  readonly print: Print;
+}
+
+/** What a solve has when nobody asks for another. */
+export const usualSeed = 1;
+
+/** A design's decisions alone. */
+export const decisionsOf = ({symmetry, method, options, seed, names}: Decisions): Decisions => ({
+  ...{symmetry, method, options, seed},
+  ...(names && {names}),
+});
+
+const noSymmetries: readonly Symmetry[] = [];
+
+/** The symmetries that are asked for one by one; the same list for the same design. */
+export const askedSymmetries = ({symmetry}: Pick<Decisions, 'symmetry'>): readonly Symmetry[] =>
+  typeof symmetry === 'string' ? noSymmetries : symmetry;
+
+/** A list of symmetries as a design holds it. */
+export const askingFor = (symmetries: readonly Symmetry[]): AskedSymmetry =>
+  symmetries.length === 0 ? 'none' : symmetries;
+
 /** What is decided about the panels of its garment. */
-export const decidedOf = ({names, options}: Pick<Design, 'names' | 'options'>): PanelDecisions => ({
+export const decidedOf = ({
+  names,
+  options,
+}: Pick<Decisions, 'names' | 'options'>): PanelDecisions => ({
   ...(names && {names}),
   ...(options.grain?.pieces && {grain: options.grain.pieces}),
 });
@@ -74,11 +106,3 @@ export function printOf({group, size, turnDeg, oneWay, cell, title, image}: Desi
   const [w1, w2] = latticeVectors(group, size, turnDeg, cell);
   return {title, group, w1, w2, oneWay, cell, image};
 }
-
-export const problemOf = (design: Design): Problem => ({
-  garment: design.garment.text,
-  print: printOf(design.print),
-  symmetry: {symmetries: design.symmetries},
-  method: design.method,
-  options: design.options,
-});

@@ -12,6 +12,12 @@ const depth = 300;
 
 export const begun = <State>(present: State): History<State> => ({past: [], present, future: []});
 
+/** The same steps, in another form. */
+export const mapped = <From, To>(
+  {past, present, future}: History<From>,
+  to: (state: From) => To,
+): History<To> => ({past: past.map(to), present: to(present), future: future.map(to)});
+
 /** A new step; what had been taken back is gone. */
 export const stepped = <State>({past, present}: History<State>, next: State): History<State> => ({
   past: [...past, present].slice(-depth),

@@ -1,6 +1,6 @@
 /** A project as the fragment of an address, to be passed on: all of it but what samples hold themselves. */
 import {bytesOf, deflated, Inflated, inflated} from './deflated.js';
-import type {Design, DesignGarment, DesignPrint} from './design.js';
+import {decisionsOf, type Design, type DesignGarment, type DesignPrint} from './design.js';
 import {
   decisions,
   garmentSample,
@@ -13,6 +13,7 @@ import {
 import {projectTitle} from './project-name.js';
 import {fieldOf, Malformed, shape, text, type Read} from './read.js';
 import type {PrintTile} from './print-tile.js';
+import {written} from './written-design.js';
 
 /** By the name of a sample, or as a whole. */
 export type LinkedGarment =
@@ -26,9 +27,7 @@ export type LinkedPrint = Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneW
     | (Pick<DesignPrint, 'title'> & {readonly tile: PrintTile})
   );
 
-export interface LinkedProject extends Omit<Design, 'garment' | 'print'> {
-  readonly garment: LinkedGarment;
-  readonly print: LinkedPrint;
+export interface LinkedProject extends Design<LinkedGarment, LinkedPrint> {
   /** What its sender calls it. */
   readonly title?: string;
 }
@@ -74,7 +73,7 @@ const isSample = (print: DesignPrint): print is DesignPrint & {sample: object} =
 
 /** "#...", of whatever length. @param title what its owner calls it */
 export async function linkOf(design: Design, title?: string): Promise<string> {
-  const {garment: own, print: shown, ...decided} = design;
+  const {garment: own, print: shown} = design;
   const {group, size, turnDeg, oneWay, cell, tile} = shown;
   const project: LinkedProject = {
     garment: own.sample ? {sample: own.sample} : {name: own.name, text: own.text},
@@ -84,10 +83,10 @@ export async function linkOf(design: Design, title?: string): Promise<string> {
         ? {sample: shown.sample}
         : {title: shown.title, ...(tile ? {tile} : {image: shown.image})}),
     },
-    ...decided,
+    ...decisionsOf(design),
     ...(title !== undefined && {title}),
   };
-  return start + (await deflated(JSON.stringify(project)));
+  return start + (await deflated(JSON.stringify(written(project))));
 }
 
 /**

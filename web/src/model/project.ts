@@ -5,6 +5,7 @@ import type {Point} from './geometry.js';
 import {projectTitle} from './project-name.js';
 import {number, pairOf, shape} from './read.js';
 import {readVersioned, versionOf, type FileKind} from './versioned-file.js';
+import {written} from './written-design.js';
 
 export {FileError} from './versioned-file.js';
 
@@ -41,7 +42,7 @@ const kind: FileKind<Project> = {
 };
 
 export const writeProject = (design: Design, more: Omit<Project, 'design'> = {}): string =>
-  JSON.stringify({format: `${kind.format}/${version}`, design, ...more});
+  JSON.stringify({format: `${kind.format}/${version}`, design: written(design), ...more});
 
 /** Whether a file says that it is a project, of whatever version. */
 export const isProject = (file: unknown): boolean => versionOf(file, kind) !== undefined;

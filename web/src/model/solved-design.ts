@@ -1,32 +1,33 @@
 /** The design that a result answers, from the files of its problem: what lets a page open a result again. */
-import {noPicture, type Design} from './design.js';
+import {askingFor, noPicture, type Decisions, type DesignGarment, type Design} from './design.js';
 import type {Point} from './geometry.js';
-import type {SolveOptions} from './options.js';
 import type {Print} from './print.js';
 import {repeatOf} from './repeat.js';
 import type {ResultPiece, ResultSymmetry, SolveResult} from './result.js';
 import type {Symmetry} from './symmetries.js';
 
 export interface SolvedFiles {
-  readonly garment: Design['garment'];
+  readonly garment: DesignGarment;
   readonly print: Print;
   /** A `data:` URL of the picture of one cell; without it the cloth is bare. */
   readonly picture: string | undefined;
-  readonly options: SolveOptions;
+  readonly options: Decisions['options'];
+  readonly seed: number;
 }
 
 /** The symmetries are those of the result, so that what was found by itself is asked for from now on. */
 export function solvedDesign(
-  {garment, print, picture = noPicture, options}: SolvedFiles,
+  {garment, print, picture = noPicture, options, seed}: SolvedFiles,
   {pieces, symmetries, metrics}: SolveResult,
 ): Design {
   const {group, title = group, oneWay = false, cell = 'primitive'} = print;
   return {
     garment,
     print: {title, group, ...repeatOf(print), oneWay, cell, image: picture},
-    symmetries: symmetries.map((one) => askedFor(one, pieces)),
+    symmetry: askingFor(symmetries.map((one) => askedFor(one, pieces))),
     method: metrics.method,
     options,
+    seed,
   };
 }
 

@@ -1,12 +1,15 @@
 /** A design as shops store it: what was chosen, which files it was chosen for, and what the answer was. */
-import type {DesignPrint} from './design.js';
-import {decisionFields, pieceName, readAlignment, repeatFields} from './design-reader.js';
+import {decisionsOf, type Design, type DesignPrint} from './design.js';
+import {
+  askedSymmetry,
+  decisionFields,
+  pieceNames,
+  readAlignment,
+  repeatFields,
+  seed,
+} from './design-reader.js';
 import type {Alignment, Point} from './geometry.js';
-import type {SolveOptions} from './options.js';
-import type {PieceNames} from './piece-names.js';
 import {colourwayOf, groupNames, type Print} from './print.js';
-import type {Problem} from './problem.js';
-import type {Method} from './method.js';
 import {
   fail,
   listOf,
@@ -22,7 +25,6 @@ import {
 import {latticeVectors, repeatOf} from './repeat.js';
 import {resultText, sha256Of} from './result-text.js';
 import type {SolveResult} from './result.js';
-import type {Symmetry} from './symmetries.js';
 import type {StoredFile} from './stored-file.js';
 import {FileError, readVersioned, type FileKind} from './versioned-file.js';
 import {packageVersion} from './version.js';
@@ -35,27 +37,22 @@ export type PrintChanges = Partial<
   readonly colourway?: string;
 };
 
-/** Everything that the answer depends on. */
-export interface StoredProblem {
-  /** `size` is what the shop calls it. */
-  readonly garment: StoredFile & {readonly size?: string};
-  readonly print: StoredFile & PrintChanges;
-  readonly symmetry: 'auto' | 'none' | readonly Symmetry[];
-  readonly method: Method;
-  readonly options: SolveOptions;
-  readonly seed: number;
-}
+/** `size` is what the shop calls it. */
+export type FiledGarment = StoredFile & {readonly size?: string};
 
-/** `seamwise-design/1`. */
-export interface StoredDesign extends StoredProblem {
+export type FiledPrint = StoredFile & PrintChanges;
+
+/** A design whose garment and print are named by URL and hash. */
+export type FiledDesign = Design<FiledGarment, FiledPrint>;
+
+/** `seamwise-design/1`: a filed design with its answer. */
+export interface StoredDesign extends FiledDesign {
   /** Where each piece lies on the print, by its name. */
   readonly alignments: Readonly<Record<string, Alignment>>;
   /** The sha256 of the result's text, as `resultText` writes it. */
   readonly result: string;
   /** The version of this package that found the result. */
   readonly solver: string;
-  /** What pieces are called, by the names of their panels, where that was chosen. */
-  readonly names?: PieceNames;
 }
 
 const version = 1;
@@ -77,18 +74,6 @@ const url: Read<string> = (value, at) => {
     : fail(at, 'an http:, https: or file: URL, or a path relative to the design');
 };
 
-const seed: Read<number> = (value, at) =>
-  Number.isInteger(value)
-    ? number(0, 0xffffffff)(value, at)
-    : fail(at, 'a whole number, 0 or more');
-
-const asked: Read<StoredProblem['symmetry']> = (value, at) =>
-  Array.isArray(value)
-    ? decisionFields.symmetries(value, at)
-    : typeof value === 'string'
-      ? oneOf(['auto', 'none'])(value, at)
-      : fail(at, "'auto', 'none' or a list of symmetries");
-
 const kind: FileKind<StoredDesign> = {
   format: 'seamwise-design',
   version,
@@ -96,15 +81,14 @@ const kind: FileKind<StoredDesign> = {
     {
       garment: shape({url, sha256: hash}, {size: name}),
       print: shape({url, sha256: hash}, {colourway: name, ...repeatFields}),
-      symmetry: asked,
-      method: decisionFields.method,
-      options: decisionFields.options,
+      symmetry: askedSymmetry,
+      ...decisionFields,
       seed,
       alignments: recordOf(readAlignment),
       result: hash,
       solver: semver,
     },
-    {names: recordOf(pieceName)},
+    {names: pieceNames},
   ),
   notJson: 'is not JSON; give it a design that was stored by Seamwise.',
   otherKind: `is no design; its 'format' must be 'seamwise-design/${version}'.`,
@@ -127,9 +111,11 @@ export function readStoredDesign(content: string, called: string): StoredDesign 
 export const writeStoredDesign = (design: StoredDesign): string =>
   `${JSON.stringify({format: `${kind.format}/${version}`, ...design}, null, 1)}\n`;
 
-/** What is to be stored of a problem that was solved; the result must be that of `problemOfStored`. */
-export const designOf = (problem: StoredProblem, result: SolveResult): StoredDesign => ({
-  ...problem,
+/** What is to be stored of a design that was solved; the result must be that of `problemOfStored`. */
+export const designOf = (design: FiledDesign, result: SolveResult): StoredDesign => ({
+  garment: design.garment,
+  print: design.print,
+  ...decisionsOf(design),
   alignments: Object.fromEntries(result.pieces.map((piece) => [piece.name, piece.alignment])),
   result: sha256Of(resultText(result)),
   solver: packageVersion,
@@ -174,7 +160,7 @@ const settled = ([x, y]: Point): Point => [
 ];
 
 /** The print of a design, as its file and the changes make it. @throws {FileError} naming the print's file */
-export function printOfStored({print}: Pick<StoredProblem, 'print'>, content: string): Print {
+export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: string): Print {
   const file = printFile(content, print.url);
   const {colourway, group = file.group, size, turnDeg, oneWay, cell} = print;
   const worn = colourway === undefined ? undefined : colourwayOf(file, colourway);
@@ -207,23 +193,9 @@ function printFile(content: string, called: string): Print {
   }
 }
 
-/**
- * The one problem that a stored design stands for, wherever it is solved.
- * @param texts of the two files @throws {FileError} naming the print's file
- */
-export function problemOfStored(
-  stored: StoredProblem,
-  texts: {readonly garment: string; readonly print: string},
-): Problem {
-  const {symmetry, method, options, seed: start, print} = stored;
-  const shown = printOfStored(stored, texts.print);
-  const isAsInFile = !hasNewLattice(print) && print.oneWay === undefined;
-  return {
-    garment: texts.garment,
-    print: isAsInFile ? texts.print : shown,
-    symmetry: typeof symmetry === 'string' ? symmetry : {symmetries: symmetry},
-    method,
-    options,
-    seed: start,
-  };
+/** The same as the solver takes it: its file's very text where nothing of it was changed. @throws {FileError} */
+export function printTextOf(design: Pick<FiledDesign, 'print'>, content: string): Print | string {
+  const shown = printOfStored(design, content);
+  const {print} = design;
+  return hasNewLattice(print) || print.oneWay !== undefined ? shown : content;
 }

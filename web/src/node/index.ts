@@ -42,6 +42,7 @@ export type {
   ProblemNames,
 } from '../solver/texts.js';
 export {SolverError, type Failure, type FailureCode} from '../model/failure.js';
+export {problemOfStored} from '../model/design-problem.js';
 export * from '../model/stored-design.js';
 export type * from '../model/stored-file.js';
 export {resultText, sha256Of} from '../model/result-text.js';

@@ -1,11 +1,11 @@
 /** An order: a stored design, solved again from the files that it names. */
+import {problemOfStored} from '../model/design-problem.js';
 import type {Print} from '../model/print.js';
 import type {Problem, SolveHooks} from '../model/problem.js';
 import {resultText, sha256Of} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
 import {
   printOfStored,
-  problemOfStored,
   readStoredDesign,
   writeStoredDesign,
   type StoredDesign,

@@ -1,34 +1,33 @@
 /** What is worked on once an answer is there: what its symmetries cost, what would help it, how good it can be, and a better one when asked. */
 import type {Design} from '../model/design.js';
-import type {Problem} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
 import {Comparison} from './comparison.js';
 import {Improvement, type Improving} from './improvement.js';
+import {Observable} from './observable.js';
 import {Proving} from './proving.js';
 import {RemedySearch} from './remedy-search.js';
 
-export interface AfterwardsHooks {
-  /** What the solver is asked for a design. */
-  readonly problemOf: (design: Design) => Problem;
-  readonly changed: () => void;
-  /** A better answer to the present design, looked for with more effort. @returns the design that it answers, from now the present one */
-  readonly improved: (design: Design, effort: number, result: SolveResult) => Design;
-}
+/** A better answer to the present design, looked for with more effort. @returns the design that it answers, from now the present one */
+type Improved = (design: Design, effort: number, result: SolveResult) => Design;
 
-export class Afterwards {
+export class Afterwards extends Observable {
   readonly #comparison: Comparison;
   readonly #remedies: RemedySearch;
   readonly #proving: Proving;
   readonly #improvement: Improvement;
   #latest: Design | undefined;
 
-  constructor(solver: SolverService, {problemOf, changed, improved}: AfterwardsHooks) {
-    this.#comparison = new Comparison(solver, problemOf, changed);
-    this.#remedies = new RemedySearch(solver, problemOf, changed);
-    this.#proving = new Proving(solver, problemOf, changed);
-    this.#improvement = new Improvement(solver, problemOf, changed, (design, effort, result) => {
+  constructor(solver: SolverService, improved: Improved) {
+    super();
+    const changed = (): void => {
+      this.changed();
+    };
+    this.#comparison = new Comparison(solver, changed);
+    this.#remedies = new RemedySearch(solver, changed);
+    this.#proving = new Proving(solver, changed);
+    this.#improvement = new Improvement(solver, changed, (design, effort, result) => {
       this.#latest = improved(design, effort, result);
       return this.#latest;
     });

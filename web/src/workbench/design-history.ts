@@ -1,13 +1,31 @@
 /** A design with its history: taken step by step, back and forth. */
 import type {Design} from '../model/design.js';
 import type {History} from '../model/history.js';
-import {ViewState} from './view-state.js';
-import type {Step} from './state.js';
-import {Steps} from './steps.js';
+import {Observable} from './observable.js';
+import type {ShownSheet} from './shown-sheet.js';
+import type {Step, ViewState} from './state.js';
+import {improving, Steps} from './steps.js';
 
-export abstract class DesignHistory extends ViewState {
-  protected readonly steps = new Steps();
+/** What belongs to a change of the design. */
+export interface HistoryHooks {
+  /** A step has been taken: the design as it is to be, before anybody sees it. */
+  readonly mended: (design: Design) => Design;
+  /** The present design may be any other than before. */
+  readonly arrived: () => void;
+}
+
+export class DesignHistory extends Observable {
+  readonly #steps = new Steps();
+  readonly #sheet: ShownSheet;
+  readonly #hooks: HistoryHooks;
   #beginnings = 0;
+
+  /** @param sheet with whose view each step is kept */
+  constructor(sheet: ShownSheet, hooks: HistoryHooks) {
+    super();
+    this.#sheet = sheet;
+    this.#hooks = hooks;
+  }
 
   /** Undefined until a garment is there. */
   get design(): Design | undefined {
@@ -15,7 +33,7 @@ export abstract class DesignHistory extends ViewState {
   }
 
   get history(): History<Step> | undefined {
-    return this.steps.history;
+    return this.#steps.history;
   }
 
   /** How many histories were begun: another number is another piece of work. */
@@ -34,7 +52,7 @@ export abstract class DesignHistory extends ViewState {
   /** Starts, or starts over, with a history of its own. */
   begin(history: History<Step>): void {
     this.#beginnings++;
-    this.steps.begin(history);
+    this.#steps.begin(history);
     this.#travel();
   }
 
@@ -47,44 +65,59 @@ export abstract class DesignHistory extends ViewState {
     // how long was looked for an answer belongs to that answer, not to the next question
     const {effort, ...options} = change.options ?? this.design.options;
     const taken = effort === undefined ? change : {...change, options};
-    this.steps.change(taken, kind, this.view?.get() ?? null);
-    this.stepped();
-    this.clearNotice();
-    this.arrive();
+    this.#steps.change(taken, kind, this.#view);
+    this.#steps.mend(this.#hooks.mended(this.design));
+    this.#arrive();
+  }
+
+  /** All better answers that are found in one go are one step. */
+  improve(options: Design['options']): void {
+    this.#steps.change({options}, improving, this.#view);
+    this.changed();
+  }
+
+  /** As a part of the step that led to the present design. */
+  mend(design: Design): void {
+    this.#steps.mend(design);
+    this.changed();
   }
 
   /** Whether a drag is under way, whose changes are one step. */
   get isHeld(): boolean {
-    return this.steps.isHeld;
+    return this.#steps.isHeld;
   }
 
   /** For a drag: until it ends, its changes are one step, however long it rests. @returns what ends it */
   hold(): () => void {
-    this.steps.hold();
+    this.#steps.hold();
     return () => {
-      this.steps.letGo();
+      this.#steps.letGo();
       this.changed();
     };
   }
 
   undo(): void {
-    if (this.steps.undo()) this.#travel();
+    if (this.#steps.undo()) this.#travel();
   }
 
   redo(): void {
-    if (this.steps.redo()) this.#travel();
+    if (this.#steps.redo()) this.#travel();
   }
 
-  /** A step has been taken, and may be mended before anybody sees it. */
-  protected abstract stepped(): void;
+  get #view(): ViewState | null {
+    return this.#sheet.view?.get() ?? null;
+  }
 
-  /** The present design may be any other than before. */
-  protected abstract arrive(): void;
+  #arrive(): void {
+    Observable.together(() => {
+      this.changed();
+      this.#hooks.arrived();
+    });
+  }
 
   #travel(): void {
-    this.clearNotice();
-    this.arrive();
+    this.#arrive();
     const view = this.history?.present.view;
-    if (view) this.view?.set(view);
+    if (view) this.#sheet.view?.set(view);
   }
 }

@@ -1,9 +1,10 @@
 /** A better answer to the same question, looked for as long as somebody lets it: each try looks twice as long as the one before. */
 import type {Design} from '../model/design.js';
-import type {Problem} from '../model/problem.js';
+import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
 import {finalFit} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
+import {NewestTask} from './background-task.js';
 import {idle} from './idle.js';
 
 /** How far it has come. */
@@ -25,22 +26,19 @@ const leastGain = 0.005;
 
 export class Improvement {
   readonly #solver: SolverService;
-  readonly #problemOf: (design: Design) => Problem;
   readonly #changed: () => void;
   readonly #keep: (design: Design, effort: number, result: SolveResult) => Design;
-  #running: AbortController | undefined;
+  readonly #task = new NewestTask();
   /** Of which design, as it is now. */
   #state: (Improving & {readonly design: Design}) | undefined;
 
   /** @param keep is handed every better answer, and gives back the design that it answers from then on */
   constructor(
     solver: SolverService,
-    problemOf: (design: Design) => Problem,
     changed: () => void,
     keep: (design: Design, effort: number, result: SolveResult) => Design,
   ) {
     this.#solver = solver;
-    this.#problemOf = problemOf;
     this.#changed = changed;
     this.#keep = keep;
   }
@@ -53,7 +51,7 @@ export class Improvement {
   /** @param result the answer to `design`. @returns the best that was found */
   async start(design: Design, result: SolveResult): Promise<Answered> {
     this.stop();
-    const {signal} = (this.#running = new AbortController());
+    const {signal} = this.#task.begin();
     const first = finalFit(result).mean;
     let [best, mean]: [Answered, number] = [{design, result}, first];
     const tell = (isRunning: boolean): void => {
@@ -65,9 +63,7 @@ export class Improvement {
       await idle();
       const longer = {...design, options: {...design.options, effort}};
       // what cannot be solved any more, or is stopped, ends it: what was gained by then is kept
-      const next = await this.#solver
-        .solve(this.#problemOf(longer), {signal})
-        .catch(() => undefined);
+      const next = await this.#solver.solve(problemOf(longer), {signal}).catch(() => undefined);
       if (!next || signal.aborted) break;
       const reached = finalFit(next).mean;
       if (mean - reached < leastGain) continue;
@@ -80,8 +76,7 @@ export class Improvement {
   }
 
   stop(): void {
-    this.#running?.abort();
-    this.#running = undefined;
+    this.#task.stop();
     if (!this.#state?.isRunning) return;
     this.#state = {...this.#state, isRunning: false};
     this.#changed();

@@ -1,5 +1,5 @@
 /** Pins of a design, kept where the symmetries of its garment can keep them. */
-import {printOf, type Design} from '../model/design.js';
+import {askedSymmetries, printOf, type Decisions, type Design} from '../model/design.js';
 import {grainRule} from '../model/grain-rule.js';
 import {keptPins, type Mirroring, type PieceFacts} from '../model/pins.js';
 import type {MeshedPattern} from '../model/result.js';
@@ -17,10 +17,10 @@ const isOf =
 
 /** Those of the mirrorings that a design asks for. */
 export const askedOf = (
-  {symmetries}: Pick<Design, 'symmetries'>,
+  design: Pick<Decisions, 'symmetry'>,
   mirrorings: readonly Mirroring[],
 ): readonly Mirroring[] =>
-  mirrorings.filter((one) => symmetries.some((symmetry) => isOf(symmetry)(one)));
+  mirrorings.filter((one) => askedSymmetries(design).some((symmetry) => isOf(symmetry)(one)));
 
 /** Without a mesh, prints are turned about the pieces' origins. */
 function factsIn(
@@ -51,10 +51,13 @@ export function withKeptPins(
 
 /** Where the symmetries of pinned pieces lie on the garment, as far as they can be measured. */
 export async function measuredMirrorings(
-  {symmetries, options: {pins = {}}}: Design,
+  design: Design,
   measure: (symmetry: Symmetry) => Promise<MeasuredSymmetry>,
 ): Promise<readonly Mirroring[]> {
-  const concerned = symmetries.filter((one) => namesOf(one).some((name) => name in pins));
+  const {pins = {}} = design.options;
+  const concerned = askedSymmetries(design).filter((one) =>
+    namesOf(one).some((name) => name in pins),
+  );
   const all = await Promise.allSettled(concerned.map(measure));
   return all.flatMap((one, k) => {
     const symmetry = concerned[k];

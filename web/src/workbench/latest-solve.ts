@@ -1,7 +1,8 @@
 /** Solves the newest design only: a new one takes the place of the one before, whose answers are heard no more. */
 import type {Design} from '../model/design.js';
+import {problemOf} from '../model/design-problem.js';
 import {failureOf, SolverError, type Failure} from '../model/failure.js';
-import type {Problem, Progress} from '../model/problem.js';
+import type {Progress} from '../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 import type {SolverService} from '../solver/service.js';
 
@@ -25,20 +26,14 @@ const leastTime = 150;
 
 export class LatestSolve {
   readonly #solver: SolverService;
-  readonly #problemOf: (design: Design) => Problem;
   readonly #listeners: SolveListeners;
   #current: AbortController | undefined;
   #started = -Infinity;
   /** Starts what is to come after the solve that is running. */
   #next: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(
-    solver: SolverService,
-    problemOf: (design: Design) => Problem,
-    listeners: SolveListeners,
-  ) {
+  constructor(solver: SolverService, listeners: SolveListeners) {
     this.#solver = solver;
-    this.#problemOf = problemOf;
     this.#listeners = listeners;
   }
 
@@ -79,7 +74,7 @@ export class LatestSolve {
     const {name} = design.garment;
     const print = design.print.title;
     try {
-      const result = await this.#solver.solve(this.#problemOf(design), {
+      const result = await this.#solver.solve(problemOf(design), {
         signal,
         names: {garment: name, print},
         onPattern: (pattern) => {

@@ -1,42 +1,39 @@
 /** What would make the seams of a design meet that stay off, looked for when nothing else is to be done. */
 import type {Design} from '../model/design.js';
-import type {Problem} from '../model/problem.js';
+import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
 import type {Remedy} from '../remedies/remedy.js';
 import type {SolverService} from '../solver/service.js';
+import {DesignFindings, NewestTask} from './background-task.js';
 import {idle} from './idle.js';
 
 export class RemedySearch {
   readonly #solver: SolverService;
-  readonly #problemOf: (design: Design) => Problem;
-  readonly #changed: () => void;
-  readonly #known = new WeakMap<Design, readonly Remedy[]>();
-  readonly #finished = new WeakSet<Design>();
-  #running: AbortController | undefined;
+  readonly #task = new NewestTask();
+  readonly #remedies: DesignFindings<readonly Remedy[]>;
 
-  constructor(solver: SolverService, problemOf: (design: Design) => Problem, changed: () => void) {
+  constructor(solver: SolverService, changed: () => void) {
     this.#solver = solver;
-    this.#problemOf = problemOf;
-    this.#changed = changed;
+    this.#remedies = new DesignFindings(changed);
   }
 
   /** Those that are known by now. */
   of(design: Design): readonly Remedy[] {
-    return this.#known.get(design) ?? [];
+    return this.#remedies.of(design) ?? [];
   }
 
   /** A design has been solved. */
   async follow(design: Design, result: SolveResult): Promise<void> {
     this.stop();
-    if (this.#finished.has(design)) return;
-    const {signal} = (this.#running = new AbortController());
+    if (this.#remedies.isFinished(design)) return;
+    const {signal} = this.#task.begin();
     const found: Remedy[] = [];
     try {
       await idle();
       const {remediesOf} = await import('../remedies/remedies.js');
       signal.throwIfAborted();
       await remediesOf(
-        this.#problemOf(design),
+        problemOf(design),
         result,
         (problem, stop) => this.#solver.solve(problem, stop ? {signal: stop} : {}),
         {
@@ -44,19 +41,17 @@ export class RemedySearch {
           idle,
           onRemedy: (remedy) => {
             found.push(remedy);
-            this.#known.set(design, [...found]);
-            this.#changed();
+            this.#remedies.learn(design, [...found]);
           },
         },
       );
-      this.#finished.add(design);
+      this.#remedies.finish(design);
     } catch {
       // somebody has gone on; when they come back it is looked for again
     }
   }
 
   stop(): void {
-    this.#running?.abort();
-    this.#running = undefined;
+    this.#task.stop();
   }
 }

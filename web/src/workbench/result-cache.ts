@@ -11,7 +11,7 @@ export interface Answer {
 const most = 8;
 
 /** What an answer depends on: a piece may be renamed without another one. */
-const asked = ['garment', 'print', 'symmetries', 'method', 'options'] as const;
+const asked = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'] as const;
 
 /** Known by identity: a step that is taken back and again holds the same objects. */
 const asksSame = (one: Design, other: Design): boolean =>

@@ -1,5 +1,11 @@
 /** The garments and prints that come with the page. */
-import {noPicture, type Design, type DesignGarment, type DesignPrint} from '../model/design.js';
+import {
+  noPicture,
+  usualSeed,
+  type Design,
+  type DesignGarment,
+  type DesignPrint,
+} from '../model/design.js';
 import type {Colourway, Print} from '../model/print.js';
 import {repeatOf} from '../model/repeat.js';
 
@@ -85,7 +91,8 @@ export const bareCloth: DesignPrint = {
 export const newDesign = (garment: DesignGarment, print: DesignPrint): Design => ({
   garment,
   print,
-  symmetries: [],
+  symmetry: 'none',
   method: 'best',
   options: {maxChangeCm: 1, grain: {default: 'on'}},
+  seed: usualSeed,
 });

@@ -3,7 +3,6 @@ import type {Design, DesignPrint} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
 import type {OwnPicture} from '../model/tile-repeat.js';
 import type {OpenEdge} from '../recognition/tile-edges.js';
-import type {Progress} from '../model/problem.js';
 
 /** Where a view of the sheet stood. Scale in CSS px per cm. */
 export interface ViewState {
@@ -33,9 +32,8 @@ export interface Step {
 
 /** `opening`: the first design is on its way; `empty`: there is none; `stale`: what is shown belongs to an earlier design. */
 export type SolveState =
-  | {readonly kind: 'opening' | 'empty' | 'done'}
+  | {readonly kind: 'opening' | 'empty' | 'solving' | 'done'}
   | {readonly kind: 'stale'; readonly cancelled: boolean}
-  | ({readonly kind: 'solving'} & Progress)
   | {readonly kind: 'failed'; readonly failure: Failure};
 
 /** Said once, beside what it is about. */

@@ -1,5 +1,5 @@
 /** Steps that add and remove symmetries. A piece takes part in one of each kind at most. */
-import type {Design} from '../model/design.js';
+import {askingFor, type Decisions, type Design} from '../model/design.js';
 import {carries} from '../model/repeat.js';
 import type {DetectedSymmetry, Symmetry} from '../model/symmetries.js';
 
@@ -15,15 +15,18 @@ const compatible = (a: Symmetry, b: Symmetry): boolean =>
   !piecesOf(a).some((name) => piecesOf(b).includes(name));
 
 /** The newest goes before those it does not go with. */
-export const withSymmetry = (kept: readonly Symmetry[], symmetry: Symmetry): Partial<Design> => ({
-  symmetries: [...kept.filter((other) => compatible(symmetry, other)), symmetry],
+export const withSymmetry = (
+  kept: readonly Symmetry[],
+  symmetry: Symmetry,
+): Pick<Decisions, 'symmetry'> => ({
+  symmetry: [...kept.filter((other) => compatible(symmetry, other)), symmetry],
 });
 
 export const withoutSymmetry = (
   kept: readonly Symmetry[],
   symmetry: Symmetry,
-): Partial<Design> => ({
-  symmetries: kept.filter((other) => other !== symmetry),
+): Pick<Decisions, 'symmetry'> => ({
+  symmetry: askingFor(kept.filter((other) => other !== symmetry)),
 });
 
 /** Without what only says how well it was found. */

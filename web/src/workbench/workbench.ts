@@ -1,174 +1,257 @@
-/** What a page or element works on: a design with its history, and what the solver knows of it. */
-import {printOf, problemOf, type Design, type DesignGarment} from '../model/design.js';
+/**
+ * What a page or element works on: a design with its history, and what the solver knows of it. It consists of parts
+ * that can be followed one by one; whoever reads of the workbench reads of the part that has it.
+ */
+import type {Design, DesignGarment} from '../model/design.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {Alignment} from '../model/geometry.js';
-import type {Failure} from '../model/failure.js';
-import {begun} from '../model/history.js';
-import {mirroringsOf} from '../model/pins.js';
-import type {Problem, Progress} from '../model/problem.js';
+import {begun, type History} from '../model/history.js';
+import type {Progress} from '../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import {leaseSolver, type SolverLease} from '../solver/pool.js';
 import type {SolverService} from '../solver/service.js';
 import type {Tile} from '../recognition/tile.js';
 import {tileOf} from '../recognition/print-tile.js';
-import {textsOf} from '../texts/texts.js';
-import {Afterwards} from './afterwards.js';
-import {FoundSymmetries} from './found-symmetries.js';
-import {DesignHistory} from './design-history.js';
-import {KnownGarment} from './known-garment.js';
-import {LatestSolve} from './latest-solve.js';
-import {askedOf, measuredMirrorings, withKeptPins} from './kept-pins.js';
 import {preferencesFor, type Preferences} from '../texts/preferences.js';
-import {ResultCache} from './result-cache.js';
+import type {Afterwards} from './afterwards.js';
+import {ChosenPreferences} from './chosen-preferences.js';
+import {DesignHistory} from './design-history.js';
+import {Notices} from './notices.js';
+import {Observable} from './observable.js';
+import {RunningSolve} from './running-solve.js';
 import {bareCloth, newDesign} from './samples.js';
-import type {SolveState} from './state.js';
-import {improving} from './steps.js';
+import type {Scenes} from './scenes.js';
+import {Selection} from './selection.js';
+import {ShownSheet} from './shown-sheet.js';
+import {Solving} from './solving.js';
+import type {DoubtfulPicture, Notice, SheetWindow, SolveState, Step, Target} from './state.js';
 
 export type * from './state.js';
 
 export interface WorkbenchOptions {
-  /** What the solver is asked for a design. */
-  readonly problemOf?: (design: Design) => Problem;
-  /** Whether a design's answer keeps symmetries that it does not ask for. None does so by itself. */
-  readonly isAuto?: (design: Design) => boolean;
   /** Hears all that the solver says of a solve, of which the rest is told at a slower pace. */
   readonly progress?: (progress: Progress) => void;
   /** The picture of a print's cell, by its URL; none shows bare cloth. */
   readonly tileOf?: (image: string, signal?: AbortSignal) => Promise<Tile | undefined>;
 }
 
-export class Workbench extends DesignHistory {
+/** What can be followed by itself. */
+export interface WorkbenchParts {
+  readonly preferences: ChosenPreferences;
+  readonly notices: Notices;
+  readonly selection: Selection;
+  readonly sheet: ShownSheet;
+  readonly history: DesignHistory;
+  readonly running: RunningSolve;
+  readonly solving: Solving;
+  readonly afterwards: Afterwards;
+}
+
+export class Workbench {
   readonly solver: SolverService;
   readonly tileOf: NonNullable<WorkbenchOptions['tileOf']>;
-  /** What is worked on once an answer is there. */
-  readonly afterwards: Afterwards;
-  readonly #isAuto: WorkbenchOptions['isAuto'];
+  readonly #parts: WorkbenchParts;
   readonly #lease: SolverLease;
-  readonly #results = new ResultCache();
-  readonly #solve: LatestSolve;
-  readonly #found: FoundSymmetries;
-  readonly #known = new KnownGarment();
-  #state: SolveState = {kind: 'opening'};
-  /** What the solver broke on, and was begun anew. */
-  #retried: Design | undefined;
-  #isEdited = true;
-  /** What is being read. */
-  #learning: DesignGarment | undefined;
 
   /** @param lease given back by `dispose` */
   constructor(
     lease: SolverLease = leaseSolver(),
-    preferences = preferencesFor(navigator.language),
-    {problemOf: asked = problemOf, isAuto, progress, tileOf: read = tileOf}: WorkbenchOptions = {},
+    chosen = preferencesFor(navigator.language),
+    {progress, tileOf: read = tileOf}: WorkbenchOptions = {},
   ) {
-    super(preferences);
     this.solver = lease.solver;
     this.#lease = lease;
     this.tileOf = read;
-    this.#isAuto = isAuto;
-    const changed = (): void => {
-      this.changed();
+    const preferences = new ChosenPreferences(chosen);
+    const [notices, selection, sheet] = [new Notices(), new Selection(), new ShownSheet()];
+    const running = new RunningSolve();
+    const history = new DesignHistory(sheet, {
+      mended: (design) => solving.mended(design),
+      arrived: () => {
+        notices.say(undefined);
+        solving.arrive();
+      },
+    });
+    const known = {preferences, notices, selection, running, history};
+    const solving: Solving = new Solving(lease.solver, known, progress);
+    this.#parts = {...known, sheet, solving, afterwards: solving.afterwards};
+  }
+
+  /** Calls back after changes of some parts, once where several change together. @returns what ends that */
+  subscribe(parts: readonly (keyof WorkbenchParts)[], listener: () => void): () => void {
+    const ends = parts.map((name) => this.#parts[name].subscribe(listener));
+    return () => {
+      for (const end of ends) end();
     };
-    this.afterwards = new Afterwards(this.solver, {
-      problemOf: asked,
-      changed,
-      improved: (design, effort, result) => this.#improved(design, effort, result),
-    });
-    this.#found = new FoundSymmetries(this.solver, changed);
-    this.#solve = new LatestSolve(this.solver, asked, {
-      pattern: (design, pattern) => {
-        if (this.#known.take(design.garment, pattern)) this.changedNext();
-      },
-      partial: (design, alignments) => {
-        if (this.#known.lay(design.garment, alignments)) this.changedOften();
-      },
-      progress: (_, told) => {
-        this.#state = {kind: 'solving', ...told};
-        progress?.(told);
-        this.changedOften();
-      },
-      done: (design, result) => {
-        if (design !== this.design) return;
-        this.#keep(design, result);
-        this.#state = {kind: 'done'};
-        this.#follow();
-        this.changedNext();
-      },
-      failed: (design, failure) => {
-        if (design !== this.design) return;
-        if (failure.code === 'internal' && design !== this.#retried) {
-          this.#retried = design;
-          const {language, messages} = this.preferences;
-          this.say({tone: 'info', text: textsOf(language, messages).progress.restarted});
-          this.align();
-          return;
-        }
-        if (failure.code === 'symmetryConflict' && design.options.pins)
-          void this.#snap(design, failure);
-        else this.#fail(design, failure);
-      },
-    });
+  }
+
+  get preferences(): Preferences {
+    return this.#parts.preferences.read.preferences;
+  }
+
+  prefer(change: Partial<Preferences>): void {
+    const {preferences, solving} = this.#parts;
+    const wasOff = !preferences.preferences.solveAsIGo;
+    preferences.prefer(change);
+    if (wasOff && change.solveAsIGo && solving.state.kind === 'stale') solving.align();
+  }
+
+  get notice(): Notice | undefined {
+    return this.#parts.notices.read.notice;
+  }
+
+  say(notice: Notice | undefined): void {
+    this.#parts.notices.say(notice);
+  }
+
+  /** What has to be decided before it becomes the print. */
+  get doubtful(): DoubtfulPicture | undefined {
+    return this.#parts.notices.read.doubtful;
+  }
+
+  set doubtful(picture: DoubtfulPicture | undefined) {
+    this.#parts.notices.doubtful = picture;
+  }
+
+  /** What was picked last: it stays when the pointer moves on. */
+  get selected(): Target | undefined {
+    return this.#parts.selection.read.selected;
+  }
+
+  select(target: Target | undefined): void {
+    this.#parts.selection.select(target);
+  }
+
+  /** What the pointer is over, in the picture or in a list. */
+  get pointed(): Target | undefined {
+    return this.#parts.selection.read.pointed;
+  }
+
+  point(target: Target | undefined): void {
+    this.#parts.selection.point(target);
+  }
+
+  /** Where the sheet stands, and pictures of it; whoever draws it sets it. */
+  get view(): SheetWindow | undefined {
+    return this.#parts.sheet.view;
+  }
+
+  set view(view: SheetWindow | undefined) {
+    this.#parts.sheet.view = view;
+  }
+
+  /** The sheets that the pattern shows, for everything beside it that speaks of the same. */
+  get scenes(): Scenes | undefined {
+    return this.#parts.sheet.read.scenes;
+  }
+
+  set scenes(scenes: Scenes | undefined) {
+    this.#parts.sheet.scenes = scenes;
+  }
+
+  /** Undefined until a garment is there. */
+  get design(): Design | undefined {
+    return this.#parts.history.read.design;
+  }
+
+  get history(): History<Step> | undefined {
+    return this.#parts.history.read.history;
+  }
+
+  /** How many histories were begun: another number is another piece of work. */
+  get beginnings(): number {
+    return this.#parts.history.read.beginnings;
+  }
+
+  get canUndo(): boolean {
+    return this.#parts.history.read.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.#parts.history.read.canRedo;
+  }
+
+  /** Whether a drag is under way, whose changes are one step. */
+  get isHeld(): boolean {
+    return this.#parts.history.read.isHeld;
+  }
+
+  /** Starts, or starts over, with a history of its own. */
+  begin(history: History<Step>): void {
+    this.#parts.history.begin(history);
+  }
+
+  /** Takes a step. @param kind changes of one that follow each other quickly are one step */
+  change(change: Partial<Design>, kind?: string): void {
+    this.#parts.history.change(change, kind);
+  }
+
+  /** For a drag: until it ends, its changes are one step, however long it rests. @returns what ends it */
+  hold(): () => void {
+    return this.#parts.history.hold();
+  }
+
+  undo(): void {
+    this.#parts.history.undo();
+  }
+
+  redo(): void {
+    this.#parts.history.redo();
   }
 
   get state(): SolveState {
-    return this.#state;
+    return this.#parts.solving.read.state;
   }
 
   /** The garment as its file has it; undefined until it has been read. */
   get garment(): GarmentDocument | undefined {
-    return this.#known.document;
+    return this.#parts.solving.read.garment;
   }
 
-  /** The garment meshed, with the symmetries of the last solve that was begun. */
-  get pattern(): MeshedPattern | undefined {
-    return this.#known.pattern;
-  }
-
-  /** The answer to the present design, or to none. */
-  get result(): SolveResult | undefined {
-    return this.design && this.#results.of(this.design)?.result;
+  /** How far the solve is that is under way. */
+  get progress(): Progress {
+    return this.#parts.running.read.progress;
   }
 
   /** How the pieces lie in the answer that is on its way; of `pattern`'s pieces. */
   get partial(): readonly Alignment[] | undefined {
-    return this.#known.partial;
+    return this.#parts.running.read.partial;
   }
 
-  /** Symmetries that are asked for; where none is, those that the answer keeps all the same. */
+  /** The garment meshed, with the symmetries of the last solve that was begun. */
+  get pattern(): MeshedPattern | undefined {
+    return this.#parts.solving.read.pattern;
+  }
+
+  /** The answer to the present design, or to none. */
+  get result(): SolveResult | undefined {
+    return this.#parts.solving.read.result;
+  }
+
+  /** Symmetries that are asked for; with `auto`, those that the answer keeps. */
   get kept(): readonly Symmetry[] {
-    const {design} = this;
-    const isHeld = design?.symmetries.length === 0 && this.#isAuto?.(design);
-    const {pattern} = this;
-    return isHeld && pattern ? this.#found.heldBy(pattern) : (design?.symmetries ?? []);
+    return this.#parts.solving.read.kept;
   }
 
   /** Symmetries the garment shows by itself and that are not kept yet. */
   get found(): readonly DetectedSymmetry[] {
-    return this.#found.beside(this.kept);
+    return this.#parts.solving.read.found;
   }
 
-  override prefer(change: Partial<Preferences>): void {
-    const wasOff = !this.preferences.solveAsIGo;
-    super.prefer(change);
-    if (wasOff && change.solveAsIGo && this.#state.kind === 'stale') this.align();
+  /** What is worked on once an answer is there. */
+  get afterwards(): Afterwards {
+    return this.#parts.afterwards.read;
   }
 
   /** Whether somebody is going to ask for symmetries and what they cost: otherwise neither is looked for. */
   set isEdited(isEdited: boolean) {
-    if (isEdited === this.#isEdited) return;
-    this.#isEdited = isEdited;
-    if (!isEdited) this.afterwards.stop();
-    else if (this.#known.garment) {
-      this.#found.follow(this.#known.garment);
-      this.#follow();
-    }
+    this.#parts.solving.isEdited = isEdited;
   }
 
   /** Starts with nothing. */
   beginEmpty(): void {
-    this.#state = {kind: 'empty'};
-    this.changed();
+    this.#parts.solving.beEmpty();
   }
 
   /**
@@ -176,146 +259,37 @@ export class Workbench extends DesignHistory {
    * @throws {SolverError} and leaves everything as it is
    */
   async open(garment: DesignGarment): Promise<void> {
-    const design = newDesign(garment, this.design?.print ?? bareCloth);
-    const [pattern, document] = await Promise.all([this.meshed(design), this.#read(garment)]);
-    this.#known.read(garment, document);
-    const method = this.design?.method ?? design.method;
-    this.begin(begun({design: {...design, method}, view: null}));
-    this.#known.takeFirst(garment, pattern);
-    this.changed();
+    const {history, solving} = this.#parts;
+    const fresh = newDesign(garment, history.design?.print ?? bareCloth);
+    const [pattern] = await Promise.all([solving.meshed(fresh), solving.learn(garment)]);
+    const design = {...fresh, method: history.design?.method ?? fresh.method};
+    Observable.together(() => {
+      history.begin(begun({design, view: null}));
+      solving.know(garment, pattern);
+    });
   }
 
   /** A garment as it lies in its file. @throws {SolverError} when it cannot be read */
-  meshed({garment, print}: Pick<Design, 'garment' | 'print'>): Promise<MeshedPattern> {
-    const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};
-    return this.solver.prepare(problem, {names: {garment: garment.name}});
+  meshed(design: Pick<Design, 'garment' | 'print'>): Promise<MeshedPattern> {
+    return this.#parts.solving.meshed(design);
   }
 
   /** Solves the present design, whatever is under way. */
   align(): void {
-    if (!this.design) return;
-    void this.#learn(this.design.garment);
-    this.afterwards.stop();
-    this.#state = {kind: 'solving', phase: 'preparation', fraction: 0};
-    this.#solve.start(this.design);
-    this.changed();
+    this.#parts.solving.align();
   }
 
   cancel(): void {
-    if (!this.#solve.isRunning) return;
-    this.#solve.cancel();
-    this.#known.rest();
-    this.#state = {kind: 'stale', cancelled: true};
-    this.changed();
+    this.#parts.solving.cancel();
   }
 
   /** How well a symmetry fits the present garment. @throws {SolverError} */
   measure(symmetry: Symmetry, signal?: AbortSignal): Promise<MeasuredSymmetry> {
-    const {text, name} = this.design?.garment ?? {text: '', name: ''};
-    return this.solver.mirror(text, symmetry, {name, ...(signal && {signal})});
+    return this.#parts.solving.measure(symmetry, signal);
   }
 
-  override dispose(): void {
+  dispose(): void {
     this.#lease.release();
-    super.dispose();
-  }
-
-  protected override stepped(): void {
-    const {design, pattern} = this;
-    if (!design?.options.pins || !pattern) return;
-    const isAuto = design.symmetries.length === 0 && this.#isAuto?.(design);
-    const known = mirroringsOf(pattern);
-    this.steps.mend(withKeptPins(design, pattern, isAuto ? known : askedOf(design, known)));
-  }
-
-  /** All better answers that are found in one go are one step. */
-  #improved(design: Design, effort: number, result: SolveResult): Design {
-    const options = {...design.options, effort};
-    this.steps.change({options}, improving, this.view?.get() ?? null);
-    const present = this.design ?? design;
-    this.#keep(present, result);
-    this.changed();
-    return present;
-  }
-
-  #keep(design: Design, result: SolveResult): void {
-    const {pattern} = this;
-    if (pattern) this.#results.keep(design, {pattern, result});
-  }
-
-  protected override arrive(): void {
-    const {design} = this;
-    if (!design) return;
-    this.afterwards.stop();
-    if (this.#known.meet(design.garment)) this.#met(design.garment);
-    void this.#learn(design.garment);
-    const known = this.#results.of(design);
-    if (known ?? !this.preferences.solveAsIGo) {
-      this.#solve.cancel();
-      this.#known.rest();
-    }
-    if (known) {
-      this.#known.take(design.garment, known.pattern);
-      this.#state = {kind: 'done'};
-      this.#follow();
-    } else if (this.preferences.solveAsIGo) {
-      this.align();
-    } else {
-      this.#state = {kind: 'stale', cancelled: false};
-    }
-    this.changed();
-  }
-
-  #fail(design: Design, failure: Failure): void {
-    this.#state = {kind: 'failed', failure};
-    // without the module, asking once more would only make the next attempt share this one's end
-    if (!this.pattern && failure.code !== 'no-wasm') void this.#showUnsolved(design);
-    this.changed();
-  }
-
-  /** Pins that a symmetry is against go to the nearest places that are not, as a part of the step that led there. */
-  async #snap(design: Design, failure: Failure): Promise<void> {
-    const known = await measuredMirrorings(design, (symmetry) => this.measure(symmetry));
-    if (design !== this.design) return;
-    const next = withKeptPins(design, this.pattern, known);
-    if (next === design) {
-      this.#fail(design, failure);
-      return;
-    }
-    const {language, messages} = this.preferences;
-    this.steps.mend(next);
-    this.arrive();
-    this.say({tone: 'info', text: textsOf(language, messages).symmetry.snapped});
-  }
-
-  /** What cannot be solved may still be shown. */
-  async #showUnsolved(design: Design): Promise<void> {
-    const pattern = await this.meshed(design).catch(() => undefined);
-    if (pattern && this.#known.takeFirst(design.garment, pattern)) this.changed();
-  }
-
-  /** A garment that was not there before. */
-  #met(garment: DesignGarment): void {
-    this.clearTargets();
-    if (this.#isEdited) this.#found.follow(garment);
-    else this.#found.forget();
-  }
-
-  #read({text, name}: DesignGarment): Promise<GarmentDocument> {
-    return this.solver.garment(text, {name});
-  }
-
-  /** Unless it is known. What cannot be read cannot be solved, either, and the solve says why. */
-  async #learn(garment: DesignGarment): Promise<void> {
-    if (this.#known.document || this.#learning === garment) return;
-    this.#learning = garment;
-    const document = await this.#read(garment).catch(() => undefined);
-    if (this.#learning === garment) this.#learning = undefined;
-    if (document && this.#known.read(garment, document)) this.changed();
-  }
-
-  #follow(): void {
-    const {design, result} = this;
-    if (this.#isEdited && design && result) void this.afterwards.follow(design, result);
+    for (const part of Object.values(this.#parts) as Observable[]) part.dispose();
   }
 }

@@ -44,6 +44,6 @@ export function showBeforeAndAfter(workbench: Workbench, pattern: PatternPane): 
     },
     {signal},
   );
-  signal.addEventListener('abort', workbench.subscribe(follow));
+  signal.addEventListener('abort', workbench.subscribe(['history', 'solving'], follow));
   pattern.showDraft();
 }

@@ -13,7 +13,8 @@ export class Hints extends WorkbenchElement {
     editor: {attribute: false},
     left: {attribute: false},
   };
-  declare editor: Editor | null;
+  /** Null before it is drawn. */
+  declare editor: () => Editor | null;
   /** Those that are still to be given. */
   declare left: readonly Hint[];
 
@@ -70,7 +71,7 @@ export class Hints extends WorkbenchElement {
   readonly #look = (): void => {
     // what a press or a key does is done when all have heard of it
     setTimeout(() => {
-      if (this.editor?.pattern?.split !== undefined) this.#done('compare');
+      if (this.editor()?.pattern?.split !== undefined) this.#done('compare');
     });
   };
 
@@ -85,8 +86,7 @@ export class Hints extends WorkbenchElement {
   }
 
   /** What somebody does needs no hint. */
-  protected override deskChanged(): void {
-    super.deskChanged();
+  protected override updated(): void {
     const {design, selected} = this.workbench;
     const print = design && `${design.print.title} ${design.print.image}`;
     if (this.#print !== undefined && print !== this.#print) this.#done('print');
@@ -117,7 +117,7 @@ export class Hints extends WorkbenchElement {
         title=${app.dismiss}
         @click=${() => {
           this.#done(hint);
-          if (this.left.length === 1) this.editor?.toPattern(); // this button goes
+          if (this.left.length === 1) this.editor()?.toPattern(); // this button goes
         }}
       >
         ${icon.close}

@@ -100,7 +100,7 @@ export function printCommands({workbench, texts, samples}: PageParts): readonly 
   return [
     ...samples.prints.map((sample): Command => {
       const {name, title, group} = sample;
-      const lacks = missing(group, design.symmetries);
+      const lacks = missing(group, design);
       return {
         id: `print ${name}`,
         title: lists.of(print.title, titleOf(name, title)),

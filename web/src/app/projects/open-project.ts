@@ -1,7 +1,9 @@
 /** A project while a tab works on it: saved at a pace as it changes. */
-import type {History} from '../../model/history.js';
+import type {Design} from '../../model/design.js';
+import {mapped, type History} from '../../model/history.js';
 import {nameOf} from '../../model/project-name.js';
 import {fieldOf} from '../../model/read.js';
+import {heldOf, written, type Written} from '../../model/written-design.js';
 import type {Step} from '../../editor/index.js';
 import type {Autosave} from '../storage/autosave.js';
 
@@ -31,16 +33,25 @@ export interface Announced {
 
 interface Kept {
   readonly version: typeof version;
-  readonly history: History<Step>;
+  readonly history: History<KeptStep>;
+}
+
+interface KeptStep extends Omit<Step, 'design'> {
+  readonly design: Written<Design>;
 }
 
 const isKept = (state: unknown): state is Kept => fieldOf(state, 'version') === version;
 
 /** Undefined for what no page has kept, or one that is newer than this. */
 export const historyIn = (state: unknown): History<Step> | undefined =>
-  isKept(state) ? state.history : undefined;
+  isKept(state)
+    ? mapped(state.history, ({design, ...step}): Step => ({...step, design: heldOf(design)}))
+    : undefined;
 
-export const stateOf = (history: History<Step>): Kept => ({version, history});
+export const stateOf = (history: History<Step>): Kept => ({
+  version,
+  history: mapped(history, ({design, ...step}): KeptStep => ({...step, design: written(design)})),
+});
 
 /** Whether anybody has done anything. */
 const isTouched = ({past, future}: History<Step>): boolean => past.length + future.length > 0;

@@ -41,9 +41,9 @@ export class Projects {
     });
     this.#autosave.subscribe((renamed) => {
       if (renamed && this.#present?.id === renamed.id) this.#present.title = renamed.title;
-      for (const listener of this.#listeners) listener();
+      this.#tell();
     });
-    workbench.subscribe(() => {
+    workbench.subscribe(['history'], () => {
       this.#follow();
     });
   }
@@ -215,7 +215,9 @@ export class Projects {
     const {history, beginnings} = this.#workbench;
     if (!history) return;
     if (this.#present && beginnings === this.#beginning) {
+      const {garment} = this.#present.history.present.design;
       this.#present.follow(history);
+      if (garment !== history.present.design.garment) this.#tell(); // its name may be another
       return;
     }
     const before = this.#present;
@@ -224,9 +226,13 @@ export class Projects {
     this.#beginning = beginnings;
     this.#announced = undefined;
     this.#present = new OpenProject(this.#autosave, history, announced);
-    for (const listener of this.#listeners) listener();
+    this.#tell();
     // who takes one from the list knows that
     if (before?.isWorthListing && !announced?.isListed) this.#offerBack(before);
+  }
+
+  #tell(): void {
+    for (const listener of this.#listeners) listener();
   }
 
   /** Opening something else is no step that could be undone. */

@@ -19,7 +19,7 @@ export function illustrate(workbench: Workbench, projects: Projects): void {
     const picture = await workbench.view.picture(width).catch(() => undefined);
     if (picture && workbench.design === design) await projects.illustrate(picture);
   };
-  workbench.subscribe(() => {
+  workbench.subscribe(['history', 'solving', 'sheet'], () => {
     const {design, state} = workbench;
     const isSettled = state.kind === 'done' || state.kind === 'stale';
     clearTimeout(timer);

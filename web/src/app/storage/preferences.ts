@@ -28,12 +28,9 @@ export function storedPreferences(locale = navigator.language): Preferences {
 
 /** Stores the preferences of a workbench whenever they change. @returns what ends that */
 export function keepPreferences(workbench: Workbench): () => void {
-  let last = workbench.preferences;
-  return workbench.subscribe(() => {
-    if (workbench.preferences === last) return;
-    last = workbench.preferences;
+  return workbench.subscribe(['preferences'], () => {
     try {
-      localStorage.setItem(key, JSON.stringify(last));
+      localStorage.setItem(key, JSON.stringify(workbench.preferences));
     } catch {
       // a browser that stores nothing still shows what was chosen
     }

@@ -1,4 +1,6 @@
 /** Jobs as lines of a file: what is to be solved, and by which key its answer is known. */
+import {usualSeed, type Design} from '../../model/design.js';
+import {seed as seedField} from '../../model/design-reader.js';
 import {FileError} from '../../model/versioned-file.js';
 import {
   fail,
@@ -10,7 +12,7 @@ import {
   text,
   type Read,
 } from '../../model/read.js';
-import {methods, type Method} from '../../model/method.js';
+import {methods} from '../../model/method.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {sha256Of} from '../../model/result-text.js';
@@ -18,14 +20,8 @@ import {packageVersion} from '../../model/version.js';
 import {addressFrom} from '../../node/addresses.js';
 
 /** A garment in a print. Addresses are whole; the options and symmetries are as the line has them. */
-export interface Job {
+export interface Job extends Omit<Design<string, string>, 'names'> {
   readonly label: Label;
-  readonly garment: string;
-  readonly print: string;
-  readonly symmetry: 'auto' | 'none' | readonly Symmetry[];
-  readonly method: Method;
-  readonly options: SolveOptions;
-  readonly seed: number;
 }
 
 /** What a job is called; nothing in it but the files it names changes the answer. */
@@ -53,10 +49,6 @@ const known = [
 const mark = '{size}';
 
 const word = text(/\S/, 'text');
-const seedField: Read<number> = (value, at) =>
-  Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 0xffffffff
-    ? Number(value)
-    : fail(at, 'a whole number from 0 to 4294967295');
 /** The core looks into it. */
 const object: Read<SolveOptions> = (value, at) =>
   typeof value === 'object' && value !== null && !Array.isArray(value)
@@ -103,7 +95,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
   const sizes = (given.size ?? given.sizes) ? oneOrList(given, 'size') : [null];
   const unsized = garments.find((garment) => sizes.length > 1 && !garment.includes(mark));
   if (unsized !== undefined) fail('garment', `a name with ${mark} in it, since there are sizes`);
-  const {name = null, symmetry = 'auto', method = 'best', options = {}, seed = 1} = given;
+  const {name = null, symmetry = 'auto', method = 'best', options = {}, seed = usualSeed} = given;
   for (const garment of garments) {
     for (const size of sizes) {
       const file = size === null ? garment : garment.replaceAll(mark, size);

@@ -1,4 +1,5 @@
 /** What each thread of a batch runs: one job after the other, with a solver's module of its own. */
+import {problemFor} from '../../model/design-problem.js';
 import {SolverError} from '../../model/failure.js';
 import {resultText, sha256Of} from '../../model/result-text.js';
 import {FileError} from '../../model/versioned-file.js';
@@ -41,15 +42,14 @@ interface Solved {
 }
 
 async function solved(job: KeyedJob): Promise<Solved> {
-  const {label, symmetry, method, options, seed} = job;
+  const {label} = job;
   try {
     const result = await solve(
-      {
-        garment: await textAt(job.garment, label.garment, job.garmentSha256),
-        print: await textAt(job.print, label.print, job.printSha256),
-        symmetry: typeof symmetry === 'string' ? symmetry : {symmetries: symmetry},
-        ...{method, options, seed},
-      },
+      problemFor(
+        job,
+        await textAt(job.garment, label.garment, job.garmentSha256),
+        await textAt(job.print, label.print, job.printSha256),
+      ),
       {names: {garment: label.garment, print: label.print}},
     );
     const text = resultText(result);

@@ -1,29 +1,35 @@
-/** What every part of the page is: an element that shows a workbench and is drawn again when that changes. */
-import {LitElement, type PropertyValues} from 'lit';
+/** What every part of the page is: an element that shows a workbench, and is drawn again when what it shows changes. */
+import {LitElement} from 'lit';
 
 import type {Format} from '../../texts/format.js';
 import {formatFor} from '../../texts/format.js';
 import {textsOf, type Texts} from '../../texts/texts.js';
+import {Observable} from '../../workbench/observable.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
 export abstract class WorkbenchElement extends LitElement {
   static override properties: Record<string, object> = {workbench: {attribute: false}};
   declare workbench: Workbench;
-  #unsubscribe: (() => void) | undefined;
+  /** Those parts of the workbench that were read of when this was drawn last, and what ends following each. */
+  readonly #followed = new Map<Observable, () => void>();
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#follow();
+    this.requestUpdate(); // what has changed meanwhile was not told
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#unsubscribe?.();
-    this.#unsubscribe = undefined;
+    this.#follow(new Set());
   }
 
-  protected override willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has('workbench')) this.#follow();
+  /** Whatever is read of on the way is followed from then on. */
+  protected override performUpdate(): void {
+    if (!this.isUpdatePending) return;
+    const read = Observable.readBy(() => {
+      super.performUpdate();
+    });
+    if (this.isConnected) this.#follow(read);
   }
 
   /** All words, in the language of the user. */
@@ -38,16 +44,24 @@ export abstract class WorkbenchElement extends LitElement {
     return formatFor(language, units);
   }
 
-  protected deskChanged(): void {
+  /** Something that this shows may be another. */
+  protected workbenchChanged(): void {
     this.requestUpdate();
   }
 
-  #follow(): void {
-    this.#unsubscribe?.();
-    // until the parent has set it there is nothing to follow
-    this.#unsubscribe = (this.workbench as Workbench | undefined)?.subscribe(() => {
-      this.deskChanged();
-    });
+  readonly #told = (): void => {
+    this.workbenchChanged();
+  };
+
+  #follow(read: ReadonlySet<Observable>): void {
+    for (const [part, end] of this.#followed) {
+      if (read.has(part)) continue;
+      end();
+      this.#followed.delete(part);
+    }
+    for (const part of read) {
+      if (!this.#followed.has(part)) this.#followed.set(part, part.subscribe(this.#told));
+    }
   }
 }
 
@@ -58,9 +72,9 @@ export abstract class WorkbenchElement extends LitElement {
 export abstract class PatientElement extends WorkbenchElement {
   #waits = false;
 
-  protected override deskChanged(): void {
+  protected override workbenchChanged(): void {
     this.#waits ||= !this.isUpdatePending;
-    super.deskChanged();
+    super.workbenchChanged();
   }
 
   protected override async scheduleUpdate(): Promise<void> {

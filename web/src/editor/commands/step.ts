@@ -1,5 +1,5 @@
 /** What a step changed, so that taking it back can say what goes. */
-import type {Design} from '../../model/design.js';
+import {askedSymmetries, type Design} from '../../model/design.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {fittingOf, type Fitting} from '../controls/presets.js';
@@ -34,7 +34,7 @@ const apart = <T>(a: readonly T[] = [], b: readonly T[] = []): readonly T[] => [
 export function changeBetween(from: Design, to: Design): Change {
   const [kind] = [garmentChange(from, to), printChange(from, to)].filter((one) => one);
   if (kind) return {kind};
-  if (differ(from.symmetries, to.symmetries)) return symmetryChange(from, to);
+  if (differ(from.symmetry, to.symmetry)) return symmetryChange(from, to);
   const names = changedIn(from.names, to.names);
   if (names.length > 0) return {kind: 'name', pieces: names};
   return (
@@ -62,8 +62,10 @@ function printChange({print: p}: Design, {print: q}: Design): Change['kind'] | u
 const piecesOf = (one: Symmetry): readonly string[] =>
   one.kind === 'piece' ? [one.piece] : one.pieces;
 
-function symmetryChange({symmetries: a}: Design, {symmetries: b}: Design): Change {
-  const [before, after] = [a, b].map((all) => all.map((one) => JSON.stringify(one)));
+function symmetryChange(from: Design, to: Design): Change {
+  const [before, after] = [from, to].map((design) =>
+    askedSymmetries(design).map((one) => JSON.stringify(one)),
+  );
   const changed = apart(before, after).map((one) => JSON.parse(one) as Symmetry);
   return {kind: 'symmetry', pieces: [...new Set(changed.flatMap(piecesOf))]};
 }

@@ -98,7 +98,7 @@ export class PatternTools {
       return;
     }
     this.chooser.leave();
-    this.#workbench.change({symmetries});
+    this.#workbench.change({symmetry: symmetries});
   }
 
   words(texts: Texts, format: Format): string {

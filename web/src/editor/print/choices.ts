@@ -1,8 +1,7 @@
 /** What the gallery offers: the 17 groups, and stripes, which have none of their own. */
-import type {DesignPrint} from '../../model/design.js';
+import {askedSymmetries, type Decisions, type DesignPrint} from '../../model/design.js';
 import {groupNames, type GroupName} from '../../model/print.js';
 import {carries, latticeVectors, type SymmetryKind} from '../../model/repeat.js';
-import type {Symmetry} from '../../model/symmetries.js';
 import {printElements} from '../../model/wallpaper.js';
 
 export type Choice = GroupName | 'stripes';
@@ -23,8 +22,9 @@ export const choiceOf = ({group, size}: Pick<DesignPrint, 'group' | 'size'>): Ch
 /** What is asked of the print and this group has not, the harder of the two first. */
 export function missing(
   group: GroupName,
-  symmetries: readonly Symmetry[],
+  design: Pick<Decisions, 'symmetry'> | undefined,
 ): SymmetryKind | undefined {
+  const symmetries = design ? askedSymmetries(design) : [];
   return (['piece', 'pair'] as const).find(
     (kind) => symmetries.some((one) => one.kind === kind) && !carries(group, kind),
   );

@@ -58,9 +58,9 @@ export class PrintGallery extends PatientElement {
     const {samples, focused, filter} = this;
     if (!design || !samples) return nothing;
     const refused = this.refused?.design === design ? this.refused.group : undefined;
-    const {print, symmetries} = design;
+    const {print, symmetry} = design;
     // drawn again only when one of these is new, not with every step of a solve
-    const seen = [print, symmetries, preferences, samples, focused, refused, filter];
+    const seen = [print, symmetry, preferences, samples, focused, refused, filter];
     return html`${guard(
       seen,
       () => html`
@@ -98,7 +98,7 @@ export class PrintGallery extends PatientElement {
   }
 
   #groups(design: Design, samples: Samples): TemplateResult {
-    const {print, symmetries} = design;
+    const {print} = design;
     const texts = this.texts.print;
     const checked = choiceOf(print);
     const shown = this.#shown(design, samples);
@@ -124,7 +124,7 @@ export class PrintGallery extends PatientElement {
           role="radio"
           aria-label="${label}, ${what}"
           aria-checked=${choice === checked}
-          aria-disabled=${missing(groupOf(choice), symmetries) ? 'true' : nothing}
+          aria-disabled=${missing(groupOf(choice), design) ? 'true' : nothing}
           title=${print.sample ? `${what}, ${label}` : what}
           tabindex=${choice === first ? 0 : -1}
           @focus=${() => {
@@ -143,10 +143,11 @@ export class PrintGallery extends PatientElement {
   }
 
   /** What the group means; or why it will not do, and those that would. */
-  #meaning({print, symmetries}: Design, refused: GroupName | undefined): TemplateResult {
+  #meaning(design: Design, refused: GroupName | undefined): TemplateResult {
     const texts = this.texts.print;
+    const {print} = design;
     const group = refused ?? print.group;
-    const kind = missing(group, symmetries);
+    const kind = missing(group, design);
     if (!kind) return html`<p class="soft" role="status">${texts.meanings[choiceOf(print)]}</p>`;
     return html`<div class="refusal" role="status">
       <p>${texts.lacks[kind](group)}</p>
@@ -167,8 +168,9 @@ export class PrintGallery extends PatientElement {
     </div>`;
   }
 
-  #more({print, symmetries}: Design, {prints}: Samples): TemplateResult | typeof nothing {
+  #more(design: Design, {prints}: Samples): TemplateResult | typeof nothing {
     const texts = this.texts.print;
+    const {print} = design;
     const others = prints.filter(({name}) => !standIns.has(name));
     const shown = print.sample ? others.filter((one) => passes(one, this.filter)) : prints;
     if (shown.length === 0) return nothing;
@@ -179,7 +181,7 @@ export class PrintGallery extends PatientElement {
             html`<button
               aria-label="${this.#titleOf(sample)}, ${sample.group}"
               aria-pressed=${sample.name === print.sample?.name}
-              aria-disabled=${missing(sample.group, symmetries) ? 'true' : nothing}
+              aria-disabled=${missing(sample.group, design) ? 'true' : nothing}
               title="${this.#titleOf(sample)}, ${sample.group}"
               @click=${() => {
                 this.#take(sample);
@@ -219,7 +221,7 @@ export class PrintGallery extends PatientElement {
   /** @returns whether the symmetries allow this group; if not, why is said */
   #ask(group: GroupName): boolean {
     const {design} = this.workbench;
-    const allowed = !missing(group, design?.symmetries ?? []);
+    const allowed = !missing(group, design);
     this.refused = allowed || !design ? undefined : {group, design};
     return allowed;
   }

@@ -224,7 +224,7 @@ export class RepeatFields extends WorkbenchElement {
     const drawn = latticeType(print.group) === 'square' || print.cell === 'rectangular';
     if (!fitting || !drawn) return nothing;
     const texts = this.texts.print;
-    const lacks = missing(fitting.group, this.workbench.design?.symmetries ?? []);
+    const lacks = missing(fitting.group, this.workbench.design);
     return html`<div class="offer" role="status">
       <p>${texts.notQuite(print.group, fitting.group)}</p>
       ${lacks ? html`<p>${texts.lacks[lacks](fitting.group)}</p>` : nothing}

@@ -141,7 +141,7 @@ export class TileReport extends WorkbenchElement {
   }
 
   #found(print: DesignPrint, found: FoundGroup): TemplateResult {
-    const lacks = missing(found.group, this.workbench.design?.symmetries ?? []);
+    const lacks = missing(found.group, this.workbench.design);
     return html`<button
       class="outlined"
       ?disabled=${lacks !== undefined}

@@ -44,15 +44,14 @@ export class SolveProgress extends WorkbenchElement {
 
   protected override render(): TemplateResult {
     const {progress} = this.texts;
-    const {state} = this.workbench;
-    const solving = state.kind === 'solving';
+    const isSolving = this.workbench.state.kind === 'solving';
     return html`
       <span role="status" aria-label=${progress.label}>${this.#words()}</span>
       <progress
-        ?hidden=${!solving}
+        ?hidden=${!isSolving}
         aria-hidden="true"
         max="1"
-        .value=${solving ? state.fraction : 0}
+        .value=${isSolving ? this.workbench.progress.fraction : 0}
       ></progress>
     `;
   }
@@ -62,8 +61,9 @@ export class SolveProgress extends WorkbenchElement {
     const {state, result} = this.workbench;
     switch (state.kind) {
       case 'solving': {
-        const quarter = Math.floor(state.fraction * 4) / 4;
-        return progress[state.phase](this.format.percent(quarter));
+        const {phase, fraction} = this.workbench.progress;
+        const quarter = Math.floor(fraction * 4) / 4;
+        return progress[phase](this.format.percent(quarter));
       }
       case 'done':
         return progress.done(this.format.seconds(result?.metrics.milliseconds.total ?? 0));

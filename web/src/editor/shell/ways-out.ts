@@ -1,7 +1,7 @@
 /** What went wrong, and buttons for what can be done about it: each is one step of the history. */
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import {printOf, type Design} from '../../model/design.js';
+import {askedSymmetries, askingFor, printOf, type Design} from '../../model/design.js';
 import type {Failure} from '../../model/failure.js';
 import {grainRule} from '../../model/grain-rule.js';
 import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-images.js';
@@ -95,7 +95,7 @@ export class WaysOut extends WorkbenchElement {
   #toBlame(): readonly Symmetry[] {
     const {design, pattern} = this.workbench;
     const name = pattern?.pieces[this.failure.piece ?? -1]?.name;
-    const asked = design?.symmetries ?? [];
+    const asked = design ? askedSymmetries(design) : [];
     const own = asked.filter((one) => name !== undefined && namesOf(one).includes(name));
     return own.length > 0 ? own : asked;
   }
@@ -113,8 +113,8 @@ export class WaysOut extends WorkbenchElement {
     switch (this.failure.code) {
       case 'symmetryGroup': {
         const {group} = design.print;
-        const symmetries = design.symmetries.filter(({kind}) => carries(group, kind));
-        return [{label: texts.leaveOut, change: {symmetries}}];
+        const carried = askedSymmetries(design).filter(({kind}) => carries(group, kind));
+        return [{label: texts.leaveOut, change: {symmetry: askingFor(carried)}}];
       }
       case 'symmetryConflict':
       case 'symmetryDoesNotMirror': {
@@ -123,7 +123,7 @@ export class WaysOut extends WorkbenchElement {
           ...this.#againstGrain(design, one),
         ]);
         const isExplained = kept.length > 0 || this.failure.code === 'symmetryDoesNotMirror';
-        const dropped = isExplained ? this.#toBlame() : design.symmetries;
+        const dropped = isExplained ? this.#toBlame() : askedSymmetries(design);
         return [...kept, ...dropped.map((one) => this.#dropped(design, one))];
       }
       case 'options': {
@@ -149,10 +149,10 @@ export class WaysOut extends WorkbenchElement {
       .join(', ');
   }
 
-  #dropped({symmetries}: Design, one: Symmetry): Way {
+  #dropped(design: Design, one: Symmetry): Way {
     return {
       label: this.texts.symmetry.dropFor(this.#labels(one)),
-      change: withoutSymmetry(symmetries, one),
+      change: withoutSymmetry(askedSymmetries(design), one),
     };
   }
 

@@ -33,10 +33,10 @@ export class Announcer {
   }
 
   /** How far a solve is, and how it ended. */
-  solved({state, result}: Workbench): void {
+  solved({state, progress, result}: Workbench): void {
     if (state.kind === 'solving') {
       this.#wasSolving = true;
-      this.progress(state);
+      this.progress(progress);
     } else if (this.#wasSolving) {
       this.#wasSolving = false;
       if (state.kind === 'failed') this.failed(this.#spoken(state.failure));

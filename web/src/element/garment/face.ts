@@ -42,7 +42,7 @@ export function faceOf(face: Face): TemplateResult {
           aria-hidden="true"
           ?hidden=${!isBusy || mode === 'edit'}
           max="1"
-          .value=${workbench.state.kind === 'solving' ? workbench.state.fraction : 0}
+          .value=${workbench.state.kind === 'solving' ? workbench.progress.fraction : 0}
         ></progress>
       </div>
       ${mode === 'place' ? panel(face) : nothing}

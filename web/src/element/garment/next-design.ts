@@ -18,7 +18,7 @@ export function nextDesign(
   before: Answered | undefined,
   now: Design | undefined,
 ): Design {
-  const {garment, print, symmetries} = loaded;
+  const {garment, print} = loaded;
   const fresh = newDesign(garment, print);
   const isSameGarment = before?.loaded.garment === garment;
   const kept = now && before ? now : fresh;
@@ -32,13 +32,15 @@ export function nextDesign(
   return {
     garment,
     print: before?.loaded.print === print ? kept.print : print,
-    symmetries: isSameSymmetry ? kept.symmetries : symmetries,
+    symmetry: isSameSymmetry && now ? now.symmetry : loaded.symmetry,
     method: kept.method,
     options: {
       ...options,
       ...(most !== undefined && {maxChangeCm: most}),
       ...(placed && {pins: placed}),
     },
+    seed: kept.seed,
+    ...(isSameGarment && kept.names && {names: kept.names}),
   };
 }
 

@@ -1,5 +1,5 @@
 /** A stored design, made into one to work on again. */
-import type {Design, DesignPrint} from '../../model/design.js';
+import {decisionsOf, type Design, type DesignPrint} from '../../model/design.js';
 import {SolverError} from '../../model/failure.js';
 import type {StoredDesign} from '../../model/stored-design.js';
 import type {FileWords} from './files.js';
@@ -15,14 +15,7 @@ export function restored({garment, print}: Loaded, stored: StoredDesign, words: 
       throw new SolverError({code: 'file-changed', message: words.fileChanged(sold.url)});
     }
   }
-  const {symmetry, method, options} = stored;
-  return {
-    garment,
-    print: changed(print, stored.print),
-    symmetries: typeof symmetry === 'string' ? [] : symmetry,
-    method,
-    options,
-  };
+  return {garment, print: changed(print, stored.print), ...decisionsOf(stored)};
 }
 
 function changed(print: DesignPrint, stored: StoredDesign['print']): DesignPrint {

@@ -15,7 +15,7 @@ import type {GarmentState} from './events.js';
 import type {FileWords} from './files.js';
 import {LastingSolver} from './lasting-solver.js';
 import {nextDesign, type Answered} from './next-design.js';
-import {problemFor, storedDesign, unasked, type Terms} from './problem.js';
+import {storedDesign} from './stored.js';
 import {restored} from './restored.js';
 import {Sources, type Asked} from './sources.js';
 import {ToldTiles} from './told-tiles.js';
@@ -41,6 +41,9 @@ const states: Readonly<Record<Workbench['state']['kind'], GarmentState>> = {
   ...{done: 'ready', failed: 'error'},
 };
 
+/** What state, errors and events depend on: what is said of pieces calls them as the sheet does. */
+const heard = ['history', 'solving', 'running', 'selection', 'sheet', 'preferences'] as const;
+
 export class GarmentSession {
   readonly workbench: Workbench;
   readonly #owner: SessionOwner;
@@ -48,8 +51,8 @@ export class GarmentSession {
   readonly #lease: LastingSolver;
   readonly #sources = new Sources(() => this.#words);
   /** Remembered: it takes the sha256 of the whole result, and is asked for at every change of the workbench. */
-  readonly #storedText = lastOf((design: Design, result: SolveResult, terms: Terms) =>
-    writeStoredDesign(storedDesign(design, result, terms, this.#words)),
+  readonly #storedText = lastOf((design: Design, result: SolveResult) =>
+    writeStoredDesign(storedDesign(design, result, this.#words)),
   );
   readonly #waiting = new Waiting<SolveResult>();
   #loading: AbortController | undefined;
@@ -58,7 +61,6 @@ export class GarmentSession {
   /** Something else is asked for, and nobody is loading it. */
   #isOutdated = false;
   #last: Answered | undefined;
-  #terms: Terms = {symmetry: 'auto', given: [], seed: 1};
   /** As the program has it; any other is the user's. */
   #given: Design | undefined;
   #isTouched = false;
@@ -76,15 +78,13 @@ export class GarmentSession {
       },
     );
     this.workbench = new Workbench(this.#lease, preferences, {
-      problemOf: (design) => problemFor(design, this.#terms),
-      isAuto: (design) => unasked(design, this.#terms) === 'auto',
       tileOf: (image, signal) => tiles.tile(image, signal),
       progress: (progress) => {
         this.#tell.progress(progress);
       },
     });
     this.workbench.isEdited = false;
-    this.workbench.subscribe(() => {
+    this.workbench.subscribe(heard, () => {
       this.#follow();
     });
   }
@@ -151,16 +151,6 @@ export class GarmentSession {
       this.#tell.loaded(loaded);
       if (this.#loading !== loading) return false; // whoever heard it wants something else
       this.#loading = undefined;
-      const symmetry = stored && typeof stored.symmetry === 'string' ? stored.symmetry : undefined;
-      // where the user has taken the last one away, and the rest is as it was, none is kept
-      const isKept =
-        this.#last?.asked.symmetry === asked.symmetry &&
-        design.symmetries === this.workbench.design?.symmetries;
-      this.#terms = {
-        symmetry: symmetry ?? (isKept ? unasked(design, this.#terms) : loaded.symmetry),
-        given: design.symmetries,
-        seed: stored?.seed ?? (this.#last ? this.#terms.seed : 1),
-      };
       this.#last = answered;
       this.#begin(design, byUser);
       return true;
@@ -180,9 +170,7 @@ export class GarmentSession {
     this.#last = undefined; // nothing of it stays, whenever the next is loaded
     if (!last || this.#loading || this.#isOutdated || this.#failure) return;
     this.#last = last;
-    const design = nextDesign(last, undefined, undefined);
-    this.#terms = {symmetry: last.loaded.symmetry, given: design.symmetries, seed: 1};
-    this.#begin(design);
+    this.#begin(nextDesign(last, undefined, undefined));
   }
 
   /** @returns whether there was anything to solve again */
@@ -229,7 +217,7 @@ export class GarmentSession {
     if (this.state !== 'ready' || !design || !result) {
       throw new SolverError({code: 'options', message: this.#words.noAnswer});
     }
-    const text = this.#storedText(design, result, this.#terms);
+    const text = this.#storedText(design, result);
     return JSON.parse(text) as StoredDesign & {readonly format: string};
   }
 

@@ -1,13 +1,18 @@
 /** What an element is given, read: garment, print and symmetries, by their URLs or as objects. */
-import {noPicture, type DesignGarment, type DesignPrint} from '../../model/design.js';
-import {decisionFields} from '../../model/design-reader.js';
+import {
+  askingFor,
+  noPicture,
+  type AskedSymmetry,
+  type DesignGarment,
+  type DesignPrint,
+} from '../../model/design.js';
+import {symmetryList} from '../../model/design-reader.js';
 import {SolverError} from '../../model/failure.js';
 import {colourwayOf, type Print} from '../../model/print.js';
 import {fieldOf, Malformed} from '../../model/read.js';
 import {repeatOf} from '../../model/repeat.js';
 import {printOfStored} from '../../model/stored-design.js';
 import type {StoredFile} from '../../model/stored-file.js';
-import type {Symmetry} from '../../model/symmetries.js';
 import {FileError} from '../../model/versioned-file.js';
 import {jsonText} from '../../solver/texts.js';
 import {fetchText, type FileWords} from './files.js';
@@ -29,9 +34,7 @@ export interface Asked {
 export interface Loaded {
   readonly garment: DesignGarment;
   readonly print: DesignPrint;
-  readonly symmetries: readonly Symmetry[];
-  /** What holds where there are none. */
-  readonly symmetry: 'auto' | 'none';
+  readonly symmetry: AskedSymmetry;
 }
 
 /** The last thing that was read, by what it was read from. */
@@ -50,7 +53,7 @@ export class Sources {
   readonly #words: () => FileWords;
   readonly #garment = new Kept<DesignGarment>();
   readonly #print = new Kept<DesignPrint>();
-  readonly #symmetries = new Kept<readonly Symmetry[]>();
+  readonly #symmetry = new Kept<AskedSymmetry>();
 
   constructor(words: () => FileWords) {
     this.#words = words;
@@ -58,12 +61,12 @@ export class Sources {
 
   /** @throws {SolverError} with one sentence; the signal's reason when it fires */
   async load(asked: Asked, signal: AbortSignal): Promise<Loaded> {
-    const [garment, print, symmetries] = await Promise.all([
+    const [garment, print, symmetry] = await Promise.all([
       this.#readGarment(asked, signal),
       this.#readPrint(asked, signal),
-      this.#readSymmetries(asked, signal),
+      this.#readSymmetry(asked, signal),
     ]);
-    return {garment, print, symmetries, symmetry: asked.symmetry === 'auto' ? 'auto' : 'none'};
+    return {garment, print, symmetry};
   }
 
   async #readGarment({garment, size}: Asked, signal: AbortSignal): Promise<DesignGarment> {
@@ -94,9 +97,9 @@ export class Sources {
     });
   }
 
-  async #readSymmetries({symmetry}: Asked, signal: AbortSignal): Promise<readonly Symmetry[]> {
-    if (symmetry === 'auto' || symmetry === 'none') return [];
-    return this.#symmetries.of([symmetry], async () => {
+  async #readSymmetry({symmetry}: Asked, signal: AbortSignal): Promise<AskedSymmetry> {
+    if (symmetry === 'auto' || symmetry === 'none') return symmetry;
+    return this.#symmetry.of([symmetry], async () => {
       if (typeof symmetry === 'object') return this.#symmetriesIn(symmetry, 'symmetry');
       const words = this.#words();
       const {text, place} = await fetchText(absolute(symmetry, words), words, signal);
@@ -104,12 +107,10 @@ export class Sources {
     });
   }
 
-  #symmetriesIn(value: unknown, called: string): readonly Symmetry[] {
+  #symmetriesIn(value: unknown, called: string): AskedSymmetry {
     try {
-      return decisionFields.symmetries(
-        Array.isArray(value) ? value : fieldOf(value, 'symmetries'),
-        called,
-      );
+      const list = Array.isArray(value) ? value : fieldOf(value, 'symmetries');
+      return askingFor(symmetryList(list, called));
     } catch (error) {
       if (!(error instanceof Malformed)) throw error;
       const message = this.#words().noSymmetries(called);

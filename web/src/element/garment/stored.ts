@@ -1,0 +1,20 @@
+/** The design of an element as it is stored, with its answer. */
+import type {Design} from '../../model/design.js';
+import {filedDesign} from '../../model/design-problem.js';
+import {SolverError} from '../../model/failure.js';
+import type {SolveResult} from '../../model/result.js';
+import {designOf, type StoredDesign} from '../../model/stored-design.js';
+import type {FileWords} from './files.js';
+
+/** @throws {SolverError} with one sentence when garment or print have no place that could be stored */
+export function storedDesign(design: Design, result: SolveResult, words: FileWords): StoredDesign {
+  const missing = !design.garment.file
+    ? words.garment
+    : !design.print.file?.place
+      ? words.print
+      : undefined;
+  if (missing !== undefined) {
+    throw new SolverError({code: 'options', message: words.notStorable(missing)});
+  }
+  return designOf(filedDesign(design), result);
+}

@@ -1,0 +1,296 @@
+/** What the solver knows of the present design: it is solved whenever it is another, and its answers are kept. */
+import {askedSymmetries, printOf, type Design, type DesignGarment} from '../model/design.js';
+import type {Failure} from '../model/failure.js';
+import type {GarmentDocument} from '../model/garment-document.js';
+import {mirroringsOf} from '../model/pins.js';
+import type {Progress} from '../model/problem.js';
+import type {MeshedPattern, SolveResult} from '../model/result.js';
+import type {DetectedSymmetry, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import type {SolverService} from '../solver/service.js';
+import {Afterwards} from './afterwards.js';
+import type {ChosenPreferences} from './chosen-preferences.js';
+import type {DesignHistory} from './design-history.js';
+import {FoundSymmetries} from './found-symmetries.js';
+import {askedOf, measuredMirrorings, withKeptPins} from './kept-pins.js';
+import {KnownGarment} from './known-garment.js';
+import {LatestSolve} from './latest-solve.js';
+import type {Notices} from './notices.js';
+import {Observable} from './observable.js';
+import {ResultCache} from './result-cache.js';
+import type {RunningSolve} from './running-solve.js';
+import type {Selection} from './selection.js';
+import type {SolveState} from './state.js';
+
+/** What it reads, and what it tells of what it does. */
+export interface SolvingParts {
+  readonly history: DesignHistory;
+  readonly preferences: ChosenPreferences;
+  readonly notices: Notices;
+  readonly selection: Selection;
+  readonly running: RunningSolve;
+}
+
+export class Solving extends Observable {
+  /** What is worked on once an answer is there. */
+  readonly afterwards: Afterwards;
+  readonly #solver: SolverService;
+  readonly #parts: SolvingParts;
+  readonly #results = new ResultCache();
+  readonly #solve: LatestSolve;
+  readonly #found: FoundSymmetries;
+  readonly #known: KnownGarment;
+  #state: SolveState = {kind: 'opening'};
+  /** What the solver broke on, and was begun anew. */
+  #retried: Design | undefined;
+  #isEdited = true;
+
+  /** @param told hears all that the solver says of a solve, of which the rest is told at a slower pace */
+  constructor(solver: SolverService, parts: SolvingParts, told?: (progress: Progress) => void) {
+    super();
+    this.#solver = solver;
+    this.#parts = parts;
+    this.afterwards = new Afterwards(solver, (design, effort, result) =>
+      this.#improved(design, effort, result),
+    );
+    const changed = (): void => {
+      this.changed();
+    };
+    this.#found = new FoundSymmetries(solver, changed);
+    this.#known = new KnownGarment(solver, changed);
+    this.#solve = new LatestSolve(solver, {
+      pattern: (design, pattern) => {
+        if (!this.#known.take(design.garment, pattern)) return;
+        parts.running.rest();
+        this.changedNext();
+      },
+      partial: (design, alignments) => {
+        if (design.garment === this.#known.garment) parts.running.lay(alignments);
+      },
+      progress: (_, progress) => {
+        told?.(progress);
+        parts.running.proceed(progress);
+      },
+      done: (design, result) => {
+        if (design !== this.#design) return;
+        this.#keep(design, result);
+        this.#state = {kind: 'done'};
+        this.#follow();
+        this.changedNext();
+      },
+      failed: (design, failure) => {
+        if (design === this.#design) this.#failed(design, failure);
+      },
+    });
+  }
+
+  get state(): SolveState {
+    return this.#state;
+  }
+
+  /** The garment as its file has it; undefined until it has been read. */
+  get garment(): GarmentDocument | undefined {
+    return this.#known.document;
+  }
+
+  /** The garment meshed, with the symmetries of the last solve that was begun. */
+  get pattern(): MeshedPattern | undefined {
+    return this.#known.pattern;
+  }
+
+  /** The answer to the present design, or to none. */
+  get result(): SolveResult | undefined {
+    return this.#design && this.#results.of(this.#design)?.result;
+  }
+
+  /** Symmetries that are asked for; with `auto`, those that the answer keeps. */
+  get kept(): readonly Symmetry[] {
+    const design = this.#design;
+    if (!design) return [];
+    return design.symmetry === 'auto' && this.pattern
+      ? this.#found.heldBy(this.pattern)
+      : askedSymmetries(design);
+  }
+
+  /** Symmetries the garment shows by itself and that are not kept yet. */
+  get found(): readonly DetectedSymmetry[] {
+    return this.#found.beside(this.kept);
+  }
+
+  /** Whether somebody is going to ask for symmetries and what they cost: otherwise neither is looked for. */
+  set isEdited(isEdited: boolean) {
+    if (isEdited === this.#isEdited) return;
+    this.#isEdited = isEdited;
+    if (!isEdited) this.afterwards.stop();
+    else if (this.#known.garment) {
+      this.#found.follow(this.#known.garment);
+      this.#follow();
+    }
+  }
+
+  /** There is nothing to be solved. */
+  beEmpty(): void {
+    this.#become({kind: 'empty'});
+  }
+
+  /** Reads a garment that may come to be worked on. @throws {SolverError} when it cannot be read */
+  learn(garment: DesignGarment): Promise<void> {
+    return this.#known.read(garment);
+  }
+
+  /** A garment that is worked on has been meshed already. */
+  know(garment: DesignGarment, pattern: MeshedPattern): void {
+    if (this.#known.takeFirst(garment, pattern)) this.changed();
+  }
+
+  /** A garment as it lies in its file. @throws {SolverError} when it cannot be read */
+  meshed({garment, print}: Pick<Design, 'garment' | 'print'>): Promise<MeshedPattern> {
+    const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};
+    return this.#solver.prepare(problem, {names: {garment: garment.name}});
+  }
+
+  /** How well a symmetry fits the present garment. @throws {SolverError} */
+  measure(symmetry: Symmetry, signal?: AbortSignal): Promise<MeasuredSymmetry> {
+    const {text, name} = this.#design?.garment ?? {text: '', name: ''};
+    return this.#solver.mirror(text, symmetry, {name, ...(signal && {signal})});
+  }
+
+  /** A design with its pins where the symmetries of its garment can keep them. */
+  mended(design: Design): Design {
+    const {pattern} = this;
+    if (!design.options.pins || !pattern) return design;
+    const known = mirroringsOf(pattern);
+    const held = design.symmetry === 'auto' ? known : askedOf(design, known);
+    return withKeptPins(design, pattern, held);
+  }
+
+  /** Solves the present design, whatever is under way. */
+  align(): void {
+    const design = this.#design;
+    if (!design) return;
+    void this.#known.learn();
+    Observable.together(() => {
+      this.afterwards.stop();
+      this.#solve.start(design);
+      this.#parts.running.begin();
+      this.#become({kind: 'solving'});
+    });
+  }
+
+  cancel(): void {
+    if (!this.#solve.isRunning) return;
+    Observable.together(() => {
+      this.#stop();
+      this.#become({kind: 'stale', cancelled: true});
+    });
+  }
+
+  /** The present design may be any other than before. */
+  arrive(): void {
+    Observable.together(() => {
+      if (this.#design) this.#meet(this.#design);
+    });
+  }
+
+  get #design(): Design | undefined {
+    return this.#parts.history.design;
+  }
+
+  #become(state: SolveState): void {
+    this.#state = state;
+    this.changed();
+  }
+
+  #stop(): void {
+    this.#solve.cancel();
+    this.#parts.running.rest();
+  }
+
+  #meet(design: Design): void {
+    this.afterwards.stop();
+    if (this.#known.meet(design.garment)) this.#met(design.garment);
+    void this.#known.learn();
+    const known = this.#results.of(design);
+    const {solveAsIGo} = this.#parts.preferences.preferences;
+    if (!known && solveAsIGo) {
+      this.align();
+      return;
+    }
+    this.#stop();
+    if (known) this.#known.take(design.garment, known.pattern);
+    this.#become(known ? {kind: 'done'} : {kind: 'stale', cancelled: false});
+    if (known) this.#follow();
+  }
+
+  /** A garment that was not there before. */
+  #met(garment: DesignGarment): void {
+    this.#parts.selection.clear();
+    this.#parts.running.rest();
+    if (this.#isEdited) this.#found.follow(garment);
+    else this.#found.forget();
+  }
+
+  #keep(design: Design, result: SolveResult): void {
+    const {pattern} = this;
+    if (pattern) this.#results.keep(design, {pattern, result});
+  }
+
+  #follow(): void {
+    const {result} = this;
+    if (this.#isEdited && this.#design && result) void this.afterwards.follow(this.#design, result);
+  }
+
+  #improved(design: Design, effort: number, result: SolveResult): Design {
+    const {history} = this.#parts;
+    Observable.together(() => {
+      history.improve({...design.options, effort});
+      this.#keep(history.design ?? design, result);
+      this.changed();
+    });
+    return history.design ?? design;
+  }
+
+  #failed(design: Design, failure: Failure): void {
+    if (failure.code === 'internal' && design !== this.#retried) {
+      this.#retried = design;
+      this.#say(({progress}) => progress.restarted);
+      this.align();
+    } else if (failure.code === 'symmetryConflict' && design.options.pins) {
+      void this.#snap(design, failure);
+    } else {
+      this.#fail(design, failure);
+    }
+  }
+
+  #fail(design: Design, failure: Failure): void {
+    this.#become({kind: 'failed', failure});
+    // without the module, asking once more would only make the next attempt share this one's end
+    if (!this.pattern && failure.code !== 'no-wasm') void this.#showUnsolved(design);
+  }
+
+  /** Pins that a symmetry is against go to the nearest places that are not, as a part of the step that led there. */
+  async #snap(design: Design, failure: Failure): Promise<void> {
+    const known = await measuredMirrorings(design, (symmetry) => this.measure(symmetry));
+    if (design !== this.#design) return;
+    const next = withKeptPins(design, this.pattern, known);
+    if (next === design) {
+      this.#fail(design, failure);
+      return;
+    }
+    Observable.together(() => {
+      this.#parts.history.mend(next);
+      this.arrive();
+      this.#say(({symmetry}) => symmetry.snapped);
+    });
+  }
+
+  #say(words: (texts: ChosenPreferences['texts']) => string): void {
+    const {notices, preferences} = this.#parts;
+    notices.say({tone: 'info', text: words(preferences.texts)});
+  }
+
+  /** What cannot be solved may still be shown. */
+  async #showUnsolved(design: Design): Promise<void> {
+    const pattern = await this.meshed(design).catch(() => undefined);
+    if (pattern) this.know(design.garment, pattern);
+  }
+}
