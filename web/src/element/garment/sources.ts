@@ -9,7 +9,7 @@ import {printOfStored} from '../../model/stored-design.js';
 import type {StoredFile} from '../../model/stored-file.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {FileError} from '../../model/versioned-file.js';
-import {jsonText} from '../../solver/texts.js';
+import {jsonText} from '../../solver/requests/texts.js';
 import {fetchText, type FileWords} from './files.js';
 
 /** Strings are URLs, relative to the document. */
