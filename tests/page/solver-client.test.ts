@@ -2,7 +2,7 @@ import type {Page} from 'playwright-core';
 import {convert, mirror, prepare, solve, symmetries, type Symmetry} from 'seamwise/node';
 import {afterEach, beforeEach, describe, expect, it} from 'vitest';
 
-import type {FromWorker} from '@/solver/protocol.js';
+import type {FromThread} from '@/solver/threads/protocol.js';
 import {checks, twoStrips} from '../wasm/garments.js';
 import {isHelper, jacket, tee, useFixture, withoutTimes} from './fixture/open.js';
 
@@ -181,7 +181,7 @@ describe('cancelling', () => {
         globalThis.Worker = class extends Worker {
           constructor(url: string | URL, options?: WorkerOptions) {
             super(url, options);
-            this.addEventListener('message', ({data}: MessageEvent<FromWorker>) => {
+            this.addEventListener('message', ({data}: MessageEvent<FromThread>) => {
               if (data.kind === 'done') ends.push([data.job, 'done']);
               if (data.kind === 'failed') ends.push([data.job, data.failure.code]);
             });

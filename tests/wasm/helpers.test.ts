@@ -6,10 +6,12 @@ import {Worker} from 'node:worker_threads';
 
 import {afterEach, expect, it} from 'vitest';
 
-import {Helpers, type StartHelper} from '@/solver/helpers.js';
-import {LocalSolver} from '@/solver/local.js';
-import type {FromWorker, ToWorker} from '@/solver/protocol.js';
-import {problemTexts} from '@/solver/texts.js';
+import {localAnswerer} from '@/solver/answering.js';
+import type {Requests} from '@/solver/requests/requests.js';
+import {problemTexts} from '@/solver/requests/texts.js';
+import {Helpers} from '@/solver/seamwise/helpers.js';
+import {protocolVersion, type FromThread, type ToThread} from '@/solver/threads/protocol.js';
+import type {StartThread} from '@/solver/threads/thread.js';
 import {sample} from './garments.js';
 
 const wasmBinary = await readFile(
@@ -24,25 +26,25 @@ const delays = {start: 0, lend: 0, end: 50};
 
 interface Heard {
   readonly thread: Worker;
-  readonly sent: ToWorker[];
-  readonly received: FromWorker[];
+  readonly sent: ToThread<Requests>[];
+  readonly received: FromThread[];
 }
 let heard: Heard[] = [];
 
 /** Threads that are overheard. @param sent hears what a thread is told, once it has been told */
 function overheard(
-  sent: (message: ToWorker, thread: Worker) => void = () => undefined,
-): StartHelper {
+  sent: (message: ToThread<Requests>, thread: Worker) => void = () => undefined,
+): StartThread<Requests> {
   return (owner) => {
     const thread = new Worker(script);
     const all: Heard = {thread, sent: [], received: []};
     heard.push(all);
-    thread.on('message', (message: FromWorker) => {
+    thread.on('message', (message: FromThread) => {
       all.received.push(message);
       owner.receive(message);
     });
     thread.on('exit', () => {
-      owner.lost();
+      owner.lost('');
     });
     return {
       post: (message) => {
@@ -60,7 +62,8 @@ const kinds = (all: readonly {readonly kind: string}[], kind: string): number =>
 
 /** A solver that knows nothing of earlier solves, with all its result but the times. */
 async function solved(helpers: Helpers | undefined, most: number): Promise<string> {
-  const result = await new LocalSolver(() => ({wasmBinary}), {helpers}).solve(hoodie, {}, most);
+  const answerer = localAnswerer({sources: {seamwise: () => wasmBinary}}, helpers);
+  const result = await answerer.answer('solve', hoodie, {helpers: most});
   const milliseconds = {alignment: 0, deformation: 0, total: 0};
   return JSON.stringify({...result, metrics: {...result.metrics, milliseconds}});
 }
@@ -81,25 +84,25 @@ it.each([1, 3])('gives the same bytes with %d threads to help', {retry: 3}, asyn
 
 it('gives the same bytes when threads are killed in the middle of their shares', async () => {
   const start = overheard((message, thread) => {
-    if (message.kind === 'share') setTimeout(() => void thread.terminate(), 30);
+    if (message.kind === 'request') setTimeout(() => void thread.terminate(), 30);
   });
   expect(await solved(new Helpers(start, delays), 3)).toBe(alone);
   expect(heard).toHaveLength(3); // none takes the place of one that broke
 });
 
 it('gives the same bytes when threads never answer, or cannot be started', async () => {
-  const silent: StartHelper = () => ({post: () => undefined, end: () => undefined});
+  const silent: StartThread<Requests> = () => ({post: () => undefined, end: () => undefined});
   expect(await solved(new Helpers(silent, delays), 3)).toBe(alone);
-  const none: StartHelper = () => {
+  const none: StartThread<Requests> = () => {
     throw new Error('no threads here');
   };
   expect(await solved(new Helpers(none, delays), 3)).toBe(alone);
 });
 
 it('does without threads that may be of another version', async () => {
-  const old: StartHelper = (owner) => {
+  const old: StartThread<Requests> = (owner) => {
     setTimeout(() => {
-      owner.receive({kind: 'ready', version: 'another'});
+      owner.receive({kind: 'ready', version: `not ${protocolVersion}`});
     });
     return overheard()(owner);
   };
@@ -138,7 +141,8 @@ it(
     const start = overheard((message) => {
       if (message.kind === 'cancel') cancelled = performance.now();
     });
-    const solver = new LocalSolver(() => ({wasmBinary}), {helpers: new Helpers(start, delays)});
+    const sources = {seamwise: () => wasmBinary};
+    const answerer = localAnswerer({sources}, new Helpers(start, delays));
     const onProgress = () => {
       const [helper] = heard;
       // it is at its share when it has come to know of it
@@ -147,7 +151,8 @@ it(
           abort.abort('enough');
         });
     };
-    const solve = solver.solve(hoodie, {signal: abort.signal, onProgress}, 1);
+    const hooks = {signal: abort.signal, onProgress, helpers: 1};
+    const solve = answerer.answer('solve', hoodie, hooks);
     await expect(solve).rejects.toBe('enough');
     const [helper] = heard;
     if (!helper) throw new Error('Nobody has helped.');

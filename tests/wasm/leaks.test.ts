@@ -5,9 +5,10 @@ import {runInNewContext} from 'node:vm';
 import {convert, memory, solve, symmetries, type Problem} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {SharedModule} from '@/solver/load.js';
-import {Solver} from '@/solver/solver.js';
-import {problemTexts} from '@/solver/texts.js';
+import {SharedModule} from '@/solver/answers/shared-module.js';
+import {seamwise} from '@/solver/module/load-seamwise.js';
+import {problemTexts} from '@/solver/requests/texts.js';
+import {Solver} from '@/solver/seamwise/solver.js';
 import {checks, sample, twoStrips} from './garments.js';
 
 const problem: Problem = {garment: twoStrips(2), print: checks};
@@ -80,12 +81,12 @@ it('memory stays as it is over 1000 solvers that are disposed of half way', asyn
   const wasmBinary = await readFile(
     new URL('../../web/src/solver/module/seamwise.wasm', import.meta.url),
   );
-  const module = await new SharedModule(() => ({wasmBinary})).load();
+  const module = await new SharedModule(seamwise, () => wasmBinary).load();
   const texts = problemTexts({...problem, garment: twoStrips(10)});
   const attempt = (k: number) => {
     const solver = new Solver(module, texts);
     for (let step = 0; step < k % 5; step++) solver.advance(0.1);
-    solver[Symbol.dispose]();
+    solver.delete();
   };
   await expectFlat(1000, attempt, () =>
     Promise.resolve({heap: module.heapBytes(), live: module.liveBytes()}),

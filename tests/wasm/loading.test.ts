@@ -3,8 +3,9 @@ import {readFile} from 'node:fs/promises';
 import {convert, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {SharedModule} from '@/solver/load.js';
-import {LocalSolver} from '@/solver/local.js';
+import {localAnswerer} from '@/solver/answering.js';
+import {SharedModule} from '@/solver/answers/shared-module.js';
+import {seamwise} from '@/solver/module/load-seamwise.js';
 import {warmUpProblems} from '@/solver/warm-up.js';
 import {twoStrips} from './garments.js';
 
@@ -12,32 +13,34 @@ const module = await readFile(
   new URL('../../web/src/solver/module/seamwise.wasm', import.meta.url),
 );
 const garment = JSON.stringify(twoStrips());
+const request = {garment, name: 'garment'};
 
 it('says that the module is missing, what to do, and tries again with the next call', async () => {
   const found = [new TextEncoder().encode('not found'), module];
-  const solver = new LocalSolver(() => ({wasmBinary: found.shift() ?? module}));
-  await expect(solver.convert(garment, 'garment')).rejects.toMatchObject({
+  const solver = localAnswerer({sources: {seamwise: () => found.shift() ?? module}});
+  await expect(solver.answer('convert', request, {})).rejects.toMatchObject({
     name: 'SolverError',
     code: 'no-wasm',
     message: expect.stringMatching(/^The solver could not be loaded: .*; .*[^.]\.$/) as string,
   });
-  expect(await solver.convert(garment, 'garment')).toBe(await convert(garment));
+  expect(await solver.answer('convert', request, {})).toBe(await convert(garment));
 });
 
+/** As where a host sends nothing. */
+const never = {sources: {seamwise: () => new Promise<never>(() => undefined)}};
+
 it('does not wait for a module that nobody wants any more', async () => {
-  const never = new LocalSolver(() => new Promise(() => undefined));
+  const solver = localAnswerer(never);
   const signal = AbortSignal.timeout(20);
-  await expect(never.convert(garment, 'garment', signal)).rejects.toThrow(/timeout/);
-  await expect(never.convert(garment, 'garment', signal)).rejects.toBe(signal.reason);
+  await expect(solver.answer('convert', request, {signal})).rejects.toThrow(/timeout/);
+  await expect(solver.answer('convert', request, {signal})).rejects.toBe(signal.reason);
 });
 
 it('gives up a module that does not come, and says so', async () => {
-  const never: object = {instantiateWasm: () => ({})}; // as where a host sends nothing
-  await expect(new SharedModule(() => never, 50).load()).rejects.toThrow(
-    'seamwise.wasm has not come within 0.05 s',
-  );
-  const solver = new LocalSolver(() => never, {patience: 50});
-  await expect(solver.convert(garment, 'garment')).rejects.toMatchObject({
+  const shared = new SharedModule(seamwise, never.sources.seamwise, 50);
+  await expect(shared.load()).rejects.toThrow('seamwise.wasm has not come within 0.05 s');
+  const solver = localAnswerer({...never, patience: 50});
+  await expect(solver.answer('convert', request, {})).rejects.toMatchObject({
     code: 'no-wasm',
     message: expect.stringMatching(/within 0\.05 s; check the connection.*[^.]\.$/) as string,
   });

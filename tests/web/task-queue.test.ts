@@ -1,6 +1,6 @@
 import {expect, it} from 'vitest';
 
-import {TaskQueue} from '@/solver/task-queue.js';
+import {TaskQueue} from '@/solver/answers/task-queue.js';
 
 /** Work that ends when it is told to; what has begun and ended is written down. */
 function worker(queue: TaskQueue) {

@@ -9,18 +9,18 @@ import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
 import type {Remedy} from '../remedies/remedy.js';
+import {localAnswerer} from '../solver/answering.js';
 import {helpersFor} from '../solver/cores.js';
-import {Helpers} from '../solver/helpers.js';
-import {LocalSolver} from '../solver/local.js';
+import type {HooksOf} from '../solver/requests/kinds.js';
+import type {Requests} from '../solver/requests/requests.js';
 import {
-  jsonText,
-  mirrorTexts,
   plainNames,
-  problemTexts,
   type NamedPrepareHooks,
   type NamedProofHooks,
   type NamedSolveHooks,
-} from '../solver/texts.js';
+} from '../solver/requests/texts.js';
+import {Helpers} from '../solver/seamwise/helpers.js';
+import {TextService} from '../solver/service.js';
 import {thread} from './thread.js';
 import type {Order, OrderHooks} from './order.js';
 
@@ -40,7 +40,7 @@ export type {
   NamedProofHooks as NodeProofHooks,
   NamedSolveHooks as NodeSolveHooks,
   ProblemNames,
-} from '../solver/texts.js';
+} from '../solver/requests/texts.js';
 export {SolverError, type Failure, type FailureCode} from '../model/failure.js';
 export {problemOfStored} from '../model/design-problem.js';
 export * from '../model/stored-design.js';
@@ -53,12 +53,25 @@ export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
 /** For a program that solves on threads of its own, as a batch does, all cores are at work already. */
 const most = isMainThread ? helpersFor(availableParallelism()) : 0;
 
-const solver = new LocalSolver(
-  async () => ({
-    wasmBinary: await readFile(new URL('../solver/module/seamwise.wasm', import.meta.url)),
-  }),
-  {helpers: new Helpers(thread)},
-);
+const wasmFile = new URL('../solver/module/seamwise.wasm', import.meta.url);
+
+/** The solver on this thread. */
+class ThreadSolver extends TextService {
+  readonly #answerer = localAnswerer(
+    {sources: {seamwise: () => readFile(wasmFile)}},
+    new Helpers(thread),
+  );
+
+  ask<K extends keyof Requests>(
+    kind: K,
+    request: Requests[K]['request'],
+    hooks: HooksOf<Requests[K]>,
+  ): Promise<Requests[K]['answer']> {
+    return this.#answerer.answer(kind, request, {...hooks, helpers: most});
+  }
+}
+
+const solver = new ThreadSolver();
 
 /**
  * Aligns a print with a sewing pattern and deforms the pattern so that the print matches at its seams.
@@ -67,8 +80,7 @@ const solver = new LocalSolver(
  * @throws {SolverError} for bad input; the signal's reason, an `AbortError` by default, when it fires
  */
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
-  hooks.signal?.throwIfAborted();
-  return solver.solve(problemTexts(problem, hooks.names), hooks, most);
+  return solver.solve(problem, hooks);
 }
 
 /**
@@ -107,7 +119,7 @@ export async function symmetries(
   garment: Garment | string,
   name = plainNames.garment,
 ): Promise<DetectedSymmetries> {
-  return solver.symmetries(jsonText(garment, name), name);
+  return solver.symmetries(garment, {name});
 }
 
 /**
@@ -118,8 +130,7 @@ export async function prepare(
   problem: Problem,
   hooks: NamedPrepareHooks = {},
 ): Promise<MeshedPattern> {
-  hooks.signal?.throwIfAborted();
-  return solver.prepare(problemTexts(problem, hooks.names), hooks.signal);
+  return solver.prepare(problem, hooks);
 }
 
 /**
@@ -128,8 +139,7 @@ export async function prepare(
  * @throws {SolverError} as `solve` does
  */
 export async function prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
-  hooks.signal?.throwIfAborted();
-  return solver.prove(problemTexts(problem, hooks.names), hooks);
+  return solver.prove(problem, hooks);
 }
 
 /**
@@ -141,7 +151,7 @@ export async function mirror(
   symmetry: Symmetry,
   name = plainNames.garment,
 ): Promise<MeasuredSymmetry> {
-  return solver.mirror(mirrorTexts(garment, symmetry, name));
+  return solver.mirror(garment, symmetry, {name});
 }
 
 /**
@@ -153,7 +163,7 @@ export async function readGarment(
   garment: Garment | string,
   name = plainNames.garment,
 ): Promise<GarmentDocument> {
-  return solver.garment(jsonText(garment, name), name);
+  return solver.garment(garment, {name});
 }
 
 /** A garment of any readable format as the text of a seamwise-garment/1 file. */
@@ -161,10 +171,10 @@ export async function convert(
   garment: Garment | string,
   name = plainNames.garment,
 ): Promise<string> {
-  return solver.convert(jsonText(garment, name), name);
+  return solver.convert(garment, {name});
 }
 
 /** Memory of the shared module: its size, and what is in use of it. [bytes] */
 export async function memory(): Promise<{readonly heap: number; readonly live: number}> {
-  return solver.memory();
+  return solver.ask('memory', {}, {});
 }

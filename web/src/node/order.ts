@@ -14,7 +14,7 @@ import type {StoredFile} from '../model/stored-file.js';
 import {FileError} from '../model/versioned-file.js';
 import {printDistance} from '../model/wallpaper.js';
 import {onPrint} from '../scene/mismatch.js';
-import type {NamedSolveHooks} from '../solver/texts.js';
+import type {NamedSolveHooks} from '../solver/requests/texts.js';
 import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
 import {textOf} from './files.js';
 

@@ -1,28 +1,30 @@
 import {Worker} from 'node:worker_threads';
 
-import type {HelperOwner, HelperThread} from '../solver/helpers.js';
-import type {FromWorker} from '../solver/protocol.js';
+import type {Requests} from '../solver/requests/requests.js';
+import type {FromThread} from '../solver/threads/protocol.js';
+import type {StartThread} from '../solver/threads/thread.js';
 
 const script = new URL('./helper-thread.js', import.meta.url);
 
 /** A thread of this process, which it does not keep from ending. */
-export function thread(owner: HelperOwner): HelperThread {
+export const thread: StartThread<Requests> = (owner) => {
   const worker = new Worker(script, {stdin: false});
-  worker.on('message', (message: FromWorker) => {
+  worker.on('message', (message: FromThread) => {
     owner.receive(message);
   });
-  const lost = () => {
-    owner.lost();
-  };
-  worker.on('error', lost);
-  worker.on('exit', lost);
+  worker.on('error', (error) => {
+    owner.lost(String(error));
+  });
+  worker.on('exit', () => {
+    owner.lost('');
+  });
   worker.unref(); // last: a listener to messages would undo it
   return {
-    post: (message) => {
-      worker.postMessage(message);
+    post: (message, transfer = []) => {
+      worker.postMessage(message, [...transfer]);
     },
     end: () => {
       void worker.terminate();
     },
   };
-}
+};

@@ -1,10 +1,10 @@
-import {loadingError} from './broken.js';
-import type {LocalSolver} from './local.js';
-import type {Answers, QuestionOf} from './protocol.js';
-import {besideThePage} from './pace.js';
-import {TextService, type QuestionHooks} from './service.js';
-import {unlessAborted} from './unless-aborted.js';
-import type {WorkerPlaces} from './watched-worker.js';
+import {loadingError} from './answers/broken.js';
+import {unlessAborted} from './answers/unless-aborted.js';
+import type {LocalAnswerer} from './answering.js';
+import type {WorkerPlaces} from './page-worker.js';
+import type {HooksOf} from './requests/kinds.js';
+import type {Requests} from './requests/requests.js';
+import {TextService} from './service.js';
 
 /**
  * The solver on the page's own thread, in slices of a few milliseconds: for pages that may have no
@@ -13,32 +13,32 @@ import type {WorkerPlaces} from './watched-worker.js';
  */
 export class MainThreadSolver extends TextService {
   readonly #wasmUrl: WorkerPlaces['wasmUrl'];
-  #solver: Promise<LocalSolver> | undefined;
+  #answerer: Promise<LocalAnswerer> | undefined;
 
   constructor({wasmUrl}: Pick<WorkerPlaces, 'wasmUrl'> = {}) {
     super();
     this.#wasmUrl = wasmUrl;
   }
 
-  async ask<K extends keyof Answers>(
-    question: QuestionOf<K>,
-    hooks: QuestionHooks,
-  ): Promise<Answers[K]> {
-    const solver = await unlessAborted((this.#solver ??= this.#load()), hooks.signal);
-    return solver.answer<K>(question, hooks);
+  async ask<K extends keyof Requests>(
+    kind: K,
+    request: Requests[K]['request'],
+    hooks: HooksOf<Requests[K]>,
+  ): Promise<Requests[K]['answer']> {
+    const answerer = await unlessAborted((this.#answerer ??= this.#load()), hooks.signal);
+    return answerer.answer(kind, request, hooks);
   }
 
   /** Few pages have no worker: the others need not fetch what would take its place. */
-  async #load(): Promise<LocalSolver> {
+  async #load(): Promise<LocalAnswerer> {
     try {
-      const {LocalSolver} = await import('./local.js');
+      const {besideThePage, localAnswerer} = await import('./answering.js');
       const url = this.#wasmUrl;
-      const settings = () =>
-        url === undefined ? {} : {locateFile: () => new URL(url, document.baseURI).href};
-      return new LocalSolver(settings, {pace: besideThePage});
+      const sources = url === undefined ? {} : {seamwise: () => new URL(url, document.baseURI)};
+      return localAnswerer({sources, pace: besideThePage});
     } catch (error) {
-      this.#solver = undefined; // to be tried again
-      throw loadingError(error);
+      this.#answerer = undefined; // to be tried again
+      throw loadingError(error, 'seamwise.wasm');
     }
   }
 }

@@ -2,10 +2,11 @@ import {SolverError, type Failure} from '../model/failure.js';
 import {SolverClient} from './client.js';
 import {helpersFor, mostCores} from './cores.js';
 import {MainThreadSolver} from './main-thread.js';
-import type {Answers, QuestionOf} from './protocol.js';
-import {TextService, type QuestionHooks, type SolverService} from './service.js';
+import type {WorkerPlaces} from './page-worker.js';
+import type {HooksOf} from './requests/kinds.js';
+import type {Requests} from './requests/requests.js';
+import {TextService, type SolverService} from './service.js';
 import {warmUpProblems} from './warm-up.js';
-import type {WorkerPlaces} from './watched-worker.js';
 
 /** Where to find the solver, and who hears when it can have no worker. */
 export interface LeasePlaces extends WorkerPlaces {
@@ -74,11 +75,8 @@ export class SolverPool {
     pooled.leases += 1;
     clearTimeout(pooled.ending);
     const solver = new LeasedSolver(pooled, this.#page, onBlocked);
-    let released = false;
     const release = () => {
-      if (released) return;
-      released = true;
-      solver.end();
+      if (!solver.end()) return;
       pooled.leases -= 1;
       if (pooled.leases > 0) return;
       pooled.ending = setTimeout(() => {
@@ -86,7 +84,7 @@ export class SolverPool {
       }, idlePatience);
     };
     const warm = () => {
-      if (!released) pooled.warm();
+      solver.warm();
     };
     return {solver, warm, release};
   }
@@ -99,7 +97,7 @@ export class SolverPool {
     const client = new SolverClient(this.#places, () =>
       helpersFor(navigator.hardwareConcurrency, this.#workers.size),
     );
-    const pooled = new PooledWorker(client, blocked);
+    const pooled = {client, leases: 0, ending: undefined, blocked, warming: undefined};
     this.#workers.add(pooled);
     return pooled;
   }
@@ -112,33 +110,14 @@ export class SolverPool {
 }
 
 /** A worker of the pool, which starts with its first job. */
-class PooledWorker {
-  leases = 0;
-  #warming: AbortController | undefined;
+interface PooledWorker {
+  readonly client: SolverClient;
+  leases: number;
   ending: ReturnType<typeof setTimeout> | undefined;
-
-  constructor(
-    readonly client: SolverClient,
-    /** Why there can be no worker, once that is known. */
-    public blocked: SolverError | undefined,
-  ) {}
-
-  /** Once; what goes wrong goes wrong again for the first who asks for something. */
-  warm(): void {
-    if (this.#warming || this.blocked) return;
-    this.#warming = new AbortController();
-    this.#solveAll(this.#warming.signal).catch(() => undefined);
-  }
-
-  async #solveAll(signal: AbortSignal): Promise<void> {
-    for (const problem of warmUpProblems) await this.client.solve(problem, {signal});
-  }
-
-  /** Asks the worker, which is to do nothing else but what it is asked. */
-  ask<K extends keyof Answers>(question: QuestionOf<K>, hooks: QuestionHooks): Promise<Answers[K]> {
-    (this.#warming ??= new AbortController()).abort();
-    return this.client.ask<K>(question, hooks);
-  }
+  /** Why there can be no worker, once that is known. */
+  blocked: SolverError | undefined;
+  /** What it solves to be warm, from when it is told to, or is asked anything; aborted by the latter. */
+  warming: AbortController | undefined;
 }
 
 /** A pooled worker as one lease sees it; the page itself where there can be no worker. */
@@ -159,29 +138,46 @@ class LeasedSolver extends TextService {
     this.#onBlocked = onBlocked;
   }
 
-  async ask<K extends keyof Answers>(
-    question: QuestionOf<K>,
-    hooks: QuestionHooks,
-  ): Promise<Answers[K]> {
+  async ask<K extends keyof Requests>(
+    kind: K,
+    request: Requests[K]['request'],
+    hooks: HooksOf<Requests[K]>,
+  ): Promise<Requests[K]['answer']> {
+    const pooled = this.#pooled;
     const {signal: released} = this.#released;
     const signal = hooks.signal ? AbortSignal.any([hooks.signal, released]) : released;
     signal.throwIfAborted();
     const all = {...hooks, signal};
-    if (!this.#pooled.blocked) {
+    (pooled.warming ??= new AbortController()).abort(); // the worker is to do nothing else
+    if (!pooled.blocked) {
       try {
-        return await this.#pooled.ask<K>(question, all);
+        return await pooled.client.ask(kind, request, all);
       } catch (error) {
         if (!(error instanceof SolverError) || error.code !== 'worker-blocked') throw error;
-        this.#pooled.blocked = error;
+        pooled.blocked = error;
       }
     }
-    this.#tell(this.#pooled.blocked);
-    return this.#page.ask<K>(question, all);
+    this.#tell(pooled.blocked);
+    return this.#page.ask(kind, request, all);
   }
 
-  end(): void {
+  /** Once for all leases; what goes wrong goes wrong again for the first who asks for something. */
+  warm(): void {
+    const {client, blocked, warming} = this.#pooled;
+    if (this.#released.signal.aborted || warming || blocked) return;
+    const {signal} = (this.#pooled.warming = new AbortController());
+    const solveAll = async () => {
+      for (const problem of warmUpProblems) await client.solve(problem, {signal});
+    };
+    solveAll().catch(() => undefined);
+  }
+
+  /** @returns whether it has not been ended before */
+  end(): boolean {
+    if (this.#released.signal.aborted) return false;
     const message = 'The solver was released.';
     this.#released.abort(new SolverError({code: 'cancelled', message}));
+    return true;
   }
 
   /** In a task of its own: what the listener throws is the page's, and ends no job. */

@@ -3,16 +3,16 @@ import type {GarmentDocument} from '../model/garment-document.js';
 import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
-import type {Answers, QuestionOf} from './protocol.js';
+import type {HooksOf} from './requests/kinds.js';
+import type {Requests} from './requests/requests.js';
 import {
-  jsonText,
+  garmentTexts,
   mirrorTexts,
-  plainNames,
   problemTexts,
   type NamedPrepareHooks,
   type NamedProofHooks,
   type NamedSolveHooks,
-} from './texts.js';
+} from './requests/texts.js';
 
 /** For any question: what it does not report is not heard. */
 export type QuestionHooks = SolveHooks & ProofHooks;
@@ -69,66 +69,54 @@ export interface SolverService {
   convert(garment: Garment | string, hooks?: GarmentHooks): Promise<string>;
 }
 
-/** A service for whoever can answer in texts: it makes the texts. */
+/** A service for whoever can answer requests: it makes the requests. */
 export abstract class TextService implements SolverService {
-  /** Answers one question; of the hooks, all but the signal are for solves and proofs. @throws as `solve` does */
-  abstract ask<K extends keyof Answers>(
-    question: QuestionOf<K>,
-    hooks: QuestionHooks,
-  ): Promise<Answers[K]>;
+  /** Answers one request. @throws as `solve` does */
+  abstract ask<K extends keyof Requests>(
+    kind: K,
+    request: Requests[K]['request'],
+    hooks: HooksOf<Requests[K]>,
+  ): Promise<Requests[K]['answer']>;
 
-  async solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
-    hooks.signal?.throwIfAborted();
-    const texts = problemTexts(problem, hooks.names);
-    return this.ask<'solve'>(
-      {kind: 'solve', texts, showsPattern: hooks.onPattern !== undefined},
-      hooks,
-    );
+  solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
+    return this.#ask('solve', () => problemTexts(problem, hooks.names), hooks);
   }
 
-  async prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
-    hooks.signal?.throwIfAborted();
-    return this.ask<'prepare'>({kind: 'prepare', texts: problemTexts(problem, hooks.names)}, hooks);
+  prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
+    return this.#ask('prepare', () => problemTexts(problem, hooks.names), hooks);
   }
 
-  async prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
-    hooks.signal?.throwIfAborted();
-    return this.ask<'prove'>({kind: 'prove', texts: problemTexts(problem, hooks.names)}, hooks);
+  prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
+    return this.#ask('prove', () => problemTexts(problem, hooks.names), hooks);
   }
 
-  async mirror(
+  mirror(
     garment: Garment | string,
     symmetry: Symmetry,
-    {name = plainNames.garment, ...hooks}: GarmentHooks = {},
+    hooks: GarmentHooks = {},
   ): Promise<MeasuredSymmetry> {
-    hooks.signal?.throwIfAborted();
-    return this.ask<'mirror'>({kind: 'mirror', texts: mirrorTexts(garment, symmetry, name)}, hooks);
+    return this.#ask('mirror', () => mirrorTexts(garment, symmetry, hooks.name), hooks);
   }
 
-  async symmetries(
-    garment: Garment | string,
-    {name = plainNames.garment, ...hooks}: GarmentHooks = {},
-  ): Promise<DetectedSymmetries> {
-    hooks.signal?.throwIfAborted();
-    return this.ask<'symmetries'>(
-      {kind: 'symmetries', garment: jsonText(garment, name), name},
-      hooks,
-    );
+  symmetries(garment: Garment | string, hooks: GarmentHooks = {}): Promise<DetectedSymmetries> {
+    return this.#ask('symmetries', () => garmentTexts(garment, hooks.name), hooks);
   }
 
-  async garment(
-    garment: Garment | string,
-    {name = plainNames.garment, ...hooks}: GarmentHooks = {},
-  ): Promise<GarmentDocument> {
-    hooks.signal?.throwIfAborted();
-    return this.ask<'garment'>({kind: 'garment', garment: jsonText(garment, name), name}, hooks);
+  garment(garment: Garment | string, hooks: GarmentHooks = {}): Promise<GarmentDocument> {
+    return this.#ask('garment', () => garmentTexts(garment, hooks.name), hooks);
   }
 
-  async convert(
-    garment: Garment | string,
-    {name = plainNames.garment, ...hooks}: GarmentHooks = {},
-  ): Promise<string> {
+  convert(garment: Garment | string, hooks: GarmentHooks = {}): Promise<string> {
+    return this.#ask('convert', () => garmentTexts(garment, hooks.name), hooks);
+  }
+
+  /** A signal that has fired goes before anything that is wrong with a request. */
+  async #ask<K extends keyof Requests>(
+    kind: K,
+    request: () => Requests[K]['request'],
+    hooks: HooksOf<Requests[K]>,
+  ): Promise<Requests[K]['answer']> {
     hooks.signal?.throwIfAborted();
-    return this.ask<'convert'>({kind: 'convert', garment: jsonText(garment, name), name}, hooks);
+    return this.ask(kind, request(), hooks);
   }
 }

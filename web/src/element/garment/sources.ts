@@ -14,7 +14,7 @@ import {repeatOf} from '../../model/repeat.js';
 import {printOfStored} from '../../model/stored-design.js';
 import type {StoredFile} from '../../model/stored-file.js';
 import {FileError} from '../../model/versioned-file.js';
-import {jsonText} from '../../solver/texts.js';
+import {jsonText} from '../../solver/requests/texts.js';
 import {fetchText, type FileWords} from './files.js';
 
 /** Strings are URLs, relative to the document. */

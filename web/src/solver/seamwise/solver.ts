@@ -1,28 +1,16 @@
-/// <reference lib="esnext.disposable" preserve="true" />
-import {symmetryReasons} from '../model/notes.js';
-import {failureCode, SolverError} from '../model/failure.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import type {Phase} from '../model/problem.js';
-import type {MeshedPattern, Milliseconds, Proof, SolveResult} from '../model/result.js';
-import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
-import {documentBytes, documentValue} from './json/document.js';
-import {garmentText} from './json/garment-text.js';
-import {namedSymmetries, plainNames, type MirrorTexts, type ProblemTexts} from './texts.js';
-import type {
-  LentShare,
-  ModuleDetection,
-  ModuleDocument,
-  ModuleFailure,
-  ModuleProblem,
-  ModuleSolver,
-  SeamwiseModule,
-} from './module/seamwise.mjs';
+import type {Phase} from '../../model/problem.js';
+import type {MeshedPattern, Milliseconds, Proof, SolveResult} from '../../model/result.js';
+import {stepsFor} from '../answers/slices.js';
+import {documentBytes, documentValue} from '../json/document.js';
+import type {LentShare, ModuleProblem, ModuleSolver, SeamwiseModule} from '../module/seamwise.mjs';
+import {namedSymmetries, type ProblemTexts} from '../requests/texts.js';
+import {toError} from './failures.js';
 
 /**
- * A solve that is advanced slice by slice, from reading its problem on. It owns memory of the module: dispose of it, whatever
+ * A solve that is advanced slice by slice, from reading its problem on. It owns memory of the module: delete it, whatever
  * happens. Methods may throw a SolverError.
  */
-export class Solver implements Disposable {
+export class Solver {
   readonly #solver: ModuleSolver;
   /** Preparation, and measuring at the end. [ms] */
   #around = 0;
@@ -131,13 +119,11 @@ export class Solver implements Disposable {
 
   /** Proves how good alignments can be, for about `milliseconds`; false when no more can be proven. */
   prove(milliseconds: number): boolean {
-    const until = performance.now() + milliseconds;
-    let more = true;
-    while (more && performance.now() < until) {
-      more = this.#solver.prove(1);
+    return stepsFor(milliseconds, () => {
+      const more = this.#solver.prove(1);
       this.#check();
-    }
-    return more;
+      return more;
+    });
   }
 
   /** What is proven by then. */
@@ -156,7 +142,7 @@ export class Solver implements Disposable {
   }
 
   /** Frees the solver's memory; it cannot be used afterwards. */
-  [Symbol.dispose](): void {
+  delete(): void {
     this.#solver.delete();
   }
 
@@ -175,76 +161,4 @@ function problemDocuments(module: SeamwiseModule, texts: ProblemTexts): ModulePr
     symmetry: namedSymmetries.has(symmetry) ? symmetry : documentBytes(symmetry, module),
     options: options === '' ? '' : documentBytes(options, module),
   };
-}
-
-/** A search for the symmetries a garment shows by itself, slice by slice. It owns memory of the module, too. */
-export class Detection implements Disposable {
-  readonly #detection: ModuleDetection;
-
-  /** @param garment JSON text */
-  constructor(module: SeamwiseModule, garment: string, name: string) {
-    this.#detection = new module.Detection(documentBytes(garment, module), name);
-  }
-
-  /** Works for about `milliseconds`; false when there is nothing left to do. */
-  advance(milliseconds: number): boolean {
-    const end = performance.now() + milliseconds;
-    let more = true;
-    while (more && performance.now() < end) more = this.#detection.advance(1);
-    return more;
-  }
-
-  /** What was found, once `advance` has returned false. @throws {SolverError} for bad input */
-  result(): DetectedSymmetries {
-    return valueOf(this.#detection.result()) as DetectedSymmetries;
-  }
-
-  [Symbol.dispose](): void {
-    this.#detection.delete();
-  }
-}
-
-/** One symmetry, measured on the garment whether or not it mirrors. @throws {SolverError} */
-export function measureSymmetry(
-  module: SeamwiseModule,
-  {garment, name, symmetries}: MirrorTexts,
-): MeasuredSymmetry {
-  const measured = module.measureSymmetries(
-    documentBytes(garment, module),
-    name,
-    documentBytes(symmetries, module),
-    plainNames.symmetry,
-  );
-  return (valueOf(measured) as {symmetries: [MeasuredSymmetry]}).symmetries[0];
-}
-
-/** The garment as everybody but the solver looks at it. @param garment JSON text @throws {SolverError} */
-export function garmentDocument(
-  module: SeamwiseModule,
-  garment: string,
-  name: string,
-): GarmentDocument {
-  return valueOf(module.garment(documentBytes(garment, module), name)) as GarmentDocument;
-}
-
-/** The garment in the project's own format. @param garment JSON text @throws {SolverError} */
-export function convertGarment(module: SeamwiseModule, garment: string, name: string): string {
-  garmentDocument(module, garment, name);
-  return garmentText(garment);
-}
-
-function valueOf({document, failure}: ModuleDocument): unknown {
-  if (failure) throw toError(failure);
-  return documentValue(document);
-}
-
-export function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
-  const why = symmetryReasons.find((known) => known === reason);
-  return new SolverError({
-    code: failureCode(code),
-    message,
-    piece: piece < 0 ? null : piece,
-    seam: seam < 0 ? null : seam,
-    ...(why && {reason: why}),
-  });
 }

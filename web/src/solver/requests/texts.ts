@@ -1,8 +1,8 @@
-import {SolverError} from '../model/failure.js';
-import type {Garment} from '../model/garment.js';
-import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
-import {methods} from '../model/method.js';
-import type {Symmetry} from '../model/symmetries.js';
+import {SolverError} from '../../model/failure.js';
+import type {Garment} from '../../model/garment.js';
+import type {Problem, ProofHooks, SolveHooks} from '../../model/problem.js';
+import {methods} from '../../model/method.js';
+import type {Symmetry} from '../../model/symmetries.js';
 
 /** A problem as text: its files, and what to call them in messages. */
 export interface ProblemTexts {
@@ -39,10 +39,14 @@ export interface NamedProofHooks extends ProofHooks, Pick<NamedSolveHooks, 'name
 /** For questions that are answered at once. */
 export type NamedPrepareHooks = Pick<NamedSolveHooks, 'signal' | 'names'>;
 
-/** A garment as text, what to call it in messages, and a symmetry file for it that holds one. */
-export interface MirrorTexts {
+/** A garment as text, and what to call it in messages. */
+export interface GarmentTexts {
   readonly garment: string;
   readonly name: string;
+}
+
+/** With a symmetry file for it that holds one. */
+export interface MirrorTexts extends GarmentTexts {
   readonly symmetries: string;
 }
 
@@ -111,10 +115,15 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
 export function mirrorTexts(
   garment: Garment | string,
   symmetry: Symmetry,
-  name: string,
+  name?: string,
 ): MirrorTexts {
   const symmetries = jsonText({symmetries: [symmetry]}, plainNames.symmetry);
-  return {garment: jsonText(garment, name), name, symmetries};
+  return {...garmentTexts(garment, name), symmetries};
+}
+
+/** @throws {SolverError} for what cannot be handed to the core at all */
+export function garmentTexts(garment: Garment | string, name = plainNames.garment): GarmentTexts {
+  return {garment: jsonText(garment, name), name};
 }
 
 /** A value as JSON text; a string, or bytes, are taken to be JSON text already. @throws {SolverError} */

@@ -1,23 +1,8 @@
-import {protocolVersion, type FromWorker, type ToWorker} from './protocol.js';
-import type {LentShare} from './module/seamwise.mjs';
+import type {Requests} from '../requests/requests.js';
+import type {LentShare} from '../module/seamwise.mjs';
+import {protocolVersion, type FromThread} from '../threads/protocol.js';
+import type {StartThread, Thread, ThreadOwner} from '../threads/thread.js';
 import type {Solver} from './solver.js';
-
-/** Another thread, with a solver of its own. */
-export interface HelperThread {
-  post(message: ToWorker): void;
-  /** Ends it, whatever it is at. */
-  end(): void;
-}
-
-/** What is heard of a thread. */
-export interface HelperOwner {
-  receive(message: FromWorker): void;
-  /** The thread has broken. */
-  lost(): void;
-}
-
-/** @throws anything where there can be no thread */
-export type StartHelper = (owner: HelperOwner) => HelperThread;
 
 /** What is waited for. [ms] */
 const usualDelays = {
@@ -41,13 +26,13 @@ interface Lent {
 
 /** A thread, and the shares that it is at, one after the other. */
 class Helper {
-  readonly #thread: HelperThread;
+  readonly #thread: Thread<Requests>;
   readonly #lent = new Map<number, Lent>();
   #lastJob = 0;
 
-  constructor(start: StartHelper, module: WebAssembly.Module, owner: HelperOwner) {
+  constructor(start: StartThread<Requests>, module: WebAssembly.Module, owner: ThreadOwner) {
     this.#thread = start(owner);
-    this.#thread.post({kind: 'module', module});
+    this.#thread.post({kind: 'modules', sources: {seamwise: module}});
   }
 
   /** How many somebody waits for. */
@@ -62,7 +47,8 @@ class Helper {
   run(solver: Solver, {number, order}: LentShare): void {
     const job = ++this.#lastJob;
     this.#lent.set(job, {solver, number});
-    this.#thread.post({kind: 'share', job, order});
+    const share = {kind: 'request', name: 'share', request: {order}} as const;
+    this.#thread.post({...share, job, hooks: [], helpers: 0});
   }
 
   /** A job that has ended. */
@@ -91,14 +77,14 @@ class Helper {
  * does not bring is done here. They start when a search takes long, and end when none has for a while.
  */
 export class Helpers {
-  readonly #start: StartHelper;
+  readonly #start: StartThread<Requests>;
   readonly #delays: typeof usualDelays;
   /** Threads that have broken: so many fewer are started from then on. */
   #broken = 0;
   readonly #helpers = new Set<Helper>();
   #ending: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(start: StartHelper, delays = usualDelays) {
+  constructor(start: StartThread<Requests>, delays = usualDelays) {
     this.#start = start;
     this.#delays = delays;
   }
@@ -145,7 +131,7 @@ export class Helpers {
       this.#broken += 1;
       helper.end();
     };
-    const receive = (message: FromWorker) => {
+    const receive = (message: FromThread) => {
       if (message.kind === 'ready' && message.version !== protocolVersion) lost();
       if (message.kind === 'failed' && message.failure.code !== 'cancelled') lost();
       if (message.kind !== 'done' && message.kind !== 'failed') return;

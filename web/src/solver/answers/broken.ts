@@ -1,5 +1,5 @@
-import {SolverError} from '../model/failure.js';
-import {policyName} from '../model/trusted.js';
+import {SolverError} from '../../model/failure.js';
+import {policyName} from '../../model/trusted.js';
 
 /** A failure of the solver's own, not of what it was given: what happened and why, as one sentence. */
 export function internalError(what: string, cause: unknown): SolverError {
@@ -13,11 +13,14 @@ export function brokenModule(cause: WebAssembly.RuntimeError): SolverError {
   return new SolverError({code: 'internal', message});
 }
 
-/** The module could not be loaded; why, and what to do about it, as one sentence. */
-export function loadingError(cause: unknown): SolverError {
+/**
+ * A module could not be loaded; why, and what to do about it, as one sentence.
+ * @param file its name
+ */
+export function loadingError(cause: unknown, file: string): SolverError {
   const reason = reasonOf(cause);
   if (/memory/i.test(reason)) return internalError('The solver could not be loaded', cause);
-  const message = `The solver could not be loaded: ${reason}; ${remedyFor(reason)}.`;
+  const message = `The solver could not be loaded: ${reason}; ${remedyFor(reason, file)}.`;
   return new SolverError({code: 'no-wasm', message});
 }
 
@@ -49,7 +52,7 @@ export function reasonOf(cause: unknown): string {
     .replace(/\.$/, '');
 }
 
-function remedyFor(reason: string): string {
+function remedyFor(reason: string, file: string): string {
   if (typeof WebAssembly === 'undefined') {
     return 'this browser runs no WebAssembly, so use a current one, or allow it in its settings';
   }
@@ -57,5 +60,5 @@ function remedyFor(reason: string): string {
   if (/Content Security Policy|unsafe-eval|disallowed by embedder|blocked by CSP/i.test(reason)) {
     return "let the page's policy allow WebAssembly: script-src 'wasm-unsafe-eval'";
   }
-  return 'check the connection, and that seamwise.wasm is served where the page looks for it';
+  return `check the connection, and that ${file} is served where the page looks for it`;
 }

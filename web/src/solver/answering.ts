@@ -1,0 +1,124 @@
+/** How everything is answered that the solver can be asked: the one place that names modules and kinds of requests. */
+import type {GarmentDocument} from '../model/garment-document.js';
+import type {DetectedSymmetries, MeasuredSymmetry} from '../model/symmetries.js';
+import {Answerer, type AnswererOptions} from './answers/answerer.js';
+import {owning} from './answers/owning.js';
+import {runInSlices, stepsFor} from './answers/slices.js';
+import type {AnswerTable, Queue} from './answers/table.js';
+import {documentBytes} from './json/document.js';
+import {garmentText} from './json/garment-text.js';
+import {seamwise} from './module/load-seamwise.js';
+import type {SeamwiseModule} from './module/seamwise.mjs';
+import type {Requests} from './requests/requests.js';
+import {plainNames} from './requests/texts.js';
+import {toError, valueOf} from './seamwise/failures.js';
+import type {Helpers} from './seamwise/helpers.js';
+import {run, runProof, runToPattern} from './seamwise/run.js';
+import {Solver} from './seamwise/solver.js';
+
+export {besideThePage} from './answers/slices.js';
+
+/** The WebAssembly modules; each is loaded when a request for it first comes. */
+type SolverModules = {
+  readonly seamwise: SeamwiseModule;
+};
+
+/** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
+const solves: Queue = {atOnce: 2};
+
+/** The sooner one share has ended, the sooner it is of use. */
+const shares: Queue = {atOnce: 1};
+
+/** A share that is of no use any more must not keep others waiting. [ms] */
+const shareSlice = 20;
+
+/** @param helpers other threads for what takes long; none, unless said otherwise */
+export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
+  modules: {seamwise},
+  requests: {
+    solve: {
+      module: 'seamwise',
+      queue: solves,
+      transfers: ['onPartial'],
+      answer: (module, texts, {hooks, pace, compiled}) =>
+        owning(new Solver(module, texts), async (solver) => {
+          const help = () => helpers?.help(solver, compiled, hooks.helpers ?? 0) ?? false;
+          try {
+            return await run(solver, hooks, pace, help);
+          } finally {
+            helpers?.leave(solver);
+          }
+        }),
+    },
+    prepare: {
+      module: 'seamwise',
+      answer: (module, texts, {hooks, pace}) =>
+        owning(new Solver(module, texts), (solver) => runToPattern(solver, hooks, pace)),
+    },
+    prove: {
+      module: 'seamwise',
+      answer: (module, texts, {hooks, pace, isIdle}) =>
+        owning(new Solver(module, texts), (solver) =>
+          runProof(solver, hooks, pace, () => isIdle(solves)),
+        ),
+    },
+    mirror: {
+      module: 'seamwise',
+      answer: (module, {garment, name, symmetries}) => {
+        const files = [documentBytes(garment, module), documentBytes(symmetries, module)] as const;
+        const measured = module.measureSymmetries(files[0], name, files[1], plainNames.symmetry);
+        return (valueOf(measured) as {symmetries: [MeasuredSymmetry]}).symmetries[0];
+      },
+    },
+    symmetries: {
+      module: 'seamwise',
+      answer: (module, {garment, name}, {hooks, pace}) =>
+        owning(new module.Detection(documentBytes(garment, module), name), async (detection) => {
+          const step = () => detection.advance(1);
+          await runInSlices((slice) => stepsFor(slice, step), pace, hooks.signal);
+          return valueOf(detection.result()) as DetectedSymmetries;
+        }),
+    },
+    garment: {
+      module: 'seamwise',
+      answer: (module, {garment, name}) =>
+        valueOf(module.garment(documentBytes(garment, module), name)) as GarmentDocument,
+    },
+    convert: {
+      module: 'seamwise',
+      answer: (module, {garment, name}) => {
+        valueOf(module.garment(documentBytes(garment, module), name)); // refuses what is none
+        return garmentText(garment);
+      },
+    },
+    share: {
+      module: 'seamwise',
+      queue: shares,
+      transfers: ['answer'],
+      answer: (module, {order}, {hooks, pace}) =>
+        owning(new module.Share(order), async (share) => {
+          const work = (slice: number) => {
+            const more = stepsFor(slice, () => share.advance(1));
+            const failure = share.failure();
+            if (failure) throw toError(failure);
+            return more;
+          };
+          await runInSlices(work, {...pace, slice: shareSlice}, hooks.signal);
+          return share.answers();
+        }),
+    },
+    memory: {
+      module: 'seamwise',
+      answer: (module) => ({heap: module.heapBytes(), live: module.liveBytes()}),
+    },
+  },
+});
+
+/** What answers on the thread that calls it. */
+export type LocalAnswerer = Answerer<Requests, SolverModules>;
+
+/** @param helpers as above */
+export const localAnswerer = (
+  options?: AnswererOptions<SolverModules>,
+  helpers?: Helpers,
+): LocalAnswerer => new Answerer(answering(helpers), options);

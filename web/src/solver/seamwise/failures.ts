@@ -1,0 +1,21 @@
+import {failureCode, SolverError} from '../../model/failure.js';
+import {symmetryReasons} from '../../model/notes.js';
+import {documentValue} from '../json/document.js';
+import type {ModuleDocument, ModuleFailure} from '../module/seamwise.mjs';
+
+/** What a document of the module holds. @throws {SolverError} if there is none */
+export function valueOf({document, failure}: ModuleDocument): unknown {
+  if (failure) throw toError(failure);
+  return documentValue(document);
+}
+
+export function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
+  const why = symmetryReasons.find((known) => known === reason);
+  return new SolverError({
+    code: failureCode(code),
+    message,
+    piece: piece < 0 ? null : piece,
+    seam: seam < 0 ? null : seam,
+    ...(why && {reason: why}),
+  });
+}

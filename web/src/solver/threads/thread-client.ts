@@ -1,0 +1,229 @@
+import {SolverError, type Failure} from '../../model/failure.js';
+import {internalError} from '../answers/broken.js';
+import type {HooksOf, KindOf, RequestKinds} from '../requests/kinds.js';
+import {protocolVersion, type FromThread, type RequestMessage} from './protocol.js';
+import {WatchedThread, type ThreadStart, type WatchOwner} from './watched-thread.js';
+
+/**
+ * A worker sees a cancel between two slices, and slices are longer than planned only where a step is: on
+ * pieces of many thousand edges. One that has not seen it after this long is replaced, unless it is at work
+ * for somebody else as well: whoever comes next need not wait for that step. [ms]
+ */
+const cancelPatience = 100;
+
+/** For the longest of steps, on a slow device. [ms] */
+const workPatience = 10_000;
+
+const disposedOf = {code: 'cancelled', message: 'The solver was disposed of.'} as const;
+
+interface Job<R extends RequestKinds> {
+  readonly message: RequestMessage<R>;
+  readonly transfer: readonly ArrayBuffer[];
+  readonly hear: (hook: string, value: unknown) => void;
+  posted: boolean;
+  /** Whether the thread has reported on it. */
+  begun: boolean;
+  readonly resolve: (answer: unknown) => void;
+  readonly reject: (reason: unknown) => void;
+  /** It needs no signal any more. */
+  readonly unlisten: () => void;
+}
+
+/**
+ * Asks another thread, which is started with the first request. A request never stays pending: if the thread
+ * breaks, it is rejected, and the next one starts another thread.
+ */
+export class ThreadClient<R extends RequestKinds> {
+  readonly #start: ThreadStart<R>;
+  readonly #jobs = new Map<number, Job<R>>();
+  /** Jobs whose callers have gone, and which the thread has not yet dropped. */
+  readonly #leaving = new Set<number>();
+  readonly #owner: WatchOwner = {
+    receive: (message) => {
+      this.#receive(message);
+    },
+    patience: () => this.#patience(),
+    lost: (failure, silent) => {
+      this.#lost(failure, silent);
+    },
+  };
+  #thread: WatchedThread<R> | null = null;
+  /** Whether the thread has said that it speaks as this one does. Before, it is sent no job. */
+  #ready = false;
+  #lastJob = 0;
+  #disposed = false;
+
+  constructor(start: ThreadStart<R>) {
+    this.#start = start;
+  }
+
+  /** @throws {SolverError}, such as that there can be no thread, before anything else is heard; the signal's reason */
+  ask<K extends KindOf<R>>(
+    kind: K,
+    request: R[K]['request'],
+    hooks: HooksOf<R[K]>,
+  ): Promise<R[K]['answer']> {
+    return new Promise((resolve, reject) => {
+      const {signal, transfer = [], helpers = 0} = hooks;
+      signal?.throwIfAborted();
+      const number = ++this.#lastJob;
+      const listeners = listenersOf(hooks);
+      const abort = () => {
+        this.#cancel(number, signal?.reason);
+      };
+      const job: Job<R> = {
+        message: {
+          ...{kind: 'request', job: number, name: kind, request, helpers},
+          hooks: [...listeners.keys()],
+        },
+        transfer,
+        hear: (hook, value) => listeners.get(hook)?.(value),
+        posted: false,
+        begun: false,
+        resolve,
+        reject,
+        unlisten: () => signal?.removeEventListener('abort', abort),
+      };
+      this.#run();
+      signal?.addEventListener('abort', abort, {once: true});
+      this.#jobs.set(number, job);
+      if (this.#ready) this.#post(number, job);
+    });
+  }
+
+  /** Ends the thread; what is pending, and what is asked from now on, is rejected as cancelled. */
+  dispose(): void {
+    this.#disposed = true;
+    this.#breakDown(disposedOf);
+  }
+
+  #run(): void {
+    if (this.#disposed) throw new SolverError(disposedOf);
+    if (this.#thread) return;
+    try {
+      this.#thread = new WatchedThread(this.#start, this.#owner);
+    } catch (error) {
+      if (error instanceof SolverError) throw error;
+      throw internalError('The solver could not be started', error);
+    }
+  }
+
+  #post(number: number, job: Job<R>): void {
+    try {
+      this.#thread?.post(job.message, job.transfer);
+      job.posted = true;
+    } catch (error) {
+      this.#take(number)?.reject(error);
+    }
+  }
+
+  #receive(message: FromThread): void {
+    switch (message.kind) {
+      case 'ready':
+        this.#begin(message.version);
+        break;
+      case 'pong':
+        break;
+      case 'report':
+        this.#report(message.job, message.hook, message.value);
+        break;
+      case 'done':
+        this.#take(message.job)?.resolve(message.answer);
+        break;
+      case 'failed':
+        this.#take(message.job)?.reject(new SolverError(message.failure));
+        if (message.failure.code === 'internal') this.#breakDown(message.failure);
+        break;
+      default:
+        message satisfies never;
+    }
+  }
+
+  #begin(version: string): void {
+    if (version !== protocolVersion) {
+      const stale = 'The page and its solver are of different versions; load the page again.';
+      this.#breakDown({code: 'internal', message: stale});
+      return;
+    }
+    this.#ready = true;
+    for (const [number, job] of this.#jobs) this.#post(number, job);
+  }
+
+  /** A listener that throws ends its job. */
+  #report(number: number, hook: string, value: unknown): void {
+    const job = this.#jobs.get(number);
+    if (!job) return;
+    job.begun = true;
+    try {
+      job.hear(hook, value);
+    } catch (error) {
+      this.#cancel(number, error);
+    }
+  }
+
+  /** A job that ends; none if its caller has gone. */
+  #take(number: number): Job<R> | undefined {
+    const job = this.#jobs.get(number);
+    job?.unlisten();
+    this.#jobs.delete(number);
+    this.#leaving.delete(number);
+    return job;
+  }
+
+  /** The caller need not wait for the thread to know. */
+  #cancel(number: number, reason: unknown): void {
+    const job = this.#take(number);
+    job?.reject(reason);
+    if (!job?.posted) return;
+    if (this.#leaving.size === 0) this.#thread?.hurry();
+    this.#leaving.add(number);
+    this.#thread?.post({kind: 'cancel', job: number});
+  }
+
+  #patience(): number | null {
+    if (this.#jobs.size + this.#leaving.size === 0) return null;
+    const wanted = this.#leaving.size === 0 || [...this.#jobs.values()].some((job) => job.begun);
+    return wanted ? workPatience : cancelPatience;
+  }
+
+  /**
+   * A thread that kept silent over a cancelled job takes no job with it that it has not begun, unless what the
+   * job needs has been handed over to it.
+   */
+  #lost(failure: SolverError, silent: boolean): void {
+    const busy = silent && this.#leaving.size > 0;
+    const waiting = [...this.#jobs].filter(
+      ([, job]) => busy && !job.begun && job.transfer.length === 0,
+    );
+    for (const [number] of waiting) this.#jobs.delete(number);
+    this.#breakDown(failure);
+    for (const [number, job] of waiting) this.#jobs.set(number, {...job, posted: false});
+    if (waiting.length === 0) return;
+    try {
+      this.#run();
+    } catch (error) {
+      this.#breakDown(error as SolverError);
+    }
+  }
+
+  /** Nothing more comes from this thread. */
+  #breakDown(failure: Pick<Failure, 'code' | 'message'>): void {
+    this.#thread?.end();
+    this.#thread = null;
+    this.#ready = false;
+    this.#leaving.clear();
+    for (const number of [...this.#jobs.keys()]) {
+      this.#take(number)?.reject(new SolverError(failure));
+    }
+  }
+}
+
+/** What hears of a request, by the names of the hooks; of its beginning, always. */
+function listenersOf(hooks: object): Map<string, (value: unknown) => void> {
+  const listeners = new Map<string, (value: unknown) => void>([['onBegin', () => undefined]]);
+  const entries: [string, unknown][] = Object.entries(hooks);
+  for (const [name, hook] of entries) {
+    if (typeof hook === 'function') listeners.set(name, hook as (value: unknown) => void);
+  }
+  return listeners;
+}
