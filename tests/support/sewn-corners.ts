@@ -1,5 +1,5 @@
 /** What meets where a garment's seams end: the corners of the panels, and the lines that run on across the seams. */
-import {velocity} from '@samples/drafting/geometry.js';
+import {velocity} from '@samples/drafting/curves.js';
 import {
   findEdge,
   type CornerName,

@@ -1,5 +1,6 @@
 /** Panels and seams: what a garment is drafted as. */
-import {length, mirror, mirrored, reversed, type Curve, type Point} from './geometry.js';
+import type {Point} from '../../src/model/geometry.js';
+import {length, mirror, mirrored, reversed, type Curve} from './curves.js';
 import type {SeamKind} from './seam-kinds.js';
 
 /** Sides are the wearer's. */

@@ -1,5 +1,6 @@
 /** Where the pieces of a garment lie on a sheet: on shelves, at the largest scale at which they fit. y runs down. */
-import {pointAt, type Point} from './geometry.js';
+import type {Point} from '../../src/model/geometry.js';
+import {pointAt} from './curves.js';
 import type {Garment, Panel} from './panel.js';
 
 export interface Placed {

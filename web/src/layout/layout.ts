@@ -1,5 +1,6 @@
 /** Where pieces lie on a sheet: as on the body where the garment tells, else on shelves. Lengths in cm, y up. */
-import type {Point} from '../model/geometry.js';
+import {minus, type Point} from '../model/geometry.js';
+import {boxOf} from '../model/polyline.js';
 import type {Pattern} from '../model/result.js';
 import type {SheetPlace} from '../model/sheet-place.js';
 import {shelves, type Block} from './blocks.js';
@@ -13,7 +14,7 @@ export interface Layout {
   readonly height: number;
 }
 
-interface Box {
+interface PieceBox {
   readonly low: Point;
   readonly width: number;
   readonly height: number;
@@ -28,17 +29,15 @@ export interface Spacing {
   readonly least: (piece: number) => number;
 }
 
-function boxesOf({pieces}: Pattern): readonly Box[] {
+function boxesOf({pieces}: Pattern): readonly PieceBox[] {
   return pieces.map(({rest, outline}) => {
-    const points = outline.flatMap((v) => rest.slice(v, v + 1));
-    const xs = points.map(([x]) => x);
-    const ys = points.map(([, y]) => y);
-    const low: Point = [Math.min(...xs), Math.min(...ys)];
-    return {low, width: Math.max(...xs) - low[0], height: Math.max(...ys) - low[1]};
+    const {low, high} = boxOf(outline.flatMap((v) => rest.slice(v, v + 1)));
+    const [width, height] = minus(high, low);
+    return {low, width, height};
   });
 }
 
-function cellsOf(boxes: readonly Box[], spacing: Spacing): readonly Block[] {
+function cellsOf(boxes: readonly PieceBox[], spacing: Spacing): readonly Block[] {
   return boxes.map(({width, height}, piece) => {
     const room = Math.max(width, spacing.least(piece));
     return {
@@ -79,7 +78,7 @@ function onShelves({pieces}: Pattern, cells: readonly Block[], gap: number): Arr
 
 export interface LayoutChoice {
   /** Known already. */
-  readonly boxes?: readonly Box[];
+  readonly boxes?: readonly PieceBox[];
   /** On shelves, which take the least room, also where placements are known. */
   readonly isPacked?: boolean;
 }
