@@ -4,7 +4,7 @@ import {css, svg, html, type TemplateResult} from 'lit';
 import {combined, norm, type Point} from '../../model/geometry.js';
 import {latticeVectors, type RepeatSize} from '../../model/repeat.js';
 
-export interface CellDiagram {
+interface CellDiagram {
   readonly size: RepeatSize;
   /** Counter-clockwise. [degrees] */
   readonly turnDeg: number;
