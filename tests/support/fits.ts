@@ -5,7 +5,7 @@ import {apply, printElements, reducedBasis, type PlaneMap, type Repeat} from '@/
 import {cross, distance, middle, minus, onPrint, plus, turnBetween} from '@/model/geometry.js';
 import {alongLine, at, scale, sum} from './plane.js';
 
-export interface Fits {
+interface Fits {
   /** Any symmetry of the print, edge by edge. */
   readonly any: number;
   /** Only those that bring the directions of the two edges together, within 0.1 rad of the best. */

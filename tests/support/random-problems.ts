@@ -48,7 +48,7 @@ function lattice(group: GroupName): fc.Arbitrary<readonly [Point, Point]> {
   return fc.oneof(basis, upright);
 }
 
-export const print: fc.Arbitrary<Print> = fc.constantFrom(...groupNames).chain((group) =>
+const print: fc.Arbitrary<Print> = fc.constantFrom(...groupNames).chain((group) =>
   fc
     .record(
       {

@@ -9,7 +9,7 @@ import {
 } from '@samples/drafting/panel.js';
 
 /** A corner of a panel, by the number of the edge that starts there. */
-export interface Corner {
+interface Corner {
   readonly panel: Panel;
   readonly at: number;
 }

@@ -143,7 +143,7 @@ export function trueTo(
 }
 
 /** The two parts of a curve before and after parameter t; together they are the curve itself. */
-export function split({from, to, controls}: Curve, t: number): readonly [Curve, Curve] {
+function split({from, to, controls}: Curve, t: number): readonly [Curve, Curve] {
   if (!controls) {
     const at = between(from, to, t);
     return [line(from, at), line(at, to)];

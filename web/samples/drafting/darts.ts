@@ -41,7 +41,7 @@ export function withDart(whole: Curve, share: number, intake: number, depth: num
 }
 
 /** A dart from the side seam towards the bust. */
-export interface BustDart {
+interface BustDart {
   /** From the side to the tip and back to the side, the lower leg first. */
   readonly legs: readonly [Curve, Curve];
   /** What the side seam is turned by above the dart, so that it runs straight on once that is sewn. [radians] */

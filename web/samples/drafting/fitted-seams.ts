@@ -7,7 +7,7 @@ export const upright: Point = [0, 1];
 const handles = {hem: 0.33, below: 7, above: 0.5};
 
 /** How a skirt's seam runs below a waist at the origin, for cloth at its -x side. [cm, radians] */
-export interface SkirtSeam {
+interface SkirtSeam {
   /** x of the seam at the depth of the hip. */
   readonly atHip: number;
   readonly hipDepth: number;

@@ -14,7 +14,7 @@ import {
 import {edge, pairOf, symmetricPanel, type Panel} from './panel.js';
 
 /** One side of the neckline that the hood is sewn to. [cm] */
-export interface HoodNeckline {
+interface HoodNeckline {
   readonly front: number;
   /** From the shoulder to the strip. */
   readonly back: number;

@@ -39,7 +39,7 @@ import {setInOutline, setInSeams} from './set-in-sleeve.js';
 import {armholeLengths, hungSleeve, taperedSleeve} from './sleeve.js';
 
 /** What each centimetre of rib holds in. */
-export const ribStretch = {cuff: 1.3, band: 1.15};
+const ribStretch = {cuff: 1.3, band: 1.15};
 const ribHeight = 6.5;
 const cuffEase = 4;
 const capEase = {front: 0.5, back: 0.7};

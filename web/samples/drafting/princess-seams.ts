@@ -52,7 +52,7 @@ export const sideSlope = (body: Body, half: Half): number =>
   shoulderSlope + princessOf(body, half).dart;
 
 /** The three edges of a seam, from the hem up: hem to waist, waist to the fullest height, on to the shoulder. */
-export interface SeamLine {
+interface SeamLine {
   readonly skirt: Curve;
   readonly waist: Curve;
   readonly top: Curve;
@@ -120,7 +120,7 @@ export function sideLine(body: Body, half: Half, centre: SeamLine): SeamLine {
 }
 
 /** The side seam of a side panel, for its waist at the origin; one line for front and back. */
-export interface SideSeam {
+interface SideSeam {
   readonly skirt: Curve;
   /** From the waist up to the bust dart, and on to the underarm. */
   readonly lower: Curve;

@@ -11,7 +11,7 @@ export interface Placed {
   readonly foot: Point;
 }
 
-export interface SheetLayout {
+interface SheetLayout {
   readonly pieces: readonly Placed[];
   /** [px] */
   readonly height: number;
@@ -20,7 +20,7 @@ export interface SheetLayout {
 }
 
 /** Room for a sheet, and what a piece's name needs. [px] */
-export interface SheetRoom {
+interface SheetRoom {
   readonly width: number;
   readonly height: number;
   readonly gap: number;

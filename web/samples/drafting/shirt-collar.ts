@@ -17,7 +17,7 @@ import {
 import {edge, symmetricPanel, type Panel, type Placement} from './panel.js';
 
 /** The neckline that the stand is sewn to, one side of it from the middle of the back to the button stand. [cm] */
-export interface NecklineLengths {
+interface NecklineLengths {
   /** Across the back, both sides of it. */
   readonly back: number;
   /** The part of the yoke that lies on the front. */

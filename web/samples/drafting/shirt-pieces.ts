@@ -54,7 +54,7 @@ const styleOf = (body: Body): BodiceStyle => ({
 });
 
 /** Front and back as one would draw them without a yoke, and parted where the yoke begins. */
-export interface Cut {
+interface Cut {
   readonly halves: Readonly<Record<Half, BodiceHalf>>;
   readonly armhole: Readonly<Record<Half, {readonly body: Curve; readonly yoke: Curve}>>;
   /** From the shoulder down to the centre front. */

@@ -21,7 +21,7 @@ export function squareAbove(from: Curve, to: Curve): Curve {
 }
 
 /** How a seam runs over the hip, for its waist at the origin and the cloth at its -x side. [cm, radians] */
-export interface HipSeam {
+interface HipSeam {
   /** x of the seam at the depth of the hip. */
   readonly atHip: number;
   readonly hipDepth: number;

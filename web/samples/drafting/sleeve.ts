@@ -19,7 +19,7 @@ import {
 } from './curves.js';
 import type {Placement} from './panel.js';
 
-export interface CapStyle {
+interface CapStyle {
   /** Across the sleeve at the underarm. [cm] */
   readonly width: number;
   /** How far each half of the cap is drafted longer than the armhole it is sewn into. [cm] */
@@ -114,7 +114,7 @@ export function sleeveTube(cap: Cap, taper: number, seamLength: number): Tube {
   };
 }
 
-export interface LongSleeve {
+interface LongSleeve {
   readonly cap: Cap;
   readonly tube: Tube;
   /** How the underarm seams lean in towards the wrist. [radians] */

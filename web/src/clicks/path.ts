@@ -2,7 +2,7 @@
 import {between, distance, nearestShare, type Point} from '../model/geometry.js';
 import {boxOf, isInside, type Box} from '../model/polyline.js';
 
-export interface Segment {
+interface Segment {
   readonly from: Point;
   readonly to: Point;
   /** Where on the path it begins. [cm] */

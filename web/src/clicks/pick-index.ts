@@ -4,7 +4,7 @@ import {pathRound, pathThrough, placeAt, type Path} from './path.js';
 import type {Sheet, SheetPiece, Side} from './sheet.js';
 
 /** A side of a seam, or an edge of the panel that is not sewn. */
-export type LineName =
+type LineName =
   | {readonly kind: 'seam'; readonly seam: number; readonly side: Side}
   | {readonly kind: 'edge'; readonly edge: number};
 
@@ -19,7 +19,7 @@ export interface Line {
 }
 
 /** All in the piece's own coordinates. */
-export interface PieceIndex {
+interface PieceIndex {
   readonly outline: Path;
   readonly holes: readonly Path[];
   /** In the order of the outline. */

@@ -15,7 +15,7 @@ export interface SheetPiece
   readonly grain?: readonly [Point, Point];
 }
 
-export type SheetSeam = Pick<ResultSeam, 'a' | 'b'>;
+type SheetSeam = Pick<ResultSeam, 'a' | 'b'>;
 
 export type Side = keyof SheetSeam;
 

@@ -4,7 +4,7 @@ import {ontoSheet} from '../model/sheet-place.js';
 import type {PickIndex} from './pick-index.js';
 import type {Side} from './sheet.js';
 
-export interface PiecePlace {
+interface PiecePlace {
   readonly level: 'piece';
   readonly piece: number;
 }

@@ -28,7 +28,7 @@ export interface CutPiece {
   readonly words: {readonly at: Point; readonly room: number};
 }
 
-export interface CutOptions {
+interface CutOptions {
   readonly allowanceCm: number;
   /** Cut from unprinted cloth. */
   readonly isPlain: boolean;

@@ -6,7 +6,7 @@ import {escaped, polyline, short, text} from '../picture/svg.js';
 import {textWidth} from '../layout/name-lines.js';
 import type {CutPiece} from './cut-piece.js';
 
-export interface CutStyle {
+interface CutStyle {
   /** The pattern that fills the piece; plain paper without one. */
   readonly cloth: string | undefined;
   /** Names the clip path of this piece. */

@@ -21,7 +21,7 @@ interface PieceBox {
 }
 
 /** Room between pieces, and for the name of each. */
-export interface Spacing {
+interface Spacing {
   readonly gap: number;
   /** Below a piece, by its number and width. */
   readonly below: (piece: number, width: number) => number;
@@ -76,7 +76,7 @@ function onShelves({pieces}: Pattern, cells: readonly Block[], gap: number): Arr
   }));
 }
 
-export interface LayoutChoice {
+interface LayoutChoice {
   /** Known already. */
   readonly boxes?: readonly PieceBox[];
   /** On shelves, which take the least room, also where placements are known. */
@@ -115,7 +115,7 @@ export function layOut(
 }
 
 /** A page to lay pieces out on; its lengths are pixels, and names keep their size whatever the scale. */
-export interface LayoutPage {
+interface LayoutPage {
   readonly width: number;
   readonly height: number;
   /** The page may become higher or lower than `height`, which then only gives its proportions. */

@@ -26,7 +26,7 @@ import {
 } from './wallpaper.js';
 
 /** Parallel mirror lines of a print, at equal distances; glide lines are none. Points of the print. */
-export interface MirrorLines {
+interface MirrorLines {
   /** Of length 1. */
   readonly along: Point;
   /** Where one of them lies along the normal (-y, x) of `along`. [cm] */
@@ -82,7 +82,7 @@ export const isAllowed = (angle: number, rule: AngleRule | undefined): boolean =
   !rule || rule.angles.some((one) => Math.abs(wrapped(angle - one)) <= rule.tolerance + 1e-6);
 
 /** A way for a symmetric piece to lie: its axis on any of these lines, at this angle. */
-export interface MirrorPlace extends MirrorLines {
+interface MirrorPlace extends MirrorLines {
   readonly angle: number;
 }
 
@@ -97,11 +97,7 @@ export function footOnAxis(map: Alignment, p: Point): Point {
 }
 
 /** All ways for a piece with this reflection to lie; none on a print without mirrors. */
-export function mirrorPlaces(
-  repeat: Repeat,
-  map: Alignment,
-  rule?: AngleRule,
-): readonly MirrorPlace[] {
+function mirrorPlaces(repeat: Repeat, map: Alignment, rule?: AngleRule): readonly MirrorPlace[] {
   return mirrorLines(repeat)
     .flatMap((lines) => [lines, {...lines, ...turnedRound(lines)}])
     .map((lines) => ({
@@ -176,7 +172,7 @@ export function nextMirrored(
 }
 
 /** The line of the print on which the axis of a symmetric piece lies. */
-export interface AxisLine {
+interface AxisLine {
   /** Of the axis, in the piece's coordinates; of length 1. */
   readonly along: Point;
   /** To the next line on which the axis could lie. [cm] */

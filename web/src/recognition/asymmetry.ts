@@ -6,7 +6,7 @@ import {visibleDifference, type TileCheck} from './tile-check.js';
 import type {Pixels} from './tile-cloth.js';
 
 /** `steps`: mirrored and moved on, as footprints are. */
-export const asymmetries = [
+const asymmetries = [
   ...(['leftRight', 'topBottom', 'diagonal', 'slanted', 'steps'] as const),
   ...(['upsideDown', 'quarterTurn', 'thirdTurn', 'sixthTurn', 'halfDrop'] as const),
 ] as const;

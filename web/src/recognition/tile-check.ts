@@ -15,7 +15,7 @@ export interface TileBreak {
   readonly difference: number;
 }
 
-export interface ElementCheck {
+interface ElementCheck {
   readonly map: PlaneMap;
   /** Root mean square difference, of all of the tile and of the place where it is greatest. [0, 255] */
   readonly rms: number;

@@ -7,7 +7,7 @@ import {grainLine} from './grain-line.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
 
 /** A place for a letter, in the coordinates of a piece, and how far the outline is from there. */
-export interface PairMark {
+interface PairMark {
   readonly piece: number;
   readonly at: Point;
   readonly room: number;

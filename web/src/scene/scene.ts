@@ -44,7 +44,7 @@ export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b'>, SeamMatch {
 }
 
 /** How the print meets along a seam as the pieces lie in a scene. */
-export interface SeamMatch {
+interface SeamMatch {
   readonly kind: ResultSeam['kind'];
   /** Per edge, each under the symmetry of the print that suits it. [cm] */
   readonly mismatch: readonly number[];

@@ -8,7 +8,7 @@ import {protocolVersion, type FromWorker, type JobRequest, type ToWorker} from '
 import type {QuestionHooks} from './service.js';
 
 /** What a worker's global scope has; written out, since its types exclude those of a page. */
-export interface WorkerScope {
+interface WorkerScope {
   postMessage(message: FromWorker, options?: StructuredSerializeOptions): void;
   addEventListener(type: 'message', listener: (event: {readonly data: ToWorker}) => void): void;
 }

@@ -112,7 +112,7 @@ const edgeCount = ({points, closed}: Stroke): number =>
   closed ? points.length : Math.max(points.length - 1, 0);
 
 /** Where the lines of a layer are drawn: the ends of all edges, and their shifts. */
-export interface LinePlaces {
+interface LinePlaces {
   readonly ends: Float32Array;
   readonly shifts: Float32Array;
 }

@@ -6,7 +6,7 @@ import type {Stroke} from './line-layer.js';
 import type {PatternScene} from '../scene/scene.js';
 
 /** Where a pattern moved most, and by how much arrows are exaggerated to be seen. */
-export interface Movement {
+interface Movement {
   readonly factor: number;
   /** The point as drafted, in the coordinates of its piece. [cm] */
   readonly greatest: {readonly piece: number; readonly point: Point; readonly cm: number};

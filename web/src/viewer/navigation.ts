@@ -2,7 +2,7 @@
 import {distance, type Point} from '../model/geometry.js';
 
 /** What can be moved. Screen points in CSS px from the upper left of the element. */
-export interface Navigable {
+interface Navigable {
   fit(): void;
   zoomBy(factor: number, at?: Point): void;
   panBy(dx: number, dy: number): void;
@@ -37,7 +37,7 @@ function spread(points: readonly Point[]): number {
 /** Whether somebody else follows this press, at a point of the element: then nothing here moves for it. */
 export type TakesPress = (event: PointerEvent, at: Point) => boolean;
 
-export interface NavigationOptions {
+interface NavigationOptions {
   readonly takesPress?: TakesPress | undefined;
   /** Where the view is a part of a page that is read on: a wheel scrolls that, unless ctrl is held. */
   readonly leavesWheel?: boolean | undefined;

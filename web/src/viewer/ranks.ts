@@ -28,7 +28,7 @@ export interface Anchor {
 }
 
 /** On the screen. */
-export interface Spot extends Anchor {
+interface Spot extends Anchor {
   /** From the edge to the middle of the disc. [CSS px] */
   readonly reach: number;
   readonly box: Box;

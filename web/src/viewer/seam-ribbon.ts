@@ -13,7 +13,7 @@ const step = 0.2;
 const straight = 1.5;
 
 /** Across a piece from a point of its seam line. */
-export interface Column {
+interface Column {
   /** In the coordinates of the piece. */
   readonly at: Point;
   /** Into the piece, of length 1. */

@@ -31,7 +31,7 @@ export interface Drawing {
   readonly tile: TileTexture;
 }
 
-export interface Shot {
+interface Shot {
   readonly width: number;
   readonly height: number;
   readonly view: SheetView;

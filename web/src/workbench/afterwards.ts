@@ -9,7 +9,7 @@ import {Improvement, type Improving} from './improvement.js';
 import {Proving} from './proving.js';
 import {RemedySearch} from './remedy-search.js';
 
-export interface AfterwardsHooks {
+interface AfterwardsHooks {
   /** What the solver is asked for a design. */
   readonly problemOf: (design: Design) => Problem;
   readonly changed: () => void;

@@ -8,8 +8,8 @@ const least = 14;
 const most = 260;
 
 /** How many units a metre has. */
-export const unitsInMetre = {cm: 100, mm: 1000, inch: 100 / 2.54, m: 1} as const;
-export type FileUnit = keyof typeof unitsInMetre;
+const unitsInMetre = {cm: 100, mm: 1000, inch: 100 / 2.54, m: 1} as const;
+type FileUnit = keyof typeof unitsInMetre;
 
 /** The tallest piece, if no garment has such a one. [cm] */
 export function doubtfulHeight({pieces}: Pick<MeshedPattern, 'pieces'>): number | undefined {

@@ -120,7 +120,7 @@ export function grainProposals(
 
 /** How a grain line of a file without one is chosen. */
 export const grainWays = ['up', 'across', 'bias'] as const;
-export type GrainWay = (typeof grainWays)[number];
+type GrainWay = (typeof grainWays)[number];
 
 export const angleOfWay: Readonly<Record<GrainWay, number>> = {up: upwards, across: 0, bias: 45};
 

@@ -11,7 +11,7 @@ import type {Workbench} from '../../workbench/workbench.js';
 import {middleOf} from './print-mover.js';
 
 /** A point of a piece, in its own coordinates. [cm] */
-export interface Middle {
+interface Middle {
   readonly piece: ScenePiece;
   readonly at: Point;
 }

@@ -33,7 +33,7 @@ export const shifted = ({angle, translation}: Alignment, way: Point): Alignment 
 });
 
 /** The print turned counter-clockwise about a point of the piece. */
-export const turned = ({angle, translation}: Alignment, by: number, about: Point): Alignment => ({
+const turned = ({angle, translation}: Alignment, by: number, about: Point): Alignment => ({
   angle: angle + by,
   translation: plus(rotated(minus(translation, about), by), about),
 });
