@@ -10,7 +10,7 @@ import {checks, twoStrips} from '../wasm/garments.js';
 
 const program = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 
-export interface Outcome {
+interface Outcome {
   /** Null when a signal ended it. */
   readonly code: number | null;
   readonly out: string;
@@ -18,7 +18,7 @@ export interface Outcome {
 }
 
 /** A line of done.ndjson; what is not asked for by a test is left out. */
-export interface DoneLine {
+interface DoneLine {
   readonly key: string | null;
   readonly line?: number;
   readonly name?: string | null;

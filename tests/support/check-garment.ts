@@ -1,8 +1,9 @@
 /** Judges whether a result is of the garment it was made from. */
 import type {GarmentCodeSpecification, Panel, Point, SolveResult, Symmetries} from 'seamwise/node';
 
-import {drawnOutline, toLine} from './panel-curves.js';
-import {at, cross, distance, greatest, scale, sum} from './plane.js';
+import {drawnOutline} from './panel-curves.js';
+import {cross, distance} from '@/model/geometry.js';
+import {at, greatest, scale, sum, toLine} from './plane.js';
 
 /** How a result departs from its garment, one sentence each; empty when it does not. */
 export function strays(result: SolveResult, garment: GarmentCodeSpecification): string[] {

@@ -1,7 +1,9 @@
 /** Judges the mesh of one piece. */
 import type {Point, ResultPiece} from 'seamwise/node';
 
-import {aroundLoop, at, cross, sub, sum} from './plane.js';
+import {cross, minus} from '@/model/geometry.js';
+import {signedArea} from '@/model/polyline.js';
+import {aroundLoop, at, crossesItself, sum} from './plane.js';
 
 /** What is wrong with a mesh, one sentence each; no triangle may shrink below `leastArea` of its own. */
 export function checkMesh(piece: ResultPiece, leastArea: number): string[] {
@@ -25,7 +27,7 @@ export function checkMesh(piece: ResultPiece, leastArea: number): string[] {
   must(least >= leastArea, `a triangle shrank to ${least} of its area`);
 
   const loops = [outline, ...holes];
-  const inside = sum(loops.map((loop) => loopArea(rest, loop)));
+  const inside = sum(loops.map((loop) => signedArea(loop.map((v) => at(rest, v)))));
   const filled = sum(areas.map((t) => t.rest));
   must(Math.abs(inside - filled) <= 1e-6 * (inside + 1), 'triangles do not fill the outline');
 
@@ -46,25 +48,7 @@ export function checkMesh(piece: ResultPiece, leastArea: number): string[] {
 const edgeKey = ([u, v]: readonly [number, number]): string => `${u},${v}`;
 
 const area = (points: readonly Point[], [i, j, k]: readonly [number, number, number]): number =>
-  cross(sub(at(points, j), at(points, i)), sub(at(points, k), at(points, i))) / 2;
-
-const loopArea = (points: readonly Point[], loop: readonly number[]): number =>
-  sum(aroundLoop(loop).map(([u, v]) => cross(at(points, u), at(points, v)))) / 2;
+  cross(minus(at(points, j), at(points, i)), minus(at(points, k), at(points, i))) / 2;
 
 const segments = (points: readonly Point[], loop: readonly number[]): [Point, Point][] =>
   aroundLoop(loop).map(([u, v]) => [at(points, u), at(points, v)]);
-
-/** Whether two segments cross in their insides; neighbours, which share an end, never do. */
-function crossesItself(lines: readonly [Point, Point][]): boolean {
-  const side = (a: Point, b: Point, c: Point) => cross(sub(b, a), sub(c, a));
-  // Segments far apart on one line are told apart by their boxes, whatever rounding makes of areas.
-  const meet = ([a, b]: [Point, Point], [c, d]: [Point, Point], axis: 0 | 1) =>
-    Math.max(a[axis], b[axis]) >= Math.min(c[axis], d[axis]) &&
-    Math.max(c[axis], d[axis]) >= Math.min(a[axis], b[axis]);
-  const cut = ([a, b]: [Point, Point], [c, d]: [Point, Point]) =>
-    meet([a, b], [c, d], 0) &&
-    meet([a, b], [c, d], 1) &&
-    side(a, b, c) * side(a, b, d) < 0 &&
-    side(c, d, a) * side(c, d, b) < 0;
-  return lines.some((line, k) => lines.slice(k + 1).some((other) => cut(line, other)));
-}

@@ -4,22 +4,16 @@ import type {Point, ResultPiece, ResultSeam, SolveOptions, SolveResult} from 'se
 import {distanceModulo, fitsOf, randomFit} from './fits.js';
 import {checkMesh} from './check-mesh.js';
 import {
-  add,
-  alongLine,
-  aroundLoop,
-  at,
   cross,
   distance,
   dot,
-  greatest,
-  mirrored,
+  minus,
   onPrint,
-  scale,
-  sub,
-  sum,
-  turn,
-  turned,
-} from './plane.js';
+  plus,
+  rotated,
+  turnBetween,
+} from '@/model/geometry.js';
+import {alongLine, aroundLoop, at, greatest, mirrored, scale, sum} from './plane.js';
 import {determinant, printElements} from '@/model/wallpaper.js';
 
 const degree = Math.PI / 180;
@@ -75,7 +69,7 @@ function checkOutline(piece: ResultPiece): string[] {
       const [u, w] = [at(loop, k - 1), at(loop, (k + 1) % loop.length)];
       const lengthIn = (points: readonly Point[]) => distance(at(points, v), at(points, w));
       const turnIn = (points: readonly Point[]) =>
-        turn(sub(at(points, v), at(points, u)), sub(at(points, w), at(points, v)));
+        turnBetween(minus(at(points, v), at(points, u)), minus(at(points, w), at(points, v)));
       change = Math.max(change, Math.abs(lengthIn(piece.shape) / lengthIn(piece.rest) - 1));
       const rest = turnIn(piece.rest);
       if (Math.abs(rest) < 30 * degree) {
@@ -196,8 +190,8 @@ function movement(piece: ResultPiece): number {
   const rim = loopsOf(piece).flat();
   const of = (points: readonly Point[]) => rim.map((v) => at(points, v));
   const centred = (points: readonly Point[]) => {
-    const centre = scale(points.reduce(add, [0, 0]), 1 / points.length);
-    return points.map((p) => sub(p, centre));
+    const centre = scale(points.reduce(plus, [0, 0]), 1 / points.length);
+    return points.map((p) => minus(p, centre));
   };
   const [rest, shape] = [of(piece.rest), of(piece.shape)];
   const [a, b] = [centred(rest), centred(shape)];
@@ -207,7 +201,7 @@ function movement(piece: ResultPiece): number {
   );
   return Math.min(
     greatest(rest.map((p, k) => distance(p, at(shape, k)))),
-    greatest(a.map((p, k) => distance(turned(p, angle), at(b, k)))),
+    greatest(a.map((p, k) => distance(rotated(p, angle), at(b, k)))),
   );
 }
 

@@ -15,7 +15,7 @@ const at = (path: string): string => fileURLToPath(new URL(`../../${path}`, impo
 /** Garments and prints, which the examples do not bring with them. */
 export const samples = at('public');
 
-export interface Examples {
+interface Examples {
   /** A copy of one, with packages of the project that it needs besides. @returns its folder */
   readonly copy: (name: string, others?: readonly string[]) => Promise<string>;
   /** Starts a server of Node's. @returns its address, once it has printed that */
@@ -67,7 +67,7 @@ export function useExamples(): Examples {
   };
 }
 
-export interface ChromiumOptions extends BrowserContextOptions {
+interface ChromiumOptions extends BrowserContextOptions {
   /** What this page may say, where something is broken on purpose. */
   readonly maySay?: RegExp;
 }

@@ -1,23 +1,11 @@
 /** The fits of a result, from its geometry, and distances modulo the symmetries of its print. */
 import type {Alignment, Point, ResultSeam, SolveResult} from 'seamwise/node';
 
-import {apply, printElements, type PlaneMap, type Repeat} from '@/model/wallpaper.js';
-import {
-  add,
-  alongLine,
-  at,
-  cross,
-  distance,
-  dot,
-  middle,
-  onPrint,
-  scale,
-  sub,
-  sum,
-  turn,
-} from './plane.js';
+import {apply, printElements, reducedBasis, type PlaneMap, type Repeat} from '@/model/wallpaper.js';
+import {cross, distance, middle, minus, onPrint, plus, turnBetween} from '@/model/geometry.js';
+import {alongLine, at, scale, sum} from './plane.js';
 
-export interface Fits {
+interface Fits {
   /** Any symmetry of the print, edge by edge. */
   readonly any: number;
   /** Only those that bring the directions of the two edges together, within 0.1 rad of the best. */
@@ -28,21 +16,9 @@ export interface Fits {
 
 type Lattice = Pick<Repeat, 'w1' | 'w2'>;
 
-/** The two shortest vectors of a lattice that span it. */
-function reducedBasis({w1, w2}: Lattice): readonly [Point, Point] {
-  let [a, b] = [w1, w2];
-  for (;;) {
-    if (dot(a, a) > dot(b, b)) [a, b] = [b, a];
-    const shorter = sub(b, scale(a, Math.round(dot(a, b) / dot(a, a))));
-    if (dot(shorter, shorter) >= dot(b, b) * (1 - 1e-9)) break; // else rounding may go on for ever
-    b = shorter;
-  }
-  return [a, b];
-}
-
 /** A vector less the lattice vector next to it. */
 function modulo(lattice: Lattice): (v: Point) => Point {
-  const [a, b] = reducedBasis(lattice);
+  const [a, b] = reducedBasis(lattice.w1, lattice.w2);
   const cell = cross(a, b);
   return (v) => {
     const i = Math.round(cross(v, b) / cell);
@@ -68,7 +44,7 @@ export function distanceModulo(
 ): (x: Point, y: Point, elements: readonly PlaneMap[]) => number {
   const reduce = modulo(lattice);
   return (x, y, elements) =>
-    Math.min(...elements.map((element) => Math.hypot(...reduce(sub(x, apply(element, y))))));
+    Math.min(...elements.map((element) => Math.hypot(...reduce(minus(x, apply(element, y))))));
 }
 
 /** An edge of a seam on the print: its length, and its middle and direction on either side. */
@@ -98,7 +74,7 @@ function edgesOf(
       length: (distance(from, to) + distance(from2, to2)) / 2,
       x: middle(from, to),
       y: middle(from2, to2),
-      along: [sub(to, from), sub(to2, from2)],
+      along: [minus(to, from), minus(to2, from2)],
     };
   });
 }
@@ -141,7 +117,9 @@ export function fitsOf(
 }
 
 function parallel({along: [a, b]}: PrintEdge, elements: readonly PlaneMap[]): PlaneMap[] {
-  const turns = elements.map((element) => Math.abs(turn(a, apply({...element, shift: [0, 0]}, b))));
+  const turns = elements.map((element) =>
+    Math.abs(turnBetween(a, apply({...element, shift: [0, 0]}, b))),
+  );
   const least = Math.min(...turns);
   return elements.filter((_, k) => at(turns, k) <= least + 0.1);
 }
@@ -149,13 +127,13 @@ function parallel({along: [a, b]}: PrintEdge, elements: readonly PlaneMap[]): Pl
 /** The cost of a seam whose side b lies on the print by `element` and one lattice vector near the mean. */
 function cheapest(seam: readonly PrintEdge[], element: PlaneMap, lattice: Lattice): number {
   const reduce = modulo(lattice);
-  const [u1, u2] = reducedBasis(lattice);
-  const apart = seam.map(({x, y}) => sub(x, apply(element, y)));
+  const [u1, u2] = reducedBasis(lattice.w1, lattice.w2);
+  const apart = seam.map(({x, y}) => minus(x, apply(element, y)));
   const length = sum(seam.map((edge) => edge.length));
-  const mean = apart.map((v, k) => scale(v, at(seam, k).length / length)).reduce(add, [0, 0]);
-  const near = sub(mean, reduce(mean));
+  const mean = apart.map((v, k) => scale(v, at(seam, k).length / length)).reduce(plus, [0, 0]);
+  const near = minus(mean, reduce(mean));
   const costs = nearby.map(([s, t]) => {
-    const shift = add(near, add(scale(u1, s), scale(u2, t)));
+    const shift = plus(near, plus(scale(u1, s), scale(u2, t)));
     return sum(apart.map((v, k) => at(seam, k).length * distance(v, shift)));
   });
   return Math.min(...costs);
@@ -177,7 +155,7 @@ export function randomFit(result: SolveResult): {mean: number; error: number} {
   const fits = Array.from({length: 20}, () => {
     const anywhere = result.pieces.map(() => ({
       angle: random() * 2 * Math.PI,
-      translation: add(scale(w1, random()), scale(w2, random())),
+      translation: plus(scale(w1, random()), scale(w2, random())),
     }));
     const edges = seams.flatMap((seam) => edgesOf(result, seam, 'rest', anywhere));
     return sum(edges.map(({length, x, y}) => length * apart(x, y, elements)));

@@ -13,13 +13,13 @@ import type {Index} from 'selenium-webdriver/bidi/index.js';
 import {has} from '../../web/setup/shell.mjs';
 
 /** A page in one of them. */
-export interface OtherPage {
+interface OtherPage {
   /** What an expression, or the promise that it is, comes to: a text. @throws {Error} when it fails */
   readonly evaluate: (expression: string) => Promise<string>;
   readonly close: () => Promise<void>;
 }
 
-export interface OtherBrowser {
+interface OtherBrowser {
   readonly name: string;
   /** The programs that it takes. */
   readonly needs: readonly string[];

@@ -9,7 +9,7 @@ import {promisify} from 'node:util';
 const run = promisify(execFile);
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
-export interface Manifest {
+interface Manifest {
   readonly license: string;
   readonly exports: Readonly<Record<string, string | Readonly<Record<string, string>>>>;
   readonly bin: Readonly<Record<string, string>>;
@@ -17,7 +17,7 @@ export interface Manifest {
 }
 
 /** What a program said and how it ended, all of which may be wrong. */
-export interface Run {
+interface Run {
   readonly output: string;
   readonly complaints: string;
 }

@@ -1,7 +1,8 @@
 /** The edges of a GarmentCode panel as drawn, for the checks of results. */
 import type {GarmentCodeSpecification, PanelEdge, Point} from 'seamwise/node';
 
-import {add, alongLine, at, distance, dot, middle, scale, sub, turn, turned} from './plane.js';
+import {distance, middle, minus, plus, rotated, turnBetween} from '@/model/geometry.js';
+import {alongLine, at, scale} from './plane.js';
 
 const steps = 60;
 
@@ -12,9 +13,9 @@ function tracedEdge(
   isAbsolute: boolean,
 ): Point[] {
   const [from, to] = [at(vertices, endpoints[0]), at(vertices, endpoints[1])];
-  const along = sub(to, from);
+  const along = minus(to, from);
   const control = ([x, y]: Point): Point =>
-    isAbsolute ? [x, y] : add(add(from, scale(along, x)), scale([-along[1], along[0]], y));
+    isAbsolute ? [x, y] : plus(plus(from, scale(along, x)), scale([-along[1], along[0]], y));
   const fractions = Array.from({length: steps + 1}, (_, k) => k / steps);
   if (curvature && 'type' in curvature && curvature.type === 'circle') {
     return arc(from, to, curvature.params, fractions);
@@ -27,7 +28,7 @@ function tracedEdge(
 function bezier(controls: readonly Point[], t: number): Point {
   if (controls.length === 1) return at(controls, 0);
   return bezier(
-    alongLine(controls).map(([p, q]) => add(scale(p, 1 - t), scale(q, t))),
+    alongLine(controls).map(([p, q]) => plus(scale(p, 1 - t), scale(q, t))),
     t,
   );
 }
@@ -39,15 +40,15 @@ function arc(
   [radius, large, right]: readonly number[],
   fractions: readonly number[],
 ): Point[] {
-  const chord = sub(to, from);
+  const chord = minus(to, from);
   const half = distance(from, to) / 2;
   const r = Math.max(radius ?? 0, half);
   const left: Point = scale([-chord[1], chord[0]], 1 / (2 * half));
   const side = (right ? 1 : -1) * (large ? -1 : 1);
-  const centre = add(middle(from, to), scale(left, side * Math.sqrt(r * r - half * half)));
-  const short = Math.abs(turn(sub(from, centre), sub(to, centre)));
+  const centre = plus(middle(from, to), scale(left, side * Math.sqrt(r * r - half * half)));
+  const short = Math.abs(turnBetween(minus(from, centre), minus(to, centre)));
   const angle = (right ? 1 : -1) * (large ? 2 * Math.PI - short : short);
-  return fractions.map((t) => add(centre, turned(sub(from, centre), t * angle)));
+  return fractions.map((t) => plus(centre, rotated(minus(from, centre), t * angle)));
 }
 
 /** Every edge of a panel in centimetres, x negated where the piece shows its other face. */
@@ -64,16 +65,5 @@ export function drawnOutline(
       isMirrored ? -x * unit : x * unit,
       y * unit,
     ]),
-  );
-}
-
-/** The distance from a point to a polyline. */
-export function toLine(point: Point, line: readonly Point[]): number {
-  return Math.min(
-    ...alongLine(line).map(([p, q]) => {
-      const along = sub(q, p);
-      const t = dot(sub(point, p), along) / (dot(along, along) || 1);
-      return distance(point, add(p, scale(along, Math.max(0, Math.min(1, t)))));
-    }),
   );
 }

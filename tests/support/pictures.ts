@@ -4,7 +4,7 @@ import {deflateSync} from 'node:zlib';
 import {crc32} from '@/recognition/file-kind.js';
 import type {Pixels} from '@/recognition/tile-cloth.js';
 
-export type Colour = readonly [number, number, number];
+type Colour = readonly [number, number, number];
 /** From the upper left corner. [px] */
 export type Painting = (x: number, y: number) => Colour;
 

@@ -1,27 +1,21 @@
-/** Vectors of the plane, for the checks of results. */
-import type {Alignment, Point} from 'seamwise/node';
+/** Geometry for the checks of results, besides that of the sources. */
+import {
+  between,
+  cross,
+  distance,
+  minus,
+  nearestShare,
+  plus,
+  rotated,
+  type Alignment,
+  type Point,
+} from '@/model/geometry.js';
 
-export const add = (a: Point, b: Point): Point => [a[0] + b[0], a[1] + b[1]];
-export const sub = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1]];
 export const scale = (a: Point, s: number): Point => [a[0] * s, a[1] * s];
-export const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1];
-export const cross = (a: Point, b: Point): number => a[0] * b[1] - a[1] * b[0];
-export const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
-export const middle = (a: Point, b: Point): Point => scale(add(a, b), 0.5);
-export const turned = ([x, y]: Point, angle: number): Point => [
-  Math.cos(angle) * x - Math.sin(angle) * y,
-  Math.sin(angle) * x + Math.cos(angle) * y,
-];
-/** The angle by which `a` must turn to point along `b`, in (-pi, pi]. */
-export const turn = (a: Point, b: Point): number => Math.atan2(cross(a, b), dot(a, b));
-
-/** A point of a piece as a point of the print. */
-export const onPrint = ({angle, translation}: Alignment, p: Point): Point =>
-  turned(sub(p, translation), -angle);
 
 /** Eq. 3: p' = R F p + t with F = diag(-1, 1). */
 export const mirrored = ({angle, translation}: Alignment, [x, y]: Point): Point =>
-  add(turned([-x, y], angle), translation);
+  plus(rotated([-x, y], angle), translation);
 
 /** The element at `index`, which must exist; negative indices count from the end. */
 export function at<T>(list: readonly T[], index: number): T {
@@ -42,3 +36,25 @@ export const sum = (values: readonly number[]): number => values.reduce((s, v) =
 /** Zero for an empty list, unlike Math.max. */
 export const greatest = (values: readonly number[]): number =>
   values.reduce((m, v) => Math.max(m, v), 0);
+
+/** The distance from a point to a polyline. */
+export const toLine = (point: Point, line: readonly Point[]): number =>
+  Math.min(
+    ...alongLine(line).map(([p, q]) => distance(point, between(p, q, nearestShare(p, q, point)))),
+  );
+
+/** Whether two of the segments cross in their insides; neighbours, which share an end, never do. */
+export function crossesItself(lines: readonly (readonly [Point, Point])[]): boolean {
+  const side = (a: Point, b: Point, c: Point) => cross(minus(b, a), minus(c, a));
+  type Segment = readonly [Point, Point];
+  // Segments far apart on one line are told apart by their boxes, whatever rounding makes of areas.
+  const meet = ([a, b]: Segment, [c, d]: Segment, axis: 0 | 1) =>
+    Math.max(a[axis], b[axis]) >= Math.min(c[axis], d[axis]) &&
+    Math.max(c[axis], d[axis]) >= Math.min(a[axis], b[axis]);
+  const cut = ([a, b]: Segment, [c, d]: Segment) =>
+    meet([a, b], [c, d], 0) &&
+    meet([a, b], [c, d], 1) &&
+    side(a, b, c) * side(a, b, d) < 0 &&
+    side(c, d, a) * side(c, d, b) < 0;
+  return lines.some((line, k) => lines.slice(k + 1).some((other) => cut(line, other)));
+}

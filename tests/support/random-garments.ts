@@ -11,7 +11,8 @@ import type {
   Symmetries,
 } from 'seamwise/node';
 
-import {add, at, distance, scale, sub} from './plane.js';
+import {distance, minus, plus} from '@/model/geometry.js';
+import {at, scale} from './plane.js';
 
 /** How an edge bends, in edge lengths: along the edge, and to its left. */
 type Bend =
@@ -66,7 +67,7 @@ const freePanel: fc.Arbitrary<Draft> = fc.integer({min: 3, max: 7}).chain((n) =>
     .map(({radii, jitter, bends, centre}) => ({
       vertices: radii.map((radius, k) => {
         const angle = (2 * Math.PI * (k + at(jitter, k))) / n;
-        return add(centre, scale([Math.cos(angle), Math.sin(angle)], radius));
+        return plus(centre, scale([Math.cos(angle), Math.sin(angle)], radius));
       }),
       bends,
       twin: 'none',
@@ -179,8 +180,8 @@ function panelText(draft: Draft, {unitsInMeter = 100, absolute}: Spelling, back:
     const control = ([x, y]: Point): Point => {
       const left = back ? -y : y;
       if (!absolute) return [x, left];
-      const along = sub(to, from);
-      return add(add(from, scale(along, x)), scale([-along[1], along[0]], left));
+      const along = minus(to, from);
+      return plus(plus(from, scale(along, x)), scale([-along[1], along[0]], left));
     };
     const curvature = curvatureText(b, control, distance(from, to), back);
     return curvature === undefined ? {endpoints} : {endpoints, curvature};
@@ -228,7 +229,7 @@ const mirroredDrafts = fc
 function roughened(drafts: readonly Draft[], by: number, noise: readonly Point[]): Draft[] {
   return drafts.map((draft) => {
     if (draft.twin === 'none') return draft;
-    const moved = draft.vertices.map((p, k) => add(p, scale(at(noise, k), by)));
+    const moved = draft.vertices.map((p, k) => plus(p, scale(at(noise, k), by)));
     return {...draft, vertices: moved};
   });
 }

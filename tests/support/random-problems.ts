@@ -11,7 +11,8 @@ import {
 
 import {groupNames} from '@/model/print.js';
 import {latticeType} from '@/model/wallpaper.js';
-import {at, turned} from './plane.js';
+import {rotated} from '@/model/geometry.js';
+import {at} from './plane.js';
 import {between, draftedGarment, type DraftedGarment} from './random-garments.js';
 
 /** A problem as JSON texts, the way files are. */
@@ -36,18 +37,18 @@ function lattice(group: GroupName): fc.Arbitrary<readonly [Point, Point]> {
         hexagonal: [a, Math.PI / 3],
       };
       const [length, opening] = bases[latticeType(group)];
-      const w1 = turned([a, 0], by);
-      const w2 = turned([length, 0], by + opening);
+      const w1 = rotated([a, 0], by);
+      const w2 = rotated([length, 0], by + opening);
       return [w1, w2] as const;
     });
   const upright = basis.map(([w1, w2]): readonly [Point, Point] => {
     const by = -Math.atan2(w1[1], w1[0]);
-    return [turned(w1, by), turned(w2, by)];
+    return [rotated(w1, by), rotated(w2, by)];
   });
   return fc.oneof(basis, upright);
 }
 
-export const print: fc.Arbitrary<Print> = fc.constantFrom(...groupNames).chain((group) =>
+const print: fc.Arbitrary<Print> = fc.constantFrom(...groupNames).chain((group) =>
   fc
     .record(
       {

@@ -1,5 +1,5 @@
 /** What meets where a garment's seams end: the corners of the panels, and the lines that run on across the seams. */
-import {velocity} from '@samples/drafting/geometry.js';
+import {velocity} from '@samples/drafting/curves.js';
 import {
   findEdge,
   type CornerName,
@@ -9,7 +9,7 @@ import {
 } from '@samples/drafting/panel.js';
 
 /** A corner of a panel, by the number of the edge that starts there. */
-export interface Corner {
+interface Corner {
   readonly panel: Panel;
   readonly at: number;
 }

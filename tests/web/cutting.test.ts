@@ -3,19 +3,19 @@ import {describe, expect, it} from 'vitest';
 import type {PanelMarks} from '@/model/garment-marks.js';
 import {garmentTitle, panelMarks} from '@/model/garment-marks.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
-import type {Alignment, Point} from '@/model/geometry.js';
+import {onPrint, type Alignment, type Point} from '@/model/geometry.js';
 import type {Print} from '@/model/print.js';
 import type {Pattern, ResultPiece, SolveResult} from '@/model/result.js';
 import {printDistance} from '@/model/wallpaper.js';
 import {cutLine} from '@/cutting/cut-line.js';
 import {cuttingFile, type CuttingOptions} from '@/cutting/cutting-file.js';
-import {notchMark, shapePoint} from '@/cutting/follow.js';
+import {notchMark} from '@/cutting/follow.js';
 import {matchMarks} from '@/cutting/match-marks.js';
 import {pairLetter, seamLetter} from '@/model/letters.js';
 import {seamLetters} from '@/scene/seam-letters.js';
-import {onPrint} from '@/scene/mismatch.js';
+import {carried} from '@/model/triangles.js';
 import {grainLine} from '@/scene/grain-line.js';
-import {isInside} from '@/scene/marks.js';
+import {isInside} from '@/model/polyline.js';
 import {plainMetrics, plainPrint, square, squarePair, squarePiece} from '../support/two-squares.js';
 
 const extent = (points: readonly Point[]): number[] => [
@@ -91,7 +91,8 @@ const drawnOut: ResultPiece = squarePiece('left_half', {shape: box(4, 8)});
 
 describe('a mark of the drafted piece', () => {
   it('follows the shape inside of it', () => {
-    expect(shapePoint(drawnOut, [1, 2])).toEqual([1, 4]);
+    const {triangles, rest, shape} = drawnOut;
+    expect(carried(triangles, rest, shape, [1, 2])).toEqual([1, 4]);
   });
 
   it('follows the shape along its outline, and points out of it', () => {

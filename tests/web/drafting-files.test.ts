@@ -3,10 +3,11 @@ import {readFileSync} from 'node:fs';
 
 import {describe, expect, it} from 'vitest';
 
+import {minus, norm, type Point} from '@/model/geometry.js';
 import {draftApron} from '@samples/drafting/apron.js';
 import {bodyOf, sizeNames} from '@samples/drafting/body.js';
 import {garmentFile, grainLine} from '@samples/drafting/garment-file.js';
-import {length, minus, norm, type Point} from '@samples/drafting/geometry.js';
+import {length} from '@samples/drafting/curves.js';
 import {sampleList} from '@samples/drafting/sample-list.js';
 import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {medium} from '../support/drafts.js';

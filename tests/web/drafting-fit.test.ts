@@ -1,9 +1,10 @@
 /** How wide fitted garments are around the body: their panels are drafted with the waist at y = 0. */
 import {describe, expect, it} from 'vitest';
 
+import {distance, minus, type Point} from '@/model/geometry.js';
 import {draftAsymmetricDress} from '@samples/drafting/asymmetric-dress.js';
 import {bodyOf, sizeNames} from '@samples/drafting/body.js';
-import {length, minus, norm, pointAt, type Point} from '@samples/drafting/geometry.js';
+import {length, pointAt} from '@samples/drafting/curves.js';
 import {findEdge, type Panel} from '@samples/drafting/panel.js';
 import {draftPrincessDress} from '@samples/drafting/princess-dress.js';
 import {medium} from '../support/drafts.js';
@@ -70,16 +71,16 @@ it('shapes the bust of the princess dress in a side dart and in the seam above t
   const upper = findEdge(dress, ['side_front_left', 'dart upper']).curve;
   expect(lower.to).toEqual(upper.from);
   expect(length(lower)).toBeCloseTo(length(upper), 9);
-  expect(norm(minus(lower.from, upper.to))).toBeCloseTo(0.027 * medium.bust, 6);
+  expect(distance(lower.from, upper.to)).toBeCloseTo(0.027 * medium.bust, 6);
   // its tip stays short of the bust
-  expect(norm(minus(lower.to, side.to))).toBeGreaterThan(3);
+  expect(distance(lower.to, side.to)).toBeGreaterThan(3);
 });
 
 it('goes on above the bust dart of the princess dress as its side back does', () => {
   const dress = draftPrincessDress(medium);
   const chord = (panel: string): number => {
     const {from, to} = findEdge(dress, [panel, 'side upper']).curve;
-    return norm(minus(to, from));
+    return distance(to, from);
   };
   expect(chord('side_front_left')).toBeCloseTo(chord('side_back_left'), 9);
 });

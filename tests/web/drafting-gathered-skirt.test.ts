@@ -1,7 +1,7 @@
 import {expect, it} from 'vitest';
 
 import {draftGatheredSkirt, waistGathers} from '@samples/drafting/gathered-skirt.js';
-import {length} from '@samples/drafting/geometry.js';
+import {length} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {medium} from '../support/drafts.js';
 

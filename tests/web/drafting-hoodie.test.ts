@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
 import {draftHoodie} from '@samples/drafting/hoodie.js';
-import {length} from '@samples/drafting/geometry.js';
+import {length} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {medium} from '../support/drafts.js';
 

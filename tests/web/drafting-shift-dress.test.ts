@@ -1,6 +1,7 @@
 import {expect, it} from 'vitest';
 
-import {length, minus, norm} from '@samples/drafting/geometry.js';
+import {distance} from '@/model/geometry.js';
+import {length} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {draftShiftDress} from '@samples/drafting/shift-dress.js';
 import {medium} from '../support/drafts.js';
@@ -11,5 +12,5 @@ it('has bust darts that are a notch with legs of one length', () => {
   const upper = findEdge(dress, ['front', 'dart upper left']);
   expect(lower.curve.to).toEqual(upper.curve.from);
   expect(length(lower.curve)).toBeCloseTo(length(upper.curve), 9);
-  expect(norm(minus(lower.curve.from, upper.curve.to))).toBeCloseTo(0.031 * medium.bust, 6);
+  expect(distance(lower.curve.from, upper.curve.to)).toBeCloseTo(0.031 * medium.bust, 6);
 });

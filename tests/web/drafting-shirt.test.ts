@@ -1,6 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import {length, type Point} from '@samples/drafting/geometry.js';
+import type {Point} from '@/model/geometry.js';
+import {length} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {draftShirt} from '@samples/drafting/shirt.js';
 import {buttonStand, cuffPleats} from '@samples/drafting/shirt-pieces.js';

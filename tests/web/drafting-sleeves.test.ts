@@ -1,21 +1,12 @@
 /** Set-in sleeves, whatever they are set into: edges of a cap are named so. */
 import {expect, it} from 'vitest';
 
+import {cross, minus, norm} from '@/model/geometry.js';
 import {notchesOf} from '@samples/drafting/garment-file.js';
-import {
-  length,
-  minus,
-  norm,
-  reversed,
-  velocity,
-  type Curve,
-  type Point,
-} from '@samples/drafting/geometry.js';
+import {length, reversed, velocity, type Curve} from '@samples/drafting/curves.js';
 import {findEdge, type Garment} from '@samples/drafting/panel.js';
 import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
-
-const cross = (a: Point, b: Point): number => a[0] * b[1] - a[1] * b[0];
 
 /** Curvature where a cubic starts, positive to the left. [1/cm] */
 function startCurvature({from, controls}: Curve): number {

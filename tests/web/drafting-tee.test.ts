@@ -1,6 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
-import {length, minus, pointAt} from '@samples/drafting/geometry.js';
+import {minus} from '@/model/geometry.js';
+import {length, pointAt} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {draftTee} from '@samples/drafting/tee.js';
 import {medium} from '../support/drafts.js';

@@ -2,7 +2,7 @@ import {describe, expect, it} from 'vitest';
 
 import {bodyOf, sizeNames} from '@samples/drafting/body.js';
 import {notchesOf} from '@samples/drafting/garment-file.js';
-import {length, pointAt, velocity, type Curve} from '@samples/drafting/geometry.js';
+import {length, pointAt, velocity, type Curve} from '@samples/drafting/curves.js';
 import {findEdge} from '@samples/drafting/panel.js';
 import {draftTrousers} from '@samples/drafting/trousers.js';
 

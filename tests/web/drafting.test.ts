@@ -1,11 +1,14 @@
 /** What must be true of every garment that is shipped, for any body. What is true of one only stands in its own file. */
 import {describe, expect, it} from 'vitest';
 
+import {distance, type Point} from '@/model/geometry.js';
+import {isInside, lengthOf, signedArea} from '@/model/polyline.js';
 import {notchesOf, type Notch} from '@samples/drafting/garment-file.js';
-import {minus, norm, parameterAt, plus, pointAt, type Point} from '@samples/drafting/geometry.js';
+import {parameterAt, pointAt} from '@samples/drafting/curves.js';
 import {untrue, type Panel} from '@samples/drafting/panel.js';
 import {wardrobe} from '@samples/drafting/wardrobe.js';
 import {forEveryGarment, medium} from '../support/drafts.js';
+import {aroundLoop, crossesItself, toLine} from '../support/plane.js';
 import {
   anglesAt,
   called,
@@ -23,37 +26,9 @@ function flattened({edges}: Panel, perEdge = 24): Point[] {
   );
 }
 
-const cross = (a: Point, b: Point): number => a[0] * b[1] - a[1] * b[0];
-
-function area(points: readonly Point[]): number {
-  return points.reduce((sum, a, k) => sum + cross(a, points[(k + 1) % points.length] ?? a) / 2, 0);
-}
-
-function crossings(points: readonly Point[]): number {
-  const side = (a: Point, b: Point, c: Point): number => cross(minus(b, a), minus(c, a));
-  const at = (k: number): Point => points[k % points.length] ?? [0, 0];
-  let count = 0;
-  for (let i = 0; i < points.length; i++) {
-    for (let j = i + 2; j < points.length - (i === 0 ? 1 : 0); j++) {
-      const [a, b, c, d] = [at(i), at(i + 1), at(j), at(j + 1)];
-      if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) count++;
-    }
-  }
-  return count;
-}
-
 /** Whether a point lies inside an outline, or on it to 1 mm. */
-function covers(outline: readonly Point[], [x, y]: Point): boolean {
-  let inside = false;
-  for (const [k, a] of outline.entries()) {
-    const b = outline[(k + 1) % outline.length] ?? a;
-    const along = minus(b, a);
-    const share = ((x - a[0]) * along[0] + (y - a[1]) * along[1]) / norm(along) ** 2;
-    if (norm(minus([x, y], plus(a, along, Math.min(1, Math.max(0, share))))) < 0.1) return true;
-    if (a[1] > y !== b[1] > y && x < a[0] + ((y - a[1]) / along[1]) * along[0]) inside = !inside;
-  }
-  return inside;
-}
+const covers = (outline: readonly Point[], p: Point): boolean =>
+  isInside(outline, p) || aroundLoop(outline).some((edge) => toLine(p, edge) < 0.1);
 
 function notchPoint({edges}: Panel, {edge, at}: Notch): Point {
   const curve = edges[edge]?.curve;
@@ -90,8 +65,8 @@ describe('every garment, for any body', () => {
       for (const panel of garment.panels) {
         const what = `${garment.name}: ${panel.name}`;
         const points = flattened(panel);
-        expect(area(points), what).toBeGreaterThan(0);
-        expect(crossings(points), what).toBe(0);
+        expect(signedArea(points), what).toBeGreaterThan(0);
+        expect(crossesItself(aroundLoop(points)), what).toBe(false);
         const ends = panel.edges.map(({curve}) => (curve.from[1] + curve.to[1]) / 2);
         expect(ends.indexOf(Math.min(...ends)), what).toBe(0);
       }
@@ -149,7 +124,7 @@ describe('every garment, for any body', () => {
       for (const [one, other = one] of symmetries) {
         const images = flattened(find(other), 6);
         for (const [x, y] of flattened(find(one), 6)) {
-          const apart = Math.min(...images.map((q) => norm(minus(q, [-x, y]))));
+          const apart = Math.min(...images.map((q) => distance(q, [-x, y])));
           expect(apart, one).toBeLessThan(1e-9);
         }
         const [x, y, z] = find(one).placement.translation;
@@ -167,7 +142,7 @@ describe('every garment, for any body', () => {
       for (const [one, other = one] of garment.symmetries) {
         const images = marks(other);
         for (const [x, y] of marks(one)) {
-          const apart = Math.min(...images.map((q) => norm(minus(q, [-x, y]))));
+          const apart = Math.min(...images.map((q) => distance(q, [-x, y])));
           expect(apart, `${garment.name}: ${one}`).toBeLessThan(0.001);
         }
       }
@@ -181,7 +156,7 @@ describe('every garment, for any body', () => {
           const panel = panels.find((one) => one.name === on);
           const outline = panel ? flattened(panel) : [];
           for (const p of line) expect(covers(outline, p), `${name}: ${match.name}`).toBe(true);
-          return line.slice(1).reduce((sum, p, k) => sum + norm(minus(p, line[k] ?? p)), 0);
+          return lengthOf(line);
         });
         expect(a, `${name}: ${match.name}`).toBeGreaterThan(1);
         expect(a, `${name}: ${match.name}`).toBeCloseTo(b ?? 0, 9);

@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment, Point} from '@/model/geometry.js';
+import {onPrint, rotated, type Alignment, type Point} from '@/model/geometry.js';
 import {inverse, mirrorAlignment, mirrors, turnToGrain} from '@/model/mirror-images.js';
 import {
   axisLine,
@@ -13,7 +13,6 @@ import {
 } from '@/model/mirror-lines.js';
 import {groupsThatCarry, latticeVectors} from '@/model/repeat.js';
 import {apply, determinant, printElements, reducedBasis, type Repeat} from '@/model/wallpaper.js';
-import {onPrint} from '@/scene/mismatch.js';
 import {mirrorImage} from '@/scene/marks.js';
 
 const number = (least: number, most: number): fc.Arbitrary<number> =>
@@ -35,9 +34,6 @@ function reflection([x, y]: Point, axis: number): Alignment {
   return {angle, translation: [x - ix, y - iy]};
 }
 const ownMap = fc.tuple(point, number(-1.6, 1.6)).map(([at, axis]) => reflection(at, axis));
-
-const turned = ([x, y]: Point, angle: number): Point =>
-  onPrint({angle: -angle, translation: [0, 0]}, [x, y]);
 
 /** How far the nearest symmetry of the print that turns it over, one for all points, misses W'(p') = g W(p). [cm] */
 function missed(repeat: Repeat, map: Alignment, first: Alignment, second: Alignment): number {
@@ -84,7 +80,7 @@ describe.each(groupsThatCarry('piece'))('a symmetric piece on %s', (group) => {
         ...[repeatIn(group), ownMap, alignment, point, number(-40, 40)],
         (repeat, map, wanted, about, way) => {
           const at = nearestMirrored(repeat, map, wanted, about) ?? wanted;
-          const [dx, dy] = turned([way, 0], (map.angle - Math.PI) / 2);
+          const [dx, dy] = rotated([way, 0], (map.angle - Math.PI) / 2);
           const along: Alignment = {
             ...at,
             translation: [at.translation[0] + dx, at.translation[1] + dy],
@@ -106,7 +102,7 @@ describe.each(groupsThatCarry('piece'))('a symmetric piece on %s', (group) => {
         const axis = (map.angle - Math.PI) / 2;
         const {spacing = NaN} = axisLine(repeat, map, at) ?? {};
         const moved = (share: number): Alignment | undefined => {
-          const [dx, dy] = turned([0, share * spacing], axis);
+          const [dx, dy] = rotated([0, share * spacing], axis);
           const [x, y] = at.translation;
           const shifted: Alignment = {...at, translation: [x + dx, y + dy]};
           return nearestMirrored(repeat, map, shifted, [0, 0]);
@@ -169,8 +165,8 @@ describe.each(groupsThatCarry('pair'))('a mirrored pair on %s', (group) => {
 
 const withTurn = (repeat: Repeat, turn: number): Repeat => ({
   ...repeat,
-  w1: turned(repeat.w1, turn),
-  w2: turned(repeat.w2, turn),
+  w1: rotated(repeat.w1, turn),
+  w2: rotated(repeat.w2, turn),
 });
 
 it.each(groupsThatCarry('piece'))(

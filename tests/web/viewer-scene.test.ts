@@ -1,10 +1,9 @@
 import {describe, expect, it} from 'vitest';
 
-import type {Alignment, Point} from '@/model/geometry.js';
+import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry.js';
 import type {Print} from '@/model/print.js';
 import type {Pattern} from '@/model/result.js';
 import {apply} from '@/model/wallpaper.js';
-import {onPrint} from '@/scene/mismatch.js';
 import {panelMarks} from '@/model/garment-marks.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
 import {imageCoordinates} from '@/viewer/print-coordinates.js';
@@ -213,12 +212,8 @@ describe('coordinates in the image of a print', () => {
       const map = imageCoordinates(one, alignment, [3, 4]);
       for (const p of [...square, [17, -9] as const]) {
         const [u, v] = apply(map, p);
-        const [x, y] = onPrint(alignment, p);
-        // (x, y) - u a - v b is i a + j b with whole i, j
-        const rest = [x - u * a[0] - v * b[0], y - u * a[1] - v * b[1]] as const;
-        const d = a[0] * b[1] - a[1] * b[0];
-        const i = (rest[0] * b[1] - rest[1] * b[0]) / d;
-        const j = (a[0] * rest[1] - a[1] * rest[0]) / d;
+        const [s, t] = coordinates([a, b], onPrint(alignment, p));
+        const [i, j] = [s - u, t - v];
         expect(i).toBeCloseTo(Math.round(i), 9);
         expect(j).toBeCloseTo(Math.round(j), 9);
       }

@@ -6,10 +6,19 @@ import type {Browser, Page} from 'playwright-core';
 import {afterAll, afterEach, beforeAll, expect, vi} from 'vitest';
 
 import {decoded, type Pixels} from '@samples/prints/raster.js';
-import type {Alignment, Point} from '@/model/geometry.js';
+import {
+  between,
+  coordinates,
+  distance,
+  nearestShare,
+  onPrint,
+  type Alignment,
+  type Point,
+} from '@/model/geometry.js';
 import type {Print} from '@/model/print.js';
 import {imageCell} from '@/model/wallpaper.js';
-import {isInside, pick} from '@/scene/marks.js';
+import {isInside} from '@/model/polyline.js';
+import {pick} from '@/scene/marks.js';
 import type {PatternScene, ScenePiece} from '@/scene/scene.js';
 import {openBrowser, serveSources, type Served} from '../../support/browser.js';
 
@@ -124,19 +133,8 @@ export function colourAt({width, data}: Pixels, x: number, y: number): Colour {
 export const screenOf = async (page: Page): Promise<Pixels> => decoded(await page.screenshot());
 
 /** The colour of a tile under a point of a piece that lies on the print by p = R w + t. */
-export function printed(
-  print: Print,
-  tile: Pixels,
-  {angle, translation}: Alignment,
-  p: Point,
-): Colour {
-  const [dx, dy] = [p[0] - translation[0], p[1] - translation[1]];
-  const x = Math.cos(angle) * dx + Math.sin(angle) * dy;
-  const y = Math.cos(angle) * dy - Math.sin(angle) * dx;
-  const [right, up] = imageCell(print);
-  const area = right[0] * up[1] - right[1] * up[0];
-  const u = (x * up[1] - y * up[0]) / area;
-  const v = (right[0] * y - right[1] * x) / area;
+export function printed(print: Print, tile: Pixels, alignment: Alignment, p: Point): Colour {
+  const [u, v] = coordinates(imageCell(print), onPrint(alignment, p));
   const column = Math.floor((u - Math.floor(u)) * tile.width);
   const row = Math.floor((Math.ceil(v) - v) * tile.height);
   return colourAt(tile, Math.min(column, tile.width - 1), Math.min(row, tile.height - 1));
@@ -148,10 +146,7 @@ function clearance({points, outline, holes}: ScenePiece, p: Point): number {
       const line = pick(points, loop);
       return line.map((a, k) => {
         const b = line[(k + 1) % line.length] ?? a;
-        const [ex, ey] = [b[0] - a[0], b[1] - a[1]];
-        const along = ((p[0] - a[0]) * ex + (p[1] - a[1]) * ey) / (ex * ex + ey * ey);
-        const t = Math.max(0, Math.min(1, along));
-        return Math.hypot(p[0] - a[0] - t * ex, p[1] - a[1] - t * ey);
+        return distance(p, between(a, b, nearestShare(a, b, p)));
       });
     }),
   );

@@ -2,20 +2,9 @@
  * A bib apron: skirt and bib on a waistband that runs on into the ties, a strap around the neck, and a patch pocket,
  * which is not sewn edge to edge but lies on the skirt. Every piece is its own mirror image.
  */
+import {plus, radians, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
-import {
-  curve,
-  degrees,
-  leaning,
-  line,
-  mirror,
-  mirrored,
-  plus,
-  pointAt,
-  reversed,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {curve, leaning, line, mirror, mirrored, pointAt, reversed, type Curve} from './curves.js';
 import {
   edge,
   onBothSides,
@@ -30,7 +19,7 @@ import {
 const bandHeight = 4.5;
 const tieLength = 85;
 const strapWidth = 3.5;
-const skirt = {length: 52, lean: degrees(8), corner: 9};
+const skirt = {length: 52, lean: radians(8), corner: 9};
 const pocket = {width: 26, height: 17, corner: 5, belowWaist: 13};
 
 /** Half widths and heights that follow from the body. [cm] */
@@ -87,7 +76,7 @@ function bibPanel(body: Body): Panel {
     {
       bottom: edge('waist', line(mirror(waist), waist)),
       half: [
-        edge('side', curve(waist, leaning(degrees(-18)), top, [0, 1])),
+        edge('side', curve(waist, leaning(radians(-18)), top, [0, 1])),
         edge('strap', line(top, inner)),
       ],
       top: edge('upper', line(inner, mirror(inner))),

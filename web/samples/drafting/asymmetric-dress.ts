@@ -3,6 +3,7 @@
  * at the left: two front pieces without any symmetry, a back that is its own mirror image, and a pair of side panels
  * instead of side seams. The panel seams run into the armholes. The height of the waist is y = 0 throughout.
  */
+import {leftOf, radians, rotated} from '../../src/model/geometry.js';
 import {hung, roundNeckline, type Half} from './bodice.js';
 import {
   centreSeam,
@@ -18,18 +19,15 @@ import {
 import {radiusOf, type Body} from './body.js';
 import {
   curve,
-  degrees,
   leaning,
-  left,
   length,
   line,
   mirrored,
   moved,
   reversed,
   splitAtLengths,
-  turned,
   type Curve,
-} from './geometry.js';
+} from './curves.js';
 import {
   edge,
   onBothSides,
@@ -47,7 +45,7 @@ const neckDepth = {front: 10, back: 3};
 /** Where the diagonal ends: below the bust at the right and below the waist at the left, along the panel seam. */
 const diagonal = {belowBust: 8, belowWaist: 15};
 /** How far the diagonal bends away from straight at its ends. */
-const bend = degrees(9);
+const bend = radians(9);
 
 const partNames = ['hem', 'hip', 'waist', 'bust', 'top'] as const;
 /** Each part of a panel seam is marked below its middle, once at the front and twice at the back, from the hem up. */
@@ -92,7 +90,7 @@ function fronts(body: Body): readonly [Panel, Panel] {
   const [low, high] = [upLeft[1]?.curve.from, downRight[1]?.curve.to];
   if (!low || !high) throw new Error('the front panel seam has too few parts');
   const straight = heading(line(high, low), 0);
-  const across = curve(high, turned(straight, bend), low, turned(straight, -bend));
+  const across = curve(high, rotated(straight, bend), low, rotated(straight, -bend));
   const placement = hung(body, 'front', 10);
   return [
     {
@@ -150,9 +148,9 @@ function sidePanels(body: Body): readonly [Panel, Panel] {
   const sunk = (top.to[1] + front.top.to[1]) / 2 - underarmHeight(body);
   const armhole = curve(
     top.to,
-    left(heading(top, 1)),
+    leftOf(heading(top, 1)),
     front.top.to,
-    left(heading(front.top, 1)),
+    leftOf(heading(front.top, 1)),
     sunk / 0.75,
     sunk / 0.75,
   );

@@ -1,27 +1,16 @@
 /** The panel seams of the asymmetric dress, from the hem up into the armholes. The height of the waist is y = 0. */
+import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import type {Half} from './bodice.js';
 import type {Body} from './body.js';
 import {bodiceSeam, skirtSeam, upright} from './fitted-seams.js';
-import {
-  curve,
-  degrees,
-  leaning,
-  left,
-  length,
-  mirrored,
-  moved,
-  plus,
-  trueTo,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {curve, leaning, length, mirrored, moved, trueTo, type Curve} from './curves.js';
 import {heading} from './skirt-lines.js';
 
 const ease = {bust: 5, waist: 6, hip: 6};
 const seamLength = 54;
 /** What each panel seam leans out by at the hem. */
-const flare = degrees(5);
-export const shoulderSlope = degrees(19);
+const flare = radians(5);
+export const shoulderSlope = radians(19);
 /** How far in from the shoulder point the shoulder seam ends. */
 const inFromShoulder = 3.4;
 /** From the nape down to the underarm, beyond a tenth of the bust. */
@@ -37,7 +26,7 @@ export const shapes = {
     /** Where the armhole is met: in from the shoulder point and up from the underarm; how the armhole leans in there. */
     inward: 3,
     up: 6.5,
-    lean: degrees(13),
+    lean: radians(13),
     /** The side panel's edge: its share of what the bust is wider, and how far it comes back up to the armhole. */
     sideOut: 0.28,
     sideBack: 6.5,
@@ -48,7 +37,7 @@ export const shapes = {
     bust: 0.45,
     inward: 2.4,
     up: 7.5,
-    lean: degrees(9),
+    lean: radians(9),
     sideOut: 0.25,
     sideBack: 5.5,
   },
@@ -89,7 +78,7 @@ export function centreSeam(body: Body, half: Half): PanelSeam {
   return {
     skirt: moved(skirtOf(body), waist),
     bodice: bodiceSeam(waist, bust),
-    top: curve(bust, upright, armhole, plus([0, 0], left(leaning(-shape.lean)), -1)),
+    top: curve(bust, upright, armhole, plus([0, 0], leftOf(leaning(-shape.lean)), -1)),
   };
 }
 

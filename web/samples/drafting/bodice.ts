@@ -1,6 +1,7 @@
 /** The upper body that tops are cut from, without darts. Origin of front and back: the middle of the waist line. */
+import {leftOf, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
-import {across, curve, leaning, left, line, type Curve, type Point} from './geometry.js';
+import {across, curve, leaning, line, type Curve} from './curves.js';
 import type {Placement} from './panel.js';
 
 export type Half = 'front' | 'back';
@@ -66,7 +67,7 @@ export function bodiceHalf(body: Body, half: Half, style: BodiceStyle): BodiceHa
     atShoulder * Math.sin(shoulderSlope);
   const armhole = curve(
     underarm,
-    left(leaning(sideLean)),
+    leftOf(leaning(sideLean)),
     tip,
     leaning(shoulderSlope),
     atUnderarm,

@@ -1,17 +1,15 @@
 /** Darts that open from an edge: a notch in the outline whose two legs are sewn to each other. */
 import {
-  curve,
-  left,
-  line,
+  distance,
+  leftOf,
   middle,
   minus,
   norm,
   plus,
-  pointAt,
-  turned,
-  type Curve,
+  rotated,
   type Point,
-} from './geometry.js';
+} from '../../src/model/geometry.js';
+import {curve, line, pointAt, type Curve} from './curves.js';
 import {heading} from './skirt-lines.js';
 
 /** An edge with a dart in it, in the order of the outline. */
@@ -28,10 +26,10 @@ export interface DartedEdge {
 export function withDart(whole: Curve, share: number, intake: number, depth: number): DartedEdge {
   const along = heading(whole, share);
   const mouth = pointAt(whole, share);
-  const tip = plus(mouth, left(along), depth);
+  const tip = plus(mouth, leftOf(along), depth);
   const squareTo = (corner: Point): Point => {
     const leg = minus(corner, tip);
-    return left(plus([0, 0], leg, 1 / norm(leg)));
+    return leftOf(plus([0, 0], leg, 1 / norm(leg)));
   };
   const near = plus(mouth, along, -intake / 2);
   const far = plus(mouth, along, intake / 2);
@@ -43,7 +41,7 @@ export function withDart(whole: Curve, share: number, intake: number, depth: num
 }
 
 /** A dart from the side seam towards the bust. */
-export interface BustDart {
+interface BustDart {
   /** From the side to the tip and back to the side, the lower leg first. */
   readonly legs: readonly [Curve, Curve];
   /** What the side seam is turned by above the dart, so that it runs straight on once that is sewn. [radians] */
@@ -58,8 +56,8 @@ const shortOfBust = 0.24;
  * the given intake (cm).
  */
 export function bustDart(lower: Point, bust: Point, intake: number): BustDart {
-  const opening = (centre: Point): number => 2 * Math.asin(intake / 2 / norm(minus(lower, centre)));
-  const upper = plus(bust, turned(minus(lower, bust), opening(bust)));
+  const opening = (centre: Point): number => 2 * Math.asin(intake / 2 / distance(lower, centre));
+  const upper = plus(bust, rotated(minus(lower, bust), opening(bust)));
   const tip = plus(bust, minus(middle(lower, upper), bust), shortOfBust);
   return {legs: [line(lower, tip), line(tip, upper)], opening: opening(tip)};
 }

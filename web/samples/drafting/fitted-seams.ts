@@ -1,22 +1,13 @@
 /** Seams of fitted garments, upright and hollowed at the waist, from the hem up. */
-import {
-  curve,
-  leaning,
-  length,
-  minus,
-  norm,
-  pointAt,
-  trueTo,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {distance, type Point} from '../../src/model/geometry.js';
+import {curve, leaning, length, pointAt, trueTo, type Curve} from './curves.js';
 
 export const upright: Point = [0, 1];
 /** Handles: at the hem as a part of the drop, at the waist below it in cm, above it as a part of the chord. */
 const handles = {hem: 0.33, below: 7, above: 0.5};
 
 /** How a skirt's seam runs below a waist at the origin, for cloth at its -x side. [cm, radians] */
-export interface SkirtSeam {
+interface SkirtSeam {
   /** x of the seam at the depth of the hip. */
   readonly atHip: number;
   readonly hipDepth: number;
@@ -41,6 +32,6 @@ export function skirtSeam(what: string, {atHip, hipDepth, flare, seamLength}: Sk
 
 /** From the waist up, upright at both ends unless told; hollowed at the waist. */
 export function bodiceSeam(waist: Point, to: Point, into = upright): Curve {
-  const chord = norm(minus(to, waist));
+  const chord = distance(to, waist);
   return curve(waist, upright, to, into, handles.above * chord, chord / 3);
 }

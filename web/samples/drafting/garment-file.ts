@@ -1,6 +1,7 @@
 /** The garment file (seamwise-garment/1, a superset of the GarmentCode specification) that a draft is written as. */
+import {minus, norm, plus, type Point} from '../../src/model/geometry.js';
 import type {SizeName} from './body.js';
-import {length, minus, norm, plus, pointAt, type Curve, type Point} from './geometry.js';
+import {length, pointAt, type Curve} from './curves.js';
 import {findEdge, type EdgeName, type Garment, type Panel, type Seam} from './panel.js';
 import {seamWeights} from './seam-kinds.js';
 

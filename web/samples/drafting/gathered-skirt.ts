@@ -1,18 +1,7 @@
 /** An A-line skirt gathered into a waistband. Origin of each skirt panel: the height of its side waist, in the middle. */
+import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
-import {
-  across,
-  degrees,
-  leaning,
-  left,
-  length,
-  line,
-  plus,
-  reversed,
-  trueTo,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {across, leaning, length, line, reversed, trueTo, type Curve} from './curves.js';
 import {edge, onBothSides, sew, symmetricPanel, type Garment, type Panel} from './panel.js';
 import {bandPanel} from './skirt-lines.js';
 
@@ -21,7 +10,7 @@ const gathered = {gathers: waistGathers, notches: [0.25, 0.5, 0.75]};
 const waistEase = 2;
 const bandHeight = 4;
 const sideLength = 58;
-const flare = degrees(9);
+const flare = radians(9);
 /** The front is cut this much wider than the back, at each side seam. */
 const forward = 0.75;
 
@@ -44,7 +33,7 @@ function skirtPanel(body: Body, half: Half): Panel {
   return symmetricPanel(
     half,
     {
-      bottom: edge('hem', across(hem, plus([0, 0], left(leaning(-flare)), -1))),
+      bottom: edge('hem', across(hem, plus([0, 0], leftOf(leaning(-flare)), -1))),
       half: [edge('side', line(hem, waist))],
       top: edge('waist', reversed(waistline(waist[0]))),
       side: half === 'front' ? 'left' : 'right',

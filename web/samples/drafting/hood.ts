@@ -1,25 +1,20 @@
 /** A hood in three pieces: two sides, and a strip between them from the nape over the head to the face. */
+import {distance, leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
 import {
   curve,
-  degrees,
   leaning,
-  left,
   length,
   line,
-  minus,
   mirror,
-  norm,
-  plus,
   splitAtLengths,
   trueTo,
   type Curve,
-  type Point,
-} from './geometry.js';
+} from './curves.js';
 import {edge, pairOf, symmetricPanel, type Panel} from './panel.js';
 
 /** One side of the neckline that the hood is sewn to. [cm] */
-export interface HoodNeckline {
+interface HoodNeckline {
   readonly front: number;
   /** From the shoulder to the strip. */
   readonly back: number;
@@ -28,9 +23,9 @@ export interface HoodNeckline {
 /** How wide the strip is at the nape and at the face. [cm] */
 export const strip = {nape: 7, face: 10};
 /** How the hood leans back where it leaves the nape. */
-const lean = degrees(12);
+const lean = radians(12);
 /** How the face edge leans forward towards its top. */
-const faceLean = degrees(4);
+const faceLean = radians(4);
 /** How much lower the hood is at the centre front than at the nape. [cm] */
 const frontDrop = 2.5;
 
@@ -40,15 +35,15 @@ const height = ({head}: Body): number => 0.6 * head;
 /** The edges of the left side, the face at -x. Origin: where the neckline, the strip and the nape meet. */
 function side(body: Body, neckline: HoodNeckline): {neck: Curve; centre: Curve; face: Curve} {
   const faceUp = leaning(-faceLean);
-  const across = plus([0, 0], left(faceUp), -1);
+  const across = plus([0, 0], leftOf(faceUp), -1);
   const out = leaning(lean);
   const neckAt = (x: number): Curve =>
-    curve([-x, -frontDrop], across, [0, 0], plus([0, 0], left(out), -1), 0.4 * x, 0.3 * x);
+    curve([-x, -frontDrop], across, [0, 0], plus([0, 0], leftOf(out), -1), 0.4 * x, 0.3 * x);
   const whole = neckline.front + neckline.back;
   const neck = neckAt(trueTo('the hood', whole, (x) => length(neckAt(x)), 0.6 * whole, whole));
   const rise = (height(body) + frontDrop) / faceUp[1];
   const top = plus(neck.from, faceUp, rise);
-  const reach = norm(minus(top, [0, 0]));
+  const reach = distance(top, [0, 0]);
   const centre = curve([0, 0], out, top, plus([0, 0], across, -1), 0.56 * reach, 0.42 * reach);
   return {neck, centre, face: line(top, neck.from)};
 }

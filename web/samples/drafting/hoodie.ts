@@ -2,6 +2,7 @@
  * A hooded sweatshirt with dropped shoulders: front, back, sleeves, a hood of three pieces, ribs at wrists and hem,
  * and a kangaroo pocket that lies on the front.
  */
+import {radians, type Point} from '../../src/model/geometry.js';
 import {
   bodiceHalf,
   halfNeckline,
@@ -15,7 +16,6 @@ import type {Body} from './body.js';
 import {hoodPanels, strip} from './hood.js';
 import {
   curve,
-  degrees,
   evened,
   length,
   line,
@@ -23,8 +23,7 @@ import {
   reversed,
   splitAtLengths,
   type Curve,
-  type Point,
-} from './geometry.js';
+} from './curves.js';
 import {
   edge,
   onBothSides,
@@ -40,7 +39,7 @@ import {setInOutline, setInSeams} from './set-in-sleeve.js';
 import {armholeLengths, hungSleeve, taperedSleeve} from './sleeve.js';
 
 /** What each centimetre of rib holds in. */
-export const ribStretch = {cuff: 1.3, band: 1.15};
+const ribStretch = {cuff: 1.3, band: 1.15};
 const ribHeight = 6.5;
 const cuffEase = 4;
 const capEase = {front: 0.5, back: 0.7};
@@ -50,12 +49,12 @@ const styleOf = (body: Body): BodiceStyle => ({
   hipEase: 14,
   armholeDepth: 15.5,
   shoulderOut: 3.5,
-  shoulderSlope: degrees(18),
+  shoulderSlope: radians(18),
   neckOut: 2.4,
   neckDepth: {front: body.neck / 5 + 0.7, back: 2.8},
   frontLower: 1.2,
   hemBelowWaist: 13,
-  sideLean: degrees(2),
+  sideLean: radians(2),
   forward: 0,
   scoop: {front: 1.6, back: 0.9},
 });

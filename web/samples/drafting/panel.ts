@@ -1,5 +1,6 @@
 /** Panels and seams: what a garment is drafted as. */
-import {length, mirror, mirrored, reversed, type Curve, type Point} from './geometry.js';
+import type {Point} from '../../src/model/geometry.js';
+import {length, mirror, mirrored, reversed, type Curve} from './curves.js';
 import type {SeamKind} from './seam-kinds.js';
 
 /** Sides are the wearer's. */
@@ -39,7 +40,7 @@ export interface Seam extends SeamManner {
 }
 
 /** How two edges are sewn together. */
-export interface SeamManner {
+interface SeamManner {
   /** How much longer `a` is drafted than `b`, as a factor (gathers), or in cm (ease). Neither: equal. */
   readonly gathers?: number;
   readonly ease?: number;
@@ -60,7 +61,7 @@ export interface Match {
 export type CornerName = readonly [panel: string, edge: string, edge: string];
 
 /** A seam's end where the line beyond the seam turns on purpose, so that the cloth does not run straight on over it. */
-export interface Turn {
+interface Turn {
   /** One of the corners that meet there. */
   readonly corner: CornerName;
   /** What a sewist calls it: the point of a V neck, a slit, the crotch. */

@@ -3,6 +3,7 @@
  * column on each side, which bends to meet the shoulder square. Sleeves are parted along the top of the arm and by
  * rows that are square to the underarm seam. So wherever four patches meet, all their lines run on.
  */
+import {minus, plus, radians, type Point} from '../../src/model/geometry.js';
 import {
   bodiceHalf,
   halfNeckline,
@@ -15,19 +16,15 @@ import {
 import type {Body} from './body.js';
 import {
   curve,
-  degrees,
   leaning,
   length,
   line,
-  minus,
   mirror,
-  plus,
   reversed,
   splitAtLengths,
   splitWhere,
   type Curve,
-  type Point,
-} from './geometry.js';
+} from './curves.js';
 import {edge, pairOf, symmetricPanel, type Edge, type Panel} from './panel.js';
 import {armholeLengths, hungSleeve, sleeveTube, taperedSleeve} from './sleeve.js';
 
@@ -42,7 +39,7 @@ const styleOf = (body: Body): BodiceStyle => ({
   hipEase: body.bust + 24 - body.hip,
   armholeDepth: 15,
   shoulderOut: 2,
-  shoulderSlope: degrees(18),
+  shoulderSlope: radians(18),
   neckOut: 1.8,
   neckDepth: {front: body.neck / 5 + 0.9, back: 2.6},
   frontLower: 1.1,

@@ -2,25 +2,12 @@
  * The panels of the princess dress, each drafted for the +x side of the view onto its face; the height of the waist is
  * y = 0 throughout.
  */
+import {leftOf, minus, plus, rotated, type Point} from '../../src/model/geometry.js';
 import {halfNeckline, hung, roundNeckline} from './bodice.js';
 import {radiusOf, type Body} from './body.js';
 import {bustDart} from './darts.js';
 import {bodiceSeam} from './fitted-seams.js';
-import {
-  curve,
-  leaning,
-  left,
-  line,
-  mapped,
-  minus,
-  mirrored,
-  moved,
-  plus,
-  reversed,
-  turned,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {curve, leaning, line, mapped, mirrored, moved, reversed, type Curve} from './curves.js';
 import {edge, pairOf, symmetricPanel, type Edge, type Panel, type Placement} from './panel.js';
 import {
   centreBackSkirt,
@@ -127,7 +114,7 @@ function darted(
   const [lowerLeg, upperLeg] = legs;
   return {
     dart: [edge('dart lower', lowerLeg), edge('dart upper', upperLeg)],
-    upper: mapped(upper, (p) => plus(upperLeg.to, turned(minus(p, upper.from), opening))),
+    upper: mapped(upper, (p) => plus(upperLeg.to, rotated(minus(p, upper.from), opening))),
   };
 }
 
@@ -144,7 +131,7 @@ export function sidePanels(body: Body, half: Half): readonly [Panel, Panel] {
   const tip = downShoulder(seam.top.to, slope, outerLength(body));
   const armhole = curve(
     underarm,
-    left(heading(upper, 1)),
+    leftOf(heading(upper, 1)),
     tip,
     leaning(slope),
     scoop[half],

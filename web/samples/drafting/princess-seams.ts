@@ -1,30 +1,17 @@
 /** The seam lines of the princess dress: each is drafted once and the panel it is sewn to is trued to it. */
+import {minus, plus, radians, rotated, type Point} from '../../src/model/geometry.js';
 import type {Body} from './body.js';
 import {bodiceSeam, skirtSeam, upright} from './fitted-seams.js';
-import {
-  curve,
-  degrees,
-  leaning,
-  length,
-  minus,
-  mirrored,
-  moved,
-  plus,
-  splitWhere,
-  trueTo,
-  turned,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {curve, leaning, length, mirrored, moved, splitWhere, trueTo, type Curve} from './curves.js';
 
 /** What the dress is wider than the body, all round. */
 const ease = {bust: 5, waist: 4, hip: 5};
 /** From the waist to the hem, along the seams. */
 const skirtLength = 58;
 /** What each seam leans out by at the hem. */
-const flare = degrees(3.5);
-const sideLean = degrees(4);
-export const shoulderSlope = degrees(19);
+const flare = radians(3.5);
+const sideLean = radians(4);
+export const shoulderSlope = radians(19);
 /** What the centre back seam takes at the waist, on each side. */
 export const centreTaken = 1.2;
 
@@ -49,14 +36,14 @@ function princessOf(body: Body, half: Half): Princess {
         centreFull: body.bust * 0.1,
         fullHeight: body.backLength * 0.41,
         sideOut: 1.8,
-        dart: degrees(7),
+        dart: radians(7),
       }
     : {
         centreWaist: body.waist * 0.105,
         centreFull: body.bust * 0.102,
         fullHeight: body.backLength * 0.5,
         sideOut: 1,
-        dart: degrees(4),
+        dart: radians(4),
       };
 }
 
@@ -65,7 +52,7 @@ export const sideSlope = (body: Body, half: Half): number =>
   shoulderSlope + princessOf(body, half).dart;
 
 /** The three edges of a seam, from the hem up: hem to waist, waist to the fullest height, on to the shoulder. */
-export interface SeamLine {
+interface SeamLine {
   readonly skirt: Curve;
   readonly waist: Curve;
   readonly top: Curve;
@@ -117,7 +104,7 @@ export function sideLine(body: Body, half: Half, centre: SeamLine): SeamLine {
       30,
     ),
   );
-  const away = turned(minus(centre.top.to, centre.top.from), -dart);
+  const away = rotated(minus(centre.top.to, centre.top.from), -dart);
   const topAt = (share: number): Curve =>
     curve(waist.to, upright, plus(waist.to, away, share), leaning(shoulderSlope + dart));
   const top = topAt(
@@ -133,7 +120,7 @@ export function sideLine(body: Body, half: Half, centre: SeamLine): SeamLine {
 }
 
 /** The side seam of a side panel, for its waist at the origin; one line for front and back. */
-export interface SideSeam {
+interface SideSeam {
   readonly skirt: Curve;
   /** From the waist up to the bust dart, and on to the underarm. */
   readonly lower: Curve;

@@ -3,26 +3,29 @@
  * parted along the top of the arm. Each half of a sleeve is drawn onto the body it is cut away from, then turned
  * so that the arm hangs down.
  */
+import {
+  distance,
+  leftOf,
+  minus,
+  plus,
+  radians,
+  rotated,
+  unit,
+  type Point,
+} from '../../src/model/geometry.js';
 import {bodiceHalf, halfNeckline, hung, type BodiceStyle, type Half} from './bodice.js';
 import type {Body} from './body.js';
 import {
   curve,
-  degrees,
   leaning,
-  left,
   length,
   line,
   mapped,
-  minus,
-  norm,
-  plus,
   reversed,
   splitAtLengths,
   trueTo,
-  turned,
   type Curve,
-  type Point,
-} from './geometry.js';
+} from './curves.js';
 import {edge, onBothSides, pairOf, sew, type Garment, type Panel, type Side} from './panel.js';
 import {hungSleeve} from './sleeve.js';
 
@@ -31,25 +34,25 @@ const style: BodiceStyle = {
   hipEase: 8,
   armholeDepth: 13.5,
   shoulderOut: 0.4,
-  shoulderSlope: degrees(19),
+  shoulderSlope: radians(19),
   neckOut: 1.6,
   neckDepth: {front: 9, back: 2.4},
   frontLower: 0,
   hemBelowWaist: 19,
-  sideLean: degrees(3.5),
+  sideLean: radians(3.5),
   forward: 0.5,
   scoop: {front: 1.2, back: 0.6}, // the raglan line replaces the armhole
 };
 /** Where the raglan seam meets the neckline: from the shoulder along it. [cm] */
 const onNeckline: Readonly<Record<Half, number>> = {front: 3.6, back: 2.4};
 /** How the raglan seam leans towards the neck where it meets the neckline. */
-const raglanLean: Readonly<Record<Half, number>> = {front: degrees(30), back: degrees(24)};
-const sleeve = {ease: 9, length: 24, taper: degrees(6)};
+const raglanLean: Readonly<Record<Half, number>> = {front: radians(30), back: radians(24)};
+const sleeve = {ease: 9, length: 24, taper: radians(6)};
 /** How far the arm is lifted down from level: the flatter, the more room to move. */
-const armSlope = degrees(42);
+const armSlope = radians(42);
 const along: Point = [Math.cos(armSlope), -Math.sin(armSlope)];
 /** From the top of the arm towards the underarm. */
-const down = plus([0, 0], left(along), -1);
+const down = plus([0, 0], leftOf(along), -1);
 
 interface HalfDraft {
   readonly side: Curve;
@@ -64,10 +67,10 @@ function halfOf(body: Body, half: Half): HalfDraft {
   const whole = halfNeckline(shoulder.to, style.neckDepth[half], style.shoulderSlope);
   const [onSleeve, onBody] = splitAtLengths('the raglan seam', whole, [onNeckline[half]]);
   if (!onSleeve || !onBody) throw new Error('a neckline that the raglan seam parts');
-  const chord = norm(minus(onBody.from, side.to));
+  const chord = distance(onBody.from, side.to);
   const raglan = curve(
     side.to,
-    left(leaning(style.sideLean)),
+    leftOf(leaning(style.sideLean)),
     onBody.from,
     leaning(-raglanLean[half]),
     0.3 * chord,
@@ -78,10 +81,10 @@ function halfOf(body: Body, half: Half): HalfDraft {
 
 /** The sleeve's edge of the raglan seam; it leaves the underarm seam at a right angle, as the body's leaves the side. */
 function sleeveRaglan(half: Half, neck: Point, underarm: Point): Curve {
-  const chord = norm(minus(neck, underarm));
+  const chord = distance(neck, underarm);
   return curve(
     underarm,
-    turned(plus([0, 0], down, -1), sleeve.taper),
+    rotated(plus([0, 0], down, -1), sleeve.taper),
     neck,
     leaning(-raglanLean[half]),
     0.24 * chord,
@@ -152,7 +155,7 @@ function sleevePanels(
   const underarm = underarmPoint(draft, width, fromHem);
   const top = plus(tip, along, sleeve.length);
   const low = plus(top, down, width - fromHem * Math.tan(sleeve.taper));
-  const upwards = plus([0, 0], minus(underarm, low), 1 / norm(minus(underarm, low)));
+  const upwards = unit(minus(underarm, low));
   const neck = neckline.sleeve.from;
   // over the shoulder and down the arm in one line
   const overarm = curve(
@@ -160,17 +163,17 @@ function sleevePanels(
     plus([0, 0], along, -1),
     neck,
     [-Math.cos(style.shoulderSlope), Math.sin(style.shoulderSlope)],
-    0.45 * norm(minus(top, neck)),
-    0.3 * norm(minus(top, neck)),
+    0.45 * distance(top, neck),
+    0.3 * distance(top, neck),
   );
   const edges: readonly (readonly [string, Curve])[] = [
-    ['hem', curve(low, plus([0, 0], left(upwards), -1), top, plus([0, 0], down, -1))],
+    ['hem', curve(low, plus([0, 0], leftOf(upwards), -1), top, plus([0, 0], down, -1))],
     ['overarm', overarm],
     ['neckline', neckline.sleeve],
     ['raglan', reversed(sleeveRaglan(half, draft.raglan.to, underarm))],
     ['underarm', line(underarm, low)],
   ];
-  const hanging = (p: Point): Point => turned(minus(p, tip), armSlope - Math.PI / 2);
+  const hanging = (p: Point): Point => rotated(minus(p, tip), armSlope - Math.PI / 2);
   const side: Side = half === 'front' ? 'left' : 'right';
   const {translation, rotation} = hungSleeve(body, tip, 0);
   const [x, y] = translation;

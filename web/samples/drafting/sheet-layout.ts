@@ -1,5 +1,6 @@
 /** Where the pieces of a garment lie on a sheet: on shelves, at the largest scale at which they fit. y runs down. */
-import {pointAt, type Point} from './geometry.js';
+import type {Point} from '../../src/model/geometry.js';
+import {pointAt} from './curves.js';
 import type {Garment, Panel} from './panel.js';
 
 export interface Placed {
@@ -10,7 +11,7 @@ export interface Placed {
   readonly foot: Point;
 }
 
-export interface SheetLayout {
+interface SheetLayout {
   readonly pieces: readonly Placed[];
   /** [px] */
   readonly height: number;
@@ -19,7 +20,7 @@ export interface SheetLayout {
 }
 
 /** Room for a sheet, and what a piece's name needs. [px] */
-export interface SheetRoom {
+interface SheetRoom {
   readonly width: number;
   readonly height: number;
   readonly gap: number;

@@ -1,8 +1,8 @@
 /** One picture of several garments, every piece flat: names, grain, notches, and which edges are sewn to which. */
+import {leftOf, middle, minus, norm, plus, unit, type Point} from '../../src/model/geometry.js';
 import {escaped, short, text} from '../../src/picture/svg.js';
 import {grainLine, notchesOf, titled} from './garment-file.js';
-import {left, middle, minus, norm, parameterAt, plus, pointAt, velocity} from './geometry.js';
-import type {Curve, Point} from './geometry.js';
+import {parameterAt, pointAt, velocity, type Curve} from './curves.js';
 import {findEdge, type EdgeName, type Garment, type Panel, type Seam} from './panel.js';
 import {layOutSheet, type Placed} from './sheet-layout.js';
 
@@ -35,10 +35,10 @@ function grain({panel, toPage}: Placed): string {
   const [low, high] = grainLine(panel);
   const span = minus(high, low);
   const [from, to] = [toPage(plus(low, span, 0.1)), toPage(plus(low, span, 0.9))];
-  const along = plus([0, 0], minus(to, from), 1 / norm(minus(to, from)));
+  const along = unit(minus(to, from));
   const head = (tip: Point, way: number): string => {
     const back = plus(tip, along, -5 * way);
-    return `M${dot(plus(back, left(along), 2))}L${dot(tip)}L${dot(plus(back, left(along), -2))}`;
+    return `M${dot(plus(back, leftOf(along), 2))}L${dot(tip)}L${dot(plus(back, leftOf(along), -2))}`;
   };
   return stroke(from, to) + head(to, 1) + head(from, -1);
 }
@@ -46,8 +46,8 @@ function grain({panel, toPage}: Placed): string {
 /** A point of an edge on the page, and the direction into the piece there. */
 function onEdge({toPage}: Placed, curve: Curve, share: number): readonly [Point, Point] {
   const t = parameterAt(curve, share);
-  const [x, y] = left(velocity(curve, t));
-  return [toPage(pointAt(curve, t)), [x / norm([x, y]), -y / norm([x, y])]];
+  const [x, y] = unit(leftOf(velocity(curve, t)));
+  return [toPage(pointAt(curve, t)), [x, -y]];
 }
 
 /** Where one edge ends and the next begins: a tick across the outline, on its outer side. */

@@ -1,21 +1,9 @@
 /** A shift dress with short sleeves: a front with side bust darts, a back in two halves with a centre back seam. */
+import {leftOf, plus, radians, rotated, type Point} from '../../src/model/geometry.js';
 import {halfNeckline, hung, roundNeckline, type Half} from './bodice.js';
 import type {Body} from './body.js';
 import {bustDart} from './darts.js';
-import {
-  curve,
-  degrees,
-  leaning,
-  left,
-  length,
-  line,
-  mirrored,
-  plus,
-  reversed,
-  turned,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {curve, leaning, length, line, mirrored, reversed, type Curve} from './curves.js';
 import {edge, onBothSides, pairOf, sew, symmetricPanel, type Garment, type Panel} from './panel.js';
 import {squareBelow} from './skirt-lines.js';
 import {setInOutline, setInSeams} from './set-in-sleeve.js';
@@ -24,8 +12,8 @@ import {hungSleeve, sleeveCap, sleeveTube} from './sleeve.js';
 const bustEase = 10;
 const hipEase = 8;
 const skirtLength = 56;
-const flare = degrees(2);
-const sideLean = degrees(6);
+const flare = radians(2);
+const sideLean = radians(6);
 const neckOut = 2.2;
 const neckDepth = {front: 9, back: 2.6};
 /** What the bust dart takes, as a part of the bust, and how much of that the front is longer by above the bust. */
@@ -34,13 +22,13 @@ const frontLonger = 0.6;
 /** What the centre back seam takes from the waist down. */
 const centreTaken = 1.2;
 const capEase = {front: 1.1, back: 1.4};
-const sleeve = {ease: 8, length: 22, taper: degrees(6)};
+const sleeve = {ease: 8, length: 22, taper: radians(6)};
 const away = 8;
 
 /** Where front and back differ. Handles of the armhole at the underarm and at the shoulder. [cm, radians] */
 const shapes = {
-  front: {wider: 0.5, slope: degrees(22), scoop: [7.6, 9]},
-  back: {wider: -0.5, slope: degrees(17), scoop: [5.4, 10.5]},
+  front: {wider: 0.5, slope: radians(22), scoop: [7.6, 9]},
+  back: {wider: -0.5, slope: radians(17), scoop: [5.4, 10.5]},
 } as const;
 
 /** The side seam up to the height of the dart, hollowed at the waist, and how far it goes on from there to the underarm. */
@@ -71,7 +59,7 @@ function topOf(body: Body, half: Half, underarm: Point, lean: Point, raised = 0)
   const shoulderLength = (body.shoulderWidth / 2 + 0.2 - neck[0]) / Math.cos(shapes.back.slope);
   const tip = plus(neck, [Math.cos(slope), -Math.sin(slope)], shoulderLength);
   return {
-    armhole: curve(underarm, left(lean), tip, leaning(slope), ...scoop),
+    armhole: curve(underarm, leftOf(lean), tip, leaning(slope), ...scoop),
     shoulder: line(tip, neck),
   };
 }
@@ -81,7 +69,7 @@ function front(body: Body): {readonly panel: Panel; readonly armhole: Curve} {
   const intake = dartIntake * body.bust;
   const bust: Point = [body.bustSpan / 2 + 0.5, 0.4 * body.backLength];
   const {legs, opening} = bustDart(lower.to, bust, intake);
-  const along = turned(leaning(sideLean), opening);
+  const along = rotated(leaning(sideLean), opening);
   const sideUpper = line(legs[1].to, plus(legs[1].to, along, upper));
   const {armhole, shoulder} = topOf(body, 'front', sideUpper.to, along, frontLonger * intake);
   const neckline = roundNeckline(shoulder.to, neckDepth.front, shapes.front.slope);

@@ -1,27 +1,23 @@
 /** A shirt collar on a stand, each in one piece that is its own mirror image. Origin: the middle of the lower edge. */
+import {leftOf, norm, plus, radians, type Point} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
 import {
   across,
   curve,
-  degrees,
   leaning,
-  left,
   length,
   line,
   mirror,
-  norm,
-  plus,
   reversed,
   splitAtLengths,
   trueTo,
   velocity,
   type Curve,
-  type Point,
-} from './geometry.js';
+} from './curves.js';
 import {edge, symmetricPanel, type Panel, type Placement} from './panel.js';
 
 /** The neckline that the stand is sewn to, one side of it from the middle of the back to the button stand. [cm] */
-export interface NecklineLengths {
+interface NecklineLengths {
   /** Across the back, both sides of it. */
   readonly back: number;
   /** The part of the yoke that lies on the front. */
@@ -33,13 +29,13 @@ export interface NecklineLengths {
 
 const standHeight = {back: 3.1, front: 2.7};
 /** How the stand leans up at its ends, so that it lies close to the neck. */
-const standRise = degrees(14);
+const standRise = radians(14);
 /** The collar is hollow where it is sewn on, so that it falls over the stand. */
-const collarFall = degrees(8);
+const collarFall = radians(8);
 const collarHeight = 4.4;
 /** From the end of the collar's seam to its point. */
 const collarPoint: Point = [1.3, 6.9];
-const collarEdge = degrees(8);
+const collarEdge = radians(8);
 
 function behindTheNeck(body: Body, above: number): Placement {
   return {
@@ -71,11 +67,11 @@ export function standPanel(body: Body, neckline: NecklineLengths): Panel {
 
   const forward = velocity(onFront, 1);
   const direction = plus([0, 0], forward, 1 / norm(forward));
-  const top = plus(onFront.to, left(direction), standHeight.front);
+  const top = plus(onFront.to, leftOf(direction), standHeight.front);
   const upper = across(top, direction, (top[1] - standHeight.back) / (0.75 * direction[1]));
   const end = curve(
     onStand.to,
-    left(along),
+    leftOf(along),
     top,
     plus([0, 0], direction, -1),
     0.6 * standHeight.front,

@@ -1,4 +1,5 @@
 /** The pieces of the shirt but its collar: one front and one back, parted where the yoke begins. */
+import {leftOf, minus, norm, plus, radians, type Point} from '../../src/model/geometry.js';
 import {
   bodiceHalf,
   halfNeckline,
@@ -11,22 +12,16 @@ import {
 import type {Body} from './body.js';
 import {
   curve,
-  degrees,
-  left,
   length,
   line,
   mapped,
-  minus,
   mirror,
-  norm,
-  plus,
   reflectedIn,
   reversed,
   splitAtLengths,
   splitWhere,
   type Curve,
-  type Point,
-} from './geometry.js';
+} from './curves.js';
 import {edge, pairOf, symmetricPanel, type Panel} from './panel.js';
 import {armholeLengths, hungSleeve, taperedSleeve} from './sleeve.js';
 
@@ -48,18 +43,18 @@ const styleOf = (body: Body): BodiceStyle => ({
   hipEase: 12,
   armholeDepth: 14,
   shoulderOut: 1.2,
-  shoulderSlope: degrees(19),
+  shoulderSlope: radians(19),
   neckOut: 0.2,
   neckDepth: {front: body.neck / 5 - 0.4, back: 2.7},
   frontLower: 1.4,
   hemBelowWaist: 19,
-  sideLean: degrees(3),
+  sideLean: radians(3),
   forward: 0,
   scoop: {front: 1.3, back: 0.5},
 });
 
 /** Front and back as one would draw them without a yoke, and parted where the yoke begins. */
-export interface Cut {
+interface Cut {
   readonly halves: Readonly<Record<Half, BodiceHalf>>;
   readonly armhole: Readonly<Record<Half, {readonly body: Curve; readonly yoke: Curve}>>;
   /** From the shoulder down to the centre front. */
@@ -73,7 +68,7 @@ export function cutOf(body: Body): Cut {
     back: bodiceHalf(body, 'back', style),
   };
   const {from: tip, to: neck} = halves.front.shoulder;
-  const down = left(minus(neck, tip));
+  const down = leftOf(minus(neck, tip));
   const below = (p: Point): number => {
     const [x, y] = minus(p, neck);
     return (x * down[0] + y * down[1]) / norm(down);

@@ -2,8 +2,9 @@
  * A six-gore skirt on a straight waistband: centre front, two side fronts, two side backs, centre back. Fitted to the
  * hip, it flares from there. The two edges of a seam have one shape. Origin of a gore: the middle of its waist.
  */
+import {radians} from '../../src/model/geometry.js';
 import {radiusOf, type Body} from './body.js';
-import {degrees, length, mirrored, moved, reversed, trueTo, type Curve} from './geometry.js';
+import {length, mirrored, moved, reversed, trueTo, type Curve} from './curves.js';
 import {
   edge,
   onBothSides,
@@ -21,7 +22,7 @@ const waistEase = 2;
 const hipEase = 6;
 const bandHeight = 3.5;
 const seamDrop = 60;
-const flare = degrees(8);
+const flare = radians(8);
 /** How the twelve edges of the seams share what the hip is wider than the waist, as parts of the mean. */
 const shaping = {front: 0.8, side: 1.25, back: 0.95};
 /** The part of half the waist that is the centre gore's. */
@@ -61,7 +62,7 @@ function goreSeams(what: string, inner: Curve, outer: Curve, waist: number): [Cu
 /** As it hangs around the hip: `angle` (degrees) from the middle of the front towards the wearer's left. */
 function around(body: Body, angle: number): Placement {
   const away = radiusOf(body.hip) + 12;
-  const [x, z] = [Math.sin(degrees(angle)), Math.cos(degrees(angle))];
+  const [x, z] = [Math.sin(radians(angle)), Math.cos(radians(angle))];
   return {
     translation: [angle % 180 === 0 ? 0 : away * x, body.waistHeight, away * z],
     rotation: [0, angle, 0],

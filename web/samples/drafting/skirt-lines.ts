@@ -1,18 +1,6 @@
 /** Lines that skirts are made of: seams over the hip, hems and waists square to them, straight waistbands. */
-import {
-  curve,
-  left,
-  leaning,
-  line,
-  mirror,
-  norm,
-  plus,
-  pointAt,
-  trueTo,
-  velocity,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {leftOf, norm, plus, type Point} from '../../src/model/geometry.js';
+import {curve, leaning, line, mirror, pointAt, trueTo, velocity, type Curve} from './curves.js';
 import {edge, symmetricPanel, type Edge, type Panel, type Placement, type Side} from './panel.js';
 
 /** The direction of travel at parameter t, as a unit vector. */
@@ -23,17 +11,17 @@ export function heading(seam: Curve, t: number): Point {
 
 /** The lower edge from one seam to the next, square to both; both are given upwards. */
 export function squareBelow(from: Curve, to: Curve): Curve {
-  const onward = (seam: Curve): Point => plus([0, 0], left(heading(seam, 0)), -1);
+  const onward = (seam: Curve): Point => plus([0, 0], leftOf(heading(seam, 0)), -1);
   return curve(from.from, onward(from), to.from, onward(to));
 }
 
 /** The upper edge from one seam back to the one before it, square to both; both are given upwards. */
 export function squareAbove(from: Curve, to: Curve): Curve {
-  return curve(from.to, left(heading(from, 1)), to.to, left(heading(to, 1)));
+  return curve(from.to, leftOf(heading(from, 1)), to.to, leftOf(heading(to, 1)));
 }
 
 /** How a seam runs over the hip, for its waist at the origin and the cloth at its -x side. [cm, radians] */
-export interface HipSeam {
+interface HipSeam {
   /** x of the seam at the depth of the hip. */
   readonly atHip: number;
   readonly hipDepth: number;

@@ -2,27 +2,24 @@
  * Set-in sleeves. Drafted for the wearer's left, whose front half lies at -x. Origin: on the line across both
  * underarms, below the top of the cap.
  */
+import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import type {Body} from './body.js';
 import type {BodiceHalf, Half} from './bodice.js';
 import {
   curve,
-  degrees,
   handleFor,
   leaning,
-  left,
   length,
   line,
   mirror,
   mirrored,
-  plus,
   reversed,
   trueTo,
   type Curve,
-  type Point,
-} from './geometry.js';
+} from './curves.js';
 import type {Placement} from './panel.js';
 
-export interface CapStyle {
+interface CapStyle {
   /** Across the sleeve at the underarm. [cm] */
   readonly width: number;
   /** How far each half of the cap is drafted longer than the armhole it is sewn into. [cm] */
@@ -50,7 +47,7 @@ const lowestCap = 6;
 function capHalf(half: Half, style: CapStyle, width: number, height: number): Curve {
   const atUnderarm = scoop[half] * width;
   const curvature = (2 * height) / (3 * ((roundness * style.width) / 2) ** 2);
-  const out = left(leaning(style.taper));
+  const out = leftOf(leaning(style.taper));
   const atTop = handleFor(curvature, height - atUnderarm * out[1]);
   return curve([width, 0], out, [0, height], [-1, 0], atUnderarm, atTop);
 }
@@ -109,7 +106,7 @@ export function sleeveTube(cap: Cap, taper: number, seamLength: number): Tube {
   const down: Point = plus([0, 0], leaning(taper), -seamLength);
   const hemBack = plus(cap.back.from, down);
   const hemFront = plus(cap.front.to, mirror(down));
-  const square = left(leaning(taper));
+  const square = leftOf(leaning(taper));
   return {
     hem: curve(hemFront, mirror(square), hemBack, plus([0, 0], square, -1)),
     underarmBack: line(hemBack, cap.back.from),
@@ -117,7 +114,7 @@ export function sleeveTube(cap: Cap, taper: number, seamLength: number): Tube {
   };
 }
 
-export interface LongSleeve {
+interface LongSleeve {
   readonly cap: Cap;
   readonly tube: Tube;
   /** How the underarm seams lean in towards the wrist. [radians] */
@@ -148,13 +145,13 @@ export function taperedSleeve(
       hemLength,
       (taper) => length(drafted(taper).tube.hem),
       0,
-      degrees(16),
+      radians(16),
     ),
   );
 }
 
 /** The angle at which sleeves stand out from the body. */
-const hang = degrees(45);
+const hang = radians(45);
 const clear = 6;
 
 /**

@@ -1,7 +1,8 @@
 /** A tee: front, back and two set-in sleeves. */
+import {radians} from '../../src/model/geometry.js';
 import {bodiceHalf, hung, roundNeckline, type BodiceStyle, type Half} from './bodice.js';
 import type {Body} from './body.js';
-import {degrees, line, mirror, reversed} from './geometry.js';
+import {line, mirror, reversed} from './curves.js';
 import {edge, onBothSides, pairOf, symmetricPanel, type Garment, type Panel} from './panel.js';
 import {setInOutline, setInSeams} from './set-in-sleeve.js';
 import {armholeLengths, hungSleeve, sleeveCap, sleeveTube} from './sleeve.js';
@@ -11,17 +12,17 @@ const style: BodiceStyle = {
   hipEase: 6,
   armholeDepth: 13,
   shoulderOut: 0.6,
-  shoulderSlope: degrees(19),
+  shoulderSlope: radians(19),
   neckOut: 1.6,
   neckDepth: {front: 8.4, back: 3},
   frontLower: 1.9,
   hemBelowWaist: 19,
-  sideLean: degrees(3.5),
+  sideLean: radians(3.5),
   forward: 0.5,
   scoop: {front: 1.2, back: 0.6},
 };
 const capEase = {front: 1.0, back: 1.4};
-const sleeve = {ease: 7, length: 23, taper: degrees(7)};
+const sleeve = {ease: 7, length: 23, taper: radians(7)};
 
 function bodyPanel(body: Body, half: Half): Panel {
   const {side, armhole, shoulder} = bodiceHalf(body, half, style);

@@ -1,19 +1,8 @@
 /** One leg of the straight trousers, front or back. Origin: the height of the waist, on the crease; its centre seam lies at -x. */
+import {leftOf, plus, radians, type Point} from '../../src/model/geometry.js';
 import type {Body} from './body.js';
 import {withDart, type DartedEdge} from './darts.js';
-import {
-  curve,
-  degrees,
-  leaning,
-  left,
-  length,
-  line,
-  plus,
-  reversed,
-  trueTo,
-  type Curve,
-  type Point,
-} from './geometry.js';
+import {curve, leaning, length, line, reversed, trueTo, type Curve} from './curves.js';
 import {edge, type Edge} from './panel.js';
 import {squareAbove} from './skirt-lines.js';
 
@@ -40,10 +29,10 @@ const shapes = {
     crotch: 0.058,
     inward: 0,
     /** The lean of the centre line, and the height of the waist on it. */
-    centreLean: degrees(2.5),
+    centreLean: radians(2.5),
     centreRise: -0.8,
     /** The lean of the inseam at the crotch; the crotch curve is square to it. */
-    inseamLean: degrees(12),
+    inseamLean: radians(12),
     /** Where the crotch curve starts above the crotch, as a part of its reach, and its handles, of height and reach. */
     curveStart: 1.25,
     handles: [0.6, 0.56],
@@ -57,9 +46,9 @@ const shapes = {
     leg: 1,
     crotch: 0.105,
     inward: 1.6,
-    centreLean: degrees(7),
+    centreLean: radians(7),
     centreRise: 2.2,
-    inseamLean: degrees(16),
+    inseamLean: radians(16),
     curveStart: 0.95,
     handles: [0.6, 0.68],
     dartAt: 0.52,
@@ -153,7 +142,7 @@ function centreSeam(body: Body, half: Half, crotch: Point): {straight: Curve; cu
       start,
       down,
       crotch,
-      left(leaning(-shape.inseamLean)),
+      leftOf(leaning(-shape.inseamLean)),
       shape.handles[0] * tall,
       shape.handles[1] * reach,
     ),

@@ -1,6 +1,15 @@
 /** The symmetry elements of a print within a part of the plane, drawn with the usual signs. */
-import type {Point} from '../../src/model/geometry.js';
-import {determinant, printElements} from '../../src/model/wallpaper.js';
+import {
+  angleOf,
+  cross,
+  dot,
+  leftOf,
+  minus,
+  plus,
+  towards,
+  type Point,
+} from '../../src/model/geometry.js';
+import {determinant, latticeAround, printElements} from '../../src/model/wallpaper.js';
 import {polyline, short} from '../../src/picture/svg.js';
 import type {Cell} from './tile.js';
 
@@ -23,8 +32,6 @@ export interface Elements {
 }
 
 const tiny = 1e-6;
-const cross = ([a, b]: Point, [c, d]: Point): number => a * d - b * c;
-const minus = ([a, b]: Point, [c, d]: Point): Point => [a - c, b - d];
 
 /** The part of a line within a convex area whose corners run counter-clockwise; none when it only touches. */
 function within(
@@ -42,7 +49,7 @@ function within(
     } else if (gain > 0) enter = Math.max(enter, -inside / gain);
     else leave = Math.min(leave, -inside / gain);
   }
-  const at = (t: number): Point => [through[0] + t * along[0], through[1] + t * along[1]];
+  const at = (t: number): Point => plus(through, along, t);
   return leave - enter > tiny ? [at(enter), at(leave)] : null;
 }
 
@@ -51,10 +58,7 @@ export function elementsWithin(cell: Cell, area: readonly Point[]): Elements {
   const {w1, w2} = cell;
   const centres = new Map<string, Centre>();
   const axes = new Map<string, Axis>();
-  const steps = Array.from({length: 13}, (_, k) => k - 6);
-  const shifts = steps.flatMap((i) =>
-    steps.map((j): Point => [i * w1[0] + j * w2[0], i * w1[1] + j * w2[1]]),
-  );
+  const shifts = latticeAround([w1, w2], 6);
   const inside = (p: Point): boolean =>
     area.every((corner, k) => {
       const side = minus(area[(k + 1) % area.length] ?? corner, corner);
@@ -65,8 +69,8 @@ export function elementsWithin(cell: Cell, area: readonly Point[]): Elements {
   for (const {xx, xy, yx, yy, shift} of printElements(cell)) {
     const rotation = determinant({xx, xy, yx, yy, shift}) > 0;
     if (rotation && xx > 1 - tiny) continue;
-    for (const [i, j] of shifts) {
-      const [x, y] = [shift[0] + i, shift[1] + j];
+    for (const vector of shifts) {
+      const [x, y] = plus(shift, vector);
       if (rotation) {
         // the fixed point: (1 - A) c = a
         const d = (1 - xx) * (1 - yy) - xy * yx;
@@ -75,11 +79,10 @@ export function elementsWithin(cell: Cell, area: readonly Point[]): Elements {
         if (!inside(at) || order <= (centres.get(key(...at))?.order ?? 1)) continue;
         centres.set(key(...at), {at, order});
       } else {
-        const angle = Math.atan2(yx, xx) / 2;
-        const along: Point = [Math.cos(angle), Math.sin(angle)];
-        const slide = x * along[0] + y * along[1];
+        const along = towards(angleOf([xx, yx]) / 2);
+        const slide = dot([x, y], along);
         const aside = cross(along, [x, y]) / 2;
-        const line = within(area, [-along[1] * aside, along[0] * aside], along);
+        const line = within(area, plus([0, 0], leftOf(along), aside), along);
         const name = key(along[0], along[1], aside);
         if (!line || axes.get(name)?.glide === false) continue;
         axes.set(name, {from: line[0], to: line[1], glide: Math.abs(slide) > tiny});

@@ -1,9 +1,10 @@
 /** The figure of the 17 groups: one leaf, repeated by each of them. */
-import type {Point} from '../../src/model/geometry.js';
+import {combined, middle, minus, plus, type Point} from '../../src/model/geometry.js';
 import {groupNames, type GroupName} from '../../src/model/print.js';
 import {
   apply,
   determinant,
+  latticeAround,
   latticeType,
   printElements,
   type LatticeType,
@@ -59,30 +60,25 @@ function panel(group: GroupName, corner: Point, side: number): string {
   const window: Window = {
     corner,
     size: [side, side],
-    middle: [(w1[0] + w2[0]) / 2, (w1[1] + w2[1]) / 2],
+    middle: middle(w1, w2),
     scale: side / seen,
   };
   const at = toPage(window);
   const [u, v, heading, size] = spots[group] ?? usual;
-  const mark = grown(leaf, [u * w1[0] + v * w2[0], u * w1[1] + v * w2[1]], heading, size);
+  const foot = combined([w1, w2], u, v);
+  const mark = grown(leaf, foot, heading, size);
   const data = mark.flatMap(({outlines}) => outlines.map(pathData)).join('');
-  const steps = [-4, -3, -2, -1, 0, 1, 2, 3, 4];
+  const shifts = latticeAround([w1, w2], 4);
   const copies = printElements(cell).flatMap((element) =>
-    steps.flatMap((i) =>
-      steps.flatMap((j) => {
-        const {xx, xy, yx, yy, shift} = element;
-        const to: Point = [shift[0] + i * w1[0] + j * w2[0], shift[1] + i * w1[1] + j * w2[1]];
-        const [x, y] = apply({...element, shift: to}, [
-          u * w1[0] + v * w2[0],
-          u * w1[1] + v * w2[1],
-        ]);
-        if (Math.max(Math.abs(x - window.middle[0]), Math.abs(y - window.middle[1])) > seen / 2 + 2)
-          return [];
-        const matrix = [xx, yx, xy, yy, ...to].map(short).join(' ');
-        const fill = determinant(element) > 0 ? '' : ` fill="${colours.mirrored}"`;
-        return [`<use href="#leaf-${group}" transform="matrix(${matrix})"${fill}/>`];
-      }),
-    ),
+    shifts.flatMap((vector) => {
+      const {xx, xy, yx, yy} = element;
+      const shift = plus(element.shift, vector);
+      const [x, y] = minus(apply({...element, shift}, foot), window.middle);
+      if (Math.max(Math.abs(x), Math.abs(y)) > seen / 2 + 2) return [];
+      const matrix = [xx, yx, xy, yy, ...shift].map(short).join(' ');
+      const fill = determinant(element) > 0 ? '' : ` fill="${colours.mirrored}"`;
+      return [`<use href="#leaf-${group}" transform="matrix(${matrix})"${fill}/>`];
+    }),
   );
   const [ox, oy] = at([0, 0]);
   const corners = cornersOf(cell);

@@ -1,6 +1,12 @@
 /** Compares a print with itself moved, on its pixels: what is a symmetry, and what is none. */
-import type {Point} from '../../src/model/geometry.js';
-import {imageCell, printElements, type PlaneMap} from '../../src/model/wallpaper.js';
+import {combined, cross, dot, type Point} from '../../src/model/geometry.js';
+import {
+  after,
+  imageCell,
+  latticeAround,
+  printElements,
+  type PlaneMap,
+} from '../../src/model/wallpaper.js';
 import {clothOf, type Cell, type Cloth, type Pixels} from '../../src/recognition/tile-cloth.js';
 import {imageSize} from './tile.js';
 
@@ -46,7 +52,7 @@ export function leastDifference(
   for (let up = 0; up < height; up++) {
     for (let right = 0; right < width; right++) {
       const [s, t] = [right / width, up / height];
-      if (!counts([s * a[0] + t * b[0], s * a[1] + t * b[1]])) continue;
+      if (!counts(combined([a, b], s, t))) continue;
       least = Math.min(least, difference(one, other, [right, up], least));
     }
   }
@@ -57,22 +63,11 @@ export function leastDifference(
 const alike = (one: PlaneMap, other: PlaneMap): boolean =>
   Math.hypot(one.xx - other.xx, one.xy - other.xy, one.yx - other.yx, one.yy - other.yy) < 1e-6;
 
-const times = (one: PlaneMap, other: PlaneMap): PlaneMap => ({
-  xx: one.xx * other.xx + one.xy * other.yx,
-  xy: one.xx * other.xy + one.xy * other.yy,
-  yx: one.yx * other.xx + one.yy * other.yx,
-  yy: one.yx * other.xy + one.yy * other.yy,
-  shift: [0, 0],
-});
-
 /** All turns and reflections that keep the lattice, as its lengths and angles are. The basis must be of shortest vectors. */
 function holohedry({w1, w2}: Cell): PlaneMap[] {
-  const area = w1[0] * w2[1] - w1[1] * w2[0];
-  const short = [-1, 0, 1].flatMap((i) =>
-    [-1, 0, 1].map((j): Point => [i * w1[0] + j * w2[0], i * w1[1] + j * w2[1]]),
-  );
+  const area = cross(w1, w2);
+  const short = latticeAround([w1, w2], 1);
   const same = (x: number, y: number): boolean => Math.abs(x - y) < 1e-6;
-  const dot = (u: Point, v: Point): number => u[0] * v[0] + u[1] * v[1];
   return short.flatMap((u) =>
     short
       .filter((v) => same(dot(u, u), dot(w1, w1)) && same(dot(v, v), dot(w2, w2)))
@@ -98,7 +93,7 @@ export function cosets(cell: Cell): PlaneMap[] {
   for (const map of holohedry(cell)) {
     if (covered.some((known) => alike(known, map))) continue;
     found.push(map);
-    covered.push(...own.map((element) => times(map, element)));
+    covered.push(...own.map((element) => after(map, element)));
   }
   return found;
 }

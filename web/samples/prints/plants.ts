@@ -102,7 +102,7 @@ export const bud = (ink: Ink = 'bloom', sepal: Ink = 'line'): Motif => [
 ];
 
 /** What grows from a stem: how far along it (0 to 1), at what angle to it, how large; a negative angle is to the right. */
-export type Shoot = readonly [motif: Motif, where: number, angle: number, size: number];
+type Shoot = readonly [motif: Motif, where: number, angle: number, size: number];
 
 /** A tapering stem through points, with what grows on it; what grows to the right is mirrored. */
 export function stem(

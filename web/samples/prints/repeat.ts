@@ -1,11 +1,12 @@
 /** How a maker names the repeat of a print: by the rectangle it is printed in. */
+import {norm} from '../../src/model/geometry.js';
 import {imageCell} from '../../src/model/wallpaper.js';
 import type {Cell} from './tile.js';
 
 /** Repeats shorter than this are those of a stripe along itself, where every length is one. [cm] */
 const shortest = 1;
 
-export const isStripe = ({w2}: Cell): boolean => Math.hypot(...w2) < shortest;
+export const isStripe = ({w2}: Cell): boolean => norm(w2) < shortest;
 
 const rounded = (cm: number): string => String(Number(cm.toFixed(2)));
 

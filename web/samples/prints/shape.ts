@@ -16,7 +16,7 @@ export interface Outline {
 }
 
 /** One printing block: areas of one ink. */
-export interface Shape {
+interface Shape {
   readonly ink: Ink;
   readonly outlines: readonly Outline[];
 }

@@ -1,5 +1,6 @@
 /** The contact sheet: every print over three cells and more in its colourways, one cell with its symmetry elements. */
-import type {Point} from '../../src/model/geometry.js';
+import {norm, plus, type Point} from '../../src/model/geometry.js';
+import {boxOf} from '../../src/model/polyline.js';
 import {escaped, polyline, short, text} from '../../src/picture/svg.js';
 import {pixelGrid} from '../../src/recognition/tile-cloth.js';
 import type {Design} from './design.js';
@@ -29,12 +30,7 @@ export const toPage =
   ];
 
 /** The corners of the cell of w1 and w2, counter-clockwise. */
-export const cornersOf = ({w1, w2}: Cell): Point[] => [
-  [0, 0],
-  w1,
-  [w1[0] + w2[0], w1[1] + w2[1]],
-  w2,
-];
+export const cornersOf = ({w1, w2}: Cell): Point[] => [[0, 0], w1, plus(w1, w2), w2];
 
 const paper = '#fbf9f5';
 export const inkColour = '#2b2d31';
@@ -128,9 +124,8 @@ const inset = 11;
 
 /** The windows of the three colourways: a large square, and right of it two small ones above each other, at the same scale. */
 function windowsOf(cell: Cell, [left, top]: Point, side: number, width: number): Window[] {
-  const corners = cornersOf(cell);
-  const [west, south] = [0, 1].map((k) => Math.min(...corners.map((p) => p[k] ?? 0)));
-  const scale = side / (3 * Math.max(Math.hypot(...cell.w1), Math.hypot(...cell.w2)));
+  const [west, south] = boxOf(cornersOf(cell)).low;
+  const scale = side / (3 * Math.max(norm(cell.w1), norm(cell.w2)));
   const small: Point = [width - side - pictureGap, (side - pictureGap) / 2];
   const frames: (readonly [Point, Point])[] = [
     [
@@ -144,10 +139,7 @@ function windowsOf(cell: Cell, [left, top]: Point, side: number, width: number):
     corner,
     size,
     scale,
-    middle: [
-      (west ?? 0) + (size[0] / 2 - inset) / scale,
-      (south ?? 0) + (size[1] / 2 - inset) / scale,
-    ],
+    middle: [west + (size[0] / 2 - inset) / scale, south + (size[1] / 2 - inset) / scale],
   }));
 }
 

@@ -1,6 +1,13 @@
 /** Builds one seamless cell of a print: the group's symmetries applied to motifs. */
-import type {Point} from '../../src/model/geometry.js';
-import {apply, imageCell, printElements, type PlaneMap} from '../../src/model/wallpaper.js';
+import {cross, norm, plus, type Point} from '../../src/model/geometry.js';
+import {boxOf} from '../../src/model/polyline.js';
+import {
+  apply,
+  imageCell,
+  latticeAround,
+  printElements,
+  type PlaneMap,
+} from '../../src/model/wallpaper.js';
 import type {Cell} from '../../src/recognition/tile-cloth.js';
 import type {Palette} from './palette.js';
 import type {Motif, Outline} from './shape.js';
@@ -41,13 +48,13 @@ export function pathData({start, sides}: Outline): string {
 /** The size of the image of one cell. [cm] */
 export function imageSize(cell: Cell): readonly [width: number, height: number] {
   const [a, b] = imageCell(cell);
-  return [Math.hypot(...a), Math.hypot(...b)];
+  return [norm(a), norm(b)];
 }
 
 /** From the print to the image of one cell, in which y runs down; a slanted cell is drawn upright. [cm] */
 function intoImage(cell: Cell): PlaneMap {
   const [a, b] = imageCell(cell);
-  const area = a[0] * b[1] - a[1] * b[0];
+  const area = cross(a, b);
   const [width, height] = imageSize(cell);
   return {
     xx: (b[1] / area) * width,
@@ -69,20 +76,15 @@ function copies(motif: Motif, cell: Cell): readonly PlaneMap[] {
   );
   const seen = (map: PlaneMap): boolean => {
     const all = hull.map((p) => apply(image, apply(map, p)));
-    const [xs, ys] = [all.map(([x]) => x), all.map(([, y]) => y)];
-    const across = Math.min(...xs) < width && Math.max(...xs) > 0;
-    return across && Math.min(...ys) < height && Math.max(...ys) > 0;
+    const {low, high} = boxOf(all);
+    return low[0] < width && high[0] > 0 && low[1] < height && high[1] > 0;
   };
-  const range = [-4, -3, -2, -1, 0, 1, 2, 3, 4];
+  const shifts = latticeAround([w1, w2], 4);
   return printElements(cell).flatMap((element) =>
-    range.flatMap((i) =>
-      range.flatMap((j) => {
-        const [x, y] = element.shift;
-        const shift: Point = [x + i * w1[0] + j * w2[0], y + i * w1[1] + j * w2[1]];
-        const copy = {...element, shift};
-        return seen(copy) ? [copy] : [];
-      }),
-    ),
+    shifts.flatMap((vector) => {
+      const copy = {...element, shift: plus(element.shift, vector)};
+      return seen(copy) ? [copy] : [];
+    }),
   );
 }
 

@@ -1,28 +1,16 @@
 /** The pieces of a solved design to cut along, as one file that stands alone. */
 import {decidedOf, printOf} from '../model/design.js';
 import {garmentTitle, panelMarks} from '../model/garment-marks.js';
+import {dataUrlOf} from '../recognition/data-url.js';
+import {fetchPicture} from '../recognition/tile.js';
 import type {Workbench} from '../editor/index.js';
 
 /** The picture of a cell as something a file may hold: SVG text, or a `data:` URL. */
 async function embedded(image: string): Promise<string> {
   if (image.startsWith('data:')) return image;
-  const response = await fetch(new URL(image, document.baseURI));
-  if (!response.ok) throw new Error(`The print's image ${image} cannot be read; try again.`);
-  const blob = await response.blob();
-  return blob.type.startsWith('image/svg') ? blob.text() : dataUrl(blob);
+  const blob = await fetchPicture(new URL(image, document.baseURI));
+  return blob.type.startsWith('image/svg') ? blob.text() : dataUrlOf(blob);
 }
-
-const dataUrl = (blob: Blob): Promise<string> =>
-  new Promise((resolve, reject) => {
-    const reader = new FileReader();
-    reader.onload = () => {
-      resolve(reader.result as string); // what readAsDataURL gives
-    };
-    reader.onerror = () => {
-      reject(new Error('The print’s image cannot be read; try again.'));
-    };
-    reader.readAsDataURL(blob);
-  });
 
 /** @throws {Error} when the print's image cannot be read; undefined before there is a result */
 export async function cuttingSvg(

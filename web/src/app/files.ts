@@ -29,7 +29,7 @@ export function saveFile(name: string, content: Blob | string, type = 'applicati
   }, 60_000);
 }
 
-export interface FileTaker {
+interface FileTaker {
   readonly take: (file: File) => void;
   /** A file is held over the page, or is not any more. */
   readonly hold: (isHeld: boolean) => void;

@@ -1,5 +1,6 @@
 /** What the page shows at first: the files that its address names, or the opening sample. */
 import {askingFor, type Design} from '../model/design.js';
+import {readPrintFile} from '../model/print-file.js';
 import {
   newDesign,
   opening,
@@ -49,13 +50,13 @@ export async function askedFor(address: URL, before: Design): Promise<Design | u
 /** The picture that a print file names is taken in, so that the design can be saved as a whole. */
 async function askedPrint(path: string, address: URL): Promise<Design['print']> {
   const file = await fetched(path, address);
-  const {readPrintFile} = await import('../editor/print/own-tile.js');
-  const print = await readPrintFile(file);
+  const {readPrint} = await import('../editor/print/own-tile.js');
+  const print = await readPrint(file);
   if (!path.endsWith('.json')) return print;
-  const {image} = JSON.parse(await file.text()) as {image?: string};
+  const {image} = readPrintFile(await file.text(), path);
   if (!image || image.startsWith('data:')) return print;
   const picture = new URL(image, new URL(path, address));
-  return {...print, image: (await readPrintFile(await fetched(picture.href, address))).image};
+  return {...print, image: (await readPrint(await fetched(picture.href, address))).image};
 }
 
 async function fetched(path: string, address: URL): Promise<File> {

@@ -8,7 +8,7 @@ import {saveFile} from './files.js';
 import type {Projects} from './projects/projects.js';
 
 /** What is saved of a workbench, under which name. */
-export interface Saved {
+interface Saved {
   readonly workbench: Workbench;
   readonly projects: Projects;
 }

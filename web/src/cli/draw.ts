@@ -1,8 +1,10 @@
 import {extname} from 'node:path';
 
 import {chosenNames, garmentTitle, panelMarks} from '../model/garment-marks.js';
+import {distance, norm} from '../model/geometry.js';
 import {titleOfFile} from '../model/piece-names.js';
-import {groupNames, type Print} from '../model/print.js';
+import type {Print} from '../model/print.js';
+import {readPrintFile} from '../model/print-file.js';
 import {fieldOf} from '../model/read.js';
 import type {SolveResult} from '../model/result.js';
 import {drawResult, type PictureOptions} from '../picture/draw-result.js';
@@ -36,7 +38,7 @@ export async function draw(words: readonly string[]): Promise<void> {
     throw new UsageError(`${out ?? ''} would hold SVG; name a file ending in .svg.`);
   }
   const result = asResult(parsed(await readText(resultFile, resultLimit), resultFile), resultFile);
-  const own = asPrint(parsed(textOf(await readPrint(printFile)), printFile), printFile);
+  const own = readPrintFile(textOf(await readPrint(printFile)), printFile);
   const cloth = colourway === undefined ? own : inColourway(own, colourway, printFile);
   if (!sameRepeat(result.print, cloth)) {
     throw new UsageError(
@@ -90,27 +92,8 @@ function parsed(text: string, path: string): unknown {
   }
 }
 
-const isObject = (value: unknown): value is Record<string, unknown> =>
-  typeof value === 'object' && value !== null;
-
-const isPoint = (value: unknown): boolean =>
-  Array.isArray(value) && value.length === 2 && value.every(Number.isFinite);
-
-function asPrint(value: unknown, path: string): Print {
-  const complete =
-    isObject(value) &&
-    groupNames.some((name) => name === value.group) &&
-    isPoint(value.w1) &&
-    isPoint(value.w2);
-  if (!complete)
-    throw new UsageError(`${path} is not a print file; give it the fields group, w1 and w2.`);
-  return value as unknown as Print;
-}
-
 /** The solver corrects a lattice that is within rounding of its type, so equal means nearly so. */
 function sameRepeat(one: SolveResult['print'], other: Print): boolean {
-  const close = (key: 'w1' | 'w2') =>
-    Math.hypot(one[key][0] - other[key][0], one[key][1] - other[key][1]) <
-    1e-5 * Math.hypot(...other[key]);
+  const close = (key: 'w1' | 'w2') => distance(one[key], other[key]) < 1e-5 * norm(other[key]);
   return one.group === other.group && close('w1') && close('w2');
 }

@@ -8,7 +8,7 @@ import {finalFit, fitOf, worstOf} from '../scene/mismatch.js';
 const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
 
 /** What was aligned, as far as a line of figures says something of it. */
-export interface Asked {
+interface Asked {
   readonly garment: GarmentDocument;
   readonly options: SolveOptions;
 }

@@ -8,7 +8,7 @@ import type {SolveResult} from '../model/result.js';
 import {designOf, readStoredDesign, writeStoredDesign} from '../model/stored-design.js';
 import type {Symmetries} from '../model/symmetries.js';
 
-export interface InputFile {
+interface InputFile {
   readonly path: string;
   readonly bytes: Uint8Array;
 }

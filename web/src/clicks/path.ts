@@ -1,12 +1,8 @@
 /** Lines through points, to measure along and to find the nearest point of. Lengths in cm. */
-import {crossesRay, distance, dot, minus, type Point} from '../model/geometry.js';
+import {between, distance, nearestShare, type Point} from '../model/geometry.js';
+import {boxOf, isInside, type Box} from '../model/polyline.js';
 
-export interface Box {
-  readonly low: Point;
-  readonly high: Point;
-}
-
-export interface Segment {
+interface Segment {
   readonly from: Point;
   readonly to: Point;
   /** Where on the path it begins. [cm] */
@@ -29,12 +25,6 @@ export interface PlaceOnPath {
   readonly along: number;
 }
 
-function boxOf(points: readonly Point[]): Box {
-  const xs = points.map(([x]) => x);
-  const ys = points.map(([, y]) => y);
-  return {low: [Math.min(...xs), Math.min(...ys)], high: [Math.max(...xs), Math.max(...ys)]};
-}
-
 export function pathThrough(points: readonly Point[]): Path {
   const segments: Segment[] = [];
   let length = 0;
@@ -54,19 +44,16 @@ export const pathRound = (loop: readonly Point[]): Path =>
 export const isNearBox = ({low, high}: Box, [x, y]: Point, reach: number): boolean =>
   x >= low[0] - reach && x <= high[0] + reach && y >= low[1] - reach && y <= high[1] + reach;
 
-const between = ({from, to}: Segment, share: number): Point =>
-  share >= 1
-    ? to // exactly, as the next segment has it
-    : [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])];
+const pointOn = ({from, to}: Segment, share: number): Point =>
+  share >= 1 ? to : between(from, to, share); // exactly, as the next segment has it
 
 /** The point of a path that is nearest to `p`, of several the first; nothing on a path without segments. */
 export function nearestOn({segments}: Path, p: Point): PlaceOnPath | undefined {
   let nearest: PlaceOnPath | undefined;
   for (const [k, segment] of segments.entries()) {
     const {from, to, start, length} = segment;
-    const along = dot(minus(p, from), minus(to, from));
-    const share = length > 0 ? Math.min(Math.max(along / length ** 2, 0), 1) : 0;
-    const point = between(segment, share);
+    const share = nearestShare(from, to, p);
+    const point = pointOn(segment, share);
     const far = distance(point, p);
     if (nearest && far >= nearest.distance) continue;
     nearest = {point, distance: far, segment: k, along: start + share * length};
@@ -84,9 +71,12 @@ export function placeAt(
   const segment = segments[k];
   if (!segment) return undefined;
   const share = segment.length > 0 ? (along - segment.start) / segment.length : 0;
-  return {point: between(segment, share), segment: k, along};
+  return {point: pointOn(segment, share), segment: k, along};
 }
 
 /** Whether a closed path goes round a point. */
 export const goesRound = ({segments}: Path, point: Point): boolean =>
-  segments.reduce((odd, {from, to}) => crossesRay(from, to, point) !== odd, false);
+  isInside(
+    segments.map(({from}) => from),
+    point,
+  );

@@ -1,10 +1,10 @@
 /** What clicks ask of a sheet again and again, worked out once. Lengths in cm. */
-import type {Point} from '../model/geometry.js';
+import {minus, radians, turnBetween, type Point} from '../model/geometry.js';
 import {pathRound, pathThrough, placeAt, type Path} from './path.js';
 import type {Sheet, SheetPiece, Side} from './sheet.js';
 
 /** A side of a seam, or an edge of the panel that is not sewn. */
-export type LineName =
+type LineName =
   | {readonly kind: 'seam'; readonly seam: number; readonly side: Side}
   | {readonly kind: 'edge'; readonly edge: number};
 
@@ -19,7 +19,7 @@ export interface Line {
 }
 
 /** All in the piece's own coordinates. */
-export interface PieceIndex {
+interface PieceIndex {
   readonly outline: Path;
   readonly holes: readonly Path[];
   /** In the order of the outline. */
@@ -36,7 +36,7 @@ export interface PickIndex {
 }
 
 /** An outline that turns by this much has a corner there. */
-const sharpTurn = (30 * Math.PI) / 180;
+const sharpTurn = radians(30);
 
 interface Run<T> {
   readonly key: T;
@@ -69,9 +69,7 @@ function sharpCorners({segments}: Path): readonly number[] {
   return segments.flatMap(({from, to}, k) => {
     const before = segments.at(k - 1);
     if (!before) return [];
-    const [ax, ay] = [before.to[0] - before.from[0], before.to[1] - before.from[1]];
-    const [bx, by] = [to[0] - from[0], to[1] - from[1]];
-    const turn = Math.atan2(ax * by - ay * bx, ax * bx + ay * by);
+    const turn = turnBetween(minus(before.to, before.from), minus(to, from));
     return Math.abs(turn) >= sharpTurn ? [k] : [];
   });
 }

@@ -11,7 +11,7 @@ export interface OnPiece {
   readonly point: Point;
 }
 
-export interface SeamTarget extends OnPiece {
+interface SeamTarget extends OnPiece {
   readonly kind: 'seam';
   readonly seam: number;
   readonly side: Side;
@@ -23,7 +23,7 @@ export interface SeamTarget extends OnPiece {
 }
 
 /** A line that is not sewn. */
-export interface EdgeTarget extends OnPiece {
+interface EdgeTarget extends OnPiece {
   readonly kind: 'edge';
   /** The panel's edge in the file. */
   readonly edge: number;
@@ -31,7 +31,7 @@ export interface EdgeTarget extends OnPiece {
 }
 
 /** The inside of a piece, which its cut-outs do not belong to. */
-export interface PieceTarget extends OnPiece {
+interface PieceTarget extends OnPiece {
   readonly kind: 'piece';
 }
 

@@ -2,6 +2,7 @@
 import type {Point} from '../model/geometry.js';
 import type {ResultPiece, ResultSeam} from '../model/result.js';
 import type {SheetPlace} from '../model/sheet-place.js';
+import {carried} from '../model/triangles.js';
 
 /** Points are in the piece's own coordinates, not in those of the sheet. */
 export interface SheetPiece
@@ -14,7 +15,7 @@ export interface SheetPiece
   readonly grain?: readonly [Point, Point];
 }
 
-export type SheetSeam = Pick<ResultSeam, 'a' | 'b'>;
+type SheetSeam = Pick<ResultSeam, 'a' | 'b'>;
 
 export type Side = keyof SheetSeam;
 
@@ -26,14 +27,6 @@ export interface Sheet {
   readonly pattern: {readonly pieces: readonly Pick<ResultPiece, 'rest' | 'mirroredFromInput'>[]};
 }
 
-/** Weights of a triangle's corners that make up a point; the least is negative outside of it. */
-function weightsIn([a, b, c]: readonly [Point, Point, Point], [x, y]: Point): readonly number[] {
-  const double = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-  const opposite = (p: Point, q: Point): number =>
-    ((p[0] - x) * (q[1] - y) - (q[0] - x) * (p[1] - y)) / double;
-  return [opposite(b, c), opposite(c, a), opposite(a, b)];
-}
-
 /**
  * A point of a piece, in the coordinates of the panel in the file. The sheet may show a deformed
  * piece: the point goes back with the triangle it lies in.
@@ -41,19 +34,6 @@ function weightsIn([a, b, c]: readonly [Point, Point, Point], [x, y]: Point): re
 export function inputPoint({pieces, pattern}: Sheet, piece: number, point: Point): Point {
   const {points = [], triangles = []} = pieces[piece] ?? {};
   const {rest = [], mirroredFromInput = false} = pattern.pieces[piece] ?? {};
-  const origin: Point = [0, 0];
-  let inmost = -Infinity;
-  let drafted = point;
-  for (const [i, j, k] of points === rest ? [] : triangles) {
-    const [a = origin, b = origin, c = origin] = [points[i], points[j], points[k]];
-    const weights = weightsIn([a, b, c], point);
-    const least = Math.min(...weights);
-    if (!(least > inmost)) continue;
-    inmost = least;
-    const corners = [rest[i], rest[j], rest[k]];
-    const mean = (axis: 0 | 1): number =>
-      weights.reduce((sum, weight, n) => sum + weight * (corners[n] ?? origin)[axis], 0);
-    drafted = [mean(0), mean(1)];
-  }
-  return [mirroredFromInput ? -drafted[0] : drafted[0], drafted[1]];
+  const [x, y] = points === rest ? point : carried(triangles, points, rest, point);
+  return [mirroredFromInput ? -x : x, y];
 }

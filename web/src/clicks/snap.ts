@@ -11,7 +11,7 @@ export interface Snapped {
   readonly snapped: (typeof marks)[number] | 'outline' | 'none';
 }
 
-export interface SnapOptions {
+interface SnapOptions {
   /** Those of the piece, in its own coordinates. */
   readonly notches?: readonly Point[];
 }

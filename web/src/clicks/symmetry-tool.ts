@@ -24,7 +24,7 @@ export interface MeasuredMirror {
   readonly mirrors: boolean;
 }
 
-export type Refusal =
+type Refusal =
   /** The second choice is on another piece than the first. */
   | 'otherPiece'
   /** The first line is chosen again. */
@@ -86,7 +86,7 @@ export type SymmetryEvent =
 export const outside: SymmetryState = {stage: 'outside', asked: 0};
 
 /** Two points of an axis are at least this far apart. [cm] */
-export const shortestAxis = 1;
+const shortestAxis = 1;
 
 type Active = Exclude<SymmetryState, {readonly stage: 'outside'}>;
 

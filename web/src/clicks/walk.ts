@@ -1,10 +1,10 @@
 /** A way round a sheet by keys: from piece to piece, into one's seams, and across a seam to its twin. */
+import type {Box} from '../model/polyline.js';
 import {ontoSheet} from '../model/sheet-place.js';
-import type {Box} from './path.js';
 import type {PickIndex} from './pick-index.js';
 import type {Side} from './sheet.js';
 
-export interface PiecePlace {
+interface PiecePlace {
   readonly level: 'piece';
   readonly piece: number;
 }

@@ -1,12 +1,13 @@
 /** One piece as it is cut, with all that a maker wants to find on it. Lengths in cm. */
 import type {PanelMarks} from '../model/garment-marks.js';
-import type {Alignment, Point} from '../model/geometry.js';
+import {between, plus, towards, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {ResultPiece} from '../model/result.js';
+import {carried} from '../model/triangles.js';
 import {grainLine, lineAt} from '../scene/grain-line.js';
 import {innermost, pick} from '../scene/marks.js';
 import {cutLine} from './cut-line.js';
-import {notchMark, shapePoint, type OutlineMark} from './follow.js';
+import {notchMark, type OutlineMark} from './follow.js';
 import {matchMarks} from './match-marks.js';
 import type {SeamLetter} from '../scene/seam-letters.js';
 
@@ -27,7 +28,7 @@ export interface CutPiece {
   readonly words: {readonly at: Point; readonly room: number};
 }
 
-export interface CutOptions {
+interface CutOptions {
   readonly allowanceCm: number;
   /** Cut from unprinted cloth. */
   readonly isPlain: boolean;
@@ -40,16 +41,10 @@ const grainSteps = 20;
 const markRoom = 1;
 
 const along = ([from, to]: readonly [Point, Point]): Point[] =>
-  Array.from({length: grainSteps + 1}, (_, k): Point => [
-    from[0] + (k / grainSteps) * (to[0] - from[0]),
-    from[1] + (k / grainSteps) * (to[1] - from[1]),
-  ]);
+  Array.from({length: grainSteps + 1}, (_, k) => between(from, to, k / grainSteps));
 
-const around = ([x, y]: Point): Point[] =>
-  [0, 1, 2, 3, 4, 5].map((k) => [
-    x + markRoom * Math.cos((k * Math.PI) / 3),
-    y + markRoom * Math.sin((k * Math.PI) / 3),
-  ]);
+const around = (p: Point): Point[] =>
+  [0, 1, 2, 3, 4, 5].map((k) => plus(p, towards((k * Math.PI) / 3), markRoom));
 
 export function cutPiece(
   piece: ResultPiece,
@@ -62,7 +57,8 @@ export function cutPiece(
   const holes = piece.holes.map((hole) => pick(shape, hole));
   // where nobody says how the grain runs, the length of the cloth does as the piece lies on the print
   const [foot, head] = grainLine(piece, marks) ?? lineAt(piece, alignment.angle + Math.PI / 2);
-  const grain = [shapePoint(piece, foot), shapePoint(piece, head)] as const;
+  const onShape = (p: Point): Point => carried(piece.triangles, piece.rest, shape, p);
+  const grain = [onShape(foot), onShape(head)] as const;
   const matches = isPlain ? [] : matchMarks(print, alignment, [outline, ...holes]);
   return {
     ...{name, alignment, matches, grain, letters},

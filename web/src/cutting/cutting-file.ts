@@ -15,7 +15,7 @@ import {escaped, short, text} from '../picture/svg.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
 import {drawCutPiece} from './draw-cut-piece.js';
 
-export interface CuttingMarks extends GarmentTitle {
+interface CuttingMarks extends GarmentTitle {
   readonly panels: ReadonlyMap<string, PanelMarks>;
 }
 

@@ -1,13 +1,12 @@
 /** Draws a piece to cut: cloth to the cut line, the line to sew along, marks and words. One unit is one millimetre. */
-import type {Point} from '../model/geometry.js';
+import {combined, minus, plus, rotated, unit, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {imageCell} from '../model/wallpaper.js';
-import {onPrint} from '../scene/mismatch.js';
 import {escaped, polyline, short, text} from '../picture/svg.js';
 import {textWidth} from '../layout/name-lines.js';
 import type {CutPiece} from './cut-piece.js';
 
-export interface CutStyle {
+interface CutStyle {
   /** The pattern that fills the piece; plain paper without one. */
   readonly cloth: string | undefined;
   /** Names the clip path of this piece. */
@@ -39,9 +38,7 @@ const closed = (loops: readonly (readonly Point[])[], page: (p: Point) => Point)
 
 /** Both ends have heads: the file says how the grain runs, not which end is up. */
 function grainArrow([from, to]: readonly [Point, Point]): string {
-  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-  const length = Math.hypot(dx, dy) || 1;
-  const [ux, uy] = [(dx / length) * arrow, (dy / length) * arrow];
+  const [ux, uy] = unit(minus(to, from)).map((side) => side * arrow) as [number, number];
   const head = ([x, y]: Point, sign: 1 | -1): string =>
     polyline([
       [x - sign * ux - uy / 2, y - sign * uy + ux / 2],
@@ -62,14 +59,9 @@ function notches({notches: marks}: CutPiece, {allowanceCm, page}: CutStyle): str
 
 /** One repeat of the print around a point, so that the place is found on the cloth. */
 function repeatAround(p: Point, piece: CutPiece, {print, page}: CutStyle): string {
-  const [a, b] = imageCell(print).map((side) =>
-    onPrint({angle: -piece.alignment.angle, translation: [0, 0]}, side),
-  );
+  const [a, b] = imageCell(print).map((side) => rotated(side, piece.alignment.angle));
   if (!a || !b) return '';
-  const corner = (s: number, t: number): Point => [
-    p[0] + s * a[0] + t * b[0],
-    p[1] + s * a[1] + t * b[1],
-  ];
+  const corner = (s: number, t: number): Point => plus(p, combined([a, b], s, t));
   const half = 1 / 2;
   const frame = [
     corner(-half, -half),

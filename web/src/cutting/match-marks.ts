@@ -1,8 +1,20 @@
 /** Places inside a piece that show the same point of the print, to lay paper on printed cloth by. Lengths in cm. */
-import {distance, type Alignment, type Point} from '../model/geometry.js';
+import {
+  between,
+  combined,
+  coordinates,
+  distance,
+  minus,
+  nearestShare,
+  norm,
+  onPiece,
+  onPrint,
+  plus,
+  type Alignment,
+  type Point,
+} from '../model/geometry.js';
+import {boxOf, isInside} from '../model/polyline.js';
 import type {Print} from '../model/print.js';
-import {onPrint} from '../scene/mismatch.js';
-import {isInside} from '../scene/marks.js';
 
 /** Marks may lie this near to the sewn outline. */
 const margin = 1.5;
@@ -20,48 +32,30 @@ function clearance(line: readonly Point[], p: Point): number {
   let nearest = Infinity;
   line.forEach((a, k) => {
     const b = line[(k + 1) % line.length] ?? a;
-    const [ex, ey] = [b[0] - a[0], b[1] - a[1]];
-    const along = ((p[0] - a[0]) * ex + (p[1] - a[1]) * ey) / (ex * ex + ey * ey || 1);
-    const t = Math.max(0, Math.min(1, along));
-    nearest = Math.min(nearest, distance(p, [a[0] + t * ex, a[1] + t * ey]));
+    nearest = Math.min(nearest, distance(p, between(a, b, nearestShare(a, b, p))));
   });
   return nearest;
 }
 
-const several = ([x, y]: Point): Point => {
-  const count = Math.ceil(least / Math.hypot(x, y));
-  return [count * x, count * y];
-};
+const several = (side: Point): Point => plus(side, side, Math.ceil(least / norm(side)) - 1);
 
 /** All points of the piece, clear of its lines, at which the print shows its point `motif`. */
 function placesOf(
   motif: Point,
-  [u, v]: readonly [Point, Point],
-  {angle, translation}: Alignment,
+  basis: readonly [Point, Point],
+  alignment: Alignment,
   loops: readonly (readonly Point[])[],
 ): readonly Point[] {
   const [outline = []] = loops;
-  const d = u[0] * v[1] - u[1] * v[0];
   // the piece's extent in whole repeats from the motif
-  const shares = outline.map((p): Point => {
-    const [x, y] = onPrint({angle, translation}, p);
-    const [dx, dy] = [x - motif[0], y - motif[1]];
-    return [(dx * v[1] - dy * v[0]) / d, (u[0] * dy - u[1] * dx) / d];
-  });
+  const shares = outline.map((p) => coordinates(basis, minus(onPrint(alignment, p), motif)));
   const range = (axis: 0 | 1): number[] => {
     const values = shares.map((share) => share[axis]);
     const low = Math.ceil(Math.min(...values));
     return Array.from({length: Math.floor(Math.max(...values)) - low + 1}, (_, k) => low + k);
   };
-  const back = {angle: -angle, translation: [0, 0]} as const;
   return range(0)
-    .flatMap((i) =>
-      range(1).map((j): Point => {
-        const w: Point = [motif[0] + i * u[0] + j * v[0], motif[1] + i * u[1] + j * v[1]];
-        const [x, y] = onPrint(back, w);
-        return [x + translation[0], y + translation[1]];
-      }),
-    )
+    .flatMap((i) => range(1).map((j) => onPiece(alignment, plus(motif, combined(basis, i, j)))))
     .filter((p) => loops.every((loop, k) => isInside(loop, p) === (k === 0)))
     .filter((p) => loops.every((loop) => clearance(loop, p) >= margin));
 }
@@ -87,9 +81,8 @@ const spread = (marks: readonly Point[]): number =>
     : Math.min(...marks.flatMap((p, k) => marks.slice(k + 1).map((q) => distance(p, q))));
 
 function diagonal(points: readonly Point[]): number {
-  const xs = points.map(([x]) => x);
-  const ys = points.map(([, y]) => y);
-  return Math.hypot(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
+  const {low, high} = boxOf(points);
+  return distance(low, high);
 }
 
 /**
@@ -107,8 +100,7 @@ export function matchMarks(
   const wide = enough * diagonal(loops[0] ?? []);
   let best: readonly Point[] = [];
   for (let k = 0; k < parts * parts; k++) {
-    const [s, t] = [Math.floor(k / parts) / parts, (k % parts) / parts];
-    const motif: Point = [s * w1[0] + t * w2[0], s * w1[1] + t * w2[1]];
+    const motif = combined([w1, w2], Math.floor(k / parts) / parts, (k % parts) / parts);
     const marks = farApart(placesOf(motif, basis, alignment, loops));
     if (marks.length >= (k === 0 ? 2 : 3) && spread(marks) >= wide) return marks;
     if ((marks.length - best.length || spread(marks) - spread(best)) > 0) best = marks;

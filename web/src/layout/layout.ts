@@ -1,5 +1,6 @@
 /** Where pieces lie on a sheet: as on the body where the garment tells, else on shelves. Lengths in cm, y up. */
-import type {Point} from '../model/geometry.js';
+import {minus, type Point} from '../model/geometry.js';
+import {boxOf} from '../model/polyline.js';
 import type {Pattern} from '../model/result.js';
 import type {SheetPlace} from '../model/sheet-place.js';
 import {shelves, type Block} from './blocks.js';
@@ -13,14 +14,14 @@ export interface Layout {
   readonly height: number;
 }
 
-interface Box {
+interface PieceBox {
   readonly low: Point;
   readonly width: number;
   readonly height: number;
 }
 
 /** Room between pieces, and for the name of each. */
-export interface Spacing {
+interface Spacing {
   readonly gap: number;
   /** Below a piece, by its number and width. */
   readonly below: (piece: number, width: number) => number;
@@ -28,17 +29,15 @@ export interface Spacing {
   readonly least: (piece: number) => number;
 }
 
-function boxesOf({pieces}: Pattern): readonly Box[] {
+function boxesOf({pieces}: Pattern): readonly PieceBox[] {
   return pieces.map(({rest, outline}) => {
-    const points = outline.flatMap((v) => rest.slice(v, v + 1));
-    const xs = points.map(([x]) => x);
-    const ys = points.map(([, y]) => y);
-    const low: Point = [Math.min(...xs), Math.min(...ys)];
-    return {low, width: Math.max(...xs) - low[0], height: Math.max(...ys) - low[1]};
+    const {low, high} = boxOf(outline.flatMap((v) => rest.slice(v, v + 1)));
+    const [width, height] = minus(high, low);
+    return {low, width, height};
   });
 }
 
-function cellsOf(boxes: readonly Box[], spacing: Spacing): readonly Block[] {
+function cellsOf(boxes: readonly PieceBox[], spacing: Spacing): readonly Block[] {
   return boxes.map(({width, height}, piece) => {
     const room = Math.max(width, spacing.least(piece));
     return {
@@ -77,9 +76,9 @@ function onShelves({pieces}: Pattern, cells: readonly Block[], gap: number): Arr
   }));
 }
 
-export interface LayoutChoice {
+interface LayoutChoice {
   /** Known already. */
-  readonly boxes?: readonly Box[];
+  readonly boxes?: readonly PieceBox[];
   /** On shelves, which take the least room, also where placements are known. */
   readonly isPacked?: boolean;
 }
@@ -116,7 +115,7 @@ export function layOut(
 }
 
 /** A page to lay pieces out on; its lengths are pixels, and names keep their size whatever the scale. */
-export interface LayoutPage {
+interface LayoutPage {
   readonly width: number;
   readonly height: number;
   /** The page may become higher or lower than `height`, which then only gives its proportions. */

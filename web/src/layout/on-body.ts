@@ -1,6 +1,6 @@
 /** Pieces arranged as they hang on the body: by where a garment file places them in space. Lengths in cm. */
 import type {Placement} from '../model/garment-document.js';
-import type {Point} from '../model/geometry.js';
+import {radians, rotated, type Point} from '../model/geometry.js';
 import type {Pattern, ResultPiece} from '../model/result.js';
 import {below, beside, shelves, type Block} from './blocks.js';
 
@@ -38,10 +38,7 @@ const greatestPart = 0.35;
 
 /** A vector turned about the fixed axes x, y, z in this order. [degrees] */
 export function turned([x, y, z]: Vector, [rx, ry, rz]: Vector): Vector {
-  const about = (angle: number, a: number, b: number): Point => {
-    const [c, s] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)];
-    return [c * a - s * b, s * a + c * b];
-  };
+  const about = (angle: number, a: number, b: number): Point => rotated([a, b], radians(angle));
   const [y1, z1] = about(rx, y, z);
   const [z2, x2] = about(ry, z1, x);
   const [x3, y3] = about(rz, x2, y1);

@@ -1,5 +1,7 @@
 /** Text made small enough to travel in an address: deflated, in letters that addresses allow. */
 
+import {partsOf} from './fetched.js';
+
 /** What is no such text, or unfolds to more than it may. */
 export class Inflated extends Error {
   override readonly name = 'Inflated';
@@ -19,27 +21,17 @@ export async function inflated(letters: string, most: number): Promise<string> {
   const stream = new Blob([bytesOf(letters)])
     .stream()
     .pipeThrough(new DecompressionStream('deflate-raw'));
-  const decoder = new TextDecoder('utf-8', {fatal: true});
-  const reader = stream.getReader();
-  let text = '';
-  let length = 0;
   try {
-    for (;;) {
-      const {done, value} = await reader.read();
-      if (done) return text + decoder.decode();
-      length += value.length;
-      if (length > most) throw new Inflated(`more than ${most} bytes`);
-      text += decoder.decode(value, {stream: true});
-    }
+    const parts = await partsOf(stream, most);
+    if (!parts) throw new Inflated(`more than ${most} bytes`);
+    const bytes = await new Blob(parts).arrayBuffer();
+    return new TextDecoder('utf-8', {fatal: true}).decode(bytes);
   } catch (cause) {
     throw new Inflated('not a deflated text', {cause});
-  } finally {
-    // whatever is still to come is not wanted, and may be broken
-    await reader.cancel().catch(() => undefined);
   }
 }
 
-export function base64url(bytes: Uint8Array): string {
+function base64url(bytes: Uint8Array): string {
   const letters = Array.from(bytes, (byte) => String.fromCodePoint(byte)).join('');
   return btoa(letters).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }

@@ -1,10 +1,8 @@
 /** The angles that a piece may have on its cloth. */
 import type {Design} from './design.js';
-import type {Point} from './geometry.js';
-import {isAllowed, wrapped, type AngleRule} from './mirror-lines.js';
+import {angleOf, minus, radians, wrapped, type Point} from './geometry.js';
+import {isAllowed, type AngleRule} from './mirror-lines.js';
 import type {GrainLock} from './options.js';
-
-const radians = Math.PI / 180;
 
 /** Files that give no grain line mean this one. */
 const upright: readonly [Point, Point] = [
@@ -35,17 +33,16 @@ export function grainRule(
   const {lock = all, angleDeg} = own;
   if (lock === 'free' && !print.oneWay) return undefined;
   const room = lock === 'free' ? mostOffUpright : (own.toleranceDeg ?? toleranceDeg);
-  const drawn = Math.atan2(to[1] - from[1], to[0] - from[0]);
-  const line = angleDeg === undefined ? drawn : angleDeg * radians;
+  const line = angleDeg === undefined ? angleOf(minus(to, from)) : radians(angleDeg);
   // the grain line runs along +y of the print, the length of the cloth
-  const angles = offsets[lock].map((degrees) => line - Math.PI / 2 + degrees * radians);
+  const angles = offsets[lock].map((degrees) => line - Math.PI / 2 + radians(degrees));
   const turned = print.oneWay || lock === 'across' ? [] : angles.map((angle) => angle + Math.PI);
-  return {angles: [...angles, ...turned], tolerance: room * radians};
+  return {angles: [...angles, ...turned], tolerance: radians(room)};
 }
 
 /** The angle that a turn by so many degrees leads to: where the rule forbids it, the next one in that sense. [rad] */
 export function angleAfter(rule: AngleRule | undefined, from: number, degrees: number): number {
-  const wanted = from + degrees * radians;
+  const wanted = from + radians(degrees);
   if (!rule || isAllowed(wanted, rule)) return wanted;
   const sense = Math.sign(degrees);
   const ways = rule.angles.map((angle) => {

@@ -8,7 +8,7 @@ export type LockablePattern = Pick<MeshedPattern, 'symmetries'> & {
 };
 
 /** What of one piece stays as drafted. */
-export interface KeptParts {
+interface KeptParts {
   readonly whole: boolean;
   /** Numbers of edges in the garment file: all of them when the whole piece stays. */
   readonly edges: ReadonlySet<number>;

@@ -1,7 +1,7 @@
 /** How two pieces lie on a print as each other's mirror image. */
-import {rotated, type Alignment, type Point} from './geometry.js';
-import {mirrored, mirrorLines, reduced, wrapped, type AngleRule} from './mirror-lines.js';
-import type {PlaneMap, Repeat} from './wallpaper.js';
+import {angleOf, minus, norm, plus, rotated, wrapped, type Alignment} from './geometry.js';
+import {mirrored, mirrorLines, type AngleRule} from './mirror-lines.js';
+import {reduced, type PlaneMap, type Repeat} from './wallpaper.js';
 
 /** The other way round: from the second piece of a pair to the first. */
 export function inverse({angle, translation: [x, y]}: Alignment): Alignment {
@@ -10,7 +10,7 @@ export function inverse({angle, translation: [x, y]}: Alignment): Alignment {
 }
 
 function imageBy(map: Alignment, first: Alignment, element: PlaneMap): Alignment {
-  const turn = Math.atan2(element.yx, element.xx);
+  const turn = angleOf([element.xx, element.yx]);
   const angle = wrapped(map.angle - first.angle - turn - Math.PI);
   const [x, y] = rotated([0 - first.translation[0], first.translation[1]], map.angle);
   const [ax, ay] = rotated(element.shift, angle);
@@ -35,14 +35,8 @@ export function mirrorAlignment(
     .sort((one, other) => one.turn - other.turn);
   if (!nearest) return undefined;
   const {angle, translation} = nearest.image;
-  const [dx, dy] = rotated(
-    reduced(
-      repeat,
-      rotated([translation[0] - like.translation[0], translation[1] - like.translation[1]], -angle),
-    ),
-    angle,
-  );
-  return {angle, translation: [like.translation[0] + dx, like.translation[1] + dy]};
+  const off = rotated(minus(translation, like.translation), -angle);
+  return {angle, translation: plus(like.translation, rotated(reduced(repeat, off), angle))};
 }
 
 /** As exact as the solver asks for. [cm, over pieces of 10 cm] */
@@ -57,13 +51,10 @@ export function mirrors(
 ): boolean {
   return mirrored(repeat).some((element) => {
     const {angle, translation} = imageBy(map, first, element);
-    const off: Point = [
-      second.translation[0] - translation[0],
-      second.translation[1] - translation[1],
-    ];
+    const off = minus(second.translation, translation);
     return (
       Math.abs(wrapped(second.angle - angle)) < exact / 10 &&
-      Math.hypot(...reduced(repeat, rotated(off, -angle))) < exact / 2
+      norm(reduced(repeat, rotated(off, -angle))) < exact / 2
     );
   });
 }
@@ -81,8 +72,8 @@ export function turnToGrain(
   if (!first || !second) return 0;
   // R(turn) diag(1, -1) is what turns the print over
   const overs = isSingle
-    ? mirrorLines(repeat).map(({along}) => 2 * Math.atan2(along[1], along[0]))
-    : mirrored(repeat).map(({xx, yx}) => Math.atan2(yx, xx));
+    ? mirrorLines(repeat).map(({along}) => 2 * angleOf(along))
+    : mirrored(repeat).map(({xx, yx}) => angleOf([xx, yx]));
   const turns = overs.flatMap((over) =>
     first.angles.flatMap((angle, k) =>
       (isSingle ? first.angles.slice(k, k + 1) : second.angles).map(

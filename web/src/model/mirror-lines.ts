@@ -1,9 +1,32 @@
 /** Where a symmetric piece may lie on a print: with its axis on one of the print's mirror lines. */
-import {cross, dot, minus, rotated, type Alignment, type Point} from './geometry.js';
-import {determinant, printElements, reducedBasis, type PlaneMap, type Repeat} from './wallpaper.js';
+import {
+  angleOf,
+  cross,
+  dot,
+  leftOf,
+  lyingOn,
+  middle,
+  minus,
+  norm,
+  onPrint,
+  plus,
+  towards,
+  wrapped,
+  type Alignment,
+  type Point,
+} from './geometry.js';
+import {
+  determinant,
+  printElements,
+  latticeAround,
+  reduced,
+  reducedBasis,
+  type PlaneMap,
+  type Repeat,
+} from './wallpaper.js';
 
 /** Parallel mirror lines of a print, at equal distances; glide lines are none. Points of the print. */
-export interface MirrorLines {
+interface MirrorLines {
   /** Of length 1. */
   readonly along: Point;
   /** Where one of them lies along the normal (-y, x) of `along`. [cm] */
@@ -19,60 +42,25 @@ const tolerance = 1e-4;
 /** Lattice vectors along the axes of a reduced basis have no greater coordinates. */
 const reach = 3;
 
-const normalOf = ([x, y]: Point): Point => [0 - y, x];
-
-/** To (-pi, pi]. */
-export function wrapped(angle: number): number {
-  const turn = angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
-  return turn <= -Math.PI ? turn + 2 * Math.PI : turn;
-}
-
-/** The point of the print that lies under a point of a piece. */
-const printPoint = ({angle, translation}: Alignment, [x, y]: Point): Point =>
-  rotated(minus([x, y], translation), -angle);
-
-/** The alignment of this angle under which a point of the piece lies on a point of the print. */
-function lyingOn(angle: number, [x, y]: Point, print: Point): Alignment {
-  const [dx, dy] = rotated(print, angle);
-  return {angle: wrapped(angle), translation: [x - dx, y - dy]};
-}
-
-/** Lattice vectors around the origin. */
-function latticeVectors({w1, w2}: Repeat): readonly Point[] {
-  const [a, b] = reducedBasis(w1, w2);
-  const steps = Array.from({length: 2 * reach + 1}, (_, k) => k - reach);
-  return steps.flatMap((i) => steps.map((j): Point => [i * a[0] + j * b[0], i * a[1] + j * b[1]]));
-}
-
-/** What is left of a vector when whole repeats are taken away. */
-export function reduced({w1, w2}: Repeat, [x, y]: Point): Point {
-  const [a, b] = reducedBasis(w1, w2);
-  const d = a[0] * b[1] - a[1] * b[0];
-  const i = Math.round((x * b[1] - y * b[0]) / d);
-  const j = Math.round((a[0] * y - a[1] * x) / d);
-  return [x - i * a[0] - j * b[0], y - i * a[1] - j * b[1]];
-}
-
 export function mirrorLines(repeat: Repeat): readonly MirrorLines[] {
-  const vectors = latticeVectors(repeat);
   const [a, b] = reducedBasis(repeat.w1, repeat.w2);
-  const near = tolerance * Math.hypot(...a);
+  const vectors = latticeAround([a, b], reach);
+  const near = tolerance * norm(a);
   const area = Math.abs(cross(a, b));
   const shortest = (along: Point): number =>
     Math.min(
       ...vectors
-        .filter((vector) => Math.abs(dot(vector, normalOf(along))) < near)
+        .filter((vector) => Math.abs(dot(vector, leftOf(along))) < near)
         .map((vector) => Math.abs(dot(vector, along)))
         .filter((length) => length > near),
     );
   return mirrored(repeat).flatMap(({xx, xy, yx, yy, shift}): MirrorLines[] => {
-    const angle = Math.atan2(yx + xy, xx - yy) / 2;
-    const along: Point = [Math.cos(angle), Math.sin(angle)];
-    const normal = normalOf(along);
+    const along = towards(angleOf([xx - yy, yx + xy]) / 2);
+    const normal = leftOf(along);
     const rest = reduced(repeat, shift);
     // a mirror has no part along its axis; else it is a glide, with every lattice vector
     const whole = vectors
-      .map(([x, y]): Point => [rest[0] + x, rest[1] + y])
+      .map((vector) => plus(rest, vector))
       .find((sum) => Math.abs(dot(sum, along)) < near);
     if (!whole) return [];
     const spacing = shortest(normal) / 2;
@@ -94,7 +82,7 @@ export const isAllowed = (angle: number, rule: AngleRule | undefined): boolean =
   !rule || rule.angles.some((one) => Math.abs(wrapped(angle - one)) <= rule.tolerance + 1e-6);
 
 /** A way for a symmetric piece to lie: its axis on any of these lines, at this angle. */
-export interface MirrorPlace extends MirrorLines {
+interface MirrorPlace extends MirrorLines {
   readonly angle: number;
 }
 
@@ -102,24 +90,19 @@ export interface MirrorPlace extends MirrorLines {
 const axisAngle = (map: Alignment): number => (map.angle - Math.PI) / 2;
 
 /** The point of the axis of p' = R F p + t that is nearest to a point. */
-export function footOnAxis(map: Alignment, [x, y]: Point): Point {
-  const along: Point = [Math.cos(axisAngle(map)), Math.sin(axisAngle(map))];
-  const [ax, ay] = [map.translation[0] / 2, map.translation[1] / 2];
-  const way = dot([x - ax, y - ay], along);
-  return [ax + way * along[0], ay + way * along[1]];
+export function footOnAxis(map: Alignment, p: Point): Point {
+  const along = towards(axisAngle(map));
+  const onAxis = middle([0, 0], map.translation);
+  return plus(onAxis, along, dot(minus(p, onAxis), along));
 }
 
 /** All ways for a piece with this reflection to lie; none on a print without mirrors. */
-export function mirrorPlaces(
-  repeat: Repeat,
-  map: Alignment,
-  rule?: AngleRule,
-): readonly MirrorPlace[] {
+function mirrorPlaces(repeat: Repeat, map: Alignment, rule?: AngleRule): readonly MirrorPlace[] {
   return mirrorLines(repeat)
     .flatMap((lines) => [lines, {...lines, ...turnedRound(lines)}])
     .map((lines) => ({
       ...lines,
-      angle: wrapped(axisAngle(map) - Math.atan2(lines.along[1], lines.along[0])),
+      angle: wrapped(axisAngle(map) - angleOf(lines.along)),
     }))
     .filter(({angle}) => isAllowed(angle, rule));
 }
@@ -135,10 +118,10 @@ function ontoLine(
   {along, offset, spacing}: MirrorLines,
   point: Point,
 ): {readonly at: Point; readonly shift: number} {
-  const normal = normalOf(along);
+  const normal = leftOf(along);
   const off = dot(point, normal) - offset;
   const shift = off - spacing * Math.round(off / spacing);
-  return {at: [point[0] - shift * normal[0], point[1] - shift * normal[1]], shift: Math.abs(shift)};
+  return {at: plus(point, normal, -shift), shift: Math.abs(shift)};
 }
 
 /**
@@ -155,7 +138,7 @@ export function nearestMirrored(
   rule?: AngleRule,
 ): Alignment | undefined {
   const foot = footOnAxis(map, about);
-  const point = printPoint(wanted, foot);
+  const point = onPrint(wanted, foot);
   let best: {readonly turn: number; readonly shift: number; readonly at: Alignment} | undefined;
   for (const place of mirrorPlaces(repeat, map, rule)) {
     const turn = Math.abs(wrapped(place.angle - wanted.angle));
@@ -184,12 +167,12 @@ export function nextMirrored(
   const next = angles.sort((one, other) => turn(one) - turn(other))[0];
   if (next === undefined) return undefined;
   const foot = footOnAxis(map, about);
-  const wanted = lyingOn(next, foot, printPoint(from, foot));
+  const wanted = lyingOn(next, foot, onPrint(from, foot));
   return nearestMirrored(repeat, map, wanted, about);
 }
 
 /** The line of the print on which the axis of a symmetric piece lies. */
-export interface AxisLine {
+interface AxisLine {
   /** Of the axis, in the piece's coordinates; of length 1. */
   readonly along: Point;
   /** To the next line on which the axis could lie. [cm] */
@@ -207,13 +190,13 @@ export function axisLine(
   const axis = axisAngle(map);
   const angle = axis - alignment.angle;
   const lines = mirrorLines(repeat).find(
-    ({along}) => Math.abs(Math.sin(Math.atan2(along[1], along[0]) - angle)) < 1e-6,
+    ({along}) => Math.abs(Math.sin(angleOf(along) - angle)) < 1e-6,
   );
   if (!lines) return undefined;
   const {spacing, motifs} = lines;
-  const off = dot(printPoint(alignment, footOnAxis(map, [0, 0])), normalOf(lines.along)) / motifs;
+  const off = dot(onPrint(alignment, footOnAxis(map, [0, 0])), leftOf(lines.along)) / motifs;
   return {
-    along: [Math.cos(axis), Math.sin(axis)],
+    along: towards(axis),
     spacing,
     isOnMotif: Math.abs(off - Math.round(off)) * motifs < 1e-3,
   };

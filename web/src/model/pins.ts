@@ -13,7 +13,7 @@ export interface Mirroring {
   readonly map: Alignment;
 }
 
-export type Pins = NonNullable<SolveOptions['pins']>;
+type Pins = NonNullable<SolveOptions['pins']>;
 
 /** What is to be known of a piece besides its symmetries. */
 export interface PieceFacts {

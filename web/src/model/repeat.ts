@@ -1,5 +1,15 @@
 /** A repeat as a maker measures it, and the lattice that it stands for. */
-import {rotated, type Point} from './geometry.js';
+import {
+  angleOf,
+  degrees,
+  minus,
+  norm,
+  plus,
+  radians,
+  rotated,
+  turnBetween,
+  type Point,
+} from './geometry.js';
 import {groupNames, type GroupName, type PrintCell} from './print.js';
 import {latticeType, type CellOf} from './wallpaper.js';
 
@@ -15,8 +25,6 @@ export interface RepeatSize {
 }
 
 const root3 = Math.sqrt(3);
-const radians = (degrees: number): number => (degrees * Math.PI) / 180;
-const degrees = (angle: number): number => (angle * 180) / Math.PI;
 
 /** w1, w2 of a group's lattice, the whole print turned counter-clockwise. [cm] */
 export function latticeVectors(
@@ -71,19 +79,14 @@ export function repeatOf({group, w1, w2, cell}: CellOf): {
   const type = latticeType(group);
   const [across, up] =
     type === 'rhombic' || (type === 'oblique' && cell === 'centred')
-      ? [
-          [w1[0] + w2[0], w1[1] + w2[1]],
-          [w2[0] - w1[0], w2[1] - w1[1]],
-        ]
+      ? ([plus(w1, w2), minus(w2, w1)] as const)
       : [w1, w2];
-  const [ax = 0, ay = 0] = across;
-  const [bx = 0, by = 0] = up;
   const size = {
-    width: Math.hypot(ax, ay),
-    height: Math.hypot(bx, by),
-    angleDeg: degrees(Math.atan2(ax * by - ay * bx, ax * bx + ay * by)),
+    width: norm(across),
+    height: norm(up),
+    angleDeg: degrees(turnBetween(across, up)),
   };
-  const turnDeg = degrees(Math.atan2(ay, ax));
+  const turnDeg = degrees(angleOf(across));
   return {size: coupledSize(group, size), turnDeg: turnDeg <= -180 ? 180 : turnDeg + 0};
 }
 

@@ -9,19 +9,9 @@ import {
   seed,
 } from './design-reader.js';
 import type {Alignment, Point} from './geometry.js';
-import {colourwayOf, groupNames, type Print} from './print.js';
-import {
-  fail,
-  listOf,
-  Malformed,
-  number,
-  oneOf,
-  pairOf,
-  recordOf,
-  shape,
-  text,
-  type Read,
-} from './read.js';
+import {colourwayOf, type Print} from './print.js';
+import {readPrintFile} from './print-file.js';
+import {fail, recordOf, shape, text, type Read} from './read.js';
 import {latticeVectors, repeatOf} from './repeat.js';
 import {resultText, sha256Of} from './result-text.js';
 import type {SolveResult} from './result.js';
@@ -142,17 +132,6 @@ export function changesOf(
   };
 }
 
-const length = number(-10_000, 10_000);
-const printFields: Read<Print> = shape(
-  {group: oneOf(groupNames), w1: pairOf(length), w2: pairOf(length)},
-  {
-    image: text(),
-    colourways: listOf(shape({name: text(), image: text()})),
-    oneWay: repeatFields.oneWay,
-    cell: repeatFields.cell,
-  },
-);
-
 /** Browsers differ in the last digit of a sine, and must not in that of a result. [cm] */
 const settled = ([x, y]: Point): Point => [
   Math.round(x * 1e9) / 1e9 + 0,
@@ -161,7 +140,7 @@ const settled = ([x, y]: Point): Point => [
 
 /** The print of a design, as its file and the changes make it. @throws {FileError} naming the print's file */
 export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: string): Print {
-  const file = printFile(content, print.url);
+  const file = readPrintFile(content, print.url);
   const {colourway, group = file.group, size, turnDeg, oneWay, cell} = print;
   const worn = colourway === undefined ? undefined : colourwayOf(file, colourway);
   if (colourway !== undefined && !worn) {
@@ -181,17 +160,6 @@ export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: stri
 
 const hasNewLattice = ({group, size, turnDeg}: PrintChanges): boolean =>
   group !== undefined || size !== undefined || turnDeg !== undefined;
-
-function printFile(content: string, called: string): Print {
-  try {
-    const file: unknown = JSON.parse(content);
-    return {...(file as object), ...printFields(file, '')};
-  } catch (cause) {
-    if (!(cause instanceof Malformed || cause instanceof SyntaxError)) throw cause;
-    const what = cause instanceof Malformed ? cause.message : 'it is not JSON';
-    throw new FileError(called, `is no print file: ${what}; correct it.`, {cause});
-  }
-}
 
 /** The same as the solver takes it: its file's very text where nothing of it was changed. @throws {FileError} */
 export function printTextOf(design: Pick<FiledDesign, 'print'>, content: string): Print | string {

@@ -18,7 +18,7 @@ function numberFormat(locale: string, options: Intl.NumberFormatOptions): Intl.N
 const formatted = (locale: string, value: number, options: Intl.NumberFormatOptions): string =>
   numberFormat(locale, {signDisplay: 'negative', ...options}).format(value);
 
-export interface LengthStyle {
+interface LengthStyle {
   /** For what is small: millimetres, or inches to the thousandth. */
   readonly fine?: boolean;
 }

@@ -1,6 +1,6 @@
 /** The 17 wallpaper groups: their symmetries on a given lattice, and the distance between points modulo them. */
 import {groupTable} from './core-tables.js';
-import type {Point} from './geometry.js';
+import {combined, coordinates, cross, dot, minus, norm, plus, type Point} from './geometry.js';
 import type {GroupName, Print} from './print.js';
 
 /** What a group asks of w1, w2: nothing, a right angle, equal lengths, both, or equal lengths at 60 degrees. */
@@ -35,7 +35,7 @@ const map = (xx: number, xy: number, yx: number, yy: number, x = 0, y = 0): Plan
 export const latticeType = (group: GroupName): LatticeType => groupTable[group][0];
 
 /** First `inner`, then `outer`. */
-function after(outer: PlaneMap, inner: PlaneMap): PlaneMap {
+export function after(outer: PlaneMap, inner: PlaneMap): PlaneMap {
   const [x, y] = apply(outer, inner.shift);
   return map(
     outer.xx * inner.xx + outer.xy * inner.yx,
@@ -93,14 +93,13 @@ export function joining(repeat: Repeat, continuousOnly = false): Repeat {
 /** The cell an image of the print shows, from its lower left corner: to the right, and up. [cm] */
 export function imageCell({group, w1, w2, cell}: CellOf): readonly [Point, Point] {
   if (cell === 'rectangular' && latticeType(group) === 'hexagonal') {
-    return [w1, [2 * w2[0] - w1[0], 2 * w2[1] - w1[1]]];
+    return [w1, combined([w1, w2], -1, 2)];
   }
   const holdsTwo =
     cell === 'centred' || (cell === 'rectangular' && latticeType(group) === 'rhombic');
   if (!holdsTwo) return [w1, w2];
-  const sum: Point = [w1[0] + w2[0], w1[1] + w2[1]];
   // w1 - w2 lies to the right of w1 + w2 when w1, w2 are right-handed
-  return [sum, [w2[0] - w1[0], w2[1] - w1[1]]];
+  return [plus(w1, w2), minus(w2, w1)];
 }
 
 /** A basis of the same lattice with the shortest vectors (Lagrange). */
@@ -108,20 +107,36 @@ export function reducedBasis(w1: Point, w2: Point): readonly [Point, Point] {
   let a = w1;
   let b = w2;
   for (;;) {
-    if (Math.hypot(...a) > Math.hypot(...b)) [a, b] = [b, a];
-    const q = Math.round((a[0] * b[0] + a[1] * b[1]) / (a[0] * a[0] + a[1] * a[1]));
-    const shorter: Point = [b[0] - q * a[0], b[1] - q * a[1]];
+    if (norm(a) > norm(b)) [a, b] = [b, a];
+    const shorter = plus(b, a, -Math.round(dot(a, b) / dot(a, a)));
     // rounding alone could go on for ever between vectors of equal length, as on hexagonal lattices
-    if (Math.hypot(...shorter) >= Math.hypot(...b) * (1 - 1e-9)) return [a, b];
+    if (norm(shorter) >= norm(b) * (1 - 1e-9)) return [a, b];
     b = shorter;
   }
+}
+
+/** All vectors of a lattice that take no more than `reach` steps along either vector of its basis. */
+export function latticeAround(basis: readonly [Point, Point], reach: number): readonly Point[] {
+  const steps = Array.from({length: 2 * reach + 1}, (_, k) => k - reach);
+  return steps.flatMap((i) => steps.map((j) => combined(basis, i, j)));
+}
+
+/** The shortest of the vectors that differ from `v` by whole repeats. */
+export function reduced({w1, w2}: Pick<Repeat, 'w1' | 'w2'>, v: Point): Point {
+  const basis = reducedBasis(w1, w2);
+  const [s, t] = coordinates(basis, v);
+  const short = minus(v, combined(basis, Math.round(s), Math.round(t)));
+  // rounding finds a short one; the shortest is one of those around it
+  return latticeAround(basis, 1)
+    .map((vector) => plus(short, vector))
+    .reduce((best, one) => (norm(one) < norm(best) * (1 - 1e-9) ? one : best), short);
 }
 
 /** The print mismatch of two points of the print: how far apart they lie modulo its symmetries. [cm] */
 export function printDistance(repeat: Repeat): (x: Point, y: Point) => number {
   const elements = printElements(repeat);
   const [a, b] = reducedBasis(repeat.w1, repeat.w2);
-  const d = a[0] * b[1] - a[1] * b[0];
+  const d = cross(a, b);
   return (x, y) => {
     let least = Infinity;
     for (const element of elements) {

@@ -2,8 +2,9 @@
 import {resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
+import {fetchedBy} from '../model/fetched.js';
 import {FileError} from '../model/versioned-file.js';
-import {inputLimit, readBytes} from './files.js';
+import {inputLimit, readBytes, tooLarge} from './files.js';
 
 export interface ReadingLimits {
   readonly signal?: AbortSignal;
@@ -77,9 +78,9 @@ function checkWithin(address: URL, within: ReadingLimits['within']): void {
 }
 
 /** Follows redirections as far as they stay within the bounds. */
-async function fetched(
+async function answerOf(
   address: URL,
-  {within}: ReadingLimits,
+  within: ReadingLimits['within'],
   signal: AbortSignal,
 ): Promise<Response> {
   let at = address;
@@ -98,42 +99,30 @@ async function fetchBytes(
   address: URL,
   {signal, timeoutMs = 30_000, within}: ReadingLimits,
 ): Promise<Uint8Array> {
-  const timeout = AbortSignal.timeout(timeoutMs);
-  const either = signal ? AbortSignal.any([signal, timeout]) : timeout;
-  try {
-    const response = await fetched(address, {...(within && {within})}, either);
-    if (!response.ok) {
-      await response.body?.cancel();
-      throw new FileError(
-        address.href,
-        `cannot be fetched: the server answered ${String(response.status)}; put the file there, or correct the address.`,
+  const complaint = (what: string, options?: ErrorOptions): FileError =>
+    new FileError(address.href, what, options);
+  const limits = {signal, timeoutMs, mostBytes: inputLimit};
+  const got = await fetchedBy((either) => answerOf(address, within, either), limits);
+  switch (got.kind) {
+    case 'read':
+      return Buffer.concat(got.parts);
+    case 'refused':
+      throw complaint(
+        `cannot be fetched: the server answered ${got.status}; put the file there, or correct the address.`,
       );
-    }
-    return await bytesOf(response, address);
-  } catch (error) {
-    if (error instanceof FileError) throw error;
-    signal?.throwIfAborted();
-    const why = timeout.aborted
-      ? `the server did not answer within ${String(timeoutMs / 1000)} s; try again`
-      : `${reasonOf(error)}; check the address and the connection`;
-    throw new FileError(address.href, `cannot be fetched: ${why}.`, {cause: error});
-  }
-}
-
-async function bytesOf(response: Response, address: URL): Promise<Uint8Array> {
-  const chunks: Uint8Array[] = [];
-  let length = 0;
-  for await (const chunk of (response.body ?? []) as AsyncIterable<Uint8Array>) {
-    length += chunk.length;
-    if (length > inputLimit) {
-      throw new FileError(
-        address.href,
-        `is larger than ${String(inputLimit / 1e6)} MB, the limit for such a file; choose another.`,
+    case 'late':
+      throw complaint(
+        `cannot be fetched: the server did not answer within ${timeoutMs / 1000} s; try again.`,
       );
+    case 'tooLarge':
+      throw complaint(tooLarge(inputLimit));
+    case 'failed': {
+      const {cause} = got;
+      if (cause instanceof FileError) throw cause;
+      const why = `${reasonOf(cause)}; check the address and the connection`;
+      throw complaint(`cannot be fetched: ${why}.`, {cause});
     }
-    chunks.push(chunk);
   }
-  return Buffer.concat(chunks);
 }
 
 /** What fetch hides in its error's cause, such as ECONNREFUSED. */

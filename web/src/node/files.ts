@@ -14,6 +14,10 @@ export const resultLimit = 200_000_000;
 export const readText = async (path: string, limit?: number): Promise<string> =>
   textOf(await readBytes(path, limit));
 
+/** What is said of a file beyond a limit. [bytes] */
+export const tooLarge = (limit: number): string =>
+  `is larger than ${limit / 1e6} MB, the limit for such a file; choose another.`;
+
 /** Also drops the mark that some editors put before UTF-8. */
 export const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
 
@@ -26,17 +30,12 @@ export async function readBytes(
   limit: number = inputLimit,
   signal?: AbortSignal,
 ): Promise<Buffer> {
-  const tooLarge = () =>
-    new FileError(
-      path,
-      `is larger than ${String(limit / 1e6)} MB, the limit for such a file; choose another.`,
-    );
   const whole = async (stream: AsyncIterable<Buffer>): Promise<Buffer> => {
     const chunks: Buffer[] = [];
     let length = 0;
     for await (const chunk of stream) {
       length += chunk.length;
-      if (length > limit) throw tooLarge();
+      if (length > limit) throw new FileError(path, tooLarge(limit));
       chunks.push(chunk);
     }
     return Buffer.concat(chunks);
@@ -46,7 +45,7 @@ export async function readBytes(
     if ((await stat(path)).isFIFO()) return await whole(pipeAt(path, signal));
     file = await open(path, 'r');
     const {size} = await file.stat();
-    if (size > limit) throw tooLarge();
+    if (size > limit) throw new FileError(path, tooLarge(limit));
     return await whole(file.createReadStream({autoClose: false}) as AsyncIterable<Buffer>);
   } catch (error) {
     signal?.throwIfAborted();

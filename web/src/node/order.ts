@@ -1,5 +1,6 @@
 /** An order: a stored design, solved again from the files that it names. */
 import {problemOfStored} from '../model/design-problem.js';
+import {onPrint} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {Problem, SolveHooks} from '../model/problem.js';
 import {resultText, sha256Of} from '../model/result-text.js';
@@ -13,7 +14,6 @@ import {
 import type {StoredFile} from '../model/stored-file.js';
 import {FileError} from '../model/versioned-file.js';
 import {printDistance} from '../model/wallpaper.js';
-import {onPrint} from '../scene/mismatch.js';
 import type {NamedSolveHooks} from '../solver/requests/texts.js';
 import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
 import {textOf} from './files.js';

@@ -1,8 +1,7 @@
 /** A print as SVG patterns: its tile once, and the cloth under every piece. */
-import type {Alignment, Point} from '../model/geometry.js';
+import {norm, rotated, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {imageCell} from '../model/wallpaper.js';
-import {onPrint} from '../scene/mismatch.js';
 import {escaped, short} from './svg.js';
 import {imageHref} from '../recognition/svg-picture.js';
 
@@ -11,7 +10,7 @@ export type PrintWithTile = Print & {readonly tile?: string};
 
 /** The tile as a pattern that every piece's own pattern refers to. @param scale [px per cm] */
 export function clothTile(id: string, print: PrintWithTile, scale: number): string {
-  const [w, h] = imageCell(print).map((side) => short(scale * Math.hypot(...side)));
+  const [w, h] = imageCell(print).map((side) => short(scale * norm(side)));
   const content = print.tile
     ? `<image href="${escaped(imageHref(print.tile))}" width="${w}" height="${h}" preserveAspectRatio="none"/>`
     : `<rect width="${w}" height="${h}" fill="#f1ede3" stroke="#c9c1ae" stroke-width="1"/>`;
@@ -32,10 +31,10 @@ export function clothUnder(
 ): string {
   const [a, b] = imageCell(print);
   const upright = page([0, 1])[1] < page([0, 0])[1] ? 1 : -1;
-  const along = ([x, y]: Point, sign: 1 | -1): Point => {
-    const n = (upright * sign) / Math.hypot(x, y);
-    const turned = onPrint({angle: -angle, translation: [0, 0]}, [x * n, y * n]);
-    return [turned[0], -turned[1]];
+  const along = (side: Point, sign: 1 | -1): Point => {
+    const n = (upright * sign) / norm(side);
+    const [x, y] = rotated([side[0] * n, side[1] * n], angle);
+    return [x, -y];
   };
   const matrix = [...along(a, 1), ...along(b, -1)].map((v) => v.toFixed(6));
   return `<pattern id="${id}" href="#${tile}" patternTransform="matrix(${matrix.join(' ')} ${page(translation).map(short).join(' ')})"/>`;

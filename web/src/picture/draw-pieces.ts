@@ -1,6 +1,7 @@
 /** Draws the pieces of a result, filled with the print as it lies on them. */
 import type {Alignment, Point} from '../model/geometry.js';
 import {pairLetter} from '../model/letters.js';
+import {boxOf} from '../model/polyline.js';
 import type {Print} from '../model/print.js';
 import type {Pattern, ResultPiece, SeamSide} from '../model/result.js';
 import {ontoSheet} from '../model/sheet-place.js';
@@ -155,13 +156,11 @@ export const nameRoom = (pieceWidth: number): number => pieceWidth + 20;
 function names(scene: Scene, size: number): string {
   return scene.result.pieces
     .map(({outline, rest}, k) => {
-      const points = pick(rest, outline).map(toPage(scene, k));
-      const xs = points.map(([x]) => x);
-      const [low, high] = [Math.min(...xs), Math.max(...xs)];
-      const foot = Math.max(...points.map(([, y]) => y)) + 12 + size;
-      return nameLines(scene.names[k] ?? '', nameRoom(high - low), size)
+      const {low, high} = boxOf(pick(rest, outline).map(toPage(scene, k)));
+      const foot = high[1] + 12 + size; // y runs down
+      return nameLines(scene.names[k] ?? '', nameRoom(high[0] - low[0]), size)
         .map((line, n) =>
-          text([(low + high) / 2, foot + n * nameLeading * size], line, {
+          text([(low[0] + high[0]) / 2, foot + n * nameLeading * size], line, {
             size,
             anchor: 'middle',
             fill: '#5d6066',

@@ -1,5 +1,5 @@
 /** One picture of a result: the pattern on the print before and after, with its figures and a key. */
-import type {Point} from '../model/geometry.js';
+import {norm, type Point} from '../model/geometry.js';
 import {pairLetter, seamLetter} from '../model/letters.js';
 import {pieceNames} from '../model/piece-names.js';
 import type {Print} from '../model/print.js';
@@ -39,7 +39,7 @@ function repeatOf(print: Print): string {
     latticeType(print.group) === 'rhombic'
       ? imageCell({...print, cell: 'rectangular'})
       : [print.w1, print.w2];
-  return `${cell.map((side) => Number(Math.hypot(...side).toFixed(1))).join(' × ')} cm`;
+  return `${cell.map((side) => Number(norm(side).toFixed(1))).join(' × ')} cm`;
 }
 
 function figure(x: number, y: number, label: string, value: string): string {

@@ -13,7 +13,7 @@ export const short = (value: number): string => String(Number(value.toFixed(2)) 
 export const polyline = (points: readonly Point[]): string =>
   points.map(([x, y], k) => `${k === 0 ? 'M' : 'L'}${short(x)} ${short(y)}`).join('');
 
-export interface TextStyle {
+interface TextStyle {
   readonly size: number;
   readonly fill?: string;
   readonly weight?: number;

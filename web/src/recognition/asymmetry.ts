@@ -1,18 +1,17 @@
 /** What a picture lacks that its group asks for, in the ways in which people notice it. */
+import {angleOf, degrees} from '../model/geometry.js';
 import type {GroupName} from '../model/print.js';
 import {determinant, type PlaneMap} from '../model/wallpaper.js';
 import {visibleDifference, type TileCheck} from './tile-check.js';
 import type {Pixels} from './tile-cloth.js';
 
 /** `steps`: mirrored and moved on, as footprints are. */
-export const asymmetries = [
+const asymmetries = [
   ...(['leftRight', 'topBottom', 'diagonal', 'slanted', 'steps'] as const),
   ...(['upsideDown', 'quarterTurn', 'thirdTurn', 'sixthTurn', 'halfDrop'] as const),
 ] as const;
 
 export type Asymmetry = (typeof asymmetries)[number];
-
-const degrees = (angle: number): number => Math.round((angle * 180) / Math.PI);
 
 const turns: ReadonlyMap<number, Asymmetry> = new Map([
   [180, 'upsideDown'],
@@ -23,7 +22,7 @@ const turns: ReadonlyMap<number, Asymmetry> = new Map([
 
 /** @param turnDeg how the picture lies before somebody, counter-clockwise, in quarter turns */
 function kindOf(group: GroupName, map: PlaneMap, turnDeg: number): Asymmetry {
-  const angle = degrees(Math.atan2(map.yx, map.xx));
+  const angle = Math.round(degrees(angleOf([map.xx, map.yx])));
   if (determinant(map) > 0) {
     return turns.get(Math.abs(angle)) ?? 'halfDrop';
   }

@@ -1,13 +1,22 @@
 /** What a file is by its first bytes, whatever it is called, and whether it is all there. */
 
 /** Those that become prints, others that people take for pictures, and documents, which are none. */
-export const fileKinds = [
-  ...(['png', 'jpeg', 'webp', 'svg'] as const),
-  ...(['gif', 'heic', 'avif', 'tiff', 'bmp', 'photoshop'] as const),
-  ...(['pdf', 'postscript', 'dxf', 'zip'] as const),
-] as const;
 
-export type FileKind = (typeof fileKinds)[number];
+export type FileKind =
+  | 'png'
+  | 'jpeg'
+  | 'webp'
+  | 'svg'
+  | 'gif'
+  | 'heic'
+  | 'avif'
+  | 'tiff'
+  | 'bmp'
+  | 'photoshop'
+  | 'pdf'
+  | 'postscript'
+  | 'dxf'
+  | 'zip';
 
 export const isDocument = (kind: FileKind): boolean =>
   ['pdf', 'postscript', 'dxf', 'zip'].includes(kind);

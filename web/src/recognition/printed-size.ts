@@ -2,7 +2,7 @@
 import type {FileKind} from './file-kind.js';
 
 /** Pixels per cm, to the right and down, as the picture is stored. */
-export interface Resolution {
+interface Resolution {
   readonly across: number;
   readonly down: number;
 }

@@ -1,5 +1,5 @@
 /** Whether the picture of one cell has the symmetries of a group, and where it breaks them. */
-import type {Point} from '../model/geometry.js';
+import {norm, type Point} from '../model/geometry.js';
 import {groupNames, type GroupName, type PrintCell} from '../model/print.js';
 import {fittingGroup, latticeVectors, type RepeatSize} from '../model/repeat.js';
 import {imageCell, latticeType, printElements, type PlaneMap} from '../model/wallpaper.js';
@@ -15,7 +15,7 @@ export interface TileBreak {
   readonly difference: number;
 }
 
-export interface ElementCheck {
+interface ElementCheck {
   readonly map: PlaneMap;
   /** Root mean square difference, of all of the tile and of the place where it is greatest. [0, 255] */
   readonly rms: number;
@@ -51,7 +51,7 @@ const movedBy = (shift: Point): PlaneMap => ({xx: 1, xy: 0, yx: 0, yy: 1, shift}
 
 /** No finer than the picture itself is; even, so that the middle of the cell is one of pixels. */
 function sizeFor(image: Pixels, cell: Cloth['cell']): readonly [number, number] {
-  const [a, b] = imageCell(cell).map((side) => Math.hypot(...side));
+  const [a, b] = imageCell(cell).map(norm);
   const scale = detail / Math.max(a ?? 1, b ?? 1);
   const pixels = (side: number | undefined, most: number): number =>
     2 * Math.max(1, Math.floor(Math.min(most, scale * (side ?? 1)) / 2));

@@ -1,5 +1,5 @@
 /** A print by the pixels of one cell, and how it looks when the plane is moved. */
-import {cross, type Point} from '../model/geometry.js';
+import {combined, coordinates, type Point} from '../model/geometry.js';
 import {apply, imageCell, type CellOf as Cell, type PlaneMap} from '../model/wallpaper.js';
 
 export type {Cell};
@@ -23,15 +23,14 @@ export interface Cloth {
 /** Where the centres of an image's pixels lie on the print [cm], and which pixel shows a point, in whole cells or beyond. */
 export function pixelGrid(cell: Cell, width: number, height: number) {
   const [a, b] = imageCell(cell);
-  const area = cross(a, b);
   const centre = (x: number, y: number): Point => {
     const [s, t] = [(x + 0.5) / width, 1 - (y + 0.5) / height];
-    return [s * a[0] + t * b[0], s * a[1] + t * b[1]];
+    return combined([a, b], s, t);
   };
-  const pixel = ([x, y]: Point): Point => [
-    ((x * b[1] - y * b[0]) / area) * width - 0.5,
-    (1 - (a[0] * y - a[1] * x) / area) * height - 0.5,
-  ];
+  const pixel = (p: Point): Point => {
+    const [s, t] = coordinates([a, b], p);
+    return [s * width - 0.5, (1 - t) * height - 0.5];
+  };
   return {centre, pixel};
 }
 

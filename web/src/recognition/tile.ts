@@ -13,12 +13,17 @@ async function vectorTile(url: string): Promise<Tile> {
   return {vector: image};
 }
 
+/** The file of a print's image. @throws {Error} with one sentence, `TypeError` where there is no network */
+export async function fetchPicture(url: string | URL, signal?: AbortSignal): Promise<Blob> {
+  const response = await fetch(url, signal ? {signal} : {});
+  if (!response.ok) throw new Error(`The print's image ${String(url)} cannot be read; try again.`);
+  return response.blob();
+}
+
 /** Reads a tile from a file. An SVG needs a width and a height. */
 export async function loadTile(url: string | URL, signal?: AbortSignal): Promise<Tile> {
-  const response = await fetch(url, signal ? {signal} : {});
-  if (!response.ok) throw new Error(`The print's image ${String(url)} cannot be read.`);
-  const blob = await response.blob();
-  if (blob.type.startsWith('image/svg')) return vectorTile(response.url);
+  const blob = await fetchPicture(url, signal);
+  if (blob.type.startsWith('image/svg')) return vectorTile(String(url));
   return createImageBitmap(blob, {colorSpaceConversion: 'none'});
 }
 

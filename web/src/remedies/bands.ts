@@ -1,28 +1,18 @@
 /** Which pieces to turn where grains run across each other: the bands, not what they are sewn to. */
+import {distance} from '../model/geometry.js';
+import {boxOf, lengthOf, signedArea} from '../model/polyline.js';
 import type {Pattern, ResultSeam} from '../model/result.js';
 import {pick} from '../scene/marks.js';
 
-function lengthOf({pieces}: Pattern, {a: {piece, vertices}}: ResultSeam): number {
-  const line = pick(pieces[piece]?.rest ?? [], vertices);
-  return line.slice(1).reduce((sum, [x, y], k) => {
-    const [fromX, fromY] = line[k] ?? [x, y];
-    return sum + Math.hypot(x - fromX, y - fromY);
-  }, 0);
-}
+const seamLength = ({pieces}: Pattern, {a: {piece, vertices}}: ResultSeam): number =>
+  lengthOf(pick(pieces[piece]?.rest ?? [], vertices));
 
 /** How broad a piece is across its length, as drafted: its area by the diagonal of the box around it. [cm] */
 function breadthOf({pieces}: Pattern, piece: number): number {
   const {rest = [], outline = []} = pieces[piece] ?? {};
   const loop = pick(rest, outline);
-  const twice = loop.reduce((sum, [x, y], k) => {
-    const [nextX, nextY] = loop[(k + 1) % loop.length] ?? [x, y];
-    return sum + x * nextY - nextX * y;
-  }, 0);
-  const extent = (axis: 0 | 1): number => {
-    const along = loop.map((point) => point[axis]);
-    return Math.max(...along) - Math.min(...along);
-  };
-  return Math.abs(twice) / 2 / Math.hypot(extent(0), extent(1));
+  const {low, high} = boxOf(loop);
+  return Math.abs(signedArea(loop)) / distance(low, high);
 }
 
 /**
@@ -46,7 +36,7 @@ export function bandsOf(
   seams.forEach((seam, number) => {
     if (crossed.includes(number)) return;
     for (const {piece} of [seam.a, seam.b]) {
-      other.set(piece, (other.get(piece) ?? 0) + lengthOf(pattern, seam));
+      other.set(piece, (other.get(piece) ?? 0) + seamLength(pattern, seam));
     }
   });
   const breadth = (piece: number): number => breadthOf(pattern, piece);

@@ -1,4 +1,5 @@
 /** What might make the seams of a result meet that stay off. Whether it does is another matter: `remedies.ts`. */
+import {dot, unit} from '../model/geometry.js';
 import type {GrainLock, GrainRule, SolveOptions} from '../model/options.js';
 import type {GroupName, Print} from '../model/print.js';
 import type {Problem} from '../model/problem.js';
@@ -99,8 +100,7 @@ const mirrorsOf: Readonly<Partial<Record<GroupName, GroupName>>> = {
 /** Undefined where no group on this lattice has more mirrors. */
 export function groupWithMirrors({group, w1, w2}: Repeat): GroupName | undefined {
   if (group !== 'p1' && group !== 'p2') return mirrorsOf[group];
-  const cosine = (w1[0] * w2[0] + w1[1] * w2[1]) / (Math.hypot(...w1) * Math.hypot(...w2));
-  return Math.abs(cosine) < 1e-6 ? 'pmm' : undefined;
+  return Math.abs(dot(unit(w1), unit(w2))) < 1e-6 ? 'pmm' : undefined;
 }
 
 function mirrored(print: Print, seams: readonly number[]): readonly Proposal[] {

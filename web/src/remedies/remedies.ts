@@ -12,7 +12,7 @@ const leastGain = 0.1;
 /** How much worse the whole may become, over all seams. [cm] */
 const patience = 0.02;
 
-export interface RemedyHooks {
+interface RemedyHooks {
   readonly signal?: AbortSignal | undefined;
   /** Waits until nobody minds another solve. */
   readonly idle?: () => Promise<void>;

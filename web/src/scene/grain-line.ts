@@ -1,6 +1,6 @@
 /** Where the grain line of a piece is drawn. Lengths in cm. */
 import type {PanelMarks} from '../model/garment-marks.js';
-import type {Point} from '../model/geometry.js';
+import {plus, radians, towards, type Point} from '../model/geometry.js';
 import type {ResultPiece} from '../model/result.js';
 import {innermost, pick} from './marks.js';
 
@@ -13,11 +13,7 @@ type Drafted = Pick<ResultPiece, 'rest' | 'outline'>;
 export function lineAt({rest, outline}: Drafted, angle: number): readonly [Point, Point] {
   const {at, room} = innermost(pick(rest, outline));
   const reach = Math.min(greatest / 2, 0.8 * room);
-  const [x, y] = [reach * Math.cos(angle), reach * Math.sin(angle)];
-  return [
-    [at[0] - x, at[1] - y],
-    [at[0] + x, at[1] + y],
-  ];
+  return [plus(at, towards(angle), -reach), plus(at, towards(angle), reach)];
 }
 
 /** Of the drafted piece as it lies face up: as it was decided, else as the garment has it; undefined where nobody says it. */
@@ -25,6 +21,6 @@ export function grainLine(
   piece: Drafted,
   {grain, grainDeg}: Pick<PanelMarks, 'grain' | 'grainDeg'> = {},
 ): readonly [Point, Point] | undefined {
-  if (grainDeg !== undefined) return lineAt(piece, (grainDeg * Math.PI) / 180);
+  if (grainDeg !== undefined) return lineAt(piece, radians(grainDeg));
   return grain;
 }

@@ -1,6 +1,6 @@
 /** Where symmetries are marked on a piece. Lengths in cm, y up. */
-import {crossesRay, type Alignment, type Point} from '../model/geometry.js';
-import {onPrint} from './mismatch.js';
+import {dot, middle, minus, plus, rotated, type Alignment, type Point} from '../model/geometry.js';
+import {boxOf, isInside} from '../model/polyline.js';
 
 export const pick = (points: readonly Point[], vertices: readonly number[]): Point[] =>
   vertices.flatMap((v) => points.slice(v, v + 1));
@@ -12,39 +12,33 @@ export function axisAlong(
   overhang: number,
 ): readonly [Point, Point] {
   const direction: Point = [-Math.sin(angle / 2), Math.cos(angle / 2)];
-  const [mx, my] = [translation[0] / 2, translation[1] / 2];
-  const along = points.map(([x, y]) => (x - mx) * direction[0] + (y - my) * direction[1]);
-  const at = (s: number): Point => [mx + s * direction[0], my + s * direction[1]];
+  const onAxis = middle([0, 0], translation);
+  const along = points.map((p) => dot(minus(p, onAxis), direction));
+  const at = (s: number): Point => plus(onAxis, direction, s);
   return [at(Math.min(...along) - overhang), at(Math.max(...along) + overhang)];
 }
 
 /** The mirror image p' = R F p + t of a point. */
-export function mirrorImage({angle, translation}: Alignment, [x, y]: Point): Point {
-  const turned = onPrint({angle: -angle, translation: [0, 0]}, [-x, y]);
-  return [turned[0] + translation[0], turned[1] + translation[1]];
-}
+export const mirrorImage = ({angle, translation}: Alignment, [x, y]: Point): Point =>
+  plus(rotated([-x, y], angle), translation);
 
 /** The point of a piece that lies furthest from its outline, and from what else is in the way, on a coarse grid; and how far that is. */
 export function innermost(
   points: readonly Point[],
   obstacles: readonly Point[] = [],
 ): {readonly at: Point; readonly room: number} {
-  const xs = points.map(([x]) => x);
-  const ys = points.map(([, y]) => y);
-  const [left, right, low, high] = [
-    Math.min(...xs),
-    Math.max(...xs),
-    Math.min(...ys),
-    Math.max(...ys),
-  ];
-  let at: Point = [(left + right) / 2, (low + high) / 2];
+  const {low, high} = boxOf(points);
+  let at = middle(low, high);
   let room = 0;
   const n = 24;
   const inTheWay = [...points, ...obstacles];
   for (let i = 1; i < n; i++) {
     for (let j = 1; j < n; j++) {
-      const p: Point = [left + ((right - left) * i) / n, low + ((high - low) * j) / n];
-      const free = distance(inTheWay, p, room);
+      const p: Point = [
+        low[0] + ((high[0] - low[0]) * i) / n,
+        low[1] + ((high[1] - low[1]) * j) / n,
+      ];
+      const free = clearance(inTheWay, p, room);
       if (free > room + 1e-6 && isInside(points, p)) [at, room] = [p, free];
     }
   }
@@ -52,7 +46,7 @@ export function innermost(
 }
 
 /** From a point to the nearest of others; 0 as soon as it is known to be no more than `least`. */
-function distance(points: readonly Point[], [px, py]: Point, least: number): number {
+function clearance(points: readonly Point[], [px, py]: Point, least: number): number {
   let nearest = Infinity;
   for (const [x, y] of points) {
     nearest = Math.min(nearest, (x - px) ** 2 + (y - py) ** 2);
@@ -60,10 +54,3 @@ function distance(points: readonly Point[], [px, py]: Point, least: number): num
   }
   return Math.sqrt(nearest);
 }
-
-/** Whether a closed outline goes round a point. */
-export const isInside = (outline: readonly Point[], point: Point): boolean =>
-  outline.reduce(
-    (odd, from, k) => crossesRay(from, outline[(k + 1) % outline.length] ?? from, point) !== odd,
-    false,
-  );

@@ -2,7 +2,7 @@
  * How well a print meets along the seams of a result, under any alignment of its pieces: point by point, which is
  * what every figure for people says, and by one symmetry of the print for all of a seam, which tells where it runs off.
  */
-import {cross, type Alignment, type Point} from '../model/geometry.js';
+import {coordinates, distance, type Alignment, type Point} from '../model/geometry.js';
 import type {Pattern, ResultSeam, SeamSide} from '../model/result.js';
 import {
   determinant,
@@ -27,15 +27,6 @@ export interface Fit {
   readonly total: number;
   /** `total` over the length of those seams. [cm] */
   readonly mean: number;
-}
-
-/** A point of a piece as a point of the print: R(angle)^T (p - translation). */
-export function onPrint({angle, translation}: Alignment, [x, y]: Point): Point {
-  const dx = x - translation[0];
-  const dy = y - translation[1];
-  const c = Math.cos(angle);
-  const s = Math.sin(angle);
-  return [c * dx + s * dy, c * dy - s * dx];
 }
 
 const key = (piece: number, vertex: number | undefined): string => `${piece}:${vertex ?? ''}`;
@@ -88,7 +79,7 @@ function edgesOf(
       const dy = (from[1] + to[1]) / 2 - translation[1];
       at[2 * k] = c * dx + s * dy;
       at[2 * k + 1] = c * dy - s * dx;
-      lengths[k] = (lengths[k] ?? 0) + Math.hypot(to[0] - from[0], to[1] - from[1]) / 2;
+      lengths[k] = (lengths[k] ?? 0) + distance(from, to) / 2;
     }
     return at;
   };
@@ -231,10 +222,10 @@ export function seamFitOf(
 
 function bestJoin(
   elements: readonly PlaneMap[],
-  [u, v]: readonly [Point, Point],
+  basis: readonly [Point, Point],
   {a, b, lengths}: Edges,
 ): Pick<JoinedSeam, 'kind' | 'mismatch'> {
-  const area = cross(u, v);
+  const [u, v] = basis;
   const whole = lengths.reduce((sum, length) => sum + length, 0);
   let least = Infinity;
   let kind: JoinedSeam['kind'] = 'continuous';
@@ -253,8 +244,7 @@ function bestJoin(
       mx += (dx * (lengths[k] ?? 0)) / whole;
       my += (dy * (lengths[k] ?? 0)) / whole;
     }
-    const s = Math.round((mx * v[1] - my * v[0]) / area);
-    const t = Math.round((u[0] * my - u[1] * mx) / area);
+    const [s, t] = coordinates(basis, [mx, my]).map(Math.round) as [number, number];
     for (let i = s - 1; i <= s + 1; i++) {
       for (let j = t - 1; j <= t + 1; j++) {
         const sx = i * u[0] + j * v[0];
@@ -272,8 +262,6 @@ function bestJoin(
       }
     }
   }
-  const mismatch = Array.from(lengths, (_, k) =>
-    Math.hypot((best[2 * k] ?? 0) - shift[0], (best[2 * k + 1] ?? 0) - shift[1]),
-  );
+  const mismatch = Array.from(lengths, (_, k) => distance(pointAt(best, k), shift));
   return {kind, mismatch};
 }

@@ -1,13 +1,13 @@
 /** Marks on the pieces of a scene: axes and letters of their symmetries, and grain lines. Lengths in cm. */
 import type {PanelMarks} from '../model/garment-marks.js';
-import type {Point} from '../model/geometry.js';
+import {dot, leftOf, minus, plus, unit, type Point} from '../model/geometry.js';
 import {pairLetter} from '../model/letters.js';
 import type {Pattern, ResultPiece} from '../model/result.js';
 import {grainLine} from './grain-line.js';
 import {axisAlong, innermost, mirrorImage, pick} from './marks.js';
 
 /** A place for a letter, in the coordinates of a piece, and how far the outline is from there. */
-export interface PairMark {
+interface PairMark {
   readonly piece: number;
   readonly at: Point;
   readonly room: number;
@@ -49,13 +49,10 @@ export function symmetriesOf(
 
 /** Beside the piece's mirror axis, if it would lie on it. */
 function besideAxis(grain: readonly [Point, Point], axis: readonly [Point, Point]): typeof grain {
-  const [[x, y], end] = axis;
-  const length = Math.hypot(end[0] - x, end[1] - y);
-  const normal: Point = [(y - end[1]) / length, (end[0] - x) / length];
-  const off = grain.map((p) => Math.abs((p[0] - x) * normal[0] + (p[1] - y) * normal[1]));
-  if (off.some((distance) => distance > grainShift / 2)) return grain;
-  const move = (p: Point): Point => [p[0] + grainShift * normal[0], p[1] + grainShift * normal[1]];
-  return [move(grain[0]), move(grain[1])];
+  const [start, end] = axis;
+  const normal = leftOf(unit(minus(end, start)));
+  if (grain.some((p) => Math.abs(dot(minus(p, start), normal)) > grainShift / 2)) return grain;
+  return [plus(grain[0], normal, grainShift), plus(grain[1], normal, grainShift)];
 }
 
 export function grainOf(

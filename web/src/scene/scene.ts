@@ -1,6 +1,7 @@
 /** What a view of a pattern shows, as plain data. Lengths in cm, y up. */
 import type {Alignment, Point} from '../model/geometry.js';
 import type {GarmentDocument} from '../model/garment-document.js';
+import {isInside} from '../model/polyline.js';
 import type {Print} from '../model/print.js';
 import type {Pattern, ResultPiece, ResultSeam} from '../model/result.js';
 import type {MismatchScale} from './colours.js';
@@ -15,7 +16,7 @@ import {
   type SeamFit,
 } from './mismatch.js';
 import {layOutNamed, type Layout} from '../layout/layout.js';
-import {isInside, pick} from './marks.js';
+import {pick} from './marks.js';
 import {placementsIn} from '../layout/on-body.js';
 import {nameLines, textWidth} from '../layout/name-lines.js';
 import {panelMarks, type PanelDecisions, type PanelMarks} from '../model/garment-marks.js';
@@ -43,7 +44,7 @@ export interface SceneSeam extends Pick<ResultSeam, 'a' | 'b'>, SeamMatch {
 }
 
 /** How the print meets along a seam as the pieces lie in a scene. */
-export interface SeamMatch {
+interface SeamMatch {
   readonly kind: ResultSeam['kind'];
   /** Per edge, each under the symmetry of the print that suits it. [cm] */
   readonly mismatch: readonly number[];

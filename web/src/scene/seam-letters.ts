@@ -1,8 +1,9 @@
 /** Letters along the seams of pieces: what has the same is sewn together. */
-import type {Point} from '../model/geometry.js';
+import {leftOf, plus, type Point} from '../model/geometry.js';
 import {seamLetter} from '../model/letters.js';
+import {atShare, isInside} from '../model/polyline.js';
 import type {Pattern, SeamSide} from '../model/result.js';
-import {isInside, pick} from './marks.js';
+import {pick} from './marks.js';
 
 export interface SeamLetter {
   readonly letter: string;
@@ -11,29 +12,10 @@ export interface SeamLetter {
 }
 
 /** Beside the middle of a line, on the side where the piece is. */
-function beside(
-  line: readonly Point[],
-  outline: readonly Point[],
-  inside: number,
-): Point | undefined {
-  const steps = line.slice(1).map(([x, y], k) => {
-    const [fromX, fromY] = line[k] ?? [x, y];
-    return Math.hypot(x - fromX, y - fromY);
-  });
-  let left = steps.reduce((sum, step) => sum + step, 0) / 2;
-  for (const [k, step] of steps.entries()) {
-    const [from, to] = line.slice(k, k + 2);
-    if (from && to && left <= step && step > 0) {
-      const [ux, uy] = [(to[0] - from[0]) / step, (to[1] - from[1]) / step];
-      const at = (across: number): Point => [
-        from[0] + left * ux - across * uy,
-        from[1] + left * uy + across * ux,
-      ];
-      return isInside(outline, at(inside)) ? at(inside) : at(-inside);
-    }
-    left -= step;
-  }
-  return undefined;
+function beside(line: readonly Point[], outline: readonly Point[], inside: number): Point {
+  const {at, along} = atShare(line, 0.5);
+  const left = plus(at, leftOf(along), inside);
+  return isInside(outline, left) ? left : plus(at, leftOf(along), -inside);
 }
 
 /**
@@ -50,7 +32,7 @@ export function seamLetters(
     const mark = ({piece, vertices}: SeamSide): void => {
       const {[state]: points = [], outline = []} = pieces[piece] ?? {};
       const at = beside(pick(points, vertices), pick(points, outline), inside);
-      if (at) letters[piece]?.push({letter: seamLetter(seam), at});
+      letters[piece]?.push({letter: seamLetter(seam), at});
     };
     mark(a);
     mark(b);

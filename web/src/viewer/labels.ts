@@ -1,8 +1,9 @@
 /** Names of pieces and letters of pairs: HTML over the drawing, so that they are text and always legible. */
 import type {Point} from '../model/geometry.js';
+import {boxOf} from '../model/polyline.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
 import {onSheet} from './overlay.js';
-import {labelLines, labelSize, type PatternScene, type ScenePiece} from '../scene/scene.js';
+import {labelLines, labelSize, type PatternScene} from '../scene/scene.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {placed, type Appearance} from './strokes.js';
 
@@ -30,16 +31,6 @@ const leastCover = 4;
 
 const clamp = (value: number, low: number, high: number): number =>
   Math.max(low, Math.min(value, high));
-
-function extent(piece: ScenePiece): readonly [Point, Point] {
-  const loop = placed(piece, piece.outline);
-  const xs = loop.map(([x]) => x);
-  const ys = loop.map(([, y]) => y);
-  return [
-    [Math.min(...xs), Math.min(...ys)],
-    [Math.max(...xs), Math.max(...ys)],
-  ];
-}
 
 const padding = {x: 5, y: 1};
 const nameFont = {weight: 500, leading: 1.25, family: 'system-ui, sans-serif'};
@@ -87,7 +78,7 @@ export class Labels {
     this.#names = scene.pieces
       .map((piece, k): Name => {
         const element = names[k] ?? this.#label('', 'name');
-        const [low, high] = extent(piece);
+        const {low, high} = boxOf(placed(piece, piece.outline));
         return {element, low, high, ...sizeOf(labelLines(piece.label))};
       })
       // where two names collide, the larger piece keeps its own
@@ -96,7 +87,7 @@ export class Labels {
 
   /** Follows the drawing. @returns where names and letters stand */
   place(view: SheetView, size: ScreenSize): readonly Box[] {
-    const pieces = this.#names.map(({low, high}) => boxOf(view, size, low, high));
+    const pieces = this.#names.map(({low, high}) => screenBox(view, size, low, high));
     const names: Box[] = [];
     this.#names.forEach(({element, width, height}, k) => {
       const others = [...names, ...pieces.filter((_, other) => other !== k)];
@@ -150,7 +141,7 @@ export class Labels {
   }
 }
 
-const boxOf = (view: SheetView, size: ScreenSize, low: Point, high: Point): Box => {
+const screenBox = (view: SheetView, size: ScreenSize, low: Point, high: Point): Box => {
   const [left, bottom] = toScreen(view, size, low);
   const [right, top] = toScreen(view, size, high);
   return {left, top, right, bottom};

@@ -9,7 +9,7 @@ import {
   Vector2,
 } from 'three';
 
-import type {Point} from '../model/geometry.js';
+import {distance, type Point} from '../model/geometry.js';
 
 export interface LineStyle {
   /** Red, green, blue, each from 0 to 255, as shown on the screen. */
@@ -112,7 +112,7 @@ const edgeCount = ({points, closed}: Stroke): number =>
   closed ? points.length : Math.max(points.length - 1, 0);
 
 /** Where the lines of a layer are drawn: the ends of all edges, and their shifts. */
-export interface LinePlaces {
+interface LinePlaces {
   readonly ends: Float32Array;
   readonly shifts: Float32Array;
 }
@@ -140,7 +140,7 @@ export class LineLayer {
         const from = stroke.points[k] ?? [0, 0];
         const to = stroke.points[(k + 1) % stroke.points.length] ?? from;
         const start = way;
-        way += Math.hypot(to[0] - from[0], to[1] - from[1]);
+        way += distance(from, to);
         ends.set([...from, ...to], 4 * edge);
         along.set([start, way], 2 * edge);
         const [first, last] = [stroke.shifts?.[k], stroke.shifts?.[(k + 1) % stroke.points.length]];

@@ -1,12 +1,12 @@
 /** How a pattern was reshaped: the drafted outlines, and arrows from there that are longer than the way. */
-import type {Point} from '../model/geometry.js';
+import {between, distance, type Point} from '../model/geometry.js';
 import type {ResultPiece} from '../model/result.js';
 import {arrowHead, cased, inks, placed, type Appearance} from './strokes.js';
 import type {Stroke} from './line-layer.js';
 import type {PatternScene} from '../scene/scene.js';
 
 /** Where a pattern moved most, and by how much arrows are exaggerated to be seen. */
-export interface Movement {
+interface Movement {
   readonly factor: number;
   /** The point as drafted, in the coordinates of its piece. [cm] */
   readonly greatest: {readonly piece: number; readonly point: Point; readonly cm: number};
@@ -24,8 +24,7 @@ export function movementOf(pieces: readonly Pick<ResultPiece, 'rest' | 'shape'>[
   let greatest: Movement['greatest'] = {piece: 0, point: [0, 0], cm: 0};
   pieces.forEach(({rest, shape}, piece) => {
     rest.forEach((point, k) => {
-      const [x, y] = shape[k] ?? point;
-      const cm = Math.hypot(x - point[0], y - point[1]);
+      const cm = distance(point, shape[k] ?? point);
       if (cm > greatest.cm) greatest = {piece, point, cm};
     });
   });
@@ -67,17 +66,15 @@ export function movementStrokes(
 /** Numbers of points along a closed line that are about `spacing` apart. */
 function evenly(line: readonly Point[]): readonly number[] {
   let way = spacing;
-  return line.flatMap(([x, y], k) => {
-    const [fromX, fromY] = line[k - 1] ?? [x, y];
-    way += Math.hypot(x - fromX, y - fromY);
+  return line.flatMap((point, k) => {
+    way += distance(line[k - 1] ?? point, point);
     if (way < spacing) return [];
     way = 0;
     return [k];
   });
 }
 
-function arrow([x, y]: Point, end: Point, factor: number): readonly (readonly Point[])[] {
-  const tip: Point = [x + factor * (end[0] - x), y + factor * (end[1] - y)];
-  if (Math.hypot(tip[0] - x, tip[1] - y) < shortest) return [];
-  return [[[x, y], tip], arrowHead([x, y], tip)];
+function arrow(tail: Point, end: Point, factor: number): readonly (readonly Point[])[] {
+  const tip = between(tail, end, factor);
+  return distance(tail, tip) < shortest ? [] : [[tail, tip], arrowHead(tail, tip)];
 }

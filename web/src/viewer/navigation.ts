@@ -1,8 +1,8 @@
 /** Moves a view by mouse, wheel, trackpad, touch and keys. Clicks stay clicks: only a real drag moves anything. */
-import type {Point} from '../model/geometry.js';
+import {distance, type Point} from '../model/geometry.js';
 
 /** What can be moved. Screen points in CSS px from the upper left of the element. */
-export interface Navigable {
+interface Navigable {
   fit(): void;
   zoomBy(factor: number, at?: Point): void;
   panBy(dx: number, dy: number): void;
@@ -30,14 +30,14 @@ const middle = (points: readonly Point[]): Point => [
 
 /** Mean distance from the middle, which a pinch changes. */
 function spread(points: readonly Point[]): number {
-  const [mx, my] = middle(points);
-  return points.reduce((sum, [x, y]) => sum + Math.hypot(x - mx, y - my), 0) / points.length;
+  const centre = middle(points);
+  return points.reduce((sum, point) => sum + distance(point, centre), 0) / points.length;
 }
 
 /** Whether somebody else follows this press, at a point of the element: then nothing here moves for it. */
 export type TakesPress = (event: PointerEvent, at: Point) => boolean;
 
-export interface NavigationOptions {
+interface NavigationOptions {
   readonly takesPress?: TakesPress | undefined;
   /** Where the view is a part of a page that is read on: a wheel scrolls that, unless ctrl is held. */
   readonly leavesWheel?: boolean | undefined;
@@ -86,7 +86,7 @@ export function navigate(
     if (!from && event.pointerId !== taken) return;
     const to = at(event);
     if (start) {
-      if (Math.hypot(to[0] - start[0], to[1] - start[1]) < clickRange) return;
+      if (distance(start, to) < clickRange) return;
       start = undefined;
       if (from) element.style.cursor = 'grabbing';
     }

@@ -1,5 +1,6 @@
 /** Lines along the edge of a piece that lie outside of it, so that they hide nothing of the print. */
-import {unit, type Point} from '../model/geometry.js';
+import {minus, norm, plus, unit, type Point} from '../model/geometry.js';
+import {crossingsOf} from '../model/polyline.js';
 import type {ScenePiece} from '../scene/scene.js';
 
 /** Of its width, that a line is moved off the edge: it still covers where the cloth ends in steps of pixels. */
@@ -48,11 +49,11 @@ export function shiftsOutside(points: readonly Point[], side: 1 | -1, closed = f
   return points.map((_, k): Point => {
     const before = normals[k === 0 ? (closed ? last : 0) : k - 1] ?? [0, 0];
     const after = normals[Math.min(k, last)] ?? before;
-    const [x, y] = [before[0] + after[0], before[1] + after[1]];
+    const [x, y] = plus(before, after);
     // both edges are left by the same distance
     const stretch = Math.min(
       2 / Math.max(x * x + y * y, 1e-6),
-      longestCorner / (Math.hypot(x, y) || 1),
+      longestCorner / (norm([x, y]) || 1),
     );
     return [side * offEdge * stretch * x, side * offEdge * stretch * y];
   });
@@ -63,22 +64,16 @@ export function endsOnOutline(
   {points, outline}: Pick<ScenePiece, 'points' | 'outline'>,
   [from, to]: readonly [Point, Point],
 ): readonly {readonly at: Point; readonly out: Point}[] {
-  const [dx, dy] = unit([to[0] - from[0], to[1] - from[1]]);
-  const seen = outline
-    .flatMap((v) => points.slice(v, v + 1))
-    .map(([x, y]) => {
-      const [rx, ry] = [x - from[0], y - from[1]];
-      return {along: rx * dx + ry * dy, off: rx * dy - ry * dx};
-    });
-  const crossings = seen.flatMap((a, k) => {
-    const b = seen[(k + 1) % seen.length] ?? a;
-    if (a.off < 0 === b.off < 0) return [];
-    return [a.along + (a.off / (a.off - b.off)) * (b.along - a.along)];
-  });
+  const along = unit(minus(to, from));
+  const crossings = crossingsOf(
+    outline.flatMap((v) => points.slice(v, v + 1)),
+    from,
+    along,
+  );
   if (crossings.length === 0) return [];
-  const end = (along: number, way: 1 | -1): {at: Point; out: Point} => ({
-    at: [from[0] + along * dx, from[1] + along * dy],
-    out: [way * dx, way * dy],
+  const end = (way: number, sense: 1 | -1): {at: Point; out: Point} => ({
+    at: plus(from, along, way),
+    out: [sense * along[0], sense * along[1]],
   });
   return [end(Math.min(...crossings), -1), end(Math.max(...crossings), 1)];
 }

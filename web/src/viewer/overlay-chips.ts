@@ -5,7 +5,8 @@ import {chipColours, chipLayer, move, placeable, textChip} from './chips.js';
 import {outsideOf} from './outside.js';
 import {onSheet, type Overlay, type Sign} from './overlay.js';
 import type {PatternScene} from '../scene/scene.js';
-import {atShare, lineOf} from '../scene/seam-line.js';
+import {atShare} from '../model/polyline.js';
+import {lineOf} from '../scene/seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import type {Appearance} from './strokes.js';
 

@@ -6,7 +6,8 @@ import {pick} from '../scene/marks.js';
 import type {LineStyle, Stroke} from './line-layer.js';
 import type {PatternScene, SceneSeam} from '../scene/scene.js';
 import type {SceneSymmetry} from '../scene/scene-marks.js';
-import {atShare, lineOf} from '../scene/seam-line.js';
+import {atShare} from '../model/polyline.js';
+import {lineOf} from '../scene/seam-line.js';
 import {shiftsOutside} from './outside.js';
 import {axisTicks, besideEdge, cased, inks, seamStrokes, type Appearance} from './strokes.js';
 

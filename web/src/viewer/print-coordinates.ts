@@ -1,4 +1,4 @@
-import type {Alignment, Point} from '../model/geometry.js';
+import {minus, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import {apply, determinant, imageCell, type PlaneMap} from '../model/wallpaper.js';
 
@@ -23,7 +23,7 @@ export function imageCoordinates(
     yy: (a[0] * c - a[1] * s) / d,
     shift: [0, 0],
   };
-  const at = (p: Point): Point => apply(map, [p[0] - translation[0], p[1] - translation[1]]);
+  const at = (p: Point): Point => apply(map, minus(p, translation));
   const [u, v] = at([0, 0]);
   const first = at(near);
   return {...map, shift: [u - Math.floor(first[0]), v - Math.floor(first[1])]};

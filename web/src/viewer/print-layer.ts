@@ -53,7 +53,7 @@ export class PrintMaterial extends ShaderMaterial {
 }
 
 /** How pieces are drawn: their vertices in their own coordinates, where those lie on the sheet, and how they lie on the print. */
-export interface PiecePlaces {
+interface PiecePlaces {
   readonly points: Float64Array;
   readonly offsets: readonly Point[];
   readonly alignments: readonly Alignment[];

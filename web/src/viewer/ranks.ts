@@ -1,11 +1,11 @@
 /** Ranks of the seams that miss most: small discs beside them, and where there is no room, on a thin line that leads there. */
-import type {Point} from '../model/geometry.js';
+import {angleOf, plus, type Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
-import {isInside} from '../scene/marks.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
 import {outsideOf} from './outside.js';
 import type {PatternScene, SceneSeam} from '../scene/scene.js';
-import {atShare, lineOf, type OnLine} from '../scene/seam-line.js';
+import {atShare, boxOf, isInside, type OnLine} from '../model/polyline.js';
+import {lineOf} from '../scene/seam-line.js';
 import {toScreen, toSheet, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {placed, type Appearance} from './strokes.js';
 
@@ -28,7 +28,7 @@ export interface Anchor {
 }
 
 /** On the screen. */
-export interface Spot extends Anchor {
+interface Spot extends Anchor {
   /** From the edge to the middle of the disc. [CSS px] */
   readonly reach: number;
   readonly box: Box;
@@ -57,7 +57,7 @@ export function spotFor(
   const freeOf = (some: readonly Anchor[], how: readonly number[]): readonly Spot[] =>
     how.flatMap((reach) =>
       some.flatMap(({at, out}): Spot[] => {
-        const along = (way: number): Point => [at[0] + way * out[0], at[1] + way * out[1]];
+        const along = (way: number): Point => plus(at, out, way);
         const box = squareAt(along(reach), rankSize);
         const line = reach > nearReach ? ways(reach).map((way) => squareAt(along(way), 2)) : [];
         const isTaken = [box, ...line].some((one) => taken.some((other) => overlap(other, one)));
@@ -98,14 +98,7 @@ interface Outline {
   readonly high: Point;
 }
 
-function outlineOf(loop: readonly Point[]): Outline {
-  const [xs, ys] = [loop.map(([x]) => x), loop.map(([, y]) => y)];
-  return {
-    loop,
-    low: [Math.min(...xs), Math.min(...ys)],
-    high: [Math.max(...xs), Math.max(...ys)],
-  };
-}
+const outlineOf = (loop: readonly Point[]): Outline => ({loop, ...boxOf(loop)});
 
 export class Ranks {
   readonly element = chipLayer();
@@ -148,13 +141,15 @@ export class Ranks {
       if (spot) all.push(spot.box);
       move(element, spot && [spot.box.left, spot.box.top]);
       const isFar = spot !== undefined && spot.reach > nearReach;
-      move(leader, isFar ? spot.at : undefined, isFar ? `rotate(${angleOf(spot.out)}rad)` : '');
+      move(
+        leader,
+        isFar ? spot.at : undefined,
+        isFar ? `rotate(${angleOf(spot.out).toFixed(3)}rad)` : '',
+      );
       if (isFar) leader.style.width = `${spot.reach - rankSize / 2}px`;
     }
   }
 }
-
-const angleOf = ([x, y]: Point): string => Math.atan2(y, x).toFixed(3);
 
 /** Where the seam misses most, on both sides; then along them. */
 function anchorsOf(scene: PatternScene, {a, b, worst}: SceneSeam): readonly Anchor[] {

@@ -8,7 +8,7 @@ import type {PatternScene} from '../scene/scene.js';
 import {keptStrokes, markStrokes, outlineStrokes, seamStrokes, type Appearance} from './strokes.js';
 
 /** Shared by all scenes of a view. */
-export interface Materials {
+interface Materials {
   readonly cloth: PrintMaterial;
   readonly line: LineMaterial;
 }

@@ -1,9 +1,10 @@
 /** What is drawn at seams: which are the worst, and whether the print runs on or is mirrored. */
-import type {Point} from '../model/geometry.js';
+import {angleOf, type Point} from '../model/geometry.js';
 import {chipLayer, move, placeable, type Box} from './chips.js';
 import {Ranks} from './ranks.js';
 import type {PatternScene, SceneSeam} from '../scene/scene.js';
-import {atShare, lineOf, type OnLine} from '../scene/seam-line.js';
+import {atShare, type OnLine} from '../model/polyline.js';
+import {lineOf} from '../scene/seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
 import {inks, type Appearance} from './strokes.js';
 
@@ -70,7 +71,7 @@ export class SeamNotes {
     for (const {element, seam, at, along} of this.#glyphs) {
       const [x, y] = toScreen(view, size, at);
       const isShown = isNear || seam === this.#highlit;
-      const turn = Math.atan2(-along[1], along[0]);
+      const turn = angleOf([along[0], -along[1]]);
       const corner: Point = [x - glyphSize / 2, y - glyphSize / 2];
       move(element, isShown ? corner : undefined, `rotate(${turn.toFixed(3)}rad)`);
     }

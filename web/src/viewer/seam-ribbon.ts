@@ -1,5 +1,5 @@
 /** The cloth along both sides of a seam, straightened: how far along the seam, and how far in from it. Lengths in cm. */
-import {minus, unit, type Point} from '../model/geometry.js';
+import {between, distance, minus, plus, unit, type Point} from '../model/geometry.js';
 import type {SeamSide} from '../model/result.js';
 import {pick} from '../scene/marks.js';
 import type {OnPiece} from './overlay.js';
@@ -13,7 +13,7 @@ const step = 0.2;
 const straight = 1.5;
 
 /** Across a piece from a point of its seam line. */
-export interface Column {
+interface Column {
   /** In the coordinates of the piece. */
   readonly at: Point;
   /** Into the piece, of length 1. */
@@ -53,9 +53,7 @@ export function straightSeam(scene: PatternScene, number: number): StraightSeam 
   ) as [Point[], Point[]];
   const ends = [0];
   for (let k = 1; k < Math.min(lines[0].length, lines[1].length); k++) {
-    const long = lines.map((line) =>
-      Math.hypot(...minus(line[k] ?? [0, 0], line[k - 1] ?? [0, 0])),
-    );
+    const long = lines.map((line) => distance(line[k - 1] ?? [0, 0], line[k] ?? [0, 0]));
     ends.push((ends[k - 1] ?? 0) + ((long[0] ?? 0) + (long[1] ?? 0)) / 2);
   }
   const length = ends.at(-1) ?? 0;
@@ -101,19 +99,17 @@ function columnsOf(
     while (edge < ends.length - 2 && way > (ends[edge + 1] ?? Infinity)) edge++;
     const [from, to] = [ends[edge] ?? 0, ends[edge + 1] ?? 0];
     const t = to > from ? (way - from) / (to - from) : 0;
-    const between = (values: readonly Point[]): Point => {
-      const [x0, y0] = values[edge] ?? [0, 0];
-      const [x1, y1] = values[edge + 1] ?? [x0, y0];
-      return [x0 + t * (x1 - x0), y0 + t * (y1 - y0)];
+    const here = (values: readonly Point[]): Point => {
+      const start = values[edge] ?? [0, 0];
+      return between(start, values[edge + 1] ?? start, t);
     };
-    return {at: between(line), normal: unit(between(normals))};
+    return {at: here(line), normal: unit(here(normals))};
   });
   const edges = edgesOf(scene, side.piece);
   const apart = Math.ceil(straight / (length / count));
   return feet.map(({at, normal}, k) => {
     // at a corner one would go along the next edge, or past it
-    const [x, y] = feet[k === 0 ? 1 : k === count ? count - 1 : k]?.at ?? at;
-    const inside: Point = [at[0] + (x - at[0]) / 4, at[1] + (y - at[1]) / 4];
+    const inside = between(at, feet[k === 0 ? 1 : k === count ? count - 1 : k]?.at ?? at, 1 / 4);
     let depth = Math.min(ribbonDepth, untilOut(inside, normal, edges));
     feet.forEach((other, n) => {
       if (Math.abs(n - k) >= apart) depth = Math.min(depth, untilNearer(at, normal, other.at));
@@ -167,10 +163,6 @@ export function onPieceAt(seam: StraightSeam, {side, share, offset}: NearSeam): 
   const [from, to] = [columns[k], columns[k + 1]];
   if (!from || !to) return {piece, point: [0, 0]};
   const t = place - k;
-  const at = (column: Column): Point => [
-    column.at[0] + offset * column.normal[0],
-    column.at[1] + offset * column.normal[1],
-  ];
-  const [[x0, y0], [x1, y1]] = [at(from), at(to)];
-  return {piece, point: [x0 + t * (x1 - x0), y0 + t * (y1 - y0)]};
+  const at = (column: Column): Point => plus(column.at, column.normal, offset);
+  return {piece, point: between(at(from), at(to), t)};
 }

@@ -8,6 +8,7 @@ import {
 } from 'three';
 
 import type {Point} from '../model/geometry.js';
+import {boxOf} from '../model/polyline.js';
 import type {LineMaterial} from './line-layer.js';
 import {readBack, readNow} from './read-back.js';
 import {labelLines, labelSize, type PatternScene} from '../scene/scene.js';
@@ -30,7 +31,7 @@ export interface Drawing {
   readonly tile: TileTexture;
 }
 
-export interface Shot {
+interface Shot {
   readonly width: number;
   readonly height: number;
   readonly view: SheetView;
@@ -147,11 +148,8 @@ function drawNames(
   context.textBaseline = 'top';
   context.fillStyle = `rgb(${inks[appearance].outline.join(' ')})`;
   for (const piece of pieces) {
-    const loop = placed(piece, piece.outline);
-    const xs = loop.map(([x]) => x);
-    const foot = Math.min(...loop.map(([, y]) => y));
-    const middle = (Math.min(...xs) + Math.max(...xs)) / 2;
-    const [x, y] = toScreen(view, size, [middle, foot]);
+    const {low, high} = boxOf(placed(piece, piece.outline));
+    const [x, y] = toScreen(view, size, [(low[0] + high[0]) / 2, low[1]]);
     labelLines(piece.label).forEach((line, k) => {
       context.fillText(line, x, y + 7 + k * leading * labelSize);
     });

@@ -1,6 +1,7 @@
 /** The print on both sides of a straightened seam, side a above the line and side b below. */
 import {BufferAttribute, BufferGeometry, Mesh} from 'three';
 
+import {plus} from '../model/geometry.js';
 import {apply} from '../model/wallpaper.js';
 import {imageCoordinates} from './print-coordinates.js';
 import type {PrintMaterial} from './print-layer.js';
@@ -61,7 +62,7 @@ export class StripMesh {
       const map = imageCoordinates(scene.print, alignment, columns[0]?.at ?? [0, 0]);
       for (const {at, normal, depth} of columns) {
         for (const d of depths(depth)) {
-          const [u, v] = apply(map, [at[0] + d * normal[0], at[1] + d * normal[1]]);
+          const [u, v] = apply(map, plus(at, normal, d));
           printed.setX(vertex, plain ? 0 : 1);
           this.#coordinates.setXY(vertex++, u, v);
         }

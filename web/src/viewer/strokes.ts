@@ -1,5 +1,5 @@
 /** The lines of a scene: outlines, seams by mismatch, mirror axes, grain lines. Those of an edge lie outside of it. */
-import type {Point} from '../model/geometry.js';
+import {between, distance, minus, unit, type Point} from '../model/geometry.js';
 import {ontoSheet, wayOnSheet, type SheetPlace} from '../model/sheet-place.js';
 import {mismatchLine} from '../scene/colours.js';
 import {pick} from '../scene/marks.js';
@@ -127,9 +127,8 @@ export function keptStrokes(scene: PatternScene, appearance: Appearance): readon
 
 /** An arrow head at `tip`, seen from `tail`. */
 export function arrowHead(tail: Point, tip: Point): Point[] {
-  const length = Math.hypot(tip[0] - tail[0], tip[1] - tail[1]);
-  const size = Math.min(1.6, length / 4);
-  const [x, y] = [(tip[0] - tail[0]) / length, (tip[1] - tail[1]) / length];
+  const size = Math.min(1.6, distance(tail, tip) / 4);
+  const [x, y] = unit(minus(tip, tail));
   const barb = (side: number): Point => [
     tip[0] - size * (x - 0.4 * side * y),
     tip[1] - size * (y + 0.4 * side * x),
@@ -164,14 +163,10 @@ export function markStrokes(scene: PatternScene, appearance: Appearance): readon
   const grain = scene.pieces.flatMap((piece) => {
     const [from, to] = (piece.grain ?? []).map((point) => ontoSheet(piece, point));
     if (!from || !to) return [];
-    const share = Math.min(0.5, grainEnd / (Math.hypot(to[0] - from[0], to[1] - from[1]) || 1));
-    const toward = (a: Point, b: Point): Point => [
-      a[0] + share * (b[0] - a[0]),
-      a[1] + share * (b[1] - a[1]),
-    ];
+    const share = Math.min(0.5, grainEnd / (distance(from, to) || 1));
     const lines = [
-      [from, toward(from, to)],
-      [to, toward(to, from)],
+      [from, between(from, to, share)],
+      [to, between(to, from, share)],
       arrowHead(from, to),
       arrowHead(to, from),
     ];

@@ -7,7 +7,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-import type {Point} from '../model/geometry.js';
+import {norm, type Point} from '../model/geometry.js';
 import type {Tile} from '../recognition/tile.js';
 
 /** Longest side of a texture. [px] */
@@ -38,7 +38,7 @@ export class TileTexture {
 
   /** `cell`: the sides of what the tile shows. [cm] */
   set(tile: Tile | undefined, cell: readonly [Point, Point]): void {
-    const sides: Point = [Math.hypot(...cell[0]), Math.hypot(...cell[1])];
+    const sides: Point = [norm(cell[0]), norm(cell[1])];
     this.#vector = tile && 'vector' in tile ? {image: tile.vector, sides} : undefined;
     this.#density = this.#asked;
     if (!tile) this.#drawBlank(sides);

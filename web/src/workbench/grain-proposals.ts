@@ -1,7 +1,8 @@
 /** Where the grain of pieces probably runs, when their file does not say it: from how they hang, and from their symmetry. */
 import type {Placement} from '../model/garment-document.js';
 import type {PanelMarks} from '../model/garment-marks.js';
-import type {Point} from '../model/geometry.js';
+import {degrees, middle, radians, towards, type Point} from '../model/geometry.js';
+import {boxOf} from '../model/polyline.js';
 import type {ResultPiece} from '../model/result.js';
 import type {Registration, Symmetry} from '../model/symmetries.js';
 import {turned} from '../layout/on-body.js';
@@ -20,7 +21,7 @@ const armSlope = 30;
 const nearAxis = 45;
 
 /** From 0 to 360. */
-const whole = (degrees: number): number => ((degrees % 360) + 360) % 360;
+const whole = (angleDeg: number): number => ((angleDeg % 360) + 360) % 360;
 const apart = (one: number, other: number): number => {
   const difference = whole(one - other);
   return Math.min(difference, 360 - difference);
@@ -31,21 +32,16 @@ function upOf(name: string, middle: Point, {translation, rotation = [0, 0, 0]}: 
   const [dx] = turned([...middle, 0], rotation);
   const x = translation[0] + dx;
   if (!onArm.test(name) || Math.abs(x) < 1) return [0, 1];
-  const slope = (armSlope * Math.PI) / 180;
-  return [-Math.sign(x) * Math.cos(slope), Math.sin(slope)];
+  const [out, up] = towards(radians(armSlope));
+  return [-Math.sign(x) * out, up];
 }
 
 /** Of the ways in which a piece is drawn the one that leads up most on the body; undefined where nothing tells. */
 function placedUp(piece: Drafted, placement: Placement | undefined): number | undefined {
   const {rotation} = placement ?? {};
   if (!placement || !rotation) return undefined;
-  const xs = piece.rest.map(([x]) => x);
-  const ys = piece.rest.map(([, y]) => y);
-  const middle: Point = [
-    (Math.min(...xs) + Math.max(...xs)) / 2,
-    (Math.min(...ys) + Math.max(...ys)) / 2,
-  ];
-  const [ux, uy] = upOf(piece.name, middle, placement);
+  const {low, high} = boxOf(piece.rest);
+  const [ux, uy] = upOf(piece.name, middle(low, high), placement);
   const rise = (x: number, y: number): number => {
     const [dx, dy] = turned([x, y, 0], rotation);
     return dx * ux + dy * uy;
@@ -83,15 +79,15 @@ export function mirrorsOf({
 /** The grain line of a piece, and that of its mirror image if it has one, by name. [degrees] */
 export function withImage(
   piece: string,
-  degrees: number,
+  angleDeg: number,
   mirrors: readonly Mirror[],
 ): Readonly<Record<string, number>> {
-  const lines: Record<string, number> = {[piece]: whole(degrees)};
+  const lines: Record<string, number> = {[piece]: whole(angleDeg)};
   for (const one of mirrors) {
     if (one.kind !== 'pair' || !one.pieces.includes(piece)) continue;
     const isFirst = one.pieces[0] === piece;
     // F turns the direction d into 180 - d; back the other way, the map turns as far
-    lines[one.pieces[isFirst ? 1 : 0]] = whole(180 - degrees + (one.map.angle * 180) / Math.PI);
+    lines[one.pieces[isFirst ? 1 : 0]] = whole(180 - angleDeg + degrees(one.map.angle));
   }
   return lines;
 }
@@ -109,7 +105,7 @@ export function grainProposals(
     const up = placedUp(piece, placement) ?? upwards;
     const own = mirrors.find((one) => one.kind === 'piece' && one.piece === piece.name);
     // R F mirrors in a line at half the angle from the y axis
-    const axis = own && upwards + (own.map.angle * 90) / Math.PI;
+    const axis = own && upwards + degrees(own.map.angle) / 2;
     proposals.set(piece.name, axis === undefined ? up : alongAxis(up, axis));
   }
   for (const one of mirrors) {
@@ -124,10 +120,10 @@ export function grainProposals(
 
 /** How a grain line of a file without one is chosen. */
 export const grainWays = ['up', 'across', 'bias'] as const;
-export type GrainWay = (typeof grainWays)[number];
+type GrainWay = (typeof grainWays)[number];
 
 export const angleOfWay: Readonly<Record<GrainWay, number>> = {up: upwards, across: 0, bias: 45};
 
 /** Undefined for a line that is none of these. */
-export const wayOf = (degrees: number): GrainWay | undefined =>
-  grainWays.find((way) => apart(angleOfWay[way], degrees) < 0.05);
+export const wayOf = (angleDeg: number): GrainWay | undefined =>
+  grainWays.find((way) => apart(angleOfWay[way], angleDeg) < 0.05);

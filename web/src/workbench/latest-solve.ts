@@ -6,7 +6,7 @@ import type {Progress} from '../model/problem.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 import type {SolverService} from '../solver/service.js';
 
-export interface SolveListeners {
+interface SolveListeners {
   pattern(design: Design, pattern: MeshedPattern): void;
   /** Angle, x, y per piece. [rad, cm] */
   partial(design: Design, alignments: Float64Array): void;

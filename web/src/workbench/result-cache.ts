@@ -2,7 +2,7 @@
 import type {Design} from '../model/design.js';
 import type {MeshedPattern, SolveResult} from '../model/result.js';
 
-export interface Answer {
+interface Answer {
   readonly pattern: MeshedPattern;
   readonly result: SolveResult;
 }

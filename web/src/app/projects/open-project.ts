@@ -18,7 +18,7 @@ export const tabKey = 'seamwise.project';
  * `given`: what the page shows by itself or by its address, and would show again; `sample`: chosen, to be had
  * again at any time; `own`: anything else.
  */
-export type Origin = 'given' | 'sample' | 'own';
+type Origin = 'given' | 'sample' | 'own';
 
 /** What is known of a project before its history is there. */
 export interface Announced {

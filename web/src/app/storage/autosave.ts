@@ -16,19 +16,19 @@ export type {ProjectRecord} from './database.js';
 /** `unavailable`: nothing can be kept, as in some private windows; `full`: the disk is; `failed`: anything else. */
 export type StorageTrouble = 'unavailable' | 'full' | 'failed';
 
-export interface KeptProject extends ProjectRecord {
+interface KeptProject extends ProjectRecord {
   /** Whatever the page has to remember, as data that can be cloned. */
   readonly state: unknown;
 }
 
 /** A project that is called otherwise from now on. */
-export interface Renamed {
+interface Renamed {
   readonly id: string;
   readonly title: string | undefined;
 }
 
 /** What was thrown away can be had back within this. [ms] */
-export const graceMs = 10 * 60_000;
+const graceMs = 10 * 60_000;
 /** Drafts that nobody came back to are forgotten. [ms] */
 const draftMs = 24 * 3_600_000;
 

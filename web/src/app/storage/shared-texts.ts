@@ -7,7 +7,7 @@ const longText = 1000;
 /** The one field of an object that stands for a text. */
 const mark = 'seamwise-text';
 
-export interface Packed {
+interface Packed {
   readonly data: unknown;
   /** By the SHA-256 of their content. */
   readonly texts: ReadonlyMap<string, string>;

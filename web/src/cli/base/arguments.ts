@@ -4,7 +4,7 @@ export class UsageError extends Error {
 }
 
 /** What a subcommand accepts: flags with a value, flags without, and its files in order. */
-export interface Grammar {
+interface Grammar {
   readonly valued: readonly string[];
   readonly switches: readonly string[];
   readonly files: readonly string[];

@@ -6,7 +6,7 @@ import {fileError} from '../../node/files.js';
 /** More than a job with pins for every piece takes. [characters] */
 const greatestLength = 1_000_000;
 
-export interface Line {
+interface Line {
   /** From 1. */
   readonly number: number;
   /** Undefined when it is longer than lines are read. */

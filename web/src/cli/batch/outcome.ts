@@ -2,7 +2,7 @@ import type {Failure, FailureCode} from '../../model/failure.js';
 import type {Metrics, SolveResult} from '../../model/result.js';
 
 /** The figures of a result that are the same in every run. */
-export type Figures = Omit<Metrics, 'milliseconds'> & {readonly milliseconds?: undefined};
+type Figures = Omit<Metrics, 'milliseconds'> & {readonly milliseconds?: undefined};
 
 export const figuresOf = ({metrics}: Pick<SolveResult, 'metrics'>): Figures => ({
   ...metrics,

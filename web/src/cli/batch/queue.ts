@@ -27,7 +27,7 @@ const mostLosses = 10;
 const lookEvery = 5000;
 
 /** A queue of its own for each folder and version: nobody solves what belongs to another batch. */
-export interface QueuePlace {
+interface QueuePlace {
   readonly packages: Packages;
   readonly url: string;
   readonly name: string;

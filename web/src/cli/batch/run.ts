@@ -21,7 +21,7 @@ export interface Tally {
   now: number;
 }
 
-export interface Batch {
+interface Batch {
   readonly jobsFile: string;
   readonly store: Store;
   readonly record: DoneRecord;

@@ -5,7 +5,7 @@ import type {Texts} from '../../texts/texts.js';
  * Where a key works. `page`: everywhere, under a field that is typed into, too; `editor`: everywhere else;
  * `pattern`: while the pattern has the focus.
  */
-export type Where = 'page' | 'editor' | 'pattern';
+type Where = 'page' | 'editor' | 'pattern';
 
 interface Shortcut {
   readonly where: Where;

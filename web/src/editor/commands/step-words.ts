@@ -10,7 +10,7 @@ import {changeBetween, type Change} from './step.js';
 const mostNamed = 2;
 
 /** Undefined where there is no step. */
-export function stepWords(
+function stepWords(
   workbench: Workbench,
   texts: Texts,
   from: Step | undefined,

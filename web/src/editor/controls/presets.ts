@@ -4,7 +4,7 @@ import type {GrainLock, SolveOptions} from '../../model/options.js';
 import type {Method} from '../../model/method.js';
 
 export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit', 'placeOnly'] as const;
-export type PresetName = (typeof presetNames)[number];
+type PresetName = (typeof presetNames)[number];
 
 /** What decides how pieces may lie and change; every field is a decision, whether or not it is the default. */
 export interface Fitting {

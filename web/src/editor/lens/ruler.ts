@@ -1,6 +1,6 @@
 /** Ticks along a length of cloth. */
 
-export interface Ruler {
+interface Ruler {
   /** Between two ticks. [cm] */
   readonly step: number;
   /** From the start of the strip. [CSS px] */

@@ -1,7 +1,7 @@
 /** The way from seam to seam by how much they miss. */
 import {worstSeams, type SeamRow} from '../lists/rows.js';
 
-export interface Rank {
+interface Rank {
   /** From 1, the worst. */
   readonly rank: number;
   readonly count: number;

@@ -4,7 +4,7 @@ import type {PieceNames} from '../../model/piece-names.js';
 import type {SeamRow} from './rows.js';
 
 export const matches = ['double', 'full', 'half', 'none'] as const;
-export type Match = (typeof matches)[number];
+type Match = (typeof matches)[number];
 
 const weights = {double: 2, full: 1, half: 0.5} as const;
 

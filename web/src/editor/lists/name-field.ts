@@ -4,7 +4,7 @@ import {html, type TemplateResult} from 'lit';
 /** What fits on a piece. [characters] */
 const greatestLength = 80;
 
-export interface NameField {
+interface NameField {
   readonly name: string;
   /** For those who do not see it. */
   readonly label: string;

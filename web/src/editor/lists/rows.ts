@@ -1,12 +1,13 @@
 /** Pieces and seams as rows of a table: what there is to know about each, in numbers and names. */
 import type {Design} from '../../model/design.js';
 import type {GarmentDocument, GarmentSeam} from '../../model/garment-document.js';
-import type {Point} from '../../model/geometry.js';
+import {degrees, distance, minus, rotated} from '../../model/geometry.js';
 import {seamLetter} from '../../model/letters.js';
 import type {GrainLock} from '../../model/options.js';
 import type {Pattern, SeamReason, SeamSide} from '../../model/result.js';
 import {mismatchSteps, severity} from '../../scene/colours.js';
-import {isGathered, onPrint, type Drift} from '../../scene/mismatch.js';
+import {boxOf, lengthOf} from '../../model/polyline.js';
+import {isGathered, type Drift} from '../../scene/mismatch.js';
 import {pick} from '../../scene/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
 import type {Format} from '../../texts/format.js';
@@ -132,33 +133,21 @@ export function remarkOn(
   return meets ? lists.runsOff(format.fine(far)) : lists.offAlong(format.fine(drift.most));
 }
 
-const size = (points: readonly Point[], axis: 0 | 1): number => {
-  const along = points.map((point) => point[axis]);
-  return Math.max(...along) - Math.min(...along);
-};
-
 /** What depends on nothing but the outlines. */
 const measures = lastOf(({pieces, seams}: Pattern) => {
-  const way = ({piece, vertices}: SeamSide): number => {
-    const points = pick(pieces[piece]?.rest ?? [], vertices);
-    return points.slice(1).reduce((sum, [x, y], k) => {
-      const [fromX, fromY] = points[k] ?? [x, y];
-      return sum + Math.hypot(x - fromX, y - fromY);
-    }, 0);
-  };
+  const way = ({piece, vertices}: SeamSide): number =>
+    lengthOf(pick(pieces[piece]?.rest ?? [], vertices));
   return {
     pieces: pieces.map(({rest, shape, outline}, piece) => {
       const loop = pick(rest, outline);
       const after = pick(shape, outline);
+      const {low, high} = boxOf(loop);
+      const [width, height] = minus(high, low);
       return {
-        width: size(loop, 0),
-        height: size(loop, 1),
+        width,
+        height,
         seams: seams.filter(({a, b}) => a.piece === piece || b.piece === piece).length,
-        moved: Math.max(
-          ...loop.map(([x, y], k) =>
-            Math.hypot(x - (after[k]?.[0] ?? x), y - (after[k]?.[1] ?? y)),
-          ),
-        ),
+        moved: Math.max(...loop.map((point, k) => distance(point, after[k] ?? point))),
       };
     }),
     lengths: seams.map(({a, b}) => (way(a) + way(b)) / 2),
@@ -166,13 +155,9 @@ const measures = lastOf(({pieces, seams}: Pattern) => {
 });
 
 function offGrain({grain, alignment}: ScenePiece, oneWay: boolean): number {
-  const [from, to] = grain ?? [
-    [0, 0],
-    [0, 1],
-  ];
-  const line: Point = [to[0] - from[0], to[1] - from[1]];
-  const [across, along] = onPrint({angle: alignment.angle, translation: [0, 0]}, line);
-  return (Math.atan2(Math.abs(across), oneWay ? along : Math.abs(along)) * 180) / Math.PI;
+  const line = grain ? minus(grain[1], grain[0]) : ([0, 1] as const);
+  const [across, along] = rotated(line, -alignment.angle);
+  return degrees(Math.atan2(Math.abs(across), oneWay ? along : Math.abs(along)));
 }
 
 /** Whether all of an outline, or some of it, stays as drafted. */

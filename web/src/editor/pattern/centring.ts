@@ -2,16 +2,16 @@
 import type {Placement} from '../../model/garment-document.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import {footOnAxis} from '../../model/mirror-lines.js';
+import {atShare} from '../../model/polyline.js';
 import {turned} from '../../layout/on-body.js';
 import {pick} from '../../scene/marks.js';
 import type {PatternScene, ScenePiece, SceneSeam} from '../../scene/scene.js';
-import {atShare} from '../../scene/seam-line.js';
 import {mirrorsOf} from '../../workbench/grain-proposals.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {middleOf} from './print-mover.js';
 
 /** A point of a piece, in its own coordinates. [cm] */
-export interface Middle {
+interface Middle {
   readonly piece: ScenePiece;
   readonly at: Point;
 }

@@ -1,7 +1,7 @@
 /** Where the grain line of a piece runs, by clicks: along an edge, or through two points. */
 import type {LineTarget, OnPiece, Target} from '../../clicks/pick.js';
 import {inputPoint} from '../../clicks/sheet.js';
-import type {Point} from '../../model/geometry.js';
+import {angleOf, degrees, distance, minus, type Point} from '../../model/geometry.js';
 import type {Overlay} from '../../viewer/overlay.js';
 import type {PatternScene} from '../../scene/scene.js';
 import {withGrainLines} from '../lists/choices.js';
@@ -12,8 +12,7 @@ import type {Workbench} from '../../workbench/workbench.js';
 /** Two points closer than this give no direction. [cm] */
 const shortest = 1;
 
-const degreesOf = ([fromX, fromY]: Point, [toX, toY]: Point): number =>
-  (Math.atan2(toY - fromY, toX - fromX) * 180) / Math.PI;
+const directionOf = (from: Point, to: Point): number => degrees(angleOf(minus(to, from)));
 
 /** A point of the drafted piece, face up. */
 function drafted(scene: PatternScene, {piece, point}: OnPiece): Point {
@@ -32,8 +31,8 @@ function alongEdge(scene: PatternScene, {piece, edge}: LineTarget): number | und
   while (first >= 0 && isOf(last)) last++;
   const [from, to] = [rest[outline[first] ?? -1], rest[outline[last % count] ?? -1]];
   if (!from || !to) return undefined;
-  const degrees = degreesOf(from, to);
-  return degrees > -1e-9 && degrees < 180 - 1e-9 ? degrees : degrees + 180;
+  const direction = directionOf(from, to);
+  return direction > -1e-9 && direction < 180 - 1e-9 ? direction : direction + 180;
 }
 
 export class GrainClicks {
@@ -68,26 +67,27 @@ export class GrainClicks {
     const first = this.#first;
     this.#refused = undefined;
     if (!first && target.kind !== 'piece') {
-      const degrees = target.edge === undefined ? undefined : alongEdge(scene, target);
-      if (degrees === undefined) this.#refused = 'unnumbered';
-      else this.#keep(scene, piece, degrees);
+      const direction = target.edge === undefined ? undefined : alongEdge(scene, target);
+      if (direction === undefined) this.#refused = 'unnumbered';
+      else this.#keep(scene, piece, direction);
     } else if (!first) {
       this.#first = here;
     } else if (first.piece !== piece) {
       this.#refused = 'otherPiece';
     } else {
       const [from, to] = [drafted(scene, first), drafted(scene, here)];
-      if (Math.hypot(to[0] - from[0], to[1] - from[1]) < shortest) this.#refused = 'samePoint';
-      else this.#keep(scene, piece, degreesOf(from, to));
+      if (distance(from, to) < shortest) this.#refused = 'samePoint';
+      else this.#keep(scene, piece, directionOf(from, to));
     }
   }
 
-  #keep(scene: PatternScene, piece: number, degrees: number): void {
+  /** @param direction counter-clockwise from the x axis of the face-up piece [degrees] */
+  #keep(scene: PatternScene, piece: number, direction: number): void {
     this.#first = undefined;
     const {design} = this.#workbench;
     const {name} = scene.pieces[piece] ?? {};
     if (!design || name === undefined) return;
-    const lines = withImage(name, degrees, mirrorsOf(this.#workbench));
+    const lines = withImage(name, direction, mirrorsOf(this.#workbench));
     this.#workbench.change({options: withGrainLines(design.options, lines)});
   }
 

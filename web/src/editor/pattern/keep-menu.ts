@@ -3,6 +3,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {isKept, keptParts} from '../../model/locks.js';
 import type {MeshedPattern} from '../../model/result.js';
+import {lengthOf} from '../../model/polyline.js';
 import {pick} from '../../scene/marks.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {seamRows} from '../lists/rows.js';
@@ -109,10 +110,7 @@ export class KeepMenu extends WorkbenchElement {
         edges[k] === edge ? [[from, outline[(k + 1) % outline.length] ?? from] as const] : [],
       );
       const sewn = ways.map((ends) => names.get(ends.join(' '))).find((name) => name);
-      const length = ways.reduce((sum, ends) => {
-        const [[x, y] = [0, 0], [toX, toY] = [0, 0]] = pick(rest, ends);
-        return sum + Math.hypot(toX - x, toY - y);
-      }, 0);
+      const length = ways.reduce((sum, ends) => sum + lengthOf(pick(rest, ends)), 0);
       return {edge, name: sewn ?? this.texts.keep.openEdge(this.format.length(length))};
     });
   }

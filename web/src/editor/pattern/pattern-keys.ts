@@ -19,7 +19,7 @@ const ways: Readonly<Record<string, Point>> = {
 };
 
 /** The pattern that has the keys: what lies on its sheet, and how far the drafted one is drawn over it. */
-export interface KeyedPattern extends CommandedPattern {
+interface KeyedPattern extends CommandedPattern {
   readonly index: PickIndex | undefined;
   split: number | undefined;
 }

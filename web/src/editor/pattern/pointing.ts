@@ -8,7 +8,7 @@ import type {Workbench} from '../../workbench/workbench.js';
 import {pointedAt, reachOf, type PatternTools} from './pattern-tools.js';
 
 /** What pointers work on. */
-export interface Pointable {
+interface Pointable {
   readonly workbench: Workbench;
   readonly tools: PatternTools;
   readonly view: PatternView | undefined;
@@ -17,7 +17,7 @@ export interface Pointable {
 }
 
 /** Lines that a click may have meant, and where it was. [CSS px] */
-export interface Ties {
+interface Ties {
   readonly at: Point;
   readonly targets: readonly Picked[];
 }

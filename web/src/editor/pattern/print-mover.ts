@@ -1,6 +1,16 @@
 /** Moves the print inside a piece: the piece is then pinned to it, and the others follow. */
 import type {Design} from '../../model/design.js';
-import type {Alignment, Point} from '../../model/geometry.js';
+import {
+  cross,
+  dot,
+  leftOf,
+  middle,
+  minus,
+  plus,
+  rotated,
+  type Alignment,
+  type Point,
+} from '../../model/geometry.js';
 import {angleAfter, grainRule} from '../../model/grain-rule.js';
 import {
   mirroringsOf,
@@ -10,34 +20,27 @@ import {
   type PieceFacts,
 } from '../../model/pins.js';
 import {axisLine, nextMirrored} from '../../model/mirror-lines.js';
-import {onPrint} from '../../scene/mismatch.js';
+import {boxOf} from '../../model/polyline.js';
 import {pick} from '../../scene/marks.js';
 import type {ScenePiece} from '../../scene/scene.js';
 import {lastOf} from '../../workbench/last-of.js';
 import type {Workbench} from '../../workbench/workbench.js';
 
 /** The print shifted by a way on the sheet. */
-export const shifted = ({angle, translation: [x, y]}: Alignment, [dx, dy]: Point): Alignment => ({
+export const shifted = ({angle, translation}: Alignment, way: Point): Alignment => ({
   angle,
-  translation: [x + dx, y + dy],
+  translation: plus(translation, way),
 });
 
 /** The print turned counter-clockwise about a point of the piece. */
-export function turned({angle, translation}: Alignment, by: number, about: Point): Alignment {
-  const [x, y] = onPrint({angle: -by, translation: [0, 0]}, [
-    translation[0] - about[0],
-    translation[1] - about[1],
-  ]);
-  return {angle: angle + by, translation: [x + about[0], y + about[1]]};
-}
+const turned = ({angle, translation}: Alignment, by: number, about: Point): Alignment => ({
+  angle: angle + by,
+  translation: plus(rotated(minus(translation, about), by), about),
+});
 
 export function middleOf({points, outline}: ScenePiece): Point {
-  const loop = pick(points, outline);
-  const mean = (axis: 0 | 1): number => {
-    const values = loop.map((point) => point[axis]);
-    return (Math.min(...values) + Math.max(...values)) / 2;
-  };
-  return [mean(0), mean(1)];
+  const {low, high} = boxOf(pick(points, outline));
+  return middle(low, high);
 }
 
 /** What is to be known of a piece to say where it can lie. */
@@ -80,10 +83,10 @@ export function stepped(workbench: Workbench, piece: ScenePiece, way: Point): Al
   const line = own && axisLine(scenes.now.print, own.map, piece.alignment);
   if (!line) return wanted;
   const {along, spacing} = line;
-  const across = along[0] * way[1] - along[1] * way[0];
-  if (Math.abs(across) <= Math.abs(along[0] * way[0] + along[1] * way[1])) return wanted;
+  const across = cross(along, way);
+  if (Math.abs(across) <= Math.abs(dot(along, way))) return wanted;
   const over = Math.sign(across) * spacing;
-  return shifted(piece.alignment, [-along[1] * over, along[0] * over]);
+  return shifted(piece.alignment, plus([0, 0], leftOf(along), over));
 }
 
 /**

@@ -1,7 +1,8 @@
 /** Where the print of a symmetric piece may go: its axis on one of the print's mirror lines. */
-import type {Point} from '../../model/geometry.js';
+import {leftOf, minus, plus, type Point} from '../../model/geometry.js';
 import {mirroringsOf, ownMirroring} from '../../model/pins.js';
 import {axisLine, footOnAxis} from '../../model/mirror-lines.js';
+import {crossingsOf} from '../../model/polyline.js';
 import {wayOnSheet} from '../../model/sheet-place.js';
 import {pick} from '../../scene/marks.js';
 import type {Overlay} from '../../viewer/overlay.js';
@@ -12,18 +13,11 @@ import type {Target} from '../../workbench/state.js';
 /** The parts of an endless line that lie inside of a loop. */
 function inside(
   loop: readonly Point[],
-  [x, y]: Point,
-  [ux, uy]: Point,
+  through: Point,
+  along: Point,
 ): readonly (readonly [Point, Point])[] {
-  const crossings = loop.flatMap(([ax, ay], k): number[] => {
-    const [bx, by] = loop[(k + 1) % loop.length] ?? [ax, ay];
-    const [from, to] = [ux * (ay - y) - uy * (ax - x), ux * (by - y) - uy * (bx - x)];
-    if (from > 0 === to > 0) return [];
-    const share = from / (from - to);
-    return [ux * (ax + share * (bx - ax) - x) + uy * (ay + share * (by - ay) - y)];
-  });
-  const sorted = crossings.sort((one, other) => one - other);
-  const at = (way: number): Point => [x + way * ux, y + way * uy];
+  const sorted = crossingsOf(loop, through, along).sort((one, other) => one - other);
+  const at = (way: number): Point => plus(through, along, way);
   return sorted.flatMap((start, k) => {
     const end = sorted[k + 1];
     return k % 2 === 0 && end !== undefined ? [[at(start), at(end)] as const] : [];
@@ -45,13 +39,13 @@ export function railsOf(
   const loop = pick(piece.points, piece.outline);
   const foot = footOnAxis(own.map, [0, 0]);
   const lineAt = (step: number): readonly (readonly [Point, Point])[] =>
-    inside(loop, [foot[0] - step * spacing * along[1], foot[1] + step * spacing * along[0]], along);
+    inside(loop, plus(foot, leftOf(along), step * spacing), along);
   const axis = lineAt(0);
   const ends = axis.flat();
   const [first, last] = [ends[0], ends.at(-1)];
   if (!first || !last) return {};
   const label = isOnMotif ? symmetry.onMotif : symmetry.onMirror;
-  const isUpper = wayOnSheet(piece, [first[0] - last[0], first[1] - last[1]])[1] > 0;
+  const isUpper = wayOnSheet(piece, minus(first, last))[1] > 0;
   const top = isUpper ? first : last;
   return {
     candidate: {piece: number, axis: [first, last]},

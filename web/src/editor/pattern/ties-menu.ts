@@ -4,7 +4,7 @@ import {css, html, LitElement, type PropertyValues, type TemplateResult} from 'l
 import type {Point} from '../../model/geometry.js';
 import {controls} from '../style/controls.js';
 
-export interface TiedChoice {
+interface TiedChoice {
   readonly text: string;
   readonly choose: () => void;
   readonly point: () => void;

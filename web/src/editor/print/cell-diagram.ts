@@ -1,10 +1,10 @@
 /** The cell of a print as it lies on the cloth, with the two sides that are measured. */
 import {css, svg, html, type TemplateResult} from 'lit';
 
-import type {Point} from '../../model/geometry.js';
+import {combined, norm, type Point} from '../../model/geometry.js';
 import {latticeVectors, type RepeatSize} from '../../model/repeat.js';
 
-export interface CellDiagram {
+interface CellDiagram {
   readonly size: RepeatSize;
   /** Counter-clockwise. [degrees] */
   readonly turnDeg: number;
@@ -23,16 +23,15 @@ export function cellDiagram({size, turnDeg, names, label}: CellDiagram): Templat
   const [a, b] = latticeVectors('p1', size, turnDeg);
   const reach = (k: 0 | 1): number => Math.abs(a[k]) + Math.abs(b[k]);
   const scale = Math.min((1.8 * room) / reach(0), room / reach(1));
-  const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-  const at = (s: number, t: number): Point => [
-    wide / 2 + scale * (s * a[0] + t * b[0] - middle[0]),
-    tall / 2 - scale * (s * a[1] + t * b[1] - middle[1]),
-  ];
+  const at = (s: number, t: number): Point => {
+    const [x, y] = combined([a, b], s - 1 / 2, t - 1 / 2);
+    return [wide / 2 + scale * x, tall / 2 - scale * y];
+  };
   const line = (...points: readonly Point[]): string =>
     `M${points.map((p) => p.join(' ')).join('L')}`;
   const named = (name: string, [x, y]: Point): TemplateResult => {
     const [outX, outY] = [x - wide / 2, y - tall / 2];
-    const length = Math.hypot(outX, outY) || 1;
+    const length = norm([outX, outY]) || 1;
     const anchor = Math.abs(outX) < 0.5 * length ? 'middle' : outX > 0 ? 'start' : 'end';
     return svg`<text
       x=${x + (away * outX) / length}

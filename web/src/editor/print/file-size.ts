@@ -2,7 +2,7 @@
 import {fileKind} from '../../recognition/file-kind.js';
 import {dpiOf, lengthOnPaper, resolutionOf} from '../../recognition/printed-size.js';
 import {rootAttribute} from '../../recognition/svg-size.js';
-import {blobOf} from '../../recognition/print-tile.js';
+import {blobOf} from '../../recognition/data-url.js';
 import {leastRepeat, mostRepeat} from './limits.js';
 import {loadPicture} from './picture.js';
 

@@ -42,7 +42,7 @@ export function edgesPath(edges: readonly OpenEdge[]): string {
     .join('');
 }
 
-export interface MarkedPicture {
+interface MarkedPicture {
   readonly image: string;
   /** Of the picture. */
   readonly size: {readonly width: number; readonly height: number};

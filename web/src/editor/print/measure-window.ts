@@ -1,5 +1,6 @@
 /** The part of a print on which two points are measured. */
 import {printOf, type DesignPrint} from '../../model/design.js';
+import {norm} from '../../model/geometry.js';
 import {imageCell} from '../../model/wallpaper.js';
 
 /** The shorter side of what is shown, as a share of the longer. */
@@ -16,7 +17,7 @@ export function windowOn(print: DesignPrint) {
   // of a stripe, which may repeat after a few millimetres, so much that it can be pointed at
   const longest = Math.max(right - left, top - bottom);
   const side = (length: number): number => Math.max(length, narrowest * longest);
-  const sides = [Math.hypot(...a), Math.hypot(...b)] as const;
+  const sides = [norm(a), norm(b)] as const;
   // the picture's y runs down, against the second side of the cell
   const matrix = [
     ...[a[0] / sides[0], -a[1] / sides[0], -b[0] / sides[1], b[1] / sides[1]],

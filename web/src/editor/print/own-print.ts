@@ -117,7 +117,7 @@ export async function pictureOfTile({image, repeat, turnedDeg}: PrintTile): Prom
 }
 
 /** An own picture in a group that it has. */
-export async function asFound(
+async function asFound(
   own: OwnPicture,
   {group, size, cell, turnDeg}: FoundGroup,
 ): Promise<DesignPrint> {

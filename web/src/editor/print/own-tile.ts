@@ -1,15 +1,12 @@
 /** Reads what somebody hands over as a print: a print file, or the picture of one cell. */
 import {noPicture, type DesignPrint} from '../../model/design.js';
-import type {Point} from '../../model/geometry.js';
-import {
-  groupNames,
-  printCells,
-  type GroupName,
-  type Print,
-  type PrintCell,
-} from '../../model/print.js';
+import {distance, norm} from '../../model/geometry.js';
+import type {Print} from '../../model/print.js';
+import {readPrintFile} from '../../model/print-file.js';
+import {fieldOf} from '../../model/read.js';
 import {latticeVectors, repeatOf} from '../../model/repeat.js';
 import type {OwnPicture} from '../../model/tile-repeat.js';
+import {FileError} from '../../model/versioned-file.js';
 import {en, type Texts} from '../../texts/en.js';
 import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
@@ -41,10 +38,7 @@ async function readOwnPicture(file: File, words: Words): Promise<OwnPicture> {
  * its picture, which cannot be read from here: until that is opened, too, the cloth is bare.
  * @throws {Error} with one sentence that says what is wrong
  */
-export async function readPrintFile(
-  file: File,
-  words: Words = en.print.files,
-): Promise<DesignPrint> {
+export async function readPrint(file: File, words: Words = en.print.files): Promise<DesignPrint> {
   if (await looksLikePicture(file)) return printOfPicture(await readOwnPicture(file, words));
   if (file.size > mostBytes) throw new Error(words.tooLarge(file.name));
   return printFrom(await file.text(), file.name, words);
@@ -61,7 +55,7 @@ export async function openPrint(workbench: Workbench, file: File): Promise<void>
   const present = workbench.design?.print;
   workbench.doubtful = undefined;
   if (!(await looksLikePicture(file))) {
-    workbench.change({print: await readPrintFile(file, words)});
+    workbench.change({print: await readPrint(file, words)});
     return;
   }
   const own = await readOwnPicture(file, words);
@@ -79,48 +73,38 @@ export async function openPrint(workbench: Workbench, file: File): Promise<void>
 
 /** @throws {Error} */
 export function printFrom(text: string, name: string, words: Words): DesignPrint {
-  const print = parsed(text);
-  const {group, w1, w2} = print;
-  if (isPattern(print)) throw new Error(words.pattern(name));
-  if (!isGroup(group) || !isPoint(w1) || !isPoint(w2)) throw new Error(words.noPrint(name));
-  const cell = isCell(print.cell) ? print.cell : 'primitive';
+  const {title, group, w1, w2, cell = 'primitive', oneWay = false, image} = read(text, name, words);
   const repeat = repeatOf({group, w1, w2, cell});
   const again = latticeVectors(group, repeat.size, repeat.turnDeg, cell);
-  const off = [w1, w2].map(([x, y], k) =>
-    Math.hypot(x - (again[k]?.[0] ?? 0), y - (again[k]?.[1] ?? 0)),
-  );
+  const off = Math.max(distance(w1, again[0]), distance(w2, again[1]));
   // also false where they are no numbers at all, as of vectors without a length
-  if (!(Math.max(...off) < 0.001 * Math.hypot(...w1)) || repeat.size.angleDeg <= 0) {
+  if (!(off < 0.001 * norm(w1)) || repeat.size.angleDeg <= 0) {
     throw new Error(words.wrongLattice(name, group));
   }
-  const {title, oneWay, image} = print;
   return {
     title: typeof title === 'string' ? title : name.replace(/\.[^.]*$/, ''),
-    ...{group, ...repeat, oneWay: oneWay === true},
-    cell,
-    image: typeof image === 'string' && image.startsWith('data:image/') ? image : noPicture,
+    ...{group, ...repeat, oneWay, cell},
+    image: image?.startsWith('data:image/') ? image : noPicture,
   };
 }
 
-function parsed(text: string): {readonly [Field in keyof Print]?: unknown} {
+function read(text: string, name: string, words: Words): Print {
   try {
-    return Object(JSON.parse(text)) as Record<string, unknown>;
-  } catch {
-    return {};
+    return readPrintFile(text, name);
+  } catch (cause) {
+    if (!(cause instanceof FileError)) throw cause;
+    throw new Error(isPattern(text) ? words.pattern(name) : words.noPrint(name), {cause});
   }
 }
 
-const isGroup = (value: unknown): value is GroupName =>
-  (groupNames as readonly unknown[]).includes(value);
-
-const isCell = (value: unknown): value is PrintCell =>
-  (printCells as readonly unknown[]).includes(value);
-
 /** A sewing pattern has its pieces here, or says so. */
-const isPattern = (file: object): boolean =>
-  'pattern' in file ||
-  'panels' in file ||
-  String(Reflect.get(file, 'format')).startsWith('seamwise-garment/');
-
-const isPoint = (value: unknown): value is Point =>
-  Array.isArray(value) && value.length === 2 && value.every((one) => Number.isFinite(one));
+function isPattern(text: string): boolean {
+  try {
+    const file: unknown = JSON.parse(text);
+    const has = (field: string): boolean => fieldOf(file, field) !== undefined;
+    const isOwn = String(fieldOf(file, 'format')).startsWith('seamwise-garment/');
+    return has('pattern') || has('panels') || isOwn;
+  } catch {
+    return false;
+  }
+}

@@ -1,5 +1,6 @@
 /** Reads a file as the picture of a print; whatever else it is, is named. */
 import {fileKind, isWhole, type FileKind} from '../../recognition/file-kind.js';
+import {dataUrlOf} from '../../recognition/data-url.js';
 import {hasOutsidePictures} from '../../recognition/svg-picture.js';
 import {sizedSvg} from '../../recognition/svg-size.js';
 import type {Texts} from '../../texts/en.js';
@@ -19,7 +20,7 @@ const pictureTypes: Readonly<Partial<Record<FileKind, string>>> = {
   ...{png: 'image/png', jpeg: 'image/jpeg', webp: 'image/webp', svg: 'image/svg+xml'},
 };
 
-export interface OpenedPicture {
+interface OpenedPicture {
   /** A `data:` URL. */
   readonly image: string;
   /** [px] */
@@ -49,7 +50,7 @@ export async function readPicture(file: File, words: Words): Promise<OpenedPictu
   const damaged = new Error(words.damaged(name, words.kinds[kind]));
   const bytes = new Uint8Array(await file.arrayBuffer());
   if (!isWhole(bytes, kind)) throw damaged;
-  const image = await dataUrl(
+  const image = await dataUrlOf(
     kind === 'svg' ? svgBlob(bytes, name, words) : new Blob([bytes], {type}),
   );
   const picture = await loadPicture(image).catch(() => {
@@ -64,17 +65,4 @@ function svgBlob(bytes: Uint8Array, name: string, words: Words): Blob {
   const text = new TextDecoder().decode(bytes);
   if (hasOutsidePictures(text)) throw new Error(words.outsidePictures(name));
   return new Blob([sizedSvg(text)], {type: 'image/svg+xml'});
-}
-
-function dataUrl(blob: Blob): Promise<string> {
-  return new Promise((resolve, reject) => {
-    const reader = new FileReader();
-    reader.addEventListener('load', () => {
-      resolve(typeof reader.result === 'string' ? reader.result : '');
-    });
-    reader.addEventListener('error', () => {
-      reject(new Error(reader.error?.message));
-    });
-    reader.readAsDataURL(blob);
-  });
 }

@@ -2,6 +2,7 @@
 import {html, svg, type TemplateResult} from 'lit';
 
 import {noPicture} from '../../model/design.js';
+import {norm} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
 import {imageCell} from '../../model/wallpaper.js';
 
@@ -14,8 +15,8 @@ const repeats = 2.4;
 /** @param id of its own among the swatches of one element */
 export function swatch(id: string, print: Print, image = print.image ?? ''): TemplateResult {
   const [a, b] = imageCell(print);
-  const [width, height] = [Math.hypot(...a), Math.hypot(...b)];
-  const side = repeats * Math.max(Math.hypot(...print.w1), Math.hypot(...print.w2));
+  const [width, height] = [norm(a), norm(b)];
+  const side = repeats * Math.max(norm(print.w1), norm(print.w2));
   // the picture's y runs down, against the second edge of the cell
   const matrix = [a[0] / width, -a[1] / width, -b[0] / height, b[1] / height, side / 2, side / 2];
   return html`<svg

@@ -3,6 +3,7 @@ import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit'
 
 import {askedSymmetries, askingFor, printOf, type Design} from '../../model/design.js';
 import type {Failure} from '../../model/failure.js';
+import {degrees} from '../../model/geometry.js';
 import {grainRule} from '../../model/grain-rule.js';
 import {mirrorAlignment, mirrors, turnToGrain} from '../../model/mirror-images.js';
 import {carries} from '../../model/repeat.js';
@@ -189,12 +190,12 @@ export class WaysOut extends WorkbenchElement {
     const turn = turnToGrain(printOf(print), map, [first, second], one.kind === 'piece');
     if (turn === 0) return [];
     const {symmetry: texts} = this.texts;
-    const degrees = (turn * 180) / Math.PI;
-    const turnDeg = ((((print.turnDeg + degrees + 180) % 360) + 360) % 360) - 180;
+    const moreDeg = degrees(turn);
+    const turnDeg = ((((print.turnDeg + moreDeg + 180) % 360) + 360) % 360) - 180;
     const free = names.reduce((all, name) => withGrain(all, name, 'free'), options);
     const label = names.map((name) => this.#label(name)).join(', ');
     return [
-      {label: texts.turnPrint(this.format.number(degrees)), change: {print: {...print, turnDeg}}},
+      {label: texts.turnPrint(this.format.number(moreDeg)), change: {print: {...print, turnDeg}}},
       {label: texts.anyAngle(label), change: {options: free}},
     ];
   }

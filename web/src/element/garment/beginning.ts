@@ -6,7 +6,7 @@ import type {Asked} from './sources.js';
 const rootMargin = '200px';
 
 /** What the element says for itself. */
-export interface Beginner {
+interface Beginner {
   readonly element: Element;
   readonly isEager: () => boolean;
   /** Undefined where garment or print are missing. */

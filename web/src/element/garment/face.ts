@@ -7,7 +7,7 @@ import type {GarmentMode} from './attributes.js';
 import type {OfferedPrint} from './offered-prints.js';
 import type {GarmentSession} from './session.js';
 
-export interface Face {
+interface Face {
   readonly session: GarmentSession;
   readonly texts: Texts;
   /** What of it is loaded. */

@@ -1,5 +1,6 @@
 /** Files that the element is pointed at: read once, within limits, and with a sentence for all that goes wrong. */
 import {SolverError, type FailureCode} from '../../model/failure.js';
+import {fetchedBy} from '../../model/fetched.js';
 import {sha256Of} from '../../model/result-text.js';
 import type {StoredFile} from '../../model/stored-file.js';
 import type {Texts} from '../../texts/texts.js';
@@ -12,7 +13,7 @@ const megabyte = 2 ** 20;
 /** Of a picture as it is stored, and of JSON, of which the solver reads no more. [MB] */
 const most = {picture: 64, text: 20};
 
-export interface ReadFile {
+interface ReadFile {
   readonly place: StoredFile;
   readonly text: string;
 }
@@ -27,25 +28,23 @@ export async function fetchBlob(
   signal?: AbortSignal,
   kind: keyof typeof most = 'picture',
 ): Promise<Blob> {
-  signal?.throwIfAborted();
-  const late = new AbortController();
-  const clock = setTimeout(() => {
-    late.abort();
-  }, patience);
-  try {
-    const either = signal ? AbortSignal.any([signal, late.signal]) : late.signal;
-    const response = await fetch(url, {credentials: 'same-origin', signal: either});
-    if (!response.ok) throw refused(url, response.status, words);
-    return await limited(url, response, words, most[kind]);
-  } catch (error) {
-    signal?.throwIfAborted();
-    if (error instanceof SolverError) throw error;
-    if (late.signal.aborted) {
+  const fetched = await fetchedBy(
+    (either) => fetch(url, {credentials: 'same-origin', signal: either}),
+    {signal, timeoutMs: patience, mostBytes: most[kind] * megabyte},
+  );
+  switch (fetched.kind) {
+    case 'read':
+      return new Blob(fetched.parts, {type: fetched.type});
+    case 'refused':
+      throw refused(url, fetched.status, words);
+    case 'late':
       throw failure('timeout', words.timeout(url, String(patience / 1000)));
+    case 'tooLarge':
+      throw failure('too-large', words.tooLarge(url, `${most[kind]} MB`));
+    case 'failed': {
+      const {cause} = fetched;
+      throw failure('network', words.network(url, cause instanceof Error ? cause.message : '?'));
     }
-    throw failure('network', words.network(url, error instanceof Error ? error.message : '?'));
-  } finally {
-    clearTimeout(clock);
   }
 }
 
@@ -53,30 +52,6 @@ const refused = (url: string, status: number, words: FileWords): SolverError =>
   status >= 400 && status < 500
     ? failure('not-found', words.notFound(url))
     : failure('network', words.network(url, `HTTP ${status}`));
-
-async function limited(
-  url: string,
-  response: Response,
-  words: FileWords,
-  megabytes: number,
-): Promise<Blob> {
-  const parts: Uint8Array<ArrayBuffer>[] = [];
-  let size = Number(response.headers.get('Content-Length') ?? 0);
-  let read = 0;
-  const reader = response.body?.getReader();
-  for (;;) {
-    if (Math.max(size, read) > megabytes * megabyte) {
-      void reader?.cancel().catch(() => undefined);
-      throw failure('too-large', words.tooLarge(url, `${megabytes} MB`));
-    }
-    size = 0;
-    const next = await reader?.read();
-    if (!next || next.done) break;
-    parts.push(next.value);
-    read += next.value.length;
-  }
-  return new Blob(parts, {type: response.headers.get('Content-Type') ?? ''});
-}
 
 /** @throws {SolverError} as `fetchBlob` does */
 export async function fetchText(

@@ -4,7 +4,7 @@ import {drawnEvent, undrawableEvent} from '../../editor/pattern/drawing.js';
 
 const kept = ['input', 'change', 'select', 'sw-lens-cursor', 'sw-lens-wanted'];
 
-export interface InnerListener {
+interface InnerListener {
   readonly drawn: () => void;
   readonly undrawable: (failure: Failure) => void;
 }

@@ -22,7 +22,7 @@ import {ToldTiles} from './told-tiles.js';
 import {Waiting} from './waiting.js';
 
 /** Whoever has the session. */
-export interface SessionOwner {
+interface SessionOwner {
   readonly places: () => LeasePlaces;
   readonly emit: Emit;
   /** State, result or design may be others than before. */

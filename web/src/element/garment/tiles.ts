@@ -4,7 +4,7 @@ import {noPicture} from '../../model/design.js';
 import {svgTile, type Tile} from '../../recognition/tile.js';
 import {hasOutsidePictures} from '../../recognition/svg-picture.js';
 import type {Texts} from '../../texts/texts.js';
-import {blobOf} from '../../recognition/print-tile.js';
+import {blobOf} from '../../recognition/data-url.js';
 import {fetchBlob} from './files.js';
 import {pictureSize, type PictureSize} from './picture-size.js';
 

@@ -5,7 +5,7 @@
 import {scan, type JsonBreak, type JsonSink} from './scan.js';
 
 /** What the module takes. */
-export interface DocumentLimits {
+interface DocumentLimits {
   /** Of a text. [bytes] */
   readonly maxFileBytes: number;
   readonly maxValues: number;

@@ -16,7 +16,7 @@ export interface JsonSink {
   close(): void;
 }
 
-export type JsonDefect = 'unexpected' | 'noNumber' | 'overflow' | 'incomplete';
+type JsonDefect = 'unexpected' | 'noNumber' | 'overflow' | 'incomplete';
 
 /** Where a text breaks. */
 export interface JsonBreak {

@@ -1,6 +1,5 @@
-/** Plane geometry for drafting: cubic Bezier edges, their length, and truing one length to another. Lengths in cm. */
-
-export type Point = readonly [x: number, y: number];
+/** Curves for drafting: straight and cubic Bezier edges, their length, and truing one length to another. Lengths in cm. */
+import {between, distance, minus, norm, plus, type Point} from '../../src/model/geometry.js';
 
 /** A straight edge, or a cubic Bezier curve when it has controls. */
 export interface Curve {
@@ -8,25 +7,6 @@ export interface Curve {
   readonly to: Point;
   readonly controls?: readonly [Point, Point];
 }
-
-export const plus = (a: Point, b: Point, factor = 1): Point => [
-  a[0] + factor * b[0],
-  a[1] + factor * b[1],
-];
-export const minus = (a: Point, b: Point): Point => plus(a, b, -1);
-export const norm = (a: Point): number => Math.hypot(a[0], a[1]);
-export const middle = (a: Point, b: Point): Point => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-export const degrees = (angle: number): number => (angle * Math.PI) / 180;
-
-/** Turned counter-clockwise by `angle` (radians). */
-export function turned(a: Point, angle: number): Point {
-  const c = Math.cos(angle);
-  const s = Math.sin(angle);
-  return [c * a[0] - s * a[1], s * a[0] + c * a[1]];
-}
-
-/** A quarter turn to the left: what leaves a line at a right angle. Exact. */
-export const left = (a: Point): Point => [-a[1], a[0]];
 
 /** The unit vector that leans from straight up towards +x by `angle` (radians). */
 export const leaning = (angle: number): Point => [Math.sin(angle), Math.cos(angle)];
@@ -48,7 +28,7 @@ export function curve(
   handleFrom?: number,
   handleTo?: number,
 ): Curve {
-  const third = norm(minus(to, from)) / 3;
+  const third = distance(to, from) / 3;
   return {
     from,
     to,
@@ -125,7 +105,7 @@ const spans = 12;
 
 /** Arc length by Gauss-Legendre quadrature; exact to 1e-9 cm for the curves of a garment. */
 export function length(curve: Curve): number {
-  if (!curve.controls) return norm(minus(curve.to, curve.from));
+  if (!curve.controls) return distance(curve.to, curve.from);
   let sum = 0;
   for (let span = 0; span < spans; span++) {
     gaussNodes.forEach((node, k) => {
@@ -163,16 +143,15 @@ export function trueTo(
 }
 
 /** The two parts of a curve before and after parameter t; together they are the curve itself. */
-export function split({from, to, controls}: Curve, t: number): readonly [Curve, Curve] {
-  const between = (a: Point, b: Point): Point => plus(a, minus(b, a), t);
+function split({from, to, controls}: Curve, t: number): readonly [Curve, Curve] {
   if (!controls) {
-    const at = between(from, to);
+    const at = between(from, to, t);
     return [line(from, at), line(at, to)];
   }
   const [c, d] = controls;
-  const [first, second, third] = [between(from, c), between(c, d), between(d, to)];
-  const [near, far] = [between(first, second), between(second, third)];
-  const at = between(near, far);
+  const [first, second, third] = [between(from, c, t), between(c, d, t), between(d, to, t)];
+  const [near, far] = [between(first, second, t), between(second, third, t)];
+  const at = between(near, far, t);
   return [
     {from, to: at, controls: [first, near]},
     {from: at, to, controls: [far, third]},

@@ -1,0 +1,29 @@
+/** Print files: JSON that gives a print's group and lattice, and may name pictures of its cell. */
+import {groupNames, printCells, type Print} from './print.js';
+import {flag, listOf, Malformed, number, oneOf, pairOf, shape, text, type Read} from './read.js';
+import {FileError} from './versioned-file.js';
+
+/** [cm] */
+const length = number(-10_000, 10_000);
+
+const fields: Read<Print> = shape(
+  {group: oneOf(groupNames), w1: pairOf(length), w2: pairOf(length)},
+  {
+    image: text(),
+    colourways: listOf(shape({name: text(), image: text()})),
+    oneWay: flag,
+    cell: oneOf(printCells),
+  },
+);
+
+/** What a file says besides these fields stays as it is. @throws {FileError} naming the field that is wrong */
+export function readPrintFile(content: string, called: string): Print {
+  try {
+    const file: unknown = JSON.parse(content);
+    return {...(file as object), ...fields(file, '')};
+  } catch (cause) {
+    if (!(cause instanceof Malformed || cause instanceof SyntaxError)) throw cause;
+    const what = cause instanceof Malformed ? cause.message : 'it is not JSON';
+    throw new FileError(called, `is no print file: ${what}; correct it.`, {cause});
+  }
+}
