@@ -19,7 +19,7 @@
 #include "io/json_ends.h"
 #include "io/symmetry_json.h"
 
-/// Leaves an instance that nothing else must be asked of; web/src/solver/broken.ts knows the words.
+/// Leaves an instance that nothing else must be asked of; web/src/solver/answers/broken.ts knows the words.
 EM_JS(void, throwOutOfMemory, (), { throw new WebAssembly.RuntimeError('out of memory'); });
 
 namespace seamwise {

@@ -11,7 +11,7 @@ export type {
   NamedSolveHooks,
   ProblemNames,
 } from './requests/texts.js';
-export type {GarmentHooks, QuestionHooks, SolverService} from './service.js';
+export type {GarmentHooks, QuestionHooks, SolverService, TextService} from './service.js';
 export type {WorkerPlaces} from './page-worker.js';
 
 /**

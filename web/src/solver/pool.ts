@@ -5,7 +5,7 @@ import {MainThreadSolver} from './main-thread.js';
 import type {WorkerPlaces} from './page-worker.js';
 import type {HooksOf} from './requests/kinds.js';
 import type {Requests} from './requests/requests.js';
-import {TextService, type SolverService} from './service.js';
+import {TextService} from './service.js';
 import {warmUpProblems} from './warm-up.js';
 
 /** Where to find the solver, and who hears when it can have no worker. */
@@ -19,7 +19,7 @@ export interface LeasePlaces extends WorkerPlaces {
 
 /** A share in a solver. */
 export interface SolverLease {
-  readonly solver: SolverService;
+  readonly solver: TextService;
   /**
    * Starts the worker, if it has not started, and lets its engine compile what a solve needs: for the
    * time in which files are still on their way. It ends with the first question; nobody hears of it.
