@@ -23,7 +23,7 @@ import {
 import {thread} from './thread.js';
 import type {Order, OrderHooks} from './order.js';
 
-export type {Alignment, Point} from '../model/geometry.js';
+export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
 export type * from '../model/garment.js';
 export type * from '../model/options.js';
 export type * from '../model/print.js';

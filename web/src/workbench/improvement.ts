@@ -2,7 +2,7 @@
 import type {Design} from '../model/design.js';
 import type {Problem} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
-import {finalFit} from '../scene/mismatch.js';
+import {finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 import {idle} from './idle.js';
 
@@ -54,7 +54,7 @@ export class Improvement {
   async start(design: Design, result: SolveResult): Promise<Answered> {
     this.stop();
     const {signal} = (this.#running = new AbortController());
-    const first = finalFit(result).mean;
+    const first = finalMismatch(result).mean;
     let [best, mean]: [Answered, number] = [{design, result}, first];
     const tell = (isRunning: boolean): void => {
       this.#state = {isRunning, gained: first - mean, design: best.design};
@@ -69,7 +69,7 @@ export class Improvement {
         .solve(this.#problemOf(longer), {signal})
         .catch(() => undefined);
       if (!next || signal.aborted) break;
-      const reached = finalFit(next).mean;
+      const reached = finalMismatch(next).mean;
       if (mean - reached < leastGain) continue;
       mean = reached;
       best = {design: this.#keep(design, effort, next), result: next};
