@@ -3,7 +3,7 @@ import {readFileSync} from 'node:fs';
 import {remedies, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {finalFit, fitOf, meanOf, worstOf} from '@/scene/mismatch.js';
+import {finalMismatch, mismatchOf, meanOf, worstOf} from '@/scene/mismatch.js';
 import {sample} from './garments.js';
 
 const print = readFileSync(new URL('../../public/prints/cm.json', import.meta.url), 'utf8');
@@ -16,8 +16,8 @@ const problem = {
 it('has the same figures in the result as everywhere else, and no worst seam below the average', async () => {
   const result = await solve(problem);
   const {localCm} = result.metrics;
-  const final = finalFit(result);
-  const drafted = fitOf(result, 'rest', result.drafted ?? []);
+  const final = finalMismatch(result);
+  const drafted = mismatchOf(result, 'rest', result.drafted ?? []);
   expect(localCm?.final).toBeCloseTo(final.mean, 9);
   expect(localCm?.drafted).toBeCloseTo(drafted.mean, 5);
   expect(localCm?.worst).toBeCloseTo(worstOf(final)?.mean ?? NaN, 9);
@@ -34,11 +34,11 @@ it('counts no mirrored match where mirrored seams are forbidden, there and in ev
   const pmm = readFileSync(new URL('../../public/prints/pmm.json', import.meta.url), 'utf8');
   const result = await solve({garment: sample('tee'), print: pmm, options});
   const {localCm, continuous, fit} = result.metrics;
-  const final = finalFit(result);
+  const final = finalMismatch(result);
   expect(result.continuousOnly).toBe(true);
   expect(localCm?.final).toBeCloseTo(final.mean, 9);
   expect(continuous?.fit).toBeCloseTo(final.total, 6);
-  const drafted = fitOf(result, 'rest', result.drafted ?? []).total;
+  const drafted = mismatchOf(result, 'rest', result.drafted ?? []).total;
   expect((continuous?.fitDrafted ?? NaN) / drafted).toBeCloseTo(1, 5);
   expect(fit).toBeLessThan(final.total);
 });
@@ -58,7 +58,7 @@ it.each(
     const result = await solve({garment, print, options});
     const {localCm} = result.metrics;
     expect(localCm?.worst).toBeGreaterThanOrEqual((localCm?.final ?? NaN) - 1e-12);
-    const {seams} = finalFit(result);
+    const {seams} = finalMismatch(result);
     result.seams.forEach(({why, line, local}, k) => {
       expect(why !== undefined).toBe(seams[k]?.counts && (local?.final ?? NaN) > 0.3);
       if (maxChangeCm === 0) expect(line).toBe('drafted');
@@ -87,7 +87,7 @@ it('offers to leave gathers out, and says what that gains', async () => {
   expect(remedy).toMatchObject({kind: 'ungather', pieces: []});
   expect(remedy?.after).toBeLessThan(0.6 * (remedy?.before ?? 0));
   const tried = await solve({...problem, options: {...problem.options, ...remedy?.change.options}});
-  expect(finalFit(tried).mean).toBeCloseTo(remedy?.after ?? NaN, 9);
+  expect(finalMismatch(tried).mean).toBeCloseTo(remedy?.after ?? NaN, 9);
 });
 
 it('takes no more time for remedies than somebody gives it', async () => {

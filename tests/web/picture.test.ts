@@ -5,7 +5,14 @@ import type {ResultSymmetry, SolveResult} from '@/model/result.js';
 import {hasOutsidePictures} from '@/recognition/svg-picture.js';
 import {mismatchLine} from '@/scene/colours.js';
 import {drawResult} from '@/picture/draw-result.js';
-import {driftOf, finalFit, fitOf, meanOf, seamFitOf, worstOf} from '@/scene/mismatch.js';
+import {
+  driftOf,
+  finalMismatch,
+  mismatchOf,
+  meanOf,
+  joinedMismatchOf,
+  worstOf,
+} from '@/scene/mismatch.js';
 import {
   plainMetrics,
   plainPrint as print,
@@ -35,12 +42,12 @@ const alignments = ({pieces}: SolveResult): Alignment[] => pieces.map(({alignmen
 describe('the fit of a result', () => {
   it('is zero where the print runs on across the seam', () => {
     const result = twoSquares(runsOn);
-    expect(fitOf(result, 'shape', alignments(result)).total).toBeCloseTo(0, 12);
+    expect(mismatchOf(result, 'shape', alignments(result)).total).toBeCloseTo(0, 12);
   });
 
   it('is length times mismatch where it does not', () => {
     const result = twoSquares({angle: 0, translation: [-4, 0.5]});
-    const fit = fitOf(result, 'shape', alignments(result));
+    const fit = mismatchOf(result, 'shape', alignments(result));
     expect(fit.seams[0]?.mismatch[0]).toBeCloseTo(0.5, 12);
     expect(fit.total).toBeCloseTo(4 * 0.5, 12);
     expect(fit.mean).toBeCloseTo(0.5, 12);
@@ -48,13 +55,13 @@ describe('the fit of a result', () => {
 
   it('does not change with a whole repeat, nor when print and pieces turn together', () => {
     const result = twoSquares({angle: 0, translation: [-4 + 20, 0.5 - 10]});
-    expect(fitOf(result, 'shape', alignments(result)).mean).toBeCloseTo(0.5, 12);
+    expect(mismatchOf(result, 'shape', alignments(result)).mean).toBeCloseTo(0.5, 12);
   });
 
   it('takes no mirror of the print where mirrored seams were forbidden', () => {
     const result = twoSquares({angle: 0, translation: [-4, 4]});
     const mirrored = {...result, print: {...print, group: 'pm'}} as const;
-    for (const fit of [fitOf, seamFitOf]) {
+    for (const fit of [mismatchOf, joinedMismatchOf]) {
       const by = (one: SolveResult) => fit(one, 'shape', alignments(one)).total;
       expect(by({...mirrored, continuousOnly: true})).toBeCloseTo(by(result), 12);
       expect(by(mirrored)).toBeLessThan(0.6 * by(result));
@@ -76,7 +83,7 @@ describe('the fit of a result', () => {
         ],
       },
     ]);
-    const fit = fitOf(result, 'shape', alignments(result));
+    const fit = mismatchOf(result, 'shape', alignments(result));
     expect(fit.seams[0]?.counts).toBe(false);
     expect(fit.total).toBe(0);
   });
@@ -106,7 +113,7 @@ describe('the figures of a result', () => {
   };
 
   it('are a mean of the seams by their lengths, which no worst seam is below', () => {
-    const fit = finalFit(three());
+    const fit = finalMismatch(three());
     expect(fit.seams.map(meanOf)).toEqual(
       [0.25, 1, 2].map((cm): unknown => expect.closeTo(cm, 12)),
     );
@@ -117,8 +124,8 @@ describe('the figures of a result', () => {
   it('leave out what does not count', () => {
     const result = three();
     const seams = result.seams.map((seam, k) => ({...seam, matched: k !== 2}));
-    expect(worstOf(finalFit({...result, seams}))?.seam).toBe(1);
-    expect(worstOf(finalFit({...result, seams: []}))).toBeUndefined();
+    expect(worstOf(finalMismatch({...result, seams}))?.seam).toBe(1);
+    expect(worstOf(finalMismatch({...result, seams: []}))).toBeUndefined();
   });
 });
 
@@ -152,19 +159,19 @@ describe('the fit with one symmetry of the print per seam', () => {
   it('measures every edge under the symmetry that suits the whole seam', () => {
     // the second edge of the right side is a whole repeat off: each edge by itself meets, both together do not
     const result = twoEdges('p1', 10);
-    const apart = fitOf(result, 'shape', alignments(result)).seams[0]?.mismatch;
+    const apart = mismatchOf(result, 'shape', alignments(result)).seams[0]?.mismatch;
     apart?.forEach((one) => {
       expect(one).toBeCloseTo(0, 12);
     });
-    const [seam] = seamFitOf(result, 'shape', alignments(result)).seams;
+    const [seam] = joinedMismatchOf(result, 'shape', alignments(result)).seams;
     expect(seam?.mismatch[0]).toBeCloseTo(10, 12);
     expect(seam?.mismatch[1]).toBeCloseTo(0, 12); // that edge is the longer one
   });
 
   it('tells where the print runs off along the seam', () => {
     const result = twoEdges('p1', 10);
-    const [local] = fitOf(result, 'shape', alignments(result)).seams;
-    const [whole] = seamFitOf(result, 'shape', alignments(result)).seams;
+    const [local] = mismatchOf(result, 'shape', alignments(result)).seams;
+    const [whole] = joinedMismatchOf(result, 'shape', alignments(result)).seams;
     if (!local || !whole) throw new Error('no seam');
     const drift = driftOf(local, whole);
     expect(drift?.start).toBeCloseTo(10, 12);
@@ -176,7 +183,10 @@ describe('the fit with one symmetry of the print per seam', () => {
   it('tells whether the print runs on or is mirrored', () => {
     const result = twoEdges('pm', 0);
     const kindAt = (second: Alignment): unknown => {
-      const [seam] = seamFitOf(result, 'shape', [{angle: 0, translation: [0, 0]}, second]).seams;
+      const [seam] = joinedMismatchOf(result, 'shape', [
+        {angle: 0, translation: [0, 0]},
+        second,
+      ]).seams;
       expect(Math.max(...(seam?.mismatch ?? [NaN]))).toBeCloseTo(0, 12);
       return seam?.kind;
     };
@@ -241,7 +251,7 @@ describe('the picture', () => {
   });
 
   it('has the same figures as everything else that shows the result', () => {
-    const {mean} = finalFit(result);
+    const {mean} = finalMismatch(result);
     expect(svg).toContain(`→ ${(10 * mean).toFixed(1)} mm`);
     expect(svg).toContain(`worst seam ${(10 * mean).toFixed(1)} mm`); // of one
   });

@@ -7,7 +7,7 @@ import {seamRows} from '@/editor/lists/rows.js';
 import {begun} from '@/model/history.js';
 import type {SolveHooks} from '@/model/problem.js';
 import type {SolveResult} from '@/model/result.js';
-import type {SolverService} from '@/solver/service.js';
+import type {SolverService, TextService} from '@/solver/service.js';
 import {preferencesFor} from '@/texts/preferences.js';
 import {textsOf} from '@/texts/texts.js';
 import {Observable} from '@/workbench/observable.js';
@@ -37,7 +37,7 @@ function atWork() {
         answer = resolve;
       });
     },
-  } as Pick<SolverService, 'solve'> as SolverService;
+  } as Pick<SolverService, 'solve'> as TextService;
   const lease = {solver, release: () => undefined, warm: () => undefined};
   const workbench = new Workbench(lease, preferencesFor('en'));
   workbench.isEdited = false;

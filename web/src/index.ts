@@ -1,5 +1,5 @@
 /** The package for pages: the solver in workers, and the files that a page may be handed. */
-export type {Alignment, Point} from './model/geometry.js';
+export type {Alignment, MirrorMap, Point} from './model/geometry.js';
 export type * from './model/garment.js';
 export * from './model/garment-document.js';
 export {garmentFile} from './model/garment-file.js';

@@ -3,7 +3,7 @@ import {panelMarks} from '../model/garment-marks.js';
 import type {SolveOptions} from '../model/options.js';
 import type {SolveResult} from '../model/result.js';
 import type {Remedy} from '../node/index.js';
-import {finalFit, fitOf, worstOf} from '../scene/mismatch.js';
+import {finalMismatch, mismatchOf, worstOf} from '../scene/mismatch.js';
 
 const millimetres = (cm: number): string => `${(10 * cm).toFixed(1)} mm`;
 
@@ -29,12 +29,12 @@ function grainAsDrafted({garment, options}: Asked, {pieces}: SolveResult): strin
 
 /** How far the print misses at the seams: the mean, the worst of their means, and the mean as drafted. */
 function mismatch(result: SolveResult, asked: Asked): string[] {
-  const fit = finalFit(result);
-  const worst = worstOf(fit);
+  const mismatch = finalMismatch(result);
+  const worst = worstOf(mismatch);
   if (!worst) return ['no seams to match'];
-  const before = result.drafted && fitOf(result, 'rest', result.drafted).mean;
+  const before = result.drafted && mismatchOf(result, 'rest', result.drafted).mean;
   return [
-    `on average the print misses by ${millimetres(fit.mean)} at the seams, at the worst by ${millimetres(worst.mean)}`,
+    `on average the print misses by ${millimetres(mismatch.mean)} at the seams, at the worst by ${millimetres(worst.mean)}`,
     ...(before === undefined
       ? []
       : [`before ${millimetres(before)}${grainAsDrafted(asked, result)}`]),

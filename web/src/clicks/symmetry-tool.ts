@@ -1,5 +1,5 @@
 /** How symmetries are named by clicks: two lines or two points of a piece, or two pieces. */
-import {distance, type Alignment, type Point} from '../model/geometry.js';
+import {distance, type MirrorMap, type Point} from '../model/geometry.js';
 import type {Symmetry} from '../model/symmetries.js';
 import type {LineTarget, OnPiece, Target} from './pick.js';
 import {inputPoint, type Sheet} from './sheet.js';
@@ -19,7 +19,7 @@ export interface MeasuredMirror {
   /** The greatest distance of an outline from its mirror image. [cm] */
   readonly residual: number;
   /** p' = R F p + t */
-  readonly map: Alignment;
+  readonly map: MirrorMap;
   /** The residual is small enough. */
   readonly mirrors: boolean;
 }

@@ -83,6 +83,12 @@ export interface Alignment {
   readonly translation: Point;
 }
 
+/** How a piece mirrors onto itself or onto its twin, face up: p' = R(angle) F p + translation, F = diag(-1, 1). [rad, cm] */
+export interface MirrorMap {
+  readonly angle: number;
+  readonly translation: Point;
+}
+
 /** The point of the print under a point p of a piece: w = R(angle)^T (p - translation). */
 export const onPrint = ({angle, translation}: Alignment, p: Point): Point =>
   rotated(minus(p, translation), -angle);

@@ -1,15 +1,24 @@
 /** How two pieces lie on a print as each other's mirror image. */
-import {angleOf, minus, norm, plus, rotated, wrapped, type Alignment} from './geometry.js';
+import {
+  angleOf,
+  minus,
+  norm,
+  plus,
+  rotated,
+  wrapped,
+  type Alignment,
+  type MirrorMap,
+} from './geometry.js';
 import {mirrored, mirrorLines, type AngleRule} from './mirror-lines.js';
 import {reduced, type PlaneMap, type Repeat} from './wallpaper.js';
 
 /** The other way round: from the second piece of a pair to the first. */
-export function inverse({angle, translation: [x, y]}: Alignment): Alignment {
+export function inverse({angle, translation: [x, y]}: MirrorMap): MirrorMap {
   const [tx, ty] = rotated([0 - x, y], angle);
   return {angle, translation: [0 - tx, 0 - ty]};
 }
 
-function imageBy(map: Alignment, first: Alignment, element: PlaneMap): Alignment {
+function imageBy(map: MirrorMap, first: Alignment, element: PlaneMap): Alignment {
   const turn = angleOf([element.xx, element.yx]);
   const angle = wrapped(map.angle - first.angle - turn - Math.PI);
   const [x, y] = rotated([0 - first.translation[0], first.translation[1]], map.angle);
@@ -25,7 +34,7 @@ function imageBy(map: Alignment, first: Alignment, element: PlaneMap): Alignment
  */
 export function mirrorAlignment(
   repeat: Repeat,
-  map: Alignment,
+  map: MirrorMap,
   first: Alignment,
   like: Alignment = first,
 ): Alignment | undefined {
@@ -45,7 +54,7 @@ const exact = 1e-6;
 /** Whether two alignments of a pair, or one of a symmetric piece twice, show each other's mirror image. */
 export function mirrors(
   repeat: Repeat,
-  map: Alignment,
+  map: MirrorMap,
   first: Alignment,
   second: Alignment,
 ): boolean {
@@ -65,7 +74,7 @@ export function mirrors(
  */
 export function turnToGrain(
   repeat: Repeat,
-  map: Alignment,
+  map: MirrorMap,
   [first, second]: readonly [AngleRule | undefined, AngleRule | undefined],
   isSingle: boolean,
 ): number {

@@ -13,6 +13,7 @@ import {
   towards,
   wrapped,
   type Alignment,
+  type MirrorMap,
   type Point,
 } from './geometry.js';
 import {
@@ -87,17 +88,17 @@ interface MirrorPlace extends MirrorLines {
 }
 
 /** Where the axis of a reflection p' = R F p + t runs. [rad] */
-const axisAngle = (map: Alignment): number => (map.angle - Math.PI) / 2;
+const axisAngle = (map: MirrorMap): number => (map.angle - Math.PI) / 2;
 
 /** The point of the axis of p' = R F p + t that is nearest to a point. */
-export function footOnAxis(map: Alignment, p: Point): Point {
+export function footOnAxis(map: MirrorMap, p: Point): Point {
   const along = towards(axisAngle(map));
   const onAxis = middle([0, 0], map.translation);
   return plus(onAxis, along, dot(minus(p, onAxis), along));
 }
 
 /** All ways for a piece with this reflection to lie; none on a print without mirrors. */
-function mirrorPlaces(repeat: Repeat, map: Alignment, rule?: AngleRule): readonly MirrorPlace[] {
+function mirrorPlaces(repeat: Repeat, map: MirrorMap, rule?: AngleRule): readonly MirrorPlace[] {
   return mirrorLines(repeat)
     .flatMap((lines) => [lines, {...lines, ...turnedRound(lines)}])
     .map((lines) => ({
@@ -132,7 +133,7 @@ function ontoLine(
  */
 export function nearestMirrored(
   repeat: Repeat,
-  map: Alignment,
+  map: MirrorMap,
   wanted: Alignment,
   about: Point,
   rule?: AngleRule,
@@ -153,7 +154,7 @@ export function nearestMirrored(
 /** The next angle in a sense at which a symmetric piece may lie, the print turned about `about`. */
 export function nextMirrored(
   repeat: Repeat,
-  map: Alignment,
+  map: MirrorMap,
   from: Alignment,
   about: Point,
   sense: 1 | -1,
@@ -184,7 +185,7 @@ interface AxisLine {
 /** Undefined where the axis is not along mirror lines of the print. */
 export function axisLine(
   repeat: Repeat,
-  map: Alignment,
+  map: MirrorMap,
   alignment: Alignment,
 ): AxisLine | undefined {
   const axis = axisAngle(map);

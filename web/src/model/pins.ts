@@ -1,5 +1,5 @@
 /** Pins of pieces that share symmetries: where a piece goes when somebody wants it there. */
-import type {Alignment, Point} from './geometry.js';
+import type {Alignment, MirrorMap, Point} from './geometry.js';
 import {inverse, mirrorAlignment, mirrors} from './mirror-images.js';
 import {nearestMirrored, type AngleRule} from './mirror-lines.js';
 import type {SolveOptions} from './options.js';
@@ -10,7 +10,7 @@ import type {Repeat} from './wallpaper.js';
 export interface Mirroring {
   /** By name; a piece that is symmetric in itself is both. */
   readonly pieces: readonly [string, string];
-  readonly map: Alignment;
+  readonly map: MirrorMap;
 }
 
 type Pins = NonNullable<SolveOptions['pins']>;
@@ -50,7 +50,7 @@ export const ownMirroring = (
 function twinOf(
   mirrorings: readonly Mirroring[],
   name: string,
-): {readonly name: string; readonly map: Alignment} | undefined {
+): {readonly name: string; readonly map: MirrorMap} | undefined {
   for (const one of mirrorings) {
     const [first, second] = one.pieces;
     if (isSingle(one)) continue;

@@ -1,4 +1,4 @@
-import type {Alignment, Point} from './geometry.js';
+import type {Alignment, MirrorMap, Point} from './geometry.js';
 import type {NoteDetail} from './notes.js';
 import type {GroupName} from './print.js';
 import type {Method} from './method.js';
@@ -62,18 +62,18 @@ export interface LocalMismatch {
  */
 export type SeamReason = 'grain' | 'gather' | 'group' | 'size' | 'others' | 'locked';
 
-/** An imposed symmetry, p' = R F p + t with F = diag(-1, 1); `pairs` cover every outline vertex. */
+/** An imposed symmetry; `pairs` cover every outline vertex. */
 export type ResultSymmetry =
   | {
       readonly kind: 'piece';
       readonly piece: number;
-      readonly map: Alignment;
+      readonly map: MirrorMap;
       readonly pairs: readonly (readonly [number, number])[];
     }
   | {
       readonly kind: 'pair';
       readonly pieces: readonly [number, number];
-      readonly map: Alignment;
+      readonly map: MirrorMap;
       readonly pairs: readonly (readonly [number, number])[];
     };
 

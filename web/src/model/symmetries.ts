@@ -1,4 +1,4 @@
-import type {Alignment, Point} from './geometry.js';
+import type {MirrorMap, Point} from './geometry.js';
 
 /** A piece that mirrors onto itself: by an axis, by two outline edges, or by a detected axis. */
 export interface PieceSymmetry {
@@ -26,8 +26,8 @@ export interface Symmetries {
 export interface Registration {
   /** Greatest distance of an outline from its mirror image. [cm] */
   readonly residual: number;
-  /** p' = R F p + t with F = diag(-1, 1), of the pieces as they lie face up: from the first of a pair to the second. */
-  readonly map: Alignment;
+  /** Of the pieces as they lie face up: from the first of a pair to the second. */
+  readonly map: MirrorMap;
 }
 
 /** A symmetry that was found on a garment. */

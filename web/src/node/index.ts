@@ -24,7 +24,7 @@ import {TextService} from '../solver/service.js';
 import {thread} from './thread.js';
 import type {Order, OrderHooks} from './order.js';
 
-export type {Alignment, Point} from '../model/geometry.js';
+export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
 export type * from '../model/garment.js';
 export type * from '../model/garment-document.js';
 export {garmentFile} from '../model/garment-file.js';

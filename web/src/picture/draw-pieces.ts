@@ -1,5 +1,5 @@
 /** Draws the pieces of a result, filled with the print as it lies on them. */
-import type {Alignment, Point} from '../model/geometry.js';
+import type {Alignment, MirrorMap, Point} from '../model/geometry.js';
 import {pairLetter} from '../model/letters.js';
 import {boxOf} from '../model/polyline.js';
 import type {Print} from '../model/print.js';
@@ -7,7 +7,7 @@ import type {Pattern, ResultPiece, SeamSide} from '../model/result.js';
 import {ontoSheet} from '../model/sheet-place.js';
 import {clothUnder} from './cloth.js';
 import {mismatchLine} from '../scene/colours.js';
-import type {Fit} from '../scene/mismatch.js';
+import type {PatternMismatch} from '../scene/mismatch.js';
 import type {Layout} from '../layout/layout.js';
 import {axisAlong, innermost, mirrorImage, pick} from '../scene/marks.js';
 import {seamLetters} from '../scene/seam-letters.js';
@@ -20,7 +20,7 @@ export interface Scene {
   readonly print: Print;
   readonly outline: 'rest' | 'shape';
   readonly alignments: readonly Alignment[];
-  readonly fit: Fit;
+  readonly mismatch: PatternMismatch;
   readonly layout: Layout;
   /** Upper left corner. [px] */
   readonly corner: Point;
@@ -92,7 +92,7 @@ function seamSide(scene: Scene, side: SeamSide, mismatch: readonly number[]): st
 
 function seams(scene: Scene): string {
   const sides = scene.result.seams.flatMap((seam, k) => {
-    const {mismatch = [], counts = false} = scene.fit.seams[k] ?? {};
+    const {mismatch = [], counts = false} = scene.mismatch.seams[k] ?? {};
     if (counts) return [seam.a, seam.b].map((side) => seamSide(scene, side, mismatch));
     return [seam.a, seam.b].map((side) => {
       const line = pick(scene.result.pieces[side.piece]?.[scene.outline] ?? [], side.vertices).map(
@@ -105,7 +105,7 @@ function seams(scene: Scene): string {
 }
 
 /** The mirror axis of a symmetric piece, a little longer than the piece. */
-function axis(scene: Scene, piece: number, map: Alignment): string {
+function axis(scene: Scene, piece: number, map: MirrorMap): string {
   const {outline = [], [scene.outline]: points = []} = scene.result.pieces[piece] ?? {};
   const line = polyline(
     axisAlong(map, pick(points, outline), 10 / scene.scale).map(toPage(scene, piece)),

@@ -8,7 +8,7 @@ import {imageCell, latticeType} from '../model/wallpaper.js';
 import {clothTile, type PrintWithTile} from './cloth.js';
 import {mismatchSteps, stepLines} from '../scene/colours.js';
 import {drawPieces, seamLetterAt, strokeOf, type Scene} from './draw-pieces.js';
-import {finalFit, fitOf, worstOf, type Fit} from '../scene/mismatch.js';
+import {finalMismatch, mismatchOf, worstOf, type PatternMismatch} from '../scene/mismatch.js';
 import {markAcross} from './mark.js';
 import type {Placements} from '../layout/on-body.js';
 import {laidOut, margin, nameSize, width} from './page.js';
@@ -50,12 +50,12 @@ function figure(x: number, y: number, label: string, value: string): string {
 }
 
 /** A rule with a heading on it and the section's own figures at its end. */
-function heading(y: number, title: string, note: string, fit: Fit): string {
+function heading(y: number, title: string, note: string, mismatch: PatternMismatch): string {
   return [
     `<path d="M${margin} ${y}H${width - margin}" stroke="#d5d3cd"/>`,
     text([margin, y + 26], title, {size: 16, weight: 600, fill: ink}),
     text([margin + title.length * 9 + 14, y + 26], note, {size: 13, fill: soft}),
-    text([width - margin, y + 26], `mean mismatch ${millimetres(fit.mean)}`, {
+    text([width - margin, y + 26], `mean mismatch ${millimetres(mismatch.mean)}`, {
       size: 13,
       anchor: 'end',
       fill: soft,
@@ -64,7 +64,7 @@ function heading(y: number, title: string, note: string, fit: Fit): string {
 }
 
 /** What the lines mean, and how long 10 cm are. */
-function legend(y: number, scale: number, result: SolveResult, fit: Fit): string {
+function legend(y: number, scale: number, result: SolveResult, mismatch: PatternMismatch): string {
   const length = 52;
   const parts: string[] = [text([margin, y], 'Print mismatch along seams', {size: 13, fill: soft})];
   stepLines.forEach((line, k) => {
@@ -97,7 +97,7 @@ function legend(y: number, scale: number, result: SolveResult, fit: Fit): string
     );
   }
   if (result.seams.length > 0) entry(seamLetterAt([17, 0], seamLetter(0)), 'sewn together');
-  if (fit.seams.some(({counts}) => !counts))
+  if (mismatch.seams.some(({counts}) => !counts))
     entry(
       `<path d="M0 0H34" stroke="#8d9096" stroke-width="2" stroke-linecap="round" stroke-dasharray="1 5"/>`,
       'not counted',
@@ -129,8 +129,8 @@ export function drawResult(
   // files of earlier versions do not say how the pieces lay before: upright, then, on one length of cloth
   const before = result.drafted ?? result.pieces.map(() => ({angle: 0, translation: [0, 0]}));
   const after = result.pieces.map(({alignment}) => alignment);
-  const fits = {before: fitOf(result, 'rest', before), after: finalFit(result)};
-  const worst = worstOf(fits.after)?.mean ?? 0;
+  const mismatches = {before: mismatchOf(result, 'rest', before), after: finalMismatch(result)};
+  const worst = worstOf(mismatches.after)?.mean ?? 0;
 
   const title = options.title ?? `Print ${print.group}`;
   const top = {before: 140, after: 140 + 52 + tall + 20};
@@ -146,11 +146,11 @@ export function drawResult(
     names,
     isBare: options.clothOnly ?? false,
     id: `${id}-${name}`,
-    fit: fits[name],
+    mismatch: mismatches[name],
     outline: name === 'before' ? 'rest' : 'shape',
     alignments: name === 'before' ? before : after,
   });
-  const summary = `Mean print mismatch along seams ${millimetres(fits.before.mean)} before, ${millimetres(fits.after.mean)} after; worst seam ${millimetres(worst)}.`;
+  const summary = `Mean print mismatch along seams ${millimetres(mismatches.before.mean)} before, ${millimetres(mismatches.after.mean)} after; worst seam ${millimetres(worst)}.`;
 
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" role="img" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif" style="font-variant-numeric: tabular-nums">`,
@@ -171,15 +171,15 @@ export function drawResult(
       width - margin - 580,
       64,
       'Mean mismatch',
-      `${(fits.before.mean * 10).toFixed(1)} → ${millimetres(fits.after.mean)}`,
+      `${(mismatches.before.mean * 10).toFixed(1)} → ${millimetres(mismatches.after.mean)}`,
     ),
     figure(width - margin - 310, 64, 'Worst seam', millimetres(worst)),
     figure(width - margin - 110, 64, 'Largest change', millimetres(result.metrics.maxMovedCm)),
-    heading(top.before, 'Before', 'cut on grain, as it comes', fits.before),
+    heading(top.before, 'Before', 'cut on grain, as it comes', mismatches.before),
     drawPieces(scene('before', [left, top.before + 52]), nameSize),
-    heading(top.after, 'After', 'aligned and reshaped', fits.after),
+    heading(top.after, 'After', 'aligned and reshaped', mismatches.after),
     drawPieces(scene('after', [left, top.after + 52]), nameSize),
-    options.clothOnly ? '' : legend(foot + 12, scale, result, fits.after),
+    options.clothOnly ? '' : legend(foot + 12, scale, result, mismatches.after),
     options.mark === undefined ? '' : markAcross(options.mark, width, height),
     '</svg>\n',
   ].join('\n');

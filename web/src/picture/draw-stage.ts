@@ -3,7 +3,7 @@ import type {Alignment} from '../model/geometry.js';
 import type {Pattern} from '../model/result.js';
 import {clothTile} from './cloth.js';
 import {drawPieces, type Scene} from './draw-pieces.js';
-import {fitOf} from '../scene/mismatch.js';
+import {mismatchOf} from '../scene/mismatch.js';
 import {laidOut, margin, nameSize, width} from './page.js';
 import {escaped, short, text} from './svg.js';
 
@@ -21,15 +21,15 @@ export function drawStage({title, pattern, outline, alignments}: Stage): string 
   const names = pattern.pieces.map(({name}) => name);
   const {layout, scale} = laidOut(pattern, names, undefined);
   const height = top + layout.height * scale + margin;
-  const fit = fitOf(pattern, outline, alignments);
+  const mismatch = mismatchOf(pattern, outline, alignments);
   const {group, w1, w2} = pattern.print;
   const print = {group, w1, w2};
   const scene: Scene = {
-    ...{result: pattern, print, outline, alignments, fit, layout, names, scale},
+    ...{result: pattern, print, outline, alignments, mismatch, layout, names, scale},
     ...{id: 'stage', cloth: 'stage-cloth', isBare: false, hasMesh: true},
     corner: [(width - layout.width * scale) / 2, top],
   };
-  const note = `${group}; mean mismatch ${(10 * fit.mean).toFixed(2)} mm, fit ${fit.total.toFixed(3)} cm²`;
+  const note = `${group}; mean mismatch ${(10 * mismatch.mean).toFixed(2)} mm, fit ${mismatch.total.toFixed(3)} cm²`;
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${short(height)}" viewBox="0 0 ${width} ${short(height)}" font-family="sans-serif">`,
     `<title>${escaped(title)}</title>`,

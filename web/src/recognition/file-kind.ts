@@ -1,7 +1,6 @@
 /** What a file is by its first bytes, whatever it is called, and whether it is all there. */
 
 /** Those that become prints, others that people take for pictures, and documents, which are none. */
-
 export type FileKind =
   | 'png'
   | 'jpeg'

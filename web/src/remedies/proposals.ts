@@ -5,7 +5,7 @@ import type {GroupName, Print} from '../model/print.js';
 import type {Problem} from '../model/problem.js';
 import type {SeamReason, SolveResult} from '../model/result.js';
 import type {Repeat} from '../model/wallpaper.js';
-import {finalFit, isGathered, meanOf} from '../scene/mismatch.js';
+import {finalMismatch, isGathered, meanOf} from '../scene/mismatch.js';
 import {bandsOf} from './bands.js';
 import {parsed, type Proposal} from './remedy.js';
 
@@ -37,12 +37,12 @@ const meets = 0.3;
  * grain is looked at first, and what does not help is not offered.
  */
 function reasons(result: SolveResult): readonly (SeamReason | undefined)[] {
-  const {seams} = finalFit(result);
+  const {seams} = finalMismatch(result);
   return result.seams.map((seam, k) => {
     const {why, local} = seam;
-    const fit = seams[k];
-    if (why ?? local ?? !fit?.counts) return why;
-    if (meanOf(fit) <= meets) return undefined;
+    const mismatch = seams[k];
+    if (why ?? local ?? !mismatch?.counts) return why;
+    if (meanOf(mismatch) <= meets) return undefined;
     return isGathered(seam) ? 'gather' : 'grain';
   });
 }

@@ -1,7 +1,7 @@
 /** Tries what might help a result, and keeps what does. */
 import type {Problem} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
-import {countedSeams, finalFit, meanOf, type Fit} from '../scene/mismatch.js';
+import {countedSeams, finalMismatch, meanOf, type PatternMismatch} from '../scene/mismatch.js';
 import {proposals} from './proposals.js';
 import {withRemedy, type Proposal, type Remedy} from './remedy.js';
 
@@ -49,7 +49,7 @@ function asRemedy(proposal: Proposal, result: SolveResult, tried: SolveResult): 
   // the same seams in both: under other symmetries other seams meet by themselves
   const counted = countedSeams(result);
   const left = counted.map((counts, k) => counts && tried.seams[k]?.matched !== false);
-  const [before, after] = [finalFit(result, counted), finalFit(tried, left)];
+  const [before, after] = [finalMismatch(result, counted), finalMismatch(tried, left)];
   const [was, is] =
     proposal.kind === 'ungather'
       ? [before.mean, after.mean]
@@ -60,7 +60,7 @@ function asRemedy(proposal: Proposal, result: SolveResult, tried: SolveResult): 
     : undefined;
 }
 
-function meanAlong({seams}: Fit, numbers: readonly number[]): number {
+function meanAlong({seams}: PatternMismatch, numbers: readonly number[]): number {
   const some = numbers.flatMap((number) => seams.slice(number, number + 1));
   return meanOf({
     mismatch: some.flatMap(({mismatch}) => mismatch),

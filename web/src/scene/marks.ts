@@ -1,5 +1,5 @@
 /** Where symmetries are marked on a piece. Lengths in cm, y up. */
-import {dot, middle, minus, plus, rotated, type Alignment, type Point} from '../model/geometry.js';
+import {dot, middle, minus, plus, rotated, type MirrorMap, type Point} from '../model/geometry.js';
 import {boxOf, isInside} from '../model/polyline.js';
 
 export const pick = (points: readonly Point[], vertices: readonly number[]): Point[] =>
@@ -7,7 +7,7 @@ export const pick = (points: readonly Point[], vertices: readonly number[]): Poi
 
 /** The mirror axis along the given points and `overhang` beyond them. p' = R F p + t mirrors in a line through t / 2. */
 export function axisAlong(
-  {angle, translation}: Alignment,
+  {angle, translation}: MirrorMap,
   points: readonly Point[],
   overhang: number,
 ): readonly [Point, Point] {
@@ -19,7 +19,7 @@ export function axisAlong(
 }
 
 /** The mirror image p' = R F p + t of a point. */
-export const mirrorImage = ({angle, translation}: Alignment, [x, y]: Point): Point =>
+export const mirrorImage = ({angle, translation}: MirrorMap, [x, y]: Point): Point =>
   plus(rotated([-x, y], angle), translation);
 
 /** The point of a piece that lies furthest from its outline, and from what else is in the way, on a coarse grid; and how far that is. */

@@ -14,15 +14,15 @@ import {
 } from '../model/wallpaper.js';
 
 /** A seam under an alignment: the mismatch of every edge and the mean length of its two sides. [cm] */
-export interface SeamFit {
+export interface SeamMismatch {
   readonly mismatch: readonly number[];
   readonly lengths: readonly number[];
   /** False: the user switched it off, or it joins a piece to its own mirror twin and always matches. */
   readonly counts: boolean;
 }
 
-export interface Fit {
-  readonly seams: readonly SeamFit[];
+export interface PatternMismatch {
+  readonly seams: readonly SeamMismatch[];
   /** E_fit: the sum of length times mismatch over the seams that count. [cm2] */
   readonly total: number;
   /** `total` over the length of those seams. [cm] */
@@ -87,7 +87,7 @@ function edgesOf(
 }
 
 /** By length. [cm] */
-export function meanOf({mismatch, lengths}: Pick<SeamFit, 'mismatch' | 'lengths'>): number {
+export function meanOf({mismatch, lengths}: Pick<SeamMismatch, 'mismatch' | 'lengths'>): number {
   const length = lengths.reduce((sum, one) => sum + one, 0);
   const total = mismatch.reduce((sum, one, k) => sum + one * (lengths[k] ?? 0), 0);
   return length > 0 ? total / length : 0;
@@ -111,7 +111,7 @@ const leastDrift = 0.3;
 const endPart = 0.1;
 
 /** Undefined where following the print along the seam makes no difference. */
-export function driftOf(local: SeamFit, whole: SeamFit): Drift | undefined {
+export function driftOf(local: SeamMismatch, whole: SeamMismatch): Drift | undefined {
   if (meanOf(whole) - meanOf(local) <= leastDrift) return undefined;
   const {mismatch, lengths} = whole;
   const part = endPart * lengths.reduce((sum, one) => sum + one, 0);
@@ -127,7 +127,9 @@ export function driftOf(local: SeamFit, whole: SeamFit): Drift | undefined {
 }
 
 /** Adds the seams up. */
-function summed<S extends SeamFit>(seams: readonly S[]): Fit & {readonly seams: readonly S[]} {
+function summed<S extends SeamMismatch>(
+  seams: readonly S[],
+): PatternMismatch & {readonly seams: readonly S[]} {
   let [total, length] = [0, 0];
   for (const {counts, lengths, mismatch} of seams) {
     if (!counts) continue;
@@ -144,13 +146,13 @@ const pointAt = (points: Float64Array, k: number): Point => [
   points[2 * k + 1] ?? NaN,
 ];
 
-/** The fit of `rest` or `shape`, with one alignment per piece; every edge by the symmetry of the print that suits it. */
-export function fitOf(
+/** The mismatch of `rest` or `shape`, with one alignment per piece; every edge by the symmetry of the print that suits it. */
+export function mismatchOf(
   result: Pattern,
   outline: 'rest' | 'shape',
   alignments: readonly Alignment[],
   counted: readonly boolean[] = countedSeams(result),
-): Fit {
+): PatternMismatch {
   const apart = printDistance(joining(result.print, result.continuousOnly));
   return summed(
     result.seams.map((seam, number) => {
@@ -164,9 +166,9 @@ export function fitOf(
   );
 }
 
-/** The fit of a result as it was solved: what the headline and every table say. */
-export const finalFit = (result: Pattern, counted?: readonly boolean[]): Fit =>
-  fitOf(
+/** The mismatch of a result as it was solved: what the headline and every table say. */
+export const finalMismatch = (result: Pattern, counted?: readonly boolean[]): PatternMismatch =>
+  mismatchOf(
     result,
     'shape',
     result.pieces.map(({alignment}) => alignment),
@@ -174,9 +176,11 @@ export const finalFit = (result: Pattern, counted?: readonly boolean[]): Fit =>
   );
 
 /** The worst seam of those that count: its number and mean. [cm] Undefined where none counts. */
-export function worstOf({seams}: Fit): {readonly seam: number; readonly mean: number} | undefined {
+export function worstOf({
+  seams,
+}: PatternMismatch): {readonly seam: number; readonly mean: number} | undefined {
   return seams
-    .flatMap((fit, seam) => (fit.counts ? [{seam, mean: meanOf(fit)}] : []))
+    .flatMap((one, seam) => (one.counts ? [{seam, mean: meanOf(one)}] : []))
     .reduce<ReturnType<typeof worstOf>>(
       (worst, one) => (worst && worst.mean >= one.mean ? worst : one),
       undefined,
@@ -184,7 +188,7 @@ export function worstOf({seams}: Fit): {readonly seam: number; readonly mean: nu
 }
 
 /** A seam across which one symmetry of the print carries it: what the eye sees. */
-export interface JoinedSeam extends SeamFit {
+export interface JoinedSeam extends SeamMismatch {
   /** Whether that symmetry lets the print run on or mirrors it. */
   readonly kind: 'continuous' | 'mirrored';
 }
@@ -193,15 +197,15 @@ export interface JoinedSeam extends SeamFit {
 const indifference = 1e-6;
 
 /**
- * The fit with one symmetry of the print per seam. Of each kind of symmetry it tries the lattice shift that suits
+ * The mismatch with one symmetry of the print per seam. Of each kind of symmetry it tries the lattice shift that suits
  * the mean of the seam, and its eight neighbours.
  */
-export function seamFitOf(
+export function joinedMismatchOf(
   result: Pattern,
   outline: 'rest' | 'shape',
   alignments: readonly Alignment[],
   counted: readonly boolean[] = countedSeams(result),
-): Fit & {readonly seams: readonly JoinedSeam[]} {
+): PatternMismatch & {readonly seams: readonly JoinedSeam[]} {
   const {w1, w2} = result.print;
   const basis = reducedBasis(w1, w2);
   // those that mirror come last, so that they have to be better

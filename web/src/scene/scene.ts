@@ -8,12 +8,12 @@ import type {MismatchScale} from './colours.js';
 import {
   countedSeams,
   driftOf,
-  fitOf,
+  mismatchOf,
   meanOf,
-  seamFitOf,
+  joinedMismatchOf,
   type Drift,
   type JoinedSeam,
-  type SeamFit,
+  type SeamMismatch,
 } from './mismatch.js';
 import {layOutNamed, type Layout} from '../layout/layout.js';
 import {pick} from './marks.js';
@@ -183,8 +183,8 @@ function unmatched(pattern: Pattern): readonly SceneSeam[] {
 export function realigned(scene: PatternScene, alignments: readonly Alignment[]): PatternScene {
   const counted = scene.seams.map(({counts}) => counts);
   const {pattern, outline} = scene;
-  const local = fitOf(pattern, outline, alignments, counted).seams;
-  const whole = seamFitOf(pattern, outline, alignments, counted).seams;
+  const local = mismatchOf(pattern, outline, alignments, counted).seams;
+  const whole = joinedMismatchOf(pattern, outline, alignments, counted).seams;
   return {
     ...scene,
     pieces: scene.pieces.map((piece, k) => ({
@@ -195,7 +195,10 @@ export function realigned(scene: PatternScene, alignments: readonly Alignment[])
   };
 }
 
-function matchOf(local: SeamFit | undefined, whole: JoinedSeam | undefined): SeamMatch | undefined {
+function matchOf(
+  local: SeamMismatch | undefined,
+  whole: JoinedSeam | undefined,
+): SeamMatch | undefined {
   if (!local || !whole) return undefined;
   const {mismatch} = local;
   const most = Math.max(0, ...mismatch);

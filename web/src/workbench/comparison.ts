@@ -2,7 +2,7 @@
 import type {Design} from '../model/design.js';
 import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
-import {countedSeams, finalFit} from '../scene/mismatch.js';
+import {countedSeams, finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
 
@@ -53,7 +53,9 @@ export class Comparison {
     if (!this.#free) return;
     const counted = countedSeams(result);
     // both are searches; without symmetry one is free to keep it
-    const mean = Math.min(...[this.#free.result, result].map((one) => finalFit(one, counted).mean));
+    const mean = Math.min(
+      ...[this.#free.result, result].map((one) => finalMismatch(one, counted).mean),
+    );
     this.#means.learn(design, mean);
   }
 }

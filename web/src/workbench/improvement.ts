@@ -2,7 +2,7 @@
 import type {Design} from '../model/design.js';
 import {problemOf} from '../model/design-problem.js';
 import type {SolveResult} from '../model/result.js';
-import {finalFit} from '../scene/mismatch.js';
+import {finalMismatch} from '../scene/mismatch.js';
 import type {SolverService} from '../solver/service.js';
 import {NewestTask} from './background-task.js';
 import {idle} from './idle.js';
@@ -52,7 +52,7 @@ export class Improvement {
   async start(design: Design, result: SolveResult): Promise<Answered> {
     this.stop();
     const {signal} = this.#task.begin();
-    const first = finalFit(result).mean;
+    const first = finalMismatch(result).mean;
     let [best, mean]: [Answered, number] = [{design, result}, first];
     const tell = (isRunning: boolean): void => {
       this.#state = {isRunning, gained: first - mean, design: best.design};
@@ -65,7 +65,7 @@ export class Improvement {
       // what cannot be solved any more, or is stopped, ends it: what was gained by then is kept
       const next = await this.#solver.solve(problemOf(longer), {signal}).catch(() => undefined);
       if (!next || signal.aborted) break;
-      const reached = finalFit(next).mean;
+      const reached = finalMismatch(next).mean;
       if (mean - reached < leastGain) continue;
       mean = reached;
       best = {design: this.#keep(design, effort, next), result: next};

@@ -5,7 +5,7 @@ import type {Failure} from '../../model/failure.js';
 import type {MeshedPattern, Metrics, SolveResult} from '../../model/result.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
-import {finalFit, fitOf, worstOf, type Fit} from '../../scene/mismatch.js';
+import {finalMismatch, mismatchOf, worstOf, type PatternMismatch} from '../../scene/mismatch.js';
 import {seamRows} from '../lists/rows.js';
 import {lastOf} from '../../workbench/last-of.js';
 import type {Samples} from '../../workbench/samples.js';
@@ -66,7 +66,7 @@ export class Headline extends WorkbenchElement {
   ];
 
   /** Asked for with every change of anything. */
-  readonly #fits = lastOf(fits);
+  readonly #mismatches = lastOf(mismatches);
 
   protected override render(): TemplateResult | typeof nothing {
     const {pattern, result, state} = this.workbench;
@@ -79,7 +79,7 @@ export class Headline extends WorkbenchElement {
       const text = state.kind === 'stale' ? progress.failed : progress.solving;
       return html`<h2 class="soft">${text}</h2>`;
     }
-    const {before, after} = this.#fits(result, pattern);
+    const {before, after} = this.#mismatches(result, pattern);
     const worst = worstOf(after);
     return html`
       <h2>${worst ? headline.fits(this.format.fine(after.mean)) : headline.noSeams}</h2>
@@ -166,10 +166,10 @@ export class Headline extends WorkbenchElement {
 }
 
 /** Of the pieces as drafted, and of the answer. */
-function fits(
+function mismatches(
   result: SolveResult,
   pattern: MeshedPattern | undefined,
-): {readonly before: Fit | undefined; readonly after: Fit} {
+): {readonly before: PatternMismatch | undefined; readonly after: PatternMismatch} {
   const alignments = pattern?.pieces.map(({alignment}) => alignment) ?? [];
-  return {before: pattern && fitOf(pattern, 'rest', alignments), after: finalFit(result)};
+  return {before: pattern && mismatchOf(pattern, 'rest', alignments), after: finalMismatch(result)};
 }
