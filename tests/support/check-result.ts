@@ -190,7 +190,10 @@ function movement(piece: ResultPiece): number {
   const rim = loopsOf(piece).flat();
   const of = (points: readonly Point[]) => rim.map((v) => at(points, v));
   const centred = (points: readonly Point[]) => {
-    const centre = scale(points.reduce(plus, [0, 0]), 1 / points.length);
+    const centre = scale(
+      points.reduce((sum, p) => plus(sum, p), [0, 0]),
+      1 / points.length,
+    );
     return points.map((p) => minus(p, centre));
   };
   const [rest, shape] = [of(piece.rest), of(piece.shape)];

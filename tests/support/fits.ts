@@ -130,7 +130,9 @@ function cheapest(seam: readonly PrintEdge[], element: PlaneMap, lattice: Lattic
   const [u1, u2] = reducedBasis(lattice.w1, lattice.w2);
   const apart = seam.map(({x, y}) => minus(x, apply(element, y)));
   const length = sum(seam.map((edge) => edge.length));
-  const mean = apart.map((v, k) => scale(v, at(seam, k).length / length)).reduce(plus, [0, 0]);
+  const mean = apart
+    .map((v, k) => scale(v, at(seam, k).length / length))
+    .reduce((sum, v) => plus(sum, v), [0, 0]);
   const near = minus(mean, reduce(mean));
   const costs = nearby.map(([s, t]) => {
     const shift = plus(near, plus(scale(u1, s), scale(u2, t)));

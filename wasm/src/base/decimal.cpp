@@ -34,7 +34,7 @@ std::string signOf(double value) { return std::signbit(value) ? "-" : ""; }
 
 /// `number` / 10^decimals.
 std::string pointed(std::uint64_t number, int decimals) {
-  std::string digits = std::to_string(number);
+  std::string digits = decimal(static_cast<std::int64_t>(number));
   const auto least = static_cast<std::size_t>(decimals) + 1;
   if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
   if (decimals > 0) digits.insert(digits.size() - static_cast<std::size_t>(decimals), ".");
@@ -60,6 +60,16 @@ int exponentOf(double value) {
 
 }  // namespace
 
+std::string decimal(std::int64_t number) {
+  std::string digits;
+  auto rest = static_cast<std::uint64_t>(number < 0 ? -number : number);
+  do {
+    digits.insert(digits.begin(), static_cast<char>('0' + rest % 10));
+    rest /= 10;
+  } while (rest > 0);
+  return number < 0 ? "-" + digits : digits;
+}
+
 std::string fixed(double value, int decimals) {
   const double size = std::abs(value);
   if (!(size * powerOfTen(decimals) < 1e15)) return significant(value, 15);
@@ -79,7 +89,7 @@ std::string significant(double value, int digits) {
   if (number >= end) number = whole(size, digits - 1 - ++exponent);
   if (exponent >= -4 && exponent < digits)
     return sign + withoutEndingZeros(pointed(number, digits - 1 - exponent));
-  const std::string power = std::to_string(std::abs(exponent));
+  const std::string power = decimal(std::abs(exponent));
   return sign + withoutEndingZeros(pointed(number, digits - 1)) + (exponent < 0 ? "e-" : "e+") +
          (power.size() < 2 ? "0" : "") + power;
 }

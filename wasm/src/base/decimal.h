@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 
 namespace seamwise {
@@ -6,6 +7,9 @@ namespace seamwise {
 /// Numbers as messages show them, the same on every machine. Written here because the C library's
 /// own functions would be a good part of the WebAssembly module: they hold for numbers of any size
 /// and any number of digits.
+
+/// A whole number: "-12".
+std::string decimal(std::int64_t number);
 
 /// With that many digits after the point, as "%.*f" writes it: "12.50". Numbers of more than 15
 /// digits as `significant` writes them.

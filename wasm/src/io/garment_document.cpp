@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -39,16 +40,16 @@ bool isOneOf(std::string_view list, std::string_view name) {
   return false;
 }
 
-/// The listed members that `object` has.
-void copyMembers(JsonWriter& out, const JsonValue& object, std::string_view listed) {
-  for (const auto& [name, value] : object.members())
-    if (isOneOf(listed, name) && !value.isNull()) out.field(name, value);
-}
+/// Which of the listed members are copied: what is for people is no reason to refuse a file that
+/// holds something else there.
+enum class Copied : std::uint8_t { kAll, kTexts };
 
-/// The same, of texts alone: what is for people is no reason to refuse a file.
-void copyTexts(JsonWriter& out, const JsonValue& object, std::string_view listed) {
+/// The listed members that `object` has.
+void copyMembers(JsonWriter& out, const JsonValue& object, std::string_view listed,
+                 Copied copied = Copied::kAll) {
   for (const auto& [name, value] : object.members())
-    if (isOneOf(listed, name) && value.isText()) out.field(name, value);
+    if (isOneOf(listed, name) && !value.isNull() && (copied == Copied::kAll || value.isText()))
+      out.field(name, value);
 }
 
 /// All members but the listed ones, where there are any, as an object called `as`.
@@ -76,7 +77,7 @@ void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue&
       out.field("radius", curve.radius());
       out.field("sweep", curve.sweep());
     }
-    copyTexts(out, edges[k], "label");
+    copyMembers(out, edges[k], "label", Copied::kTexts);
     copyOthers(out, edges[k], "endpoints curvature label");
     out.close();
   }
@@ -140,7 +141,7 @@ void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, doub
   writeGrain(out, json.find("grain"), frame);
   writePlacement(out, json, frame);
   copyMembers(out, json, "notches quantity size material");
-  copyTexts(out, json, "label");
+  copyMembers(out, json, "label", Copied::kTexts);
   copyOthers(out, json,
              "vertices edges holes internalLines cutLine sewLine grain translation rotation "
              "notches label quantity size material");
@@ -182,7 +183,7 @@ class DocumentWriter {
     out_.openList();
     for (const JsonValue& symmetry : json_.find("symmetries").items()) writeSymmetry(symmetry);
     out_.close();
-    copyTexts(out_, json_, "title size");
+    copyMembers(out_, json_, "title size", Copied::kTexts);
     copyMembers(out_, json_, "names");
     copyOthers(out_, json_, "format pattern properties seams matches symmetries title size names");
     copyOthers(out_, json_.find("pattern"), "panels stitches", "morePattern");

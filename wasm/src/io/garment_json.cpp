@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/decimal.h"
 #include "io/match_json.h"
 #include "io/panel_json.h"
 #include "io/stitch_json.h"
@@ -123,7 +124,7 @@ JsonValue panelsOf(const JsonValue& document, const Place& place) {
     return place.fail(Failure::kNoPanels, "has no panels; choose a file with some");
   if (panels.size() > kMaxPanels)
     return place.fail(Failure::kTooLarge,
-                      "has more than " + std::to_string(kMaxPanels) + " panels; split it");
+                      "has more than " + decimal(kMaxPanels) + " panels; split it");
   return panels;
 }
 

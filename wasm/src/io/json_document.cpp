@@ -1,6 +1,7 @@
 #include <set>
 #include <vector>
 
+#include "base/decimal.h"
 #include "io/json_ends.h"
 #include "io/json_input.h"
 
@@ -12,7 +13,7 @@ constexpr std::size_t kMaxDepth = 100;  // real files nest 7 deep
 /// @param within   what the defect is in, as ", in 'vertices' of 'front'"
 Nothing failFor(const JsonDocument& document, const std::string& within, const Place& place) {
   const std::string where =
-      "line " + std::to_string(document.line) + ", column " + std::to_string(document.column);
+      "line " + decimal(document.line) + ", column " + decimal(document.column);
   switch (document.defect) {
     case JsonDefect::kTooLarge:
       return place.fail(Failure::kTooLarge,

@@ -23,7 +23,7 @@ Nothing Place::fail(Failure code, const std::string& text) const {
 }
 
 Place numbered(const Place& place, const char* what, std::size_t number) {
-  return place.in(std::string(what) + " " + std::to_string(number));
+  return place.in(std::string(what) + " " + decimal(number));
 }
 
 std::string shown(double value) { return significant(value, 6); }
@@ -122,8 +122,7 @@ Vec2 point(const JsonValue& json, const Place& place, const std::string& what, d
            double limit) {
   if (!json.isList() || json.size() != 2)
     place.fail(place.number,
-               "has " +
-                   (json.isList() ? "a list of " + std::to_string(json.size()) : described(json)) +
+               "has " + (json.isList() ? "a list of " + decimal(json.size()) : described(json)) +
                    " as " + what + "; write two numbers [x, y]");
   // Numbers that are merely too large are judged in centimetres, where the limit has a meaning.
   const Vec2 p(scale * number(json[0], place, "x of " + what, 1e300),
@@ -165,11 +164,11 @@ int checkFormat(const JsonValue& document, const Place& place, const std::string
   const int found = countOf(format.substr(std::min(stem.size(), format.size())), 6);
   if (format.compare(0, stem.size(), stem) != 0 || found < 0)
     return place.fail(place.shape, "is of the format " + inQuotes(format) + "; a file of '" + stem +
-                                       std::to_string(version) + "' is needed here");
+                                       decimal(version) + "' is needed here");
   if (found > version)
     return place.fail(place.shape, "is of the newer format " + inQuotes(format) +
-                                       ", this program reads up to '" + stem +
-                                       std::to_string(version) + "'; update the program");
+                                       ", this program reads up to '" + stem + decimal(version) +
+                                       "'; update the program");
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/decimal.h"
 #include "io/json_ends.h"
 
 namespace seamwise {
@@ -112,7 +113,7 @@ void writeText(std::string_view text, std::string& out) {
 void writeNumber(double value, std::string& out) {
   constexpr double kWhole = 1e15;  // below it, whole numbers are written as such
   if (value == std::floor(value) && std::abs(value) < kWhole) {
-    out += std::to_string(static_cast<long long>(value));
+    out += decimal(static_cast<long long>(value));
     return;
   }
   char digits[64];

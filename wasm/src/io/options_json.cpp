@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/decimal.h"
 #include "io/json_input.h"
 #include "io/match_json.h"
 #include "io/panel_extras_json.h"
@@ -21,8 +22,8 @@ int pieceNamed(const std::string& name, const Garment& garment, const Place& pla
 
 int checkedSeam(int seam, const Garment& garment, const Place& place, const std::string& field) {
   if (seam < 0 || static_cast<std::size_t>(seam) >= garment.stitches.size())
-    place.fail(place.shape, "names seam " + std::to_string(seam) + " in " + field +
-                                ", the garment has " + std::to_string(garment.stitches.size()) +
+    place.fail(place.shape, "names seam " + decimal(seam) + " in " + field + ", the garment has " +
+                                decimal(garment.stitches.size()) +
                                 " (counted from 0); correct the number");
   return seam;
 }
@@ -92,8 +93,8 @@ void readLocked(const JsonValue& json, const Garment& garment, const Place& plac
     for (const JsonValue& edge : array(edges, place, "'locked' of " + inQuotes(name))) {
       const int number = integer(edge, place, "an edge in 'locked' of " + inQuotes(name));
       if (number < 0 || number >= count)
-        place.fail(place.shape, "locks edge " + std::to_string(number) + " of piece " +
-                                    inQuotes(name) + ", which has " + std::to_string(count) +
+        place.fail(place.shape, "locks edge " + decimal(number) + " of piece " + inQuotes(name) +
+                                    ", which has " + decimal(count) +
                                     " (counted from 0); correct the number");
       options->locked.push_back({piece, number});
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decimal.h"
 #include "geometry/polygon.h"
 
 namespace seamwise {
@@ -69,8 +70,8 @@ void checkOutline(const std::vector<Curve>& loop, const Place& place) {
     const std::size_t t = flat.edge[static_cast<std::size_t>(crossing->second_edge)];
     place.fail(Failure::kOutlineSelfIntersects,
                "has an outline that crosses or touches itself near " + shown(crossing->at) +
-                   " (edge " + std::to_string(std::min(s, t)) + " and edge " +
-                   std::to_string(std::max(s, t)) + "); move a vertex or a curve there");
+                   " (edge " + decimal(std::min(s, t)) + " and edge " + decimal(std::max(s, t)) +
+                   "); move a vertex or a curve there");
   }
   if (std::abs(signedArea(flat.points)) < kSmallestAreaCm2)
     place.fail(Failure::kOutlineSelfIntersects, kNoArea);
@@ -90,7 +91,7 @@ void checkHole(const Panel& panel, std::size_t h, const Place& place) {
   for (std::size_t other = 0; other < h; ++other)
     if (contains(loops[1 + other], hole.front()) || contains(hole, loops[1 + other].front()))
       place.fail(Failure::kOutlineSelfIntersects,
-                 "lies in or around hole " + std::to_string(other) + "; remove one of them");
+                 "lies in or around hole " + decimal(other) + "; remove one of them");
 }
 
 }  // namespace seamwise

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/decimal.h"
 #include "io/outline_check.h"
 
 namespace seamwise {
@@ -52,8 +53,8 @@ void checkNotches(const JsonValue& json, const Place& place, std::size_t edges) 
     const Place here = numbered(place, "notch", n++);
     const int edge = integer(need(object(notch, here, "notch"), "edge", here), here, "'edge'");
     if (edge < 0 || static_cast<std::size_t>(edge) >= edges)
-      here.fail(Failure::kEdgeIndex, "is on edge " + std::to_string(edge) + ", the panel has " +
-                                         std::to_string(edges) + "; correct its 'edge'");
+      here.fail(Failure::kEdgeIndex, "is on edge " + decimal(edge) + ", the panel has " +
+                                         decimal(edges) + "; correct its 'edge'");
     const double at = number(need(notch, "at", here), here, "'at'", 1);
     if (at < 0) here.fail(here.number, "has a negative 'at'; write a fraction between 0 and 1");
   }

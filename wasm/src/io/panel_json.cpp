@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/decimal.h"
 #include "io/outline_check.h"
 #include "io/panel_extras_json.h"
 
@@ -23,10 +24,10 @@ std::array<int, 2> readEndpoints(const JsonValue& edge, const Place& place, std:
   for (std::size_t i = 0; i < 2; ++i) {
     numbers[i] = integer(ends[i], place, "an endpoint");
     if (numbers[i] < 0 || static_cast<std::size_t>(numbers[i]) >= vertices)
-      place.fail(Failure::kEdgeIndex,
-                 "ends at vertex " + std::to_string(numbers[i]) + ", the panel has " +
-                     std::to_string(vertices) + " (0 to " +
-                     std::to_string(static_cast<long>(vertices) - 1) + "); correct its endpoints");
+      place.fail(Failure::kEdgeIndex, "ends at vertex " + decimal(numbers[i]) + ", the panel has " +
+                                          decimal(vertices) + " (0 to " +
+                                          decimal(static_cast<long>(vertices) - 1) +
+                                          "); correct its endpoints");
   }
   return numbers;
 }
@@ -72,9 +73,8 @@ Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& uni
                       "has a malformed 'curvature'; write {\"type\": ..., \"params\": [...]}");
   const auto expect = [&](std::size_t count, const char* what) {
     if (params.size() != count)
-      place.fail(Failure::kCurvature, "has " + std::to_string(params.size()) + " params in its " +
-                                          what + ", which needs " + std::to_string(count) +
-                                          "; correct them");
+      place.fail(Failure::kCurvature, "has " + decimal(params.size()) + " params in its " + what +
+                                          ", which needs " + decimal(count) + "; correct them");
   };
   const std::string name = type.text();
   if (name == "quadratic") {
@@ -111,10 +111,10 @@ std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vert
                             const PanelUnits& units, const Place& place) {
   const std::vector<JsonValue> edges = array(json, place, "'edges'");
   if (edges.size() < 2)
-    return place.fail(Failure::kOutlineOpen, "has " + std::to_string(edges.size()) +
-                                                 " edges; an outline needs at least two");
+    return place.fail(Failure::kOutlineOpen,
+                      "has " + decimal(edges.size()) + " edges; an outline needs at least two");
   if (edges.size() > kMaxEdges)
-    return place.fail(Failure::kTooLarge, "has more than " + std::to_string(kMaxEdges) +
+    return place.fail(Failure::kTooLarge, "has more than " + decimal(kMaxEdges) +
                                               " edges; draw it with fewer, curved ones");
   std::vector<std::array<int, 2>> ends;
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -129,9 +129,9 @@ std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vert
     const Vec2 a = vertex(ends[k][0]), b = vertex(ends[next][0]);
     const double gap = (vertex(ends[k][1]) - b).norm();
     if (gap >= kShortestEdgeCm)  // corners that are stored twice, but at the same point, are fine
-      return place.fail(Failure::kOutlineOpen, "has an open outline: edge " + std::to_string(next) +
+      return place.fail(Failure::kOutlineOpen, "has an open outline: edge " + decimal(next) +
                                                    " starts " + shown(gap) +
-                                                   " cm from where edge " + std::to_string(k) +
+                                                   " cm from where edge " + decimal(k) +
                                                    " ends; list the edges head to tail");
     const Place here = numbered(place, "edge", k);
     const bool arc_on_a_point = (b - a).norm() < kShortestEdgeCm && !units.absolute_controls;
@@ -151,7 +151,7 @@ Panel readPanel(const std::string& name, const JsonValue& json, const PanelUnits
   std::vector<Vec2> vertices;
   const std::vector<JsonValue> points = array(need(json, "vertices", place), place, "'vertices'");
   for (std::size_t i = 0; i < points.size(); ++i)
-    vertices.push_back(point(points[i], place, "vertex " + std::to_string(i), units.cm));
+    vertices.push_back(point(points[i], place, "vertex " + decimal(i), units.cm));
 
   Panel panel;
   panel.name = name;

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "base/decimal.h"
+
 namespace seamwise {
 namespace {
 
@@ -24,10 +26,9 @@ EdgeRef readSide(const JsonValue& json, const Place& place, const Garment& garme
   const int number = integer(edge, here, "'edge'");
   const std::size_t edges = garment.panels[static_cast<std::size_t>(piece)].edges.size();
   if (number < 0 || static_cast<std::size_t>(number) >= edges)
-    here.fail(Failure::kSeamUnknownEdge, "names edge " + std::to_string(number) + " of panel " +
-                                             inQuotes(name) + ", which has " +
-                                             std::to_string(edges) + " (0 to " +
-                                             std::to_string(edges - 1) + "); correct the number");
+    here.fail(Failure::kSeamUnknownEdge,
+              "names edge " + decimal(number) + " of panel " + inQuotes(name) + ", which has " +
+                  decimal(edges) + " (0 to " + decimal(edges - 1) + "); correct the number");
   return {piece, number};
 }
 
@@ -54,12 +55,12 @@ void readStitches(const JsonValue& stitches, const Place& outer, Garment* garmen
       const auto [earlier, fresh] = used.emplace(std::pair(side.piece, side.edge), n);
       if (fresh) continue;
       place.piece = side.piece;
-      const std::string edge = "edge " + std::to_string(side.edge) + " of panel " +
+      const std::string edge = "edge " + decimal(side.edge) + " of panel " +
                                inQuotes(garment->panels[static_cast<std::size_t>(side.piece)].name);
       place.fail(Failure::kSeamEdgeTwice,
                  earlier->second == n
                      ? "sews " + edge + " to itself; name two edges"
-                     : "sews " + edge + ", which stitch " + std::to_string(earlier->second) +
+                     : "sews " + edge + ", which stitch " + decimal(earlier->second) +
                            " already sews; split the edge or remove one stitch");
       return;
     }
@@ -78,15 +79,15 @@ void readSeams(const JsonValue& seams, const Place& outer, Garment* garment,
     object(seam, place, "seam");
     const int n = integer(need(seam, "stitch", place), place, "'stitch'");
     if (n < 0 || static_cast<std::size_t>(n) >= garment->stitches.size()) {
-      place.fail(Failure::kSeamMalformed,
-                 "describes stitch " + std::to_string(n) + ", the file has " +
-                     std::to_string(garment->stitches.size()) + "; correct the number");
+      place.fail(Failure::kSeamMalformed, "describes stitch " + decimal(n) + ", the file has " +
+                                              decimal(garment->stitches.size()) +
+                                              "; correct the number");
       return;
     }
     place.seam = n;
     if (!described.insert(n).second)
       place.fail(Failure::kSeamMalformed,
-                 "describes stitch " + std::to_string(n) + " a second time; remove one entry");
+                 "describes stitch " + decimal(n) + " a second time; remove one entry");
     Stitch& stitch = garment->stitches[static_cast<std::size_t>(n)];
     if (const JsonValue name = seam.find("name")) text(name, place, "'name'");
     if (const JsonValue weight = seam.find("weight")) {

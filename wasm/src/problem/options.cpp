@@ -37,7 +37,7 @@ std::string SolveOptions::problem() const {
   for (const auto& [seam, weight] : weights)
     if (seam < 0 || !kSeamWeight.holds(weight))
       return "weights must name seams of the garment, with values between 0 and 1e6 (seam " +
-             std::to_string(seam) + ").";
+             decimal(seam) + ").";
   for (const int seam : unmatched)
     if (seam < 0) return "unmatched must name seams of the garment.";
   for (const EdgeRef& edge : locked)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/decimal.h"
 #include "base/in_quotes.h"
 
 namespace seamwise {
@@ -97,7 +98,7 @@ std::optional<Note> assumedGrain(const Problem& problem, const std::string& file
   }
   if (assumed.empty()) return {};
   if (assumed.size() > kMostAssumed)
-    names += " and " + std::to_string(assumed.size() - kMostAssumed) + " more";
+    names += " and " + decimal(assumed.size() - kMostAssumed) + " more";
   return Note{
       "grainAssumed",
       file + " has no grain line for these pieces, so theirs is assumed to run upwards as drawn: " +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/decimal.h"
 #include "base/in_quotes.h"
 #include "deform/shape_limits.h"
 
@@ -14,7 +15,7 @@ constexpr double kOff = 0.1;  ///< cm of mismatch that one sees
 
 std::string called(const Pattern& pattern, std::size_t seam) {
   const Seam& s = pattern.seams[seam];
-  return std::to_string(seam) + " (" + inQuotes(pattern.pieces[s.a.piece].name) + " to " +
+  return decimal(seam) + " (" + inQuotes(pattern.pieces[s.a.piece].name) + " to " +
          inQuotes(pattern.pieces[s.b.piece].name) + ")";
 }
 
@@ -40,7 +41,7 @@ std::vector<Note> remarksOn(const Pattern& pattern) {
   }
   if (gathered.empty()) return {};
   if (gathered.size() > kMostNamed)
-    list += " and " + std::to_string(gathered.size() - kMostNamed) + " more";
+    list += " and " + decimal(gathered.size() - kMostNamed) + " more";
   return {
       {"gathered",
        "The two sides of these seams differ by more than a tenth in length (gathers, pleats), so "

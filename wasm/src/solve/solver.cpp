@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/decimal.h"
 #include "deform/shape_limits.h"
 #include "methods/drafted.h"
 #include "methods/effort_run.h"
@@ -29,7 +30,7 @@ void applySeamOptions(const SolveOptions& options, Pattern& pattern) {
 
 Error unsewable(int seam) {
   return {Failure::kMesh,
-          "The two sides of seam " + std::to_string(seam) +
+          "The two sides of seam " + decimal(seam) +
               " bend too differently to be sewn edge to edge; smooth the sharper one, split it at "
               "its bend, or raise maxChangeCm.",
           -1, seam};

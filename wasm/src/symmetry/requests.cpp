@@ -79,12 +79,11 @@ class Registrar {
     const int count = static_cast<int>(panel.edges.size());
     for (const int edge : {request.first, request.second})
       if (edge < 0 || edge >= count)
-        return malformed("piece " + inQuotes(panel.name) + " has no edge " + std::to_string(edge) +
-                             "; its edges are 0 to " + std::to_string(count - 1),
+        return malformed("piece " + inQuotes(panel.name) + " has no edge " + decimal(edge) +
+                             "; its edges are 0 to " + decimal(count - 1),
                          piece);
     if (request.first == request.second)
-      return malformed("edge " + std::to_string(request.first) + " of piece " +
-                           inQuotes(panel.name) +
+      return malformed("edge " + decimal(request.first) + " of piece " + inQuotes(panel.name) +
                            " is named twice; name two edges that mirror each other",
                        piece);
     const Curve &first = panel.edges[request.first], &second = panel.edges[request.second];
@@ -104,8 +103,8 @@ class Registrar {
       least = apart;
     }
     if (best) return Registered{measured(piece, piece, *best), "", ""};
-    const std::string edges = "edges " + std::to_string(request.first) + " and " +
-                              std::to_string(request.second) + " of piece " + inQuotes(panel.name);
+    const std::string edges = "edges " + decimal(request.first) + " and " +
+                              decimal(request.second) + " of piece " + inQuotes(panel.name);
     const RigidMotion across = registerEdges(first, second);
     const double residual = std::max(mirrorResidual(outline, outline, across, 1e3),
                                      edgeResidual(first, second, across));

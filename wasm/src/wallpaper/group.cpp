@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "base/decimal.h"
 #include "wallpaper/lattice.h"
 
 namespace seamwise {
@@ -81,7 +82,7 @@ WallpaperGroup WallpaperGroup::joining(bool continuous_only) const {
   // every group that has rotations has its origin at a centre of them, as these five have
   const auto turns = std::count_if(elements_.begin(), elements_.end(),
                                    [](const Element& e) { return !e.mirrored; });
-  return make("p" + std::to_string(turns), w1(), w2()).value();
+  return make("p" + decimal(turns), w1(), w2()).value();
 }
 
 }  // namespace seamwise

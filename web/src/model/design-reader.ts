@@ -41,7 +41,7 @@ const grainRule: Read<GrainRule> = (value, at) =>
     : shape({}, {lock: locks, toleranceDeg: degrees, angleDeg: number(-360, 360)})(value, at);
 
 /** Few enough characters to stand on a piece. */
-export const pieceName = text(/^\P{Cc}{1,80}$/u, 'a name of at most 80 characters');
+const pieceName = text(/^\P{Cc}{1,80}$/u, 'a name of at most 80 characters');
 
 const markedLine = shape({piece: text(), line: listOf(point)});
 

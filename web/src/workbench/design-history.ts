@@ -7,7 +7,7 @@ import type {Step, ViewState} from './state.js';
 import {improving, Steps} from './steps.js';
 
 /** What belongs to a change of the design. */
-export interface HistoryHooks {
+interface HistoryHooks {
   /** A step has been taken: the design as it is to be, before anybody sees it. */
   readonly mended: (design: Design) => Design;
   /** The present design may be any other than before. */

@@ -22,7 +22,7 @@ import type {Selection} from './selection.js';
 import type {SolveState} from './state.js';
 
 /** What it reads, and what it tells of what it does. */
-export interface SolvingParts {
+interface SolvingParts {
   readonly history: DesignHistory;
   readonly preferences: ChosenPreferences;
   readonly notices: Notices;

@@ -1,5 +1,5 @@
 /** What lives on a module's heap until it is deleted. */
-export interface ModuleObject {
+interface ModuleObject {
   delete(): void;
 }
 

@@ -1,5 +1,5 @@
 /** Where a module's .wasm file is, if not where the build has put it; or its bytes; or what is compiled of them already. */
-export type WasmSource = string | URL | BufferSource | WebAssembly.Module;
+type WasmSource = string | URL | BufferSource | WebAssembly.Module;
 
 /** Asked for with every attempt to load a module. */
 type Source = () => WasmSource | undefined | Promise<WasmSource>;

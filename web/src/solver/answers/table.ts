@@ -9,7 +9,7 @@ export interface Queue {
 }
 
 /** A request at work. */
-export interface Job<Q extends RequestKind> {
+interface Job<Q extends RequestKind> {
   readonly hooks: HooksOf<Q>;
   readonly pace: Pace;
   /** What the module is made of, for other threads to run the very same. */

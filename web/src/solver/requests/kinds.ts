@@ -12,7 +12,7 @@ export type RequestKinds = Readonly<Record<string, RequestKind>>;
 export type KindOf<R> = keyof R & string;
 
 /** What comes with a request. */
-export interface RequestOptions {
+interface RequestOptions {
   /** Fires when the answer is not wanted any more. */
   readonly signal?: AbortSignal;
   /**

@@ -14,7 +14,7 @@ import {
 } from './protocol.js';
 
 /** Tells the thread that asks, and hands over what is to be transferred. */
-export type PostMessage = (message: FromThread, transfer: ArrayBuffer[]) => void;
+type PostMessage = (message: FromThread, transfer: ArrayBuffer[]) => void;
 
 /**
  * Answers requests of another thread: work is done in slices, so that a cancel is seen between any two.
