@@ -52,7 +52,8 @@ TEST(ProblemFromFiles, AreReadInStepsThatTellHowFarTheyAre) {
   EXPECT_GT(steps, 3);  // the files, then what may mirror onto what
   EXPECT_EQ(reader.fraction(), 1);
   EXPECT_FALSE(reader.advance());
-  EXPECT_EQ(reader.take().value().symmetries.imposed, makeProblem(texts()).value().symmetries.imposed);
+  EXPECT_EQ(reader.take().value().symmetries.imposed,
+            makeProblem(texts()).value().symmetries.imposed);
 }
 
 TEST(ProblemFromFiles, DropsWhatThePrintCannotCarryAndSaysSo) {

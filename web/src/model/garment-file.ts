@@ -104,9 +104,10 @@ export function garmentFile(document: GarmentDocument): string {
   const stitches = seams.map(({a, b, sameDirection}): Stitch =>
     sameDirection ? [end(a), end(b), 'right_wrong'] : [end(a), end(b)],
   );
-  const described = seams.map(({a, b, sameDirection, more, ...seam}, stitch) => ({
-    stitch,
-    ...seam,
+  const described = seams.map(({weight, matched, name, lengthRatio, more}, stitch) => ({
+    ...{stitch, weight, matched},
+    ...member('name', name),
+    ...member('lengthRatio', lengthRatio),
     ...more,
   }));
   const side = ({piece, line}: (typeof matches)[number]['a']) => ({

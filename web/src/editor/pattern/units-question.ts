@@ -27,7 +27,7 @@ export class UnitsQuestion extends WorkbenchElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const {design, garment: document} = this.workbench;
-    const question = document?.questions.find(({about}) => about === 'units');
+    const [question] = document?.questions ?? [];
     if (!design || !question || design.garment === this.#confirmed) return nothing;
     const {doubt} = this.texts;
     const {garment} = design;
