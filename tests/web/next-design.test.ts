@@ -4,30 +4,36 @@ import {expect, it} from 'vitest';
 import {nextDesign, type Answered} from '@/element/garment/next-design.js';
 import type {Asked} from '@/element/garment/sources.js';
 import type {Design} from '@/model/design.js';
+import type {GarmentDocument} from '@/model/garment-document.js';
 import {bareCloth} from '@/workbench/samples.js';
+import {documentOf, draftedSquare} from '../support/garment-documents.js';
 
 const pins = {
   front: {angle: 0.1, translation: [3, 4]},
   sleeve: {angle: 0, translation: [1, 2]},
 } as const;
 
-/** A garment of these pieces, as it was read for what was asked. */
-function answered(garment: string, file: object, change: Partial<Asked> = {}): Answered {
+interface Read extends Answered {
+  readonly read: GarmentDocument;
+}
+
+/** A garment, as it was read for what was asked. */
+function answered(garment: string, read: GarmentDocument, change: Partial<Asked> = {}): Read {
   return {
+    read,
     asked: {
       ...{garment, size: 'm', print: 'p.json', colourway: undefined, symmetry: 'auto'},
       ...{maxChangeCm: 1, ...change},
     },
     loaded: {
-      garment: {name: 'garment.json', text: JSON.stringify(file)},
+      garment: {name: 'garment.json', text: ''},
       ...{print: bareCloth, symmetry: 'auto'},
     },
   };
 }
 
-const pieces = (...names: string[]): object => ({
-  pattern: {panels: Object.fromEntries(names.map((name) => [name, {label: 'front'}]))},
-});
+const pieces = (...names: string[]): GarmentDocument =>
+  documentOf(names.map((name) => draftedSquare(name, {label: 'front'})));
 
 /** The design of one garment, on which the customer has put the print. */
 function placedOn(before: Answered): Design {
@@ -35,8 +41,10 @@ function placedOn(before: Answered): Design {
   return {...design, options: {...design.options, pins}};
 }
 
-const keptPins = (before: Answered, after: Answered): string[] =>
-  Object.keys(nextDesign(after, before, placedOn(before)).options.pins ?? {});
+function keptPins(before: Read, after: Read): string[] {
+  const read = {before: before.read, next: after.read};
+  return Object.keys(nextDesign(after, before, placedOn(before), read).options.pins ?? {});
+}
 
 it('keeps where a print was put on another size of the same template, on the pieces that it has', () => {
   const before = answered('tee-{size}.json', pieces('front', 'sleeve'));
@@ -64,8 +72,8 @@ it('puts no print on another garment that has a piece of the same name', () => {
 
 it('keeps it while only the print or the greatest change is another', () => {
   const before = answered('tee-m.json', pieces('front', 'sleeve'));
-  const {asked, loaded} = before;
-  const after = {asked: {...asked, maxChangeCm: 0.5, print: 'q.json'}, loaded: {...loaded}};
+  const {asked, loaded, read} = before;
+  const after = {read, asked: {...asked, maxChangeCm: 0.5, print: 'q.json'}, loaded: {...loaded}};
   expect(keptPins(before, after)).toEqual(['front', 'sleeve']);
 });
 

@@ -1,6 +1,6 @@
 /** The design that follows when something else is asked for: what the user has changed of the rest stays. */
 import type {Design} from '../../model/design.js';
-import {fieldOf} from '../../model/read.js';
+import type {GarmentDocument} from '../../model/garment-document.js';
 import {newDesign} from '../../workbench/samples.js';
 import type {Asked, Loaded} from './sources.js';
 
@@ -12,11 +12,18 @@ export interface Answered {
 
 type Pins = Design['options']['pins'];
 
+/** What garments hold, as far as they have been read. */
+export interface ReadGarments {
+  readonly before?: GarmentDocument | undefined;
+  readonly next?: GarmentDocument | undefined;
+}
+
 /** @param before undefined to begin anew; `now` is what has become of it */
 export function nextDesign(
   {asked, loaded}: Answered,
   before: Answered | undefined,
   now: Design | undefined,
+  read: ReadGarments = {},
 ): Design {
   const {garment, print} = loaded;
   const fresh = newDesign(garment, print);
@@ -27,7 +34,9 @@ export function nextDesign(
   const most = isSameMost ? kept.options.maxChangeCm : asked.maxChangeCm;
   const placed =
     pins ??
-    (before && !isSameGarment ? pinsFor({asked, loaded}, before, kept.options.pins) : undefined);
+    (before && !isSameGarment
+      ? pinsFor(kept.options.pins, {asked, loaded}, before, read)
+      : undefined);
   const isSameSymmetry = isSameGarment && before.asked.symmetry === asked.symmetry;
   return {
     garment,
@@ -48,29 +57,18 @@ export function nextDesign(
  * What was put on the pieces of one size stays on those of another. Another pattern may have pieces of the same names,
  * which say nothing of where a customer wants its print.
  */
-function pinsFor(next: Answered, before: Answered, pins: Pins): Pins {
-  const file = contentOf(next);
-  if (!pins || !isOtherSize(next, before, file)) return undefined;
-  const panels = fieldOf(fieldOf(file, 'pattern'), 'panels');
-  const names = typeof panels === 'object' && panels !== null ? Object.keys(panels) : [];
-  const kept = Object.entries(pins).filter(([name]) => names.includes(name));
+function pinsFor(pins: Pins, next: Answered, before: Answered, read: ReadGarments): Pins {
+  if (!pins || !isOtherSize(next, before, read)) return undefined;
+  const names = new Set(read.next?.pieces.map(({name}) => name));
+  const kept = Object.entries(pins).filter(([name]) => names.has(name));
   return kept.length > 0 ? Object.fromEntries(kept) : undefined;
 }
 
 /** By the same template, or as both files say by their title. */
-function isOtherSize(next: Answered, before: Answered, file: unknown): boolean {
+function isOtherSize(next: Answered, before: Answered, read: ReadGarments): boolean {
   if (typeof next.asked.garment === 'string' && next.asked.garment === before.asked.garment) {
     return true;
   }
-  const title = fieldOf(file, 'title');
-  return typeof title === 'string' && title === fieldOf(contentOf(before), 'title');
-}
-
-/** Whatever is in the file: the solver says what is wrong with it. */
-function contentOf({loaded}: Answered): unknown {
-  try {
-    return JSON.parse(loaded.garment.text);
-  } catch {
-    return undefined;
-  }
+  const title = read.next?.title;
+  return title !== undefined && title === read.before?.title;
 }

@@ -14,10 +14,10 @@ import {asError} from './as-error.js';
 import type {GarmentState} from './events.js';
 import type {FileWords} from './files.js';
 import {LastingSolver} from './lasting-solver.js';
-import {nextDesign, type Answered} from './next-design.js';
+import {nextDesign, type Answered, type ReadGarments} from './next-design.js';
 import {storedDesign} from './stored.js';
 import {restored} from './restored.js';
-import {Sources, type Asked} from './sources.js';
+import {Sources, type Asked, type Loaded} from './sources.js';
 import {ToldTiles} from './told-tiles.js';
 import {Waiting} from './waiting.js';
 
@@ -143,11 +143,12 @@ export class GarmentSession {
     this.#owner.changed();
     try {
       const loaded = await this.#sources.load(asked, loading.signal);
+      const read = await this.#readFor(loaded, loading.signal);
       if (loading.signal.aborted) return false;
       const answered = {asked, loaded};
       const design = stored
         ? restored(loaded, stored, this.#words)
-        : nextDesign(answered, this.#last, this.workbench.design);
+        : nextDesign(answered, this.#last, this.workbench.design, read);
       this.#tell.loaded(loaded);
       if (this.#loading !== loading) return false; // whoever heard it wants something else
       this.#loading = undefined;
@@ -162,6 +163,15 @@ export class GarmentSession {
       }
       return false;
     }
+  }
+
+  /** What decides which pins stay on another garment; what cannot be read cannot be solved, which says why. */
+  async #readFor({garment}: Loaded, signal: AbortSignal): Promise<ReadGarments> {
+    const {design, garment: before} = this.workbench;
+    if (!design?.options.pins || this.#last?.loaded.garment === garment) return {};
+    const {text, name} = garment;
+    const next = await this.#lease.garment(text, {name, signal}).catch(() => undefined);
+    return {before, next};
   }
 
   /** As the program gave it, without what the user has changed. */
