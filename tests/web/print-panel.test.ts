@@ -3,7 +3,12 @@ import {describe, expect, it} from 'vitest';
 import {choiceOf, choices, groupOf, missing, turnsOver} from '@/editor/print/choices.js';
 import {noPicture} from '@/model/design.js';
 import {printFrom} from '@/editor/print/own-tile.js';
-import {fittingOf, presetOf, withFitting, withPreset} from '@/editor/controls/presets.js';
+import {
+  solveSettingsOf,
+  presetOf,
+  withSolveSettings,
+  withPreset,
+} from '@/editor/controls/presets.js';
 import {storedPreferences} from '@/app/storage/preferences.js';
 import {en} from '@/texts/en.js';
 import type {Design} from '@/model/design.js';
@@ -113,8 +118,11 @@ describe('the starting points', () => {
   it('count an option that is left out as its default', () => {
     const plain = {...design, options: {}};
     expect(presetOf(plain)).toBe('bestFit');
-    const bias = {...plain, ...withFitting(plain, {...fittingOf(plain), grain: 'bias'})};
-    expect(fittingOf(bias)).toMatchObject({grain: 'bias', maxChangeCm: 1});
+    const bias = {
+      ...plain,
+      ...withSolveSettings(plain, {...solveSettingsOf(plain), grain: 'bias'}),
+    };
+    expect(solveSettingsOf(bias)).toMatchObject({grain: 'bias', maxChangeCm: 1});
   });
 });
 

@@ -3,7 +3,7 @@ import {expect, it} from 'vitest';
 
 import {changeBetween, type Change} from '@/editor/commands/step.js';
 import {redoWords, undoWords} from '@/editor/commands/step-words.js';
-import {withFitting, withPreset, fittingOf} from '@/editor/controls/presets.js';
+import {withSolveSettings, withPreset, solveSettingsOf} from '@/editor/controls/presets.js';
 import {
   withGrain,
   withGrainLines,
@@ -84,26 +84,30 @@ const cases: readonly (readonly [step: string, change: Partial<Design>, said: Ch
     {options: withGrainLines(options, {bib: 90, tie: 0})},
     {kind: 'grain', pieces: ['bib', 'tie']},
   ],
-  ['the grain of all', withFitting(design, {...fittingOf(design), grain: 'free'}), {kind: 'grain'}],
+  [
+    'the grain of all',
+    withSolveSettings(design, {...solveSettingsOf(design), grain: 'free'}),
+    {kind: 'grain'},
+  ],
   [
     'the greatest change',
-    withFitting(design, {...fittingOf(design), maxChangeCm: 0.5}),
+    withSolveSettings(design, {...solveSettingsOf(design), maxChangeCm: 0.5}),
     {kind: 'change'},
   ],
   ['placing only', withPreset(design, 'placeOnly'), {kind: 'change'}],
   [
     'a print that only continues',
-    withFitting(design, {...fittingOf(design), continuousOnly: true}),
+    withSolveSettings(design, {...solveSettingsOf(design), continuousOnly: true}),
     {kind: 'cutting'},
   ],
   [
     'another method',
-    withFitting(design, {...fittingOf(design), method: 'paper'}),
+    withSolveSettings(design, {...solveSettingsOf(design), method: 'paper'}),
     {kind: 'method'},
   ],
   [
     'several of these at once',
-    {...withFitting(design, {...fittingOf(design), grain: 'free', maxChangeCm: 0.4})},
+    {...withSolveSettings(design, {...solveSettingsOf(design), grain: 'free', maxChangeCm: 0.4})},
     {kind: 'cutting'},
   ],
   ['a kept edge', {options: {...options, locked: {bib: [2]}}}, {kind: 'keep', pieces: ['bib']}],

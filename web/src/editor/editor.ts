@@ -175,7 +175,7 @@ export class Editor extends WorkbenchElement {
         <section class="setup" aria-label=${app.setup}>
           <sw-print-panel .workbench=${workbench} .samples=${this.samples}></sw-print-panel>
           <sw-symmetry-panel .workbench=${workbench}></sw-symmetry-panel>
-          <sw-fit-panel .workbench=${workbench}></sw-fit-panel>
+          <sw-solve-panel .workbench=${workbench}></sw-solve-panel>
         </section>
         <section class="report" aria-label=${app.report}>
           <sw-headline .workbench=${workbench} .samples=${this.samples}></sw-headline>

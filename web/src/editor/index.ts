@@ -10,7 +10,13 @@ export {canAlign} from './commands/can-align.js';
 export type {Command} from './commands/command.js';
 export {keyOf, titleOf, type ShortcutId} from './commands/shortcuts.js';
 export {redoWords, undoWords} from './commands/step-words.js';
-export {fittingOf, presetNames, presetOf, withFitting, withPreset} from './controls/presets.js';
+export {
+  solveSettingsOf,
+  presetNames,
+  presetOf,
+  withSolveSettings,
+  withPreset,
+} from './controls/presets.js';
 export {languageNames} from './controls/settings.js';
 export {withAll} from '../workbench/symmetry-steps.js';
 export {withoutPin} from './lists/choices.js';

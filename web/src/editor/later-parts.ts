@@ -1,5 +1,5 @@
 /** The parts that are only seen once there is an answer, or once somebody asks for something. */
-import {FitPanel} from './controls/fit-panel.js';
+import {SolvePanel} from './controls/solve-panel.js';
 import {LensStrip} from './lens/lens-strip.js';
 import {SeamLens} from './lens/lens.js';
 import {PieceTable} from './lists/piece-table.js';
@@ -26,7 +26,7 @@ import {SymmetryPanel} from './symmetry/symmetry-panel.js';
 const parts: Readonly<Record<string, CustomElementConstructor>> = {
   'sw-doubtful-tile': DoubtfulTile,
   'sw-file-size': FileSizeNote,
-  'sw-fit-panel': FitPanel,
+  'sw-solve-panel': SolvePanel,
   'sw-grain-question': GrainQuestion,
   'sw-keep-improving': KeepImproving,
   'sw-keep-menu': KeepMenu,

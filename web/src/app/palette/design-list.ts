@@ -1,7 +1,7 @@
 /** Commands that change the design: steps, how it is solved and cut, its garment and its print. */
 import {
   canAlign,
-  fittingOf,
+  solveSettingsOf,
   improvementOffer,
   inColours,
   missing,
@@ -12,7 +12,7 @@ import {
   remedyWords,
   samplePrint,
   undoWords,
-  withFitting,
+  withSolveSettings,
   withPreset,
   type Command,
 } from '../../editor/index.js';
@@ -80,11 +80,11 @@ export function solveCommands({workbench, texts, format, samples}: PageParts): r
       workbench.change(withPreset(design, name));
     });
   }
-  const fitting = fittingOf(design);
+  const settings = solveSettingsOf(design);
   for (const grain of grains) {
-    if (grain === fitting.grain) continue;
+    if (grain === settings.grain) continue;
     add(`grain ${grain}`, texts.lists.of(controls.grain, controls.grains[grain]), '', () => {
-      workbench.change(withFitting(design, {...fitting, grain}));
+      workbench.change(withSolveSettings(design, {...settings, grain}));
     });
   }
   return list;

@@ -2,7 +2,7 @@
 import {askedSymmetries, type Design} from '../../model/design.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {Symmetry} from '../../model/symmetries.js';
-import {fittingOf, type Fitting} from '../controls/presets.js';
+import {solveSettingsOf, type SolveSettings} from '../controls/presets.js';
 import {withQuarterTurn} from '../lists/choices.js';
 import type {Texts} from '../../texts/texts.js';
 
@@ -79,16 +79,16 @@ function pieceGrain(from: SolveOptions, to: SolveOptions): Change | undefined {
   return {kind: isTurn ? 'turned' : 'grain', pieces};
 }
 
-const fittingNames: Readonly<Record<keyof Fitting, Change['kind']>> = {
+const settingNames: Readonly<Record<keyof SolveSettings, Change['kind']>> = {
   ...{maxChangeCm: 'change', grain: 'grain', continuousOnly: 'cutting', method: 'method'},
 };
 
 /** Several decisions at once are how it is cut. */
 function fittingChange(from: Design, to: Design): Change | undefined {
-  const changed = changedIn({...fittingOf(from)}, {...fittingOf(to)});
-  const [only] = changed as (keyof Fitting)[];
+  const changed = changedIn({...solveSettingsOf(from)}, {...solveSettingsOf(to)});
+  const [only] = changed as (keyof SolveSettings)[];
   if (only === undefined) return undefined;
-  return {kind: changed.length === 1 ? fittingNames[only] : 'cutting'};
+  return {kind: changed.length === 1 ? settingNames[only] : 'cutting'};
 }
 
 /** Pins move on with what else is decided, and the effort ends with it: both come last. */

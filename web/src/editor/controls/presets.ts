@@ -7,7 +7,7 @@ export const presetNames = ['homeSewist', 'wovenShirt', 'bestFit', 'placeOnly'] 
 type PresetName = (typeof presetNames)[number];
 
 /** What decides how pieces may lie and change; every field is a decision, whether or not it is the default. */
-export interface Fitting {
+export interface SolveSettings {
   readonly maxChangeCm: number;
   readonly grain: GrainLock;
   readonly continuousOnly: boolean;
@@ -16,14 +16,14 @@ export interface Fitting {
 
 const usual = {continuousOnly: false, method: 'best'} as const;
 
-const presets: Readonly<Record<PresetName, Fitting>> = {
+const presets: Readonly<Record<PresetName, SolveSettings>> = {
   homeSewist: {...usual, grain: 'on', maxChangeCm: 1},
   wovenShirt: {...usual, grain: 'on', maxChangeCm: 0.4},
   bestFit: {...usual, grain: 'free', maxChangeCm: 1},
   placeOnly: {...usual, grain: 'on', maxChangeCm: 0},
 };
 
-export const fittingOf = ({method, options}: Design): Fitting => ({
+export const solveSettingsOf = ({method, options}: Design): SolveSettings => ({
   maxChangeCm: options.maxChangeCm ?? 1,
   grain: options.grain?.default ?? 'free',
   continuousOnly: options.continuousOnly ?? false,
@@ -31,9 +31,9 @@ export const fittingOf = ({method, options}: Design): Fitting => ({
 });
 
 /** What was decided about single pieces and seams stays. */
-export function withFitting(
+export function withSolveSettings(
   {options}: Design,
-  {maxChangeCm, grain, continuousOnly, method}: Fitting,
+  {maxChangeCm, grain, continuousOnly, method}: SolveSettings,
 ): {readonly method: Method; readonly options: SolveOptions} {
   return {
     method,
@@ -41,12 +41,15 @@ export function withFitting(
   };
 }
 
-export const withPreset = (design: Design, name: PresetName): ReturnType<typeof withFitting> =>
-  withFitting(design, presets[name]);
+export const withPreset = (
+  design: Design,
+  name: PresetName,
+): ReturnType<typeof withSolveSettings> => withSolveSettings(design, presets[name]);
 
 export function presetOf(design: Design): PresetName | undefined {
-  const fitting = JSON.stringify(fittingOf(design));
+  const settings = JSON.stringify(solveSettingsOf(design));
   return presetNames.find(
-    (name) => JSON.stringify(fittingOf({...design, ...withPreset(design, name)})) === fitting,
+    (name) =>
+      JSON.stringify(solveSettingsOf({...design, ...withPreset(design, name)})) === settings,
   );
 }

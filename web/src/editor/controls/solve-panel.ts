@@ -6,12 +6,12 @@ import {methods, type Method} from '../../model/method.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {
-  fittingOf,
+  solveSettingsOf,
   presetNames,
   presetOf,
-  withFitting,
+  withSolveSettings,
   withPreset,
-  type Fitting,
+  type SolveSettings,
 } from './presets.js';
 import {section} from './section.js';
 
@@ -27,7 +27,7 @@ const mostChangeCm = 2;
 
 const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
 
-export class FitPanel extends WorkbenchElement {
+export class SolvePanel extends WorkbenchElement {
   static override styles = [
     controls,
     section,
@@ -82,7 +82,7 @@ export class FitPanel extends WorkbenchElement {
     const {design} = this.workbench;
     if (!design) return nothing;
     const texts = this.texts.controls;
-    const fitting = fittingOf(design);
+    const settings = solveSettingsOf(design);
     const preset = presetOf(design);
     return html`<section aria-labelledby="title">
       <h2 id="title">${texts.fit}</h2>
@@ -102,17 +102,17 @@ export class FitPanel extends WorkbenchElement {
         )}
         ${preset ? html`<p class="soft">${texts.presetNotes[preset]}</p>` : nothing}
       </div>
-      ${this.#change(fitting)}
+      ${this.#change(settings)}
       <label>
         ${texts.grain}
         <select
           @change=${(event: Event) => {
-            this.#fit({grain: chosen(event) as GrainLock});
+            this.#set({grain: chosen(event) as GrainLock});
           }}
         >
           ${grainLocks.map(
             (lock) =>
-              html`<option value=${lock} .selected=${lock === fitting.grain}>
+              html`<option value=${lock} .selected=${lock === settings.grain}>
                 ${texts.grains[lock]}
               </option>`,
           )}
@@ -123,9 +123,9 @@ export class FitPanel extends WorkbenchElement {
           <input
             type="checkbox"
             aria-describedby="continuous"
-            .checked=${fitting.continuousOnly}
+            .checked=${settings.continuousOnly}
             @change=${(event: Event) => {
-              this.#fit({continuousOnly: (event.target as HTMLInputElement).checked});
+              this.#set({continuousOnly: (event.target as HTMLInputElement).checked});
             }}
           />
           ${texts.continuousOnly}
@@ -147,12 +147,12 @@ export class FitPanel extends WorkbenchElement {
         ${texts.method}
         <select
           @change=${(event: Event) => {
-            this.#fit({method: chosen(event) as Method});
+            this.#set({method: chosen(event) as Method});
           }}
         >
           ${methods.map(
             (method) =>
-              html`<option value=${method} .selected=${method === fitting.method}>
+              html`<option value=${method} .selected=${method === settings.method}>
                 ${texts.methods[method]}
               </option>`,
           )}
@@ -162,7 +162,7 @@ export class FitPanel extends WorkbenchElement {
     </section>`;
   }
 
-  #change({maxChangeCm}: Fitting): TemplateResult {
+  #change({maxChangeCm}: SolveSettings): TemplateResult {
     const texts = this.texts.controls;
     const {name, cm, step, digits} = changeUnit[this.workbench.preferences.units];
     const [least, most] = [leastChangeCm / cm, mostChangeCm / cm];
@@ -176,7 +176,7 @@ export class FitPanel extends WorkbenchElement {
       .fractions=${this.workbench.preferences.units === 'inch'}
       .wrong=${texts.between(this.format.fine(leastChangeCm), this.format.fine(mostChangeCm))}
       @entered=${({detail}: CustomEvent<number>) => {
-        this.#fit({maxChangeCm: detail * cm}, 'greatest change');
+        this.#set({maxChangeCm: detail * cm}, 'greatest change');
       }}
     ></sw-number-field>`;
   }
@@ -195,8 +195,12 @@ export class FitPanel extends WorkbenchElement {
     </button>`;
   }
 
-  #fit(change: Partial<Fitting>, kind = ''): void {
+  #set(change: Partial<SolveSettings>, kind = ''): void {
     const {design} = this.workbench;
-    if (design) this.workbench.change(withFitting(design, {...fittingOf(design), ...change}), kind);
+    if (design)
+      this.workbench.change(
+        withSolveSettings(design, {...solveSettingsOf(design), ...change}),
+        kind,
+      );
   }
 }
