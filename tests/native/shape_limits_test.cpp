@@ -90,8 +90,8 @@ TEST(Prepared, EvensOutANearlySymmetricPieceExactly) {
   const Shapes evened = evenedShapes(pattern);
   for (std::size_t v = 0; v < m.image.size(); ++v)
     EXPECT_LT((m.map(evened[0][v]) - evened[0][m.image[v]]).norm(), 1e-12);
-  EXPECT_GT(movedOf(pattern.pieces[0], evened[0]), 0.005);
-  EXPECT_LT(movedOf(pattern.pieces[0], evened[0]), 0.08);
+  EXPECT_GT(pieceMovement(pattern.pieces[0], evened[0]), 0.005);
+  EXPECT_LT(pieceMovement(pattern.pieces[0], evened[0]), 0.08);
   EXPECT_EQ(evened[1], pattern.pieces[1].rest);
 }
 

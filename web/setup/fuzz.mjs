@@ -6,6 +6,8 @@ import {configure} from './cmake.mjs';
 import {root, run, say} from './shell.mjs';
 
 const folder = join(root, 'build/fuzz');
+/** What runs find; beside the build, which is begun anew where it was moved. */
+const found = join(root, 'build/fuzz-found');
 /** Between the texts of an input, as in tests/fuzz/problem_fuzz.cpp. */
 const separator = '\x1e';
 
@@ -65,10 +67,10 @@ function dictionary() {
 /**
  * Reads and solves problems made by chance, going on from what earlier runs have found.
  * @param seconds for how long
- * @returns whether none of them was too much for the solver; one that was stays in build/fuzz
+ * @returns whether none of them was too much for the solver; one that was stays in build/fuzz-found
  */
 export async function fuzz(seconds = 60) {
-  const corpus = join(folder, 'corpus');
+  const corpus = join(found, 'corpus');
   const compiler = [`-DCMAKE_CXX_COMPILER=${clangTool('clang++')}`];
   const build = ['--build', '--preset', 'fuzz', '--target', 'problem_fuzz', '--', '--quiet'];
   const built =
@@ -86,7 +88,7 @@ export async function fuzz(seconds = 60) {
     '-timeout=25',
     '-rss_limit_mb=2048',
   ];
-  const words = [`-dict=${folder}/words.dict`, `-artifact_prefix=${folder}/found-`, corpus];
+  const words = [`-dict=${folder}/words.dict`, `-artifact_prefix=${found}/broken-`, corpus];
   const program = join(folder, 'tests/fuzz/problem_fuzz');
   say(`Solving problems made by chance for ${seconds} s ...`);
   return run(program, ['-print_final_stats=1', '-verbosity=0', ...limits, ...words]);

@@ -33,7 +33,7 @@ inline ProblemTexts problemTexts(const val& problem) {
   return texts;
 }
 
-/// A page changes one thing at a time, and its worker solves again with the same module.
+/// What this module remembers between solves: a page changes one thing at a time.
 inline SolveMemo memo;
 
 /// A solve as JavaScript holds it: first its problem is read, then it is set up, then it runs.

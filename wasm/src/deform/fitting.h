@@ -25,8 +25,8 @@ class SeamFitting {
   SeamFitting(const FittingPlan& plan, const Pattern& pattern, const WallpaperGroup& group,
               const FittingRules& rules);
 
-  /// How hard each seam pulls, as a multiple of its weight; 1 at first. What pulls nothing keeps
-  /// its drafted line but for its ends, which other seams may move.
+  /// How hard each seam pulls, as a multiple of its weight; 1 at first. A seam of pull 0 keeps its
+  /// drafted line; only its end vertices may move, with other seams.
   void setPulls(const std::vector<double>& pulls);
 
   /// Chooses each seam's join for the present shapes.

@@ -6,7 +6,7 @@
 #include "geometry/polygon.h"
 
 namespace seamwise {
-double movedOf(const Piece& piece, const std::vector<Vec2>& shape) {
+double pieceMovement(const Piece& piece, const std::vector<Vec2>& shape) {
   double moved = 0;
   for (const std::vector<int>& loop : loopsOf(piece))
     for (const int v : loop) moved = std::max(moved, (shape[v] - piece.rest[v]).norm());
@@ -24,7 +24,7 @@ bool crossesItself(const Piece& piece, const std::vector<Vec2>& shape) {
 
 BrokenLimit brokenLimit(const Piece& piece, const std::vector<Vec2>& shape,
                         const ShapeLimits& limits) {
-  if (!(movedOf(piece, shape) <= limits.moved)) return BrokenLimit::kMoved;
+  if (!(pieceMovement(piece, shape) <= limits.moved)) return BrokenLimit::kMoved;
   for (const std::vector<int>& loop : loopsOf(piece)) {
     const std::size_t n = loop.size();
     for (std::size_t k = 0; k < n; ++k) {

@@ -17,7 +17,7 @@ BrokenLimit brokenLimit(const Piece& piece, const std::vector<Vec2>& shape,
                         const ShapeLimits& limits);
 
 /// How far an outline vertex moved at most, as it lies. [cm]
-double movedOf(const Piece& piece, const std::vector<Vec2>& shape);
+double pieceMovement(const Piece& piece, const std::vector<Vec2>& shape);
 
 /// How far the sides of a seam miss their length ratio: the worst edge, or all of them together.
 /// [cm]

@@ -19,16 +19,15 @@ struct GarmentFile {
   double unit_cm = 1;                       ///< centimetres per unit of the file
 };
 
-/// What makes a garment of a likely size: how many units a metre has, and what such a unit is
-/// called.
+/// A unit of length that files use: how many of it a metre has, and what it is called.
 struct LengthUnit {
   double per_metre;
   const char* name;
 };
-/// Units in which a piece would be one that somebody can wear.
+/// Length units in which a piece has a wearable size.
 /// @param extent_cm   its greatest width or height, with so many units in a metre
 std::vector<LengthUnit> likelyUnits(double extent_cm, double per_metre);
-/// Whether it is the height of the tallest piece of a garment for anybody.
+/// Whether anybody could wear a garment whose tallest piece has this height.
 bool isWearable(double height_cm);
 
 /// Reads a GarmentCode / Garment-Pattern-Generator specification or the project's own superset of

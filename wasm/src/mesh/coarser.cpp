@@ -186,7 +186,7 @@ std::optional<CoarserPattern> coarsened(const Pattern& fine, double longest) {
     for (std::size_t v = 0; v < from.size(); ++v)
       if (from[v] >= 0) result.pattern.mirrors.back().image.push_back(to[mirror.image[v]]);
   }
-  measureSeams(result.pattern);
+  setLengthRatios(result.pattern);
   Outcome<Pattern> mesh = meshed(std::move(result.pattern));
   if (!mesh.ok()) return {};
   result.pattern = std::move(mesh).value();

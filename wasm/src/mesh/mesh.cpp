@@ -68,7 +68,7 @@ std::optional<Error> Meshing::fill(int p) {
 
 Outcome<Pattern> Meshing::take() {
   if (error_) return *error_;
-  if (moved_) measureSeams(pattern_);
+  if (moved_) setLengthRatios(pattern_);
   return std::move(pattern_);
 }
 

@@ -41,7 +41,7 @@ FittingStage::Judgement FittingStage::judge() {
   excess_ = 0;
   for (std::size_t s = 0; s < shaped.size(); ++s) {
     if (!counts(pattern.seams[s])) continue;
-    const double moved = movedOf(pattern.seams[s], pattern, fitting_->shapes());
+    const double moved = seamMovement(pattern.seams[s], pattern, fitting_->shapes());
     const Verdict verdict = verdictOn({placed[s], aligned[s], shaped[s]}, moved);
     if (verdict == Verdict::kKept) continue;
     worse_[s] = verdict == Verdict::kWorse;

@@ -70,7 +70,7 @@ bool isWithinReach(const std::vector<double>& mismatch, double reach) {
   return left <= ShapingTuning::kBroken * static_cast<double>(mismatch.size());
 }
 
-double movedOf(const Seam& seam, const Pattern& pattern, const Shapes& shapes) {
+double seamMovement(const Seam& seam, const Pattern& pattern, const Shapes& shapes) {
   double moved = 0;
   for (const SeamSide* side : {&seam.a, &seam.b})
     for (std::size_t k = 1; k + 1 < side->vertices.size(); ++k) {

@@ -54,6 +54,6 @@ Verdict verdictOn(const SeamMeans& means, double moved);
 bool isWithinReach(const std::vector<double>& mismatch, double reach);
 
 /// How far vertices of a seam moved at most, its ends apart. [cm]
-double movedOf(const Seam& seam, const Pattern& pattern, const Shapes& shapes);
+double seamMovement(const Seam& seam, const Pattern& pattern, const Shapes& shapes);
 
 }  // namespace seamwise

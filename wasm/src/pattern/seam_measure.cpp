@@ -25,7 +25,7 @@ std::vector<std::vector<VertexRef>> mirrorImages(const Pattern& pattern) {
 
 }  // namespace
 
-void measureSeams(Pattern& pattern) {
+void setLengthRatios(Pattern& pattern) {
   const auto images = mirrorImages(pattern);
   const auto edgeLength = [&](int piece, int u, int v) {
     const auto& rest = pattern.pieces[piece].rest;

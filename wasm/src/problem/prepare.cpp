@@ -44,7 +44,7 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
   const Mirror& m = pattern.mirrors[symmetry];
   for (const int p : m.pieces) {
     const Piece& piece = pattern.pieces[p];
-    const double moved = movedOf(piece, evened[p]);
+    const double moved = pieceMovement(piece, evened[p]);
     if (moved > std::max(SymmetryTuning::kEvenedShare * max_change, kEvenedAlready))
       return Obstacle{symmetry,
                       "symmetryChange",
@@ -64,7 +64,7 @@ std::optional<Obstacle> obstacle(const Pattern& pattern, std::size_t symmetry, c
     double moved = 0;
     for (const int p : {seam.a.piece, seam.b.piece})
       if (p == m.pieces[0] || p == m.pieces[1])
-        moved = std::max(moved, movedOf(pattern.pieces[p], evened[p]));
+        moved = std::max(moved, pieceMovement(pattern.pieces[p], evened[p]));
     if (moved > kEvenedAlready && max_change - moved < SymmetryTuning::kSettlingReach &&
         seamError(seam, evened) > kEvenedSeam)
       return Obstacle{

@@ -28,7 +28,7 @@ Pattern freedPattern(Pattern pattern, const Symmetries& imposed, const Symmetrie
   for (std::size_t m = 0; m < imposed.size(); ++m)
     if (contains(asked, imposed[m])) kept.push_back(std::move(pattern.mirrors[m]));
   pattern.mirrors = std::move(kept);
-  measureSeams(pattern);
+  setLengthRatios(pattern);
   return pattern;
 }
 

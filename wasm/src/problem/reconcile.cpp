@@ -119,7 +119,7 @@ std::optional<Pattern> asImposed(const GarmentSymmetries& symmetries,
   if (!sampled || symmetries.imposed == symmetries.known) return sampled;
   if (!symmetries.imposed.empty()) return {};
   sampled->mirrors.clear();
-  measureSeams(*sampled);
+  setLengthRatios(*sampled);
   return sampled;
 }
 

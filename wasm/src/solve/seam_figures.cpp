@@ -14,8 +14,8 @@ constexpr double kMost = 0.9;    ///< of all seams, by length
 
 }  // namespace
 
-void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
-                  const std::vector<EdgeRef>& locked, Result& result) {
+void fillSeamFigures(const WallpaperGroup& group, const MatchProblem& match,
+                     const std::vector<EdgeRef>& locked, Result& result) {
   const Pattern& pattern = result.pattern;
   const Shapes rest = restShapes(pattern);
   LocalMeans& all = result.local;
@@ -29,7 +29,7 @@ void measureSeams(const WallpaperGroup& group, const MatchProblem& match,
     of.drafted = localMismatch(group, seam, rest, result.drafted);
     of.placed = localMismatch(group, seam, rest, result.search);
     of.final = localMismatch(group, seam, result.shapes, result.alignment);
-    of.shaped = movedOf(seam, pattern, result.shapes) > ShapingTuning::kStraight;
+    of.shaped = seamMovement(seam, pattern, result.shapes) > ShapingTuning::kStraight;
     const SeamMidpoints m = seamMidpoints(seam, result.shapes, result.alignment);
     double length = 0;
     for (std::size_t i = 0; i < m.length.size(); ++i) {

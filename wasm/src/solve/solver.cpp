@@ -189,7 +189,7 @@ Outcome<Result> Solver::finish() {
   const WallpaperGroup joining = state_->match->joining();
   if (result.continuous) measure(joining, &*result.continuous);
   result.drafted = state_->drafted;
-  measureSeams(joining, *state_->match, problem.options.locked, result);
+  fillSeamFigures(joining, *state_->match, problem.options.locked, result);
   result.max_moved_cm = greatestMovement(result.pattern, result.shapes);
   if (problem.options.max_change_cm >= kLeastChange)
     if (auto note = remarkOnRest(result.pattern, result.shapes, result.local.worst))

@@ -5,7 +5,7 @@
 
 namespace seamwise {
 
-/// Residual beyond which none needs to be told from another. [cm]
+/// Residual above which all are treated as equally bad. [cm]
 inline constexpr double kFarApart = 1e3;
 
 /// A registration of one outline on another: an orientation-reversing rigid motion, and what it

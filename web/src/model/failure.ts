@@ -31,7 +31,7 @@ export const failureCodes = {
   options: 80,
 } as const;
 
-/** What keeps a page from being served where the core was never asked. The names are part of the API, too. */
+/** Codes of failures that a page raises without the core. The names are part of the API, too. */
 export const pageFailureCodes = [
   /** The solver's worker cannot be started; solving goes on in the page itself. */
   'worker-blocked',

@@ -15,9 +15,9 @@ export interface Unknown {
 export interface DraftedEdge extends Unknown {
   /** Its ends, and between them the control points of a Bezier curve: one, two, or none of a line or an arc. [cm] */
   readonly points: readonly [Point, Point, ...Point[]];
-  /** Of a circular arc. [cm] */
+  /** Radius of a circular arc. [cm] */
   readonly radius?: number;
-  /** By which a circular arc turns, counter-clockwise if positive. [rad] */
+  /** Angle that a circular arc turns by, counter-clockwise if positive. [rad] */
   readonly sweep?: number;
   readonly label?: string;
 }
@@ -39,7 +39,7 @@ export interface Placement {
 }
 
 export interface GarmentPiece extends Unknown {
-  /** By which designs, options and results know it. */
+  /** The name that designs, options and results use. */
   readonly name: string;
   /** What people call it. */
   readonly label?: string;

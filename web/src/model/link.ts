@@ -15,7 +15,7 @@ import {fieldOf, Malformed, shape, text, type Read} from './read.js';
 import type {PrintTile} from './print-tile.js';
 import {written} from './written-design.js';
 
-/** By the name of a sample, or as a whole. */
+/** A garment in a link: a sample's name, or the whole garment. */
 export type LinkedGarment =
   {readonly sample: NonNullable<DesignGarment['sample']>} | Pick<DesignGarment, 'name' | 'text'>;
 

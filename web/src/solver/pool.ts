@@ -17,7 +17,7 @@ export interface LeasePlaces extends WorkerPlaces {
   readonly onBlocked?: (failure: Failure) => void;
 }
 
-/** A share in a solver. */
+/** A lease on a pooled worker. */
 export interface SolverLease {
   readonly solver: TextService;
   /**

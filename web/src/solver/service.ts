@@ -14,7 +14,7 @@ import {
   type NamedSolveHooks,
 } from './requests/texts.js';
 
-/** For any question: what it does not report is not heard. */
+/** Hooks for any question; those for events that it never reports are not called. */
 export type QuestionHooks = SolveHooks & ProofHooks;
 
 /** For questions about a garment alone. */

@@ -27,7 +27,7 @@ class Elimination {
 
   std::vector<PairTable> tables;          ///< rows of the one that is eliminated later
   std::vector<std::vector<float>> alone;  ///< costs of each leader's boxes
-  std::vector<std::vector<float>> least;  ///< sums that the boxes have a part in, at least
+  std::vector<std::vector<float>> least;  ///< per box, a lower bound of any total that uses it
 
   /// Begins anew with the present costs, which it changes.
   void begin();

@@ -5,7 +5,8 @@
 
 namespace seamwise {
 
-/// Improves the alignments of the `active` leaders together, the others held: Gauss-Newton on all
+/// ICP on the print: improves the alignments of the `active` leaders together, the others held.
+/// Gauss-Newton on all
 /// turns and shifts with the nearest element of each sample frozen, weights 1/d so that the sum of
 /// distances (not of squares) falls, elements chosen anew after each step. Never makes the cost
 /// worse.

@@ -11,9 +11,10 @@ namespace seamwise {
 
 /// What is known of a component. Costs are those of samples of the seams. [cm2]
 struct Answers {
-  std::vector<std::pair<double, Alignments>> few;  ///< of its leaders; all differ, cheapest first
-  double watched_cost = -1;                        ///< negative: nothing was watched
-  Alignments watched;                              ///< of its leaders
+  std::vector<std::pair<double, Alignments>>
+      few;                   ///< the best, of its leaders; all differ, cheapest first
+  double watched_cost = -1;  ///< negative: nothing was watched
+  Alignments watched;        ///< of its leaders
 
   double cost() const { return few.empty() ? -1 : few.front().first; }  ///< negative: nothing yet
   /// @param perfect   as in SearchMoves, here and below
