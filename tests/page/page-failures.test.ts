@@ -23,9 +23,9 @@ async function sabotage(page: Page, end: 'throw' | 'close'): Promise<void> {
   await worker.evaluate((how) => {
     const scope = self as unknown as {postMessage: unknown; close(): void};
     const post = self.postMessage.bind(self);
-    scope.postMessage = (message: {kind: string}, options?: StructuredSerializeOptions) => {
+    scope.postMessage = (message: {hook?: string}, options?: StructuredSerializeOptions) => {
       post(message, options);
-      if (message.kind !== 'pattern') return;
+      if (message.hook !== 'onPattern') return;
       scope.postMessage = post;
       if (how === 'close') scope.close();
       else
