@@ -63,7 +63,7 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
   await page.getByRole('link', {name: 'Tee'}).click();
   await page.getByText('L', {exact: true}).click();
   await page.getByText('Snow crystal', {exact: true}).click();
-  await page.locator('.colours:visible').getByText('Mist').click();
+  await page.locator('.colours[data-print="p6m"]').getByText('Mist').click();
   await page.getByRole('status').filter({hasText: 'The print meets'}).waitFor();
   await solved(page);
   await page.getByRole('button', {name: 'Place the print yourself'}).click();
