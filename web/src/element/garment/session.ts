@@ -257,7 +257,8 @@ export class GarmentSession {
       this.#isTouched = true;
     }
     this.#owner.changed();
-    this.#tell.solved(workbench);
+    // an answer to what is not asked any more is no news
+    if (!this.#loading && !this.#isOutdated) this.#tell.solved(workbench);
     if (this.state === 'ready' && this.#isTouched) this.#tellOfUser();
     this.#tell.selected(workbench);
     this.#settle();
