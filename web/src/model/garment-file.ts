@@ -68,7 +68,7 @@ function panelOf(piece: GarmentPiece): object {
       translation: placement.translation,
       ...member(
         'rotation',
-        mirroredFromInput ? turnedOver(placement.rotation ?? [0, -180, 0]) : placement.rotation,
+        mirroredFromInput ? turnedOver(placement.rotation ?? [0, 0, 0]) : placement.rotation,
       ),
     }),
     vertices,
