@@ -40,10 +40,14 @@ export class KnownGarment {
     return true;
   }
 
-  /** Reads a garment, whether or not it is worked on. @throws {SolverError} when it cannot be read */
-  async read(garment: DesignGarment): Promise<void> {
+  /** What a garment's file holds, read once, whether or not it is worked on. @throws {SolverError} when it cannot be read */
+  async read(garment: DesignGarment): Promise<GarmentDocument> {
+    const known = this.#documents.get(garment);
+    if (known) return known;
     const {text, name} = garment;
-    this.#documents.set(garment, await this.#solver.garment(text, {name}));
+    const document = await this.#solver.garment(text, {name});
+    this.#documents.set(garment, document);
+    return document;
   }
 
   /** Reads the garment that is worked on, unless that is done. What cannot be read cannot be solved, which says why. */

@@ -132,8 +132,8 @@ export class Solving extends Observable {
     this.#become({kind: 'empty'});
   }
 
-  /** Reads a garment that may come to be worked on. @throws {SolverError} when it cannot be read */
-  learn(garment: DesignGarment): Promise<void> {
+  /** What the file of a garment holds that may come to be worked on. @throws {SolverError} when it cannot be read */
+  documentOf(garment: DesignGarment): Promise<GarmentDocument> {
     return this.#known.read(garment);
   }
 

@@ -261,12 +261,17 @@ export class Workbench {
   async open(garment: DesignGarment): Promise<void> {
     const {history, solving} = this.#parts;
     const fresh = newDesign(garment, history.design?.print ?? bareCloth);
-    const [pattern] = await Promise.all([solving.meshed(fresh), solving.learn(garment)]);
+    const [pattern] = await Promise.all([solving.meshed(fresh), solving.documentOf(garment)]);
     const design = {...fresh, method: history.design?.method ?? fresh.method};
     Observable.together(() => {
       history.begin(begun({design, view: null}));
       solving.know(garment, pattern);
     });
+  }
+
+  /** What the file of a garment holds, read once. @throws {SolverError} when it cannot be read */
+  documentOf(garment: DesignGarment): Promise<GarmentDocument> {
+    return this.#parts.solving.documentOf(garment);
   }
 
   /** A garment as it lies in its file. @throws {SolverError} when it cannot be read */

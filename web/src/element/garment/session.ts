@@ -143,7 +143,7 @@ export class GarmentSession {
     this.#owner.changed();
     try {
       const loaded = await this.#sources.load(asked, loading.signal);
-      const read = await this.#readFor(loaded, loading.signal);
+      const read = stored ? {} : await this.#readFor(loaded);
       if (loading.signal.aborted) return false;
       const answered = {asked, loaded};
       const design = stored
@@ -166,12 +166,10 @@ export class GarmentSession {
   }
 
   /** What decides which pins stay on another garment; what cannot be read cannot be solved, which says why. */
-  async #readFor({garment}: Loaded, signal: AbortSignal): Promise<ReadGarments> {
+  async #readFor({garment}: Loaded): Promise<ReadGarments> {
     const {design, garment: before} = this.workbench;
     if (!design?.options.pins || this.#last?.loaded.garment === garment) return {};
-    const {text, name} = garment;
-    const next = await this.#lease.garment(text, {name, signal}).catch(() => undefined);
-    return {before, next};
+    return {before, next: await this.workbench.documentOf(garment).catch(() => undefined)};
   }
 
   /** As the program gave it, without what the user has changed. */
