@@ -35,9 +35,9 @@ Tube torso(const Measures& m) {
       Section{0.22 * up, 14.6, 11.0, 0.5, 0.15}.withGirth(between(0.42, m.waist, m.bust)),
       chest.withGirth(m.bust),
       above(0.66, 16.8, 11.0, -1.3, 0.3),
-      above(0.82, 17.0, 9.0, -2.4, 0.4),
-      above(0.95, 17.0, 7.2, -3.1, 0.4),
-      above(1.15, 16.6, 6.2, -3.4, 0.4)};
+      above(0.82, 18.0, 9.0, -2.4, 0.4),
+      above(0.95, 18.8, 7.2, -3.1, 0.4),
+      above(1.15, 18.8, 6.2, -3.4, 0.4)};
   const double tip = m.shoulder_width / 2;
   // The shoulders slope from the side of the neck to the shoulder points.
   const double neck = m.neck / (2 * kPi) + 1, rise = (kShoulderDrop + 0.035) * up;

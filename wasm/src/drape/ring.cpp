@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "drape/turn.h"
 
@@ -10,7 +9,7 @@ namespace seamwise {
 namespace {
 
 // A ring lies so much further out than the body at least, and in waves from there on. [1]
-constexpr double kEase = 1.06, kWavesFrom = 1.15, kWaveBase = 1.08;
+constexpr double kEase = 1.06, kWavesFrom = 1.2, kWaveBase = 1.08;
 // Rings follow each other smoothly over so many levels to either side. [cm]
 constexpr int kSmoothing = 3;
 // A band that goes around more than once lies on itself by so much. [cm]
@@ -18,6 +17,16 @@ constexpr double kTurnOffset = 0.5;
 
 double nearTurn(double degrees, double to) {
   return degrees - 360 * std::nearbyint((degrees - to) / 360);
+}
+
+// The mean of what is left without the two sevenths that are least and that are greatest: levels at
+// which tiers meet have too many pieces or too few.
+double middleMean(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t drop = values.size() * 2 / 7;
+  double sum = 0;
+  for (std::size_t k = drop; k + drop < values.size(); ++k) sum += values[k];
+  return sum / static_cast<double>(values.size() - 2 * drop);
 }
 
 }  // namespace
@@ -92,16 +101,18 @@ Ring::Level Ring::levelAt(double level) const {
     const RingPiece& piece = pieces_[i];
     const Vec2 here = piece.extent(level);
     out.middle[i] = (here.x() + here.y()) / 2;
-    if (level < piece.bottom - 0.5 || level > piece.top + 0.5) continue;
+    if (!piece.reaches(level)) continue;
     if (!piece.inRing()) {
       widest_open = std::max(widest_open, here.y() - here.x());
       continue;
     }
-    const auto side = [&](const RingPiece::Flank& flank, int which) {
-      return flank.sewn() ? piece.extent(std::clamp(level, flank.low, flank.high))[which]
-                          : here[which];
+    // Past the seam a side goes straight on; an open side does where the other one does.
+    const auto side = [&](const RingPiece::Flank& own, const RingPiece::Flank& other, int which) {
+      const RingPiece::Flank& flank = own.sewn() ? own : other;
+      return piece.extent(std::clamp(level, flank.low, flank.high))[which];
     };
-    const double left = side(piece.left, 0), right = side(piece.right, 1);
+    const double left = side(piece.left, piece.right, 0);
+    const double right = side(piece.right, piece.left, 1);
     out.middle[i] = (left + right) / 2;
     centre[i] = width + (right - left) / 2;
     width += right - left;
@@ -111,8 +122,8 @@ Ring::Level Ring::levelAt(double level) const {
   }
   const double body = tube_.section(level).girth() * kEase;
   if (!any) {
-    // Bands that are longer than 1.3 sections go around in a spiral.
-    out.girth = widest_open < 1.3 * body ? std::max(body, widest_open) : body;
+    // Bands that are longer than 1.6 sections go around in a spiral.
+    out.girth = widest_open < 1.6 * body ? std::max(body, widest_open) : body;
     for (std::size_t i = 0; i < count; ++i) out.turn[i] = pieces_[i].angle;
     return out;
   }
@@ -147,34 +158,40 @@ void Ring::smooth() {
   for (int i = 0; i < count; ++i) {
     const int from = std::max(0, i - kSmoothing), to = std::min(count - 1, i + kSmoothing);
     Level& level = levels_[i];
-    const auto mean = [&](const auto& value) {
-      double sum = 0;
-      for (int k = from; k <= to; ++k) sum += value(rough[k]);
-      return sum / (to - from + 1);
-    };
-    level.girth = mean([](const Level& l) { return l.girth; });
+    std::vector<double> girths, widths;
+    for (int k = from; k <= to; ++k)
+      girths.push_back(rough[k].girth), widths.push_back(rough[k].width);
+    level.girth = middleMean(girths), level.width = middleMean(widths);
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       // Only over levels that the piece has.
-      double turn = 0, stretch = 0;
-      int own = 0;
-      for (int k = from; k <= to; ++k) {
-        if (levelOf(k) < pieces_[p].bottom - 0.5 || levelOf(k) > pieces_[p].top + 0.5) continue;
-        turn += rough[k].turn[p], stretch += rough[k].stretch[p];
-        ++own;
-      }
-      if (own > 0) level.turn[p] = turn / own, level.stretch[p] = stretch / own;
+      std::vector<double> turns, stretches;
+      for (int k = from; k <= to; ++k)
+        if (pieces_[p].reaches(levelOf(k)))
+          turns.push_back(rough[k].turn[p]), stretches.push_back(rough[k].stretch[p]);
+      if (turns.empty()) continue;
+      level.turn[p] = middleMean(turns), level.stretch[p] = middleMean(stretches);
     }
   }
 }
 
+// What cloth hangs around at a level: the widest that it passes on the way down to there. [cm]
+double Ring::hungGirth(double level) const {
+  constexpr double kAbove = 30;
+  double most = tube_.section(level).girth();
+  for (double at = level; at < std::min(level + kAbove, levelOf(static_cast<int>(levels_.size())));
+       at += 2)
+    most = std::max(most, tube_.section(at).girth());
+  return most;
+}
+
 void Ring::draw(Level& level, double at) const {
   const Section section = tube_.section(at);
-  const double body = section.girth();
-  const bool waves = level.width > kWavesFrom * body;
-  const Section base = section.withGirth(waves ? kWaveBase * body : level.girth);
+  const double hung = hungGirth(at);
+  const bool waves = fold_ > 0 && level.width > kWavesFrom * hung;
+  const Section base = section.withGirth(waves ? kWaveBase * hung : level.girth);
   const std::vector<Vec2> corners = base.polygon();
   const int fine = 4, count = static_cast<int>(corners.size()) * fine;
-  const double folds = std::max(2.0, std::nearbyint(level.girth / (6 * fold_)));
+  const double folds = waves ? std::max(2.0, std::nearbyint(level.girth / (6 * fold_))) : 0;
   const auto line = [&](double amplitude) {
     std::vector<Vec2> out;
     for (int k = 0; k < count; ++k) {
@@ -216,7 +233,7 @@ Vec2 Ring::onLine(const Level& level, double arc) const {
   return level.line[k] * (1 - share) + level.line[(k + 1) % count] * share;
 }
 
-Vec3 Ring::position(int index, int vertex) const {
+Vec3 Ring::position(int index, int vertex, double outward) const {
   const RingPiece& piece = pieces_[index];
   const Vec2& p = piece.flat[vertex];
   const int last = static_cast<int>(levels_.size()) - 1;
@@ -228,7 +245,7 @@ Vec3 Ring::position(int index, int vertex) const {
     Vec2 at = onLine(level, arc);
     const double turns = std::abs(ahead) / level.arc.back() - 0.5;
     if (turns > 0 && !piece.inRing()) at *= 1 + kTurnOffset * turns * 2 * kPi / level.arc.back();
-    return at;
+    return Vec2(at * (1 + outward * 2 * kPi / level.arc.back()));
   };
   const Vec2 q = on(levels_[below]) * (1 - share) + on(levels_[below + 1]) * share;
   return tube_.axis().world({q.x(), q.y(), p.y()});

@@ -18,7 +18,8 @@ struct RingPiece {
   struct Flank {
     double low = 1e9, high = -1e9;
     bool sewn() const { return low <= high; }
-    bool covers(double level) const { return low - 0.5 <= level && level <= high + 0.5; }
+    /// Below a slit or a curved hem the ring goes on; above an armhole it does not.
+    bool covers(double level) const { return level <= high + 0.5; }
   };
   Flank left, right;
   double bottom = 0, top = 0;  ///< cm
@@ -26,6 +27,8 @@ struct RingPiece {
   /// Least and greatest `across` at a level, clamped to the piece's own.
   Vec2 extent(double level) const;
   bool inRing() const { return left.sewn() || right.sewn(); }
+  /// Ends that meet other pieces' ends do not count: tiers lie below each other.
+  bool reaches(double level) const { return bottom + 0.3 < level && level < top - 0.3; }
 };
 
 /// How a ring of pieces winds around a tube of the body: what is sewn side by side lies side by
@@ -34,11 +37,12 @@ struct RingPiece {
 class Ring {
  public:
   /// @param pieces   in a canonical order; their flanks are found here
-  /// @param fold     length of fabric that makes a fold, about 1/6 of a wave, cm
+  /// @param fold     length at which the fabric bends under its weight, 1/6 of a wave, cm; 0: no
+  ///                 waves, the ring is as large as its pieces
   Ring(const Tube& tube, const Pattern& pattern, std::vector<RingPiece> pieces, double fold);
 
-  /// Where a vertex of pieces()[index] lies. [cm]
-  Vec3 position(int index, int vertex) const;
+  /// Where a vertex of pieces()[index] lies, so much further out. [cm]
+  Vec3 position(int index, int vertex, double outward) const;
   const std::vector<RingPiece>& pieces() const { return pieces_; }
 
  private:
@@ -55,6 +59,7 @@ class Ring {
   void smooth();
   void draw(Level& level, double at) const;
   Vec2 onLine(const Level& level, double arc) const;
+  double hungGirth(double level) const;
   double levelOf(int index) const { return bottom_ + index; }
 
   const Tube& tube_;

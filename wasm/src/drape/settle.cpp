@@ -1,5 +1,6 @@
 #include "drape/settle.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,17 +13,25 @@ namespace {
 // A garment that hangs less symmetric than this is not meant to. [cm]
 constexpr double kSymmetric = 6;
 
+// How much an edge that is too short takes part in a round; one that is too long has 1/2. [1]
+constexpr double kShortening = 0.1;
+// Trouser legs keep so far from the middle. [cm]
+constexpr double kLegsApart = 0.2;
+
 class Settling {
  public:
   Settling(const Pattern& pattern, const Form& form, const Hanging& hanging,
            const std::vector<bool>& on_top, const WrapSettings& settings)
       : pattern_(pattern), form_(form), order_(hanging.order), settings_(settings),
         covered_(hanging.covered()), weld_(welded(pattern, hanging.order)) {
+    for (const Mirror& mirror : pattern.mirrors)
+      if (on_top[mirror.pieces[0]] != on_top[mirror.pieces[1]]) layered_alike_ = false;
     const std::size_t count = weld_.members.size();
-    parts_.assign(count, 0), clearance_.assign(count, settings.clearance);
+    parts_.assign(count, 0), legs_.assign(count, 0), clearance_.assign(count, settings.clearance);
     for (int p : order_)
       for (int knot : weld_.knot[p]) {
         parts_[knot] |= touching(hanging.parts[p]);
+        if (only(hanging.parts[p]) & kLegs) legs_[knot] |= only(hanging.parts[p]);
         if (on_top[p]) clearance_[knot] = settings.clearance + settings.layer;
       }
   }
@@ -37,7 +46,7 @@ class Settling {
     const double chest = form_.measures().waist_height + 0.4 * form_.measures().back_length;
     for (std::size_t k = 0; k < x_.size(); ++k)
       if (x_[k].y() > chest) parts_[k] |= covered_ & kArms;
-    symmetric_ = !weld_.image.empty() && asymmetry() < kSymmetric;
+    symmetric_ = !weld_.image.empty() && layered_alike_ && asymmetry() < kSymmetric;
     push();
     for (int round = 0; round < settings_.rounds; ++round) {
       drawEdges();
@@ -90,7 +99,9 @@ class Settling {
           const double now = length(edge);
           ++count[a], ++count[b];
           if (now < 1e-9) continue;
-          const Vec3 half = edge * ((now - rest) / now / 2);
+          // Cloth may be gathered, it may not be stretched.
+          const double share = now > rest ? 0.5 : kShortening;
+          const Vec3 half = edge * ((now - rest) / now * share);
           move[a] += half, move[b] -= half;
         }
     for (std::size_t k = 0; k < x_.size(); ++k)
@@ -98,7 +109,9 @@ class Settling {
   }
 
   void push() {
-    for (std::size_t k = 0; k < x_.size(); ++k)
+    for (std::size_t k = 0; k < x_.size(); ++k) {
+      if (legs_[k] == only(BodyPart::kLeftLeg)) x_[k].x() = std::max(x_[k].x(), kLegsApart);
+      if (legs_[k] == only(BodyPart::kRightLeg)) x_[k].x() = std::min(x_[k].x(), -kLegsApart);
       // Distances are right to first order only, so what is deep inside takes a few steps.
       for (int step = 0; step < 8; ++step) {
         Vec3 slope;
@@ -108,6 +121,7 @@ class Settling {
         if (steep < 1e-6) break;
         x_[k] += slope * (missing / steep);
       }
+    }
     symmetrise();
   }
 
@@ -118,8 +132,10 @@ class Settling {
   BodyParts covered_;
   const Weld weld_;
   std::vector<BodyParts> parts_;   ///< per sewn vertex
+  std::vector<BodyParts> legs_;    ///< per sewn vertex: whose trouser legs it is of
   std::vector<double> clearance_;  ///< per sewn vertex, cm
   std::vector<Vec3> x_;            ///< per sewn vertex, cm
+  bool layered_alike_ = true;      ///< mirror twins lie on as many layers
   bool symmetric_ = false;
 };
 

@@ -1,7 +1,6 @@
 #include "drape/wrap.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -23,11 +22,13 @@ bool isArm(BodyPart part) { return only(part) & kArms; }
 
 class Wrapper {
  public:
-  Wrapper(const Pattern& pattern, const Form& form, const Hanging& hanging,
+  Wrapper(const Garment& garment, const Pattern& pattern, const Form& form, const Hanging& hanging,
           const WrapSettings& settings)
-      : pattern_(pattern), form_(form), hanging_(hanging), settings_(settings) {}
+      : matches_(garment.matches), pattern_(pattern), form_(form), hanging_(hanging),
+        settings_(settings) {}
 
   Positions run() {
+    findLayers();
     layOut();
     agreeOnHeights();
     Positions positions(pattern_.pieces.size());
@@ -37,13 +38,27 @@ class Wrapper {
     return positions;
   }
 
-  /// Pieces that lie on others without being sewn into their ring.
+  /// Pieces that lie on others.
   const std::vector<bool>& onTop() const { return on_top_; }
 
  private:
   const Axis& axisOf(int piece) const { return form_.tube(hanging_.parts[piece]).axis(); }
   // Of the level 0 of the part's tube; the arms' levels are of their own.
   double base(BodyPart part) const { return isArm(part) ? 0 : form_.tube(part).axis().origin.y(); }
+
+  // What is sewn to nothing lies on what it is matched with; of two fronts that overlap, the right
+  // one lies on the left one.
+  void findLayers() {
+    on_top_.assign(pattern_.pieces.size(), true);
+    for (const Seam& seam : pattern_.seams)
+      on_top_[seam.a.piece] = on_top_[seam.b.piece] = false;
+    for (const MatchLine& match : matches_) {
+      const double a = hanging_.middles[match.piece_a].x();
+      const double b = hanging_.middles[match.piece_b].x();
+      if (on_top_[match.piece_a] || on_top_[match.piece_b] || a * b >= 0) continue;
+      on_top_[a < b ? match.piece_a : match.piece_b] = true;
+    }
+  }
 
   // Pieces by (across, level) along the axis of their part.
   void layOut() {
@@ -125,23 +140,22 @@ class Wrapper {
       pieces.push_back(std::move(piece));
     }
     if (pieces.empty()) return std::nullopt;
-    return Ring(tube, pattern_, std::move(pieces), settings_.fold);
+    // Sleeves and trouser legs are stiffened by being narrow.
+    const double fold = part == BodyPart::kTorso ? settings_.fold : 0;
+    return Ring(tube, pattern_, std::move(pieces), fold);
   }
 
   void windAll(Positions* positions) {
-    on_top_.assign(pattern_.pieces.size(), false);
     for (int p = 0; p < kBodyParts; ++p) {
       const auto part = static_cast<BodyPart>(p);
       const std::optional<Ring> ring = ringOf(part);
       if (!ring) continue;
-      const bool any_ring = std::any_of(ring->pieces().begin(), ring->pieces().end(),
-                                        [](const RingPiece& piece) { return piece.inRing(); });
       for (std::size_t k = 0; k < ring->pieces().size(); ++k) {
         const RingPiece& piece = ring->pieces()[k];
-        if (part == BodyPart::kTorso && any_ring && !piece.inRing()) on_top_[piece.piece] = true;
         for (std::size_t v = 0; v < piece.flat.size(); ++v)
           blend(&(*positions)[piece.piece][v], part, piece, static_cast<int>(v),
-                ring->position(static_cast<int>(k), static_cast<int>(v)));
+                ring->position(static_cast<int>(k), static_cast<int>(v),
+                               on_top_[piece.piece] ? settings_.layer : 0));
       }
     }
   }
@@ -158,6 +172,7 @@ class Wrapper {
     *position = share == 1 ? found : Vec3(*position * (1 - share) + found * share);
   }
 
+  const std::vector<MatchLine>& matches_;
   const Pattern& pattern_;
   const Form& form_;
   const Hanging& hanging_;
@@ -172,7 +187,7 @@ Outcome<Positions> wrapped(const Garment& garment, const Pattern& pattern, const
                            const WrapSettings& settings) {
   const Outcome<Hanging> hanging = hang(garment, pattern, form);
   if (!hanging.ok()) return hanging.error();
-  Wrapper wrapper(pattern, form, hanging.value(), settings);
+  Wrapper wrapper(garment, pattern, form, hanging.value(), settings);
   Positions positions = wrapper.run();
   settle(pattern, form, hanging.value(), wrapper.onTop(), settings, &positions);
   return positions;
