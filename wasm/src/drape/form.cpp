@@ -14,9 +14,7 @@ constexpr double kShoulderDrop = 0.09;
 
 double between(double share, double from, double to) { return from + share * (to - from); }
 
-Axis upright(const Vec3& origin) {
-  return {origin, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()};
-}
+Axis upright(const Vec3& origin) { return {origin, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()}; }
 
 // Half widths, half depths and middles follow a scanned average body (GarmentCode's mean_all),
 // smoothed and with a woman's waist; girths are the measurements'.
@@ -28,7 +26,7 @@ Tube torso(const Measures& m) {
     return Section{share * up, width * broad, depth * broad, middle, square};
   };
   const std::vector<Section> sections = {
-      Section{-m.body_rise - 10, 17.6, 11.2, -1.2, 0.2}.withGirth(0.9 * m.hip),
+      Section{-m.body_rise - 10, 17.6, 11.2, -1.2, 0.2}.withGirth(0.93 * m.hip),
       Section{-down, 19.2, 12.5, -1.3, 0.25}.withGirth(m.hip),
       Section{-0.5 * down, 17.0, 11.8, -0.5, 0.2}.withGirth(between(0.68, m.waist, m.hip)),
       Section{0, 13.7, 10.4, 0.9, 0.15}.withGirth(m.waist),
@@ -54,7 +52,8 @@ Tube neck(const Measures& m) {
   return {upright({0, m.waist_height + m.back_length, 0}),
           {ring(-12, -3.2, 1.2), ring(-4, -2.2, 1.1), ring(1, -1.2, 1), ring(5, 0, 0.98),
            ring(14, 1.5, 1)},
-          {-10, 0, 2}, {6.5, 0, 3}};
+          {-10, 0, 2},
+          {6.5, 0, 3}};
 }
 
 // From the shoulder down to the hand, 45 degrees from the upright; level 0 is the joint.
@@ -70,11 +69,13 @@ Tube arm(const Measures& m, const Vec3& shoulder, double side) {
   const auto ring = [&](double level, double girth) {
     return Section{level, 1, 1, 0, 0}.withGirth(girth);
   };
-  return {axis,
-          {ring(-length - 10, m.wrist), ring(-length - 4, m.wrist * 1.02), ring(-length, m.wrist),
-           ring(-0.55 * length, between(0.6, m.wrist, m.upper_arm)), ring(-0.22 * length, m.upper_arm),
-           ring(0, m.upper_arm * 1.06), ring(8, m.upper_arm * 1.06)},
-          {-length - 5, 0, 2}, {1.1 * r, 0, 1.4 * r}};
+  return {
+      axis,
+      {ring(-length - 10, m.wrist), ring(-length - 4, m.wrist * 1.02), ring(-length, m.wrist),
+       ring(-0.55 * length, between(0.6, m.wrist, m.upper_arm)), ring(-0.22 * length, m.upper_arm),
+       ring(0, m.upper_arm * 1.06), ring(8, m.upper_arm * 1.06)},
+      {-length - 5, 0, 2},
+      {1.1 * r, 0, 1.4 * r}};
 }
 
 // From the hip joint to the ankle; level 0 is the crotch's.
@@ -88,7 +89,8 @@ Tube leg(const Measures& m, double side) {
           {ring(0, -2.5, m.ankle), ring(8, -2.5, m.ankle), ring(0.62 * knee, -2.8, 0.92 * m.knee),
            ring(knee, -1.4, m.knee), ring(between(0.5, knee, crotch), -0.8, 0.84 * m.thigh),
            ring(crotch - 5, -1, m.thigh), ring(crotch + 12, -1, m.thigh)},
-          {3 - crotch, 0, 3}, {8, 0, 5}};
+          {3 - crotch, 0, 3},
+          {8, 0, 5}};
 }
 
 // An egg, for hoods.
@@ -100,15 +102,21 @@ Tube head(const Measures& m) {
   return {upright({0, nape, 0}),
           {ring(0, 1, 0.6), ring(5, 1, 0.62), ring(10, 1, 0.86), ring(16, 0.8, 1),
            ring(21, 0.5, 0.93), ring(26, 0.5, 0.8)},
-          {5, 0, 3}, {24.5, 0, 8}};
+          {5, 0, 3},
+          {24.5, 0, 8}};
 }
 
 }  // namespace
 
 Form::Form(const Measures& measures) : measures_(measures) {
   const Vec3 shoulder = shoulderPoint();
-  tubes_ = {torso(measures),          neck(measures),    arm(measures, shoulder, 1),
-            arm(measures, shoulder, -1), leg(measures, 1), leg(measures, -1), head(measures)};
+  tubes_ = {torso(measures),
+            neck(measures),
+            arm(measures, shoulder, 1),
+            arm(measures, shoulder, -1),
+            leg(measures, 1),
+            leg(measures, -1),
+            head(measures)};
 }
 
 Vec3 Form::shoulderPoint() const {
@@ -117,32 +125,31 @@ Vec3 Form::shoulderPoint() const {
 }
 
 Outcome<Form> Form::make(const Measures& m) {
-  const std::pair<const char*, double> all[] = {
-      {"bust", m.bust},
-      {"waist", m.waist},
-      {"hip", m.hip},
-      {"neck", m.neck},
-      {"head", m.head},
-      {"upper arm", m.upper_arm},
-      {"wrist", m.wrist},
-      {"thigh", m.thigh},
-      {"knee", m.knee},
-      {"ankle", m.ankle},
-      {"shoulder width", m.shoulder_width},
-      {"bust span", m.bust_span},
-      {"back length", m.back_length},
-      {"hip depth", m.hip_depth},
-      {"body rise", m.body_rise},
-      {"arm length", m.arm_length},
-      {"waist height", m.waist_height},
-      {"knee depth", m.knee_depth}};
+  const std::pair<const char*, double> all[] = {{"bust", m.bust},
+                                                {"waist", m.waist},
+                                                {"hip", m.hip},
+                                                {"neck", m.neck},
+                                                {"head", m.head},
+                                                {"upper arm", m.upper_arm},
+                                                {"wrist", m.wrist},
+                                                {"thigh", m.thigh},
+                                                {"knee", m.knee},
+                                                {"ankle", m.ankle},
+                                                {"shoulder width", m.shoulder_width},
+                                                {"bust span", m.bust_span},
+                                                {"back length", m.back_length},
+                                                {"hip depth", m.hip_depth},
+                                                {"body rise", m.body_rise},
+                                                {"arm length", m.arm_length},
+                                                {"waist height", m.waist_height},
+                                                {"knee depth", m.knee_depth}};
   for (const auto& [name, value] : all)
     if (!(value >= 5 && value <= 400))
       return Error{Failure::kNumber,
                    std::string("The body's ") + name + " must be between 5 and 400 cm."};
   const auto refused = [](const char* what) {
-    return Error{Failure::kNumber, std::string("The body's measurements contradict each other: ") +
-                                       what + "."};
+    return Error{Failure::kNumber,
+                 std::string("The body's measurements contradict each other: ") + what + "."};
   };
   if (m.body_rise <= 0.6 * m.hip_depth) return refused("the crotch lies above the hips");
   if (m.knee_depth <= m.body_rise + 10) return refused("the knee lies above the crotch");
@@ -152,18 +159,36 @@ Outcome<Form> Form::make(const Measures& m) {
 }
 
 double Form::distance(const Vec3& p, BodyParts parts, Vec3* gradient) const {
-  double least = 1e9;
-  Vec3 slope = Vec3::Zero();
-  for (int i = 0; i < kBodyParts; ++i) {
-    if (!(parts >> i & 1u)) continue;
-    Vec3 own;
-    double weight;
-    const double d = tubes_[i].distance(p, gradient ? &own : nullptr);
-    least = smoothLeast(least, d, kFillet, &weight);
-    if (gradient) slope = slope * (1 - weight) + own * weight;
-  }
-  if (gradient) *gradient = slope;
-  return least;
+  struct Near {
+    bool any = false;
+    double distance = 1e9;
+    Vec3 gradient = Vec3::Zero();
+  };
+  const auto join = [&](Near* to, const Near& other) {
+    if (!other.any) return;
+    double weight = 1;
+    to->distance =
+        to->any ? smoothLeast(to->distance, other.distance, kFillet, &weight) : other.distance;
+    to->gradient = to->gradient * (1 - weight) + other.gradient * weight;
+    to->any = true;
+  };
+  const auto near = [&](BodyPart part) {
+    Near found;
+    if (!(parts & only(part))) return found;
+    found.any = true;
+    found.distance = tube(part).distance(p, gradient ? &found.gradient : nullptr);
+    return found;
+  };
+  // Smooth unions depend on their order: left and right come first, so that neither comes before
+  // the other.
+  Near arms = near(BodyPart::kLeftArm), legs = near(BodyPart::kLeftLeg);
+  join(&arms, near(BodyPart::kRightArm));
+  join(&legs, near(BodyPart::kRightLeg));
+  Near all = near(BodyPart::kTorso);
+  for (const Near& other : {near(BodyPart::kNeck), near(BodyPart::kHead), arms, legs})
+    join(&all, other);
+  if (gradient) *gradient = all.gradient;
+  return all.distance;
 }
 
 }  // namespace seamwise

@@ -12,7 +12,13 @@ namespace seamwise {
 
 /// The parts of the body that a garment hangs on. Left and right are the wearer's: left is +x.
 enum class BodyPart : std::uint8_t {
-  kTorso, kNeck, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kHead
+  kTorso,
+  kNeck,
+  kLeftArm,
+  kRightArm,
+  kLeftLeg,
+  kRightLeg,
+  kHead
 };
 inline constexpr int kBodyParts = 7;
 

@@ -30,9 +30,7 @@ class MarchingTetrahedra {
   }
 
  private:
-  int index(int i, int j, int k) const {
-    return (i * (count_[1] + 1) + j) * (count_[2] + 1) + k;
-  }
+  int index(int i, int j, int k) const { return (i * (count_[1] + 1) + j) * (count_[2] + 1) + k; }
   Vec3 place(int at) const {
     const int k = at % (count_[2] + 1), j = at / (count_[2] + 1) % (count_[1] + 1);
     const int i = at / (count_[2] + 1) / (count_[1] + 1);

@@ -35,9 +35,7 @@ inline Jet operator+(const Jet& a, const Jet& b) {
   return out;
 }
 
-inline Jet operator-(const Jet& a, const Jet& b) {
-  return a + b.chain(-b.value, -1, 0);
-}
+inline Jet operator-(const Jet& a, const Jet& b) { return a + b.chain(-b.value, -1, 0); }
 
 inline Jet operator*(const Jet& a, const Jet& b) {
   Jet out{a.value * b.value, {}, {}};

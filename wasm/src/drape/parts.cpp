@@ -68,9 +68,10 @@ class Hanger {
       const Panel& panel = garment_.panels[i];
       for (const Vec3& v : {panel.placement_shift, panel.placement_turn})
         if (!(v.cwiseAbs().maxCoeff() < 1e9))
-          return Error{Failure::kNumber,
-                       "Piece " + inQuotes(panel.name) + " is placed at something that is no number.",
-                       static_cast<int>(i)};
+          return Error{
+              Failure::kNumber,
+              "Piece " + inQuotes(panel.name) + " is placed at something that is no number.",
+              static_cast<int>(i)};
       const Panel& first = garment_.panels.front();
       same = same && panel.placement_shift == first.placement_shift &&
              panel.placement_turn == first.placement_turn;
@@ -90,8 +91,9 @@ class Hanger {
       hanging_.middles.push_back(sum / static_cast<double>(piece.outline.size()));
       if (hanging_.middles[i].cwiseAbs().maxCoeff() > kFarthest)
         return Error{Failure::kNotAGarment,
-                     "Piece " + inQuotes(piece.name) + " is placed far from any body: its "
-                     "`translation` has to be in the units of the file, from the floor up.",
+                     "Piece " + inQuotes(piece.name) +
+                         " is placed far from any body: its "
+                         "`translation` has to be in the units of the file, from the floor up.",
                      static_cast<int>(i)};
     }
     return std::nullopt;

@@ -196,8 +196,7 @@ void Ring::draw(Level& level, double at) const {
     std::vector<Vec2> out;
     for (int k = 0; k < count; ++k) {
       const double share = static_cast<double>(k % fine) / fine;
-      Vec2 p = corners[k / fine] * (1 - share) +
-               corners[(k / fine + 1) % corners.size()] * share;
+      Vec2 p = corners[k / fine] * (1 - share) + corners[(k / fine + 1) % corners.size()] * share;
       const double wave = 1 + amplitude * (1 - turnOfDegrees(folds * 360 * k / count).cosine);
       out.push_back({p.x() * wave, section.middle + (p.y() - section.middle) * wave});
     }

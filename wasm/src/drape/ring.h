@@ -10,8 +10,8 @@ namespace seamwise {
 /// outside, both in cm, levels along the tube's axis.
 struct RingPiece {
   int piece = -1;
-  double angle = 0;           ///< of its middle about the axis, degrees from the front, to the left
-  std::vector<Vec2> flat;     ///< per vertex
+  double angle = 0;        ///< of its middle about the axis, degrees from the front, to the left
+  std::vector<Vec2> flat;  ///< per vertex
   const Piece* outline = nullptr;
 
   /// Where the ring's seams run down a side: sewn to its neighbour between these levels.
@@ -47,12 +47,12 @@ class Ring {
 
  private:
   struct Level {
-    double girth = 0;          ///< of the ring, cm
-    double width = 0;          ///< of the pieces, when they close it, or 0
-    std::vector<double> turn;  ///< per piece: where its middle lies, degrees
+    double girth = 0;                     ///< of the ring, cm
+    double width = 0;                     ///< of the pieces, when they close it, or 0
+    std::vector<double> turn;             ///< per piece: where its middle lies, degrees
     std::vector<double> middle, stretch;  ///< per piece: across at the middle, cm; arc per width
-    std::vector<Vec2> line;    ///< polygon of the ring in the tube's frame, from the front
-    std::vector<double> arc;   ///< along it, one more than corners, cm
+    std::vector<Vec2> line;   ///< polygon of the ring in the tube's frame, from the front
+    std::vector<double> arc;  ///< along it, one more than corners, cm
   };
   void findFlanks(const Pattern& pattern);
   Level levelAt(double level) const;

@@ -22,8 +22,12 @@ class Settling {
  public:
   Settling(const Pattern& pattern, const Form& form, const Hanging& hanging,
            const std::vector<bool>& on_top, const WrapSettings& settings)
-      : pattern_(pattern), form_(form), order_(hanging.order), settings_(settings),
-        covered_(hanging.covered()), weld_(welded(pattern, hanging.order)) {
+      : pattern_(pattern),
+        form_(form),
+        order_(hanging.order),
+        settings_(settings),
+        covered_(hanging.covered()),
+        weld_(welded(pattern, hanging.order)) {
     for (const Mirror& mirror : pattern.mirrors)
       if (on_top[mirror.pieces[0]] != on_top[mirror.pieces[1]]) layered_alike_ = false;
     const std::size_t count = weld_.members.size();

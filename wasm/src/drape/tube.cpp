@@ -41,8 +41,7 @@ std::vector<Vec2> Section::polygon() const {
 double Section::girth() const {
   const std::vector<Vec2> corners = polygon();
   double sum = 0;
-  for (int k = 0; k < kCorners; ++k)
-    sum += length(Vec2(corners[(k + 1) % kCorners] - corners[k]));
+  for (int k = 0; k < kCorners; ++k) sum += length(Vec2(corners[(k + 1) % kCorners] - corners[k]));
   return sum;
 }
 
@@ -55,9 +54,10 @@ Section Section::withGirth(double girth_cm) const {
 }
 
 double smoothLeast(double a, double b, double radius, double* weight_b) {
-  const double h = std::clamp(0.5 + 0.5 * (a - b) / radius, 0.0, 1.0);
-  *weight_b = h;
-  return a + h * (b - a) - radius * h * (1 - h);
+  const double apart = a - b;
+  *weight_b = std::clamp(0.5 + 0.5 * apart / radius, 0.0, 1.0);
+  if (std::abs(apart) >= radius) return std::min(a, b);
+  return (a + b) / 2 - (apart * apart / radius + radius) / 4;
 }
 
 Tube::Tube(Axis axis, const std::vector<Section>& sections, TubeEnd bottom, TubeEnd top)
@@ -84,8 +84,7 @@ Tube::Cubic Tube::at(Shape shape, double level) const {
   const double y0 = values_[shape][i], y1 = values_[shape][i + 1];
   const double m0 = bends_[shape][i], m1 = bends_[shape][i + 1];
   return {a * y0 + b * y1 + ((a * a * a - a) * m0 + (b * b * b - b) * m1) * (h * h / 6),
-          (y1 - y0) / h + ((3 * b * b - 1) * m1 - (3 * a * a - 1) * m0) * (h / 6),
-          a * m0 + b * m1};
+          (y1 - y0) / h + ((3 * b * b - 1) * m1 - (3 * a * a - 1) * m0) * (h / 6), a * m0 + b * m1};
 }
 
 Section Tube::section(double level) const {
@@ -113,8 +112,7 @@ double Tube::wallDistance(const Vec3& local, Vec3* gradient) const {
     const double bend[3] = {h[0] * g[0] + h[1] * g[1] + h[2] * g[2],
                             h[1] * g[0] + h[3] * g[1] + h[4] * g[2],
                             h[2] * g[0] + h[4] * g[1] + h[5] * g[2]};
-    for (int i = 0; i < 3; ++i)
-      (*gradient)[i] = (g[i] - distance * (bend[i] / steep)) / steep;
+    for (int i = 0; i < 3; ++i) (*gradient)[i] = (g[i] - distance * (bend[i] / steep)) / steep;
   }
   return distance;
 }
@@ -132,13 +130,12 @@ double Tube::distance(const Vec3& p, Vec3* gradient) const {
     double weight;
     d = -smoothLeast(-d, -plane, end.rounding, &weight);
     if (gradient)
-      slope = slope * (1 - weight) +
-              Vec3(end.slope * (local.x() / side), 0, sign) * (scale * weight);
+      slope =
+          slope * (1 - weight) + Vec3(end.slope * (local.x() / side), 0, sign) * (scale * weight);
   };
   cut(bottom_, -1);
   cut(top_, 1);
-  if (gradient)
-    *gradient = axis_.side * slope.x() + axis_.ahead * slope.y() + axis_.up * slope.z();
+  if (gradient) *gradient = axis_.side * slope.x() + axis_.ahead * slope.y() + axis_.up * slope.z();
   return d;
 }
 

@@ -22,11 +22,11 @@ struct Axis {
 /// A section of a tube: u^2 + v^2 + square u^2 v^2 = 1 with u = side / width and
 /// v = (ahead - middle) / depth. An ellipse when square is 0, fuller at its corners below.
 struct Section {
-  double level = 0;          ///< cm along the axis
-  double width = 1;          ///< half of it, cm
-  double depth = 1;          ///< half of it, cm
-  double middle = 0;         ///< cm
-  double square = 0;         ///< -1 < square
+  double level = 0;   ///< cm along the axis
+  double width = 1;   ///< half of it, cm
+  double depth = 1;   ///< half of it, cm
+  double middle = 0;  ///< cm
+  double square = 0;  ///< -1 < square
   /// Its 96-gon with corners at even angles of (u, v), from v = 1 towards +u. [cm]
   std::vector<Vec2> polygon() const;
   double girth() const;  ///< perimeter of that polygon, cm
@@ -73,8 +73,9 @@ class Tube {
   TubeEnd bottom_, top_;
 };
 
-/// The lesser of two distances, rounded where they differ by less than `radius`: polynomial and once
-/// continuously differentiable. Writes the weight of `b` in the gradient, 0..1.
+/// The lesser of two distances, rounded where they differ by less than `radius`: polynomial and
+/// once continuously differentiable. Symmetric in a and b to the last bit. Writes the weight of `b`
+/// in the gradient, 0..1.
 double smoothLeast(double a, double b, double radius, double* weight_b);
 
 }  // namespace seamwise

@@ -17,20 +17,17 @@ inline Turn turnOfDegrees(double degrees) {
   const double x = (degrees - 90 * quarters) * (kPi / 180), y = x * x;
   // Taylor; at 45 degrees the first term left out is 1e-17 of the whole.
   const double s =
-      x * (1 +
-           y * (-1.0 / 6 +
+      x *
+      (1 + y * (-1.0 / 6 +
                 y * (1.0 / 120 +
                      y * (-1.0 / 5040 +
-                          y * (1.0 / 362880 +
-                               y * (-1.0 / 39916800 +
-                                    y * (1.0 / 6227020800 - y / 1307674368000)))))));
+                          y * (1.0 / 362880 + y * (-1.0 / 39916800 +
+                                                   y * (1.0 / 6227020800 - y / 1307674368000)))))));
   const double c =
       1 + y * (-1.0 / 2 +
-               y * (1.0 / 24 +
-                    y * (-1.0 / 720 +
-                         y * (1.0 / 40320 +
-                              y * (-1.0 / 3628800 +
-                                   y * (1.0 / 479001600 - y / 87178291200))))));
+               y * (1.0 / 24 + y * (-1.0 / 720 + y * (1.0 / 40320 + y * (-1.0 / 3628800 +
+                                                                         y * (1.0 / 479001600 -
+                                                                              y / 87178291200))))));
   switch (static_cast<int>(quarters - 4 * std::floor(quarters / 4))) {
     case 1:
       return {c, -s};
@@ -48,8 +45,8 @@ inline double degreesOf(double radians) {
   return std::nearbyint(radians * (180 / kPi) * 1e9) / 1e9;
 }
 
-/// The angle from the direction `ahead` towards `aside`, in (-180, 180], to 1e-12 degrees; 0 for the
-/// null vector. By bisection: for pieces, not for vertices.
+/// The angle from the direction `ahead` towards `aside`, in (-180, 180], to 1e-12 degrees; 0 for
+/// the null vector. By bisection: for pieces, not for vertices.
 inline double degreesBetween(double ahead, double aside) {
   double low = 0, high = 180;
   const double side = std::abs(aside);

@@ -10,7 +10,7 @@ struct Weld {
   struct Member {
     int piece, vertex;
   };
-  std::vector<std::vector<int>> knot;          ///< per piece, per vertex: which of `members` it is in
+  std::vector<std::vector<int>> knot;        ///< per piece, per vertex: which of `members` it is in
   std::vector<std::vector<Member>> members;  ///< per sewn vertex, in the order of the pieces
   /// Per sewn vertex its image by the pattern's mirrors; empty unless they cover every piece and
   /// map what is sewn together to what is sewn together.

@@ -24,7 +24,10 @@ class Wrapper {
  public:
   Wrapper(const Garment& garment, const Pattern& pattern, const Form& form, const Hanging& hanging,
           const WrapSettings& settings)
-      : matches_(garment.matches), pattern_(pattern), form_(form), hanging_(hanging),
+      : matches_(garment.matches),
+        pattern_(pattern),
+        form_(form),
+        hanging_(hanging),
         settings_(settings) {}
 
   Positions run() {
@@ -50,8 +53,7 @@ class Wrapper {
   // one lies on the left one.
   void findLayers() {
     on_top_.assign(pattern_.pieces.size(), true);
-    for (const Seam& seam : pattern_.seams)
-      on_top_[seam.a.piece] = on_top_[seam.b.piece] = false;
+    for (const Seam& seam : pattern_.seams) on_top_[seam.a.piece] = on_top_[seam.b.piece] = false;
     for (const MatchLine& match : matches_) {
       const double a = hanging_.middles[match.piece_a].x();
       const double b = hanging_.middles[match.piece_b].x();
@@ -165,8 +167,8 @@ class Wrapper {
              const Vec3& found) const {
     double share = 1;
     if (isLeg(part)) {
-      const double t = std::clamp(
-          (piece.flat[vertex].y() - kLegBelow) / (kTorsoAbove - kLegBelow), 0.0, 1.0);
+      const double t =
+          std::clamp((piece.flat[vertex].y() - kLegBelow) / (kTorsoAbove - kLegBelow), 0.0, 1.0);
       share = 1 - t * t * (3 - 2 * t);
     }
     *position = share == 1 ? found : Vec3(*position * (1 - share) + found * share);
