@@ -147,12 +147,14 @@ class Hanger {
       to_arm += distanceToAxis(form_.tube(arm), p);
       to_torso += distanceToAxis(form_.tube(BodyPart::kTorso), p);
     }
-    // Tall or low, what lies above the shoulders.
-    if (lowest > form_.shoulderPoint().y() + 3)
-      return highest > form_.napeHeight() + 26 ? BodyPart::kHead : BodyPart::kNeck;
+    // Tall or low, what lies above the shoulders; hoods reach down to the front of the neck.
+    const double over_shoulder = lowest - form_.shoulderPoint().y();
+    const double over_nape = highest - form_.napeHeight();
+    if (over_shoulder > 3) return over_nape > 26 ? BodyPart::kHead : BodyPart::kNeck;
+    if (over_shoulder > -12 && over_nape > 20) return BodyPart::kHead;
     // A piece for an arm is tilted like it; others may lie as near to it. [cm]
     const double tilt = std::abs(hanging_.placed[i].up.y());
-    const double bias = tilt < 0.95 ? -15 : 10;
+    const double bias = tilt < 0.95 ? -15 : 15;
     const double nearer = (to_arm - to_torso) / static_cast<double>(piece.outline.size());
     return nearer + bias < 0 ? arm : BodyPart::kTorso;
   }

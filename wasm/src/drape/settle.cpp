@@ -38,6 +38,10 @@ class Settling {
         if (only(hanging.parts[p]) & kLegs) legs_[knot] |= only(hanging.parts[p]);
         if (on_top[p]) clearance_[knot] = settings.clearance + settings.layer;
       }
+    sewn_to_ = parts_;
+    for (int p : order_)
+      if (hanging.parts[p] == BodyPart::kTorso)
+        for (int knot : weld_.knot[p]) parts_[knot] &= ~kArms;
   }
 
   void run(Positions* positions) {
@@ -46,13 +50,11 @@ class Settling {
       for (const Weld::Member& m : members) sum += (*positions)[m.piece][m.vertex];
       x_.push_back(sum / static_cast<double>(members.size()));
     }
-    // Shoulders and upper arms keep bodices out as well; forearms don't.
-    const double chest = form_.measures().waist_height + 0.4 * form_.measures().back_length;
-    for (std::size_t k = 0; k < x_.size(); ++k)
-      if (x_[k].y() > chest) parts_[k] |= covered_ & kArms;
     symmetric_ = !weld_.image.empty() && layered_alike_ && asymmetry() < kSymmetric;
     push();
     for (int round = 0; round < settings_.rounds; ++round) {
+      // Not at once: an armhole has to find its side of the arm first.
+      if (round == settings_.rounds / 2) meetUpperArms();
       drawEdges();
       push();
     }
@@ -68,6 +70,14 @@ class Settling {
     if (part == BodyPart::kTorso) return own | (covered_ & kLegs);
     if (only(part) & kLegs) return own | kLegs;
     return part == BodyPart::kNeck ? own | (covered_ & only(BodyPart::kHead)) : own;
+  }
+
+  // Shoulders and upper arms keep bodices out as well; forearms don't.
+  void meetUpperArms() {
+    parts_ = sewn_to_;
+    const double chest = form_.measures().waist_height + 0.4 * form_.measures().back_length;
+    for (std::size_t k = 0; k < x_.size(); ++k)
+      if (x_[k].y() > chest) parts_[k] |= covered_ & kArms;
   }
 
   // Mean distance of a vertex from the mirror image of its image. [cm]
@@ -135,11 +145,12 @@ class Settling {
   const WrapSettings& settings_;
   BodyParts covered_;
   const Weld weld_;
-  std::vector<BodyParts> parts_;   ///< per sewn vertex
-  std::vector<BodyParts> legs_;    ///< per sewn vertex: whose trouser legs it is of
-  std::vector<double> clearance_;  ///< per sewn vertex, cm
-  std::vector<Vec3> x_;            ///< per sewn vertex, cm
-  bool layered_alike_ = true;      ///< mirror twins lie on as many layers
+  std::vector<BodyParts> parts_;    ///< per sewn vertex
+  std::vector<BodyParts> sewn_to_;  ///< per sewn vertex: the same, with the sleeves' arms
+  std::vector<BodyParts> legs_;     ///< per sewn vertex: whose trouser legs it is of
+  std::vector<double> clearance_;   ///< per sewn vertex, cm
+  std::vector<Vec3> x_;             ///< per sewn vertex, cm
+  bool layered_alike_ = true;       ///< mirror twins lie on as many layers
   bool symmetric_ = false;
 };
 

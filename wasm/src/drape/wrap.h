@@ -16,7 +16,7 @@ struct WrapSettings {
   double clearance = 0.9;
   /// And so much further per layer of cloth below it. [cm]
   double layer = 0.6;
-  /// Rounds in which edges are drawn towards their lengths.
+  /// Rounds in which edges are drawn towards their lengths; at least 2.
   int rounds = 40;
 };
 
