@@ -9,11 +9,11 @@ namespace seamwise {
 namespace {
 
 // A ring lies so much further out than the body at least, and in waves from there on. [1]
-constexpr double kEase = 1.06, kWavesFrom = 1.2, kWaveBase = 1.08;
+constexpr double kEase = 1.06, kWavesFrom = 1.2, kWaveBase = 1.08, kSpiral = 1.05;
 // Rings follow each other smoothly over so many levels to either side. [cm]
 constexpr int kSmoothing = 3;
 // A band that goes around more than once lies on itself by so much. [cm]
-constexpr double kTurnOffset = 0.5;
+constexpr double kTurnOffset = 0.6;
 
 double nearTurn(double degrees, double to) {
   return degrees - 360 * std::nearbyint((degrees - to) / 360);
@@ -123,7 +123,7 @@ Ring::Level Ring::levelAt(double level) const {
   const double body = tube_.section(level).girth() * kEase;
   if (!any) {
     // Bands that are longer than 1.6 sections go around in a spiral.
-    out.girth = widest_open < 1.6 * body ? std::max(body, widest_open) : body;
+    out.girth = widest_open < 1.6 * body ? std::max(body, widest_open) : kSpiral * body;
     for (std::size_t i = 0; i < count; ++i) out.turn[i] = pieces_[i].angle;
     return out;
   }
@@ -241,10 +241,12 @@ Vec3 Ring::position(int index, int vertex, double outward) const {
   const auto on = [&](const Level& level) -> Vec2 {
     const double ahead = (p.x() - level.middle[index]) * level.stretch[index];
     const double arc = level.turn[index] / 360 * level.arc.back() + ahead;
-    Vec2 at = onLine(level, arc);
+    const Vec2 at = onLine(level, arc);
     const double turns = std::abs(ahead) / level.arc.back() - 0.5;
-    if (turns > 0 && !piece.inRing()) at *= 1 + kTurnOffset * turns * 2 * kPi / level.arc.back();
-    return Vec2(at * (1 + outward * 2 * kPi / level.arc.back()));
+    const double layers =
+        piece.inRing() ? 0 : std::clamp(turns * 20, 0.0, 1.0 + std::max(0.0, turns));
+    const double further = outward + kTurnOffset * layers;
+    return Vec2(at * (1 + further * 2 * kPi / level.arc.back()));
   };
   const Vec2 q = on(levels_[below]) * (1 - share) + on(levels_[below + 1]) * share;
   return tube_.axis().world({q.x(), q.y(), p.y()});
