@@ -1,6 +1,8 @@
 #include "drape/form.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "drape/turn.h"
 

@@ -1,7 +1,9 @@
 #include "drape/parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/disjoint_sets.h"
 #include "base/in_quotes.h"
