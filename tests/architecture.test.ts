@@ -22,6 +22,7 @@ const coreRooms = [
   'alignment/search',
   'seam',
   'mesh',
+  'drape',
   'deform',
   'problem',
   'methods',

@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace seamwise {
+
+/// The measurements of a body that stands upright on the floor at y = 0 and faces +z, all in cm.
+struct Measures {
+  // Girths, taken level, those of limbs around their axis.
+  double bust, waist, hip, neck, head, upper_arm, wrist, thigh, knee, ankle;
+  double shoulder_width;  ///< between the two shoulder points, across the back
+  double bust_span;       ///< between the two bust points
+  double back_length;     ///< from the nape down to the waist
+  double hip_depth;       ///< from the waist down to the fullest part of the hip
+  double body_rise;       ///< from the waist down to the crotch
+  double arm_length;      ///< from the shoulder point down to the wrist
+  double waist_height;    ///< from the floor up to the waist
+  double knee_depth;      ///< from the waist down to the knee
+};
+
+struct Size {
+  std::string_view name;
+  Measures measures;
+};
+
+/// The sizes that the samples are drafted for; web/samples/drafting/body.ts says where from.
+inline constexpr std::array<Size, 5> kSizes = {{
+    {"xs",
+     {80, 64, 88, 29.4, 53.8, 23.4, 15.4, 53.5, 34.7, 21.2, 37.9, 14.9, 36, 22.8, 24.6, 56.6, 99.3,
+      54.7}},
+    {"s",
+     {88, 72, 96, 32.3, 55.5, 25.7, 16.1, 55.8, 36.8, 23.3, 40.2, 15.6, 38.3, 24.2, 26.1, 58.1, 103,
+      58.1}},
+    {"m",
+     {96, 80, 104, 35.3, 57.2, 28, 16.8, 58, 38.9, 25.4, 42.5, 16.3, 40.5, 25.6, 27.7, 59.7, 106.6,
+      61.5}},
+    {"l",
+     {104, 88, 112, 38.2, 59, 30.4, 17.5, 60.2, 41.1, 27.5, 44.9, 17, 42.7, 27, 29.2, 61.2, 110.2,
+      64.8}},
+    {"xl",
+     {116, 101, 122, 42.6, 61.5, 33.9, 18.6, 63.5, 44.3, 30.7, 48.4, 18, 46, 29.1, 31.5, 63.5,
+      115.7, 69.9}},
+}};
+
+/// The measurements of a size, or null: "xs", "s", "m", "l", "xl", in capitals or not.
+inline const Measures* measuresOf(std::string_view size) {
+  const auto same = [&](std::string_view name) {
+    if (name.size() != size.size()) return false;
+    for (std::size_t i = 0; i < name.size(); ++i)
+      if ((size[i] | 0x20) != name[i]) return false;
+    return true;
+  };
+  for (const Size& known : kSizes)
+    if (same(known.name)) return &known.measures;
+  return nullptr;
+}
+
+}  // namespace seamwise

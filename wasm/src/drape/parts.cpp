@@ -1,0 +1,195 @@
+#include "drape/parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/disjoint_sets.h"
+#include "base/in_quotes.h"
+#include "drape/turn.h"
+
+namespace seamwise {
+namespace {
+
+// Garment-Pattern-Generator's bodies stand so far below the origin. [cm]
+constexpr double kMiddleOverFloor = 112.07;
+// No garment that stands on the floor reaches so far below it. [cm]
+constexpr double kBelowFloor = -20;
+// Nothing that is worn hangs further from the floor's middle. [cm]
+constexpr double kFarthest = 400;
+
+// Turns about the fixed axes x, then y, then z, as symmetry/placement.h has them, but to the same
+// bits everywhere.
+PlacedPiece placedPiece(const Panel& panel) {
+  const auto turned = [&](Vec3 v) {
+    const Turn x = turnOfDegrees(degreesOf(panel.placement_turn.x()));
+    const Turn y = turnOfDegrees(degreesOf(panel.placement_turn.y()));
+    const Turn z = turnOfDegrees(degreesOf(panel.placement_turn.z()));
+    v = {v.x(), x.cosine * v.y() - x.sine * v.z(), x.sine * v.y() + x.cosine * v.z()};
+    v = {y.cosine * v.x() + y.sine * v.z(), v.y(), y.cosine * v.z() - y.sine * v.x()};
+    return Vec3(z.cosine * v.x() - z.sine * v.y(), z.sine * v.x() + z.cosine * v.y(), v.z());
+  };
+  const Vec3 right = turned(Vec3(panel.mirrored_from_input ? -1 : 1, 0, 0));
+  return {right, turned(Vec3::UnitY()), panel.placement_shift};
+}
+
+// How far a point is from the axis of a tube, between its ends. [cm]
+double distanceToAxis(const Tube& tube, const Vec3& p) {
+  const Vec3 q = tube.axis().local(p);
+  const double beyond = q.z() - std::clamp(q.z(), tube.bottom(), tube.top());
+  return std::sqrt(q.x() * q.x() + q.y() * q.y() + beyond * beyond);
+}
+
+class Hanger {
+ public:
+  Hanger(const Garment& garment, const Pattern& pattern, const Form& form)
+      : garment_(garment), pattern_(pattern), form_(form) {}
+
+  Outcome<Hanging> run() {
+    if (std::optional<Error> error = place()) return *error;
+    const std::vector<bool> legs = ofLegs();
+    for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
+      hanging_.parts.push_back(partOf(static_cast<int>(i), legs[i]));
+    raiseHood();
+    for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
+      hanging_.order.push_back(static_cast<int>(i));
+    std::stable_sort(hanging_.order.begin(), hanging_.order.end(), [&](int a, int b) {
+      const Vec3 &m = hanging_.middles[a], &n = hanging_.middles[b];
+      if (m.y() != n.y()) return m.y() < n.y();
+      return m.z() != n.z() ? m.z() < n.z() : m.x() < n.x();
+    });
+    return std::move(hanging_);
+  }
+
+ private:
+  std::optional<Error> place() {
+    bool same = true;
+    double lowest = 1e9;
+    for (std::size_t i = 0; i < garment_.panels.size(); ++i) {
+      const Panel& panel = garment_.panels[i];
+      for (const Vec3& v : {panel.placement_shift, panel.placement_turn})
+        if (!(v.cwiseAbs().maxCoeff() < 1e9))
+          return Error{
+              Failure::kNumber,
+              "Piece " + inQuotes(panel.name) + " is placed at something that is no number.",
+              static_cast<int>(i)};
+      const Panel& first = garment_.panels.front();
+      same = same && panel.placement_shift == first.placement_shift &&
+             panel.placement_turn == first.placement_turn;
+      hanging_.placed.push_back(placedPiece(panel));
+      for (int v : pattern_.pieces[i].outline)
+        lowest = std::min(lowest, hanging_.placed[i](pattern_.pieces[i].rest[v]).y());
+    }
+    if (same)
+      return Error{Failure::kNotAGarment,
+                   "The file does not say where the pieces hang, and their seams leave it open: "
+                   "give panels a `translation`."};
+    for (std::size_t i = 0; i < garment_.panels.size(); ++i) {
+      const Piece& piece = pattern_.pieces[i];
+      if (lowest < kBelowFloor) hanging_.placed[i].shift.y() += kMiddleOverFloor;
+      Vec3 sum = Vec3::Zero();
+      for (int v : piece.outline) sum += hanging_.placed[i](piece.rest[v]);
+      hanging_.middles.push_back(sum / static_cast<double>(piece.outline.size()));
+      if (hanging_.middles[i].cwiseAbs().maxCoeff() > kFarthest)
+        return Error{Failure::kNotAGarment,
+                     "Piece " + inQuotes(piece.name) +
+                         " is placed far from any body: its "
+                         "`translation` has to be in the units of the file, from the floor up.",
+                     static_cast<int>(i)};
+    }
+    return std::nullopt;
+  }
+
+  double height(int piece, int vertex) const {
+    return hanging_.placed[piece](pattern_.pieces[piece].rest[vertex]).y();
+  }
+
+  // Pieces whose seams below the crotch lead to pieces of the same side only.
+  std::vector<bool> ofLegs() const {
+    const int count = static_cast<int>(pattern_.pieces.size());
+    const double below = form_.crotchHeight() - 8;
+    std::vector<bool> legs(count, false), low(count, false);
+    DisjointSets sewn(count);
+    for (const Seam& seam : pattern_.seams)
+      for (std::size_t i = 0; i < seam.a.vertices.size(); ++i)
+        if (height(seam.a.piece, seam.a.vertices[i]) < below &&
+            height(seam.b.piece, seam.b.vertices[i]) < below) {
+          low[seam.a.piece] = low[seam.b.piece] = true;
+          sewn.join(seam.a.piece, seam.b.piece);
+        }
+    // Per set: how many of its pieces are on the right, in the middle, on the left.
+    std::vector<std::array<int, 3>> sides(count, {0, 0, 0});
+    const auto sideOf = [&](int i) {
+      const double x = hanging_.middles[i].x();
+      return x < -4 ? 0 : x > 4 ? 2 : 1;
+    };
+    for (int i = 0; i < count; ++i)
+      if (low[i]) ++sides[sewn.find(i)][sideOf(i)];
+    bool left = false, right = false;
+    for (int i = 0; i < count; ++i) {
+      const auto& [on_right, in_middle, on_left] = sides[sewn.find(i)];
+      legs[i] = low[i] && in_middle == 0 && (on_right == 0 || on_left == 0);
+      left = left || (legs[i] && on_left > 0);
+      right = right || (legs[i] && on_right > 0);
+    }
+    if (!left || !right) legs.assign(count, false);
+    return legs;
+  }
+
+  BodyPart partOf(int i, bool leg) const {
+    const bool left = hanging_.middles[i].x() > 0;
+    if (leg) return left ? BodyPart::kLeftLeg : BodyPart::kRightLeg;
+    double lowest = 1e9, highest = -1e9, to_arm = 0, to_torso = 0;
+    const BodyPart arm = left ? BodyPart::kLeftArm : BodyPart::kRightArm;
+    const Piece& piece = pattern_.pieces[i];
+    for (int v : piece.outline) {
+      const Vec3 p = hanging_.placed[i](piece.rest[v]);
+      lowest = std::min(lowest, p.y()), highest = std::max(highest, p.y());
+      to_arm += distanceToAxis(form_.tube(arm), p);
+      to_torso += distanceToAxis(form_.tube(BodyPart::kTorso), p);
+    }
+    // Tall or low, what lies above the shoulders; hoods reach down to the front of the neck.
+    const double over_shoulder = lowest - form_.shoulderPoint().y();
+    const double over_nape = highest - form_.napeHeight();
+    if (over_shoulder > 3) return over_nape > 26 ? BodyPart::kHead : BodyPart::kNeck;
+    if (over_shoulder > -12 && over_nape > 20) return BodyPart::kHead;
+    // A piece for an arm is tilted like it; others may lie as near to it. [cm]
+    const double tilt = std::abs(hanging_.placed[i].up.y());
+    const double bias = tilt < 0.95 ? -15 : 15;
+    const double nearer = (to_arm - to_torso) / static_cast<double>(piece.outline.size());
+    return nearer + bias < 0 ? arm : BodyPart::kTorso;
+  }
+
+  // What is sewn to a piece of the head, above the shoulders, is the head's.
+  void raiseHood() {
+    for (std::size_t round = 0; round < hanging_.parts.size(); ++round) {
+      bool changed = false;
+      for (const Seam& seam : pattern_.seams) {
+        BodyPart &a = hanging_.parts[seam.a.piece], &b = hanging_.parts[seam.b.piece];
+        if (a == BodyPart::kHead && b == BodyPart::kNeck) b = a, changed = true;
+        if (b == BodyPart::kHead && a == BodyPart::kNeck) a = b, changed = true;
+      }
+      if (!changed) break;
+    }
+  }
+
+  const Garment& garment_;
+  const Pattern& pattern_;
+  const Form& form_;
+  Hanging hanging_;
+};
+
+}  // namespace
+
+BodyParts Hanging::covered() const {
+  BodyParts all = kTorsoAndNeck;
+  for (BodyPart part : parts) all |= only(part);
+  return all;
+}
+
+Outcome<Hanging> hang(const Garment& garment, const Pattern& pattern, const Form& form) {
+  return Hanger(garment, pattern, form).run();
+}
+
+}  // namespace seamwise

@@ -1,0 +1,255 @@
+#include "drape/ring.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/turn.h"
+
+namespace seamwise {
+namespace {
+
+// A ring lies so much further out than the body at least, and in waves from there on. [1]
+constexpr double kEase = 1.06, kWavesFrom = 1.2, kWaveBase = 1.08, kSpiral = 1.05;
+// Rings follow each other smoothly over so many levels to either side. [cm]
+constexpr int kSmoothing = 3;
+// A band that goes around more than once lies on itself by so much. [cm]
+constexpr double kTurnOffset = 0.6;
+
+double nearTurn(double degrees, double to) {
+  return degrees - 360 * std::nearbyint((degrees - to) / 360);
+}
+
+// The mean of what is left without the two sevenths that are least and that are greatest: levels at
+// which tiers meet have too many pieces or too few.
+double middleMean(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t drop = values.size() * 2 / 7;
+  double sum = 0;
+  for (std::size_t k = drop; k + drop < values.size(); ++k) sum += values[k];
+  return sum / static_cast<double>(values.size() - 2 * drop);
+}
+
+}  // namespace
+
+Vec2 RingPiece::extent(double level) const {
+  const double l = std::clamp(level, bottom + 1e-6, top - 1e-6);
+  Vec2 out(1e9, -1e9);
+  const std::size_t n = outline->outline.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &a = flat[outline->outline[i]], &b = flat[outline->outline[(i + 1) % n]];
+    if ((a.y() < l) == (b.y() < l)) continue;
+    const double across = a.x() + (l - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    out = {std::min(out.x(), across), std::max(out.y(), across)};
+  }
+  return out;
+}
+
+Ring::Ring(const Tube& tube, const Pattern& pattern, std::vector<RingPiece> pieces, double fold)
+    : tube_(tube), pieces_(std::move(pieces)), fold_(fold) {
+  double low = 1e9, high = -1e9;
+  for (RingPiece& piece : pieces_) {
+    piece.bottom = 1e9, piece.top = -1e9;
+    for (const Vec2& p : piece.flat)
+      piece.bottom = std::min(piece.bottom, p.y()), piece.top = std::max(piece.top, p.y());
+    low = std::min(low, piece.bottom), high = std::max(high, piece.top);
+  }
+  std::stable_sort(pieces_.begin(), pieces_.end(),
+                   [](const RingPiece& a, const RingPiece& b) { return a.angle < b.angle; });
+  findFlanks(pattern);
+  bottom_ = std::floor(low);
+  for (int i = 0; levelOf(i) < high + 1; ++i) levels_.push_back(levelAt(levelOf(i)));
+  smooth();
+  for (std::size_t i = 0; i < levels_.size(); ++i) draw(levels_[i], levelOf(static_cast<int>(i)));
+}
+
+void Ring::findFlanks(const Pattern& pattern) {
+  std::vector<int> at(pattern.pieces.size(), -1);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) at[pieces_[i].piece] = static_cast<int>(i);
+  const auto mark = [&](RingPiece& piece, const Vec2& a, const Vec2& b) {
+    const Vec2 middle = (a + b) / 2, extent = piece.extent(middle.y());
+    const bool left = middle.x() - extent.x() < extent.y() - middle.x();
+    // A dart lies within the piece.
+    if (std::min(middle.x() - extent.x(), extent.y() - middle.x()) > 0.6) return;
+    RingPiece::Flank& flank = left ? piece.left : piece.right;
+    flank.low = std::min({flank.low, a.y(), b.y()});
+    flank.high = std::max({flank.high, a.y(), b.y()});
+  };
+  const auto steep = [](const Vec2& a, const Vec2& b) {
+    return std::abs(a.y() - b.y()) > std::abs(a.x() - b.x());
+  };
+  for (const Seam& seam : pattern.seams) {
+    if (at[seam.a.piece] < 0 || at[seam.b.piece] < 0) continue;
+    RingPiece &a = pieces_[at[seam.a.piece]], &b = pieces_[at[seam.b.piece]];
+    for (std::size_t i = 0; i + 1 < seam.a.vertices.size(); ++i) {
+      const Vec2 &a0 = a.flat[seam.a.vertices[i]], &a1 = a.flat[seam.a.vertices[i + 1]];
+      const Vec2 &b0 = b.flat[seam.b.vertices[i]], &b1 = b.flat[seam.b.vertices[i + 1]];
+      if (!steep(a0, a1) || !steep(b0, b1)) continue;
+      mark(a, a0, a1);
+      mark(b, b0, b1);
+    }
+  }
+}
+
+Ring::Level Ring::levelAt(double level) const {
+  const std::size_t count = pieces_.size();
+  Level out;
+  out.turn.resize(count), out.middle.resize(count), out.stretch.assign(count, 1);
+  std::vector<double> centre(count, 0.0);
+  double width = 0, actual = 0, widest_open = 0;
+  bool closed = true, any = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const RingPiece& piece = pieces_[i];
+    const Vec2 here = piece.extent(level);
+    out.middle[i] = (here.x() + here.y()) / 2;
+    if (!piece.reaches(level)) continue;
+    if (!piece.inRing()) {
+      widest_open = std::max(widest_open, here.y() - here.x());
+      continue;
+    }
+    // Past the seam a side goes straight on; an open side does where the other one does.
+    const auto side = [&](const RingPiece::Flank& own, const RingPiece::Flank& other, int which) {
+      const RingPiece::Flank& flank = own.sewn() ? own : other;
+      return piece.extent(std::clamp(level, flank.low, flank.high))[which];
+    };
+    const double left = side(piece.left, piece.right, 0);
+    const double right = side(piece.right, piece.left, 1);
+    out.middle[i] = (left + right) / 2;
+    centre[i] = width + (right - left) / 2;
+    width += right - left;
+    actual += here.y() - here.x();
+    closed = closed && piece.left.covers(level) && piece.right.covers(level);
+    any = true;
+  }
+  const double body = tube_.section(level).girth() * kEase;
+  if (!any) {
+    // Bands that are longer than 1.6 sections go around in a spiral.
+    out.girth = widest_open < 1.6 * body ? std::max(body, widest_open) : kSpiral * body;
+    for (std::size_t i = 0; i < count; ++i) out.turn[i] = pieces_[i].angle;
+    return out;
+  }
+  out.girth = std::max(body, closed ? width : std::min(width, actual));
+  if (closed) out.width = width;
+  const double whole = closed ? width : std::max(width, std::min(out.girth, actual));
+  const double stretch = closed ? out.girth / width : std::min(1.0, out.girth / actual);
+  // Turned so that pieces lie where they were placed, in the mean.
+  double sum = 0, first = 0;
+  int voters = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const RingPiece& piece = pieces_[i];
+    const bool here = piece.inRing() && centre[i] > 0;
+    if (!here) continue;
+    const double off = piece.angle - 360 * centre[i] / whole;
+    if (voters == 0) first = off;
+    sum += nearTurn(off, first);
+    ++voters;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool here = pieces_[i].inRing() && centre[i] > 0;
+    out.turn[i] = here ? nearTurn(360 * centre[i] / whole + sum / voters, pieces_[i].angle)
+                       : pieces_[i].angle;
+    if (here) out.stretch[i] = stretch;
+  }
+  return out;
+}
+
+void Ring::smooth() {
+  const std::vector<Level> rough = levels_;
+  const int count = static_cast<int>(levels_.size());
+  for (int i = 0; i < count; ++i) {
+    const int from = std::max(0, i - kSmoothing), to = std::min(count - 1, i + kSmoothing);
+    Level& level = levels_[i];
+    std::vector<double> girths, widths;
+    for (int k = from; k <= to; ++k)
+      girths.push_back(rough[k].girth), widths.push_back(rough[k].width);
+    level.girth = middleMean(girths), level.width = middleMean(widths);
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      // Only over levels that the piece has.
+      std::vector<double> turns, stretches;
+      for (int k = from; k <= to; ++k)
+        if (pieces_[p].reaches(levelOf(k)))
+          turns.push_back(rough[k].turn[p]), stretches.push_back(rough[k].stretch[p]);
+      if (turns.empty()) continue;
+      level.turn[p] = middleMean(turns), level.stretch[p] = middleMean(stretches);
+    }
+  }
+}
+
+// What cloth hangs around at a level: the widest that it passes on the way down to there. [cm]
+double Ring::hungGirth(double level) const {
+  constexpr double kAbove = 30;
+  double most = tube_.section(level).girth();
+  for (double at = level; at < std::min(level + kAbove, levelOf(static_cast<int>(levels_.size())));
+       at += 2)
+    most = std::max(most, tube_.section(at).girth());
+  return most;
+}
+
+void Ring::draw(Level& level, double at) const {
+  const Section section = tube_.section(at);
+  const double hung = hungGirth(at);
+  const bool waves = fold_ > 0 && level.width > kWavesFrom * hung;
+  const Section base = section.withGirth(waves ? kWaveBase * hung : level.girth);
+  const std::vector<Vec2> corners = base.polygon();
+  const int fine = 4, count = static_cast<int>(corners.size()) * fine;
+  const double folds = waves ? std::max(2.0, std::nearbyint(level.girth / (6 * fold_))) : 0;
+  const auto line = [&](double amplitude) {
+    std::vector<Vec2> out;
+    for (int k = 0; k < count; ++k) {
+      const double share = static_cast<double>(k % fine) / fine;
+      Vec2 p = corners[k / fine] * (1 - share) + corners[(k / fine + 1) % corners.size()] * share;
+      const double wave = 1 + amplitude * (1 - turnOfDegrees(folds * 360 * k / count).cosine);
+      out.push_back({p.x() * wave, section.middle + (p.y() - section.middle) * wave});
+    }
+    return out;
+  };
+  const auto girthOf = [](const std::vector<Vec2>& polygon) {
+    double sum = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      sum += length(Vec2(polygon[(k + 1) % polygon.size()] - polygon[k]));
+    return sum;
+  };
+  level.line = line(0);
+  if (waves) {
+    double low = 0, high = 1;
+    for (int step = 0; step < 24; ++step) {
+      const double middle = (low + high) / 2;
+      (girthOf(line(middle)) < level.girth ? low : high) = middle;
+    }
+    level.line = line(low);
+  }
+  level.arc.assign(1, 0.0);
+  for (int k = 0; k < count; ++k)
+    level.arc.push_back(level.arc.back() +
+                        length(Vec2(level.line[(k + 1) % count] - level.line[k])));
+}
+
+Vec2 Ring::onLine(const Level& level, double arc) const {
+  const double whole = level.arc.back(), turns = std::floor(arc / whole);
+  const double rest = arc - turns * whole;
+  const auto next = std::upper_bound(level.arc.begin() + 1, level.arc.end() - 1, rest);
+  const std::size_t k = next - level.arc.begin() - 1, count = level.line.size();
+  const double share = (rest - level.arc[k]) / (level.arc[k + 1] - level.arc[k]);
+  return level.line[k] * (1 - share) + level.line[(k + 1) % count] * share;
+}
+
+Vec3 Ring::position(int index, int vertex, double outward) const {
+  const RingPiece& piece = pieces_[index];
+  const Vec2& p = piece.flat[vertex];
+  const int last = static_cast<int>(levels_.size()) - 1;
+  const int below = std::clamp(static_cast<int>(std::floor(p.y() - bottom_)), 0, last - 1);
+  const double share = std::clamp(p.y() - levelOf(below), 0.0, 1.0);
+  const auto on = [&](const Level& level) -> Vec2 {
+    const double ahead = (p.x() - level.middle[index]) * level.stretch[index];
+    const double arc = level.turn[index] / 360 * level.arc.back() + ahead;
+    const Vec2 at = onLine(level, arc);
+    const double turns = std::abs(ahead) / level.arc.back() - 0.5;
+    const double layers =
+        piece.inRing() ? 0 : std::clamp(turns * 20, 0.0, 1.0 + std::max(0.0, turns));
+    const double further = outward + kTurnOffset * layers;
+    return Vec2(at * (1 + further * 2 * kPi / level.arc.back()));
+  };
+  const Vec2 q = on(levels_[below]) * (1 - share) + on(levels_[below + 1]) * share;
+  return tube_.axis().world({q.x(), q.y(), p.y()});
+}
+
+}  // namespace seamwise

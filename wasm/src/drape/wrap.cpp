@@ -1,0 +1,198 @@
+#include "drape/wrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "drape/ring.h"
+#include "drape/settle.h"
+#include "drape/turn.h"
+#include "drape/weld.h"
+
+namespace seamwise {
+namespace {
+
+// Trousers are of the legs' rings below the crotch, of the torso's above, in between of both. [cm]
+constexpr double kLegBelow = -3, kTorsoAbove = 8;
+// Heights that seams agree on: so much a piece's own placement counts against them. [1]
+constexpr double kOwnHeight = 0.02;
+
+bool isLeg(BodyPart part) { return only(part) & kLegs; }
+bool isArm(BodyPart part) { return only(part) & kArms; }
+
+class Wrapper {
+ public:
+  Wrapper(const Garment& garment, const Pattern& pattern, const Form& form, const Hanging& hanging,
+          const WrapSettings& settings)
+      : matches_(garment.matches),
+        pattern_(pattern),
+        form_(form),
+        hanging_(hanging),
+        settings_(settings) {}
+
+  Positions run() {
+    findLayers();
+    layOut();
+    agreeOnHeights();
+    Positions positions(pattern_.pieces.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      positions[i].resize(pattern_.pieces[i].rest.size());
+    windAll(&positions);
+    return positions;
+  }
+
+  /// Pieces that lie on others.
+  const std::vector<bool>& onTop() const { return on_top_; }
+
+ private:
+  const Axis& axisOf(int piece) const { return form_.tube(hanging_.parts[piece]).axis(); }
+  // Of the level 0 of the part's tube; the arms' levels are of their own.
+  double base(BodyPart part) const { return isArm(part) ? 0 : form_.tube(part).axis().origin.y(); }
+
+  // What is sewn to nothing lies on what it is matched with; of two fronts that overlap, the right
+  // one lies on the left one.
+  void findLayers() {
+    on_top_.assign(pattern_.pieces.size(), true);
+    for (const Seam& seam : pattern_.seams) on_top_[seam.a.piece] = on_top_[seam.b.piece] = false;
+    for (const MatchLine& match : matches_) {
+      const double a = hanging_.middles[match.piece_a].x();
+      const double b = hanging_.middles[match.piece_b].x();
+      if (on_top_[match.piece_a] || on_top_[match.piece_b] || a * b >= 0) continue;
+      on_top_[a < b ? match.piece_a : match.piece_b] = true;
+    }
+  }
+
+  // Pieces by (across, level) along the axis of their part.
+  void layOut() {
+    for (std::size_t i = 0; i < pattern_.pieces.size(); ++i) {
+      const PlacedPiece& placed = hanging_.placed[i];
+      const Piece& piece = pattern_.pieces[i];
+      const Axis& axis = axisOf(static_cast<int>(i));
+      Vec2 middle = Vec2::Zero();
+      for (int v : piece.outline) middle += piece.rest[v];
+      middle /= static_cast<double>(piece.outline.size());
+      Vec2 up(dot(placed.right, axis.up), dot(placed.up, axis.up));
+      double level = axis.local(placed(middle)).z();
+      if (isArm(hanging_.parts[i]) && std::abs(placed.up.y()) > 0.99) {
+        // Drawn for arms that are held out: along the arm is to the side.
+        const double side = hanging_.parts[i] == BodyPart::kLeftArm ? 1 : -1;
+        up = {-side * placed.right.x(), 0};
+        level = form_.shoulderPoint().x() - side * placed(middle).x();
+      }
+      const double length_up = length(up);
+      up = length_up > 0.5 ? Vec2(up / length_up) : Vec2(0, 1);
+      std::vector<Vec2> flat;
+      for (const Vec2& p : piece.rest) {
+        const Vec2 q = p - middle;
+        flat.push_back({up.y() * q.x() - up.x() * q.y(), level + up.x() * q.x() + up.y() * q.y()});
+      }
+      flat_.push_back(std::move(flat));
+    }
+  }
+
+  // Moves pieces along their axes until both sides of seams are about equally high: files hang
+  // bands, collars and cuffs at a distance. Gauss-Seidel.
+  void agreeOnHeights() {
+    struct Tie {
+      int other;
+      double lower;  ///< by how much the other lies lower, summed over vertices
+      double count;
+    };
+    std::vector<std::vector<Tie>> ties(pattern_.pieces.size());
+    for (const Seam& seam : pattern_.seams) {
+      const int a = seam.a.piece, b = seam.b.piece;
+      const BodyPart on_a = hanging_.parts[a], on_b = hanging_.parts[b];
+      if (a == b || ((isArm(on_a) || isArm(on_b)) && on_a != on_b)) continue;
+      double sum = 0;
+      for (std::size_t i = 0; i < seam.a.vertices.size(); ++i)
+        sum += (flat_[a][seam.a.vertices[i]].y() + base(on_a)) -
+               (flat_[b][seam.b.vertices[i]].y() + base(on_b));
+      const double count = static_cast<double>(seam.a.vertices.size());
+      ties[a].push_back({b, sum, count});
+      ties[b].push_back({a, -sum, count});
+    }
+    std::vector<double> shift(pattern_.pieces.size(), 0.0);
+    for (int round = 0; round < 200; ++round)
+      for (int i : hanging_.order) {
+        double pull = 0, weight = kOwnHeight * static_cast<double>(pattern_.pieces[i].rest.size());
+        for (const Tie& tie : ties[i]) {
+          pull += tie.count * shift[tie.other] - tie.lower;
+          weight += tie.count;
+        }
+        shift[i] = pull / weight;
+      }
+    for (std::size_t i = 0; i < flat_.size(); ++i)
+      for (Vec2& p : flat_[i]) p.y() += shift[i];
+  }
+
+  // The ring about one part; legs' pieces are in the torso's, too.
+  std::optional<Ring> ringOf(BodyPart part) const {
+    const Tube& tube = form_.tube(part);
+    std::vector<RingPiece> pieces;
+    for (int i : hanging_.order) {
+      const BodyPart own = hanging_.parts[i];
+      if (own != part && !(part == BodyPart::kTorso && isLeg(own))) continue;
+      RingPiece piece;
+      piece.piece = i;
+      piece.outline = &pattern_.pieces[i];
+      piece.flat = flat_[i];
+      for (Vec2& p : piece.flat) p.y() += base(own) - base(part);
+      const Vec3 middle = tube.axis().local(hanging_.middles[i]);
+      piece.angle = degreesBetween(middle.y() - tube.section(middle.z()).middle, middle.x());
+      pieces.push_back(std::move(piece));
+    }
+    if (pieces.empty()) return std::nullopt;
+    // Sleeves and trouser legs are stiffened by being narrow.
+    const double fold = part == BodyPart::kTorso ? settings_.fold : 0;
+    return Ring(tube, pattern_, std::move(pieces), fold);
+  }
+
+  void windAll(Positions* positions) {
+    for (int p = 0; p < kBodyParts; ++p) {
+      const auto part = static_cast<BodyPart>(p);
+      const std::optional<Ring> ring = ringOf(part);
+      if (!ring) continue;
+      for (std::size_t k = 0; k < ring->pieces().size(); ++k) {
+        const RingPiece& piece = ring->pieces()[k];
+        for (std::size_t v = 0; v < piece.flat.size(); ++v)
+          blend(&(*positions)[piece.piece][v], part, piece, static_cast<int>(v),
+                ring->position(static_cast<int>(k), static_cast<int>(v),
+                               on_top_[piece.piece] ? settings_.layer : 0));
+      }
+    }
+  }
+
+  // The torso's ring comes first, then the legs'.
+  void blend(Vec3* position, BodyPart part, const RingPiece& piece, int vertex,
+             const Vec3& found) const {
+    double share = 1;
+    if (isLeg(part)) {
+      const double t =
+          std::clamp((piece.flat[vertex].y() - kLegBelow) / (kTorsoAbove - kLegBelow), 0.0, 1.0);
+      share = 1 - t * t * (3 - 2 * t);
+    }
+    *position = share == 1 ? found : Vec3(*position * (1 - share) + found * share);
+  }
+
+  const std::vector<MatchLine>& matches_;
+  const Pattern& pattern_;
+  const Form& form_;
+  const Hanging& hanging_;
+  const WrapSettings& settings_;
+  std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: across, level
+  std::vector<bool> on_top_;
+};
+
+}  // namespace
+
+Outcome<Positions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
+                           const WrapSettings& settings) {
+  const Outcome<Hanging> hanging = hang(garment, pattern, form);
+  if (!hanging.ok()) return hanging.error();
+  Wrapper wrapper(garment, pattern, form, hanging.value(), settings);
+  Positions positions = wrapper.run();
+  settle(pattern, form, hanging.value(), wrapper.onTop(), settings, &positions);
+  return positions;
+}
+
+}  // namespace seamwise
