@@ -23,6 +23,7 @@ const coreRooms = [
   'seam',
   'mesh',
   'deform',
+  'drape',
   'problem',
   'methods',
   'solve',

@@ -83,6 +83,30 @@ VectorX SparseHessian::solve(const VectorX& b) const {
   return unpermuted(ldlt_->solve(permuted(b)));
 }
 
+void SparseHessian::solveThree(std::vector<Vec3>& b) const {
+  const auto& lower = ldlt_->matrixL().nestedExpression();
+  const int* const start = lower.outerIndexPtr();
+  const int* const row = lower.innerIndexPtr();
+  const double* const value = lower.valuePtr();
+  std::vector<Vec3> x(b.size());
+  for (int i = 0; i < size(); ++i) x[positionOf(i)] = b[i];
+  for (int j = 0; j < size(); ++j)
+    for (int k = start[j]; k < start[j + 1]; ++k)
+      for (int c = 0; c < 3; ++c) x[row[k]][c] -= value[k] * x[j][c];
+  for (int j = size() - 1; j >= 0; --j) {
+    double sum[3] = {0, 0, 0};
+    for (int k = start[j]; k < start[j + 1]; ++k)
+      for (int c = 0; c < 3; ++c) sum[c] += value[k] * x[row[k]][c];
+    const double pivot = ldlt_->vectorD()[j];
+    for (int c = 0; c < 3; ++c) x[j][c] = x[j][c] / pivot - sum[c];
+  }
+  for (int i = 0; i < size(); ++i) b[i] = x[positionOf(i)];
+}
+
+Eigen::Index SparseHessian::factorNonZeros() const {
+  return ldlt_->matrixL().nestedExpression().nonZeros();
+}
+
 VectorX SparseHessian::permuted(const VectorX& x) const {
   if (position_.empty()) return x;
   VectorX result(x.size());
