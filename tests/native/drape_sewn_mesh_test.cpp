@@ -1,10 +1,9 @@
-#include "drape/sewn_mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
+#include "drape/sewn_mesh.h"
 #include "drape_samples.h"
 
 namespace seamwise {
@@ -31,8 +30,7 @@ int vertexAt(const Pattern& pattern, int piece, const Vec2& at) {
 std::map<std::pair<int, int>, int> edgesOf(const SewnMesh& mesh) {
   std::map<std::pair<int, int>, int> edges;
   for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k)
-      ++edges[std::minmax({t.vertices[k], t.vertices[(k + 1) % 3]})];
+    for (int k = 0; k < 3; ++k) ++edges[std::minmax({t.vertices[k], t.vertices[(k + 1) % 3]})];
   return edges;
 }
 
@@ -173,8 +171,7 @@ TEST(SewnMeshes, ALinearFieldIsProlongedExactly) {
   };
   const Positions fine = prolonged(levels.value(), testing::laid(levels.value().coarse, linear));
   const Positions expected = testing::laid(levels.value().fine, linear);
-  for (std::size_t i = 0; i < fine.size(); ++i)
-    EXPECT_LT((fine[i] - expected[i]).norm(), 1e-12);
+  for (std::size_t i = 0; i < fine.size(); ++i) EXPECT_LT((fine[i] - expected[i]).norm(), 1e-12);
 }
 
 TEST(SewnMeshes, TheGrainTurnsWithThePiece) {

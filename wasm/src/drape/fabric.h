@@ -26,24 +26,22 @@ struct Fabric {
 /// 0.07 gf cm2/cm = 7e-6 N m. Coupling: Poisson's ratio 0.24 of plain cotton, 150 g/m2 (Penava,
 /// Simic Penava, Knezic, "Determination of the elastic constants of plain woven fabrics by a
 /// tensile test in various directions", Fibres & Textiles in Eastern Europe 2014).
-inline constexpr Fabric kPoplin{
-    "poplin", 0.12, 2000, 1800, 450, 60, 0.03, 4, 9e-6, 7e-6, 0.4, 0.0015};
+inline constexpr Fabric kPoplin{"poplin", 0.12, 2000, 1800, 450, 60,
+                                0.03,     4,    9e-6, 7e-6, 0.4, 0.0015};
 
 /// Single jersey. Wang, gray interlock: 187 g/m2, 34-414 N/m along the wales, 17-140 along the
 /// courses, bending 7-39e-6. Loops straighten beyond 15 %.
-inline constexpr Fabric kJersey{
-    "jersey", 0.17, 130, 50, 20, 35, 0.15, 8, 5e-6, 4e-6, 0.5, 0.0012};
+inline constexpr Fabric kJersey{"jersey", 0.17, 130, 50, 20, 35, 0.15, 8, 5e-6, 4e-6, 0.5, 0.0012};
 
 /// Denim of 11 oz. Wang, 11oz black denim: 324 g/m2, 1014-1060 and 205-232 N/m, shear 53-84,
 /// bending 60-120e-6.
-inline constexpr Fabric kDenim{
-    "denim", 0.32, 1050, 220, 70, 70, 0.03, 4, 80e-6, 60e-6, 0.5, 0.002};
+inline constexpr Fabric kDenim{"denim", 0.32, 1050, 220, 70, 70, 0.03, 4, 80e-6, 60e-6, 0.5, 0.002};
 
 /// Silk or polyester chiffon. Density as traded; bending such that a disc drapes as silks do, drape
 /// coefficient 20-40 (Matsudaira, Yang, "Features of the drape profile of silk fabrics", 2003);
 /// stiffnesses chosen.
-inline constexpr Fabric kChiffon{
-    "chiffon", 0.05, 900, 700, 160, 15, 0.03, 4, 0.8e-6, 0.6e-6, 0.3, 0.001};
+inline constexpr Fabric kChiffon{"chiffon", 0.05, 900,    700,    160, 15,
+                                 0.03,      4,    0.8e-6, 0.6e-6, 0.3, 0.001};
 
 inline constexpr std::array<Fabric, 4> kFabrics{kPoplin, kJersey, kDenim, kChiffon};
 

@@ -97,8 +97,7 @@ void keep(const Piece& piece, const std::vector<int>& vertices, std::vector<Mesh
 
 Vec2 at(const MeshPlace& place, const Piece& piece, const std::vector<Vec2>& points) {
   Vec2 sum = Vec2::Zero();
-  for (int k = 0; k < 3; ++k)
-    sum += place.weights[k] * points[piece.triangles[place.triangle][k]];
+  for (int k = 0; k < 3; ++k) sum += place.weights[k] * points[piece.triangles[place.triangle][k]];
   return sum;
 }
 
@@ -153,10 +152,15 @@ Shapes shapesOf(const SewnLevel& level, const Pattern& pattern, const Shapes& sh
   return result;
 }
 
-std::vector<std::pair<int, int>> SewnMesh::pairs() const {
+std::vector<std::pair<int, int>> SewnMesh::edges() const {
   std::vector<std::pair<int, int>> all;
   for (const Triangle& t : triangles)
     for (int k = 0; k < 3; ++k) all.emplace_back(t.vertices[k], t.vertices[(k + 1) % 3]);
+  return all;
+}
+
+std::vector<std::pair<int, int>> SewnMesh::pairs() const {
+  std::vector<std::pair<int, int>> all = edges();
   for (const Hinge& h : hinges) all.emplace_back(h.vertices[2], h.vertices[3]);
   return all;
 }
@@ -180,8 +184,12 @@ EdgeSide sideOf(const SewnMesh::Triangle& t, const std::array<Vec2, 3>& p, int k
   const double cot_a = (edge.x() * ka.x() + edge.y() * ka.y()) / (2 * t.area);
   const double cot_b = -(edge.x() * kb.x() + edge.y() * kb.y()) / (2 * t.area);
   const double squared = edge.x() * edge.x() + edge.y() * edge.y();
-  return {t.vertices[a], t.vertices[b], t.vertices[k],
-          t.area,        cot_a,         cot_b,
+  return {t.vertices[a],
+          t.vertices[b],
+          t.vertices[k],
+          t.area,
+          cot_a,
+          cot_b,
           edge.x() * edge.x() / squared};
 }
 

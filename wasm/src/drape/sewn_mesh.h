@@ -64,7 +64,8 @@ struct SewnMesh {
   std::vector<Hinge> hinges;
   std::vector<double> area;  ///< per vertex, a third of its triangles', m2
 
-  /// Pairs of vertices that act on each other; duplicates.
+  /// Pairs of vertices that an edge joins, and all that act on each other; duplicates.
+  std::vector<std::pair<int, int>> edges() const;
   std::vector<std::pair<int, int>> pairs() const;
 };
 

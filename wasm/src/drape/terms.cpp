@@ -42,7 +42,7 @@ Mat3 stiffnessOf(const Thread& thread, const Spring& s) {
 }
 
 double bendingOf(const SewnMesh::Hinge& h, const Fabric& fabric) {
-  return (h.warp * fabric.bending_warp + (1 - h.warp) * fabric.bending_weft) / h.area;
+  return kHinge * (h.warp * fabric.bending_warp + (1 - h.warp) * fabric.bending_weft) / h.area;
 }
 
 }  // namespace
@@ -55,8 +55,8 @@ double membraneEnergy(const SewnMesh& mesh, const Fabric& fabric, const Position
     const double eu = weft.stretch - 1, ev = warp.stretch - 1;
     const Spring su = spring(fabric, fabric.weft, eu), sv = spring(fabric, fabric.warp, ev);
     const double skew = dot(weft.image, warp.image);
-    energy += t.area * (su.value + sv.value + fabric.coupling * eu * ev +
-                        fabric.shear * skew * skew / 2);
+    energy +=
+        t.area * (su.value + sv.value + fabric.coupling * eu * ev + fabric.shear * skew * skew / 2);
     if (gradient) {
       const double fu = t.area * (su.slope + fabric.coupling * ev);
       const double fv = t.area * (sv.slope + fabric.coupling * eu);
@@ -99,8 +99,7 @@ double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions
     if (!hessian) continue;
     for (int k = 0; k < 4; ++k)
       for (int l = k; l < 4; ++l)
-        hessian->add(h.vertices[k], h.vertices[l],
-                     scalar(stiffness * h.weights[k] * h.weights[l]));
+        hessian->add(h.vertices[k], h.vertices[l], scalar(stiffness * h.weights[k] * h.weights[l]));
   }
   return energy;
 }
@@ -178,11 +177,6 @@ void addConstantHessian(const SewnMesh& mesh, const Fabric& fabric, SparseHessia
         matrix.add(t.vertices[k], t.vertices[l],
                    t.area * ((fabric.weft + fabric.shear / 2) * t.weft[k] * t.weft[l] +
                              (fabric.warp + fabric.shear / 2) * t.warp[k] * t.warp[l]));
-  for (const SewnMesh::Hinge& h : mesh.hinges)
-    for (int k = 0; k < 4; ++k)
-      for (int l = k; l < 4; ++l)
-        matrix.add(h.vertices[k], h.vertices[l],
-                   bendingOf(h, fabric) * h.weights[k] * h.weights[l]);
 }
 
 }  // namespace seamwise

@@ -20,9 +20,13 @@ namespace seamwise {
 double membraneEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions& x,
                       Positions* gradient, BlockMatrix* hessian);
 
-/// Bending: B/2 |sum of weights x|^2 / (A0 + A1) per hinge, quadratic. With the customary 3 in
-/// front a sheet of near-equilateral triangles is three times as stiff as a plate of B: a hinge's
-/// bend is that of all of both triangles' width, which three hinges share.
+/// Makes strips of irregular triangles sag as plates of bending stiffness B, within 5 %. On a sheet
+/// of equilateral triangles that is bent to a cylinder, 1 would be exact: each hinge takes the bend
+/// of two triangles' width, and three hinges share them. Irregular ones give way between hinges.
+/// With the customary 3 a strip of denim, 6 cm long, sags by 41 % less than it should.
+inline constexpr double kHinge = 1.25;
+
+/// Bending: kHinge B/2 |sum of weights x|^2 / (A0 + A1) per hinge, quadratic.
 double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions& x,
                      Positions* gradient, BlockMatrix* hessian);
 
@@ -57,9 +61,9 @@ double frictionEnergy(const std::vector<Friction>& contacts, double threshold, c
 double proximalEnergy(const SewnMesh& mesh, const Fabric& fabric, double h, const Positions& from,
                       const Positions& x, Positions* gradient, BlockMatrix* hessian);
 
-/// Adds what stands for the Hessian of membrane and bending in a preconditioner: one number for
-/// each pair of vertices, the same for all three coordinates and all positions (Bouaziz et al.,
-/// "Projective Dynamics", 2014).
+/// Adds what stands for the Hessian of the membrane in a preconditioner: one number for the ends of
+/// each edge, the same for all three coordinates and all positions (Bouaziz et al.,
+/// "Projective Dynamics", 2014). Without bending, a ten-thousandth of it, which doubles the fill.
 void addConstantHessian(const SewnMesh& mesh, const Fabric& fabric, SparseHessian& matrix);
 
 }  // namespace seamwise

@@ -14,9 +14,7 @@ using Positions = std::vector<Vec3>;
 // Products are written out, since Eigen adds in another order where it vectorises, and a difference
 // of the last digit ends as a fold elsewhere.
 
-inline double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
 inline double dot(const Positions& a, const Positions& b) {

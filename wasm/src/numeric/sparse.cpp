@@ -88,17 +88,24 @@ void SparseHessian::solveThree(std::vector<Vec3>& b) const {
   const int* const start = lower.outerIndexPtr();
   const int* const row = lower.innerIndexPtr();
   const double* const value = lower.valuePtr();
+  const VectorX pivots = ldlt_->vectorD();  // a copy
   std::vector<Vec3> x(b.size());
   for (int i = 0; i < size(); ++i) x[positionOf(i)] = b[i];
-  for (int j = 0; j < size(); ++j)
-    for (int k = start[j]; k < start[j + 1]; ++k)
-      for (int c = 0; c < 3; ++c) x[row[k]][c] -= value[k] * x[j][c];
+  for (int j = 0; j < size(); ++j) {
+    const double x0 = x[j][0], x1 = x[j][1], x2 = x[j][2];
+    for (int k = start[j]; k < start[j + 1]; ++k) {
+      double* const y = x[row[k]].data();
+      y[0] -= value[k] * x0, y[1] -= value[k] * x1, y[2] -= value[k] * x2;
+    }
+  }
   for (int j = size() - 1; j >= 0; --j) {
-    double sum[3] = {0, 0, 0};
-    for (int k = start[j]; k < start[j + 1]; ++k)
-      for (int c = 0; c < 3; ++c) sum[c] += value[k] * x[row[k]][c];
-    const double pivot = ldlt_->vectorD()[j];
-    for (int c = 0; c < 3; ++c) x[j][c] = x[j][c] / pivot - sum[c];
+    double s0 = 0, s1 = 0, s2 = 0;
+    for (int k = start[j]; k < start[j + 1]; ++k) {
+      const double* const y = x[row[k]].data();
+      s0 += value[k] * y[0], s1 += value[k] * y[1], s2 += value[k] * y[2];
+    }
+    const Vec3 own = x[j] / pivots[j];
+    x[j] = Vec3(own[0] - s0, own[1] - s1, own[2] - s2);
   }
   for (int i = 0; i < size(); ++i) b[i] = x[positionOf(i)];
 }
