@@ -17,9 +17,6 @@ int settle(ClothSolver& solver, int most) {
   for (; steps < most && quiet < 3; ++steps) {
     const ClothSolver::Step step = solver.newtonStep();
     quiet = step.farthest < 5e-4 && step.fall < 2e-5 * solver.weight() ? quiet + 1 : 0;
-    if (getenv("DRAPE_TRACE"))
-      printf("%d E %.9f fall %.3g far %.3g mm its %d failed %d work %.2f\n", steps, step.energy,
-             step.fall, step.farthest * 1e3, step.iterations, step.failed, solver.work());
   }
   return steps;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "drape_samples.h"
 
 namespace seamwise {
@@ -32,14 +34,7 @@ TEST(Drapes, ASquareIsSewnHungSettledAndFoundInOrder) {
   while (drape.advance(1)) {
   }
   ASSERT_EQ(drape.stages().size(), 3u);
-  for (const auto& stage : drape.stages())
-    printf("stage %d: %d vertices %d steps %.2f u E %.6f -> %.6f\n", int(stage.stage),
-           stage.vertices, stage.steps, stage.work, stage.energies.front(), stage.energies.back());
   const DrapeCheck& check = drape.check();
-  printf("tension %.4f %.4f %.4f compression %.4f %.4f %.4f depth %.5f crossings %d notes %zu\n",
-         check.tension.median, check.tension.p99, check.tension.most, check.compression.median,
-         check.compression.p99, check.compression.most, check.depth, check.crossings,
-         drape.notes().size());
   for (const auto& stage : drape.stages()) EXPECT_LT(stage.energies.back(), stage.energies.front());
   EXPECT_LT(check.tension.most, 0.05);
   EXPECT_EQ(check.depth, 0);
@@ -58,6 +53,39 @@ TEST(Drapes, SlicesOfWorkChangeNoByte) {
     before = sliced.fraction();
   }
   EXPECT_EQ(whole.positions(), sliced.positions());
+}
+
+TEST(Drapes, AnotherCutIsSettledFromTheLastOneForLess) {
+  const Laid laid;
+  Drape first(laid.problem());
+  while (first.advance(1)) {
+  }
+  DrapeProblem recut = laid.problem();
+  for (auto& points : recut.shapes)
+    for (Vec2& p : points) p += Vec2(0.2 * std::sin(p.y() / 8), 0.2 * std::sin(p.x() / 9));
+  DrapeProblem warm = recut;
+  warm.settled = first.positions();
+  Drape cold(std::move(recut)), again(std::move(warm));
+  while (cold.advance(1)) {
+  }
+  while (again.advance(1)) {
+  }
+  EXPECT_EQ(again.stages().size(), 1u);
+  EXPECT_LT(again.work(), cold.work());
+  EXPECT_EQ(again.check().crossings, 0);
+  const double above = again.stages()[0].energies.back() - cold.stages()[2].energies.back();
+  EXPECT_LT(above, 1e-3 * 0.16 * kPoplin.density * kGravity);  // less than a lift by 1 mm
+}
+
+TEST(Drapes, WhatHasNoStartIsSaid) {
+  const Laid laid;
+  DrapeProblem problem = laid.problem();
+  problem.start[3].x() = std::numeric_limits<double>::quiet_NaN();
+  Drape drape(std::move(problem));
+  while (drape.advance(1)) {
+  }
+  ASSERT_EQ(drape.notes().size(), 1u);
+  EXPECT_NE(drape.notes()[0].find("start"), std::string::npos);
 }
 
 TEST(Drapes, AnExhaustedBudgetIsSaid) {

@@ -1,6 +1,7 @@
 #include "drape/drape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace seamwise {
@@ -33,6 +34,10 @@ Drape::Drape(DrapeProblem problem)
       fine_(sewnMesh(problem_.levels.fine,
                      shapesOf(problem_.levels.fine, problem_.pattern, problem_.shapes),
                      problem_.warp)) {
+  if (!problem_.settled.empty()) {
+    begin(Stage::kSettle, problem_.settled);
+    return;
+  }
   ClothOptions options = problem_.options;
   options.friction = false;
   solver_ = std::make_unique<ClothSolver>(coarse_, problem_.fabric, *problem_.body, problem_.start,
@@ -53,13 +58,12 @@ double Drape::fraction() const {
   return std::max(kBefore[k] + kShare[k] * within, std::min(1.0, work() / problem_.budget));
 }
 
-void Drape::begin(Stage stage) {
+void Drape::begin(Stage stage, const Positions& from) {
   stage_ = stage, quiet_ = 0;
-  if (stage == Stage::kHang) solver_->setFriction(true);
+  if (stage == Stage::kHang) solver_->setFriction(problem_.options.friction);
   if (stage == Stage::kSettle) {
-    spent_ += solver_->work();
-    solver_ = std::make_unique<ClothSolver>(fine_, problem_.fabric, *problem_.body,
-                                            prolonged(problem_.levels, solver_->positions()),
+    if (solver_) spent_ += solver_->work();
+    solver_ = std::make_unique<ClothSolver>(fine_, problem_.fabric, *problem_.body, from,
                                             problem_.options);
   }
   began_ = work();
@@ -81,7 +85,9 @@ void Drape::step() {
 }
 
 void Drape::finish() {
-  if (!atRest()) {
+  if (!std::isfinite(solver_->energy())) {
+    notes_.emplace_back("The garment cannot be draped: it has no position to start from.");
+  } else if (!atRest()) {
     const int millimetres = static_cast<int>(1000 * farthest_ + 0.5);
     notes_.push_back("The garment is still moving by " +
                      (millimetres < 1 ? "less than 1" : std::to_string(millimetres)) +
@@ -98,8 +104,10 @@ bool Drape::advance(double work_now) {
     const bool over = atRest() || stages_.back().steps >= mostSteps(stage_);
     if (stage_ == Stage::kSettle && (over || work() >= problem_.budget))
       finish();
+    else if (over && stage_ == Stage::kSew)
+      begin(Stage::kHang);
     else if (over)
-      begin(stage_ == Stage::kSew ? Stage::kHang : Stage::kSettle);
+      begin(Stage::kSettle, prolonged(problem_.levels, positions()));
   }
   return stage_ != Stage::kDone;
 }

@@ -19,6 +19,8 @@ struct DrapeProblem {
   Fabric fabric = kPoplin;
   const DistanceField* body = nullptr;  ///< outlives the drape
   Positions start;                      ///< of the coarse level's vertices, m: wrapped on the body
+  Positions settled;  ///< of the fine level's, m: where an earlier drape of other shapes left them;
+                      ///< where given, they are settled anew, from there and nothing else
   ClothOptions options;
   double budget = 100;  ///< of work, in factorisations of a 90 x 90 grid (ClothSolver::work)
 };
@@ -57,7 +59,8 @@ class Drape {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  void begin(Stage stage);
+  /// @param from   where settling begins
+  void begin(Stage stage, const Positions& from = {});
   void step();
   bool atRest() const { return quiet_ >= kQuietSteps; }
   void finish();

@@ -162,9 +162,10 @@ Positions ClothSolver::conjugateGradients(const Positions& gradient, int* iterat
 }
 
 /// Goes along a direction as far as vertices may and the merit falls.
-ClothSolver::Step ClothSolver::search(const Positions& gradient, const Positions& direction) {
+ClothSolver::Step ClothSolver::search(double before, const Positions& gradient,
+                                      const Positions& direction) {
   Step step;
-  const double before = merit(x_, nullptr, nullptr), slope = dot(gradient, direction);
+  const double slope = dot(gradient, direction);
   double share = 1, longest = 0;
   for (std::size_t i = 0; i < direction.size(); ++i) {
     const double far = length(direction[i]);
@@ -199,11 +200,11 @@ ClothSolver::Step ClothSolver::newtonStep() {
   if (!prepare()) return {energy(), 0, 0, 0, true};
   Positions gradient(x_.size(), Vec3::Zero());
   hessian_.setZero();
-  merit(x_, &gradient, &hessian_);
+  const double before = merit(x_, &gradient, &hessian_);
   mask(gradient);
   int iterations = 0;
   const Positions direction = conjugateGradients(gradient, &iterations);
-  Step step = search(gradient, direction);
+  Step step = search(before, gradient, direction);
   step.iterations = iterations;
   return step;
 }
@@ -212,7 +213,7 @@ ClothSolver::Step ClothSolver::quasiNewtonStep() {
   lookAround();
   if (!prepare()) return {energy(), 0, 0, 0, true};
   Positions gradient(x_.size(), Vec3::Zero());
-  merit(x_, &gradient, nullptr);
+  const double before = merit(x_, &gradient, nullptr);
   mask(gradient);
   if (!pairs_.empty()) {
     Pair& last = pairs_.back();
@@ -234,7 +235,7 @@ ClothSolver::Step ClothSolver::quasiNewtonStep() {
   }
   operations_ += 12.0 * mesh_->size * static_cast<double>(pairs_.size());
   const double h = h_;
-  Step step = search(gradient, direction);
+  Step step = search(before, gradient, direction);
   h_ = h;  // one matrix for all of these steps
   if (step.failed) {
     pairs_.clear();

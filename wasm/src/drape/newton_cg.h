@@ -63,7 +63,7 @@ class ClothSolver {
   void precondition(Positions& r);
   void mask(Positions& r) const;
   Positions conjugateGradients(const Positions& gradient, int* iterations);
-  Step search(const Positions& gradient, const Positions& direction);
+  Step search(double before, const Positions& gradient, const Positions& direction);
   void dragAnchors();
 
   const SewnMesh* mesh_;
