@@ -46,7 +46,7 @@ double ClothSolver::energy() const {
   return membraneEnergy(*mesh_, *fabric_, x_, nullptr, nullptr) +
          bendingEnergy(*mesh_, *fabric_, x_, nullptr, nullptr) +
          gravityEnergy(*mesh_, *fabric_, x_, nullptr) +
-         contactEnergy(*mesh_, contact, x_, nullptr, nullptr, nullptr);
+         contactEnergy(*mesh_, contact, x_, nullptr, nullptr);
 }
 
 double ClothSolver::weight() const {
@@ -65,7 +65,7 @@ double ClothSolver::merit(const Positions& x, Positions* gradient, BlockMatrix* 
   double sum = membraneEnergy(*mesh_, *fabric_, x, gradient, hessian) +
                bendingEnergy(*mesh_, *fabric_, x, gradient, hessian) +
                gravityEnergy(*mesh_, *fabric_, x, gradient) +
-               contactEnergy(*mesh_, contact, x, gradient, hessian, nullptr);
+               contactEnergy(*mesh_, contact, x, gradient, hessian);
   sum += frictionEnergy(frictions_, options_.friction_threshold, x, gradient, hessian);
   return sum + proximalEnergy(*mesh_, *fabric_, h_, from_, x, gradient, hessian);
 }

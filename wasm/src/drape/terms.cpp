@@ -6,6 +6,9 @@
 namespace seamwise {
 namespace {
 
+constexpr double kNear = 0.02;  ///< m from a body beyond which no triangle's middle is inside
+constexpr double kMiddleOffset = 0.5;  ///< of the offset: only where a triangle cuts a curve short
+
 /// Value, slope and curvature of k/2 e^2, stiffer beyond a tension.
 struct Spring {
   double value, slope, curvature;
@@ -116,21 +119,38 @@ double gravityEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions
 }
 
 double contactEnergy(const SewnMesh& mesh, const BodyContact& contact, const Positions& x,
-                     Positions* gradient, BlockMatrix* hessian, std::vector<double>* depths) {
+                     Positions* gradient, BlockMatrix* hessian) {
   double energy = 0;
   const bool derived = gradient || hessian;
-  if (depths) depths->assign(mesh.size, 0);
+  std::vector<double> distances(mesh.size);
   for (int i = 0; i < mesh.size; ++i) {
     Vec3 outwards = Vec3::Zero();
-    const double depth =
-        contact.offset - contact.body->distance(x[i], derived ? &outwards : nullptr);
+    distances[i] = contact.body->distance(x[i], derived ? &outwards : nullptr);
+    const double depth = contact.offset - distances[i];
     if (depth <= 0) continue;
     const double k = contact.stiffness * mesh.area[i];
     energy += k * depth * depth / 2;
-    if (depths) (*depths)[i] = depth;
     if (gradient)
       for (int c = 0; c < 3; ++c) (*gradient)[i][c] -= k * depth * outwards[c];
     if (hessian) hessian->add(i, i, outer(k, outwards, outwards));
+  }
+  for (const SewnMesh::Triangle& t : mesh.triangles) {
+    const auto& [p, q, r] = t.vertices;
+    if (distances[p] > kNear && distances[q] > kNear && distances[r] > kNear) continue;
+    Vec3 middle = Vec3::Zero(), outwards = Vec3::Zero();
+    for (int c = 0; c < 3; ++c) middle[c] = (x[p][c] + x[q][c] + x[r][c]) / 3;
+    const double depth = kMiddleOffset * contact.offset -
+                         contact.body->distance(middle, derived ? &outwards : nullptr);
+    if (depth <= 0) continue;
+    const double k = contact.stiffness * t.area;
+    energy += k * depth * depth / 2;
+    if (gradient)
+      for (const int i : t.vertices)
+        for (int c = 0; c < 3; ++c) (*gradient)[i][c] -= k * depth * outwards[c] / 3;
+    if (!hessian) continue;
+    const Mat3 block = outer(k / 9, outwards, outwards);
+    for (int m = 0; m < 3; ++m)
+      for (int n = m; n < 3; ++n) hessian->add(t.vertices[m], t.vertices[n], block);
   }
   return energy;
 }

@@ -34,16 +34,16 @@ double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions
 double gravityEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions& x,
                      Positions* gradient);
 
-/// What holds cloth off a body: k/2 A max(0, offset - d)^2 per vertex.
+/// What holds cloth off a body: k/2 A max(0, offset - d)^2 per vertex, and the same with half the
+/// offset for the middles of triangles, which cut curves of the body short.
 struct BodyContact {
   const DistanceField* body = nullptr;
   double offset = 0;     ///< m
   double stiffness = 0;  ///< N/m3
 };
 /// The Hessian leaves out that of the distance.
-/// @param depths   where not null, is set to max(0, offset - d) of each vertex, m
 double contactEnergy(const SewnMesh& mesh, const BodyContact& contact, const Positions& x,
-                     Positions* gradient, BlockMatrix* hessian, std::vector<double>* depths);
+                     Positions* gradient, BlockMatrix* hessian);
 
 /// A vertex that a body holds by friction: as it was when the step began.
 struct Friction {
