@@ -24,6 +24,7 @@ const coreRooms = [
   'mesh',
   'drape',
   'deform',
+  'drape',
   'problem',
   'methods',
   'solve',

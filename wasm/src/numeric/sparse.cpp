@@ -83,6 +83,37 @@ VectorX SparseHessian::solve(const VectorX& b) const {
   return unpermuted(ldlt_->solve(permuted(b)));
 }
 
+void SparseHessian::solveThree(std::vector<Vec3>& b) const {
+  const auto& lower = ldlt_->matrixL().nestedExpression();
+  const int* const start = lower.outerIndexPtr();
+  const int* const row = lower.innerIndexPtr();
+  const double* const value = lower.valuePtr();
+  const VectorX pivots = ldlt_->vectorD();  // a copy
+  std::vector<Vec3> x(b.size());
+  for (int i = 0; i < size(); ++i) x[positionOf(i)] = b[i];
+  for (int j = 0; j < size(); ++j) {
+    const double x0 = x[j][0], x1 = x[j][1], x2 = x[j][2];
+    for (int k = start[j]; k < start[j + 1]; ++k) {
+      double* const y = x[row[k]].data();
+      y[0] -= value[k] * x0, y[1] -= value[k] * x1, y[2] -= value[k] * x2;
+    }
+  }
+  for (int j = size() - 1; j >= 0; --j) {
+    double s0 = 0, s1 = 0, s2 = 0;
+    for (int k = start[j]; k < start[j + 1]; ++k) {
+      const double* const y = x[row[k]].data();
+      s0 += value[k] * y[0], s1 += value[k] * y[1], s2 += value[k] * y[2];
+    }
+    const Vec3 own = x[j] / pivots[j];
+    x[j] = Vec3(own[0] - s0, own[1] - s1, own[2] - s2);
+  }
+  for (int i = 0; i < size(); ++i) b[i] = x[positionOf(i)];
+}
+
+Eigen::Index SparseHessian::factorNonZeros() const {
+  return ldlt_->matrixL().nestedExpression().nonZeros();
+}
+
 VectorX SparseHessian::permuted(const VectorX& x) const {
   if (position_.empty()) return x;
   VectorX result(x.size());

@@ -54,6 +54,10 @@ class SparseHessian {
   /// False when the matrix is not positive definite.
   bool factorise();
   VectorX solve(const VectorX& b) const;
+  /// Solves for three right-hand sides at once, the columns of b, which becomes the solutions.
+  void solveThree(std::vector<Vec3>& b) const;
+  /// Entries of the factor below its diagonal; once it is analysed and factorised.
+  Eigen::Index factorNonZeros() const;
 
  private:
   using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor>;

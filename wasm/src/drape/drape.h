@@ -1,0 +1,83 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drape/drape_check.h"
+#include "drape/newton_cg.h"
+#include "drape/sewn_mesh.h"
+
+namespace seamwise {
+
+/// A garment to be draped.
+struct DrapeProblem {
+  SewnLevels levels;       ///< of `pattern`
+  Pattern pattern;         ///< meshed, as a solve has it
+  Shapes shapes;           ///< its pieces as cut, cm
+  std::vector<Vec2> warp;  ///< per piece the direction of its grain line, unit
+  Fabric fabric = kPoplin;
+  const DistanceField* body = nullptr;  ///< outlives the drape
+  Positions start;                      ///< of the coarse level's vertices, m: wrapped on the body
+  Positions settled;  ///< of the fine level's, m: where an earlier drape of other shapes left them;
+                      ///< where given, they are settled anew, from there and nothing else
+  ClothOptions options;
+  double budget = 100;  ///< of work, in factorisations of a 90 x 90 grid (ClothSolver::work)
+};
+
+/// Drapes a garment: sews it on the coarse mesh, lets it hang there with friction, settles it on
+/// the fine mesh, and looks at what came out. What it does depends on work only, never on time.
+class Drape {
+ public:
+  enum class Stage : std::uint8_t { kSew, kHang, kSettle, kDone };
+  struct StageReport {
+    Stage stage;
+    int vertices, steps;
+    double work;                   ///< spent in it
+    std::vector<double> energies;  ///< J, after every step
+  };
+
+  explicit Drape(DrapeProblem problem);
+  Drape(const Drape&) = delete;
+  Drape& operator=(const Drape&) = delete;
+
+  /// Goes on until about so much work is spent. False once it is done.
+  bool advance(double work);
+  Stage stage() const { return stage_; }
+  /// Of the budget or of the usual course, whichever is further, 0 to 1.
+  double fraction() const;
+  /// Of the vertices of the level that it works on, m.
+  const Positions& positions() const { return solver_->positions(); }
+  const SewnLevel& level() const;
+  double work() const { return spent_ + solver_->work(); }
+
+  const std::vector<StageReport>& stages() const { return stages_; }
+  /// Once it is done.
+  const DrapeCheck& check() const { return check_; }
+  /// What people should know, a sentence each; in "still moving by 3 mm" how far the last step
+  /// went.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  /// @param from   where settling begins
+  void begin(Stage stage, const Positions& from = {});
+  void step();
+  bool atRest() const { return quiet_ >= kQuietSteps; }
+  void finish();
+
+  static constexpr int kQuietSteps = 3;
+
+  DrapeProblem problem_;
+  SewnMesh coarse_, fine_;
+  std::unique_ptr<ClothSolver> solver_;
+  Stage stage_ = Stage::kSew;
+  int quiet_ = 0;        ///< steps in a row that hardly moved anything
+  double farthest_ = 0;  ///< m, in the last step
+  double spent_ = 0;     ///< by solvers of earlier levels
+  double began_ = 0;     ///< work at the start of the stage
+  std::vector<StageReport> stages_;
+  DrapeCheck check_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace seamwise

@@ -1,0 +1,132 @@
+#include "drape/drape_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace seamwise {
+namespace {
+
+DrapeCheck::Spread spreadOf(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return {values[n / 2], values[std::min(n - 1, n * 99 / 100)], values.back()};
+}
+
+/// Six times the volume of the tetrahedron a, b, c, d.
+double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = c - a, w = d - a;
+  return dot(u,
+             Vec3(v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]));
+}
+
+bool passes(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  if ((volume(p, a, b, c) > 0) == (volume(q, a, b, c) > 0)) return false;
+  const bool side = volume(p, q, a, b) > 0;
+  return side == (volume(p, q, b, c) > 0) && side == (volume(p, q, c, a) > 0);
+}
+
+/// Low and high corner of what holds some points.
+struct Box {
+  Vec3 low, high;
+};
+template <class... Rest>
+Box boxOf(const Vec3& first, const Rest&... rest) {
+  Box box{first, first};
+  for (const Vec3* p : {&rest...})
+    for (int c = 0; c < 3; ++c)
+      box.low[c] = std::min(box.low[c], (*p)[c]), box.high[c] = std::max(box.high[c], (*p)[c]);
+  return box;
+}
+
+bool overlap(const Box& a, const Box& b) {
+  for (int c = 0; c < 3; ++c)
+    if (a.low[c] > b.high[c] || b.low[c] > a.high[c]) return false;
+  return true;
+}
+
+/// A cell of a grid in space that the box of a triangle or an edge reaches into.
+struct Entry {
+  std::array<int, 3> cell;
+  int item;
+  bool operator<(const Entry& other) const {
+    return cell != other.cell ? cell < other.cell : item < other.item;
+  }
+};
+
+std::vector<Entry> entriesOf(const std::vector<Box>& boxes, double size) {
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    std::array<int, 3> low{}, high{};
+    for (int c = 0; c < 3; ++c) {
+      low[c] = static_cast<int>(std::floor(boxes[i].low[c] / size));
+      high[c] = static_cast<int>(std::floor(boxes[i].high[c] / size));
+    }
+    for (int a = low[0]; a <= high[0]; ++a)
+      for (int b = low[1]; b <= high[1]; ++b)
+        for (int c = low[2]; c <= high[2]; ++c) entries.push_back({{a, b, c}, static_cast<int>(i)});
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+}  // namespace
+
+int countCrossings(const SewnMesh& mesh, const Positions& x) {
+  std::vector<std::pair<int, int>> edges = mesh.edges();
+  for (auto& [a, b] : edges)
+    if (a > b) std::swap(a, b);
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<Box> of_edges, of_triangles;
+  double size = 0;
+  for (const auto& [a, b] : edges) {
+    of_edges.push_back(boxOf(x[a], x[b]));
+    size = std::max(size, length(x[b] - x[a]));
+  }
+  for (const auto& t : mesh.triangles)
+    of_triangles.push_back(boxOf(x[t.vertices[0]], x[t.vertices[1]], x[t.vertices[2]]));
+  const std::vector<Entry> by_edge = entriesOf(of_edges, size),
+                           by_triangle = entriesOf(of_triangles, size);
+  std::vector<std::pair<int, int>> found;
+  for (std::size_t e = 0, t = 0; e < by_edge.size(); ++e) {
+    while (t < by_triangle.size() && by_triangle[t].cell < by_edge[e].cell) ++t;
+    const auto& [p, q] = edges[by_edge[e].item];
+    for (std::size_t k = t; k < by_triangle.size() && by_triangle[k].cell == by_edge[e].cell; ++k) {
+      const auto& [a, b, c] = mesh.triangles[by_triangle[k].item].vertices;
+      if (p == a || p == b || p == c || q == a || q == b || q == c) continue;
+      if (!overlap(of_edges[by_edge[e].item], of_triangles[by_triangle[k].item])) continue;
+      if (passes(x[p], x[q], x[a], x[b], x[c]))
+        found.emplace_back(by_edge[e].item, by_triangle[k].item);
+    }
+  }
+  std::sort(found.begin(), found.end());  // seen in every cell that both reach into
+  return static_cast<int>(std::unique(found.begin(), found.end()) - found.begin());
+}
+
+DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body) {
+  DrapeCheck check;
+  std::vector<double> tensions, compressions;
+  for (const Vec3& at : x) check.depth = std::max(check.depth, -body.distance(at, nullptr));
+  for (const SewnMesh::Triangle& t : mesh.triangles) {
+    Vec3 weft = Vec3::Zero(), warp = Vec3::Zero(), middle = Vec3::Zero();
+    for (int k = 0; k < 3; ++k)
+      for (int c = 0; c < 3; ++c) {
+        const double at = x[t.vertices[k]][c];
+        weft[c] += t.weft[k] * at, warp[c] += t.warp[k] * at, middle[c] += at / 3;
+      }
+    check.depth = std::max(check.depth, -body.distance(middle, nullptr));
+    // roots of the eigenvalues of [weft warp]^T [weft warp]
+    const double a = dot(weft, weft), b = dot(weft, warp), c = dot(warp, warp);
+    const double mean = (a + c) / 2, spread = std::sqrt((a - c) * (a - c) / 4 + b * b);
+    tensions.push_back(std::max(0.0, std::sqrt(mean + spread) - 1));
+    compressions.push_back(std::max(0.0, 1 - std::sqrt(std::max(0.0, mean - spread))));
+  }
+  check.tension = spreadOf(std::move(tensions));
+  check.compression = spreadOf(std::move(compressions));
+  check.crossings = countCrossings(mesh, x);
+  return check;
+}
+
+}  // namespace seamwise

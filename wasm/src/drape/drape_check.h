@@ -1,0 +1,24 @@
+#pragma once
+#include "drape/distance.h"
+#include "drape/sewn_mesh.h"
+
+namespace seamwise {
+
+/// What can be measured of a draped garment. Seams meet, as both sides are one vertex.
+struct DrapeCheck {
+  /// Of a quantity over all triangles.
+  struct Spread {
+    double median = 0, p99 = 0, most = 0;
+  };
+  double depth = 0;    ///< m that a vertex or a triangle's middle is inside the body, at most
+  Spread tension;      ///< largest principal stretch less 1, where it is above 0
+  Spread compression;  ///< 1 less the smallest, likewise
+  int crossings = 0;   ///< pairs of an edge and a triangle that it passes through
+};
+
+DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body);
+
+/// Pairs of an edge and a triangle without a common vertex that it passes through.
+int countCrossings(const SewnMesh& mesh, const Positions& x);
+
+}  // namespace seamwise

@@ -1,0 +1,49 @@
+#pragma once
+#include <array>
+
+namespace seamwise {
+
+/// What a cloth resists with. SI throughout: stiffnesses of a sheet in N/m, of bending in N m.
+struct Fabric {
+  const char* name;
+  double density;     ///< kg/m2
+  double warp, weft;  ///< N/m: force per width over strain, along and across the grain
+  double coupling;    ///< N/m: tension across per strain along; below sqrt(warp weft)
+  double shear;       ///< N/m
+  double stiff_from;  ///< tension beyond which threads are straight and ...
+  double stiffening;  ///< ... warp and weft are so many times as stiff
+  double bending_warp, bending_weft;  ///< N m, when the warp, the weft is bent
+  double friction;                    ///< coefficient, on the linen cover of a form
+  double offset;                      ///< m, between the form and the middle of the cloth
+};
+
+// Stiffness of cloth rises by an order of magnitude within the first tenth of strain; two straight
+// pieces follow the measured curves of H. Wang, J. O'Brien, R. Ramamoorthi, "Data-Driven Elastic
+// Models for Cloth", SIGGRAPH 2011 (table of materials; also meant by "Wang" below).
+
+// Friction and offsets are chosen, and so is what is named as chosen below.
+
+/// Cotton poplin, a shirt's and a summer dress's. Wang, white dots on black: 128 g/m2, 2000-2170
+/// N/m, shear 17-100, bending 10-66e-6. Bending as KES finds it for shirtings, about 0.07 gf cm2/cm
+/// = 7e-6 N m. Coupling: Poisson's ratio 0.24 of plain cotton, 150 g/m2 (Penava et al. 2014).
+inline constexpr Fabric kPoplin{"poplin", 0.12, 2000, 1800, 450, 60,
+                                0.03,     4,    9e-6, 7e-6, 0.4, 0.0015};
+
+/// Single jersey. Wang, gray interlock: 187 g/m2, 34-414 N/m along the wales, 17-140 along the
+/// courses, bending 7-39e-6. Coupling chosen, and that loops straighten beyond 15 %.
+inline constexpr Fabric kJersey{"jersey", 0.17, 130, 50, 20, 35, 0.15, 8, 5e-6, 4e-6, 0.5, 0.0012};
+
+/// Denim of 11 oz. Wang, 11oz black denim: 324 g/m2, 1014-1060 and 205-232 N/m, shear 53-84,
+/// bending 60-120e-6. Coupling chosen.
+inline constexpr Fabric kDenim{"denim", 0.32, 1050, 220, 70, 70, 0.03, 4, 80e-6, 60e-6, 0.5, 0.002};
+
+/// Silk or polyester chiffon. Density as traded; bending such that a disc drapes as silks do, drape
+/// coefficient 20-40 (Matsudaira 2003); all other stiffnesses chosen.
+inline constexpr Fabric kChiffon{"chiffon", 0.05, 900,    700,    160, 15,
+                                 0.03,      4,    0.8e-6, 0.6e-6, 0.3, 0.001};
+
+inline constexpr std::array<Fabric, 4> kFabrics{kPoplin, kJersey, kDenim, kChiffon};
+
+inline constexpr double kGravity = 9.81;  ///< m/s2
+
+}  // namespace seamwise

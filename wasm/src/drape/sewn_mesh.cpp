@@ -1,0 +1,249 @@
+#include "drape/sewn_mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "drape/mesh_places.h"
+#include "mesh/coarser.h"
+#include "mesh/mesh.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kCentimetre = 0.01;  ///< m
+
+/// A pattern with its outlines and cut-outs only, and per piece where its vertices were before.
+struct Outlines {
+  Pattern pattern;
+  std::vector<std::vector<int>> vertices;
+};
+
+std::size_t boundaryOf(const Piece& piece) {
+  std::size_t count = 0;
+  for (const std::vector<int>& loop : loopsOf(piece)) count += loop.size();
+  return count;
+}
+
+Outlines outlinesOf(const Pattern& pattern, double longest) {
+  auto coarser = coarsened(pattern, longest);
+  Outlines outlines{coarser ? std::move(coarser->pattern) : pattern, {}};
+  for (std::size_t p = 0; p < outlines.pattern.pieces.size(); ++p) {
+    Piece& piece = outlines.pattern.pieces[p];
+    const std::size_t count = boundaryOf(piece);
+    piece.rest.resize(count);
+    piece.triangles.clear();
+    std::vector<int>& from = outlines.vertices.emplace_back(count, -1);
+    if (!coarser) {
+      for (std::size_t v = 0; v < count; ++v) from[v] = static_cast<int>(v);
+      continue;
+    }
+    const auto& places = coarser->places[p];
+    for (std::size_t v = 0; v < places.size(); ++v)
+      if (places[v].share == 0) from[places[v].from] = static_cast<int>(v);
+  }
+  for (Mirror& mirror : outlines.pattern.mirrors)
+    mirror.image.resize(outlines.pattern.pieces[mirror.pieces[0]].rest.size());
+  return outlines;
+}
+
+/// Numbers the vertices of all pieces, those that seams join as one, in the order of the pieces.
+void sew(SewnLevel& level) {
+  std::vector<int> first;
+  int count = 0;
+  for (const Piece& piece : level.pattern.pieces) {
+    first.push_back(count);
+    count += static_cast<int>(piece.rest.size());
+  }
+  DisjointSets sets(count);
+  for (const Seam& seam : level.pattern.seams)
+    for (std::size_t k = 0; k < seam.a.vertices.size(); ++k)
+      sets.join(first[seam.a.piece] + seam.a.vertices[k], first[seam.b.piece] + seam.b.vertices[k]);
+  std::vector<int> number(count, -1);
+  level.size = 0, level.sewn.clear();
+  for (std::size_t p = 0; p < first.size(); ++p) {
+    std::vector<int>& sewn = level.sewn.emplace_back();
+    for (std::size_t v = 0; v < level.pattern.pieces[p].rest.size(); ++v) {
+      int& known = number[sets.find(first[p] + static_cast<int>(v))];
+      if (known < 0) known = level.size++;
+      sewn.push_back(known);
+    }
+  }
+}
+
+/// Where every vertex of `mesh` lies in the pieces of `in`.
+std::vector<std::vector<MeshPlace>> placesIn(const Pattern& in, const Pattern& mesh) {
+  std::vector<std::vector<MeshPlace>> places;
+  for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {
+    const MeshPlaces found(in.pieces[p]);
+    std::vector<MeshPlace>& of_piece = places.emplace_back();
+    for (const Vec2& at : mesh.pieces[p].rest) of_piece.push_back(found.at(at));
+  }
+  return places;
+}
+
+/// A vertex kept from the pattern is there exactly, whatever a search for it says.
+void keep(const Piece& piece, const std::vector<int>& vertices, std::vector<MeshPlace>& places) {
+  std::vector<std::pair<int, int>> corner(piece.rest.size(), {-1, -1});
+  for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) corner[piece.triangles[t][k]] = {static_cast<int>(t), k};
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const auto [triangle, k] = vertices[v] < 0 ? std::pair(-1, -1) : corner[vertices[v]];
+    if (triangle < 0) continue;
+    places[v] = {triangle, {}};
+    places[v].weights[k] = 1;
+  }
+}
+
+Vec2 at(const MeshPlace& place, const Piece& piece, const std::vector<Vec2>& points) {
+  Vec2 sum = Vec2::Zero();
+  for (int k = 0; k < 3; ++k) sum += place.weights[k] * points[piece.triangles[place.triangle][k]];
+  return sum;
+}
+
+}  // namespace
+
+Outcome<SewnLevel> sewnLevel(const Pattern& pattern, double edge) {
+  Outlines outlines = outlinesOf(pattern, edge);
+  Outcome<Pattern> mesh = meshed(std::move(outlines.pattern), edge);
+  if (!mesh.ok()) return mesh.error();
+  SewnLevel level;
+  level.pattern = std::move(mesh).value();
+  level.places = placesIn(pattern, level.pattern);
+  for (std::size_t p = 0; p < level.places.size(); ++p)
+    keep(pattern.pieces[p], outlines.vertices[p], level.places[p]);
+  sew(level);
+  return level;
+}
+
+Outcome<SewnLevels> sewnLevels(const Pattern& pattern, double coarse, double fine) {
+  Outcome<SewnLevel> larger = sewnLevel(pattern, coarse), smaller = sewnLevel(pattern, fine);
+  if (!larger.ok()) return larger.error();
+  if (!smaller.ok()) return smaller.error();
+  SewnLevels levels{std::move(larger).value(), std::move(smaller).value(), {}};
+  levels.places = placesIn(levels.coarse.pattern, levels.fine.pattern);
+  return levels;
+}
+
+Positions prolonged(const SewnLevels& levels, const Positions& coarse) {
+  Positions fine(levels.fine.size, Vec3::Zero());
+  std::vector<int> count(fine.size(), 0);
+  for (std::size_t p = 0; p < levels.places.size(); ++p) {
+    for (std::size_t v = 0; v < levels.places[p].size(); ++v) {
+      const MeshPlace& place = levels.places[p][v];
+      const auto& corners = levels.coarse.pattern.pieces[p].triangles[place.triangle];
+      const int i = levels.fine.sewn[p][v];
+      for (int k = 0; k < 3; ++k)
+        fine[i] += place.weights[k] * coarse[levels.coarse.sewn[p][corners[k]]];
+      ++count[i];
+    }
+  }
+  for (std::size_t i = 0; i < fine.size(); ++i) fine[i] /= count[i];
+  return fine;
+}
+
+Shapes shapesOf(const SewnLevel& level, const Pattern& pattern, const Shapes& shapes) {
+  Shapes result;
+  for (std::size_t p = 0; p < level.places.size(); ++p) {
+    std::vector<Vec2>& points = result.emplace_back();
+    for (const MeshPlace& place : level.places[p])
+      points.push_back(at(place, pattern.pieces[p], shapes[p]));
+  }
+  return result;
+}
+
+std::vector<std::pair<int, int>> SewnMesh::edges() const {
+  std::vector<std::pair<int, int>> all;
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) all.emplace_back(t.vertices[k], t.vertices[(k + 1) % 3]);
+  return all;
+}
+
+std::vector<std::pair<int, int>> SewnMesh::pairs() const {
+  std::vector<std::pair<int, int>> all = edges();
+  for (const Hinge& h : hinges) all.emplace_back(h.vertices[2], h.vertices[3]);
+  return all;
+}
+
+namespace {
+
+/// One side of an edge: the triangle it belongs to.
+struct EdgeSide {
+  int from, to;  ///< sewn, from < to
+  int opposite;
+  double area;
+  double cot_from, cot_to;  ///< of the triangle's angles at the ends
+  double warp;              ///< cos2 of the angle between the edge's normal and the warp
+};
+
+/// The edge opposite corner k; p: the corners in the grain's frame, m.
+EdgeSide sideOf(const SewnMesh::Triangle& t, const std::array<Vec2, 3>& p, int k) {
+  int a = (k + 1) % 3, b = (k + 2) % 3;
+  if (t.vertices[a] > t.vertices[b]) std::swap(a, b);
+  const Vec2 edge = p[b] - p[a], ka = p[k] - p[a], kb = p[k] - p[b];
+  const double cot_a = (edge.x() * ka.x() + edge.y() * ka.y()) / (2 * t.area);
+  const double cot_b = -(edge.x() * kb.x() + edge.y() * kb.y()) / (2 * t.area);
+  const double squared = edge.x() * edge.x() + edge.y() * edge.y();
+  return {t.vertices[a],
+          t.vertices[b],
+          t.vertices[k],
+          t.area,
+          cot_a,
+          cot_b,
+          edge.x() * edge.x() / squared};
+}
+
+SewnMesh::Hinge hingeOf(const EdgeSide& s, const EdgeSide& t) {
+  return {{s.from, s.to, s.opposite, t.opposite},
+          {s.cot_to + t.cot_to, s.cot_from + t.cot_from, -(s.cot_from + s.cot_to),
+           -(t.cot_from + t.cot_to)},
+          s.area + t.area,
+          (s.warp + t.warp) / 2};
+}
+
+}  // namespace
+
+SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vector<Vec2>& warp) {
+  SewnMesh mesh;
+  mesh.size = level.size;
+  mesh.area.assign(level.size, 0);
+  std::vector<EdgeSide> sides;
+  for (std::size_t p = 0; p < shapes.size(); ++p) {
+    const Vec2 along = warp[p], across(along.y(), -along.x());
+    for (const auto& corners : level.pattern.pieces[p].triangles) {
+      SewnMesh::Triangle t{};
+      std::array<Vec2, 3> q;  // weft, warp
+      for (int k = 0; k < 3; ++k) {
+        const Vec2& at = shapes[p][corners[k]];
+        t.vertices[k] = level.sewn[p][corners[k]];
+        q[k] = kCentimetre * Vec2(across.x() * at.x() + across.y() * at.y(),
+                                  along.x() * at.x() + along.y() * at.y());
+      }
+      t.area = triangleArea(q[0], q[1], q[2]);
+      if (t.vertices[0] == t.vertices[1] || t.vertices[1] == t.vertices[2] ||
+          t.vertices[2] == t.vertices[0] || !(t.area > 0))
+        continue;
+      for (int k = 0; k < 3; ++k) {
+        const Vec2 gradient = perp(q[(k + 2) % 3] - q[(k + 1) % 3]) / (2 * t.area);
+        t.weft[k] = gradient.x(), t.warp[k] = gradient.y();
+        mesh.area[t.vertices[k]] += t.area / 3;
+        sides.push_back(sideOf(t, q, k));
+      }
+      mesh.triangles.push_back(t);
+    }
+  }
+  std::stable_sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
+    return std::pair(a.from, a.to) < std::pair(b.from, b.to);
+  });
+  for (std::size_t k = 0; k < sides.size();) {
+    std::size_t end = k + 1;
+    while (end < sides.size() && sides[end].from == sides[k].from && sides[end].to == sides[k].to)
+      ++end;
+    if (end - k == 2 && sides[k].opposite != sides[k + 1].opposite)
+      mesh.hinges.push_back(hingeOf(sides[k], sides[k + 1]));
+    k = end;
+  }
+  return mesh;
+}
+
+}  // namespace seamwise

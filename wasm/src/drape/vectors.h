@@ -1,0 +1,47 @@
+#pragma once
+#include <cmath>
+#include <vector>
+
+#include "geometry/vec2.h"
+
+namespace seamwise {
+
+using Mat3 = Eigen::Matrix3d;
+
+/// Where the vertices of a cloth are, or a force or a step for each. [m, unless said]
+using Positions = std::vector<Vec3>;
+
+// Products are written out, since Eigen adds in another order where it vectorises, and a difference
+// of the last digit ends as a fold elsewhere.
+
+inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+
+inline double dot(const Positions& a, const Positions& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
+  return sum;
+}
+
+/// y += factor x
+inline void addScaled(Positions& y, double factor, const Positions& x) {
+  for (std::size_t i = 0; i < y.size(); ++i)
+    for (int c = 0; c < 3; ++c) y[i][c] += factor * x[i][c];
+}
+
+/// factor a b^T
+inline Mat3 outer(double factor, const Vec3& a, const Vec3& b) {
+  Mat3 m;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) m(r, c) = factor * a[r] * b[c];
+  return m;
+}
+
+/// factor times the identity
+inline Mat3 scalar(double factor) {
+  Mat3 m = Mat3::Zero();
+  for (int c = 0; c < 3; ++c) m(c, c) = factor;
+  return m;
+}
+
+}  // namespace seamwise
