@@ -38,14 +38,14 @@ const Form& form() {
   return kForm;
 }
 
-Positions wrap(const Sample& sample) {
-  Outcome<Positions> positions = wrapped(sample.garment, sample.pattern, form());
+PiecePositions wrap(const Sample& sample) {
+  Outcome<PiecePositions> positions = wrapped(sample.garment, sample.pattern, form());
   EXPECT_TRUE(positions.ok()) << positions.error().message;
   return std::move(positions).value();
 }
 
 // How long the edges of the triangles are, as shares of their lengths in the piece; sorted.
-std::vector<double> stretches(const Pattern& pattern, const Positions& positions) {
+std::vector<double> stretches(const Pattern& pattern, const PiecePositions& positions) {
   std::vector<double> out;
   for (std::size_t p = 0; p < positions.size(); ++p)
     for (const std::array<int, 3>& triangle : pattern.pieces[p].triangles)
@@ -62,7 +62,7 @@ class DrapeSamples : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(DrapeSamples, AreWrappedOutsideTheFormSewnAndHardlyStretched) {
   const Sample sample = sampleOf(std::string(GetParam()) + "-m");
-  const Positions positions = wrap(sample);
+  const PiecePositions positions = wrap(sample);
   const Hanging hanging = hang(sample.garment, sample.pattern, form()).value();
   ASSERT_EQ(hanging.parts.size(), sample.pattern.pieces.size());
   for (std::size_t p = 0; p < positions.size(); ++p)
@@ -107,7 +107,7 @@ TEST(DrapeParts, AreFoundByPlacement) {
 TEST(DrapeWrap, KeepsSymmetricGarmentsExactlySymmetric) {
   for (const char* name : {"tee-m", "princess-dress-m", "trousers-m"}) {
     const Sample sample = sampleOf(name);
-    const Positions positions = wrap(sample);
+    const PiecePositions positions = wrap(sample);
     for (const Mirror& mirror : sample.pattern.mirrors)
       for (std::size_t v = 0; v < mirror.image.size(); ++v)
         EXPECT_EQ(positions[mirror.pieces[1]][mirror.image[v]],
@@ -117,7 +117,7 @@ TEST(DrapeWrap, KeepsSymmetricGarmentsExactlySymmetric) {
 
 TEST(DrapeWrap, ClosesARingAtTheWidthOfItsPieces) {
   const Sample sample = sampleOf("tee-m");
-  const Positions positions = wrap(sample);
+  const PiecePositions positions = wrap(sample);
   // Around the hem, vertex by vertex.
   double around = 0, width = 0;
   for (const int p : {0, 1}) {
@@ -159,7 +159,7 @@ Sample reversed(Sample sample) {
 TEST(DrapeWrap, GivesTheSameBytesWhateverTheOrderAndTheNamesOfPieces) {
   for (const char* name : {"tee-m", "trousers-m", "shirt-m"}) {
     const Sample sample = sampleOf(name);
-    Positions other = wrap(reversed(sample));
+    PiecePositions other = wrap(reversed(sample));
     std::reverse(other.begin(), other.end());
     EXPECT_TRUE(wrap(sample) == other) << name;
   }
@@ -167,9 +167,9 @@ TEST(DrapeWrap, GivesTheSameBytesWhateverTheOrderAndTheNamesOfPieces) {
 
 TEST(DrapeWrap, LiftsGarmentsThatHangAboutTheOriginOntoTheFloor) {
   Sample sample = sampleOf("tee-m");
-  const Positions there = wrap(sample);
+  const PiecePositions there = wrap(sample);
   for (Panel& panel : sample.garment.panels) panel.placement_shift.y() -= 112.07;
-  const Positions lifted = wrap(sample);
+  const PiecePositions lifted = wrap(sample);
   for (std::size_t p = 0; p < there.size(); ++p)
     for (std::size_t v = 0; v < there[p].size(); ++v)
       EXPECT_LT((there[p][v] - lifted[p][v]).norm(), 1e-6);
@@ -180,7 +180,7 @@ TEST(DrapeWrap, SaysWhatIsWrongWithPlacements) {
   const auto messageOf = [&](const auto& change) {
     Sample bad = sample;
     for (Panel& panel : bad.garment.panels) change(&panel);
-    const Outcome<Positions> positions = wrapped(bad.garment, bad.pattern, form());
+    const Outcome<PiecePositions> positions = wrapped(bad.garment, bad.pattern, form());
     return positions.ok() ? std::string() : positions.error().message;
   };
   EXPECT_EQ(messageOf([](Panel* panel) {
@@ -200,7 +200,7 @@ TEST(DrapeWrap, SaysWhatIsWrongWithPlacements) {
 
 TEST(DrapeWrap, LaysOneFrontOverTheOther) {
   const Sample sample = sampleOf("shirt-m");
-  const Positions positions = wrap(sample);
+  const PiecePositions positions = wrap(sample);
   // Where they overlap, half way down: the wearer's right front is further out.
   const auto outermost = [&](int piece) {
     double z = -1e9;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/decimal.h"
+
 namespace seamwise {
 namespace {
 
@@ -90,8 +92,7 @@ void Drape::finish() {
   } else if (!atRest()) {
     const int millimetres = static_cast<int>(1000 * farthest_ + 0.5);
     notes_.push_back("The garment is still moving by " +
-                     (millimetres < 1 ? "less than 1" : std::to_string(millimetres)) +
-                     " mm in a step.");
+                     (millimetres < 1 ? "less than 1" : decimal(millimetres)) + " mm in a step.");
   }
   check_ = checkDrape(fine_, positions(), *problem_.body);
   begin(Stage::kDone);

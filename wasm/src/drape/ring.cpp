@@ -205,7 +205,7 @@ void Ring::draw(Level& level, double at) const {
   const auto girthOf = [](const std::vector<Vec2>& polygon) {
     double sum = 0;
     for (std::size_t k = 0; k < polygon.size(); ++k)
-      sum += length(Vec2(polygon[(k + 1) % polygon.size()] - polygon[k]));
+      sum += planarLength(Vec2(polygon[(k + 1) % polygon.size()] - polygon[k]));
     return sum;
   };
   level.line = line(0);
@@ -220,7 +220,7 @@ void Ring::draw(Level& level, double at) const {
   level.arc.assign(1, 0.0);
   for (int k = 0; k < count; ++k)
     level.arc.push_back(level.arc.back() +
-                        length(Vec2(level.line[(k + 1) % count] - level.line[k])));
+                        planarLength(Vec2(level.line[(k + 1) % count] - level.line[k])));
 }
 
 Vec2 Ring::onLine(const Level& level, double arc) const {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "drape/vec3.h"
+#include "drape/vectors.h"
 #include "drape/weld.h"
 
 namespace seamwise {
@@ -44,7 +44,7 @@ class Settling {
         for (int knot : weld_.knot[p]) parts_[knot] &= ~kArms;
   }
 
-  void run(Positions* positions) {
+  void run(PiecePositions* positions) {
     for (const auto& members : weld_.members) {
       Vec3 sum = Vec3::Zero();
       for (const Weld::Member& m : members) sum += (*positions)[m.piece][m.vertex];
@@ -108,7 +108,8 @@ class Settling {
         for (int e = 0; e < 3; ++e) {
           const int u = triangle[e], v = triangle[(e + 1) % 3];
           const int a = weld_.knot[p][u], b = weld_.knot[p][v];
-          const double rest = length(Vec2(pattern_.pieces[p].rest[v] - pattern_.pieces[p].rest[u]));
+          const double rest =
+              planarLength(Vec2(pattern_.pieces[p].rest[v] - pattern_.pieces[p].rest[u]));
           const Vec3 edge = x_[b] - x_[a];
           const double now = length(edge);
           ++count[a], ++count[b];
@@ -157,7 +158,8 @@ class Settling {
 }  // namespace
 
 void settle(const Pattern& pattern, const Form& form, const Hanging& hanging,
-            const std::vector<bool>& on_top, const WrapSettings& settings, Positions* positions) {
+            const std::vector<bool>& on_top, const WrapSettings& settings,
+            PiecePositions* positions) {
   Settling(pattern, form, hanging, on_top, settings).run(positions);
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/disjoint_sets.h"
 #include "drape/mesh_places.h"
+#include "drape/weld.h"
 #include "mesh/coarser.h"
 #include "mesh/mesh.h"
 
@@ -45,30 +45,6 @@ Outlines outlinesOf(const Pattern& pattern, double longest) {
   for (Mirror& mirror : outlines.pattern.mirrors)
     mirror.image.resize(outlines.pattern.pieces[mirror.pieces[0]].rest.size());
   return outlines;
-}
-
-/// Numbers the vertices of all pieces, those that seams join as one, in the order of the pieces.
-void sew(SewnLevel& level) {
-  std::vector<int> first;
-  int count = 0;
-  for (const Piece& piece : level.pattern.pieces) {
-    first.push_back(count);
-    count += static_cast<int>(piece.rest.size());
-  }
-  DisjointSets sets(count);
-  for (const Seam& seam : level.pattern.seams)
-    for (std::size_t k = 0; k < seam.a.vertices.size(); ++k)
-      sets.join(first[seam.a.piece] + seam.a.vertices[k], first[seam.b.piece] + seam.b.vertices[k]);
-  std::vector<int> number(count, -1);
-  level.size = 0, level.sewn.clear();
-  for (std::size_t p = 0; p < first.size(); ++p) {
-    std::vector<int>& sewn = level.sewn.emplace_back();
-    for (std::size_t v = 0; v < level.pattern.pieces[p].rest.size(); ++v) {
-      int& known = number[sets.find(first[p] + static_cast<int>(v))];
-      if (known < 0) known = level.size++;
-      sewn.push_back(known);
-    }
-  }
 }
 
 /// Where every vertex of `mesh` lies in the pieces of `in`.
@@ -112,7 +88,9 @@ Outcome<SewnLevel> sewnLevel(const Pattern& pattern, double edge) {
   level.places = placesIn(pattern, level.pattern);
   for (std::size_t p = 0; p < level.places.size(); ++p)
     keep(pattern.pieces[p], outlines.vertices[p], level.places[p]);
-  sew(level);
+  Weld weld = welded(level.pattern);
+  level.size = static_cast<int>(weld.members.size());
+  level.sewn = std::move(weld.knot), level.image = std::move(weld.image);
   return level;
 }
 

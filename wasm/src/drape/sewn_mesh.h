@@ -22,6 +22,8 @@ struct SewnLevel {
   std::vector<std::vector<MeshPlace>> places;  ///< per piece, per vertex: in the given pattern
   std::vector<std::vector<int>> sewn;          ///< per piece, per vertex: its number in the cloth
   int size = 0;                                ///< of the cloth, vertices
+  /// Per vertex of the cloth its image by the pattern's mirrors; empty unless they cover the cloth.
+  std::vector<int> image;
 };
 
 /// Two meshes of one garment. A shape that changes leaves both as they are.

@@ -41,7 +41,8 @@ std::vector<Vec2> Section::polygon() const {
 double Section::girth() const {
   const std::vector<Vec2> corners = polygon();
   double sum = 0;
-  for (int k = 0; k < kCorners; ++k) sum += length(Vec2(corners[(k + 1) % kCorners] - corners[k]));
+  for (int k = 0; k < kCorners; ++k)
+    sum += planarLength(Vec2(corners[(k + 1) % kCorners] - corners[k]));
   return sum;
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "drape/jet.h"
-#include "drape/vec3.h"
+#include "drape/vectors.h"
 
 namespace seamwise {
 

@@ -14,8 +14,19 @@ using Positions = std::vector<Vec3>;
 // Products are written out, since Eigen adds in another order where it vectorises, and a difference
 // of the last digit ends as a fold elsewhere.
 
-inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+inline double dot(const Vec3& a, const Vec3& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+inline double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
+inline double planarLength(const Vec2& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); }
+
+inline Vec3 crossProduct(const Vec3& a, const Vec3& b) {
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
+          a.x() * b.y() - a.y() * b.x()};
+}
+
+/// The image in the body's middle plane x = 0.
+inline Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
 inline double dot(const Positions& a, const Positions& b) {
   double sum = 0;

@@ -1,5 +1,7 @@
 #include "drape/weld.h"
 
+#include <numeric>
+
 #include "base/disjoint_sets.h"
 
 namespace seamwise {
@@ -51,6 +53,12 @@ Weld welded(const Pattern& pattern, const std::vector<int>& order) {
     }
   weld.image = imagesOf(pattern, weld);
   return weld;
+}
+
+Weld welded(const Pattern& pattern) {
+  std::vector<int> order(pattern.pieces.size());
+  std::iota(order.begin(), order.end(), 0);
+  return welded(pattern, order);
 }
 
 }  // namespace seamwise

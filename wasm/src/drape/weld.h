@@ -19,5 +19,7 @@ struct Weld {
 
 /// @param order   of the pieces, in which sewn vertices are numbered
 Weld welded(const Pattern& pattern, const std::vector<int>& order);
+/// In the order of the pattern.
+Weld welded(const Pattern& pattern);
 
 }  // namespace seamwise

@@ -30,11 +30,11 @@ class Wrapper {
         hanging_(hanging),
         settings_(settings) {}
 
-  Positions run() {
+  PiecePositions run() {
     findLayers();
     layOut();
     agreeOnHeights();
-    Positions positions(pattern_.pieces.size());
+    PiecePositions positions(pattern_.pieces.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
       positions[i].resize(pattern_.pieces[i].rest.size());
     windAll(&positions);
@@ -79,7 +79,7 @@ class Wrapper {
         up = {-side * placed.right.x(), 0};
         level = form_.shoulderPoint().x() - side * placed(middle).x();
       }
-      const double length_up = length(up);
+      const double length_up = planarLength(up);
       up = length_up > 0.5 ? Vec2(up / length_up) : Vec2(0, 1);
       std::vector<Vec2> flat;
       for (const Vec2& p : piece.rest) {
@@ -147,7 +147,7 @@ class Wrapper {
     return Ring(tube, pattern_, std::move(pieces), fold);
   }
 
-  void windAll(Positions* positions) {
+  void windAll(PiecePositions* positions) {
     for (int p = 0; p < kBodyParts; ++p) {
       const auto part = static_cast<BodyPart>(p);
       const std::optional<Ring> ring = ringOf(part);
@@ -185,12 +185,12 @@ class Wrapper {
 
 }  // namespace
 
-Outcome<Positions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
-                           const WrapSettings& settings) {
+Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
+                                const WrapSettings& settings) {
   const Outcome<Hanging> hanging = hang(garment, pattern, form);
   if (!hanging.ok()) return hanging.error();
   Wrapper wrapper(garment, pattern, form, hanging.value(), settings);
-  Positions positions = wrapper.run();
+  PiecePositions positions = wrapper.run();
   settle(pattern, form, hanging.value(), wrapper.onTop(), settings, &positions);
   return positions;
 }

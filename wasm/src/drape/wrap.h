@@ -6,7 +6,7 @@
 namespace seamwise {
 
 /// Where the vertices of the pieces are in space: per piece, per vertex, cm.
-using Positions = std::vector<std::vector<Vec3>>;
+using PiecePositions = std::vector<std::vector<Vec3>>;
 
 struct WrapSettings {
   /// Length at which the fabric bends under its own weight: (bending stiffness / weight)^(1/3). A
@@ -25,7 +25,7 @@ struct WrapSettings {
 /// it. Exactly symmetric when the pattern's mirrors cover it and agree with its placement. The same
 /// bytes whatever the order and the names of the pieces.
 /// Errors: those of hang().
-Outcome<Positions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
-                           const WrapSettings& settings = {});
+Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
+                                const WrapSettings& settings = {});
 
 }  // namespace seamwise
