@@ -22,7 +22,6 @@ const coreRooms = [
   'alignment/search',
   'seam',
   'mesh',
-  'drape',
   'deform',
   'drape',
   'problem',

@@ -6,7 +6,7 @@ import {convert, memory, solve, symmetries, type Problem} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
 import {SharedModule} from '@/solver/answers/shared-module.js';
-import {seamwise} from '@/solver/module/load-seamwise.js';
+import {seamwise} from '@/solver/module/load.js';
 import {problemTexts} from '@/solver/requests/texts.js';
 import {Solver} from '@/solver/seamwise/solver.js';
 import {checks, sample, twoStrips} from './garments.js';

@@ -5,7 +5,7 @@ import {expect, it} from 'vitest';
 
 import {localAnswerer} from '@/solver/answering.js';
 import {SharedModule} from '@/solver/answers/shared-module.js';
-import {seamwise} from '@/solver/module/load-seamwise.js';
+import {seamwise} from '@/solver/module/load.js';
 import {warmUpProblems} from '@/solver/warm-up.js';
 import {twoStrips} from './garments.js';
 

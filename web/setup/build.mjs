@@ -21,6 +21,8 @@ import {main, must, root, say, SetupError, tool} from './shell.mjs';
 import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const moduleFolder = 'web/src/solver/module';
+/** What the modules are; the second is fetched only when a garment is draped. */
+const moduleFiles = ['seamwise.mjs', 'seamwise.wasm', 'drape.mjs', 'drape.wasm'];
 const declarations = 'build/declarations';
 /** What the module is made from. */
 export const moduleSources = ['CMakeLists.txt', 'CMakePresets.json', 'wasm'];
@@ -31,17 +33,19 @@ const parts = {
   module: {
     from: moduleSources,
     make: buildModule,
-    products: [`${moduleFolder}/seamwise.mjs`, `${moduleFolder}/seamwise.wasm`],
+    products: moduleFiles.map((file) => `${moduleFolder}/${file}`),
   },
   scripts: {
     from: ['package.json', 'tsconfig.json', 'tsconfig.build.json', 'web/src'],
     make: buildScripts,
-    products: ['dist/cli/main.js', 'dist/solver/module/seamwise.wasm'],
+    products: ['dist/cli/main.js', ...moduleFiles.map((file) => `dist/solver/module/${file}`)],
   },
   standalone: {
     from: ['vite.standalone.config.ts', 'package-lock.json', 'LICENSE', 'web/setup/notices'],
     make: buildStandalone,
-    products: ['dist/standalone/seamwise.js', 'dist/standalone/seamwise.wasm'],
+    products: ['seamwise.js', 'seamwise.wasm', 'drape.wasm'].map(
+      (file) => `dist/standalone/${file}`,
+    ),
   },
 };
 
@@ -70,7 +74,7 @@ async function buildModule() {
   say('Building the solver; the first time takes a minute or two ...');
   await mustConfigure('wasm');
   await must('cmake', ['--build', '--preset', 'wasm', '--', '--quiet']);
-  for (const file of ['seamwise.mjs', 'seamwise.wasm']) {
+  for (const file of moduleFiles) {
     copyFileSync(at('build/wasm', file), at(moduleFolder, file));
   }
 }
@@ -119,7 +123,7 @@ async function buildScripts() {
   await must(node, [...compile, '--emitDeclarationOnly', '--outDir', declarations]);
   copyDeclarations(declarations);
   mkdirSync(at('dist/solver/module'), {recursive: true});
-  for (const file of ['seamwise.mjs', 'seamwise.wasm']) {
+  for (const file of moduleFiles) {
     copyFileSync(at(moduleFolder, file), at('dist/solver/module', file));
   }
 }

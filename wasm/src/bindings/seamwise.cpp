@@ -2,15 +2,14 @@
 // Nothing but plain values crosses, JSON documents among them as bytes (json_bytes.cpp). What goes
 // wrong is kept as a failure that JavaScript asks for, but for memory that runs out: see there.
 #include <emscripten/bind.h>
-#include <emscripten/em_js.h>
 #include <emscripten/heap.h>
 #include <malloc.h>
 
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "bindings/module_ends.h"
 #include "bindings/share_handle.h"
 #include "bindings/solver_handle.h"
 #include "bindings/values.h"
@@ -18,17 +17,6 @@
 #include "io/garment_json.h"
 #include "io/json_ends.h"
 #include "io/symmetry_json.h"
-
-/// Instead of the C library's, 3 kB: Embind would name types by it that JavaScript does not know,
-/// of which this module has none.
-extern "C" int siprintf(char* text, const char* /*format*/, ...) {
-  *text = 0;
-  return 0;
-}
-
-/// Leaves an instance that nothing else must be asked of; web/src/solver/answers/broken.ts knows
-/// the words.
-EM_JS(void, throwOutOfMemory, (), { throw new WebAssembly.RuntimeError('out of memory'); });
 
 namespace seamwise {
 namespace {
@@ -92,7 +80,7 @@ double liveBytes() { return static_cast<double>(static_cast<unsigned>(mallinfo()
 double heapBytes() { return static_cast<double>(emscripten_get_heap_size()); }
 
 EMSCRIPTEN_BINDINGS(seamwise) {
-  std::set_new_handler(throwOutOfMemory);
+  endWhenMemoryRunsOut();
   emscripten::class_<SolverHandle>("Solver")
       .constructor<const val&>()
       .function("failure", &SolverHandle::failure)

@@ -52,6 +52,8 @@ class Drape {
   double work() const { return spent_ + solver_->work(); }
 
   const std::vector<StageReport>& stages() const { return stages_; }
+  const Fabric& fabric() const { return problem_.fabric; }
+  double moved() const { return farthest_; }  ///< m that a vertex moved in the last step, at most
   /// Once it is done.
   const DrapeCheck& check() const { return check_; }
   /// What people should know, a sentence each; in "still moving by 3 mm" how far the last step

@@ -127,28 +127,10 @@ Vec3 Form::shoulderPoint() const {
 }
 
 Outcome<Form> Form::make(const Measures& m) {
-  const std::pair<const char*, double> all[] = {{"bust", m.bust},
-                                                {"waist", m.waist},
-                                                {"hip", m.hip},
-                                                {"neck", m.neck},
-                                                {"head", m.head},
-                                                {"upper arm", m.upper_arm},
-                                                {"wrist", m.wrist},
-                                                {"thigh", m.thigh},
-                                                {"knee", m.knee},
-                                                {"ankle", m.ankle},
-                                                {"shoulder width", m.shoulder_width},
-                                                {"bust span", m.bust_span},
-                                                {"back length", m.back_length},
-                                                {"hip depth", m.hip_depth},
-                                                {"body rise", m.body_rise},
-                                                {"arm length", m.arm_length},
-                                                {"waist height", m.waist_height},
-                                                {"knee depth", m.knee_depth}};
-  for (const auto& [name, value] : all)
-    if (!(value >= 5 && value <= 400))
+  for (const MeasureName& measure : kMeasureNames)
+    if (const double value = m.*measure.value; !(value >= 5 && value <= 400))
       return Error{Failure::kNumber,
-                   std::string("The body's ") + name + " must be between 5 and 400 cm."};
+                   "The body's " + std::string(measure.spoken) + " must be between 5 and 400 cm."};
   const auto refused = [](const char* what) {
     return Error{Failure::kNumber,
                  std::string("The body's measurements contradict each other: ") + what + "."};

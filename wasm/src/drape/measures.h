@@ -18,6 +18,32 @@ struct Measures {
   double knee_depth;      ///< from the waist down to the knee
 };
 
+/// A measurement by its name in files and in sentences.
+struct MeasureName {
+  std::string_view name, spoken;
+  double Measures::*value;
+};
+
+inline constexpr std::array<MeasureName, 18> kMeasureNames = {
+    {{"bust", "bust", &Measures::bust},
+     {"waist", "waist", &Measures::waist},
+     {"hip", "hip", &Measures::hip},
+     {"neck", "neck", &Measures::neck},
+     {"head", "head", &Measures::head},
+     {"upperArm", "upper arm", &Measures::upper_arm},
+     {"wrist", "wrist", &Measures::wrist},
+     {"thigh", "thigh", &Measures::thigh},
+     {"knee", "knee", &Measures::knee},
+     {"ankle", "ankle", &Measures::ankle},
+     {"shoulderWidth", "shoulder width", &Measures::shoulder_width},
+     {"bustSpan", "bust span", &Measures::bust_span},
+     {"backLength", "back length", &Measures::back_length},
+     {"hipDepth", "hip depth", &Measures::hip_depth},
+     {"bodyRise", "body rise", &Measures::body_rise},
+     {"armLength", "arm length", &Measures::arm_length},
+     {"waistHeight", "waist height", &Measures::waist_height},
+     {"kneeDepth", "knee depth", &Measures::knee_depth}}};
+
 struct Size {
   std::string_view name;
   Measures measures;

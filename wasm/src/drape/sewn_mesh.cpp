@@ -11,8 +11,6 @@
 namespace seamwise {
 namespace {
 
-constexpr double kCentimetre = 0.01;  ///< m
-
 /// A pattern with its outlines and cut-outs only, and per piece where its vertices were before.
 struct Outlines {
   Pattern pattern;
@@ -88,6 +86,9 @@ Outcome<SewnLevel> sewnLevel(const Pattern& pattern, double edge) {
   level.places = placesIn(pattern, level.pattern);
   for (std::size_t p = 0; p < level.places.size(); ++p)
     keep(pattern.pieces[p], outlines.vertices[p], level.places[p]);
+  level.from = std::move(outlines.vertices);
+  for (std::size_t p = 0; p < level.from.size(); ++p)
+    level.from[p].resize(level.pattern.pieces[p].outline.size());
   Weld weld = welded(level.pattern);
   level.size = static_cast<int>(weld.members.size());
   level.sewn = std::move(weld.knot), level.image = std::move(weld.image);

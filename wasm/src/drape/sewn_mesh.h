@@ -20,6 +20,7 @@ struct MeshPlace {
 struct SewnLevel {
   Pattern pattern;                             ///< meshed; as drafted
   std::vector<std::vector<MeshPlace>> places;  ///< per piece, per vertex: in the given pattern
+  std::vector<std::vector<int>> from;          ///< per piece, per outline vertex: the given one
   std::vector<std::vector<int>> sewn;          ///< per piece, per vertex: its number in the cloth
   int size = 0;                                ///< of the cloth, vertices
   /// Per vertex of the cloth its image by the pattern's mirrors; empty unless they cover the cloth.

@@ -108,7 +108,7 @@ void writePlacement(JsonWriter& out, const JsonValue& panel, const Frame& frame)
     return Vec3(of[0].number(), of[1].number(), of[2].number());
   };
   const auto put = [&](const char* name, const Vec3& v) {
-    out.field(name, std::vector{v.x(), v.y(), v.z()});
+    out.field(name, v);
   };
   out.key("placement");
   out.openObject();

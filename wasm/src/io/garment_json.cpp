@@ -107,6 +107,13 @@ void noteAssumptions(const JsonValue& document, const Units& units, const JsonVa
                              "assumed."});
 }
 
+/// Whom the garment is drafted for. Of no matter for a solve, so nothing is wrong with it here.
+void readWearer(const JsonValue& document, Garment* garment) {
+  garment->size = document.find("size").text();
+  for (const auto& [name, value] : document.find("body").members())
+    if (value.isNumber()) garment->body.push_back({name, value.number()});
+}
+
 JsonValue panelsOf(const JsonValue& document, const Place& place) {
   if (!document.isObject())
     return place.fail(Failure::kNotAGarment, "holds no JSON object; choose a garment file");
@@ -169,6 +176,7 @@ GarmentFile readGarmentFile(const JsonValue& document, const Place& place) {
     here.shape = here.number = Failure::kSymmetryMalformed;
     result.symmetries = readSymmetryList(symmetries, here);
   }
+  readWearer(document, &garment);
   noteAssumptions(document, units, panels, place.name, &result.notes);
   return result;
 }

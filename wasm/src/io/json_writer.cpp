@@ -23,6 +23,12 @@ void JsonWriter::put(const Vec2& point) {
   close();
 }
 
+void JsonWriter::put(const Vec3& point) {
+  openList();
+  for (int c = 0; c < 3; ++c) put(point[c]);
+  close();
+}
+
 void JsonWriter::putPose(double angle, const Vec2& translation) {
   openObject();
   field("angle", angle);

@@ -31,6 +31,7 @@ class JsonWriter {
   void put(const std::string& value) { put(std::string_view(value)); }
   void put(const char* value) { put(std::string_view(value)); }
   void put(const Vec2& point);
+  void put(const Vec3& point);
   void put(const Alignment& alignment) { putPose(alignment.angle, alignment.translation); }
   /// As an alignment is, {angle, translation}; whether it mirrors goes without saying.
   void put(const RigidMotion& motion) { putPose(motion.angle, motion.shift); }

@@ -39,6 +39,38 @@ void writePiece(JsonWriter& out, const PrintedPattern& printed, std::size_t p) {
   out.field("holes", piece.holes);
   out.field("alignment", printed.alignment[p]);
   out.field("mirroredFromInput", piece.mirrored_from_input);
+  const Panel& panel = printed.garment.panels[p];
+  out.field("grainAngle", panel.grain_angle);
+  out.key("placement");
+  out.openObject();
+  out.field("translation", panel.placement_shift);
+  out.field("rotation", panel.placement_turn);
+  out.close();
+}
+
+/// Who wears the garment, and what lies on each other without being sewn.
+void writeWearing(JsonWriter& out, const Garment& garment) {
+  if (!garment.size.empty()) out.field("size", garment.size);
+  if (!garment.body.empty()) {
+    out.key("body");
+    out.openObject();
+    for (const BodyMeasure& measure : garment.body) out.field(measure.name, measure.cm);
+    out.close();
+  }
+  if (garment.matches.empty()) return;
+  out.list("matches", garment.matches, [&](const MatchLine& match) {
+    const auto side = [&](const char* name, int piece, const Polyline& line) {
+      out.key(name);
+      out.openObject();
+      out.field("piece", piece);
+      out.field("line", line);
+      out.close();
+    };
+    out.openObject();
+    side("a", match.piece_a, match.a);
+    side("b", match.piece_b, match.b);
+    out.close();
+  });
 }
 
 const char* reasonName(SeamReason reason) {
@@ -138,6 +170,7 @@ void writePrinted(JsonWriter& out, const PrintedPattern& printed, const Result* 
   out.close();
   out.list("symmetries", pattern.mirrors,
            [&](const Mirror& mirror) { writeMirror(out, pattern, mirror); });
+  writeWearing(out, printed.garment);
 }
 
 /// The sentences, and beside each what it says for who writes it in another language.

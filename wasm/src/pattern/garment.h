@@ -62,11 +62,20 @@ struct BodySymmetry {
   bool operator==(const BodySymmetry&) const = default;
 };
 
+/// A measurement of the body that a garment is drafted for. [cm]
+struct BodyMeasure {
+  std::string name;
+  double cm = 0;
+  bool operator==(const BodyMeasure&) const = default;
+};
+
 /// A sewing pattern as read: panels and stitches, in the order of the file.
 struct Garment {
   std::vector<Panel> panels;
   std::vector<Stitch> stitches;
   std::vector<MatchLine> matches;
+  std::string size;               ///< as the file calls it ("M"), or empty
+  std::vector<BodyMeasure> body;  ///< where the file has it
   bool operator==(const Garment&) const = default;
 
   int find(const std::string& name) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "methods/metrics.h"
+#include "pattern/garment.h"
 #include "pattern/note.h"
 #include "pattern/pattern.h"
 #include "problem/options.h"
@@ -35,6 +36,7 @@ struct LocalMeans {
 struct PrintedPattern : MismatchTotals {
   Pattern pattern;  ///< rest, meshed, with the imposed mirrors
   Shapes shapes;    ///< the pieces as they are now, cm
+  Garment garment;  ///< as read: how the pieces are worn
   std::vector<Alignment> alignment;
   std::vector<Join> joins;  ///< per seam
   std::vector<std::vector<double>>

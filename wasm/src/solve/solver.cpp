@@ -141,6 +141,8 @@ PrintedPattern Solver::unsolved() const {
   PrintedPattern printed;
   printed.pattern = state_->pattern;
   printed.shapes = restShapes(printed.pattern);
+  printed.garment = state_->problem.garment;
+  printed.garment.matches = state_->problem.options.matches;
   printed.alignment = state_->drafted;
   printed.joins.resize(printed.pattern.seams.size());
   printed.mismatch.resize(printed.pattern.seams.size());

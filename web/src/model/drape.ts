@@ -58,7 +58,10 @@ export interface DrapeMesh {
   readonly pieces: readonly DrapedPiece[];
   readonly seams: readonly {readonly a: DrapedSeamSide; readonly b: DrapedSeamSide}[];
   /** The symmetries that the drape keeps: vertex i of the first piece and image[i] of the second mirror each other in x = 0. */
-  readonly mirrors: readonly {readonly pieces: readonly [number, number]; readonly image: Uint32Array}[];
+  readonly mirrors: readonly {
+    readonly pieces: readonly [number, number];
+    readonly image: Uint32Array;
+  }[];
   /** Of the cloth, in vertices. */
   readonly size: number;
 }

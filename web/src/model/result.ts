@@ -16,6 +16,20 @@ export interface ResultPiece {
   readonly alignment: Alignment;
   /** The file showed the back of the panel: x was negated. */
   readonly mirroredFromInput: boolean;
+  /** Direction of the grain line. [rad] */
+  readonly grainAngle?: number;
+  /** Where the input panel hangs: turned about the fixed axes x, then y, then z [rad], then shifted [cm]. */
+  readonly placement?: {
+    readonly translation: readonly [number, number, number];
+    readonly rotation: readonly [number, number, number];
+  };
+}
+
+/** A line on a piece; with another it lies on another piece without being sewn. [cm] */
+export interface ResultMatchSide {
+  readonly piece: number;
+  /** On the piece as drafted, face side up. */
+  readonly line: readonly Point[];
 }
 
 /** Vertices of one piece in sewing order. */
@@ -146,6 +160,11 @@ export interface SolveResult {
   readonly pieces: readonly ResultPiece[];
   readonly seams: readonly ResultSeam[];
   readonly symmetries: readonly ResultSymmetry[];
+  /** What lies on each other without being sewn, as a button front does. */
+  readonly matches?: readonly {readonly a: ResultMatchSide; readonly b: ResultMatchSide}[];
+  /** Whom the garment is drafted for: as its file calls the size, and measurements by name. [cm] */
+  readonly size?: string;
+  readonly body?: Readonly<Record<string, number>>;
   /** The pieces as drafted, laid on grain as one would cut them without a thought for the print: with `rest`, what "before" means. */
   readonly drafted?: readonly Alignment[];
   /** Each piece's alignment when the alignment search ended. */

@@ -53,12 +53,13 @@ export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
 /** For a program that solves on threads of its own, as a batch does, all cores are at work already. */
 const most = isMainThread ? helpersFor(availableParallelism()) : 0;
 
-const wasmFile = new URL('../solver/module/seamwise.wasm', import.meta.url);
+const wasmFile = (name: string) =>
+  readFile(new URL(`../solver/module/${name}.wasm`, import.meta.url));
 
 /** The solver on this thread. */
 class ThreadSolver extends TextService {
   readonly #answerer = localAnswerer(
-    {sources: {seamwise: () => readFile(wasmFile)}},
+    {sources: {seamwise: () => wasmFile('seamwise'), drape: () => wasmFile('drape')}},
     new Helpers(thread),
   );
 

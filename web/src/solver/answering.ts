@@ -5,9 +5,11 @@ import {Answerer, type AnswererOptions} from './answers/answerer.js';
 import {owning} from './answers/owning.js';
 import {runInSlices, stepsFor} from './answers/slices.js';
 import type {AnswerTable, Queue} from './answers/table.js';
+import {drapeRequest, runDrape} from './drape/run-drape.js';
 import {documentBytes} from './json/document.js';
 import {garmentText} from './json/garment-text.js';
-import {seamwise} from './module/load-seamwise.js';
+import type {DrapeModule} from './module/drape.mjs';
+import {drape, seamwise} from './module/load.js';
 import type {SeamwiseModule} from './module/seamwise.mjs';
 import type {Requests} from './requests/requests.js';
 import {plainNames} from './requests/texts.js';
@@ -21,6 +23,7 @@ export {besideThePage} from './answers/slices.js';
 /** The WebAssembly modules; each is loaded when a request for it first comes. */
 type SolverModules = {
   readonly seamwise: SeamwiseModule;
+  readonly drape: DrapeModule;
 };
 
 /** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
@@ -29,12 +32,15 @@ const solves: Queue = {atOnce: 2};
 /** The sooner one share has ended, the sooner it is of use. */
 const shares: Queue = {atOnce: 1};
 
+/** What is shown is draped; more at once would only keep all waiting. */
+const drapes: Queue = {atOnce: 1};
+
 /** A share that is of no use any more must not keep others waiting. [ms] */
 const shareSlice = 20;
 
 /** @param helpers other threads for what takes long; none, unless said otherwise */
 export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
-  modules: {seamwise},
+  modules: {seamwise, drape},
   requests: {
     solve: {
       module: 'seamwise',
@@ -90,6 +96,15 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
         valueOf(module.garment(documentBytes(garment, module), name)); // refuses what is none
         return garmentText(garment);
       },
+    },
+    drape: {
+      module: 'drape',
+      queue: drapes,
+      transfers: ['onPositions'],
+      answer: (module, texts, {hooks, pace}) =>
+        owning(new module.Drape(drapeRequest(module, texts)), (cloth) =>
+          runDrape(cloth, hooks, pace),
+        ),
     },
     share: {
       module: 'seamwise',

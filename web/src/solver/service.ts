@@ -1,3 +1,4 @@
+import type {Drape, DrapeSettings} from '../model/drape.js';
 import type {Garment} from '../model/garment.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
@@ -6,9 +7,11 @@ import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symm
 import type {HooksOf} from './requests/kinds.js';
 import type {Requests} from './requests/requests.js';
 import {
+  drapeTexts,
   garmentTexts,
   mirrorTexts,
   problemTexts,
+  type NamedDrapeHooks,
   type NamedPrepareHooks,
   type NamedProofHooks,
   type NamedSolveHooks,
@@ -67,6 +70,16 @@ export interface SolverService {
 
   /** A garment of any readable format as the text of a seamwise-garment/1 file. */
   convert(garment: Garment | string, hooks?: GarmentHooks): Promise<string>;
+
+  /**
+   * A solved garment as it is worn: hung on a form and left to settle.
+   * @throws {SolverError} for bad input, such as a garment whose file does not say where its pieces hang
+   */
+  drape(
+    result: SolveResult | string,
+    settings?: DrapeSettings,
+    hooks?: NamedDrapeHooks,
+  ): Promise<Drape>;
 }
 
 /** A service for whoever can answer requests: it makes the requests. */
@@ -108,6 +121,14 @@ export abstract class TextService implements SolverService {
 
   convert(garment: Garment | string, hooks: GarmentHooks = {}): Promise<string> {
     return this.#ask('convert', () => garmentTexts(garment, hooks.name), hooks);
+  }
+
+  drape(
+    result: SolveResult | string,
+    settings: DrapeSettings = {},
+    hooks: NamedDrapeHooks = {},
+  ): Promise<Drape> {
+    return this.#ask('drape', () => drapeTexts(result, settings, hooks.names), hooks);
   }
 
   /** A signal that has fired goes before anything that is wrong with a request. */

@@ -2,14 +2,8 @@
  * JSON documents as they cross to the module and back: a head, a node of 16 bytes for every value and every name,
  * the texts. wasm/src/io/json_value.h describes the nodes, wasm/src/bindings/json_bytes.cpp has the other side.
  */
+import type {DocumentLimits} from '../module/module.js';
 import {scan, type JsonBreak, type JsonSink} from './scan.js';
-
-/** What the module takes. */
-interface DocumentLimits {
-  /** Of a text. [bytes] */
-  readonly maxFileBytes: number;
-  readonly maxValues: number;
-}
 
 /** As the module counts them. */
 const kinds = {null: 0, false: 1, true: 2, number: 3, text: 4, list: 5, object: 6} as const;

@@ -3,15 +3,7 @@
  * heap until `delete()`; nothing outside this folder's neighbours should have to know that.
  */
 
-/** What could not be done; piece and seam are -1 when none is to blame. */
-export interface ModuleFailure {
-  readonly code: number;
-  readonly message: string;
-  readonly piece: number;
-  readonly seam: number;
-  /** Why a symmetry cannot hold, as the code of a note; otherwise empty. */
-  readonly reason: string;
-}
+import type {DocumentLimits, EmbindObject, ModuleFailure, ModuleSettings} from './module.js';
 
 /** Documents of the problem's files, and the names to call them by in messages. */
 export interface ModuleProblem {
@@ -27,10 +19,6 @@ export interface ModuleProblem {
   readonly optionsName: string;
   readonly method: string;
   readonly seed: number;
-}
-
-export interface EmbindObject {
-  delete(): void;
 }
 
 /** A solve that is advanced step by step, reading included. After any call, `failure()` says whether it went wrong. */
@@ -97,7 +85,7 @@ export interface ModuleDocument {
 }
 
 /** Documents are JSON as `../json/document.ts` writes and reads it. */
-export interface SeamwiseModule {
+export interface SeamwiseModule extends DocumentLimits {
   readonly Solver: new (problem: ModuleProblem) => ModuleSolver;
   readonly Share: new (order: Float64Array) => ModuleShare;
   readonly Detection: new (garment: Uint8Array, name: string) => ModuleDetection;
@@ -110,26 +98,10 @@ export interface SeamwiseModule {
   ): ModuleDocument;
   /** Why a garment cannot be read. */
   garment(garment: Uint8Array, name: string): ModuleDocument;
-  /** The largest text that is read. [bytes] */
-  readonly maxFileBytes: number;
-  /** The most values of one document. */
-  readonly maxValues: number;
   /** Size of the module's memory. [bytes] */
   heapBytes(): number;
   /** Of that, what is in use. [bytes] */
   liveBytes(): number;
-}
-
-export interface ModuleSettings {
-  /** The .wasm file; without it the module fetches its neighbour. */
-  readonly wasmBinary?: ArrayBufferView | ArrayBuffer;
-  /** Where to find a file of the module. */
-  readonly locateFile?: (file: string, folder: string) => string;
-  /** Hands over the instance when it has been made. */
-  readonly instantiateWasm?: (
-    imports: WebAssembly.Imports,
-    receive: (instance: WebAssembly.Instance) => void,
-  ) => object;
 }
 
 declare const createSeamwise: (settings?: ModuleSettings) => Promise<SeamwiseModule>;

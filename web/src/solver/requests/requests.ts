@@ -1,8 +1,9 @@
+import type {Drape, DrapeHooks} from '../../model/drape.js';
 import type {GarmentDocument} from '../../model/garment-document.js';
 import type {ProofHooks, SolveHooks} from '../../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../../model/symmetries.js';
-import type {GarmentTexts, MirrorTexts, ProblemTexts} from './texts.js';
+import type {DrapeTexts, GarmentTexts, MirrorTexts, ProblemTexts} from './texts.js';
 
 /** All that the solver can be asked, by kind; `../answering.ts` says how each is answered. */
 export type Requests = {
@@ -13,6 +14,7 @@ export type Requests = {
   readonly symmetries: {request: GarmentTexts; answer: DetectedSymmetries; hooks: object};
   readonly garment: {request: GarmentTexts; answer: GarmentDocument; hooks: object};
   readonly convert: {request: GarmentTexts; answer: string; hooks: object};
+  readonly drape: {request: DrapeTexts; answer: Drape; hooks: DrapeHooks};
   /** A share of another thread's search: the order from `Solver.lend`, answered for `Solver.take`. */
   readonly share: {request: {readonly order: Float64Array}; answer: Float64Array; hooks: object};
   /** Of the module: its size, and what is in use of it. [bytes] */

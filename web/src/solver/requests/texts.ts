@@ -1,7 +1,9 @@
 import {SolverError} from '../../model/failure.js';
+import {fabricNames, formSizes, type DrapeHooks, type DrapeSettings} from '../../model/drape.js';
 import type {Garment} from '../../model/garment.js';
 import type {Problem, ProofHooks, SolveHooks} from '../../model/problem.js';
 import {methods} from '../../model/method.js';
+import type {SolveResult} from '../../model/result.js';
 import type {Symmetry} from '../../model/symmetries.js';
 
 /** A problem as text: its files, and what to call them in messages. */
@@ -48,6 +50,25 @@ export interface GarmentTexts {
 /** With a symmetry file for it that holds one. */
 export interface MirrorTexts extends GarmentTexts {
   readonly symmetries: string;
+}
+
+/** A result to be draped, and what to call it in messages. */
+export interface DrapeTexts {
+  readonly result: string;
+  readonly resultName: string;
+  /** JSON, or empty. */
+  readonly body: string;
+  readonly bodyName: string;
+  readonly fabric: string;
+  /** May be empty. */
+  readonly size: string;
+  readonly effort: number;
+}
+
+/** Hooks for programs that read files. */
+export interface NamedDrapeHooks extends DrapeHooks {
+  /** What to call the result and the body's measurements in error messages: the names of their files. */
+  readonly names?: {readonly result?: string; readonly body?: string};
 }
 
 export const plainNames: ProblemNames = {
@@ -161,4 +182,33 @@ function finite(value: unknown, key: string, name: string): unknown {
     });
   }
   return value;
+}
+
+/** @throws {SolverError} for what cannot be handed to the core at all */
+export function drapeTexts(
+  result: SolveResult | string,
+  settings: DrapeSettings = {},
+  names: NamedDrapeHooks['names'] = {},
+): DrapeTexts {
+  const {fabric = 'poplin', size, body, effort = 1} = settings;
+  const check = (name: string, value: unknown, known: readonly unknown[]) => {
+    if (known.includes(value)) return;
+    throw new SolverError({
+      code: 'options',
+      message: `${name} is ${JSON.stringify(value)}, but must be one of ${known.join(', ')}.`,
+    });
+  };
+  check('fabric', fabric, fabricNames);
+  if (size !== undefined) check('size', size, formSizes);
+  check('effort', effort, [1, 2, 4]);
+  const {result: resultName = 'result', body: bodyName = 'body'} = names;
+  return {
+    result: jsonText(result, resultName),
+    resultName,
+    body: body === undefined ? '' : jsonText(body, bodyName),
+    bodyName,
+    fabric,
+    size: size ?? '',
+    effort,
+  };
 }

@@ -1,7 +1,8 @@
 import {failureCode, SolverError} from '../../model/failure.js';
 import {symmetryReasons} from '../../model/notes.js';
 import {documentValue} from '../json/document.js';
-import type {ModuleDocument, ModuleFailure} from '../module/seamwise.mjs';
+import type {ModuleFailure} from '../module/module.js';
+import type {ModuleDocument} from '../module/seamwise.mjs';
 
 /** What a document of the module holds. @throws {SolverError} if there is none */
 export function valueOf({document, failure}: ModuleDocument): unknown {

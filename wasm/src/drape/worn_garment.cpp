@@ -1,0 +1,107 @@
+#include "drape/worn_garment.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "drape/turn.h"
+#include "drape/wrap.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kUsualBudget = 100;  ///< of work, in factorisations of a 90 x 90 grid
+
+/// Those of settings, file or size; else of the middle size.
+Measures measuresFor(const Garment& garment, const WearSettings& settings) {
+  if (settings.measures) return *settings.measures;
+  const Measures* of_size = measuresOf(garment.size);
+  Measures measures = of_size ? *of_size : *measuresOf("m");
+  for (const BodyMeasure& measure : garment.body)
+    for (const MeasureName& known : kMeasureNames)
+      if (known.name == measure.name) measures.*known.value = measure.cm;
+  return measures;
+}
+
+template <class T>
+std::vector<T> permuted(std::vector<T> list, const std::vector<int>& order) {
+  std::vector<T> result;
+  for (int i : order) result.push_back(std::move(list[i]));
+  return result;
+}
+
+/// The garment with its pieces in another order.
+SolvedGarment ordered(SolvedGarment garment, const std::vector<int>& order) {
+  std::vector<int> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int>(i);
+  garment.garment.panels = permuted(std::move(garment.garment.panels), order);
+  garment.pattern.pieces = permuted(std::move(garment.pattern.pieces), order);
+  garment.shapes = permuted(std::move(garment.shapes), order);
+  for (MatchLine& match : garment.garment.matches)
+    match.piece_a = place[match.piece_a], match.piece_b = place[match.piece_b];
+  for (Seam& seam : garment.pattern.seams)
+    seam.a.piece = place[seam.a.piece], seam.b.piece = place[seam.b.piece];
+  for (Mirror& mirror : garment.pattern.mirrors)
+    for (int& piece : mirror.pieces) piece = place[piece];
+  return garment;
+}
+
+/// Where the sewn vertices of a level are, from where those of its pieces are.
+Positions startOf(const SewnLevel& level, const PiecePositions& wrapped) {
+  Positions start(level.size, Vec3::Zero());
+  for (std::size_t p = 0; p < wrapped.size(); ++p)
+    for (std::size_t v = 0; v < wrapped[p].size(); ++v)
+      start[level.sewn[p][v]] = kCentimetre * wrapped[p][v];
+  return start;
+}
+
+}  // namespace
+
+double WornGarment::Body::distance(const Vec3& p, Vec3* gradient) const {
+  return kCentimetre * form_->distance(p / kCentimetre, parts_, gradient);
+}
+
+WornGarment::WornGarment(SolvedGarment garment, Form form, Hanging hanging, SewnLevels levels,
+                         std::vector<int> order)
+    : garment_(std::move(garment)),
+      form_(std::move(form)),
+      hanging_(std::move(hanging)),
+      levels_(std::move(levels)),
+      order_(std::move(order)),
+      body_(form_, hanging_.covered()) {}
+
+Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
+                                                        const WearSettings& settings) {
+  Outcome<Form> form = Form::make(measuresFor(garment.garment, settings));
+  if (!form.ok()) return form.error();
+  const Outcome<Hanging> as_listed = hang(garment.garment, garment.pattern, form.value());
+  if (!as_listed.ok()) return as_listed.error();
+  std::vector<int> order = as_listed.value().order;
+  garment = ordered(std::move(garment), order);
+  Outcome<Hanging> hanging = hang(garment.garment, garment.pattern, form.value());
+  if (!hanging.ok()) return hanging.error();
+  Outcome<SewnLevels> levels = sewnLevels(garment.pattern);
+  if (!levels.ok()) return levels.error();
+  std::unique_ptr<WornGarment> worn(new WornGarment(std::move(garment), std::move(form).value(),
+                                                    std::move(hanging).value(),
+                                                    std::move(levels).value(), std::move(order)));
+  const SewnLevel& coarse = worn->levels_.coarse;
+  const Outcome<PiecePositions> start =
+      wrapped(worn->garment_.garment, coarse.pattern, worn->form_);
+  if (!start.ok()) return start.error();
+  DrapeProblem problem;
+  problem.levels = worn->levels_;
+  problem.pattern = worn->garment_.pattern;
+  problem.shapes = worn->garment_.shapes;
+  for (const Panel& panel : worn->garment_.garment.panels) {
+    const Turn turn = turnOfDegrees(degreesOf(panel.grain_angle));
+    problem.warp.emplace_back(turn.cosine, turn.sine);
+  }
+  problem.fabric = settings.fabric;
+  problem.body = &worn->body_;
+  problem.start = startOf(coarse, start.value());
+  problem.budget = kUsualBudget * settings.effort;
+  worn->drape_ = std::make_unique<Drape>(std::move(problem));
+  return worn;
+}
+
+}  // namespace seamwise

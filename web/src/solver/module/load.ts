@@ -1,0 +1,35 @@
+/**
+ * The build puts a module's .mjs and .wasm beside this file, in sources and in `dist` alike: served as they are,
+ * by a development server or any other, the files are neighbours, and bundlers know the expressions below and emit
+ * the files. So neither needs a setting; only Node has to read the .wasm files itself.
+ */
+import type {ModuleLoader} from '../answers/shared-module.js';
+import type {DrapeModule} from './drape.mjs';
+import type {ModuleSettings} from './module.js';
+import createSeamwise, {type SeamwiseModule} from './seamwise.mjs';
+
+export const seamwise: ModuleLoader<SeamwiseModule> = {
+  file: 'seamwise.wasm',
+  url: new URL('./seamwise.wasm', import.meta.url),
+  create: (compiled) => instance(createSeamwise, compiled),
+};
+
+/** Fetched, script and all, when a garment is first draped. */
+export const drape: ModuleLoader<DrapeModule> = {
+  file: 'drape.wasm',
+  url: new URL('./drape.wasm', import.meta.url),
+  create: async (compiled) => instance((await import('./drape.mjs')).default, compiled),
+};
+
+function instance<M>(
+  create: (settings: ModuleSettings) => Promise<M>,
+  compiled: WebAssembly.Module,
+): Promise<M> {
+  return new Promise((resolve, reject) => {
+    const instantiateWasm: ModuleSettings['instantiateWasm'] = (imports, receive) => {
+      WebAssembly.instantiate(compiled, imports).then(receive, reject);
+      return {};
+    };
+    create({instantiateWasm}).then(resolve, reject);
+  });
+}
