@@ -163,14 +163,24 @@ double Form::distance(const Vec3& p, BodyParts parts, Vec3* gradient) const {
     found.distance = tube(part).distance(p, gradient ? &found.gradient : nullptr);
     return found;
   };
-  // Smooth unions depend on their order: left and right come first, so that neither comes before
-  // the other.
-  Near arms = near(BodyPart::kLeftArm), legs = near(BodyPart::kLeftLeg);
-  join(&arms, near(BodyPart::kRightArm));
-  join(&legs, near(BodyPart::kRightLeg));
   Near all = near(BodyPart::kTorso);
-  for (const Near& other : {near(BodyPart::kNeck), near(BodyPart::kHead), arms, legs})
-    join(&all, other);
+  // Of no influence on the union: twice as far away as it would take, since tubes' distances are
+  // only about right.
+  const auto isFar = [&](BodyPart part) {
+    return all.any && tube(part).leastDistance(p) / 2 > all.distance + 1.25 * kFillet;
+  };
+  for (const BodyPart part : {BodyPart::kNeck, BodyPart::kHead})
+    if (!isFar(part)) join(&all, near(part));
+  // Smooth unions depend on their order: left and right come together first, so that neither comes
+  // before the other.
+  const auto joinBoth = [&](BodyPart left, BodyPart right) {
+    if (isFar(left) && isFar(right)) return;
+    Near both = near(left);
+    join(&both, near(right));
+    join(&all, both);
+  };
+  joinBoth(BodyPart::kLeftArm, BodyPart::kRightArm);
+  joinBoth(BodyPart::kLeftLeg, BodyPart::kRightLeg);
   if (gradient) *gradient = all.gradient;
   return all.distance;
 }

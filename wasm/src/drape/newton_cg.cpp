@@ -23,7 +23,7 @@ ClothSolver::ClothSolver(const SewnMesh& mesh, const Fabric& fabric, const Dista
                          Positions start, ClothOptions options)
     : mesh_(&mesh),
       fabric_(&fabric),
-      body_(&body),
+      contact_{&body, fabric.offset, options.contact_stiffness},
       options_(std::move(options)),
       x_(std::move(start)),
       from_(x_),
@@ -42,11 +42,10 @@ void ClothSolver::setFriction(bool on) {
 }
 
 double ClothSolver::energy() const {
-  const BodyContact contact{body_, fabric_->offset, options_.contact_stiffness};
   return membraneEnergy(*mesh_, *fabric_, x_, nullptr, nullptr) +
          bendingEnergy(*mesh_, *fabric_, x_, nullptr, nullptr) +
          gravityEnergy(*mesh_, *fabric_, x_, nullptr) +
-         contactEnergy(*mesh_, contact, x_, nullptr, nullptr);
+         contactEnergy(*mesh_, contact_, x_, nullptr, nullptr);
 }
 
 double ClothSolver::weight() const {
@@ -56,29 +55,42 @@ double ClothSolver::weight() const {
 
 /// What a step lowers: the energy, friction, and proximity to where it began.
 double ClothSolver::merit(const Positions& x, Positions* gradient, BlockMatrix* hessian) {
-  const BodyContact contact{body_, fabric_->offset, options_.contact_stiffness};
   operations_ += kPerTriangle * static_cast<double>(mesh_->triangles.size()) +
-                 kPerHinge * static_cast<double>(mesh_->hinges.size()) + kPerDistance * mesh_->size;
+                 kPerHinge * static_cast<double>(mesh_->hinges.size());
+  for (const char near : contact_.near) operations_ += near ? kPerDistance : 0;
   if (hessian)
     operations_ += kPerTriangleBlocks * static_cast<double>(mesh_->triangles.size()) +
                    2 * kPerHinge * static_cast<double>(mesh_->hinges.size());
   double sum = membraneEnergy(*mesh_, *fabric_, x, gradient, hessian) +
                bendingEnergy(*mesh_, *fabric_, x, gradient, hessian) +
                gravityEnergy(*mesh_, *fabric_, x, gradient) +
-               contactEnergy(*mesh_, contact, x, gradient, hessian);
+               contactEnergy(*mesh_, contact_, x, gradient, hessian);
   sum += frictionEnergy(frictions_, options_.friction_threshold, x, gradient, hessian);
   return sum + proximalEnergy(*mesh_, *fabric_, h_, from_, x, gradient, hessian);
 }
 
-/// What lies near: which vertices touch, how they rub and how far each may move.
+/// What lies near: which vertices may touch in this step and which do, how they rub and how far
+/// each may move.
 void ClothSolver::lookAround() {
   from_ = x_;
   touching_.assign(mesh_->size, 0), reach_.assign(mesh_->size, options_.farthest);
+  contact_.near.assign(mesh_->size, 0);
+  if (measured_.empty()) measured_ = x_, distance_.assign(mesh_->size, -1e9);
   frictions_.clear();
-  operations_ += kPerDistance * mesh_->size;
   for (int i = 0; i < mesh_->size; ++i) {
+    // Distances are only about right: they change by no more than twice the way.
+    const double least = distance_[i] - 2 * length(Vec3(x_[i] - measured_[i]));
+    const double of_interest = std::max(options_.near, kNearBody + 2 * options_.farthest);
+    if (least > of_interest) {
+      anchors_[i].reset();
+      continue;
+    }
+    contact_.near[i] = 1;
     Vec3 normal;
-    const double d = body_->distance(x_[i], &normal);
+    const double d = contact_.body->distance(x_[i], &normal);
+    measured_[i] = x_[i], distance_[i] = d;
+    operations_ += kPerDistance;
+    contact_.near[i] = d < of_interest;
     if (d < options_.near) reach_[i] = options_.farthest_near;
     if (d >= fabric_->offset) {
       anchors_[i].reset();

@@ -68,7 +68,7 @@ class ClothSolver {
 
   const SewnMesh* mesh_;
   const Fabric* fabric_;
-  const DistanceField* body_;
+  BodyContact contact_;
   ClothOptions options_;
   Positions x_;
   Positions from_;  ///< where the step began
@@ -79,6 +79,9 @@ class ClothSolver {
   std::vector<double> constant_;  ///< of the preconditioner, without proximity and contact
   std::vector<char> touching_, factorised_touching_;
   std::vector<double> reach_;  ///< per vertex: how far it may move in this step
+  /// Per vertex where its distance from the body was last measured, and that distance. [m]
+  Positions measured_;
+  std::vector<double> distance_;
   std::vector<Friction> frictions_;
   std::vector<std::optional<Vec3>> anchors_;  ///< per vertex
   std::vector<Pair> pairs_;                   ///< the last quasi-Newton steps

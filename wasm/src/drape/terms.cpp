@@ -6,7 +6,6 @@
 namespace seamwise {
 namespace {
 
-constexpr double kNear = 0.02;  ///< m from a body beyond which no triangle's middle is inside
 constexpr double kMiddleOffset = 0.5;  ///< of the offset: only where a triangle cuts a curve short
 
 /// Value, slope and curvature of k/2 e^2, stiffer beyond a tension.
@@ -124,6 +123,10 @@ double contactEnergy(const SewnMesh& mesh, const BodyContact& contact, const Pos
   const bool derived = gradient || hessian;
   std::vector<double> distances(mesh.size);
   for (int i = 0; i < mesh.size; ++i) {
+    if (!contact.near.empty() && !contact.near[i]) {
+      distances[i] = 2 * kNearBody;
+      continue;
+    }
     Vec3 outwards = Vec3::Zero();
     distances[i] = contact.body->distance(x[i], derived ? &outwards : nullptr);
     const double depth = contact.offset - distances[i];
@@ -136,7 +139,7 @@ double contactEnergy(const SewnMesh& mesh, const BodyContact& contact, const Pos
   }
   for (const SewnMesh::Triangle& t : mesh.triangles) {
     const auto& [p, q, r] = t.vertices;
-    if (distances[p] > kNear && distances[q] > kNear && distances[r] > kNear) continue;
+    if (distances[p] > kNearBody && distances[q] > kNearBody && distances[r] > kNearBody) continue;
     Vec3 middle = Vec3::Zero(), outwards = Vec3::Zero();
     for (int c = 0; c < 3; ++c) middle[c] = (x[p][c] + x[q][c] + x[r][c]) / 3;
     const double depth = kMiddleOffset * contact.offset -

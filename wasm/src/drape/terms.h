@@ -34,12 +34,17 @@ double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions
 double gravityEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions& x,
                      Positions* gradient);
 
+/// m from a body; where all corners of a triangle are further away, its middle is not inside.
+inline constexpr double kNearBody = 0.02;
+
 /// What holds cloth off a body: k/2 A max(0, offset - d)^2 per vertex, and the same with half the
 /// offset for the middles of triangles, which cut curves of the body short.
 struct BodyContact {
   const DistanceField* body = nullptr;
   double offset = 0;     ///< m
   double stiffness = 0;  ///< N/m3
+  /// Per vertex, whether it may come near enough for it or its triangles to touch; empty: all may.
+  std::vector<char> near = {};
 };
 /// The Hessian leaves out that of the distance.
 double contactEnergy(const SewnMesh& mesh, const BodyContact& contact, const Positions& x,

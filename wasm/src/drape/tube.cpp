@@ -9,6 +9,7 @@ namespace seamwise {
 namespace {
 
 constexpr int kCorners = 96;
+constexpr double kBetweenSections = 1;  ///< cm that a tube may be wider than its sections
 
 // Second derivatives of the natural cubic spline through the values: tridiagonal elimination.
 std::vector<double> splineBends(const std::vector<double>& x, const std::vector<double>& y) {
@@ -72,50 +73,90 @@ Tube::Tube(Axis axis, const std::vector<Section>& sections, TubeEnd bottom, Tube
   }
   for (int shape = 0; shape < kShapes; ++shape)
     bends_[shape] = splineBends(levels_, values_[shape]);
+  low_ = {0, 1e9, bottom.level}, high_ = {0, -1e9, top.level};
+  for (const Section& s : sections) {
+    high_[0] = std::max(high_[0], s.width);
+    low_[1] = std::min(low_[1], s.middle - s.depth),
+    high_[1] = std::max(high_[1], s.middle + s.depth);
+  }
+  // Splines swing out a little between their sections, and squares with less than nothing do.
+  low_[0] = -high_[0];
+  for (int c = 0; c < 2; ++c) low_[c] -= kBetweenSections, high_[c] += kBetweenSections;
 }
 
-Tube::Cubic Tube::at(Shape shape, double level) const {
+Tube::Cubics Tube::at(double level) const {
+  Cubics all;
   // Beyond its first and last section a tube stays as wide as there.
-  if (level <= levels_.front()) return {values_[shape].front(), 0, 0};
-  if (level >= levels_.back()) return {values_[shape].back(), 0, 0};
+  if (level <= levels_.front() || level >= levels_.back()) {
+    const std::size_t end = level <= levels_.front() ? 0 : levels_.size() - 1;
+    for (int shape = 0; shape < kShapes; ++shape) all[shape] = {values_[shape][end], 0, 0};
+    return all;
+  }
   std::size_t i = 0;
   while (level > levels_[i + 1]) ++i;
   const double h = levels_[i + 1] - levels_[i];
   const double b = (level - levels_[i]) / h, a = 1 - b;
-  const double y0 = values_[shape][i], y1 = values_[shape][i + 1];
-  const double m0 = bends_[shape][i], m1 = bends_[shape][i + 1];
-  return {a * y0 + b * y1 + ((a * a * a - a) * m0 + (b * b * b - b) * m1) * (h * h / 6),
-          (y1 - y0) / h + ((3 * b * b - 1) * m1 - (3 * a * a - 1) * m0) * (h / 6), a * m0 + b * m1};
+  for (int shape = 0; shape < kShapes; ++shape) {
+    const double y0 = values_[shape][i], y1 = values_[shape][i + 1];
+    const double m0 = bends_[shape][i], m1 = bends_[shape][i + 1];
+    all[shape] = {a * y0 + b * y1 + ((a * a * a - a) * m0 + (b * b * b - b) * m1) * (h * h / 6),
+                  (y1 - y0) / h + ((3 * b * b - 1) * m1 - (3 * a * a - 1) * m0) * (h / 6),
+                  a * m0 + b * m1};
+  }
+  return all;
 }
 
 Section Tube::section(double level) const {
-  return {level, at(kWidth, level).value, at(kDepth, level).value, at(kMiddle, level).value,
-          at(kSquare, level).value};
+  const Cubics all = at(level);
+  return {level, all[kWidth].value, all[kDepth].value, all[kMiddle].value, all[kSquare].value};
 }
 
 double Tube::wallDistance(const Vec3& local, Vec3* gradient) const {
-  const Jet level = Jet::variable(local.z(), 2);
-  const auto shape = [&](Shape which) {
-    const Cubic c = at(which, local.z());
-    return level.chain(c.value, c.slope, c.bend);
-  };
-  const Jet u = Jet::variable(local.x(), 0) * inverse(shape(kWidth));
-  const Jet v = (Jet::variable(local.y(), 1) - shape(kMiddle)) * inverse(shape(kDepth));
-  const Jet uu = u * u, vv = v * v;
-  Jet q = uu + vv + shape(kSquare) * (uu * vv);
-  q.value += 1e-12;  // on the axis itself
-  const Jet r = root(q);
-  const auto& g = r.gradient;
-  const auto& h = r.hessian;
-  const double steep = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) + 1e-9;
-  const double distance = (r.value - 1) / steep;
-  if (gradient) {
-    const double bend[3] = {h[0] * g[0] + h[1] * g[1] + h[2] * g[2],
-                            h[1] * g[0] + h[3] * g[1] + h[4] * g[2],
-                            h[2] * g[0] + h[4] * g[1] + h[5] * g[2]};
-    for (int i = 0; i < 3; ++i) (*gradient)[i] = (g[i] - distance * (bend[i] / steep)) / steep;
+  const Cubics all = at(local.z());
+  const auto& [w, dw, ddw] = all[kWidth];
+  const auto& [d, dd, ddd] = all[kDepth];
+  const auto& [m, dm, ddm] = all[kMiddle];
+  const auto& [s, ds, dds] = all[kSquare];
+  // q = u^2 + v^2 + s u^2 v^2 with u w = x and v d = y - m, whose derivatives follow from these;
+  // x, y, l: across, ahead, along.
+  const double u = local.x() / w, v = (local.y() - m) / d, uu = u * u, vv = v * v;
+  const double u_x = 1 / w, u_l = -u * dw / w;
+  const double v_y = 1 / d, v_l = -(dm + v * dd) / d;
+  const double q = uu + vv + s * (uu * vv) + 1e-12;  // that of the axis itself
+  const double q_u = 2 * u * (1 + s * vv), q_v = 2 * v * (1 + s * uu), q_s = uu * vv;
+  const double q_x = q_u * u_x, q_y = q_v * v_y, q_l = q_u * u_l + q_v * v_l + q_s * ds;
+  const double r = std::sqrt(q), half = 0.5 / r;
+  const double steep = half * std::sqrt(q_x * q_x + q_y * q_y + q_l * q_l) + 1e-9;
+  const double distance = (r - 1) / steep;
+  if (!gradient) return distance;
+  const double u_xl = -dw / (w * w), u_ll = -(2 * u_l * dw + u * ddw) / w;
+  const double v_yl = -dd / (d * d), v_ll = -(2 * v_l * dd + v * ddd + ddm) / d;
+  const double q_uu = 2 * (1 + s * vv), q_vv = 2 * (1 + s * uu), q_uv = 4 * s * u * v;
+  const double q_us = 2 * u * vv, q_vs = 2 * v * uu;
+  const double along_u = q_uu * u_l + q_uv * v_l + q_us * ds;  // of q_u
+  const double along_v = q_uv * u_l + q_vv * v_l + q_vs * ds;  // of q_v
+  const double q_xx = q_uu * u_x * u_x, q_xy = q_uv * u_x * v_y, q_yy = q_vv * v_y * v_y;
+  const double q_xl = along_u * u_x + q_u * u_xl, q_yl = along_v * v_y + q_v * v_yl;
+  const double q_ll = along_u * u_l + along_v * v_l + (q_us * u_l + q_vs * v_l) * ds + q_u * u_ll +
+                      q_v * v_ll + q_s * dds;
+  // r = sqrt(q), and the distance is (r - 1) / |grad r|
+  const double g[3] = {half * q_x, half * q_y, half * q_l};
+  const double turned[3] = {q_xx * g[0] + q_xy * g[1] + q_xl * g[2],
+                            q_xy * g[0] + q_yy * g[1] + q_yl * g[2],
+                            q_xl * g[0] + q_yl * g[1] + q_ll * g[2]};
+  const double square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+  for (int i = 0; i < 3; ++i) {
+    const double bend = half * turned[i] - g[i] * square / r;
+    (*gradient)[i] = (g[i] - distance * (bend / steep)) / steep;
   }
   return distance;
+}
+
+double Tube::leastDistance(const Vec3& p) const {
+  const Vec3 local = axis_.local(p);
+  Vec3 outside;
+  for (int c = 0; c < 3; ++c) outside[c] = std::max({0.0, low_[c] - local[c], local[c] - high_[c]});
+  return length(outside);
 }
 
 double Tube::distance(const Vec3& p, Vec3* gradient) const {

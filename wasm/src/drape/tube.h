@@ -2,7 +2,6 @@
 #include <array>
 #include <vector>
 
-#include "drape/jet.h"
 #include "drape/vectors.h"
 
 namespace seamwise {
@@ -58,19 +57,24 @@ class Tube {
   /// the section's plane, so right to first order at the surface, and of the order of the distance
   /// far from it. [cm]
   double distance(const Vec3& p, Vec3* gradient) const;
+  /// No more than that distance, from the tube's box. [cm]
+  double leastDistance(const Vec3& p) const;
 
  private:
   enum Shape { kWidth, kDepth, kMiddle, kSquare, kShapes };
+  /// A value with its first and second derivatives along the axis.
   struct Cubic {
     double value, slope, bend;
   };
-  Cubic at(Shape shape, double level) const;
+  using Cubics = std::array<Cubic, kShapes>;
+  Cubics at(double level) const;
   double wallDistance(const Vec3& local, Vec3* gradient) const;
 
   Axis axis_;
   std::vector<double> levels_;
   std::array<std::vector<double>, kShapes> values_, bends_;  ///< second derivatives at the levels
   TubeEnd bottom_, top_;
+  Vec3 low_, high_;  ///< of its box in its own frame, cm
 };
 
 /// The lesser of two distances, rounded where they differ by less than `radius`: polynomial and
