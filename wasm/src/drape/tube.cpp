@@ -154,9 +154,13 @@ double Tube::wallDistance(const Vec3& local, Vec3* gradient) const {
 
 double Tube::leastDistance(const Vec3& p) const {
   const Vec3 local = axis_.local(p);
-  Vec3 outside;
-  for (int c = 0; c < 3; ++c) outside[c] = std::max({0.0, low_[c] - local[c], local[c] - high_[c]});
-  return length(outside);
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) {
+    const double below = low_[c] - local[c], above = local[c] - high_[c];
+    const double outside = below > above ? below : above;
+    if (outside > 0) sum += outside * outside;
+  }
+  return std::sqrt(sum);
 }
 
 double Tube::distance(const Vec3& p, Vec3* gradient) const {
