@@ -184,6 +184,19 @@ double Ring::hungGirth(double level) const {
   return most;
 }
 
+double Ring::missingGirth(double ease) const {
+  // Hems of pieces end at different heights.
+  constexpr int kHem = 6;
+  double sum = 0;
+  for (std::size_t i = kHem; i < levels_.size(); ++i) {
+    const double at = levelOf(static_cast<int>(i));
+    if (at < tube_.bottom() || at > tube_.top()) continue;
+    const double width = levelAt(at).width;
+    if (width > 0) sum += std::max(0.0, tube_.section(at).girth() + ease - width);
+  }
+  return sum;
+}
+
 void Ring::draw(Level& level, double at) const {
   const Section section = tube_.section(at);
   const double hung = hungGirth(at);

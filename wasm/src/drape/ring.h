@@ -44,6 +44,8 @@ class Ring {
   /// Where a vertex of pieces()[index] lies, so much further out. [cm]
   Vec3 position(int index, int vertex, double outward) const;
   const std::vector<RingPiece>& pieces() const { return pieces_; }
+  /// How much of the tube's girth and that ease the closed levels lack, summed; 1 cm apart. [cm]
+  double missingGirth(double ease) const;
 
  private:
   struct Level {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "drape/fitting_form.h"
 #include "drape/turn.h"
 #include "drape/wrap.h"
 
@@ -11,11 +12,18 @@ namespace {
 
 constexpr double kUsualBudget = 100;  ///< of work, in factorisations of a 90 x 90 grid
 
-/// Those of settings, file or size; else of the middle size.
-Measures measuresFor(const Garment& garment, const WearSettings& settings) {
+/// Those of settings, file or size; else of a body that fits, to whose height the garment is moved.
+Outcome<Measures> measuresFor(SolvedGarment* solved, const WearSettings& settings) {
   if (settings.measures) return *settings.measures;
+  Garment& garment = solved->garment;
   const Measures* of_size = measuresOf(garment.size);
   Measures measures = of_size ? *of_size : *measuresOf("m");
+  if (!of_size && garment.body.empty()) {
+    const Outcome<FittingForm> fitting = fittingForm(garment, solved->pattern);
+    if (!fitting.ok()) return fitting.error();
+    for (Panel& panel : garment.panels) panel.placement_shift.y() += fitting.value().lift;
+    return fitting.value().measures;
+  }
   for (const BodyMeasure& measure : garment.body)
     for (const MeasureName& known : kMeasureNames)
       if (known.name == measure.name) measures.*known.value = measure.cm;
@@ -71,7 +79,9 @@ WornGarment::WornGarment(SolvedGarment garment, Form form, Hanging hanging, Sewn
 
 Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
                                                         const WearSettings& settings) {
-  Outcome<Form> form = Form::make(measuresFor(garment.garment, settings));
+  const Outcome<Measures> measures = measuresFor(&garment, settings);
+  if (!measures.ok()) return measures.error();
+  Outcome<Form> form = Form::make(measures.value());
   if (!form.ok()) return form.error();
   const Outcome<Hanging> as_listed = hang(garment.garment, garment.pattern, form.value());
   if (!as_listed.ok()) return as_listed.error();

@@ -41,6 +41,16 @@ class Wrapper {
     return positions;
   }
 
+  double missingGirth(double ease) {
+    findLayers();
+    layOut();
+    agreeOnHeights();
+    double sum = 0;
+    for (const BodyPart part : {BodyPart::kTorso, BodyPart::kLeftLeg, BodyPart::kRightLeg})
+      if (const std::optional<Ring> ring = ringOf(part)) sum += ring->missingGirth(ease);
+    return sum;
+  }
+
   /// Pieces that lie on others.
   const std::vector<bool>& onTop() const { return on_top_; }
 
@@ -193,6 +203,12 @@ Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, 
   PiecePositions positions = wrapper.run();
   settle(pattern, form, hanging.value(), wrapper.onTop(), settings, &positions);
   return positions;
+}
+
+double missingGirth(const Garment& garment, const Pattern& pattern, const Form& form, double ease) {
+  const Outcome<Hanging> hanging = hang(garment, pattern, form);
+  if (!hanging.ok()) return 1e9;
+  return Wrapper(garment, pattern, form, hanging.value(), {}).missingGirth(ease);
 }
 
 }  // namespace seamwise

@@ -28,4 +28,8 @@ struct WrapSettings {
 Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
                                 const WrapSettings& settings = {});
 
+/// How much of a form's girths and that ease the rings of torso and legs lack: 0 where the garment
+/// fits. [cm, summed over levels 1 cm apart]
+double missingGirth(const Garment& garment, const Pattern& pattern, const Form& form, double ease);
+
 }  // namespace seamwise
