@@ -31,7 +31,7 @@ bool passes(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Ve
 
 }  // namespace
 
-std::vector<Crossing> crossingsOf(const SewnMesh& mesh, const Positions& x) {
+std::vector<ClothCrossing> crossingsOf(const SewnMesh& mesh, const Positions& x) {
   std::vector<std::pair<int, int>> edges = mesh.edges();
   for (auto& [a, b] : edges)
     if (a > b) std::swap(a, b);
@@ -45,7 +45,7 @@ std::vector<Crossing> crossingsOf(const SewnMesh& mesh, const Positions& x) {
   }
   for (const auto& t : mesh.triangles)
     of_triangles.push_back(boxOf(x[t.vertices[0]], x[t.vertices[1]], x[t.vertices[2]]));
-  std::vector<Crossing> crossings;
+  std::vector<ClothCrossing> crossings;
   forOverlaps(of_edges, of_triangles, size, [&](int edge, int triangle) {
     const auto& [p, q] = edges[edge];
     const auto& [a, b, c] = mesh.triangles[triangle].vertices;

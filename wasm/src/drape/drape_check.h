@@ -22,10 +22,10 @@ struct DrapeCheck {
 DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body);
 
 /// An edge that passes through a triangle without a common vertex.
-struct Crossing {
+struct ClothCrossing {
   std::array<int, 2> edge;  ///< vertices
   int triangle;
 };
-std::vector<Crossing> crossingsOf(const SewnMesh& mesh, const Positions& x);
+std::vector<ClothCrossing> crossingsOf(const SewnMesh& mesh, const Positions& x);
 
 }  // namespace seamwise

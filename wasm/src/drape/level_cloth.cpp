@@ -72,7 +72,7 @@ int LevelCloth::crossings() const {
 void LevelCloth::turnBack() {
   const SewnMesh& mesh = solved();
   std::vector<std::pair<int, int>> cut;
-  for (const Crossing& crossing : crossingsOf(mesh, solver_->positions()))
+  for (const ClothCrossing& crossing : crossingsOf(mesh, solver_->positions()))
     cut.emplace_back(crossing.edge[0], crossing.edge[1]);
   std::sort(cut.begin(), cut.end());
   DisjointSets all(mesh.size), parts(mesh.size);
