@@ -9,6 +9,7 @@
 namespace seamwise {
 namespace {
 
+constexpr int kMostMended = 3, kMendingSteps = 12;
 constexpr int kQuasiNewtonSteps = 24;
 constexpr int kSewingSteps = 5, kHangingSteps = 40, kSettlingSteps = 60;  ///< Newton, at most
 /// A step is quiet when no vertex moves further [m] and the energy falls by less than that share of
@@ -36,15 +37,10 @@ Drape::Drape(DrapeProblem problem)
       fine_(sewnMesh(problem_.levels.fine,
                      shapesOf(problem_.levels.fine, problem_.pattern, problem_.shapes),
                      problem_.warp)) {
-  if (!problem_.settled.empty()) {
+  if (problem_.settled.empty())
+    begin(Stage::kSew, problem_.start);
+  else
     begin(Stage::kSettle, problem_.settled);
-    return;
-  }
-  ClothOptions options = problem_.options;
-  options.friction = false;
-  solver_ = std::make_unique<ClothSolver>(coarse_, problem_.fabric, *problem_.body, problem_.start,
-                                          std::move(options));
-  begin(Stage::kSew);
 }
 
 const SewnLevel& Drape::level() const {
@@ -60,34 +56,46 @@ double Drape::fraction() const {
   return std::max(kBefore[k] + kShare[k] * within, std::min(1.0, work() / problem_.budget));
 }
 
+void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from) {
+  if (cloth_) spent_ += cloth_->work();
+  LevelCloth::Layers layers{problem_.overlaps, {}, problem_.fabric.offset};
+  layers.ties = tiesOf(level, problem_.matches, problem_.overlaps, layers.gap);
+  cloth_ = std::make_unique<LevelCloth>(mesh, level.image, layers, problem_.fabric, *problem_.body,
+                                        from, problem_.options);
+}
+
 void Drape::begin(Stage stage, const Positions& from) {
-  stage_ = stage, quiet_ = 0;
-  if (stage == Stage::kHang) solver_->setFriction(problem_.options.friction);
-  if (stage == Stage::kSettle) {
-    if (solver_) spent_ += solver_->work();
-    solver_ = std::make_unique<ClothSolver>(fine_, problem_.fabric, *problem_.body, from,
-                                            problem_.options);
+  stage_ = stage, quiet_ = 0, last_step_ = mostSteps(stage);
+  if (stage == Stage::kDone) return;
+  if (stage == Stage::kSew) {
+    put(problem_.levels.coarse, coarse_, from);
+    cloth_->setFriction(false);
+  } else if (stage == Stage::kHang) {
+    cloth_->setFriction(problem_.options.friction);
+    cloth_->setTouching(!problem_.overlaps.empty());
+  } else {
+    put(problem_.levels.fine, fine_, from);
+    cloth_->setTouching(!problem_.overlaps.empty() || cloth_->crossings() > 0);
   }
   began_ = work();
-  if (stage != Stage::kDone)
-    stages_.push_back({stage, static_cast<int>(positions().size()), 0, 0, {solver_->energy()}});
+  stages_.push_back({stage, static_cast<int>(positions().size()), 0, 0, {cloth_->energy()}});
 }
 
 void Drape::step() {
   StageReport& report = stages_.back();
   const bool first = stage_ == Stage::kSew && report.steps < kQuasiNewtonSteps;
-  const ClothSolver::Step step = first ? solver_->quasiNewtonStep() : solver_->newtonStep();
+  const ClothSolver::Step step = first ? cloth_->quasiNewtonStep() : cloth_->newtonStep();
   ++report.steps;
   report.work = work() - began_;
   report.energies.push_back(step.energy);
   farthest_ = step.farthest;
   const bool quiet =
-      step.failed || (step.farthest < kQuiet && step.fall < kQuietFall * solver_->weight());
+      step.failed || (step.farthest < kQuiet && step.fall < kQuietFall * cloth_->weight());
   quiet_ = quiet && !first ? quiet_ + 1 : 0;
 }
 
 void Drape::finish() {
-  if (!std::isfinite(solver_->energy())) {
+  if (!std::isfinite(cloth_->energy())) {
     notes_.emplace_back("The garment cannot be draped: it has no position to start from.");
   } else if (!atRest()) {
     const int millimetres = static_cast<int>(1000 * farthest_ + 0.5);
@@ -98,14 +106,23 @@ void Drape::finish() {
   begin(Stage::kDone);
 }
 
+/// Whether crossings are left that more steps may undo.
+bool Drape::mend() {
+  if (mended_ >= kMostMended || work() >= problem_.budget || cloth_->crossings() == 0) return false;
+  ++mended_, quiet_ = 0, last_step_ = stages_.back().steps + kMendingSteps;
+  cloth_->setTouching(true);
+  cloth_->turnBack();
+  return true;
+}
+
 bool Drape::advance(double work_now) {
   const double until = work() + work_now;
   while (stage_ != Stage::kDone && work() < until) {
     step();
-    const bool over = atRest() || stages_.back().steps >= mostSteps(stage_);
-    if (stage_ == Stage::kSettle && (over || work() >= problem_.budget))
-      finish();
-    else if (over && stage_ == Stage::kSew)
+    const bool over = atRest() || stages_.back().steps >= last_step_;
+    if (stage_ == Stage::kSettle && (over || work() >= problem_.budget)) {
+      if (!mend()) finish();
+    } else if (over && stage_ == Stage::kSew)
       begin(Stage::kHang);
     else if (over)
       begin(Stage::kSettle, prolonged(problem_.levels, positions()));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "drape/drape_check.h"
-#include "drape/newton_cg.h"
+#include "drape/level_cloth.h"
 #include "drape/sewn_mesh.h"
 
 namespace seamwise {
@@ -21,6 +21,8 @@ struct DrapeProblem {
   Positions start;                      ///< of the coarse level's vertices, m: wrapped on the body
   Positions settled;  ///< of the fine level's, m: where an earlier drape of other shapes left them;
                       ///< where given, they are settled anew, from there and nothing else
+  std::vector<MatchLine> matches;  ///< lines that hold pieces together, as drafted
+  std::vector<Overlap> overlaps;   ///< which pieces lie on which
   ClothOptions options;
   double budget = 100;  ///< of work, in factorisations of a 90 x 90 grid (ClothSolver::work)
 };
@@ -47,9 +49,9 @@ class Drape {
   /// Of the budget or of the usual course, whichever is further, 0 to 1.
   double fraction() const;
   /// Of the vertices of the level that it works on, m.
-  const Positions& positions() const { return solver_->positions(); }
+  const Positions& positions() const { return cloth_->positions(); }
   const SewnLevel& level() const;
-  double work() const { return spent_ + solver_->work(); }
+  double work() const { return spent_ + cloth_->work(); }
 
   const std::vector<StageReport>& stages() const { return stages_; }
   const Fabric& fabric() const { return problem_.fabric; }
@@ -61,18 +63,22 @@ class Drape {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  /// @param from   where settling begins
+  /// @param from   where sewing or settling begins
   void begin(Stage stage, const Positions& from = {});
+  void put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from);
   void step();
   bool atRest() const { return quiet_ >= kQuietSteps; }
+  bool mend();
   void finish();
 
   static constexpr int kQuietSteps = 3;
 
   DrapeProblem problem_;
   SewnMesh coarse_, fine_;
-  std::unique_ptr<ClothSolver> solver_;
+  std::unique_ptr<LevelCloth> cloth_;
   Stage stage_ = Stage::kSew;
+  int mended_ = 0;       ///< times that crossings were sent back
+  int last_step_ = 0;    ///< of the stage, at most
   int quiet_ = 0;        ///< steps in a row that hardly moved anything
   double farthest_ = 0;  ///< m, in the last step
   double spent_ = 0;     ///< by solvers of earlier levels

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "drape/space_grid.h"
+
 namespace seamwise {
 namespace {
 
@@ -27,53 +29,9 @@ bool passes(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Ve
   return side == (volume(p, q, b, c) > 0) && side == (volume(p, q, c, a) > 0);
 }
 
-/// Low and high corner of what holds some points.
-struct Box {
-  Vec3 low, high;
-};
-template <class... Rest>
-Box boxOf(const Vec3& first, const Rest&... rest) {
-  Box box{first, first};
-  for (const Vec3* p : {&rest...})
-    for (int c = 0; c < 3; ++c)
-      box.low[c] = std::min(box.low[c], (*p)[c]), box.high[c] = std::max(box.high[c], (*p)[c]);
-  return box;
-}
-
-bool overlap(const Box& a, const Box& b) {
-  for (int c = 0; c < 3; ++c)
-    if (a.low[c] > b.high[c] || b.low[c] > a.high[c]) return false;
-  return true;
-}
-
-/// A cell of a grid in space that the box of a triangle or an edge reaches into.
-struct Entry {
-  std::array<int, 3> cell;
-  int item;
-  bool operator<(const Entry& other) const {
-    return cell != other.cell ? cell < other.cell : item < other.item;
-  }
-};
-
-std::vector<Entry> entriesOf(const std::vector<Box>& boxes, double size) {
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    std::array<int, 3> low{}, high{};
-    for (int c = 0; c < 3; ++c) {
-      low[c] = static_cast<int>(std::floor(boxes[i].low[c] / size));
-      high[c] = static_cast<int>(std::floor(boxes[i].high[c] / size));
-    }
-    for (int a = low[0]; a <= high[0]; ++a)
-      for (int b = low[1]; b <= high[1]; ++b)
-        for (int c = low[2]; c <= high[2]; ++c) entries.push_back({{a, b, c}, static_cast<int>(i)});
-  }
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
-
 }  // namespace
 
-int countCrossings(const SewnMesh& mesh, const Positions& x) {
+std::vector<ClothCrossing> crossingsOf(const SewnMesh& mesh, const Positions& x) {
   std::vector<std::pair<int, int>> edges = mesh.edges();
   for (auto& [a, b] : edges)
     if (a > b) std::swap(a, b);
@@ -87,22 +45,14 @@ int countCrossings(const SewnMesh& mesh, const Positions& x) {
   }
   for (const auto& t : mesh.triangles)
     of_triangles.push_back(boxOf(x[t.vertices[0]], x[t.vertices[1]], x[t.vertices[2]]));
-  const std::vector<Entry> by_edge = entriesOf(of_edges, size),
-                           by_triangle = entriesOf(of_triangles, size);
-  std::vector<std::pair<int, int>> found;
-  for (std::size_t e = 0, t = 0; e < by_edge.size(); ++e) {
-    while (t < by_triangle.size() && by_triangle[t].cell < by_edge[e].cell) ++t;
-    const auto& [p, q] = edges[by_edge[e].item];
-    for (std::size_t k = t; k < by_triangle.size() && by_triangle[k].cell == by_edge[e].cell; ++k) {
-      const auto& [a, b, c] = mesh.triangles[by_triangle[k].item].vertices;
-      if (p == a || p == b || p == c || q == a || q == b || q == c) continue;
-      if (!overlap(of_edges[by_edge[e].item], of_triangles[by_triangle[k].item])) continue;
-      if (passes(x[p], x[q], x[a], x[b], x[c]))
-        found.emplace_back(by_edge[e].item, by_triangle[k].item);
-    }
-  }
-  std::sort(found.begin(), found.end());  // seen in every cell that both reach into
-  return static_cast<int>(std::unique(found.begin(), found.end()) - found.begin());
+  std::vector<ClothCrossing> crossings;
+  forOverlaps(of_edges, of_triangles, size, [&](int edge, int triangle) {
+    const auto& [p, q] = edges[edge];
+    const auto& [a, b, c] = mesh.triangles[triangle].vertices;
+    if (p == a || p == b || p == c || q == a || q == b || q == c) return;
+    if (passes(x[p], x[q], x[a], x[b], x[c])) crossings.push_back({{p, q}, triangle});
+  });
+  return crossings;
 }
 
 DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body) {
@@ -125,7 +75,7 @@ DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceFi
   }
   check.tension = spreadOf(std::move(tensions));
   check.compression = spreadOf(std::move(compressions));
-  check.crossings = countCrossings(mesh, x);
+  check.crossings = static_cast<int>(crossingsOf(mesh, x).size());
   return check;
 }
 

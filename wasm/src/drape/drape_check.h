@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <vector>
+
 #include "drape/distance.h"
 #include "drape/sewn_mesh.h"
 
@@ -18,7 +21,11 @@ struct DrapeCheck {
 
 DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body);
 
-/// Pairs of an edge and a triangle without a common vertex that it passes through.
-int countCrossings(const SewnMesh& mesh, const Positions& x);
+/// An edge that passes through a triangle without a common vertex.
+struct ClothCrossing {
+  std::array<int, 2> edge;  ///< vertices
+  int triangle;
+};
+std::vector<ClothCrossing> crossingsOf(const SewnMesh& mesh, const Positions& x);
 
 }  // namespace seamwise

@@ -20,11 +20,12 @@ constexpr double kPerTriangle = 60, kPerTriangleBlocks = 250, kPerHinge = 35, kP
 }  // namespace
 
 ClothSolver::ClothSolver(const SewnMesh& mesh, const Fabric& fabric, const DistanceField& body,
-                         Positions start, ClothOptions options)
+                         Positions start, ClothOptions options, ClothContacts* contacts)
     : mesh_(&mesh),
       fabric_(&fabric),
       contact_{&body, fabric.offset, options.contact_stiffness},
       options_(std::move(options)),
+      contacts_(contacts),
       x_(std::move(start)),
       from_(x_),
       h_(options_.first_step),
@@ -53,6 +54,23 @@ double ClothSolver::weight() const {
   return gravityEnergy(*mesh_, *fabric_, metre_up, nullptr);
 }
 
+/// What keeps half a cloth on its side of the plane x = 0.
+double ClothSolver::planeEnergy(const Positions& x, Positions* gradient,
+                                BlockMatrix* hessian) const {
+  double energy = 0;
+  for (std::size_t i = 0; i < options_.least_x.size(); ++i) {
+    if (options_.least_x[i] == ClothOptions::kInPlane) continue;
+    const double depth = options_.least_x[i] - x[i].x(),
+                 k = options_.contact_stiffness * mesh_->area[i];
+    if (!(depth > 0)) continue;
+    energy += k * depth * depth / 2;
+    if (gradient) (*gradient)[i].x() -= k * depth;
+    if (hessian)
+      hessian->add(static_cast<int>(i), static_cast<int>(i), outer(k, {1, 0, 0}, {1, 0, 0}));
+  }
+  return energy;
+}
+
 /// What a step lowers: the energy, friction, and proximity to where it began.
 double ClothSolver::merit(const Positions& x, Positions* gradient, BlockMatrix* hessian) {
   operations_ += kPerTriangle * static_cast<double>(mesh_->triangles.size()) +
@@ -65,6 +83,11 @@ double ClothSolver::merit(const Positions& x, Positions* gradient, BlockMatrix* 
                bendingEnergy(*mesh_, *fabric_, x, gradient, hessian) +
                gravityEnergy(*mesh_, *fabric_, x, gradient) +
                contactEnergy(*mesh_, contact_, x, gradient, hessian);
+  sum += planeEnergy(x, gradient, hessian);
+  if (contacts_) {
+    sum += contacts_->energy(x, gradient);
+    operations_ += contacts_->cost();
+  }
   sum += frictionEnergy(frictions_, options_.friction_threshold, x, gradient, hessian);
   return sum + proximalEnergy(*mesh_, *fabric_, h_, from_, x, gradient, hessian);
 }
@@ -73,6 +96,10 @@ double ClothSolver::merit(const Positions& x, Positions* gradient, BlockMatrix* 
 /// each may move.
 void ClothSolver::lookAround() {
   from_ = x_;
+  if (contacts_) {
+    contacts_->look(x_);
+    operations_ += contacts_->searchCost();
+  }
   touching_.assign(mesh_->size, 0), reach_.assign(mesh_->size, options_.farthest);
   contact_.near.assign(mesh_->size, 0);
   if (measured_.empty()) measured_ = x_, distance_.assign(mesh_->size, -1e9);
@@ -138,6 +165,8 @@ bool ClothSolver::prepare() {
 void ClothSolver::mask(Positions& r) const {
   for (std::size_t i = 0; i < options_.held.size(); ++i)
     if (options_.held[i]) r[i] = Vec3::Zero();
+  for (std::size_t i = 0; i < options_.least_x.size(); ++i)
+    if (options_.least_x[i] == ClothOptions::kInPlane) r[i].x() = 0;
 }
 
 void ClothSolver::precondition(Positions& r) {
@@ -159,6 +188,10 @@ Positions ClothSolver::conjugateGradients(const Positions& gradient, int* iterat
                         (rz > enough || (*iterations < options_.least_iterations && rz > 0));
        ++*iterations) {
     hessian_.times(direction, product);
+    if (contacts_) {
+      contacts_->addProduct(x_, direction, product);
+      operations_ += contacts_->cost();
+    }
     mask(product);
     const double along = rz / dot(direction, product);
     addScaled(p, along, direction);

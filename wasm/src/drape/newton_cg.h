@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "drape/contacts.h"
 #include "drape/terms.h"
 
 namespace seamwise {
@@ -17,13 +18,17 @@ struct ClothOptions {
   double accuracy = 0.05;                          ///< of a Newton step, over its first residual
   int least_iterations = 1, most_iterations = 40;  ///< of conjugate gradients in a step
   std::vector<char> held;                          ///< per vertex, does not move; empty: none
+  /// Per vertex of half a cloth the least x that it may have, m, or kInPlane: stays at x = 0.
+  /// Empty: no vertex is bound to either.
+  std::vector<double> least_x;
+  static constexpr double kInPlane = 1e9;
 };
 
 /// A cloth on its way to rest on a body. Each step lowers its energy: a Newton step by conjugate
 /// gradients, preconditioned by one scalar matrix for all coordinates that is factorised beforehand
 /// (the constant one of projective dynamics), or a quasi-Newton step from that matrix alone (Liu,
 /// Bouaziz, Kavan, "Quasi-Newton Methods for Real-Time Simulation of Hyperelastic Materials",
-/// 2017). Keeps pointers to mesh, fabric and body.
+/// 2017). Keeps pointers to mesh, fabric, body and contacts.
 class ClothSolver {
  public:
   struct Step {
@@ -35,7 +40,7 @@ class ClothSolver {
   };
 
   ClothSolver(const SewnMesh& mesh, const Fabric& fabric, const DistanceField& body,
-              Positions start, ClothOptions options = {});
+              Positions start, ClothOptions options = {}, ClothContacts* contacts = nullptr);
 
   Step newtonStep();
   Step quasiNewtonStep();
@@ -57,6 +62,7 @@ class ClothSolver {
     double product;
   };
 
+  double planeEnergy(const Positions& x, Positions* gradient, BlockMatrix* hessian) const;
   double merit(const Positions& x, Positions* gradient, BlockMatrix* hessian);
   void lookAround();
   bool prepare();
@@ -70,6 +76,7 @@ class ClothSolver {
   const Fabric* fabric_;
   BodyContact contact_;
   ClothOptions options_;
+  ClothContacts* contacts_;
   Positions x_;
   Positions from_;  ///< where the step began
   double h_;        ///< s, of the proximal term; 0: none

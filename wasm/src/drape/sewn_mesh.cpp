@@ -191,6 +191,7 @@ SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vecto
     const Vec2 along = warp[p], across(along.y(), -along.x());
     for (const auto& corners : level.pattern.pieces[p].triangles) {
       SewnMesh::Triangle t{};
+      t.piece = static_cast<int>(p);
       std::array<Vec2, 3> q;  // weft, warp
       for (int k = 0; k < 3; ++k) {
         const Vec2& at = shapes[p][corners[k]];

@@ -53,14 +53,16 @@ struct SewnMesh {
     std::array<int, 3> vertices;
     double area;                       ///< m2
     std::array<double, 3> weft, warp;  ///< derivatives of the corners' hat functions, 1/m
+    int piece;
   };
   /// Two triangles at an edge: |sum of weights x| is the edge's length times its bend (Bergou et
   /// al., "A Quadratic Bending Model for Inextensible Surfaces", 2006), 0 when flat.
   struct Hinge {
     std::array<int, 4> vertices;
     std::array<double, 4> weights;
-    double area;  ///< of both triangles, m2
-    double warp;  ///< how far bending it bends the warp, 0 to 1
+    double area;                ///< of both triangles, m2
+    double warp;                ///< how far bending it bends the warp, 0 to 1
+    bool across_plane = false;  ///< its triangles are images in x = 0: bends in the plane only
   };
   int size = 0;
   std::vector<Triangle> triangles;

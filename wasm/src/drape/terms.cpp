@@ -91,7 +91,8 @@ double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions
   for (const SewnMesh::Hinge& h : mesh.hinges) {
     Vec3 bend = Vec3::Zero();
     for (int k = 0; k < 4; ++k)
-      for (int c = 0; c < 3; ++c) bend[c] += h.weights[k] * x[h.vertices[k]][c];
+      for (int c = h.across_plane ? 1 : 0; c < 3; ++c)
+        bend[c] += h.weights[k] * x[h.vertices[k]][c];
     const double stiffness = bendingOf(h, fabric);
     energy += stiffness * dot(bend, bend) / 2;
     if (gradient)
@@ -99,9 +100,11 @@ double bendingEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions
         for (int c = 0; c < 3; ++c)
           (*gradient)[h.vertices[k]][c] += stiffness * h.weights[k] * bend[c];
     if (!hessian) continue;
+    Mat3 directions = scalar(stiffness);
+    if (h.across_plane) directions(0, 0) = 0;
     for (int k = 0; k < 4; ++k)
       for (int l = k; l < 4; ++l)
-        hessian->add(h.vertices[k], h.vertices[l], scalar(stiffness * h.weights[k] * h.weights[l]));
+        hessian->add(h.vertices[k], h.vertices[l], (h.weights[k] * h.weights[l]) * directions);
   }
   return energy;
 }

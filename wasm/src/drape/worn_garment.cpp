@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "drape/fitting_form.h"
+#include "drape/layers.h"
 #include "drape/turn.h"
 #include "drape/wrap.h"
 
@@ -106,6 +107,8 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
     const Turn turn = turnOfDegrees(degreesOf(panel.grain_angle));
     problem.warp.emplace_back(turn.cosine, turn.sine);
   }
+  problem.matches = worn->garment_.garment.matches;
+  problem.overlaps = overlapsOf(worn->garment_.garment, coarse.pattern, worn->hanging_);
   problem.fabric = settings.fabric;
   problem.body = &worn->body_;
   problem.start = startOf(coarse, start.value());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "drape/layers.h"
 #include "drape/ring.h"
 #include "drape/settle.h"
 #include "drape/turn.h"
@@ -22,16 +23,11 @@ bool isArm(BodyPart part) { return only(part) & kArms; }
 
 class Wrapper {
  public:
-  Wrapper(const Garment& garment, const Pattern& pattern, const Form& form, const Hanging& hanging,
-          const WrapSettings& settings)
-      : matches_(garment.matches),
-        pattern_(pattern),
-        form_(form),
-        hanging_(hanging),
-        settings_(settings) {}
+  Wrapper(const Pattern& pattern, const Form& form, const Hanging& hanging,
+          const std::vector<bool>& on_top, const WrapSettings& settings)
+      : pattern_(pattern), form_(form), hanging_(hanging), on_top_(on_top), settings_(settings) {}
 
   PiecePositions run() {
-    findLayers();
     layOut();
     agreeOnHeights();
     PiecePositions positions(pattern_.pieces.size());
@@ -42,7 +38,6 @@ class Wrapper {
   }
 
   double missingGirth(double ease) {
-    findLayers();
     layOut();
     agreeOnHeights();
     double sum = 0;
@@ -51,26 +46,10 @@ class Wrapper {
     return sum;
   }
 
-  /// Pieces that lie on others.
-  const std::vector<bool>& onTop() const { return on_top_; }
-
  private:
   const Axis& axisOf(int piece) const { return form_.tube(hanging_.parts[piece]).axis(); }
   // Of the level 0 of the part's tube; the arms' levels are of their own.
   double base(BodyPart part) const { return isArm(part) ? 0 : form_.tube(part).axis().origin.y(); }
-
-  // What is sewn to nothing lies on what it is matched with; of two fronts that overlap, the right
-  // one lies on the left one.
-  void findLayers() {
-    on_top_.assign(pattern_.pieces.size(), true);
-    for (const Seam& seam : pattern_.seams) on_top_[seam.a.piece] = on_top_[seam.b.piece] = false;
-    for (const MatchLine& match : matches_) {
-      const double a = hanging_.middles[match.piece_a].x();
-      const double b = hanging_.middles[match.piece_b].x();
-      if (on_top_[match.piece_a] || on_top_[match.piece_b] || a * b >= 0) continue;
-      on_top_[a < b ? match.piece_a : match.piece_b] = true;
-    }
-  }
 
   // Pieces by (across, level) along the axis of their part.
   void layOut() {
@@ -184,13 +163,12 @@ class Wrapper {
     *position = share == 1 ? found : Vec3(*position * (1 - share) + found * share);
   }
 
-  const std::vector<MatchLine>& matches_;
   const Pattern& pattern_;
   const Form& form_;
   const Hanging& hanging_;
+  const std::vector<bool>& on_top_;  ///< per piece: lies on another one
   const WrapSettings& settings_;
   std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: across, level
-  std::vector<bool> on_top_;
 };
 
 }  // namespace
@@ -199,16 +177,20 @@ Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, 
                                 const WrapSettings& settings) {
   const Outcome<Hanging> hanging = hang(garment, pattern, form);
   if (!hanging.ok()) return hanging.error();
-  Wrapper wrapper(garment, pattern, form, hanging.value(), settings);
-  PiecePositions positions = wrapper.run();
-  settle(pattern, form, hanging.value(), wrapper.onTop(), settings, &positions);
+  const std::vector<Overlap> overlaps = overlapsOf(garment, pattern, hanging.value());
+  std::vector<bool> on_top(pattern.pieces.size(), false);
+  for (const Overlap& overlap : overlaps) on_top[overlap.upper] = true;
+  PiecePositions positions = Wrapper(pattern, form, hanging.value(), on_top, settings).run();
+  settle(pattern, form, hanging.value(), on_top, settings, &positions);
+  layOnOthers(garment, pattern, overlaps, settings.layer, &positions);
   return positions;
 }
 
 double missingGirth(const Garment& garment, const Pattern& pattern, const Form& form, double ease) {
   const Outcome<Hanging> hanging = hang(garment, pattern, form);
   if (!hanging.ok()) return 1e9;
-  return Wrapper(garment, pattern, form, hanging.value(), {}).missingGirth(ease);
+  const std::vector<bool> on_top(pattern.pieces.size(), false);
+  return Wrapper(pattern, form, hanging.value(), on_top, {}).missingGirth(ease);
 }
 
 }  // namespace seamwise

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include "drape/cloth_ties.h"
+#include "drape/contacts.h"
+#include "drape/drape_check.h"
+#include "drape/newton_cg.h"
+#include "drape_samples.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kGap = 0.002;  // m
+
+/// Two squares of 12 cm, the second one `apart` m over the first, its face upwards as well.
+struct TwoSheets {
+  Pattern pattern;
+  SewnLevel level;
+  SewnMesh mesh;
+  TwoSheets() {
+    Garment garment = testing::rectangle(12, 12);
+    garment.panels.push_back(garment.panels[0]);
+    garment.panels[1].name = "upper";
+    pattern = testing::plainPattern(garment);
+    level = testing::levelOf(pattern, 3);
+    mesh = testing::uncut(level, pattern);
+  }
+  Positions apart(double height) const {
+    return testing::laid(level, [&](int piece, const Vec2& at) {
+      return Vec3(0.01 * at.x() + 0.007 * piece, 0.004 * at.x() / 12 + piece * height,
+                  -0.01 * at.y() - 0.004 * piece);
+    });
+  }
+};
+
+TEST(DrapeContacts, PushApartByTheGradientOfAnEnergy) {
+  const TwoSheets sheets;
+  ClothContacts contacts(sheets.mesh, {{1, 0}}, {}, kGap);
+  contacts.setTouching(true);
+  Positions x = sheets.apart(-0.001);  // the upper one below
+  contacts.look(x);
+  Positions gradient(x.size(), Vec3::Zero()), product = gradient;
+  EXPECT_GT(contacts.energy(x, &gradient), 0);
+  testing::Chance chance;
+  Positions along(x.size());
+  for (Vec3& v : along) v = chance.vector();
+  const double h = 1e-6;
+  Positions before = x, after = x, slope_before = product, slope_after = product;
+  addScaled(before, -h, along), addScaled(after, h, along);
+  const double fall = contacts.energy(after, &slope_after) - contacts.energy(before, &slope_before);
+  EXPECT_NEAR(fall / (2 * h), dot(gradient, along), 1e-4 * std::abs(dot(gradient, along)));
+  contacts.addProduct(x, along, product);
+  addScaled(slope_after, -1, slope_before);
+  const double bend = dot(slope_after, along) / (2 * h);
+  EXPECT_NEAR(bend, dot(product, along), 1e-4 * bend);
+  // up with the upper one
+  EXPECT_LT(gradient[sheets.level.sewn[1].back()].y(), 0);
+}
+
+TEST(DrapeContacts, KeepTheSideThatIsSeenFirstWhereNoPieceIsAbove) {
+  const TwoSheets sheets;
+  for (const double side : {1.0, -1.0}) {
+    ClothContacts contacts(sheets.mesh, {}, {}, kGap);
+    contacts.setTouching(true);
+    contacts.look(sheets.apart(side * 0.004));
+    EXPECT_EQ(contacts.energy(sheets.apart(side * 0.004), nullptr), 0);
+    for (int k = 0; k < 4; ++k) contacts.look(sheets.apart(-side * 0.001));
+    Positions gradient(sheets.mesh.size, Vec3::Zero());
+    EXPECT_GT(contacts.energy(sheets.apart(-side * 0.001), &gradient), 0);
+    EXPECT_LT(side * gradient[sheets.level.sewn[1].back()].y(), 0);
+  }
+}
+
+TEST(DrapeContacts, HoldAPatchOnWhatItIsStitchedTo) {
+  const TwoSheets sheets;
+  const Polyline line{{1, 1}, {11, 1}, {11, 11}, {1, 11}};
+  MatchLine match;
+  match.piece_a = 1, match.piece_b = 0, match.a = line, match.b = line;
+  const std::vector<Overlap> overlaps{{1, 0}};
+  const std::vector<ClothTie> ties = tiesOf(sheets.level, {match}, overlaps, kGap);
+  ASSERT_EQ(ties.size(), 21u);  // 30 cm, each 1.5 cm
+  ClothContacts contacts(sheets.mesh, overlaps, ties, kGap);
+  contacts.setTouching(true);
+  const testing::Sphere floor(Vec3(0.06, -50, -0.06), 49.98);
+  ClothOptions options;
+  options.friction = false;
+  for (const int v : sheets.level.sewn[0]) {  // lies still
+    options.held.resize(sheets.mesh.size, 0);
+    options.held[v] = 1;
+  }
+  ClothSolver solver(sheets.mesh, kPoplin, floor, sheets.apart(0.01), options, &contacts);
+  for (int k = 0; k < 20; ++k) solver.newtonStep();
+  for (const ClothTie& tie : ties) {
+    Vec3 between = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      between += tie.b.weights[k] * solver.positions()[tie.b.vertices[k]];
+      between -= tie.a.weights[k] * solver.positions()[tie.a.vertices[k]];
+    }
+    EXPECT_NEAR(length(between), kGap, 3e-4);
+  }
+  EXPECT_TRUE(crossingsOf(sheets.mesh, solver.positions()).empty());
+}
+
+}  // namespace
+}  // namespace seamwise

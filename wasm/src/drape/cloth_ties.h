@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "drape/contacts.h"
+#include "pattern/garment.h"
+
+namespace seamwise {
+
+/// The points at which pieces that lie on each other without being sewn are held together: all
+/// along the lines of a piece that nothing else holds, as a patch pocket is stitched on, and by
+/// buttons every 8 cm where both pieces are sewn to others.
+/// @param matches    in the pieces as drafted
+/// @param overlaps   which piece of each match is above; the second one where it is not said
+/// @param gap        between the layers, m
+std::vector<ClothTie> tiesOf(const SewnLevel& level, const std::vector<MatchLine>& matches,
+                             const std::vector<Overlap>& overlaps, double gap);
+
+}  // namespace seamwise

@@ -1,0 +1,196 @@
+#include "drape/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/space_grid.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kSeen = 0.008;        ///< m, at which a vertex is given its side of a triangle
+constexpr double kStiffness = 5e5;     ///< N/m3, of what keeps layers apart
+constexpr double kTieStiffness = 400;  ///< N/m, of a held point
+constexpr double kBeside = 0.05;       ///< share of a triangle that a vertex may be beside it
+constexpr double kCell = 0.02;         ///< m, of the grid
+constexpr double kPerPair = 60;        ///< multiplications
+
+Vec3 at(const ClothPoint& point, const Positions& x) {
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) sum[c] += point.weights[k] * x[point.vertices[k]][c];
+  return sum;
+}
+
+void addAt(const ClothPoint& point, const Vec3& v, Positions& y) {
+  for (int k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) y[point.vertices[k]][c] += point.weights[k] * v[c];
+}
+
+Vec3 normalOf(const std::array<int, 3>& t, const Positions& x) {
+  const Vec3 n = crossProduct(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
+  const double far = length(n);
+  return far > 0 ? Vec3(n / far) : Vec3(0, 0, 0);
+}
+
+/// The foot of a perpendicular from p to the plane of a triangle.
+ClothPoint footOf(const Vec3& p, const std::array<int, 3>& t, const Positions& x) {
+  const Vec3 u = x[t[1]] - x[t[0]], v = x[t[2]] - x[t[0]], w = p - x[t[0]];
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
+  const double whole = uu * vv - uv * uv;
+  if (!(whole > 0)) return {t, {1, 0, 0}};
+  const double b = (vv * uw - uv * vw) / whole, c = (uu * vw - uv * uw) / whole;
+  return {t, {1 - b - c, b, c}};
+}
+
+}  // namespace
+
+ClothContacts::ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps,
+                             std::vector<ClothTie> ties, double gap)
+    : mesh_(&mesh),
+      overlaps_(std::move(overlaps)),
+      pieces_(mesh.size),
+      ties_(std::move(ties)),
+      gap_(gap),
+      ring_(mesh.size) {
+  std::sort(overlaps_.begin(), overlaps_.end());
+  for (const SewnMesh::Triangle& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      pieces_[t.vertices[k]].push_back(t.piece);
+      ring_[t.vertices[k]].push_back(t.vertices[(k + 1) % 3]);
+      ring_[t.vertices[k]].push_back(t.vertices[(k + 2) % 3]);
+    }
+  for (auto* lists : {&pieces_, &ring_})
+    for (std::vector<int>& list : *lists) {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+}
+
+void ClothContacts::setTouching(bool on) {
+  touching_ = on, looks_ = 0;
+  pairs_.clear(), touches_.clear();
+}
+
+void ClothContacts::turn(const std::vector<char>& crossed) {
+  turned_ = crossed;
+  pairs_.clear(), looks_ = 0;
+}
+
+bool ClothContacts::neighbours(int vertex, const std::array<int, 3>& triangle) const {
+  const std::vector<int>& ring = ring_[vertex];
+  for (const int v : triangle)
+    if (v == vertex || std::binary_search(ring.begin(), ring.end(), v)) return true;
+  return false;
+}
+
+/// 0 where nothing is said of their pieces.
+double ClothContacts::sideByOverlaps(int vertex, int triangle) const {
+  const int other = mesh_->triangles[triangle].piece;
+  for (const int piece : pieces_[vertex]) {
+    if (std::binary_search(overlaps_.begin(), overlaps_.end(), Overlap{piece, other})) return 1;
+    if (std::binary_search(overlaps_.begin(), overlaps_.end(), Overlap{other, piece})) return -1;
+  }
+  return 0;
+}
+
+/// As an earlier pair of the vertex with this triangle or one beside it had it; else where the
+/// vertex is now.
+double ClothContacts::sideBySight(int vertex, int triangle, const Positions& x) const {
+  const auto& corners = mesh_->triangles[triangle].vertices;
+  auto earlier = std::lower_bound(pairs_.begin(), pairs_.end(), Pair{vertex, 0, 0});
+  double beside = 0;
+  for (; earlier != pairs_.end() && earlier->vertex == vertex; ++earlier) {
+    if (earlier->triangle == triangle) return earlier->side;
+    const auto& other = mesh_->triangles[earlier->triangle].vertices;
+    for (const int v : corners)
+      if (v == other[0] || v == other[1] || v == other[2]) beside = earlier->side;
+  }
+  if (beside != 0) return beside;
+  const double now = dot(normalOf(corners, x), x[vertex] - x[corners[0]]) < 0 ? -1 : 1;
+  if (turned_.empty()) return now;
+  const bool all = turned_[corners[0]] && turned_[corners[1]] && turned_[corners[2]];
+  return (turned_[vertex] != 0) != all ? -now : now;
+}
+
+void ClothContacts::search(const Positions& x) {
+  std::vector<Box> points, boxes;
+  for (const Vec3& p : x)
+    points.push_back({p - Vec3(kSeen, kSeen, kSeen), p + Vec3(kSeen, kSeen, kSeen)});
+  for (const SewnMesh::Triangle& t : mesh_->triangles)
+    boxes.push_back(boxOf(x[t.vertices[0]], x[t.vertices[1]], x[t.vertices[2]]));
+  std::vector<Pair> found;
+  search_cost_ = 200.0 * static_cast<double>(points.size() + boxes.size());
+  forOverlaps(points, boxes, kCell, [&](int vertex, int triangle) {
+    const auto& corners = mesh_->triangles[triangle].vertices;
+    search_cost_ += kPerPair;
+    if (neighbours(vertex, corners)) return;
+    const ClothPoint foot = footOf(x[vertex], corners, x);
+    for (const double w : foot.weights)
+      if (w < -0.5) return;
+    const Vec3 off = x[vertex] - at(foot, x);
+    if (dot(off, off) > kSeen * kSeen) return;
+    const double side = sideByOverlaps(vertex, triangle);
+    found.push_back({vertex, triangle, side != 0 ? side : sideBySight(vertex, triangle, x)});
+  });
+  pairs_ = std::move(found);
+}
+
+void ClothContacts::look(const Positions& x) {
+  search_cost_ = 0;
+  if (touching_ && looks_++ % kSearchEach == 0) search(x);
+  touches_.clear();
+  for (const Pair& pair : pairs_) {
+    const auto& corners = mesh_->triangles[pair.triangle].vertices;
+    const ClothPoint foot = footOf(x[pair.vertex], corners, x);
+    if (*std::min_element(foot.weights.begin(), foot.weights.end()) < -kBeside) continue;
+    const double area =
+        std::min(mesh_->area[pair.vertex], mesh_->triangles[pair.triangle].area / 2);
+    touches_.push_back({pair.vertex, foot, pair.side * normalOf(corners, x), kStiffness * area});
+  }
+  tied_.clear();
+  for (const ClothTie& tie : ties_)
+    tied_.push_back({tie.gap * normalOf(tie.a.vertices, x), kTieStiffness});
+}
+
+double ClothContacts::excess(const Touch& touch, const Positions& x) const {
+  return gap_ - dot(touch.normal, x[touch.vertex] - at(touch.point, x));
+}
+
+double ClothContacts::energy(const Positions& x, Positions* gradient) const {
+  double energy = 0;
+  for (const Touch& touch : touches_) {
+    const double depth = excess(touch, x);
+    if (!(depth > 0)) continue;
+    energy += touch.stiffness * depth * depth / 2;
+    if (!gradient) continue;
+    const Vec3 force = touch.stiffness * depth * touch.normal;
+    for (int c = 0; c < 3; ++c) (*gradient)[touch.vertex][c] -= force[c];
+    addAt(touch.point, force, *gradient);
+  }
+  for (std::size_t k = 0; k < tied_.size(); ++k) {
+    const Vec3 apart = at(ties_[k].b, x) - at(ties_[k].a, x) - tied_[k].offset;
+    energy += tied_[k].stiffness * dot(apart, apart) / 2;
+    if (!gradient) continue;
+    addAt(ties_[k].b, tied_[k].stiffness * apart, *gradient);
+    addAt(ties_[k].a, -tied_[k].stiffness * apart, *gradient);
+  }
+  return energy;
+}
+
+void ClothContacts::addProduct(const Positions& x, const Positions& p, Positions& y) const {
+  for (const Touch& touch : touches_) {
+    if (!(excess(touch, x) > 0)) continue;
+    const Vec3 force =
+        touch.stiffness * dot(touch.normal, p[touch.vertex] - at(touch.point, p)) * touch.normal;
+    for (int c = 0; c < 3; ++c) y[touch.vertex][c] += force[c];
+    addAt(touch.point, -force, y);
+  }
+  for (std::size_t k = 0; k < tied_.size(); ++k) {
+    const Vec3 force = tied_[k].stiffness * (at(ties_[k].b, p) - at(ties_[k].a, p));
+    addAt(ties_[k].b, force, y);
+    addAt(ties_[k].a, -force, y);
+  }
+}
+
+}  // namespace seamwise

@@ -1,0 +1,90 @@
+#include "drape/level_cloth.h"
+
+#include <algorithm>
+
+#include "base/disjoint_sets.h"
+#include "drape/drape_check.h"
+
+namespace seamwise {
+namespace {
+
+/// Of the sets of vertices that edges join, how many vertices each has, by its least one.
+std::vector<int> sizesOf(DisjointSets& sets, int count) {
+  std::vector<int> sizes(count, 0);
+  for (int i = 0; i < count; ++i) ++sizes[sets.find(i)];
+  return sizes;
+}
+
+}  // namespace
+
+LevelCloth::LevelCloth(const SewnMesh& mesh, const std::vector<int>& image, const Layers& layers,
+                       const Fabric& fabric, const DistanceField& body, const Positions& start,
+                       ClothOptions options)
+    : mesh_(&mesh), half_(halved(mesh, image, start)), x_(start) {
+  if (half_) options.least_x = leastX(layers.gap);
+  contacts_ = std::make_unique<ClothContacts>(
+      solved(), layers.overlaps, half_ ? tiesOfHalf(layers.ties) : layers.ties, layers.gap);
+  solver_ =
+      std::make_unique<ClothSolver>(solved(), fabric, body, half_ ? half_->half(start) : start,
+                                    std::move(options), contacts_.get());
+}
+
+/// Those of this half.
+std::vector<ClothTie> LevelCloth::tiesOfHalf(const std::vector<ClothTie>& ties) const {
+  std::vector<ClothTie> own;
+  for (ClothTie tie : ties) {
+    bool inside = true;
+    for (ClothPoint* point : {&tie.a, &tie.b})
+      for (int& v : point->vertices) {
+        v = half_->in_half[v];
+        inside = inside && v >= 0;
+      }
+    if (inside) own.push_back(tie);
+  }
+  return own;
+}
+
+/// Half a gap from the plane; where the cloth goes on to the other side, none.
+std::vector<double> LevelCloth::leastX(double gap) const {
+  std::vector<double> least(solved().size, gap / 2);
+  for (int i = 0; i < solved().size; ++i)
+    if (half_->inPlane(i)) least[i] = ClothOptions::kInPlane;
+  for (int ring = 0; ring < 2; ++ring) {
+    std::vector<int> beside;
+    for (const auto& [a, b] : solved().edges())
+      for (const auto& [own, other] : {std::pair(a, b), {b, a}})
+        if (least[own] == gap / 2 && least[other] != gap / 2) beside.push_back(own);
+    for (const int i : beside) least[i] = 0;
+  }
+  return least;
+}
+
+ClothSolver::Step LevelCloth::taken(ClothSolver::Step step) {
+  x_ = half_ ? half_->whole(solver_->positions()) : solver_->positions();
+  step.energy *= sides(), step.fall *= sides();
+  return step;
+}
+
+int LevelCloth::crossings() const {
+  return static_cast<int>(crossingsOf(solved(), solver_->positions()).size());
+}
+
+void LevelCloth::turnBack() {
+  const SewnMesh& mesh = solved();
+  std::vector<std::pair<int, int>> cut;
+  for (const ClothCrossing& crossing : crossingsOf(mesh, solver_->positions()))
+    cut.emplace_back(crossing.edge[0], crossing.edge[1]);
+  std::sort(cut.begin(), cut.end());
+  DisjointSets all(mesh.size), parts(mesh.size);
+  for (const auto& [a, b] : mesh.edges()) {
+    all.join(a, b);
+    if (!std::binary_search(cut.begin(), cut.end(), std::pair(std::min(a, b), std::max(a, b))))
+      parts.join(a, b);
+  }
+  const std::vector<int> whole = sizesOf(all, mesh.size), part = sizesOf(parts, mesh.size);
+  std::vector<char> crossed(mesh.size);
+  for (int i = 0; i < mesh.size; ++i) crossed[i] = 2 * part[parts.find(i)] < whole[all.find(i)];
+  contacts_->turn(crossed);
+}
+
+}  // namespace seamwise
