@@ -108,7 +108,8 @@ DrapeHandle::DrapeHandle(const val& request) {
               text("bodyName"),
               text("fabric"),
               text("size"),
-              request["effort"].as<double>()};
+              request["effort"].as<double>(),
+              emscripten::convertJSArrayToNumberVector<double>(request["settled"])};
 }
 
 void DrapeHandle::hang() {
@@ -116,6 +117,7 @@ void DrapeHandle::hang() {
   Outcome<SolvedGarment> solved = readSolved(request.result, request.result_name);
   WearSettings settings;
   settings.effort = request.effort;
+  settings.settled = request.settled;
   for (const Fabric& fabric : kFabrics)
     if (request.fabric == fabric.name) settings.fabric = fabric;
   if (solved.ok() && !request.size.empty()) {

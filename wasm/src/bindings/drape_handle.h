@@ -17,7 +17,8 @@ namespace seamwise {
 class DrapeHandle {
  public:
   /// @param request   result and body: documents, the latter may be empty; their names; fabric,
-  ///                  size: names, the latter may be empty; effort
+  ///                  size: names, the latter may be empty; effort;
+  ///                  settled: positions that an earlier drape ended with, or none
   explicit DrapeHandle(const val& request);
 
   val failure() const { return failureValue(error_); }
@@ -45,6 +46,7 @@ class DrapeHandle {
   struct Request {
     std::string result, result_name, body, body_name, fabric, size;
     double effort;
+    std::vector<double> settled;
   };
   Request request_;
   std::unique_ptr<WornGarment> worn_;

@@ -16,17 +16,6 @@ constexpr int kSewingSteps = 5, kHangingSteps = 40, kSettlingSteps = 60;  ///< N
 /// what lifts the garment by a metre.
 constexpr double kQuiet = 5e-4, kQuietFall = 2e-5;
 
-int mostSteps(Drape::Stage stage) {
-  switch (stage) {
-    case Drape::Stage::kSew:
-      return kQuasiNewtonSteps + kSewingSteps;
-    case Drape::Stage::kHang:
-      return kHangingSteps;
-    default:
-      return kSettlingSteps;
-  }
-}
-
 }  // namespace
 
 Drape::Drape(DrapeProblem problem)
@@ -46,6 +35,12 @@ Drape::Drape(DrapeProblem problem)
 const SewnLevel& Drape::level() const {
   return stage_ == Stage::kSew || stage_ == Stage::kHang ? problem_.levels.coarse
                                                          : problem_.levels.fine;
+}
+
+int Drape::mostSteps(Stage stage) const {
+  if (stage == Stage::kSew) return kQuasiNewtonSteps + kSewingSteps;
+  return static_cast<int>(problem_.effort *
+                          (stage == Stage::kHang ? kHangingSteps : kSettlingSteps));
 }
 
 double Drape::fraction() const {
@@ -89,8 +84,8 @@ void Drape::step() {
   report.work = work() - began_;
   report.energies.push_back(step.energy);
   farthest_ = step.farthest;
-  const bool quiet =
-      step.failed || (step.farthest < kQuiet && step.fall < kQuietFall * cloth_->weight());
+  const bool quiet = step.failed || (step.farthest < kQuiet / problem_.effort &&
+                                     step.fall < kQuietFall / problem_.effort * cloth_->weight());
   quiet_ = quiet && !first ? quiet_ + 1 : 0;
 }
 

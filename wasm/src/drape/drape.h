@@ -24,6 +24,7 @@ struct DrapeProblem {
   std::vector<MatchLine> matches;  ///< lines that hold pieces together, as drafted
   std::vector<Overlap> overlaps;   ///< which pieces lie on which
   ClothOptions options;
+  double effort = 1;    ///< how much closer to rest it goes, and how many more steps it may take
   double budget = 100;  ///< of work, in factorisations of a 90 x 90 grid (ClothSolver::work)
 };
 
@@ -68,6 +69,7 @@ class Drape {
   void put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from);
   void step();
   bool atRest() const { return quiet_ >= kQuietSteps; }
+  int mostSteps(Stage stage) const;
   bool mend();
   void finish();
 

@@ -54,6 +54,21 @@ SolvedGarment ordered(SolvedGarment garment, const std::vector<int>& order) {
   return garment;
 }
 
+/// Where an earlier drape left the vertices of a level; empty when it was one of another garment,
+/// or on another form. [m]
+Positions settledOf(const SewnLevel& level, const std::vector<double>& flat,
+                    const DistanceField& body) {
+  constexpr double kDeepest = 0.005;  // m that a garment of another shape may reach into the form
+  if (flat.size() != 3 * static_cast<std::size_t>(level.size)) return {};
+  Positions settled;
+  for (std::size_t k = 0; k < flat.size(); k += 3) {
+    const Vec3 at = kCentimetre * Vec3(flat[k], flat[k + 1], flat[k + 2]);
+    if (!at.allFinite() || body.distance(at, nullptr) < -kDeepest) return {};
+    settled.push_back(at);
+  }
+  return settled;
+}
+
 /// Where the sewn vertices of a level are, from where those of its pieces are.
 Positions startOf(const SewnLevel& level, const PiecePositions& wrapped) {
   Positions start(level.size, Vec3::Zero());
@@ -112,6 +127,8 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   problem.fabric = settings.fabric;
   problem.body = &worn->body_;
   problem.start = startOf(coarse, start.value());
+  problem.settled = settledOf(worn->levels_.fine, settings.settled, worn->body_);
+  problem.effort = settings.effort;
   problem.budget = kUsualBudget * settings.effort;
   worn->drape_ = std::make_unique<Drape>(std::move(problem));
   return worn;

@@ -22,7 +22,10 @@ struct SolvedGarment {
 struct WearSettings {
   Fabric fabric = kPoplin;
   std::optional<Measures> measures;  ///< of the form; else the garment's own, or those of its size
-  double effort = 1;                 ///< what is spent on settling, over what usually suffices
+  double effort = 1;                 ///< DrapeProblem::effort
+  /// Where an earlier drape of the garment left its cloth, x, y, z after each other, cm; empty:
+  /// none
+  std::vector<double> settled;
 };
 
 /// A garment on its form. Its pieces are draped in the order in which they hang, so that the order

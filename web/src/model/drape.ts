@@ -190,6 +190,8 @@ export interface DrapeSettings {
   readonly body?: Measurements;
   /** How much further it settles, 1 unless said otherwise. */
   readonly effort?: 1 | 2 | 4;
+  /** An earlier drape of the same garment in another print: the cloth goes on from there. Of another garment or form it is of no matter. */
+  readonly from?: Drape;
 }
 
 /** How to follow a drape and how to end it early. */

@@ -16,6 +16,8 @@ export interface ModuleDrapeRequest {
   /** May be empty. */
   readonly size: string;
   readonly effort: number;
+  /** As `positions()` of an earlier drape; empty without one. */
+  readonly settled: Float64Array;
 }
 
 /** A drape that is advanced step by step, reading included. After any call, `failure()` says whether it went wrong. */

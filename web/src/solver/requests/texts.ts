@@ -63,6 +63,8 @@ export interface DrapeTexts {
   /** May be empty. */
   readonly size: string;
   readonly effort: number;
+  /** Positions of an earlier drape, or none. */
+  readonly settled: Float64Array;
 }
 
 /** Hooks for programs that read files. */
@@ -190,7 +192,7 @@ export function drapeTexts(
   settings: DrapeSettings = {},
   names: NamedDrapeHooks['names'] = {},
 ): DrapeTexts {
-  const {fabric = 'poplin', size, body, effort = 1} = settings;
+  const {fabric = 'poplin', size, body, effort = 1, from} = settings;
   const check = (name: string, value: unknown, known: readonly unknown[]) => {
     if (known.includes(value)) return;
     throw new SolverError({
@@ -210,5 +212,6 @@ export function drapeTexts(
     fabric,
     size: size ?? '',
     effort,
+    settled: from?.positions ?? new Float64Array(),
   };
 }
