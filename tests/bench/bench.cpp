@@ -12,7 +12,8 @@ namespace {
 Json answered(const std::string& line) {
   static const std::map<std::string, Json (*)(const Json&)> kTasks = {
       {"solve", solveTask},   {"mesh", meshTask},     {"factorise", factoriseTask},
-      {"starts", startsTask}, {"search", searchTask}, {"edit", editTask}};
+      {"starts", startsTask}, {"search", searchTask}, {"edit", editTask},
+      {"drape", drapeTask}};
   try {
     const Json task = Json::parse(line);
     return kTasks.at(task.at("task").get<std::string>())(task);

@@ -84,5 +84,6 @@ Json factoriseTask(const Json& task);
 Json startsTask(const Json& task);
 Json searchTask(const Json& task);
 Json editTask(const Json& task);
+Json drapeTask(const Json& task);
 
 }  // namespace seamwise::bench

@@ -11,6 +11,7 @@ import {main, root, say, SetupError} from '../../web/setup/shell.mjs';
 import {findGarments, findPrints} from './cases.mjs';
 import {
   both,
+  measureDrapes,
   measureEdits,
   measureGrowth,
   measureMethods,
@@ -31,6 +32,7 @@ const parts = {
   search: {measure: measureSearch, platforms: ['native']},
   edits: {measure: measureEdits, platforms: both},
   growth: {measure: measureGrowth, platforms: both},
+  drapes: {measure: measureDrapes, platforms: both},
   rules: {measure: measureRules, platforms: []},
   page: {
     measure: async (settings) => (await import('./page.mjs')).measurePage(settings),
@@ -43,7 +45,7 @@ const usualLongCases = 10;
 const usage = `npm run bench -- [--parts ${Object.keys(parts).join(',')}] [--garments DIR ...] [--only NAME]
     [--groups GROUP,...] [--seeds N] [--long SECONDS] [--long-cases N] [--thorough] [--json] [--write]
 Measures the sample garments, and all below the given folders, on an idle machine; about three
-quarters of an hour: half of it 'published', a minute or less 'growth', 'edits' and 'page', the others some minutes each.
+quarters of an hour: half of it 'published', a minute or less 'growth', 'edits', 'drapes' and 'page', the others some minutes each.
 --only takes a part of a garment's name. --groups are those of the prints: of 'methods' (pmm by itself), of
 'published' and of 'search' (${usualGroups.join()} by themselves). --seeds: of paper and ws19, and of the search (1).
 --long: how much time the search gets for comparison (60 s), in so many cases (${usualLongCases}).

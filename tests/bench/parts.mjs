@@ -273,5 +273,20 @@ export async function measureGrowth({programs, garments, prints, say, fail}) {
   return {sizes: measured, exponents};
 }
 
+/** Every garment draped, and draped again in another print, in factorisations of a grid. */
+export async function measureDrapes({programs, garments, prints, say, fail}) {
+  const rows = [];
+  for (const garment of garments) {
+    const name = `drapes: ${garment.name}`;
+    say(name);
+    const measure = async () => {
+      const task = named('drape', {garment, print: prints.methods[0]});
+      return {garment: garment.name, ...(await programs.onBoth(task))};
+    };
+    rows.push(await unlessBroken(name, fail, measure));
+  }
+  return rows.filter(isThere);
+}
+
 const slope = (rows, platform, phase) =>
   exponent(rows.map((row) => [row.triangles, row[platform].milliseconds[phase]]));

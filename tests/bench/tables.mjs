@@ -210,6 +210,44 @@ function growthRows({sizes, exponents}) {
   return [...rows, ...slopes];
 }
 
+function drapeRows(rows) {
+  return rows.flatMap(({garment, native, wasm}) =>
+    [native, wasm].map((figures, k) => [
+      k === 0 ? garment : '',
+      k === 0 ? 'native' : figures.hash === native.hash ? 'wasm, same bytes' : 'wasm, OTHER BYTES',
+      figures.triangles,
+      figures.unit.toFixed(1),
+      figures.first.toFixed(1),
+      figures.settled.toFixed(1),
+      figures.counted.toFixed(1),
+      figures.again.toFixed(1),
+      ms(figures.milliseconds.first),
+      ms(figures.milliseconds.settled),
+      ms(figures.milliseconds.again),
+      ...['median', 'p99', 'max'].map((name) => share(figures.tension[name])),
+      figures.crossings,
+    ]),
+  );
+}
+
+const drapeHead = [
+  'garment',
+  'platform',
+  'triangles',
+  'one factorisation, ms',
+  'first shape',
+  'settled',
+  'counted',
+  'another print',
+  'first, ms',
+  'settled, ms',
+  'another, ms',
+  'tension, median',
+  'p99',
+  'max',
+  'crossings',
+];
+
 const growthHead = [
   'triangles',
   'platform',
@@ -285,6 +323,10 @@ export function tablesOf(results) {
     ['Edits', results.edits && table(editHead, editRows(results.edits))],
     ['Rules', results.rules && table(rulesHead, results.rules.map(rulesRow))],
     ['Growth', results.growth && table(growthHead, growthRows(results.growth))],
+    [
+      'Drapes, in factorisations of a grid of 90 x 90 nodes',
+      results.drapes && table(drapeHead, drapeRows(results.drapes)),
+    ],
     ['Page', results.page && table(['', ''], pageRows(results.page))],
   ];
   if (results.failures.length > 0)

@@ -1,0 +1,104 @@
+// What draping a solved garment takes, in factorisations of the matrix of a grid of 90 x 90 nodes
+// with 2 unknowns each, which is factorised in the same process.
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "bench.h"
+#include "drape/worn_garment.h"
+#include "numeric/sparse.h"
+
+namespace seamwise::bench {
+namespace {
+
+/// The quickest of several. [ms]
+double gridFactorisation() {
+  constexpr int kNodes = 90;
+  const auto node = [](int row, int column) { return row * kNodes + column; };
+  std::vector<std::pair<int, int>> pairs;
+  for (int r = 0; r < kNodes; ++r)
+    for (int c = 0; c < kNodes; ++c)
+      for (const auto& [dr, dc] : {std::pair(0, 0), {0, 1}, {1, 0}, {1, -1}})
+        if (r + dr < kNodes && c + dc >= 0 && c + dc < kNodes)
+          for (int k = 0; k < 4; ++k)
+            pairs.emplace_back(2 * node(r, c) + k / 2, 2 * node(r + dr, c + dc) + k % 2);
+  SparseHessian matrix(2 * kNodes * kNodes, pairs);
+  matrix.analyse();
+  double least = 1e300;
+  for (int k = 0; k < 9; ++k) {
+    matrix.setZero();
+    for (const auto& [i, j] : pairs) matrix.add(i, j, i == j ? 20 : -0.1);
+    const Watch watch;
+    if (!matrix.factorise()) throw std::runtime_error("The grid could not be factorised.");
+    least = std::min(least, watch.milliseconds());
+  }
+  return least;
+}
+
+SolvedGarment solvedWith(const Json& task, double print_scale) {
+  Solver solver = required(Solver::make(problemOf(task, print_scale)));
+  Result result = required(solver.finish());
+  return {std::move(result.garment), std::move(result.pattern), std::move(result.shapes)};
+}
+
+/// FNV-1a over the bytes of all coordinates: the same wherever the drape is.
+std::string hashOf(const Positions& x) {
+  std::uint64_t hash = 1469598103934665603u;
+  for (const Vec3& at : x)
+    for (int c = 0; c < 3; ++c) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &at[c], sizeof bits);
+      for (int k = 0; k < 8; ++k) hash = (hash ^ (bits >> (8 * k) & 255)) * 1099511628211u;
+    }
+  return std::to_string(hash);
+}
+
+struct Draped {
+  double first = 0, whole = 0, counted = 0;  ///< ms, ms, units
+  std::unique_ptr<WornGarment> worn;
+};
+
+/// To its end; the first shape is that of the first stage, which is shown before it.
+Draped drape(SolvedGarment garment, const WearSettings& settings) {
+  Draped draped;
+  const Watch watch;
+  draped.worn = required(WornGarment::make(std::move(garment), settings));
+  Drape& cloth = draped.worn->drape();
+  const Drape::Stage begin = cloth.stage();
+  while (cloth.advance(0.1))
+    if (cloth.stage() == begin) draped.first = watch.milliseconds();
+  draped.whole = watch.milliseconds();
+  draped.counted = cloth.work();
+  return draped;
+}
+
+}  // namespace
+
+Json drapeTask(const Json& task) {
+  const double unit = gridFactorisation();
+  const Draped cold = drape(solvedWith(task, 1), {});
+  WearSettings again;
+  const Drape& cloth = cold.worn->drape();
+  for (const Vec3& at : cloth.positions())
+    for (int c = 0; c < 3; ++c) again.settled.push_back(at[c] / kCentimetre);
+  const Draped warm = drape(solvedWith(task, 1.3), again);
+  std::size_t triangles = 0;
+  for (const Piece& piece : cold.worn->levels().fine.pattern.pieces)
+    triangles += piece.triangles.size();
+  const DrapeCheck& check = cloth.check();
+  return {
+      {"triangles", triangles},
+      {"unit", unit},
+      {"first", cold.first / unit},
+      {"settled", cold.whole / unit},
+      {"counted", cold.counted},
+      {"again", warm.whole / unit},
+      {"milliseconds", {{"first", cold.first}, {"settled", cold.whole}, {"again", warm.whole}}},
+      {"tension",
+       {{"median", check.tension.median}, {"p99", check.tension.p99}, {"max", check.tension.most}}},
+      {"crossings", check.crossings},
+      {"depth", check.depth / kCentimetre},
+      {"hash", hashOf(cloth.positions())}};
+}
+
+}  // namespace seamwise::bench
