@@ -34,12 +34,13 @@ Tube torso(const Measures& m) {
       Section{-down, 19.2, 12.5, -1.3, 0.25}.withGirth(m.hip),
       Section{-0.5 * down, 17.0, 11.8, -0.5, 0.2}.withGirth(between(0.68, m.waist, m.hip)),
       Section{0, 13.7, 10.4, 0.9, 0.15}.withGirth(m.waist),
+      Section{0.12 * up, 14.2, 10.7, 0.7, 0.15}.withGirth(between(0.06, m.waist, m.bust)),
       Section{0.28 * up, 14.6, 11.0, 0.5, 0.15}.withGirth(between(0.3, m.waist, m.bust)),
       chest.withGirth(m.bust),
       above(0.66, 16.8, 11.0, -1.3, 0.3),
-      above(0.82, 18.0, 9.0, -2.4, 0.4),
-      above(0.95, 18.8, 7.2, -3.1, 0.4),
-      above(1.15, 18.8, 6.2, -3.4, 0.4)};
+      above(0.82, 18.0, 8.0, -2.4, 0.4),
+      above(0.95, 18.8, 5.8, -2.5, 0.3),
+      above(1.15, 18.8, 4.6, -2.5, 0.3)};
   const double tip = m.shoulder_width / 2;
   // The shoulders slope from the side of the neck to the shoulder points.
   const double neck = m.neck / (2 * kPi) + 1, rise = (kShoulderDrop + 0.035) * up;

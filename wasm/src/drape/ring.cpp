@@ -9,7 +9,7 @@ namespace seamwise {
 namespace {
 
 // A ring lies so much further out than the body at least, and in waves from there on. [1]
-constexpr double kEase = 1.06, kWavesFrom = 1.2, kWaveBase = 1.08, kSpiral = 1.05;
+constexpr double kEase = 1.06, kWavesFrom = 1.06, kWaveBase = 1, kSpiral = 1.05;
 // Rings follow each other smoothly over so many levels to either side. [cm]
 constexpr int kSmoothing = 3;
 // A band that goes around more than once lies on itself by so much. [cm]
