@@ -12,9 +12,20 @@ namespace {
 constexpr int kMostMended = 3, kMendingSteps = 12;
 constexpr int kQuasiNewtonSteps = 24;
 constexpr int kSewingSteps = 5, kHangingSteps = 40, kSettlingSteps = 60;  ///< Newton, at most
-/// A step is quiet when no vertex moves further [m] and the energy falls by less than that share of
-/// what lifts the garment by a metre.
-constexpr double kQuiet = 5e-4, kQuietFall = 2e-5;
+/// A garment is at rest when so many steps together move its vertices by so little, root mean
+/// square [m], and lower its energy by less than that share of what lifts it by a metre: what they
+/// still do nobody sees.
+constexpr int kRestSteps = 5;
+constexpr double kRestMoved = 5e-4, kRestFall = 1e-4;
+
+double rmsBetween(const Positions& a, const Positions& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec3 moved = a[i] - b[i];
+    sum += dot(moved, moved);
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
 
 }  // namespace
 
@@ -60,7 +71,8 @@ void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& f
 }
 
 void Drape::begin(Stage stage, const Positions& from) {
-  stage_ = stage, quiet_ = 0, last_step_ = mostSteps(stage);
+  since_ = {}, at_rest_ = false;
+  stage_ = stage, last_step_ = mostSteps(stage);
   if (stage == Stage::kDone) return;
   if (stage == Stage::kSew) {
     put(problem_.levels.coarse, coarse_, from);
@@ -79,20 +91,28 @@ void Drape::begin(Stage stage, const Positions& from) {
 void Drape::step() {
   StageReport& report = stages_.back();
   const bool first = stage_ == Stage::kSew && report.steps < kQuasiNewtonSteps;
+  if (since_.steps == 0) since_.from = positions();
   const ClothSolver::Step step = first ? cloth_->quasiNewtonStep() : cloth_->newtonStep();
   ++report.steps;
   report.work = work() - began_;
   report.energies.push_back(step.energy);
   farthest_ = step.farthest;
-  const bool quiet = step.failed || (step.farthest < kQuiet / problem_.effort &&
-                                     step.fall < kQuietFall / problem_.effort * cloth_->weight());
-  quiet_ = quiet && !first ? quiet_ + 1 : 0;
+  if (!first) watch(step.fall);
+}
+
+/// Whether it still moves, once in kRestSteps steps.
+void Drape::watch(double fall) {
+  since_.fall += fall;
+  if (++since_.steps < kRestSteps) return;
+  at_rest_ = rmsBetween(since_.from, positions()) < kRestMoved &&
+             since_.fall < kRestFall * cloth_->weight();
+  since_ = {};
 }
 
 void Drape::finish() {
   if (!std::isfinite(cloth_->energy())) {
     notes_.emplace_back("The garment cannot be draped: it has no position to start from.");
-  } else if (!atRest()) {
+  } else if (!at_rest_) {
     const int millimetres = static_cast<int>(1000 * farthest_ + 0.5);
     notes_.push_back("The garment is still moving by " +
                      (millimetres < 1 ? "less than 1" : decimal(millimetres)) + " mm in a step.");
@@ -104,7 +124,8 @@ void Drape::finish() {
 /// Whether crossings are left that more steps may undo.
 bool Drape::mend() {
   if (mended_ >= kMostMended || work() >= problem_.budget || cloth_->crossings() == 0) return false;
-  ++mended_, quiet_ = 0, last_step_ = stages_.back().steps + kMendingSteps;
+  ++mended_, since_ = {}, at_rest_ = false;
+  last_step_ = stages_.back().steps + kMendingSteps;
   cloth_->setTouching(true);
   cloth_->turnBack();
   return true;
@@ -114,7 +135,7 @@ bool Drape::advance(double work_now) {
   const double until = work() + work_now;
   while (stage_ != Stage::kDone && work() < until) {
     step();
-    const bool over = atRest() || stages_.back().steps >= last_step_;
+    const bool over = at_rest_ || stages_.back().steps >= last_step_;
     if (stage_ == Stage::kSettle && (over || work() >= problem_.budget)) {
       if (!mend()) finish();
     } else if (over && stage_ == Stage::kSew)

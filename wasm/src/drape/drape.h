@@ -68,20 +68,26 @@ class Drape {
   void begin(Stage stage, const Positions& from = {});
   void put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from);
   void step();
-  bool atRest() const { return quiet_ >= kQuietSteps; }
   int mostSteps(Stage stage) const;
+  void watch(double fall);
   bool mend();
   void finish();
 
-  static constexpr int kQuietSteps = 3;
+  /// The last few steps.
+  struct Since {
+    int steps = 0;
+    Positions from;   ///< where they began
+    double fall = 0;  ///< of the energy, J
+  };
 
   DrapeProblem problem_;
   SewnMesh coarse_, fine_;
   std::unique_ptr<LevelCloth> cloth_;
   Stage stage_ = Stage::kSew;
-  int mended_ = 0;       ///< times that crossings were sent back
-  int last_step_ = 0;    ///< of the stage, at most
-  int quiet_ = 0;        ///< steps in a row that hardly moved anything
+  int mended_ = 0;     ///< times that crossings were sent back
+  int last_step_ = 0;  ///< of the stage, at most
+  Since since_;
+  bool at_rest_ = false;
   double farthest_ = 0;  ///< m, in the last step
   double spent_ = 0;     ///< by solvers of earlier levels
   double began_ = 0;     ///< work at the start of the stage

@@ -11,6 +11,8 @@ namespace {
 
 // Tubes meet in a fillet of this size. [cm]
 constexpr double kFillet = 2.5;
+// Legs meet at the crotch in a smaller one: trousers fit between them. [cm]
+constexpr double kBetweenLegs = 0.5;
 // The shoulder point lies so far below the nape, as a share of the back's length. [1]
 constexpr double kShoulderDrop = 0.09;
 
@@ -32,18 +34,19 @@ Tube torso(const Measures& m) {
       Section{-down, 19.2, 12.5, -1.3, 0.25}.withGirth(m.hip),
       Section{-0.5 * down, 17.0, 11.8, -0.5, 0.2}.withGirth(between(0.68, m.waist, m.hip)),
       Section{0, 13.7, 10.4, 0.9, 0.15}.withGirth(m.waist),
-      Section{0.22 * up, 14.6, 11.0, 0.5, 0.15}.withGirth(between(0.42, m.waist, m.bust)),
+      Section{0.12 * up, 14.2, 10.7, 0.7, 0.15}.withGirth(between(0.06, m.waist, m.bust)),
+      Section{0.28 * up, 14.6, 11.0, 0.5, 0.15}.withGirth(between(0.3, m.waist, m.bust)),
       chest.withGirth(m.bust),
       above(0.66, 16.8, 11.0, -1.3, 0.3),
-      above(0.82, 18.0, 9.0, -2.4, 0.4),
-      above(0.95, 18.8, 7.2, -3.1, 0.4),
-      above(1.15, 18.8, 6.2, -3.4, 0.4)};
+      above(0.82, 18.0, 8.0, -2.4, 0.4),
+      above(0.95, 18.8, 5.8, -2.5, 0.3),
+      above(1.15, 18.8, 4.6, -2.5, 0.3)};
   const double tip = m.shoulder_width / 2;
   // The shoulders slope from the side of the neck to the shoulder points.
   const double neck = m.neck / (2 * kPi) + 1, rise = (kShoulderDrop + 0.035) * up;
   const double slope = rise / (tip - neck);
   const double ridge = (1 - kShoulderDrop) * up + slope * (std::sqrt(tip * tip + 16) - 4);
-  return {upright({0, m.waist_height, 0}), sections, {-m.body_rise - 2, 0, 4}, {ridge, slope, 5}};
+  return {upright({0, m.waist_height, 0}), sections, {-m.body_rise + 0.5, 0, 4}, {ridge, slope, 5}};
 }
 
 Tube neck(const Measures& m) {
@@ -148,11 +151,11 @@ double Form::distance(const Vec3& p, BodyParts parts, Vec3* gradient) const {
     double distance = 1e9;
     Vec3 gradient = Vec3::Zero();
   };
-  const auto join = [&](Near* to, const Near& other) {
+  const auto join = [&](Near* to, const Near& other, double fillet = kFillet) {
     if (!other.any) return;
     double weight = 1;
     to->distance =
-        to->any ? smoothLeast(to->distance, other.distance, kFillet, &weight) : other.distance;
+        to->any ? smoothLeast(to->distance, other.distance, fillet, &weight) : other.distance;
     to->gradient = to->gradient * (1 - weight) + other.gradient * weight;
     to->any = true;
   };
@@ -173,14 +176,14 @@ double Form::distance(const Vec3& p, BodyParts parts, Vec3* gradient) const {
     if (!isFar(part)) join(&all, near(part));
   // Smooth unions depend on their order: left and right come together first, so that neither comes
   // before the other.
-  const auto joinBoth = [&](BodyPart left, BodyPart right) {
+  const auto joinBoth = [&](BodyPart left, BodyPart right, double fillet) {
     if (isFar(left) && isFar(right)) return;
     Near both = near(left);
-    join(&both, near(right));
+    join(&both, near(right), fillet);
     join(&all, both);
   };
-  joinBoth(BodyPart::kLeftArm, BodyPart::kRightArm);
-  joinBoth(BodyPart::kLeftLeg, BodyPart::kRightLeg);
+  joinBoth(BodyPart::kLeftArm, BodyPart::kRightArm, kFillet);
+  joinBoth(BodyPart::kLeftLeg, BodyPart::kRightLeg, kBetweenLegs);
   if (gradient) *gradient = all.gradient;
   return all.distance;
 }

@@ -44,7 +44,7 @@ std::vector<ClothTie> LevelCloth::tiesOfHalf(const std::vector<ClothTie>& ties) 
   return own;
 }
 
-/// Half a gap from the plane; where the cloth goes on to the other side, none.
+/// Half a gap from the plane; where the cloth goes on to the other side, next to none.
 std::vector<double> LevelCloth::leastX(double gap) const {
   std::vector<double> least(solved().size, gap / 2);
   for (int i = 0; i < solved().size; ++i)
@@ -54,7 +54,7 @@ std::vector<double> LevelCloth::leastX(double gap) const {
     for (const auto& [a, b] : solved().edges())
       for (const auto& [own, other] : {std::pair(a, b), {b, a}})
         if (least[own] == gap / 2 && least[other] != gap / 2) beside.push_back(own);
-    for (const int i : beside) least[i] = 0;
+    for (const int i : beside) least[i] = gap / 10;
   }
   return least;
 }
@@ -66,7 +66,10 @@ ClothSolver::Step LevelCloth::taken(ClothSolver::Step step) {
 }
 
 int LevelCloth::crossings() const {
-  return static_cast<int>(crossingsOf(solved(), solver_->positions()).size());
+  const Positions& x = solver_->positions();
+  std::size_t count = crossingsOf(solved(), x).size();
+  for (std::size_t i = 0; half_ && i < x.size(); ++i) count += x[i].x() < 0;  // into its image
+  return static_cast<int>(count);
 }
 
 void LevelCloth::turnBack() {

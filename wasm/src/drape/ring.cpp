@@ -9,7 +9,7 @@ namespace seamwise {
 namespace {
 
 // A ring lies so much further out than the body at least, and in waves from there on. [1]
-constexpr double kEase = 1.06, kWavesFrom = 1.2, kWaveBase = 1.08, kSpiral = 1.05;
+constexpr double kEase = 1.06, kWavesFrom = 1.06, kWaveBase = 1, kSpiral = 1.05;
 // Rings follow each other smoothly over so many levels to either side. [cm]
 constexpr int kSmoothing = 3;
 // A band that goes around more than once lies on itself by so much. [cm]
@@ -130,7 +130,8 @@ Ring::Level Ring::levelAt(double level) const {
   out.girth = std::max(body, closed ? width : std::min(width, actual));
   if (closed) out.width = width;
   const double whole = closed ? width : std::max(width, std::min(out.girth, actual));
-  const double stretch = closed ? out.girth / width : std::min(1.0, out.girth / actual);
+  const double stretch = out.girth / whole;  // so that sides that are sewn meet
+  const double open_stretch = closed ? stretch : std::min(1.0, out.girth / actual);
   // Turned so that pieces lie where they were placed, in the mean.
   double sum = 0, first = 0;
   int voters = 0;
@@ -147,7 +148,7 @@ Ring::Level Ring::levelAt(double level) const {
     const bool here = pieces_[i].inRing() && centre[i] > 0;
     out.turn[i] = here ? nearTurn(360 * centre[i] / whole + sum / voters, pieces_[i].angle)
                        : pieces_[i].angle;
-    if (here) out.stretch[i] = stretch;
+    if (here) out.stretch[i] = pieces_[i].isSewnAt(level) ? stretch : open_stretch;
   }
   return out;
 }

@@ -26,6 +26,10 @@ struct RingPiece {
 
   /// Least and greatest `across` at a level, clamped to the piece's own.
   Vec2 extent(double level) const;
+  bool isSewnAt(double level) const {
+    return (left.sewn() && level > left.low && level < left.high) ||
+           (right.sewn() && level > right.low && level < right.high);
+  }
   bool inRing() const { return left.sewn() || right.sewn(); }
   /// Ends that meet other pieces' ends do not count: tiers lie below each other.
   bool reaches(double level) const { return bottom + 0.3 < level && level < top - 0.3; }
