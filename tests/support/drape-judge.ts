@@ -27,7 +27,7 @@ export interface DrapeVerdict {
   readonly tension: Spread;
   readonly compression: Spread;
   readonly flatCompression: Spread;
-  /** How much edges along seams are longer or shorter than as cut. */
+  /** How much edges along seams are longer than both sides as cut, or shorter. */
   readonly sewnLength: Spread;
   /** Between the mirror image of a place and that of the vertex there. */
   readonly asymmetry: number;
@@ -151,13 +151,18 @@ function gapsOf({a, b}: Seam, pieces: readonly DrapeFilePiece[]): number[] {
   return placesOf(pieces, a).map((place, k) => distance3(place, at(other, k)));
 }
 
+/** Eased and gathered sides lie between their two lengths as cut, where nothing counts. */
 function sewnLengths({a, b}: Seam, pieces: readonly DrapeFilePiece[]): number[] {
-  return [a, b].flatMap((side) => {
-    const {shape} = at(pieces, side.piece);
-    const cut = alongLine(side.vertices).map(([u, v]) => distance(at(shape, u), at(shape, v)));
-    return alongLine(placesOf(pieces, side)).map(([p, q], k) =>
-      Math.abs(distance3(p, q) / at(cut, k) - 1),
-    );
+  const [one, other] = [a, b].map(({piece, vertices}) =>
+    alongLine(vertices).map(([u, v]) => {
+      const {shape} = at(pieces, piece);
+      return distance(at(shape, u), at(shape, v));
+    }),
+  );
+  return alongLine(placesOf(pieces, a)).map(([p, q], k) => {
+    const cut = [at(one ?? [], k), at(other ?? [], k)];
+    const worn = distance3(p, q);
+    return Math.max(0, worn / Math.max(...cut) - 1, 1 - worn / Math.min(...cut));
   });
 }
 
