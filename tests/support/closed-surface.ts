@@ -4,7 +4,7 @@ import {at} from './plane.js';
 import {Cells, toTriangle} from './space.js';
 
 /** Of the grid in which triangles are looked up. [cm] */
-const cell = 2;
+const cell = 1;
 
 export class ClosedSurface {
   readonly #triangles: readonly (readonly [Place, Place, Place])[];
@@ -21,7 +21,7 @@ export class ClosedSurface {
       at(surface.vertices, b),
       at(surface.vertices, c),
     ]);
-    this.#near = new Cells(this.#triangles, cell, cell);
+    this.#near = new Cells(this.#triangles, cell);
     this.#beside = new Cells(this.#triangles.map(flat), cell);
   }
 
@@ -47,10 +47,10 @@ export class ClosedSurface {
     return count;
   }
 
-  /** Negative inside; beyond 2 cm of the surface only as much is known. [cm] */
+  /** Negative inside; beyond 1 cm of the surface only as much is known. [cm] */
   distance(p: Place): number {
     let least = cell;
-    for (const k of this.#near.near([p])) {
+    for (const k of this.#near.near([p], cell)) {
       least = Math.min(least, toTriangle(at(this.#triangles, k), p));
     }
     return this.winding(p) > 0 ? -least : least;

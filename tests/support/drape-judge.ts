@@ -83,35 +83,6 @@ export function judgeDrape(file: DrapeFile, result: SolveResult): DrapeVerdict {
   };
 }
 
-/** What a drape must keep at least, as one sentence for each that it does not. */
-export function broken(verdict: DrapeVerdict): string[] {
-  const list = [...verdict.faults, ...verdict.rises];
-  const must = (holds: boolean, sentence: string) => {
-    if (!holds) list.push(sentence);
-  };
-  const {gap, depth, clear, tension, flatCompression, sewnLength, waist} = verdict;
-  const share = (value: number): string => `${(100 * value).toFixed(2)} %`;
-  must(gap <= 1e-4, `seams gape by ${gap} cm`);
-  must(depth <= 0.05, `the cloth is ${depth} cm deep in the form`);
-  must(clear >= 0.99, `only ${share(clear)} of it are 0.5 mm off the form`);
-  must(tension.median <= 0.005, `half of it is stretched by ${share(tension.median)}`);
-  must(tension.p99 <= 0.03, `a hundredth of it is stretched by ${share(tension.p99)}`);
-  must(tension.max <= 0.1, `a triangle is stretched by ${share(tension.max)}`);
-  const {p99} = flatCompression;
-  must(p99 <= 0.08, `a hundredth of it is compressed by ${share(p99)}`);
-  must(
-    sewnLength.p99 <= 0.02,
-    `seams differ by ${share(sewnLength.p99)} from their lengths as cut`,
-  );
-  must(verdict.asymmetry <= 1e-6, `it is ${verdict.asymmetry} cm from its mirror image`);
-  const off = verdict.energyOff;
-  must(Math.abs(off) <= 0.01, `its energy is ${share(off)} from what the file says`);
-  must(verdict.crossings === 0, `${verdict.crossings} edges cross triangles`);
-  must(verdict.lowest > 0, `it reaches ${-verdict.lowest} cm below the floor`);
-  must(Math.abs(waist ?? 0) <= 3, `its waist lies ${waist} cm above that of the form`);
-  return list;
-}
-
 /** How far apart two drapes of one result lie. [cm] */
 export function apart(
   one: DrapeFile,

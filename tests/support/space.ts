@@ -53,11 +53,11 @@ export class Cells {
   readonly #size: number;
   readonly #cells = new Map<string, number[]>();
 
-  /** @param size of a cell; the boxes are those of the points of each thing, wider by `margin` */
-  constructor(things: readonly (readonly Place[])[], size: number, margin = 0) {
+  /** @param size of a cell; the boxes are those of the points of each thing */
+  constructor(things: readonly (readonly Place[])[], size: number) {
     this.#size = size;
     things.forEach((points, thing) => {
-      for (const key of this.#keys(points, margin)) {
+      for (const key of this.#keys(points, 0)) {
         const known = this.#cells.get(key);
         if (known) known.push(thing);
         else this.#cells.set(key, [thing]);
@@ -65,9 +65,9 @@ export class Cells {
     });
   }
 
-  /** All whose boxes share a cell with that of these points. */
-  near(points: readonly Place[]): ReadonlySet<number> {
-    return new Set(this.#keys(points, 0).flatMap((key) => this.#cells.get(key) ?? []));
+  /** All whose boxes share a cell with that of these points, which is wider by `margin`. */
+  near(points: readonly Place[], margin = 0): ReadonlySet<number> {
+    return new Set(this.#keys(points, margin).flatMap((key) => this.#cells.get(key) ?? []));
   }
 
   #keys(points: readonly Place[], margin: number): string[] {

@@ -2,7 +2,8 @@
 import {describe, expect, it} from 'vitest';
 
 import {drapeFile, drapeText, type DrapeFile, type Place} from '@/model/drape-file.js';
-import {apart, broken, judgeDrape} from '../support/drape-judge.js';
+import {apart, judgeDrape} from '../support/drape-judge.js';
+import {broken} from '../support/drape-limits.js';
 import {at} from '../support/plane.js';
 import {squaresDrape, squaresResult} from '../support/sewn-squares.js';
 
@@ -68,7 +69,7 @@ describe('finds', () => {
     expect(judgeDrape(into, squaresResult).depth).toBeCloseTo(0.1, 9);
     expect(sentences(into).join()).toContain('deep in the form');
     const through = placed(([x, y]) => [x, y, 0]);
-    expect(judgeDrape(through, squaresResult).depth).toBe(2); // the judge looks no deeper
+    expect(judgeDrape(through, squaresResult).depth).toBe(1); // the judge looks no deeper
     const near = placed(([x, y]) => [x, y, 5.02]);
     expect(sentences(near)).toEqual(['only 0.00 % of it are 0.5 mm off the form']);
     // the middles of triangles alone: a spike of the form between vertices
