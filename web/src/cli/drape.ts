@@ -19,7 +19,7 @@ import {drape as drapeResult} from '../node/index.js';
 import {choice, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
-import {readCell} from './print-files.js';
+import {readCell} from './base/cell-picture.js';
 import {parsed, readClothOf, readResult, type ResultFile} from './result-file.js';
 
 const grammar = {

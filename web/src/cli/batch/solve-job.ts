@@ -11,7 +11,7 @@ import {FileError} from '../../model/versioned-file.js';
 import {addressOf, readAddress} from '../../node/addresses.js';
 import {textOf} from '../../node/files.js';
 import {drape, solve} from '../../node/index.js';
-import {readCell} from '../print-files.js';
+import {readCell} from '../base/cell-picture.js';
 import type {KeyedJob} from './jobs.js';
 import {failedFor, failureText, figuresOf, type Outcome} from './outcome.js';
 import {Store} from './store.js';
