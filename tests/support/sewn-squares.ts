@@ -2,6 +2,7 @@
 import type {Drape, DrapedPiece, Form, Measurements, Surface} from '@/model/drape.js';
 import type {Point} from '@/model/geometry.js';
 import type {ResultPiece, SolveResult} from '@/model/result.js';
+import {at} from './plane.js';
 import {plainMetrics, plainPrint} from './two-squares.js';
 
 /** Per edge of a square, of 1 cm each. */
@@ -76,7 +77,7 @@ export const squaresResult: SolveResult = {
 const body: Measurements = {
   ...{bust: 96, waist: 80, hip: 104, neck: 35.3, head: 57.2, upperArm: 28, wrist: 16.8},
   ...{thigh: 58, knee: 38.9, ankle: 25.4, shoulderWidth: 42.5, bustSpan: 16.3, backLength: 40.5},
-  ...{hipDepth: 25.6, bodyRise: 27.7, kneeDepth: 61.5, armLength: 59.7, waistHeight: 106.6},
+  ...{hipDepth: 25.6, bodyRise: 27.7, kneeDepth: 61.5, armLength: 59.7, waistHeight: 102},
 };
 
 /** A box around the axis x = z = 0, from y = 80 to 120. [cm] */
@@ -112,7 +113,7 @@ const form: Form = {
 };
 
 const draped = (piece: number): DrapedPiece => {
-  const {name, rest, shape, triangles: corners} = squaresResult.pieces[piece]!;
+  const {name, rest, shape, triangles: corners} = at(squaresResult.pieces, piece);
   // those along the seam belong to the first piece; all others have numbers of their own
   const sewn = grid.map(([i, j], vertex) => {
     if (piece === 0) return vertex;

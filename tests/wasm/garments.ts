@@ -33,7 +33,14 @@ export function twoStrips(height = 10): GarmentCodeSpecification {
 
 /** A sample garment of the project: work for many slices. */
 export function sample(
-  name: 'tee' | 'gathered-skirt' | 'hoodie' | 'princess-dress' | 'patchwork-jacket',
+  name:
+    | 'tee'
+    | 'gathered-skirt'
+    | 'hoodie'
+    | 'princess-dress'
+    | 'patchwork-jacket'
+    | 'raglan'
+    | 'shift-dress',
 ): string {
   return readFileSync(new URL(`../../public/garments/${name}-m.json`, import.meta.url), 'utf8');
 }

@@ -5,6 +5,7 @@ import {cellPicture, glb, type GlbOptions} from '@/model/glb.js';
 import {coordinates, onPrint, type Alignment} from '@/model/geometry.js';
 import type {Print} from '@/model/print.js';
 import {imageCell} from '@/model/wallpaper.js';
+import {at} from '../support/plane.js';
 import {png} from '../support/raw-png.js';
 import {readGlb} from '../support/read-glb.js';
 import {squaresDrape, squaresResult} from '../support/sewn-squares.js';
@@ -55,7 +56,7 @@ it.each<Print>([
   expect(places).toHaveLength(50);
   attribute('TEXCOORD_0').forEach(([s = NaN, t = NaN], k) => {
     const [x = NaN, y = NaN] = places[k] ?? [];
-    const alignment = alignments[pieces[k]?.[0] ?? -1]!;
+    const alignment = at(alignments, pieces[k]?.[0] ?? -1);
     const [u, v] = coordinates(cell, onPrint(alignment, [x, y]));
     for (const off of [s - u, 1 - t - v])
       expect(Math.abs(off - Math.round(off))).toBeLessThan(1e-5);
@@ -75,7 +76,7 @@ it('measures in metres, faces the print outwards, and shades smoothly across sea
 
   const bent = squaresDrape();
   const apex = bent.mesh.pieces[1]?.sewn[12] ?? 0; // in the middle of a square
-  (bent.positions)[3 * apex + 2] = 9;
+  bent.positions[3 * apex + 2] = 9;
   const seam = [...(bent.mesh.pieces[0]?.sewn ?? [])];
   const other = readGlb(glb(result, bent, plainPrint));
   const [shaded] = other.json.meshes[0]?.primitives ?? [];

@@ -1,5 +1,8 @@
 /** The package for pages: the solver in workers, and the files that a page may be handed. */
 export type {Alignment, MirrorMap, Point} from './model/geometry.js';
+export * from './model/drape.js';
+export * from './model/drape-file.js';
+export * from './model/glb.js';
 export type * from './model/garment.js';
 export * from './model/garment-document.js';
 export {garmentFile} from './model/garment-file.js';

@@ -1,4 +1,4 @@
-import {basename, resolve} from 'node:path';
+import {basename} from 'node:path';
 
 import {optionLimits} from '../model/core-tables.js';
 import type {SolveOptions} from '../model/options.js';
@@ -17,7 +17,7 @@ import {
   wholeNumber,
 } from './base/arguments.js';
 import {figuresLine, remedyLine} from './figures.js';
-import {checkWritable, writeText} from './base/files.js';
+import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {readPicture, readPrint} from './print-files.js';
 import type {Aligned} from './stored.js';
 import {advise, print, ProgressLine, remark} from './base/terminal.js';
@@ -70,11 +70,11 @@ export async function align(words: readonly string[]): Promise<void> {
   };
   const {result, found} = await solved(given, names, !exact && !args.has('--no-remedies'));
   if (outFile !== undefined) {
-    await writeText(outFile, exact ? resultText(result) : await openable(given, result, found));
+    await writeWhole(outFile, exact ? resultText(result) : await openable(given, result, found));
   }
   if (designFile !== undefined) {
     const {storedText} = await import('./stored.js');
-    await writeText(designFile, storedText(designFile, given, result));
+    await writeWhole(designFile, storedText(designFile, given, result));
   }
   if (args.has('--json')) {
     print(
@@ -144,11 +144,8 @@ async function checkOutputs(
   inputs: readonly string[],
 ): Promise<void> {
   if (outFile !== undefined) await checkWritable(outFile, inputs);
-  if (designFile === undefined) return;
-  await checkWritable(designFile, inputs);
-  if (outFile !== undefined && resolve(outFile) === resolve(designFile)) {
-    throw new UsageError('--out and --design name the same file; name two.');
-  }
+  if (designFile !== undefined) await checkWritable(designFile, inputs);
+  checkDistinct({'--out': outFile, '--design': designFile});
 }
 
 /** A result with the design that it answers, which lets a page open it, and with what would make it better. */

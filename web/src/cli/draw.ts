@@ -1,21 +1,16 @@
 import {extname} from 'node:path';
 
 import {chosenNames, garmentTitle, panelMarks} from '../model/garment-marks.js';
-import {distance, norm} from '../model/geometry.js';
 import {titleOfFile} from '../model/piece-names.js';
-import type {Print} from '../model/print.js';
-import {readPrintFile} from '../model/print-file.js';
 import {fieldOf} from '../model/read.js';
-import type {SolveResult} from '../model/result.js';
 import {drawResult, type PictureOptions} from '../picture/draw-result.js';
 import {notAsSold} from '../picture/mark.js';
 import {placementsIn} from '../layout/on-body.js';
-import {readText, resultLimit, textOf} from '../node/files.js';
 import {readGarment} from '../node/index.js';
 import {parseArguments, UsageError} from './base/arguments.js';
-import {checkWritable, writeText} from './base/files.js';
-import {imageTypes, inColourway, readPrint, readTile} from './print-files.js';
-import {asResult, type ResultFile} from './result-file.js';
+import {checkWritable, writeWhole} from './base/files.js';
+import {imageTypes, readTile} from './print-files.js';
+import {readClothOf, readResult, type ResultFile} from './result-file.js';
 import {print} from './base/terminal.js';
 
 const grammar = {
@@ -37,14 +32,8 @@ export async function draw(words: readonly string[]): Promise<void> {
   if (ending !== '.svg' && ending in imageTypes) {
     throw new UsageError(`${out ?? ''} would hold SVG; name a file ending in .svg.`);
   }
-  const result = asResult(parsed(await readText(resultFile, resultLimit), resultFile), resultFile);
-  const own = readPrintFile(textOf(await readPrint(printFile)), printFile);
-  const cloth = colourway === undefined ? own : inColourway(own, colourway, printFile);
-  if (!sameRepeat(result.print, cloth)) {
-    throw new UsageError(
-      `${resultFile} was solved for another group or repeat than ${printFile}'s; draw it on the print it was solved with.`,
-    );
-  }
+  const {result} = await readResult(resultFile);
+  const cloth = await readClothOf(result, resultFile, {printFile, colourway});
   if (out !== undefined) await checkWritable(out, [resultFile, printFile]);
   const known = await designIn(result);
   const tile = await readTile(cloth, printFile);
@@ -59,7 +48,7 @@ export async function draw(words: readonly string[]): Promise<void> {
     },
   );
   if (out === undefined) print(picture);
-  else await writeText(out, picture);
+  else await writeWhole(out, picture);
 }
 
 /** What the design that a result may hold says of the garment and its pieces; undefined where it holds none. */
@@ -81,19 +70,4 @@ async function designIn({
   } catch {
     return undefined; // it is no garment, and the picture does not depend on it
   }
-}
-
-function parsed(text: string, path: string): unknown {
-  if (text.trim() === '') throw new UsageError(`${path} is empty; choose another file.`);
-  try {
-    return JSON.parse(text) as unknown;
-  } catch {
-    throw new UsageError(`${path} is not complete JSON; write it again.`);
-  }
-}
-
-/** The solver corrects a lattice that is within rounding of its type, so equal means nearly so. */
-function sameRepeat(one: SolveResult['print'], other: Print): boolean {
-  const close = (key: 'w1' | 'w2') => distance(one[key], other[key]) < 1e-5 * norm(other[key]);
-  return one.group === other.group && close('w1') && close('w2');
 }

@@ -8,7 +8,7 @@ import {fileError, readText, textOf} from '../node/files.js';
 import {solve} from '../node/index.js';
 import {drawStage, type Stage} from '../picture/draw-stage.js';
 import {choice, parseArguments, UsageError, wholeNumber} from './base/arguments.js';
-import {writeText} from './base/files.js';
+import {writeWhole} from './base/files.js';
 import {readPrint} from './print-files.js';
 import {print} from './base/terminal.js';
 
@@ -43,7 +43,7 @@ export async function dump(words: readonly string[]): Promise<void> {
   }
   for (const [number, stage] of (await stages(problem, names)).entries()) {
     const file = join(folder, `${String(number).padStart(3, '0')}-${stage.title}.svg`);
-    await writeText(file, drawStage(stage));
+    await writeWhole(file, drawStage(stage));
     print(file);
   }
 }

@@ -1,7 +1,7 @@
 import {convert, symmetries} from '../node/index.js';
 import {readText} from '../node/files.js';
 import {parseArguments} from './base/arguments.js';
-import {checkWritable, writeText} from './base/files.js';
+import {checkWritable, writeWhole} from './base/files.js';
 import {print} from './base/terminal.js';
 
 const grammar = {files: ['the garment file'], valued: ['--out'], switches: []};
@@ -30,5 +30,5 @@ async function readArguments(
 
 async function deliver(text: string, out: string | undefined): Promise<void> {
   if (out === undefined) print(text);
-  else await writeText(out, text);
+  else await writeWhole(out, text);
 }

@@ -15,6 +15,7 @@ const commands: Readonly<Record<string, () => Promise<Command>>> = {
   symmetries: async () => (await import('./garments.js')).listSymmetries,
   convert: async () => (await import('./garments.js')).convertFile,
   draw: async () => (await import('./draw.js')).draw,
+  drape: async () => (await import('./drape.js')).drape,
   dump: async () => (await import('./dump.js')).dump,
 };
 

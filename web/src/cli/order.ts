@@ -1,5 +1,3 @@
-import {resolve} from 'node:path';
-
 import {decidedOf} from '../model/design.js';
 import {garmentTitle, panelMarks} from '../model/garment-marks.js';
 import {packageVersion} from '../model/version.js';
@@ -10,7 +8,7 @@ import {cuttingFile} from '../cutting/cutting-file.js';
 import {notAsSold} from '../picture/mark.js';
 import {lengthCm, parseArguments, UsageError} from './base/arguments.js';
 import {figuresLine} from './figures.js';
-import {checkWritable, writeText} from './base/files.js';
+import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {fetchTile} from './print-files.js';
 import {print, ProgressLine, remark} from './base/terminal.js';
 
@@ -35,9 +33,7 @@ export async function order(words: readonly string[]): Promise<void> {
   if (cutFile === undefined && args.value('--allowance') !== undefined) {
     throw new UsageError('--allowance belongs to --svg FILE.svg, which is missing.');
   }
-  if (outFile !== undefined && cutFile !== undefined && resolve(outFile) === resolve(cutFile)) {
-    throw new UsageError('--out and --svg name the same file; name two.');
-  }
+  checkDistinct({'--out': outFile, '--svg': cutFile});
   for (const file of [outFile, cutFile]) {
     if (file !== undefined) await checkWritable(file, [designFile]);
   }
@@ -61,8 +57,8 @@ export async function order(words: readonly string[]): Promise<void> {
     progress.clear();
   }
   if (cutFile !== undefined)
-    await writeText(cutFile, await toCut(done, {base, within}, allowanceCm));
-  if (outFile !== undefined) await writeText(outFile, done.text);
+    await writeWhole(cutFile, await toCut(done, {base, within}, allowanceCm));
+  if (outFile !== undefined) await writeWhole(outFile, done.text);
   await report(designFile, done, args.has('--json'));
   if (!done.reproduced) process.exitCode = notReproducedCode;
 }

@@ -1,7 +1,8 @@
 /** A result file as a picture is drawn of it. It may have been written, or changed, by anybody. */
 import {readAlignment} from '../model/design-reader.js';
-import type {Point} from '../model/geometry.js';
-import {groupNames} from '../model/print.js';
+import {distance, norm, type Point} from '../model/geometry.js';
+import {groupNames, type Print} from '../model/print.js';
+import {readPrintFile} from '../model/print-file.js';
 import {
   fail,
   fieldOf,
@@ -17,7 +18,9 @@ import {
   type Read,
 } from '../model/read.js';
 import type {SolveResult} from '../model/result.js';
+import {readBytes, resultLimit, textOf} from '../node/files.js';
 import {UsageError} from './base/arguments.js';
+import {inColourway, readPrint} from './print-files.js';
 
 export type ResultFile = SolveResult & {
   /** What `order` writes of a result says first if it is not the one that was sold. */
@@ -90,4 +93,42 @@ export function asResult(value: unknown, path: string): ResultFile {
     throw error;
   }
   return value as ResultFile;
+}
+
+/** The file with its bytes. @throws {UsageError}, {FileError} naming it */
+export async function readResult(
+  path: string,
+): Promise<{readonly bytes: Uint8Array; readonly result: ResultFile}> {
+  const bytes = await readBytes(path, resultLimit);
+  return {bytes, result: asResult(parsed(textOf(bytes), path), path)};
+}
+
+/** @throws {UsageError} naming the file */
+export function parsed(text: string, path: string): unknown {
+  if (text.trim() === '') throw new UsageError(`${path} is empty; choose another file.`);
+  try {
+    return JSON.parse(text) as unknown;
+  } catch {
+    throw new UsageError(`${path} is not complete JSON; write it again.`);
+  }
+}
+
+/** The print that a result was solved with, in one of its colourways. @throws {UsageError}, {FileError} */
+export async function readClothOf(
+  result: SolveResult,
+  resultFile: string,
+  {printFile, colourway}: {readonly printFile: string; readonly colourway: string | undefined},
+): Promise<Print> {
+  const own = readPrintFile(textOf(await readPrint(printFile)), printFile);
+  const cloth = colourway === undefined ? own : inColourway(own, colourway, printFile);
+  if (sameRepeat(result.print, cloth)) return cloth;
+  throw new UsageError(
+    `${resultFile} was solved for another group or repeat than ${printFile}'s; name the print it was solved with.`,
+  );
+}
+
+/** The solver corrects a lattice that is within rounding of its type, so equal means nearly so. */
+function sameRepeat(one: SolveResult['print'], other: Print): boolean {
+  const close = (key: 'w1' | 'w2') => distance(one[key], other[key]) < 1e-5 * norm(other[key]);
+  return one.group === other.group && close('w1') && close('w2');
 }

@@ -28,7 +28,8 @@ seamwise order DESIGN.json [flags]
 
 seamwise batch JOBS.ndjson --out FOLDER [flags]
   Solves every job of a file, one a line, on all cores, and goes on where an earlier run was cut short.
-  Results lie in FOLDER/results, and FOLDER/done.ndjson has a line for each job that has ended.
+  Results lie in FOLDER/results, and FOLDER/done.ndjson has a line for each job that has ended. A job with
+  "drape": true has its drape and its GLB there, too.
     --workers N                 threads; default one per core
     --job-timeout SECONDS       ends a job that takes longer, and records it as failed; default 600, 0 for never
     --retry-timeouts            tries the jobs again that took too long
@@ -48,6 +49,21 @@ seamwise convert GARMENT.json [--out FILE.json]
 seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.svg] [--title TEXT] [--cloth-only]
   Draws the pieces on their print, before and after, with the mismatch along the seams.
     --cloth-only                without seams, axes and names over the print
+
+seamwise drape RESULT.json --print PRINT.json [flags]
+  Hangs a solved garment on a form, as it is worn, and prints one line of figures: how far the cloth is stretched
+  and how deep it reaches into the form at the worst.
+    --colourway NAME            of the print
+    --fabric poplin|jersey|denim|chiffon   what it is made of; default poplin
+    --size XS|S|M|L|XL          of the form; default that of the garment's file, or the middle one
+    --body BODY.json            a form by measurements in cm, instead
+    --effort 1|2|4              settles so much longer; default 1
+    --out DRAPE.json            writes the draped garment with its form, to look at and measure
+    --glb FILE.glb              writes it in its print as binary glTF; the print's picture has to be PNG or JPEG
+    --form                      with the form as a node of its own
+    --attributes                with the piece and the place on the cut piece of every vertex
+    --json                      prints the figures as JSON
+    --no-times                  writes what equal runs give equal bytes of: times are 0
 
 seamwise dump GARMENT.json --print PRINT.json --out FOLDER [flags]
   Draws what a solve goes through, for those who look into it: an SVG file for each stage (as drafted, every

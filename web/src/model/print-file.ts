@@ -10,7 +10,7 @@ const fields: Read<Print> = shape(
   {group: oneOf(groupNames), w1: pairOf(length), w2: pairOf(length)},
   {
     image: text(),
-    colourways: listOf(shape({name: text(), image: text()})),
+    colourways: listOf(shape({name: text(), image: text()}, {raster: text()})),
     oneWay: flag,
     cell: oneOf(printCells),
   },

@@ -2,6 +2,7 @@ import {readFile} from 'node:fs/promises';
 import {availableParallelism} from 'node:os';
 import {isMainThread} from 'node:worker_threads';
 
+import type {Drape, DrapeSettings} from '../model/drape.js';
 import type {Garment} from '../model/garment.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {Problem} from '../model/problem.js';
@@ -15,6 +16,7 @@ import type {HooksOf} from '../solver/requests/kinds.js';
 import type {Requests} from '../solver/requests/requests.js';
 import {
   plainNames,
+  type NamedDrapeHooks,
   type NamedPrepareHooks,
   type NamedProofHooks,
   type NamedSolveHooks,
@@ -25,6 +27,9 @@ import {thread} from './thread.js';
 import type {Order, OrderHooks} from './order.js';
 
 export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
+export * from '../model/drape.js';
+export * from '../model/drape-file.js';
+export * from '../model/glb.js';
 export type * from '../model/garment.js';
 export type * from '../model/garment-document.js';
 export {garmentFile} from '../model/garment-file.js';
@@ -36,6 +41,7 @@ export type {NoteCode, NoteDetail, SymmetryReason} from '../model/notes.js';
 export type * from '../model/result.js';
 export type * from '../model/symmetries.js';
 export type {
+  NamedDrapeHooks as NodeDrapeHooks,
   NamedPrepareHooks as NodePrepareHooks,
   NamedProofHooks as NodeProofHooks,
   NamedSolveHooks as NodeSolveHooks,
@@ -113,6 +119,20 @@ export async function remedies(
 export async function order(design: StoredDesign | string, hooks: OrderHooks = {}): Promise<Order> {
   const {orderWith} = await import('./order.js');
   return orderWith(solve, design, hooks);
+}
+
+/**
+ * A solved garment as it is worn: hung on a form and left to settle. `drapeFile` makes a file of it, `glb` what other
+ * programs show. Runs on this thread in slices, one drape at a time.
+ * @throws {SolverError} for bad input, such as a garment whose file does not say where its pieces hang; the signal's
+ *   reason, when it fires
+ */
+export async function drape(
+  result: SolveResult | string,
+  settings: DrapeSettings = {},
+  hooks: NamedDrapeHooks = {},
+): Promise<Drape> {
+  return solver.drape(result, settings, hooks);
 }
 
 /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */

@@ -6,6 +6,17 @@ import {dirname, resolve} from 'node:path';
 import {fileError} from '../../node/files.js';
 import {UsageError} from './arguments.js';
 
+/** Two outputs in one file would leave the last. @throws {UsageError} */
+export function checkDistinct(outputs: Readonly<Record<string, string | undefined>>): void {
+  const given = Object.entries(outputs).flatMap(([flag, path]) =>
+    path === undefined ? [] : [{flag, at: resolve(path)}],
+  );
+  for (const [k, {flag, at}] of given.entries()) {
+    const same = given.slice(0, k).find((other) => other.at === at);
+    if (same) throw new UsageError(`${same.flag} and ${flag} name the same file; name two.`);
+  }
+}
+
 /**
  * Finds out before a long solve that its result could not be written, or would be written over what is read.
  * @throws {UsageError}
@@ -13,7 +24,7 @@ import {UsageError} from './arguments.js';
 export async function checkWritable(path: string, inputs: readonly string[] = []): Promise<void> {
   const same = inputs.find((input) => resolve(input) === resolve(path));
   if (same !== undefined) {
-    throw new UsageError(`${path} is read and would be overwritten; name another file for --out.`);
+    throw new UsageError(`${path} is read and would be overwritten; name another file to write.`);
   }
   try {
     const existing = await stat(path).catch(() => null);
@@ -39,17 +50,17 @@ async function checkFolder(path: string): Promise<void> {
 }
 
 /** Writes a file whole or not at all, even when the power fails. @throws {UsageError} naming the file and what is wrong */
-export async function writeText(path: string, text: string): Promise<void> {
+export async function writeWhole(path: string, content: string | Uint8Array): Promise<void> {
   const existing = await stat(path).catch(() => null);
   try {
     if (existing && !existing.isFile()) {
-      await writeFile(path, text); // a pipe or a device cannot be replaced
+      await writeFile(path, content); // a pipe or a device cannot be replaced
       return;
     }
     if (existing === null) await checkFolder(path);
     const draft = `${path}.${randomUUID().slice(0, 8)}.tmp`;
     try {
-      await writeFile(draft, text, {flush: true});
+      await writeFile(draft, content, {flush: true});
       await rename(draft, path);
     } finally {
       await rm(draft, {force: true});

@@ -4,6 +4,7 @@ import {seed as seedField} from '../../model/design-reader.js';
 import {FileError} from '../../model/versioned-file.js';
 import {
   fail,
+  flag,
   isTooDeep,
   listOf,
   Malformed,
@@ -22,6 +23,8 @@ import {addressFrom} from '../../node/addresses.js';
 /** A garment in a print. Addresses are whole; the options and symmetries are as the line has them. */
 export interface Job extends Omit<Design<string, string>, 'names'> {
   readonly label: Label;
+  /** Whether to drape the result and to write it as GLB. */
+  readonly drape: boolean;
 }
 
 /** What a job is called; nothing in it but the files it names changes the answer. */
@@ -44,7 +47,7 @@ const singles = ['garment', 'print', 'size'] as const;
 const known = [
   ...singles,
   ...singles.map((name) => `${name}s`),
-  ...['symmetry', 'method', 'options', 'seed', 'name'],
+  ...['symmetry', 'method', 'options', 'seed', 'name', 'drape'],
 ];
 const mark = '{size}';
 
@@ -67,6 +70,7 @@ const fields = shape(
     ...{garment: word, print: word, size: word, name: word},
     ...{garments: listOf(word), prints: listOf(word), sizes: listOf(word)},
     ...{symmetry: symmetryField, method: oneOf(methods), options: object, seed: seedField},
+    drape: flag,
   },
 );
 
@@ -96,6 +100,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
   const unsized = garments.find((garment) => sizes.length > 1 && !garment.includes(mark));
   if (unsized !== undefined) fail('garment', `a name with ${mark} in it, since there are sizes`);
   const {name = null, symmetry = 'auto', method = 'best', options = {}, seed = usualSeed} = given;
+  const {drape = false} = given;
   for (const garment of garments) {
     for (const size of sizes) {
       const file = size === null ? garment : garment.replaceAll(mark, size);
@@ -105,7 +110,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
           label: {name, garment: file, print, size},
           garment: garmentAddress,
           print: addressFrom(base, print).href,
-          ...{symmetry, method, options, seed},
+          ...{symmetry, method, options, seed, drape},
         };
       }
     }
@@ -136,10 +141,11 @@ export async function keyed(
 
 /** What the answer of a job depends on, as one sha256. */
 function keyOf(job: Omit<KeyedJob, 'key'>): string {
-  const {garmentSha256, printSha256, symmetry, method, options, seed} = job;
+  const {garmentSha256, printSha256, symmetry, method, options, seed, drape} = job;
   const content = sorted({
     ...{garment: garmentSha256, print: printSha256},
     ...{symmetry, method, options, seed, solver: packageVersion},
+    ...(drape && {drape}), // what is not draped keeps its key
   });
   return sha256Of(JSON.stringify(content));
 }
@@ -149,7 +155,14 @@ const wordOrNull: Read<string | null> = (value, at) => (value === null ? null : 
 const keyedFields: Read<KeyedJob> = shape({
   label: shape({name: wordOrNull, garment: word, print: word, size: wordOrNull}),
   ...{garment: word, print: word, symmetry: symmetryField, method: oneOf(methods)},
-  ...{options: object, seed: seedField, key: hash, garmentSha256: hash, printSha256: hash},
+  ...{
+    options: object,
+    seed: seedField,
+    drape: flag,
+    key: hash,
+    garmentSha256: hash,
+    printSha256: hash,
+  },
 });
 
 /** A job as it came from a queue, where others may write, too. @throws {Malformed} unless its key is its own */

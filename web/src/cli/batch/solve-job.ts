@@ -1,11 +1,17 @@
 /** What each thread of a batch runs: one job after the other, with a solver's module of its own. */
 import {problemFor} from '../../model/design-problem.js';
+import {drapeFile, drapeText} from '../../model/drape-file.js';
 import {SolverError} from '../../model/failure.js';
+import {glb} from '../../model/glb.js';
+import {titleOfFile} from '../../model/piece-names.js';
+import {readPrintFile} from '../../model/print-file.js';
+import type {SolveResult} from '../../model/result.js';
 import {resultText, sha256Of} from '../../model/result-text.js';
 import {FileError} from '../../model/versioned-file.js';
 import {addressOf, readAddress} from '../../node/addresses.js';
 import {textOf} from '../../node/files.js';
-import {solve} from '../../node/index.js';
+import {drape, solve} from '../../node/index.js';
+import {readCell} from '../base/cell-picture.js';
 import type {KeyedJob} from './jobs.js';
 import {failedFor, failureText, figuresOf, type Outcome} from './outcome.js';
 import {Store} from './store.js';
@@ -25,9 +31,12 @@ export default async function solveJob({job, folder}: Task): Promise<Answer> {
   const store = new Store(folder);
   const known = await store.outcome(job.key); // another process may have been faster
   if (known) return known;
-  const {outcome, text} = await solved(job);
+  const {outcome, text, beside = {}} = await solved(job);
   if (text === undefined) return outcome;
   try {
+    for (const [ending, content] of Object.entries(beside)) {
+      await store.writeBeside(job.key, ending, content);
+    }
     await store.write(job.key, outcome.status, text);
   } catch (error) {
     return {status: 'unwritten', reason: error instanceof Error ? error.message : String(error)};
@@ -39,27 +48,45 @@ interface Solved {
   readonly outcome: Outcome;
   /** Of the file that makes it the job's end; undefined when it may end better another time. */
   readonly text?: string;
+  /** By the endings of their names: files that belong to it. */
+  readonly beside?: Readonly<Record<string, string | Uint8Array>>;
 }
 
 async function solved(job: KeyedJob): Promise<Solved> {
   const {label} = job;
   try {
+    const print = await textAt(job.print, label.print, job.printSha256);
     const result = await solve(
-      problemFor(
-        job,
-        await textAt(job.garment, label.garment, job.garmentSha256),
-        await textAt(job.print, label.print, job.printSha256),
-      ),
+      problemFor(job, await textAt(job.garment, label.garment, job.garmentSha256), print),
       {names: {garment: label.garment, print: label.print}},
     );
     const text = resultText(result);
+    const beside = job.drape ? await draped(job, print, result, text) : {};
     const figures = {metrics: figuresOf(result), sha256: sha256Of(text)};
-    return {outcome: {status: 'done', ...figures, milliseconds: null}, text};
+    return {outcome: {status: 'done', ...figures, milliseconds: null}, text, beside};
   } catch (error) {
     if (error instanceof SolverError) return refused(error);
     if (error instanceof FileError) return {outcome: failedFor('not-found', error.message)};
     throw error;
   }
+}
+
+/** @throws {SolverError} for what cannot be draped; {FileError} where the print's picture cannot be read */
+async function draped(
+  {label, print: address, options}: KeyedJob,
+  printText: string,
+  result: SolveResult,
+  text: string,
+): Promise<NonNullable<Solved['beside']>> {
+  const print = readPrintFile(printText, label.print);
+  const picture = await readCell(print, addressOf(address));
+  const worn = await drape(text, {}, {names: {result: label.garment}});
+  const {plain = []} = options;
+  const scene = glb(result, worn, print, {
+    ...(picture && {picture}),
+    ...{plain, garment: titleOfFile(label.garment), sha256: sha256Of(text)},
+  });
+  return {'.drape.json': drapeText(drapeFile(worn)), '.glb': scene};
 }
 
 function refused({code, message, piece, seam}: SolverError): Solved {

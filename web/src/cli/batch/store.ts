@@ -10,7 +10,7 @@ import {sha256Of} from '../../model/result-text.js';
 import type {SolveResult} from '../../model/result.js';
 import {fileError} from '../../node/files.js';
 import {UsageError} from '../base/arguments.js';
-import {writeText} from '../base/files.js';
+import {writeWhole} from '../base/files.js';
 import {figuresOf, type JobFailure, type Outcome} from './outcome.js';
 
 export type Status = Outcome['status'];
@@ -129,7 +129,13 @@ export class Store {
 
   /** Whole or not at all. @throws {FileError} */
   write(key: string, status: Status, text: string): Promise<void> {
-    return writeText(join(this.folder, this.fileOf(key, status)), text);
+    return writeWhole(join(this.folder, this.fileOf(key, status)), text);
+  }
+
+  /** What is written beside the result of a job, before that: whole or not at all. @throws {FileError} */
+  writeBeside(key: string, ending: string, content: string | Uint8Array): Promise<void> {
+    const result = this.fileOf(key, 'done');
+    return writeWhole(join(this.folder, result.replace(/\.json$/, ending)), content);
   }
 
   /** Removes the drafts of processes that were killed. @param shared with others, whose drafts are younger */

@@ -1,0 +1,114 @@
+/** Samples as they are worn, judged by what their files hold. */
+import {drape, drapeFile, drapeText, glb, solve, type SolveResult} from 'seamwise/node';
+import {describe, expect, it} from 'vitest';
+
+import {apart, judgeDrape} from '../support/drape-judge.js';
+import {broken, type DrapeLimits} from '../support/drape-limits.js';
+import {at} from '../support/plane.js';
+import {readGlb} from '../support/read-glb.js';
+import {checks, sample} from './garments.js';
+
+type Sample = Parameters<typeof sample>[0];
+
+const solved = new Map<Sample, Promise<SolveResult>>();
+
+/** Of a sample on the usual print, solved once. */
+function resultOf(name: Sample): Promise<SolveResult> {
+  const known = solved.get(name) ?? solve({garment: sample(name), print: checks});
+  solved.set(name, known);
+  return known;
+}
+
+/** Where a sample keeps less than is asked of all: measured, and rounded up. */
+const kept: Readonly<Partial<Record<Sample, Partial<DrapeLimits>>>> = {
+  tee: {asymmetry: 0.05},
+  'shift-dress': {asymmetry: 0.05, sewnLength: 0.03},
+  raglan: {asymmetry: 0.05, crossings: 20},
+  'princess-dress': {
+    ...{asymmetry: 0.3, sewnLength: 0.05},
+    tension: {median: 0.005, p99: 0.1, max: 0.18},
+  },
+};
+
+describe.each(['tee', 'shift-dress', 'raglan', 'princess-dress'] as const)('%s', (name) => {
+  it('hangs on its form as cloth does', async () => {
+    const result = await resultOf(name);
+    const file = drapeFile(await drape(result));
+    const verdict = judgeDrape(file, result);
+    expect(broken(verdict, kept[name])).toEqual([]);
+    const {gap, crossings, tension} = file.check;
+    expect({gap, crossings}).toEqual({gap: verdict.gap, crossings: verdict.crossings});
+    expect(tension.max).toBeCloseTo(verdict.tension.max, 3);
+  });
+});
+
+it('gives the same bytes again, and for pieces in another order those of the same pieces', async () => {
+  const result = await resultOf('tee');
+  const [one, again] = [await drape(result), await drape(JSON.stringify(result))];
+  expect(drapeText(drapeFile(again))).toBe(drapeText(drapeFile(one)));
+  expect(glb(result, again, checks)).toEqual(glb(result, one, checks));
+
+  const last = result.pieces.length - 1;
+  const turned = <T extends {readonly piece: number}>(side: T): T => ({
+    ...side,
+    piece: last - side.piece,
+  });
+  const other: SolveResult = {
+    ...result,
+    pieces: result.pieces.toReversed(),
+    seams: result.seams.map((seam) => ({...seam, a: turned(seam.a), b: turned(seam.b)})),
+    symmetries: result.symmetries.map((symmetry) =>
+      symmetry.kind === 'piece'
+        ? turned(symmetry)
+        : {...symmetry, pieces: [last - symmetry.pieces[0], last - symmetry.pieces[1]]},
+    ),
+  };
+  const {pieces} = drapeFile(await drape(other));
+  expect(pieces.toReversed()).toEqual(drapeFile(one).pieces);
+});
+
+it('differs by its texture coordinates alone, where another print leaves the cut as it was', async () => {
+  const options = {maxChangeCm: 0};
+  const files = [];
+  for (const print of [checks, {...checks, w1: [7, 0], w2: [0, 7]} as const]) {
+    const result = await solve({garment: sample('tee'), print, options});
+    const {json, vectors} = readGlb(glb(result, await drape(result), print));
+    const {attributes, indices} = at(at(json.meshes, 0).primitives, 0);
+    const {TEXCOORD_0: coordinates = -1, ...rest} = attributes;
+    files.push({
+      coordinates: vectors(coordinates),
+      rest: [...Object.values(rest), indices].map(vectors),
+    });
+  }
+  const [one, other] = files;
+  expect(other?.rest).toEqual(one?.rest);
+  expect(other?.coordinates).not.toEqual(one?.coordinates);
+});
+
+it('moves little with more effort', async () => {
+  const result = await resultOf('tee');
+  const [one, two] = [drapeFile(await drape(result)), drapeFile(await drape(result, {effort: 2}))];
+  const {rms, max} = apart(one, two);
+  expect(rms).toBeLessThan(0.2);
+  expect(max).toBeLessThan(0.8);
+});
+
+it('takes forms of other sizes and cloths', async () => {
+  const result = await resultOf('tee');
+  const small = await drape(result, {size: 'S', fabric: 'jersey'});
+  const large = await drape(result, {body: {...small.form.body, bust: 112, waist: 100}});
+  expect(small.form.body).toMatchObject({bust: 88, waist: 72});
+  expect(small.fabric.name).toBe('jersey');
+  expect(large.form.body).toMatchObject({bust: 112, waist: 100});
+  const most = (drape: typeof small) => drape.check.tension.max;
+  expect(most(large)).toBeGreaterThan(0.03); // it is drafted for 96 cm
+});
+
+it('ends when nobody wants it any more', async () => {
+  const stop = new AbortController();
+  const onProgress = () => {
+    stop.abort();
+  };
+  const draped = drape(await resultOf('tee'), {}, {signal: stop.signal, onProgress});
+  await expect(draped).rejects.toThrow('abort');
+});
