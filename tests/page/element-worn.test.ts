@@ -5,6 +5,8 @@ import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {tee, useElementPage} from './element/open.js';
 
 const openPage = useElementPage();
+/** A browser that draws in software may have to share a busy machine. */
+const patient = {timeout: 60_000};
 const worn = tee.replace('alt=', 'view="garment" alt=');
 
 it('drapes what it shows, tells how far it is, and gives a picture of it from where it is to be seen', async () => {
@@ -48,7 +50,7 @@ it('drapes what it shows, tells how far it is, and gives a picture of it from wh
     element.dummy = 'hidden';
     element.camera = 'back';
   });
-  await expect.poll(async () => (await seen()).ground).toBeGreaterThan(shown.ground);
+  await expect.poll(async () => (await seen()).ground, patient).toBeGreaterThan(shown.ground);
 });
 
 it('is turned by keys, says what is seen, and comes back after the graphics were away', async () => {
@@ -60,13 +62,13 @@ it('is turned by keys, says what is seen, and comes back after the graphics were
   await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
   const garment = page.getByRole('application', {name: 'Garment, worn'});
   const status = page.locator('seamwise-garment sw-worn [role=status]');
-  await expect.poll(() => status.textContent(), {timeout: 60_000}).toContain('Front view.');
-  await expect.poll(() => status.textContent()).toMatch(/\d+ seams; worst .+ mm at .+\.$/);
+  await expect.poll(() => status.textContent(), patient).toContain('Front view.');
+  await expect.poll(() => status.textContent(), patient).toMatch(/\d+ seams; worst .+ mm at .+\.$/);
   await garment.focus();
   await page.keyboard.press('2');
-  await expect.poll(() => status.textContent()).toContain('Back view.');
+  await expect.poll(() => status.textContent(), patient).toContain('Back view.');
   for (let k = 0; k < 6; k++) await page.keyboard.press('ArrowRight');
-  await expect.poll(() => status.textContent()).toContain('View from the right.');
+  await expect.poll(() => status.textContent(), patient).toContain('View from the right.');
   await page.evaluate(() => {
     const deep = document.querySelector('seamwise-garment')?.shadowRoot?.querySelector('sw-worn');
     const extension = deep?.shadowRoot
@@ -77,7 +79,7 @@ it('is turned by keys, says what is seen, and comes back after the graphics were
     setTimeout(() => extension?.restoreContext(), 300);
   });
   await expect
-    .poll(() => run((element) => element.toBlob({width: 80}).then(() => 'drawn', String)))
+    .poll(() => run((element) => element.toBlob({width: 80}).then(() => 'drawn', String)), patient)
     .toBe('drawn');
 });
 
@@ -97,5 +99,5 @@ it('drapes nothing that nobody sees', async () => {
   const told = () => page.evaluate(() => (globalThis as unknown as {told: number}).told);
   expect(await told()).toBe(0);
   await page.locator('seamwise-garment').scrollIntoViewIfNeeded();
-  await expect.poll(told).toBeGreaterThan(0);
+  await expect.poll(told, patient).toBeGreaterThan(0);
 });

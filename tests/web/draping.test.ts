@@ -76,6 +76,7 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
   const viewer: DrapingViewer = {
     form: () => seen.push('form'),
     mesh: ({size}) => seen.push(`mesh ${size}`),
+    clear: () => seen.push('clear'),
     positions: ([value], isFinal) => seen.push(`${isFinal ? 'final' : 'on the way'} ${value}`),
   };
   return {
@@ -156,6 +157,23 @@ describe('a garment as it is worn', () => {
     expect(asked).toHaveLength(3);
     draping.again();
     expect(asked).toHaveLength(4);
+  });
+
+  it('shows no other garment where there is one that cannot be draped', async () => {
+    const {draping, viewer, asked, seen, become, settle} = atWork({design, result});
+    draping.show(viewer);
+    asked[0]?.answer(draped(1));
+    await settle();
+    become({result: cutOtherwise});
+    asked[1]?.fail(new Error('It broke.'));
+    await settle();
+    expect(seen()).toEqual(['form', 'mesh 2', 'final 1']);
+    become({design: newDesign({...garment}, bareCloth), result: moved});
+    expect(seen()).toEqual([]);
+    asked[2]?.fail(new Error('It has no place.'));
+    await settle();
+    expect(seen()).toEqual(['clear']);
+    expect(draping.drape).toBeUndefined();
   });
 
   it('says what went wrong, once, and is tried again with another fabric', async () => {

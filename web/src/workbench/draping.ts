@@ -28,6 +28,8 @@ export interface DrapingViewer {
   mesh(mesh: DrapeMesh): void;
   /** x, y, z per vertex of the cloth. [cm] @param isFinal it will not move any more */
   positions(positions: Float32Array, isFinal: boolean): void;
+  /** What was shown is another garment than the one that there is. */
+  clear(): void;
 }
 
 /** What is draped, and how. */
@@ -59,6 +61,7 @@ export class Draping extends Observable {
   #form: Form | undefined;
   #mesh: DrapeMesh | undefined;
   #positions: Float32Array | undefined;
+  #shown: DesignGarment | undefined;
   #end: (() => void) | undefined;
 
   constructor(source: Source) {
@@ -144,7 +147,7 @@ export class Draping extends Observable {
     this.#stop();
     this.#question = question;
     const known = this.#kept.find(([one]) => isSame(one, question))?.[1];
-    if (known) this.#show(known);
+    if (known) this.#show(known, design.garment);
     else void this.#run(question);
   }
 
@@ -156,8 +159,9 @@ export class Draping extends Observable {
     this.#become({kind: 'waiting'});
   }
 
-  #show(drape: Drape): void {
+  #show(drape: Drape, garment: DesignGarment): void {
     this.#drape = drape;
+    this.#shown = garment;
     const {form, mesh} = drape;
     this.#tellForm(form);
     this.#tellMesh(mesh);
@@ -184,6 +188,7 @@ export class Draping extends Observable {
         },
         onPositions: (positions) => {
           if (mesh) this.#tellMesh(mesh);
+          this.#shown = garment;
           this.#tellPositions(positions, false);
         },
         onProgress: (progress) => {
@@ -195,12 +200,21 @@ export class Draping extends Observable {
       if (running.signal.aborted) return;
       this.#running = undefined;
       this.#kept = [...this.#kept, [question, drape] as const].slice(-most);
-      this.#show(drape);
+      this.#show(drape, garment);
     } catch (error) {
       if (running.signal.aborted) return;
       this.#running = undefined;
+      if (this.#shown !== garment) this.#clear();
       this.#become({kind: 'failed', failure: toFailure(error)});
     }
+  }
+
+  #clear(): void {
+    this.#drape = undefined;
+    this.#form = undefined;
+    this.#mesh = undefined;
+    this.#positions = undefined;
+    for (const viewer of this.#viewers) viewer.clear();
   }
 
   #tellForm(form: Form): void {

@@ -139,17 +139,24 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
         this.#isShaped = true;
         this.#tellDrawn();
       },
+      clear: () => {
+        view.clear();
+      },
     });
   }
 
-  /** Each thing once. */
   #tellNews(): void {
     const {state, drape} = this.draping.read;
-    if (state.kind !== 'draping' && state.kind !== 'done') return;
-    const settled = state.kind === 'done';
-    const {stage, fraction} =
-      state.kind === 'draping' ? state.progress : ({stage: 'done', fraction: 1} as const);
-    const news: DrapeNews = {stage, fraction, settled, notes: settled ? (drape?.notes ?? []) : []};
+    if (state.kind === 'draping') {
+      const {stage, fraction} = state.progress;
+      // the end is told once the last places are there
+      if (stage !== 'done') this.#tellOnce({stage, fraction, settled: false, notes: []});
+    } else if (state.kind === 'done') {
+      this.#tellOnce({stage: 'done', fraction: 1, settled: true, notes: drape?.notes ?? []});
+    }
+  }
+
+  #tellOnce(news: DrapeNews): void {
     const told = JSON.stringify(news);
     if (told === this.#told) return;
     this.#told = told;

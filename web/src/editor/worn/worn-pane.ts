@@ -16,6 +16,9 @@ import {wornStyle} from './worn-style.js';
 
 const keyFactor = 1.4;
 
+/** What may go well another time; all else is the garment's. */
+const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
+
 export class WornPane extends WornDrawing {
   static override properties = {
     ...WornDrawing.properties,
@@ -216,8 +219,10 @@ export class WornPane extends WornDrawing {
       case 'cancelled':
         return html`<p class="told">${words.stopped} ${again}</p>`;
       case 'failed': {
-        const why = spokenFailure(state.failure, this.workbench, this.texts);
-        return html`<p class="told bad" role="alert">${why} ${again}</p>`;
+        const {failure} = state;
+        const why = spokenFailure(failure, this.workbench, this.texts);
+        const isPassing = passing.has(failure.code);
+        return html`<p class="told bad" role="alert">${why} ${isPassing ? again : nothing}</p>`;
       }
       case 'done': {
         const notes = drape?.notes ?? [];
@@ -230,13 +235,14 @@ export class WornPane extends WornDrawing {
 
   /** "Front view. 10 seams; worst 4 mm at left side seam." */
   #spoken(words: WornTexts): string {
-    const {state} = this.draping;
+    const {state, drape} = this.draping;
+    if (!drape && state.kind === 'waiting') return words.waiting;
     if (state.kind === 'draping')
       return words.draping(this.format.percent(Math.floor(state.progress.fraction * 4) / 4));
     const seen = words.seen[this.view?.camera.preset ?? this.#preset];
     const rows = seamRows(this.workbench, this.texts);
     const [worst] = worstSeams(rows, 1);
-    if (!worst || !this.workbench.result) return seen;
+    if (!drape || !worst || !this.workbench.result) return seen;
     const {pattern} = this.texts;
     const most = this.format.fine(worst.after);
     return `${seen} ${words.worst(pattern.seams(rows.length), most, worst.name)}`;

@@ -41,6 +41,9 @@ export const wornStyle = css`
     align-items: end;
     justify-content: space-between;
   }
+  .foot > .group {
+    margin-left: auto;
+  }
   .group {
     display: flex;
     align-items: center;

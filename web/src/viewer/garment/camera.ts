@@ -1,5 +1,5 @@
 /** Where a worn garment is looked at from. Azimuth 0 sees the front, a quarter turn more the wearer's left. */
-import {unit3, type Box3, type Vector} from './space.js';
+import {dot3, minus3, unit3, type Box3, type Vector} from './space.js';
 
 /** A way to look, in words. */
 export const presetNames = ['front', 'back', 'left', 'right', 'three-quarter'] as const;
@@ -52,7 +52,10 @@ export function eyeOf(orbit: Orbit): Vector {
 }
 
 /** Right and up in the picture, of length 1. */
-export function screenAxes({azimuth, elevation}: Orbit): readonly [right: Vector, up: Vector] {
+export function screenAxes({
+  azimuth,
+  elevation,
+}: Pick<Orbit, 'azimuth' | 'elevation'>): readonly [right: Vector, up: Vector] {
   return [
     [Math.cos(azimuth), 0, -Math.sin(azimuth)],
     [
@@ -63,21 +66,29 @@ export function screenAxes({azimuth, elevation}: Orbit): readonly [right: Vector
   ];
 }
 
-/** The distance at which a picture of this width by height shows all of a box, whatever way it is turned. */
-export function fittingDistance({low, high}: Box3, aspect: number): number {
-  const [height, radius] = [
-    high[1] - low[1],
-    Math.max(Math.hypot(high[0], high[2]), Math.hypot(low[0], low[2])),
-  ];
+/** The distance at which a picture of this width by height shows all of a box about its target. */
+export function fittingDistance(orbit: Omit<Orbit, 'distance'>, box: Box3, aspect: number): number {
   const tangent = Math.tan(fieldOfView / 2) * (1 - margin);
-  // seen from the height of its middle, the nearest edge is the largest
-  return Math.max(height / 2 / tangent, radius / tangent / aspect) + radius;
+  const [right, up] = screenAxes(orbit);
+  const out = wayOut(orbit);
+  const distances = cornersOf(box).map((corner) => {
+    const from = minus3(corner, orbit.target);
+    const aside = Math.max(Math.abs(dot3(from, right)) / aspect, Math.abs(dot3(from, up)));
+    return dot3(from, out) + aside / tangent;
+  });
+  return Math.max(...distances);
 }
+
+const cornersOf = ({low, high}: Box3): readonly Vector[] =>
+  [low[0], high[0]].flatMap((x) =>
+    [low[1], high[1]].flatMap((y) => [low[2], high[2]].map((z): Vector => [x, y, z])),
+  );
 
 /** All of a box, about the axis of the form, in one of the ways to look. */
 export function presetOrbit(preset: CameraPreset, box: Box3, aspect: number): Orbit {
   const target: Vector = [0, (box.low[1] + box.high[1]) / 2, (box.low[2] + box.high[2]) / 2];
-  return {...ways[preset], target, distance: fittingDistance(box, aspect)};
+  const orbit = {...ways[preset], target};
+  return {...orbit, distance: fittingDistance(orbit, box, aspect)};
 }
 
 /** About the target. */

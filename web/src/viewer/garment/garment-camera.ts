@@ -1,7 +1,6 @@
 /** The camera of a worn garment: where it is, where it comes home to, and how it gets there. */
 import {
   facing,
-  fittingDistance,
   keyTurn,
   nearer,
   nearestPreset,
@@ -92,7 +91,10 @@ export class GarmentCamera {
 
   zoomBy(factor: number): void {
     const {box, aspect} = this.#room();
-    if (box) this.#steer((orbit) => nearer(orbit, factor, fittingDistance(box, aspect)));
+    if (box)
+      this.#steer((orbit) =>
+        nearer(orbit, factor, presetOrbit(this.#preset, box, aspect).distance),
+      );
   }
 
   /** Turns round and round, or not any more; never for who wants no motion. */

@@ -155,6 +155,12 @@ export class GarmentView {
     this.#screen.request();
   }
 
+  /** Shows nothing, until there is another mesh. */
+  clear(): void {
+    this.#worn.clear();
+    this.#screen.request();
+  }
+
   /** Turns the camera to where a piece or a seam is seen. */
   face(target: GarmentTarget): void {
     const {layer} = this.#worn;

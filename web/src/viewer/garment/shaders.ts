@@ -59,7 +59,7 @@ void main() {
   at = uv;
   yarn = shape;
   isPrinted = printed;
-  mark = abs(piece - chosen) < 0.5 ? 0.16 : (abs(piece - pointed) < 0.5 ? 0.1 : 0.0);
+  mark = abs(piece - chosen) < 0.5 ? 0.07 : (abs(piece - pointed) < 0.5 ? 0.06 : 0.0);
   ${standing}
 }`,
   fragment: `

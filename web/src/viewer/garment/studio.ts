@@ -35,6 +35,8 @@ const shadowSide = 1024;
 const keyWay = new Vector3(-0.5, 0.72, 0.62).normalize();
 /** Unprinted cloth, as on the flat pattern. */
 const bareCloth = [0.925, 0.91, 0.87] as const;
+/** Arms that are held aside are far above the floor. [cm] */
+const widestShadow = 34;
 /** Of nothing. */
 const noPiece = -1;
 
@@ -164,7 +166,8 @@ export class Studio {
   setFloor(height: number, middle: number, {low, high}: Box3, strength: number): void {
     const soft = [1, 1].map((_, k) => {
       const axis = 2 * k;
-      return 8 + Math.max(Math.abs(low[axis] ?? 0), Math.abs(high[axis] ?? 0));
+      const reach = Math.max(Math.abs(low[axis] ?? 0), Math.abs(high[axis] ?? 0));
+      return 8 + Math.min(widestShadow, reach);
     });
     const side = 3 * Math.max(...soft);
     const corners = [-1, -1, 1, -1, -1, 1, 1, 1];

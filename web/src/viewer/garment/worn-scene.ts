@@ -1,5 +1,5 @@
 /** What there is to be seen of a worn garment: its cloth as it settles, dummy and floor, seams and marks. */
-import type {WebGLRenderer} from 'three';
+import {BufferGeometry, type WebGLRenderer} from 'three';
 
 import type {DrapeMesh, Form} from '../../model/drape.js';
 import type {PatternScene} from '../../scene/scene.js';
@@ -112,6 +112,19 @@ export class WornScene {
   /** Where the cloth is, x, y, z per vertex. [cm] Nothing is reckoned before it is drawn. */
   set pose(positions: Float32Array) {
     this.#pose = positions;
+  }
+
+  /** There is nothing to be seen. */
+  clear(): void {
+    this.#layer = undefined;
+    this.#next = undefined;
+    this.#pose = undefined;
+    this.#form = undefined;
+    this.#stand = undefined;
+    this.#box = undefined;
+    this.studio.cloth = new BufferGeometry();
+    this.#laySeams();
+    this.#marks.set([]);
   }
 
   /** Takes the last places that came. @returns whether what there is to look at is of another size */
