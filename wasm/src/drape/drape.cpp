@@ -104,8 +104,8 @@ void Drape::step() {
 void Drape::watch(double fall) {
   since_.fall += fall;
   if (++since_.steps < kRestSteps) return;
-  at_rest_ = rmsBetween(since_.from, positions()) < kRestMoved &&
-             since_.fall < kRestFall * cloth_->weight();
+  at_rest_ = rmsBetween(since_.from, positions()) < kRestMoved / problem_.effort &&
+             since_.fall < kRestFall / problem_.effort * cloth_->weight();
   since_ = {};
 }
 

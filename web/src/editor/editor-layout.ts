@@ -57,8 +57,40 @@ export const editorLayout = css`
     position: relative;
     min-height: 0;
   }
-  sw-pattern {
+  sw-pattern,
+  sw-worn {
     grid-row: 3;
+  }
+  [data-shows='garment'] sw-pattern {
+    display: none;
+  }
+  [data-shows='both'] {
+    grid-template-columns: repeat(2, minmax(0, 1fr));
+  }
+  [data-shows='both'] > :not(sw-pattern, sw-worn) {
+    grid-column: 1 / -1;
+  }
+  [data-shows='both'] sw-pattern {
+    --sw-foot-wrap: wrap;
+    --sw-said-room: 100%;
+  }
+  [data-shows='both'] sw-worn {
+    border-left: 1px solid var(--sw-line);
+  }
+  .views {
+    display: flex;
+    gap: 1px;
+    padding: 2px;
+    border: 1px solid var(--sw-line);
+    border-radius: calc(var(--sw-radius) + 2px);
+    background: var(--sw-paper);
+  }
+  .views button {
+    min-height: calc(var(--sw-target) - 6px); /* as high as what is beside it */
+    padding: 0 var(--sw-space-2);
+  }
+  .views svg {
+    display: none;
   }
   .side {
     display: contents;
@@ -188,6 +220,41 @@ export const editorLayout = css`
     }
     .solving [hidden] {
       display: none; /* nothing beside it would move */
+    }
+    /* over the pattern, in pictures: there is no room for words in the header */
+    header {
+      position: relative;
+    }
+    .views {
+      position: absolute;
+      z-index: 3;
+      inset: calc(100% + 1px + var(--sw-space-1)) var(--sw-space-2) auto auto;
+    }
+    .views button {
+      width: var(--sw-target);
+      padding: 0;
+    }
+    .views span {
+      position: absolute;
+      width: 1px;
+      height: 1px;
+      overflow: hidden;
+      clip-path: inset(50%);
+    }
+    .views svg {
+      display: block;
+    }
+    .pattern {
+      --sw-views-room: calc(3 * var(--sw-target) + var(--sw-space-4));
+    }
+    [data-shows='both'] {
+      grid-template: auto auto repeat(2, minmax(0, 1fr)) / minmax(0, 1fr);
+    }
+    [data-shows='both'] sw-worn {
+      --sw-views-room: 0px;
+      grid-row: 4;
+      border: 0;
+      border-top: 1px solid var(--sw-line);
     }
     .tabs {
       display: flex;

@@ -1,5 +1,5 @@
 /** The editing workbench: what is decided on the left, the pattern in the middle, how well it fits on the right. */
-import {html, type PropertyValues, type TemplateResult} from 'lit';
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import {askedSymmetries} from '../model/design.js';
 import {canAlign} from './commands/can-align.js';
@@ -7,7 +7,7 @@ import {redoWords, undoWords} from './commands/step-words.js';
 import type {ShortcutId} from './commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
-import {loadLaterParts} from './load-later-parts.js';
+import {loadLaterParts, loadWorn} from './load-later-parts.js';
 import {defineParts} from './parts.js';
 import type {LensCursor} from './pattern/marks.js';
 import type {PatternPane} from './pattern/pattern-pane.js';
@@ -16,6 +16,7 @@ import type {KeyMap} from './shell/key-map.js';
 import {controls} from './style/controls.js';
 import {icon} from './style/icons.js';
 import type {Samples} from '../workbench/samples.js';
+import {toFailure} from '../workbench/latest-solve.js';
 import {sameTarget} from '../workbench/state.js';
 import type {Target} from '../workbench/workbench.js';
 import {editorKeys, type KeyCommands} from './editor-keys.js';
@@ -23,6 +24,10 @@ import {editorLayout} from './editor-layout.js';
 import {KeptHeight} from './kept-height.js';
 
 type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
+
+/** What the garment is shown by: its pieces, or as it is worn. */
+const views = ['pattern', 'garment', 'both'] as const;
+export type EditorView = (typeof views)[number];
 
 /** What somebody does who does not wait for the first answer. */
 const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;
@@ -36,12 +41,14 @@ export class Editor extends WorkbenchElement {
     ...WorkbenchElement.properties,
     samples: {attribute: false},
     commands: {attribute: false},
+    shows: {attribute: false},
     sheet: {state: true},
   };
   /** The prints that come with Seamwise, to choose from. */
   declare samples: Samples | undefined;
   /** What a page adds that has keys of its own. */
   declare commands: KeyCommands;
+  declare shows: EditorView;
   /** What is open below the pattern where there is no room beside it. */
   declare protected sheet: Sheet | undefined;
 
@@ -63,6 +70,7 @@ export class Editor extends WorkbenchElement {
   constructor() {
     super();
     this.commands = {};
+    this.shows = 'pattern';
     this.sheet = 'print';
     this.addEventListener('keydown', (event) => {
       this.press(event);
@@ -115,6 +123,7 @@ export class Editor extends WorkbenchElement {
   /** A seam that somebody picks in the pattern is to be seen from near. */
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
+    if (this.shows !== 'pattern') void this.#loadWorn();
     const {selected} = this.workbench;
     if (sameTarget(selected, this.#selected)) return;
     this.#selected = selected;
@@ -148,7 +157,7 @@ export class Editor extends WorkbenchElement {
       <header>
         <slot name="start"></slot>
         <span class="gap"></span>
-        ${this.#steps()}
+        ${this.#views()} ${this.#steps()}
         <slot name="actions"></slot>
         <span class="solving">
           <sw-progress .workbench=${workbench}></sw-progress>
@@ -163,13 +172,22 @@ export class Editor extends WorkbenchElement {
           ?
         </button>
       </header>
-      <div class="pattern">
+      <div class="pattern" data-shows=${this.shows}>
         <sw-units-question .workbench=${workbench}></sw-units-question>
         <sw-grain-question .workbench=${workbench}></sw-grain-question>
         <sw-pattern .workbench=${workbench}
-          ><sw-notice slot="notice" .workbench=${workbench}></sw-notice
-          ><slot name="hint" slot="hint"></slot
+          >${this.shows === 'garment' ? nothing : this.#notice()}<slot
+            name="hint"
+            slot="hint"
+          ></slot
         ></sw-pattern>
+        ${
+          this.shows === 'pattern'
+            ? nothing
+            : html`<sw-worn .workbench=${workbench} .beside=${true}
+                >${this.shows === 'garment' ? this.#notice() : nothing}</sw-worn
+              >`
+        }
       </div>
       <div class="side">
         <section class="setup" aria-label=${app.setup}>
@@ -190,6 +208,38 @@ export class Editor extends WorkbenchElement {
         ${this.#tabs()}
       </div>
       <sw-key-map .workbench=${workbench} .known=${this.#known}></sw-key-map>
+    </div>`;
+  }
+
+  async #loadWorn(): Promise<void> {
+    try {
+      await loadWorn();
+    } catch (error) {
+      this.shows = 'pattern';
+      this.workbench.say({tone: 'error', text: toFailure(error).message});
+    }
+  }
+
+  #notice(): TemplateResult {
+    return html`<sw-notice slot="notice" .workbench=${this.workbench}></sw-notice>`;
+  }
+
+  #views(): TemplateResult {
+    const words = this.texts.pattern.views;
+    return html`<div class="views" role="group" aria-label=${this.texts.pattern.view}>
+      ${views.map(
+        (view) =>
+          html`<button
+            title=${words[view]}
+            aria-pressed=${view === this.shows}
+            @click=${() => {
+              this.shows = view;
+              if (view === 'both') this.sheet = undefined; // both want the room of it
+            }}
+          >
+            ${icon[view]}<span>${words[view]}</span>
+          </button>`,
+      )}
     </div>`;
   }
 

@@ -13,3 +13,9 @@ async function load(): Promise<void> {
 
 /** Once; what fails is tried again by the next call. */
 export const loadLaterParts = (): Promise<void> => (loading ??= load());
+
+/** Loads what shows the garment as it is worn. @throws {Error} where it cannot be had */
+export async function loadWorn(): Promise<void> {
+  const {defineWorn} = await import('./worn/define-worn.js');
+  defineWorn();
+}

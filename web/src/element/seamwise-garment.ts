@@ -11,7 +11,14 @@ import {FileError} from '../model/versioned-file.js';
 import {Answering} from './garment/answering.js';
 import {asError} from './garment/as-error.js';
 import {AttributeElement} from './garment/attribute-element.js';
-import {asking, attributes, localeOf, spellings, type GarmentMode} from './garment/attributes.js';
+import {
+  asking,
+  attributes,
+  localeOf,
+  spellings,
+  type GarmentMode,
+  type GarmentView,
+} from './garment/attributes.js';
 import {Beginning} from './garment/beginning.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf} from './garment/face.js';
@@ -26,12 +33,18 @@ import {garmentStyle} from './garment/style.js';
 import {upgrade} from './garment/upgrade.js';
 import {PatternDrawing} from '../editor/pattern/drawing.js';
 import {register} from '../editor/base/register.js';
+import {loadWorn} from '../editor/load-later-parts.js';
 import {controls} from '../editor/style/controls.js';
 import {tokens} from '../editor/style/tokens.js';
 import type {Messages, Texts} from '../texts/texts.js';
 import {preferencesFor} from '../texts/preferences.js';
 
-export type {GarmentLoading, GarmentMode, GarmentView} from './garment/attributes.js';
+export type {
+  GarmentCamera,
+  GarmentLoading,
+  GarmentMode,
+  GarmentView,
+} from './garment/attributes.js';
 export type * from './garment/events.js';
 export type {Units} from '../model/units.js';
 export type {PrintOffer} from './garment/offered-prints.js';
@@ -54,6 +67,7 @@ export class SeamwiseGarment extends AttributeElement {
   readonly #speech: Speech;
   readonly #answering: Answering;
   #shown: GarmentMode = 'preview';
+  #shownView: GarmentView = 'pattern';
   #isDrawn = false;
   /** Gives back what others may need, unless it is put into the document again soon. */
   readonly #rest = new Rest(
@@ -259,6 +273,9 @@ export class SeamwiseGarment extends AttributeElement {
   protected override createRenderRoot(): HTMLElement | DocumentFragment {
     const root = super.createRenderRoot();
     keepInside(root, {
+      draped: (news) => {
+        this.emit('drape', news);
+      },
       drawn: () => {
         this.#isDrawn = true;
         this.requestUpdate();
@@ -280,6 +297,7 @@ export class SeamwiseGarment extends AttributeElement {
   protected override render(): TemplateResult {
     return faceOf({
       ...{session: this.#session, texts: this.#texts, mode: this.#shown, alt: this.alt},
+      ...{view: this.view, worn: this},
       ...{isDisabled: this.isDisabled, isDrawn: this.#isDrawn, prints: this.#offers.all},
       ...{hasBegun: this.#beginning.hasBegun, isMissing: this.isMissing},
       choose: (print) => {
@@ -298,17 +316,28 @@ export class SeamwiseGarment extends AttributeElement {
   /** Tells what has become of the element, outwards and inwards. */
   #present(): void {
     if (this.#beginning.hasBegun) void this.#modes.load(this.mode);
+    if (this.#beginning.hasBegun && this.view !== 'pattern') void this.#loadWorn();
     const shown = this.#modes.shown(this.mode);
-    if (this.#shown !== shown) this.#isDrawn = false;
+    if (this.#shown !== shown || this.#shownView !== this.view) this.#isDrawn = false;
     this.#shown = shown;
+    this.#shownView = this.view;
     this.#session.workbench.isEdited = shown === 'edit';
     const {garment} = this.#texts;
     this.enter(this.#session.state);
     this.present(this.value, this.error?.message ?? garment.required);
     // a picture has nothing in it that could have the focus
-    const isPicture = this.mode === 'preview' && !this.isMissing;
+    const isPicture = this.mode === 'preview' && this.view === 'pattern' && !this.isMissing;
     this.describe(isPicture ? 'img' : 'group', this.alt || garment.label);
     this.requestUpdate();
+  }
+
+  async #loadWorn(): Promise<void> {
+    try {
+      await loadWorn();
+    } catch (error) {
+      const message = this.#texts.garment.noTools(asError(error).message);
+      this.#session.report(new SolverError({code: 'network', message}));
+    }
   }
 
   get #texts(): Texts {

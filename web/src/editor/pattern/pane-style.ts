@@ -39,6 +39,7 @@ export const paneStyle = css`
     align-items: center;
     justify-content: space-between;
     gap: var(--sw-space-1) var(--sw-space-4);
+    flex-wrap: var(--sw-foot-wrap, nowrap);
     padding: var(--sw-space-1) var(--sw-space-3) var(--sw-space-2);
   }
   .foot[hidden] {
@@ -46,7 +47,7 @@ export const paneStyle = css`
   }
   sw-tool-hint,
   .said {
-    flex: 1;
+    flex: 1 1 var(--sw-said-room, 0);
   }
   .said {
     position: relative; /* a hint lies over it */

@@ -15,6 +15,7 @@ export class Toolbar extends WorkbenchElement {
     css`
       :host {
         display: flex;
+        margin-right: var(--sw-views-room, 0); /* of what lies over it */
       }
       .tools {
         display: flex;

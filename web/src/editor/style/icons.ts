@@ -17,6 +17,12 @@ const drawn = (paths: TemplateResult): TemplateResult =>
   </svg>`;
 
 export const icon = {
+  pattern: drawn(svg`<path d="M2.5 13V6.5L5 3h1v10zM13.5 13V6.5L11 3h-1v10z"/>`),
+  garment: drawn(svg`<path d="M6 2.5 4 3.5 5 8l-2 5.5h10L11 8l1-4.5-2-1C9.5 4 6.5 4 6 2.5z"/>`),
+  both: drawn(svg`<path d="M2 3h12v10H2zM8 3v10"/>`),
+  turntable: drawn(
+    svg`<ellipse cx="8" cy="10.5" rx="5.5" ry="2.5"/><path d="M8 8V2.5M6 4.5l2-2 2 2"/>`,
+  ),
   plus: drawn(svg`<path d="M8 3.5v9M3.5 8h9"/>`),
   minus: drawn(svg`<path d="M3.5 8h9"/>`),
   fit: drawn(svg`<path d="M3 6V3h3M10 3h3v3M13 10v3h-3M6 13H3v-3"/>`),

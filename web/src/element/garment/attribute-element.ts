@@ -1,4 +1,5 @@
 /** What the element is told by attributes, as properties. Three of them may be given as objects, too. */
+import {fabricNames, type FabricName} from '../../model/drape.js';
 import type {Garment} from '../../model/garment.js';
 import type {Print} from '../../model/print.js';
 import type {StoredDesign} from '../../model/stored-design.js';
@@ -9,6 +10,7 @@ import {
   changeOf,
   unitsOf,
   wordOf,
+  type GarmentCamera,
   type GarmentLoading,
   type GarmentMode,
   type GarmentView,
@@ -75,11 +77,47 @@ export abstract class AttributeElement extends FormElement {
   }
 
   get view(): GarmentView {
-    return wordOf(this.getAttribute('view'), ['pattern']);
+    return wordOf(this.getAttribute('view'), ['pattern', 'garment', 'both']);
   }
 
   set view(view: GarmentView | null | undefined) {
     this.write('view', view);
+  }
+
+  /** Whether a worn garment hangs on a dummy that is seen. */
+  get dummy(): 'shown' | 'hidden' {
+    return wordOf(this.getAttribute('dummy'), ['shown', 'hidden']);
+  }
+
+  set dummy(dummy: 'shown' | 'hidden' | null | undefined) {
+    this.write('dummy', dummy);
+  }
+
+  /** What a worn garment is made of. */
+  get fabric(): FabricName {
+    return wordOf(this.getAttribute('fabric'), fabricNames);
+  }
+
+  set fabric(fabric: FabricName | null | undefined) {
+    this.write('fabric', fabric);
+  }
+
+  /** Where a worn garment is looked at from. */
+  get camera(): GarmentCamera {
+    return wordOf(this.getAttribute('camera'), ['front', 'back', 'left', 'right', 'three-quarter']);
+  }
+
+  set camera(camera: GarmentCamera | null | undefined) {
+    this.write('camera', camera);
+  }
+
+  /** A worn garment goes round until somebody touches it. */
+  get turntable(): boolean {
+    return this.hasAttribute('turntable');
+  }
+
+  set turntable(turns: boolean) {
+    this.toggleAttribute('turntable', turns);
   }
 
   get mode(): GarmentMode {

@@ -2,14 +2,16 @@
 import {optionLimits} from '../../model/core-tables.js';
 import type {Units} from '../../model/units.js';
 
-export type GarmentView = 'pattern';
+export type GarmentView = 'pattern' | 'garment' | 'both';
+export type GarmentCamera = 'front' | 'back' | 'left' | 'right' | 'three-quarter';
 export type GarmentMode = 'preview' | 'place' | 'edit';
 export type GarmentLoading = 'lazy' | 'eager';
 
 /** In the order of the documentation. */
 export const attributes = [
   ...['garment', 'size', 'print', 'colourway', 'symmetry', 'max-change-mm'],
-  ...['view', 'mode', 'loading', 'units', 'locale', 'lang', 'alt', 'worker-url', 'wasm-url'],
+  ...['view', 'dummy', 'fabric', 'camera', 'turntable'],
+  ...['mode', 'loading', 'units', 'locale', 'lang', 'alt', 'worker-url', 'wasm-url'],
   ...['name', 'required', 'disabled'],
 ] as const;
 

@@ -1,4 +1,5 @@
 /** What the element tells the page, and what it can be called. */
+import type {DrapeStage} from '../../model/drape.js';
 import type {Failure} from '../../model/failure.js';
 import type {Progress} from '../../model/problem.js';
 import type {Metrics} from '../../model/result.js';
@@ -23,6 +24,13 @@ export interface GarmentEvents {
   readonly input: {readonly design: StoredDesign | null};
   /** The user has changed the design, and the answer is there. Null when it cannot be stored. */
   readonly change: {readonly design: StoredDesign | null};
+  /** How far a worn garment has been draped; what people should know once it has settled, one sentence each. */
+  readonly drape: {
+    readonly stage: DrapeStage;
+    readonly fraction: number;
+    readonly settled: boolean;
+    readonly notes: readonly string[];
+  };
   readonly solve: {readonly metrics: Metrics; readonly milliseconds: number};
   /** The user has picked a piece, by its name, or a seam, by its number, on one of its pieces. */
   readonly select: {

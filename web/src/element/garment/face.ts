@@ -3,15 +3,21 @@ import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Texts} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
-import type {GarmentMode} from './attributes.js';
+import type {AttributeElement} from './attribute-element.js';
+import type {GarmentMode, GarmentView} from './attributes.js';
 import type {OfferedPrint} from './offered-prints.js';
 import type {GarmentSession} from './session.js';
+
+/** How a worn garment is shown. */
+type Worn = Pick<AttributeElement, 'dummy' | 'fabric' | 'camera' | 'turntable'>;
 
 interface Face {
   readonly session: GarmentSession;
   readonly texts: Texts;
   /** What of it is loaded. */
   readonly mode: GarmentMode;
+  readonly view: GarmentView;
+  readonly worn: Worn;
   readonly alt: string;
   readonly isDisabled: boolean;
   readonly isDrawn: boolean;
@@ -32,8 +38,13 @@ export function faceOf(face: Face): TemplateResult {
   const says = error && !(mode === 'edit' && workbench.state.kind === 'failed');
   return html`<div class="frame" ?inert=${face.isDisabled}>
       <div part="toolbar"><slot name="toolbar"></slot></div>
-      <div class="stage" part="stage" tabindex=${face.isMissing ? -1 : nothing}>
-        ${face.hasBegun ? stage(mode, workbench) : nothing}
+      <div
+        class="stage"
+        data-view=${face.view}
+        part="stage"
+        tabindex=${face.isMissing ? -1 : nothing}
+      >
+        ${face.hasBegun ? stage(face, workbench) : nothing}
         <div class="poster" part="poster" ?hidden=${!hidesDrawing || mode === 'edit'}>
           <slot name="poster"><p>${face.alt || texts.garment.label}</p></slot>
         </div>
@@ -50,16 +61,27 @@ export function faceOf(face: Face): TemplateResult {
     ${says ? html`<p class="message" part="message" role="alert">${error.message}</p>` : nothing}`;
 }
 
-function stage(mode: GarmentMode, workbench: Workbench): TemplateResult {
-  switch (mode) {
-    case 'preview':
-      return html`<sw-drawing .workbench=${workbench}></sw-drawing>`;
-    case 'place':
-      return html`<sw-pattern .workbench=${workbench} .purpose=${'place'}></sw-pattern>`;
-    case 'edit':
-      return html`<sw-editor .workbench=${workbench}></sw-editor>`;
-  }
+function stage({mode, view, worn}: Face, workbench: Workbench): TemplateResult {
+  if (mode === 'edit') return html`<sw-editor .workbench=${workbench} .shows=${view}></sw-editor>`;
+  const flat =
+    mode === 'place'
+      ? html`<sw-pattern .workbench=${workbench} .purpose=${'place'}></sw-pattern>`
+      : html`<sw-drawing .workbench=${workbench}></sw-drawing>`;
+  return html`${view === 'garment' ? nothing : flat}
+  ${view === 'pattern' ? nothing : wornGarment(worn, view === 'both', workbench)}`;
 }
+
+/** @param beside the pattern is shown, too */
+const wornGarment = (worn: Worn, beside: boolean, workbench: Workbench): TemplateResult =>
+  html`<sw-worn
+    .workbench=${workbench}
+    .beside=${beside}
+    .purpose=${'show'}
+    .form=${worn.dummy}
+    .fabric=${worn.fabric}
+    .camera=${worn.camera}
+    .turntable=${worn.turntable}
+  ></sw-worn>`;
 
 const panel = ({session: {workbench}, prints, choose}: Face): TemplateResult =>
   html`<sw-place-bar

@@ -31,6 +31,13 @@ export const garmentStyle = css`
     position: relative;
     min-height: 0;
   }
+  .stage[data-view='both'] {
+    grid-template-columns: repeat(2, minmax(0, 1fr));
+    grid-auto-rows: minmax(0, 1fr);
+  }
+  sw-worn {
+    container-type: size;
+  }
   .stage:focus-visible {
     outline-offset: -2px;
   }

@@ -1,0 +1,103 @@
+/** The element with view="garment": draped on a dummy in its print, and told of. */
+import {expect, it} from 'vitest';
+
+import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
+import {tee, useElementPage} from './element/open.js';
+
+const openPage = useElementPage();
+/** A browser that draws in software may have to share a busy machine. */
+const patient = {timeout: 60_000};
+const worn = tee.replace('alt=', 'view="garment" alt=');
+
+it('drapes what it shows, tells how far it is, and gives a picture of it from where it is to be seen', async () => {
+  const {page, put, run} = await openPage({viewport: {width: 700, height: 600}});
+  await page.evaluate(() => {
+    const told: unknown[] = [];
+    Object.assign(globalThis, {told});
+    document.addEventListener('drape', (event) => told.push((event as CustomEvent).detail), true);
+  });
+  await put(worn);
+  await page.waitForFunction(() =>
+    (globalThis as unknown as {told: {settled: boolean}[]}).told.some(({settled}) => settled),
+  );
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const told = await page.evaluate(
+    () => (globalThis as unknown as {told: {fraction: number; settled: boolean}[]}).told,
+  );
+  expect(told.at(-1)).toEqual({stage: 'done', fraction: 1, settled: true, notes: []});
+  expect(told.slice(0, -1).every(({settled, fraction}) => !settled && fraction < 1)).toBe(true);
+  /** How much of a picture is of each kind of colour. */
+  const seen = async (): Promise<{ground: number; cloth: number; width: number}> =>
+    run(async (element: SeamwiseGarment) => {
+      const picture = await createImageBitmap(await element.toBlob({width: 300}));
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+      context?.drawImage(picture, 0, 0);
+      const {data} = context?.getImageData(0, 0, picture.width, picture.height) ?? {data: []};
+      let [ground, cloth] = [0, 0];
+      for (let at = 0; at < data.length; at += 4) {
+        const [r = 0, g = 0, b = 0] = [data[at], data[at + 1], data[at + 2]];
+        if (r === 251 && g === 250 && b === 248) ground++;
+        else if (Math.max(r, g, b) - Math.min(r, g, b) > 40) cloth++;
+      }
+      const all = data.length / 4;
+      return {ground: ground / all, cloth: cloth / all, width: picture.width};
+    });
+  const shown = await seen();
+  expect(shown.width).toBe(300);
+  expect(shown.ground).toBeGreaterThan(0.3);
+  expect(shown.cloth).toBeGreaterThan(0.005);
+  await run((element) => {
+    element.dummy = 'hidden';
+    element.camera = 'back';
+  });
+  await expect.poll(async () => (await seen()).ground, patient).toBeGreaterThan(shown.ground);
+});
+
+it('is turned by keys, says what is seen, and comes back after the graphics were away', async () => {
+  const {page, put, run} = await openPage({
+    maySay: /Context (Lost|Restored)/,
+    viewport: {width: 700, height: 600},
+  });
+  await put(worn);
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const garment = page.getByRole('application', {name: 'Garment, worn'});
+  const status = page.locator('seamwise-garment sw-worn [role=status]');
+  await expect.poll(() => status.textContent(), patient).toContain('Front view.');
+  await expect.poll(() => status.textContent(), patient).toMatch(/\d+ seams; worst .+ mm at .+\.$/);
+  await garment.focus();
+  await page.keyboard.press('2');
+  await expect.poll(() => status.textContent(), patient).toContain('Back view.');
+  for (let k = 0; k < 6; k++) await page.keyboard.press('ArrowRight');
+  await expect.poll(() => status.textContent(), patient).toContain('View from the right.');
+  await page.evaluate(() => {
+    const deep = document.querySelector('seamwise-garment')?.shadowRoot?.querySelector('sw-worn');
+    const extension = deep?.shadowRoot
+      ?.querySelector('canvas')
+      ?.getContext('webgl2')
+      ?.getExtension('WEBGL_lose_context');
+    extension?.loseContext();
+    setTimeout(() => extension?.restoreContext(), 300);
+  });
+  await expect
+    .poll(() => run((element) => element.toBlob({width: 80}).then(() => 'drawn', String)), patient)
+    .toBe('drawn');
+});
+
+it('drapes nothing that nobody sees', async () => {
+  const {page, put} = await openPage({viewport: {width: 700, height: 600}});
+  await page.evaluate(() => {
+    Object.assign(globalThis, {told: 0});
+    document.addEventListener(
+      'drape',
+      () => (globalThis as unknown as {told: number}).told++,
+      true,
+    );
+  });
+  await put(`${'<br>'.repeat(200)}${worn.replace('alt=', 'loading="eager" alt=')}`);
+  await page.locator('seamwise-garment:state(ready)').waitFor();
+  await page.waitForTimeout(1500);
+  const told = () => page.evaluate(() => (globalThis as unknown as {told: number}).told);
+  expect(await told()).toBe(0);
+  await page.locator('seamwise-garment').scrollIntoViewIfNeeded();
+  await expect.poll(told, patient).toBeGreaterThan(0);
+});

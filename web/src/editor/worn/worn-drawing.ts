@@ -1,0 +1,165 @@
+/** The garment of a workbench as it is worn, and nothing else; it is draped while it is in view. */
+import type {PropertyValues} from 'lit';
+
+import type {FabricName} from '../../model/drape.js';
+import type {GarmentView} from '../../viewer/garment/garment-view.js';
+import type {CameraPreset} from '../../viewer/garment/camera.js';
+import {drapingOf, type Draping} from '../../workbench/draping.js';
+import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
+
+/** The detail of a `drapeEvent`. */
+export interface DrapeNews {
+  readonly stage: 'sew' | 'hang' | 'settle' | 'done';
+  /** 0 to 1 */
+  readonly fraction: number;
+  /** It will not move any more. */
+  readonly settled: boolean;
+  /** What people should know, one sentence each. */
+  readonly notes: readonly string[];
+}
+
+export class WornDrawing extends SceneDrawing<GarmentView> {
+  static override properties = {
+    ...SceneDrawing.properties,
+    camera: {},
+    form: {},
+    fabric: {},
+    turntable: {type: Boolean},
+  };
+  /** Where it is looked at from at first, and comes home to. */
+  declare camera: CameraPreset;
+  declare form: 'shown' | 'hidden';
+  /** Undefined: whichever was chosen before. */
+  declare fabric: FabricName | undefined;
+  /** It goes round until somebody touches it. */
+  declare turntable: boolean;
+  #observer: IntersectionObserver | undefined;
+  #isInView = false;
+  /** Ends the draping. */
+  #end: (() => void) | undefined;
+  #isPrinted = false;
+  #isShaped = false;
+  #told = '';
+
+  constructor() {
+    super();
+    this.camera = 'front';
+    this.form = 'shown';
+    this.turntable = false;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#observer = new IntersectionObserver((entries) => {
+      this.#isInView = entries.at(-1)?.isIntersecting ?? false;
+      this.#drapeInView();
+    });
+    this.#observer.observe(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#observer?.disconnect();
+    this.#isInView = false;
+    this.#drapeInView();
+    this.#isPrinted = false;
+    this.#isShaped = false;
+  }
+
+  protected get draping(): Draping {
+    return drapingOf(this.workbench);
+  }
+
+  /** What a garment that somebody works on adds. */
+  protected viewOptions(): ConstructorParameters<typeof GarmentView>[1] {
+    return {leavesWheel: true};
+  }
+
+  protected override async load(): Promise<OpenView<GarmentView>> {
+    const {GarmentView} = await import('../../viewer/garment/garment-view.js');
+    return (stage, options) => {
+      const view = new GarmentView(stage, {...options, ...this.viewOptions()});
+      view.camera.look(this.camera);
+      view.camera.setTurntable(this.turntable);
+      return view;
+    };
+  }
+
+  protected override opened(): void {
+    this.#drapeInView();
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    if (this.fabric && changed.has('fabric')) this.draping.fabric = this.fabric;
+    if (!this.view) return;
+    if (changed.has('camera')) this.view.camera.look(this.camera);
+    if (changed.has('turntable')) this.view.camera.setTurntable(this.turntable);
+  }
+
+  protected override drew(view: GarmentView): void {
+    view.setForm(this.form !== 'hidden');
+    this.#tellNews();
+  }
+
+  /** The poster stays until there is a garment with a print. */
+  protected override printed(): void {
+    this.#isPrinted = true;
+    this.#tellDrawn();
+  }
+
+  #tellDrawn(): void {
+    if (this.#isPrinted && this.#isShaped) this.tell(drawnEvent);
+  }
+
+  #drapeInView(): void {
+    const {view} = this;
+    if (this.#isInView && view) this.#end ??= this.#begin(view);
+    if (this.#isInView) return;
+    this.#end?.();
+    this.#end = undefined;
+  }
+
+  /** @returns what ends it */
+  #begin(view: GarmentView): () => void {
+    const quiet = matchMedia('(prefers-reduced-motion: reduce)');
+    let shown = false;
+    return this.draping.show({
+      form: (form) => {
+        view.form = form;
+      },
+      mesh: (mesh) => {
+        view.mesh = mesh;
+      },
+      positions: (positions, isFinal) => {
+        // for who wants no motion: the first shape, and the last
+        if (shown && quiet.matches && !isFinal) return;
+        shown = !isFinal;
+        view.pose(positions);
+        this.#isShaped = true;
+        this.#tellDrawn();
+      },
+      clear: () => {
+        view.clear();
+      },
+    });
+  }
+
+  #tellNews(): void {
+    const {state, drape} = this.draping.read;
+    if (state.kind === 'draping') {
+      const {stage, fraction} = state.progress;
+      // the end is told once the last places are there
+      if (stage !== 'done') this.#tellOnce({stage, fraction, settled: false, notes: []});
+    } else if (state.kind === 'done') {
+      this.#tellOnce({stage: 'done', fraction: 1, settled: true, notes: drape?.notes ?? []});
+    }
+  }
+
+  #tellOnce(news: DrapeNews): void {
+    const told = JSON.stringify(news);
+    if (told === this.#told) return;
+    this.#told = told;
+    this.tell(drapeEvent, news);
+  }
+}

@@ -1,0 +1,270 @@
+/** The garment as it is worn, to be turned and looked at: its drawing, what is chosen for it, and the same as words. */
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+
+import {fabricNames, type FabricName} from '../../model/drape.js';
+import {presetNames, type CameraPreset} from '../../viewer/garment/camera.js';
+import type {GarmentView} from '../../viewer/garment/garment-view.js';
+import {wornTexts, type WornTexts} from '../../texts/worn-texts.js';
+import {spokenFailure} from '../../workbench/spoken-failure.js';
+import {sameTarget} from '../../workbench/state.js';
+import type {Target} from '../../workbench/workbench.js';
+import {seamRows, worstSeams} from '../lists/rows.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import {WornDrawing} from './worn-drawing.js';
+import {wornStyle} from './worn-style.js';
+
+const keyFactor = 1.4;
+
+/** What may go well another time; all else is the garment's. */
+const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
+
+export class WornPane extends WornDrawing {
+  static override properties = {
+    ...WornDrawing.properties,
+    purpose: {},
+  };
+  static override styles = [...WornDrawing.styles, controls, wornStyle];
+  /** `show`: for who looks only, in a page that is read on. */
+  declare purpose: 'show' | 'edit';
+  #showsSeams = false;
+  /** What the camera is nearest to, which is said when it is another. */
+  #preset: CameraPreset = 'front';
+  /** What was picked last, here or elsewhere. */
+  #selected: Target | undefined;
+
+  constructor() {
+    super();
+    this.purpose = 'edit';
+  }
+
+  protected override hasSeams(): boolean {
+    return this.#showsSeams;
+  }
+
+  protected override viewOptions(): ConstructorParameters<typeof GarmentView>[1] {
+    const onMoved = (): void => {
+      this.#preset = this.view?.camera.preset ?? this.#preset;
+      this.requestUpdate();
+    };
+    if (this.purpose === 'show') return {leavesWheel: true, onMoved};
+    return {
+      onMoved,
+      onPoint: (target) => {
+        this.workbench.point(target);
+      },
+      onPick: (target) => {
+        this.#selected = target;
+        this.workbench.select(target);
+      },
+    };
+  }
+
+  protected override opened(stage?: HTMLElement): void {
+    super.opened();
+    if (stage) stage.tabIndex = -1; // the garment as a whole has the focus
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const {selected} = this.workbench;
+    if (sameTarget(selected, this.#selected)) return;
+    this.#selected = selected;
+    if (selected) this.view?.face(selected);
+  }
+
+  protected override drew(view: GarmentView): void {
+    super.drew(view);
+    view.setSeams(this.#showsSeams);
+    const {selected, pointed} = this.workbench;
+    view.setMarked(this.purpose === 'edit' ? {selected, pointed} : {});
+  }
+
+  protected override render(): TemplateResult {
+    const words = this.#words;
+    const {state} = this.draping.read;
+    const edits = this.purpose === 'edit';
+    return html`
+      <div
+        class="application"
+        role="application"
+        aria-label=${words.label}
+        aria-description=${words.description}
+        tabindex="0"
+        @keydown=${this.#press}
+      >
+        <div class="stage"></div>
+      </div>
+      ${edits ? this.#bar(words) : nothing}
+      <slot name="notice"></slot>
+      <div class="foot">
+        <div class="said">${this.#told(words)}</div>
+        ${this.#looking(words, edits)}
+      </div>
+      <progress
+        aria-hidden="true"
+        max="1"
+        ?hidden=${state.kind !== 'draping'}
+        .value=${state.kind === 'draping' ? state.progress.fraction : 0}
+      ></progress>
+      <p class="hidden" role="status">${this.#spoken(words)}</p>
+    `;
+  }
+
+  get #words(): WornTexts {
+    const {language, messages} = this.workbench.preferences;
+    return wornTexts(language, messages);
+  }
+
+  #bar(words: WornTexts): TemplateResult {
+    return html`<div class="bar">
+      <div class="group">
+        <select
+          aria-label=${words.fabric}
+          title=${words.fabric}
+          .value=${this.draping.fabric}
+          @change=${({target}: Event) => {
+            this.draping.fabric = (target as HTMLSelectElement).value as FabricName;
+          }}
+        >
+          ${fabricNames.map(
+            (name) =>
+              html`<option value=${name} ?selected=${name === this.draping.fabric}>
+                ${words.fabrics[name]}
+              </option>`,
+          )}
+        </select>
+        ${this.#toggle(words.form, this.form !== 'hidden', () => {
+          this.form = this.form === 'hidden' ? 'shown' : 'hidden';
+        })}
+        ${this.#toggle(words.seams, this.#showsSeams, () => {
+          this.#showsSeams = !this.#showsSeams;
+          this.requestUpdate();
+        })}
+      </div>
+    </div>`;
+  }
+
+  /** From where, how near, and round and round. */
+  #looking(words: WornTexts, edits: boolean): TemplateResult {
+    const {pattern} = this.texts;
+    const isTurning = this.view?.camera.isTurning ?? false;
+    const preset = this.view?.camera.preset ?? this.#preset;
+    return html`<div class="group" role="group" aria-label=${pattern.view}>
+      ${
+        edits
+          ? html`<select
+              aria-label=${words.look}
+              title=${words.look}
+              .value=${preset}
+              @change=${({target}: Event) => {
+                this.view?.camera.look((target as HTMLSelectElement).value as CameraPreset);
+              }}
+            >
+              ${presetNames.map(
+                (name) =>
+                  html`<option value=${name} ?selected=${name === preset}>
+                    ${words.looks[name]}
+                  </option>`,
+              )}
+            </select>`
+          : nothing
+      }
+      <button
+        class="icon turntable"
+        aria-label=${words.turntable}
+        title=${words.turntable}
+        aria-pressed=${isTurning}
+        @click=${() => {
+          this.view?.camera.setTurntable(!isTurning);
+        }}
+      >
+        ${icon.turntable}
+      </button>
+      ${this.#icon(pattern.zoomOut, icon.minus, 'zoom', () => this.view?.camera.zoomBy(1 / keyFactor))}
+      ${this.#icon(pattern.fit, icon.fit, '', () => this.view?.camera.look())}
+      ${this.#icon(pattern.zoomIn, icon.plus, 'zoom', () => this.view?.camera.zoomBy(keyFactor))}
+    </div>`;
+  }
+
+  /** How far it is, what went wrong, or what people should know. */
+  #told(words: WornTexts): TemplateResult | typeof nothing {
+    if (this.undrawable !== undefined) return html`<p class="told">${this.undrawable}</p>`;
+    const {draping} = this;
+    const {state, drape} = draping;
+    const again = html`<button
+      class="outlined"
+      @click=${() => {
+        draping.again();
+      }}
+    >
+      ${words.again}
+    </button>`;
+    switch (state.kind) {
+      case 'waiting':
+        return drape ? nothing : html`<p class="told">${words.waiting}</p>`;
+      case 'draping':
+        return html`<p class="told">
+          <span class="numbers"
+            >${words.draping(this.format.percent(state.progress.fraction))}</span
+          >
+          <button
+            @click=${() => {
+              draping.cancel();
+            }}
+          >
+            ${words.stop}
+          </button>
+        </p>`;
+      case 'cancelled':
+        return html`<p class="told">${words.stopped} ${again}</p>`;
+      case 'failed': {
+        const {failure} = state;
+        const why = spokenFailure(failure, this.workbench, this.texts);
+        const isPassing = passing.has(failure.code);
+        return html`<p class="told bad" role="alert">${why} ${isPassing ? again : nothing}</p>`;
+      }
+      case 'done': {
+        const notes = drape?.notes ?? [];
+        return notes.length > 0
+          ? html`<p class="told">${notes.join(' ')}</p>`
+          : html`<span class="truth">${words.truth}</span>`;
+      }
+    }
+  }
+
+  /** "Front view. 10 seams; worst 4 mm at left side seam." */
+  #spoken(words: WornTexts): string {
+    const {state, drape} = this.draping;
+    if (!drape && state.kind === 'waiting') return words.waiting;
+    if (state.kind === 'draping')
+      return words.draping(this.format.percent(Math.floor(state.progress.fraction * 4) / 4));
+    const seen = words.seen[this.view?.camera.preset ?? this.#preset];
+    const rows = seamRows(this.workbench, this.texts);
+    const [worst] = worstSeams(rows, 1);
+    if (!drape || !worst || !this.workbench.result) return seen;
+    const {pattern} = this.texts;
+    const most = this.format.fine(worst.after);
+    return `${seen} ${words.worst(pattern.seams(rows.length), most, worst.name)}`;
+  }
+
+  readonly #press = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    const preset = presetNames[Number(event.key) - 1];
+    if (preset) this.view?.camera.look(preset);
+    else if (event.key === 'Escape' && this.workbench.selected) this.workbench.select(undefined);
+    else if (!this.view?.camera.key(event.key)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  #toggle(label: string, on: boolean, act: () => void): TemplateResult {
+    return html`<button aria-pressed=${on} @click=${act}>${label}</button>`;
+  }
+
+  #icon(label: string, picture: TemplateResult, kind: string, act: () => void): TemplateResult {
+    return html`<button class="icon ${kind}" aria-label=${label} title=${label} @click=${act}>
+      ${picture}
+    </button>`;
+  }
+}

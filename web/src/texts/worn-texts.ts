@@ -1,0 +1,18 @@
+/** What is said of the garment as it is worn: loaded with what shows it, in all languages. */
+import {withMessages, type Messages} from './messages.js';
+import type {Language} from './preferences.js';
+import {worn as de} from './worn/de.js';
+import {worn as en, type WornTexts} from './worn/en.js';
+import {worn as es} from './worn/es.js';
+import {worn as fr} from './worn/fr.js';
+import {worn as it} from './worn/it.js';
+
+export type {WornTexts} from './worn/en.js';
+
+export const wornTables: Readonly<Record<Language, WornTexts>> = {en, de, fr, es, it};
+
+/** The words of a language, but for those that somebody gives themselves. */
+export function wornTexts(language: Language, messages?: Messages): WornTexts {
+  const own = wornTables[language];
+  return messages?.worn ? withMessages({worn: own}, {worn: messages.worn}).worn : own;
+}

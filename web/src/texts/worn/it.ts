@@ -1,0 +1,35 @@
+/** In italiano: il capo indossato. */
+import type {WornTexts} from './en.js';
+
+export const worn: WornTexts = {
+  label: 'Capo indossato',
+  description:
+    'Le frecce girano il capo, più e meno ingrandiscono e riducono; da 1 a 5 lo mostrano davanti, dietro, da sinistra, da destra e di tre quarti, 0 per intero.',
+  fabric: 'Stoffa',
+  fabrics: {poplin: 'Popeline di cotone', jersey: 'Maglina', denim: 'Tela jeans', chiffon: 'Velo'},
+  form: 'Manichino',
+  seams: 'Cuciture',
+  turntable: 'Piatto girevole',
+  look: 'Visto da',
+  looks: {
+    front: 'Davanti',
+    back: 'Dietro',
+    left: 'Sinistra',
+    right: 'Destra',
+    'three-quarter': 'Tre quarti',
+  },
+  seen: {
+    front: 'Vista davanti.',
+    back: 'Vista dietro.',
+    left: 'Vista da sinistra.',
+    right: 'Vista da destra.',
+    'three-quarter': 'Vista di tre quarti.',
+  },
+  worst: (seams, most, seam) => `${seams}; la peggiore ${most}: ${seam}.`,
+  draping: (percent) => `Drappeggio, ${percent}`,
+  stop: 'Ferma',
+  stopped: 'Fermato: il capo non ha finito di cadere.',
+  again: 'Drappeggia di nuovo',
+  waiting: 'Drappeggiato appena la stampa è allineata',
+  truth: 'Un drappeggio, nessuna promessa di vestibilità',
+};

@@ -1,0 +1,116 @@
+/** The cloth of a drape as it is drawn: split by piece, since each piece lies elsewhere on the print. */
+import type {DrapeMesh} from '../../model/drape.js';
+import type {Alignment, Point} from '../../model/geometry.js';
+import type {Print} from '../../model/print.js';
+import {apply} from '../../model/wallpaper.js';
+import {imageCoordinates} from '../print-coordinates.js';
+
+/** Drawn vertices are those of the pieces, one piece after the other. */
+export interface Cloth {
+  readonly mesh: DrapeMesh;
+  /** Per drawn vertex its number in the cloth. */
+  readonly sewn: Uint32Array;
+  /** Per drawn vertex its piece. */
+  readonly pieces: Uint16Array;
+  /** Per drawn vertex x, y on the piece as cut. [cm] */
+  readonly shape: Float32Array;
+  /** Of drawn vertices, three each, those of one piece after the other. */
+  readonly triangles: Uint32Array;
+  /** The same, of vertices of the cloth. */
+  readonly welded: Uint32Array;
+  /** Per piece its first drawn vertex, and the number of all. */
+  readonly firsts: readonly number[];
+}
+
+export function clothOf(mesh: DrapeMesh): Cloth {
+  const firsts = [0];
+  for (const {sewn} of mesh.pieces) firsts.push((firsts.at(-1) ?? 0) + sewn.length);
+  const count = firsts.at(-1) ?? 0;
+  const corners = mesh.pieces.reduce((sum, {triangles}) => sum + triangles.length, 0);
+  const sewn = new Uint32Array(count);
+  const pieces = new Uint16Array(count);
+  const shape = new Float32Array(2 * count);
+  const triangles = new Uint32Array(corners);
+  let corner = 0;
+  for (const [number, piece] of mesh.pieces.entries()) {
+    const first = firsts[number] ?? 0;
+    sewn.set(piece.sewn, first);
+    shape.set(piece.shape, 2 * first);
+    pieces.fill(number, first, first + piece.sewn.length);
+    for (const vertex of piece.triangles) triangles[corner++] = first + vertex;
+  }
+  const welded = triangles.map((vertex) => sewn[vertex] ?? 0);
+  return {mesh, sewn, pieces, shape, triangles, welded, firsts};
+}
+
+/** Puts x, y, z of the cloth's vertices to the drawn ones. */
+export function putToDrawn(
+  {sewn}: Pick<Cloth, 'sewn'>,
+  from: ArrayLike<number>,
+  into: Float32Array,
+): void {
+  for (let k = 0; k < sewn.length; k++) {
+    const at = 3 * (sewn[k] ?? 0);
+    into[3 * k] = from[at] ?? 0;
+    into[3 * k + 1] = from[at + 1] ?? 0;
+    into[3 * k + 2] = from[at + 2] ?? 0;
+  }
+}
+
+/** Unit normals per vertex: the sum of those of its triangles by area. Seams shade smoothly where vertices are the cloth's. */
+export function normalsOf(
+  positions: ArrayLike<number>,
+  triangles: Uint32Array,
+  into = new Float32Array(positions.length),
+): Float32Array<ArrayBuffer> {
+  into.fill(0);
+  for (let k = 0; k < triangles.length; k += 3) {
+    const [a, b, c] = [
+      3 * (triangles[k] ?? 0),
+      3 * (triangles[k + 1] ?? 0),
+      3 * (triangles[k + 2] ?? 0),
+    ];
+    const [x, y, z] = [positions[a] ?? 0, positions[a + 1] ?? 0, positions[a + 2] ?? 0];
+    const ux = (positions[b] ?? 0) - x;
+    const uy = (positions[b + 1] ?? 0) - y;
+    const uz = (positions[b + 2] ?? 0) - z;
+    const vx = (positions[c] ?? 0) - x;
+    const vy = (positions[c + 1] ?? 0) - y;
+    const vz = (positions[c + 2] ?? 0) - z;
+    const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    for (const at of [a, b, c]) {
+      into[at] = (into[at] ?? 0) + nx;
+      into[at + 1] = (into[at + 1] ?? 0) + ny;
+      into[at + 2] = (into[at + 2] ?? 0) + nz;
+    }
+  }
+  for (let k = 0; k < into.length; k += 3) {
+    const [x, y, z] = [into[k] ?? 0, into[k + 1] ?? 0, into[k + 2] ?? 0];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    into[k] = x / length;
+    into[k + 1] = y / length;
+    into[k + 2] = z / length;
+  }
+  return into;
+}
+
+/** Per drawn vertex its place on the print's image, as the flat pattern has it: one affine map per piece. */
+export function printPlaces(
+  {mesh, firsts}: Pick<Cloth, 'mesh' | 'firsts'>,
+  alignments: readonly Alignment[],
+  print: Print,
+  into: Float32Array,
+): void {
+  for (const [number, {shape}] of mesh.pieces.entries()) {
+    const alignment = alignments[number];
+    if (!alignment) continue;
+    const at = (k: number): Point => [shape[2 * k] ?? 0, shape[2 * k + 1] ?? 0];
+    const map = imageCoordinates(print, alignment, at(0));
+    const first = firsts[number] ?? 0;
+    for (let k = 0; 2 * k < shape.length; k++) {
+      const [u, v] = apply(map, at(k));
+      into[2 * (first + k)] = u;
+      into[2 * (first + k) + 1] = v;
+    }
+  }
+}

@@ -1,0 +1,275 @@
+/** The view of a garment as it is worn: its cloth in the print, on a tailor's dummy. Drawn only when something changes. */
+import type {DrapeMesh, Form} from '../../model/drape.js';
+import type {Point} from '../../model/geometry.js';
+import {imageCell} from '../../model/wallpaper.js';
+import type {Tile} from '../../recognition/tile.js';
+import type {PatternScene} from '../../scene/scene.js';
+import {navigate} from '../navigation.js';
+import {Screen} from '../screen.js';
+import {inks, type Appearance} from '../strokes.js';
+import {TileTexture} from '../tile-texture.js';
+import {fieldOfView} from './camera.js';
+import {GarmentCamera} from './garment-camera.js';
+import {GarmentPicker, type GarmentTarget} from './garment-picker.js';
+import {garmentPicture, type Paper} from './picture.js';
+import {followPointer} from './pointer.js';
+import {WornScene, type Marked} from './worn-scene.js';
+
+/** After this long without a change an SVG tile is drawn as densely as the zoom asks for. [ms] */
+const rest = 150;
+/** Of a drag. [radians per CSS px] */
+const dragTurn = 0.007;
+/** A pointer that stays within this of a seam means it. [CSS px] */
+const reach = 6;
+const pictureWidth = 1600;
+
+export interface GarmentViewOptions {
+  readonly appearance?: Appearance;
+  /** The wheel scrolls the page, and zooms with ctrl only; a finger that moves up or down scrolls, too. */
+  readonly leavesWheel?: boolean;
+  readonly onLost?: (isLost: boolean) => void;
+  readonly onPoint?: (target: GarmentTarget | undefined) => void;
+  readonly onPick?: (target: GarmentTarget | undefined) => void;
+  /** The camera has come to rest, or turns. */
+  readonly onMoved?: () => void;
+}
+
+export class GarmentView {
+  readonly #screen: Screen;
+  readonly #tile: TileTexture;
+  readonly #worn: WornScene;
+  readonly #camera: GarmentCamera;
+  readonly #picker = new GarmentPicker();
+  readonly #options: GarmentViewOptions;
+  #appearance: Appearance;
+  #scene: PatternScene | undefined;
+  #picture: Tile | undefined;
+  #pause: ReturnType<typeof setTimeout> | undefined;
+
+  /** Fills `host`, an empty element with a size of its own. @throws {Error} where the browser has no WebGL 2 */
+  constructor(host: HTMLElement, options: GarmentViewOptions = {}) {
+    this.#options = options;
+    this.#appearance = options.appearance ?? 'light';
+    this.#worn = new WornScene(this.#appearance);
+    const quiet = matchMedia('(prefers-reduced-motion: reduce)');
+    this.#camera = new GarmentCamera(
+      () => ({box: this.#worn.box, aspect: this.#aspect}),
+      () => quiet.matches,
+      () => {
+        this.#moved();
+        this.#screen.request();
+      },
+    );
+    this.#screen = new Screen(host, {
+      resized: () => {
+        this.#camera.fit();
+      },
+      draw: () => {
+        this.#draw();
+      },
+      arrange: () => {
+        if (!this.#camera.isMoving) return;
+        this.#screen.request();
+        if (!this.#camera.isTurning) this.#moved();
+      },
+      lost: (isLost) => options.onLost?.(isLost),
+    });
+    this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
+      texture.colorSpace = 'srgb'; // light is reckoned with linear colours
+      this.#worn.studio.tile = texture;
+      this.#screen.request();
+    });
+    this.#listen(host, this.#screen.signal);
+  }
+
+  /** There is no part of a sheet to come back to. */
+  get state(): null {
+    return null;
+  }
+
+  set state(_: unknown) {
+    // a camera is not kept with a step
+  }
+
+  /** Where it is looked at from, and what that can be asked for. */
+  get camera(): Pick<
+    GarmentCamera,
+    'key' | 'look' | 'turn' | 'zoomBy' | 'setTurntable' | 'isTurning' | 'preset'
+  > {
+    return this.#camera;
+  }
+
+  /** Lays the cloth on the print as the pieces lie in a scene. Cheap where that is the same as before. */
+  show(scene: PatternScene): void {
+    if (scene === this.#scene) return;
+    const before = this.#scene;
+    this.#scene = scene;
+    if (before?.print !== scene.print) this.setTile(this.#picture);
+    this.#worn.show(scene);
+    this.#screen.request();
+  }
+
+  /** The picture of the print's cell; without one, bare cloth. */
+  setTile(tile: Tile | undefined): void {
+    this.#picture = tile;
+    if (this.#scene) this.#tile.set(tile, imageCell(this.#scene.print));
+  }
+
+  setAppearance(appearance: Appearance): void {
+    if (appearance === this.#appearance) return;
+    this.#appearance = appearance;
+    this.#worn.setAppearance(appearance);
+    this.#screen.request();
+  }
+
+  /** Whether seams are drawn by how they match. */
+  setSeams(hasSeams: boolean): void {
+    this.#worn.setSeams(hasSeams);
+    this.#screen.request();
+  }
+
+  /** Whether the dummy is seen. */
+  setForm(isShown: boolean): void {
+    this.#worn.setForm(isShown);
+    this.#screen.request();
+  }
+
+  setMarked(marked: Marked): void {
+    this.#worn.setMarked(marked);
+    this.#screen.request();
+  }
+
+  /** The form that the cloth hangs on. */
+  set form(form: Form) {
+    this.#worn.form = form;
+  }
+
+  /** What moves from the next places on. What is shown stays until then. */
+  set mesh(mesh: DrapeMesh) {
+    this.#worn.mesh = mesh;
+  }
+
+  /** Where the cloth is, x, y, z per vertex. [cm] */
+  pose(positions: Float32Array): void {
+    this.#worn.pose = positions;
+    this.#screen.request();
+  }
+
+  /** Shows nothing, until there is another mesh. */
+  clear(): void {
+    this.#worn.clear();
+    this.#screen.request();
+  }
+
+  /** Turns the camera to where a piece or a seam is seen. */
+  face(target: GarmentTarget): void {
+    const {layer} = this.#worn;
+    if (layer) this.#camera.face(this.#picker.facing(layer, target));
+  }
+
+  /** The seam or piece at a point of the host. [CSS px] */
+  targetAt(at: Point): GarmentTarget | undefined {
+    const {layer, body: form} = this.#worn;
+    const {orbit} = this.#camera;
+    const {size} = this.#screen;
+    return layer && orbit && this.#picker.at(at, {layer, orbit, size, form, reach});
+  }
+
+  /** Of a picture. [px] */
+  get widestPicture(): number {
+    return garmentPicture.widest(this.#screen.renderer, this.#aspect);
+  }
+
+  /** As a PNG, so many pixels wide, from where the camera comes home to. @throws {Error} before anything is shown, or while the graphics context is lost */
+  toBlob(width = pictureWidth): Promise<Blob> {
+    return garmentPicture.blob(this.#paper(width, inks[this.#appearance].paper));
+  }
+
+  /** On white, at once. */
+  onPaper(): HTMLCanvasElement | undefined {
+    return this.#worn.isWorn
+      ? garmentPicture.now(this.#paper(pictureWidth, [255, 255, 255]))
+      : undefined;
+  }
+
+  dispose(): void {
+    clearTimeout(this.#pause);
+    this.#camera.stop();
+    this.#tile.dispose();
+    this.#worn.dispose();
+    this.#screen.dispose();
+  }
+
+  get #aspect(): number {
+    const {width, height} = this.#screen.size;
+    return width / height;
+  }
+
+  #listen(host: HTMLElement, signal: AbortSignal): void {
+    const {leavesWheel, onPoint, onPick} = this.#options;
+    const camera = this.#camera;
+    const moves = {
+      fit: () => {
+        camera.look();
+      },
+      zoomBy: (factor: number) => {
+        camera.zoomBy(factor);
+      },
+      panBy: (dx: number, dy: number) => {
+        camera.turn(-dragTurn * dx, dragTurn * dy);
+      },
+    };
+    navigate(host, moves, signal, {leavesWheel});
+    if (leavesWheel) host.style.touchAction = 'pan-y';
+    const pressed = (): void => {
+      camera.setTurntable(false);
+    };
+    host.addEventListener('pointerdown', pressed, {signal});
+    followPointer(host, signal, {
+      point:
+        onPoint &&
+        ((at) => {
+          onPoint(at && this.targetAt(at));
+        }),
+      pick:
+        onPick &&
+        ((at) => {
+          onPick(this.targetAt(at));
+        }),
+    });
+  }
+
+  #moved(): void {
+    clearTimeout(this.#pause);
+    this.#pause = setTimeout(() => {
+      const {orbit} = this.#camera;
+      if (!orbit) return;
+      const height = 2 * orbit.distance * Math.tan(fieldOfView / 2);
+      this.#tile.sharpen(this.#screen.raster.height / height);
+      this.#options.onMoved?.();
+    }, rest);
+    if (this.#camera.isTurning) this.#options.onMoved?.();
+  }
+
+  #paper(width: number, ground: Paper['ground']): Paper {
+    if (this.#worn.settle()) this.#camera.fit();
+    const {renderer, size} = this.#screen;
+    const raster = {width, height: Math.round(width / this.#aspect), ratio: width / size.width};
+    return {
+      ...{renderer, raster, ground, isReady: this.#worn.layer !== undefined},
+      draw: () => {
+        const {home} = this.#camera;
+        if (home) this.#worn.draw(renderer, raster, home);
+      },
+      done: () => {
+        this.#screen.request();
+      },
+    };
+  }
+
+  #draw(): void {
+    if (this.#worn.settle()) this.#camera.fit();
+    const orbit = this.#camera.advance();
+    if (orbit) this.#worn.draw(this.#screen.renderer, this.#screen.raster, orbit);
+  }
+}

@@ -1,0 +1,39 @@
+/** What a pointer is over, and what it picks. */
+import type {Point} from '../../model/geometry.js';
+
+/** Points of the element, from its upper left. [CSS px] */
+interface PointerListener {
+  /** Undefined when it has left. At most once a frame. */
+  readonly point: ((at: Point | undefined) => void) | undefined;
+  readonly pick: ((at: Point) => void) | undefined;
+}
+
+/** Listens on `host` until `signal` fires. A finger points at nothing, and picks. */
+export function followPointer(
+  host: HTMLElement,
+  signal: AbortSignal,
+  {point, pick}: PointerListener,
+): void {
+  const place = ({clientX, clientY}: MouseEvent): Point => {
+    const {left, top} = host.getBoundingClientRect();
+    return [clientX - left, clientY - top];
+  };
+  let at: Point | undefined;
+  let frame = 0;
+  const moved = (event: PointerEvent): void => {
+    if (event.buttons > 0 || event.pointerType === 'touch') return;
+    at = event.type === 'pointerleave' ? undefined : place(event);
+    frame ||= requestAnimationFrame(() => {
+      frame = 0;
+      if (!signal.aborted) point?.(at);
+    });
+  };
+  if (point) {
+    host.addEventListener('pointermove', moved, {signal});
+    host.addEventListener('pointerleave', moved, {signal});
+  }
+  const picked = (event: MouseEvent): void => {
+    pick?.(place(event));
+  };
+  if (pick) host.addEventListener('click', picked, {signal});
+}

@@ -1,0 +1,280 @@
+/** Where a worn garment is drawn: cloth, dummy, floor and light, into a target with depth, and from there to the stage's canvas. */
+import {
+  AlwaysDepth,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DepthTexture,
+  DoubleSide,
+  LinearSRGBColorSpace,
+  Matrix4,
+  Mesh,
+  NearestFilter,
+  NoBlending,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Scene,
+  ShaderMaterial,
+  Vector2,
+  Vector3,
+  WebGLRenderTarget,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
+
+import type {Raster} from '../stage.js';
+import {eyeOf, fieldOfView, type Orbit} from './camera.js';
+import {footRadius, type Solid} from './dummy.js';
+import * as shaders from './shaders.js';
+import type {Box3} from './space.js';
+
+const samples = 4;
+/** Of the picture that the key light has. [px] */
+const shadowSide = 1024;
+/** From what is looked at to the key light, beside the way to the eye: from above and the left. */
+const keyWay = new Vector3(-0.5, 0.72, 0.62).normalize();
+/** Unprinted cloth, as on the flat pattern. */
+const bareCloth = [0.925, 0.91, 0.87] as const;
+/** Arms that are held aside are far above the floor. [cm] */
+const widestShadow = 34;
+/** Of nothing. */
+const noPiece = -1;
+
+interface Targets {
+  readonly picture: WebGLRenderTarget;
+  readonly shadows: WebGLRenderTarget;
+}
+
+/** Shared by all views of a renderer, since they are drawn one after the other; they grow with the largest. */
+const known = new WeakMap<WebGLRenderer, Targets>();
+
+function targetsOf(renderer: WebGLRenderer): Targets {
+  let targets = known.get(renderer);
+  if (!targets) {
+    const filters = {minFilter: NearestFilter, magFilter: NearestFilter, generateMipmaps: false};
+    targets = {
+      picture: new WebGLRenderTarget(1, 1, {...filters, samples}),
+      shadows: new WebGLRenderTarget(shadowSide, shadowSide, {
+        ...filters,
+        depthTexture: new DepthTexture(shadowSide, shadowSide),
+      }),
+    };
+    known.set(renderer, targets);
+  }
+  return targets;
+}
+
+const shader = (
+  {vertex, fragment}: {readonly vertex: string; readonly fragment: string},
+  uniforms: ShaderMaterial['uniforms'] = {},
+): ShaderMaterial => new ShaderMaterial({vertexShader: vertex, fragmentShader: fragment, uniforms});
+
+const rgb = ([r, g, b]: readonly [number, number, number]): Color =>
+  new Color().setRGB(r, g, b, LinearSRGBColorSpace);
+
+export class Studio {
+  readonly #light = {
+    key: {value: new Vector3()},
+    shadowMatrix: {value: new Matrix4()},
+    shadows: {value: null as Texture | null},
+  };
+  readonly #print = {
+    tile: {value: null as Texture | null},
+    bare: {value: rgb(bareCloth)},
+    accent: {value: new Color()},
+    chosen: {value: noPiece},
+    pointed: {value: noPiece},
+  };
+  readonly #clothMaterial = shader(shaders.cloth, {...this.#light, ...this.#print});
+  readonly #dummyMaterial = shader(shaders.dummy, this.#light);
+  readonly #depthMaterial = shader(shaders.depth);
+  readonly #floorMaterial = shader(shaders.floor, {
+    soft: {value: new Vector2(1, 1)},
+    foot: {value: footRadius},
+    middle: {value: 0},
+    strength: {value: 1},
+  });
+  readonly #copyMaterial = shader(shaders.copy, {
+    picture: {value: null as Texture | null},
+    part: {value: new Vector2(1, 1)},
+  });
+  readonly ribbonMaterial = shader(shaders.ribbon, {perPixel: {value: 0}});
+  readonly #cloth = this.#mesh(this.#clothMaterial);
+  readonly #body = this.#mesh(this.#dummyMaterial);
+  readonly #stand = this.#mesh(this.#dummyMaterial);
+  readonly #floor = this.#mesh(this.#floorMaterial);
+  readonly #shades = [this.#cloth, this.#body, this.#stand].map(() =>
+    this.#mesh(this.#depthMaterial),
+  );
+  readonly #copy = this.#mesh(this.#copyMaterial);
+  readonly #scene = new Scene();
+  readonly #shadowScene = new Scene();
+  readonly #copyScene = new Scene();
+  readonly #camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI);
+  readonly #keyCamera = new OrthographicCamera();
+
+  constructor() {
+    this.#clothMaterial.side = DoubleSide;
+    this.#depthMaterial.side = DoubleSide;
+    this.ribbonMaterial.side = DoubleSide;
+    Object.assign(this.#floorMaterial, {transparent: true, depthWrite: false, side: DoubleSide});
+    Object.assign(this.#copyMaterial, {
+      ...{blending: NoBlending, depthTest: false, depthWrite: false, depthFunc: AlwaysDepth},
+    });
+    this.#scene.add(this.#floor, this.#cloth, this.#body, this.#stand);
+    this.#shadowScene.add(...this.#shades);
+    this.#copy.geometry.setAttribute(
+      'position',
+      new BufferAttribute(Float32Array.of(-1, -1, 0, 3, -1, 0, -1, 3, 0), 3),
+    );
+    this.#copyScene.add(this.#copy);
+  }
+
+  get scene(): Scene {
+    return this.#scene;
+  }
+
+  set tile(tile: Texture) {
+    this.#print.tile.value = tile;
+  }
+
+  /** @param accent what is pointed at or chosen is tinted with, sRGB from 0 to 255 */
+  mark(chosen = noPiece, pointed = noPiece, accent: readonly [number, number, number]): void {
+    this.#print.chosen.value = chosen;
+    this.#print.pointed.value = pointed;
+    const [r, g, b] = accent;
+    this.#print.accent.value = rgb([r / 255, g / 255, b / 255]);
+  }
+
+  /** What the cloth is drawn of from now on. */
+  set cloth(geometry: BufferGeometry) {
+    this.#share(0, this.#cloth, geometry);
+  }
+
+  setDummy(body: Solid, stand: Solid): void {
+    this.#share(1, this.#body, solidGeometry(body));
+    this.#share(2, this.#stand, solidGeometry(stand));
+  }
+
+  /** Whether the dummy is seen; its shadow on the cloth goes with it. */
+  set hasDummy(isShown: boolean) {
+    for (const mesh of [this.#body, this.#stand, this.#floor]) mesh.visible = isShown;
+    for (const mesh of this.#shades.slice(1)) mesh.visible = isShown;
+  }
+
+  /** @param box of all that stands on it [cm] @param strength of its shadow */
+  setFloor(height: number, middle: number, {low, high}: Box3, strength: number): void {
+    const soft = [1, 1].map((_, k) => {
+      const axis = 2 * k;
+      const reach = Math.max(Math.abs(low[axis] ?? 0), Math.abs(high[axis] ?? 0));
+      return 8 + Math.min(widestShadow, reach);
+    });
+    const side = 3 * Math.max(...soft);
+    const corners = [-1, -1, 1, -1, -1, 1, 1, 1];
+    const positions = new Float32Array(12);
+    for (let k = 0; k < 4; k++) {
+      const [x = 0, z = 0] = corners.slice(2 * k, 2 * k + 2);
+      positions.set([side * x, height, middle + side * z], 3 * k);
+    }
+    const {geometry, material} = this.#floor;
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setIndex([0, 1, 2, 2, 1, 3]);
+    const {uniforms} = material;
+    (uniforms.soft?.value as Vector2).set(soft[0] ?? 1, soft[1] ?? 1);
+    if (uniforms.middle) uniforms.middle.value = middle;
+    if (uniforms.strength) uniforms.strength.value = strength;
+  }
+
+  /** Draws into the lower left corner of whatever the renderer draws to. @param box of all that is there [cm] */
+  draw(renderer: WebGLRenderer, raster: Raster, orbit: Orbit, box: Box3): void {
+    const before = renderer.getRenderTarget();
+    const targets = targetsOf(renderer);
+    const {picture, shadows} = targets;
+    this.#aim(orbit, box, raster);
+    this.#light.shadows.value = shadows.depthTexture;
+    renderer.setRenderTarget(shadows);
+    renderer.clear();
+    renderer.render(this.#shadowScene, this.#keyCamera);
+    const {width, height} = raster;
+    if (picture.width < width || picture.height < height)
+      picture.setSize(Math.max(width, picture.width), Math.max(height, picture.height));
+    picture.viewport.set(0, 0, width, height);
+    renderer.setRenderTarget(picture);
+    renderer.clear();
+    renderer.render(this.#scene, this.#camera);
+    renderer.setRenderTarget(before);
+    const {uniforms} = this.#copyMaterial;
+    if (uniforms.picture) uniforms.picture.value = picture.texture;
+    (uniforms.part?.value as Vector2).set(width / picture.width, height / picture.height);
+    renderer.render(this.#copyScene, this.#keyCamera);
+  }
+
+  dispose(): void {
+    const meshes = [this.#cloth, this.#body, this.#stand, this.#floor, this.#copy];
+    for (const {geometry, material} of meshes) {
+      geometry.dispose();
+      material.dispose();
+    }
+    this.#depthMaterial.dispose();
+    this.ribbonMaterial.dispose();
+  }
+
+  #mesh(material: ShaderMaterial): Mesh<BufferGeometry, ShaderMaterial> {
+    const mesh = new Mesh(new BufferGeometry(), material);
+    mesh.frustumCulled = false;
+    return mesh;
+  }
+
+  /** The light sees the same. */
+  #share(number: number, mesh: Mesh, geometry: BufferGeometry): void {
+    mesh.geometry.dispose();
+    mesh.geometry = geometry;
+    const shade = this.#shades[number];
+    if (shade) shade.geometry = geometry;
+  }
+
+  #aim(orbit: Orbit, {low, high}: Box3, {width, height, ratio}: Raster): void {
+    const camera = this.#camera;
+    camera.aspect = width / height;
+    camera.near = Math.max(2, orbit.distance - 250);
+    camera.far = orbit.distance + 400;
+    camera.position.set(...eyeOf(orbit));
+    camera.up.set(0, 1, 0);
+    camera.lookAt(...orbit.target);
+    camera.updateProjectionMatrix();
+    const {perPixel} = this.ribbonMaterial.uniforms;
+    if (perPixel) perPixel.value = (2 * Math.tan(fieldOfView / 2) * ratio) / height;
+    const key = this.#light.key.value.copy(keyWay).applyAxisAngle(camera.up, orbit.azimuth);
+    const middle = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
+    const radius = new Vector3(...high).sub(middle).length();
+    const light = this.#keyCamera;
+    light.left = light.bottom = -radius;
+    light.right = light.top = radius;
+    light.near = 0;
+    light.far = 2 * radius;
+    light.position.copy(middle).addScaledVector(key, radius);
+    light.lookAt(middle);
+    light.updateProjectionMatrix();
+    light.updateMatrixWorld();
+    const halves = new Matrix4().set(
+      ...([0.5, 0, 0, 0.5, 0, 0.5, 0, 0.5] as const),
+      ...([0, 0, 0.5, 0.5, 0, 0, 0, 1] as const),
+    );
+    this.#light.shadowMatrix.value
+      .copy(halves)
+      .multiply(light.projectionMatrix)
+      .multiply(light.matrixWorldInverse);
+  }
+}
+
+function solidGeometry({positions, normals, colours, triangles}: Solid): BufferGeometry {
+  const geometry = new BufferGeometry();
+  for (const [name, array] of [
+    ['position', positions],
+    ['normal', normals],
+    ['colour', colours],
+  ] as const)
+    geometry.setAttribute(name, new BufferAttribute(array, 3));
+  geometry.setIndex(new BufferAttribute(triangles, 1));
+  return geometry;
+}

@@ -1,0 +1,217 @@
+/** What there is to be seen of a worn garment: its cloth as it settles, dummy and floor, seams and marks. */
+import {BufferGeometry, type WebGLRenderer} from 'three';
+
+import type {DrapeMesh, Form} from '../../model/drape.js';
+import type {PatternScene} from '../../scene/scene.js';
+import type {Raster} from '../stage.js';
+import {inks, type Appearance} from '../strokes.js';
+import type {Orbit} from './camera.js';
+import {ClothLayer} from './cloth-layer.js';
+import {bodyOf, standOf, type Stand} from './dummy.js';
+import type {GarmentTarget} from './garment-picker.js';
+import {outlineVertices, Ribbons, seamLines, seamVertices, type RibbonLine} from './ribbons.js';
+import {boxAround, boxDistance, type Box3} from './space.js';
+import {Studio} from './studio.js';
+
+/** A garment that grows by less than this keeps its place in the picture. [cm] */
+const calm = 8;
+const shadowStrength: Readonly<Record<Appearance, number>> = {light: 1, dark: 2};
+/** What is chosen, and what is pointed at. [px] */
+const markWidths = {selected: 5, pointed: 4};
+
+/** What somebody means, to be shown. */
+export interface Marked {
+  readonly selected?: GarmentTarget | undefined;
+  readonly pointed?: GarmentTarget | undefined;
+}
+
+export class WornScene {
+  readonly studio = new Studio();
+  readonly #seams = new Ribbons(this.studio.ribbonMaterial);
+  readonly #marks = new Ribbons(this.studio.ribbonMaterial);
+  #appearance: Appearance;
+  #scene: PatternScene | undefined;
+  #layer: ClothLayer | undefined;
+  /** What is shown once its first places come. */
+  #next: ClothLayer | undefined;
+  /** Places that are not drawn yet. */
+  #pose: Float32Array | undefined;
+  #form: Form | undefined;
+  #stand: Stand | undefined;
+  #hasSeams = false;
+  #hasForm = true;
+  #marked: Marked = {};
+  #box: Box3 | undefined;
+
+  constructor(appearance: Appearance) {
+    this.#appearance = appearance;
+    this.studio.scene.add(this.#seams.object, this.#marks.object);
+  }
+
+  /** Around all of it. [cm] */
+  get box(): Box3 | undefined {
+    return this.#box;
+  }
+
+  get layer(): ClothLayer | undefined {
+    return this.#layer;
+  }
+
+  /** The body, where it is seen. */
+  get body(): Form['surface'] | undefined {
+    return this.#hasForm ? this.#form?.surface : undefined;
+  }
+
+  /** Whether there is anything to be seen. */
+  get isWorn(): boolean {
+    return this.#layer !== undefined || this.#pose !== undefined;
+  }
+
+  /** Lays the cloth on the print as the pieces lie in a scene. */
+  show(scene: PatternScene): void {
+    const before = this.#scene;
+    this.#scene = scene;
+    this.#layer?.print(scene);
+    if (before?.seams !== scene.seams) this.#laySeams();
+  }
+
+  setAppearance(appearance: Appearance): void {
+    this.#appearance = appearance;
+    this.#layFloor();
+    this.#layMarks();
+  }
+
+  setSeams(hasSeams: boolean): void {
+    this.#hasSeams = hasSeams;
+    this.#laySeams();
+  }
+
+  setForm(isShown: boolean): void {
+    this.#hasForm = isShown;
+    this.studio.hasDummy = isShown;
+  }
+
+  setMarked(marked: Marked): void {
+    this.#marked = marked;
+    this.#layMarks();
+  }
+
+  /** The form that the cloth hangs on. */
+  set form(form: Form) {
+    if (form === this.#form) return;
+    this.#form = form;
+    this.#stand = undefined; // it is as high as the garment asks for
+  }
+
+  /** What moves from the next places on. What is shown stays until then. */
+  set mesh(mesh: DrapeMesh) {
+    if (mesh === (this.#next ?? this.#layer)?.cloth.mesh) return;
+    this.#next = new ClothLayer(mesh);
+  }
+
+  /** Where the cloth is, x, y, z per vertex. [cm] Nothing is reckoned before it is drawn. */
+  set pose(positions: Float32Array) {
+    this.#pose = positions;
+  }
+
+  /** There is nothing to be seen. */
+  clear(): void {
+    this.#layer = undefined;
+    this.#next = undefined;
+    this.#pose = undefined;
+    this.#form = undefined;
+    this.#stand = undefined;
+    this.#box = undefined;
+    this.studio.cloth = new BufferGeometry();
+    this.#laySeams();
+    this.#marks.set([]);
+  }
+
+  /** Takes the last places that came. @returns whether what there is to look at is of another size */
+  settle(): boolean {
+    const pose = this.#pose;
+    if (!pose) return false;
+    this.#pose = undefined;
+    const isNew = this.#next !== undefined;
+    this.#layer = this.#next ?? this.#layer;
+    this.#next = undefined;
+    const layer = this.#layer;
+    if (layer?.normals.length !== pose.length) return false; // of a mesh that is not shown any more
+    layer.pose(pose);
+    if (isNew) {
+      this.studio.cloth = layer.geometry;
+      if (this.#scene) layer.print(this.#scene);
+      this.#laySeams();
+      this.#layMarks();
+    }
+    this.#seams.place(layer.positions, layer.normals);
+    this.#marks.place(layer.positions, layer.normals);
+    return (isNew || !this.#stand) && this.#setUp(pose);
+  }
+
+  draw(renderer: WebGLRenderer, raster: Raster, orbit: Orbit): void {
+    if (this.#box) this.studio.draw(renderer, raster, orbit, this.#box);
+  }
+
+  dispose(): void {
+    this.#next?.geometry.dispose();
+    this.#seams.dispose();
+    this.#marks.dispose();
+    this.studio.dispose();
+  }
+
+  /** Dummy and floor for the cloth as it hangs. @returns whether all of it is of another size */
+  #setUp(pose: Float32Array): boolean {
+    let box = boxAround(pose);
+    if (this.#form && box) {
+      const {surface} = this.#form;
+      if (!this.#stand) {
+        this.#stand = standOf(this.#form, box.low[1]);
+        this.studio.setDummy(bodyOf(surface), this.#stand.parts);
+      }
+      box = boxAround(this.#stand.parts.positions, boxAround(surface.vertices, box));
+    }
+    // while it settles it stays where it is in the picture
+    const isOther = !this.#box || !box || boxDistance(this.#box, box) > calm;
+    if (isOther) this.#box = box;
+    this.#layFloor();
+    return isOther;
+  }
+
+  #layFloor(): void {
+    if (!this.#stand || !this.#box) return;
+    const {floor, middle} = this.#stand;
+    this.studio.setFloor(floor, middle, this.#box, shadowStrength[this.#appearance]);
+  }
+
+  #laySeams(): void {
+    const [layer, scene] = [this.#layer, this.#scene];
+    const isShown = this.#hasSeams && layer && scene && layer.isOf(scene);
+    this.#seams.set(isShown ? seamLines(layer.cloth.mesh, scene) : []);
+    if (layer) this.#seams.place(layer.positions, layer.normals);
+  }
+
+  #layMarks(): void {
+    const {selected, pointed} = this.#marked;
+    const {accent} = inks[this.#appearance];
+    const piece = (target: GarmentTarget | undefined): number | undefined =>
+      target?.kind === 'piece' ? target.piece : undefined;
+    this.studio.mark(piece(selected), piece(pointed), accent);
+    const layer = this.#layer;
+    if (!layer) return;
+    const colour = `#${accent.map((one) => one.toString(16).padStart(2, '0')).join('')}`;
+    const line = (target: GarmentTarget | undefined, width: number): readonly RibbonLine[] => {
+      const vertices = target && verticesOf(layer.cloth.mesh, target);
+      if (!vertices || vertices.length < 2) return [];
+      return [{vertices, edges: Array.from(vertices.slice(1), () => ({colour, width}))}];
+    };
+    this.#marks.set([
+      ...line(selected, markWidths.selected),
+      ...line(pointed?.kind === 'seam' ? pointed : undefined, markWidths.pointed),
+    ]);
+    this.#marks.place(layer.positions, layer.normals);
+  }
+}
+
+const verticesOf = (mesh: DrapeMesh, target: GarmentTarget): Uint32Array | undefined =>
+  target.kind === 'seam' ? seamVertices(mesh)[target.seam] : outlineVertices(mesh, target.piece);

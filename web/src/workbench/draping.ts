@@ -1,0 +1,264 @@
+/** The answer to the present design as it is worn: draped for as long as somebody looks at it. */
+import type {
+  Drape,
+  DrapeMesh,
+  DrapeProgress,
+  DrapeSettings,
+  FabricName,
+  Form,
+} from '../model/drape.js';
+import type {Design, DesignGarment} from '../model/design.js';
+import type {Failure} from '../model/failure.js';
+import type {Point} from '../model/geometry.js';
+import type {SolveResult} from '../model/result.js';
+import {toFailure} from './latest-solve.js';
+import {Observable} from './observable.js';
+import type {Workbench} from './workbench.js';
+
+/** `waiting`: for an answer to be draped; `draping`: what was shown before stays until the first places come. */
+export type DrapingState =
+  | {readonly kind: 'waiting' | 'done' | 'cancelled'}
+  | {readonly kind: 'draping'; readonly progress: DrapeProgress}
+  | {readonly kind: 'failed'; readonly failure: Failure};
+
+/** Whoever shows it. All of a drape that is under way is told as it comes. */
+export interface DrapingViewer {
+  form(form: Form): void;
+  /** What the next places are of. */
+  mesh(mesh: DrapeMesh): void;
+  /** x, y, z per vertex of the cloth. [cm] @param isFinal it will not move any more */
+  positions(positions: Float32Array, isFinal: boolean): void;
+  /** What was shown is another garment than the one that there is. */
+  clear(): void;
+}
+
+/** What is draped, and how. */
+interface Question {
+  readonly garment: DesignGarment;
+  readonly result: SolveResult;
+  readonly fabric: FabricName;
+}
+
+/** A drape takes about a megabyte. */
+const most = 8;
+
+const begun: DrapeProgress = {stage: 'sew', fraction: 0};
+
+type Source = Pick<Workbench, 'design' | 'result' | 'subscribe' | 'solver'>;
+
+export class Draping extends Observable {
+  readonly #source: Source;
+  readonly #viewers = new Set<DrapingViewer>();
+  /** The oldest first. */
+  #kept: readonly (readonly [Question, Drape])[] = [];
+  #state: DrapingState = {kind: 'waiting'};
+  #fabric: FabricName = 'poplin';
+  /** What was draped last, or is being draped; also where that failed or was cancelled. */
+  #question: Question | undefined;
+  #running: AbortController | undefined;
+  #drape: Drape | undefined;
+  /** What is shown, for who comes later. */
+  #form: Form | undefined;
+  #mesh: DrapeMesh | undefined;
+  #positions: Float32Array | undefined;
+  #shown: DesignGarment | undefined;
+  #end: (() => void) | undefined;
+
+  constructor(source: Source) {
+    super();
+    this.#source = source;
+  }
+
+  get state(): DrapingState {
+    return this.#state;
+  }
+
+  /** Settled, of the present answer or of the one before. */
+  get drape(): Drape | undefined {
+    return this.#drape;
+  }
+
+  get fabric(): FabricName {
+    return this.#fabric;
+  }
+
+  set fabric(fabric: FabricName) {
+    if (fabric === this.#fabric) return;
+    this.#fabric = fabric;
+    this.changed();
+    if (this.#viewers.size > 0) this.#follow();
+  }
+
+  /** Shows what there is, and drapes from now on. @returns what ends that; what nobody looks at is not draped */
+  show(viewer: DrapingViewer): () => void {
+    if (this.#form) viewer.form(this.#form);
+    if (this.#mesh && this.#positions) {
+      viewer.mesh(this.#mesh);
+      viewer.positions(this.#positions, this.#state.kind !== 'draping');
+    }
+    this.#viewers.add(viewer);
+    this.#end ??= this.#source.subscribe(['history', 'solving'], () => {
+      this.#follow();
+    });
+    this.#follow();
+    return () => {
+      this.#viewers.delete(viewer);
+      if (this.#viewers.size > 0) return;
+      this.#end?.();
+      this.#end = undefined;
+      if (this.#state.kind !== 'draping') return;
+      this.#stop();
+      this.#question = undefined;
+      this.#become({kind: 'waiting'});
+    };
+  }
+
+  /** Ends what is under way; what is shown stays. */
+  cancel(): void {
+    if (this.#state.kind !== 'draping') return;
+    this.#stop();
+    this.#become({kind: 'cancelled'});
+  }
+
+  /** Drapes what was cancelled, or failed. */
+  again(): void {
+    this.#question = undefined;
+    this.#follow();
+  }
+
+  #become(state: DrapingState): void {
+    this.#state = state;
+    this.changed();
+  }
+
+  #stop(): void {
+    this.#running?.abort();
+    this.#running = undefined;
+  }
+
+  #follow(): void {
+    const {design, result} = this.#source;
+    if (!design || !result) {
+      this.#wait(design);
+      return;
+    }
+    const question = {garment: design.garment, result, fabric: this.#fabric};
+    if (this.#question && isSame(question, this.#question)) return;
+    this.#stop();
+    this.#question = question;
+    const known = this.#kept.find(([one]) => isSame(one, question))?.[1];
+    if (known) this.#show(known, design.garment);
+    else void this.#run(question);
+  }
+
+  /** Another print may need no other drape, so that one goes on; another garment does. */
+  #wait(design: Design | undefined): void {
+    if (!this.#question || this.#question.garment === design?.garment) return;
+    this.#stop();
+    this.#question = undefined;
+    this.#become({kind: 'waiting'});
+  }
+
+  #show(drape: Drape, garment: DesignGarment): void {
+    this.#drape = drape;
+    this.#shown = garment;
+    const {form, mesh} = drape;
+    this.#tellForm(form);
+    this.#tellMesh(mesh);
+    this.#tellPositions(Float32Array.from(drape.positions), true);
+    this.#become({kind: 'done'});
+  }
+
+  async #run(question: Question): Promise<void> {
+    const running = new AbortController();
+    this.#running = running;
+    this.#become({kind: 'draping', progress: begun});
+    const {garment, result, fabric} = question;
+    const settings: DrapeSettings = {fabric};
+    let mesh: DrapeMesh | undefined;
+    try {
+      const drape = await this.#source.solver.drape(result, settings, {
+        signal: running.signal,
+        names: {result: garment.name},
+        onForm: (form) => {
+          this.#tellForm(form);
+        },
+        onMesh: (next) => {
+          mesh = next;
+        },
+        onPositions: (positions) => {
+          if (mesh) this.#tellMesh(mesh);
+          this.#shown = garment;
+          this.#tellPositions(positions, false);
+        },
+        onProgress: (progress) => {
+          if (this.#running !== running) return;
+          this.#state = {kind: 'draping', progress};
+          this.changedOften();
+        },
+      });
+      if (running.signal.aborted) return;
+      this.#running = undefined;
+      this.#kept = [...this.#kept, [question, drape] as const].slice(-most);
+      this.#show(drape, garment);
+    } catch (error) {
+      if (running.signal.aborted) return;
+      this.#running = undefined;
+      if (this.#shown !== garment) this.#clear();
+      this.#become({kind: 'failed', failure: toFailure(error)});
+    }
+  }
+
+  #clear(): void {
+    this.#drape = undefined;
+    this.#form = undefined;
+    this.#mesh = undefined;
+    this.#positions = undefined;
+    for (const viewer of this.#viewers) viewer.clear();
+  }
+
+  #tellForm(form: Form): void {
+    this.#form = form;
+    for (const viewer of this.#viewers) viewer.form(form);
+  }
+
+  #tellMesh(mesh: DrapeMesh): void {
+    if (mesh === this.#mesh) return;
+    this.#mesh = mesh;
+    for (const viewer of this.#viewers) viewer.mesh(mesh);
+  }
+
+  #tellPositions(positions: Float32Array, isFinal: boolean): void {
+    this.#positions = positions;
+    for (const viewer of this.#viewers) viewer.positions(positions, isFinal);
+  }
+}
+
+/** Whether the same cloth hangs: the print may lie on it otherwise. */
+const isSame = (one: Question, other: Question): boolean =>
+  one.garment === other.garment &&
+  one.fabric === other.fabric &&
+  (one.result === other.result || sameShapes(one.result, other.result));
+
+const sameShapes = (one: SolveResult, other: SolveResult): boolean =>
+  one.pieces.length === other.pieces.length &&
+  one.pieces.every(
+    ({rest, shape}, k) =>
+      samePoints(rest, other.pieces[k]?.rest) && samePoints(shape, other.pieces[k]?.shape),
+  );
+
+const samePoints = (one: readonly Point[], other: readonly Point[] = []): boolean =>
+  one.length === other.length &&
+  one.every(([x, y], k) => {
+    const [atX, atY] = other[k] ?? [];
+    return x === atX && y === atY;
+  });
+
+const known = new WeakMap<Source, Draping>();
+
+/** The one of a workbench, begun when it is first asked for. */
+export function drapingOf(workbench: Workbench): Draping {
+  const draping = known.get(workbench) ?? new Draping(workbench);
+  known.set(workbench, draping);
+  return draping;
+}
