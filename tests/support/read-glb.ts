@@ -1,6 +1,6 @@
 /** Reads a binary glTF file as its specification says, knowing nothing of who wrote it. */
 
-export interface GltfPrimitive {
+interface GltfPrimitive {
   readonly attributes: Readonly<Record<string, number>>;
   readonly indices: number;
   readonly material: number;
@@ -27,7 +27,7 @@ interface Gltf {
   readonly extras: Readonly<Record<string, unknown>>;
 }
 
-export interface Glb {
+interface Glb {
   readonly json: Gltf;
   /** Of an accessor: one list per vertex, or one number per index. */
   readonly vectors: (accessor: number) => readonly (readonly number[])[];

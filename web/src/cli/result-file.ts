@@ -70,7 +70,7 @@ function checkSymmetries(value: unknown, pieces: number): void {
 }
 
 /** @throws {UsageError} naming the file and the field that is wrong */
-export function asResult(value: unknown, path: string): ResultFile {
+function asResult(value: unknown, path: string): ResultFile {
   const complain = (what: string): UsageError =>
     new UsageError(
       `${path} is not a whole result file (seamwise-result/1)${what}; align the garment again with --out.`,

@@ -27,7 +27,7 @@ type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
 
 /** What the garment is shown by: its pieces, or as it is worn. */
 const views = ['pattern', 'garment', 'both'] as const;
-export type EditorView = (typeof views)[number];
+type EditorView = (typeof views)[number];
 
 /** What somebody does who does not wait for the first answer. */
 const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;

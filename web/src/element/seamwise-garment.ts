@@ -49,6 +49,7 @@ export type * from './garment/events.js';
 export type {Units} from '../model/units.js';
 export type {PrintOffer} from './garment/offered-prints.js';
 export type {Messages, Texts} from '../texts/texts.js';
+export type {WornTexts} from '../texts/worn-texts.js';
 
 export class SeamwiseGarment extends AttributeElement {
   /** The variables of `style/tokens.ts` are the page's to set. */

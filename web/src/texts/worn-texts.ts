@@ -9,7 +9,7 @@ import {worn as it} from './worn/it.js';
 
 export type {WornTexts} from './worn/en.js';
 
-export const wornTables: Readonly<Record<Language, WornTexts>> = {en, de, fr, es, it};
+const wornTables: Readonly<Record<Language, WornTexts>> = {en, de, fr, es, it};
 
 /** The words of a language, but for those that somebody gives themselves. */
 export function wornTexts(language: Language, messages?: Messages): WornTexts {

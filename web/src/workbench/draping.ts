@@ -16,7 +16,7 @@ import {Observable} from './observable.js';
 import type {Workbench} from './workbench.js';
 
 /** `waiting`: for an answer to be draped; `draping`: what was shown before stays until the first places come. */
-export type DrapingState =
+type DrapingState =
   | {readonly kind: 'waiting' | 'done' | 'cancelled'}
   | {readonly kind: 'draping'; readonly progress: DrapeProgress}
   | {readonly kind: 'failed'; readonly failure: Failure};

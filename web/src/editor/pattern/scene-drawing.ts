@@ -23,7 +23,7 @@ const lossPatience = 3000;
 export const undrawableEvent = 'sw-undrawable';
 
 /** What shows a scene. */
-export interface SceneView {
+interface SceneView {
   /** What part is shown, to come back to it. */
   state: ViewState | null;
   readonly widestPicture: number;
@@ -37,7 +37,7 @@ export interface SceneView {
 }
 
 /** What every view is begun with. */
-export interface SceneViewOptions {
+interface SceneViewOptions {
   readonly appearance: Appearance;
   readonly onLost: (isLost: boolean) => void;
 }

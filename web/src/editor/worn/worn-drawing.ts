@@ -8,7 +8,7 @@ import {drapingOf, type Draping} from '../../workbench/draping.js';
 import {drapeEvent, drawnEvent, SceneDrawing, type OpenView} from '../pattern/scene-drawing.js';
 
 /** The detail of a `drapeEvent`. */
-export interface DrapeNews {
+interface DrapeNews {
   readonly stage: 'sew' | 'hang' | 'settle' | 'done';
   /** 0 to 1 */
   readonly fraction: number;

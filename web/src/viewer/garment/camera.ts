@@ -67,7 +67,7 @@ export function screenAxes({
 }
 
 /** The distance at which a picture of this width by height shows all of a box about its target. */
-export function fittingDistance(orbit: Omit<Orbit, 'distance'>, box: Box3, aspect: number): number {
+function fittingDistance(orbit: Omit<Orbit, 'distance'>, box: Box3, aspect: number): number {
   const tangent = Math.tan(fieldOfView / 2) * (1 - margin);
   const [right, up] = screenAxes(orbit);
   const out = wayOut(orbit);
@@ -105,7 +105,7 @@ export const nearer = (orbit: Orbit, factor: number, whole: number): Orbit => ({
 });
 
 /** The same angle, more than -pi and at most pi. */
-export function withinTurn(angle: number): number {
+function withinTurn(angle: number): number {
   const turn = 2 * Math.PI;
   const rest = angle - turn * Math.floor(angle / turn);
   return rest > Math.PI ? rest - turn : rest;

@@ -113,7 +113,7 @@ function middleNear(vertices: Float32Array, height: number): number {
 }
 
 /** A profile turned about a vertical axis; edges are kept by vertices of their own. */
-export function turnedSolid(profile: Profile, middle: number): Solid {
+function turnedSolid(profile: Profile, middle: number): Solid {
   const bands = profile.length - 1;
   const count = bands * 2 * (segments + 1);
   const positions = new Float32Array(3 * count);

@@ -23,7 +23,7 @@ const dragTurn = 0.007;
 const reach = 6;
 const pictureWidth = 1600;
 
-export interface GarmentViewOptions {
+interface GarmentViewOptions {
   readonly appearance?: Appearance;
   /** The wheel scrolls the page, and zooms with ctrl only; a finger that moves up or down scrolls, too. */
   readonly leavesWheel?: boolean;

@@ -9,7 +9,7 @@ export interface Ray {
 }
 
 /** Where a ray first meets a triangle of a surface, from either side. */
-export interface Hit {
+interface Hit {
   readonly triangle: number;
   readonly distance: number;
 }
@@ -60,7 +60,7 @@ export function firstHit(
 }
 
 /** A line on the cloth that can be pointed at. */
-export interface PickLine {
+interface PickLine {
   readonly seam: number;
   /** Of the cloth. */
   readonly vertices: Iterable<number>;
