@@ -40,6 +40,7 @@ const draped = (value: number): Drape =>
 interface Asked {
   readonly result: unknown;
   readonly fabric: unknown;
+  readonly from: unknown;
   readonly hooks: DrapeHooks;
   readonly answer: (drape: Drape) => void;
   readonly fail: (error: Error) => void;
@@ -49,9 +50,9 @@ interface Asked {
 function atWork(at: {design: Design | undefined; result: SolveResult | undefined}) {
   const asked: Asked[] = [];
   const drape = vi.fn<SolverService['drape']>(
-    (given, {fabric} = {}, hooks = {}) =>
+    (given, {fabric, from} = {}, hooks = {}) =>
       new Promise((resolve, reject) => {
-        asked.push({result: given, fabric, hooks, answer: resolve, fail: reject});
+        asked.push({result: given, fabric, from, hooks, answer: resolve, fail: reject});
         hooks.signal?.addEventListener('abort', () => {
           reject(new DOMException('', 'AbortError'));
         });
@@ -131,6 +132,7 @@ describe('a garment as it is worn', () => {
     expect(draping.state.kind).toBe('done');
     become({result: cutOtherwise});
     expect([asked.length, seen()]).toEqual([2, []]); // what was shown stays
+    expect(asked[1]?.from).toBe(draping.drape); // and goes on from there
     become({result});
     expect(asked[1]?.hooks.signal?.aborted).toBe(true);
     expect(asked).toHaveLength(2); // what is known is shown

@@ -86,6 +86,10 @@ export class Screen implements Drawable {
     return this.#raster;
   }
 
+  get hasSize(): boolean {
+    return this.#hasSize;
+  }
+
   get isSeen(): boolean {
     return this.#isInView && this.#hasSize;
   }
@@ -173,7 +177,11 @@ export class Screen implements Drawable {
   }
 
   #resize(): void {
-    if (!this.#measure()) return;
+    const had = this.#hasSize;
+    if (!this.#measure()) {
+      if (had !== this.#hasSize) this.#stage.wake();
+      return;
+    }
     this.#events.resized();
     this.#stage.resized(this);
   }

@@ -21,6 +21,8 @@ export interface Drawable {
   /** Small, and beside a main one: it is drawn beside the canvas, and its picture comes when it is ready. */
   readonly isAside: boolean;
   readonly raster: Raster;
+  /** Whether it has a size: what is hidden by a style has none. */
+  readonly hasSize: boolean;
   /** Whether it is in view and has a size. */
   readonly isSeen: boolean;
   /** Draws into the lower left corner of whatever the renderer draws to; also again, where nothing has changed. */
@@ -132,9 +134,9 @@ export class Stage {
     });
   }
 
-  /** The only main screen. */
+  /** The only main screen that has a size. */
   #soloist(): Drawable | undefined {
-    const [main, other] = [...this.#screens].filter(({isAside}) => !isAside);
+    const [main, other] = [...this.#screens].filter(({isAside, hasSize}) => !isAside && hasSize);
     return other ? undefined : main;
   }
 

@@ -174,7 +174,8 @@ export class Draping extends Observable {
     this.#running = running;
     this.#become({kind: 'draping', progress: begun});
     const {garment, result, fabric} = question;
-    const settings: DrapeSettings = {fabric};
+    // the cloth goes on from where it hangs
+    const settings: DrapeSettings = {fabric, ...(this.#drape && {from: this.#drape})};
     let mesh: DrapeMesh | undefined;
     try {
       const drape = await this.#source.solver.drape(result, settings, {

@@ -103,9 +103,8 @@ export class Studio {
   readonly #body = this.#mesh(this.#dummyMaterial);
   readonly #stand = this.#mesh(this.#dummyMaterial);
   readonly #floor = this.#mesh(this.#floorMaterial);
-  readonly #shades = [this.#cloth, this.#body, this.#stand].map(() =>
-    this.#mesh(this.#depthMaterial),
-  );
+  /** The cloth alone: the form is inside. */
+  readonly #shade = this.#mesh(this.#depthMaterial);
   readonly #copy = this.#mesh(this.#copyMaterial);
   readonly #scene = new Scene();
   readonly #shadowScene = new Scene();
@@ -122,7 +121,7 @@ export class Studio {
       ...{blending: NoBlending, depthTest: false, depthWrite: false, depthFunc: AlwaysDepth},
     });
     this.#scene.add(this.#floor, this.#cloth, this.#body, this.#stand);
-    this.#shadowScene.add(...this.#shades);
+    this.#shadowScene.add(this.#shade);
     this.#copy.geometry.setAttribute(
       'position',
       new BufferAttribute(Float32Array.of(-1, -1, 0, 3, -1, 0, -1, 3, 0), 3),
@@ -148,18 +147,18 @@ export class Studio {
 
   /** What the cloth is drawn of from now on. */
   set cloth(geometry: BufferGeometry) {
-    this.#share(0, this.#cloth, geometry);
+    replace(this.#cloth, geometry);
+    this.#shade.geometry = geometry; // the light sees the same
   }
 
   setDummy(body: Solid, stand: Solid): void {
-    this.#share(1, this.#body, solidGeometry(body));
-    this.#share(2, this.#stand, solidGeometry(stand));
+    replace(this.#body, solidGeometry(body));
+    replace(this.#stand, solidGeometry(stand));
   }
 
-  /** Whether the dummy is seen; its shadow on the cloth goes with it. */
+  /** Whether the dummy is seen, and the floor that it stands on. */
   set hasDummy(isShown: boolean) {
     for (const mesh of [this.#body, this.#stand, this.#floor]) mesh.visible = isShown;
-    for (const mesh of this.#shades.slice(1)) mesh.visible = isShown;
   }
 
   /** @param box of all that stands on it [cm] @param strength of its shadow */
@@ -225,14 +224,6 @@ export class Studio {
     return mesh;
   }
 
-  /** The light sees the same. */
-  #share(number: number, mesh: Mesh, geometry: BufferGeometry): void {
-    mesh.geometry.dispose();
-    mesh.geometry = geometry;
-    const shade = this.#shades[number];
-    if (shade) shade.geometry = geometry;
-  }
-
   #aim(orbit: Orbit, {low, high}: Box3, {width, height, ratio}: Raster): void {
     const camera = this.#camera;
     camera.aspect = width / height;
@@ -277,4 +268,9 @@ function solidGeometry({positions, normals, colours, triangles}: Solid): BufferG
     geometry.setAttribute(name, new BufferAttribute(array, 3));
   geometry.setIndex(new BufferAttribute(triangles, 1));
   return geometry;
+}
+
+function replace(mesh: Mesh, geometry: BufferGeometry): void {
+  mesh.geometry.dispose();
+  mesh.geometry = geometry;
 }
