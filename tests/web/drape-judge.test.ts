@@ -7,7 +7,7 @@ import {broken} from '../support/drape-limits.js';
 import {at} from '../support/plane.js';
 import {squaresDrape, squaresResult} from '../support/sewn-squares.js';
 
-const sound = drapeFile(squaresDrape());
+const sound = drapeFile(squaresResult, squaresDrape());
 
 /** The positions of all pieces at other places. */
 const placed = (to: (place: Place, piece: number) => Place, file = sound): DrapeFile => ({
@@ -51,9 +51,9 @@ it('writes numbers that mirror each other as such, and the same text for the sam
   const uneven = Float64Array.from(drape.positions, (value, k) =>
     k % 3 === 0 ? value + 0.00005 * Math.sign(value) : value,
   );
-  const file = drapeFile({...drape, positions: uneven});
+  const file = drapeFile(squaresResult, {...drape, positions: uneven});
   expect(judgeDrape(file, squaresResult).asymmetry).toBe(0);
-  expect(drapeText(file)).toBe(drapeText(drapeFile({...drape, positions: uneven})));
+  expect(drapeText(file)).toBe(drapeText(drapeFile(squaresResult, {...drape, positions: uneven})));
   expect(drapeText(file)).not.toContain('-0,');
 });
 

@@ -61,7 +61,7 @@ export async function drape(words: readonly string[]): Promise<void> {
     result: resultFile,
     ...(bodyFile !== undefined && {body: bodyFile}),
   });
-  const file = drapeFile(draped, settings, args.has('--no-times') ? 0 : milliseconds);
+  const file = drapeFile(result, draped, settings, args.has('--no-times') ? 0 : milliseconds);
   if (outFile !== undefined) await writeWhole(outFile, drapeText(file));
   if (glbFile !== undefined) {
     const scene = glb(result, draped, cloth, {

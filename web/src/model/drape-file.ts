@@ -11,6 +11,7 @@ import type {
   StageReport,
 } from './drape.js';
 import type {Point} from './geometry.js';
+import type {SolveResult} from './result.js';
 
 /** x, y, z: y up, z to the front, the wearer's left +x. [cm] */
 export type Place = readonly [x: number, y: number, z: number];
@@ -76,8 +77,8 @@ export interface DrapeFile {
   readonly pieces: readonly DrapeFilePiece[];
   readonly seams: readonly DrapeFileSeam[];
   readonly mirrors: readonly DrapeFileMirror[];
-  /** Lines that lie on each other unsewn and are held there: none, so far. */
-  readonly holds: readonly DrapeFileSeam[];
+  /** Lines that are held on each other unsewn, as a button front is: the matches of the result. */
+  readonly holds: NonNullable<SolveResult['matches']>;
   readonly form: DrapeFileForm;
   /** SI units. */
   readonly fabric: Fabric;
@@ -92,8 +93,12 @@ export interface DrapeFile {
   readonly metrics: {readonly milliseconds: number};
 }
 
-/** @param milliseconds what draping took; 0, unless said otherwise, so that equal drapes give equal files */
+/**
+ * @param result that the drape is of
+ * @param milliseconds what draping took; 0, unless said otherwise, so that equal drapes give equal files
+ */
 export function drapeFile(
+  {matches = []}: Pick<SolveResult, 'matches'>,
   {mesh, positions, form, fabric, stages, check, notes}: Drape,
   {effort = 1}: DrapeSettings = {},
   milliseconds = 0,
@@ -107,7 +112,7 @@ export function drapeFile(
       stitch,
     })),
     mirrors: mesh.mirrors.map(({pieces, image}) => ({pieces, image: [...image]})),
-    holds: [],
+    holds: matches,
     form: {
       ...{body: form.body, parts: form.parts},
       vertices: triples(form.surface.vertices, rounded),

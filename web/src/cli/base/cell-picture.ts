@@ -1,21 +1,17 @@
 import {cellPicture, type CellPicture} from '../../model/glb.js';
 import type {Print} from '../../model/print.js';
 import {FileError} from '../../model/versioned-file.js';
-import {addressFrom, calledAs, readAddress, type ReadingLimits} from '../../node/addresses.js';
+import {addressFrom, calledAs, readAddress} from '../../node/addresses.js';
 
 /**
  * The picture of the print's cell as a GLB file holds it: its image, or where that is none, the raster that its colourway
  * names. @throws {FileError} where neither is PNG or JPEG: Node draws no SVG
  */
-export async function readCell(
-  print: Print,
-  file: URL,
-  limits: ReadingLimits = {},
-): Promise<CellPicture | undefined> {
+export async function readCell(print: Print, file: URL): Promise<CellPicture | undefined> {
   const {image, colourways = []} = print;
   if (image === undefined) return undefined;
   const raster = colourways.find((one) => one.image === image)?.raster ?? image;
-  const picture = cellPicture(await imageBytes(raster, file, limits));
+  const picture = cellPicture(await imageBytes(raster, file));
   if (picture) return picture;
   const called = raster.startsWith('data:') ? 'the image' : raster;
   throw new FileError(
@@ -24,8 +20,8 @@ export async function readCell(
   );
 }
 
-async function imageBytes(image: string, file: URL, limits: ReadingLimits): Promise<Uint8Array> {
-  if (!image.startsWith('data:')) return readAddress(addressFrom(file, image), limits);
+async function imageBytes(image: string, file: URL): Promise<Uint8Array> {
+  if (!image.startsWith('data:')) return readAddress(addressFrom(file, image));
   try {
     return new Uint8Array(await (await fetch(image)).arrayBuffer());
   } catch (cause) {

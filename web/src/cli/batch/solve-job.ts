@@ -86,7 +86,7 @@ async function draped(
     ...(picture && {picture}),
     ...{plain, garment: titleOfFile(label.garment), sha256: sha256Of(text)},
   });
-  return {'.drape.json': drapeText(drapeFile(worn)), '.glb': scene};
+  return {'.drape.json': drapeText(drapeFile(result, worn)), '.glb': scene};
 }
 
 function refused({code, message, piece, seam}: SolverError): Solved {
