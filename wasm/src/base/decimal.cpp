@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/product.h"
+
 namespace seamwise {
 namespace {
 
@@ -24,7 +26,10 @@ std::uint64_t whole(double value, int shift) {
   const double below = std::floor(scaled), rest = scaled - below;
   auto number = static_cast<std::uint64_t>(below);
   // What rounding took from the product decides between two numbers that seem equally near.
-  const double lost = shift < 0 ? std::fma(-scaled, power, value) : std::fma(value, power, -scaled);
+  // Of a quotient, what remains is a number that needs no rounding.
+  const double back = scaled * power;
+  const double lost =
+      shift < 0 ? (value - back) - lostOf(scaled, power, back) : lostOf(value, power, scaled);
   const bool is_tie = rest == 0.5;
   if (rest > 0.5 || (is_tie && (lost > 0 || (lost == 0 && number % 2 == 1)))) ++number;
   return number;

@@ -5,11 +5,20 @@
 
 namespace seamwise {
 
+// The standard library's sorts, one for every type and order, would each add 1 kB to a module,
+// compressed. So there are two, and all else is sorted by way of them.
+
+/// Ascending, like the others.
+void sortNumbers(std::vector<double>& numbers);
+/// By number, then place.
+void sortKeyed(std::vector<std::pair<double, std::size_t>>& items);
+/// Leaves each pair once; both are in [0, 2^26).
+void sortOnce(std::vector<std::pair<int, int>>& pairs);
+
 /// The places of `keys` in ascending order, those of equal keys as they come.
 std::vector<std::size_t> placesInOrder(const std::vector<double>& keys);
 
-/// Sorts by key(item), a number; equal ones stay as they come. The standard library's sorts, one
-/// for every type and order, would each add 1 kB to the module, compressed.
+/// Sorts by key(item), a number; equal ones stay as they come.
 template <class Item, class Key>
 void sortBy(std::vector<Item>& items, Key key) {
   std::vector<double> keys;

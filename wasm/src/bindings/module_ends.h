@@ -12,6 +12,13 @@ extern "C" int siprintf(char* text, const char* /*format*/, ...) {
   return 0;
 }
 
+/// Instead of the C library's, 2 kB: what sines make of angles beyond a million, which no file may
+/// have (kMaxAngle).
+extern "C" int __rem_pio2_large(double*, double* rest, int, int, int) {
+  rest[0] = rest[1] = 0;
+  return 0;
+}
+
 /// Leaves an instance that nothing else must be asked of; web/src/solver/answers/broken.ts knows
 /// the words.
 EM_JS(void, throwOutOfMemory, (), { throw new WebAssembly.RuntimeError('out of memory'); });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/sort_by.h"
 #include "deform/terms.h"
 #include "tuning/shaping.h"
 
@@ -20,8 +21,7 @@ Pairs coupledVertices(const Part& part) {
     couple(b.i, b.j);
     if (b.h >= 0) couple(b.h, b.i), couple(b.h, b.j);
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sortOnce(pairs);
   return pairs;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sort_by.h"
 #include "drape/vectors.h"
 
 namespace seamwise {
@@ -19,8 +20,7 @@ class BlockMatrix {
     all.reserve(pairs.size() + size);
     for (int i = 0; i < size; ++i) all.emplace_back(i, i);
     for (const auto& [i, j] : pairs) all.emplace_back(std::min(i, j), std::max(i, j));
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sortOnce(all);
     for (const auto& [i, j] : all) ++start_[i + 1], column_.push_back(j);
     for (int i = 0; i < size; ++i) start_[i + 1] += start_[i];
     blocks_.assign(column_.size(), {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "drape/space_grid.h"
 
 namespace seamwise {
@@ -43,7 +44,17 @@ ClothPoint footOf(const Vec3& p, const std::array<int, 3>& t, const Positions& x
   return {t, {1 - b - c, b, c}};
 }
 
+void insertOnce(std::vector<int>& ascending, int item) {
+  const auto at = std::lower_bound(ascending.begin(), ascending.end(), item);
+  if (at == ascending.end() || *at != item) ascending.insert(at, item);
+}
+
 }  // namespace
+
+void sortOverlaps(std::vector<Overlap>& overlaps) {
+  for (int Overlap::*const piece : {&Overlap::lower, &Overlap::upper})
+    sortBy(overlaps, [&](const Overlap& overlap) { return overlap.*piece; });
+}
 
 ClothContacts::ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps,
                              std::vector<ClothTie> ties, double gap)
@@ -53,17 +64,12 @@ ClothContacts::ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps
       ties_(std::move(ties)),
       gap_(gap),
       ring_(mesh.size) {
-  std::sort(overlaps_.begin(), overlaps_.end());
+  sortOverlaps(overlaps_);
   for (const SewnMesh::Triangle& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
-      pieces_[t.vertices[k]].push_back(t.piece);
-      ring_[t.vertices[k]].push_back(t.vertices[(k + 1) % 3]);
-      ring_[t.vertices[k]].push_back(t.vertices[(k + 2) % 3]);
-    }
-  for (auto* lists : {&pieces_, &ring_})
-    for (std::vector<int>& list : *lists) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
+      insertOnce(pieces_[t.vertices[k]], t.piece);
+      insertOnce(ring_[t.vertices[k]], t.vertices[(k + 1) % 3]);
+      insertOnce(ring_[t.vertices[k]], t.vertices[(k + 2) % 3]);
     }
 }
 

@@ -28,6 +28,7 @@ struct Overlap {
     return std::pair(upper, lower) < std::pair(o.upper, o.lower);
   }
 };
+void sortOverlaps(std::vector<Overlap>& overlaps);
 
 /// What keeps layers of cloth apart, and holds them together: a vertex stays on its side of each
 /// triangle nearby, and tied points stay together. Energies of linear springs along directions that

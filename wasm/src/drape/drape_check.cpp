@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "drape/space_grid.h"
 
 namespace seamwise {
@@ -11,7 +12,7 @@ namespace {
 
 DrapeCheck::Spread spreadOf(std::vector<double> values) {
   if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
+  sortNumbers(values);
   const std::size_t n = values.size();
   return {values[n / 2], values[std::min(n - 1, n * 99 / 100)], values.back()};
 }
@@ -35,8 +36,7 @@ std::vector<ClothCrossing> crossingsOf(const SewnMesh& mesh, const Positions& x)
   std::vector<std::pair<int, int>> edges = mesh.edges();
   for (auto& [a, b] : edges)
     if (a > b) std::swap(a, b);
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sortOnce(edges);
   std::vector<Box> of_edges, of_triangles;
   double size = 0;
   for (const auto& [a, b] : edges) {

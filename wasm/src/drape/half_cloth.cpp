@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.h"
+#include "base/sort_by.h"
 
 namespace seamwise {
 namespace {
@@ -14,7 +15,8 @@ constexpr double kSamePlace = 1e-6;  ///< m
 using Corners = std::array<int, 3>;
 
 Corners sorted(Corners corners) {
-  std::sort(corners.begin(), corners.end());
+  for (const int k : {0, 1, 0})
+    if (corners[k] > corners[k + 1]) std::swap(corners[k], corners[k + 1]);
   return corners;
 }
 
@@ -23,7 +25,8 @@ std::vector<int> imagesOf(const SewnMesh& mesh, const std::vector<int>& image) {
   std::vector<std::pair<Corners, int>> by_corners;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     by_corners.emplace_back(sorted(mesh.triangles[t].vertices), static_cast<int>(t));
-  std::sort(by_corners.begin(), by_corners.end());
+  for (const int k : {2, 1, 0})
+    sortBy(by_corners, [&](const auto& corners) { return corners.first[k]; });
   std::vector<int> images;
   for (const SewnMesh::Triangle& t : mesh.triangles) {
     const Corners sought =
@@ -55,9 +58,6 @@ std::vector<int> sidesOf(const SewnMesh& mesh, const std::vector<int>& image) {
   struct Edge {
     std::array<int, 2> ends;
     int triangle;
-    bool operator<(const Edge& other) const {
-      return ends != other.ends ? ends < other.ends : triangle < other.triangle;
-    }
   };
   std::vector<Edge> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -66,7 +66,7 @@ std::vector<int> sidesOf(const SewnMesh& mesh, const std::vector<int>& image) {
       if (image[a] == a && image[b] == b) continue;
       edges.push_back({{std::min(a, b), std::max(a, b)}, static_cast<int>(t)});
     }
-  std::sort(edges.begin(), edges.end());
+  sortBy(edges, [&](const Edge& edge) { return double(edge.ends[0]) * mesh.size + edge.ends[1]; });
   DisjointSets sets(static_cast<int>(mesh.triangles.size()));
   for (std::size_t k = 1; k < edges.size(); ++k)
     if (edges[k].ends == edges[k - 1].ends) sets.join(edges[k - 1].triangle, edges[k].triangle);

@@ -64,7 +64,7 @@ std::vector<Overlap> overlapsOf(const Garment& garment, const Pattern& pattern,
       if (at_a * at_b < 0) overlaps.push_back(at_a < at_b ? Overlap{a, b} : Overlap{b, a});
     }
   }
-  std::sort(overlaps.begin(), overlaps.end());
+  sortOverlaps(overlaps);
   const auto same = [](const Overlap& o, const Overlap& p) { return !(o < p) && !(p < o); };
   overlaps.erase(std::unique(overlaps.begin(), overlaps.end(), same), overlaps.end());
   return overlaps;

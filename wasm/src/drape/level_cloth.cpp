@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "base/sort_by.h"
 #include "drape/drape_check.h"
 
 namespace seamwise {
@@ -77,7 +78,7 @@ void LevelCloth::turnBack() {
   std::vector<std::pair<int, int>> cut;
   for (const ClothCrossing& crossing : crossingsOf(mesh, solver_->positions()))
     cut.emplace_back(crossing.edge[0], crossing.edge[1]);
-  std::sort(cut.begin(), cut.end());
+  sortOnce(cut);
   DisjointSets all(mesh.size), parts(mesh.size);
   for (const auto& [a, b] : mesh.edges()) {
     all.join(a, b);

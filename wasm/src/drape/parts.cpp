@@ -7,6 +7,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/in_quotes.h"
+#include "base/sort_by.h"
 #include "drape/turn.h"
 
 namespace seamwise {
@@ -48,17 +49,15 @@ class Hanger {
 
   Outcome<Hanging> run() {
     if (std::optional<Error> error = place()) return *error;
-    const std::vector<bool> legs = ofLegs();
+    const std::vector<char> legs = ofLegs();
     for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
       hanging_.parts.push_back(partOf(static_cast<int>(i), legs[i]));
     raiseHood();
     for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
       hanging_.order.push_back(static_cast<int>(i));
-    std::stable_sort(hanging_.order.begin(), hanging_.order.end(), [&](int a, int b) {
-      const Vec3 &m = hanging_.middles[a], &n = hanging_.middles[b];
-      if (m.y() != n.y()) return m.y() < n.y();
-      return m.z() != n.z() ? m.z() < n.z() : m.x() < n.x();
-    });
+    // In the end by height, then depth, then side.
+    for (const int axis : {0, 2, 1})
+      sortBy(hanging_.order, [&](int piece) { return hanging_.middles[piece][axis]; });
     return std::move(hanging_);
   }
 
@@ -106,10 +105,10 @@ class Hanger {
   }
 
   // Pieces whose seams below the crotch lead to pieces of the same side only.
-  std::vector<bool> ofLegs() const {
+  std::vector<char> ofLegs() const {
     const int count = static_cast<int>(pattern_.pieces.size());
     const double below = form_.crotchHeight() - 8;
-    std::vector<bool> legs(count, false), low(count, false);
+    std::vector<char> legs(count, false), low(count, false);
     DisjointSets sewn(count);
     for (const Seam& seam : pattern_.seams)
       for (std::size_t i = 0; i < seam.a.vertices.size(); ++i)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.h"
 #include "drape/turn.h"
 
 namespace seamwise {
@@ -22,7 +23,7 @@ double nearTurn(double degrees, double to) {
 // The mean of what is left without the two sevenths that are least and that are greatest: levels at
 // which tiers meet have too many pieces or too few.
 double middleMean(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+  sortNumbers(values);
   const std::size_t drop = values.size() * 2 / 7;
   double sum = 0;
   for (std::size_t k = drop; k + drop < values.size(); ++k) sum += values[k];
@@ -53,8 +54,7 @@ Ring::Ring(const Tube& tube, const Pattern& pattern, std::vector<RingPiece> piec
       piece.bottom = std::min(piece.bottom, p.y()), piece.top = std::max(piece.top, p.y());
     low = std::min(low, piece.bottom), high = std::max(high, piece.top);
   }
-  std::stable_sort(pieces_.begin(), pieces_.end(),
-                   [](const RingPiece& a, const RingPiece& b) { return a.angle < b.angle; });
+  sortBy(pieces_, [](const RingPiece& piece) { return piece.angle; });
   findFlanks(pattern);
   bottom_ = std::floor(low);
   for (int i = 0; levelOf(i) < high + 1; ++i) levels_.push_back(levelAt(levelOf(i)));

@@ -21,7 +21,7 @@ constexpr double kLegsApart = 0.2;
 class Settling {
  public:
   Settling(const Pattern& pattern, const Form& form, const Hanging& hanging,
-           const std::vector<bool>& on_top, const WrapSettings& settings)
+           const std::vector<char>& on_top, const WrapSettings& settings)
       : pattern_(pattern),
         form_(form),
         order_(hanging.order),
@@ -158,7 +158,7 @@ class Settling {
 }  // namespace
 
 void settle(const Pattern& pattern, const Form& form, const Hanging& hanging,
-            const std::vector<bool>& on_top, const WrapSettings& settings,
+            const std::vector<char>& on_top, const WrapSettings& settings,
             PiecePositions* positions) {
   Settling(pattern, form, hanging, on_top, settings).run(positions);
 }

@@ -9,7 +9,7 @@ namespace seamwise {
 /// and pushes everything out of the form.
 /// @param on_top   per piece: lies on another one, so it keeps one layer more of distance
 void settle(const Pattern& pattern, const Form& form, const Hanging& hanging,
-            const std::vector<bool>& on_top, const WrapSettings& settings,
+            const std::vector<char>& on_top, const WrapSettings& settings,
             PiecePositions* positions);
 
 }  // namespace seamwise

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_by.h"
 #include "drape/mesh_places.h"
 #include "drape/weld.h"
 #include "mesh/coarser.h"
@@ -212,9 +213,7 @@ SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vecto
       mesh.triangles.push_back(t);
     }
   }
-  std::stable_sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
-    return std::pair(a.from, a.to) < std::pair(b.from, b.to);
-  });
+  sortBy(sides, [&](const EdgeSide& side) { return double(side.from) * mesh.size + side.to; });
   for (std::size_t k = 0; k < sides.size();) {
     std::size_t end = k + 1;
     while (end < sides.size() && sides[end].from == sides[k].from && sides[end].to == sides[k].to)

@@ -24,7 +24,7 @@ bool isArm(BodyPart part) { return only(part) & kArms; }
 class Wrapper {
  public:
   Wrapper(const Pattern& pattern, const Form& form, const Hanging& hanging,
-          const std::vector<bool>& on_top, const WrapSettings& settings)
+          const std::vector<char>& on_top, const WrapSettings& settings)
       : pattern_(pattern), form_(form), hanging_(hanging), on_top_(on_top), settings_(settings) {}
 
   PiecePositions run() {
@@ -166,7 +166,7 @@ class Wrapper {
   const Pattern& pattern_;
   const Form& form_;
   const Hanging& hanging_;
-  const std::vector<bool>& on_top_;  ///< per piece: lies on another one
+  const std::vector<char>& on_top_;  ///< per piece: lies on another one
   const WrapSettings& settings_;
   std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: across, level
 };
@@ -178,7 +178,7 @@ Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, 
   const Outcome<Hanging> hanging = hang(garment, pattern, form);
   if (!hanging.ok()) return hanging.error();
   const std::vector<Overlap> overlaps = overlapsOf(garment, pattern, hanging.value());
-  std::vector<bool> on_top(pattern.pieces.size(), false);
+  std::vector<char> on_top(pattern.pieces.size(), false);
   for (const Overlap& overlap : overlaps) on_top[overlap.upper] = true;
   PiecePositions positions = Wrapper(pattern, form, hanging.value(), on_top, settings).run();
   settle(pattern, form, hanging.value(), on_top, settings, &positions);
@@ -189,7 +189,7 @@ Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, 
 double missingGirth(const Garment& garment, const Pattern& pattern, const Form& form, double ease) {
   const Outcome<Hanging> hanging = hang(garment, pattern, form);
   if (!hanging.ok()) return 1e9;
-  const std::vector<bool> on_top(pattern.pieces.size(), false);
+  const std::vector<char> on_top(pattern.pieces.size(), false);
   return Wrapper(pattern, form, hanging.value(), on_top, {}).missingGirth(ease);
 }
 

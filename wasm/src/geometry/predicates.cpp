@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/product.h"
+
 namespace seamwise {
 namespace {
 
@@ -20,9 +22,9 @@ class ExactSum {
     part_[size_++] = value;
   }
   void addProduct(double x, double y) {
-    const double high = x * y;
-    add(std::fma(x, y, -high));
-    add(high);
+    const double product = x * y;
+    add(lostOf(x, y, product));
+    add(product);
   }
   int sign() const {
     for (int i = size_; i-- > 0;)

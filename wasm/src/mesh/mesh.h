@@ -32,7 +32,7 @@ class Meshing {
 
   Pattern pattern_;
   double coarsest_;
-  std::vector<bool> done_;                ///< per piece
+  std::vector<char> done_;                ///< per piece
   std::size_t mirrors_ = 0, pieces_ = 0;  ///< that have been looked at
   bool moved_ = false;                    ///< some outline
   std::optional<Error> error_;

@@ -1,7 +1,6 @@
 #include "mesh/mirrored.h"
 
 #include <algorithm>
-#include <set>
 
 #include "base/in_quotes.h"
 #include "base/sort_by.h"
@@ -203,7 +202,8 @@ Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
   }
 
   // The mean shape has no turned triangle, so moving the outline there vertex by vertex ends well.
-  std::set<int> moved;
+  std::vector<char> moved(boundary, 0);
+  bool any_moved = false;
   for (bool again = true; again;) {
     again = false;
     for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
@@ -212,15 +212,16 @@ Outcome<bool> meshMirrored(Pattern& pattern, Mirror& mirror, double coarsest) {
           triangleArea(b.rest, b.triangles[t]) >= least)
         continue;
       for (const int v : mesh->triangles[t]) {
-        if (v >= static_cast<int>(boundary) || !moved.insert(v).second) continue;
+        if (v >= static_cast<int>(boundary) || moved[v]) continue;
         a.rest[v] = mesh->points[v];
         b.rest[mirror.image[v]] = mirror.map(mesh->points[v]);
-        if (mirror.single()) moved.insert(mirror.image[v]);
-        again = true;
+        moved[v] = 1;
+        if (mirror.single()) moved[mirror.image[v]] = 1;
+        again = any_moved = true;
       }
     }
   }
-  return !moved.empty();
+  return any_moved;
 }
 
 }  // namespace seamwise

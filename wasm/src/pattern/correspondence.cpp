@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/sort_by.h"
+
 namespace seamwise {
 namespace {
 
@@ -191,7 +193,7 @@ std::optional<Correspondence> correspondToItself(const Loop& a, const RigidMotio
   if (fixed.size() < 2) return {};
   // A reflection has two fixed points on a simple loop. Where noise near the axis makes more, the
   // two that halve the loop are meant.
-  std::sort(fixed.begin(), fixed.end());
+  sortNumbers(fixed);
   double p = 0, q = 0, least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < fixed.size(); ++i)
     for (std::size_t j = i + 1; j < fixed.size(); ++j) {

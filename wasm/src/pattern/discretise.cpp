@@ -56,7 +56,7 @@ std::optional<std::vector<LoopTie>> tiesOf(const Outlines& outlines, const BodyS
   };
   if (end(a) - a != end(b) - b) return {};
   std::vector<LoopTie> ties;
-  std::vector<bool> taken(end(b) - b, false);
+  std::vector<char> taken(end(b) - b, false);
   for (int l = a; l < end(a); ++l) {
     // The outline goes to the outline, a cut-out to the nearest one that is free.
     int image = b;
