@@ -12,6 +12,9 @@
 namespace seamwise {
 namespace {
 
+/// So far from a seam cloth lies in gathers that are smaller than its triangles. [cm]
+constexpr double kGathers = 3;
+
 /// A pattern with its outlines and cut-outs only, and per piece where its vertices were before.
 struct Outlines {
   Pattern pattern;
@@ -181,6 +184,21 @@ SewnMesh::Hinge hingeOf(const EdgeSide& s, const EdgeSide& t) {
           (s.warp + t.warp) / 2};
 }
 
+/// Per piece, per vertex: whether it lies beside the longer side of a gathered seam.
+std::vector<std::vector<char>> gatheredVertices(const Pattern& pattern) {
+  std::vector<std::vector<char>> gathered;
+  for (const Piece& piece : pattern.pieces) gathered.emplace_back(piece.rest.size(), 0);
+  for (const Seam& seam : pattern.seams) {
+    if (!isGathered(seam)) continue;
+    const SeamSide& side = seam.length_ratio > 1 ? seam.a : seam.b;
+    const std::vector<Vec2>& rest = pattern.pieces[side.piece].rest;
+    for (std::size_t v = 0; v < rest.size(); ++v)
+      for (const int u : side.vertices)
+        if (planarLength(Vec2(rest[v] - rest[u])) < kGathers) gathered[side.piece][v] = 1;
+  }
+  return gathered;
+}
+
 }  // namespace
 
 SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vector<Vec2>& warp) {
@@ -188,11 +206,13 @@ SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vecto
   mesh.size = level.size;
   mesh.area.assign(level.size, 0);
   std::vector<EdgeSide> sides;
+  const std::vector<std::vector<char>> gathered = gatheredVertices(level.pattern);
   for (std::size_t p = 0; p < shapes.size(); ++p) {
     const Vec2 along = warp[p], across(along.y(), -along.x());
     for (const auto& corners : level.pattern.pieces[p].triangles) {
       SewnMesh::Triangle t{};
       t.piece = static_cast<int>(p);
+      t.gathered = gathered[p][corners[0]] || gathered[p][corners[1]] || gathered[p][corners[2]];
       std::array<Vec2, 3> q;  // weft, warp
       for (int k = 0; k < 3; ++k) {
         const Vec2& at = shapes[p][corners[k]];

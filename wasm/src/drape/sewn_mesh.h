@@ -54,6 +54,7 @@ struct SewnMesh {
     double area;                       ///< m2
     std::array<double, 3> weft, warp;  ///< derivatives of the corners' hat functions, 1/m
     int piece;
+    bool gathered;  ///< beside the longer side of a gathered seam
   };
   /// Two triangles at an edge: |sum of weights x| is the edge's length times its bend (Bergou et
   /// al., "A Quadratic Bending Model for Inextensible Surfaces", 2006), 0 when flat.

@@ -8,11 +8,15 @@ namespace {
 
 constexpr double kMiddleOffset = 0.5;  ///< of the offset: only where a triangle cuts a curve short
 
+/// Gathers give way to compression by folds that no triangle has: so much of the stiffness is left.
+constexpr double kGatheredStiffness = 0.02;
+
 /// Value, slope and curvature of k/2 e^2, stiffer beyond a tension.
 struct Spring {
   double value, slope, curvature;
 };
-Spring spring(const Fabric& fabric, double k, double e) {
+Spring spring(const Fabric& fabric, double k, double e, bool gathered) {
+  if (gathered && e < 0) k *= kGatheredStiffness;
   Spring s{k * e * e / 2, k * e, k};
   if (const double more = e - fabric.stiff_from; more > 0) {
     const double extra = (fabric.stiffening - 1) * k;
@@ -55,13 +59,14 @@ double membraneEnergy(const SewnMesh& mesh, const Fabric& fabric, const Position
   for (const SewnMesh::Triangle& t : mesh.triangles) {
     const Thread weft = threadOf(t, t.weft, x), warp = threadOf(t, t.warp, x);
     const double eu = weft.stretch - 1, ev = warp.stretch - 1;
-    const Spring su = spring(fabric, fabric.weft, eu), sv = spring(fabric, fabric.warp, ev);
+    const Spring su = spring(fabric, fabric.weft, eu, t.gathered),
+                 sv = spring(fabric, fabric.warp, ev, t.gathered);
     const double skew = dot(weft.image, warp.image);
-    energy +=
-        t.area * (su.value + sv.value + fabric.coupling * eu * ev + fabric.shear * skew * skew / 2);
+    const double coupling = t.gathered ? 0 : fabric.coupling;
+    energy += t.area * (su.value + sv.value + coupling * eu * ev + fabric.shear * skew * skew / 2);
     if (gradient) {
-      const double fu = t.area * (su.slope + fabric.coupling * ev);
-      const double fv = t.area * (sv.slope + fabric.coupling * eu);
+      const double fu = t.area * (su.slope + coupling * ev);
+      const double fv = t.area * (sv.slope + coupling * eu);
       const double fs = t.area * fabric.shear * skew;
       for (int c = 0; c < 3; ++c) {
         const double by_weft = fu * weft.along[c] + fs * warp.image[c];
