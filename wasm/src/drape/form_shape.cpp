@@ -41,7 +41,7 @@ Tube torso(const Measures& m) {
   const double neck = m.neck / (2 * kPi) + 1, rise = (kShoulderDrop + 0.035) * up;
   const double slope = rise / (tip - neck);
   const double ridge = (1 - kShoulderDrop) * up + slope * (std::sqrt(tip * tip + 16) - 4);
-  return {upright({0, m.waist_height, 0}), sections, {-m.body_rise + 0.5, 0, 4}, {ridge, slope, 5}};
+  return {upright({0, m.waist_height, 0}), sections, {-m.body_rise + 1.5, 0, 8}, {ridge, slope, 5}};
 }
 
 Tube neck(const Measures& m) {
