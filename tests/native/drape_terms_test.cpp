@@ -310,5 +310,23 @@ TEST(DrapeTerms, TheConstantHessianIsNoLessThanThatOfTautCloth) {
   }
 }
 
+TEST(DrapeTerms, GathersGiveWayToCompressionOnly) {
+  const Pattern pattern = testing::plainPattern(testing::rectangle(10, 10));
+  const SewnLevel level = testing::levelOf(pattern, 3);
+  const SewnMesh smooth = testing::uncut(level, pattern);
+  SewnMesh gathered = smooth;
+  for (auto& triangle : gathered.triangles) triangle.gathered = true;
+  const auto energyAt = [&](const SewnMesh& mesh, double across) {
+    return membraneEnergy(mesh, kPoplin,
+                          testing::laid(level,
+                                        [&](int, const Vec2& at) {
+                                          return Vec3(0.01 * across * at.x(), 0.01 * at.y(), 0);
+                                        }),
+                          nullptr, nullptr);
+  };
+  EXPECT_NEAR(energyAt(gathered, 0.8), 0.02 * energyAt(smooth, 0.8), 1e-9);
+  EXPECT_NEAR(energyAt(gathered, 1.02), energyAt(smooth, 1.02), 1e-9);
+}
+
 }  // namespace
 }  // namespace seamwise
