@@ -13,7 +13,7 @@ namespace seamwise {
 using VectorX = Eigen::VectorXd;
 
 /// When each node of a graph is to be eliminated, so that little fills in (AMD).
-/// @param pairs   neighbours; in either order, duplicates allowed
+/// @param pairs   neighbours; in either order, duplicates allowed, negative numbers skipped
 /// @return   per node its place in the order
 std::vector<int> eliminationOrder(int size, const std::vector<std::pair<int, int>>& pairs);
 
