@@ -82,12 +82,12 @@ VectorX SparseHessian::times(const std::vector<double>& values, const VectorX& x
 
 void SparseHessian::analyse() {
   ldlt_ = std::make_unique<Factor>();
-  ldlt_->analyzePattern(matrix_);
+  ldlt_->analyse(matrix_);
 }
 
 bool SparseHessian::factorise() {
   if (!ldlt_) analyse();
-  ldlt_->factorize(matrix_);
+  ldlt_->factorise(matrix_);
   return ldlt_->info() == Eigen::Success && ldlt_->vectorD().minCoeff() > 0;
 }
 
