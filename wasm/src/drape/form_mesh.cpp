@@ -1,7 +1,7 @@
 #include "drape/form_mesh.h"
 
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace seamwise {
 namespace {
@@ -16,6 +16,7 @@ class MarchingTetrahedra {
               static_cast<int>(std::ceil((form.napeHeight() + 40) / spacing)),
               static_cast<int>(std::ceil(80 / spacing))};
     values_.resize(std::size_t(count_[0] + 1) * (count_[1] + 1) * (count_[2] + 1));
+    last_cut_.assign(values_.size(), -1);
     for (int i = 0; i <= count_[0]; ++i)
       for (int j = 0; j <= count_[1]; ++j)
         for (int k = 0; k <= count_[2]; ++k)
@@ -80,15 +81,18 @@ class MarchingTetrahedra {
 
   // The vertex of the surface on the edge between two grid points on either side of it.
   int cut(int a, int b) {
-    const auto [at, fresh] = cuts_.try_emplace(std::minmax(a, b), surface_.vertices.size());
-    if (!fresh) return at->second;
+    if (a > b) std::swap(a, b);
+    for (int vertex = last_cut_[a]; vertex >= 0; vertex = cuts_[vertex].before)
+      if (cuts_[vertex].to == b) return vertex;
+    cuts_.push_back({b, last_cut_[a]});
+    last_cut_[a] = static_cast<int>(surface_.vertices.size());
     Vec3 low = place(values_[a] < 0 ? a : b), high = place(values_[a] < 0 ? b : a);
     for (int step = 0; step < 24; ++step) {
       const Vec3 middle = (low + high) / 2;
       (form_.distance(middle, parts_, nullptr) < 0 ? low : high) = middle;
     }
     surface_.vertices.push_back((low + high) / 2);
-    return at->second;
+    return last_cut_[a];
   }
 
   const Form& form_;
@@ -96,7 +100,12 @@ class MarchingTetrahedra {
   double spacing_;
   std::array<int, 3> count_;
   std::vector<double> values_;
-  std::map<std::pair<int, int>, int> cuts_;
+  struct Cut {
+    int to;      ///< the grid point at the edge's other end
+    int before;  ///< another vertex on an edge from the same grid point, or -1
+  };
+  std::vector<Cut> cuts_;      ///< per vertex of the surface
+  std::vector<int> last_cut_;  ///< per grid point: the vertex made last on an edge from it, or -1
   Surface surface_;
 };
 

@@ -13,7 +13,7 @@ namespace seamwise {
 using VectorX = Eigen::VectorXd;
 
 /// When each node of a graph is to be eliminated, so that little fills in (AMD).
-/// @param pairs   neighbours; in either order, duplicates allowed
+/// @param pairs   neighbours; in either order, duplicates allowed, negative numbers skipped
 /// @return   per node its place in the order
 std::vector<int> eliminationOrder(int size, const std::vector<std::pair<int, int>>& pairs);
 
@@ -61,7 +61,17 @@ class SparseHessian {
 
  private:
   using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor>;
-  using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+  /// Where Eigen lets us, without what would permute a matrix, 1 kB of a module: this one is in
+  /// order.
+  struct Factor : Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> {
+#if EIGEN_VERSION_AT_LEAST(3, 4, 90)
+    void analyse(const Matrix& matrix) { analyzePattern(matrix); }
+    void factorise(const Matrix& matrix) { factorize(matrix); }
+#else
+    void analyse(const Matrix& matrix) { analyzePattern_preordered(matrix, true); }
+    void factorise(const Matrix& matrix) { factorize_preordered<true>(matrix); }
+#endif
+  };
   int positionOf(int i) const { return position_.empty() ? i : position_[i]; }
   VectorX permuted(const VectorX& x) const;    ///< into the order of elimination
   VectorX unpermuted(const VectorX& x) const;  ///< and back
