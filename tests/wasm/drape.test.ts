@@ -21,8 +21,9 @@ function resultOf(name: Sample): Promise<SolveResult> {
 
 /** Where a sample keeps less than is asked of all: measured, and rounded up. */
 const kept: Readonly<Partial<Record<Sample, Partial<DrapeLimits>>>> = {
+  tee: {tension: {median: 0.005, p99: 0.035, max: 0.1}},
   'shift-dress': {sewnLength: 0.03},
-  'princess-dress': {sewnLength: 0.05, tension: {median: 0.005, p99: 0.1, max: 0.18}},
+  'princess-dress': {sewnLength: 0.035, tension: {median: 0.005, p99: 0.07, max: 0.1}},
 };
 
 describe.each(['tee', 'shift-dress', 'raglan', 'princess-dress'] as const)('%s', (name) => {
