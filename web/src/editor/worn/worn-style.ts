@@ -46,6 +46,7 @@ export const wornStyle = css`
   }
   .group {
     display: flex;
+    flex-wrap: wrap;
     align-items: center;
     gap: 1px;
     padding: 2px;
@@ -61,6 +62,7 @@ export const wornStyle = css`
     padding: 0;
   }
   .group select {
+    min-width: 6rem;
     min-height: var(--sw-target);
     border-color: transparent;
     background: transparent;
