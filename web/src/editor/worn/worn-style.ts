@@ -62,7 +62,8 @@ export const wornStyle = css`
     padding: 0;
   }
   .group select {
-    min-width: 6rem;
+    flex: none;
+    width: auto;
     min-height: var(--sw-target);
     border-color: transparent;
     background: transparent;
