@@ -61,6 +61,13 @@ function offline(): Plugin {
 /** The drawing library apart, so that the page's own code can be seen for what it is. */
 const drawing = {name: 'three', test: /node_modules[\\/]three[\\/]/, priority: 1};
 
+/** What the flat view, the worn one and the lens share is one file, not one for each pair of them. */
+const shared = {
+  name: 'viewer',
+  test: /[\\/]src[\\/]viewer[\\/]/,
+  minShareCount: 2,
+};
+
 /** All that the page begins with is one file: parts of it that are shared with later ones are no files of their own. */
 const opening = {
   name: 'page',
@@ -84,7 +91,7 @@ export default defineConfig({
     modulePreload: {polyfill: false},
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 600, // the drawing library
-    rolldownOptions: {output: {codeSplitting: {groups: [drawing, opening]}}},
+    rolldownOptions: {output: {codeSplitting: {groups: [drawing, opening, shared]}}},
   },
   worker: {format: 'es'},
 });

@@ -120,9 +120,47 @@ export const editorLayout = css`
     display: block;
     min-height: 14.25rem;
   }
+  /* over the pattern and in pictures: there is no room for words, nor in the header */
+  @container (width < 90rem) {
+    header {
+      position: relative;
+    }
+    .views {
+      position: absolute;
+      z-index: 3;
+      inset: calc(100% + 1px + var(--sw-space-1)) calc(var(--beside, 0px) + var(--sw-space-2)) auto
+        auto;
+    }
+    .views button {
+      width: var(--sw-target);
+      min-height: var(--sw-target);
+      padding: 0;
+    }
+    .views span {
+      position: absolute;
+      width: 1px;
+      height: 1px;
+      overflow: hidden;
+      clip-path: inset(50%);
+    }
+    .views svg {
+      display: block;
+    }
+    .pattern {
+      --sw-views-room: calc(3 * var(--sw-target) + var(--sw-space-4));
+    }
+  }
+  @container (88rem <= width < 90rem) {
+    header {
+      --beside: 24rem;
+    }
+  }
   @container (64rem <= width < 88rem) {
     .workbench {
       grid-template-columns: 19rem minmax(0, 1fr) 23rem;
+    }
+    header {
+      --beside: 23rem;
     }
   }
   @container (width >= 64rem) {
@@ -166,10 +204,25 @@ export const editorLayout = css`
       min-width: 4.75rem;
     }
   }
+  /* above each other: there is no room side by side */
+  @container (width < 64rem) {
+    [data-shows='both'] {
+      grid-template: auto auto repeat(2, minmax(0, 1fr)) / minmax(0, 1fr);
+    }
+    [data-shows='both'] sw-worn {
+      --sw-views-room: 0px;
+      grid-row: 4;
+      border: 0;
+      border-top: 1px solid var(--sw-line);
+    }
+  }
   /* beside it: how well it fits, then what is asked most often; the tables last */
   @container (40rem <= width < 64rem) {
     .workbench {
       grid: 'header header' auto 'pattern side' minmax(0, 1fr) / minmax(0, 1fr) 20rem;
+    }
+    header {
+      --beside: 20rem;
     }
     .side {
       grid-auto-rows: max-content;
@@ -220,41 +273,6 @@ export const editorLayout = css`
     }
     .solving [hidden] {
       display: none; /* nothing beside it would move */
-    }
-    /* over the pattern, in pictures: there is no room for words in the header */
-    header {
-      position: relative;
-    }
-    .views {
-      position: absolute;
-      z-index: 3;
-      inset: calc(100% + 1px + var(--sw-space-1)) var(--sw-space-2) auto auto;
-    }
-    .views button {
-      width: var(--sw-target);
-      padding: 0;
-    }
-    .views span {
-      position: absolute;
-      width: 1px;
-      height: 1px;
-      overflow: hidden;
-      clip-path: inset(50%);
-    }
-    .views svg {
-      display: block;
-    }
-    .pattern {
-      --sw-views-room: calc(3 * var(--sw-target) + var(--sw-space-4));
-    }
-    [data-shows='both'] {
-      grid-template: auto auto repeat(2, minmax(0, 1fr)) / minmax(0, 1fr);
-    }
-    [data-shows='both'] sw-worn {
-      --sw-views-room: 0px;
-      grid-row: 4;
-      border: 0;
-      border-top: 1px solid var(--sw-line);
     }
     .tabs {
       display: flex;

@@ -226,6 +226,8 @@ export class WornPane extends WornDrawing {
       }
       case 'done': {
         const notes = drape?.notes ?? [];
+        if (this.#showsSeams && notes.length === 0)
+          return html`<sw-legend .workbench=${this.workbench}></sw-legend>`;
         return notes.length > 0
           ? html`<p class="told">${notes.join(' ')}</p>`
           : html`<span class="truth">${words.truth}</span>`;

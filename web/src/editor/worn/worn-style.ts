@@ -46,6 +46,7 @@ export const wornStyle = css`
   }
   .group {
     display: flex;
+    flex-wrap: wrap;
     align-items: center;
     gap: 1px;
     padding: 2px;
@@ -61,6 +62,8 @@ export const wornStyle = css`
     padding: 0;
   }
   .group select {
+    flex: none;
+    width: auto;
     min-height: var(--sw-target);
     border-color: transparent;
     background: transparent;
