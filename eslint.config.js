@@ -4,7 +4,7 @@ import globals from 'globals';
 import ts from 'typescript-eslint';
 
 export default defineConfig(
-  globalIgnores(['build/', 'dist/', 'out/', 'web/src/solver/module/seamwise.mjs']),
+  globalIgnores(['build/', 'dist/', 'out/', 'web/src/solver/module/*.mjs']),
   js.configs.recommended,
   {files: ['**/*.{js,mjs}'], languageOptions: {globals: globals.node}},
   {files: ['web/examples/**/*.js'], languageOptions: {globals: globals.browser}},

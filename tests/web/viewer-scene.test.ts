@@ -6,7 +6,7 @@ import type {Pattern} from '@/model/result.js';
 import {apply} from '@/model/wallpaper.js';
 import {panelMarks} from '@/model/garment-marks.js';
 import {documentOf, draftedSquare} from '../support/garment-documents.js';
-import {imageCoordinates} from '@/viewer/print-coordinates.js';
+import {imageCoordinates} from '@/model/print-coordinates.js';
 import {alignmentsFrom, pieceAt, realigned, reprinted, sceneOf} from '@/scene/scene.js';
 import {symmetriesOf} from '@/scene/scene-marks.js';
 import {seamStrokes} from '@/viewer/strokes.js';

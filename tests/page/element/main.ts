@@ -11,7 +11,7 @@ globalThis.heldByCard = async () => {
   const {enter} = await import('../../../web/src/viewer/stage.js');
   const nothing = (): void => undefined;
   const unseen = {
-    ...{isAside: true, isSeen: false, raster: {width: 1, height: 1, ratio: 1}},
+    ...{isAside: true, isSeen: false, hasSize: false, raster: {width: 1, height: 1, ratio: 1}},
     ...{draw: nothing, arrange: nothing, hang: nothing, copy: nothing, paint: nothing},
     ...{lost: nothing},
   };

@@ -209,7 +209,10 @@ val DrapeHandle::mesh() const {
               sides.set("b", side(seam.b));
               return sides;
             }));
-  value.set("mirrors", listValue(level.pattern.mirrors, [&](const Mirror& mirror) {
+  const std::vector<Mirror> none;
+  const bool symmetric = worn_->drape().isSymmetric();
+  value.set("mirrors",
+            listValue(symmetric ? level.pattern.mirrors : none, [&](const Mirror& mirror) {
               val one = val::object(), pieces = val::array();
               for (int p : mirror.pieces) pieces.call<void>("push", order[p]);
               one.set("pieces", pieces);

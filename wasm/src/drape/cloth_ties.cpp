@@ -35,7 +35,7 @@ std::vector<Along> evenly(const Polyline& line, double spacing) {
     lengths.push_back(planarLength(Vec2(line[k + 1] - line[k])));
     whole += lengths.back();
   }
-  const int count = std::max(1, static_cast<int>(whole / spacing + 0.5));
+  const int count = std::max(1, static_cast<int>(std::nearbyint(whole / spacing)));
   std::vector<Along> out;
   std::size_t segment = 0;
   double before = 0;

@@ -113,7 +113,7 @@ void Drape::finish() {
   if (!std::isfinite(cloth_->energy())) {
     notes_.emplace_back("The garment cannot be draped: it has no position to start from.");
   } else if (!at_rest_) {
-    const int millimetres = static_cast<int>(1000 * farthest_ + 0.5);
+    const int millimetres = static_cast<int>(std::nearbyint(1000 * farthest_));
     notes_.push_back("The garment is still moving by " +
                      (millimetres < 1 ? "less than 1" : decimal(millimetres)) + " mm in a step.");
   }

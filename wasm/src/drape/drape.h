@@ -55,6 +55,8 @@ class Drape {
   double work() const { return spent_ + cloth_->work(); }
 
   const std::vector<StageReport>& stages() const { return stages_; }
+  /// Whether the pattern's mirrors are kept: of a garment that they do not cover none are.
+  bool isSymmetric() const { return cloth_->isHalf(); }
   const Fabric& fabric() const { return problem_.fabric; }
   double moved() const { return farthest_; }  ///< m that a vertex moved in the last step, at most
   /// Once it is done.

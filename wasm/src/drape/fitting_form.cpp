@@ -54,8 +54,8 @@ std::optional<double> missingAtShoulders(const Pattern& pattern, const Hanging& 
       if (hanging.parts[p] != BodyPart::kTorso) continue;
       const std::vector<int>& outline = pattern.pieces[p].outline;
       for (std::size_t i = 0; i < outline.size(); ++i) {
-        const auto at = [&](std::size_t k) {
-          return hanging.placed[p](pattern.pieces[p].rest[outline[k % outline.size()]]);
+        const auto at = [&](std::size_t corner) {
+          return hanging.placed[p](pattern.pieces[p].rest[outline[corner % outline.size()]]);
         };
         const Vec3 a = at(i), b = at(i + 1);
         if ((a.x() < side) == (b.x() < side)) continue;

@@ -29,7 +29,7 @@ std::size_t boundaryOf(const Piece& piece) {
 
 Outlines outlinesOf(const Pattern& pattern, double longest) {
   auto coarser = coarsened(pattern, longest);
-  Outlines outlines{coarser ? std::move(coarser->pattern) : pattern, {}};
+  Outlines outlines{coarser ? coarser->pattern : pattern, {}};
   for (std::size_t p = 0; p < outlines.pattern.pieces.size(); ++p) {
     Piece& piece = outlines.pattern.pieces[p];
     const std::size_t count = boundaryOf(piece);
@@ -208,7 +208,8 @@ SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vecto
   std::vector<EdgeSide> sides;
   const std::vector<std::vector<char>> gathered = gatheredVertices(level.pattern);
   for (std::size_t p = 0; p < shapes.size(); ++p) {
-    const Vec2 along = warp[p], across(along.y(), -along.x());
+    const Vec2& along = warp[p];
+    const Vec2 across(along.y(), -along.x());
     for (const auto& corners : level.pattern.pieces[p].triangles) {
       SewnMesh::Triangle t{};
       t.piece = static_cast<int>(p);

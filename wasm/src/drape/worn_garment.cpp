@@ -34,6 +34,7 @@ Outcome<Measures> measuresFor(SolvedGarment* solved, const WearSettings& setting
 template <class T>
 std::vector<T> permuted(std::vector<T> list, const std::vector<int>& order) {
   std::vector<T> result;
+  result.reserve(order.size());
   for (int i : order) result.push_back(std::move(list[i]));
   return result;
 }

@@ -107,9 +107,7 @@ void writePlacement(JsonWriter& out, const JsonValue& panel, const Frame& frame)
   const auto triple = [](const JsonValue& of) {
     return Vec3(of[0].number(), of[1].number(), of[2].number());
   };
-  const auto put = [&](const char* name, const Vec3& v) {
-    out.field(name, v);
-  };
+  const auto put = [&](const char* name, const Vec3& v) { out.field(name, v); };
   out.key("placement");
   out.openObject();
   put("translation", frame.cm * triple(translation));

@@ -15,7 +15,7 @@ import type {Print} from '../model/print.js';
 import {ontoSheet} from '../model/sheet-place.js';
 import {apply} from '../model/wallpaper.js';
 import {between, nearestLike} from './morph.js';
-import {imageCoordinates} from './print-coordinates.js';
+import {imageCoordinates} from '../model/print-coordinates.js';
 import type {ScenePiece} from '../scene/scene.js';
 
 /** Unprinted cloth. */

@@ -3,7 +3,7 @@ import {BufferAttribute, BufferGeometry, Mesh} from 'three';
 
 import {plus} from '../model/geometry.js';
 import {apply} from '../model/wallpaper.js';
-import {imageCoordinates} from './print-coordinates.js';
+import {imageCoordinates} from '../model/print-coordinates.js';
 import type {PrintMaterial} from './print-layer.js';
 import type {PatternScene} from '../scene/scene.js';
 import {ribbonDepth, type Ribbon, type StraightSeam} from './seam-ribbon.js';

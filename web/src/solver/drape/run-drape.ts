@@ -49,7 +49,7 @@ export async function runDrape(drape: ModuleDrape, hooks: DrapeHooks, pace: Pace
   };
   const work = (milliseconds: number): boolean => {
     const end = performance.now() + milliseconds;
-    let more = true;
+    let more: boolean;
     do more = advance();
     while (more && drape.stage() === stage && performance.now() < end);
     tell();

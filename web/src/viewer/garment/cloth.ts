@@ -3,7 +3,7 @@ import type {DrapeMesh} from '../../model/drape.js';
 import type {Alignment, Point} from '../../model/geometry.js';
 import type {Print} from '../../model/print.js';
 import {apply} from '../../model/wallpaper.js';
-import {imageCoordinates} from '../print-coordinates.js';
+import {imageCoordinates} from '../../model/print-coordinates.js';
 
 /** Drawn vertices are those of the pieces, one piece after the other. */
 export interface Cloth {

@@ -1,1 +1,0 @@
-export {imageCoordinates} from '../model/print-coordinates.js';
