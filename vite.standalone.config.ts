@@ -40,5 +40,9 @@ export default defineConfig({
       },
     },
   },
-  worker: {format: 'es', rolldownOptions: {output: names}},
+  // also by name: hosts copy what the worker loads
+  worker: {
+    format: 'es',
+    rolldownOptions: {output: {...names, chunkFileNames: 'solver.[name].js'}},
+  },
 });

@@ -14,9 +14,9 @@ import {packed, type Packed} from '../support/packed.js';
 
 const kilobyte = 1000;
 /** Compressed as a whole, as the registry sends it; three is not in it. [bytes] */
-const mostForPackage = 550 * kilobyte;
+const mostForPackage = 690 * kilobyte;
 /** The scripts for pages without a bundler, three and Lit included, the solver's module not. [bytes] */
-const mostForStandalone = 340 * kilobyte;
+const mostForStandalone = 375 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;
@@ -43,7 +43,7 @@ it('is a sound package, as publint sees it', async () => {
 it('has types that every resolver of ES modules finds', async () => {
   const [node, attw] = tool('@arethetypeswrong/cli', 'attw');
   const asked = ['--profile', 'esm-only', '--format', 'ascii', '--no-definitely-typed'];
-  const data = ['--exclude-entrypoints', './seamwise.wasm']; // no module, so that it has no types
+  const data = ['--exclude-entrypoints', './seamwise.wasm', './drape.wasm']; // no modules, so that they have no types
   const complaint = await promisify(execFile)(node, [attw, all.tarball, ...asked, ...data]).then(
     () => undefined,
     (error: unknown) => (error as {stdout: string}).stdout,

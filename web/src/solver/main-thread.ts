@@ -1,7 +1,7 @@
 import {loadingError} from './answers/broken.js';
 import {unlessAborted} from './answers/unless-aborted.js';
 import type {LocalAnswerer} from './answering.js';
-import type {WorkerPlaces} from './page-worker.js';
+import {modulesAt, type WorkerPlaces} from './page-worker.js';
 import type {HooksOf} from './requests/kinds.js';
 import type {Requests} from './requests/requests.js';
 import {TextService} from './service.js';
@@ -34,7 +34,8 @@ export class MainThreadSolver extends TextService {
     try {
       const {besideThePage, localAnswerer} = await import('./answering.js');
       const url = this.#wasmUrl;
-      const sources = url === undefined ? {} : {seamwise: () => new URL(url, document.baseURI)};
+      const at = url === undefined ? undefined : modulesAt(url);
+      const sources = at ? {seamwise: () => at.seamwise, drape: () => at.drape} : {};
       return localAnswerer({sources, pace: besideThePage});
     } catch (error) {
       this.#answerer = undefined; // to be tried again

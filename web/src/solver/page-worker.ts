@@ -19,6 +19,12 @@ const usualLoadingPatience = 20_000;
 /** Served as compiled, the script is this file's neighbour. */
 const usualScript = 'solver.worker.js';
 
+/** Where the modules are: that of the solver, and beside it the one that drapes. */
+export function modulesAt(wasmUrl: string | URL): {seamwise: string; drape: string} {
+  const seamwise = new URL(wasmUrl, document.baseURI).href;
+  return {seamwise, drape: new URL('drape.wasm', seamwise).href};
+}
+
 /** A worker of the page's. */
 export function pageWorker(places: WorkerPlaces): ThreadStart<Requests> {
   const {workerUrl, wasmUrl, loadingPatience} = places;
@@ -26,8 +32,7 @@ export function pageWorker(places: WorkerPlaces): ThreadStart<Requests> {
     start: (owner) => {
       const thread = workerThread<Requests>(started(workerUrl), owner);
       if (wasmUrl !== undefined) {
-        const seamwise = new URL(wasmUrl, document.baseURI).href;
-        thread.post({kind: 'modules', sources: {seamwise}});
+        thread.post({kind: 'modules', sources: modulesAt(wasmUrl)});
       }
       return thread;
     },
