@@ -1,33 +1,7 @@
+import type {Measurements} from '../../src/model/drape.js';
+
 /** The measurements a garment is drafted from, in cm, of a standing body that faces +z with the floor at y = 0. */
-export interface Body {
-  /** Girths, taken with the tape level. */
-  readonly bust: number;
-  readonly waist: number;
-  readonly hip: number;
-  readonly neck: number;
-  readonly head: number;
-  readonly upperArm: number;
-  readonly wrist: number;
-  readonly thigh: number;
-  readonly knee: number;
-  readonly ankle: number;
-  /** Between the two shoulder points, across the back. */
-  readonly shoulderWidth: number;
-  /** Between the two bust points. */
-  readonly bustSpan: number;
-  /** From the nape down to the waist. */
-  readonly backLength: number;
-  /** From the waist down to the fullest part of the hip. */
-  readonly hipDepth: number;
-  /** From the waist down to the seat of a chair: how deep the crotch lies. */
-  readonly bodyRise: number;
-  /** From the shoulder point down to the wrist. */
-  readonly armLength: number;
-  /** From the floor up to the waist. */
-  readonly waistHeight: number;
-  /** From the waist down to the knee. */
-  readonly kneeDepth: number;
-}
+export type Body = Measurements;
 
 export const sizeNames = ['xs', 's', 'm', 'l', 'xl'] as const;
 export type SizeName = (typeof sizeNames)[number];

@@ -110,6 +110,7 @@ export interface DrapeCheck {
 
 /** Measurements of a body. [cm] */
 export interface Measurements {
+  /** Girths, taken with the tape level. */
   readonly bust: number;
   readonly waist: number;
   readonly hip: number;
@@ -126,10 +127,11 @@ export interface Measurements {
   readonly bustSpan: number;
   /** From the nape down to the waist. */
   readonly backLength: number;
-  /** From the waist down to the fullest part of the hip, to the crotch, to the knee. */
+  /** From the waist down to the fullest part of the hip, and to the knee. */
   readonly hipDepth: number;
-  readonly bodyRise: number;
   readonly kneeDepth: number;
+  /** From the waist down to the seat of a chair: how deep the crotch lies. */
+  readonly bodyRise: number;
   /** From the shoulder point down to the wrist. */
   readonly armLength: number;
   /** From the floor up to the waist. */
