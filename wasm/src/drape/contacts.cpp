@@ -120,7 +120,7 @@ double ClothContacts::sideBySight(int vertex, int triangle, const Positions& x) 
 }
 
 void ClothContacts::search(const Positions& x) {
-  std::vector<Box> points, boxes;
+  std::vector<SpaceBox> points, boxes;
   for (const Vec3& p : x)
     points.push_back({p - Vec3(kSeen, kSeen, kSeen), p + Vec3(kSeen, kSeen, kSeen)});
   for (const SewnMesh::Triangle& t : mesh_->triangles)

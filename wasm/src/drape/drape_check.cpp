@@ -37,7 +37,7 @@ std::vector<ClothCrossing> crossingsOf(const SewnMesh& mesh, const Positions& x)
   for (auto& [a, b] : edges)
     if (a > b) std::swap(a, b);
   sortOnce(edges);
-  std::vector<Box> of_edges, of_triangles;
+  std::vector<SpaceBox> of_edges, of_triangles;
   double size = 0;
   for (const auto& [a, b] : edges) {
     of_edges.push_back(boxOf(x[a], x[b]));

@@ -10,7 +10,8 @@ namespace {
 
 /// For each cell of a grid in space that an item's box reaches into, a number and the item; sorted.
 /// Cells more than 2^16 from the origin may share their numbers with others, to no harm but time.
-std::vector<std::pair<double, std::size_t>> cellsOf(const std::vector<Box>& boxes, double size) {
+std::vector<std::pair<double, std::size_t>> cellsOf(const std::vector<SpaceBox>& boxes,
+                                                    double size) {
   constexpr double kCells = 1 << 17;
   std::vector<std::pair<double, std::size_t>> cells;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -30,8 +31,8 @@ std::vector<std::pair<double, std::size_t>> cellsOf(const std::vector<Box>& boxe
 
 }  // namespace
 
-std::vector<std::pair<int, int>> overlappingPairs(const std::vector<Box>& as,
-                                                  const std::vector<Box>& bs, double size) {
+std::vector<std::pair<int, int>> overlappingPairs(const std::vector<SpaceBox>& as,
+                                                  const std::vector<SpaceBox>& bs, double size) {
   const auto by_a = cellsOf(as, size), by_b = cellsOf(bs, size);
   std::vector<std::pair<int, int>> pairs;
   std::size_t b = 0;

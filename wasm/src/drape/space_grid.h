@@ -8,20 +8,20 @@
 namespace seamwise {
 
 /// Low and high corner of what holds some points.
-struct Box {
+struct SpaceBox {
   Vec3 low, high;
 };
 
 template <class... Rest>
-Box boxOf(const Vec3& first, const Rest&... rest) {
-  Box box{first, first};
+SpaceBox boxOf(const Vec3& first, const Rest&... rest) {
+  SpaceBox box{first, first};
   for (const Vec3* p : {&first, &rest...})
     for (int c = 0; c < 3; ++c)
       box.low[c] = std::min(box.low[c], (*p)[c]), box.high[c] = std::max(box.high[c], (*p)[c]);
   return box;
 }
 
-inline bool overlap(const Box& a, const Box& b) {
+inline bool overlap(const SpaceBox& a, const SpaceBox& b) {
   for (int c = 0; c < 3; ++c)
     if (a.low[c] > b.high[c] || b.low[c] > a.high[c]) return false;
   return true;
@@ -29,12 +29,12 @@ inline bool overlap(const Box& a, const Box& b) {
 
 /// The items of two lists whose boxes overlap, each pair once, by the first, then the second.
 /// @param size   of the cells that items are looked for in, of about their own size
-std::vector<std::pair<int, int>> overlappingPairs(const std::vector<Box>& as,
-                                                  const std::vector<Box>& bs, double size);
+std::vector<std::pair<int, int>> overlappingPairs(const std::vector<SpaceBox>& as,
+                                                  const std::vector<SpaceBox>& bs, double size);
 
 /// Calls meet(a, b) for each of them.
 template <class Meet>
-void forOverlaps(const std::vector<Box>& as, const std::vector<Box>& bs, double size,
+void forOverlaps(const std::vector<SpaceBox>& as, const std::vector<SpaceBox>& bs, double size,
                  const Meet& meet) {
   for (const auto& [a, b] : overlappingPairs(as, bs, size)) meet(a, b);
 }
