@@ -186,6 +186,22 @@ it('keeps JavaScript, streams, clocks and true randomness out of the core', () =
   expect(offences).toEqual([]);
 });
 
+it('defines every type of the core once: of two that share a name, a linker takes either for both', () => {
+  const places = new Map<string, string[]>();
+  for (const file of coreFiles) {
+    // what has no indentation stands in the namespace; what no name, in the file alone
+    const text = readFileSync(join(root, file), 'utf8').replace(
+      /^namespace \{$[^]*?^\} {2}\/\/ namespace$/gm,
+      '',
+    );
+    for (const [, name = ''] of text.matchAll(/^(?:struct|(?:enum )?class) (\w+)[^;\n]*\{/gm)) {
+      places.set(name, [...(places.get(name) ?? []), file]);
+    }
+  }
+  expect(places.size).toBeGreaterThan(100);
+  expect([...places].filter(([, files]) => files.length > 1)).toEqual([]);
+});
+
 it('uses Node only where Node is meant to be', () => {
   const offences = webFiles
     .filter((file) => !['node', 'cli'].includes(topFolder(inFolder('web/src', file))))
