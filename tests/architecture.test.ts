@@ -190,11 +190,13 @@ it('defines every type of the core once: of two that share a name, a linker take
   const places = new Map<string, string[]>();
   for (const file of coreFiles) {
     // what has no indentation stands in the namespace; what no name, in the file alone
-    const text = readFileSync(join(root, file), 'utf8').replace(
+    const text = readFileSync(file, 'utf8').replace(
       /^namespace \{$[^]*?^\} {2}\/\/ namespace$/gm,
       '',
     );
-    for (const [, name = ''] of text.matchAll(/^(?:struct|(?:enum )?class) (\w+)[^;\n]*\{/gm)) {
+    for (const [, name = ''] of text.matchAll(
+      /^(?:struct|(?:enum )?class) (\w+)(?: (?:final|:) ?[^:{\n]*)? \{/gm,
+    )) {
       places.set(name, [...(places.get(name) ?? []), file]);
     }
   }
