@@ -226,7 +226,7 @@ export class Editor extends WorkbenchElement {
 
   #views(): TemplateResult {
     const words = this.texts.pattern.views;
-    return html`<div class="views" role="group" aria-label=${this.texts.pattern.view}>
+    return html`<div class="views" role="group" aria-label=${words.label}>
       ${views.map(
         (view) =>
           html`<button

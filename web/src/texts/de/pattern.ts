@@ -6,7 +6,7 @@ export const pattern: PatternTexts = {
     label: 'Schnittteile',
     contents: 'Teile und ihre Nähte',
     view: 'Ansicht',
-    views: {pattern: 'Schnitt', garment: 'Getragen', both: 'Beides'},
+    views: {label: 'Gezeigt als', pattern: 'Schnitt', garment: 'Getragen', both: 'Beides'},
     which: 'Welche?',
     edge: 'Offene Kante',
     description:

@@ -5,7 +5,7 @@ export const pattern = {
     label: 'Pattern',
     contents: 'Pieces and their seams',
     view: 'View',
-    views: {pattern: 'Pattern', garment: 'Garment', both: 'Both'},
+    views: {label: 'Shown as', pattern: 'Pattern', garment: 'Garment', both: 'Both'},
     which: 'Which one?',
     edge: 'Open edge',
     description:

@@ -6,7 +6,7 @@ export const pattern: PatternTexts = {
     label: 'Dibujo del patrón',
     contents: 'Las piezas y sus costuras',
     view: 'Vista',
-    views: {pattern: 'Patrón', garment: 'Prenda', both: 'Ambos'},
+    views: {label: 'Mostrado como', pattern: 'Patrón', garment: 'Prenda', both: 'Ambos'},
     which: '¿Cuál?',
     edge: 'Borde libre',
     description:
