@@ -34,7 +34,7 @@ struct TwoSheets {
 
 TEST(DrapeContacts, PushApartByTheGradientOfAnEnergy) {
   const TwoSheets sheets;
-  ClothContacts contacts(sheets.mesh, {{1, 0}}, {}, kGap);
+  ClothContacts contacts(sheets.mesh, {{1, 0}}, {}, {}, {}, kGap);
   contacts.setTouching(true);
   Positions x = sheets.apart(-0.001);  // the upper one below
   contacts.look(x);
@@ -59,7 +59,7 @@ TEST(DrapeContacts, PushApartByTheGradientOfAnEnergy) {
 TEST(DrapeContacts, KeepTheSideThatIsSeenFirstWhereNoPieceIsAbove) {
   const TwoSheets sheets;
   for (const double side : {1.0, -1.0}) {
-    ClothContacts contacts(sheets.mesh, {}, {}, kGap);
+    ClothContacts contacts(sheets.mesh, {}, {}, {}, {}, kGap);
     contacts.setTouching(true);
     contacts.look(sheets.apart(side * 0.004));
     EXPECT_EQ(contacts.energy(sheets.apart(side * 0.004), nullptr), 0);
@@ -76,9 +76,10 @@ TEST(DrapeContacts, HoldAPatchOnWhatItIsStitchedTo) {
   MatchLine match;
   match.piece_a = 1, match.piece_b = 0, match.a = line, match.b = line;
   const std::vector<Overlap> overlaps{{1, 0}};
-  const std::vector<ClothTie> ties = tiesOf(sheets.level, {match}, overlaps, kGap);
+  const std::vector<ClothTie> ties =
+      heldLayers(sheets.level, {match}, overlaps, kGap).ties;
   ASSERT_EQ(ties.size(), 21u);  // 30 cm, each 1.5 cm
-  ClothContacts contacts(sheets.mesh, overlaps, ties, kGap);
+  ClothContacts contacts(sheets.mesh, overlaps, ties, {}, {}, kGap);
   contacts.setTouching(true);
   const testing::Sphere floor(Vec3(0.06, -50, -0.06), 49.98);
   ClothOptions options;

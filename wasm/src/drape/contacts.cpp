@@ -10,6 +10,8 @@ namespace seamwise {
 namespace {
 
 constexpr double kSeen = 0.008;        ///< m, at which a vertex is given its side of a triangle
+constexpr double kLaid = 0.016;        ///< m, at which one is kept on the side that layers say
+constexpr double kParallel = 0.7;      ///< cosine between them, at least
 constexpr double kStiffness = 5e5;     ///< N/m3, of what keeps layers apart
 constexpr double kTieStiffness = 400;  ///< N/m, of a held point
 constexpr double kBeside = 0.05;       ///< share of a triangle that a vertex may be beside it
@@ -57,11 +59,13 @@ void sortOverlaps(std::vector<Overlap>& overlaps) {
 }
 
 ClothContacts::ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps,
-                             std::vector<ClothTie> ties, double gap)
+                             std::vector<ClothTie> ties, std::vector<signed char> laps,
+                             const Positions& laid, double gap)
     : mesh_(&mesh),
       overlaps_(std::move(overlaps)),
       pieces_(mesh.size),
       ties_(std::move(ties)),
+      laps_(std::move(laps)),
       gap_(gap),
       ring_(mesh.size) {
   sortOverlaps(overlaps_);
@@ -71,6 +75,40 @@ ClothContacts::ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps
       insertOnce(ring_[t.vertices[k]], t.vertices[(k + 1) % 3]);
       insertOnce(ring_[t.vertices[k]], t.vertices[(k + 2) % 3]);
     }
+  if (!laid.empty()) lay(laid);
+}
+
+/// Calls meet(vertex, triangle, from the triangle to the vertex) where they are near.
+template <class Meet>
+void ClothContacts::forNear(const Positions& x, double near, const Meet& meet) const {
+  std::vector<SpaceBox> points, boxes;
+  for (const Vec3& p : x)
+    points.push_back({p - Vec3(near, near, near), p + Vec3(near, near, near)});
+  for (const SewnMesh::Triangle& t : mesh_->triangles)
+    boxes.push_back(boxOf(x[t.vertices[0]], x[t.vertices[1]], x[t.vertices[2]]));
+  forOverlaps(points, boxes, kCell, [&](int vertex, int triangle) {
+    const ClothPoint foot = footOf(x[vertex], mesh_->triangles[triangle].vertices, x);
+    for (const double w : foot.weights)
+      if (w < -0.5) return;
+    const Vec3 off = x[vertex] - at(foot, x);
+    if (dot(off, off) <= near * near) meet(vertex, triangle, off);
+  });
+}
+
+/// Layers lie along each other, a little apart; what else is near, as at armholes, does not.
+void ClothContacts::lay(const Positions& x) {
+  std::vector<Vec3> normals(x.size(), Vec3::Zero());
+  for (const SewnMesh::Triangle& t : mesh_->triangles)
+    for (const int v : t.vertices) normals[v] += normalOf(t.vertices, x);
+  forNear(x, kLaid, [&](int vertex, int triangle, const Vec3& off) {
+    const auto& corners = mesh_->triangles[triangle].vertices;
+    const Vec3 normal = normalOf(corners, x);
+    const double apart = dot(normal, off);
+    if (neighbours(vertex, corners) || std::abs(apart) < gap_ ||
+        dot(normal, normals[vertex]) < kParallel * length(normals[vertex]))
+      return;
+    laid_.push_back({vertex, triangle, apart < 0 ? -1.0 : 1.0});
+  });
 }
 
 void ClothContacts::setTouching(bool on) {
@@ -90,6 +128,14 @@ bool ClothContacts::neighbours(int vertex, const std::array<int, 3>& triangle) c
   return false;
 }
 
+/// 0 where they are not of layers that are buttoned.
+double ClothContacts::sideByLaps(int vertex, int triangle) const {
+  if (laps_.empty()) return 0;
+  for (const int v : mesh_->triangles[triangle].vertices)
+    if (laps_[v] != -laps_[vertex]) return 0;
+  return laps_[vertex];
+}
+
 /// 0 where nothing is said of their pieces.
 double ClothContacts::sideByOverlaps(int vertex, int triangle) const {
   const int other = mesh_->triangles[triangle].piece;
@@ -100,19 +146,34 @@ double ClothContacts::sideByOverlaps(int vertex, int triangle) const {
   return 0;
 }
 
-/// As an earlier pair of the vertex with this triangle or one beside it had it; else where the
-/// vertex is now.
+/// As a pair of the vertex with this triangle or one beside it has it, or 0.
+double ClothContacts::sideAmong(const std::vector<Pair>& pairs, const SewnMesh& mesh, int vertex,
+                                int triangle) {
+  const auto& corners = mesh.triangles[triangle].vertices;
+  auto pair = std::lower_bound(pairs.begin(), pairs.end(), Pair{vertex, 0, 0});
+  double beside = 0;
+  for (; pair != pairs.end() && pair->vertex == vertex; ++pair) {
+    if (pair->triangle == triangle) return pair->side;
+    const auto& other = mesh.triangles[pair->triangle].vertices;
+    for (const int v : corners)
+      if (v == other[0] || v == other[1] || v == other[2]) beside = pair->side;
+  }
+  return beside;
+}
+
+/// Layers slide on each other by an edge of their triangles or so.
+double ClothContacts::sideAsLaid(int vertex, int triangle) const {
+  double side = sideAmong(laid_, *mesh_, vertex, triangle);
+  for (std::size_t k = 0; side == 0 && k < ring_[vertex].size(); ++k)
+    side = sideAmong(laid_, *mesh_, ring_[vertex][k], triangle);
+  return side;
+}
+
+/// As an earlier pair had it, else where the vertex is now.
 double ClothContacts::sideBySight(int vertex, int triangle, const Positions& x) const {
   const auto& corners = mesh_->triangles[triangle].vertices;
-  auto earlier = std::lower_bound(pairs_.begin(), pairs_.end(), Pair{vertex, 0, 0});
-  double beside = 0;
-  for (; earlier != pairs_.end() && earlier->vertex == vertex; ++earlier) {
-    if (earlier->triangle == triangle) return earlier->side;
-    const auto& other = mesh_->triangles[earlier->triangle].vertices;
-    for (const int v : corners)
-      if (v == other[0] || v == other[1] || v == other[2]) beside = earlier->side;
-  }
-  if (beside != 0) return beside;
+  const double earlier = sideAmong(pairs_, *mesh_, vertex, triangle);
+  if (earlier != 0) return earlier;
   const double now = dot(normalOf(corners, x), x[vertex] - x[corners[0]]) < 0 ? -1 : 1;
   if (turned_.empty()) return now;
   const bool all = turned_[corners[0]] && turned_[corners[1]] && turned_[corners[2]];
@@ -120,24 +181,17 @@ double ClothContacts::sideBySight(int vertex, int triangle, const Positions& x) 
 }
 
 void ClothContacts::search(const Positions& x) {
-  std::vector<SpaceBox> points, boxes;
-  for (const Vec3& p : x)
-    points.push_back({p - Vec3(kSeen, kSeen, kSeen), p + Vec3(kSeen, kSeen, kSeen)});
-  for (const SewnMesh::Triangle& t : mesh_->triangles)
-    boxes.push_back(boxOf(x[t.vertices[0]], x[t.vertices[1]], x[t.vertices[2]]));
   std::vector<Pair> found;
-  search_cost_ = 200.0 * static_cast<double>(points.size() + boxes.size());
-  forOverlaps(points, boxes, kCell, [&](int vertex, int triangle) {
-    const auto& corners = mesh_->triangles[triangle].vertices;
+  search_cost_ = 200.0 * static_cast<double>(x.size() + mesh_->triangles.size());
+  forNear(x, hasLayers() ? kLaid : kSeen, [&](int vertex, int triangle, const Vec3& off) {
     search_cost_ += kPerPair;
-    if (neighbours(vertex, corners)) return;
-    const ClothPoint foot = footOf(x[vertex], corners, x);
-    for (const double w : foot.weights)
-      if (w < -0.5) return;
-    const Vec3 off = x[vertex] - at(foot, x);
-    if (dot(off, off) > kSeen * kSeen) return;
-    const double side = sideByOverlaps(vertex, triangle);
-    found.push_back({vertex, triangle, side != 0 ? side : sideBySight(vertex, triangle, x)});
+    if (neighbours(vertex, mesh_->triangles[triangle].vertices)) return;
+    double side = sideByOverlaps(vertex, triangle);
+    if (side == 0) side = sideByLaps(vertex, triangle);
+    if (side == 0) side = sideAsLaid(vertex, triangle);
+    if (side == 0 && dot(off, off) > kSeen * kSeen) return;
+    if (side == 0) side = sideBySight(vertex, triangle, x);
+    found.push_back({vertex, triangle, side});
   });
   pairs_ = std::move(found);
 }

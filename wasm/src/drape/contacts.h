@@ -38,15 +38,20 @@ class ClothContacts {
  public:
   /// @param overlaps   pieces of which the first lies on the face of the second; all others stay
   ///                   on the side of each other that they were first seen on
+  /// @param laps       per vertex 1: of a buttoned layer above those of -1; or empty
+  /// @param laid       where the cloth was laid to begin with: layers that are one on the other
+  ///                   there stay so, m; or empty
   /// @param gap        between layers, m
   ClothContacts(const SewnMesh& mesh, std::vector<Overlap> overlaps, std::vector<ClothTie> ties,
-                double gap);
+                std::vector<signed char> laps, const Positions& laid, double gap);
 
   /// Looks for what is near, once in kSearchEach calls, and sets all directions anew.
   void look(const Positions& x);
   /// From now on; ties are always on.
   void setTouching(bool on);
   bool touching() const { return touching_; }
+  /// Whether any part of the cloth was laid on another one.
+  bool hasLayers() const { return !overlaps_.empty() || !laid_.empty(); }
   /// Vertices that crossed the cloth beside them: from now on they belong on the other side.
   void turn(const std::vector<char>& crossed);
 
@@ -79,8 +84,15 @@ class ClothContacts {
     double stiffness;
   };
 
+  template <class Meet>
+  void forNear(const Positions& x, double near, const Meet& meet) const;
+  void lay(const Positions& x);
   void search(const Positions& x);
+  double sideByLaps(int vertex, int triangle) const;
   double sideByOverlaps(int vertex, int triangle) const;
+  static double sideAmong(const std::vector<Pair>& pairs, const SewnMesh& mesh, int vertex,
+                          int triangle);
+  double sideAsLaid(int vertex, int triangle) const;
   double sideBySight(int vertex, int triangle, const Positions& x) const;
   bool neighbours(int vertex, const std::array<int, 3>& triangle) const;
   double excess(const Touch& touch, const Positions& x) const;
@@ -89,12 +101,14 @@ class ClothContacts {
   std::vector<Overlap> overlaps_;         ///< sorted
   std::vector<std::vector<int>> pieces_;  ///< per vertex, those that it is of
   std::vector<ClothTie> ties_;
+  std::vector<signed char> laps_;
   double gap_;
   std::vector<std::vector<int>> ring_;  ///< per vertex those that share an edge with it, sorted
   bool touching_ = false;
   int looks_ = 0;
   double search_cost_ = 0;
   std::vector<char> turned_;  ///< per vertex, or empty
+  std::vector<Pair> laid_;    ///< sorted: of layers, as the cloth was laid
   std::vector<Pair> pairs_;   ///< sorted
   std::vector<Touch> touches_;
   std::vector<Tied> tied_;  ///< by ties_

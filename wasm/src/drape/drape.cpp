@@ -64,8 +64,13 @@ double Drape::fraction() const {
 
 void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from) {
   if (cloth_) spent_ += cloth_->work();
-  LevelCloth::Layers layers{problem_.overlaps, {}, problem_.fabric.offset};
-  layers.ties = tiesOf(level, problem_.matches, problem_.overlaps, layers.gap);
+  LevelCloth::Layers layers{problem_.overlaps, {}, {}, problem_.fabric.offset};
+  layers.held = heldLayers(level, problem_.matches, problem_.overlaps, layers.gap);
+  if (!problem_.settled.empty())
+    layers.laid = problem_.settled;
+  else
+    layers.laid =
+        stage_ == Stage::kSew ? problem_.start : prolonged(problem_.levels, problem_.start);
   cloth_ = std::make_unique<LevelCloth>(mesh, level.image, layers, problem_.fabric, *problem_.body,
                                         from, problem_.options);
 }
@@ -77,12 +82,12 @@ void Drape::begin(Stage stage, const Positions& from) {
   if (stage == Stage::kSew) {
     put(problem_.levels.coarse, coarse_, from);
     cloth_->setFriction(false);
+    cloth_->setTouching(cloth_->hasLayers());
   } else if (stage == Stage::kHang) {
     cloth_->setFriction(problem_.options.friction);
-    cloth_->setTouching(!problem_.overlaps.empty());
   } else {
     put(problem_.levels.fine, fine_, from);
-    cloth_->setTouching(!problem_.overlaps.empty() || cloth_->crossings() > 0);
+    cloth_->setTouching(cloth_->hasLayers() || cloth_->crossings() > 0);
   }
   began_ = work();
   stages_.push_back({stage, static_cast<int>(positions().size()), 0, 0, {cloth_->energy()}});

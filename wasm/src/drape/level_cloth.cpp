@@ -23,24 +23,27 @@ LevelCloth::LevelCloth(const SewnMesh& mesh, const std::vector<int>& image, cons
                        ClothOptions options)
     : mesh_(&mesh), half_(halved(mesh, image, start)), x_(start) {
   if (half_) options.least_x = leastX(layers.gap);
-  contacts_ = std::make_unique<ClothContacts>(
-      solved(), layers.overlaps, half_ ? tiesOfHalf(layers.ties) : layers.ties, layers.gap);
+  const HeldLayers held = half_ ? heldOfHalf(layers.held) : layers.held;
+  contacts_ =
+      std::make_unique<ClothContacts>(solved(), layers.overlaps, held.ties, held.laps,
+                                      half_ ? half_->half(layers.laid) : layers.laid, layers.gap);
   solver_ =
       std::make_unique<ClothSolver>(solved(), fabric, body, half_ ? half_->half(start) : start,
                                     std::move(options), contacts_.get());
 }
 
 /// Those of this half.
-std::vector<ClothTie> LevelCloth::tiesOfHalf(const std::vector<ClothTie>& ties) const {
-  std::vector<ClothTie> own;
-  for (ClothTie tie : ties) {
+HeldLayers LevelCloth::heldOfHalf(const HeldLayers& held) const {
+  HeldLayers own;
+  for (const int v : half_->vertex) own.laps.push_back(held.laps[v]);
+  for (ClothTie tie : held.ties) {
     bool inside = true;
     for (ClothPoint* point : {&tie.a, &tie.b})
       for (int& v : point->vertices) {
         v = half_->in_half[v];
         inside = inside && v >= 0;
       }
-    if (inside) own.push_back(tie);
+    if (inside) own.ties.push_back(tie);
   }
   return own;
 }

@@ -15,7 +15,8 @@ class LevelCloth {
  public:
   struct Layers {
     std::vector<Overlap> overlaps;
-    std::vector<ClothTie> ties;
+    HeldLayers held;
+    Positions laid;  ///< where all vertices were laid to begin with, m
     double gap = 0;  ///< m, between layers
   };
 
@@ -34,6 +35,7 @@ class LevelCloth {
   void setFriction(bool on) { solver_->setFriction(on); }
   void setTouching(bool on) { contacts_->setTouching(on); }
   bool touching() const { return contacts_->touching(); }
+  bool hasLayers() const { return contacts_->hasLayers(); }
   /// Sends what passed through the cloth back: of two parts that cross, the smaller one.
   void turnBack();
   int crossings() const;
@@ -49,7 +51,7 @@ class LevelCloth {
   double sides() const { return half_ ? 2 : 1; }
   const SewnMesh& solved() const { return half_ ? half_->mesh : *mesh_; }
   ClothSolver::Step taken(ClothSolver::Step step);
-  std::vector<ClothTie> tiesOfHalf(const std::vector<ClothTie>& ties) const;
+  HeldLayers heldOfHalf(const HeldLayers& held) const;
   std::vector<double> leastX(double gap) const;
 
   const SewnMesh* mesh_;

@@ -13,6 +13,8 @@ namespace {
 constexpr double kEase = 1.06, kWavesFrom = 1.06, kWaveBase = 1, kSpiral = 1.05;
 // Rings follow each other smoothly over so many levels to either side. [cm]
 constexpr int kSmoothing = 3;
+// A band that goes around once lies on itself for the rest of its length. [1]
+constexpr double kLapped = 0.93;
 // A band that goes around more than once lies on itself by so much. [cm]
 constexpr double kTurnOffset = 0.6;
 
@@ -123,7 +125,7 @@ Ring::Level Ring::levelAt(double level) const {
   const double body = tube_.section(level).girth() * kEase;
   if (!any) {
     // Bands that are longer than 1.6 sections go around in a spiral.
-    out.girth = widest_open < 1.6 * body ? std::max(body, widest_open) : kSpiral * body;
+    out.girth = widest_open < 1.6 * body ? std::max(body, kLapped * widest_open) : kSpiral * body;
     for (std::size_t i = 0; i < count; ++i) out.turn[i] = pieces_[i].angle;
     return out;
   }
@@ -257,8 +259,10 @@ Vec3 Ring::position(int index, int vertex, double outward) const {
     const double arc = level.turn[index] / 360 * level.arc.back() + ahead;
     const Vec2 at = onLine(level, arc);
     const double turns = std::abs(ahead) / level.arc.back() - 0.5;
+    // Of a band that goes around once the right end lies on the left one.
+    const double lap = ahead > 0 ? std::clamp(turns * 20 + 1, 0.0, 1.0) : 0;
     const double layers =
-        piece.inRing() ? 0 : std::clamp(turns * 20, 0.0, 1.0 + std::max(0.0, turns));
+        piece.inRing() ? 0 : std::max(lap, std::clamp(turns * 20, 0.0, 1.0 + std::max(0.0, turns)));
     const double further = outward + kTurnOffset * layers;
     return Vec2(at * (1 + further * 2 * kPi / level.arc.back()));
   };

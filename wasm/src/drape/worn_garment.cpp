@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "drape/closed_bands.h"
 #include "drape/fitting_form.h"
 #include "drape/layers.h"
 #include "drape/turn.h"
@@ -104,6 +105,7 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   if (!as_listed.ok()) return as_listed.error();
   std::vector<int> order = as_listed.value().order;
   garment = ordered(std::move(garment), order);
+  closeBands(&garment.pattern);
   Outcome<Hanging> hanging = hang(garment.garment, garment.pattern, form.value());
   if (!hanging.ok()) return hanging.error();
   Outcome<SewnLevels> levels = sewnLevels(garment.pattern);

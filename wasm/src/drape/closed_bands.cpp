@@ -1,0 +1,90 @@
+#include "drape/closed_bands.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "drape/vectors.h"
+#include "drape/weld.h"
+
+namespace seamwise {
+namespace {
+
+constexpr double kTallest = 15;   ///< cm, of a band
+constexpr double kAsLong = 0.02;  ///< of their length, by which the ends may differ
+constexpr double kCorner = 0.7;   ///< cosine of the turn at the end of an end
+
+/// Per outline position: whether the edge that starts there is sewn, to another piece or to this.
+struct SewnEdges {
+  std::vector<char> any, own;
+};
+
+SewnEdges sewnEdges(const Pattern& pattern, int piece) {
+  const Piece& of = pattern.pieces[piece];
+  SewnEdges edges{std::vector<char>(of.outline.size(), 0), std::vector<char>(of.outline.size(), 0)};
+  for (const Seam& seam : pattern.seams)
+    for (const auto& [side, other] : {std::pair(&seam.a, &seam.b), {&seam.b, &seam.a}})
+      for (std::size_t k = 0; side->piece == piece && k + 1 < side->vertices.size(); ++k) {
+        const int edge = outlineEdge(of, side->vertices[k], side->vertices[k + 1]);
+        edges.any[edge] = 1, edges.own[edge] = other->piece == piece;
+      }
+  return edges;
+}
+
+/// The end of a band that begins at an outline position, as far as its next corner.
+/// @param step   1 or -1, along the outline
+std::vector<int> endFrom(const Piece& piece, const std::vector<char>& sewn, int from, int step) {
+  const int count = static_cast<int>(piece.outline.size());
+  std::vector<int> end{from};
+  while (static_cast<int>(end.size()) < count) {
+    const int at = end.back(), next = (at + step + count) % count;
+    if (sewn[step > 0 ? at : next]) break;
+    if (end.size() > 1) {
+      const Vec2 before = piece.rest[at] - piece.rest[end[end.size() - 2]];
+      const Vec2 after = piece.rest[next] - piece.rest[at];
+      const double along = before.x() * after.x() + before.y() * after.y();
+      if (along < kCorner * planarLength(before) * planarLength(after)) break;
+    }
+    end.push_back(next);
+  }
+  return end;
+}
+
+double lengthOf(const Piece& piece, const std::vector<int>& end) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < end.size(); ++k)
+    sum += planarLength(Vec2(piece.rest[end[k + 1]] - piece.rest[end[k]]));
+  return sum;
+}
+
+}  // namespace
+
+void closeBands(Pattern* pattern) {
+  const Weld weld = welded(*pattern);
+  for (int p = 0; p < static_cast<int>(pattern->pieces.size()); ++p) {
+    const Piece& piece = pattern->pieces[p];
+    const SewnEdges sewn = sewnEdges(*pattern, p);
+    const int count = static_cast<int>(piece.outline.size());
+    for (int from = 0; from < count; ++from) {
+      // Sewn to others from here to `to`.
+      if (!sewn.any[from] || sewn.any[(from + count - 1) % count]) continue;
+      int to = from;
+      bool to_others = true;
+      for (; sewn.any[to] && (to + 1) % count != from; to = (to + 1) % count)
+        to_others = to_others && !sewn.own[to];
+      if (!to_others || weld.knot[p][from] != weld.knot[p][to]) continue;
+      const std::vector<int> a = endFrom(piece, sewn.any, from, -1);
+      const std::vector<int> b = endFrom(piece, sewn.any, to, 1);
+      const double length = lengthOf(piece, a);
+      if (a.size() < 2 || a.size() != b.size() || a.back() == b.back() || length > kTallest ||
+          std::abs(lengthOf(piece, b) - length) > kAsLong * length)
+        continue;
+      Seam seam;
+      seam.a = {p, a}, seam.b = {p, b};
+      seam.matched = false;
+      pattern->seams.push_back(std::move(seam));
+    }
+  }
+}
+
+}  // namespace seamwise

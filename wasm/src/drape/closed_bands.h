@@ -1,0 +1,10 @@
+#pragma once
+#include "pattern/pattern.h"
+
+namespace seamwise {
+
+/// Sews bands that are buttoned edge to edge, such as cuffs, along their ends: pieces whose free
+/// ends, as long as each other, begin at one point of what the band in between is sewn to.
+void closeBands(Pattern* pattern);
+
+}  // namespace seamwise
