@@ -28,6 +28,8 @@ export class WornPane extends WornDrawing {
   /** `show`: for who looks only, in a page that is read on. */
   declare purpose: 'show' | 'edit';
   #showsSeams = false;
+  /** How much of the width shows the garment as it comes; undefined when none does. */
+  #split: number | undefined;
   /** What the camera is nearest to, which is said when it is another. */
   #preset: CameraPreset = 'front';
   /** What was picked last, here or elsewhere. */
@@ -36,6 +38,17 @@ export class WornPane extends WornDrawing {
   constructor() {
     super();
     this.purpose = 'edit';
+  }
+
+  /** Shows the garment as it comes on a part of the width: all of it, say, while a key is held. */
+  set split(split: number | undefined) {
+    this.#split = split;
+    this.requestUpdate();
+  }
+
+  /** Shows the garment as it comes on one half, or not any more. */
+  toggleWipe(): void {
+    this.split = this.#split === undefined ? 0.5 : undefined;
   }
 
   protected override hasSeams(): boolean {
@@ -76,7 +89,9 @@ export class WornPane extends WornDrawing {
   protected override drew(view: GarmentView): void {
     super.drew(view);
     view.setSeams(this.#showsSeams);
-    const {selected, pointed} = this.workbench;
+    const {selected, pointed, scenes} = this.workbench;
+    const split = this.#split;
+    view.setWipe(split === undefined || !scenes ? undefined : {before: scenes.before, split});
     view.setMarked(this.purpose === 'edit' ? {selected, pointed} : {});
   }
 
@@ -92,9 +107,13 @@ export class WornPane extends WornDrawing {
         aria-description=${words.description}
         tabindex="0"
         @keydown=${this.#press}
+        @keyup=${({key}: KeyboardEvent) => {
+          if (key.toLowerCase() === 'w') this.split = undefined;
+        }}
       >
         <div class="stage"></div>
       </div>
+      ${this.#split === undefined ? nothing : this.#wiping(this.#split)}
       ${edits ? this.#bar(words) : nothing}
       <slot name="notice"></slot>
       <div class="foot">
@@ -141,7 +160,22 @@ export class WornPane extends WornDrawing {
           this.#showsSeams = !this.#showsSeams;
           this.requestUpdate();
         })}
+        ${this.#toggle(this.texts.pattern.wipe, this.#split !== undefined, () => {
+          this.toggleWipe();
+        })}
       </div>
+    </div>`;
+  }
+
+  #wiping(split: number): TemplateResult {
+    return html`<div class="wipe">
+      <sw-wipe-handle
+        .workbench=${this.workbench}
+        .split=${split}
+        @input=${({detail}: CustomEvent<number>) => {
+          this.split = detail;
+        }}
+      ></sw-wipe-handle>
     </div>`;
   }
 
@@ -254,6 +288,7 @@ export class WornPane extends WornDrawing {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const preset = presetNames[Number(event.key) - 1];
     if (preset) this.view?.camera.look(preset);
+    else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit') this.split = 1;
     else if (event.key === 'Escape' && this.workbench.selected) this.workbench.select(undefined);
     else if (!this.view?.camera.key(event.key)) return;
     event.preventDefault();

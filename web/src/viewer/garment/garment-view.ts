@@ -8,6 +8,7 @@ import {navigate} from '../navigation.js';
 import {Screen} from '../screen.js';
 import {inks, type Appearance} from '../strokes.js';
 import {TileTexture} from '../tile-texture.js';
+import type {Wipe} from '../wipe-layers.js';
 import {fieldOfView} from './camera.js';
 import {GarmentCamera} from './garment-camera.js';
 import {GarmentPicker, type GarmentTarget} from './garment-picker.js';
@@ -125,6 +126,12 @@ export class GarmentView {
   /** Whether seams are drawn by how they match. */
   setSeams(hasSeams: boolean): void {
     this.#worn.setSeams(hasSeams);
+    this.#screen.request();
+  }
+
+  /** Shows `before` to the left of the split, seen from the same place. Cheap when only the split changes. */
+  setWipe(wipe: Wipe | undefined): void {
+    this.#worn.setWipe(wipe);
     this.#screen.request();
   }
 
@@ -259,7 +266,7 @@ export class GarmentView {
       ...{renderer, raster, ground, isReady: this.#worn.layer !== undefined},
       draw: () => {
         const {home} = this.#camera;
-        if (home) this.#worn.draw(renderer, raster, home);
+        if (home) this.#worn.draw(renderer, raster, home, false);
       },
       done: () => {
         this.#screen.request();
@@ -270,6 +277,6 @@ export class GarmentView {
   #draw(): void {
     if (this.#worn.settle()) this.#camera.fit();
     const orbit = this.#camera.advance();
-    if (orbit) this.#worn.draw(this.#screen.renderer, this.#screen.raster, orbit);
+    if (orbit) this.#worn.draw(this.#screen.renderer, this.#screen.raster, orbit, true);
   }
 }

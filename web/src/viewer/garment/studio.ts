@@ -40,6 +40,14 @@ const widestShadow = 34;
 /** Of nothing. */
 const noPiece = -1;
 
+/** What is drawn between two shares of the width, from the left. */
+interface Part {
+  readonly from: number;
+  readonly to: number;
+  /** On the print as drafted. */
+  readonly isDrafted: boolean;
+}
+
 interface Targets {
   readonly picture: WebGLRenderTarget;
   readonly shadows: WebGLRenderTarget;
@@ -84,6 +92,7 @@ export class Studio {
     accent: {value: new Color()},
     chosen: {value: noPiece},
     pointed: {value: noPiece},
+    isDrafted: {value: false},
   };
   readonly #clothMaterial = shader(shaders.cloth, {...this.#light, ...this.#print});
   readonly #dummyMaterial = shader(shaders.dummy, this.#light);
@@ -184,8 +193,19 @@ export class Studio {
     if (uniforms.strength) uniforms.strength.value = strength;
   }
 
-  /** Draws into the lower left corner of whatever the renderer draws to. @param box of all that is there [cm] */
-  draw(renderer: WebGLRenderer, raster: Raster, orbit: Orbit, box: Box3): void {
+  /**
+   * Draws into the lower left corner of whatever the renderer draws to.
+   * @param box of all that is there [cm]
+   * @param begin told before each part
+   */
+  draw(
+    renderer: WebGLRenderer,
+    raster: Raster,
+    orbit: Orbit,
+    box: Box3,
+    parts: readonly Part[],
+    begin: (part: Part) => void,
+  ): void {
     const before = renderer.getRenderTarget();
     const targets = targetsOf(renderer);
     const {picture, shadows} = targets;
@@ -198,9 +218,16 @@ export class Studio {
     if (picture.width < width || picture.height < height)
       picture.setSize(Math.max(width, picture.width), Math.max(height, picture.height));
     picture.viewport.set(0, 0, width, height);
-    renderer.setRenderTarget(picture);
-    renderer.clear();
-    renderer.render(this.#scene, this.#camera);
+    picture.scissorTest = true;
+    for (const part of parts) {
+      begin(part);
+      this.#print.isDrafted.value = part.isDrafted;
+      const [left, right] = [Math.round(part.from * width), Math.round(part.to * width)];
+      picture.scissor.set(left, 0, right - left, height);
+      renderer.setRenderTarget(picture);
+      renderer.clear();
+      renderer.render(this.#scene, this.#camera);
+    }
     renderer.setRenderTarget(before);
     const {uniforms} = this.#copyMaterial;
     if (uniforms.picture) uniforms.picture.value = picture.texture;
