@@ -101,3 +101,27 @@ it('drapes nothing that nobody sees', async () => {
   await page.locator('seamwise-garment').scrollIntoViewIfNeeded();
   await expect.poll(told, patient).toBeGreaterThan(0);
 });
+
+it('is of a fabric that its design keeps, without being solved for it again', async () => {
+  const {page, put, run} = await openPage({viewport: {width: 700, height: 600}});
+  await page.evaluate(() => {
+    Object.assign(globalThis, {solved: 0});
+    document.addEventListener(
+      'solve',
+      () => (globalThis as unknown as {solved: number}).solved++,
+      true,
+    );
+  });
+  await put(worn.replace('alt=', 'fabric="denim" alt='));
+  await page.locator('seamwise-garment:state(ready)').waitFor();
+  const stored = await run((element) => element.getDesign());
+  expect(stored.fabric).toBe('denim');
+  await run((element) => {
+    element.fabric = 'poplin';
+  });
+  expect(await run((element) => element.getDesign().fabric)).toBe('poplin');
+  expect(await run((element) => element.state)).toBe('ready');
+  await run((element, design) => element.setDesign(design), stored);
+  expect(await run((element) => element.fabric)).toBe('denim');
+  expect(await page.evaluate(() => (globalThis as unknown as {solved: number}).solved)).toBe(2);
+});

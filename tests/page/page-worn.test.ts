@@ -3,7 +3,7 @@ import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
-import {solved, usePage} from '../support/page.js';
+import {button, saved, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();
 
@@ -114,4 +114,21 @@ it('wipes between before and after by a handle that keys move as well, and by a 
   expect(await handle.inputValue()).toBe('100');
   await page.keyboard.up('w');
   await expect.poll(() => handle.count()).toBe(0);
+});
+
+it('is of a fabric that can be taken back, and that the project keeps', async () => {
+  const page = await openWorn();
+  const fabric = page.locator('sw-worn').getByLabel('Fabric');
+  expect(await fabric.inputValue()).toBe('poplin');
+  await fabric.selectOption('denim');
+  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: fabric');
+  expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({design: {fabric: 'denim'}});
+  await solved(page); // no answer depends on it
+  await button(page, 'Undo').click();
+  expect(await fabric.inputValue()).toBe('poplin');
+  await button(page, 'Redo').click();
+  await page.reload();
+  await solved(page);
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
+  expect(await fabric.inputValue()).toBe('denim');
 });

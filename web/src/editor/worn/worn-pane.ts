@@ -1,6 +1,7 @@
 /** The garment as it is worn, to be turned and looked at: its drawing, what is chosen for it, and the same as words. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
+import {fabricOf, usualFabric} from '../../model/design.js';
 import {fabricNames, type FabricName} from '../../model/drape.js';
 import {presetNames, type CameraPreset} from '../../viewer/garment/camera.js';
 import type {GarmentView} from '../../viewer/garment/garment-view.js';
@@ -136,19 +137,21 @@ export class WornPane extends WornDrawing {
   }
 
   #bar(words: WornTexts): TemplateResult {
+    const {design} = this.workbench;
+    const fabric = design ? fabricOf(design) : usualFabric;
     return html`<div class="bar">
       <div class="group">
         <select
           aria-label=${words.fabric}
           title=${words.fabric}
-          .value=${this.draping.fabric}
+          .value=${fabric}
           @change=${({target}: Event) => {
-            this.draping.fabric = (target as HTMLSelectElement).value as FabricName;
+            this.workbench.change({fabric: (target as HTMLSelectElement).value as FabricName});
           }}
         >
           ${fabricNames.map(
             (name) =>
-              html`<option value=${name} ?selected=${name === this.draping.fabric}>
+              html`<option value=${name} ?selected=${name === fabric}>
                 ${words.fabrics[name]}
               </option>`,
           )}
