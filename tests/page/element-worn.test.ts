@@ -83,6 +83,38 @@ it('is turned by keys, says what is seen, and comes back after the graphics were
     .toBe('drawn');
 });
 
+it('is turned by one finger, and moved and zoomed by two', async () => {
+  const {page, put, run} = await openPage({viewport: {width: 700, height: 600}, hasTouch: true});
+  await put(worn);
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const box = await page.locator('seamwise-garment').boundingBox();
+  if (!box) throw new Error('The element has no place.');
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const touch = await page.context().newCDPSession(page);
+  const fingers = (type: string, ...points: (readonly [number, number])[]): Promise<unknown> =>
+    touch.send('Input.dispatchTouchEvent', {
+      type: type as 'touchStart',
+      touchPoints: points.map(([dx, dy], id) => ({x: x + dx, y: y + dy, id})),
+    });
+  const status = page.locator('seamwise-garment sw-worn [role=status]');
+  await expect.poll(() => status.textContent(), patient).toContain('Front view.');
+  await fingers('touchStart', [0, 0]);
+  for (let k = 1; k <= 8; k++) await fingers('touchMove', [-30 * k, 0]);
+  await fingers('touchEnd');
+  await expect.poll(() => status.textContent(), patient).toContain('View from the left.');
+  const seen = (): Promise<string> => page.locator('seamwise-garment').screenshot().then(String);
+  const turned = await seen();
+  await fingers('touchStart', [-40, 0]);
+  await fingers('touchStart', [-40, 0], [40, 0]);
+  for (let k = 1; k <= 5; k++)
+    await fingers('touchMove', [-40 - 8 * k, 6 * k], [40 + 8 * k, 6 * k]);
+  await fingers('touchEnd');
+  await expect.poll(seen, patient).not.toBe(turned);
+  await expect.poll(() => status.textContent(), patient).toContain('View from the left.');
+  expect(await page.evaluate(() => scrollY)).toBe(0);
+  expect(await run((element) => element.state)).toBe('ready');
+});
+
 it('drapes nothing that nobody sees', async () => {
   const {page, put} = await openPage({viewport: {width: 700, height: 600}});
   await page.evaluate(() => {

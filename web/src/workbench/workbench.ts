@@ -262,7 +262,7 @@ export class Workbench {
     const {history, solving} = this.#parts;
     const fresh = newDesign(garment, history.design?.print ?? bareCloth);
     const [pattern] = await Promise.all([solving.meshed(fresh), solving.documentOf(garment)]);
-    const {method = fresh.method, fabric} = history.design ?? fresh;
+    const {method, fabric} = history.design ?? fresh;
     const design = {...fresh, method, ...(fabric && {fabric})};
     Observable.together(() => {
       history.begin(begun({design, view: null}));

@@ -7,11 +7,13 @@ import {presetNames, type CameraPreset} from '../../viewer/garment/camera.js';
 import type {GarmentView} from '../../viewer/garment/garment-view.js';
 import {wornTexts, type WornTexts} from '../../texts/worn-texts.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
+import type {Command} from '../commands/command.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
 import {seamRows, worstSeams} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
+import {commandFor, wornCommands} from './worn-commands.js';
 import {WornDrawing} from './worn-drawing.js';
 import {wornStyle} from './worn-style.js';
 
@@ -50,6 +52,26 @@ export class WornPane extends WornDrawing {
   /** Shows the garment as it comes on one half, or not any more. */
   toggleWipe(): void {
     this.split = this.#split === undefined ? 0.5 : undefined;
+  }
+
+  toggleSeams(): void {
+    this.#showsSeams = !this.#showsSeams;
+    this.requestUpdate();
+  }
+
+  /** Shows what it hangs on, or not any more. */
+  toggleForm(): void {
+    this.form = this.form === 'hidden' ? 'shown' : 'hidden';
+  }
+
+  /** What it can be asked for, with the keys that mean it while it has the focus. */
+  get commands(): readonly Command[] {
+    return wornCommands(this, this.purpose === 'edit', this.texts, this.#words);
+  }
+
+  /** The keys of the garment work. */
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
   }
 
   protected override hasSeams(): boolean {
@@ -157,11 +179,10 @@ export class WornPane extends WornDrawing {
           )}
         </select>
         ${this.#toggle(words.form, this.form !== 'hidden', () => {
-          this.form = this.form === 'hidden' ? 'shown' : 'hidden';
+          this.toggleForm();
         })}
         ${this.#toggle(words.seams, this.#showsSeams, () => {
-          this.#showsSeams = !this.#showsSeams;
-          this.requestUpdate();
+          this.toggleSeams();
         })}
         ${this.#toggle(this.texts.pattern.wipe, this.#split !== undefined, () => {
           this.toggleWipe();
@@ -289,11 +310,11 @@ export class WornPane extends WornDrawing {
 
   readonly #press = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    const preset = presetNames[Number(event.key) - 1];
-    if (preset) this.view?.camera.look(preset);
+    const command = commandFor(this.commands, event.key);
+    if (command) command.run();
     else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit') this.split = 1;
     else if (event.key === 'Escape' && this.workbench.selected) this.workbench.select(undefined);
-    else if (!this.view?.camera.key(event.key)) return;
+    else if (!this.view?.camera.key(event.key, event.shiftKey)) return;
     event.preventDefault();
     event.stopPropagation();
   };

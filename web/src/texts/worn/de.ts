@@ -4,7 +4,7 @@ import type {WornTexts} from './en.js';
 export const worn: WornTexts = {
   label: 'Kleidungsstück, getragen',
   description:
-    'Pfeiltasten drehen das Kleidungsstück, Plus und Minus zoomen; 1 bis 5 zeigen es von vorn, hinten, links, rechts und schräg, 0 zeigt alles.',
+    'Pfeiltasten drehen das Kleidungsstück, mit Umschalt verschieben sie es, Plus und Minus zoomen; 1 bis 5 zeigen es von vorn, hinten, links, rechts und schräg, 0 zeigt alles.',
   fabric: 'Stoff',
   fabrics: {poplin: 'Popeline', jersey: 'Jersey', denim: 'Jeansstoff', chiffon: 'Chiffon'},
   form: 'Büste',

@@ -4,7 +4,7 @@ import type {WornTexts} from './en.js';
 export const worn: WornTexts = {
   label: 'Prenda puesta',
   description:
-    'Las flechas giran la prenda, más y menos acercan y alejan; 1 a 5 la muestran de frente, de espaldas, desde la izquierda, desde la derecha y en tres cuartos, 0 entera.',
+    'Las flechas giran la prenda, con Mayús la desplazan, más y menos acercan y alejan; 1 a 5 la muestran de frente, de espaldas, desde la izquierda, desde la derecha y en tres cuartos, 0 entera.',
   fabric: 'Tela',
   fabrics: {poplin: 'Popelina', jersey: 'Punto', denim: 'Tela vaquera', chiffon: 'Gasa'},
   form: 'Maniquí',

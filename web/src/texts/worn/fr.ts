@@ -4,7 +4,7 @@ import type {WornTexts} from './en.js';
 export const worn: WornTexts = {
   label: 'Vêtement porté',
   description:
-    'Les flèches tournent le vêtement, plus et moins zooment ; 1 à 5 le montrent de face, de dos, de gauche, de droite et de trois quarts, 0 en entier.',
+    'Les flèches tournent le vêtement, avec Maj elles le déplacent, plus et moins zooment ; 1 à 5 le montrent de face, de dos, de gauche, de droite et de trois quarts, 0 en entier.',
   fabric: 'Étoffe',
   fabrics: {
     poplin: 'Popeline',

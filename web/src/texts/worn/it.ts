@@ -4,7 +4,7 @@ import type {WornTexts} from './en.js';
 export const worn: WornTexts = {
   label: 'Capo indossato',
   description:
-    'Le frecce girano il capo, più e meno ingrandiscono e riducono; da 1 a 5 lo mostrano davanti, dietro, da sinistra, da destra e di tre quarti, 0 per intero.',
+    'Le frecce girano il capo, con Maiusc lo spostano, più e meno ingrandiscono e riducono; da 1 a 5 lo mostrano davanti, dietro, da sinistra, da destra e di tre quarti, 0 per intero.',
   fabric: 'Stoffa',
   fabrics: {poplin: 'Popeline di cotone', jersey: 'Maglina', denim: 'Tela jeans', chiffon: 'Velo'},
   form: 'Manichino',

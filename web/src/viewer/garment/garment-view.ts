@@ -222,12 +222,21 @@ export class GarmentView {
       zoomBy: (factor: number) => {
         camera.zoomBy(factor);
       },
-      panBy: (dx: number, dy: number) => {
-        camera.turn(-dragTurn * dx, dragTurn * dy);
+      panBy: (dx: number, dy: number, isFirm?: boolean) => {
+        if (isFirm) camera.pan(dx, -dy, this.#screen.size.height);
+        else camera.turn(-dragTurn * dx, dragTurn * dy);
       },
     };
     navigate(host, moves, signal, {leavesWheel});
-    if (leavesWheel) host.style.touchAction = 'pan-y';
+    if (leavesWheel) {
+      host.style.touchAction = 'pan-y';
+      // one finger may scroll the page, two are for the garment
+      const hold = (event: TouchEvent): void => {
+        if (event.touches.length > 1 && event.cancelable) event.preventDefault();
+      };
+      for (const type of ['touchstart', 'touchmove'] as const)
+        host.addEventListener(type, hold, {signal, passive: false});
+    }
     const pressed = (): void => {
       camera.setTurntable(false);
     };
