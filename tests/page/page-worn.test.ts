@@ -1,9 +1,12 @@
 /** The garment as it is worn, on the page: beside its pattern or in its place, and what is meant in one is meant in both. */
+import {readFile} from 'node:fs/promises';
+
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
 import {button, saved, solved, usePage} from '../support/page.js';
+import {readGlb} from '../support/read-glb.js';
 
 const openPage = usePage();
 
@@ -131,4 +134,35 @@ it('is of a fabric that can be taken back, and that the project keeps', async ()
   await solved(page);
   await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
   expect(await fabric.inputValue()).toBe('denim');
+});
+
+it('gives away a picture of what is seen, a model and a film', async () => {
+  const page = await openWorn();
+  await page.keyboard.press('v'); // both, since nothing has the focus
+  await expect
+    .poll(() => page.locator('sw-worn progress').isVisible(), {timeout: 60_000})
+    .toBe(false);
+  const given = async (name: string): Promise<{name: string; bytes: Buffer}> => {
+    if (!(await button(page, name).isVisible())) await button(page, 'Save …').click();
+    const [download] = await Promise.all([
+      page.waitForEvent('download', {timeout: 60_000}),
+      button(page, name).click(),
+    ]);
+    return {name: download.suggestedFilename(), bytes: await readFile(await download.path())};
+  };
+  const picture = await given('Save picture of the garment');
+  expect(picture.name).toMatch(/\.worn\.png$/);
+  const stage = await page.locator('sw-worn .stage').boundingBox();
+  expect(picture.bytes.readUInt32BE(16)).toBe(2 * Math.round(stage?.width ?? 0));
+  const model = await given('Save 3D model (GLB)');
+  expect(model.name).toMatch(/\.glb$/);
+  const {json} = readGlb(model.bytes);
+  expect(json).toMatchObject({
+    extras: {format: 'seamwise-glb/1', garment: 'Asymmetric dress m'},
+    images: [{mimeType: 'image/png'}],
+  });
+  const film = await given('Save film of a turn');
+  expect(film.name).toMatch(/\.webm$/);
+  expect(film.bytes.subarray(0, 4).toString('hex')).toBe('1a45dfa3');
+  expect(film.bytes.length).toBeGreaterThan(50_000);
 });

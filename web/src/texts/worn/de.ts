@@ -32,4 +32,8 @@ export const worn: WornTexts = {
   again: 'Neu drapieren',
   waiting: 'Wird drapiert, sobald der Druck angepasst ist',
   truth: 'Ein Faltenwurf, keine Zusage zur Passform',
+  savePicture: 'Bild des Kleidungsstücks speichern',
+  saveModel: '3D-Modell speichern (GLB)',
+  saveFilm: 'Film einer Umdrehung speichern',
+  filming: 'Eine Umdrehung wird aufgenommen, 8 Sekunden …',
 };

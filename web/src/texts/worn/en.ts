@@ -31,6 +31,10 @@ export const worn = {
   again: 'Drape again',
   waiting: 'Draped once the print is aligned',
   truth: 'A drape, no promise of fit',
+  savePicture: 'Save picture of the garment',
+  saveModel: 'Save 3D model (GLB)',
+  saveFilm: 'Save film of a turn',
+  filming: 'Recording a turn, 8 seconds …',
 };
 
 export type WornTexts = typeof worn;

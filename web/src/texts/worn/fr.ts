@@ -37,4 +37,8 @@ export const worn: WornTexts = {
   again: 'Draper à nouveau',
   waiting: 'Drapé dès que l’imprimé est aligné',
   truth: 'Un drapé, pas une promesse de coupe',
+  savePicture: 'Enregistrer une image du vêtement',
+  saveModel: 'Enregistrer le modèle 3D (GLB)',
+  saveFilm: 'Enregistrer le film d’un tour',
+  filming: 'Enregistrement d’un tour, 8 secondes…',
 };

@@ -9,7 +9,7 @@ import {Screen} from '../screen.js';
 import {inks, type Appearance} from '../strokes.js';
 import {TileTexture} from '../tile-texture.js';
 import type {Wipe} from '../wipe-layers.js';
-import {fieldOfView} from './camera.js';
+import {fieldOfView, turned, type Orbit} from './camera.js';
 import {GarmentCamera} from './garment-camera.js';
 import {GarmentPicker, type GarmentTarget} from './garment-picker.js';
 import {garmentPicture, type Paper} from './picture.js';
@@ -33,6 +33,13 @@ interface GarmentViewOptions {
   readonly onPick?: (target: GarmentTarget | undefined) => void;
   /** The camera has come to rest, or turns. */
   readonly onMoved?: () => void;
+}
+
+/** Of a picture: usually on the page's ground, from where the camera comes home to. */
+interface Seen {
+  readonly orbit?: Orbit;
+  readonly ground?: Paper['ground'];
+  readonly hasWipe?: boolean;
 }
 
 export class GarmentView {
@@ -189,13 +196,27 @@ export class GarmentView {
 
   /** As a PNG, so many pixels wide, from where the camera comes home to. @throws {Error} before anything is shown, or while the graphics context is lost */
   toBlob(width = pictureWidth): Promise<Blob> {
-    return garmentPicture.blob(this.#paper(width, inks[this.#appearance].paper));
+    return garmentPicture.blob(this.#paper(width));
+  }
+
+  /** As it is seen now, twice as fine, as a PNG. @throws {Error} as `toBlob` does */
+  shot(): Promise<Blob> {
+    const width = Math.min(this.widestPicture, 2 * this.#screen.raster.width);
+    const {orbit} = this.#camera;
+    return garmentPicture.blob(this.#paper(width, {...(orbit && {orbit}), hasWipe: true}));
+  }
+
+  /** So many pixels wide, at this share of a way round it from where the camera comes home to. @throws {Error} as `toBlob` does */
+  onTheWayRound(width: number, share: number): Promise<HTMLCanvasElement> {
+    const {home} = this.#camera;
+    const orbit = home && turned(home, 2 * Math.PI * share);
+    return garmentPicture.canvas(this.#paper(width, {...(orbit && {orbit})}));
   }
 
   /** On white, at once. */
   onPaper(): HTMLCanvasElement | undefined {
     return this.#worn.isWorn
-      ? garmentPicture.now(this.#paper(pictureWidth, [255, 255, 255]))
+      ? garmentPicture.now(this.#paper(pictureWidth, {ground: [255, 255, 255]}))
       : undefined;
   }
 
@@ -267,15 +288,16 @@ export class GarmentView {
     if (this.#camera.isTurning) this.#options.onMoved?.();
   }
 
-  #paper(width: number, ground: Paper['ground']): Paper {
+  #paper(width: number, {orbit, ground, hasWipe = false}: Seen = {}): Paper {
     if (this.#worn.settle()) this.#camera.fit();
     const {renderer, size} = this.#screen;
     const raster = {width, height: Math.round(width / this.#aspect), ratio: width / size.width};
     return {
-      ...{renderer, raster, ground, isReady: this.#worn.layer !== undefined},
+      ...{renderer, raster, ground: ground ?? inks[this.#appearance].paper},
+      isReady: this.#worn.layer !== undefined,
       draw: () => {
-        const {home} = this.#camera;
-        if (home) this.#worn.draw(renderer, raster, home, false);
+        const from = orbit ?? this.#camera.home;
+        if (from) this.#worn.draw(renderer, raster, from, hasWipe);
       },
       done: () => {
         this.#screen.request();
