@@ -5,7 +5,7 @@ import {norm} from '../../model/geometry.js';
 import {titleOfFile} from '../../model/piece-names.js';
 import {imageCell} from '../../model/wallpaper.js';
 import {wornTexts} from '../../texts/worn-texts.js';
-import {film, filmType} from '../../viewer/garment/film.js';
+import {film, filmType} from './film.js';
 import {drapingOf} from '../../workbench/draping.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {WornPane} from './worn-pane.js';

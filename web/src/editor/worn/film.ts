@@ -1,5 +1,5 @@
 /** Once round a worn garment as a film, recorded in the time that it takes to be seen. */
-import type {GarmentView} from './garment-view.js';
+import type {GarmentView} from '../../viewer/garment/garment-view.js';
 
 /** Once round. [ms] */
 const turnTime = 8000;
