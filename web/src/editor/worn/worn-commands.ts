@@ -67,6 +67,31 @@ function looking({view}: CommandedGarment, texts: Texts, words: WornTexts): read
   ];
 }
 
+/** From piece to piece, each seen from where it is. */
+function walking({workbench}: CommandedGarment, words: WornTexts): readonly Command[] {
+  const walk = (step: 1 | -1): void => {
+    const {selected, scenes} = workbench;
+    const count = scenes?.now.pieces.length ?? 0;
+    const first = step > 0 ? -1 : 0;
+    const from = selected?.kind === 'piece' ? selected.piece : first;
+    if (count > 0) workbench.select({kind: 'piece', piece: (from + step + count) % count});
+  };
+  return [
+    {
+      ...{id: 'next piece', title: words.nextPiece, key: 'N'},
+      run: () => {
+        walk(1);
+      },
+    },
+    {
+      ...{id: 'piece before', title: words.pieceBefore, key: 'P'},
+      run: () => {
+        walk(-1);
+      },
+    },
+  ];
+}
+
 /** What is shown of it, and what it is made of. */
 function showing(garment: CommandedGarment, texts: Texts, words: WornTexts): readonly Command[] {
   const {workbench} = garment;
@@ -112,7 +137,7 @@ export const wornCommands = (
   words: WornTexts,
 ): readonly Command[] => [
   ...looking(garment, texts, words),
-  ...(edits ? showing(garment, texts, words) : []),
+  ...(edits ? [...walking(garment, words), ...showing(garment, texts, words)] : []),
 ];
 
 /** The one that a key means. */

@@ -299,7 +299,11 @@ export class WornPane extends WornDrawing {
     if (!drape && state.kind === 'waiting') return words.waiting;
     if (state.kind === 'draping')
       return words.draping(this.format.percent(Math.floor(state.progress.fraction * 4) / 4));
-    const seen = words.seen[this.view?.camera.preset ?? this.#preset];
+    const view = words.seen[this.view?.camera.preset ?? this.#preset];
+    const {selected, scenes} = this.workbench;
+    const piece =
+      selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece]?.label : undefined;
+    const seen = piece === undefined ? view : `${piece}. ${view}`;
     const rows = seamRows(this.workbench, this.texts);
     const [worst] = worstSeams(rows, 1);
     if (!drape || !worst || !this.workbench.result) return seen;

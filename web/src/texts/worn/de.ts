@@ -32,6 +32,8 @@ export const worn: WornTexts = {
   again: 'Neu drapieren',
   waiting: 'Wird drapiert, sobald der Druck angepasst ist',
   truth: 'Ein Faltenwurf, keine Zusage zur Passform',
+  nextPiece: 'Nächstes Teil',
+  pieceBefore: 'Vorheriges Teil',
   savePicture: 'Bild des Kleidungsstücks speichern',
   saveModel: '3D-Modell speichern (GLB)',
   saveFilm: 'Film einer Umdrehung speichern',

@@ -31,6 +31,8 @@ export const worn = {
   again: 'Drape again',
   waiting: 'Draped once the print is aligned',
   truth: 'A drape, no promise of fit',
+  nextPiece: 'Next piece',
+  pieceBefore: 'Piece before',
   savePicture: 'Save picture of the garment',
   saveModel: 'Save 3D model (GLB)',
   saveFilm: 'Save film of a turn',

@@ -32,6 +32,8 @@ export const worn: WornTexts = {
   again: 'Drapear de nuevo',
   waiting: 'Se drapea en cuanto el estampado está alineado',
   truth: 'Una caída, no una promesa de ajuste',
+  nextPiece: 'Pieza siguiente',
+  pieceBefore: 'Pieza anterior',
   savePicture: 'Guardar una imagen de la prenda',
   saveModel: 'Guardar el modelo 3D (GLB)',
   saveFilm: 'Guardar el vídeo de una vuelta',

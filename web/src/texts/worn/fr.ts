@@ -37,6 +37,8 @@ export const worn: WornTexts = {
   again: 'Draper à nouveau',
   waiting: 'Drapé dès que l’imprimé est aligné',
   truth: 'Un drapé, pas une promesse de coupe',
+  nextPiece: 'Pièce suivante',
+  pieceBefore: 'Pièce précédente',
   savePicture: 'Enregistrer une image du vêtement',
   saveModel: 'Enregistrer le modèle 3D (GLB)',
   saveFilm: 'Enregistrer le film d’un tour',

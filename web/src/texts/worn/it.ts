@@ -32,6 +32,8 @@ export const worn: WornTexts = {
   again: 'Drappeggia di nuovo',
   waiting: 'Drappeggiato appena la stampa è allineata',
   truth: 'Un drappeggio, nessuna promessa di vestibilità',
+  nextPiece: 'Pezzo successivo',
+  pieceBefore: 'Pezzo precedente',
   savePicture: 'Salva un’immagine del capo',
   saveModel: 'Salva il modello 3D (GLB)',
   saveFilm: 'Salva il video di un giro',

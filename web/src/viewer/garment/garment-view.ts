@@ -82,6 +82,7 @@ export class GarmentView {
       },
       lost: (isLost) => options.onLost?.(isLost),
     });
+    this.#worn.studio.prepare(this.#screen.renderer);
     this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
       texture.colorSpace = 'srgb'; // light is reckoned with linear colours
       this.#worn.studio.tile = texture;

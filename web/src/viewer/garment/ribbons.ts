@@ -55,6 +55,7 @@ export class Ribbons {
   constructor(material: ShaderMaterial) {
     this.object = new Mesh(new BufferGeometry(), material);
     this.object.frustumCulled = false;
+    this.set([]);
   }
 
   set(lines: readonly RibbonLine[]): void {

@@ -111,10 +111,10 @@ export class Studio {
   readonly #cloth = this.#mesh(this.#clothMaterial);
   readonly #body = this.#mesh(this.#dummyMaterial);
   readonly #stand = this.#mesh(this.#dummyMaterial);
-  readonly #floor = this.#mesh(this.#floorMaterial);
+  readonly #floor = this.#mesh(this.#floorMaterial, ['position']);
   /** The cloth alone: the form is inside. */
   readonly #shade = this.#mesh(this.#depthMaterial);
-  readonly #copy = this.#mesh(this.#copyMaterial);
+  readonly #copy = this.#mesh(this.#copyMaterial, ['position']);
   readonly #scene = new Scene();
   readonly #shadowScene = new Scene();
   readonly #copyScene = new Scene();
@@ -136,6 +136,25 @@ export class Studio {
       new BufferAttribute(Float32Array.of(-1, -1, 0, 3, -1, 0, -1, 3, 0), 3),
     );
     this.#copyScene.add(this.#copy);
+  }
+
+  /** Has the graphics card make its programs, which takes it longer than a frame, before there is anything to be drawn. */
+  prepare(renderer: WebGLRenderer): void {
+    const before = renderer.getRenderTarget();
+    const {picture, shadows} = targetsOf(renderer);
+    for (const [target, scene, camera] of [
+      [shadows, this.#shadowScene, this.#keyCamera],
+      [picture, this.#scene, this.#camera],
+      [before, this.#copyScene, this.#keyCamera],
+    ] as const) {
+      renderer.setRenderTarget(target);
+      renderer.compile(scene, camera);
+    }
+    // each is asked for in a task of its own: the answer waits for the card
+    for (const program of renderer.info.programs ?? [])
+      setTimeout(() => {
+        if (program.usedTimes > 0) program.getUniforms();
+      });
   }
 
   get scene(): Scene {
@@ -245,8 +264,15 @@ export class Studio {
     this.ribbonMaterial.dispose();
   }
 
-  #mesh(material: ShaderMaterial): Mesh<BufferGeometry, ShaderMaterial> {
-    const mesh = new Mesh(new BufferGeometry(), material);
+  /** @param names of attributes that decide which program is made */
+  #mesh(
+    material: ShaderMaterial,
+    names: readonly string[] = ['position', 'normal'],
+  ): Mesh<BufferGeometry, ShaderMaterial> {
+    const geometry = new BufferGeometry();
+    for (const name of names)
+      geometry.setAttribute(name, new BufferAttribute(new Float32Array(), 3));
+    const mesh = new Mesh(geometry, material);
     mesh.frustumCulled = false;
     return mesh;
   }

@@ -8,7 +8,7 @@ import {inks, type Appearance} from '../strokes.js';
 import type {Wipe} from '../wipe-layers.js';
 import type {Orbit} from './camera.js';
 import {ClothLayer} from './cloth-layer.js';
-import {bodyOf, standOf, type Stand} from './dummy.js';
+import {bodyOf, standOf, type Solid, type Stand} from './dummy.js';
 import type {GarmentTarget} from './garment-picker.js';
 import {outlineVertices, Ribbons, seamLines, seamVertices, type RibbonLine} from './ribbons.js';
 import {boxAround, boxDistance, type Box3} from './space.js';
@@ -40,6 +40,7 @@ export class WornScene {
   /** Places that are not drawn yet. */
   #pose: Float32Array | undefined;
   #form: Form | undefined;
+  #dummy: Solid | undefined;
   #stand: Stand | undefined;
   #hasSeams = false;
   #hasForm = true;
@@ -113,6 +114,7 @@ export class WornScene {
   set form(form: Form) {
     if (form === this.#form) return;
     this.#form = form;
+    this.#dummy = bodyOf(form.surface);
     this.#stand = undefined; // it is as high as the garment asks for
   }
 
@@ -192,7 +194,7 @@ export class WornScene {
       const {surface} = this.#form;
       if (!this.#stand) {
         this.#stand = standOf(this.#form, box.low[1]);
-        this.studio.setDummy(bodyOf(surface), this.#stand.parts);
+        if (this.#dummy) this.studio.setDummy(this.#dummy, this.#stand.parts);
       }
       box = boxAround(this.#stand.parts.positions, boxAround(surface.vertices, box));
     }
