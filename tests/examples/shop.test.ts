@@ -119,6 +119,26 @@ async function dragPrint(page: Page): Promise<void> {
   await page.mouse.up();
 }
 
+it('shows the garment as it is worn, its pieces when asked, and the worn one again in another print', async () => {
+  const page = await open(`${shop}garment/tee`);
+  const worn = garment(page).locator('sw-worn');
+  const poster = garment(page).locator('[part=poster]');
+  await poster.waitFor({state: 'hidden'});
+  expect(await worn.isVisible()).toBe(true);
+  await page.getByRole('button', {name: 'Show the pieces'}).click();
+  await garment(page).locator('sw-drawing').waitFor();
+  await poster.waitFor({state: 'hidden'});
+  expect(await worn.count()).toBe(0);
+  await page.getByRole('button', {name: 'Place the print yourself'}).click();
+  await garment(page).locator('sw-place-bar').waitFor();
+  await page.getByRole('button', {name: 'Place the print yourself'}).click();
+  await worn.waitFor();
+  await poster.waitFor({state: 'hidden'});
+  await page.getByText('Snow crystal', {exact: true}).click();
+  await solved(page);
+  expect(await poster.isVisible()).toBe(false);
+});
+
 it('can be walked by keys alone', async () => {
   const page = await open(shop);
   const focused = (): Promise<string> =>

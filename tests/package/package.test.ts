@@ -16,7 +16,7 @@ const kilobyte = 1000;
 /** Compressed as a whole, as the registry sends it; three is not in it. [bytes] */
 const mostForPackage = 690 * kilobyte;
 /** The scripts for pages without a bundler, three and Lit included, the solver's module not. [bytes] */
-const mostForStandalone = 375 * kilobyte;
+const mostForStandalone = 385 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;

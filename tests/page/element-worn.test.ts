@@ -83,6 +83,38 @@ it('is turned by keys, says what is seen, and comes back after the graphics were
     .toBe('drawn');
 });
 
+it('is turned by one finger, and moved and zoomed by two', async () => {
+  const {page, put, run} = await openPage({viewport: {width: 700, height: 600}, hasTouch: true});
+  await put(worn);
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const box = await page.locator('seamwise-garment').boundingBox();
+  if (!box) throw new Error('The element has no place.');
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const touch = await page.context().newCDPSession(page);
+  const fingers = (type: string, ...points: (readonly [number, number])[]): Promise<unknown> =>
+    touch.send('Input.dispatchTouchEvent', {
+      type: type as 'touchStart',
+      touchPoints: points.map(([dx, dy], id) => ({x: x + dx, y: y + dy, id})),
+    });
+  const status = page.locator('seamwise-garment sw-worn [role=status]');
+  await expect.poll(() => status.textContent(), patient).toContain('Front view.');
+  await fingers('touchStart', [0, 0]);
+  for (let k = 1; k <= 8; k++) await fingers('touchMove', [-30 * k, 0]);
+  await fingers('touchEnd');
+  await expect.poll(() => status.textContent(), patient).toContain('View from the left.');
+  const seen = (): Promise<string> => page.locator('seamwise-garment').screenshot().then(String);
+  const turned = await seen();
+  await fingers('touchStart', [-40, 0]);
+  await fingers('touchStart', [-40, 0], [40, 0]);
+  for (let k = 1; k <= 5; k++)
+    await fingers('touchMove', [-40 - 8 * k, 6 * k], [40 + 8 * k, 6 * k]);
+  await fingers('touchEnd');
+  await expect.poll(seen, patient).not.toBe(turned);
+  await expect.poll(() => status.textContent(), patient).toContain('View from the left.');
+  expect(await page.evaluate(() => scrollY)).toBe(0);
+  expect(await run((element) => element.state)).toBe('ready');
+});
+
 it('drapes nothing that nobody sees', async () => {
   const {page, put} = await openPage({viewport: {width: 700, height: 600}});
   await page.evaluate(() => {
@@ -100,4 +132,28 @@ it('drapes nothing that nobody sees', async () => {
   expect(await told()).toBe(0);
   await page.locator('seamwise-garment').scrollIntoViewIfNeeded();
   await expect.poll(told, patient).toBeGreaterThan(0);
+});
+
+it('is of a fabric that its design keeps, without being solved for it again', async () => {
+  const {page, put, run} = await openPage({viewport: {width: 700, height: 600}});
+  await page.evaluate(() => {
+    Object.assign(globalThis, {solved: 0});
+    document.addEventListener(
+      'solve',
+      () => (globalThis as unknown as {solved: number}).solved++,
+      true,
+    );
+  });
+  await put(worn.replace('alt=', 'fabric="denim" alt='));
+  await page.locator('seamwise-garment:state(ready)').waitFor();
+  const stored = await run((element) => element.getDesign());
+  expect(stored.fabric).toBe('denim');
+  await run((element) => {
+    element.fabric = 'poplin';
+  });
+  expect(await run((element) => element.getDesign().fabric)).toBe('poplin');
+  expect(await run((element) => element.state)).toBe('ready');
+  await run((element, design) => element.setDesign(design), stored);
+  expect(await run((element) => element.fabric)).toBe('denim');
+  expect(await page.evaluate(() => (globalThis as unknown as {solved: number}).solved)).toBe(2);
 });

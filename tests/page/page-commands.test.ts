@@ -140,3 +140,40 @@ it.each([
   );
   expect(Math.min(...sizes)).toBeGreaterThanOrEqual(44);
 });
+
+it('finds the views, and with the garment worn what that can be asked for, with the keys of it', async () => {
+  const page = await openPage();
+  await solved(page);
+  await command(page, 'shown garment', 'Shown as: Garment');
+  const worn = page.locator('sw-worn');
+  const status = worn.locator('[role=status]');
+  await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('Front view.');
+  await command(page, 'seen back', 'Seen from: Back');
+  await expect.poll(() => status.textContent(), {timeout: 20_000}).toContain('Back view.');
+  await command(page, 'jersey', 'Fabric: Jersey');
+  expect((await designOf(page)).fabric).toBe('jersey');
+  const garment = page.getByRole('application', {name: 'Garment, worn'});
+  await garment.focus();
+  const toggled = (name: string): Promise<string | null> =>
+    worn.getByRole('button', {name, exact: true}).getAttribute('aria-pressed');
+  for (const [key, name, is] of [
+    ['s', 'Seams', 'true'],
+    ['b', 'Before and after', 'true'],
+    ['d', 'Form', 'false'],
+    ['t', 'Turntable', 'true'],
+  ] as const) {
+    await page.keyboard.press(key);
+    await expect.poll(() => toggled(name)).toBe(is);
+  }
+  await page.keyboard.press('t');
+  await page.keyboard.press('?');
+  const map = page.getByRole('region', {name: 'Keys'});
+  await map.getByRole('heading', {name: 'Garment'}).waitFor();
+  expect(await map.getByText('Seen from: Three-quarter').isVisible()).toBe(true);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('v');
+  expect(await pattern(page).isVisible()).toBe(true);
+  expect(await garment.isVisible()).toBe(true);
+  await page.keyboard.press('v');
+  expect(await worn.count()).toBe(0);
+});

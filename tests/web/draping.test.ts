@@ -189,7 +189,7 @@ describe('a garment as it is worn', () => {
     });
     become({});
     expect(asked).toHaveLength(1);
-    draping.fabric = 'denim';
+    become({design: {...design, fabric: 'denim'}});
     expect(asked[1]?.fabric).toBe('denim');
     asked[1]?.answer(draped(1));
     await settle();

@@ -5,6 +5,7 @@ import {
   eyeOf,
   facing,
   keyTurn,
+  movedBy,
   nearer,
   nearestPreset,
   onTheWay,
@@ -67,6 +68,16 @@ it('comes no nearer than to see cloth, and goes no further than to see it', () =
   const orbit = presetOrbit('front', box, 1);
   expect(nearer(orbit, 1e6, orbit.distance).distance).toBeGreaterThan(10);
   expect(nearer(orbit, 1e-6, orbit.distance).distance).toBeLessThan(3 * orbit.distance);
+});
+
+it('moves in the plane of the picture, and keeps the garment in it', () => {
+  const orbit = turned(presetOrbit('left', box, 1), 0.3, 0.2);
+  const [before] = [projected(orbit.target, orbit, size).at];
+  const moved = projected(orbit.target, movedBy(orbit, box, 5, -3), size).at;
+  expect(moved[0]).toBeLessThan(before[0] - 5);
+  expect(moved[1]).toBeLessThan(before[1] - 3);
+  const far = movedBy(orbit, box, 1e4, 1e4).target;
+  expect(far.every((one, k) => one >= (box.low[k] ?? 0) && one <= (box.high[k] ?? 0))).toBe(true);
 });
 
 it('looks along the ray that a point of the picture is seen by', () => {

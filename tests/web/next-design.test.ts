@@ -23,7 +23,7 @@ function answered(garment: string, read: GarmentDocument, change: Partial<Asked>
     read,
     asked: {
       ...{garment, size: 'm', print: 'p.json', colourway: undefined, symmetry: 'auto'},
-      ...{maxChangeCm: 1, ...change},
+      ...{maxChangeCm: 1, fabric: 'poplin', ...change},
     },
     loaded: {
       garment: {name: 'garment.json', text: ''},
@@ -86,4 +86,14 @@ it('keeps the symmetries that a customer has let go of, and what pieces are call
   const other = nextDesign(answered('dress-m.json', pieces('front')), before, now);
   expect(other).toMatchObject({symmetry: 'auto', seed: 3});
   expect(other).not.toHaveProperty('names');
+});
+
+it('is of the fabric that was asked for last, by the page or by the customer', () => {
+  const first = answered('tee-m.json', pieces('front'), {fabric: 'denim'});
+  const design = nextDesign(first, undefined, undefined);
+  expect(design.fabric).toBe('denim');
+  const next = answered('dress-m.json', pieces('front'), {fabric: 'denim'});
+  expect(nextDesign(next, first, {...design, fabric: 'jersey'}).fabric).toBe('jersey');
+  const usual = answered('dress-m.json', pieces('front'));
+  expect(nextDesign(usual, first, {...design, fabric: 'jersey'}).fabric).toBeUndefined();
 });

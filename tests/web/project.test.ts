@@ -56,6 +56,7 @@ const design: Design = {
     ],
   },
   seed: 7,
+  fabric: 'denim',
 };
 /** As a file holds it. */
 interface Fields {
@@ -192,12 +193,12 @@ describe('a link', () => {
       ...{turnDeg: 90, oneWay: true, cell: 'rectangular', image: 'data:image/png;base64,AAAA'},
     },
   };
-  const {garment, print, symmetry, method, options, seed} = design;
+  const {garment, print, symmetry, method, options, seed, fabric} = design;
   const {group, size, turnDeg, oneWay, cell, sample} = print;
   const samples = {
     garment: garment.sample,
     print: {group, size, turnDeg, oneWay, cell, sample},
-    ...{symmetry, method, options, seed},
+    ...{symmetry, method, options, seed, ...(fabric && {fabric})},
   };
 
   it('holds all of a design of samples but the samples', async () => {

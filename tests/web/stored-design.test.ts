@@ -96,6 +96,7 @@ describe('a stored design', () => {
     ['options.grain.default', 'off'],
     ['seed', 1.5],
     ['seed', 4294967296],
+    ['fabric', 'wool'],
     ['alignments', []],
     ['alignments.front.translation', [1, 1e9]],
     ['result', ''],

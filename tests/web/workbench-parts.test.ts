@@ -1,6 +1,6 @@
 /** A workbench consists of parts, and whoever shows one of them is not called for another. */
 import {ReactiveElement, type PropertyValues} from 'lit';
-import {expect, it} from 'vitest';
+import {expect, it, vi} from 'vitest';
 
 import {WorkbenchElement} from '@/editor/base/workbench-element.js';
 import {seamRows} from '@/editor/lists/rows.js';
@@ -175,4 +175,22 @@ it('notes what is read of while it is asked to', () => {
     workbench.point({kind: 'piece', piece: 0});
   };
   expect(count(pointing)).toBe(0);
+});
+
+it('keeps its answer, and how long that was looked for, when it is made of another fabric', async () => {
+  const {workbench, pattern, answer} = atWork();
+  const options = {...design.options, effort: 4};
+  workbench.begin(begun({design: {...design, options}, view: null}));
+  pattern();
+  answer();
+  await vi.waitFor(() => {
+    expect(workbench.result).toBe(result);
+  });
+  workbench.change({fabric: 'denim'});
+  expect(workbench.state.kind).toBe('done');
+  expect(workbench.result).toBe(result);
+  expect(workbench.design).toMatchObject({fabric: 'denim', options});
+  workbench.undo();
+  expect(workbench.design?.fabric).toBeUndefined();
+  workbench.dispose();
 });

@@ -13,7 +13,7 @@ globalThis.heldByCard = async () => {
   const unseen = {
     ...{isAside: true, isSeen: false, hasSize: false, raster: {width: 1, height: 1, ratio: 1}},
     ...{draw: nothing, arrange: nothing, hang: nothing, copy: nothing, paint: nothing},
-    ...{lost: nothing},
+    ...{lost: nothing, mayBeHidden: nothing},
   };
   const stage = enter(unseen);
   const {geometries, textures} = stage.renderer.info.memory;

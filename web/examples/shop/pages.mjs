@@ -123,13 +123,16 @@ export const productPage = ({catalogue, garment, chosen, cost, cart, lineId}) =>
               ? html`data-design="/cart/${cart.id}/${lineId}/design.json"`
               : html`print="${printPath(chosen.print.name)}"`
           }
-          alt="${garment.title}, its pieces in the print"
+          view="garment"
+          camera="three-quarter"
+          alt="${garment.title} in the print, worn"
           ><p slot="poster" class="poster">
             ${garment.title} in ${chosen.print.title}
           </p></seamwise-garment
         >
         <div class="under">
           <p id="progress" role="status">The print is being laid on the pieces …</p>
+          <button type="button" id="flat" aria-pressed="false">Show the pieces</button>
           <button type="button" id="place" aria-pressed="false">Place the print yourself</button>
         </div>
         <div id="problem" class="problem" role="alert" hidden>

@@ -7,7 +7,9 @@ if (form) sell(form);
 function sell(form) {
   const garment = form.querySelector('seamwise-garment');
   const find = (id) => document.getElementById(id);
-  const [status, problem, place, add] = ['progress', 'problem', 'place', 'add'].map(find);
+  const [status, problem, flat, place, add] = ['progress', 'problem', 'flat', 'place', 'add'].map(
+    find,
+  );
 
   const chosen = (name) => form.querySelector(`input[name="${name}"]:checked`).value;
 
@@ -92,10 +94,19 @@ function sell(form) {
     garment.solve().catch(() => undefined); // the event has told it
   });
 
+  /** The garment is worn, or lies in its pieces: those are what the print is placed on. */
+  function show({isFlat, isPlacing}) {
+    garment.view = isFlat ? 'pattern' : 'garment';
+    garment.mode = isPlacing ? 'place' : 'preview';
+    flat.setAttribute('aria-pressed', String(isFlat));
+    place.setAttribute('aria-pressed', String(isPlacing));
+  }
+  flat.addEventListener('click', () => {
+    show({isFlat: garment.view !== 'pattern', isPlacing: false});
+  });
   place.addEventListener('click', () => {
     const isPlacing = garment.mode !== 'place';
-    garment.mode = isPlacing ? 'place' : 'preview';
-    place.setAttribute('aria-pressed', String(isPlacing));
+    show({isFlat: isPlacing, isPlacing});
   });
 
   // pressed early, the button waits for the print

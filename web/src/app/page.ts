@@ -125,7 +125,12 @@ export class SeamwisePage extends WorkbenchElement {
         <button slot="start" class="outlined" title=${app.openGarment} @click=${this.#keyed.open}>
           ${icon.open} <span class="label">${app.openGarment}</span>
         </button>
-        <sw-save-menu slot="actions" .workbench=${workbench} .projects=${projects}></sw-save-menu>
+        <sw-save-menu
+          slot="actions"
+          .workbench=${workbench}
+          .projects=${projects}
+          .worn=${() => this.#editor?.worn}
+        ></sw-save-menu>
         <button
           slot="actions"
           class="icon"
@@ -207,6 +212,7 @@ export class SeamwisePage extends WorkbenchElement {
           menu.saveCutting();
         },
         link: () => void menu.copyLink(),
+        other: menu.saveOther,
       },
       openGarment: this.#keyed.open,
       openPrint: () => void this.#openPrint(),

@@ -7,11 +7,14 @@ import {
   icon,
   lengthUnit,
   placeUnder,
+  type Command,
   type NumberField,
 } from '../editor/index.js';
+import type {WornPane} from '../editor/worn/worn-pane.js';
 import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
-import {saveCutting, savePicture, saveProject, saveResult} from './save.js';
+import {saveFile} from './files.js';
+import {saveCutting, savePicture, saveProject, saveResult, stem} from './save.js';
 
 /** What most sewing patterns have. [cm] */
 const usualAllowance = 1;
@@ -22,10 +25,15 @@ export class SaveMenu extends WorkbenchElement {
   static override properties = {
     ...WorkbenchElement.properties,
     projects: {attribute: false},
+    worn: {attribute: false},
     allowance: {state: true},
+    ofWorn: {state: true},
   };
   declare projects: Projects;
+  /** Undefined while it is not shown. */
+  declare worn: () => WornPane | undefined;
   declare allowance: number;
+  declare protected ofWorn: readonly Command[];
 
   static override styles = [
     controls,
@@ -50,6 +58,7 @@ export class SaveMenu extends WorkbenchElement {
   constructor() {
     super();
     this.allowance = usualAllowance;
+    this.ofWorn = [];
   }
 
   /** What was asked for is on its way, unless something has to be corrected first. */
@@ -59,10 +68,25 @@ export class SaveMenu extends WorkbenchElement {
       this.renderRoot.querySelector<HTMLElement>('[popover]')?.hidePopover();
   };
 
+  readonly saveOther = (ending: string, content: Blob): void => {
+    saveFile(`${stem(this)}.${ending}`, content);
+  };
+
   readonly copyLink = async (): Promise<void> => {
     const {copyLink} = await import('./links/share-link.js');
     await copyLink(this.workbench, this.projects);
   };
+
+  async #listWorn(): Promise<void> {
+    const worn = this.worn();
+    if (!worn) this.ofWorn = [];
+    else
+      this.ofWorn = (await import('./worn/saves.js')).wornSaves(
+        worn,
+        this.workbench,
+        this.saveOther,
+      );
+  }
 
   protected override render(): TemplateResult {
     const {app, controls: controlTexts} = this.texts;
@@ -76,6 +100,7 @@ export class SaveMenu extends WorkbenchElement {
         popover
         id="save"
         @beforetoggle=${({currentTarget}: Event) => {
+          void this.#listWorn();
           placeUnder(this.renderRoot.querySelector('button'), currentTarget as HTMLElement);
         }}
       >
@@ -126,6 +151,10 @@ export class SaveMenu extends WorkbenchElement {
           >
             ${icon.save} ${app.saveCutting}
           </button>
+          ${this.ofWorn.map(
+            ({title, run}) =>
+              html`<button class="outlined" @click=${run}>${icon.save} ${title}</button>`,
+          )}
           <button class="outlined" @click=${this.copyLink}>${icon.link} ${app.copyLink}</button>
         </div>
       </div>

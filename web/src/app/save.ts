@@ -13,7 +13,8 @@ interface Saved {
   readonly projects: Projects;
 }
 
-const stem = ({projects}: Saved): string => fileNameOf(projects.name);
+/** Of a file's name. */
+export const stem = ({projects}: Saved): string => fileNameOf(projects.name);
 
 export function saveProject(saved: Saved): void {
   const {workbench, projects} = saved;

@@ -41,8 +41,8 @@ export async function drape(words: readonly string[]): Promise<void> {
   if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
   const [outFile, glbFile, bodyFile] = ['--out', '--glb', '--body'].map((flag) => args.value(flag));
   checkFlags(args, glbFile);
-  const settings = await settingsOf(args, bodyFile);
   const {bytes, result} = await readResult(resultFile);
+  const settings = {...fabricIn(result), ...(await settingsOf(args, bodyFile))};
   const cloth = await readClothOf(result, resultFile, {
     printFile,
     colourway: args.value('--colourway'),
@@ -136,6 +136,12 @@ async function timed(
   } finally {
     status.clear();
   }
+}
+
+/** What the design says that a result may hold. */
+function fabricIn({design}: ResultFile): Pick<DrapeSettings, 'fabric'> {
+  const fabric = fabricNames.find((name) => name === fieldOf(design, 'fabric'));
+  return {...(fabric && {fabric})};
 }
 
 /** Pieces of unprinted cloth, as the design says that a result may hold. */

@@ -16,5 +16,6 @@ export function editorKeys(event: KeyboardEvent, commands: KeyCommands): void {
 
 const isTyping = (event: KeyboardEvent): boolean => {
   const [target] = event.composedPath();
+  if (target instanceof HTMLSelectElement) return true; // a letter chooses
   return target instanceof HTMLInputElement && ['text', 'number'].includes(target.type);
 };

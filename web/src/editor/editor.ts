@@ -4,6 +4,7 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import {askedSymmetries} from '../model/design.js';
 import {canAlign} from './commands/can-align.js';
 import {redoWords, undoWords} from './commands/step-words.js';
+import type {Command} from './commands/command.js';
 import type {ShortcutId} from './commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
@@ -11,6 +12,7 @@ import {loadLaterParts, loadWorn} from './load-later-parts.js';
 import {defineParts} from './parts.js';
 import type {LensCursor} from './pattern/marks.js';
 import type {PatternPane} from './pattern/pattern-pane.js';
+import type {WornPane} from './worn/worn-pane.js';
 import {register} from './base/register.js';
 import type {KeyMap} from './shell/key-map.js';
 import {controls} from './style/controls.js';
@@ -26,8 +28,8 @@ import {KeptHeight} from './kept-height.js';
 type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
 
 /** What the garment is shown by: its pieces, or as it is worn. */
-const views = ['pattern', 'garment', 'both'] as const;
-type EditorView = (typeof views)[number];
+export const editorViews = ['pattern', 'garment', 'both'] as const;
+type EditorView = (typeof editorViews)[number];
 
 /** What somebody does who does not wait for the first answer. */
 const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;
@@ -65,6 +67,10 @@ export class Editor extends WorkbenchElement {
       this.workbench.redo();
     },
     keys: () => void this.#toggleKeys(),
+    views: () => {
+      const next = editorViews[editorViews.indexOf(this.shows) + 1];
+      this.show(next ?? 'pattern');
+    },
   } satisfies KeyCommands;
 
   constructor() {
@@ -95,9 +101,23 @@ export class Editor extends WorkbenchElement {
     return this.renderRoot.querySelector<PatternPane>('sw-pattern');
   }
 
+  /** Undefined while the pattern alone is shown, and until what shows it is loaded. */
+  get worn(): WornPane | undefined {
+    const pane = this.renderRoot.querySelector<WornPane>('sw-worn:defined');
+    return pane ?? undefined;
+  }
+
+  show(view: EditorView): void {
+    this.shows = view;
+    if (view === 'both') this.sheet = undefined; // both want the room of it
+  }
+
   /** The keys of the pattern work. */
   toPattern(): void {
-    this.pattern?.focus();
+    if (this.shows === 'garment') this.show('pattern');
+    void this.updateComplete.then(() => {
+      this.pattern?.focus();
+    });
   }
 
   /** Shows or hides the map of keys. */
@@ -207,7 +227,11 @@ export class Editor extends WorkbenchElement {
         </section>
         ${this.#tabs()}
       </div>
-      <sw-key-map .workbench=${workbench} .known=${this.#known}></sw-key-map>
+      <sw-key-map
+        .workbench=${workbench}
+        .known=${this.#known}
+        .more=${this.#keysOfWorn}
+      ></sw-key-map>
     </div>`;
   }
 
@@ -227,14 +251,13 @@ export class Editor extends WorkbenchElement {
   #views(): TemplateResult {
     const words = this.texts.pattern.views;
     return html`<div class="views" role="group" aria-label=${words.label}>
-      ${views.map(
+      ${editorViews.map(
         (view) =>
           html`<button
             title=${words[view]}
             aria-pressed=${view === this.shows}
             @click=${() => {
-              this.shows = view;
-              if (view === 'both') this.sheet = undefined; // both want the room of it
+              this.show(view);
             }}
           >
             ${icon[view]}<span>${words[view]}</span>
@@ -242,6 +265,8 @@ export class Editor extends WorkbenchElement {
       )}
     </div>`;
   }
+
+  readonly #keysOfWorn = (): readonly Command[] => this.worn?.commands ?? [];
 
   /** Commands whose keys work here. */
   get #known(): readonly ShortcutId[] {

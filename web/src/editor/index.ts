@@ -4,7 +4,7 @@ export {controls} from './style/controls.js';
 export {openPrint} from './print/own-tile.js';
 export {printFiles} from './print/print-files.js';
 export {icon} from './style/icons.js';
-export {defineEditor, type Editor} from './editor.js';
+export {defineEditor, editorViews, type Editor} from './editor.js';
 export {focused} from './base/focused.js';
 export {canAlign} from './commands/can-align.js';
 export type {Command} from './commands/command.js';

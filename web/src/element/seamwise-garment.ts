@@ -265,6 +265,8 @@ export class SeamwiseGarment extends AttributeElement {
     } else if (name === 'loading') {
       if (this.isConnected) this.#beginning.watch();
       this.#beginning.schedule();
+    } else if (name === 'fabric') {
+      this.#session.fabric = this.fabric;
     } else if (['units', 'locale', 'lang'].includes(name)) {
       this.#speech.prefer();
     }

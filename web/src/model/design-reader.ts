@@ -3,6 +3,7 @@ import {optionLimits} from './core-tables.js';
 import {askingFor, type AskedSymmetry, type Decisions, type Design} from './design.js';
 import type {Alignment, Point} from './geometry.js';
 import type {GrainRule, Lock, SolveOptions} from './options.js';
+import {fabricNames} from './drape.js';
 import {groupNames, printCells} from './print.js';
 import {methods} from './method.js';
 import {
@@ -108,14 +109,15 @@ export const repeatFields = {
 /** The repeat of a print, without its picture. */
 export const printMeasures = shape(repeatFields);
 
-export const pieceNames = recordOf(pieceName);
+/** Decisions that a file may leave out. */
+export const optionalFields = {names: recordOf(pieceName), fabric: oneOf(fabricNames)};
 
 /** Those of the decisions that all files write alike. */
 export const decisionFields = {method: oneOf(methods), options};
 
 const writtenDecisions = shape(
   {symmetries: askedSymmetry, ...decisionFields},
-  {seed, names: pieceNames},
+  {seed, ...optionalFields},
 );
 
 /** As `written` writes them. */

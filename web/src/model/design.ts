@@ -1,4 +1,5 @@
 /** Everything a person decides about a garment and its print: what undo steps through and what a project file holds. */
+import type {FabricName} from './drape.js';
 import type {PanelDecisions} from './garment-marks.js';
 import type {SolveOptions} from './options.js';
 import type {PieceNames} from './piece-names.js';
@@ -62,6 +63,8 @@ export interface Decisions {
   readonly seed: number;
   /** What pieces are called, where that was chosen. */
   readonly names?: PieceNames;
+  /** What it is made of when it is worn; as usual, where nothing is said. */
+  readonly fabric?: FabricName;
 }
 
 /**
@@ -76,10 +79,23 @@ export interface Design<Garment = DesignGarment, Print = DesignPrint> extends De
 /** What a solve has when nobody asks for another. */
 export const usualSeed = 1;
 
+/** What a garment is made of where nobody says otherwise. */
+export const usualFabric: FabricName = 'poplin';
+
+export const fabricOf = ({fabric = usualFabric}: Pick<Decisions, 'fabric'>): FabricName => fabric;
+
 /** A design's decisions alone. */
-export const decisionsOf = ({symmetry, method, options, seed, names}: Decisions): Decisions => ({
+export const decisionsOf = ({
+  symmetry,
+  method,
+  options,
+  seed,
+  names,
+  fabric,
+}: Decisions): Decisions => ({
   ...{symmetry, method, options, seed},
   ...(names && {names}),
+  ...(fabric && {fabric}),
 });
 
 const noSymmetries: readonly Symmetry[] = [];

@@ -3,7 +3,7 @@ import {decisionsOf, type Design, type DesignPrint} from './design.js';
 import {
   askedSymmetry,
   decisionFields,
-  pieceNames,
+  optionalFields,
   readAlignment,
   repeatFields,
   seed,
@@ -78,7 +78,7 @@ const kind: FileKind<StoredDesign> = {
       result: hash,
       solver: semver,
     },
-    {names: pieceNames},
+    optionalFields,
   ),
   notJson: 'is not JSON; give it a design that was stored by Seamwise.',
   otherKind: `is no design; its 'format' must be 'seamwise-design/${version}'.`,

@@ -5,7 +5,8 @@ import {distance, type Point} from '../model/geometry.js';
 interface Navigable {
   fit(): void;
   zoomBy(factor: number, at?: Point): void;
-  panBy(dx: number, dy: number): void;
+  /** @param isFirm by two fingers or with Shift, where one finger may mean something else */
+  panBy(dx: number, dy: number, isFirm?: boolean): void;
 }
 
 /** A pointer that stays within this is a click. [CSS px] */
@@ -96,7 +97,7 @@ export function navigate(
     fingers.set(event.pointerId, to);
     const after = [...fingers.values()];
     const [was, is] = [middle(before), middle(after)];
-    view.panBy(is[0] - was[0], is[1] - was[1]);
+    view.panBy(is[0] - was[0], is[1] - was[1], before.length > 1 || event.shiftKey);
     if (spread(before) > 0) view.zoomBy(spread(after) / spread(before), is);
   });
   listen('pointerup', lift);

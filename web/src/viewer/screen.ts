@@ -106,6 +106,10 @@ export class Screen implements Drawable {
     this.renderer.setScissor(left, 0, right - left, height);
   }
 
+  mayBeHidden(): void {
+    if (this.#host.clientWidth === 0) this.#resize();
+  }
+
   draw(): void {
     this.#events.draw();
   }

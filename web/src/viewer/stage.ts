@@ -27,6 +27,8 @@ export interface Drawable {
   readonly isSeen: boolean;
   /** Draws into the lower left corner of whatever the renderer draws to; also again, where nothing has changed. */
   readonly draw: () => void;
+  /** Something else is shown from now on, perhaps in its place. */
+  readonly mayBeHidden: () => void;
   /** Lays out what lies over the picture, after a change. */
   readonly arrange: () => void;
   /** Shows the renderer's own canvas. */
@@ -90,6 +92,7 @@ export class Stage {
 
   add(screen: Drawable): void {
     clearTimeout(this.#end);
+    for (const other of this.#screens) other.mayBeHidden();
     this.#screens.add(screen);
     if (this.#isLost) screen.lost(true);
     this.request(screen);
@@ -120,7 +123,7 @@ export class Stage {
   /** The screen has another size. A canvas is empty after that, so where there is no copy it is drawn at once. */
   resized(screen: Drawable): void {
     this.request(screen);
-    if (screen === this.#direct) this.#play();
+    if (screen === this.#direct || screen === this.#soloist()) this.#play();
   }
 
   /** A screen is seen again. */
@@ -148,7 +151,7 @@ export class Stage {
     this.#direct = direct;
     const isOther = before !== direct;
     // whoever gives the canvas back needs a copy in this very frame
-    const queue = new Set(isOther && before ? [before] : []);
+    const queue = new Set(isOther && before?.hasSize ? [before] : []);
     for (const screen of this.#dirty) {
       if (screen.isSeen && !this.#away.has(screen)) queue.add(screen);
     }

@@ -2,6 +2,7 @@
 import type {Design} from '../model/design.js';
 import type {History} from '../model/history.js';
 import {Observable} from './observable.js';
+import {askedFields} from './result-cache.js';
 import type {ShownSheet} from './shown-sheet.js';
 import type {Step, ViewState} from './state.js';
 import {improving, Steps} from './steps.js';
@@ -64,7 +65,8 @@ export class DesignHistory extends Observable {
     if (!this.design) return;
     // how long was looked for an answer belongs to that answer, not to the next question
     const {effort, ...options} = change.options ?? this.design.options;
-    const taken = effort === undefined ? change : {...change, options};
+    const asks = askedFields.some((field) => field in change);
+    const taken = effort === undefined || !asks ? change : {...change, options};
     this.#steps.change(taken, kind, this.#view);
     this.#steps.mend(this.#hooks.mended(this.design));
     this.#arrive();

@@ -7,7 +7,7 @@ import type {
   FabricName,
   Form,
 } from '../model/drape.js';
-import type {Design, DesignGarment} from '../model/design.js';
+import {fabricOf, type Design, type DesignGarment} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
 import type {Point} from '../model/geometry.js';
 import type {SolveResult} from '../model/result.js';
@@ -52,7 +52,6 @@ export class Draping extends Observable {
   /** The oldest first. */
   #kept: readonly (readonly [Question, Drape])[] = [];
   #state: DrapingState = {kind: 'waiting'};
-  #fabric: FabricName = 'poplin';
   /** What was draped last, or is being draped; also where that failed or was cancelled. */
   #question: Question | undefined;
   #running: AbortController | undefined;
@@ -76,17 +75,6 @@ export class Draping extends Observable {
   /** Settled, of the present answer or of the one before. */
   get drape(): Drape | undefined {
     return this.#drape;
-  }
-
-  get fabric(): FabricName {
-    return this.#fabric;
-  }
-
-  set fabric(fabric: FabricName) {
-    if (fabric === this.#fabric) return;
-    this.#fabric = fabric;
-    this.changed();
-    if (this.#viewers.size > 0) this.#follow();
   }
 
   /** Shows what there is, and drapes from now on. @returns what ends that; what nobody looks at is not draped */
@@ -142,7 +130,7 @@ export class Draping extends Observable {
       this.#wait(design);
       return;
     }
-    const question = {garment: design.garment, result, fabric: this.#fabric};
+    const question = {garment: design.garment, result, fabric: fabricOf(design)};
     if (this.#question && isSame(question, this.#question)) return;
     this.#stop();
     this.#question = question;

@@ -11,11 +11,11 @@ interface Answer {
 const most = 8;
 
 /** What an answer depends on: a piece may be renamed without another one. */
-const asked = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'] as const;
+export const askedFields = ['garment', 'print', 'symmetry', 'method', 'options', 'seed'] as const;
 
 /** Known by identity: a step that is taken back and again holds the same objects. */
 const asksSame = (one: Design, other: Design): boolean =>
-  asked.every((field) => one[field] === other[field]);
+  askedFields.every((field) => one[field] === other[field]);
 
 export class ResultCache {
   /** The oldest first. */

@@ -262,7 +262,8 @@ export class Workbench {
     const {history, solving} = this.#parts;
     const fresh = newDesign(garment, history.design?.print ?? bareCloth);
     const [pattern] = await Promise.all([solving.meshed(fresh), solving.documentOf(garment)]);
-    const design = {...fresh, method: history.design?.method ?? fresh.method};
+    const {method, fabric} = history.design ?? fresh;
+    const design = {...fresh, method, ...(fabric && {fabric})};
     Observable.together(() => {
       history.begin(begun({design, view: null}));
       solving.know(garment, pattern);

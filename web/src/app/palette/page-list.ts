@@ -1,12 +1,14 @@
 /** All commands of the page, the likeliest first. */
 import {languageNames, languages, type Command, type Preferences} from '../../editor/index.js';
 import {garmentCommands, printCommands, solveCommands, stepCommands} from './design-list.js';
+import {wornSaves} from '../worn/saves.js';
 import {withKey, type PageParts} from './page-parts.js';
 import {pieceCommands, toolCommands, viewCommands} from './pattern-list.js';
 
 export const allCommands = (parts: PageParts): readonly Command[] => [
   ...stepCommands(parts),
   ...fileCommands(parts),
+  ...wornCommands(parts),
   ...toolCommands(parts),
   ...viewCommands(parts),
   ...solveCommands(parts),
@@ -15,6 +17,14 @@ export const allCommands = (parts: PageParts): readonly Command[] => [
   ...pieceCommands(parts),
   ...settingCommands(parts),
 ];
+
+/** Of the worn garment, while it is shown. */
+function wornCommands({workbench, texts, editor, saves}: PageParts): readonly Command[] {
+  if (!editor.worn) return [];
+  const words = texts.commands.also.save;
+  const commands = wornSaves(editor.worn, workbench, saves.other);
+  return commands.map((command) => ({...command, words}));
+}
 
 function fileCommands(parts: PageParts): readonly Command[] {
   const {workbench, texts, saves} = parts;
@@ -30,7 +40,12 @@ function fileCommands(parts: PageParts): readonly Command[] {
   ];
   if (!workbench.design) return open;
   const why = workbench.result ? undefined : needs.answer;
-  const saved = (id: keyof typeof saves, title: string, words: string, why?: string): Command => ({
+  const saved = (
+    id: Exclude<keyof typeof saves, 'other'>,
+    title: string,
+    words: string,
+    why?: string,
+  ): Command => ({
     ...{id: `save ${id}`, title, words: `${also.save} ${words}`, why, run: saves[id]},
   });
   return [

@@ -24,6 +24,7 @@ export interface PageParts {
     readonly picture: () => void;
     readonly cutting: () => void;
     readonly link: () => void;
+    readonly other: (ending: string, content: Blob) => void;
   };
   readonly openGarment: () => void;
   readonly openPrint: () => void;

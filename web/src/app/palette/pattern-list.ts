@@ -1,5 +1,6 @@
 /** Commands about the pattern: its tools, its pieces and seams, and how it is shown. */
 import {
+  editorViews,
   patternCommands,
   pieceRows,
   seamRows,
@@ -14,7 +15,8 @@ import {withKey, type PageParts} from './page-parts.js';
 const tools = ['piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;
 const zooms = ['fit', 'zoomIn', 'zoomOut', 'zoom'] as const;
 
-export function toolCommands({workbench, texts, editor: {pattern}}: PageParts): readonly Command[] {
+export function toolCommands({workbench, texts, editor}: PageParts): readonly Command[] {
+  const {pattern} = editor;
   if (!pattern || !workbench.design) return [];
   const {commands, symmetry} = texts;
   const list = tools.map((id) =>
@@ -22,7 +24,7 @@ export function toolCommands({workbench, texts, editor: {pattern}}: PageParts): 
       words: id === 'keep' ? commands.also.keep : id === 'move' ? '' : commands.also.symmetry,
       run: () => {
         patternCommands[id](pattern);
-        pattern.focus();
+        editor.toPattern();
       },
     }),
   );
@@ -38,7 +40,26 @@ export function toolCommands({workbench, texts, editor: {pattern}}: PageParts): 
   return [...list, accept];
 }
 
-export function viewCommands({workbench, texts, editor: {pattern}}: PageParts): readonly Command[] {
+/** The views that are not shown, and what can be asked of those that are. */
+export const viewCommands = (parts: PageParts): readonly Command[] => {
+  const {texts, editor} = parts;
+  const words = texts.pattern.views;
+  return [
+    ...editorViews
+      .filter((view) => view !== editor.shows)
+      .map((view): Command => ({
+        ...{id: `view ${view}`, title: texts.lists.of(words.label, words[view])},
+        words: texts.commands.also.view,
+        run: () => {
+          editor.show(view);
+        },
+      })),
+    ...(editor.shows === 'garment' ? [] : patternViews(parts)),
+    ...(editor.worn?.commands ?? []),
+  ];
+};
+
+function patternViews({workbench, texts, editor: {pattern}}: PageParts): readonly Command[] {
   if (!pattern || !workbench.design) return [];
   const {commands, pattern: words} = texts;
   const {view, zoom} = commands.also;
@@ -62,11 +83,8 @@ export function viewCommands({workbench, texts, editor: {pattern}}: PageParts): 
 }
 
 /** What is done to a piece, by its name. */
-export function pieceCommands({
-  workbench,
-  texts,
-  editor: {pattern},
-}: PageParts): readonly Command[] {
+export function pieceCommands({workbench, texts, editor}: PageParts): readonly Command[] {
+  const {pattern} = editor;
   const {commands, remedies, keep, lists, symmetry} = texts;
   const {design, selected} = workbench;
   if (!pattern || !design) return [];
@@ -80,7 +98,7 @@ export function pieceCommands({
   const [worst] = worstSeams(seams, 1);
   const toSeam = (seam: number): void => {
     workbench.select({kind: 'seam', seam, side: 'a'});
-    pattern.focus();
+    editor.toPattern();
   };
   return [
     ofSelected,
@@ -127,7 +145,7 @@ export function pieceCommands({
         title: lists.of(lists.piece, label),
         run: () => {
           workbench.select({kind: 'piece', piece});
-          pattern.focus();
+          editor.toPattern();
         },
       },
     ]),

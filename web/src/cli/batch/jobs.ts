@@ -21,7 +21,7 @@ import {packageVersion} from '../../model/version.js';
 import {addressFrom} from '../../node/addresses.js';
 
 /** A garment in a print. Addresses are whole; the options and symmetries are as the line has them. */
-export interface Job extends Omit<Design<string, string>, 'names'> {
+export interface Job extends Omit<Design<string, string>, 'names' | 'fabric'> {
   readonly label: Label;
   /** Whether to drape the result and to write it as GLB. */
   readonly drape: boolean;

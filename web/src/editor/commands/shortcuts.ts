@@ -18,6 +18,7 @@ const table = {
   keys: {where: 'editor', keys: ['?']},
   undo: {where: 'editor', keys: ['Mod Z']},
   redo: {where: 'editor', keys: ['Mod Shift Z', 'Mod Y']},
+  views: {where: 'editor', keys: ['V']},
   save: {where: 'page', keys: ['Mod S']},
   open: {where: 'page', keys: ['Mod O']},
   piece: {where: 'pattern', keys: ['S']},
@@ -81,9 +82,11 @@ export function keyOf(id: ShortcutId, {keyNames}: Pick<Texts, 'keyNames'>): stri
 
 /** What a command is called. */
 export function titleOf(id: ShortcutId, texts: Texts): string {
-  const {app, symmetry, keep, pattern, commands} = texts;
+  const {app, symmetry, keep, pattern, commands, lists} = texts;
+  const {views} = pattern;
   const titles: Readonly<Record<ShortcutId, string>> = {
     ...{commands: commands.title, keys: app.keys, undo: app.undo, redo: app.redo},
+    views: lists.of(views.label, `${views.pattern}, ${views.garment}, ${views.both}`),
     ...{save: app.saveProject, open: app.openGarment},
     ...{piece: symmetry.piece, axis: commands.axis, pair: symmetry.pair, move: symmetry.move},
     ...{keep: keep.tool, grain: commands.grain, turn: commands.turnSelected, lens: commands.lens},

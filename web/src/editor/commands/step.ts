@@ -1,5 +1,5 @@
 /** What a step changed, so that taking it back can say what goes. */
-import {askedSymmetries, type Design} from '../../model/design.js';
+import {askedSymmetries, fabricOf, type Design} from '../../model/design.js';
 import type {SolveOptions} from '../../model/options.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {solveSettingsOf, type SolveSettings} from '../controls/presets.js';
@@ -37,6 +37,7 @@ export function changeBetween(from: Design, to: Design): Change {
   if (differ(from.symmetry, to.symmetry)) return symmetryChange(from, to);
   const names = changedIn(from.names, to.names);
   if (names.length > 0) return {kind: 'name', pieces: names};
+  if (fabricOf(from) !== fabricOf(to)) return {kind: 'fabric'};
   return (
     pieceGrain(from.options, to.options) ??
     fittingChange(from, to) ??

@@ -15,6 +15,11 @@ const thumb = css`
   cursor: ew-resize;
 `;
 
+const focusedThumb = css`
+  outline: 2px solid var(--sw-accent);
+  outline-offset: 2px;
+`;
+
 /** Sends `input` with the share of the width, from 0 to 1, as its detail. `bare`: without words, the handle at the foot. */
 export class WipeHandle extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, split: {attribute: false}};
@@ -57,6 +62,15 @@ export class WipeHandle extends WorkbenchElement {
       }
       input::-moz-range-thumb {
         ${thumb}
+      }
+      input:focus-visible {
+        outline: none; /* it is as wide as the picture; the handle has one */
+      }
+      input:focus-visible::-webkit-slider-thumb {
+        ${focusedThumb}
+      }
+      input:focus-visible::-moz-range-thumb {
+        ${focusedThumb}
       }
       span {
         position: absolute;

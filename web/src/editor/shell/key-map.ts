@@ -1,6 +1,7 @@
 /** All keys at a glance. */
-import {css, html, type TemplateResult} from 'lit';
+import {css, html, nothing, type TemplateResult} from 'lit';
 
+import type {Command} from '../commands/command.js';
 import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../commands/shortcuts.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {focused} from '../base/focused.js';
@@ -8,9 +9,15 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 
 export class KeyMap extends WorkbenchElement {
-  static override properties = {...WorkbenchElement.properties, known: {attribute: false}};
+  static override properties = {
+    ...WorkbenchElement.properties,
+    known: {attribute: false},
+    more: {attribute: false},
+  };
   /** Commands that there are beside those of the pattern. */
   declare known: readonly ShortcutId[];
+  /** What else has keys just now, while it has the focus. */
+  declare more: () => readonly Command[];
   /** Had the focus before the map; browsers forget it when it is in a shadow. */
   #before: Element | null = null;
 
@@ -40,6 +47,9 @@ export class KeyMap extends WorkbenchElement {
         gap: var(--sw-space-1) var(--sw-space-4);
         margin: var(--sw-space-2) 0 0;
       }
+      h3 {
+        margin-top: var(--sw-space-4);
+      }
       dt {
         color: var(--sw-soft);
         white-space: nowrap;
@@ -51,6 +61,7 @@ export class KeyMap extends WorkbenchElement {
   ];
 
   open(): void {
+    this.requestUpdate(); // there may be other keys than before
     this.renderRoot.querySelector<HTMLElement>('[popover]')?.togglePopover();
   }
 
@@ -83,7 +94,21 @@ export class KeyMap extends WorkbenchElement {
               <dd>${meaning}</dd>`,
         )}
       </dl>
+      ${this.#ofGarment()}
     </div>`;
+  }
+
+  #ofGarment(): TemplateResult | typeof nothing {
+    const keyed = this.more().filter(({key}) => key !== undefined);
+    if (keyed.length === 0) return nothing;
+    return html`<h3>${this.texts.pattern.views.garment}</h3>
+      <dl>
+        ${keyed.map(
+          ({key, title}) =>
+            html`<dt>${key}</dt>
+              <dd>${title}</dd>`,
+        )}
+      </dl>`;
   }
 
   #commands(): readonly (readonly [key: string, meaning: string])[] {

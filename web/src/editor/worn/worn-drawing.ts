@@ -1,7 +1,6 @@
 /** The garment of a workbench as it is worn, and nothing else; it is draped while it is in view. */
 import type {PropertyValues} from 'lit';
 
-import type {FabricName} from '../../model/drape.js';
 import type {GarmentView} from '../../viewer/garment/garment-view.js';
 import type {CameraPreset} from '../../viewer/garment/camera.js';
 import {drapingOf, type Draping} from '../../workbench/draping.js';
@@ -23,14 +22,11 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
     ...SceneDrawing.properties,
     camera: {},
     form: {},
-    fabric: {},
     turntable: {type: Boolean},
   };
   /** Where it is looked at from at first, and comes home to. */
   declare camera: CameraPreset;
   declare form: 'shown' | 'hidden';
-  /** Undefined: whichever was chosen before. */
-  declare fabric: FabricName | undefined;
   /** It goes round until somebody touches it. */
   declare turntable: boolean;
   #observer: IntersectionObserver | undefined;
@@ -91,7 +87,6 @@ export class WornDrawing extends SceneDrawing<GarmentView> {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    if (this.fabric && changed.has('fabric')) this.draping.fabric = this.fabric;
     if (!this.view) return;
     if (changed.has('camera')) this.view.camera.look(this.camera);
     if (changed.has('turntable')) this.view.camera.setTurntable(this.turntable);

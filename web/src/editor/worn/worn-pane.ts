@@ -1,16 +1,19 @@
 /** The garment as it is worn, to be turned and looked at: its drawing, what is chosen for it, and the same as words. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
+import {fabricOf, usualFabric} from '../../model/design.js';
 import {fabricNames, type FabricName} from '../../model/drape.js';
 import {presetNames, type CameraPreset} from '../../viewer/garment/camera.js';
 import type {GarmentView} from '../../viewer/garment/garment-view.js';
 import {wornTexts, type WornTexts} from '../../texts/worn-texts.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
+import type {Command} from '../commands/command.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
 import {seamRows, worstSeams} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
+import {commandFor, wornCommands} from './worn-commands.js';
 import {WornDrawing} from './worn-drawing.js';
 import {wornStyle} from './worn-style.js';
 
@@ -28,6 +31,8 @@ export class WornPane extends WornDrawing {
   /** `show`: for who looks only, in a page that is read on. */
   declare purpose: 'show' | 'edit';
   #showsSeams = false;
+  /** How much of the width shows the garment as it comes; undefined when none does. */
+  #split: number | undefined;
   /** What the camera is nearest to, which is said when it is another. */
   #preset: CameraPreset = 'front';
   /** What was picked last, here or elsewhere. */
@@ -36,6 +41,37 @@ export class WornPane extends WornDrawing {
   constructor() {
     super();
     this.purpose = 'edit';
+  }
+
+  /** Shows the garment as it comes on a part of the width: all of it, say, while a key is held. */
+  set split(split: number | undefined) {
+    this.#split = split;
+    this.requestUpdate();
+  }
+
+  /** Shows the garment as it comes on one half, or not any more. */
+  toggleWipe(): void {
+    this.split = this.#split === undefined ? 0.5 : undefined;
+  }
+
+  toggleSeams(): void {
+    this.#showsSeams = !this.#showsSeams;
+    this.requestUpdate();
+  }
+
+  /** Shows what it hangs on, or not any more. */
+  toggleForm(): void {
+    this.form = this.form === 'hidden' ? 'shown' : 'hidden';
+  }
+
+  /** What it can be asked for, with the keys that mean it while it has the focus. */
+  get commands(): readonly Command[] {
+    return wornCommands(this, this.purpose === 'edit', this.texts, this.#words);
+  }
+
+  /** The keys of the garment work. */
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
   }
 
   protected override hasSeams(): boolean {
@@ -76,7 +112,9 @@ export class WornPane extends WornDrawing {
   protected override drew(view: GarmentView): void {
     super.drew(view);
     view.setSeams(this.#showsSeams);
-    const {selected, pointed} = this.workbench;
+    const {selected, pointed, scenes} = this.workbench;
+    const split = this.#split;
+    view.setWipe(split === undefined || !scenes ? undefined : {before: scenes.before, split});
     view.setMarked(this.purpose === 'edit' ? {selected, pointed} : {});
   }
 
@@ -92,9 +130,13 @@ export class WornPane extends WornDrawing {
         aria-description=${words.description}
         tabindex="0"
         @keydown=${this.#press}
+        @keyup=${({key}: KeyboardEvent) => {
+          if (key.toLowerCase() === 'w') this.split = undefined;
+        }}
       >
         <div class="stage"></div>
       </div>
+      ${this.#split === undefined ? nothing : this.#wiping(this.#split)}
       ${edits ? this.#bar(words) : nothing}
       <slot name="notice"></slot>
       <div class="foot">
@@ -117,31 +159,47 @@ export class WornPane extends WornDrawing {
   }
 
   #bar(words: WornTexts): TemplateResult {
+    const {design} = this.workbench;
+    const fabric = design ? fabricOf(design) : usualFabric;
     return html`<div class="bar">
       <div class="group">
         <select
           aria-label=${words.fabric}
           title=${words.fabric}
-          .value=${this.draping.fabric}
+          .value=${fabric}
           @change=${({target}: Event) => {
-            this.draping.fabric = (target as HTMLSelectElement).value as FabricName;
+            this.workbench.change({fabric: (target as HTMLSelectElement).value as FabricName});
           }}
         >
           ${fabricNames.map(
             (name) =>
-              html`<option value=${name} ?selected=${name === this.draping.fabric}>
+              html`<option value=${name} ?selected=${name === fabric}>
                 ${words.fabrics[name]}
               </option>`,
           )}
         </select>
         ${this.#toggle(words.form, this.form !== 'hidden', () => {
-          this.form = this.form === 'hidden' ? 'shown' : 'hidden';
+          this.toggleForm();
         })}
         ${this.#toggle(words.seams, this.#showsSeams, () => {
-          this.#showsSeams = !this.#showsSeams;
-          this.requestUpdate();
+          this.toggleSeams();
+        })}
+        ${this.#toggle(this.texts.pattern.wipe, this.#split !== undefined, () => {
+          this.toggleWipe();
         })}
       </div>
+    </div>`;
+  }
+
+  #wiping(split: number): TemplateResult {
+    return html`<div class="wipe">
+      <sw-wipe-handle
+        .workbench=${this.workbench}
+        .split=${split}
+        @input=${({detail}: CustomEvent<number>) => {
+          this.split = detail;
+        }}
+      ></sw-wipe-handle>
     </div>`;
   }
 
@@ -241,7 +299,11 @@ export class WornPane extends WornDrawing {
     if (!drape && state.kind === 'waiting') return words.waiting;
     if (state.kind === 'draping')
       return words.draping(this.format.percent(Math.floor(state.progress.fraction * 4) / 4));
-    const seen = words.seen[this.view?.camera.preset ?? this.#preset];
+    const view = words.seen[this.view?.camera.preset ?? this.#preset];
+    const {selected, scenes} = this.workbench;
+    const piece =
+      selected?.kind === 'piece' ? scenes?.now.pieces[selected.piece]?.label : undefined;
+    const seen = piece === undefined ? view : `${piece}. ${view}`;
     const rows = seamRows(this.workbench, this.texts);
     const [worst] = worstSeams(rows, 1);
     if (!drape || !worst || !this.workbench.result) return seen;
@@ -252,10 +314,11 @@ export class WornPane extends WornDrawing {
 
   readonly #press = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    const preset = presetNames[Number(event.key) - 1];
-    if (preset) this.view?.camera.look(preset);
+    const command = commandFor(this.commands, event.key);
+    if (command) command.run();
+    else if (event.key.toLowerCase() === 'w' && this.purpose === 'edit') this.split = 1;
     else if (event.key === 'Escape' && this.workbench.selected) this.workbench.select(undefined);
-    else if (!this.view?.camera.key(event.key)) return;
+    else if (!this.view?.camera.key(event.key, event.shiftKey)) return;
     event.preventDefault();
     event.stopPropagation();
   };

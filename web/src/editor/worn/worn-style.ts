@@ -14,6 +14,11 @@ export const wornStyle = css`
     grid-area: 2 / 1;
     position: relative;
   }
+  .wipe {
+    grid-area: 2 / 1;
+    position: relative;
+    pointer-events: none;
+  }
   .application:focus-visible {
     outline-offset: -2px;
   }

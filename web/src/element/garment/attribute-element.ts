@@ -187,7 +187,7 @@ export abstract class AttributeElement extends FormElement {
   }
 
   /** As attributes: a garment's template stays where it gives the same file. */
-  protected writeDesign({garment, print, symmetry, options}: StoredDesign): void {
+  protected writeDesign({garment, print, symmetry, options, fabric}: StoredDesign): void {
     const template = this.getAttribute('garment');
     const isThis = template !== null && sameUrl(garmentUrl(template, garment.size), garment.url);
     if (isThis) this.forget('garment');
@@ -196,6 +196,7 @@ export abstract class AttributeElement extends FormElement {
     this.print = print.url;
     this.colourway = print.colourway;
     this.symmetry = symmetry;
+    this.fabric = fabric;
     if (options.maxChangeCm !== undefined) this.maxChangeMm = options.maxChangeCm * 10;
   }
 
@@ -241,6 +242,7 @@ export abstract class AttributeElement extends FormElement {
       size: size || undefined,
       colourway: colourway || undefined,
       maxChangeCm: this.maxChangeMm / 10,
+      fabric: this.fabric,
     };
   }
 

@@ -9,7 +9,7 @@ import type {OfferedPrint} from './offered-prints.js';
 import type {GarmentSession} from './session.js';
 
 /** How a worn garment is shown. */
-type Worn = Pick<AttributeElement, 'dummy' | 'fabric' | 'camera' | 'turntable'>;
+type Worn = Pick<AttributeElement, 'dummy' | 'camera' | 'turntable'>;
 
 interface Face {
   readonly session: GarmentSession;
@@ -78,7 +78,6 @@ const wornGarment = (worn: Worn, beside: boolean, workbench: Workbench): Templat
     .beside=${beside}
     .purpose=${'show'}
     .form=${worn.dummy}
-    .fabric=${worn.fabric}
     .camera=${worn.camera}
     .turntable=${worn.turntable}
   ></sw-worn>`;

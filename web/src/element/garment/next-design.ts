@@ -1,5 +1,5 @@
 /** The design that follows when something else is asked for: what the user has changed of the rest stays. */
-import type {Design} from '../../model/design.js';
+import {usualFabric, type Design} from '../../model/design.js';
 import type {GarmentDocument} from '../../model/garment-document.js';
 import {newDesign} from '../../workbench/samples.js';
 import type {Asked, Loaded} from './sources.js';
@@ -37,6 +37,7 @@ export function nextDesign(
     (before && !isSameGarment
       ? pinsFor(kept.options.pins, {asked, loaded}, before, read)
       : undefined);
+  const fabric = before?.asked.fabric === asked.fabric ? kept.fabric : asked.fabric;
   const isSameSymmetry = isSameGarment && before.asked.symmetry === asked.symmetry;
   return {
     garment,
@@ -50,6 +51,7 @@ export function nextDesign(
     },
     seed: kept.seed,
     ...(isSameGarment && kept.names && {names: kept.names}),
+    ...(fabric && fabric !== usualFabric && {fabric}),
   };
 }
 

@@ -1,5 +1,6 @@
 /** One garment in one print, from its files to the answer: what the element shows, without the element. */
-import type {Design} from '../../model/design.js';
+import {fabricOf, type Design} from '../../model/design.js';
+import type {FabricName} from '../../model/drape.js';
 import {SolverError, type Failure} from '../../model/failure.js';
 import type {SolveResult} from '../../model/result.js';
 import {writeStoredDesign, type StoredDesign} from '../../model/stored-design.js';
@@ -170,6 +171,15 @@ export class GarmentSession {
     const {design, garment: before} = this.workbench;
     if (!design?.options.pins || this.#last?.loaded.garment === garment) return {};
     return {before, next: await this.workbench.documentOf(garment).catch(() => undefined)};
+  }
+
+  /** What the present design is made of when it is worn: nothing is read or solved for that. */
+  set fabric(fabric: FabricName) {
+    const {design} = this.workbench;
+    if (this.#last) this.#last = {...this.#last, asked: {...this.#last.asked, fabric}};
+    if (!design || fabricOf(design) === fabric) return;
+    this.workbench.change({fabric});
+    this.#given = this.workbench.design;
   }
 
   /** As the program gave it, without what the user has changed. */

@@ -7,6 +7,7 @@ import {
   type DesignPrint,
 } from '../../model/design.js';
 import {symmetryList} from '../../model/design-reader.js';
+import type {FabricName} from '../../model/drape.js';
 import {SolverError} from '../../model/failure.js';
 import {colourwayOf, type Print} from '../../model/print.js';
 import {fieldOf, Malformed} from '../../model/read.js';
@@ -28,6 +29,7 @@ export interface Asked {
   readonly symmetry: string | object;
   /** [cm] */
   readonly maxChangeCm: number;
+  readonly fabric: FabricName;
 }
 
 /** As it came; the same objects again while the same is asked for. */

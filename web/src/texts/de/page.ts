@@ -93,6 +93,7 @@ export const page: PageTexts = {
     openEdges: 'offene Kanten',
     change: 'größte Änderung',
     name: 'Name',
+    fabric: 'Stoff',
     improve: 'Verbesserung',
   },
   introduction: {

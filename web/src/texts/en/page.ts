@@ -90,6 +90,7 @@ export const page = {
     openEdges: 'open edges',
     change: 'greatest change',
     name: 'name',
+    fabric: 'fabric',
     improve: 'improvement',
   },
   introduction: {

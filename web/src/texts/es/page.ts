@@ -92,6 +92,7 @@ export const page: PageTexts = {
     openEdges: 'bordes libres',
     change: 'cambio máximo',
     name: 'nombre',
+    fabric: 'tela',
     improve: 'mejora',
   },
   introduction: {

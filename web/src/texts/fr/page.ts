@@ -93,6 +93,7 @@ export const page: PageTexts = {
     openEdges: 'bords libres',
     change: 'changement maximal',
     name: 'nom',
+    fabric: 'étoffe',
     improve: 'amélioration',
   },
   introduction: {

@@ -92,6 +92,7 @@ export const page: PageTexts = {
     openEdges: 'bordi liberi',
     change: 'modifica massima',
     name: 'nome',
+    fabric: 'stoffa',
     improve: 'miglioramento',
   },
   introduction: {

@@ -4,7 +4,7 @@ import type {WornTexts} from './en.js';
 export const worn: WornTexts = {
   label: 'Kleidungsstück, getragen',
   description:
-    'Pfeiltasten drehen das Kleidungsstück, Plus und Minus zoomen; 1 bis 5 zeigen es von vorn, hinten, links, rechts und schräg, 0 zeigt alles.',
+    'Pfeiltasten drehen das Kleidungsstück, mit Umschalt verschieben sie es, Plus und Minus zoomen; 1 bis 5 zeigen es von vorn, hinten, links, rechts und schräg, 0 zeigt alles.',
   fabric: 'Stoff',
   fabrics: {poplin: 'Popeline', jersey: 'Jersey', denim: 'Jeansstoff', chiffon: 'Chiffon'},
   form: 'Büste',
@@ -32,4 +32,10 @@ export const worn: WornTexts = {
   again: 'Neu drapieren',
   waiting: 'Wird drapiert, sobald der Druck angepasst ist',
   truth: 'Ein Faltenwurf, keine Zusage zur Passform',
+  nextPiece: 'Nächstes Teil',
+  pieceBefore: 'Vorheriges Teil',
+  savePicture: 'Bild des Kleidungsstücks speichern',
+  saveModel: '3D-Modell speichern (GLB)',
+  saveFilm: 'Film einer Umdrehung speichern',
+  filming: 'Eine Umdrehung wird aufgenommen, 8 Sekunden …',
 };

@@ -3,7 +3,7 @@
 export const worn = {
   label: 'Garment, worn',
   description:
-    'Arrow keys turn the garment, plus and minus zoom; 1 to 5 show it from the front, the back, the left, the right and at an angle, 0 all of it.',
+    'Arrow keys turn the garment, with Shift they move it, plus and minus zoom; 1 to 5 show it from the front, the back, the left, the right and at an angle, 0 all of it.',
   fabric: 'Fabric',
   fabrics: {poplin: 'Poplin', jersey: 'Jersey', denim: 'Denim', chiffon: 'Chiffon'},
   form: 'Form',
@@ -31,6 +31,12 @@ export const worn = {
   again: 'Drape again',
   waiting: 'Draped once the print is aligned',
   truth: 'A drape, no promise of fit',
+  nextPiece: 'Next piece',
+  pieceBefore: 'Piece before',
+  savePicture: 'Save picture of the garment',
+  saveModel: 'Save 3D model (GLB)',
+  saveFilm: 'Save film of a turn',
+  filming: 'Recording a turn, 8 seconds …',
 };
 
 export type WornTexts = typeof worn;

@@ -4,7 +4,7 @@ import type {WornTexts} from './en.js';
 export const worn: WornTexts = {
   label: 'Prenda puesta',
   description:
-    'Las flechas giran la prenda, más y menos acercan y alejan; 1 a 5 la muestran de frente, de espaldas, desde la izquierda, desde la derecha y en tres cuartos, 0 entera.',
+    'Las flechas giran la prenda, con Mayús la desplazan, más y menos acercan y alejan; 1 a 5 la muestran de frente, de espaldas, desde la izquierda, desde la derecha y en tres cuartos, 0 entera.',
   fabric: 'Tela',
   fabrics: {poplin: 'Popelina', jersey: 'Punto', denim: 'Tela vaquera', chiffon: 'Gasa'},
   form: 'Maniquí',
@@ -32,4 +32,10 @@ export const worn: WornTexts = {
   again: 'Drapear de nuevo',
   waiting: 'Se drapea en cuanto el estampado está alineado',
   truth: 'Una caída, no una promesa de ajuste',
+  nextPiece: 'Pieza siguiente',
+  pieceBefore: 'Pieza anterior',
+  savePicture: 'Guardar una imagen de la prenda',
+  saveModel: 'Guardar el modelo 3D (GLB)',
+  saveFilm: 'Guardar el vídeo de una vuelta',
+  filming: 'Grabando una vuelta, 8 segundos…',
 };

@@ -4,7 +4,7 @@ import type {WornTexts} from './en.js';
 export const worn: WornTexts = {
   label: 'Vêtement porté',
   description:
-    'Les flèches tournent le vêtement, plus et moins zooment ; 1 à 5 le montrent de face, de dos, de gauche, de droite et de trois quarts, 0 en entier.',
+    'Les flèches tournent le vêtement, avec Maj elles le déplacent, plus et moins zooment ; 1 à 5 le montrent de face, de dos, de gauche, de droite et de trois quarts, 0 en entier.',
   fabric: 'Étoffe',
   fabrics: {
     poplin: 'Popeline',
@@ -37,4 +37,10 @@ export const worn: WornTexts = {
   again: 'Draper à nouveau',
   waiting: 'Drapé dès que l’imprimé est aligné',
   truth: 'Un drapé, pas une promesse de coupe',
+  nextPiece: 'Pièce suivante',
+  pieceBefore: 'Pièce précédente',
+  savePicture: 'Enregistrer une image du vêtement',
+  saveModel: 'Enregistrer le modèle 3D (GLB)',
+  saveFilm: 'Enregistrer le film d’un tour',
+  filming: 'Enregistrement d’un tour, 8 secondes…',
 };

@@ -4,7 +4,7 @@ import type {WornTexts} from './en.js';
 export const worn: WornTexts = {
   label: 'Capo indossato',
   description:
-    'Le frecce girano il capo, più e meno ingrandiscono e riducono; da 1 a 5 lo mostrano davanti, dietro, da sinistra, da destra e di tre quarti, 0 per intero.',
+    'Le frecce girano il capo, con Maiusc lo spostano, più e meno ingrandiscono e riducono; da 1 a 5 lo mostrano davanti, dietro, da sinistra, da destra e di tre quarti, 0 per intero.',
   fabric: 'Stoffa',
   fabrics: {poplin: 'Popeline di cotone', jersey: 'Maglina', denim: 'Tela jeans', chiffon: 'Velo'},
   form: 'Manichino',
@@ -32,4 +32,10 @@ export const worn: WornTexts = {
   again: 'Drappeggia di nuovo',
   waiting: 'Drappeggiato appena la stampa è allineata',
   truth: 'Un drappeggio, nessuna promessa di vestibilità',
+  nextPiece: 'Pezzo successivo',
+  pieceBefore: 'Pezzo precedente',
+  savePicture: 'Salva un’immagine del capo',
+  saveModel: 'Salva il modello 3D (GLB)',
+  saveFilm: 'Salva il video di un giro',
+  filming: 'Registrazione di un giro, 8 secondi…',
 };

@@ -104,6 +104,16 @@ export const nearer = (orbit: Orbit, factor: number, whole: number): Orbit => ({
   distance: Math.min(range[1] * whole, Math.max(range[0] * whole, orbit.distance / factor)),
 });
 
+/** With its target moved in the plane of the picture, but not out of a box. [cm] */
+export function movedBy(orbit: Orbit, {low, high}: Box3, right: number, up: number): Orbit {
+  const [across, upwards] = screenAxes(orbit);
+  const target = orbit.target.map((value, k) => {
+    const moved = value + right * (across[k] ?? 0) + up * (upwards[k] ?? 0);
+    return Math.min(high[k] ?? 0, Math.max(low[k] ?? 0, moved));
+  }) as [number, number, number];
+  return {...orbit, target};
+}
+
 /** The same angle, more than -pi and at most pi. */
 function withinTurn(angle: number): number {
   const turn = 2 * Math.PI;

@@ -12,6 +12,8 @@ export class ClothLayer {
   positions: Float32Array = new Float32Array();
   readonly normals: Float32Array<ArrayBuffer>;
   #scene: PatternScene | undefined;
+  /** As drafted. */
+  #before: PatternScene | undefined;
 
   constructor(mesh: DrapeMesh) {
     this.cloth = clothOf(mesh);
@@ -22,6 +24,7 @@ export class ClothLayer {
       ['position', 3],
       ['normal', 3],
       ['uv', 2],
+      ['drafted', 2],
       ['printed', 1],
     ] as const) {
       const attribute = new BufferAttribute(new Float32Array(size * count), size);
@@ -53,6 +56,18 @@ export class ClothLayer {
     }
     const printed = this.#array('printed');
     this.cloth.pieces.forEach((piece, k) => (printed[k] = pieces[piece]?.plain ? 0 : 1));
+  }
+
+  /**
+   * Lays its pieces on the print as drafted, too, to be compared. They hang where the cut ones do: drafted ones would
+   * hang elsewhere by no more than outlines are moved, which is millimetres.
+   */
+  draft(before: PatternScene): void {
+    if (before === this.#before || !this.isOf(before)) return;
+    this.#before = before;
+    const {pieces, print} = before;
+    const alignments = pieces.map(({alignment}) => alignment);
+    printPlaces(this.cloth, alignments, print, this.#array('drafted'), 'rest');
   }
 
   isOf({pieces}: PatternScene): boolean {

@@ -94,20 +94,22 @@ export function normalsOf(
   return into;
 }
 
-/** Per drawn vertex its place on the print's image, as the flat pattern has it: one affine map per piece. */
+/** Per drawn vertex its place on the print's image, as the flat pattern has it: one affine map per piece. @param outline of the pieces that lie there: as drafted, or as cut */
 export function printPlaces(
   {mesh, firsts}: Pick<Cloth, 'mesh' | 'firsts'>,
   alignments: readonly Alignment[],
   print: Print,
   into: Float32Array,
+  outline: 'rest' | 'shape' = 'shape',
 ): void {
-  for (const [number, {shape}] of mesh.pieces.entries()) {
+  for (const [number, piece] of mesh.pieces.entries()) {
     const alignment = alignments[number];
     if (!alignment) continue;
-    const at = (k: number): Point => [shape[2 * k] ?? 0, shape[2 * k + 1] ?? 0];
+    const places = piece[outline];
+    const at = (k: number): Point => [places[2 * k] ?? 0, places[2 * k + 1] ?? 0];
     const map = imageCoordinates(print, alignment, at(0));
     const first = firsts[number] ?? 0;
-    for (let k = 0; 2 * k < shape.length; k++) {
+    for (let k = 0; 2 * k < places.length; k++) {
       const [u, v] = apply(map, at(k));
       into[2 * (first + k)] = u;
       into[2 * (first + k) + 1] = v;

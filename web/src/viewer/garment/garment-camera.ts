@@ -1,7 +1,9 @@
 /** The camera of a worn garment: where it is, where it comes home to, and how it gets there. */
 import {
   facing,
+  fieldOfView,
   keyTurn,
+  movedBy,
   nearer,
   nearestPreset,
   presetOrbit,
@@ -12,8 +14,15 @@ import {
 import {Flight} from './flight.js';
 import type {Box3, Vector} from './space.js';
 
-/** One notch of zoom by a key. */
-const keyFactor = 1.25;
+/** Of an arrow key with Shift. [heights of the picture] */
+const keyPan = 0.1;
+
+const arrows: Readonly<Record<string, readonly [right: number, up: number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
 
 /** What it looks at, and in which proportions. */
 interface Room {
@@ -108,34 +117,24 @@ export class GarmentCamera {
     this.#flight.stop();
   }
 
-  /** What a key means to it. @returns whether it means anything */
-  key(key: string): boolean {
-    const ways: Readonly<Record<string, () => void>> = {
-      ArrowLeft: () => {
-        this.turn(-keyTurn);
-      },
-      ArrowRight: () => {
-        this.turn(keyTurn);
-      },
-      ArrowUp: () => {
-        this.turn(0, keyTurn);
-      },
-      ArrowDown: () => {
-        this.turn(0, -keyTurn);
-      },
-      '+': () => {
-        this.zoomBy(keyFactor);
-      },
-      '-': () => {
-        this.zoomBy(1 / keyFactor);
-      },
-      '0': () => {
-        this.look();
-      },
-    };
-    const act = ways[key === '=' ? '+' : key];
-    act?.();
-    return act !== undefined;
+  /** Moves what is seen in the plane of the picture. [px of the picture's height] */
+  pan(right: number, up: number, height: number): void {
+    const {box} = this.#room();
+    if (!box) return;
+    this.#steer((orbit) => {
+      const scale = (2 * orbit.distance * Math.tan(fieldOfView / 2)) / height;
+      return movedBy(orbit, box, -scale * right, -scale * up);
+    });
+  }
+
+  /** What an arrow key means to it: it turns the garment, or with Shift moves it. @returns whether it means anything */
+  key(key: string, isShifted: boolean): boolean {
+    const way = arrows[key];
+    if (!way) return false;
+    const [right, up] = way;
+    if (isShifted) this.pan(keyPan * right, keyPan * up, 1);
+    else this.turn(keyTurn * right, keyTurn * up);
+    return true;
   }
 
   /** Moves on, for a picture that is drawn now. */

@@ -8,7 +8,8 @@ import {navigate} from '../navigation.js';
 import {Screen} from '../screen.js';
 import {inks, type Appearance} from '../strokes.js';
 import {TileTexture} from '../tile-texture.js';
-import {fieldOfView} from './camera.js';
+import type {Wipe} from '../wipe-layers.js';
+import {fieldOfView, turned, type Orbit} from './camera.js';
 import {GarmentCamera} from './garment-camera.js';
 import {GarmentPicker, type GarmentTarget} from './garment-picker.js';
 import {garmentPicture, type Paper} from './picture.js';
@@ -32,6 +33,13 @@ interface GarmentViewOptions {
   readonly onPick?: (target: GarmentTarget | undefined) => void;
   /** The camera has come to rest, or turns. */
   readonly onMoved?: () => void;
+}
+
+/** Of a picture: usually on the page's ground, from where the camera comes home to. */
+interface Seen {
+  readonly orbit?: Orbit;
+  readonly ground?: Paper['ground'];
+  readonly hasWipe?: boolean;
 }
 
 export class GarmentView {
@@ -74,6 +82,7 @@ export class GarmentView {
       },
       lost: (isLost) => options.onLost?.(isLost),
     });
+    this.#worn.studio.prepare(this.#screen.renderer);
     this.#tile = new TileTexture(this.#screen.renderer, (texture) => {
       texture.colorSpace = 'srgb'; // light is reckoned with linear colours
       this.#worn.studio.tile = texture;
@@ -125,6 +134,12 @@ export class GarmentView {
   /** Whether seams are drawn by how they match. */
   setSeams(hasSeams: boolean): void {
     this.#worn.setSeams(hasSeams);
+    this.#screen.request();
+  }
+
+  /** Shows `before` to the left of the split, seen from the same place. Cheap when only the split changes. */
+  setWipe(wipe: Wipe | undefined): void {
+    this.#worn.setWipe(wipe);
     this.#screen.request();
   }
 
@@ -182,13 +197,27 @@ export class GarmentView {
 
   /** As a PNG, so many pixels wide, from where the camera comes home to. @throws {Error} before anything is shown, or while the graphics context is lost */
   toBlob(width = pictureWidth): Promise<Blob> {
-    return garmentPicture.blob(this.#paper(width, inks[this.#appearance].paper));
+    return garmentPicture.blob(this.#paper(width));
+  }
+
+  /** As it is seen now, twice as fine, as a PNG. @throws {Error} as `toBlob` does */
+  shot(): Promise<Blob> {
+    const width = Math.min(this.widestPicture, 2 * this.#screen.raster.width);
+    const {orbit} = this.#camera;
+    return garmentPicture.blob(this.#paper(width, {...(orbit && {orbit}), hasWipe: true}));
+  }
+
+  /** So many pixels wide, at this share of a way round it from where the camera comes home to. @throws {Error} as `toBlob` does */
+  onTheWayRound(width: number, share: number): Promise<HTMLCanvasElement> {
+    const {home} = this.#camera;
+    const orbit = home && turned(home, 2 * Math.PI * share);
+    return garmentPicture.canvas(this.#paper(width, {...(orbit && {orbit})}));
   }
 
   /** On white, at once. */
   onPaper(): HTMLCanvasElement | undefined {
     return this.#worn.isWorn
-      ? garmentPicture.now(this.#paper(pictureWidth, [255, 255, 255]))
+      ? garmentPicture.now(this.#paper(pictureWidth, {ground: [255, 255, 255]}))
       : undefined;
   }
 
@@ -215,12 +244,21 @@ export class GarmentView {
       zoomBy: (factor: number) => {
         camera.zoomBy(factor);
       },
-      panBy: (dx: number, dy: number) => {
-        camera.turn(-dragTurn * dx, dragTurn * dy);
+      panBy: (dx: number, dy: number, isFirm?: boolean) => {
+        if (isFirm) camera.pan(dx, -dy, this.#screen.size.height);
+        else camera.turn(-dragTurn * dx, dragTurn * dy);
       },
     };
     navigate(host, moves, signal, {leavesWheel});
-    if (leavesWheel) host.style.touchAction = 'pan-y';
+    if (leavesWheel) {
+      host.style.touchAction = 'pan-y';
+      // one finger may scroll the page, two are for the garment
+      const hold = (event: TouchEvent): void => {
+        if (event.touches.length > 1 && event.cancelable) event.preventDefault();
+      };
+      for (const type of ['touchstart', 'touchmove'] as const)
+        host.addEventListener(type, hold, {signal, passive: false});
+    }
     const pressed = (): void => {
       camera.setTurntable(false);
     };
@@ -251,15 +289,16 @@ export class GarmentView {
     if (this.#camera.isTurning) this.#options.onMoved?.();
   }
 
-  #paper(width: number, ground: Paper['ground']): Paper {
+  #paper(width: number, {orbit, ground, hasWipe = false}: Seen = {}): Paper {
     if (this.#worn.settle()) this.#camera.fit();
     const {renderer, size} = this.#screen;
     const raster = {width, height: Math.round(width / this.#aspect), ratio: width / size.width};
     return {
-      ...{renderer, raster, ground, isReady: this.#worn.layer !== undefined},
+      ...{renderer, raster, ground: ground ?? inks[this.#appearance].paper},
+      isReady: this.#worn.layer !== undefined,
       draw: () => {
-        const {home} = this.#camera;
-        if (home) this.#worn.draw(renderer, raster, home);
+        const from = orbit ?? this.#camera.home;
+        if (from) this.#worn.draw(renderer, raster, from, hasWipe);
       },
       done: () => {
         this.#screen.request();
@@ -270,6 +309,6 @@ export class GarmentView {
   #draw(): void {
     if (this.#worn.settle()) this.#camera.fit();
     const orbit = this.#camera.advance();
-    if (orbit) this.#worn.draw(this.#screen.renderer, this.#screen.raster, orbit);
+    if (orbit) this.#worn.draw(this.#screen.renderer, this.#screen.raster, orbit, true);
   }
 }

@@ -27,17 +27,23 @@ export const garmentPicture = {
 
   /** As a PNG. @throws {Error} where there is nothing to draw or the browser makes no picture */
   async blob(paper: Paper): Promise<Blob> {
+    const canvas = await garmentPicture.canvas(paper);
+    const blob = await new Promise<Blob | null>((resolve) => {
+      canvas.toBlob(resolve, 'image/png');
+    });
+    if (!blob) throw new Error('The picture cannot be written.');
+    return blob;
+  },
+
+  /** @throws {Error} where there is nothing to draw, or no context to draw with */
+  async canvas(paper: Paper): Promise<HTMLCanvasElement> {
     if (!paper.isReady) throw new Error('There is no garment to draw yet.');
     const {renderer, raster, done} = paper;
     const pixels = await readBack(renderer, raster, paper.draw);
     done();
     const canvas = pixels && onCanvas(pixels, paper.ground);
     if (!canvas) throw new Error('The browser has taken the graphics context away.');
-    const blob = await new Promise<Blob | null>((resolve) => {
-      canvas.toBlob(resolve, 'image/png');
-    });
-    if (!blob) throw new Error('The picture cannot be written.');
-    return blob;
+    return canvas;
   },
 
   /** At once. @returns nothing where the browser makes no picture */

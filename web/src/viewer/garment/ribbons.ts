@@ -49,10 +49,13 @@ export function seamLines(mesh: DrapeMesh, {seams, scale}: PatternScene): readon
 export class Ribbons {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
   #lines: readonly RibbonLine[] = [];
+  /** Vertices. */
+  #count = 0;
 
   constructor(material: ShaderMaterial) {
     this.object = new Mesh(new BufferGeometry(), material);
     this.object.frustumCulled = false;
+    this.set([]);
   }
 
   set(lines: readonly RibbonLine[]): void {
@@ -97,7 +100,12 @@ export class Ribbons {
     geometry.setIndex(triangles);
     this.object.geometry.dispose();
     this.object.geometry = geometry;
-    this.object.visible = count > 0;
+    this.#count = count;
+    this.isShown = true;
+  }
+
+  set isShown(isShown: boolean) {
+    this.object.visible = isShown && this.#count > 0;
   }
 
   /** @param positions, normals of the cloth, x, y, z after each other */
@@ -108,7 +116,7 @@ export class Ribbons {
       attribute.needsUpdate = true;
       return attribute.array as Float32Array;
     };
-    if (!this.object.visible) return;
+    if (this.#count === 0) return;
     const [places, ups, acrosses, runs] = [
       array('position'),
       array('normal'),

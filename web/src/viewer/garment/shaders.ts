@@ -49,6 +49,8 @@ varying vec3 facing;
 attribute float printed;
 attribute float piece;
 attribute vec2 shape;
+attribute vec2 drafted;
+uniform bool isDrafted;
 uniform float chosen;
 uniform float pointed;
 varying vec2 at;
@@ -56,7 +58,7 @@ varying vec2 yarn;
 varying float isPrinted;
 varying float mark;
 void main() {
-  at = uv;
+  at = isDrafted ? drafted : uv;
   yarn = shape;
   isPrinted = printed;
   mark = abs(piece - chosen) < 0.5 ? 0.07 : (abs(piece - pointed) < 0.5 ? 0.06 : 0.0);

@@ -40,6 +40,14 @@ const widestShadow = 34;
 /** Of nothing. */
 const noPiece = -1;
 
+/** What is drawn between two shares of the width, from the left. */
+interface Part {
+  readonly from: number;
+  readonly to: number;
+  /** On the print as drafted. */
+  readonly isDrafted: boolean;
+}
+
 interface Targets {
   readonly picture: WebGLRenderTarget;
   readonly shadows: WebGLRenderTarget;
@@ -84,6 +92,7 @@ export class Studio {
     accent: {value: new Color()},
     chosen: {value: noPiece},
     pointed: {value: noPiece},
+    isDrafted: {value: false},
   };
   readonly #clothMaterial = shader(shaders.cloth, {...this.#light, ...this.#print});
   readonly #dummyMaterial = shader(shaders.dummy, this.#light);
@@ -102,10 +111,10 @@ export class Studio {
   readonly #cloth = this.#mesh(this.#clothMaterial);
   readonly #body = this.#mesh(this.#dummyMaterial);
   readonly #stand = this.#mesh(this.#dummyMaterial);
-  readonly #floor = this.#mesh(this.#floorMaterial);
+  readonly #floor = this.#mesh(this.#floorMaterial, ['position']);
   /** The cloth alone: the form is inside. */
   readonly #shade = this.#mesh(this.#depthMaterial);
-  readonly #copy = this.#mesh(this.#copyMaterial);
+  readonly #copy = this.#mesh(this.#copyMaterial, ['position']);
   readonly #scene = new Scene();
   readonly #shadowScene = new Scene();
   readonly #copyScene = new Scene();
@@ -127,6 +136,25 @@ export class Studio {
       new BufferAttribute(Float32Array.of(-1, -1, 0, 3, -1, 0, -1, 3, 0), 3),
     );
     this.#copyScene.add(this.#copy);
+  }
+
+  /** Has the graphics card make its programs, which takes it longer than a frame, before there is anything to be drawn. */
+  prepare(renderer: WebGLRenderer): void {
+    const before = renderer.getRenderTarget();
+    const {picture, shadows} = targetsOf(renderer);
+    for (const [target, scene, camera] of [
+      [shadows, this.#shadowScene, this.#keyCamera],
+      [picture, this.#scene, this.#camera],
+      [before, this.#copyScene, this.#keyCamera],
+    ] as const) {
+      renderer.setRenderTarget(target);
+      renderer.compile(scene, camera);
+    }
+    // each is asked for in a task of its own: the answer waits for the card
+    for (const program of renderer.info.programs ?? [])
+      setTimeout(() => {
+        if (program.usedTimes > 0) program.getUniforms();
+      });
   }
 
   get scene(): Scene {
@@ -184,8 +212,19 @@ export class Studio {
     if (uniforms.strength) uniforms.strength.value = strength;
   }
 
-  /** Draws into the lower left corner of whatever the renderer draws to. @param box of all that is there [cm] */
-  draw(renderer: WebGLRenderer, raster: Raster, orbit: Orbit, box: Box3): void {
+  /**
+   * Draws into the lower left corner of whatever the renderer draws to.
+   * @param box of all that is there [cm]
+   * @param begin told before each part
+   */
+  draw(
+    renderer: WebGLRenderer,
+    raster: Raster,
+    orbit: Orbit,
+    box: Box3,
+    parts: readonly Part[],
+    begin: (part: Part) => void,
+  ): void {
     const before = renderer.getRenderTarget();
     const targets = targetsOf(renderer);
     const {picture, shadows} = targets;
@@ -198,9 +237,16 @@ export class Studio {
     if (picture.width < width || picture.height < height)
       picture.setSize(Math.max(width, picture.width), Math.max(height, picture.height));
     picture.viewport.set(0, 0, width, height);
-    renderer.setRenderTarget(picture);
-    renderer.clear();
-    renderer.render(this.#scene, this.#camera);
+    picture.scissorTest = true;
+    for (const part of parts) {
+      begin(part);
+      this.#print.isDrafted.value = part.isDrafted;
+      const [left, right] = [Math.round(part.from * width), Math.round(part.to * width)];
+      picture.scissor.set(left, 0, right - left, height);
+      renderer.setRenderTarget(picture);
+      renderer.clear();
+      renderer.render(this.#scene, this.#camera);
+    }
     renderer.setRenderTarget(before);
     const {uniforms} = this.#copyMaterial;
     if (uniforms.picture) uniforms.picture.value = picture.texture;
@@ -218,8 +264,15 @@ export class Studio {
     this.ribbonMaterial.dispose();
   }
 
-  #mesh(material: ShaderMaterial): Mesh<BufferGeometry, ShaderMaterial> {
-    const mesh = new Mesh(new BufferGeometry(), material);
+  /** @param names of attributes that decide which program is made */
+  #mesh(
+    material: ShaderMaterial,
+    names: readonly string[] = ['position', 'normal'],
+  ): Mesh<BufferGeometry, ShaderMaterial> {
+    const geometry = new BufferGeometry();
+    for (const name of names)
+      geometry.setAttribute(name, new BufferAttribute(new Float32Array(), 3));
+    const mesh = new Mesh(geometry, material);
     mesh.frustumCulled = false;
     return mesh;
   }

@@ -5,9 +5,10 @@ import type {DrapeMesh, Form} from '../../model/drape.js';
 import type {PatternScene} from '../../scene/scene.js';
 import type {Raster} from '../stage.js';
 import {inks, type Appearance} from '../strokes.js';
+import type {Wipe} from '../wipe-layers.js';
 import type {Orbit} from './camera.js';
 import {ClothLayer} from './cloth-layer.js';
-import {bodyOf, standOf, type Stand} from './dummy.js';
+import {bodyOf, standOf, type Solid, type Stand} from './dummy.js';
 import type {GarmentTarget} from './garment-picker.js';
 import {outlineVertices, Ribbons, seamLines, seamVertices, type RibbonLine} from './ribbons.js';
 import {boxAround, boxDistance, type Box3} from './space.js';
@@ -28,6 +29,8 @@ export interface Marked {
 export class WornScene {
   readonly studio = new Studio();
   readonly #seams = new Ribbons(this.studio.ribbonMaterial);
+  /** As drafted. */
+  readonly #drafted = new Ribbons(this.studio.ribbonMaterial);
   readonly #marks = new Ribbons(this.studio.ribbonMaterial);
   #appearance: Appearance;
   #scene: PatternScene | undefined;
@@ -37,15 +40,17 @@ export class WornScene {
   /** Places that are not drawn yet. */
   #pose: Float32Array | undefined;
   #form: Form | undefined;
+  #dummy: Solid | undefined;
   #stand: Stand | undefined;
   #hasSeams = false;
   #hasForm = true;
+  #wipe: Wipe | undefined;
   #marked: Marked = {};
   #box: Box3 | undefined;
 
   constructor(appearance: Appearance) {
     this.#appearance = appearance;
-    this.studio.scene.add(this.#seams.object, this.#marks.object);
+    this.studio.scene.add(this.#seams.object, this.#drafted.object, this.#marks.object);
   }
 
   /** Around all of it. [cm] */
@@ -75,6 +80,15 @@ export class WornScene {
     if (before?.seams !== scene.seams) this.#laySeams();
   }
 
+  /** Shows the pieces as drafted, on the print as they lie without a thought, to the left of a line. */
+  setWipe(wipe: Wipe | undefined): void {
+    const before = this.#wipe?.before;
+    this.#wipe = wipe;
+    if (wipe?.before === before) return;
+    if (wipe) this.#layer?.draft(wipe.before);
+    this.#laySeams();
+  }
+
   setAppearance(appearance: Appearance): void {
     this.#appearance = appearance;
     this.#layFloor();
@@ -100,6 +114,7 @@ export class WornScene {
   set form(form: Form) {
     if (form === this.#form) return;
     this.#form = form;
+    this.#dummy = bodyOf(form.surface);
     this.#stand = undefined; // it is as high as the garment asks for
   }
 
@@ -141,21 +156,33 @@ export class WornScene {
     if (isNew) {
       this.studio.cloth = layer.geometry;
       if (this.#scene) layer.print(this.#scene);
+      if (this.#wipe) layer.draft(this.#wipe.before);
       this.#laySeams();
       this.#layMarks();
     }
-    this.#seams.place(layer.positions, layer.normals);
-    this.#marks.place(layer.positions, layer.normals);
+    for (const ribbons of [this.#seams, this.#drafted, this.#marks])
+      ribbons.place(layer.positions, layer.normals);
     return (isNew || !this.#stand) && this.#setUp(pose);
   }
 
-  draw(renderer: WebGLRenderer, raster: Raster, orbit: Orbit): void {
-    if (this.#box) this.studio.draw(renderer, raster, orbit, this.#box);
+  /** @param hasWipe whether what is compared is drawn as well */
+  draw(renderer: WebGLRenderer, raster: Raster, orbit: Orbit, hasWipe: boolean): void {
+    if (!this.#box) return;
+    const split = hasWipe ? Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) : 0;
+    const parts = [
+      {from: 0, to: split, isDrafted: true},
+      {from: split, to: 1, isDrafted: false},
+    ].filter(({from, to}) => from < to);
+    this.studio.draw(renderer, raster, orbit, this.#box, parts, ({isDrafted}) => {
+      this.#drafted.isShown = isDrafted;
+      this.#seams.isShown = !isDrafted;
+    });
   }
 
   dispose(): void {
     this.#next?.geometry.dispose();
     this.#seams.dispose();
+    this.#drafted.dispose();
     this.#marks.dispose();
     this.studio.dispose();
   }
@@ -167,7 +194,7 @@ export class WornScene {
       const {surface} = this.#form;
       if (!this.#stand) {
         this.#stand = standOf(this.#form, box.low[1]);
-        this.studio.setDummy(bodyOf(surface), this.#stand.parts);
+        if (this.#dummy) this.studio.setDummy(this.#dummy, this.#stand.parts);
       }
       box = boxAround(this.#stand.parts.positions, boxAround(surface.vertices, box));
     }
@@ -186,9 +213,13 @@ export class WornScene {
 
   #laySeams(): void {
     const [layer, scene] = [this.#layer, this.#scene];
-    const isShown = this.#hasSeams && layer && scene && layer.isOf(scene);
-    this.#seams.set(isShown ? seamLines(layer.cloth.mesh, scene) : []);
-    if (layer) this.#seams.place(layer.positions, layer.normals);
+    const lay = (ribbons: Ribbons, shown: PatternScene | undefined): void => {
+      const isShown = this.#hasSeams && layer && shown && layer.isOf(shown);
+      ribbons.set(isShown ? seamLines(layer.cloth.mesh, shown) : []);
+      if (layer) ribbons.place(layer.positions, layer.normals);
+    };
+    lay(this.#seams, scene);
+    lay(this.#drafted, this.#wipe?.before);
   }
 
   #layMarks(): void {

@@ -1,0 +1,128 @@
+/** The worn garment keeps its page alive: no script of it holds up a frame, and keys alone reach all of it. */
+import type {Page} from 'playwright-core';
+import {expect, it, vi} from 'vitest';
+
+import type {SeamwisePage} from '@/app/page.js';
+import {showSample, solved, usePage} from '../support/page.js';
+
+vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
+
+const openPage = usePage();
+
+/** What the sampling profiler of Chromium gives. */
+interface Profile {
+  readonly nodes: readonly {id: number; callFrame: {functionName: string}; children?: number[]}[];
+  readonly samples: readonly number[];
+  /** [microseconds] */
+  readonly timeDeltas: readonly number[];
+}
+
+/** What is not script: the browser itself, which waits for the graphics card here, since that is software. */
+const others = new Set(['(program)', '(idle)', '(root)', '(garbage collector)']);
+
+/** How long scripts ran at one go, the longest first. [ms] */
+function runsOf({nodes, samples, timeDeltas}: Profile): readonly number[] {
+  const names = new Map(nodes.map(({id, callFrame}) => [id, callFrame.functionName]));
+  const runs: number[] = [];
+  let run = 0;
+  for (const [k, id] of samples.entries()) {
+    if (!others.has(names.get(id) ?? '')) run += (timeDeltas[k] ?? 0) / 1000;
+    else if (run > 0) {
+      runs.push(run);
+      run = 0;
+    }
+  }
+  return runs.sort((a, b) => b - a);
+}
+
+const status = (page: Page): Promise<string | null> =>
+  page.locator('sw-worn [role=status]').textContent();
+
+it('has no script that runs for more than 50 ms while a drape is shown and settles', async () => {
+  const page = await openPage({viewport: {width: 1300, height: 800}});
+  await solved(page);
+  await page.waitForTimeout(3000); // what is looked for after an answer is another matter
+  const profiler = await page.context().newCDPSession(page);
+  await profiler.send('Profiler.enable');
+  await profiler.send('Profiler.setSamplingInterval', {interval: 1000});
+  await profiler.send('Profiler.start');
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
+  await expect.poll(() => status(page), {timeout: 120_000, interval: 500}).toContain('view.');
+  const {profile} = await profiler.send('Profiler.stop');
+  const runs = runsOf(profile as Profile);
+  expect(runs.length).toBeGreaterThan(10);
+  // a machine that others use takes the processor away once in a while
+  expect(runs[1]).toBeLessThan(50);
+});
+
+it('never shows an empty view while print, colours and size change', async () => {
+  const page = await openPage({viewport: {width: 1300, height: 800}});
+  await solved(page);
+  await showSample(page, 'tee');
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
+  await expect.poll(() => status(page), {timeout: 120_000}).toContain('view.');
+  const stage = page.locator('sw-worn .stage');
+  /** An empty picture takes next to no bytes. */
+  const staysFull = async (): Promise<void> => {
+    for (let k = 0; k < 6; k++) {
+      expect((await stage.screenshot()).length).toBeGreaterThan(12_000);
+      await page.waitForTimeout(120);
+    }
+  };
+  await page.getByRole('radio', {name: 'Majolica'}).or(page.getByText('Majolica')).first().click();
+  await staysFull();
+  await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    const print = workbench?.design?.print;
+    if (print) workbench.change({print: {...print, size: {...print.size, width: 13}}});
+  });
+  await staysFull();
+  await page.getByLabel('Size', {exact: true}).selectOption('l');
+  await staysFull();
+  await solved(page);
+  await staysFull();
+});
+
+it('is looked at and walked over by keys alone', async () => {
+  const page = await openPage({viewport: {width: 1300, height: 800}, reducedMotion: 'reduce'});
+  await solved(page);
+  const pressed = async (name: string): Promise<void> => {
+    for (let k = 0; k < 80; k++) {
+      await page.keyboard.press('Tab');
+      const here = await page.evaluate(() => {
+        let at = document.activeElement;
+        while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
+        return `${at?.localName} ${at?.getAttribute('aria-label') ?? at?.textContent.trim()}`;
+      });
+      if (here === name) return;
+    }
+    throw new Error(`${name} is not reached by Tab.`);
+  };
+  await pressed('button Garment');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => status(page), {timeout: 120_000}).toContain('Front view.');
+  await pressed('div Garment, worn');
+  for (const [key, said] of [
+    ['2', 'Back view.'],
+    ['3', 'View from the left.'],
+    ['4', 'View from the right.'],
+    ['5', 'Three-quarter view.'],
+    ['1', 'Front view.'],
+  ] as const) {
+    await page.keyboard.press(key);
+    await expect.poll(() => status(page), {timeout: 20_000}).toContain(said);
+  }
+  const pieces = await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    return workbench?.scenes?.now.pieces.map(({label}) => label) ?? [];
+  });
+  expect(pieces.length).toBeGreaterThan(2);
+  for (const label of pieces) {
+    await page.keyboard.press('n');
+    await expect.poll(() => status(page), {timeout: 20_000}).toContain(`${label}. `);
+  }
+  await page.keyboard.press('p');
+  await expect.poll(() => status(page)).toContain(`${pieces.at(-2) ?? ''}. `);
+  await page.keyboard.press('Escape');
+  await expect.poll(() => status(page)).not.toContain(`${pieces.at(-2) ?? ''}. `);
+});

@@ -1,0 +1,53 @@
+/** Once round a worn garment as a film, recorded in the time that it takes to be seen. */
+import type {GarmentView} from '../../viewer/garment/garment-view.js';
+
+/** Once round. [ms] */
+const turnTime = 8000;
+/** [px] */
+const widest = 1280;
+/** [bits per second] */
+const rate = 8e6;
+
+/** Browsers write the one or the other. */
+const types = ['video/webm;codecs=vp9', 'video/webm', 'video/mp4'];
+
+/** What this browser can record; undefined for nothing. */
+export const filmType = (): string | undefined =>
+  'MediaRecorder' in globalThis && 'captureStream' in HTMLCanvasElement.prototype
+    ? types.find((type) => MediaRecorder.isTypeSupported(type))
+    : undefined;
+
+/** @throws {Error} where nothing can be drawn or recorded, or while the graphics context is lost */
+export async function film(view: GarmentView, type: string): Promise<Blob> {
+  const width = 2 * Math.floor(Math.min(widest, view.widestPicture) / 2);
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('2d');
+  const show = async (share: number): Promise<void> => {
+    const picture = await view.onTheWayRound(width, share);
+    const height = 2 * Math.floor(picture.height / 2); // codecs ask for even sides
+    if (canvas.height !== height) Object.assign(canvas, {width, height});
+    context?.drawImage(picture, 0, 0);
+  };
+  await show(0); // there is something to be seen from the first frame on
+  const recorder = new MediaRecorder(canvas.captureStream(), {
+    ...{mimeType: type, videoBitsPerSecond: rate},
+  });
+  const parts: Blob[] = [];
+  const ended = new Promise((resolve, reject) => {
+    recorder.addEventListener('stop', resolve);
+    recorder.addEventListener('error', reject);
+    recorder.addEventListener('dataavailable', ({data}) => parts.push(data));
+  });
+  recorder.start();
+  try {
+    const begun = performance.now();
+    for (let share = 0; share < 1; share = (performance.now() - begun) / turnTime) {
+      await show(share);
+      await new Promise((resolve) => setTimeout(resolve)); // others have to do, too
+    }
+  } finally {
+    recorder.stop();
+  }
+  await ended;
+  return new Blob(parts, {type: recorder.mimeType});
+}

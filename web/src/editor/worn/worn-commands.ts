@@ -1,0 +1,147 @@
+/** What a worn garment can be asked for, by a key or by its name. */
+import {fabricOf} from '../../model/design.js';
+import {fabricNames} from '../../model/drape.js';
+import type {Texts} from '../../texts/texts.js';
+import type {WornTexts} from '../../texts/worn-texts.js';
+import {presetNames} from '../../viewer/garment/camera.js';
+import type {GarmentView} from '../../viewer/garment/garment-view.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import type {Command} from '../commands/command.js';
+
+/** The worn garment as keys and commands see it. */
+interface CommandedGarment {
+  readonly workbench: Workbench;
+  readonly view: GarmentView | undefined;
+  toggleForm(): void;
+  toggleSeams(): void;
+  toggleWipe(): void;
+}
+
+/** One notch of zoom by a key. */
+const notch = 1.25;
+
+/** Keys that mean the same as the one that is shown. */
+const others: Readonly<Record<string, string>> = {'=': '+', '-': '−', F: '0'};
+
+/** How it is looked at: also for who looks only. */
+function looking({view}: CommandedGarment, texts: Texts, words: WornTexts): readonly Command[] {
+  const {commands, lists, pattern} = texts;
+  const also = {show: commands.also.view, zoom: commands.also.zoom};
+  const isQuiet = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  return [
+    ...presetNames.map((name, k): Command => ({
+      ...{id: `look ${name}`, title: lists.of(words.look, words.looks[name]), key: String(k + 1)},
+      words: also.show,
+      run: () => {
+        view?.camera.look(name);
+      },
+    })),
+    ...(isQuiet
+      ? []
+      : [
+          {
+            ...{id: 'turntable', title: words.turntable, key: 'T', words: also.show},
+            run: () => {
+              view?.camera.setTurntable(!view.camera.isTurning);
+            },
+          },
+        ]),
+    {
+      ...{id: 'fit worn', title: pattern.fit, key: '0', words: also.zoom},
+      run: () => {
+        view?.camera.look();
+      },
+    },
+    {
+      ...{id: 'zoom worn in', title: pattern.zoomIn, key: '+', words: also.zoom},
+      run: () => {
+        view?.camera.zoomBy(notch);
+      },
+    },
+    {
+      ...{id: 'zoom worn out', title: pattern.zoomOut, key: '−', words: also.zoom},
+      run: () => {
+        view?.camera.zoomBy(1 / notch);
+      },
+    },
+  ];
+}
+
+/** From piece to piece, each seen from where it is. */
+function walking({workbench}: CommandedGarment, words: WornTexts): readonly Command[] {
+  const walk = (step: 1 | -1): void => {
+    const {selected, scenes} = workbench;
+    const count = scenes?.now.pieces.length ?? 0;
+    const first = step > 0 ? -1 : 0;
+    const from = selected?.kind === 'piece' ? selected.piece : first;
+    if (count > 0) workbench.select({kind: 'piece', piece: (from + step + count) % count});
+  };
+  return [
+    {
+      ...{id: 'next piece', title: words.nextPiece, key: 'N'},
+      run: () => {
+        walk(1);
+      },
+    },
+    {
+      ...{id: 'piece before', title: words.pieceBefore, key: 'P'},
+      run: () => {
+        walk(-1);
+      },
+    },
+  ];
+}
+
+/** What is shown of it, and what it is made of. */
+function showing(garment: CommandedGarment, texts: Texts, words: WornTexts): readonly Command[] {
+  const {workbench} = garment;
+  const {commands, lists, pattern} = texts;
+  const {view: also, print: cloth} = commands.also;
+  const {design} = workbench;
+  return [
+    {
+      ...{id: 'form', title: words.form, key: 'D', words: also},
+      run: () => {
+        garment.toggleForm();
+      },
+    },
+    {
+      ...{id: 'worn seams', title: words.seams, key: 'S', words: also},
+      run: () => {
+        garment.toggleSeams();
+      },
+    },
+    {
+      ...{id: 'worn wipe', title: pattern.wipe, key: 'B', words: also},
+      run: () => {
+        garment.toggleWipe();
+      },
+    },
+    ...fabricNames
+      .filter((name) => design && name !== fabricOf(design))
+      .map((fabric): Command => ({
+        ...{id: `fabric ${fabric}`, title: lists.of(words.fabric, words.fabrics[fabric])},
+        words: cloth,
+        run: () => {
+          workbench.change({fabric});
+        },
+      })),
+  ];
+}
+
+/** @param edits whether anything of it can be changed */
+export const wornCommands = (
+  garment: CommandedGarment,
+  edits: boolean,
+  texts: Texts,
+  words: WornTexts,
+): readonly Command[] => [
+  ...looking(garment, texts, words),
+  ...(edits ? [...walking(garment, words), ...showing(garment, texts, words)] : []),
+];
+
+/** The one that a key means. */
+export function commandFor(commands: readonly Command[], pressed: string): Command | undefined {
+  const name = pressed.length === 1 ? pressed.toUpperCase() : pressed;
+  return commands.find(({key}) => key !== undefined && key === (others[name] ?? name));
+}

@@ -1,0 +1,87 @@
+/** What there is to take away of a worn garment. */
+import {printOf} from '../../model/design.js';
+import {cellPicture, glb, type CellPicture} from '../../model/glb.js';
+import {norm} from '../../model/geometry.js';
+import {titleOfFile} from '../../model/piece-names.js';
+import {imageCell} from '../../model/wallpaper.js';
+import {wornTexts} from '../../texts/worn-texts.js';
+import {film, filmType} from './film.js';
+import {drapingOf} from '../../workbench/draping.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import type {WornPane} from './worn-pane.js';
+
+interface WornFile {
+  readonly id: string;
+  readonly title: string;
+  /** Of its name. */
+  readonly ending: string;
+  /** @throws {Error} with one sentence */
+  readonly make: () => Promise<Blob>;
+}
+
+/** Of the picture of a cell; viewers on telephones take no larger one. [px] */
+const greatestSide = 2048;
+
+/** What can be had just now. */
+export function wornFiles({workbench, view}: WornPane): readonly WornFile[] {
+  const {language, messages} = workbench.preferences;
+  const words = wornTexts(language, messages);
+  const {drape} = drapingOf(workbench);
+  if (!view || !drape) return [];
+  const type = filmType();
+  return [
+    {id: 'picture', title: words.savePicture, ending: 'worn.png', make: () => view.shot()},
+    {id: 'model', title: words.saveModel, ending: 'glb', make: () => model(workbench)},
+    ...(type === undefined
+      ? []
+      : [
+          {
+            ...{id: 'film', title: words.saveFilm, ending: type.includes('mp4') ? 'mp4' : 'webm'},
+            make: async () => {
+              workbench.say({tone: 'info', text: words.filming});
+              const blob = await film(view, type);
+              workbench.say(undefined);
+              return blob;
+            },
+          },
+        ]),
+  ];
+}
+
+async function model(workbench: Workbench): Promise<Blob> {
+  const {design, result} = workbench;
+  const {drape} = drapingOf(workbench);
+  if (!design || !result || !drape) throw new Error('There is no garment to save yet.');
+  const picture = await cellOf(workbench);
+  const bytes = glb(result, drape, printOf(design.print), {
+    ...(picture && {picture}),
+    ...(design.options.plain && {plain: design.options.plain}),
+    garment: titleOfFile(design.garment.name),
+  });
+  return new Blob([Uint8Array.from(bytes)], {type: 'model/gltf-binary'});
+}
+
+/** The picture of the print's cell on white cloth, as a PNG; undefined where it cannot be read. */
+async function cellOf({design, tileOf}: Workbench): Promise<CellPicture | undefined> {
+  if (!design) return undefined;
+  const tile = await tileOf(design.print.image).catch(() => undefined);
+  if (!tile) return undefined;
+  const isVector = 'vector' in tile;
+  const [width, height] = isVector
+    ? imageCell(printOf(design.print)).map((side) => norm(side))
+    : [tile.width, tile.height];
+  const longest = Math.max(width ?? 1, height ?? 1);
+  const scale = (isVector ? greatestSide : Math.min(greatestSide, longest)) / longest;
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.max(1, Math.round(scale * (width ?? 1)));
+  canvas.height = Math.max(1, Math.round(scale * (height ?? 1)));
+  const context = canvas.getContext('2d', {alpha: false});
+  if (!context) return undefined;
+  context.fillStyle = '#fff';
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.drawImage(isVector ? tile.vector : tile, 0, 0, canvas.width, canvas.height);
+  const blob = await new Promise<Blob | null>((resolve) => {
+    canvas.toBlob(resolve, 'image/png');
+  });
+  return blob ? cellPicture(new Uint8Array(await blob.arrayBuffer())) : undefined;
+}
