@@ -106,7 +106,8 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   garment = ordered(std::move(garment), order);
   Outcome<Hanging> hanging = hang(garment.garment, garment.pattern, form.value());
   if (!hanging.ok()) return hanging.error();
-  Outcome<SewnLevels> levels = sewnLevels(garment.pattern);
+  Outcome<SewnLevels> levels =
+      sewnLevels(garment.pattern, kCoarseCloth / kFineCloth * settings.edge, settings.edge);
   if (!levels.ok()) return levels.error();
   std::unique_ptr<WornGarment> worn(new WornGarment(std::move(garment), std::move(form).value(),
                                                     std::move(hanging).value(),
