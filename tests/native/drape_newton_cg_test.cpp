@@ -9,8 +9,6 @@ namespace {
 using testing::Capsule;
 using testing::Sphere;
 
-const Sphere kNowhere(Vec3(0, -100, 0), 0.1);
-
 /// Steps until three in a row move nothing by more than 0.5 mm and lower the energy by little.
 int settle(ClothSolver& solver, int most) {
   int quiet = 0, steps = 0;
@@ -28,60 +26,6 @@ double tension(const SewnMesh::Triangle& t, const Positions& x) {
     wu += t.weft[k] * x[t.vertices[k]], wv += t.warp[k] * x[t.vertices[k]];
   const double a = wu.dot(wu), b = wu.dot(wv), c = wv.dot(wv);
   return std::sqrt((a + c) / 2 + std::sqrt((a - c) * (a - c) / 4 + b * b)) - 1;
-}
-
-/// Tip of a strip of the length that is held level at its root and bends by its weight: drop over
-/// length, by B theta'' = rho g (L - s) cos theta, shot from the root.
-double elasticaDrop(double length, double bending, double weight) {
-  constexpr int kSteps = 4000;
-  const double ds = length / kSteps;
-  double low = 0, high = 10 / length, drop = 0;
-  for (int trial = 0; trial < 80; ++trial) {
-    double slope = (low + high) / 2, angle = 0;
-    drop = 0;
-    for (int k = 0; k < kSteps; ++k) {
-      const double s = (k + 0.5) * ds, middle = angle + slope * ds / 2;
-      drop += ds * std::sin(middle);
-      const double turn = -weight / bending * (length - s) * std::cos(middle) * ds;
-      angle += slope * ds + turn * ds / 2;
-      slope += turn;
-    }
-    (slope > 0 ? high : low) = (low + high) / 2;
-  }
-  return drop / length;
-}
-
-TEST(ClothSolvers, AStripSagsAsTheElastica) {
-  constexpr double kWidth = 4, kEdge = 0.6;  // cm
-  for (const auto& [fabric, length] : {std::pair(kPoplin, 5.0), std::pair(kDenim, 6.0)}) {
-    Garment garment;  // what is held, and what sags, sewn to it
-    garment.panels = {
-        small::polygon("held", {{0, -1}, {kWidth, -1}, {kWidth, 0}, {0, 0}}),
-        small::polygon("strip", {{0, 0}, {kWidth, 0}, {kWidth, length}, {0, length}})};
-    small::sew(garment, "held", 2, "strip", 0);
-    const Pattern pattern = testing::plainPattern(garment, kEdge);
-    const SewnLevel level = testing::levelOf(pattern, kEdge);
-    const SewnMesh mesh = testing::uncut(level, pattern);
-    ClothOptions options;
-    options.accuracy = 1e-3, options.most_iterations = 400;
-    options.held.assign(level.size, 0);
-    for (const int i : level.sewn[0]) options.held[i] = 1;
-    ClothSolver solver(
-        mesh, fabric, kNowhere,
-        testing::laid(level,
-                      [](int, const Vec2& at) { return Vec3(0.01 * at.x(), 0, 0.01 * at.y()); }),
-        options);
-    for (int k = 0; k < 100; ++k) solver.newtonStep();
-    double drop = 0;
-    int count = 0;
-    for (std::size_t v = 0; v < level.sewn[1].size(); ++v)
-      if (level.pattern.pieces[1].rest[v].y() > length - 1e-9)
-        drop -= solver.positions()[level.sewn[1][v]].y(), ++count;
-    drop /= count * 0.01 * length;
-    const double expected =
-        elasticaDrop(0.01 * length, fabric.bending_warp, fabric.density * kGravity);
-    EXPECT_NEAR(drop / expected, 1, 0.05) << fabric.name;
-  }
 }
 
 struct Square {

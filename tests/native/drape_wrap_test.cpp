@@ -191,11 +191,11 @@ TEST(DrapeWrap, SaysWhatIsWrongWithPlacements) {
               panel->placement_shift.setZero();
               panel->placement_turn.setZero();
             }),
-            "The file does not say where the pieces hang, and their seams leave it open: give "
-            "panels a `translation`.");
+            "The pieces hang nowhere: give the panels of the garment a 'translation' each, and "
+            "align it again.");
   EXPECT_EQ(messageOf([](Panel* panel) { panel->placement_shift *= 1e4; }),
-            "Piece 'front' is placed far from any body: its `translation` has to be in the "
-            "units of the file, from the floor up.");
+            "Piece 'front' is placed far from any body: give 'translation' in the units of the "
+            "garment's file, from the floor up, and align it again.");
 }
 
 TEST(DrapeWrap, LaysOneFrontOverTheOther) {

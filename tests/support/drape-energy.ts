@@ -1,19 +1,36 @@
 /** What a worn garment's cloth resists with and what it weighs, from a drape file alone. SI units. */
 import type {DrapeFile, Place} from '@/model/drape-file.js';
-import {dot, minus, norm, towards, type Point} from '@/model/geometry.js';
+import {distance, dot, minus, norm, towards, type Point} from '@/model/geometry.js';
 import {at, sum} from './plane.js';
 import type {ClothTriangle, SewnCloth} from './sewn-cloth.js';
-import {dot3, minus3, norm3, plus3} from './space.js';
+import {dot3, middle3, norm3, plus3} from './space.js';
 
 const gravity = 9.81;
 /** What a bend of irregular triangles counts, so that a strip of them sags as a plate does. */
 const hinge = 1.25;
 
+/** Triangles within so far of the longer side of a gathered seam stand for folds: they give way to compression. [cm] */
+const besideGathers = 3;
+const gathered = 1.1;
+const gatheredStiffness = 0.02;
+
 type Fabric = DrapeFile['fabric'];
+
+/** A drape, and the ratio of its seams' lengths as drafted, side a over side b. */
+export interface RatedDrape {
+  readonly file: DrapeFile;
+  readonly ratios: readonly number[];
+}
 
 export interface Energies {
   readonly membrane: number;
   readonly bending: number;
+  readonly weight: number;
+}
+
+/** Of the cloth around a vertex, and its weight. */
+export interface Forces {
+  readonly pull: Place;
   readonly weight: number;
 }
 
@@ -23,50 +40,135 @@ export function cutArea({cut: [a, b, c]}: ClothTriangle): number {
   return (u[0] * v[1] - u[1] * v[0]) / 2;
 }
 
-/** Where a direction of the piece as cut leads in space: as long as it is stretched. */
-export function imageOf({cut: [a, b, c], worn}: ClothTriangle, direction: Point): Place {
+/** By how much the image of a direction of the piece as cut grows as each corner moves along it. [1/cm] */
+function hatsOf({cut: [a, b, c]}: ClothTriangle, direction: Point): readonly number[] {
   const [u, v] = [minus(b, a), minus(c, a)];
   const area = u[0] * v[1] - u[1] * v[0];
   const s = (direction[0] * v[1] - direction[1] * v[0]) / area;
   const t = (u[0] * direction[1] - u[1] * direction[0]) / area;
-  const along = plus3([0, 0, 0], minus3(worn[1], worn[0]), s);
-  return plus3(along, minus3(worn[2], worn[0]), t);
+  return [-s - t, s, t];
 }
 
+const weighted = (places: readonly Place[], weights: readonly number[]): Place =>
+  places.reduce((total, place, k) => plus3(total, place, at(weights, k)), [0, 0, 0]);
+
+/** Where a direction of the piece as cut leads in space: as long as it is stretched. */
+export const imageOf = (triangle: ClothTriangle, direction: Point): Place =>
+  weighted(triangle.worn, hatsOf(triangle, direction));
+
 /** Without what presses it on the form, which is too little to be seen in the sum. [J] */
-export function energiesOf({pieces, fabric}: DrapeFile, cloth: SewnCloth): Energies {
-  const whole = cloth.triangles.filter((triangle) => {
-    return new Set(triangle.corners).size === 3 && cutArea(triangle) > 0;
-  });
-  const warpOf = ({piece}: ClothTriangle) => towards(at(pieces, piece).grainAngle);
+export function energiesOf(drape: RatedDrape, cloth: SewnCloth): Energies {
+  const triangles = wholeOf(cloth);
+  const isGathered = gathersOf(drape);
   return {
-    membrane: sum(whole.map((triangle) => membrane(triangle, warpOf(triangle), fabric))),
-    bending: bending(whole, warpOf, fabric),
+    membrane: sum(triangles.map((one) => membraneOf(one, drape.file, isGathered(one)).energy)),
+    bending: sum(
+      hingesOf(triangles, drape.file).map(
+        ({bend, stiffness}) => (stiffness * dot3(bend, bend)) / 2,
+      ),
+    ),
     weight: sum(
-      whole.map((triangle) => {
-        const height = sum(triangle.worn.map((place) => place[1])) / 3;
-        return fabric.density * gravity * cutArea(triangle) * 1e-4 * height * 1e-2;
-      }),
+      triangles.map((one) => (weightOf(one, drape.file) * middle3(...one.worn)[1]) / 100),
     ),
   };
 }
 
-function membrane(triangle: ClothTriangle, warp: Point, fabric: Fabric): number {
-  const weftImage = imageOf(triangle, [warp[1], -warp[0]]);
-  const warpImage = imageOf(triangle, warp);
-  const [eu, ev] = [norm3(weftImage) - 1, norm3(warpImage) - 1];
-  const skew = dot3(weftImage, warpImage);
-  const perArea =
-    spring(fabric, fabric.weft, eu) +
-    spring(fabric, fabric.warp, ev) +
-    fabric.coupling * eu * ev +
-    (fabric.shear * skew ** 2) / 2;
-  return perArea * cutArea(triangle) * 1e-4;
+/** What acts on every vertex of the cloth but what it touches. */
+export function forcesOf(drape: RatedDrape, cloth: SewnCloth): ReadonlyMap<number, Forces> {
+  const triangles = wholeOf(cloth);
+  const isGathered = gathersOf(drape);
+  const forces = new Map<number, Forces>();
+  const add = (vertex: number, pull: Place, weight: number) => {
+    const known = forces.get(vertex) ?? {pull: [0, 0, 0], weight: 0};
+    forces.set(vertex, {pull: plus3(known.pull, pull), weight: known.weight + weight});
+  };
+  for (const triangle of triangles) {
+    const {pulls} = membraneOf(triangle, drape.file, isGathered(triangle));
+    const third = weightOf(triangle, drape.file) / 3;
+    triangle.corners.forEach((vertex, k) => {
+      add(vertex, at(pulls, k), third);
+    });
+  }
+  for (const {ends, weights, bend, stiffness} of hingesOf(triangles, drape.file)) {
+    ends.forEach((vertex, k) => {
+      add(vertex, weighted([bend], [-100 * stiffness * at(weights, k)]), 0);
+    });
+  }
+  return forces;
 }
 
-function spring({stiffFrom, stiffening}: Fabric, stiffness: number, strain: number): number {
+/** Whether a triangle lies beside the longer side of a gathered seam. */
+function gathersOf({file, ratios}: RatedDrape): (triangle: ClothTriangle) => boolean {
+  const beside = file.pieces.map(() => new Set<number>());
+  for (const {a, b, stitch} of file.seams) {
+    const ratio = at(ratios, stitch);
+    if (ratio <= gathered && ratio >= 1 / gathered) continue;
+    const {piece, vertices} = ratio > 1 ? a : b;
+    const {rest} = at(file.pieces, piece);
+    rest.forEach((point, vertex) => {
+      const isNear = vertices.some((other) => distance(point, at(rest, other)) < besideGathers);
+      if (isNear) at(beside, piece).add(vertex);
+    });
+  }
+  return ({piece, vertices}) => vertices.some((vertex) => at(beside, piece).has(vertex));
+}
+
+/** Those that sewing leaves an area. */
+const wholeOf = ({triangles}: SewnCloth): ClothTriangle[] =>
+  triangles.filter((one) => new Set(one.corners).size === 3 && cutArea(one) > 0);
+
+const warpOf = ({pieces}: DrapeFile, {piece}: ClothTriangle): Point =>
+  towards(at(pieces, piece).grainAngle);
+
+/** [N] */
+const weightOf = (triangle: ClothTriangle, {fabric}: DrapeFile): number =>
+  fabric.density * gravity * cutArea(triangle) * 1e-4;
+
+/** What stretch and shear of a triangle store, in J, and how they pull at its corners, in N. */
+function membraneOf(
+  triangle: ClothTriangle,
+  file: DrapeFile,
+  isGathered: boolean,
+): {readonly energy: number; readonly pulls: readonly Place[]} {
+  const fabric = isGathered ? {...file.fabric, coupling: 0} : file.fabric;
+  const warp = warpOf(file, triangle);
+  const hats = [hatsOf(triangle, [warp[1], -warp[0]]), hatsOf(triangle, warp)] as const;
+  const [across, along] = [weighted(triangle.worn, hats[0]), weighted(triangle.worn, hats[1])];
+  const [eu, ev] = [norm3(across) - 1, norm3(along) - 1];
+  const [weft, straight] = [
+    spring(fabric, fabric.weft, eu, isGathered),
+    spring(fabric, fabric.warp, ev, isGathered),
+  ];
+  const skew = dot3(across, along);
+  const shear = fabric.shear * skew;
+  const area = cutArea(triangle) * 1e-4;
+  const tension = [
+    (weft.slope + fabric.coupling * ev) / (1 + eu),
+    (straight.slope + fabric.coupling * eu) / (1 + ev),
+  ] as const;
+  return {
+    energy: area * (weft.energy + straight.energy + fabric.coupling * eu * ev + (shear * skew) / 2),
+    pulls: [0, 1, 2].map((k) => {
+      const [u, v] = [at(hats[0], k), at(hats[1], k)];
+      const [by, more] = [u * tension[0] + v * shear, v * tension[1] + u * shear];
+      return weighted([across, along], [-100 * area * by, -100 * area * more]);
+    }),
+  };
+}
+
+/** Of a stretch, per area. */
+function spring(
+  {stiffFrom, stiffening}: Fabric,
+  taut: number,
+  strain: number,
+  isGathered: boolean,
+): {readonly energy: number; readonly slope: number} {
+  const stiffness = isGathered && strain < 0 ? gatheredStiffness * taut : taut;
   const beyond = Math.max(0, strain - stiffFrom);
-  return (stiffness * (strain ** 2 + (stiffening - 1) * beyond ** 2)) / 2;
+  return {
+    energy: (stiffness * (strain ** 2 + (stiffening - 1) * beyond ** 2)) / 2,
+    slope: stiffness * (strain + (stiffening - 1) * beyond),
+  };
 }
 
 /** One triangle's part of the bend at its edge. */
@@ -79,12 +181,18 @@ interface Wing {
   readonly warp: number;
 }
 
-/** Of edges with two triangles, also across seams. */
-function bending(
-  triangles: readonly ClothTriangle[],
-  warpOf: (triangle: ClothTriangle) => Point,
-  fabric: Fabric,
-): number {
+/** The two triangles at an edge, also across seams. */
+interface Hinge {
+  readonly ends: readonly number[];
+  readonly weights: readonly number[];
+  /** The weighted sum of the ends' places. [cm] */
+  readonly bend: Place;
+  /** Energy is this times the bend squared, over 2. [J/cm2] */
+  readonly stiffness: number;
+}
+
+function hingesOf(triangles: readonly ClothTriangle[], file: DrapeFile): Hinge[] {
+  const {bendingWarp, bendingWeft} = file.fabric;
   const wings = new Map<string, Wing[]>();
   const places = new Map<number, Place>();
   for (const triangle of triangles) {
@@ -94,26 +202,23 @@ function bending(
         (a, b) => at(triangle.corners, a) - at(triangle.corners, b),
       ) as [number, number];
       const key = `${at(triangle.corners, from)},${at(triangle.corners, to)}`;
-      const wing = wingOf(triangle, k, from, to, warpOf(triangle));
+      const wing = wingOf(triangle, k, from, to, warpOf(file, triangle));
       wings.set(key, [...(wings.get(key) ?? []), wing]);
     }
   }
-  const place = (vertex: number) => places.get(vertex) ?? ([NaN, NaN, NaN] as const);
-  return sum(
-    [...wings].map(([key, [one, other, more]]) => {
-      if (!one || !other || more || one.opposite === other.opposite) return 0;
-      const [from = NaN, to = NaN] = key.split(',').map(Number);
-      let bend: Place = [0, 0, 0];
-      for (const {opposite, cotangents} of [one, other]) {
-        bend = plus3(bend, place(from), cotangents[1]);
-        bend = plus3(bend, place(to), cotangents[0]);
-        bend = plus3(bend, place(opposite), -cotangents[0] - cotangents[1]);
-      }
-      const share = (one.warp + other.warp) / 2;
-      const stiffness = share * fabric.bendingWarp + (1 - share) * fabric.bendingWeft;
-      return (hinge * stiffness * dot3(bend, bend)) / 2 / (one.area + other.area);
-    }),
-  );
+  return [...wings].flatMap(([key, [one, other, more]]) => {
+    if (!one || !other || more || one.opposite === other.opposite) return [];
+    const ends = [...key.split(',').map(Number), one.opposite, other.opposite];
+    const [p, q] = [one.cotangents, other.cotangents];
+    const weights = [p[1] + q[1], p[0] + q[0], -p[0] - p[1], -q[0] - q[1]];
+    const bend = weighted(
+      ends.map((vertex) => places.get(vertex) ?? [NaN, NaN, NaN]),
+      weights,
+    );
+    const share = (one.warp + other.warp) / 2;
+    const stiffness = share * bendingWarp + (1 - share) * bendingWeft;
+    return [{ends, weights, bend, stiffness: (hinge * stiffness) / (one.area + other.area)}];
+  });
 }
 
 function wingOf(triangle: ClothTriangle, tip: number, from: number, to: number, warp: Point): Wing {

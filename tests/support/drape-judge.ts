@@ -3,10 +3,17 @@ import type {SolveResult} from '@/model/result.js';
 import type {DrapeFile, DrapeFilePiece, Place} from '@/model/drape-file.js';
 import {distance, type Point} from '@/model/geometry.js';
 import {ClosedSurface, openEdges} from './closed-surface.js';
-import {energiesOf, imageOf, cutArea, type Energies} from './drape-energy.js';
+import {
+  cutArea,
+  energiesOf,
+  forcesOf,
+  imageOf,
+  type Energies,
+  type RatedDrape,
+} from './drape-energy.js';
 import {alongLine, at, greatest, sum} from './plane.js';
 import {SewnCloth, type ClothTriangle} from './sewn-cloth.js';
-import {distance3, dot3, middle3} from './space.js';
+import {distance3, dot3, middle3, norm3, plus3} from './space.js';
 
 export interface Spread {
   readonly median: number;
@@ -45,6 +52,8 @@ export interface DrapeVerdict {
 
 /** To which a file gives lengths, in two dimensions. [cm] */
 const precision = 1.5e-4;
+/** Farther than the usual distance by more, nothing touches the form. [cm] */
+const touching = 0.4;
 /** A side that is longer than the other by more is gathered, as the share of its length. */
 const gathered = 0.05;
 const besideGathers = 4;
@@ -57,7 +66,7 @@ export function judgeDrape(file: DrapeFile, result: SolveResult): DrapeVerdict {
   const samples = [...cloth.places, ...cloth.triangles.map(({worn}) => middle3(...worn))];
   const distances = samples.map((place) => surface.distance(place));
   const stretches = cloth.triangles.map(principalStretches);
-  const energies = energiesOf(file, cloth);
+  const energies = energiesOf(ratedBy(result, file), cloth);
   const stated = file.stages.at(-1)?.energy.at(-1) ?? NaN;
   const isFlat = awayFromGathers(file, result);
   const lowest = Math.min(...cloth.places.map((place) => place[1]));
@@ -176,6 +185,30 @@ function risesIn({stages}: DrapeFile): string[] {
   }
   return rises;
 }
+
+/**
+ * The force on all vertices that the form does not touch, over the weight of the cloth: 0 at rest, where the form
+ * bears the whole weight by pressing and rubbing where it touches. Cloth that lies on cloth away from the form counts as
+ * not touching. Wants places as exact as they are: cloth is stiff, and the 1e-4 cm of a file show as some percent.
+ */
+export function unborne(file: DrapeFile, result: SolveResult): number {
+  const cloth = new SewnCloth(file);
+  const surface = new ClosedSurface(file.form);
+  const reach = file.contactOffset + touching;
+  let left: Place = [0, 0, 0];
+  let whole = 0;
+  for (const [vertex, {pull, weight}] of forcesOf(ratedBy(result, file), cloth)) {
+    whole += weight;
+    if (surface.distance(at(cloth.places, vertex)) <= reach) continue;
+    left = plus3(plus3(left, pull), [0, -weight, 0]);
+  }
+  return norm3(left) / whole;
+}
+
+const ratedBy = ({seams}: SolveResult, file: DrapeFile): RatedDrape => ({
+  file,
+  ratios: seams.map(({lengthRatio}) => lengthRatio),
+});
 
 function waistOf({pieces, form}: DrapeFile, cloth: SewnCloth): number | undefined {
   const {waistHeight} = form.body;

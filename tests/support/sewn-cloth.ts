@@ -6,7 +6,8 @@ import {Cells, cross3, distance3, dot3, minus3} from './space.js';
 
 export interface ClothTriangle {
   readonly piece: number;
-  /** Numbers in the cloth. */
+  /** Of its corners in the piece, and in the cloth. */
+  readonly vertices: Corners;
   readonly corners: Corners;
   /** Of its corners on the piece as cut, and in space. [cm] */
   readonly cut: readonly [Point, Point, Point];
@@ -32,10 +33,11 @@ export class SewnCloth {
     }
     this.places = pieces.flatMap(({positions}) => positions);
     this.triangles = pieces.flatMap(({shape, positions, triangles}, piece) =>
-      triangles.map((corners) => {
-        const each = <T>(of: (vertex: number) => T) => corners.map(of) as [T, T, T];
+      triangles.map((vertices) => {
+        const each = <T>(of: (vertex: number) => T) => vertices.map(of) as [T, T, T];
         return {
           piece,
+          vertices,
           corners: each((vertex) => this.vertex(piece, vertex)),
           cut: each((vertex) => at(shape, vertex)),
           worn: each((vertex) => at(positions, vertex)),

@@ -1,8 +1,17 @@
 /** Samples as they are worn, judged by what their files hold. */
-import {drape, drapeFile, drapeText, glb, solve, type SolveResult} from 'seamwise/node';
+import {
+  drape,
+  drapeFile,
+  drapeText,
+  glb,
+  solve,
+  type Drape,
+  type DrapeFile,
+  type SolveResult,
+} from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
 
-import {apart, judgeDrape} from '../support/drape-judge.js';
+import {apart, judgeDrape, unborne} from '../support/drape-judge.js';
 import {broken, type DrapeLimits} from '../support/drape-limits.js';
 import {at} from '../support/plane.js';
 import {readGlb} from '../support/read-glb.js';
@@ -23,10 +32,15 @@ function resultOf(name: Sample): Promise<SolveResult> {
 const kept: Readonly<Partial<Record<Sample, Partial<DrapeLimits>>>> = {
   tee: {tension: {median: 0.005, p99: 0.035, max: 0.1}},
   'shift-dress': {sewnLength: 0.03},
+  trousers: {sewnLength: 0.05, tension: {median: 0.005, p99: 0.06, max: 0.1}},
+  'gathered-skirt': {sewnLength: 0.04, tension: {median: 0.005, p99: 0.045, max: 0.1}},
   'princess-dress': {sewnLength: 0.035, tension: {median: 0.005, p99: 0.07, max: 0.1}},
 };
 
-describe.each(['tee', 'shift-dress', 'raglan', 'princess-dress'] as const)('%s', (name) => {
+describe.each([
+  ...['tee', 'shift-dress', 'raglan', 'princess-dress', 'asymmetric-dress', 'trousers'],
+  'gathered-skirt',
+] as Sample[])('%s', (name) => {
   it('hangs on its form as cloth does', async () => {
     const result = await resultOf(name);
     const file = drapeFile(result, await drape(result));
@@ -81,18 +95,60 @@ it('differs by its texture coordinates alone, where another print leaves the cut
   expect(other?.coordinates).not.toEqual(one?.coordinates);
 });
 
-it('moves little with more effort', async () => {
-  const result = await resultOf('tee');
-  const [one, two] = [
-    drapeFile(result, await drape(result)),
-    drapeFile(result, await drape(result, {effort: 2})),
-  ];
-  const {rms, max} = apart(one, two);
-  expect(rms).toBeLessThan(0.2);
-  expect(max).toBeLessThan(0.9);
-  const [less, more] = [one, two].map(({stages}) => at(at(stages, -1).energy, -1));
-  expect(more).toBeLessThan(less ?? NaN);
-  expect((less ?? NaN) / (more ?? NaN) - 1).toBeLessThan(0.007);
+/** How far twice the effort moves a garment, in cm; folds of skirts may lie otherwise. */
+describe.each<[Sample, {rms: number; max: number}]>([
+  ['tee', {rms: 0.2, max: 0.8}],
+  ['shift-dress', {rms: 0.2, max: 0.8}],
+  ['raglan', {rms: 0.2, max: 0.9}], // measured, and rounded up, as below
+  ['princess-dress', {rms: 0.3, max: 1.2}],
+  ['six-gore-skirt', {rms: 0.6, max: 2.4}],
+])('%s', (name, most) => {
+  it('moves little with more effort, and is near its least energy', async () => {
+    const result = await resultOf(name);
+    const files: DrapeFile[] = [];
+    for (const effort of [1, 2, 4] as const)
+      files.push(drapeFile(result, await drape(result, {effort})));
+    const {rms, max} = apart(at(files, 0), at(files, 1));
+    expect(rms).toBeLessThan(most.rms);
+    expect(max).toBeLessThan(most.max);
+    const [one, , four] = files.map((file) => {
+      const {membrane, bending, weight} = judgeDrape(file, result).energies;
+      return membrane + bending + weight;
+    });
+    expect(Math.abs((one ?? NaN) / (four ?? NaN) - 1)).toBeLessThan(0.003);
+  });
+});
+
+/** With numbers in double precision, where the file's are rounded. */
+const exactly = (file: DrapeFile, {mesh, positions}: Drape): DrapeFile => ({
+  ...file,
+  pieces: file.pieces.map((piece, k) => {
+    const {shape, sewn} = at(mesh.pieces, k);
+    return {
+      ...piece,
+      shape: piece.shape.map((_, vertex) => {
+        const [x = NaN, y = NaN] = shape.subarray(2 * vertex, 2 * vertex + 2);
+        return [x, y] as const;
+      }),
+      positions: Array.from(sewn, (vertex) => {
+        const [x = NaN, y = NaN, z = NaN] = positions.subarray(3 * vertex, 3 * vertex + 3);
+        return [x, y, z] as const;
+      }),
+    };
+  }),
+});
+
+/** Of the weight of a garment as it comes to rest; the more effort, the less. */
+it.each<[Sample, 1 | 4, number]>([
+  ['shift-dress', 1, 0.02],
+  ['tee', 1, 0.04],
+  ['tee', 4, 0.02],
+  ['princess-dress', 1, 0.04],
+  ['princess-dress', 4, 0.02],
+])('hangs the weight of %s on the form, with effort %i', async (name, effort, most) => {
+  const result = await resultOf(name);
+  const worn = await drape(result, {effort});
+  expect(unborne(exactly(drapeFile(result, worn), worn), result)).toBeLessThan(most);
 });
 
 it('takes forms of other sizes and cloths', async () => {

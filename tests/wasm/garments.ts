@@ -35,12 +35,15 @@ export function twoStrips(height = 10): GarmentCodeSpecification {
 export function sample(
   name:
     | 'tee'
+    | 'asymmetric-dress'
     | 'gathered-skirt'
     | 'hoodie'
     | 'princess-dress'
     | 'patchwork-jacket'
     | 'raglan'
-    | 'shift-dress',
+    | 'shift-dress'
+    | 'six-gore-skirt'
+    | 'trousers',
 ): string {
   return readFileSync(new URL(`../../public/garments/${name}-m.json`, import.meta.url), 'utf8');
 }

@@ -2,10 +2,13 @@
 import {describe, expect, it} from 'vitest';
 
 import {drapeFile, drapeText, type DrapeFile, type Place} from '@/model/drape-file.js';
-import {apart, judgeDrape} from '../support/drape-judge.js';
+import {apart, judgeDrape, unborne} from '../support/drape-judge.js';
 import {broken} from '../support/drape-limits.js';
+import {forcesOf} from '../support/drape-energy.js';
 import {at} from '../support/plane.js';
+import {SewnCloth} from '../support/sewn-cloth.js';
 import {squaresDrape, squaresResult} from '../support/sewn-squares.js';
+import {plus3} from '../support/space.js';
 
 const sound = drapeFile(squaresResult, squaresDrape());
 
@@ -204,4 +207,41 @@ it('says how far apart two drapes lie', () => {
   const moved = placed(([x, y, z], piece) => (piece === 0 ? [x + 3, y, z + 4] : [x, y, z]));
   expect(apart(sound, moved).max).toBeCloseTo(5, 12);
   expect(apart(sound, moved).rms).toBeCloseTo(5 / Math.SQRT2, 12);
+});
+
+it('says how much of the weight hangs on nothing', () => {
+  expect(unborne(sound, squaresResult)).toBeCloseTo(1, 9); // in front of the form, at its rest lengths
+  const touching = placed(([x, y]) => [x, y, 5.1]);
+  expect(unborne(touching, squaresResult)).toBe(0);
+});
+
+it('reckons forces as the slope of the energy', () => {
+  const isMoved = ([x, y]: Place) => x < -0.1 && y < 97.5;
+  for (const lengthRatio of [1, 1.5]) {
+    const seams = squaresResult.seams.map((seam) => ({...seam, lengthRatio}));
+    const result = {...squaresResult, seams};
+    const bent = placed(([x, y, z]): Place => [1.05 * x, 0.97 * y, z + 0.1 * (y - 100) * x]);
+    const moved = (by: Place) => placed((place) => plus3(place, by, isMoved(place) ? 1 : 0), bent);
+    const energy = (by: Place) => {
+      const {membrane, bending, weight} = judgeDrape(moved(by), result).energies;
+      return membrane + bending + weight;
+    };
+    const cloth = new SewnCloth(bent);
+    const forces = forcesOf({file: bent, ratios: [lengthRatio]}, cloth);
+    const lower = new Set(
+      at(bent.pieces, 0).positions.flatMap((place, vertex) =>
+        isMoved(place) ? [cloth.vertex(0, vertex)] : [],
+      ),
+    );
+    for (const axis of [0, 1, 2] as const) {
+      const by = [0, 1, 2].map((k) => (k === axis ? 1e-4 : 0)) as unknown as Place;
+      const slope = (energy(by) - energy(plus3([0, 0, 0], by, -1))) / 2e-6; // J/m
+      let force = 0;
+      for (const vertex of lower) {
+        const {pull, weight} = forces.get(vertex) ?? {pull: [NaN, NaN, NaN], weight: NaN};
+        force += pull[axis] - (axis === 1 ? weight : 0);
+      }
+      expect(-slope).toBeCloseTo(force, 5);
+    }
+  }
 });

@@ -123,6 +123,8 @@ void Drape::finish() {
                      (millimetres < 1 ? "less than 1" : decimal(millimetres)) + " mm in a step.");
   }
   check_ = checkDrape(fine_, positions(), *problem_.body);
+  if (std::string doubt = doubtAbout(check_, problem_.fabric); !doubt.empty())
+    notes_.push_back(std::move(doubt));
   begin(Stage::kDone);
 }
 
@@ -140,8 +142,8 @@ bool Drape::advance(double work_now) {
   const double until = work() + work_now;
   while (stage_ != Stage::kDone && work() < until) {
     step();
-    const bool over = at_rest_ || stages_.back().steps >= last_step_;
-    if (stage_ == Stage::kSettle && (over || work() >= problem_.budget)) {
+    const bool over = at_rest_ || stages_.back().steps >= last_step_ || work() >= problem_.budget;
+    if (over && stage_ == Stage::kSettle) {
       if (!mend()) finish();
     } else if (over && stage_ == Stage::kSew)
       begin(Stage::kHang);

@@ -4,11 +4,16 @@
 #include <array>
 #include <cmath>
 
+#include "base/decimal.h"
 #include "base/sort_by.h"
 #include "drape/space_grid.h"
 
 namespace seamwise {
 namespace {
+
+constexpr double kOverstretched = 0.1;    ///< beyond Fabric::stiff_from, of a hundredth of it
+constexpr double kVisiblyInside = 0.005;  ///< m
+constexpr int kFewCrossings = 20;         ///< as folds of sound garments have
 
 DrapeCheck::Spread spreadOf(std::vector<double> values) {
   if (values.empty()) return {};
@@ -77,6 +82,22 @@ DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceFi
   check.compression = spreadOf(std::move(compressions));
   check.crossings = static_cast<int>(crossingsOf(mesh, x).size());
   return check;
+}
+
+std::string doubtAbout(const DrapeCheck& check, const Fabric& fabric) {
+  const auto whole = [](double value) {
+    return decimal(static_cast<std::int64_t>(std::nearbyint(value)));
+  };
+  if (check.tension.p99 > fabric.stiff_from + kOverstretched)
+    return "The garment is too small for its form, or sewn wrongly: its cloth would be stretched "
+           "by " +
+           whole(100 * check.tension.p99) + " %.";
+  if (check.depth > kVisiblyInside)
+    return "The form comes through the cloth by " + whole(1000 * check.depth) +
+           " mm: look at how the pieces are sewn and where they hang.";
+  if (check.crossings > kFewCrossings)
+    return "The cloth passes through itself at " + decimal(check.crossings) + " places.";
+  return "";
 }
 
 }  // namespace seamwise

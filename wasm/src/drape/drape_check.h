@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <string>
 #include <vector>
 
 #include "drape/distance.h"
+#include "drape/fabric.h"
 #include "drape/sewn_mesh.h"
 
 namespace seamwise {
@@ -20,6 +22,9 @@ struct DrapeCheck {
 };
 
 DrapeCheck checkDrape(const SewnMesh& mesh, const Positions& x, const DistanceField& body);
+
+/// What people should know of a drape that no cloth could have, in a sentence; empty of others.
+std::string doubtAbout(const DrapeCheck& check, const Fabric& fabric);
 
 /// An edge that passes through a triangle without a common vertex.
 struct ClothCrossing {

@@ -82,8 +82,8 @@ class Hanger {
     }
     if (same)
       return Error{Failure::kNotAGarment,
-                   "The file does not say where the pieces hang, and their seams leave it open: "
-                   "give panels a `translation`."};
+                   "The pieces hang nowhere: give the panels of the garment a 'translation' each, "
+                   "and align it again."};
     for (std::size_t i = 0; i < garment_.panels.size(); ++i) {
       const Piece& piece = pattern_.pieces[i];
       if (lowest < kBelowFloor) hanging_.placed[i].shift.y() += kMiddleOverFloor;
@@ -93,8 +93,8 @@ class Hanger {
       if (hanging_.middles[i].cwiseAbs().maxCoeff() > kFarthest)
         return Error{Failure::kNotAGarment,
                      "Piece " + inQuotes(piece.name) +
-                         " is placed far from any body: its "
-                         "`translation` has to be in the units of the file, from the floor up.",
+                         " is placed far from any body: give 'translation' in the units of the "
+                         "garment's file, from the floor up, and align it again.",
                      static_cast<int>(i)};
     }
     return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/decimal.h"
 #include "drape/closed_bands.h"
 #include "drape/fitting_form.h"
 #include "drape/layers.h"
@@ -13,6 +14,8 @@ namespace seamwise {
 namespace {
 
 constexpr double kUsualBudget = 100;  ///< of work, in factorisations of a 90 x 90 grid
+/// More than the widest gown has; beyond it one step alone takes much of the budget. [m2]
+constexpr double kMostCloth = 20;
 
 /// Those of settings, file or size; else of a body that fits, to whose height the garment is moved.
 Outcome<Measures> measuresFor(SolvedGarment* solved, const WearSettings& settings) {
@@ -71,6 +74,19 @@ Positions settledOf(const SewnLevel& level, const std::vector<double>& flat,
   return settled;
 }
 
+/// Says what is wrong with a garment that is too large to be one.
+std::optional<Error> tooMuchCloth(const Pattern& pattern) {
+  double area = 0;
+  for (const Piece& piece : pattern.pieces)
+    for (const auto& [a, b, c] : piece.triangles)
+      area += triangleArea(piece.rest[a], piece.rest[b], piece.rest[c]) * kCentimetre * kCentimetre;
+  if (area <= kMostCloth) return std::nullopt;
+  return Error{Failure::kNotAGarment,
+               "The garment takes " + decimal(static_cast<std::int64_t>(area)) +
+                   " m2 of cloth, more than the " + decimal(static_cast<std::int64_t>(kMostCloth)) +
+                   " m2 that can be draped; check the units of its file."};
+}
+
 /// Where the sewn vertices of a level are, from where those of its pieces are.
 Positions startOf(const SewnLevel& level, const PiecePositions& wrapped) {
   Positions start(level.size, Vec3::Zero());
@@ -97,6 +113,7 @@ WornGarment::WornGarment(SolvedGarment garment, Form form, Hanging hanging, Sewn
 
 Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
                                                         const WearSettings& settings) {
+  if (const auto error = tooMuchCloth(garment.pattern)) return *error;
   const Outcome<Measures> measures = measuresFor(&garment, settings);
   if (!measures.ok()) return measures.error();
   Outcome<Form> form = Form::make(measures.value());
@@ -108,7 +125,8 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   closeBands(&garment.pattern);
   Outcome<Hanging> hanging = hang(garment.garment, garment.pattern, form.value());
   if (!hanging.ok()) return hanging.error();
-  Outcome<SewnLevels> levels = sewnLevels(garment.pattern);
+  Outcome<SewnLevels> levels =
+      sewnLevels(garment.pattern, kCoarseCloth / kFineCloth * settings.edge, settings.edge);
   if (!levels.ok()) return levels.error();
   std::unique_ptr<WornGarment> worn(new WornGarment(std::move(garment), std::move(form).value(),
                                                     std::move(hanging).value(),

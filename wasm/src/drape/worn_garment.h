@@ -23,6 +23,7 @@ struct WearSettings {
   Fabric fabric = kPoplin;
   std::optional<Measures> measures;  ///< of the form; else the garment's own, or those of its size
   double effort = 1;                 ///< DrapeProblem::effort
+  double edge = kFineCloth;          ///< cm, of the fine mesh's triangles; half of the coarse one's
   /// Where an earlier drape of the garment left its cloth, x, y, z after each other, cm; empty:
   /// none
   std::vector<double> settled;

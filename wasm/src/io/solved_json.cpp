@@ -82,6 +82,14 @@ void readPiece(const JsonValue& json, const Place& place, SolvedGarment* solved)
   bool in_order = shape.size() == count && piece.outline.size() >= 3 && !piece.triangles.empty();
   for (const std::vector<int>& loop : loopsOf(piece))
     for (int v : loop) in_order = in_order && v == next++;
+  double cut = 0;
+  if (in_order)
+    for (const auto& [a, b, c] : piece.triangles)
+      cut = std::max(cut, triangleArea(shape[a], shape[b], shape[c]));
+  if (in_order && !(cut > 0)) {
+    place.fail(place.shape, "has no area as cut; align the garment again");
+    return;
+  }
   if (!in_order) {
     place.fail(place.shape, "is no piece of a result; align the garment again");
     return;
@@ -90,6 +98,8 @@ void readPiece(const JsonValue& json, const Place& place, SolvedGarment* solved)
   if (const JsonValue grain = json.find("grainAngle"))
     panel.grain_angle = number(grain, place, "'grainAngle'", kMaxAngle);
   const JsonValue placement = json.find("placement");
+  if (!placement)  // a result from before garments could be worn
+    place.fail(place.shape, "does not say where it hangs; align the garment again");
   panel.placement_shift =
       readTriple(placement.find("translation"), place, "'translation'", kMaxCoordinateCm);
   panel.placement_turn = readTriple(placement.find("rotation"), place, "'rotation'", kMaxAngle);

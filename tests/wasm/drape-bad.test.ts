@@ -1,0 +1,121 @@
+/** Results that no garment hangs by: one sentence, or a drape that says what is wrong with it, and the next one hangs. */
+import {drape, solve, type DrapeSettings, type ResultPiece, type SolveResult} from 'seamwise/node';
+import {beforeAll, describe, expect, it} from 'vitest';
+
+import {at} from '../support/plane.js';
+import {checks, sample} from './garments.js';
+
+let tee: SolveResult;
+
+beforeAll(async () => {
+  tee = await solve({garment: sample('tee'), print: checks});
+});
+
+type Change = (result: SolveResult) => SolveResult;
+
+const eachPiece =
+  (change: (piece: ResultPiece, number: number) => object): Change =>
+  (result) => ({
+    ...result,
+    pieces: result.pieces.map((piece, k) => ({...piece, ...change(piece, k)})),
+  });
+
+const larger = (factor: number): Change =>
+  eachPiece(({rest, shape}) => ({
+    rest: rest.map(([x, y]) => [factor * x, factor * y]),
+    shape: shape.map(([x, y]) => [factor * x, factor * y]),
+  }));
+
+const movedBy = (y: number): Change =>
+  eachPiece(({placement}) => {
+    const [ahead = 0, up = 0, side = 0] = placement?.translation ?? [];
+    return {placement: {...placement, translation: [ahead, up + y, side]}};
+  });
+
+const times =
+  (count: number): Change =>
+  (result) => {
+    const {pieces, seams} = result;
+    const copies = Array.from({length: count}, (_, k) => k);
+    const shifted = (side: SolveResult['seams'][number]['a'], copy: number) => ({
+      ...side,
+      piece: side.piece + copy * pieces.length,
+    });
+    return {
+      ...result,
+      pieces: copies.flatMap((k) =>
+        pieces.map((piece) => ({...piece, name: `${piece.name} ${k}`})),
+      ),
+      seams: copies.flatMap((k) =>
+        seams.map((seam) => ({...seam, a: shifted(seam.a, k), b: shifted(seam.b, k)})),
+      ),
+      symmetries: [],
+    };
+  };
+
+const refused: readonly [string, Change, string][] = [
+  [
+    'made before garments were worn',
+    eachPiece(() => ({placement: undefined})),
+    'align the garment again',
+  ],
+  [
+    'of panels that are all at 0',
+    eachPiece(() => ({placement: {translation: [0, 0, 0], rotation: [0, 0, 0]}})),
+    "give the panels of the garment a 'translation' each, and align it again.",
+  ],
+  ['without a number', movedBy(NaN), 'write a number'],
+  ['1e6 cm up', movedBy(1e6), 'is beyond 10000'],
+  ['10 m up', movedBy(1000), 'is placed far from any body'],
+  ['of pieces of 1e6 cm', larger(1e4), 'is beyond 10000 cm'],
+  ['in the wrong unit', larger(10), 'm2 of cloth, more than the 20 m2 that can be draped'],
+  ['of 200 pieces', times(50), 'm2 of cloth, more than the 20 m2 that can be draped'],
+  ['cut to nothing', eachPiece(({shape}) => ({shape: shape.map(() => [0, 0])})), 'no area as cut'],
+];
+
+describe('refuses in one sentence a result', () => {
+  it.each(refused)('%s', async (_, change, sentence) => {
+    const failure = await drape(JSON.stringify(change(tee))).then(
+      () => undefined,
+      (error: unknown) => error as Error,
+    );
+    expect(failure?.message).toContain(sentence);
+    expect(failure?.message).toMatch(/^[^`\n]*\.$/);
+    expect(failure?.message.match(/\. /g)).toBeNull();
+  });
+});
+
+const sleeve = 2;
+/** Its other end first, wherever it is sewn to something else. */
+const insideOut: Change = (result) => ({
+  ...result,
+  seams: result.seams.map((seam) => {
+    const turned = (side: typeof seam.a) =>
+      side.piece === sleeve ? {...side, vertices: side.vertices.toReversed()} : side;
+    return {...seam, a: turned(seam.a), b: turned(seam.b)};
+  }),
+});
+
+const doubted: readonly [string, Change, DrapeSettings, RegExp][] = [
+  ['with a sleeve sewn inside out', insideOut, {}, /sewn/],
+  ['of pieces that are not sewn', (result) => ({...result, seams: []}), {}, /still moving/],
+  ['that is far too large', larger(2.5), {}, /through/],
+  ['that is too small for the form', (result) => result, {size: 'XL'}, /too small/],
+];
+
+describe('says what is wrong with a garment', () => {
+  it.each(doubted)('%s', async (_, change, settings, sentence) => {
+    const {notes, stages, positions} = await drape(change(tee), settings);
+    expect(notes.join(' ')).toMatch(sentence);
+    expect(positions.every(Number.isFinite)).toBe(true);
+    // the last step may go beyond the budget
+    expect(stages.reduce((sum, {work}) => sum + work, 0)).toBeLessThan(110);
+  });
+});
+
+it('drapes the next one', async () => {
+  const {check, notes} = await drape(tee);
+  expect(notes).toEqual([]);
+  expect(check.crossings).toBe(0);
+  expect(at(tee.pieces, sleeve).name).toContain('sleeve');
+});

@@ -1,0 +1,46 @@
+/** A drape must be the same bytes wherever it is made, whatever its pieces are called, and in whatever order. */
+import {execFileSync} from 'node:child_process';
+import {existsSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+import {drape, solve} from 'seamwise/node';
+import {expect, it} from 'vitest';
+
+import {checks, sample} from './garments.js';
+
+/** Built with the native tests. */
+const native = fileURLToPath(
+  new URL('../../build/native/tests/native/seamwise_drape', import.meta.url),
+);
+
+const bytesOf = (positions: Float64Array) =>
+  Buffer.from(positions.buffer, positions.byteOffset, positions.byteLength);
+
+it.skipIf(!existsSync(native)).each(['tee', 'six-gore-skirt', 'patchwork-jacket'] as const)(
+  'of %s are those of a native program',
+  async (name) => {
+    const result = await solve({garment: sample(name), print: checks});
+    const folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
+    try {
+      const file = join(folder, 'result.json');
+      writeFileSync(file, JSON.stringify(result));
+      const expected = execFileSync(native, [file], {maxBuffer: 1 << 24});
+      const {positions} = await drape(result);
+      expect(bytesOf(positions).equals(expected)).toBe(true);
+    } finally {
+      rmSync(folder, {recursive: true});
+    }
+  },
+);
+
+it.each(['tee', 'princess-dress'] as const)('of %s do not hang on names', async (name) => {
+  const result = await solve({garment: sample(name), print: checks});
+  const renamed = {
+    ...result,
+    pieces: result.pieces.map((piece, k) => ({...piece, name: `piece ${100 - k}`})),
+  };
+  const [one, other] = [await drape(result), await drape(renamed)];
+  expect(bytesOf(other.positions).equals(bytesOf(one.positions))).toBe(true);
+});
