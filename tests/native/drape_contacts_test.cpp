@@ -70,14 +70,31 @@ TEST(DrapeContacts, KeepTheSideThatIsSeenFirstWhereNoPieceIsAbove) {
   }
 }
 
+TEST(DrapeContacts, KeepLayersAsTheyWereLaidOrButtoned) {
+  const TwoSheets sheets;
+  // As laid the second sheet is 4 mm above the first one; now it has slipped 2 mm below it.
+  std::vector<signed char> laps(sheets.mesh.size, -1);
+  for (const int v : sheets.level.sewn[1]) laps[v] = 1;
+  for (const bool buttoned : {false, true}) {
+    ClothContacts contacts(sheets.mesh, {}, {}, buttoned ? laps : std::vector<signed char>{},
+                           buttoned ? Positions{} : sheets.apart(0.004), kGap);
+    EXPECT_EQ(contacts.hasLayers(), !buttoned);
+    contacts.setTouching(true);
+    const Positions now = sheets.apart(-0.002);
+    contacts.look(now);
+    Positions gradient(sheets.mesh.size, Vec3::Zero());
+    EXPECT_GT(contacts.energy(now, &gradient), 0);
+    EXPECT_LT(gradient[sheets.level.sewn[1].back()].y(), 0);
+  }
+}
+
 TEST(DrapeContacts, HoldAPatchOnWhatItIsStitchedTo) {
   const TwoSheets sheets;
   const Polyline line{{1, 1}, {11, 1}, {11, 11}, {1, 11}};
   MatchLine match;
   match.piece_a = 1, match.piece_b = 0, match.a = line, match.b = line;
   const std::vector<Overlap> overlaps{{1, 0}};
-  const std::vector<ClothTie> ties =
-      heldLayers(sheets.level, {match}, overlaps, kGap).ties;
+  const std::vector<ClothTie> ties = heldLayers(sheets.level, {match}, overlaps, kGap).ties;
   ASSERT_EQ(ties.size(), 21u);  // 30 cm, each 1.5 cm
   ClothContacts contacts(sheets.mesh, overlaps, ties, {}, {}, kGap);
   contacts.setTouching(true);
