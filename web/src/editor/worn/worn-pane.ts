@@ -184,9 +184,6 @@ export class WornPane extends WornDrawing {
         ${this.#toggle(words.seams, this.#showsSeams, () => {
           this.toggleSeams();
         })}
-        ${this.#toggle(this.texts.pattern.wipe, this.#split !== undefined, () => {
-          this.toggleWipe();
-        })}
       </div>
     </div>`;
   }
@@ -211,21 +208,31 @@ export class WornPane extends WornDrawing {
     return html`<div class="group" role="group" aria-label=${pattern.view}>
       ${
         edits
-          ? html`<select
-              aria-label=${words.look}
-              title=${words.look}
-              .value=${preset}
-              @change=${({target}: Event) => {
-                this.view?.camera.look((target as HTMLSelectElement).value as CameraPreset);
-              }}
-            >
-              ${presetNames.map(
-                (name) =>
-                  html`<option value=${name} ?selected=${name === preset}>
-                    ${words.looks[name]}
-                  </option>`,
-              )}
-            </select>`
+          ? html`<button
+                class="icon"
+                aria-label=${pattern.wipe}
+                title=${pattern.wipe}
+                aria-pressed=${this.#split !== undefined}
+                @click=${() => {
+                  this.toggleWipe();
+                }}
+              >
+                ${icon.before}</button
+              ><select
+                aria-label=${words.look}
+                title=${words.look}
+                .value=${preset}
+                @change=${({target}: Event) => {
+                  this.view?.camera.look((target as HTMLSelectElement).value as CameraPreset);
+                }}
+              >
+                ${presetNames.map(
+                  (name) =>
+                    html`<option value=${name} ?selected=${name === preset}>
+                      ${words.looks[name]}
+                    </option>`,
+                )}
+              </select>`
           : nothing
       }
       <button
