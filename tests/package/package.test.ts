@@ -17,6 +17,8 @@ const kilobyte = 1000;
 const mostForPackage = 690 * kilobyte;
 /** The scripts for pages without a bundler, three and Lit included, the solver's module not. [bytes] */
 const mostForStandalone = 385 * kilobyte;
+/** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
+const mostForDrape = 90 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;
@@ -136,6 +138,9 @@ it('is small', () => {
   );
   expect(bytes).toBeGreaterThan(200 * kilobyte); // the solver is in it
   expect(bytes).toBeLessThan(mostForPackage);
+  const drape = compressed((file) => file === 'dist/solver/module/drape.wasm');
+  expect(drape).toBeGreaterThan(50 * kilobyte);
+  expect(drape).toBeLessThan(mostForDrape);
 });
 
 it('is not much larger for pages without a bundler', () => {

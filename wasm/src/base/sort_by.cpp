@@ -4,7 +4,13 @@
 
 namespace seamwise {
 
-void sortNumbers(std::vector<double>& numbers) { std::sort(numbers.begin(), numbers.end()); }
+void sortNumbers(std::vector<double>& numbers) {
+  std::vector<std::pair<double, std::size_t>> items;
+  items.reserve(numbers.size());
+  for (const double number : numbers) items.emplace_back(number, 0);
+  sortKeyed(items);
+  for (std::size_t k = 0; k < items.size(); ++k) numbers[k] = items[k].first;
+}
 
 void sortKeyed(std::vector<std::pair<double, std::size_t>>& items) {
   std::sort(items.begin(), items.end());
