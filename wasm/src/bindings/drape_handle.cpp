@@ -114,6 +114,7 @@ DrapeHandle::DrapeHandle(const val& request) {
 
 void DrapeHandle::hang() {
   const Request request = std::exchange(request_, {});
+  name_ = request.result_name;
   Outcome<SolvedGarment> solved = readSolved(request.result, request.result_name);
   WearSettings settings;
   settings.effort = request.effort;
@@ -145,7 +146,11 @@ void DrapeHandle::hang() {
 
 bool DrapeHandle::advance(double work) {
   if (error_) return false;
-  if (worn_) return worn_->drape().advance(work);
+  if (worn_) {
+    const bool more = worn_->drape().advance(work);
+    if (const auto refusal = worn_->refusal()) error_ = inFile(*refusal, name_);
+    return more && !error_;
+  }
   hang();
   return !error_;
 }

@@ -49,6 +49,7 @@ class DrapeHandle {
     std::vector<double> settled;
   };
   Request request_;
+  std::string name_;  ///< of the result's file
   std::unique_ptr<WornGarment> worn_;
   std::optional<Error> error_;
   std::vector<int> place_;  ///< per piece of the file: which of the worn garment's it is

@@ -4,19 +4,31 @@
 #include <cmath>
 #include <optional>
 
+#include "base/disjoint_sets.h"
+#include "base/sort_by.h"
 #include "drape/wrap.h"
 
 namespace seamwise {
 namespace {
 
-constexpr double kEaseCm = 1;  ///< of a girth, at least
-constexpr double kTightEnough =
-    12;                           ///< cm of girth over all levels, 1 cm apart, that may be missing
-constexpr double kOverWaist = 2;  ///< cm: where the top edge of skirts and trousers lies
-constexpr double kFarthestLift = 40;  ///< cm
-constexpr int kSteps = 4;             ///< between neighbouring sizes
+// Of girths: cloth lies a little off the form. [cm]
+constexpr double kEaseCm = 2, kEaseOfHeld = 1, kEaseOfLimbs = 1.5, kEaseAtCrotch = 8;
+// What files hang on bodies has its waist so high over the floor: GarmentCode's and, lifted onto
+// the floor, Garment-Pattern-Generator's. [cm]
+constexpr double kWaistOfFiles = 108.8;
+// No body is thinner than this share of a size M. [1]
+constexpr double kThinnest = 0.6;
+// Waist edges lie so far over the waist, crotches so far below the body's. [cm]
+constexpr double kOverWaist = 2, kUnderCrotch = 1.5;
+constexpr double kLeastRise = 18;                   ///< cm
+constexpr double kFarthestShoulder = 23;            ///< cm from the middle
+constexpr double kBesideNeck = 4, kUnderHips = 12;  ///< cm
+constexpr double kTightEnough = 12;  ///< cm of girth over all levels that sizes may lack
+constexpr double kOfRise = 6;        ///< of that, a missing cm of the body's rise
+constexpr int kSteps = 4;            ///< between neighbouring sizes
+constexpr int kRounds = 8;
 
-/// A body between two sizes, or smaller than the smallest by the same steps. 0 is XS, 4 XL.
+/// A body between two sizes, or beyond them by the same steps. 0 is XS, 4 XL.
 Measures measuresAt(double size) {
   const int last = static_cast<int>(kSizes.size()) - 2;
   const int below = std::clamp(static_cast<int>(std::floor(size)), 0, last);
@@ -26,6 +38,16 @@ Measures measuresAt(double size) {
   for (const MeasureName& name : kMeasureNames)
     between.*name.value = (1 - share) * a.*name.value + share * b.*name.value;
   return between;
+}
+
+/// The size that has a measure, between two below XS and XL.
+double sizeWith(double Measures::*measure, double cm) {
+  double low = -2, high = 4;
+  for (int step = 0; step < 20; ++step) {
+    const double middle = (low + high) / 2;
+    (measuresAt(middle).*measure < cm ? low : high) = middle;
+  }
+  return low;
 }
 
 /// The height of the form's shoulders at so far from the middle. [cm]
@@ -40,69 +62,311 @@ double shoulderHeight(const Form& form, double side) {
   return low;
 }
 
-/// By how much what lies on the shoulders lies too low, in the mean; none where nothing does. [cm]
-std::optional<double> missingAtShoulders(const Pattern& pattern, const Hanging& hanging,
-                                         const Form& form) {
-  const double neck = form.measures().neck / (2 * kPi) + 2, tip = form.shoulderPoint().x() - 3;
-  constexpr int kPlaces = 5;
-  double sum = 0;
-  int count = 0;
-  for (int k = 0; k < kPlaces; ++k) {
-    const double side = neck + (tip - neck) * k / (kPlaces - 1);
-    double top = -1e9;
-    for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
-      if (hanging.parts[p] != BodyPart::kTorso) continue;
-      const std::vector<int>& outline = pattern.pieces[p].outline;
+/// A garment as its file hangs it.
+class Fitting {
+ public:
+  Fitting(const Garment& garment, const Pattern& pattern, const Form& form, const Hanging& hanging)
+      : pattern_(pattern), hanging_(hanging) {
+    for (int part = 0; part < kBodyParts; ++part)
+      girths_[part] = wornGirths(garment, pattern, form, static_cast<BodyPart>(part));
+    sewn_.resize(pattern.pieces.size());
+    for (std::size_t p = 0; p < sewn_.size(); ++p)
+      sewn_[p].assign(pattern.pieces[p].rest.size(), false);
+    for (const Seam& seam : pattern.seams)
+      for (const SeamSide* side : {&seam.a, &seam.b})
+        for (int v : side->vertices) sewn_[side->piece][v] = true;
+    for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+      for (int v : pattern.pieces[p].outline) top_ = std::max(top_, at(static_cast<int>(p), v).y());
+    findCrotch();
+    findShoulders();
+    findTop();
+  }
+
+  FittingForm run() const {
+    FittingForm best{measuresAt(2), 0};
+    double least = 1e9;
+    for (int step = 2 * kSteps; step >= -2 * kSteps && least >= kTightEnough; --step)
+      if (const std::optional<Candidate> found = fitted(static_cast<double>(step) / kSteps);
+          found && found->tightness < least)
+        least = found->tightness, best = found->body;
+    return best;
+  }
+
+ private:
+  struct Candidate {
+    FittingForm body;
+    double tightness;  ///< cm of girth that rings lacked before its girths were made smaller
+  };
+
+  Vec3 at(int piece, int vertex) const {
+    return hanging_.placed[piece](pattern_.pieces[piece].rest[vertex]);
+  }
+
+  void findCrotch() {
+    for (const Seam& seam : pattern_.seams) {
+      const BodyParts both =
+          only(hanging_.parts[seam.a.piece]) | only(hanging_.parts[seam.b.piece]);
+      if (both != kLegs) continue;
+      for (int v : seam.a.vertices) crotch_ = std::min(crotch_, at(seam.a.piece, v).y());
+    }
+  }
+
+  // Where the seams on the shoulders begin and end, from the middle.
+  void findShoulders() {
+    double highest = -1e9;
+    std::vector<std::pair<double, double>> seams;
+    for (double x = 4; x < kFarthestShoulder; x += 0.5)
+      for (const double side : {x, -x})
+        if (const std::optional<double> top = seamOver(side); top && *top > kWaistOfFiles + 20)
+          seams.emplace_back(x, *top), highest = std::max(highest, *top);
+    constexpr double kSlope = 12;  // cm that shoulders fall
+    for (const auto& [x, top] : seams)
+      if (top > highest - kSlope) neck_ = std::min(neck_, x), shoulder_ = std::max(shoulder_, x);
+  }
+
+  // The edge that a garment ends in at its top, around what it hangs on: edges that are sewn to
+  // nothing, one after the other, across seams.
+  void findTop() {
+    std::vector<int> first;
+    int count = 0;
+    for (const Piece& piece : pattern_.pieces)
+      first.push_back(count), count += static_cast<int>(piece.rest.size());
+    DisjointSets knots(count);
+    std::vector<std::pair<int, int>> sewn;
+    for (const Seam& seam : pattern_.seams) {
+      for (std::size_t i = 0; i < seam.a.vertices.size(); ++i)
+        knots.join(first[seam.a.piece] + seam.a.vertices[i],
+                   first[seam.b.piece] + seam.b.vertices[i]);
+      for (const SeamSide* side : {&seam.a, &seam.b})
+        for (std::size_t i = 0; i + 1 < side->vertices.size(); ++i)
+          for (const bool turned : {false, true})
+            sewn.emplace_back(first[side->piece] + side->vertices[i + (turned ? 1 : 0)],
+                              first[side->piece] + side->vertices[i + (turned ? 0 : 1)]);
+    }
+    sortOnce(sewn);
+    struct Edge {
+      int knot;
+      double length, low, high;
+    };
+    std::vector<Edge> edges;
+    for (std::size_t p = 0; p < pattern_.pieces.size(); ++p) {
+      const BodyPart part = hanging_.parts[p];
+      const std::vector<int>& outline = pattern_.pieces[p].outline;
       for (std::size_t i = 0; i < outline.size(); ++i) {
-        const auto at = [&](std::size_t corner) {
-          return hanging.placed[p](pattern.pieces[p].rest[outline[corner % outline.size()]]);
-        };
-        const Vec3 a = at(i), b = at(i + 1);
-        if ((a.x() < side) == (b.x() < side)) continue;
-        top = std::max(top, a.y() + (side - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
+        const int u = outline[i], v = outline[(i + 1) % outline.size()];
+        if (std::binary_search(sewn.begin(), sewn.end(), std::pair(first[p] + u, first[p] + v)))
+          continue;
+        knots.join(first[p] + u, first[p] + v);
+        if (part != BodyPart::kTorso && !(only(part) & kLegs)) continue;
+        const Vec3 a = at(static_cast<int>(p), u), b = at(static_cast<int>(p), v);
+        edges.push_back(
+            {first[p] + u, length(Vec3(b - a)), std::min(a.y(), b.y()), std::max(a.y(), b.y())});
       }
     }
-    const double missing = shoulderHeight(form, side) - top;
-    if (std::abs(missing) > 0.4 * form.measures().back_length) continue;
-    sum += missing, ++count;
+    int highest = -1;
+    for (const Edge& edge : edges)
+      if (edge.high > top_ - 1e-9 || highest < 0) {
+        highest = knots.find(edge.knot);
+        if (edge.high > top_ - 1e-9) break;
+      }
+    top_low_ = top_;
+    for (const Edge& edge : edges)
+      if (knots.find(edge.knot) == highest)
+        top_girth_ += edge.length, top_low_ = std::min(top_low_, edge.low);
   }
-  if (count < 3) return std::nullopt;
-  return sum / count;
-}
 
-/// The top edge of what hangs on torso and legs. [cm]
-double topOf(const Pattern& pattern, const Hanging& hanging) {
-  double top = -1e9;
-  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
-    for (int v : pattern.pieces[p].outline)
-      top = std::max(top, hanging.placed[p](pattern.pieces[p].rest[v]).y());
-  return top;
-}
+  /// By how much what lies on the shoulders lies too low, in the mean; none where nothing does.
+  /// [cm]
+  std::optional<double> missingAtShoulders(const Form& form) const {
+    const double neck = form.measures().neck / (2 * kPi) + 2, tip = form.shoulderPoint().x() - 3;
+    constexpr int kPlaces = 7;
+    double sum = 0;
+    int count = 0;
+    for (int k = 0; k < kPlaces; ++k) {
+      const double side = neck + (tip - neck) * k / (kPlaces - 1);
+      for (const double x : {side, -side}) {
+        const std::optional<double> top = seamOver(x);
+        if (!top) continue;
+        const double missing = shoulderHeight(form, side) - *top;
+        if (std::abs(missing) > 0.5 * form.measures().back_length) continue;
+        sum += missing, ++count;
+      }
+    }
+    if (count < 2 || shoulder_ == 0) return std::nullopt;
+    return sum / count;
+  }
+
+  /// The height of the torso's highest pieces there; none where they end in an edge, as strapless
+  /// ones do. [cm]
+  std::optional<double> seamOver(double x) const {
+    double top = -1e9;
+    bool sewn = false;
+    for (std::size_t p = 0; p < pattern_.pieces.size(); ++p) {
+      if (hanging_.parts[p] != BodyPart::kTorso) continue;
+      const std::vector<int>& outline = pattern_.pieces[p].outline;
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        const int u = outline[i], v = outline[(i + 1) % outline.size()];
+        const Vec3 a = at(static_cast<int>(p), u), b = at(static_cast<int>(p), v);
+        if ((a.x() < x) == (b.x() < x)) continue;
+        const double height = a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+        if (height > top) top = height, sewn = sewn_[p][u] && sewn_[p][v];
+      }
+    }
+    return sewn ? std::optional(top) : std::nullopt;
+  }
+
+  /// The widest ring over the waist, of what has no shoulders. [cm]
+  double girthAtBust(double lift, const Measures& m) const {
+    double most = 0;
+    for (const WornGirth& ring : girths_[static_cast<int>(BodyPart::kTorso)])
+      if (ring.height + lift > m.waist_height + 0.25 * m.back_length)
+        most = std::max(most, ring.girth);
+    return most > 0 ? most : m.bust;
+  }
+
+  /// The body of a size made smaller until the garment has ease on it; none when it is no body.
+  std::optional<Candidate> fitted(double size) const {
+    Measures m = measuresAt(size);
+    const Outcome<Form> usual = Form::make(m);
+    if (!usual.ok()) return std::nullopt;
+    const std::optional<double> missing = missingAtShoulders(usual.value());
+    double lift = missing.value_or(m.waist_height - kWaistOfFiles);
+    if (const double top = top_ + lift - m.waist_height; !missing && (top < -15 || top > 90))
+      lift = m.waist_height + kOverWaist - top_;
+    const bool at_bust = !missing && top_ + lift - m.waist_height > 0.3 * m.back_length;
+    if (!missing) {
+      double girths = 2;
+      if (at_bust)
+        girths = sizeWith(&Measures::bust, girthAtBust(lift, m));
+      else if (top_girth_ > 40 && top_girth_ < 150)
+        girths = sizeWith(&Measures::waist, top_girth_ - kEaseOfHeld);
+      const Measures wide = measuresAt(girths);
+      for (double Measures::*girth :
+           {&Measures::bust, &Measures::waist, &Measures::hip, &Measures::upper_arm,
+            &Measures::wrist, &Measures::thigh, &Measures::knee, &Measures::ankle})
+        m.*girth = wide.*girth;
+    } else if (girths_[static_cast<int>(BodyPart::kTorso)].empty()) {
+      // Open down to the hem: as wide as its shoulders.
+      m = measuresAt(std::min(size, sizeWith(&Measures::shoulder_width, 2 * shoulder_ + 1)));
+    }
+    double tightness = 0;
+    if (missing) {
+      m.shoulder_width = std::clamp(2 * shoulder_ + 1, 0.75 * m.shoulder_width, m.shoulder_width);
+      // A neckline lies around the neck's base, or goes straight over it from shoulder to shoulder.
+      m.neck = std::clamp(2 * kPi * (neck_ - kBesideNeck), 0.7 * m.neck, m.neck);
+      m.neck = std::min(m.neck, kPi * (m.shoulder_width - 7));
+    }
+    if (missing) {
+      tightness = tightnessOn(m, lift);
+      if (crotch_ < 1e9)
+        tightness += kOfRise * std::max(0.0, crotch_ + lift + m.body_rise + 2 * kUnderCrotch -
+                                                 m.waist_height);
+    } else if (crotch_ < 1e9) {
+      // Low-rise trousers hang lower; what else lies too high makes the body's rise shorter.
+      const double low = m.waist_height - m.body_rise - kUnderCrotch - crotch_;
+      if (lift > low) lift = std::max(low, lift - 8);
+      m.body_rise =
+          std::clamp(m.waist_height - crotch_ - lift - kUnderCrotch, kLeastRise, m.body_rise);
+      m.hip_depth = std::min(m.hip_depth, m.body_rise - 1.5);
+    }
+    for (int round = 0; round < kRounds; ++round)
+      if (!lessen(&m, lift, round < kRounds / 2)) return std::nullopt;
+    if (!Form::make(m).ok()) return std::nullopt;
+    return Candidate{{m, lift}, tightness};
+  }
+
+  // Makes girths smaller where rings lack some: that of a level is about linear in the girths that
+  // its tube's sections are made of. The waist comes after those beside it.
+  bool lessen(Measures* m, double lift, bool before_waist) const {
+    const Outcome<Form> made = Form::make(*m);
+    if (!made.ok()) return false;
+    const Form& form = made.value();
+    const Measures usual = measuresAt(2);
+    Measures less = *m;
+    const auto take = [&](double Measures::*girth, double share, double missing) {
+      if (missing <= 0) return;
+      const double least = kThinnest * usual.*girth;
+      less.*girth = std::min(less.*girth, std::max(least, m->*girth - missing / share));
+    };
+    const auto each = [&](BodyPart part, double ease, auto&& use) {
+      forRings(form, part, lift, ease, use);
+    };
+    const bool trousers = crotch_ < 1e9;
+    // What hangs on no shoulders is held by being hardly wider than the body.
+    each(BodyPart::kTorso, shoulder_ > 0 ? kEaseCm : kEaseOfHeld,
+         [&](double level, double missing) {
+           const double up = level / m->back_length, down = -level / m->hip_depth;
+           if (up > 0.34)
+             take(&Measures::bust, 1, missing);
+           else if (down > 0.4)
+             take(&Measures::hip, std::min(1.0, 0.5 + 0.5 * down),
+                  missing + (trousers ? kEaseAtCrotch : 0));
+           else if (!before_waist)
+             take(&Measures::waist, 0.7, missing);
+         });
+    for (const BodyPart arm : {BodyPart::kLeftArm, BodyPart::kRightArm})
+      each(arm, kEaseOfLimbs, [&](double level, double missing) {
+        const double down = -level / m->arm_length;
+        if (down < 0.8) take(&Measures::upper_arm, 1, missing);
+        if (down > 0.4) take(&Measures::wrist, 1, missing);
+      });
+    const double knee = m->body_rise - m->knee_depth;
+    for (const BodyPart leg : {BodyPart::kLeftLeg, BodyPart::kRightLeg})
+      each(leg, kEaseOfLimbs, [&](double level, double missing) {
+        if (level > 0.4 * knee)
+          take(&Measures::thigh, 0.84, missing);
+        else
+          take(level > 1.4 * knee ? &Measures::knee : &Measures::ankle, 1, missing);
+      });
+    *m = less;
+    return true;
+  }
+
+  /// How much girth rings of the torso lack on a body, summed over levels 1 cm apart. [cm]
+  double tightnessOn(const Measures& m, double lift) const {
+    const Outcome<Form> form = Form::make(m);
+    double sum = 0;
+    if (form.ok())
+      forRings(form.value(), BodyPart::kTorso, lift, kEaseCm / 2,
+               [&](double, double missing) { sum += std::max(0.0, missing); });
+    return sum;
+  }
+
+  // Calls use(level, missing girth) for every ring about a part of the form.
+  template <class Use>
+  void forRings(const Form& form, BodyPart part, double lift, double ease, const Use& use) const {
+    const Tube& tube = form.tube(part);
+    const bool arm = only(part) & kArms, torso = part == BodyPart::kTorso;
+    for (const WornGirth& ring : girths_[static_cast<int>(part)]) {
+      double level = arm ? ring.height : ring.height + lift - tube.axis().origin.y();
+      // Skirts go around both legs.
+      if (torso && crotch_ > 1e8 && level > tube.bottom() - kUnderHips)
+        level = std::max(level, tube.bottom());
+      if (level < tube.bottom() || level > tube.top()) continue;
+      // What ends at the waist lies at several heights there.
+      if (torso && shoulder_ == 0 && ring.height > top_low_ - 1) continue;
+      use(level, tube.section(level).girth() + ease - ring.girth);
+    }
+  }
+
+  const Pattern& pattern_;
+  const Hanging& hanging_;
+  std::vector<WornGirth> girths_[kBodyParts];
+  std::vector<std::vector<char>> sewn_;  ///< per piece, per vertex
+  double top_ = -1e9;                    ///< cm
+  double crotch_ = 1e9;                  ///< height of the lowest point between two legs, cm
+  double neck_ = 1e9, shoulder_ = 0;     ///< cm from the middle: where shoulder seams begin and end
+  double top_girth_ = 0, top_low_ = 0;   ///< cm: length of the top edge and its lowest height
+};
 
 }  // namespace
 
 Outcome<FittingForm> fittingForm(const Garment& garment, const Pattern& pattern) {
-  FittingForm best{measuresAt(2), 0};
-  double least = 1e9;
-  for (int step = 2 * kSteps; step >= -2 * kSteps; --step) {
-    const Measures measures = measuresAt(static_cast<double>(step) / kSteps);
-    const Outcome<Form> form = Form::make(measures);
-    if (!form.ok()) continue;
-    const Outcome<Hanging> hanging = hang(garment, pattern, form.value());
-    if (!hanging.ok()) return hanging.error();
-    const std::optional<double> missing =
-        missingAtShoulders(pattern, hanging.value(), form.value());
-    const double lift =
-        missing.value_or(measures.waist_height + kOverWaist - topOf(pattern, hanging.value()));
-    if (std::abs(lift) > kFarthestLift) continue;
-    Garment lifted = garment;
-    for (Panel& panel : lifted.panels) panel.placement_shift.y() += lift;
-    const double tightness = missingGirth(lifted, pattern, form.value(), kEaseCm);
-    if (tightness >= least) continue;
-    least = tightness, best = {measures, lift};
-    if (tightness < kTightEnough) break;
-  }
-  return best;
+  const Outcome<Form> usual = Form::make(measuresAt(2));
+  if (!usual.ok()) return usual.error();
+  const Outcome<Hanging> hanging = hang(garment, pattern, usual.value());
+  if (!hanging.ok()) return hanging.error();
+  return Fitting(garment, pattern, usual.value(), hanging.value()).run();
 }
 
 }  // namespace seamwise

@@ -12,8 +12,9 @@ struct FittingForm {
   double lift = 0;  ///< that brings the garment's placement to the height of this body, cm
 };
 
-/// The largest body of size M or less on which the garment has ease at every height, its shoulders
-/// at the form's shoulders or, without any, its top edge at the waist. Errors: those of hang().
+/// The body on which the garment has ease at every height: a size M whose girths are made smaller
+/// where rings of pieces are. What has no shoulders is held where it ends: its body is as wide
+/// there as it is itself. Errors: those of hang().
 Outcome<FittingForm> fittingForm(const Garment& garment, const Pattern& pattern);
 
 }  // namespace seamwise

@@ -52,6 +52,7 @@ class Hanger {
     const std::vector<char> legs = ofLegs();
     for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
       hanging_.parts.push_back(partOf(static_cast<int>(i), legs[i]));
+    lowerArms();
     raiseHood();
     for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
       hanging_.order.push_back(static_cast<int>(i));
@@ -106,17 +107,29 @@ class Hanger {
 
   // Pieces whose seams below the crotch lead to pieces of the same side only.
   std::vector<char> ofLegs() const {
+    // Files hang trousers low, too: then pieces on a side are sewn to each other twice, in and out.
+    std::vector<char> legs = ofLegsBelow(8, 1);
+    for (double drop = 16; drop < 36; drop += 8)
+      if (std::count(legs.begin(), legs.end(), true) == 0) legs = ofLegsBelow(drop, 2);
+    return legs;
+  }
+
+  std::vector<char> ofLegsBelow(double drop, int seams) const {
     const int count = static_cast<int>(pattern_.pieces.size());
-    const double below = form_.crotchHeight() - 8;
+    const double below = form_.crotchHeight() - drop;
     std::vector<char> legs(count, false), low(count, false);
     DisjointSets sewn(count);
-    for (const Seam& seam : pattern_.seams)
+    std::vector<int> joins(count, 0);
+    for (const Seam& seam : pattern_.seams) {
+      bool joined = false;
       for (std::size_t i = 0; i < seam.a.vertices.size(); ++i)
         if (height(seam.a.piece, seam.a.vertices[i]) < below &&
             height(seam.b.piece, seam.b.vertices[i]) < below) {
-          low[seam.a.piece] = low[seam.b.piece] = true;
+          low[seam.a.piece] = low[seam.b.piece] = joined = true;
           sewn.join(seam.a.piece, seam.b.piece);
         }
+      if (joined) ++joins[seam.a.piece], ++joins[seam.b.piece];
+    }
     // Per set: how many of its pieces are on the right, in the middle, on the left.
     std::vector<std::array<int, 3>> sides(count, {0, 0, 0});
     const auto sideOf = [&](int i) {
@@ -128,7 +141,7 @@ class Hanger {
     bool left = false, right = false;
     for (int i = 0; i < count; ++i) {
       const auto& [on_right, in_middle, on_left] = sides[sewn.find(i)];
-      legs[i] = low[i] && in_middle == 0 && (on_right == 0 || on_left == 0);
+      legs[i] = low[i] && joins[i] >= seams && in_middle == 0 && (on_right == 0 || on_left == 0);
       left = left || (legs[i] && on_left > 0);
       right = right || (legs[i] && on_right > 0);
     }
@@ -158,6 +171,22 @@ class Hanger {
     const double bias = tilt < 0.95 ? -15 : 15;
     const double nearer = (to_arm - to_torso) / static_cast<double>(piece.outline.size());
     return nearer + bias < 0 ? arm : BodyPart::kTorso;
+  }
+
+  // Sleeves reach up to the chest, and so does what is sewn to them; other tilted pieces are gores.
+  void lowerArms() {
+    const int count = static_cast<int>(hanging_.parts.size());
+    DisjointSets sewn(count);
+    const auto isArm = [&](int i) { return (only(hanging_.parts[i]) & kArms) != 0; };
+    for (const Seam& seam : pattern_.seams)
+      if (isArm(seam.a.piece) && isArm(seam.b.piece)) sewn.join(seam.a.piece, seam.b.piece);
+    std::vector<double> top(count, -1e9);
+    for (int i = 0; i < count; ++i)
+      for (int v : pattern_.pieces[i].outline)
+        top[sewn.find(i)] = std::max(top[sewn.find(i)], height(i, v));
+    const double chest = form_.measures().waist_height + 0.4 * form_.measures().back_length;
+    for (int i = 0; i < count; ++i)
+      if (isArm(i) && top[sewn.find(i)] < chest) hanging_.parts[i] = BodyPart::kTorso;
   }
 
   // What is sewn to a piece of the head, above the shoulders, is the head's.

@@ -187,17 +187,23 @@ double Ring::hungGirth(double level) const {
   return most;
 }
 
-double Ring::missingGirth(double ease) const {
-  // Hems of pieces end at different heights.
-  constexpr int kHem = 6;
-  double sum = 0;
-  for (std::size_t i = kHem; i < levels_.size(); ++i) {
-    const double at = levelOf(static_cast<int>(i));
-    if (at < tube_.bottom() || at > tube_.top()) continue;
-    const double width = levelAt(at).width;
-    if (width > 0) sum += std::max(0.0, tube_.section(at).girth() + ease - width);
+std::vector<std::pair<double, double>> Ring::closedWidths(int without) const {
+  std::vector<double> widths;
+  for (std::size_t i = 0; i < levels_.size(); ++i)
+    widths.push_back(levelAt(levelOf(static_cast<int>(i))).width);
+  // Where tiers meet, pieces are missing at up to three levels: the widest of four neighbours, and
+  // of those the narrowest.
+  const int count = static_cast<int>(widths.size());
+  const auto widest = [&](int from) {
+    if (from < 0 || from + 3 >= count) return 1e9;
+    return std::max({widths[from], widths[from + 1], widths[from + 2], widths[from + 3]});
+  };
+  std::vector<std::pair<double, double>> closed;
+  for (int i = without; i < count; ++i) {
+    const double width = std::min({widest(i - 3), widest(i - 2), widest(i - 1), widest(i)});
+    if (widths[i] > 0 && width < 1e9) closed.emplace_back(levelOf(i), width);
   }
-  return sum;
+  return closed;
 }
 
 void Ring::draw(Level& level, double at) const {

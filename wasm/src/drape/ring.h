@@ -1,4 +1,5 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "drape/tube.h"
@@ -48,8 +49,9 @@ class Ring {
   /// Where a vertex of pieces()[index] lies, so much further out. [cm]
   Vec3 position(int index, int vertex, double outward) const;
   const std::vector<RingPiece>& pieces() const { return pieces_; }
-  /// How much of the tube's girth and that ease the closed levels lack, summed; 1 cm apart. [cm]
-  double missingGirth(double ease) const;
+  /// Levels that the pieces close, without so many lowest ones, and how wide they are there,
+  /// without dips of three levels. [cm, cm]
+  std::vector<std::pair<double, double>> closedWidths(int without) const;
 
  private:
   struct Level {

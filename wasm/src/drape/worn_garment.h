@@ -48,6 +48,9 @@ class WornGarment {
   const std::vector<int>& order() const { return order_; }
   Drape& drape() { return *drape_; }
   const Drape& drape() const { return *drape_; }
+  /// Why what came out so far is not worn by anybody: kNotAGarment when the garment slides off the
+  /// form or, once it is done, is torn on it or lies in a tangle.
+  std::optional<Error> refusal() const;
 
  private:
   /// The form's distance in metres.
@@ -71,6 +74,7 @@ class WornGarment {
   std::vector<int> order_;
   Body body_;
   std::unique_ptr<Drape> drape_;
+  double top_ = 0;  ///< where the start's highest vertex is, m
 };
 
 }  // namespace seamwise

@@ -17,6 +17,8 @@ namespace {
 constexpr double kLegBelow = -3, kTorsoAbove = 8;
 // Heights that seams agree on: so much a piece's own placement counts against them. [1]
 constexpr double kOwnHeight = 0.02;
+// Hems of pieces end at different heights. [cm]
+constexpr int kHem = 6, kCuff = 1;
 
 bool isLeg(BodyPart part) { return only(part) & kLegs; }
 bool isArm(BodyPart part) { return only(part) & kArms; }
@@ -37,13 +39,15 @@ class Wrapper {
     return positions;
   }
 
-  double missingGirth(double ease) {
+  std::vector<WornGirth> girths(BodyPart part) {
     layOut();
     agreeOnHeights();
-    double sum = 0;
-    for (const BodyPart part : {BodyPart::kTorso, BodyPart::kLeftLeg, BodyPart::kRightLeg})
-      if (const std::optional<Ring> ring = ringOf(part)) sum += ring->missingGirth(ease);
-    return sum;
+    const std::optional<Ring> ring = ringOf(part);
+    if (!ring) return {};
+    std::vector<WornGirth> girths;
+    for (const auto& [level, width] : ring->closedWidths(isArm(part) ? kCuff : kHem))
+      girths.push_back({level + base(part), width});
+    return girths;
   }
 
  private:
@@ -186,11 +190,12 @@ Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, 
   return positions;
 }
 
-double missingGirth(const Garment& garment, const Pattern& pattern, const Form& form, double ease) {
+std::vector<WornGirth> wornGirths(const Garment& garment, const Pattern& pattern, const Form& form,
+                                  BodyPart part) {
   const Outcome<Hanging> hanging = hang(garment, pattern, form);
-  if (!hanging.ok()) return 1e9;
+  if (!hanging.ok()) return {};
   const std::vector<char> on_top(pattern.pieces.size(), false);
-  return Wrapper(pattern, form, hanging.value(), on_top, {}).missingGirth(ease);
+  return Wrapper(pattern, form, hanging.value(), on_top, {}).girths(part);
 }
 
 }  // namespace seamwise

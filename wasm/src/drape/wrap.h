@@ -28,8 +28,15 @@ struct WrapSettings {
 Outcome<PiecePositions> wrapped(const Garment& garment, const Pattern& pattern, const Form& form,
                                 const WrapSettings& settings = {});
 
-/// How much of a form's girths and that ease the rings of torso and legs lack: 0 where the garment
-/// fits. [cm, summed over levels 1 cm apart]
-double missingGirth(const Garment& garment, const Pattern& pattern, const Form& form, double ease);
+/// How wide a closed ring of pieces is at a height.
+struct WornGirth {
+  double height;  ///< over the floor; of arms, along their axis, cm
+  double girth;   ///< cm
+};
+
+/// The rings about a part of the body at heights 1 cm apart, as the file hangs them; without hems,
+/// and where they are open. Empty when hang() refuses the garment.
+std::vector<WornGirth> wornGirths(const Garment& garment, const Pattern& pattern, const Form& form,
+                                  BodyPart part);
 
 }  // namespace seamwise
