@@ -29,7 +29,7 @@ export interface Energies {
 }
 
 /** Of the cloth around a vertex, and its weight. */
-export interface Forces {
+interface Forces {
   readonly pull: Place;
   readonly weight: number;
 }

@@ -171,14 +171,16 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
 std::optional<Error> WornGarment::refusal() const {
   const auto refused = [](const char* what) {
     return Error{Failure::kNotAGarment,
-                 std::string(what) + ": give the measurements of the body that it is drafted for."};
+                 std::string(what) +
+                     ": give the measurements of the body that it is drafted for, or look at how "
+                     "its pieces are sewn."};
   };
   if (topOf(drape_->positions()) < top_ - kFarthestFall)
     return refused("The garment slides off the form");
   if (drape_->stage() != Drape::Stage::kDone) return std::nullopt;
   const DrapeCheck& check = drape_->check();
   if (check.tension.p99 > kMostTension + drape_->fabric().stiff_from || check.depth > kDeepest)
-    return refused("The garment is too tight for any form that is like a body");
+    return refused("The garment is too small for its form");
   std::size_t triangles = 0;
   for (const Piece& piece : levels_.fine.pattern.pieces) triangles += piece.triangles.size();
   if (check.crossings > kMostCrossings * static_cast<double>(triangles))
