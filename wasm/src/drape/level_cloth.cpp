@@ -24,9 +24,9 @@ LevelCloth::LevelCloth(const SewnMesh& mesh, const std::vector<int>& image, cons
     : mesh_(&mesh), half_(halved(mesh, image, start)), x_(start) {
   if (half_) options.least_x = leastX(layers.gap);
   const HeldLayers held = half_ ? heldOfHalf(layers.held) : layers.held;
-  contacts_ =
-      std::make_unique<ClothContacts>(solved(), layers.overlaps, held.ties, held.laps,
-                                      half_ ? half_->half(layers.laid) : layers.laid, layers.gap);
+  contacts_ = std::make_unique<ClothContacts>(
+      solved(), layers.overlaps, held.ties, held.laps,
+      half_ && !layers.laid.empty() ? half_->half(layers.laid) : layers.laid, layers.gap);
   solver_ =
       std::make_unique<ClothSolver>(solved(), fabric, body, half_ ? half_->half(start) : start,
                                     std::move(options), contacts_.get());
