@@ -4,7 +4,7 @@ import {describe, expect, it, vi} from 'vitest';
 
 import {barriers} from '../support/barriers.js';
 import {designOf} from '../support/page-design.js';
-import {button, showSample, solved, usePage} from '../support/page.js';
+import {button, drawn, showSample, solved, usePage} from '../support/page.js';
 import {clickPiece, clickSeam, middleOfPiece} from '../support/page-pattern.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
@@ -47,12 +47,14 @@ it('keeps nobody out on a small screen', async () => {
 const pattern = (page: Page): Locator => page.getByRole('application', {name: 'Pattern'});
 
 /** What a screen reader says of the part of the pattern that is selected. */
-const spoken = (page: Page): Promise<string> =>
-  pattern(page).evaluate((element) => {
+async function spoken(page: Page): Promise<string> {
+  await drawn(pattern(page));
+  return pattern(page).evaluate((element) => {
     const id = element.getAttribute('aria-activedescendant');
     const root = element.getRootNode() as ShadowRoot;
     return (id && root.getElementById(id)?.textContent) ?? '';
   });
+}
 
 const tabTo = async (page: Page, wanted: Locator): Promise<void> => {
   for (let k = 0; k < 80; k++) {

@@ -2,12 +2,15 @@
 import type {Locator, Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
-import {showSample, usePage} from '../support/page.js';
+import {drawn, showSample, usePage} from '../support/page.js';
 
 const openPage = usePage();
 
 const lens = (page: Page): Locator => page.getByRole('group', {name: 'Seam lens'});
-const name = (page: Page): Promise<string | null> => lens(page).getByRole('heading').textContent();
+async function name(page: Page): Promise<string | null> {
+  await drawn(lens(page));
+  return lens(page).getByRole('heading').textContent();
+}
 const seam = (page: Page, words: string): Locator =>
   page
     .getByRole('table', {name: 'Seams', exact: true})

@@ -6,6 +6,7 @@ import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {promisify} from 'node:util';
 
+import type {LitElement} from 'lit';
 import type {Browser, BrowserContextOptions, Locator, Page} from 'playwright-core';
 import {preview, type PreviewServer} from 'vite';
 import {afterAll, afterEach, beforeAll, expect} from 'vitest';
@@ -104,6 +105,13 @@ export const button = (page: Page, name: string): Locator =>
 export const cancelButton = (page: Page): Locator => page.locator('sw-editor .solving button');
 
 export const progress = (page: Page): Locator => page.getByRole('status', {name: 'Progress'});
+
+/** Waits until the part of the page that draws this element shows what the workbench has told it. */
+export const drawn = (shown: Locator): Promise<void> =>
+  shown.evaluate(async (element) => {
+    const {host} = element.getRootNode() as ShadowRoot;
+    await (host as LitElement).updateComplete;
+  });
 
 /** Waits for the final answer to what is asked now. */
 export const solved = (page: Page): Promise<void> =>
