@@ -117,7 +117,7 @@ class Fitting {
     std::vector<std::pair<double, double>> seams;
     for (double x = 4; x < kFarthestShoulder; x += 0.5)
       for (const double side : {x, -x})
-        if (const std::optional<double> top = seamOver(side); top && *top > kWaistOfFiles + 20)
+        if (const std::optional<double> top = topOver(side, true); top && *top > kWaistOfFiles + 20)
           seams.emplace_back(x, *top), highest = std::max(highest, *top);
     constexpr double kSlope = 12;  // cm that shoulders fall
     for (const auto& [x, top] : seams)
@@ -178,6 +178,7 @@ class Fitting {
   /// By how much what lies on the shoulders lies too low, in the mean; none where nothing does.
   /// [cm]
   std::optional<double> missingAtShoulders(const Form& form) const {
+    if (shoulder_ == 0) return std::nullopt;
     const double neck = form.measures().neck / (2 * kPi) + 2, tip = form.shoulderPoint().x() - 3;
     constexpr int kPlaces = 7;
     double sum = 0;
@@ -185,20 +186,20 @@ class Fitting {
     for (int k = 0; k < kPlaces; ++k) {
       const double side = neck + (tip - neck) * k / (kPlaces - 1);
       for (const double x : {side, -side}) {
-        const std::optional<double> top = seamOver(x);
+        const std::optional<double> top = topOver(x, false);
         if (!top) continue;
         const double missing = shoulderHeight(form, side) - *top;
         if (std::abs(missing) > 0.5 * form.measures().back_length) continue;
         sum += missing, ++count;
       }
     }
-    if (count < 2 || shoulder_ == 0) return std::nullopt;
+    if (count < 2) return std::nullopt;
     return sum / count;
   }
 
-  /// The height of the torso's highest pieces there; none where they end in an edge, as strapless
-  /// ones do. [cm]
-  std::optional<double> seamOver(double x) const {
+  /// The height of the torso's highest pieces there; with `sewn_only` none where they end in an
+  /// edge, as strapless ones do. [cm]
+  std::optional<double> topOver(double x, bool sewn_only) const {
     double top = -1e9;
     bool sewn = false;
     for (std::size_t p = 0; p < pattern_.pieces.size(); ++p) {
@@ -212,7 +213,7 @@ class Fitting {
         if (height > top) top = height, sewn = sewn_[p][u] && sewn_[p][v];
       }
     }
-    return sewn ? std::optional(top) : std::nullopt;
+    return top > -1e9 && (sewn || !sewn_only) ? std::optional(top) : std::nullopt;
   }
 
   /// The widest ring over the waist, of what has no shoulders. [cm]

@@ -20,7 +20,7 @@ constexpr double kMostCloth = 20;
 // their crossings 0.06 per triangle.
 constexpr double kFarthestFall = 0.25;  ///< m, of the highest vertex
 constexpr double kMostTension = 0.12;   ///< 99th percentile, before the fabric stiffens
-constexpr double kDeepest = 0.01;       ///< m within the form
+constexpr double kMostDepth = 0.01;     ///< m within the form
 constexpr double kMostCrossings = 0.2;  ///< per triangle
 
 /// Those of settings, file or size; else of a body that fits, to whose height the garment is moved.
@@ -179,7 +179,7 @@ std::optional<Error> WornGarment::refusal() const {
     return refused("The garment slides off the form");
   if (drape_->stage() != Drape::Stage::kDone) return std::nullopt;
   const DrapeCheck& check = drape_->check();
-  if (check.tension.p99 > kMostTension + drape_->fabric().stiff_from || check.depth > kDeepest)
+  if (check.tension.p99 > kMostTension + drape_->fabric().stiff_from || check.depth > kMostDepth)
     return refused("The garment is too small for its form");
   std::size_t triangles = 0;
   for (const Piece& piece : levels_.fine.pattern.pieces) triangles += piece.triangles.size();

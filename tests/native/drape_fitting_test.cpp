@@ -1,0 +1,95 @@
+// Garments that name no size and no body, drafted here: which form they get, and which are refused.
+#include <gtest/gtest.h>
+
+#include "drape/fitting_form.h"
+#include "drape/worn_garment.h"
+#include "meshed_samples.h"
+
+namespace seamwise {
+namespace {
+
+using namespace testing;
+
+constexpr double kCorner = 3;  ///< cm that outlines are sampled at
+
+/// Panels from hem to waist, one to each side of a body, tilted off it as skirts hang in files.
+Garment gores(double waist, double tilt) {
+  Garment garment;
+  const double top = waist / 8, hem = top + 20;
+  for (int k = 0; k < 4; ++k) {
+    const double turn = k * kPi / 2;
+    Panel panel =
+        small::polygon("gore " + std::to_string(k), {{-hem, 0}, {hem, 0}, {top, 60}, {-top, 60}});
+    panel.placement_turn = {tilt, turn, 0};
+    panel.placement_shift = {40 * std::sin(turn), 107 - 60, 40 * std::cos(turn)};
+    garment.panels.push_back(panel);
+  }
+  for (int k = 0; k < 4; ++k) garment.stitches.push_back({{k, 1}, {(k + 1) % 4, 3}});
+  return garment;
+}
+
+Pattern patternOf(const Garment& garment) {
+  Outcome<Pattern> sampled = discretise(garment, {}, {}, kCorner);
+  EXPECT_TRUE(sampled.ok()) << sampled.error().message;
+  return meshed(std::move(sampled).value(), 6).value();
+}
+
+FittingForm fitted(const Garment& garment) {
+  return fittingForm(garment, patternOf(garment)).value();
+}
+
+/// What is said of a garment on a body, or nothing.
+std::string saidOf(const Garment& garment, const Measures& body) {
+  SolvedGarment solved{garment, patternOf(garment), {}};
+  solved.shapes = restShapes(solved.pattern);
+  WearSettings settings;
+  settings.measures = body;
+  settings.edge = 2 * kFineCloth;
+  auto worn = WornGarment::make(std::move(solved), settings);
+  EXPECT_TRUE(worn.ok()) << worn.error().message;
+  while (!worn.value()->refusal() && worn.value()->drape().advance(1)) {
+  }
+  const std::optional<Error> refusal = worn.value()->refusal();
+  return refusal ? refusal->message : "";
+}
+
+TEST(FittingForms, TiltedGoresAreNoSleeves) {
+  const Garment garment = gores(80, -kPi / 5);
+  const Form form = Form::make(*measuresOf("m")).value();
+  EXPECT_EQ(hang(garment, patternOf(garment), form).value().parts,
+            std::vector<BodyPart>(4, BodyPart::kTorso));
+}
+
+TEST(FittingForms, WaistsAreThoseOfWhatHangsOnThem) {
+  for (const double waist : {64.0, 76.0, 90.0}) {
+    const FittingForm fitting = fitted(gores(waist, 0));
+    EXPECT_NEAR(fitting.measures.waist, waist - 1, 2) << waist;
+    EXPECT_GT(fitting.measures.hip, fitting.measures.waist + 5) << waist;
+    EXPECT_LT(std::abs(fitting.lift), 6) << waist;
+  }
+}
+
+TEST(FittingForms, GirthsGiveWayWhereARingIsNarrow) {
+  // A tube as wide as a waist down to the hips.
+  Garment tube;
+  for (const double turn : {0.0, kPi}) {
+    Panel panel =
+        small::polygon(turn == 0 ? "front" : "back", {{-21, 0}, {21, 0}, {21, 50}, {-21, 50}});
+    panel.placement_turn = {0, turn, 0};
+    panel.placement_shift = {0, 57, turn == 0 ? 20.0 : -20.0};
+    tube.panels.push_back(panel);
+  }
+  tube.stitches = {{{0, 1}, {1, 3}}, {{0, 3}, {1, 1}}};
+  const Measures body = fitted(tube).measures;
+  EXPECT_LT(body.hip, 88);
+  EXPECT_GT(body.waist, 70);
+}
+
+TEST(FittingForms, WhatSlidesOffIsSaid) {
+  const std::string said = saidOf(gores(120, 0), *measuresOf("xs"));
+  EXPECT_EQ(said.substr(0, said.find(':')), "The garment slides off the form");
+  EXPECT_EQ(saidOf(gores(80, 0), *measuresOf("m")), "");
+}
+
+}  // namespace
+}  // namespace seamwise
