@@ -324,7 +324,7 @@ TEST(DrapeTerms, GathersGiveWayToCompressionOnly) {
                                         }),
                           nullptr, nullptr);
   };
-  EXPECT_NEAR(energyAt(gathered, 0.8), 0.02 * energyAt(smooth, 0.8), 1e-9);
+  EXPECT_NEAR(energyAt(gathered, 0.8), 0.002 * energyAt(smooth, 0.8), 1e-9);
   EXPECT_NEAR(energyAt(gathered, 1.02), energyAt(smooth, 1.02), 1e-9);
 }
 

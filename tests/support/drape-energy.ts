@@ -12,7 +12,7 @@ const hinge = 1.25;
 /** Triangles within so far of the longer side of a gathered seam stand for folds: they give way to compression. [cm] */
 const besideGathers = 3;
 const gathered = 1.1;
-const gatheredStiffness = 0.02;
+const gatheredStiffness = 0.002;
 
 type Fabric = DrapeFile['fabric'];
 

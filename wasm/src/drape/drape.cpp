@@ -82,7 +82,7 @@ void Drape::begin(Stage stage, const Positions& from) {
   if (stage == Stage::kDone) return;
   if (stage == Stage::kSew) {
     put(problem_.levels.coarse, coarse_, from);
-    cloth_->setFriction(false);
+    cloth_->setFriction(problem_.options.friction && problem_.by_band);
     cloth_->setTouching(cloth_->hasLayers());
   } else if (stage == Stage::kHang) {
     cloth_->setFriction(problem_.options.friction);
@@ -97,6 +97,8 @@ void Drape::begin(Stage stage, const Positions& from) {
 void Drape::step() {
   StageReport& report = stages_.back();
   const bool first = stage_ == Stage::kSew && report.steps < kQuasiNewtonSteps;
+  // It comes to lie on the body before it weighs: a band that fell meanwhile would stay too low.
+  cloth_->setWeight(!first);
   if (since_.steps == 0) since_.from = positions();
   const ClothSolver::Step step = first ? cloth_->quasiNewtonStep() : cloth_->newtonStep();
   ++report.steps;

@@ -25,8 +25,9 @@ struct Fabric {
 
 /// Cotton poplin, a shirt's and a summer dress's. Wang, white dots on black: 128 g/m2, 2000-2170
 /// N/m, shear 17-100, bending 10-66e-6. Bending as KES finds it for shirtings, about 0.07 gf cm2/cm
-/// = 7e-6 N m. Coupling: Poisson's ratio 0.24 of plain cotton, 150 g/m2 (Penava et al. 2014).
-inline constexpr Fabric kPoplin{"poplin", 0.12, 2000, 1800, 450, 60,
+/// = 7e-6 N m. Shear is chosen from the upper end, where poplin drapes most as cotton is measured
+/// to. Coupling: Poisson's ratio 0.24 of plain cotton, 150 g/m2 (Penava et al. 2014).
+inline constexpr Fabric kPoplin{"poplin", 0.12, 2000, 1800, 450, 100,
                                 0.03,     4,    9e-6, 7e-6, 0.4, 0.0015};
 
 /// Single jersey. Wang, gray interlock: 187 g/m2, 34-414 N/m along the wales, 17-140 along the

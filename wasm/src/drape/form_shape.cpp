@@ -27,21 +27,21 @@ Tube torso(const Measures& m) {
   const std::vector<Section> sections = {
       Section{-m.body_rise - 10, 17.6, 11.2, -1.2, 0.2}.withGirth(0.93 * m.hip),
       Section{-down, 19.2, 12.5, -1.3, 0.25}.withGirth(m.hip),
-      Section{-0.5 * down, 17.0, 11.8, -0.5, 0.2}.withGirth(between(0.68, m.waist, m.hip)),
+      Section{-0.5 * down, 17.0, 11.8, -0.5, 0.2}.withGirth(between(0.62, m.waist, m.hip)),
       Section{0, 13.7, 10.4, 0.9, 0.15}.withGirth(m.waist),
       Section{0.12 * up, 14.2, 10.7, 0.7, 0.15}.withGirth(between(0.06, m.waist, m.bust)),
       Section{0.28 * up, 14.6, 11.0, 0.5, 0.15}.withGirth(between(0.3, m.waist, m.bust)),
       chest.withGirth(m.bust),
-      above(0.66, 16.8, 11.0, -1.3, 0.3),
+      above(0.66, 16.0, 10.3, -1.3, 0.3),
       above(0.82, 18.0, 8.0, -2.4, 0.4),
       above(0.95, 18.8, 5.8, -2.5, 0.3),
       above(1.15, 18.8, 4.6, -2.5, 0.3)};
   const double tip = m.shoulder_width / 2;
   // The shoulders slope from the side of the neck to the shoulder points.
-  const double neck = m.neck / (2 * kPi) + 1, rise = (kShoulderDrop + 0.035) * up;
+  const double neck = m.neck / (2 * kPi) + 1, rise = (kShoulderDrop + 0.012) * up;
   const double slope = rise / (tip - neck);
   const double ridge = (1 - kShoulderDrop) * up + slope * (std::sqrt(tip * tip + 16) - 4);
-  return {upright({0, m.waist_height, 0}), sections, {-m.body_rise + 1.5, 0, 8}, {ridge, slope, 5}};
+  return {upright({0, m.waist_height, 0}), sections, {-m.body_rise + 3, 0, 9}, {ridge, slope, 5}};
 }
 
 Tube neck(const Measures& m) {
@@ -81,7 +81,7 @@ Tube arm(const Measures& m, const Vec3& shoulder, double side) {
 // From the hip joint to the ankle; level 0 is the crotch's.
 Tube leg(const Measures& m, double side) {
   const double crotch = m.waist_height - m.body_rise, knee = m.waist_height - m.knee_depth;
-  const double apart = 0.152 * m.thigh + 0.8;
+  const double apart = 0.152 * m.thigh + 1;
   const auto ring = [&](double height, double middle, double girth) {
     return Section{height - crotch, 1, 1, middle, 0}.withGirth(girth);
   };

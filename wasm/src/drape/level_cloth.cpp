@@ -58,7 +58,7 @@ std::vector<double> LevelCloth::leastX(double gap) const {
     for (const auto& [a, b] : solved().edges())
       for (const auto& [own, other] : {std::pair(a, b), {b, a}})
         if (least[own] == gap / 2 && least[other] != gap / 2) beside.push_back(own);
-    for (const int i : beside) least[i] = gap / 10;
+    for (const int i : beside) least[i] = gap / 4;
   }
   return least;
 }

@@ -33,6 +33,7 @@ class LevelCloth {
   ClothSolver::Step newtonStep() { return taken(solver_->newtonStep()); }
   ClothSolver::Step quasiNewtonStep() { return taken(solver_->quasiNewtonStep()); }
   void setFriction(bool on) { solver_->setFriction(on); }
+  void setWeight(bool on) { solver_->setWeight(on); }
   void setTouching(bool on) { contacts_->setTouching(on); }
   bool touching() const { return contacts_->touching(); }
   bool hasLayers() const { return contacts_->hasLayers(); }

@@ -12,7 +12,9 @@ constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostPairs = 6;
 constexpr double kLonger = 1.4, kShorter = 0.5;  ///< the next step, after a full and a cut one
 constexpr double kShortest = 0.2;                ///< of the first proximal step
-constexpr double kChangedContacts = 0.01;        ///< share beyond which to factorise anew
+/// The plane x = 0 is so many times as stiff as a body: cloth that passes it crosses its image.
+constexpr double kPlaneStiffness = 4;
+constexpr double kChangedContacts = 0.01;  ///< share beyond which to factorise anew
 
 // multiplications, counted in the code of the terms
 constexpr double kPerTriangle = 60, kPerTriangleBlocks = 250, kPerHinge = 35, kPerDistance = 80;
@@ -61,7 +63,7 @@ double ClothSolver::planeEnergy(const Positions& x, Positions* gradient,
   for (std::size_t i = 0; i < options_.least_x.size(); ++i) {
     if (options_.least_x[i] == ClothOptions::kInPlane) continue;
     const double depth = options_.least_x[i] - x[i].x(),
-                 k = options_.contact_stiffness * mesh_->area[i];
+                 k = kPlaneStiffness * options_.contact_stiffness * mesh_->area[i];
     if (!(depth > 0)) continue;
     energy += k * depth * depth / 2;
     if (gradient) (*gradient)[i].x() -= k * depth;
@@ -81,7 +83,7 @@ double ClothSolver::merit(const Positions& x, Positions* gradient, BlockMatrix* 
                    2 * kPerHinge * static_cast<double>(mesh_->hinges.size());
   double sum = membraneEnergy(*mesh_, *fabric_, x, gradient, hessian) +
                bendingEnergy(*mesh_, *fabric_, x, gradient, hessian) +
-               gravityEnergy(*mesh_, *fabric_, x, gradient) +
+               (weighs_ ? gravityEnergy(*mesh_, *fabric_, x, gradient) : 0) +
                contactEnergy(*mesh_, contact_, x, gradient, hessian);
   sum += planeEnergy(x, gradient, hessian);
   if (contacts_) {

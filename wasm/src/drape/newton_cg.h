@@ -9,7 +9,7 @@ namespace seamwise {
 
 /// What makes a cloth on a body move and stop.
 struct ClothOptions {
-  double contact_stiffness = 1e6;    ///< N/m3; a shoulder under a shirt sinks in by about 1 mm
+  double contact_stiffness = 2e6;    ///< N/m3; a tight waistband sinks in by 1 mm
   double friction_threshold = 1e-3;  ///< m, within which friction is elastic
   bool friction = true;
   double first_step = 0.05, longest_step = 0.3;    ///< s, of the proximal term
@@ -51,6 +51,8 @@ class ClothSolver {
   /// What it takes to lift the cloth by a metre: what energies are small or large against. [J]
   double weight() const;
   void setFriction(bool on);
+  /// Whether its weight pulls on it; energies have it anyway.
+  void setWeight(bool on) { weighs_ = on; }
   /// Spent so far, in factorisations of the matrix of a grid of 90 x 90 nodes with 2 unknowns each.
   double work() const { return operations_ / kOperationsPerUnit; }
 
@@ -79,7 +81,8 @@ class ClothSolver {
   ClothContacts* contacts_;
   Positions x_;
   Positions from_;  ///< where the step began
-  double h_;        ///< s, of the proximal term; 0: none
+  bool weighs_ = true;
+  double h_;  ///< s, of the proximal term; 0: none
   double factorised_h_ = 0;
   BlockMatrix hessian_;
   SparseHessian preconditioner_;

@@ -13,6 +13,9 @@
 namespace seamwise {
 namespace {
 
+// Above the waist, as a share of the back's length, ends no garment that hangs from the waist. [1]
+constexpr double kBelowChest = 0.4;
+
 // Garment-Pattern-Generator's bodies stand so far below the origin. [cm]
 constexpr double kMiddleOverFloor = 112.07;
 // No garment that stands on the floor reaches so far below it. [cm]
@@ -218,6 +221,16 @@ BodyParts Hanging::covered() const {
 
 Outcome<Hanging> hang(const Garment& garment, const Pattern& pattern, const Form& form) {
   return Hanger(garment, pattern, form).run();
+}
+
+bool hangsFromWaist(const Hanging& hanging, const Pattern& pattern, const Form& form) {
+  const double chest = form.measures().waist_height + kBelowChest * form.measures().back_length;
+  for (const int i : hanging.order) {
+    if (hanging.parts[i] != BodyPart::kTorso && !(only(hanging.parts[i]) & kLegs)) return false;
+    for (const int v : pattern.pieces[i].outline)
+      if (hanging.placed[i](pattern.pieces[i].rest[v]).y() > chest) return false;
+  }
+  return true;
 }
 
 }  // namespace seamwise

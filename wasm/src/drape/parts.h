@@ -32,4 +32,7 @@ struct Hanging {
 /// all at the same place, or far from any body.
 Outcome<Hanging> hang(const Garment& garment, const Pattern& pattern, const Form& form);
 
+/// Whether a garment ends below the chest and has nothing on arms or head: a band holds it.
+bool hangsFromWaist(const Hanging& hanging, const Pattern& pattern, const Form& form);
+
 }  // namespace seamwise

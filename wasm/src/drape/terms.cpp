@@ -9,7 +9,7 @@ namespace {
 constexpr double kMiddleOffset = 0.5;  ///< of the offset: only where a triangle cuts a curve short
 
 /// Gathers give way to compression by folds that no triangle has: so much of the stiffness is left.
-constexpr double kGatheredStiffness = 0.02;
+constexpr double kGatheredStiffness = 0.002;
 
 /// Value, slope and curvature of k/2 e^2, stiffer beyond a tension.
 struct Spring {

@@ -155,6 +155,7 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
     const Turn turn = turnOfDegrees(degreesOf(panel.grain_angle));
     problem.warp.emplace_back(turn.cosine, turn.sine);
   }
+  problem.by_band = hangsFromWaist(worn->hanging_, problem.pattern, worn->form_);
   problem.matches = worn->garment_.garment.matches;
   problem.overlaps = overlapsOf(worn->garment_.garment, coarse.pattern, worn->hanging_);
   problem.fabric = settings.fabric;

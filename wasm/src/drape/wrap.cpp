@@ -17,6 +17,8 @@ namespace {
 constexpr double kLegBelow = -3, kTorsoAbove = 8;
 // Heights that seams agree on: so much a piece's own placement counts against them. [1]
 constexpr double kOwnHeight = 0.02;
+// A band is wider than the body by so much at least where it starts, and is lifted by no more. [cm]
+constexpr double kBandEase = 2.5, kMostLift = 8;
 // Hems of pieces end at different heights. [cm]
 constexpr int kHem = 6, kCuff = 1;
 
@@ -32,6 +34,7 @@ class Wrapper {
   PiecePositions run() {
     layOut();
     agreeOnHeights();
+    liftToWaist();
     PiecePositions positions(pattern_.pieces.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
       positions[i].resize(pattern_.pieces[i].rest.size());
@@ -116,6 +119,27 @@ class Wrapper {
       }
     for (std::size_t i = 0; i < flat_.size(); ++i)
       for (Vec2& p : flat_[i]) p.y() += shift[i];
+  }
+
+  // Lifts what hangs from the waist, by so little, to where its band fits: friction would hold it
+  // where it is too tight.
+  void liftToWaist() {
+    if (!hangsFromWaist(hanging_, pattern_, form_)) return;
+    const Tube& torso = form_.tube(BodyPart::kTorso);
+    const std::optional<Ring> ring = ringOf(BodyPart::kTorso);
+    if (!ring) return;
+    const std::vector<std::pair<double, double>> widths = ring->closedWidths(kHem);
+    const auto missing = [&](double lift) {
+      double most = 0;
+      for (const auto& [level, width] : widths)
+        most = std::max(most, torso.section(level + lift).girth() + kBandEase - width);
+      return most;
+    };
+    double lift = 0, least = missing(0);
+    for (double more = 0.5; more <= kMostLift && least > 0; more += 0.5)
+      if (const double now = missing(more); now < least) least = now, lift = more;
+    for (int i : hanging_.order)
+      for (Vec2& p : flat_[i]) p.y() += lift;
   }
 
   // The ring about one part; legs' pieces are in the torso's, too.
