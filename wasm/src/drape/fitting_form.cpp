@@ -194,6 +194,23 @@ class Fitting {
     return sum / count;
   }
 
+  /// How wide shoulders are that a garment lies on: as its own are, or wider, and so flatter, where
+  /// those are flatter than a body's, or it would hang on the sides of the neck. [cm]
+  double shoulderWidth(const Measures& m) const {
+    constexpr double kRise = 0.125;  // of the back's length, from the tips to the neck
+    constexpr double kWider = 9;     // cm
+    constexpr double kUsualSlope = 0.33;
+    const double own = std::min(2 * shoulder_ + 1, m.shoulder_width);
+    // Without sleeves it would slip off them.
+    const bool sleeves = !girths_[static_cast<int>(BodyPart::kLeftArm)].empty();
+    if (!sleeves || shoulder_ < neck_ + 3) return own;
+    const double fall = topOver(neck_, true).value_or(0) - topOver(shoulder_, true).value_or(0);
+    const double slope = std::max(0.1, fall / (shoulder_ - neck_));
+    if (slope > kUsualSlope) return own;
+    const double tip = m.neck / (2 * kPi) + 1 + kRise * m.back_length / slope;
+    return std::clamp(2 * tip, own, own + kWider);
+  }
+
   /// The height of the torso's highest pieces there; with `sewn_only` none where they end in an
   /// edge, as strapless ones do. [cm]
   std::optional<double> topOver(double x, bool sewn_only) const {
@@ -249,7 +266,8 @@ class Fitting {
     }
     double tightness = 0;
     if (missing) {
-      m.shoulder_width = std::clamp(2 * shoulder_ + 1, 0.75 * m.shoulder_width, m.shoulder_width);
+      m.shoulder_width =
+          std::clamp(shoulderWidth(m), 0.75 * m.shoulder_width, 1.15 * m.shoulder_width);
       // A neckline lies around the neck's base, or goes straight over it from shoulder to shoulder.
       m.neck = std::clamp(2 * kPi * (neck_ - kBesideNeck), 0.7 * m.neck, m.neck);
       m.neck = std::min(m.neck, kPi * (m.shoulder_width - 7));
