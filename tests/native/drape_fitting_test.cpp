@@ -85,6 +85,45 @@ TEST(FittingForms, GirthsGiveWayWhereARingIsNarrow) {
   EXPECT_GT(body.waist, 70);
 }
 
+/// A top with sleeves and straight shoulders from 8 to 18 cm, so much lower at their tips.
+Garment top(double fall) {
+  Garment garment;
+  for (const double turn : {0.0, kPi}) {
+    Panel panel = small::polygon(turn == 0 ? "front" : "back", {{-25, 0},
+                                                                {25, 0},
+                                                                {25, 30},
+                                                                {18, 50 - fall},
+                                                                {8, 50},
+                                                                {-8, 50},
+                                                                {-18, 50 - fall},
+                                                                {-25, 30}});
+    panel.placement_turn = {0, turn, 0};
+    panel.placement_shift = {0, 93, turn == 0 ? 20.0 : -20.0};
+    garment.panels.push_back(panel);
+  }
+  garment.stitches = {{{0, 1}, {1, 7}}, {{0, 7}, {1, 1}}, {{0, 3}, {1, 5}}, {{0, 5}, {1, 3}}};
+  for (const double side : {1.0, -1.0}) {
+    for (const double depth : {15.0, -15.0}) {
+      Panel sleeve = small::polygon(
+          (side > 0 ? "left sleeve " : "right sleeve ") + std::string(depth > 0 ? "front" : "back"),
+          {{-10, -15}, {10, -15}, {10, 15}, {-10, 15}});
+      sleeve.placement_turn = {0, 0, side * kPi / 4};
+      sleeve.placement_shift = {side * 38, 128, depth};
+      garment.panels.push_back(sleeve);
+    }
+    const int front = static_cast<int>(garment.panels.size()) - 2;
+    garment.stitches.push_back({{front, 1}, {front + 1, 1}});
+    garment.stitches.push_back({{front, 3}, {front + 1, 3}});
+  }
+  return garment;
+}
+
+TEST(FittingForms, FlatShouldersLieOnWideOnes) {
+  const double sloped = fitted(top(10)).measures.shoulder_width;
+  EXPECT_LE(sloped, measuresOf("m")->shoulder_width);
+  EXPECT_GT(fitted(top(0)).measures.shoulder_width, sloped + 3);
+}
+
 TEST(FittingForms, WhatSlidesOffIsSaid) {
   const std::string said = saidOf(gores(120, 0), *measuresOf("xs"));
   EXPECT_EQ(said.substr(0, said.find(':')), "The garment slides off the form");

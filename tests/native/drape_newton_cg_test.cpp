@@ -90,6 +90,25 @@ TEST(ClothSolvers, ATubeHangsOnACapsuleThatBearsItsWeight) {
   EXPECT_NEAR(borne / solver.weight(), 1, 0.05);
 }
 
+TEST(ClothSolvers, WhatIsBoundToASideStaysThere) {
+  const Square square(3);
+  const Sphere sphere(Vec3::Zero(), 0.1);
+  constexpr double kLeast = 0.12;  // m; it would hang at 0.1
+  ClothOptions options;
+  for (const Vec3& at : square.x)
+    options.least_x.push_back(at.x() > 0.15 ? kLeast : at.x() < -0.15 ? -kLeast : 0);
+  ClothSolver solver(square.mesh, kPoplin, sphere, square.x, options);
+  settle(solver, 150);
+  int bound = 0;
+  for (std::size_t i = 0; i < square.x.size(); ++i) {
+    const double least = options.least_x[i], x = solver.positions()[i].x();
+    if (least == 0) continue;
+    ++bound;
+    EXPECT_GT(least > 0 ? x : -x, kLeast - 1e-3);
+  }
+  EXPECT_GT(bound, 10);
+}
+
 TEST(ClothSolvers, TheSameStartGivesTheSameBytes) {
   const Square square(3);
   const Sphere sphere(Vec3::Zero(), 0.1);

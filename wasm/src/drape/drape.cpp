@@ -62,6 +62,15 @@ double Drape::fraction() const {
   return std::max(kBefore[k] + kShare[k] * within, std::min(1.0, work() / problem_.budget));
 }
 
+/// Per vertex on which side of x = 0 it stays: ClothOptions::least_x.
+std::vector<double> Drape::besideEachOther(const SewnLevel& level, const Positions& x) const {
+  std::vector<double> least(x.size(), 0.0);
+  for (std::size_t p = 0; p < problem_.legs.size(); ++p)
+    for (const int v : level.sewn[p])
+      if (x[v].y() < problem_.crotch) least[v] = problem_.legs[p] * problem_.fabric.offset / 2;
+  return least;
+}
+
 void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from) {
   if (cloth_) spent_ += cloth_->work();
   LevelCloth::Layers layers{problem_.overlaps, {}, {}, problem_.fabric.offset};
@@ -72,8 +81,10 @@ void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& f
   else if (!problem_.overlaps.empty())
     layers.laid =
         stage_ == Stage::kSew ? problem_.start : prolonged(problem_.levels, problem_.start);
+  ClothOptions options = problem_.options;
+  options.least_x = besideEachOther(level, from);
   cloth_ = std::make_unique<LevelCloth>(mesh, level.image, layers, problem_.fabric, *problem_.body,
-                                        from, problem_.options);
+                                        from, std::move(options));
 }
 
 void Drape::begin(Stage stage, const Positions& from) {

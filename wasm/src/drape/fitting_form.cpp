@@ -19,7 +19,13 @@ constexpr double kWaistOfFiles = 108.8;
 // No body is thinner than this share of a size M. [1]
 constexpr double kThinnest = 0.6;
 // Waist edges lie so far over the waist, crotches so far below the body's. [cm]
-constexpr double kOverWaist = 2, kUnderCrotch = 1.5;
+constexpr double kOverWaist = 2, kUnderCrotch = 3;
+// From the shoulders down to the crotch cloth takes so much more than the difference of heights.
+constexpr double kAroundTorso = 5;  ///< cm
+
+// Both legs' girth where they part, of one's and beside it, and from where on they count: of the
+// depth of the hips. form_shape.cpp says how far apart they are. [1, cm, 1]
+constexpr double kAroundLegs = 1.61, kApart = 3.2, kOfLegs = 0.6;
 constexpr double kLeastRise = 18;                   ///< cm
 constexpr double kFarthestShoulder = 23;            ///< cm from the middle
 constexpr double kBesideNeck = 4, kUnderHips = 12;  ///< cm
@@ -77,7 +83,7 @@ class Fitting {
         for (int v : side->vertices) sewn_[side->piece][v] = true;
     for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
       for (int v : pattern.pieces[p].outline) top_ = std::max(top_, at(static_cast<int>(p), v).y());
-    findCrotch();
+    if (const std::optional<double> rise = wornRise(garment, pattern, form)) crotch_ = top_ - *rise;
     findShoulders();
     findTop();
   }
@@ -100,15 +106,6 @@ class Fitting {
 
   Vec3 at(int piece, int vertex) const {
     return hanging_.placed[piece](pattern_.pieces[piece].rest[vertex]);
-  }
-
-  void findCrotch() {
-    for (const Seam& seam : pattern_.seams) {
-      const BodyParts both =
-          only(hanging_.parts[seam.a.piece]) | only(hanging_.parts[seam.b.piece]);
-      if (both != kLegs) continue;
-      for (int v : seam.a.vertices) crotch_ = std::min(crotch_, at(seam.a.piece, v).y());
-    }
   }
 
   // Where the seams on the shoulders begin and end, from the middle.
@@ -197,6 +194,23 @@ class Fitting {
     return sum / count;
   }
 
+  /// How wide shoulders are that a garment lies on: as its own are, or wider, and so flatter, where
+  /// those are flatter than a body's, or it would hang on the sides of the neck. [cm]
+  double shoulderWidth(const Measures& m) const {
+    constexpr double kRise = 0.125;  // of the back's length, from the tips to the neck
+    constexpr double kWider = 9;     // cm
+    constexpr double kUsualSlope = 0.33;
+    const double own = std::min(2 * shoulder_ + 1, m.shoulder_width);
+    // Without sleeves it would slip off them.
+    const bool sleeves = !girths_[static_cast<int>(BodyPart::kLeftArm)].empty();
+    if (!sleeves || shoulder_ < neck_ + 3) return own;
+    const double fall = topOver(neck_, true).value_or(0) - topOver(shoulder_, true).value_or(0);
+    const double slope = std::max(0.1, fall / (shoulder_ - neck_));
+    if (slope > kUsualSlope) return own;
+    const double tip = m.neck / (2 * kPi) + 1 + kRise * m.back_length / slope;
+    return std::clamp(2 * tip, own, own + kWider);
+  }
+
   /// The height of the torso's highest pieces there; with `sewn_only` none where they end in an
   /// edge, as strapless ones do. [cm]
   std::optional<double> topOver(double x, bool sewn_only) const {
@@ -252,7 +266,8 @@ class Fitting {
     }
     double tightness = 0;
     if (missing) {
-      m.shoulder_width = std::clamp(2 * shoulder_ + 1, 0.75 * m.shoulder_width, m.shoulder_width);
+      m.shoulder_width =
+          std::clamp(shoulderWidth(m), 0.75 * m.shoulder_width, 1.15 * m.shoulder_width);
       // A neckline lies around the neck's base, or goes straight over it from shoulder to shoulder.
       m.neck = std::clamp(2 * kPi * (neck_ - kBesideNeck), 0.7 * m.neck, m.neck);
       m.neck = std::min(m.neck, kPi * (m.shoulder_width - 7));
@@ -260,14 +275,16 @@ class Fitting {
     if (missing) {
       tightness = tightnessOn(m, lift);
       if (crotch_ < 1e9)
-        tightness += kOfRise * std::max(0.0, crotch_ + lift + m.body_rise + 2 * kUnderCrotch -
-                                                 m.waist_height);
+        tightness +=
+            kOfRise * std::max(0.0, crotch_ + lift + m.body_rise + kUnderCrotch - m.waist_height);
     } else if (crotch_ < 1e9) {
       // Low-rise trousers hang lower; what else lies too high makes the body's rise shorter.
       const double low = m.waist_height - m.body_rise - kUnderCrotch - crotch_;
       if (lift > low) lift = std::max(low, lift - 8);
-      m.body_rise =
-          std::clamp(m.waist_height - crotch_ - lift - kUnderCrotch, kLeastRise, m.body_rise);
+    }
+    if (crotch_ < 1e9) {
+      const double under = kUnderCrotch + (missing ? kAroundTorso : 0);
+      m.body_rise = std::clamp(m.waist_height - crotch_ - lift - under, kLeastRise, m.body_rise);
       m.hip_depth = std::min(m.hip_depth, m.body_rise - 1.5);
     }
     for (int round = 0; round < kRounds; ++round)
@@ -297,6 +314,11 @@ class Fitting {
     each(BodyPart::kTorso, shoulder_ > 0 ? kEaseCm : kEaseOfHeld,
          [&](double level, double missing) {
            const double up = level / m->back_length, down = -level / m->hip_depth;
+           if (trousers && down > kOfLegs) {
+             const double around = kAroundLegs * m->thigh + kApart;
+             take(&Measures::thigh, kAroundLegs,
+                  missing + around - form.tube(BodyPart::kTorso).section(level).girth());
+           }
            if (up > 0.34)
              take(&Measures::bust, 1, missing);
            else if (down > 0.4)

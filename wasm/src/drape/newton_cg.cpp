@@ -7,13 +7,13 @@
 namespace seamwise {
 namespace {
 
+/// The plane x = 0 is so many times as stiff as a body: cloth that passes it crosses its image.
+constexpr double kPlaneStiffness = 8;
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostPairs = 6;
 constexpr double kLonger = 1.4, kShorter = 0.5;  ///< the next step, after a full and a cut one
 constexpr double kShortest = 0.2;                ///< of the first proximal step
-/// The plane x = 0 is so many times as stiff as a body: cloth that passes it crosses its image.
-constexpr double kPlaneStiffness = 4;
 constexpr double kChangedContacts = 0.01;  ///< share beyond which to factorise anew
 
 // multiplications, counted in the code of the terms
@@ -56,17 +56,18 @@ double ClothSolver::weight() const {
   return gravityEnergy(*mesh_, *fabric_, metre_up, nullptr);
 }
 
-/// What keeps half a cloth on its side of the plane x = 0.
+/// What keeps half a cloth and trouser legs on their side of the plane x = 0.
 double ClothSolver::planeEnergy(const Positions& x, Positions* gradient,
                                 BlockMatrix* hessian) const {
   double energy = 0;
   for (std::size_t i = 0; i < options_.least_x.size(); ++i) {
-    if (options_.least_x[i] == ClothOptions::kInPlane) continue;
-    const double depth = options_.least_x[i] - x[i].x(),
+    const double least = options_.least_x[i], side = least < 0 ? -1 : 1;
+    if (least == 0 || least == ClothOptions::kInPlane) continue;
+    const double depth = side * (least - x[i].x()),
                  k = kPlaneStiffness * options_.contact_stiffness * mesh_->area[i];
     if (!(depth > 0)) continue;
     energy += k * depth * depth / 2;
-    if (gradient) (*gradient)[i].x() -= k * depth;
+    if (gradient) (*gradient)[i].x() -= side * k * depth;
     if (hessian)
       hessian->add(static_cast<int>(i), static_cast<int>(i), outer(k, {1, 0, 0}, {1, 0, 0}));
   }

@@ -18,8 +18,8 @@ struct ClothOptions {
   double accuracy = 0.05;                          ///< of a Newton step, over its first residual
   int least_iterations = 1, most_iterations = 40;  ///< of conjugate gradients in a step
   std::vector<char> held;                          ///< per vertex, does not move; empty: none
-  /// Per vertex of half a cloth the least x that it may have, m, or kInPlane: stays at x = 0.
-  /// Empty: no vertex is bound to either.
+  /// Per vertex the least x that it may have or, below 0, the greatest, m; 0: it may have any;
+  /// kInPlane: stays at x = 0. Empty: no vertex is bound.
   std::vector<double> least_x;
   static constexpr double kInPlane = 1e9;
 };

@@ -16,12 +16,13 @@ namespace {
 constexpr double kUsualBudget = 100;  ///< of work, in factorisations of a 90 x 90 grid
 /// More than the widest gown has; beyond it one step alone takes much of the budget. [m2]
 constexpr double kMostCloth = 20;
-// Limits far from what is worn rightly: the samples' tension is 0.06 at most, their depth 0.0013 m,
-// their crossings 0.06 per triangle.
-constexpr double kFarthestFall = 0.25;  ///< m, of the highest vertex
-constexpr double kMostTension = 0.12;   ///< 99th percentile, before the fabric stiffens
-constexpr double kMostDepth = 0.01;     ///< m within the form
-constexpr double kMostCrossings = 0.2;  ///< per triangle
+// Limits beyond what is worn rightly: the samples' tension is 0.06 at most in poplin, their depth
+// 0.0013 m, their crossings 0.004 per triangle.
+constexpr double kBelowCrotch = 1;        ///< cm, from where on trouser legs are two
+constexpr double kFarthestFall = 0.25;    ///< m, of the highest vertex
+constexpr double kMostTension = 0.05;     ///< 99th percentile, before the fabric stiffens
+constexpr double kMostDepth = 0.005;      ///< m within the form
+constexpr double kMostCrossings = 0.015;  ///< per triangle
 
 /// Those of settings, file or size; else of a body that fits, to whose height the garment is moved.
 Outcome<Measures> measuresFor(SolvedGarment* solved, const WearSettings& settings) {
@@ -158,6 +159,9 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   problem.by_band = hangsFromWaist(worn->hanging_, problem.pattern, worn->form_);
   problem.matches = worn->garment_.garment.matches;
   problem.overlaps = overlapsOf(worn->garment_.garment, coarse.pattern, worn->hanging_);
+  for (const BodyPart part : worn->hanging_.parts)
+    problem.legs.push_back(part == BodyPart::kLeftLeg ? 1 : part == BodyPart::kRightLeg ? -1 : 0);
+  problem.crotch = kCentimetre * (worn->form_.crotchHeight() - kBelowCrotch);
   problem.fabric = settings.fabric;
   problem.body = &worn->body_;
   problem.start = startOf(coarse, start.value());

@@ -19,6 +19,8 @@ constexpr double kLegBelow = -3, kTorsoAbove = 8;
 constexpr double kOwnHeight = 0.02;
 // A band is wider than the body by so much at least where it starts, and is lifted by no more. [cm]
 constexpr double kBandEase = 2.5, kMostLift = 8;
+// Cosine of what legs of a body stand apart by at most.
+constexpr double kNearlyUpright = 0.9;
 // Hems of pieces end at different heights. [cm]
 constexpr int kHem = 6, kCuff = 1;
 
@@ -53,6 +55,23 @@ class Wrapper {
     return girths;
   }
 
+  std::optional<double> rise() {
+    layOut();
+    agreeOnHeights();
+    double top = -1e9, crotch = 1e9;
+    const auto height = [&](int piece, int v) {
+      return flat_[piece][v].y() + base(hanging_.parts[piece]);
+    };
+    for (int i : hanging_.order)
+      for (int v : pattern_.pieces[i].outline)
+        if (hanging_.parts[i] == BodyPart::kTorso || isLeg(hanging_.parts[i]))
+          top = std::max(top, height(i, v));
+    for (const Seam& seam : pattern_.seams)
+      if ((only(hanging_.parts[seam.a.piece]) | only(hanging_.parts[seam.b.piece])) == kLegs)
+        for (int v : seam.a.vertices) crotch = std::min(crotch, height(seam.a.piece, v));
+    return crotch < top ? std::optional(top - crotch) : std::nullopt;
+  }
+
  private:
   const Axis& axisOf(int piece) const { return form_.tube(hanging_.parts[piece]).axis(); }
   // Of the level 0 of the part's tube; the arms' levels are of their own.
@@ -75,6 +94,8 @@ class Wrapper {
         up = {-side * placed.right.x(), 0};
         level = form_.shoulderPoint().x() - side * placed(middle).x();
       }
+      // Drawn for legs that stand apart; the form's stand upright.
+      if (isLeg(hanging_.parts[i]) && up.y() > kNearlyUpright) up = {0, 1};
       const double length_up = planarLength(up);
       up = length_up > 0.5 ? Vec2(up / length_up) : Vec2(0, 1);
       std::vector<Vec2> flat;
@@ -220,6 +241,13 @@ std::vector<WornGirth> wornGirths(const Garment& garment, const Pattern& pattern
   if (!hanging.ok()) return {};
   const std::vector<char> on_top(pattern.pieces.size(), false);
   return Wrapper(pattern, form, hanging.value(), on_top, {}).girths(part);
+}
+
+std::optional<double> wornRise(const Garment& garment, const Pattern& pattern, const Form& form) {
+  const Outcome<Hanging> hanging = hang(garment, pattern, form);
+  if (!hanging.ok()) return std::nullopt;
+  const std::vector<char> on_top(pattern.pieces.size(), false);
+  return Wrapper(pattern, form, hanging.value(), on_top, {}).rise();
 }
 
 }  // namespace seamwise

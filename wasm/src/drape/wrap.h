@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "drape/parts.h"
@@ -38,5 +39,9 @@ struct WornGirth {
 /// and where they are open. Empty when hang() refuses the garment.
 std::vector<WornGirth> wornGirths(const Garment& garment, const Pattern& pattern, const Form& form,
                                   BodyPart part);
+
+/// How far the crotch of trousers lies below the top of the garment, its seams sewn, cm; none
+/// without legs, or when hang() refuses the garment.
+std::optional<double> wornRise(const Garment& garment, const Pattern& pattern, const Form& form);
 
 }  // namespace seamwise
