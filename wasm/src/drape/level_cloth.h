@@ -34,7 +34,6 @@ class LevelCloth {
   ClothSolver::Step quasiNewtonStep() { return taken(solver_->quasiNewtonStep()); }
   void setFriction(bool on) { solver_->setFriction(on); }
   void setTouching(bool on) { contacts_->setTouching(on); }
-  bool touching() const { return contacts_->touching(); }
   bool hasLayers() const { return contacts_->hasLayers(); }
   /// Sends what passed through the cloth back: of two parts that cross, the smaller one.
   void turnBack();

@@ -19,7 +19,7 @@ constexpr double kMostCloth = 20;
 // Limits far from what is worn rightly: the samples' tension is 0.06 at most, their depth 0.0013 m,
 // their crossings 0.06 per triangle.
 constexpr double kFarthestFall = 0.25;  ///< m, of the highest vertex
-constexpr double kMostTension = 0.12;   ///< 99th percentile, before the fabric stiffens
+constexpr double kMostTension = 0.12;   ///< 99th percentile, beyond Fabric::stiff_from
 constexpr double kMostDepth = 0.01;     ///< m within the form
 constexpr double kMostCrossings = 0.2;  ///< per triangle
 
@@ -84,8 +84,8 @@ Positions settledOf(const SewnLevel& level, const std::vector<double>& flat,
 std::optional<Error> tooMuchCloth(const Pattern& pattern) {
   double area = 0;
   for (const Piece& piece : pattern.pieces)
-    for (const auto& [a, b, c] : piece.triangles)
-      area += triangleArea(piece.rest[a], piece.rest[b], piece.rest[c]) * kCentimetre * kCentimetre;
+    for (const auto& triangle : piece.triangles)
+      area += triangleArea(piece.rest, triangle) * kCentimetre * kCentimetre;
   if (area <= kMostCloth) return std::nullopt;
   return Error{Failure::kNotAGarment,
                "The garment takes " + decimal(static_cast<std::int64_t>(area)) +
