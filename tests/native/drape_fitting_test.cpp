@@ -3,7 +3,7 @@
 
 #include "drape/fitting_form.h"
 #include "drape/worn_garment.h"
-#include "meshed_samples.h"
+#include "drape_samples.h"
 
 namespace seamwise {
 namespace {
@@ -28,11 +28,7 @@ Garment gores(double waist, double tilt) {
   return garment;
 }
 
-Pattern patternOf(const Garment& garment) {
-  Outcome<Pattern> sampled = discretise(garment, {}, {}, kCorner);
-  EXPECT_TRUE(sampled.ok()) << sampled.error().message;
-  return meshed(std::move(sampled).value(), 6).value();
-}
+Pattern patternOf(const Garment& garment) { return plainPattern(garment, kCorner); }
 
 FittingForm fitted(const Garment& garment) {
   return fittingForm(garment, patternOf(garment)).value();

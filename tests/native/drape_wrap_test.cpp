@@ -1,16 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "drape/weld.h"
 #include "drape/wrap.h"
-#include "io/garment_json.h"
-#include "mesh/mesh.h"
-#include "pattern/discretise.h"
-#include "symmetry/symmetry.h"
+#include "meshed_samples.h"
 
 namespace seamwise {
 namespace {
@@ -21,10 +16,7 @@ struct Sample {
 };
 
 Sample sampleOf(const std::string& name) {
-  std::ifstream file(SEAMWISE_GARMENTS "/" + name + ".json");
-  std::stringstream text;
-  text << file.rdbuf();
-  Sample sample{readGarment(text.str(), name).value().garment, {}};
+  Sample sample{testing::readSample(name), {}};
   const std::vector<BodySymmetry> known = detectSymmetries(sample.garment);
   // 3 cm: what a drape starts with.
   Outcome<Pattern> sampled = discretise(sample.garment, known, known, 3);

@@ -2,12 +2,25 @@
 // Small garments, sampled and meshed, as the solver sees them.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "io/garment_json.h"
 #include "mesh/mesh.h"
 #include "pattern/discretise.h"
 #include "small_garments.h"
 #include "symmetry/symmetry.h"
 
 namespace seamwise::testing {
+
+/// A sample garment, by its file's name: "tee-m".
+inline Garment readSample(const std::string& name) {
+  std::ifstream file(SEAMWISE_GARMENTS "/" + name + ".json");
+  std::stringstream text;
+  text << file.rdbuf();
+  return readGarment(text.str(), name).value().garment;
+}
 
 /// The pattern of a garment, with its own symmetries imposed or not.
 /// @param edge_length   of the outlines, about, cm

@@ -2,28 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "drape/mesh_places.h"
-#include "io/garment_json.h"
-#include "mesh/mesh.h"
-#include "pattern/discretise.h"
-#include "symmetry/symmetry.h"
+#include "meshed_samples.h"
 
 namespace seamwise {
 namespace {
 
 /// A sample garment cut as drafted, its outlines sampled at `edge` cm.
 SolvedGarment drafted(const std::string& name, double edge) {
-  std::ifstream file(SEAMWISE_GARMENTS "/" + name + ".json");
-  std::stringstream text;
-  text << file.rdbuf();
-  SolvedGarment solved{readGarment(text.str(), name).value().garment, {}, {}};
-  const std::vector<BodySymmetry> known = detectSymmetries(solved.garment);
-  Outcome<Pattern> sampled = discretise(solved.garment, known, known, edge);
-  EXPECT_TRUE(sampled.ok()) << name;
-  solved.pattern = meshed(std::move(sampled).value(), 6).value();
+  SolvedGarment solved{testing::readSample(name), {}, {}};
+  solved.pattern = testing::meshedPattern(solved.garment, true, edge);
   solved.shapes = restShapes(solved.pattern);
   return solved;
 }

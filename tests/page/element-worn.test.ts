@@ -1,4 +1,5 @@
 /** The element with view="garment": draped on a dummy in its print, and told of. */
+import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
@@ -8,6 +9,16 @@ const openPage = useElementPage();
 /** A browser that draws in software may have to share a busy machine. */
 const patient = {timeout: 60_000};
 const worn = tee.replace('alt=', 'view="garment" alt=');
+
+/** Counts events of elements from now on. @returns how many there were */
+async function counted(page: Page, type: string): Promise<() => Promise<number>> {
+  const count = await page.evaluateHandle((type) => {
+    const told = {times: 0};
+    document.addEventListener(type, () => told.times++, true);
+    return told;
+  }, type);
+  return () => count.evaluate(({times}) => times);
+}
 
 it('drapes what it shows, tells how far it is, and gives a picture of it from where it is to be seen', async () => {
   const {page, put, run} = await openPage({viewport: {width: 700, height: 600}});
@@ -117,18 +128,10 @@ it('is turned by one finger, and moved and zoomed by two', async () => {
 
 it('drapes nothing that nobody sees', async () => {
   const {page, put} = await openPage({viewport: {width: 700, height: 600}});
-  await page.evaluate(() => {
-    Object.assign(globalThis, {told: 0});
-    document.addEventListener(
-      'drape',
-      () => (globalThis as unknown as {told: number}).told++,
-      true,
-    );
-  });
+  const told = await counted(page, 'drape');
   await put(`${'<br>'.repeat(200)}${worn.replace('alt=', 'loading="eager" alt=')}`);
   await page.locator('seamwise-garment:state(ready)').waitFor();
   await page.waitForTimeout(1500);
-  const told = () => page.evaluate(() => (globalThis as unknown as {told: number}).told);
   expect(await told()).toBe(0);
   await page.locator('seamwise-garment').scrollIntoViewIfNeeded();
   await expect.poll(told, patient).toBeGreaterThan(0);
@@ -136,14 +139,7 @@ it('drapes nothing that nobody sees', async () => {
 
 it('is of a fabric that its design keeps, without being solved for it again', async () => {
   const {page, put, run} = await openPage({viewport: {width: 700, height: 600}});
-  await page.evaluate(() => {
-    Object.assign(globalThis, {solved: 0});
-    document.addEventListener(
-      'solve',
-      () => (globalThis as unknown as {solved: number}).solved++,
-      true,
-    );
-  });
+  const solved = await counted(page, 'solve');
   await put(worn.replace('alt=', 'fabric="denim" alt='));
   await page.locator('seamwise-garment:state(ready)').waitFor();
   const stored = await run((element) => element.getDesign());
@@ -155,5 +151,5 @@ it('is of a fabric that its design keeps, without being solved for it again', as
   expect(await run((element) => element.state)).toBe('ready');
   await run((element, design) => element.setDesign(design), stored);
   expect(await run((element) => element.fabric)).toBe('denim');
-  expect(await page.evaluate(() => (globalThis as unknown as {solved: number}).solved)).toBe(2);
+  expect(await solved()).toBe(2);
 });

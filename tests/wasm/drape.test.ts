@@ -7,6 +7,7 @@ import {
   solve,
   type Drape,
   type DrapeFile,
+  type DrapeMesh,
   type SolveResult,
 } from 'seamwise/node';
 import {describe, expect, it} from 'vitest';
@@ -149,6 +150,20 @@ it.each<[Sample, 1 | 4, number]>([
   const result = await resultOf(name);
   const worn = await drape(result, {effort});
   expect(unborne(exactly(drapeFile(result, worn), worn), result)).toBeLessThan(most);
+});
+
+it('has the seams of its result, without those that close its cuffs', async () => {
+  const result = await resultOf('shirt');
+  const seen = new AbortController();
+  let seams: DrapeMesh['seams'] = [];
+  const onMesh = (mesh: DrapeMesh) => {
+    ({seams} = mesh);
+    seen.abort();
+  };
+  await expect(drape(result, {}, {onMesh, signal: seen.signal})).rejects.toThrow();
+  expect(seams.map(({a, b}) => [a.piece, b.piece])).toEqual(
+    result.seams.map(({a, b}) => [a.piece, b.piece]),
+  );
 });
 
 it('takes forms of other sizes and cloths', async () => {

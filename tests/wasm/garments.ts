@@ -42,6 +42,7 @@ export function sample(
     | 'patchwork-jacket'
     | 'raglan'
     | 'shift-dress'
+    | 'shirt'
     | 'six-gore-skirt'
     | 'trousers',
 ): string {

@@ -6,7 +6,7 @@
 namespace seamwise {
 
 // The standard library's sorts, one for every type and order, would each add 1 kB to a module,
-// compressed. So there are two, and all else is sorted by way of them.
+// compressed. So there is one, sortKeyed, and all else is sorted by way of it.
 
 /// Ascending, like the others.
 void sortNumbers(std::vector<double>& numbers);

@@ -134,6 +134,7 @@ void DrapeHandle::hang() {
   }
   if (!solved.ok()) error_ = solved.error();
   if (error_) return;
+  stitches_ = static_cast<std::ptrdiff_t>(solved.value().pattern.seams.size());
   auto worn = WornGarment::make(std::move(solved).value(), settings);
   if (!worn.ok()) {
     error_ = inFile(worn.error(), request.result_name);
@@ -208,7 +209,9 @@ val DrapeHandle::mesh() const {
   };
   val value = val::object();
   value.set("pieces", listValue(place_, [&](int index) { return piece(index); }));
-  value.set("seams", listValue(level.pattern.seams, [&](const Seam& seam) {
+  const auto first = level.pattern.seams.begin();
+  const std::vector<Seam> of_file(first, first + stitches_);
+  value.set("seams", listValue(of_file, [&](const Seam& seam) {
               val sides = val::object();
               sides.set("a", side(seam.a));
               sides.set("b", side(seam.b));

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,7 @@ class DrapeHandle {
   std::string name_;  ///< of the result's file
   std::unique_ptr<WornGarment> worn_;
   std::optional<Error> error_;
+  std::ptrdiff_t stitches_ = 0;  ///< seams of the file; those after them close bands
   std::vector<int> place_;  ///< per piece of the file: which of the worn garment's it is
 };
 

@@ -66,13 +66,7 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
   const auto kept = keptLengths(pattern);
   std::vector<std::vector<char>> sewn(count);
   for (std::size_t p = 0; p < count; ++p) sewn[p].assign(pattern.pieces[p].outline.size(), 0);
-  for (const Seam& s : pattern.seams) {
-    for (const SeamSide* side : {&s.a, &s.b}) {
-      const Piece& piece = pattern.pieces[side->piece];
-      for (std::size_t i = 0; i + 1 < side->vertices.size(); ++i)
-        sewn[side->piece][outlineEdge(piece, side->vertices[i], side->vertices[i + 1])] = 1;
-    }
-  }
+  forSewnEdges(pattern, [&](int piece, int k, int) { sewn[piece][k] = 1; });
   // an edge whose mirror image is sewn must keep its length, too
   for (const Mirror& m : pattern.mirrors) {
     const int n = static_cast<int>(sewn[m.pieces[0]].size());

@@ -12,33 +12,20 @@ namespace {
 
 constexpr double kTallest = 15;   ///< cm, of a band
 constexpr double kAsLong = 0.02;  ///< of their length, by which the ends may differ
-constexpr double kCorner = 0.7;   ///< cosine of the turn at the end of an end
+constexpr double kCorner = 0.7;   ///< cosine of the turn by which an end is over
 
-/// Per outline position: whether the edge that starts there is sewn, to another piece or to this.
-struct SewnEdges {
-  std::vector<char> any, own;
-};
-
-SewnEdges sewnEdges(const Pattern& pattern, int piece) {
-  const Piece& of = pattern.pieces[piece];
-  SewnEdges edges{std::vector<char>(of.outline.size(), 0), std::vector<char>(of.outline.size(), 0)};
-  for (const Seam& seam : pattern.seams)
-    for (const auto& [side, other] : {std::pair(&seam.a, &seam.b), {&seam.b, &seam.a}})
-      for (std::size_t k = 0; side->piece == piece && k + 1 < side->vertices.size(); ++k) {
-        const int edge = outlineEdge(of, side->vertices[k], side->vertices[k + 1]);
-        edges.any[edge] = 1, edges.own[edge] = other->piece == piece;
-      }
-  return edges;
-}
+/// Of an edge that is sewn to nothing.
+constexpr int kOpen = -1;
 
 /// The end of a band that begins at an outline position, as far as its next corner.
-/// @param step   1 or -1, along the outline
-std::vector<int> endFrom(const Piece& piece, const std::vector<char>& sewn, int from, int step) {
+/// @param sewn_to   per outline position: the piece that the edge from there is sewn to, or kOpen
+/// @param step      1 or -1, along the outline
+std::vector<int> endFrom(const Piece& piece, const std::vector<int>& sewn_to, int from, int step) {
   const int count = static_cast<int>(piece.outline.size());
   std::vector<int> end{from};
   while (static_cast<int>(end.size()) < count) {
     const int at = end.back(), next = (at + step + count) % count;
-    if (sewn[step > 0 ? at : next]) break;
+    if (sewn_to[step > 0 ? at : next] != kOpen) break;
     if (end.size() > 1) {
       const Vec2 before = piece.rest[at] - piece.rest[end[end.size() - 2]];
       const Vec2 after = piece.rest[next] - piece.rest[at];
@@ -61,20 +48,23 @@ double lengthOf(const Piece& piece, const std::vector<int>& end) {
 
 void closeBands(Pattern* pattern) {
   const Weld weld = welded(*pattern);
+  std::vector<std::vector<int>> sewn_to;
+  for (const Piece& piece : pattern->pieces) sewn_to.emplace_back(piece.outline.size(), kOpen);
+  forSewnEdges(*pattern, [&](int piece, int k, int other) { sewn_to[piece][k] = other; });
   for (int p = 0; p < static_cast<int>(pattern->pieces.size()); ++p) {
     const Piece& piece = pattern->pieces[p];
-    const SewnEdges sewn = sewnEdges(*pattern, p);
+    const std::vector<int>& sewn = sewn_to[p];
     const int count = static_cast<int>(piece.outline.size());
     for (int from = 0; from < count; ++from) {
       // Sewn to others from here to `to`.
-      if (!sewn.any[from] || sewn.any[(from + count - 1) % count]) continue;
+      if (sewn[from] == kOpen || sewn[(from + count - 1) % count] != kOpen) continue;
       int to = from;
       bool to_others = true;
-      for (; sewn.any[to] && (to + 1) % count != from; to = (to + 1) % count)
-        to_others = to_others && !sewn.own[to];
+      for (; sewn[to] != kOpen && (to + 1) % count != from; to = (to + 1) % count)
+        to_others = to_others && sewn[to] != p;
       if (!to_others || weld.knot[p][from] != weld.knot[p][to]) continue;
-      const std::vector<int> a = endFrom(piece, sewn.any, from, -1);
-      const std::vector<int> b = endFrom(piece, sewn.any, to, 1);
+      const std::vector<int> a = endFrom(piece, sewn, from, -1);
+      const std::vector<int> b = endFrom(piece, sewn, to, 1);
       const double length = lengthOf(piece, a);
       if (a.size() < 2 || a.size() != b.size() || a.back() == b.back() || length > kTallest ||
           std::abs(lengthOf(piece, b) - length) > kAsLong * length)

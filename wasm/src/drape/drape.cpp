@@ -75,12 +75,15 @@ void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& f
   if (cloth_) spent_ += cloth_->work();
   LevelCloth::Layers layers{problem_.overlaps, {}, {}, problem_.fabric.offset};
   layers.held = heldLayers(level, problem_.matches, problem_.overlaps, layers.gap);
-  // What lies in waves only looks like layers.
-  if (!problem_.overlaps.empty() && !problem_.settled.empty())
-    layers.laid = problem_.settled;
-  else if (!problem_.overlaps.empty())
-    layers.laid =
-        stage_ == Stage::kSew ? problem_.start : prolonged(problem_.levels, problem_.start);
+  // Where no pieces overlap there are no layers: cloth that lies in waves only looks like them.
+  if (!problem_.overlaps.empty()) {
+    if (stage_ == Stage::kSew)
+      layers.laid = problem_.start;
+    else if (problem_.settled.empty())
+      layers.laid = prolonged(problem_.levels, problem_.start);
+    else
+      layers.laid = problem_.settled;
+  }
   ClothOptions options = problem_.options;
   options.least_x = besideEachOther(level, from);
   cloth_ = std::make_unique<LevelCloth>(mesh, level.image, layers, problem_.fabric, *problem_.body,

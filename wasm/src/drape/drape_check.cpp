@@ -11,7 +11,7 @@
 namespace seamwise {
 namespace {
 
-constexpr double kOverstretched = 0.1;    ///< beyond Fabric::stiff_from, of a hundredth of it
+constexpr double kOverstretched = 0.1;    ///< 99th percentile, beyond Fabric::stiff_from
 constexpr double kVisiblyInside = 0.005;  ///< m
 constexpr int kFewCrossings = 20;         ///< as folds of sound garments have
 

@@ -35,7 +35,6 @@ class LevelCloth {
   void setFriction(bool on) { solver_->setFriction(on); }
   void setWeight(bool on) { solver_->setWeight(on); }
   void setTouching(bool on) { contacts_->setTouching(on); }
-  bool touching() const { return contacts_->touching(); }
   bool hasLayers() const { return contacts_->hasLayers(); }
   /// Sends what passed through the cloth back: of two parts that cross, the smaller one.
   void turnBack();

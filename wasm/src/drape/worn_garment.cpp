@@ -16,11 +16,11 @@ namespace {
 constexpr double kUsualBudget = 100;  ///< of work, in factorisations of a 90 x 90 grid
 /// More than the widest gown has; beyond it one step alone takes much of the budget. [m2]
 constexpr double kMostCloth = 20;
-// Limits beyond what is worn rightly: the samples' tension is 0.06 at most in poplin, their depth
-// 0.0013 m, their crossings 0.004 per triangle.
-constexpr double kBelowCrotch = 1;        ///< cm, from where on trouser legs are two
+constexpr double kBelowCrotch = 1;  ///< cm, from where on trouser legs are two
+// Limits beyond what is worn rightly: the samples' tension is 0.05 at most in poplin, their depth
+// 0.0005 m, their crossings 0.007 per triangle.
 constexpr double kFarthestFall = 0.25;    ///< m, of the highest vertex
-constexpr double kMostTension = 0.05;     ///< 99th percentile, before the fabric stiffens
+constexpr double kMostTension = 0.05;     ///< 99th percentile, beyond Fabric::stiff_from
 constexpr double kMostDepth = 0.005;      ///< m within the form
 constexpr double kMostCrossings = 0.015;  ///< per triangle
 
@@ -85,8 +85,8 @@ Positions settledOf(const SewnLevel& level, const std::vector<double>& flat,
 std::optional<Error> tooMuchCloth(const Pattern& pattern) {
   double area = 0;
   for (const Piece& piece : pattern.pieces)
-    for (const auto& [a, b, c] : piece.triangles)
-      area += triangleArea(piece.rest[a], piece.rest[b], piece.rest[c]) * kCentimetre * kCentimetre;
+    for (const auto& triangle : piece.triangles)
+      area += triangleArea(piece.rest, triangle) * kCentimetre * kCentimetre;
   if (area <= kMostCloth) return std::nullopt;
   return Error{Failure::kNotAGarment,
                "The garment takes " + decimal(static_cast<std::int64_t>(area)) +

@@ -82,16 +82,15 @@ void readPiece(const JsonValue& json, const Place& place, SolvedGarment* solved)
   bool in_order = shape.size() == count && piece.outline.size() >= 3 && !piece.triangles.empty();
   for (const std::vector<int>& loop : loopsOf(piece))
     for (int v : loop) in_order = in_order && v == next++;
-  double cut = 0;
-  if (in_order)
-    for (const auto& [a, b, c] : piece.triangles)
-      cut = std::max(cut, triangleArea(shape[a], shape[b], shape[c]));
-  if (in_order && !(cut > 0)) {
-    place.fail(place.shape, "has no area as cut; align the garment again");
-    return;
-  }
   if (!in_order) {
     place.fail(place.shape, "is no piece of a result; align the garment again");
+    return;
+  }
+  double largest = 0;
+  for (const auto& triangle : piece.triangles)
+    largest = std::max(largest, triangleArea(shape, triangle));
+  if (!(largest > 0)) {
+    place.fail(place.shape, "has no area as cut; align the garment again");
     return;
   }
   panel.mirrored_from_input = piece.mirrored_from_input = json.find("mirroredFromInput").isTrue();

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/rigid_motion.h"
@@ -69,6 +70,18 @@ struct Pattern {
   std::vector<Seam> seams;  ///< one per stitch, in the order of the file
   std::vector<Mirror> mirrors;
 };
+
+/// Calls use(piece, k, other) for each sewn edge: it starts at the outline position k of a piece
+/// and is sewn to one of `other`, which may be the same piece.
+template <class Use>
+void forSewnEdges(const Pattern& pattern, const Use& use) {
+  for (const Seam& seam : pattern.seams)
+    for (const auto& [side, other] : {std::pair(&seam.a, &seam.b), {&seam.b, &seam.a}})
+      for (std::size_t i = 0; i + 1 < side->vertices.size(); ++i)
+        use(side->piece,
+            outlineEdge(pattern.pieces[side->piece], side->vertices[i], side->vertices[i + 1]),
+            other->piece);
+}
 
 /// Where the vertices of the pieces are: per piece, per vertex, cm.
 using Shapes = std::vector<std::vector<Vec2>>;

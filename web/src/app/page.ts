@@ -13,6 +13,7 @@ import {
   type GarmentChoice,
   type PatternPane,
   type Samples,
+  type WornPane,
 } from '../editor/index.js';
 import {chooseFile, takeFiles} from './files.js';
 import {keepHints, type Hint} from './introduction/kept.js';
@@ -50,6 +51,7 @@ export class SeamwisePage extends WorkbenchElement {
   }
 
   readonly #shownEditor = (): Editor | null => this.#editor;
+  readonly #shownWorn = (): WornPane | undefined => this.#editor?.worn;
 
   /** What has a key of its own beside the editor's. */
   readonly #keyed = {
@@ -129,7 +131,7 @@ export class SeamwisePage extends WorkbenchElement {
           slot="actions"
           .workbench=${workbench}
           .projects=${projects}
-          .worn=${() => this.#editor?.worn}
+          .worn=${this.#shownWorn}
         ></sw-save-menu>
         <button
           slot="actions"

@@ -9,8 +9,8 @@ import {
   placeUnder,
   type Command,
   type NumberField,
+  type WornPane,
 } from '../editor/index.js';
-import type {WornPane} from '../editor/worn/worn-pane.js';
 import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
 import {saveFile} from './files.js';

@@ -5,8 +5,8 @@ import {distance, type Point} from '../model/geometry.js';
 interface Navigable {
   fit(): void;
   zoomBy(factor: number, at?: Point): void;
-  /** @param isFirm by two fingers or with Shift, where one finger may mean something else */
-  panBy(dx: number, dy: number, isFirm?: boolean): void;
+  /** @param isModified by two fingers or with Shift, where one finger may mean something else */
+  panBy(dx: number, dy: number, isModified?: boolean): void;
 }
 
 /** A pointer that stays within this is a click. [CSS px] */

@@ -1,4 +1,4 @@
-/** Pictures that are drawn beside the canvas and read back, without waiting for a graphics card that is busy. */
+/** Pictures that are drawn beside the canvas and read back, without waiting for a graphics card that is busy; and written. */
 import {WebGLRenderTarget, type WebGLRenderer} from 'three';
 
 interface Size {
@@ -43,6 +43,15 @@ export async function readBack(
     return undefined;
   }
   return context.isContextLost() ? undefined : upright(pixels, width, height);
+}
+
+/** @throws {Error} where the browser writes none */
+export async function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  const blob = await new Promise<Blob | null>((resolve) => {
+    canvas.toBlob(resolve, 'image/png');
+  });
+  if (!blob) throw new Error('The picture cannot be written.');
+  return blob;
 }
 
 /** Does what `act` does with a target of its own to draw into. */

@@ -10,7 +10,7 @@ import {
 import type {Point} from '../model/geometry.js';
 import {boxOf} from '../model/polyline.js';
 import type {LineMaterial} from './line-layer.js';
-import {readBack, readNow} from './read-back.js';
+import {pngOf, readBack, readNow} from './read-back.js';
 import {labelLines, labelSize, type PatternScene} from '../scene/scene.js';
 import {look} from './screen.js';
 import {fitted, toScreen, type SheetView} from '../scene/sheet-view.js';
@@ -86,11 +86,7 @@ export async function snapshot(
   if (!pixels) throw new Error('The browser has taken the graphics context away.');
   const canvas = named(pixels, scene, shot, appearance);
   if (!canvas) throw new Error('The picture cannot be drawn.');
-  const blob = await new Promise<Blob | null>((resolve) => {
-    canvas.toBlob(resolve, 'image/png');
-  });
-  if (!blob) throw new Error('The picture cannot be written.');
-  return blob;
+  return pngOf(canvas);
 }
 
 /** On white, at once. @returns nothing where the browser makes no picture */

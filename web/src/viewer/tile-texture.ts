@@ -15,6 +15,23 @@ const greatestSide = 4096;
 /** An SVG is drawn at least this densely, or by a power of 2 more. [px per cm] */
 const coarsest = 32;
 
+/** A picture of so many pixels of a tile: white, the cloth, where that is transparent. @returns nothing where the browser draws none */
+export function onWhite(
+  image: CanvasImageSource,
+  width: number,
+  height: number,
+): HTMLCanvasElement | undefined {
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.max(1, Math.round(width));
+  canvas.height = Math.max(1, Math.round(height));
+  const context = canvas.getContext('2d', {alpha: false});
+  if (!context) return undefined;
+  context.fillStyle = '#fff';
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.drawImage(image, 0, 0, canvas.width, canvas.height);
+  return canvas;
+}
+
 export class TileTexture {
   readonly #anisotropy: number;
   readonly #limit: number;
@@ -88,14 +105,8 @@ export class TileTexture {
 
   #draw(image: CanvasImageSource, width: number, height: number): void {
     const shrink = Math.min(1, this.#limit / Math.max(width, height));
-    const canvas = document.createElement('canvas');
-    canvas.width = Math.max(1, Math.round(width * shrink));
-    canvas.height = Math.max(1, Math.round(height * shrink));
-    const context = canvas.getContext('2d', {alpha: false});
-    if (!context) return;
-    context.fillStyle = '#fff'; // the cloth, where a tile is transparent
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    context.drawImage(image, 0, 0, canvas.width, canvas.height);
+    const canvas = onWhite(image, width * shrink, height * shrink);
+    if (!canvas) return;
     const texture = new CanvasTexture(canvas);
     texture.wrapS = RepeatWrapping;
     texture.wrapT = RepeatWrapping;

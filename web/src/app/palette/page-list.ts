@@ -8,7 +8,7 @@ import {pieceCommands, toolCommands, viewCommands} from './pattern-list.js';
 export const allCommands = (parts: PageParts): readonly Command[] => [
   ...stepCommands(parts),
   ...fileCommands(parts),
-  ...wornCommands(parts),
+  ...savesOfWorn(parts),
   ...toolCommands(parts),
   ...viewCommands(parts),
   ...solveCommands(parts),
@@ -18,8 +18,8 @@ export const allCommands = (parts: PageParts): readonly Command[] => [
   ...settingCommands(parts),
 ];
 
-/** Of the worn garment, while it is shown. */
-function wornCommands({workbench, texts, editor, saves}: PageParts): readonly Command[] {
+/** What there is to take away of the worn garment, while it is shown. */
+function savesOfWorn({workbench, texts, editor, saves}: PageParts): readonly Command[] {
   if (!editor.worn) return [];
   const words = texts.commands.also.save;
   const commands = wornSaves(editor.worn, workbench, saves.other);

@@ -1,7 +1,6 @@
 /** What there is to take away of a worn garment, as commands: loaded with a list of them. */
-import {toFailure, type Command, type Workbench} from '../../editor/index.js';
+import {toFailure, type Command, type Workbench, type WornPane} from '../../editor/index.js';
 import {wornFiles} from '../../editor/worn/worn-files.js';
-import type {WornPane} from '../../editor/worn/worn-pane.js';
 
 /** @param save gets what is to be saved, and how the name of its file ends */
 export const wornSaves = (

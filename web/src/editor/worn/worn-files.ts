@@ -5,6 +5,8 @@ import {norm} from '../../model/geometry.js';
 import {titleOfFile} from '../../model/piece-names.js';
 import {imageCell} from '../../model/wallpaper.js';
 import {wornTexts} from '../../texts/worn-texts.js';
+import {pngOf} from '../../viewer/read-back.js';
+import {onWhite} from '../../viewer/tile-texture.js';
 import {film, filmType} from './film.js';
 import {drapingOf} from '../../workbench/draping.js';
 import type {Workbench} from '../../workbench/workbench.js';
@@ -67,21 +69,11 @@ async function cellOf({design, tileOf}: Workbench): Promise<CellPicture | undefi
   const tile = await tileOf(design.print.image).catch(() => undefined);
   if (!tile) return undefined;
   const isVector = 'vector' in tile;
-  const [width, height] = isVector
-    ? imageCell(printOf(design.print)).map((side) => norm(side))
-    : [tile.width, tile.height];
-  const longest = Math.max(width ?? 1, height ?? 1);
+  const [across, up] = imageCell(printOf(design.print));
+  const [width, height] = isVector ? [norm(across), norm(up)] : [tile.width, tile.height];
+  const longest = Math.max(width, height);
   const scale = (isVector ? greatestSide : Math.min(greatestSide, longest)) / longest;
-  const canvas = document.createElement('canvas');
-  canvas.width = Math.max(1, Math.round(scale * (width ?? 1)));
-  canvas.height = Math.max(1, Math.round(scale * (height ?? 1)));
-  const context = canvas.getContext('2d', {alpha: false});
-  if (!context) return undefined;
-  context.fillStyle = '#fff';
-  context.fillRect(0, 0, canvas.width, canvas.height);
-  context.drawImage(isVector ? tile.vector : tile, 0, 0, canvas.width, canvas.height);
-  const blob = await new Promise<Blob | null>((resolve) => {
-    canvas.toBlob(resolve, 'image/png');
-  });
-  return blob ? cellPicture(new Uint8Array(await blob.arrayBuffer())) : undefined;
+  const canvas = onWhite(isVector ? tile.vector : tile, scale * width, scale * height);
+  const blob = canvas && (await pngOf(canvas).catch(() => undefined));
+  return blob && cellPicture(new Uint8Array(await blob.arrayBuffer()));
 }

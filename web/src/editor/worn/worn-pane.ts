@@ -17,7 +17,8 @@ import {commandFor, wornCommands} from './worn-commands.js';
 import {WornDrawing} from './worn-drawing.js';
 import {wornStyle} from './worn-style.js';
 
-const keyFactor = 1.4;
+/** Of a press of a button; a key goes less far. */
+const zoomFactor = 1.4;
 
 /** What may go well another time; all else is the garment's. */
 const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout']);
@@ -246,9 +247,9 @@ export class WornPane extends WornDrawing {
       >
         ${icon.turntable}
       </button>
-      ${this.#icon(pattern.zoomOut, icon.minus, 'zoom', () => this.view?.camera.zoomBy(1 / keyFactor))}
+      ${this.#icon(pattern.zoomOut, icon.minus, 'zoom', () => this.view?.camera.zoomBy(1 / zoomFactor))}
       ${this.#icon(pattern.fit, icon.fit, '', () => this.view?.camera.look())}
-      ${this.#icon(pattern.zoomIn, icon.plus, 'zoom', () => this.view?.camera.zoomBy(keyFactor))}
+      ${this.#icon(pattern.zoomIn, icon.plus, 'zoom', () => this.view?.camera.zoomBy(zoomFactor))}
     </div>`;
   }
 

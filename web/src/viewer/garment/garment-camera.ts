@@ -117,7 +117,7 @@ export class GarmentCamera {
     this.#flight.stop();
   }
 
-  /** Moves what is seen in the plane of the picture. [px of the picture's height] */
+  /** Moves what is seen in the plane of the picture. @param height of the picture, in the unit of the move */
   pan(right: number, up: number, height: number): void {
     const {box} = this.#room();
     if (!box) return;

@@ -244,8 +244,8 @@ export class GarmentView {
       zoomBy: (factor: number) => {
         camera.zoomBy(factor);
       },
-      panBy: (dx: number, dy: number, isFirm?: boolean) => {
-        if (isFirm) camera.pan(dx, -dy, this.#screen.size.height);
+      panBy: (dx: number, dy: number, isModified?: boolean) => {
+        if (isModified) camera.pan(dx, -dy, this.#screen.size.height);
         else camera.turn(-dragTurn * dx, dragTurn * dy);
       },
     };

@@ -1,7 +1,7 @@
 /** A worn garment as a picture to keep. */
 import type {WebGLRenderer} from 'three';
 
-import {readBack, readNow} from '../read-back.js';
+import {pngOf, readBack, readNow} from '../read-back.js';
 import type {Raster} from '../stage.js';
 
 /** A picture with four samples a pixel takes 32 bytes for each. [px] */
@@ -27,12 +27,7 @@ export const garmentPicture = {
 
   /** As a PNG. @throws {Error} where there is nothing to draw or the browser makes no picture */
   async blob(paper: Paper): Promise<Blob> {
-    const canvas = await garmentPicture.canvas(paper);
-    const blob = await new Promise<Blob | null>((resolve) => {
-      canvas.toBlob(resolve, 'image/png');
-    });
-    if (!blob) throw new Error('The picture cannot be written.');
-    return blob;
+    return pngOf(await garmentPicture.canvas(paper));
   },
 
   /** @throws {Error} where there is nothing to draw, or no context to draw with */

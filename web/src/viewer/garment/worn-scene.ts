@@ -96,6 +96,7 @@ export class WornScene {
   }
 
   setSeams(hasSeams: boolean): void {
+    if (hasSeams === this.#hasSeams) return;
     this.#hasSeams = hasSeams;
     this.#laySeams();
   }
@@ -106,6 +107,8 @@ export class WornScene {
   }
 
   setMarked(marked: Marked): void {
+    const {selected, pointed} = this.#marked;
+    if (marked.selected === selected && marked.pointed === pointed) return;
     this.#marked = marked;
     this.#layMarks();
   }
