@@ -1,4 +1,4 @@
-/** Two dozen worn garments on one page, and one in a tab that is put away. */
+/** Two dozen worn garments on one page, and one in a tab that is put away or hidden. */
 import {readdirSync} from 'node:fs';
 
 import {expect, it} from 'vitest';
@@ -20,6 +20,7 @@ const tags = ['p4m', 'pgg'].flatMap((print) =>
 );
 
 declare global {
+  var drawn: number;
   var worn: {readonly contexts: Set<unknown>; readonly draped: Set<Element>; settled: number};
 }
 
@@ -86,4 +87,41 @@ it('settles in a tab that is put away, and is drawn once it is back', async () =
   const picture = await page.locator('seamwise-garment').screenshot();
   expect(picture.length).toBeGreaterThan(10_000);
   expect(await run((element) => element.state)).toBe('ready');
+});
+
+/** Counts what is drawn, and hides the document as far as its scripts can tell. */
+function watchDrawing(): void {
+  Object.assign(globalThis, {drawn: 0});
+  const prototype = WebGL2RenderingContext.prototype;
+  const draw = Reflect.get(prototype, 'drawElements') as (...given: unknown[]) => unknown;
+  Reflect.set(prototype, 'drawElements', function (this: unknown, ...given: unknown[]) {
+    globalThis.drawn++;
+    return Reflect.apply(draw, this, given);
+  });
+}
+
+it('draws nothing while the document is hidden, nor turns, and shows the settled garment afterwards', async () => {
+  const {put, page} = await openPage({before: watch, viewport: {width: 700, height: 600}});
+  await page.evaluate(watchDrawing);
+  const show = (state: DocumentVisibilityState): Promise<void> =>
+    page.evaluate((visibilityState) => {
+      Object.defineProperty(document, 'visibilityState', {
+        ...{value: visibilityState, configurable: true},
+      });
+      document.dispatchEvent(new Event('visibilitychange'));
+    }, state);
+  const draws = (): Promise<number> => page.evaluate(() => globalThis.drawn);
+  await put(tee.replace('alt=', 'view="garment" turntable alt='));
+  await page.waitForFunction(
+    () => worn.draped.size > 0 && globalThis.drawn > 0,
+    undefined,
+    patient,
+  );
+  await show('hidden');
+  const before = await draws();
+  await page.waitForFunction(() => worn.settled > 0, undefined, patient);
+  await page.waitForTimeout(1000);
+  expect(await draws()).toBe(before);
+  await show('visible');
+  await expect.poll(draws, patient).toBeGreaterThan(before + 50); // it turns again
 });
