@@ -8,18 +8,11 @@ import {afterAll, beforeAll, expect, it} from 'vitest';
 
 import {coordinates, onPrint, type Alignment, type Point} from '@/model/geometry.js';
 import {seamwise} from '../support/command-line.js';
-import {painted, pngOf, type Painting} from '../support/pictures.js';
+import {everywhere, painted, pngOf} from '../support/pictures.js';
 import {at} from '../support/plane.js';
 import {readGlb} from '../support/read-glb.js';
 import {sample} from './garments.js';
 
-const [width, height] = [420, 560];
-/** Every place of the cell in a colour of its own, which changes by at most 4 from pixel to pixel, also across edges. */
-const everywhere: Painting = (x, y) => {
-  const [across, down] = [(2 * Math.PI * x) / width, (2 * Math.PI * y) / height];
-  const level = (value: number): number => Math.round(127.5 + 127 * value);
-  return [level(Math.cos(across)), level(Math.sin(across)), level(Math.cos(down + across))];
-};
 const cell: readonly [Point, Point] = [
   [7, 1],
   [2, 9],
@@ -36,7 +29,10 @@ beforeAll(() => {
   folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
   writeFileSync(file('tee.json'), sample('tee'));
   writeFileSync(file('print.json'), JSON.stringify(print));
-  writeFileSync(file('cell.png'), pngOf(painted(width, height, everywhere)));
+  writeFileSync(
+    file('cell.png'),
+    pngOf(painted(everywhere.width, everywhere.height, everywhere.paint)),
+  );
 });
 
 afterAll(() => {
