@@ -292,3 +292,28 @@ it('is as light or dark as what is around it', async () => {
   });
   expect(await brightness()).toBeLessThan(60);
 });
+
+it('shows the worn garment beside the pieces where a print is placed, and below them where that is narrow', async () => {
+  const {put, page, run} = await openPage({viewport: {width: 900, height: 700}});
+  await put(tee.replace('alt=', 'mode="place" view="garment" alt='));
+  await page.locator('seamwise-garment sw-place-bar').waitFor();
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const boxes = async () => {
+    const [flat, worn] = await Promise.all(
+      ['sw-pattern', 'sw-worn'].map((name) => page.locator(name).boundingBox()),
+    );
+    if (!flat || !worn) throw new Error('One of them has no place.');
+    return {flat, worn};
+  };
+  const wide = await boxes();
+  expect(wide.worn.x).toBeGreaterThanOrEqual(wide.flat.x + wide.flat.width);
+  await page.setViewportSize({width: 390, height: 800});
+  await expect.poll(async () => (await boxes()).worn.width).toBeGreaterThan(300);
+  const {flat, worn} = await boxes();
+  expect(worn.y).toBeGreaterThanOrEqual(flat.y + flat.height);
+  await run((element) => {
+    element.mode = 'preview';
+  });
+  await expect.poll(() => page.locator('sw-pattern').count()).toBe(0);
+  expect(await page.locator('sw-worn').count()).toBe(1);
+});

@@ -1,4 +1,4 @@
-/** Two dozen worn garments on one page, and one in a tab that is put away. */
+/** Two dozen worn garments on one page, and one in a tab that is put away or hidden. */
 import {readdirSync} from 'node:fs';
 
 import {expect, it} from 'vitest';
@@ -20,6 +20,7 @@ const tags = ['p4m', 'pgg'].flatMap((print) =>
 );
 
 declare global {
+  var drawn: number;
   var worn: {readonly contexts: Set<unknown>; readonly draped: Set<Element>; settled: number};
 }
 
@@ -44,11 +45,16 @@ function watch(): void {
   );
 }
 
-it('shares one graphics context and the workers of the page, and drapes those in view', async () => {
+it('shares one graphics context and one worker that drapes, and drapes those in view', async () => {
   const {put, page} = await openPage({before: watch, viewport: {width: 1200, height: 720}});
   let workers = 0;
   page.on('worker', () => {
     workers = Math.max(workers, page.workers().filter((one) => !isHelper(one)).length);
+  });
+  /** As many workers have loaded the module that drapes. */
+  let drapers = 0;
+  page.context().on('request', (request) => {
+    if (request.url().endsWith('.wasm') && request.url().includes('drape')) drapers++;
   });
   expect(tags).toHaveLength(24);
   await put(`<main>${tags.join('')}</main>`);
@@ -70,7 +76,8 @@ it('shares one graphics context and the workers of the page, and drapes those in
   );
   expect(await page.evaluate(() => worn.draped.size)).toBeLessThan(24);
   expect(await page.evaluate(() => worn.contexts.size)).toBe(1);
-  expect(workers).toBeLessThanOrEqual(4);
+  expect(workers).toBeLessThanOrEqual(5); // four that solve, and one that drapes
+  expect(drapers).toBe(1);
 });
 
 it('settles in a tab that is put away, and is drawn once it is back', async () => {
@@ -86,4 +93,41 @@ it('settles in a tab that is put away, and is drawn once it is back', async () =
   const picture = await page.locator('seamwise-garment').screenshot();
   expect(picture.length).toBeGreaterThan(10_000);
   expect(await run((element) => element.state)).toBe('ready');
+});
+
+/** Counts what is drawn, and hides the document as far as its scripts can tell. */
+function watchDrawing(): void {
+  Object.assign(globalThis, {drawn: 0});
+  const prototype = WebGL2RenderingContext.prototype;
+  const draw = Reflect.get(prototype, 'drawElements') as (...given: unknown[]) => unknown;
+  Reflect.set(prototype, 'drawElements', function (this: unknown, ...given: unknown[]) {
+    globalThis.drawn++;
+    return Reflect.apply(draw, this, given);
+  });
+}
+
+it('draws nothing while the document is hidden, nor turns, and shows the settled garment afterwards', async () => {
+  const {put, page} = await openPage({before: watch, viewport: {width: 700, height: 600}});
+  await page.evaluate(watchDrawing);
+  const show = (state: DocumentVisibilityState): Promise<void> =>
+    page.evaluate((visibilityState) => {
+      Object.defineProperty(document, 'visibilityState', {
+        ...{value: visibilityState, configurable: true},
+      });
+      document.dispatchEvent(new Event('visibilitychange'));
+    }, state);
+  const draws = (): Promise<number> => page.evaluate(() => globalThis.drawn);
+  await put(tee.replace('alt=', 'view="garment" turntable alt='));
+  await page.waitForFunction(
+    () => worn.draped.size > 0 && globalThis.drawn > 0,
+    undefined,
+    patient,
+  );
+  await show('hidden');
+  const before = await draws();
+  await page.waitForFunction(() => worn.settled > 0, undefined, patient);
+  await page.waitForTimeout(1000);
+  expect(await draws()).toBe(before);
+  await show('visible');
+  await expect.poll(draws, patient).toBeGreaterThan(before + 50); // it turns again
 });

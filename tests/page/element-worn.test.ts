@@ -1,7 +1,10 @@
 /** The element with view="garment": draped on a dummy in its print, and told of. */
+import {createHash} from 'node:crypto';
+
 import type {Page} from 'playwright-core';
 import {expect, it} from 'vitest';
 
+import type {WornPane} from '@/editor/worn/worn-pane.js';
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
 import {tee, useElementPage} from './element/open.js';
 
@@ -152,4 +155,34 @@ it('is of a fabric that its design keeps, without being solved for it again', as
   await run((element, design) => element.setDesign(design), stored);
   expect(await run((element) => element.fabric)).toBe('denim');
   expect(await solved()).toBe(2);
+});
+
+it('is drawn as finely after it has moved as before', async () => {
+  const {page, put} = await openPage({viewport: {width: 600, height: 450}});
+  await put(worn);
+  await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});
+  const garment = page.getByRole('application', {name: 'Garment, worn'});
+  const status = page.locator('seamwise-garment sw-worn [role=status]');
+  await expect.poll(() => status.textContent(), patient).toMatch(/at .+\.$/);
+  const stage = page.locator('seamwise-garment sw-worn .stage');
+  const picture = async (): Promise<string> =>
+    createHash('sha256')
+      .update(await stage.screenshot())
+      .digest('hex');
+  await garment.focus();
+  await page.keyboard.press('1');
+  await page.waitForTimeout(1500);
+  const rested = await picture();
+  await page.keyboard.press('2');
+  await expect.poll(() => status.textContent(), patient).toContain('Back view.');
+  await page.evaluate(() => {
+    const {view} =
+      document.querySelector('seamwise-garment')?.shadowRoot?.querySelector<WornPane>('sw-worn') ??
+      {};
+    view?.camera.setTurntable(true);
+  });
+  await page.waitForTimeout(3000);
+  expect(await picture()).not.toBe(rested);
+  await page.keyboard.press('1');
+  await expect.poll(picture, patient).toBe(rested);
 });

@@ -60,6 +60,19 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
   await expect.poll(() => status.textContent(), {timeout: 30_000}).toContain('Back view.');
 });
 
+it('shows the pieces again where the worn garment took their place', async () => {
+  const page = await openWorn();
+  const views = page.locator('sw-editor .views');
+  const stages = {Pattern: 'sw-pattern .stage', Garment: 'sw-worn .stage'};
+  for (const name of ['Pattern', 'Garment', 'Pattern'] as const) {
+    await views.getByRole('button', {name}).click();
+    // an empty picture takes next to no bytes
+    await expect
+      .poll(async () => (await page.locator(stages[name]).screenshot()).length, {timeout: 20_000})
+      .toBeGreaterThan(40_000);
+  }
+});
+
 it('keeps the worn garment in sight while another print is on its way', async () => {
   const page = await openWorn();
   const worn = page.locator('sw-worn');

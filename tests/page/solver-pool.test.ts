@@ -78,6 +78,49 @@ describe('the pool', () => {
     expect(workers).toBe(1);
   });
 
+  it('drapes for all leases in one worker of their own, one after the other, and solves meanwhile', async () => {
+    await page.close();
+    await open(16);
+    const told = await page.evaluate(
+      async ([large, small]) => {
+        const leases = [lease(), lease(), lease()];
+        const [first, second] = leases;
+        if (!first || !second) throw new Error('there are three');
+        const result = await first.solver.solve(large);
+        const order: (number | string)[] = [];
+        const leaving = new AbortController();
+        const drapes = leases.map(({solver}, k) =>
+          solver.drape(
+            result,
+            {},
+            {
+              ...(k === 1 && {signal: leaving.signal}),
+              onProgress: () => {
+                if (order.at(-1) !== k) order.push(k);
+              },
+            },
+          ),
+        );
+        leaving.abort('enough'); // while it waits for its turn
+        const solved = second.solver.solve(small).then(() => order.push('solved'));
+        const ends = await Promise.allSettled(drapes);
+        await solved;
+        return {order, ends: ends.map(({status}) => status)};
+      },
+      [tee, strips] as const,
+    );
+    expect(told.ends).toEqual(['fulfilled', 'rejected', 'fulfilled']);
+    expect(told.order.filter((one) => one !== 'solved' && one !== 0)).toEqual([2]);
+    expect(told.order.indexOf('solved')).toBeLessThan(told.order.indexOf(2)); // before the first drape ended
+    expect(workers).toBe(3); // of two leases, and that for drapes
+    await page.evaluate(() =>
+      lease()
+        .solver.convert('{}')
+        .catch(() => undefined),
+    );
+    expect(workers).toBe(4);
+  });
+
   it('keeps workers for other places apart', async () => {
     await page.evaluate(async ({garment}) => {
       await lease().solver.convert(garment);

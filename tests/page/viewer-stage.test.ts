@@ -95,6 +95,35 @@ it('shows the renderer’s own canvas where a view is alone, and never an empty 
   expect(await page.evaluate(() => Seen.hung)).toEqual([true, true, true]);
 });
 
+it('leaves the renderer’s own canvas where it is seen when one goes that showed it before, and gives it back', async () => {
+  const page = await opened();
+  await openViews(page, pair);
+  const [first = {width: 0, height: 0}, second = {width: 0, height: 0}] = pair;
+  const [one, other] = [await picture(page, first), await picture(page, second)];
+  const turn = async (number: number, display: string): Promise<void> => {
+    await page.evaluate(
+      ([k, value]) => {
+        const box = document.querySelectorAll<HTMLElement>('body > div')[k];
+        if (box) box.style.display = value;
+      },
+      [number, display] as const,
+    );
+    await frames(page, 5);
+  };
+  await turn(1, 'none'); // the first one shows the renderer's canvas
+  await turn(0, 'none');
+  await turn(1, 'block'); // now the second one does
+  await turn(1, 'none');
+  await turn(0, 'block');
+  expect(difference(await picture(page, first), one)).toBeLessThan(2);
+  await turn(0, 'none');
+  await turn(1, 'block');
+  expect(difference(await picture(page, second), other)).toBeLessThan(2);
+  await page.evaluate(() => views[0]?.dispose());
+  await frames(page, 5);
+  expect(difference(await picture(page, second), other)).toBeLessThan(2);
+});
+
 it('follows the size of a view, be it alone or one of several', async () => {
   const page = await opened();
   await openViews(page, pair);

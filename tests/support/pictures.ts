@@ -77,3 +77,15 @@ export const cut: Painting = (x, y) =>
     : within(x, y, 130, 130, 40)
       ? ink
       : paper;
+
+/** Every place of a cell of so many pixels in a colour of its own, which changes by at most 4 from one to the next, also across edges. */
+export const everywhere = {
+  width: 420,
+  height: 560,
+  paint: (x: number, y: number): Colour => {
+    const across = (2 * Math.PI * x) / everywhere.width;
+    const down = (2 * Math.PI * y) / everywhere.height;
+    const level = (value: number): number => Math.round(127.5 + 127 * value);
+    return [level(Math.cos(across)), level(Math.sin(across)), level(Math.cos(down + across))];
+  },
+};

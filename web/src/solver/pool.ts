@@ -36,7 +36,8 @@ const pools = new Map<string, SolverPool>();
 
 /**
  * A share in the page's solvers, of which there are at most four, one core left free: the same worker for
- * all calls of a lease, since it keeps the last mesh; it starts with the first call.
+ * all calls of a lease, since it keeps the last mesh; it starts with the first call. Drapes of all leases
+ * have one worker more, where they wait for each other and never hold up a solve.
  */
 export function leaseSolver(places: LeasePlaces = {}): SolverLease {
   const key = JSON.stringify([placeOf(places.workerUrl), placeOf(places.wasmUrl)]);
@@ -61,20 +62,20 @@ export class SolverPool {
   readonly #places: WorkerPlaces;
   readonly #emptied: () => void;
   readonly #workers = new Set<PooledWorker>();
-  readonly #page: MainThreadSolver;
+  readonly #shared: Shared;
 
   /** @param emptied called when the last worker has been ended */
   constructor(places: WorkerPlaces = {}, emptied: () => void = () => undefined) {
     this.#places = places;
     this.#emptied = emptied;
-    this.#page = new MainThreadSolver(places);
+    this.#shared = {page: new MainThreadSolver(places), draper: new SolverClient(places)};
   }
 
   lease(onBlocked?: (failure: Failure) => void): SolverLease {
     const pooled = this.#freest();
     pooled.leases += 1;
     clearTimeout(pooled.ending);
-    const solver = new LeasedSolver(pooled, this.#page, onBlocked);
+    const solver = new LeasedSolver(pooled, this.#shared, onBlocked);
     const release = () => {
       if (!solver.end()) return;
       pooled.leases -= 1;
@@ -105,8 +106,16 @@ export class SolverPool {
   #close(pooled: PooledWorker): void {
     pooled.client.dispose();
     this.#workers.delete(pooled);
-    if (this.#workers.size === 0) this.#emptied();
+    if (this.#workers.size > 0) return;
+    this.#shared.draper.dispose();
+    this.#emptied();
   }
+}
+
+/** What all leases of a pool have in common; what they never ask is never started. */
+interface Shared {
+  readonly page: MainThreadSolver;
+  readonly draper: SolverClient;
 }
 
 /** A worker of the pool, which starts with its first job. */
@@ -123,18 +132,14 @@ interface PooledWorker {
 /** A pooled worker as one lease sees it; the page itself where there can be no worker. */
 class LeasedSolver extends TextService {
   readonly #pooled: PooledWorker;
-  readonly #page: MainThreadSolver;
+  readonly #shared: Shared;
   readonly #released = new AbortController();
   #onBlocked: ((failure: Failure) => void) | undefined;
 
-  constructor(
-    pooled: PooledWorker,
-    page: MainThreadSolver,
-    onBlocked?: (failure: Failure) => void,
-  ) {
+  constructor(pooled: PooledWorker, shared: Shared, onBlocked?: (failure: Failure) => void) {
     super();
     this.#pooled = pooled;
-    this.#page = page;
+    this.#shared = shared;
     this.#onBlocked = onBlocked;
   }
 
@@ -150,15 +155,16 @@ class LeasedSolver extends TextService {
     const all = {...hooks, signal};
     (pooled.warming ??= new AbortController()).abort(); // the worker is to do nothing else
     if (!pooled.blocked) {
+      const client = kind === 'drape' ? this.#shared.draper : pooled.client;
       try {
-        return await pooled.client.ask(kind, request, all);
+        return await client.ask(kind, request, all);
       } catch (error) {
         if (!(error instanceof SolverError) || error.code !== 'worker-blocked') throw error;
         pooled.blocked = error;
       }
     }
     this.#tell(pooled.blocked);
-    return this.#page.ask(kind, request, all);
+    return this.#shared.page.ask(kind, request, all);
   }
 
   /** Once for all leases; what goes wrong goes wrong again for the first who asks for something. */

@@ -128,8 +128,8 @@ export class Screen implements Drawable {
       ...{display: 'block', position: 'absolute', left: '0', top: '0'},
       ...{width: `${width}px`, height: `${height}px`},
     });
-    if (this.#canvas === canvas) return;
-    if (this.#canvas) this.#canvas.replaceWith(canvas);
+    if (this.#shows(canvas)) return;
+    if (this.#shows(this.#canvas)) this.#canvas?.replaceWith(canvas);
     else this.#host.prepend(canvas); // below all that lies over the picture
     this.#canvas = canvas;
     if (this.#copied?.canvas !== canvas) this.#copied = null;
@@ -148,7 +148,12 @@ export class Screen implements Drawable {
   dispose(): void {
     this.#life.abort();
     this.#stage.leave(this);
-    this.#canvas?.remove();
+    if (this.#shows(this.#canvas)) this.#canvas?.remove();
+  }
+
+  /** Another screen may have taken it since: the renderer has one for all. */
+  #shows(canvas: HTMLCanvasElement | undefined): boolean {
+    return canvas?.parentNode === this.#host;
   }
 
   /** A canvas of its own, which is shown from now on, and empty. */

@@ -55,7 +55,7 @@ export function enter(screen: Drawable): Stage {
 /**
  * A single main screen is drawn directly: it shows the renderer's canvas. Where there are several, each shows a copy of
  * what was drawn for it. Asides disturb neither: a copy has to wait for the graphics card, which a page of one pattern
- * and a seam from near would feel.
+ * and a seam from near would feel. While the document is hidden nothing is drawn; what has changed is, once it is seen.
  */
 export class Stage {
   readonly renderer: WebGLRenderer;
@@ -88,6 +88,10 @@ export class Stage {
       };
       this.renderer.domElement.addEventListener(type, changed, {signal});
     }
+    const seen = (): void => {
+      this.#schedule();
+    };
+    document.addEventListener('visibilitychange', seen, {signal});
   }
 
   add(screen: Drawable): void {
@@ -146,7 +150,8 @@ export class Stage {
   #play(): void {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    if (this.#isLost) return; // everybody keeps the last picture
+    // everybody keeps the last picture
+    if (this.#isLost || document.visibilityState === 'hidden') return;
     const [before, direct] = [this.#direct, this.#soloist()];
     this.#direct = direct;
     const isOther = before !== direct;

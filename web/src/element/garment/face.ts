@@ -31,6 +31,7 @@ interface Face {
 
 export function faceOf(face: Face): TemplateResult {
   const {session, mode, texts, isDrawn} = face;
+  const view = viewOf(face);
   const {state, error, workbench} = session;
   const hidesDrawing = !isDrawn || (state === 'error' && mode === 'preview');
   const isBusy = state === 'loading' || state === 'solving';
@@ -38,13 +39,8 @@ export function faceOf(face: Face): TemplateResult {
   const says = error && !(mode === 'edit' && workbench.state.kind === 'failed');
   return html`<div class="frame" ?inert=${face.isDisabled}>
       <div part="toolbar"><slot name="toolbar"></slot></div>
-      <div
-        class="stage"
-        data-view=${face.view}
-        part="stage"
-        tabindex=${face.isMissing ? -1 : nothing}
-      >
-        ${face.hasBegun ? stage(face, workbench) : nothing}
+      <div class="stage" data-view=${view} part="stage" tabindex=${face.isMissing ? -1 : nothing}>
+        ${face.hasBegun ? stage({...face, view}, workbench) : nothing}
         <div class="poster" part="poster" ?hidden=${!hidesDrawing || mode === 'edit'}>
           <slot name="poster"><p>${face.alt || texts.garment.label}</p></slot>
         </div>
@@ -60,6 +56,10 @@ export function faceOf(face: Face): TemplateResult {
     </div>
     ${says ? html`<p class="message" part="message" role="alert">${error.message}</p>` : nothing}`;
 }
+
+/** A print is dragged on the pieces, so these are there as well. */
+const viewOf = ({mode, view}: Face): GarmentView =>
+  mode === 'place' && view === 'garment' ? 'both' : view;
 
 function stage({mode, view, worn}: Face, workbench: Workbench): TemplateResult {
   if (mode === 'edit') return html`<sw-editor .workbench=${workbench} .shows=${view}></sw-editor>`;

@@ -24,6 +24,7 @@ export const garmentStyle = css`
     grid-template-rows: auto minmax(0, 1fr) auto;
     height: 100%;
     min-height: inherit;
+    container-type: inline-size;
   }
   .stage {
     display: grid;
@@ -34,6 +35,11 @@ export const garmentStyle = css`
   .stage[data-view='both'] {
     grid-template-columns: repeat(2, minmax(0, 1fr));
     grid-auto-rows: minmax(0, 1fr);
+  }
+  @container (width < 36rem) {
+    :host([mode='place' i]) .stage[data-view='both'] {
+      grid-template-columns: minmax(0, 1fr); /* one above the other */
+    }
   }
   sw-worn {
     container-type: size;

@@ -11,12 +11,13 @@ import {TileTexture} from '../tile-texture.js';
 import type {Wipe} from '../wipe-layers.js';
 import {fieldOfView, turned, type Orbit} from './camera.js';
 import {GarmentCamera} from './garment-camera.js';
+import {finest, MovingFineness} from './fineness.js';
 import {GarmentPicker, type GarmentTarget} from './garment-picker.js';
 import {garmentPicture, type Paper} from './picture.js';
 import {followPointer} from './pointer.js';
 import {WornScene, type Marked} from './worn-scene.js';
 
-/** After this long without a change an SVG tile is drawn as densely as the zoom asks for. [ms] */
+/** After this long without a change it is drawn as finely as it can be, and an SVG tile as densely as the zoom asks for. [ms] */
 const rest = 150;
 /** Of a drag. [radians per CSS px] */
 const dragTurn = 0.007;
@@ -52,7 +53,11 @@ export class GarmentView {
   #appearance: Appearance;
   #scene: PatternScene | undefined;
   #picture: Tile | undefined;
+  /** While it runs, what is seen moves. */
   #pause: ReturnType<typeof setTimeout> | undefined;
+  readonly #fineness = new MovingFineness();
+  /** What was drawn last is not as fine as it is when it rests. */
+  #isCoarse = false;
 
   /** Fills `host`, an empty element with a size of its own. @throws {Error} where the browser has no WebGL 2 */
   constructor(host: HTMLElement, options: GarmentViewOptions = {}) {
@@ -78,7 +83,7 @@ export class GarmentView {
       arrange: () => {
         if (!this.#camera.isMoving) return;
         this.#screen.request();
-        if (!this.#camera.isTurning) this.#moved();
+        this.#stir();
       },
       lost: (isLost) => options.onLost?.(isLost),
     });
@@ -168,6 +173,7 @@ export class GarmentView {
   pose(positions: Float32Array): void {
     this.#worn.pose = positions;
     this.#screen.request();
+    this.#stir();
   }
 
   /** Shows nothing, until there is another mesh. */
@@ -278,15 +284,22 @@ export class GarmentView {
   }
 
   #moved(): void {
+    this.#stir();
+    if (this.#camera.isTurning) this.#options.onMoved?.();
+  }
+
+  /** What is seen moves, until it has rested for a while. */
+  #stir(): void {
     clearTimeout(this.#pause);
     this.#pause = setTimeout(() => {
+      this.#pause = undefined;
+      if (this.#isCoarse) this.#screen.request();
       const {orbit} = this.#camera;
       if (!orbit) return;
       const height = 2 * orbit.distance * Math.tan(fieldOfView / 2);
       this.#tile.sharpen(this.#screen.raster.height / height);
       this.#options.onMoved?.();
     }, rest);
-    if (this.#camera.isTurning) this.#options.onMoved?.();
   }
 
   #paper(width: number, {orbit, ground, hasWipe = false}: Seen = {}): Paper {
@@ -298,7 +311,7 @@ export class GarmentView {
       isReady: this.#worn.layer !== undefined,
       draw: () => {
         const from = orbit ?? this.#camera.home;
-        if (from) this.#worn.draw(renderer, raster, from, hasWipe);
+        if (from) this.#worn.draw(renderer, raster, finest, from, hasWipe);
       },
       done: () => {
         this.#screen.request();
@@ -309,6 +322,16 @@ export class GarmentView {
   #draw(): void {
     if (this.#worn.settle()) this.#camera.fit();
     const orbit = this.#camera.advance();
-    if (orbit) this.#worn.draw(this.#screen.renderer, this.#screen.raster, orbit, true);
+    if (!orbit) return;
+    const {renderer, raster} = this.#screen;
+    const isMoving = this.#pause !== undefined;
+    const fineness = isMoving ? this.#fineness.now : finest;
+    this.#worn.draw(renderer, raster, fineness, orbit, true);
+    this.#isCoarse = fineness !== finest;
+    if (!isMoving) return;
+    const drawn = performance.now();
+    requestAnimationFrame(() => {
+      this.#fineness.took(performance.now() - drawn);
+    });
   }
 }

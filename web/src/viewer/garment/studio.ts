@@ -6,6 +6,7 @@ import {
   Color,
   DepthTexture,
   DoubleSide,
+  LinearFilter,
   LinearSRGBColorSpace,
   Matrix4,
   Mesh,
@@ -25,10 +26,10 @@ import {
 import type {Raster} from '../stage.js';
 import {eyeOf, fieldOfView, type Orbit} from './camera.js';
 import {footRadius, type Solid} from './dummy.js';
+import {coarser, finest, type Fineness} from './fineness.js';
 import * as shaders from './shaders.js';
 import type {Box3} from './space.js';
 
-const samples = 4;
 /** Of the picture that the key light has. [px] */
 const shadowSide = 1024;
 /** From what is looked at to the key light, beside the way to the eye: from above and the left. */
@@ -50,6 +51,8 @@ interface Part {
 
 interface Targets {
   readonly picture: WebGLRenderTarget;
+  /** What moves is drawn into it, without multisampling. */
+  readonly moving: WebGLRenderTarget;
   readonly shadows: WebGLRenderTarget;
 }
 
@@ -61,7 +64,8 @@ function targetsOf(renderer: WebGLRenderer): Targets {
   if (!targets) {
     const filters = {minFilter: NearestFilter, magFilter: NearestFilter, generateMipmaps: false};
     targets = {
-      picture: new WebGLRenderTarget(1, 1, {...filters, samples}),
+      picture: new WebGLRenderTarget(1, 1, {...filters, samples: finest.samples}),
+      moving: new WebGLRenderTarget(1, 1, {...filters, magFilter: LinearFilter}),
       shadows: new WebGLRenderTarget(shadowSide, shadowSide, {
         ...filters,
         depthTexture: new DepthTexture(shadowSide, shadowSide),
@@ -214,20 +218,23 @@ export class Studio {
 
   /**
    * Draws into the lower left corner of whatever the renderer draws to.
+   * @param whole the corner
    * @param box of all that is there [cm]
    * @param begin told before each part
    */
   draw(
     renderer: WebGLRenderer,
-    raster: Raster,
+    whole: Raster,
+    fineness: Fineness,
     orbit: Orbit,
     box: Box3,
     parts: readonly Part[],
     begin: (part: Part) => void,
   ): void {
     const before = renderer.getRenderTarget();
-    const targets = targetsOf(renderer);
-    const {picture, shadows} = targets;
+    const {shadows, ...targets} = targetsOf(renderer);
+    const picture = fineness.samples > 0 ? targets.picture : targets.moving;
+    const raster = coarser(whole, fineness);
     this.#aim(orbit, box, raster);
     this.#light.shadows.value = shadows.depthTexture;
     renderer.setRenderTarget(shadows);

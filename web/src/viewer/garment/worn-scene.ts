@@ -9,6 +9,7 @@ import type {Wipe} from '../wipe-layers.js';
 import type {Orbit} from './camera.js';
 import {ClothLayer} from './cloth-layer.js';
 import {bodyOf, standOf, type Solid, type Stand} from './dummy.js';
+import type {Fineness} from './fineness.js';
 import type {GarmentTarget} from './garment-picker.js';
 import {outlineVertices, Ribbons, seamLines, seamVertices, type RibbonLine} from './ribbons.js';
 import {boxAround, boxDistance, type Box3} from './space.js';
@@ -169,14 +170,20 @@ export class WornScene {
   }
 
   /** @param hasWipe whether what is compared is drawn as well */
-  draw(renderer: WebGLRenderer, raster: Raster, orbit: Orbit, hasWipe: boolean): void {
+  draw(
+    renderer: WebGLRenderer,
+    raster: Raster,
+    fineness: Fineness,
+    orbit: Orbit,
+    hasWipe: boolean,
+  ): void {
     if (!this.#box) return;
     const split = hasWipe ? Math.min(1, Math.max(0, this.#wipe?.split ?? 0)) : 0;
     const parts = [
       {from: 0, to: split, isDrafted: true},
       {from: split, to: 1, isDrafted: false},
     ].filter(({from, to}) => from < to);
-    this.studio.draw(renderer, raster, orbit, this.#box, parts, ({isDrafted}) => {
+    this.studio.draw(renderer, raster, fineness, orbit, this.#box, parts, ({isDrafted}) => {
       this.#drafted.isShown = isDrafted;
       this.#seams.isShown = !isDrafted;
     });
