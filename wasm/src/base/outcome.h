@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
 namespace seamwise {
 
@@ -52,20 +52,22 @@ struct Error {
   const char* reason = "";
 };
 
-/// A value, or the error that kept it from being made.
+/// A value, or the error that kept it from being made. A std::variant would add 0.5 kB and more to
+/// a module, compressed.
 template <class T>
 class Outcome {
  public:
-  Outcome(T value) : state_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
-  Outcome(Error error) : state_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
-  bool ok() const { return state_.index() == 0; }
-  const T& value() const& { return std::get<0>(state_); }
-  T& value() & { return std::get<0>(state_); }
-  T&& value() && { return std::get<0>(std::move(state_)); }
-  const Error& error() const { return std::get<1>(state_); }
+  Outcome(T value) : value_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Outcome(Error error) : error_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
+  bool ok() const { return value_.has_value(); }
+  const T& value() const& { return *value_; }
+  T& value() & { return *value_; }
+  T&& value() && { return *std::move(value_); }
+  const Error& error() const { return error_; }
 
  private:
-  std::variant<T, Error> state_;
+  std::optional<T> value_;
+  Error error_;
 };
 
 }  // namespace seamwise

@@ -5,22 +5,34 @@
 namespace seamwise {
 
 void sortNumbers(std::vector<double>& numbers) {
-  std::vector<std::pair<double, std::size_t>> items;
-  items.reserve(numbers.size());
-  for (const double number : numbers) items.emplace_back(number, 0);
+  std::vector<std::pair<double, std::size_t>> items(numbers.size());
+  for (std::size_t k = 0; k < items.size(); ++k) items[k].first = numbers[k];
   sortKeyed(items);
   for (std::size_t k = 0; k < items.size(); ++k) numbers[k] = items[k].first;
 }
 
+/// Merges runs, each twice as long as those before.
 void sortKeyed(std::vector<std::pair<double, std::size_t>>& items) {
-  std::sort(items.begin(), items.end());
+  std::vector<std::pair<double, std::size_t>> merged(items.size());
+  const std::size_t count = items.size();
+  for (std::size_t run = 1; run < count; run *= 2) {
+    for (std::size_t from = 0; from < count; from += 2 * run) {
+      const std::size_t middle = std::min(from + run, count), end = std::min(middle + run, count);
+      std::size_t left = from, right = middle;
+      for (std::size_t k = from; k < end; ++k) {
+        const bool takes_right = left == middle || (right < end && items[right] < items[left]);
+        merged[k] = items[takes_right ? right++ : left++];
+      }
+    }
+    items.swap(merged);
+  }
 }
 
 void sortOnce(std::vector<std::pair<int, int>>& pairs) {
   constexpr double kIndices = 1 << 26;
-  std::vector<double> keys;
-  keys.reserve(pairs.size());
-  for (const auto& [first, second] : pairs) keys.push_back(first * kIndices + second);
+  std::vector<double> keys(pairs.size());
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    keys[k] = pairs[k].first * kIndices + pairs[k].second;
   sortNumbers(keys);
   std::size_t count = 0;
   for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -32,13 +44,11 @@ void sortOnce(std::vector<std::pair<int, int>>& pairs) {
 }
 
 std::vector<std::size_t> placesInOrder(const std::vector<double>& keys) {
-  std::vector<std::pair<double, std::size_t>> order;
-  order.reserve(keys.size());
-  for (const double key : keys) order.emplace_back(key, order.size());
+  std::vector<std::pair<double, std::size_t>> order(keys.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) order[k] = {keys[k], k};
   sortKeyed(order);
-  std::vector<std::size_t> places;
-  places.reserve(keys.size());
-  for (const auto& [key, place] : order) places.push_back(place);
+  std::vector<std::size_t> places(keys.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) places[k] = order[k].second;
   return places;
 }
 

@@ -21,12 +21,12 @@ std::vector<std::size_t> placesInOrder(const std::vector<double>& keys);
 /// Sorts by key(item), a number; equal ones stay as they come.
 template <class Item, class Key>
 void sortBy(std::vector<Item>& items, Key key) {
-  std::vector<double> keys;
-  keys.reserve(items.size());
-  for (const Item& item : items) keys.push_back(static_cast<double>(key(item)));
-  std::vector<Item> sorted;
-  sorted.reserve(items.size());
-  for (const std::size_t place : placesInOrder(keys)) sorted.push_back(std::move(items[place]));
+  const std::size_t count = items.size();
+  std::vector<double> keys(count);
+  for (std::size_t k = 0; k < count; ++k) keys[k] = static_cast<double>(key(items[k]));
+  const std::vector<std::size_t> places = placesInOrder(keys);
+  std::vector<Item> sorted(count);
+  for (std::size_t k = 0; k < count; ++k) sorted[k] = std::move(items[places[k]]);
   items = std::move(sorted);
 }
 
