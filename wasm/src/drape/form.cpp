@@ -6,7 +6,7 @@ namespace {
 // Tubes meet in a fillet of this size. [cm]
 constexpr double kFillet = 2.5;
 // Legs meet at the crotch in a smaller one: trousers fit between them. [cm]
-constexpr double kBetweenLegs = 0.8;
+constexpr double kBetweenLegs = 0.9;
 
 }  // namespace
 
