@@ -54,7 +54,7 @@ class DrapeHandle {
   std::unique_ptr<WornGarment> worn_;
   std::optional<Error> error_;
   std::ptrdiff_t stitches_ = 0;  ///< seams of the file; those after them close bands
-  std::vector<int> place_;  ///< per piece of the file: which of the worn garment's it is
+  std::vector<int> place_;       ///< per piece of the file: which of the worn garment's it is
 };
 
 }  // namespace seamwise

@@ -23,9 +23,9 @@ struct DrapeProblem {
                       ///< where given, they are settled anew, from there and nothing else
   std::vector<MatchLine> matches;  ///< lines that hold pieces together, as drafted
   std::vector<Overlap> overlaps;   ///< which pieces lie on which
-  bool by_band = false;  ///< hangs from the waist, where friction holds it from the beginning
-  std::vector<int> legs;           ///< per piece: 1 on the left leg, -1 on the right one, or 0
-  double crotch = -1e9;            ///< m; below it legs keep to their sides of x = 0
+  bool by_band = false;   ///< hangs from the waist, where friction holds it from the beginning
+  std::vector<int> legs;  ///< per piece: 1 on the left leg, -1 on the right one, or 0
+  double crotch = -1e9;   ///< m; below it legs keep to their sides of x = 0
   ClothOptions options;
   double effort = 1;    ///< how much closer to rest it goes, and how many more steps it may take
   double budget = 100;  ///< of work, in factorisations of a 90 x 90 grid (ClothSolver::work)

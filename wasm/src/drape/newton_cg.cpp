@@ -14,7 +14,7 @@ constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostPairs = 6;
 constexpr double kLonger = 1.4, kShorter = 0.5;  ///< the next step, after a full and a cut one
 constexpr double kShortest = 0.2;                ///< of the first proximal step
-constexpr double kChangedContacts = 0.01;  ///< share beyond which to factorise anew
+constexpr double kChangedContacts = 0.01;        ///< share beyond which to factorise anew
 
 // multiplications, counted in the code of the terms
 constexpr double kPerTriangle = 60, kPerTriangleBlocks = 250, kPerHinge = 35, kPerDistance = 80;
