@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "drape_samples.h"
@@ -75,6 +76,22 @@ TEST(Drapes, AnotherCutIsSettledFromTheLastOneForLess) {
   EXPECT_EQ(again.check().crossings, 0);
   const double above = again.stages()[0].energies.back() - cold.stages()[2].energies.back();
   EXPECT_LT(above, 1e-3 * 0.16 * kPoplin.density * kGravity);  // less than a lift by 1 mm
+}
+
+TEST(Drapes, AFreeEdgeStaysOnItsSideOfTheMiddle) {
+  Laid laid{testing::plainPattern(testing::rectangle(20, 20)),
+            testing::Sphere{Vec3(0.1, 0, 0), 0.1}};
+  DrapeProblem problem = laid.problem();
+  // Pressed together, its left edge 3 mm from the middle.
+  problem.start = testing::laid(problem.levels.coarse, [](int, const Vec2& at) {
+    return Vec3(0.003 + 0.009 * at.x(), 0.102, 0.01 * (at.y() - 10));
+  });
+  Drape drape(std::move(problem));
+  while (drape.advance(1)) {
+  }
+  double least = 1;
+  for (const Vec3& x : drape.positions()) least = std::min(least, x.x());
+  EXPECT_GT(least, 0);
 }
 
 TEST(Drapes, WhatHasNoStartIsSaid) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/decimal.h"
+#include "base/sort_by.h"
 
 namespace seamwise {
 namespace {
@@ -17,6 +18,20 @@ constexpr int kSewingSteps = 5, kHangingSteps = 40, kSettlingSteps = 60;  ///< N
 /// still do nobody sees.
 constexpr int kRestSteps = 5;
 constexpr double kRestMoved = 5e-4, kRestFall = 1e-4;
+
+/// Free edges that begin nearer to the plane x = 0 than this may meet others there. [m]
+constexpr double kBesidePlane = 0.03;
+
+/// Edges that one triangle has, as it goes around them.
+std::vector<std::pair<int, int>> freeEdges(const SewnMesh& mesh) {
+  std::vector<std::pair<int, int>> sides, free;
+  for (const SewnMesh::Triangle& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) sides.emplace_back(t.vertices[k], t.vertices[(k + 1) % 3]);
+  sortOnce(sides);
+  for (const auto& [a, b] : sides)
+    if (!std::binary_search(sides.begin(), sides.end(), std::pair(b, a))) free.emplace_back(a, b);
+  return free;
+}
 
 double rmsBetween(const Positions& a, const Positions& b) {
   double sum = 0;
@@ -62,12 +77,22 @@ double Drape::fraction() const {
   return std::max(kBefore[k] + kShare[k] * within, std::min(1.0, work() / problem_.budget));
 }
 
-/// Per vertex on which side of x = 0 it stays: ClothOptions::least_x.
-std::vector<double> Drape::besideEachOther(const SewnLevel& level, const Positions& x) const {
+/// Per vertex on which side of x = 0 it stays: ClothOptions::least_x. Trouser legs do, and free
+/// edges beside the plane and along it: fronts that meet unbuttoned, and ends of collars.
+std::vector<double> Drape::besideEachOther(const SewnLevel& level, const SewnMesh& mesh,
+                                           const HeldLayers& held, const Positions& x) const {
+  const double apart = problem_.fabric.offset / 2;
   std::vector<double> least(x.size(), 0.0);
+  for (const auto& [a, b] : freeEdges(mesh)) {
+    const Vec3 along = x[b] - x[a];
+    if (std::abs(along.x()) > std::abs(along.y())) continue;
+    if (std::abs(x[a].x() + x[b].x()) > 2 * kBesidePlane) continue;
+    for (const int v : {a, b})
+      if (held.laps[v] == 0) least[v] = x[v].x() < 0 ? -apart : x[v].x() > 0 ? apart : 0;
+  }
   for (std::size_t p = 0; p < problem_.legs.size(); ++p)
     for (const int v : level.sewn[p])
-      if (x[v].y() < problem_.crotch) least[v] = problem_.legs[p] * problem_.fabric.offset / 2;
+      if (x[v].y() < problem_.crotch) least[v] = problem_.legs[p] * apart;
   return least;
 }
 
@@ -85,7 +110,7 @@ void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& f
       layers.laid = problem_.settled;
   }
   ClothOptions options = problem_.options;
-  options.least_x = besideEachOther(level, from);
+  options.least_x = besideEachOther(level, mesh, layers.held, from);
   cloth_ = std::make_unique<LevelCloth>(mesh, level.image, layers, problem_.fabric, *problem_.body,
                                         from, std::move(options));
 }

@@ -73,7 +73,8 @@ class Drape {
   void begin(Stage stage, const Positions& from = {});
   void put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from);
   void step();
-  std::vector<double> besideEachOther(const SewnLevel& level, const Positions& x) const;
+  std::vector<double> besideEachOther(const SewnLevel& level, const SewnMesh& mesh,
+                                      const HeldLayers& held, const Positions& x) const;
   int mostSteps(Stage stage) const;
   void watch(double fall);
   bool mend();
