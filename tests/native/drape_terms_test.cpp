@@ -310,22 +310,24 @@ TEST(DrapeTerms, TheConstantHessianIsNoLessThanThatOfTautCloth) {
   }
 }
 
-TEST(DrapeTerms, GathersGiveWayToCompressionOnly) {
+TEST(DrapeTerms, GathersGiveWayToCompressionAlongThemOnly) {
   const Pattern pattern = testing::plainPattern(testing::rectangle(10, 10));
   const SewnLevel level = testing::levelOf(pattern, 3);
   const SewnMesh smooth = testing::uncut(level, pattern);
   SewnMesh gathered = smooth;
-  for (auto& triangle : gathered.triangles) triangle.gathered = true;
-  const auto energyAt = [&](const SewnMesh& mesh, double across) {
+  for (auto& triangle : gathered.triangles) triangle.gathered_weft = true;
+  const auto energyAt = [&](const SewnMesh& mesh, double across, double along = 1) {
     return membraneEnergy(mesh, kPoplin,
                           testing::laid(level,
                                         [&](int, const Vec2& at) {
-                                          return Vec3(0.01 * across * at.x(), 0.01 * at.y(), 0);
+                                          return Vec3(0.01 * across * at.x(), 0.01 * along * at.y(),
+                                                      0);
                                         }),
                           nullptr, nullptr);
   };
   EXPECT_NEAR(energyAt(gathered, 0.8), 0.002 * energyAt(smooth, 0.8), 1e-9);
   EXPECT_NEAR(energyAt(gathered, 1.02), energyAt(smooth, 1.02), 1e-9);
+  EXPECT_NEAR(energyAt(gathered, 1, 0.8), energyAt(smooth, 1, 0.8), 1e-9);
 }
 
 }  // namespace

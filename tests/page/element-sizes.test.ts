@@ -5,6 +5,7 @@ import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {gzipSync} from 'node:zlib';
 
+import type {Response} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
 import {openBrowser, serveFiles} from '../support/browser.js';
@@ -37,18 +38,19 @@ it('loads next to nothing while its element is far below, and as much as is said
   const [browser, served] = await Promise.all([openBrowser(), serveFiles(folder, policy)]);
   try {
     const opened = await browser.newPage();
-    const sizes = new Map<string, Promise<number>>();
+    const responses = new Map<string, Response>();
     opened.on('response', (response) => {
       const {pathname} = new URL(response.url());
-      if (!pathname.startsWith('/seamwise/')) return;
-      // as it is stored: how it is packed on its way is the host's affair
-      const size = response.body().then((body) => gzipSync(body, {level: 9}).length);
-      sizes.set(pathname, size);
+      if (pathname.startsWith('/seamwise/')) responses.set(pathname, response);
     });
     /** Of all scripts so far, and of the module. [kB] */
     const loaded = async (): Promise<{scripts: number; three: number; module: number}> => {
       const all = await Promise.all(
-        [...sizes].map(async ([path, size]) => [path, await size] as const),
+        // as it is stored: how it is packed on its way is the host's affair
+        [...responses].map(async ([path, response]) => {
+          const body = await response.body();
+          return [path, gzipSync(body, {level: 9}).length] as const;
+        }),
       );
       const sum = (pattern: RegExp): number =>
         all.reduce((total, [path, size]) => total + (pattern.test(path) ? size : 0), 0) / 1000;

@@ -59,9 +59,9 @@ export const imageOf = (triangle: ClothTriangle, direction: Point): Place =>
 /** Without what presses it on the form, which is too little to be seen in the sum. [J] */
 export function energiesOf(drape: RatedDrape, cloth: SewnCloth): Energies {
   const triangles = wholeOf(cloth);
-  const isGathered = gathersOf(drape);
+  const gathers = gathersOf(drape);
   return {
-    membrane: sum(triangles.map((one) => membraneOf(one, drape.file, isGathered(one)).energy)),
+    membrane: sum(triangles.map((one) => membraneOf(one, drape.file, gathers(one)).energy)),
     bending: sum(
       hingesOf(triangles, drape.file).map(
         ({bend, stiffness}) => (stiffness * dot3(bend, bend)) / 2,
@@ -76,14 +76,14 @@ export function energiesOf(drape: RatedDrape, cloth: SewnCloth): Energies {
 /** What acts on every vertex of the cloth but what it touches. */
 export function forcesOf(drape: RatedDrape, cloth: SewnCloth): ReadonlyMap<number, Forces> {
   const triangles = wholeOf(cloth);
-  const isGathered = gathersOf(drape);
+  const gathers = gathersOf(drape);
   const forces = new Map<number, Forces>();
   const add = (vertex: number, pull: Place, weight: number) => {
     const known = forces.get(vertex) ?? {pull: [0, 0, 0], weight: 0};
     forces.set(vertex, {pull: plus3(known.pull, pull), weight: known.weight + weight});
   };
   for (const triangle of triangles) {
-    const {pulls} = membraneOf(triangle, drape.file, isGathered(triangle));
+    const {pulls} = membraneOf(triangle, drape.file, gathers(triangle));
     const third = weightOf(triangle, drape.file) / 3;
     triangle.corners.forEach((vertex, k) => {
       add(vertex, at(pulls, k), third);
@@ -97,20 +97,37 @@ export function forcesOf(drape: RatedDrape, cloth: SewnCloth): ReadonlyMap<numbe
   return forces;
 }
 
-/** Whether a triangle lies beside the longer side of a gathered seam. */
-function gathersOf({file, ratios}: RatedDrape): (triangle: ClothTriangle) => boolean {
-  const beside = file.pieces.map(() => new Set<number>());
+/** Which threads of a triangle are gathered: it lies beside the longer side of a gathered seam, which runs along them. */
+interface Gathers {
+  readonly weft: boolean;
+  readonly warp: boolean;
+}
+
+function gathersOf({file, ratios}: RatedDrape): (triangle: ClothTriangle) => Gathers {
+  const beside = file.pieces.map(() => ({weft: new Set<number>(), warp: new Set<number>()}));
   for (const {a, b, stitch} of file.seams) {
     const ratio = at(ratios, stitch);
     if (ratio <= gathered && ratio >= 1 / gathered) continue;
     const {piece, vertices} = ratio > 1 ? a : b;
-    const {rest} = at(file.pieces, piece);
+    const {rest, grainAngle} = at(file.pieces, piece);
+    const [x, y] = towards(grainAngle);
+    const edges = vertices.slice(1).map((vertex, k) => {
+      const [from, to] = [at(rest, at(vertices, k)), at(rest, vertex)];
+      return [to[0] - from[0], to[1] - from[1]] as const;
+    });
+    const along = sum(edges.map((edge) => Math.abs(x * edge[0] + y * edge[1])));
+    const across = sum(edges.map((edge) => Math.abs(y * edge[0] - x * edge[1])));
+    const threads = at(beside, piece)[along > across ? 'warp' : 'weft'];
     rest.forEach((point, vertex) => {
       const isNear = vertices.some((other) => distance(point, at(rest, other)) < besideGathers);
-      if (isNear) at(beside, piece).add(vertex);
+      if (isNear) threads.add(vertex);
     });
   }
-  return ({piece, vertices}) => vertices.some((vertex) => at(beside, piece).has(vertex));
+  return ({piece, vertices}) => {
+    const {weft, warp} = at(beside, piece);
+    const isIn = (threads: ReadonlySet<number>) => vertices.some((vertex) => threads.has(vertex));
+    return {weft: isIn(weft), warp: isIn(warp)};
+  };
 }
 
 /** Those that sewing leaves an area. */
@@ -128,16 +145,16 @@ const weightOf = (triangle: ClothTriangle, {fabric}: DrapeFile): number =>
 function membraneOf(
   triangle: ClothTriangle,
   file: DrapeFile,
-  isGathered: boolean,
+  gathers: Gathers,
 ): {readonly energy: number; readonly pulls: readonly Place[]} {
-  const fabric = isGathered ? {...file.fabric, coupling: 0} : file.fabric;
+  const fabric = gathers.weft || gathers.warp ? {...file.fabric, coupling: 0} : file.fabric;
   const warp = warpOf(file, triangle);
   const hats = [hatsOf(triangle, [warp[1], -warp[0]]), hatsOf(triangle, warp)] as const;
   const [across, along] = [weighted(triangle.worn, hats[0]), weighted(triangle.worn, hats[1])];
   const [eu, ev] = [norm3(across) - 1, norm3(along) - 1];
   const [weft, straight] = [
-    spring(fabric, fabric.weft, eu, isGathered),
-    spring(fabric, fabric.warp, ev, isGathered),
+    spring(fabric, fabric.weft, eu, gathers.weft),
+    spring(fabric, fabric.warp, ev, gathers.warp),
   ];
   const skew = dot3(across, along);
   const shear = fabric.shear * skew;

@@ -6,7 +6,6 @@ import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {promisify} from 'node:util';
 
-import type {LitElement} from 'lit';
 import type {Browser, BrowserContextOptions, Locator, Page} from 'playwright-core';
 import {preview, type PreviewServer} from 'vite';
 import {afterAll, afterEach, beforeAll, expect} from 'vitest';
@@ -110,7 +109,7 @@ export const progress = (page: Page): Locator => page.getByRole('status', {name:
 export const drawn = (shown: Locator): Promise<void> =>
   shown.evaluate(async (element) => {
     const {host} = element.getRootNode() as ShadowRoot;
-    await (host as LitElement).updateComplete;
+    await (host as Element & {readonly updateComplete: Promise<unknown>}).updateComplete;
   });
 
 /** Waits for the final answer to what is asked now. */

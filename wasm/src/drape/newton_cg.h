@@ -9,7 +9,7 @@ namespace seamwise {
 
 /// What makes a cloth on a body move and stop.
 struct ClothOptions {
-  double contact_stiffness = 2e6;    ///< N/m3; a tight waistband sinks in by 1 mm
+  double contact_stiffness = 1.8e6;  ///< N/m3; a tight waistband sinks in by 1 mm
   double friction_threshold = 1e-3;  ///< m, within which friction is elastic
   bool friction = true;
   double first_step = 0.05, longest_step = 0.3;    ///< s, of the proximal term

@@ -17,6 +17,8 @@ constexpr int kSmoothing = 3;
 constexpr double kLapped = 0.93;
 // A band that goes around more than once lies on itself by so much. [cm]
 constexpr double kTurnOffset = 0.6;
+// By so many layers more with each turn. [1]
+constexpr double kSpiralLayers = 4;
 
 double nearTurn(double degrees, double to) {
   return degrees - 360 * std::nearbyint((degrees - to) / 360);
@@ -125,7 +127,8 @@ Ring::Level Ring::levelAt(double level) const {
   const double body = tube_.section(level).girth() * kEase;
   if (!any) {
     // Bands that are longer than 1.6 sections go around in a spiral.
-    out.girth = widest_open < 1.6 * body ? std::max(body, kLapped * widest_open) : kSpiral * body;
+    out.spiral = widest_open >= 1.6 * body;
+    out.girth = out.spiral ? kSpiral * body : std::max(body, kLapped * widest_open);
     for (std::size_t i = 0; i < count; ++i) out.turn[i] = pieces_[i].angle;
     return out;
   }
@@ -267,8 +270,11 @@ Vec3 Ring::position(int index, int vertex, double outward) const {
     const double turns = std::abs(ahead) / level.arc.back() - 0.5;
     // Of a band that goes around once the right end lies on the left one.
     const double lap = ahead > 0 ? std::clamp(turns * 20 + 1, 0.0, 1.0) : 0;
-    const double layers =
-        piece.inRing() ? 0 : std::max(lap, std::clamp(turns * 20, 0.0, 1.0 + std::max(0.0, turns)));
+    const double more = std::max(0.0, turns), next = std::min(more * 20, 1.0);
+    // Both ends of a spiral cross each other twice a turn, at other layers each time.
+    const double layers = piece.inRing() ? 0
+                          : level.spiral ? lap + next + kSpiralLayers * more
+                                         : std::max(lap, std::min(more * 20, 1.0 + more));
     const double further = outward + kTurnOffset * layers;
     return Vec2(at * (1 + further * 2 * kPi / level.arc.back()));
   };

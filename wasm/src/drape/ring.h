@@ -57,6 +57,7 @@ class Ring {
   struct Level {
     double girth = 0;                     ///< of the ring, cm
     double width = 0;                     ///< of the pieces, when they close it, or 0
+    bool spiral = false;                  ///< its longest piece goes around more than once
     std::vector<double> turn;             ///< per piece: where its middle lies, degrees
     std::vector<double> middle, stretch;  ///< per piece: across at the middle, cm; arc per width
     std::vector<Vec2> line;   ///< polygon of the ring in the tube's frame, from the front

@@ -184,17 +184,33 @@ SewnMesh::Hinge hingeOf(const EdgeSide& s, const EdgeSide& t) {
           (s.warp + t.warp) / 2};
 }
 
-/// Per piece, per vertex: whether it lies beside the longer side of a gathered seam.
-std::vector<std::vector<char>> gatheredVertices(const Pattern& pattern) {
+/// Whether a seam's side runs along the warp rather than across it.
+bool isAlong(const Vec2& warp, const std::vector<Vec2>& rest, const SeamSide& side) {
+  double along = 0, across = 0;
+  for (std::size_t i = 0; i + 1 < side.vertices.size(); ++i) {
+    const Vec2 edge = rest[side.vertices[i + 1]] - rest[side.vertices[i]];
+    along += std::abs(warp.x() * edge.x() + warp.y() * edge.y());
+    across += std::abs(warp.y() * edge.x() - warp.x() * edge.y());
+  }
+  return along > across;
+}
+
+constexpr char kWeft = 1, kWarp = 2;
+
+/// Per piece, per vertex: which threads are gathered where it lies, beside the longer side of a
+/// gathered seam.
+std::vector<std::vector<char>> gatheredVertices(const Pattern& pattern,
+                                                const std::vector<Vec2>& warp) {
   std::vector<std::vector<char>> gathered;
   for (const Piece& piece : pattern.pieces) gathered.emplace_back(piece.rest.size(), 0);
   for (const Seam& seam : pattern.seams) {
     if (!isGathered(seam)) continue;
     const SeamSide& side = seam.length_ratio > 1 ? seam.a : seam.b;
     const std::vector<Vec2>& rest = pattern.pieces[side.piece].rest;
+    const char threads = isAlong(warp[side.piece], rest, side) ? kWarp : kWeft;
     for (std::size_t v = 0; v < rest.size(); ++v)
       for (const int u : side.vertices)
-        if (planarLength(Vec2(rest[v] - rest[u])) < kGathers) gathered[side.piece][v] = 1;
+        if (planarLength(Vec2(rest[v] - rest[u])) < kGathers) gathered[side.piece][v] |= threads;
   }
   return gathered;
 }
@@ -206,14 +222,16 @@ SewnMesh sewnMesh(const SewnLevel& level, const Shapes& shapes, const std::vecto
   mesh.size = level.size;
   mesh.area.assign(level.size, 0);
   std::vector<EdgeSide> sides;
-  const std::vector<std::vector<char>> gathered = gatheredVertices(level.pattern);
+  const std::vector<std::vector<char>> gathered = gatheredVertices(level.pattern, warp);
   for (std::size_t p = 0; p < shapes.size(); ++p) {
     const Vec2& along = warp[p];
     const Vec2 across(along.y(), -along.x());
     for (const auto& corners : level.pattern.pieces[p].triangles) {
       SewnMesh::Triangle t{};
       t.piece = static_cast<int>(p);
-      t.gathered = gathered[p][corners[0]] || gathered[p][corners[1]] || gathered[p][corners[2]];
+      const int threads =
+          gathered[p][corners[0]] | gathered[p][corners[1]] | gathered[p][corners[2]];
+      t.gathered_weft = threads & kWeft, t.gathered_warp = threads & kWarp;
       std::array<Vec2, 3> q;  // weft, warp
       for (int k = 0; k < 3; ++k) {
         const Vec2& at = shapes[p][corners[k]];

@@ -54,7 +54,8 @@ struct SewnMesh {
     double area;                       ///< m2
     std::array<double, 3> weft, warp;  ///< derivatives of the corners' hat functions, 1/m
     int piece;
-    bool gathered;  ///< beside the longer side of a gathered seam
+    /// Beside the longer side of a gathered seam that runs across, along the warp.
+    bool gathered_weft, gathered_warp;
   };
   /// Two triangles at an edge: |sum of weights x| is the edge's length times its bend (Bergou et
   /// al., "A Quadratic Bending Model for Inextensible Surfaces", 2006), 0 when flat.

@@ -59,10 +59,10 @@ double membraneEnergy(const SewnMesh& mesh, const Fabric& fabric, const Position
   for (const SewnMesh::Triangle& t : mesh.triangles) {
     const Thread weft = threadOf(t, t.weft, x), warp = threadOf(t, t.warp, x);
     const double eu = weft.stretch - 1, ev = warp.stretch - 1;
-    const Spring su = spring(fabric, fabric.weft, eu, t.gathered),
-                 sv = spring(fabric, fabric.warp, ev, t.gathered);
+    const Spring su = spring(fabric, fabric.weft, eu, t.gathered_weft),
+                 sv = spring(fabric, fabric.warp, ev, t.gathered_warp);
     const double skew = dot(weft.image, warp.image);
-    const double coupling = t.gathered ? 0 : fabric.coupling;
+    const double coupling = t.gathered_weft || t.gathered_warp ? 0 : fabric.coupling;
     energy += t.area * (su.value + sv.value + coupling * eu * ev + fabric.shear * skew * skew / 2);
     if (gradient) {
       const double fu = t.area * (su.slope + coupling * ev);

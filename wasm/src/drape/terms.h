@@ -17,7 +17,8 @@ namespace seamwise {
 /// |wu| - 1, wu and wv the images of weft and warp, and so much more beyond Fabric::stiff_from (the
 /// conditions of Baraff, Witkin, "Large Steps in Cloth Simulation", 1998). The Hessian leaves out
 /// the coupling kuv, takes shear as Gauss-Newton does, and drops what compression makes negative.
-/// Gathered triangles resist compression a five hundredth as much and have no coupling.
+/// Gathered triangles resist compression along the gathers a five hundredth as much and have no
+/// coupling.
 double membraneEnergy(const SewnMesh& mesh, const Fabric& fabric, const Positions& x,
                       Positions* gradient, BlockMatrix* hessian);
 
