@@ -5,7 +5,7 @@ import {fileURLToPath} from 'node:url';
 
 import {defineConfig, type Plugin} from 'vite';
 
-import {notices} from './web/setup/notices.mjs';
+import {notices, workerNotices} from './web/setup/notices.mjs';
 import {shortStyles} from './web/setup/short-styles.mjs';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
@@ -93,5 +93,5 @@ export default defineConfig({
     chunkSizeWarningLimit: 600, // the drawing library
     rolldownOptions: {output: {codeSplitting: {groups: [drawing, opening, shared]}}},
   },
-  worker: {format: 'es'},
+  worker: {format: 'es', plugins: () => [workerNotices()]},
 });

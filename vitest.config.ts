@@ -7,5 +7,5 @@ const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url
 export default defineConfig({
   // tests name sources by their rooms, as in tsconfig.json
   resolve: {alias: {'@/': at('web/src/'), '@samples/': at('web/samples/')}},
-  test: {include: ['tests/**/*.test.ts'], testTimeout: 60_000, hookTimeout: 120_000},
+  test: {include: ['tests/**/*.test.ts'], testTimeout: 120_000, hookTimeout: 240_000},
 });

@@ -37,22 +37,35 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   solver: ['model'],
   recognition: ['model'],
   layout: ['model'],
+  formats: ['model'], // no DOM: it runs in Node and in workers, too
   clicks: ['model'],
+  pairing: ['model'],
   scene: ['model', 'layout'], // no GL, no SVG, no DOM
   picture: ['model', 'recognition', 'layout', 'scene'],
   cutting: ['model', 'layout', 'scene', 'picture'],
+  paper: ['model', 'recognition', 'picture', 'cutting'], // no DOM: files of pages in Node, too
   remedies: ['model', 'scene'],
   viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
   texts: ['model', 'scene'],
   workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'remedies', 'texts'],
   editor: [
     ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'remedies'],
-    ...['viewer', 'texts', 'workbench'],
+    ...['picture', 'paper', 'viewer', 'texts', 'workbench', 'pairing'],
   ],
-  element: ['model', 'solver', 'recognition', 'texts', 'workbench', 'editor'],
-  app: ['model', 'recognition', 'cutting', 'editor'],
-  node: ['model', 'solver', 'scene', 'remedies'],
-  cli: ['model', 'layout', 'scene', 'picture', 'cutting', 'node'],
+  element: ['model', 'solver', 'recognition', 'paper', 'texts', 'workbench', 'editor'],
+  app: ['model', 'recognition', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],
+  node: [
+    'model',
+    'formats',
+    'solver',
+    'scene',
+    'picture',
+    'cutting',
+    'paper',
+    'pairing',
+    'remedies',
+  ],
+  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'paper', 'node'],
   '': ['model', 'solver'], // index.ts, the entry of the package
 };
 

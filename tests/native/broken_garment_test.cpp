@@ -294,5 +294,32 @@ TEST(BrokenGarment, OfANewerFormatAsksForAnUpdate) {
                 Failure::kNotAGarment, {"'seamwise-garment/2'", "update the program"});
 }
 
+TEST(BrokenGarment, WithAnAllowanceThatCannotBeCutNamesTheEdge) {
+  const auto refused = [](const Json& allowance, Failure code,
+                          std::initializer_list<const char*> words) {
+    Json document = twoRectangles();
+    panelOf(document, "front")["edges"][2]["allowance"] = allowance;
+    expectRefused(document, code, words);
+  };
+  refused(-1, Failure::kNumber, {"panel 'front', edge 2", "-1 cm", "0 to 20 cm"});
+  refused(20.5, Failure::kNumber, {"panel 'front', edge 2", "20.5 cm"});
+  refused("1 cm", Failure::kNumber, {"edge 2", "'allowance'", "write a number"});
+  refused({{"corner", "miter"}}, Failure::kNotAGarment, {"edge 2", "'width'"});
+  refused({{"width", 1}, {"corner", "round"}}, Failure::kNotAGarment,
+          {"edge 2", "'round'", "miter, mirror or square"});
+}
+
+TEST(BrokenGarment, WithMarksOrFlagsOfAnotherKindNamesThem) {
+  expectRefused(edited([](Json&, Json& front) { front["edges"][1]["open"] = 1; }),
+                Failure::kNotAGarment, {"panel 'front', edge 1", "'open'", "true or false"});
+  expectRefused(
+      edited([](Json&, Json& front) { front["drillHoles"] = Json::parse("[[1, 2], [3]]"); }),
+      Failure::kNumber, {"panel 'front', drill hole 1"});
+  expectRefused(edited([](Json& garment, Json&) {
+                  garment["seams"] = Json::parse(R"([{"stitch": 0, "suggested": "yes"}])");
+                }),
+                Failure::kSeamMalformed, {"seam 0", "'suggested'"});
+}
+
 }  // namespace
 }  // namespace seamwise

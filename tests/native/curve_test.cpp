@@ -6,18 +6,34 @@
 
 #include "geometry/polygon.h"
 #include "geometry/predicates.h"
+#include "paths.h"
 
 namespace seamwise {
 namespace {
 
 std::vector<Curve> someCurves() {
-  return {Curve::line({0, 0}, {30, 4}),
-          Curve::quadratic({0, 0}, {10, 12}, {25, 3}),
+  return {Curve::line({0, 0}, {30, 4}), Curve::quadratic({0, 0}, {10, 12}, {25, 3}),
           Curve::cubic({1, 2}, {9, 30}, {20, -15}, {40, 6}),
           Curve::cubic({0, 0}, {0, 0}, {10, 10}, {20, 0}),   // speed 0 at the start
           Curve::cubic({0, 0}, {20, 15}, {0, 15}, {20, 0}),  // a cusp in the middle
-          Curve::arc({0, 0}, {10, 2}, 7, false, true),
-          Curve::arc({0, 0}, {10, 2}, 7, true, false)};
+          Curve::arc({0, 0}, {10, 2}, 7, false, true), Curve::arc({0, 0}, {10, 2}, 7, true, false),
+          // a corner, a straight cubic, a bend, and a corner at which both have no speed
+          Curve::path({{0, 0},
+                       {3, 4},
+                       {9, 5},
+                       {10, 1},
+                       {12, 2},
+                       {14, 3},
+                       {16, 4},
+                       {17, 4.5},
+                       {30, 8},
+                       {30, 0},
+                       {30, 0},
+                       {25, -9},
+                       {25, -9},
+                       {25, -9},
+                       {9, -4},
+                       {8, -12}})};
 }
 
 double polylineLength(const Polyline& line) {
@@ -59,7 +75,7 @@ TEST(Curve, SpacesPointsEvenlyAlongItsLength) {
       const double t0 = c.parameterAt(k / 10.0), t1 = c.parameterAt((k + 1) / 10.0);
       Polyline fine;
       for (int i = 0; i <= 20000; ++i) fine.push_back(c.at(t0 + (t1 - t0) * i / 20000));
-      EXPECT_NEAR(polylineLength(fine), c.length() / 10, 1e-6 * c.length());
+      EXPECT_NEAR(polylineLength(fine), c.length() / 10, 2e-6 * c.length());  // it cuts corners
     }
   }
 }
@@ -101,6 +117,75 @@ TEST(Curve, CountsBendsToBothSidesAsTurning) {
   // an S: the tangent swings to one side and back again
   const Curve s = Curve::cubic({0, 0}, {1, 1}, {2, -1}, {3, 0});
   EXPECT_NEAR(s.turning(0, 1), 2 * (kPi / 4 + std::atan(0.5)), 0.05);
+}
+
+TEST(Curve, IsTheSameCurveAsAPathOfItsParts) {
+  for (const Curve& c : someCurves()) {
+    if (c.points().size() != 4) continue;
+    for (const int parts : {2, 7, 100}) {
+      const Curve path = testing::asPath(c, parts);
+      ASSERT_EQ(path.points().size(), 3u * parts + 1);
+      EXPECT_NEAR(path.length(), c.length(), 1e-10);
+      for (double s = 0; s <= 1; s += 0.03125)
+        EXPECT_NEAR((path.atFraction(s) - c.atFraction(s)).norm(), 0, 1e-9);
+    }
+  }
+}
+
+TEST(Curve, KeepsAPathsPointsAndItsDirectionAlongEachCubic) {
+  const std::vector<Vec2> points{{0, 0}, {1, 1}, {2, 1}, {3, 0}, {4, 1}, {5, 1}, {6, 0}};
+  const Curve path = Curve::path(points);
+  EXPECT_EQ(path.points(), points);
+  EXPECT_EQ(path.reversed().points(), std::vector<Vec2>(points.rbegin(), points.rend()));
+  EXPECT_EQ(path.reversed().reversed(), path);
+  EXPECT_EQ(path.at(0.5), Vec2(3, 0));
+  EXPECT_NEAR((path.derivative(0.25) - (path.at(0.250001) - path.at(0.249999)) / 2e-6).norm(), 0,
+              1e-6);
+  EXPECT_FALSE(path.straight());
+}
+
+TEST(Curve, CountsAPathsCornersAsTurnsBetweenButNotAtTheEnds) {
+  const Curve roof = testing::polyline({{0, 0}, {3, 4}, {6, 0}});
+  const double turn = 2 * std::atan2(4, 3);
+  EXPECT_NEAR(roof.turning(0, 1), turn, 1e-12);
+  EXPECT_NEAR(roof.turning(0.4, 0.6), turn, 1e-12);
+  EXPECT_NEAR(roof.turning(0, 0.5), 0, 1e-12);
+  EXPECT_NEAR(roof.turning(0.5, 1), 0, 1e-12);
+  const std::vector<double> corners = roof.corners();
+  ASSERT_EQ(corners.size(), 1u);
+  EXPECT_NEAR(corners[0], 0.5, 1e-12);
+}
+
+TEST(Curve, HasNoCornersButOnPathsThatTurnSharply) {
+  for (const Curve& c : someCurves())
+    if (c.cubics() == 0) {
+      EXPECT_TRUE(c.corners().empty());
+    }
+  const Curve bend = Curve::cubic({1, 2}, {9, 30}, {20, -15}, {40, 6});
+  EXPECT_TRUE(testing::asPath(bend, 40).corners().empty());
+}
+
+TEST(Curve, TakesCornersThatLieCloseToEachOtherForOneTheSameFromBothEnds) {
+  const Curve c =
+      testing::polyline({{0, 0}, {5, 0}, {5.04, 0.02}, {5.05, 0.06}, {5.05, 6}, {9, 9}});
+  const std::vector<double> ahead = c.corners();
+  std::vector<double> back = c.reversed().corners();
+  ASSERT_EQ(ahead.size(), 2u);
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_NEAR(back[0], 1 - ahead[1], 1e-12);
+  EXPECT_NEAR(back[1], 1 - ahead[0], 1e-12);
+  EXPECT_NEAR((c.atFraction(ahead[0]) - Vec2(5.04, 0.02)).norm(), 0, 1e-9);
+}
+
+TEST(Curve, SurvivesCubicsWithoutLengthInAPath) {
+  const Vec2 a(0, 0), b(3, 4), c(6, 0);
+  const Curve roof = Curve::path({a, a, b, b, b, b, b, b, c, c});
+  EXPECT_NEAR(roof.length(), 10, 1e-12);
+  EXPECT_NEAR((roof.atFraction(0.25) - Vec2(1.5, 2)).norm(), 0, 1e-9);
+  EXPECT_EQ(roof.corners().size(), 1u);
+  EXPECT_NEAR(roof.turning(0, 1), 2 * std::atan2(4, 3), 1e-9);
+  EXPECT_EQ(Curve::path({a, a, a, a, a, a, a}).length(), 0);
+  EXPECT_EQ(Curve::path({a, a, a, a, a, a, a}).atFraction(0.5), a);
 }
 
 TEST(Curve, SurvivesZeroLengthWithoutNotANumber) {

@@ -118,5 +118,52 @@ TEST(DrapeContacts, HoldAPatchOnWhatItIsStitchedTo) {
   EXPECT_TRUE(crossingsOf(sheets.mesh, solver.positions()).empty());
 }
 
+/// The second sheet leans, so that its far side reaches below the first one.
+Positions leaning(const TwoSheets& sheets) {
+  return testing::laid(sheets.level, [](int piece, const Vec2& at) {
+    const double height = piece == 0 ? 0 : 0.006 - 0.001 * at.x();
+    return Vec3(0.01 * at.x() + 0.007 * piece, height, -0.01 * at.y() - 0.004 * piece);
+  });
+}
+
+TEST(DrapeContacts, DrawCrossingSheetsApart) {
+  const TwoSheets sheets;
+  const testing::Sphere far_away(Vec3(0, -9, 0), 1);
+  ClothOptions options;
+  options.friction = false;
+  for (const bool untangle : {true, false}) {
+    ClothContacts contacts(sheets.mesh, {}, {}, {}, {}, kGap);
+    contacts.setTouching(true);
+    if (untangle) contacts.untangle();
+    ClothSolver solver(sheets.mesh, kPoplin, far_away, leaning(sheets), options, &contacts);
+    solver.setWeight(false);
+    EXPECT_GT(crossingsOf(sheets.mesh, solver.positions()).size(), 10u);
+    for (int k = 0; k < 30; ++k) solver.newtonStep();
+    EXPECT_EQ(crossingsOf(sheets.mesh, solver.positions()).empty(), untangle);
+  }
+}
+
+/// A strip that is folded onto itself at a line of its mesh, more and more.
+TEST(DrapeContacts, KeepASharpFoldOpenBesideIt) {
+  const Pattern pattern = testing::plainPattern(testing::rectangle(8, 4));
+  const SewnLevel level = testing::levelOf(pattern, 1);
+  const SewnMesh mesh = testing::uncut(level, pattern);
+  const auto folded = [&](double height) {
+    return testing::laid(level, [&](int, const Vec2& at) {
+      const double out = at.x() - 4;
+      return Vec3(0.01 * std::abs(out), out < 0 ? 0 : height * out, 0.01 * at.y());
+    });
+  };
+  ClothContacts contacts(mesh, {}, {}, {}, {}, kGap);
+  contacts.setTouching(true);
+  contacts.look(folded(0.003));
+  const Positions through = folded(-0.0005);
+  for (int k = 0; k < 3; ++k) contacts.look(through);
+  Positions gradient(mesh.size, Vec3::Zero());
+  EXPECT_GT(contacts.energy(through, &gradient), 0);
+  for (int v = 0; v < mesh.size; ++v)
+    if (through[v].y() < 0 && through[v].x() < 0.012) EXPECT_LT(gradient[v].y(), 0);
+}
+
 }  // namespace
 }  // namespace seamwise

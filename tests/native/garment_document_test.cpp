@@ -93,6 +93,32 @@ TEST(GarmentDocument, KeepsWhatItDoesNotKnowAndLeavesOutWordsThatAreNone) {
   EXPECT_EQ(document["pieces"][1]["quantity"], 2);
 }
 
+TEST(GarmentDocument, HoldsAllowancesDrillHolesAndWhatStaysOpenOrIsSuggested) {
+  Json garment = seenFromTheBack();
+  garment["properties"]["units_in_meter"] = 1000;
+  Json& front = panelOf(garment, "front");
+  front["edges"][0]["allowance"] = 10;
+  front["edges"][1]["allowance"] = {{"width", 30}, {"corner", "mirror"}};
+  front["edges"][1]["open"] = true;
+  front["edges"][2]["open"] = false;
+  front["drillHoles"] = Json::parse("[[20, 30]]");
+  for (Json& vertex : front["vertices"])
+    for (Json& x : vertex) x = 10 * x.get<double>();
+  for (Json& vertex : panelOf(garment, "back")["vertices"])
+    for (Json& x : vertex) x = 10 * x.get<double>();
+  garment["seams"] = Json::parse(R"([{"stitch": 1, "suggested": true}])");
+  const Json document = documentOf(garment);
+  const Json& piece = document["pieces"][0];
+  EXPECT_EQ(piece["outline"][0]["allowance"], Json::parse(R"({"width": 1})"));
+  EXPECT_EQ(piece["outline"][1]["allowance"], Json::parse(R"({"width": 3, "corner": "mirror"})"));
+  EXPECT_EQ(piece["outline"][1]["open"], true);
+  EXPECT_FALSE(piece["outline"][2].contains("open"));
+  EXPECT_FALSE(piece["outline"][2].contains("more"));
+  EXPECT_EQ(piece["drillHoles"], Json::parse("[[-2, 3]]"));
+  EXPECT_FALSE(document["seams"][0].contains("suggested"));
+  EXPECT_EQ(document["seams"][1]["suggested"], true);
+}
+
 TEST(GarmentDocument, AsksForUnitsInWhichNobodyCouldWearIt) {
   EXPECT_EQ(documentOf(twoRectangles())["questions"], Json::array());
   Json tiny = twoRectangles();

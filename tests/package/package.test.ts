@@ -14,11 +14,11 @@ import {packed, type Packed} from '../support/packed.js';
 
 const kilobyte = 1000;
 /** Compressed as a whole, as the registry sends it; three is not in it. [bytes] */
-const mostForPackage = 700 * kilobyte;
+const mostForPackage = 870 * kilobyte;
 /** The scripts for pages without a bundler, three and Lit included, the solver's module not. [bytes] */
-const mostForStandalone = 385 * kilobyte;
+const mostForStandalone = 472 * kilobyte;
 /** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
-const mostForDrape = 95 * kilobyte;
+const mostForDrape = 107 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;

@@ -11,7 +11,7 @@ import {expect, it, vi} from 'vitest';
 
 import {designOf} from '../support/page-design.js';
 import {choose, hand, jsonFile, squares, type HandedFile} from '../support/page-files.js';
-import {button, saved, showSample, solved, usePage} from '../support/page.js';
+import {button, saved, savedCut, showSample, solved, usePage} from '../support/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -130,7 +130,7 @@ it('says in one sentence why a file cannot be opened, and leaves everything as i
   const [[, end]] = stranger.pattern.stitches as [[unknown, {panel: string}]];
   end.panel = 'sleeve';
   const cases: readonly (readonly [HandedFile, RegExp])[] = [
-    [jsonFile('words.json', 'once upon a time'), /JSON/],
+    [jsonFile('words.json', 'once upon a time'), /pattern/],
     [jsonFile('list.json', {milk: 2, eggs: 6}), /garment/],
     [jsonFile('open.json', open), /left.*(open|closed)/],
     [jsonFile('stranger.json', stranger), /sleeve/],
@@ -158,7 +158,6 @@ it('knows a file by its first bytes, whatever it is called and whether or not a 
   const cases: readonly (readonly [name: string, content: string, said: string])[] = [
     ['sheet.pdf', '%PDF-1.7 and so on', 'a PDF document, which Seamwise cannot read'],
     ['shirt.json', '%PDF-1.7 and so on', 'a PDF document, which Seamwise cannot read'],
-    ['shirt.dxf', '0\nSECTION\n2\nENTITIES\n', 'a DXF drawing, which Seamwise cannot read'],
     ['scan', 'II*\0\x08\0\0\0', 'a TIFF picture, which cannot be a print'],
   ];
   for (const [name, content, said] of cases) {
@@ -169,23 +168,16 @@ it('knows a file by its first bytes, whatever it is called and whether or not a 
       .waitFor();
     expect(await designOf(page)).toEqual(before);
   }
-  const [name, content] = cases[2] ?? ['', ''];
-  await choose(page, 'Open garment', {name, mimeType: 'image/vnd.dxf', content});
-  await page
-    .getByRole('alert')
-    .filter({hasText: `${name} is a DXF drawing`})
-    .waitFor();
 });
 
-it('says so when a file has no seams', async () => {
+it('offers to sew when a file has no seams', async () => {
   const page = await openPage();
   const garment = squares(40) as {pattern: {stitches: unknown[]}};
   garment.pattern.stitches = [];
   await choose(page, 'Open garment', jsonFile('loose.json', garment));
-  const words = 'This file has no seams, so there is nothing to match.';
-  await page.locator('sw-pattern').getByText(words).waitFor();
   await solved(page);
-  await page.locator('sw-pattern').getByText(words).waitFor();
+  await page.locator('sw-pattern').getByText('0 of 8 edges sewn, 0 open').waitFor();
+  await page.getByText('No seams to match').waitFor();
 });
 
 it('asks about the unit of a garment that fits nobody', async () => {
@@ -240,7 +232,7 @@ it('gives the pieces to cut in millimetres, and a picture', async () => {
   await choose(page, 'Open garment', jsonFile('squares.json', squares(40)));
   await garmentShown(page, 'squares.json');
   await solved(page);
-  const svg = await saved(page, 'Pieces to cut');
+  const svg = await savedCut(page, 'SVG');
   const [, width] = /^<svg [^>]*\bwidth="([\d.]+)mm"/.exec(svg) ?? [];
   // both lie side by side, with an allowance of 1 cm around each
   expect(Number(width)).toBeGreaterThan(840);
@@ -254,7 +246,7 @@ it('gives the pieces to cut in millimetres, and a picture', async () => {
   expect(png.subarray(1, 4).toString()).toBe('PNG');
 });
 
-it.each(['-1', '7', ''])(
+it.each(['-1', '12', ''])(
   'refuses to cut with an allowance of "%s", and keeps what was typed',
   async (typed) => {
     const page = await openPage();
@@ -264,14 +256,15 @@ it.each(['-1', '7', ''])(
     let downloads = 0;
     page.on('download', () => downloads++);
     await button(page, 'Save …').click();
+    await button(page, 'Cut …').click();
     const field = page.getByLabel('Seam allowance (cm)');
     await field.fill(typed);
-    await button(page, 'Pieces to cut').click();
-    await page.getByRole('alert').filter({hasText: 'Enter a number from 0 cm to 5 cm.'}).waitFor();
+    await page.getByRole('button', {name: 'Save PDF'}).click();
+    await page.getByRole('alert').filter({hasText: 'Enter a number from 0 cm to 10 cm.'}).waitFor();
     expect(await field.inputValue()).toBe(typed);
     await field.fill('2');
-    const svg = await saved(page, 'Pieces to cut');
-    expect(svg).toContain('2 cm inside');
+    const svg = await savedCut(page, 'SVG');
+    expect(svg).toContain('2 cm');
     expect(downloads).toBe(1);
   },
 );

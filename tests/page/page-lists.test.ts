@@ -152,7 +152,7 @@ it('says that a garment without seams has nothing to match', async () => {
     const text = JSON.stringify({pattern: {panels: {scarf: cloth}, stitches: []}});
     await element?.workbench.open({name: 'scarf.json', text});
   });
-  const words = 'This file has no seams, so there is nothing to match.';
+  const words = 'No seams yet: sew edges to each other, and the print is matched there.';
   await page.locator('sw-tables').getByText(words).waitFor();
   expect(await rows(page, 'Pieces').count()).toBe(1);
   expect(await table(page, 'Seams').isVisible()).toBe(true);

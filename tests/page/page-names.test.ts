@@ -5,7 +5,7 @@ import {expect, it, vi} from 'vitest';
 import {designOf} from '../support/page-design.js';
 import {choose, jsonFile} from '../support/page-files.js';
 import {clickPiece, middleOfPiece} from '../support/page-pattern.js';
-import {button, saved, solved, usePage} from '../support/page.js';
+import {button, saved, savedCut, solved, usePage} from '../support/page.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
@@ -73,12 +73,10 @@ it('calls pieces by their panels, lets them be renamed, and writes the name on w
   expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({
     design: {names: {left_btorso: 'Rear'}},
   });
-  await button(page, 'Save …').click();
-  const svg = await saved(page, 'Pieces to cut');
+  const svg = await savedCut(page, 'SVG');
   expect(svg).toContain('<title>My shirt</title>');
   expect(svg).toContain('aria-label="Rear"');
   expect(svg.match(/>A<\/text>/g)).toHaveLength(2);
-  await page.keyboard.press('Escape');
 
   await button(page, 'Rename: Rear').click();
   await page.keyboard.type('Nobody');

@@ -25,7 +25,7 @@ it('names all that tests and screen readers rely on', async () => {
   // nobody has to ask for what comes by itself, or to end what has ended
   for (const name of ['Align', 'Cancel']) expect(await button(page, name).count(), name).toBe(0);
   await button(page, 'Save …').click();
-  for (const name of ['Save project', 'Save result', 'Save picture', 'Pieces to cut', 'Copy link'])
+  for (const name of ['Save project', 'Save result', 'Save picture', 'Cut …', 'Copy link'])
     expect(await button(page, name).count(), name).toBe(1);
   await page.keyboard.press('Escape');
   for (const name of ['Pieces', 'Seams'])

@@ -10,8 +10,11 @@ import {solved, usePage} from '../support/page.js';
 const openPage = usePage();
 
 const kilobyte = 1000;
-/** Of the page's own code and of the solver, without the drawing library. [bytes] */
-const most = {code: 128 * kilobyte, wasm: 223 * kilobyte};
+/**
+ * Of the page's own code and of the solver, without the drawing library; with the lens's strip, 2.8 kB, which is asked for
+ * beforehand where the answer takes longer. [bytes]
+ */
+const most = {code: 132.5 * kilobyte, wasm: 223 * kilobyte};
 
 async function sizeOf(url: string): Promise<readonly [file: string, bytes: number]> {
   const body = await (await fetch(url)).arrayBuffer();

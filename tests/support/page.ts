@@ -134,3 +134,18 @@ export async function saved(page: Page, name: string): Promise<string> {
   const [download] = await Promise.all([page.waitForEvent('download'), button(page, name).click()]);
   return readFile(await download.path(), 'utf8');
 }
+
+/** What the dialog that asks how to cut gives to save, as text; it stays what is asked for the next time. */
+export async function savedCut(page: Page, file: 'PDF' | 'SVG' | 'DXF' | 'HP-GL'): Promise<string> {
+  const dialog = page.locator('sw-cut-dialog').getByRole('dialog');
+  if (!(await dialog.isVisible())) {
+    await button(page, 'Save …').click();
+    await button(page, 'Cut …').click();
+  }
+  await dialog.getByRole('button', {name: file, exact: true}).click();
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    dialog.getByRole('button', {name: `Save ${file}`}).click(),
+  ]);
+  return readFile(await download.path(), 'latin1');
+}

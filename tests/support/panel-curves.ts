@@ -20,6 +20,16 @@ function tracedEdge(
   if (curvature && 'type' in curvature && curvature.type === 'circle') {
     return arc(from, to, curvature.params, fractions);
   }
+  if (curvature && 'type' in curvature && curvature.type === 'path') {
+    return curvature.params.reduce<Point[]>(
+      (line, cubic) => {
+        const ends = cubic.map(control);
+        const controls = [line.at(-1) ?? from, ...ends, ...(ends.length < 3 ? [to] : [])];
+        return [...line, ...fractions.slice(1).map((t) => bezier(controls, t))];
+      },
+      [from],
+    );
+  }
   const points = !curvature ? [] : 'type' in curvature ? curvature.params : [curvature];
   const controls = [from, ...points.map((p) => control(p)), to];
   return fractions.map((t) => bezier(controls, t));

@@ -135,11 +135,15 @@ export class SewnCloth {
   }
 }
 
+/** Volumes of what only touches, as files have it: ends of straps that meet in a body's plane. [cm^3] */
+const touching = 1e-9;
+
 /** Whether a segment passes through the inside of a triangle. */
 function passes(p: Place, q: Place, [a, b, c]: readonly [Place, Place, Place]): boolean {
   const volume = (u: Place, v: Place, w: Place, x: Place): number =>
     dot3(minus3(v, u), cross3(minus3(w, u), minus3(x, u)));
-  if (volume(p, a, b, c) > 0 === volume(q, a, b, c) > 0) return false;
+  const [from, to] = [volume(p, a, b, c), volume(q, a, b, c)];
+  if (Math.min(Math.abs(from), Math.abs(to)) < touching || from > 0 === to > 0) return false;
   const sides = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
-  return sides.every((side) => side > 0) || sides.every((side) => side < 0);
+  return sides.every((side) => side > touching) || sides.every((side) => side < -touching);
 }

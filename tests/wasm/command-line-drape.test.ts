@@ -6,7 +6,7 @@ import {fileURLToPath} from 'node:url';
 import {validateBytes} from 'gltf-validator';
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
-import type {DrapeFile} from 'seamwise/node';
+import type {DrapeFile, GarmentCodeSpecification} from 'seamwise/node';
 import {Shop} from '../support/batch.js';
 import {seamwise} from '../support/command-line.js';
 import {readGlb} from '../support/read-glb.js';
@@ -18,6 +18,12 @@ const print = join(prints, 'p4m.json');
 let folder = '';
 const file = (name: string) => join(folder, name);
 const drape = (...words: string[]) => seamwise('drape', file('tee.result.json'), ...words);
+
+/** Pieces that nothing joins hang nowhere. */
+const unsewn = (garment: GarmentCodeSpecification): object => ({
+  ...garment,
+  pattern: {...garment.pattern, stitches: []},
+});
 
 beforeAll(async () => {
   folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
@@ -95,13 +101,14 @@ describe('says in one sentence', () => {
     expect(wide.err).toContain('body.json');
     expect(wide.err).toContain('bust');
 
-    writeFileSync(file('strips.json'), JSON.stringify(twoStrips()));
+    writeFileSync(file('strips.json'), JSON.stringify(unsewn(twoStrips())));
     writeFileSync(file('checks.json'), JSON.stringify(checks));
     const words = ['--print', file('checks.json')];
     await seamwise('align', file('strips.json'), ...words, '--out', file('strips.result.json'));
     const strips = await seamwise('drape', file('strips.result.json'), ...words);
     expect(strips.code).toBe(2);
     expect(strips.err).toContain('strips.result.json');
+    expect(strips.err).toContain("No seam joins piece 'right' to the others");
     expect(readdirSync(folder)).not.toContain('x.glb');
   });
 });
@@ -111,10 +118,11 @@ it('drapes the jobs of a batch that ask for it, beside their results', async () 
   try {
     shop.write('tee.json', sample('tee'));
     const job = {garment: 'tee.json', print: 'checks.json'};
+    shop.write('unsewn.json', JSON.stringify(unsewn(twoStrips())));
     shop.writeJobs('jobs.ndjson', [
       {...job, drape: true},
       job,
-      {...job, garment: 'strips-8.json', drape: true},
+      {...job, garment: 'unsewn.json', drape: true},
       {...job, drape: 'yes'},
     ]);
     const {code} = await shop.batch('jobs.ndjson', 'out');
@@ -125,7 +133,7 @@ it('drapes the jobs of a batch that ask for it, beside their results', async () 
     expect(draped?.key).not.toBe(plain?.key);
     const messages = done.flatMap(({failure}) => failure?.message ?? []);
     expect(messages.join()).toContain("'drape' must be true or false");
-    expect(messages.join()).toContain('strips-8.json');
+    expect(messages.join()).toContain('unsewn.json');
     const results = readdirSync(shop.at('out', 'results'));
     expect(results).toHaveLength(4);
     const key = results.find((name) => name.endsWith('.glb'))?.replace('.glb', '') ?? '';

@@ -53,6 +53,8 @@ const times =
     };
   };
 
+const nowhere = {translation: [0, 0, 0], rotation: [0, 0, 0]};
+
 const refused: readonly [string, Change, string][] = [
   [
     'made before garments were worn',
@@ -60,9 +62,9 @@ const refused: readonly [string, Change, string][] = [
     'align the garment again',
   ],
   [
-    'of panels that are all at 0',
-    eachPiece(() => ({placement: {translation: [0, 0, 0], rotation: [0, 0, 0]}})),
-    "give the panels of the garment a 'translation' each, and align it again.",
+    'of panels that are all at 0 and not sewn',
+    (result) => ({...eachPiece(() => ({placement: nowhere}))(result), seams: []}),
+    "No seam joins piece 'back' to the others",
   ],
   ['without a number', movedBy(NaN), 'write a number'],
   ['1e6 cm up', movedBy(1e6), 'is beyond 10000'],

@@ -41,7 +41,7 @@ const kept: Readonly<Partial<Record<Sample, Partial<DrapeLimits>>>> = {
 
 describe.each([
   ...['tee', 'shift-dress', 'raglan', 'princess-dress', 'asymmetric-dress', 'trousers'],
-  'gathered-skirt',
+  ...['gathered-skirt', 'apron'],
 ] as Sample[])('%s', (name) => {
   it('hangs on its form as cloth does', async () => {
     const result = await resultOf(name);
@@ -53,6 +53,24 @@ describe.each([
     expect(tension.max).toBeCloseTo(verdict.tension.max, 3);
   });
 });
+
+it.each(['tee', 'trousers', 'hoodie', 'apron'] as Sample[])(
+  'hangs %s by its seams where its file does not say where its pieces hang',
+  async (name) => {
+    const result = await resultOf(name);
+    const nowhere = {translation: [0, 0, 0], rotation: [0, 0, 0]} as const;
+    const unplaced: SolveResult = {
+      ...result,
+      pieces: result.pieces.map((piece) => ({...piece, placement: nowhere})),
+    };
+    const file = drapeFile(unplaced, await drape(unplaced));
+    const limits = {...kept[name], ...(name === 'trousers' ? {sewnLength: 0.06} : {})};
+    expect(broken(judgeDrape(file, unplaced), {crossings: 20, ...limits})).toEqual([]);
+    expect(file.notes).toContain(
+      "The garment's file does not say where its pieces hang; they hang as their seams and names have it.",
+    );
+  },
+);
 
 it('gives the same bytes again, and for pieces in another order those of the same pieces', async () => {
   const result = await resultOf('tee');

@@ -45,8 +45,30 @@ const everything = {
           [5, 9],
         ],
         edges: [
-          {endpoints: [0, 1], label: 'left'},
-          {endpoints: [1, 2], curvature: {type: 'circle', params: [5, 0, 0]}},
+          {
+            endpoints: [0, 1],
+            curvature: {
+              type: 'path',
+              params: [
+                [
+                  [0.1, 0.02],
+                  [0.3, 0.02],
+                  [0.4, 0.01],
+                ],
+                [
+                  [0.6, -0.02],
+                  [0.9, 0.02],
+                ],
+              ],
+            },
+            label: 'left',
+          },
+          {
+            endpoints: [1, 2],
+            curvature: {type: 'circle', params: [5, 0, 0]},
+            allowance: {width: 0.5, corner: 'square'},
+            open: true,
+          },
           {
             endpoints: [2, 3],
             curvature: {
@@ -57,9 +79,31 @@ const everything = {
               ],
             },
           },
-          {endpoints: [3, 0], curvature: [0.5, 0.1], finish: 'raw'},
+          {endpoints: [3, 0], curvature: [0.5, 0.1], finish: 'raw', allowance: 0},
         ],
-        holes: [[{endpoints: [4, 5]}, {endpoints: [5, 6]}, {endpoints: [6, 4]}]],
+        holes: [
+          [
+            {endpoints: [4, 5]},
+            {
+              endpoints: [5, 6],
+              curvature: {
+                type: 'path',
+                params: [
+                  [
+                    [0.1, 0.1],
+                    [0.2, 0.1],
+                    [0.4, 0.1],
+                  ],
+                  [
+                    [0.6, 0.1],
+                    [0.9, 0.1],
+                  ],
+                ],
+              },
+            },
+            {endpoints: [6, 4]},
+          ],
+        ],
         grain: {
           line: [
             [1, 1],
@@ -84,6 +128,10 @@ const everything = {
           [8, 0],
         ],
         notches: [{edge: 2, at: 0.25, depth: 0.2}],
+        drillHoles: [
+          [2, 3],
+          [4, 3],
+        ],
         quantity: 2,
         size: '38',
         material: 'silk',
@@ -100,7 +148,12 @@ const everything = {
     },
     stitches: [[{panel: '2', edge: 3}, {panel: '1', edge: 0}, 'right_wrong']],
   },
-  seams: [{stitch: 0, name: 'Waist', weight: 0.5, matched: false, direction: 'same', tape: 1}],
+  seams: [
+    {
+      ...{stitch: 0, name: 'Waist', weight: 0.5, matched: false, direction: 'same', tape: 1},
+      suggested: true,
+    },
+  ],
   symmetries: [
     {
       kind: 'piece',
@@ -152,9 +205,17 @@ describe('a garment document', () => {
       notches: [{edge: 2, at: 0.25, depth: 0.2}],
     });
     expect(back?.outline[0]).toMatchObject({label: 'left'});
-    expect(back?.outline[0]?.points[1][1]).toBeCloseTo(50.8, 9);
+    expect(back?.outline[0]?.points).toHaveLength(7);
+    expect(back?.outline[0]?.points.at(-1)?.[1]).toBeCloseTo(50.8, 9);
+    expect(back?.holes[0]?.map(({points}) => points.length).sort()).toEqual([2, 2, 7]);
     expect(back?.outline[1]?.radius).toBeCloseTo(12.7, 9);
-    expect(back?.outline[3]).toMatchObject({more: {finish: 'raw'}});
+    expect(back?.outline[1]).toMatchObject({
+      allowance: {width: 1.27, corner: 'square'},
+      open: true,
+    });
+    expect(back?.outline[3]).toMatchObject({more: {finish: 'raw'}, allowance: {width: 0}});
+    expect(back?.drillHoles?.[1]?.[0]).toBeCloseTo(-10.16, 9);
+    expect(document.seams[0]?.suggested).toBe(true);
     expect(document.seams[0]).toMatchObject({
       ...{name: 'Waist', weight: 0.5, matched: false, sameDirection: true, more: {tape: 1}},
     });

@@ -35,6 +35,7 @@ export function twoStrips(height = 10): GarmentCodeSpecification {
 export function sample(
   name:
     | 'tee'
+    | 'apron'
     | 'asymmetric-dress'
     | 'gathered-skirt'
     | 'hoodie'

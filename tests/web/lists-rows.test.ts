@@ -141,8 +141,11 @@ describe('the text of a seam', () => {
   });
 
   it('tells where the print runs off along the seam', () => {
-    const row = {...seams({high: [2, 0.2]})[0], drift: {start: 0.1, end: 4, most: 4.2}};
-    const other = {...row, drift: {start: 1, end: 2, most: 2.5}};
+    const row = {
+      ...seams({high: [2, 0.2]})[0],
+      drift: {start: 0.1, end: 4, most: 4.2, isLost: false},
+    };
+    const other = {...row, drift: {start: 1, end: 2, most: 2.5, isLost: false}};
     const texts = [row, other].map((one) => seamText(one as SeamRow, en, format));
     expect(texts.map((text) => text.split(', ').slice(4).join(', '))).toEqual([
       'meets at one end, 40 mm off at the other',
@@ -158,10 +161,13 @@ describe('the text of a seam', () => {
         .split(', ')
         .slice(4)
         .join(', ');
-    const drift = {start: 0.1, end: 4, most: 4.2};
+    const drift = {start: 0.1, end: 4, most: 4.2, isLost: false};
     expect(said({})).toBe('');
     expect(said({why: 'grain', drift})).toBe('its two sides cannot line up on grain');
     expect(said({why: 'others', drift})).toBe('meets at one end, 40 mm off at the other');
+    expect(said({drift: {...drift, most: 24.84, isLost: true}})).toBe(
+      'the print does not run on along it',
+    );
     expect(said({why: 'others'})).toBe('other seams of its pieces come first');
     expect(said({why: 'locked'})).toBe('it is locked');
     expect(said({why: 'size'})).toBe('the print is too large for it');

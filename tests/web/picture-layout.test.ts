@@ -184,3 +184,17 @@ describe('a page with names', () => {
     expect(layout.height * scale).toBeGreaterThanOrEqual(rows * (4 * scale + 40) - 1e-6);
   });
 });
+
+it('leaves twins where they are that have been meshed anew', () => {
+  const placesOf = (first: number, second: number): readonly (readonly number[])[] => {
+    const pattern = patternOf([
+      block('front', 50, 60),
+      block('sleeve', 30, first),
+      block('sleeve 2', 30, second),
+    ]);
+    const at = Object.values(middles(pattern, layOut(pattern, 1.6, bare)));
+    return at.map((middle) => middle.map(Math.round));
+  };
+  expect(placesOf(40.1, 40.09)).toEqual(placesOf(40.1, 40.1));
+  expect(placesOf(40.09, 40.1)).toEqual(placesOf(40.1, 40.1));
+});

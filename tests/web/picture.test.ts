@@ -173,11 +173,15 @@ describe('the fit with one symmetry of the print per seam', () => {
     const [local] = mismatchOf(result, 'shape', alignments(result)).seams;
     const [whole] = joinedMismatchOf(result, 'shape', alignments(result)).seams;
     if (!local || !whole) throw new Error('no seam');
-    const drift = driftOf(local, whole);
+    const drift = driftOf(local, whole, result.print);
     expect(drift?.start).toBeCloseTo(10, 12);
     expect(drift?.end).toBeCloseTo(0, 12);
     expect(drift?.most).toBeCloseTo(10, 12);
-    expect(driftOf(whole, whole)).toBeUndefined();
+    // the repeat is 10 by 8: no print that lies anyhow misses by as much
+    expect(drift?.isLost).toBe(true);
+    const large = {...result.print, w1: [100, 0], w2: [0, 80]} as const;
+    expect(driftOf(local, whole, large)?.isLost).toBe(false);
+    expect(driftOf(whole, whole, result.print)).toBeUndefined();
   });
 
   it('tells whether the print runs on or is mirrored', () => {

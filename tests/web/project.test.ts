@@ -6,7 +6,7 @@ import type {Design} from '@/model/design.js';
 import {LinkError, linkOf, readLink} from '@/model/link.js';
 import {FileError, isProject, readProject, writeProject} from '@/model/project.js';
 import {written} from '@/model/written-design.js';
-import {fileNameOf, nameOf} from '@/model/project-name.js';
+import {drawingTitle, fileNameOf, nameOf, shortened} from '@/model/project-name.js';
 
 const design: Design = {
   garment: {name: 'tee-m.json', text: '{"pattern": {}}', sample: {style: 'tee', size: 'm'}},
@@ -290,5 +290,22 @@ describe('the name of a project', () => {
     expect(fileNameOf('Für Ada: 1/2 "rot"')).toBe('Für Ada 1 2 rot');
     expect(fileNameOf('..')).toBe('garment');
     expect(fileNameOf('')).toBe('garment');
+  });
+});
+
+describe('the name of a drawing', () => {
+  it.each([
+    ['tee-m.gerber.dxf', 'tee-m.gerber.dxf', 'tee-m'],
+    ['Summer tee', 'tee.dxf', 'Summer tee'],
+    ['Blouse No. 5', 'blouse.dxf', 'Blouse No. 5'],
+    ['dress_pencil_specifi', 'in/dress_pencil_specification.clo.dxf', 'dress_pencil_specification'],
+    ['dress', 'dress_pencil.dxf', 'dress'],
+  ])('%s in %s is %s', (stated, file, title) => {
+    expect(drawingTitle(stated, file)).toBe(title);
+  });
+
+  it('ends in an ellipsis where it is too long', () => {
+    expect(shortened('Summer tee', 10)).toBe('Summer tee');
+    expect(shortened('Summer tees', 10)).toBe('Summer te…');
   });
 });

@@ -153,14 +153,17 @@ describe('what the garment adds', () => {
   ]);
 
   it('is a name and a grain line', () => {
-    expect(panelMarks(garment).get('left_half')).toEqual({
+    expect(panelMarks(garment).get('left_half')).toMatchObject({
       label: 'Left half',
       grain: [
         [1, 0.5],
         [1, 3.5],
       ],
     });
-    expect(panelMarks(garment).get('right_half')).toEqual({label: 'Right half'});
+    expect(panelMarks(garment).get('right_half')).toEqual({
+      label: 'Right half',
+      drafted: garment.pieces[1],
+    });
   });
 
   it('is drawn on its piece', () => {

@@ -255,7 +255,12 @@ val DrapeHandle::report() const {
               one.set("energy", listValue(stage.energies, [](double e) { return val(e); }));
               return one;
             }));
-  value.set("notes", listValue(drape.notes(), [](const std::string& note) { return val(note); }));
+  std::vector<std::string> notes = drape.notes();
+  if (worn_->hanging().by_seams)
+    notes.emplace_back(
+        "The garment's file does not say where its pieces hang; they hang as their seams and names "
+        "have it.");
+  value.set("notes", listValue(notes, [](const std::string& note) { return val(note); }));
   return value;
 }
 

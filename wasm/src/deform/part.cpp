@@ -64,9 +64,7 @@ Parts splitIntoParts(const Pattern& pattern, double max_change) {
   const std::size_t count = pattern.pieces.size();
   result.pieces.resize(count);
   const auto kept = keptLengths(pattern);
-  std::vector<std::vector<char>> sewn(count);
-  for (std::size_t p = 0; p < count; ++p) sewn[p].assign(pattern.pieces[p].outline.size(), 0);
-  forSewnEdges(pattern, [&](int piece, int k, int) { sewn[piece][k] = 1; });
+  std::vector<std::vector<char>> sewn = sewnEdges(pattern);
   // an edge whose mirror image is sewn must keep its length, too
   for (const Mirror& m : pattern.mirrors) {
     const int n = static_cast<int>(sewn[m.pieces[0]].size());

@@ -16,35 +16,7 @@ constexpr double kStiffness = 5e5;     ///< N/m3, of what keeps layers apart
 constexpr double kTieStiffness = 400;  ///< N/m, of a held point
 constexpr double kBeside = 0.05;       ///< share of a triangle that a vertex may be beside it
 constexpr double kCell = 0.02;         ///< m, of the grid
-constexpr double kPerPair = 60;        ///< multiplications
-
-Vec3 at(const ClothPoint& point, const Positions& x) {
-  Vec3 sum = Vec3::Zero();
-  for (int k = 0; k < 3; ++k)
-    for (int c = 0; c < 3; ++c) sum[c] += point.weights[k] * x[point.vertices[k]][c];
-  return sum;
-}
-
-void addAt(const ClothPoint& point, const Vec3& v, Positions& y) {
-  for (int k = 0; k < 3; ++k)
-    for (int c = 0; c < 3; ++c) y[point.vertices[k]][c] += point.weights[k] * v[c];
-}
-
-Vec3 normalOf(const std::array<int, 3>& t, const Positions& x) {
-  const Vec3 n = crossProduct(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
-  const double far = length(n);
-  return far > 0 ? Vec3(n / far) : Vec3(0, 0, 0);
-}
-
-/// The foot of a perpendicular from p to the plane of a triangle.
-ClothPoint footOf(const Vec3& p, const std::array<int, 3>& t, const Positions& x) {
-  const Vec3 u = x[t[1]] - x[t[0]], v = x[t[2]] - x[t[0]], w = p - x[t[0]];
-  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
-  const double whole = uu * vv - uv * uv;
-  if (!(whole > 0)) return {t, {1, 0, 0}};
-  const double b = (vv * uw - uv * vw) / whole, c = (uu * vw - uv * uw) / whole;
-  return {t, {1 - b - c, b, c}};
-}
+constexpr double kPerItem = 200, kPerPair = 60;  ///< multiplications, of a search
 
 void insertOnce(std::vector<int>& ascending, int item) {
   const auto at = std::lower_bound(ascending.begin(), ascending.end(), item);
@@ -90,7 +62,7 @@ void ClothContacts::forNear(const Positions& x, double near, const Meet& meet) c
     const ClothPoint foot = footOf(x[vertex], mesh_->triangles[triangle].vertices, x);
     for (const double w : foot.weights)
       if (w < -0.5) return;
-    const Vec3 off = x[vertex] - at(foot, x);
+    const Vec3 off = x[vertex] - foot.at(x);
     if (dot(off, off) <= near * near) meet(vertex, triangle, off);
   });
 }
@@ -113,12 +85,7 @@ void ClothContacts::lay(const Positions& x) {
 
 void ClothContacts::setTouching(bool on) {
   touching_ = on, looks_ = 0;
-  pairs_.clear(), touches_.clear();
-}
-
-void ClothContacts::turn(const std::vector<char>& crossed) {
-  turned_ = crossed;
-  pairs_.clear(), looks_ = 0;
+  pairs_.clear(), touches_.clear(), pulls_.clear(), crossed_.clear();
 }
 
 bool ClothContacts::neighbours(int vertex, const std::array<int, 3>& triangle) const {
@@ -169,39 +136,80 @@ double ClothContacts::sideAsLaid(int vertex, int triangle) const {
   return side;
 }
 
+/// 0 where they are of no layers; nor are neighbours, which meet where cloth is folded sharply, as
+/// below arms.
+double ClothContacts::sideByLayers(int vertex, int triangle) const {
+  if (neighbours(vertex, mesh_->triangles[triangle].vertices)) return 0;
+  double side = sideByOverlaps(vertex, triangle);
+  if (side == 0) side = sideByLaps(vertex, triangle);
+  return side == 0 ? sideAsLaid(vertex, triangle) : side;
+}
+
 /// As an earlier pair had it, else where the vertex is now.
 double ClothContacts::sideBySight(int vertex, int triangle, const Positions& x) const {
   const auto& corners = mesh_->triangles[triangle].vertices;
   const double earlier = sideAmong(pairs_, *mesh_, vertex, triangle);
   if (earlier != 0) return earlier;
-  const double now = dot(normalOf(corners, x), x[vertex] - x[corners[0]]) < 0 ? -1 : 1;
-  if (turned_.empty()) return now;
-  const bool all = turned_[corners[0]] && turned_[corners[1]] && turned_[corners[2]];
-  return (turned_[vertex] != 0) != all ? -now : now;
+  return dot(normalOf(corners, x), x[vertex] - x[corners[0]]) < 0 ? -1 : 1;
 }
 
 void ClothContacts::search(const Positions& x) {
   std::vector<Pair> found;
-  search_cost_ = 200.0 * static_cast<double>(x.size() + mesh_->triangles.size());
+  search_cost_ += kPerItem * static_cast<double>(x.size() + mesh_->triangles.size());
   forNear(x, hasLayers() ? kLaid : kSeen, [&](int vertex, int triangle, const Vec3& off) {
     search_cost_ += kPerPair;
-    if (neighbours(vertex, mesh_->triangles[triangle].vertices)) return;
-    double side = sideByOverlaps(vertex, triangle);
-    if (side == 0) side = sideByLaps(vertex, triangle);
-    if (side == 0) side = sideAsLaid(vertex, triangle);
-    if (side == 0 && dot(off, off) > kSeen * kSeen) return;
-    if (side == 0) side = sideBySight(vertex, triangle, x);
-    found.push_back({vertex, triangle, side});
+    const auto& corners = mesh_->triangles[triangle].vertices;
+    if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) return;
+    Pair pair{vertex, triangle, sideByLayers(vertex, triangle)};
+    pair.seen = pair.side == 0;
+    if (pair.seen && (dot(off, off) > kSeen * kSeen || isCrossed(pair))) return;
+    if (pair.seen) pair.side = sideBySight(vertex, triangle, x);
+    found.push_back(pair);
   });
   pairs_ = std::move(found);
 }
 
+bool ClothContacts::isOf(int piece, int vertex) const {
+  return std::binary_search(pieces_[vertex].begin(), pieces_[vertex].end(), piece);
+}
+
+/// What draws crossings apart, and where they are. Pieces that are layers know on which side of
+/// each other they belong; ends of a stand that lap are drawn apart all the same.
+void ClothContacts::findCrossed(const Positions& x) {
+  pulls_ = untangling_->pulls(x);
+  const auto in_layers = [&](const CrossingPull& pull) {
+    const auto& [edge, triangle] = pull.crossing;
+    const int piece = mesh_->triangles[triangle].piece;
+    if (isOf(piece, edge[0]) && isOf(piece, edge[1])) return false;
+    return sideByLayers(edge[0], triangle) != 0 || sideByLayers(edge[1], triangle) != 0;
+  };
+  pulls_.erase(std::remove_if(pulls_.begin(), pulls_.end(), in_layers), pulls_.end());
+  search_cost_ += kPerItem * static_cast<double>(x.size() + mesh_->triangles.size());
+  crossed_.assign(pulls_.empty() ? 0 : x.size(), 0);
+  for (const CrossingPull& pull : pulls_)
+    for (const ClothPoint* point : {&pull.on_edge, &pull.on_triangle})
+      for (const int v : point->vertices) {
+        crossed_[v] = 1;
+        for (const int beside : ring_[v]) crossed_[beside] = 1;
+      }
+}
+
+/// Whether nobody can see on which side the vertex of a pair belongs.
+bool ClothContacts::isCrossed(const Pair& pair) const {
+  if (!pair.seen || crossed_.empty()) return false;
+  for (const int v : mesh_->triangles[pair.triangle].vertices)
+    if (crossed_[v]) return true;
+  return crossed_[pair.vertex];
+}
+
 void ClothContacts::look(const Positions& x) {
   search_cost_ = 0;
+  if (touching_ && untangling_) findCrossed(x);
   if (touching_ && looks_++ % kSearchEach == 0) search(x);
   touches_.clear();
   for (const Pair& pair : pairs_) {
     const auto& corners = mesh_->triangles[pair.triangle].vertices;
+    if (isCrossed(pair)) continue;
     const ClothPoint foot = footOf(x[pair.vertex], corners, x);
     if (*std::min_element(foot.weights.begin(), foot.weights.end()) < -kBeside) continue;
     const double area =
@@ -214,7 +222,7 @@ void ClothContacts::look(const Positions& x) {
 }
 
 double ClothContacts::excess(const Touch& touch, const Positions& x) const {
-  return gap_ - dot(touch.normal, x[touch.vertex] - at(touch.point, x));
+  return gap_ - dot(touch.normal, x[touch.vertex] - touch.point.at(x));
 }
 
 double ClothContacts::energy(const Positions& x, Positions* gradient) const {
@@ -226,14 +234,20 @@ double ClothContacts::energy(const Positions& x, Positions* gradient) const {
     if (!gradient) continue;
     const Vec3 force = touch.stiffness * depth * touch.normal;
     for (int c = 0; c < 3; ++c) (*gradient)[touch.vertex][c] -= force[c];
-    addAt(touch.point, force, *gradient);
+    touch.point.addTo(*gradient, force);
+  }
+  for (const CrossingPull& pull : pulls_) {
+    energy -= dot(pull.force, pull.on_edge.at(x) - pull.on_triangle.at(x));
+    if (!gradient) continue;
+    pull.on_edge.addTo(*gradient, -pull.force);
+    pull.on_triangle.addTo(*gradient, pull.force);
   }
   for (std::size_t k = 0; k < tied_.size(); ++k) {
-    const Vec3 apart = at(ties_[k].b, x) - at(ties_[k].a, x) - tied_[k].offset;
+    const Vec3 apart = ties_[k].b.at(x) - ties_[k].a.at(x) - tied_[k].offset;
     energy += tied_[k].stiffness * dot(apart, apart) / 2;
     if (!gradient) continue;
-    addAt(ties_[k].b, tied_[k].stiffness * apart, *gradient);
-    addAt(ties_[k].a, -tied_[k].stiffness * apart, *gradient);
+    ties_[k].b.addTo(*gradient, tied_[k].stiffness * apart);
+    ties_[k].a.addTo(*gradient, -tied_[k].stiffness * apart);
   }
   return energy;
 }
@@ -242,14 +256,14 @@ void ClothContacts::addProduct(const Positions& x, const Positions& p, Positions
   for (const Touch& touch : touches_) {
     if (!(excess(touch, x) > 0)) continue;
     const Vec3 force =
-        touch.stiffness * dot(touch.normal, p[touch.vertex] - at(touch.point, p)) * touch.normal;
+        touch.stiffness * dot(touch.normal, p[touch.vertex] - touch.point.at(p)) * touch.normal;
     for (int c = 0; c < 3; ++c) y[touch.vertex][c] += force[c];
-    addAt(touch.point, -force, y);
+    touch.point.addTo(y, -force);
   }
   for (std::size_t k = 0; k < tied_.size(); ++k) {
-    const Vec3 force = tied_[k].stiffness * (at(ties_[k].b, p) - at(ties_[k].a, p));
-    addAt(ties_[k].b, force, y);
-    addAt(ties_[k].a, -force, y);
+    const Vec3 force = tied_[k].stiffness * (ties_[k].b.at(p) - ties_[k].a.at(p));
+    ties_[k].b.addTo(y, force);
+    ties_[k].a.addTo(y, -force);
   }
 }
 

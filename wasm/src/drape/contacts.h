@@ -1,18 +1,14 @@
 #pragma once
-#include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "drape/cloth_point.h"
 #include "drape/fabric.h"
 #include "drape/sewn_mesh.h"
+#include "drape/untangling.h"
 
 namespace seamwise {
-
-/// A point of the cloth, by vertices and their weights, sum 1.
-struct ClothPoint {
-  std::array<int, 3> vertices;
-  std::array<double, 3> weights;
-};
 
 /// Two points of a cloth that are held together, as by a button or a line of stitches through
 /// layers: `b` lies on the face of the cloth at `a`, so far from it.
@@ -33,7 +29,7 @@ void sortOverlaps(std::vector<Overlap>& overlaps);
 /// What keeps layers of cloth apart, and holds them together: a vertex stays on its side of each
 /// triangle nearby, and tied points stay together. Energies of linear springs along directions that
 /// a step keeps, so that their Hessian is a sum of products of vectors: in products only, never in
-/// a factor. Keeps a pointer to the mesh.
+/// a factor. What has crossed can be drawn apart, by constant forces. Keeps a pointer to the mesh.
 class ClothContacts {
  public:
   /// @param overlaps   pieces of which the first lies on the face of the second; all others stay
@@ -52,8 +48,8 @@ class ClothContacts {
   bool touching() const { return touching_; }
   /// Whether any part of the cloth was laid on another one.
   bool hasLayers() const { return !overlaps_.empty() || !laid_.empty(); }
-  /// Vertices that crossed the cloth beside them: from now on they belong on the other side.
-  void turn(const std::vector<char>& crossed);
+  /// While it touches, what crosses is drawn apart from now on, and has no side until it is.
+  void untangle() { untangling_.emplace(*mesh_); }
 
   double energy(const Positions& x, Positions* gradient) const;
   /// y += Hessian at x times p
@@ -67,7 +63,8 @@ class ClothContacts {
   static constexpr int kSearchEach = 3;
   struct Pair {
     int vertex, triangle;
-    double side;  ///< 1: the vertex belongs on the triangle's face, -1: behind it
+    double side;        ///< 1: the vertex belongs on the triangle's face, -1: behind it
+    bool seen = false;  ///< there, and nothing else says so
     bool operator<(const Pair& o) const {
       return std::pair(vertex, triangle) < std::pair(o.vertex, o.triangle);
     }
@@ -88,11 +85,15 @@ class ClothContacts {
   void forNear(const Positions& x, double near, const Meet& meet) const;
   void lay(const Positions& x);
   void search(const Positions& x);
+  void findCrossed(const Positions& x);
+  bool isOf(int piece, int vertex) const;
+  bool isCrossed(const Pair& pair) const;
   double sideByLaps(int vertex, int triangle) const;
   double sideByOverlaps(int vertex, int triangle) const;
   static double sideAmong(const std::vector<Pair>& pairs, const SewnMesh& mesh, int vertex,
                           int triangle);
   double sideAsLaid(int vertex, int triangle) const;
+  double sideByLayers(int vertex, int triangle) const;
   double sideBySight(int vertex, int triangle, const Positions& x) const;
   bool neighbours(int vertex, const std::array<int, 3>& triangle) const;
   double excess(const Touch& touch, const Positions& x) const;
@@ -107,11 +108,13 @@ class ClothContacts {
   bool touching_ = false;
   int looks_ = 0;
   double search_cost_ = 0;
-  std::vector<char> turned_;  ///< per vertex, or empty
-  std::vector<Pair> laid_;    ///< sorted: of layers, as the cloth was laid
-  std::vector<Pair> pairs_;   ///< sorted
+  std::vector<Pair> laid_;   ///< sorted: of layers, as the cloth was laid
+  std::vector<Pair> pairs_;  ///< sorted
   std::vector<Touch> touches_;
   std::vector<Tied> tied_;  ///< by ties_
+  std::optional<Untangling> untangling_;
+  std::vector<CrossingPull> pulls_;
+  std::vector<char> crossed_;  ///< per vertex: of a crossing or beside one; empty: none
 };
 
 }  // namespace seamwise

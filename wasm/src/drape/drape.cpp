@@ -74,7 +74,8 @@ double Drape::fraction() const {
   constexpr std::array<double, 3> kBefore{0, 0.1, 0.3}, kShare{0.1, 0.2, 0.7};  // of the work
   const auto k = static_cast<std::size_t>(stage_);
   const double within = static_cast<double>(stages_.back().steps) / mostSteps(stage_);
-  return std::max(kBefore[k] + kShare[k] * within, std::min(1.0, work() / problem_.budget));
+  // Steps that undo crossings come on top.
+  return std::min(1.0, std::max(kBefore[k] + kShare[k] * within, work() / problem_.budget));
 }
 
 /// Per vertex on which side of x = 0 it stays: ClothOptions::least_x. Trouser legs do, and free
@@ -125,9 +126,10 @@ void Drape::begin(Stage stage, const Positions& from) {
     cloth_->setTouching(cloth_->hasLayers());
   } else if (stage == Stage::kHang) {
     cloth_->setFriction(problem_.options.friction);
+    cloth_->untangle();
   } else {
     put(problem_.levels.fine, fine_, from);
-    cloth_->setTouching(cloth_->hasLayers() || cloth_->crossings() > 0);
+    cloth_->setTouching(true);
   }
   began_ = work();
   stages_.push_back({stage, static_cast<int>(positions().size()), 0, 0, {cloth_->energy()}});
@@ -170,13 +172,20 @@ void Drape::finish() {
   begin(Stage::kDone);
 }
 
-/// Whether crossings are left that more steps may undo.
+/// Whether crossings are left that more steps may undo, or the cloth has to come to rest after
+/// that.
 bool Drape::mend() {
-  if (mended_ >= kMostMended || work() >= problem_.budget || cloth_->crossings() == 0) return false;
-  ++mended_, since_ = {}, at_rest_ = false;
+  if (mended_ >= kMostMended || work() >= problem_.budget) return false;
+  if (cloth_->crossings() > 0)
+    ++mended_;
+  else if (mended_ > 0 && !at_rest_)
+    mended_ = kMostMended;
+  else
+    return false;
+  since_ = {}, at_rest_ = false;
   last_step_ = stages_.back().steps + kMendingSteps;
   cloth_->setTouching(true);
-  cloth_->turnBack();
+  cloth_->untangle();
   return true;
 }
 

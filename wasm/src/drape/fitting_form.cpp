@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/disjoint_sets.h"
-#include "base/sort_by.h"
 #include "drape/wrap.h"
 
 namespace seamwise {
@@ -129,18 +128,11 @@ class Fitting {
     for (const Piece& piece : pattern_.pieces)
       first.push_back(count), count += static_cast<int>(piece.rest.size());
     DisjointSets knots(count);
-    std::vector<std::pair<int, int>> sewn;
-    for (const Seam& seam : pattern_.seams) {
+    for (const Seam& seam : pattern_.seams)
       for (std::size_t i = 0; i < seam.a.vertices.size(); ++i)
         knots.join(first[seam.a.piece] + seam.a.vertices[i],
                    first[seam.b.piece] + seam.b.vertices[i]);
-      for (const SeamSide* side : {&seam.a, &seam.b})
-        for (std::size_t i = 0; i + 1 < side->vertices.size(); ++i)
-          for (const bool turned : {false, true})
-            sewn.emplace_back(first[side->piece] + side->vertices[i + (turned ? 1 : 0)],
-                              first[side->piece] + side->vertices[i + (turned ? 0 : 1)]);
-    }
-    sortOnce(sewn);
+    const std::vector<std::vector<char>> sewn = sewnEdges(pattern_);
     struct Edge {
       int knot;
       double length, low, high;
@@ -151,8 +143,7 @@ class Fitting {
       const std::vector<int>& outline = pattern_.pieces[p].outline;
       for (std::size_t i = 0; i < outline.size(); ++i) {
         const int u = outline[i], v = outline[(i + 1) % outline.size()];
-        if (std::binary_search(sewn.begin(), sewn.end(), std::pair(first[p] + u, first[p] + v)))
-          continue;
+        if (sewn[p][i]) continue;
         knots.join(first[p] + u, first[p] + v);
         if (part != BodyPart::kTorso && !(only(part) & kLegs)) continue;
         const Vec3 a = at(static_cast<int>(p), u), b = at(static_cast<int>(p), v);
@@ -203,12 +194,17 @@ class Fitting {
     const double own = std::min(2 * shoulder_ + 1, m.shoulder_width);
     // Without sleeves it would slip off them.
     const bool sleeves = !girths_[static_cast<int>(BodyPart::kLeftArm)].empty();
-    if (!sleeves || shoulder_ < neck_ + 3) return own;
+    if (!sleeves || hasCollar() || shoulder_ < neck_ + 3) return own;
     const double fall = topOver(neck_, true).value_or(0) - topOver(shoulder_, true).value_or(0);
     const double slope = std::max(0.1, fall / (shoulder_ - neck_));
     if (slope > kUsualSlope) return own;
     const double tip = m.neck / (2 * kPi) + 1 + kRise * m.back_length / slope;
     return std::clamp(2 * tip, own, own + kWider);
+  }
+
+  bool hasCollar() const {
+    return std::find(hanging_.parts.begin(), hanging_.parts.end(), BodyPart::kNeck) !=
+           hanging_.parts.end();
   }
 
   /// The height of the torso's highest pieces there; with `sewn_only` none where they end in an
@@ -268,8 +264,9 @@ class Fitting {
     if (missing) {
       m.shoulder_width =
           std::clamp(shoulderWidth(m), 0.75 * m.shoulder_width, 1.15 * m.shoulder_width);
-      // A neckline lies around the neck's base, or goes straight over it from shoulder to shoulder.
-      m.neck = std::clamp(2 * kPi * (neck_ - kBesideNeck), 0.7 * m.neck, m.neck);
+      // A neckline lies around the neck's base, or goes straight over it from shoulder to shoulder;
+      // a collar closes around the neck itself.
+      if (!hasCollar()) m.neck = std::clamp(2 * kPi * (neck_ - kBesideNeck), 0.7 * m.neck, m.neck);
       m.neck = std::min(m.neck, kPi * (m.shoulder_width - 7));
     }
     if (missing) {
@@ -389,7 +386,15 @@ Outcome<FittingForm> fittingForm(const Garment& garment, const Pattern& pattern)
   if (!usual.ok()) return usual.error();
   const Outcome<Hanging> hanging = hang(garment, pattern, usual.value());
   if (!hanging.ok()) return hanging.error();
-  return Fitting(garment, pattern, usual.value(), hanging.value()).run();
+  FittingForm fitting = Fitting(garment, pattern, usual.value(), hanging.value()).run();
+  if (!hanging.value().by_seams) return fitting;
+  // Seams hang it by the heights of whatever form it is on.
+  const Outcome<Form> own = Form::make(fitting.measures);
+  if (!own.ok()) return own.error();
+  const Outcome<Hanging> on_own = hang(garment, pattern, own.value());
+  if (!on_own.ok()) return on_own.error();
+  fitting.lift += hanging.value().held - on_own.value().held;
+  return fitting;
 }
 
 }  // namespace seamwise

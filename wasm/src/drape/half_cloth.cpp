@@ -40,17 +40,21 @@ std::vector<int> imagesOf(const SewnMesh& mesh, const std::vector<int>& image) {
   return images;
 }
 
+/// Of the same area, and with the grain of the other's image: threads have no sense of direction.
 bool cutAlike(const SewnMesh::Triangle& a, const SewnMesh::Triangle& b,
               const std::vector<int>& image) {
   if (std::abs(a.area - b.area) > kSameCut * a.area) return false;
-  const double size = 1 / std::sqrt(a.area);  // of the derivatives
-  for (int k = 0; k < 3; ++k)
-    for (int l = 0; l < 3; ++l)
-      if (b.vertices[l] == image[a.vertices[k]] &&
-          (std::abs(a.warp[k] - b.warp[l]) > kSameCut * size ||
-           std::abs(a.weft[k] + b.weft[l]) > kSameCut * size))
-        return false;
-  return true;
+  const double most = kSameCut / std::sqrt(a.area);  // of the derivatives
+  const auto alike = [&](double along) {
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l < 3; ++l)
+        if (b.vertices[l] == image[a.vertices[k]] &&
+            (std::abs(a.warp[k] - along * b.warp[l]) > most ||
+             std::abs(a.weft[k] + along * b.weft[l]) > most))
+          return false;
+    return true;
+  };
+  return alike(1) || alike(-1);
 }
 
 /// Per triangle a number that is the same for all that hang together without crossing the plane.

@@ -1,22 +1,8 @@
 #include "drape/level_cloth.h"
 
-#include <algorithm>
-
-#include "base/disjoint_sets.h"
-#include "base/sort_by.h"
 #include "drape/drape_check.h"
 
 namespace seamwise {
-namespace {
-
-/// Of the sets of vertices that edges join, how many vertices each has, by its least one.
-std::vector<int> sizesOf(DisjointSets& sets, int count) {
-  std::vector<int> sizes(count, 0);
-  for (int i = 0; i < count; ++i) ++sizes[sets.find(i)];
-  return sizes;
-}
-
-}  // namespace
 
 LevelCloth::LevelCloth(const SewnMesh& mesh, const std::vector<int>& image, const Layers& layers,
                        const Fabric& fabric, const DistanceField& body, const Positions& start,
@@ -74,24 +60,6 @@ int LevelCloth::crossings() const {
   std::size_t count = crossingsOf(solved(), x).size();
   for (std::size_t i = 0; half_ && i < x.size(); ++i) count += x[i].x() < 0;  // into its image
   return static_cast<int>(count);
-}
-
-void LevelCloth::turnBack() {
-  const SewnMesh& mesh = solved();
-  std::vector<std::pair<int, int>> cut;
-  for (const ClothCrossing& crossing : crossingsOf(mesh, solver_->positions()))
-    cut.emplace_back(crossing.edge[0], crossing.edge[1]);
-  sortOnce(cut);
-  DisjointSets all(mesh.size), parts(mesh.size);
-  for (const auto& [a, b] : mesh.edges()) {
-    all.join(a, b);
-    if (!std::binary_search(cut.begin(), cut.end(), std::pair(std::min(a, b), std::max(a, b))))
-      parts.join(a, b);
-  }
-  const std::vector<int> whole = sizesOf(all, mesh.size), part = sizesOf(parts, mesh.size);
-  std::vector<char> crossed(mesh.size);
-  for (int i = 0; i < mesh.size; ++i) crossed[i] = 2 * part[parts.find(i)] < whole[all.find(i)];
-  contacts_->turn(crossed);
 }
 
 }  // namespace seamwise

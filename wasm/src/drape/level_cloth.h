@@ -36,8 +36,7 @@ class LevelCloth {
   void setWeight(bool on) { solver_->setWeight(on); }
   void setTouching(bool on) { contacts_->setTouching(on); }
   bool hasLayers() const { return contacts_->hasLayers(); }
-  /// Sends what passed through the cloth back: of two parts that cross, the smaller one.
-  void turnBack();
+  void untangle() { contacts_->untangle(); }
   int crossings() const;
 
   /// Of all vertices, m.

@@ -8,6 +8,7 @@
 #include "base/disjoint_sets.h"
 #include "base/in_quotes.h"
 #include "base/sort_by.h"
+#include "drape/placed_by_seams.h"
 #include "drape/turn.h"
 
 namespace seamwise {
@@ -55,8 +56,10 @@ class Hanger {
     const std::vector<char> legs = ofLegs();
     for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
       hanging_.parts.push_back(partOf(static_cast<int>(i), legs[i]));
-    lowerArms();
-    raiseHood();
+    if (!hanging_.by_seams) {
+      lowerArms();
+      raiseHood();
+    }
     for (std::size_t i = 0; i < pattern_.pieces.size(); ++i)
       hanging_.order.push_back(static_cast<int>(i));
     // In the end by height, then depth, then side.
@@ -84,10 +87,18 @@ class Hanger {
       for (int v : pattern_.pieces[i].outline)
         lowest = std::min(lowest, hanging_.placed[i](pattern_.pieces[i].rest[v]).y());
     }
-    if (same)
-      return Error{Failure::kNotAGarment,
-                   "The pieces hang nowhere: give the panels of the garment a 'translation' each, "
-                   "and align it again."};
+    if (same) {
+      Outcome<PlacedPieces> found = placedBySeams(garment_, pattern_, form_);
+      if (!found.ok()) return found.error();
+      hanging_.by_seams = true;
+      hanging_.held = found.value().held;
+      hanging_.placed = std::move(found.value().placed);
+      of_seams_ = std::move(found.value().parts);
+      // What fits a form to the garment moves it to the form's height by all of its placements.
+      const double lift = garment_.panels.front().placement_shift.y();
+      for (PlacedPiece& placed : hanging_.placed) placed.shift.y() += lift;
+      lowest = 0;
+    }
     for (std::size_t i = 0; i < garment_.panels.size(); ++i) {
       const Piece& piece = pattern_.pieces[i];
       if (lowest < kBelowFloor) hanging_.placed[i].shift.y() += kMiddleOverFloor;
@@ -155,6 +166,8 @@ class Hanger {
   BodyPart partOf(int i, bool leg) const {
     const bool left = hanging_.middles[i].x() > 0;
     if (leg) return left ? BodyPart::kLeftLeg : BodyPart::kRightLeg;
+    if (hanging_.by_seams && (only(of_seams_[i]) & (kArms | only(BodyPart::kTorso))))
+      return of_seams_[i];
     double lowest = 1e9, highest = -1e9, to_arm = 0, to_torso = 0;
     const BodyPart arm = left ? BodyPart::kLeftArm : BodyPart::kRightArm;
     const Piece& piece = pattern_.pieces[i];
@@ -209,6 +222,7 @@ class Hanger {
   const Pattern& pattern_;
   const Form& form_;
   Hanging hanging_;
+  std::vector<BodyPart> of_seams_;  ///< per piece, where seams place them
 };
 
 }  // namespace

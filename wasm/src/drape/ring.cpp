@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sort_by.h"
+#include "drape/tied_bands.h"
 #include "drape/turn.h"
 
 namespace seamwise {
@@ -13,12 +14,18 @@ namespace {
 constexpr double kEase = 1.06, kWavesFrom = 1.06, kWaveBase = 1, kSpiral = 1.05;
 // Rings follow each other smoothly over so many levels to either side. [cm]
 constexpr int kSmoothing = 3;
+// What is long above a hem: other rings are bands or tiers. [cm]
+constexpr int kAboveHem = 8;
+// So much lower than another a piece hangs where it matters. [cm]
+constexpr int kUneven = 2;
 // A band that goes around once lies on itself for the rest of its length. [1]
 constexpr double kLapped = 0.93;
 // A band that goes around more than once lies on itself by so much. [cm]
 constexpr double kTurnOffset = 0.6;
 // By so many layers more with each turn. [1]
 constexpr double kSpiralLayers = 4;
+// An end that is folded down lies on the band so far behind the fold. [cm]
+constexpr double kFoldOver = 1;
 
 double nearTurn(double degrees, double to) {
   return degrees - 360 * std::nearbyint((degrees - to) / 360);
@@ -36,17 +43,8 @@ double middleMean(std::vector<double> values) {
 
 }  // namespace
 
-Vec2 RingPiece::extent(double level) const {
-  const double l = std::clamp(level, bottom + 1e-6, top - 1e-6);
-  Vec2 out(1e9, -1e9);
-  const std::size_t n = outline->outline.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 &a = flat[outline->outline[i]], &b = flat[outline->outline[(i + 1) % n]];
-    if ((a.y() < l) == (b.y() < l)) continue;
-    const double across = a.x() + (l - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-    out = {std::min(out.x(), across), std::max(out.y(), across)};
-  }
-  return out;
+double Ring::girthOfTies(const Tube& tube, double level) {
+  return kSpiral * kEase * tube.section(level).girth();
 }
 
 Ring::Ring(const Tube& tube, const Pattern& pattern, std::vector<RingPiece> pieces, double fold)
@@ -59,39 +57,27 @@ Ring::Ring(const Tube& tube, const Pattern& pattern, std::vector<RingPiece> piec
     low = std::min(low, piece.bottom), high = std::max(high, piece.top);
   }
   sortBy(pieces_, [](const RingPiece& piece) { return piece.angle; });
-  findFlanks(pattern);
+  findFlanks(pattern, &pieces_);
+  findHems(pattern, &pieces_);
+  low = std::min(low, findTies(pattern));
   bottom_ = std::floor(low);
   for (int i = 0; levelOf(i) < high + 1; ++i) levels_.push_back(levelAt(levelOf(i)));
+  levelHem();
   smooth();
   for (std::size_t i = 0; i < levels_.size(); ++i) draw(levels_[i], levelOf(static_cast<int>(i)));
 }
 
-void Ring::findFlanks(const Pattern& pattern) {
-  std::vector<int> at(pattern.pieces.size(), -1);
-  for (std::size_t i = 0; i < pieces_.size(); ++i) at[pieces_[i].piece] = static_cast<int>(i);
-  const auto mark = [&](RingPiece& piece, const Vec2& a, const Vec2& b) {
-    const Vec2 middle = (a + b) / 2, extent = piece.extent(middle.y());
-    const bool left = middle.x() - extent.x() < extent.y() - middle.x();
-    // A dart lies within the piece.
-    if (std::min(middle.x() - extent.x(), extent.y() - middle.x()) > 0.6) return;
-    RingPiece::Flank& flank = left ? piece.left : piece.right;
-    flank.low = std::min({flank.low, a.y(), b.y()});
-    flank.high = std::max({flank.high, a.y(), b.y()});
-  };
-  const auto steep = [](const Vec2& a, const Vec2& b) {
-    return std::abs(a.y() - b.y()) > std::abs(a.x() - b.x());
-  };
-  for (const Seam& seam : pattern.seams) {
-    if (at[seam.a.piece] < 0 || at[seam.b.piece] < 0) continue;
-    RingPiece &a = pieces_[at[seam.a.piece]], &b = pieces_[at[seam.b.piece]];
-    for (std::size_t i = 0; i + 1 < seam.a.vertices.size(); ++i) {
-      const Vec2 &a0 = a.flat[seam.a.vertices[i]], &a1 = a.flat[seam.a.vertices[i + 1]];
-      const Vec2 &b0 = b.flat[seam.b.vertices[i]], &b1 = b.flat[seam.b.vertices[i + 1]];
-      if (!steep(a0, a1) || !steep(b0, b1)) continue;
-      mark(a, a0, a1);
-      mark(b, b0, b1);
-    }
+double Ring::findTies(const Pattern& pattern) {
+  double lowest = 1e9;
+  for (RingPiece& piece : pieces_) {
+    for (const Seam& seam : pattern.seams)
+      if (seam.a.piece == piece.piece && !piece.inRing())
+        piece.tied = std::max(piece.tied, tiedAt(seam, piece.flat));
+    const Vec2 extent = piece.extent((piece.bottom + piece.top) / 2);
+    if (piece.tied > 0)
+      lowest = std::min(lowest, piece.bottom + piece.tied - (extent.y() - extent.x()) / 2);
   }
+  return lowest;
 }
 
 Ring::Level Ring::levelAt(double level) const {
@@ -99,7 +85,7 @@ Ring::Level Ring::levelAt(double level) const {
   Level out;
   out.turn.resize(count), out.middle.resize(count), out.stretch.assign(count, 1);
   std::vector<double> centre(count, 0.0);
-  double width = 0, actual = 0, widest_open = 0;
+  double width = 0, actual = 0, widest_open = 0, around = 0;
   bool closed = true, any = false;
   for (std::size_t i = 0; i < count; ++i) {
     const RingPiece& piece = pieces_[i];
@@ -107,7 +93,10 @@ Ring::Level Ring::levelAt(double level) const {
     out.middle[i] = (here.x() + here.y()) / 2;
     if (!piece.reaches(level)) continue;
     if (!piece.inRing()) {
-      widest_open = std::max(widest_open, here.y() - here.x());
+      if (piece.tied > 0)
+        around = girthOfTies(tube_, level);
+      else
+        widest_open = std::max(widest_open, here.y() - here.x());
       continue;
     }
     // Past the seam a side goes straight on; an open side does where the other one does.
@@ -128,7 +117,7 @@ Ring::Level Ring::levelAt(double level) const {
   if (!any) {
     // Bands that are longer than 1.6 sections go around in a spiral.
     out.spiral = widest_open >= 1.6 * body;
-    out.girth = out.spiral ? kSpiral * body : std::max(body, kLapped * widest_open);
+    out.girth = out.spiral ? kSpiral * body : std::max({body, around, kLapped * widest_open});
     for (std::size_t i = 0; i < count; ++i) out.turn[i] = pieces_[i].angle;
     return out;
   }
@@ -156,6 +145,29 @@ Ring::Level Ring::levelAt(double level) const {
     if (here) out.stretch[i] = pieces_[i].isSewnAt(level) ? stretch : open_stretch;
   }
   return out;
+}
+
+// Below the hem of its shortest piece a ring goes on as it is there: of fronts and a back that
+// hangs lower, the back alone is no ring.
+void Ring::levelHem() {
+  const int count = static_cast<int>(levels_.size());
+  const auto reach = [&](int from, int to) {
+    return std::all_of(pieces_.begin(), pieces_.end(), [&](const RingPiece& piece) {
+      return !piece.inRing() || !piece.reaches(levelOf(from)) || piece.reaches(levelOf(to));
+    });
+  };
+  const auto begins = [&](int at) {
+    return std::any_of(pieces_.begin(), pieces_.end(), [&](const RingPiece& piece) {
+      return piece.inRing() && piece.hem && piece.reaches(levelOf(at)) &&
+             !piece.reaches(levelOf(at - 1));
+    });
+  };
+  int lowest = 0, hem = 0;
+  for (int i = 1; i + kAboveHem < count && reach(i - 1, i); ++i)
+    if (begins(i)) hem = i, lowest = lowest > 0 ? lowest : i;
+  // Of tiers, the lowest ones end soon.
+  if (hem - lowest >= kUneven && reach(hem, hem + kAboveHem))
+    std::fill_n(levels_.begin(), hem, levels_[hem]);
 }
 
 void Ring::smooth() {
@@ -259,26 +271,36 @@ Vec2 Ring::onLine(const Level& level, double arc) const {
 
 Vec3 Ring::position(int index, int vertex, double outward) const {
   const RingPiece& piece = pieces_[index];
-  const Vec2& p = piece.flat[vertex];
-  const int last = static_cast<int>(levels_.size()) - 1;
-  const int below = std::clamp(static_cast<int>(std::floor(p.y() - bottom_)), 0, last - 1);
-  const double share = std::clamp(p.y() - levelOf(below), 0.0, 1.0);
+  Vec2 p = piece.flat[vertex];
+  const double middle = levels_[below(p.y())].middle[index], side = p.x() < middle ? -1 : 1;
+  if (piece.tied > 0) p = piece.folded(p, middle);
+  const double tail = (piece.flat[vertex].y() - p.y()) / kFoldOver;
   const auto on = [&](const Level& level) -> Vec2 {
+    const double whole = level.arc.back(), front = level.turn[index] / 360 * whole;
+    const auto at = [&](double arc, double layers) -> Vec2 {
+      const double further = outward + kTurnOffset * layers;
+      return onLine(level, front + arc) * (1 + further * 2 * kPi / whole);
+    };
+    if (piece.tied > 0) {
+      // As wide as it is beside the knot; before that, as long as the ring is.
+      const double width = piece.top - piece.bottom, before = piece.tied - width;
+      const double out =
+          p.x() > before ? whole / 2 - (piece.tied - p.x()) : p.x() * (whole / 2 - width) / before;
+      return at(side * out, std::clamp(tail, 0.0, 1.0));
+    }
     const double ahead = (p.x() - level.middle[index]) * level.stretch[index];
-    const double arc = level.turn[index] / 360 * level.arc.back() + ahead;
-    const Vec2 at = onLine(level, arc);
-    const double turns = std::abs(ahead) / level.arc.back() - 0.5;
+    if (piece.inRing()) return at(ahead, 0);
+    const double turns = std::abs(ahead) / whole - 0.5;
     // Of a band that goes around once the right end lies on the left one.
     const double lap = ahead > 0 ? std::clamp(turns * 20 + 1, 0.0, 1.0) : 0;
     const double more = std::max(0.0, turns), next = std::min(more * 20, 1.0);
     // Both ends of a spiral cross each other twice a turn, at other layers each time.
-    const double layers = piece.inRing() ? 0
-                          : level.spiral ? lap + next + kSpiralLayers * more
-                                         : std::max(lap, std::min(more * 20, 1.0 + more));
-    const double further = outward + kTurnOffset * layers;
-    return Vec2(at * (1 + further * 2 * kPi / level.arc.back()));
+    return at(ahead, level.spiral ? lap + next + kSpiralLayers * more
+                                  : std::max(lap, std::min(more * 20, 1.0 + more)));
   };
-  const Vec2 q = on(levels_[below]) * (1 - share) + on(levels_[below + 1]) * share;
+  const int k = below(p.y());
+  const double share = std::clamp(p.y() - levelOf(k), 0.0, 1.0);
+  const Vec2 q = on(levels_[k]) * (1 - share) + on(levels_[k + 1]) * share;
   return tube_.axis().world({q.x(), q.y(), p.y()});
 }
 

@@ -7,6 +7,7 @@
 #include "drape/closed_bands.h"
 #include "drape/fitting_form.h"
 #include "drape/layers.h"
+#include "drape/tied_bands.h"
 #include "drape/turn.h"
 #include "drape/wrap.h"
 
@@ -40,6 +41,16 @@ Outcome<Measures> measuresFor(SolvedGarment* solved, const WearSettings& setting
     for (const MeasureName& known : kMeasureNames)
       if (known.name == measure.name) measures.*known.value = measure.cm;
   return measures;
+}
+
+/// Where all pieces are placed alike, the file says nothing of where they hang.
+void forgetCommonPlacement(Garment* garment) {
+  const Panel first = garment->panels.front();
+  for (const Panel& panel : garment->panels)
+    if (panel.placement_shift != first.placement_shift ||
+        panel.placement_turn != first.placement_turn)
+      return;
+  for (Panel& panel : garment->panels) panel.placement_shift = panel.placement_turn = Vec3::Zero();
 }
 
 template <class T>
@@ -127,6 +138,7 @@ WornGarment::WornGarment(SolvedGarment garment, Form form, Hanging hanging, Sewn
 Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
                                                         const WearSettings& settings) {
   if (const auto error = tooMuchCloth(garment.pattern)) return *error;
+  forgetCommonPlacement(&garment.garment);
   const Outcome<Measures> measures = measuresFor(&garment, settings);
   if (!measures.ok()) return measures.error();
   Outcome<Form> form = Form::make(measures.value());
@@ -138,6 +150,7 @@ Outcome<std::unique_ptr<WornGarment>> WornGarment::make(SolvedGarment garment,
   closeBands(&garment.pattern);
   Outcome<Hanging> hanging = hang(garment.garment, garment.pattern, form.value());
   if (!hanging.ok()) return hanging.error();
+  tieBands(hanging.value(), form.value(), &garment.pattern);
   Outcome<SewnLevels> levels =
       sewnLevels(garment.pattern, kCoarseCloth / kFineCloth * settings.edge, settings.edge);
   if (!levels.ok()) return levels.error();

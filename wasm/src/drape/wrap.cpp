@@ -19,6 +19,8 @@ constexpr double kLegBelow = -3, kTorsoAbove = 8;
 constexpr double kOwnHeight = 0.02;
 // A band is wider than the body by so much at least where it starts, and is lifted by no more. [cm]
 constexpr double kBandEase = 2.5, kMostLift = 8;
+// A strap lies so much further out than the neck. [1]
+constexpr double kStrapEase = 1.06;
 // Cosine of what legs of a body stand apart by at most.
 constexpr double kNearlyUpright = 0.9;
 // Hems of pieces end at different heights. [cm]
@@ -35,17 +37,20 @@ class Wrapper {
 
   PiecePositions run() {
     layOut();
+    findStraps();
     agreeOnHeights();
     liftToWaist();
     PiecePositions positions(pattern_.pieces.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
       positions[i].resize(pattern_.pieces[i].rest.size());
     windAll(&positions);
+    hangStraps(&positions);
     return positions;
   }
 
   std::vector<WornGirth> girths(BodyPart part) {
     layOut();
+    findStraps();
     agreeOnHeights();
     const std::optional<Ring> ring = ringOf(part);
     if (!ring) return {};
@@ -57,6 +62,7 @@ class Wrapper {
 
   std::optional<double> rise() {
     layOut();
+    findStraps();
     agreeOnHeights();
     double top = -1e9, crotch = 1e9;
     const auto height = [&](int piece, int v) {
@@ -107,6 +113,47 @@ class Wrapper {
     }
   }
 
+  // Straps lie behind the neck, and only their ends are sewn, to what hangs on the torso.
+  void findStraps() {
+    straps_.assign(pattern_.pieces.size(), false);
+    std::vector<char> sewn_along(straps_);
+    for (const Seam& seam : pattern_.seams)
+      for (const auto& [own, other] : {std::pair(&seam.a, &seam.b), {&seam.b, &seam.a}}) {
+        if (hanging_.parts[own->piece] != BodyPart::kNeck) continue;
+        const std::vector<Vec2>& flat = flat_[own->piece];
+        const Vec2 along = flat[own->vertices.back()] - flat[own->vertices.front()];
+        const bool end = std::abs(along.y()) > std::abs(along.x()) &&
+                         hanging_.parts[other->piece] == BodyPart::kTorso;
+        (end ? straps_ : sewn_along)[own->piece] = true;
+      }
+    for (std::size_t p = 0; p < straps_.size(); ++p) straps_[p] = straps_[p] && !sewn_along[p];
+  }
+
+  // How far from its middle a strap leaves the neck, at its sides. [cm]
+  double strapOver() const {
+    return kStrapEase * form_.tube(BodyPart::kNeck).section(0).girth() / 4;
+  }
+
+  // From the sides of the neck straight to where the ends are sewn.
+  void hangStraps(PiecePositions* positions) const {
+    for (const Seam& seam : pattern_.seams)
+      for (const auto& [own, other] : {std::pair(&seam.a, &seam.b), {&seam.b, &seam.a}}) {
+        if (!straps_[own->piece]) continue;
+        const std::vector<Vec2>& flat = flat_[own->piece];
+        const Vec2 first = flat[own->vertices.front()], last = flat[own->vertices.back()];
+        const Vec3 &at_first = (*positions)[other->piece][other->vertices.front()],
+                   &at_last = (*positions)[other->piece][other->vertices.back()];
+        const double end = (first.x() + last.x()) / 2, side = end < 0 ? -1 : 1, over = strapOver();
+        for (std::size_t v = 0; v < flat.size(); ++v) {
+          const double share = (side * flat[v].x() - over) / (side * end - over);
+          if (!(share > 0 && side * end > over)) continue;
+          const double across = (flat[v].y() - first.y()) / (last.y() - first.y());
+          Vec3& at = (*positions)[own->piece][v];
+          at = at * (1 - share) + (at_first * (1 - across) + at_last * across) * share;
+        }
+      }
+  }
+
   // Moves pieces along their axes until both sides of seams are about equally high: files hang
   // bands, collars and cuffs at a distance. Gauss-Seidel.
   void agreeOnHeights() {
@@ -120,6 +167,7 @@ class Wrapper {
       const int a = seam.a.piece, b = seam.b.piece;
       const BodyPart on_a = hanging_.parts[a], on_b = hanging_.parts[b];
       if (a == b || ((isArm(on_a) || isArm(on_b)) && on_a != on_b)) continue;
+      if (straps_[a] || straps_[b]) continue;
       double sum = 0;
       for (std::size_t i = 0; i < seam.a.vertices.size(); ++i)
         sum += (flat_[a][seam.a.vertices[i]].y() + base(on_a)) -
@@ -174,7 +222,10 @@ class Wrapper {
       piece.piece = i;
       piece.outline = &pattern_.pieces[i];
       piece.flat = flat_[i];
-      for (Vec2& p : piece.flat) p.y() += base(own) - base(part);
+      for (Vec2& p : piece.flat) {
+        p.y() += base(own) - base(part);
+        if (straps_[i]) p.x() = std::clamp(p.x(), -strapOver(), strapOver());
+      }
       const Vec3 middle = tube.axis().local(hanging_.middles[i]);
       piece.angle = degreesBetween(middle.y() - tube.section(middle.z()).middle, middle.x());
       pieces.push_back(std::move(piece));
@@ -218,6 +269,7 @@ class Wrapper {
   const std::vector<char>& on_top_;  ///< per piece: lies on another one
   const WrapSettings& settings_;
   std::vector<std::vector<Vec2>> flat_;  ///< per piece, per vertex: across, level
+  std::vector<char> straps_;             ///< per piece
 };
 
 }  // namespace

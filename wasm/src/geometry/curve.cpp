@@ -23,6 +23,13 @@ constexpr int kTurningSamples = 8;
 
 }  // namespace
 
+Curve::Curve() = default;
+Curve::Curve(const Curve& other) = default;
+Curve::Curve(Curve&& other) noexcept = default;
+Curve& Curve::operator=(const Curve& other) = default;
+Curve& Curve::operator=(Curve&& other) noexcept = default;
+Curve::~Curve() = default;
+
 Curve Curve::line(const Vec2& a, const Vec2& b) {
   Curve c;
   c.p_[0] = a;
@@ -73,9 +80,19 @@ Curve Curve::arc(const Vec2& a, const Vec2& b, double radius, bool large, bool s
   return c;
 }
 
+std::pair<const Curve*, double> Curve::cubicAt(double t) const {
+  const double x = t * static_cast<double>(cubics_.size());
+  const std::size_t k = std::min(static_cast<std::size_t>(std::max(x, 0.0)), cubics_.size() - 1);
+  return {&cubics_[k], x - static_cast<double>(k)};
+}
+
 Vec2 Curve::at(double t) const {
   if (t <= 0) return p_[0];
   if (t >= 1) return p_[3];
+  if (kind_ == Kind::kPath) {
+    const auto [cubic, own] = cubicAt(t);
+    return cubic->at(own);
+  }
   const double u = 1 - t;
   switch (kind_) {
     case Kind::kLine:
@@ -84,7 +101,7 @@ Vec2 Curve::at(double t) const {
       return u * u * p_[0] + 2 * u * t * p_[1] + t * t * p_[3];
     case Kind::kCubic:
       return u * u * u * p_[0] + 3 * u * u * t * p_[1] + 3 * u * t * t * p_[2] + t * t * t * p_[3];
-    case Kind::kArc:
+    default:
       break;
   }
   return p_[1] + radius_ * unit(angle0_ + t * sweep_);
@@ -105,6 +122,10 @@ void Curve::setSlope() {
 Vec2 Curve::derivative(double t) const {
   if (kind_ == Kind::kLine) return p_[3] - p_[0];
   if (kind_ == Kind::kArc) return radius_ * sweep_ * perp(unit(angle0_ + t * sweep_));
+  if (kind_ == Kind::kPath) {
+    const auto [cubic, own] = cubicAt(t);
+    return static_cast<double>(cubics_.size()) * cubic->derivative(own);
+  }
   return slope_[0] + t * (slope_[1] + t * slope_[2]);
 }
 
@@ -144,6 +165,11 @@ double Curve::parameterAt(double s) const {
   double low = from.t, high = to.t;
   const double span = to.s - from.s, width = to.t - from.t;
   if (span <= 0) return low;
+  if (kind_ == Kind::kPath) {
+    const auto k = next - marks_.begin() - 1;
+    const double own = cubics_[k].parameterAt((target - from.s) / span);
+    return (static_cast<double>(k) + own) / static_cast<double>(cubics_.size());
+  }
   // First guess: the cubic t(s) with the true values and slopes dt/ds = 1 / speed at both marks.
   const double x = (target - from.s) / span;
   const double v0 = derivative(from.t).norm(), v1 = derivative(to.t).norm();
@@ -173,6 +199,7 @@ Vec2 Curve::atFraction(double s) const { return at(parameterAt(s)); }
 double Curve::turning(double s0, double s1) const {
   if (kind_ == Kind::kLine) return 0;
   if (kind_ == Kind::kArc) return std::abs(sweep_) * (s1 - s0);
+  if (kind_ == Kind::kPath) return turningOfPath(s0 * length_, s1 * length_);
   const double t0 = parameterAt(s0), t1 = parameterAt(s1);
   double total = 0;
   Vec2 last = Vec2::Zero();
@@ -186,6 +213,14 @@ double Curve::turning(double s0, double s1) const {
 }
 
 Polyline Curve::flattened(double tolerance) const {
+  if (kind_ == Kind::kPath) {
+    Polyline line{start()};
+    for (const Curve& cubic : cubics_) {
+      const Polyline part = cubic.flattened(tolerance);
+      for (std::size_t k = 1; k < part.size(); ++k) line.push_back(part[k]);
+    }
+    return line;
+  }
   // A chord over a parameter step h leaves the curve by at most h^2 / 8 max|p''|.
   double bend = 0;
   if (kind_ == Kind::kQuadratic) bend = 2 * (p_[0] - 2 * p_[1] + p_[3]).norm();
@@ -202,6 +237,7 @@ Polyline Curve::flattened(double tolerance) const {
 Curve Curve::transformed(const RigidMotion& motion) const {
   Curve c = *this;
   for (Vec2& p : c.p_) p = motion(p);
+  for (Curve& cubic : c.cubics_) cubic = cubic.transformed(motion);
   c.setSlope();
   if (kind_ == Kind::kArc) {
     const Vec2 from = c.p_[0] - c.p_[1];
@@ -224,11 +260,18 @@ Curve Curve::reversed() const {
   }
   std::reverse(c.marks_.begin(), c.marks_.end());
   for (Mark& m : c.marks_) m = {1 - m.t, length_ - m.s};
+  const std::size_t n = cubics_.size();
+  for (std::size_t k = 0; k < n; ++k) c.cubics_[k] = cubics_[n - 1 - k].reversed();
   return c;
 }
 
 std::vector<Vec2> Curve::points() const {
   std::vector<Vec2> points{start()};
+  if (kind_ == Kind::kPath) {
+    for (const Curve& c : cubics_)
+      for (const int k : {1, 2, 3}) points.push_back(c.p_[k]);
+    return points;
+  }
   if (kind_ == Kind::kQuadratic || kind_ == Kind::kCubic) points.push_back(p_[1]);
   if (kind_ == Kind::kCubic) points.push_back(p_[2]);
   points.push_back(end());

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geometry/rigid_motion.h"
@@ -7,15 +9,26 @@
 
 namespace seamwise {
 
-/// One outline edge: a straight line, a Bezier curve of degree 2 or 3, or a circular arc. [cm]
+/// One outline edge: a straight line, a Bezier curve of degree 2 or 3, a circular arc, or a path: a
+/// chain of cubics that is measured as one curve. [cm]
 class Curve {
  public:
+  // Not inline: curves are copied in many places, and chains of them take room in each.
+  Curve();
+  Curve(const Curve& other);
+  Curve(Curve&& other) noexcept;
+  Curve& operator=(const Curve& other);
+  Curve& operator=(Curve&& other) noexcept;
+  ~Curve();
+
   static Curve line(const Vec2& a, const Vec2& b);
   static Curve quadratic(const Vec2& a, const Vec2& control, const Vec2& b);
   static Curve cubic(const Vec2& a, const Vec2& c1, const Vec2& c2, const Vec2& b);
   /// Arc from a to b with SVG semantics in y-up coordinates (sweep: counter-clockwise). A radius
   /// smaller than half the chord is enlarged to it, as SVG does; radius 0 gives the straight line.
   static Curve arc(const Vec2& a, const Vec2& b, double radius, bool large, bool sweep);
+  /// Cubics from end to start, by 3 n + 1 points as points() gives them, n >= 1.
+  static Curve path(const std::vector<Vec2>& points);
 
   Vec2 start() const { return p_[0]; }
   Vec2 end() const { return p_[3]; }
@@ -31,23 +44,31 @@ class Curve {
   /// mirrored point at s or 1 - s, to 1e-9 cm.
   Vec2 atFraction(double s) const;
   /// How far the tangent turns between two fractions of the arc length, bends to either side added
-  /// up (sampled: exact for lines and arcs). [rad]
+  /// up, and the corners between them (sampled: exact for lines and arcs). [rad]
   double turning(double s0, double s1) const;
   /// Points that leave the true curve by at most `tolerance` cm; first and last are the ends
   /// exactly.
   Polyline flattened(double tolerance) const;
+  /// Where a path turns too sharply for a bend, as fractions of the arc length, ascending. Of those
+  /// that lie close to each other the sharpest, the same ones of a mirrored or reversed path.
+  std::vector<double> corners() const;
+  /// How many even steps along it see its shape: `least` of a single curve, more on a long path.
+  int stepsAlong(int least) const;
   Curve transformed(const RigidMotion& motion) const;
   Curve reversed() const;
   bool straight() const { return kind_ == Kind::kLine; }
   bool circular() const { return kind_ == Kind::kArc; }
-  /// Its ends, with a Bezier curve's control points between them: 2 of a line or an arc, 3, or 4.
+  /// Of a path, else 0.
+  std::size_t cubics() const { return cubics_.size(); }
+  /// Its ends, with a Bezier curve's control points between them: 2 of a line or an arc, 3, or 4;
+  /// of a path those of all cubics, where they meet once.
   std::vector<Vec2> points() const;
   double radius() const { return radius_; }  ///< of an arc [cm]
   double sweep() const { return sweep_; }    ///< of an arc, positive counter-clockwise [rad]
   bool operator==(const Curve&) const = default;
 
  private:
-  enum class Kind : std::uint8_t { kLine, kQuadratic, kCubic, kArc };
+  enum class Kind : std::uint8_t { kLine, kQuadratic, kCubic, kArc, kPath };
   /// Up to parameter t the curve is s cm long. Between two marks one Gauss rule is exact enough.
   struct Mark {
     double t, s;
@@ -59,6 +80,12 @@ class Curve {
   /// Length of a Bezier curve between two parameters.
   double gaussLength(double t0, double t1) const;
   void measure(double t0, double t1, double length, int depth);
+  /// The cubic of a path that holds a parameter, and its own parameter there.
+  std::pair<const Curve*, double> cubicAt(double t) const;
+  double turningOfPath(double from, double to) const;
+  /// The direction in which a cubic starts or arrives, though its speed may be 0 there.
+  Vec2 startDirection() const;
+  Vec2 endDirection() const;
 
   Kind kind_ = Kind::kLine;
   Vec2 p_[4] = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
@@ -68,7 +95,8 @@ class Curve {
   double radius_ = 0, angle0_ = 0,
          sweep_ = 0;  ///< kArc: p(t) = centre + r (cos, sin)(a0 + t sweep)
   double length_ = 0;
-  std::vector<Mark> marks_;  ///< Bezier curves only
+  std::vector<Mark> marks_;    ///< Bezier curves; of a path, where its cubics meet
+  std::vector<Curve> cubics_;  ///< kPath
 };
 
 }  // namespace seamwise

@@ -67,18 +67,31 @@ void copyOthers(JsonWriter& out, const JsonValue& object, std::string_view liste
   if (any) out.close();
 }
 
-void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue& edges) {
+/// @param cm   per unit of the file
+void writeAllowance(JsonWriter& out, const JsonValue& allowance, double cm) {
+  if (!allowance) return;
+  out.key("allowance");
+  out.openObject();
+  out.field("width", cm * (allowance.isNumber() ? allowance : allowance.find("width")).number());
+  copyMembers(out, allowance, "corner");
+  out.close();
+}
+
+void writeLoop(JsonWriter& out, const std::vector<Curve>& loop, const JsonValue& edges, double cm) {
   out.openList();
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const Curve& curve = loop[k];
+    const JsonValue edge = edges[k];
     out.openObject();
     out.field("points", curve.points());
     if (curve.circular()) {
       out.field("radius", curve.radius());
       out.field("sweep", curve.sweep());
     }
-    copyMembers(out, edges[k], "label", Copied::kTexts);
-    copyOthers(out, edges[k], "endpoints curvature label");
+    copyMembers(out, edge, "label", Copied::kTexts);
+    writeAllowance(out, edge.find("allowance"), cm);
+    if (edge.find("open").isTrue()) out.field("open", true);
+    copyOthers(out, edge, "endpoints curvature label allowance open");
     out.close();
   }
   out.close();
@@ -122,16 +135,16 @@ void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, doub
   out.field("name", panel.name);
   out.field("mirroredFromInput", panel.mirrored_from_input);
   out.key("outline");
-  writeLoop(out, panel.edges, json.find("edges"));
+  writeLoop(out, panel.edges, json.find("edges"), cm);
   out.key("holes");
   out.openList();
-  for (const std::vector<Curve>& hole : panel.holes) writeLoop(out, hole, {});
+  for (const std::vector<Curve>& hole : panel.holes) writeLoop(out, hole, {}, cm);
   out.close();
   out.key("internalLines");
   out.openList();
   for (const JsonValue& line : json.find("internalLines").items()) putLine(out, line, frame);
   out.close();
-  for (const char* name : {"cutLine", "sewLine"})
+  for (const char* name : {"cutLine", "sewLine", "drillHoles"})
     if (const JsonValue line = json.find(name)) {
       out.key(name);
       putLine(out, line, frame);
@@ -141,8 +154,8 @@ void writePiece(JsonWriter& out, const JsonValue& json, const Panel& panel, doub
   copyMembers(out, json, "notches quantity size material");
   copyMembers(out, json, "label", Copied::kTexts);
   copyOthers(out, json,
-             "vertices edges holes internalLines cutLine sewLine grain translation rotation "
-             "notches label quantity size material");
+             "vertices edges holes internalLines cutLine sewLine drillHoles grain translation "
+             "rotation notches label quantity size material");
   out.close();
 }
 
@@ -161,7 +174,8 @@ void writeSeam(JsonWriter& out, const Stitch& stitch, const JsonValue& described
   out.field("weight", stitch.weight);
   out.field("matched", stitch.matched);
   copyMembers(out, described, "name lengthRatio");
-  copyOthers(out, described, "stitch weight matched direction name lengthRatio");
+  if (described.find("suggested").isTrue()) out.field("suggested", true);
+  copyOthers(out, described, "stitch weight matched direction name lengthRatio suggested");
   out.close();
 }
 

@@ -8,6 +8,8 @@
 namespace seamwise {
 namespace {
 
+constexpr double kWidestAllowanceCm = 20;
+
 void readGrain(const JsonValue& json, const PanelUnits& units, const Place& outer, Panel* panel) {
   const Place place = outer.in("grain");
   object(json, place, "grain");
@@ -28,11 +30,11 @@ void readGrain(const JsonValue& json, const PanelUnits& units, const Place& oute
 }
 
 void readHoles(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
-               const Place& place, Panel* panel) {
+               const Place& place, Panel* panel, std::size_t cubics) {
   for (const JsonValue& item : array(json, place, "'holes'")) {
     const std::size_t h = panel->holes.size();
     const Place here = numbered(place, "hole", h);
-    std::vector<Curve> loop = readLoop(item, vertices, units, here);
+    std::vector<Curve> loop = readLoop(item, vertices, units, here, &cubics);
     if (here.failed()) return;
     checkOutline(loop, here);
     if (here.failed()) return;
@@ -60,7 +62,32 @@ void checkNotches(const JsonValue& json, const Place& place, std::size_t edges) 
   }
 }
 
+void checkAllowance(const JsonValue& json, const PanelUnits& units, const Place& place) {
+  const JsonValue width = json.isObject() ? need(json, "width", place) : json;
+  const double cm = units.cm * number(width, place, "the width of 'allowance'", 1e300);
+  if (!(cm >= 0 && cm <= kWidestAllowanceCm))
+    place.fail(place.number,
+               "has an 'allowance' of " + shown(cm) + " cm; write a width from 0 to 20 cm");
+  const JsonValue corner = json.find("corner");
+  if (!corner) return;
+  const std::string word = text(corner, place, "'corner'");
+  if (word != "miter" && word != "mirror" && word != "square")
+    place.fail(place.shape, "has an 'allowance' with the unknown corner " + inQuotes(word) +
+                                "; write miter, mirror or square");
+}
+
+void checkDrillHoles(const JsonValue& json, const PanelUnits& units, const Place& place) {
+  std::size_t n = 0;
+  for (const JsonValue& item : array(json, place, "'drillHoles'"))
+    point(item, numbered(place, "drill hole", n++), "its place", units.cm);
+}
+
 }  // namespace
+
+void checkEdgeExtras(const JsonValue& edge, const PanelUnits& units, const Place& place) {
+  if (const JsonValue allowance = edge.find("allowance")) checkAllowance(allowance, units, place);
+  if (const JsonValue open = edge.find("open")) boolean(open, place, "'open'");
+}
 
 GrainLock readGrainLock(const JsonValue& json, const Place& place) {
   const std::string lock = text(json, place, "grain lock");
@@ -79,9 +106,10 @@ double readGrainTolerance(const JsonValue& json, const Place& place) {
 }
 
 void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const PanelUnits& units,
-                const Place& place, Panel* panel) {
+                const Place& place, Panel* panel, std::size_t cubics) {
   if (const JsonValue grain = json.find("grain")) readGrain(grain, units, place, panel);
-  if (const JsonValue holes = json.find("holes")) readHoles(holes, vertices, units, place, panel);
+  if (const JsonValue holes = json.find("holes"))
+    readHoles(holes, vertices, units, place, panel, cubics);
   for (const char* key : {"cutLine", "sewLine"})
     if (const JsonValue line = json.find(key)) polyline(line, place, inQuotes(key), units.cm);
   if (const JsonValue lines = json.find("internalLines")) {
@@ -89,6 +117,7 @@ void readExtras(const JsonValue& json, const std::vector<Vec2>& vertices, const 
     for (const JsonValue& line : array(lines, place, "'internalLines'"))
       polyline(line, numbered(place, "internal line", n++), "its points", units.cm);
   }
+  if (const JsonValue drills = json.find("drillHoles")) checkDrillHoles(drills, units, place);
   if (const JsonValue notches = json.find("notches"))
     checkNotches(notches, place, panel->edges.size());
   if (const JsonValue quantity = json.find("quantity"))

@@ -13,6 +13,7 @@ namespace {
 constexpr double kShortestEdgeCm = 1e-3;
 constexpr double kLargestRadiusCm = 1e7;
 constexpr std::size_t kMaxEdges = 10'000;
+constexpr std::size_t kMaxCubics = 2'000, kMaxCubicsOfPanel = 10'000;
 
 const RigidMotion kTurnOver{0.0, Vec2::Zero(), true};  // (x, y) -> (-x, y)
 
@@ -59,6 +60,29 @@ Curve readArc(const JsonValue& params, const Place& place, const PanelUnits& uni
   return Curve::arc(a, b, radius, flag(params[1], "'large arc'"), flag(params[2], "'right'"));
 }
 
+/// Cubics of two control points and the point where they end, which the last one has not.
+template <class Control>
+Curve readPath(const JsonValue& params, const Place& place, const Vec2& a, const Vec2& b,
+               const Control& control) {
+  const std::vector<JsonValue> cubics = params.items();
+  if (cubics.size() > kMaxCubics)
+    return place.fail(Failure::kTooLarge, "has a path of " + decimal(cubics.size()) +
+                                              " cubics; draw it with at most " +
+                                              decimal(kMaxCubics));
+  std::vector<Vec2> points{a};
+  bool is_path = !cubics.empty();
+  for (const JsonValue& cubic : cubics) {
+    const bool is_last = points.size() == 3 * cubics.size() - 2;
+    is_path &= cubic.size() == (is_last ? 2 : 3);
+    for (const JsonValue& point : cubic.items()) points.push_back(control(point));
+  }
+  points.push_back(b);
+  if (!is_path)
+    return place.fail(Failure::kCurvature,
+                      "has a malformed path; write its cubics as [[c1, c2, point], ..., [c1, c2]]");
+  return points.size() == 4 ? Curve::cubic(a, points[1], points[2], b) : Curve::path(points);
+}
+
 Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& units, const Vec2& a,
                 const Vec2& b) {
   const JsonValue curvature = edge.find("curvature");
@@ -89,8 +113,9 @@ Curve readCurve(const JsonValue& edge, const Place& place, const PanelUnits& uni
     expect(3, "circle arc");
     return readArc(params, place, units, a, b);
   }
+  if (name == "path") return readPath(params, place, a, b, control);
   return place.fail(Failure::kCurvature, "has a curvature of unknown type " + inQuotes(name) +
-                                             "; known are quadratic, cubic, circle");
+                                             "; known are quadratic, cubic, circle, path");
 }
 
 Vec3 readTriple(const JsonValue& panel, const char* key, const Place& place, double scale) {
@@ -108,7 +133,7 @@ Vec3 readTriple(const JsonValue& panel, const char* key, const Place& place, dou
 }  // namespace
 
 std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vertices,
-                            const PanelUnits& units, const Place& place) {
+                            const PanelUnits& units, const Place& place, std::size_t* cubics) {
   const std::vector<JsonValue> edges = array(json, place, "'edges'");
   if (edges.size() < 2)
     return place.fail(Failure::kOutlineOpen,
@@ -139,6 +164,11 @@ std::vector<Curve> readLoop(const JsonValue& json, const std::vector<Vec2>& vert
     if (curve.length() < kShortestEdgeCm)
       here.fail(Failure::kEdgeZeroLength,
                 "is shorter than 0.001 cm; remove it or move its ends apart");
+    checkEdgeExtras(edges[k], units, here);
+    *cubics += curve.cubics();
+    if (*cubics > kMaxCubicsOfPanel)
+      place.fail(Failure::kTooLarge, "has paths of more than " + decimal(kMaxCubicsOfPanel) +
+                                         " cubics in all; draw them with fewer");
     if (place.failed()) return {};
     loop.push_back(curve);
   }
@@ -155,7 +185,8 @@ Panel readPanel(const std::string& name, const JsonValue& json, const PanelUnits
 
   Panel panel;
   panel.name = name;
-  panel.edges = readLoop(need(json, "edges", place), vertices, units, place);
+  std::size_t cubics = 0;
+  panel.edges = readLoop(need(json, "edges", place), vertices, units, place, &cubics);
   if (place.failed()) return panel;
   checkOutline(panel.edges, place);
   if (place.failed()) return panel;
@@ -164,7 +195,7 @@ Panel readPanel(const std::string& name, const JsonValue& json, const PanelUnits
     for (Curve& edge : panel.edges) edge = edge.transformed(kTurnOver);
   panel.placement_shift = readTriple(json, "translation", place, units.cm);
   panel.placement_turn = readTriple(json, "rotation", place, kPi / 180);
-  readExtras(json, vertices, units, place, &panel);
+  readExtras(json, vertices, units, place, &panel, cubics);
   return panel;
 }
 

@@ -90,6 +90,8 @@ void readSeams(const JsonValue& seams, const Place& outer, Garment* garment,
                  "describes stitch " + decimal(n) + " a second time; remove one entry");
     Stitch& stitch = garment->stitches[static_cast<std::size_t>(n)];
     if (const JsonValue name = seam.find("name")) text(name, place, "'name'");
+    if (const JsonValue suggested = seam.find("suggested"))
+      boolean(suggested, place, "'suggested'");
     if (const JsonValue weight = seam.find("weight")) {
       stitch.weight = number(weight, place, "'weight'", 1e6);
       if (stitch.weight < 0) place.fail(Failure::kNumber, "has a negative weight; write 0 or more");

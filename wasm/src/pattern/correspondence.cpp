@@ -19,8 +19,8 @@ std::vector<double> cornersBetween(const Loop& loop, double from, double to) {
   std::vector<double> found;
   const double turn = loop.length();
   for (double offset = std::floor(from / turn) * turn; offset < to; offset += turn)
-    for (int k = 0; k < loop.edges(); ++k) {
-      const double p = loop.corner(k) + offset;
+    for (const double corner : loop.corners()) {
+      const double p = corner + offset;
       if (p > from + 1e-9 && p < to - 1e-9) found.push_back(p);
     }
   return found;
@@ -29,12 +29,12 @@ std::vector<double> cornersBetween(const Loop& loop, double from, double to) {
 /// Greatest distance from corners and edge middles of `a`, mapped, to loop `b`.
 double deviation(const Loop& a, const Loop& b, const RigidMotion& map) {
   double worst = 0;
-  for (int k = 0; k < a.edges(); ++k) {
-    for (const double p : {a.corner(k), (a.corner(k) + a.corner(k + 1)) / 2}) {
-      const Vec2 image = map(a.at(p));
-      worst = std::max(worst, (b.at(b.nearest(image, 0, b.length())) - image).norm());
-    }
-  }
+  const auto measure = [&](double p) {
+    const Vec2 image = map(a.at(p));
+    worst = std::max(worst, (b.at(b.nearest(image, 0, b.length())) - image).norm());
+  };
+  for (const double p : a.corners()) measure(p);
+  for (int k = 0; k < a.edges(); ++k) measure((a.corner(k) + a.corner(k + 1)) / 2);
   return worst;
 }
 
@@ -115,13 +115,13 @@ std::vector<double> axisCrossings(const Loop& a, const RigidMotion& map, double 
   const auto side = [&](const Vec2& p) { return normal.dot(p - map(p)) / 2; };
   std::vector<double> found;
   // Corners that are their own image.
-  for (int k = 0; k < a.edges(); ++k) {
-    const Vec2 image = map(a.at(a.corner(k)));
-    const double own = (image - a.at(a.corner(k))).norm();
+  for (const double corner : a.corners()) {
+    const Vec2 image = map(a.at(corner));
+    const double own = (image - a.at(corner)).norm();
     bool nearest = own <= tolerance;
-    for (int j = 0; j < a.edges() && nearest; ++j)
-      if (j != k && (image - a.at(a.corner(j))).norm() < own) nearest = false;
-    if (nearest) found.push_back(a.corner(k));
+    for (std::size_t j = 0; j < a.corners().size() && nearest; ++j)
+      if ((image - a.at(a.corners()[j])).norm() < own) nearest = false;
+    if (nearest) found.push_back(corner);
   }
   const std::size_t corners = found.size();
   const auto taken = [&](double p) {

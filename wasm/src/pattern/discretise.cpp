@@ -199,7 +199,7 @@ Outcome<Pattern> discretise(const Garment& garment, const std::vector<BodySymmet
   std::size_t corners = 0;
   double length = 0;
   for (const PanelLoop& l : outlines.loops) {
-    corners += l.loop.edges();
+    corners += l.loop.corners().size();
     length += l.loop.length();
   }
   const std::size_t few = kFewPerCorner * corners;

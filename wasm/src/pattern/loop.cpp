@@ -8,12 +8,15 @@ namespace seamwise {
 namespace {
 
 constexpr int kCurveSteps = 16;
+constexpr double kAtCorner = 1e-9;  // cm
 
 }  // namespace
 
 Loop::Loop(const std::vector<Curve>* edges) : edges_(edges), corner_{0} {
   for (const Curve& c : *edges) {
-    const int steps = c.straight() ? 1 : kCurveSteps;
+    const int steps = c.straight() ? 1 : c.stepsAlong(kCurveSteps);
+    corners_.push_back(corner_.back());
+    for (const double s : c.corners()) corners_.push_back(corner_.back() + s * c.length());
     for (int k = 0; k < steps; ++k) {
       const double s = static_cast<double>(k) / steps;
       samples_.push_back({corner_.back() + s * c.length(), c.atFraction(s)});
@@ -38,6 +41,11 @@ double Loop::turned(double position) const {
 int Loop::edgeAt(double position) const {
   const auto next = std::upper_bound(corner_.begin() + 1, corner_.end() - 1, wrapped(position));
   return static_cast<int>(next - corner_.begin()) - 1;
+}
+
+bool Loop::isCorner(double position) const {
+  const double p = wrapped(position);
+  return p - *(std::upper_bound(corners_.begin() + 1, corners_.end(), p) - 1) <= kAtCorner;
 }
 
 Vec2 Loop::at(double position) const {

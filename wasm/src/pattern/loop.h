@@ -23,14 +23,17 @@ class Loop {
   }
   /// The edge that holds a position (the later one at a corner).
   int edgeAt(double position) const;
+  /// Where there has to be a vertex, ascending: where edges start, and at corners within paths.
+  const std::vector<double>& corners() const { return corners_; }
+  bool isCorner(double position) const;
   Vec2 at(double position) const;
   /// The position in [from, to], from <= to <= from + length(), that lies nearest to p.
   double nearest(const Vec2& p, double from, double to) const;
   /// Centre of the bounding box.
   Vec2 middle() const;
 
-  /// Points along the loop: the ends of straight edges, 16 steps on curves; the first comes again
-  /// last.
+  /// Points along the loop: the ends of straight edges, 16 steps on curves, more on long paths; the
+  /// first comes again last.
   struct Sample {
     double position;
     Vec2 point;
@@ -41,7 +44,8 @@ class Loop {
   double turned(double position) const;
 
   const std::vector<Curve>* edges_;
-  std::vector<double> corner_;
+  std::vector<double> corner_;   ///< starts of edges
+  std::vector<double> corners_;  ///< those, and the corners within paths
   std::vector<Sample> samples_;
 };
 

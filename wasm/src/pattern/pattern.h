@@ -83,6 +83,14 @@ void forSewnEdges(const Pattern& pattern, const Use& use) {
             other->piece);
 }
 
+/// Per piece and outline position k, whether the edge that starts there is sewn.
+inline std::vector<std::vector<char>> sewnEdges(const Pattern& pattern) {
+  std::vector<std::vector<char>> sewn;
+  for (const Piece& piece : pattern.pieces) sewn.emplace_back(piece.outline.size(), 0);
+  forSewnEdges(pattern, [&](int piece, int k, int) { sewn[piece][k] = 1; });
+  return sewn;
+}
+
 /// Where the vertices of the pieces are: per piece, per vertex, cm.
 using Shapes = std::vector<std::vector<Vec2>>;
 

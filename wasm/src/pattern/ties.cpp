@@ -9,15 +9,18 @@ namespace {
 constexpr double kSame = 1e-9;     // cm
 constexpr double kApart = 1e-3;    // cm; different nodes keep this distance where they can
 constexpr double kSettled = 1e-6;  // cm
+constexpr double kWithin = 0.25;   // cm; corners within paths are one in spite of so much ease
 constexpr int kMostSweeps = 150;   // where symmetries contradict each other, nodes creep for ever
 
 }  // namespace
 
 TiedNodes::TiedNodes(const Outlines& outlines)
     : outlines_(&outlines), order_(outlines.loops.size()), ties_of_(outlines.loops.size()) {
-  for (std::size_t l = 0; l < outlines.loops.size(); ++l)
-    for (int k = 0; k < loopOf(static_cast<int>(l)).edges(); ++k)
-      add(static_cast<int>(l), loopOf(static_cast<int>(l)).corner(k), true);
+  for (int l = 0; l < static_cast<int>(outlines.loops.size()); ++l) {
+    const Loop& loop = loopOf(l);
+    for (const double p : loop.corners())
+      nodes_[add(l, p, true)].within = p != loop.corner(loop.edgeAt(p));
+  }
   for (const Stitch& s : outlines.stitches) addSeam(s);
   for (const LoopTie& t : outlines.ties) addMirror(t);
   for (std::size_t t = 0; t < ties_.size(); ++t)
@@ -37,7 +40,7 @@ int TiedNodes::add(int loop, double position, bool pinned) {
     }
   if (!order.empty() && loopOf(loop).length() - p <= kSame) return order.front();
   const int node = static_cast<int>(nodes_.size());
-  nodes_.push_back({loop, p, pinned});
+  nodes_.push_back({loop, p, pinned, false});
   order.insert(next, node);
   open_.push_back(node);
   return node;
@@ -163,6 +166,10 @@ void TiedNodes::place(Tie& tie, int side, int node, double tolerance, const doub
   const double reach =
       tolerance * (tie.mirror ? 1 : other.length / std::max(own.length, other.length));
   int found = nearestTo(other, x, reach, b);
+  if (found < 0) {
+    const int near = nearestTo(other, x, kWithin, b);
+    if (near >= 0 && (nodes_[node].within || nodes_[near].within)) found = near;
+  }
   if (found < 0) found = add(other.loop, other.origin + other.sense * x, false);
   match(tie, side, node, found);
 }
@@ -180,8 +187,7 @@ void TiedNodes::anchor(Tie& tie, const Correspondence& map, double tolerance) {
   // A corner without partner finds its place between those.
   for (const Correspondence::Anchor& x : map.anchors) {
     if (x.certain) continue;
-    const int edge = loopOf(a).edgeAt(x.from);
-    const bool corner = std::abs(loopOf(a).wrapped(x.from) - loopOf(a).corner(edge)) <= kSame;
+    const bool corner = loopOf(a).isCorner(x.from);
     const int side = corner ? 0 : 1;
     const int node = corner ? add(a, x.from, true) : add(b, x.to, true);
     const double wanted = corner ? x.to : x.from;

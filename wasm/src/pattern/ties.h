@@ -12,6 +12,7 @@ struct Node {
   int loop = 0;
   double position = 0;  ///< cm, in [0, length)
   bool pinned = false;  ///< a corner or an axis crossing: it stays where it is
+  bool within = false;  ///< a corner within a path
 };
 
 /// A seam, or a mirror's tie between two loops (or of one with itself), as a matching of nodes that

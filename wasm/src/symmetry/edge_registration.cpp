@@ -10,11 +10,15 @@ namespace {
 
 constexpr double kSettled = 1e-10;  // cm
 
-Polyline sampled(const Curve& curve) {
-  Polyline points(SymmetryTuning::kEdgeSamples + 1);
-  for (int k = 0; k <= SymmetryTuning::kEdgeSamples; ++k)
-    points[k] = curve.atFraction(double(k) / SymmetryTuning::kEdgeSamples);
+Polyline sampled(const Curve& curve, int steps) {
+  Polyline points(steps + 1);
+  for (int k = 0; k <= steps; ++k) points[k] = curve.atFraction(double(k) / steps);
   return points;
+}
+
+/// Steps that see the shape of both.
+int stepsAlong(const Curve& first, const Curve& second, int least) {
+  return std::max(first.stepsAlong(least), second.stepsAlong(least));
 }
 
 Vec2 nearestOn(const Polyline& line, const Vec2& p) {
@@ -34,8 +38,9 @@ Vec2 nearestOn(const Polyline& line, const Vec2& p) {
 RigidMotion registerEdges(const Curve& first, const Curve& second) {
   // The shorter edge goes onto the longer; a reflection is its own inverse.
   const bool swapped = first.length() > second.length();
-  const Polyline from = sampled(swapped ? second : first);
-  Polyline to = sampled(swapped ? first : second);
+  const int steps = stepsAlong(first, second, SymmetryTuning::kEdgeSamples);
+  const Polyline from = sampled(swapped ? second : first, steps);
+  Polyline to = sampled(swapped ? first : second, steps);
   const Polyline target = (swapped ? first : second).flattened(Outline::kFlatness);
   // Outlines run counter-clockwise, so mirrored edges run against each other.
   std::reverse(to.begin(), to.end());
@@ -56,7 +61,8 @@ double edgeResidual(const Curve& first, const Curve& second, const RigidMotion& 
   const RigidMotion motion = swapped ? map.inverse() : map;
   const Polyline target = (swapped ? first : second).flattened(Outline::kFlatness);
   double worst = 0;
-  for (const Vec2& p : sampled(swapped ? second : first)) {
+  const int steps = stepsAlong(first, second, SymmetryTuning::kEdgeSamples);
+  for (const Vec2& p : sampled(swapped ? second : first, steps)) {
     const Vec2 image = motion(p);
     worst = std::max(worst, (nearestOn(target, image) - image).norm());
   }
@@ -75,8 +81,9 @@ double edgewiseResidual(const Panel& a, const Panel& b, const RigidMotion& map) 
       worst = std::max(worst, (map(a.edges[k].start()) - image(k).end()).norm());
     for (std::size_t k = 0; k < n && worst <= kMirrorTolerance; ++k) {
       if (a.edges[k].straight() && image(k).straight()) continue;
-      for (int i = 1; i < SymmetryTuning::kCurveSamples; ++i) {
-        const double s = double(i) / SymmetryTuning::kCurveSamples;
+      const int steps = stepsAlong(a.edges[k], image(k), SymmetryTuning::kCurveSamples);
+      for (int i = 1; i < steps; ++i) {
+        const double s = double(i) / steps;
         worst =
             std::max(worst, (map(a.edges[k].atFraction(s)) - image(k).atFraction(1 - s)).norm());
       }

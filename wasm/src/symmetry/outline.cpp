@@ -40,6 +40,7 @@ void Outline::append(const Curve& curve, int edge) {
     segments_[i].span /= length;
   }
   corners_.push_back(curve.start());
+  for (const double s : curve.corners()) corners_.push_back(curve.atFraction(s));
   if (edge < 0) return;
   edges_.push_back({first, static_cast<int>(segments_.size()), length});
   length_ += length;

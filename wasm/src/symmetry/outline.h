@@ -22,7 +22,7 @@ class Outline {
 
   explicit Outline(const Panel& panel);
 
-  /// Corners of the outline and of the holes: the starts of all curves.
+  /// Corners of the outline and of the holes: the starts of all curves, and what corners they have.
   const Polyline& corners() const { return corners_; }
   /// Points on all loops, at most 2 cm apart, corners included.
   const Polyline& samples() const { return samples_; }

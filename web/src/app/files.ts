@@ -76,10 +76,12 @@ export function takeFiles({take, hold}: FileTaker, signal: AbortSignal): void {
   );
 }
 
+/** How the text of a drawing begins: of an SVG, a DXF or an OBJ, comments before it. */
+const drawn = /^(?:<(?:\?xml|svg)\b|(?:999\s*\n.*\n\s*)*0\s+SECTION\s|(?:#.*\n\s*)*vt? -?[\d.]+ )/;
+
 /** The text of a file, copied out of an editor; other text belongs to whatever field it is pasted into. */
 function pastedText({clipboardData}: ClipboardEvent): File | undefined {
   const text = clipboardData?.getData('text/plain').trim() ?? '';
-  return text.startsWith('{')
-    ? new File([text], 'pasted.json', {type: 'application/json'})
-    : undefined;
+  if (text.startsWith('{')) return new File([text], 'pasted.json', {type: 'application/json'});
+  return drawn.test(text) ? new File([text], 'pasted') : undefined;
 }

@@ -15,39 +15,102 @@ import {
   type Texts,
   type Workbench,
 } from '../editor/index.js';
+import type {DrawingPlace} from './import/open-drawing.js';
 import type {Projects} from './projects/projects.js';
 
 /** Nobody's pattern is larger, and a browser would choke on it. [bytes] */
 const most = 64 * 2 ** 20;
 
-/** By the button for garments, or dropped and pasted, which may be anything. */
-export type How = 'chosen as garment' | 'handed over';
+/** By a button for one or the other, or dropped and pasted, which may be anything. */
+export type How = 'chosen as garment' | 'chosen as print' | 'handed over';
+
+interface Opening extends DrawingPlace {
+  readonly projects: Projects;
+}
+
+/** Ended by Escape, as long as a file is being read. */
+function endedByKey(): {readonly life: AbortController; readonly done: () => void} {
+  const life = new AbortController();
+  const heard = new AbortController();
+  const pressed = ({key}: KeyboardEvent): void => {
+    if (key === 'Escape') life.abort();
+  };
+  addEventListener('keydown', pressed, {capture: true, signal: heard.signal});
+  return {
+    life,
+    done: () => {
+      heard.abort();
+    },
+  };
+}
 
 /** What a file is, its first bytes say, whatever it is called. What cannot be opened is said, and leaves everything as it is. */
 export async function openFile(
-  workbench: Workbench,
-  projects: Projects,
+  opening: Opening,
   file: File,
   how: How = 'handed over',
 ): Promise<void> {
+  const {workbench} = opening;
   const texts = textsOf(workbench.preferences.language);
+  const {life, done} = endedByKey();
   try {
-    const kind = await kindOf(file);
-    if (kind && isDocument(kind))
-      throw new Error(texts.failures.document(file.name, texts.print.files.kinds[kind]));
-    const isPicture = await looksLikePicture(file);
-    if (isPicture && how === 'chosen as garment')
-      throw new Error(texts.failures.picture(file.name));
-    await (isPicture ? openPrint(workbench, file) : opened(workbench, projects, file, texts));
-    if (isPicture)
-      workbench.say({
-        tone: 'info',
-        text: texts.app.takenAsPrint(file.name),
-        undo: true,
-      });
+    const use = await useOf(opening, file, {how, texts, signal: life.signal});
+    if (use === 'drawing') await openAsDrawing(opening, file, texts, life);
+    if (use === 'document') await opened(opening, file, texts);
+    if (use !== 'print') return;
+    await openPrint(workbench, file);
+    workbench.say({tone: 'info', text: texts.app.takenAsPrint(file.name), undo: true});
   } catch (error) {
+    if (life.signal.aborted) return;
     workbench.say({tone: 'error', text: sentenceOn(error, workbench, texts)});
+  } finally {
+    done();
   }
+}
+
+/** `document`: JSON, which says itself what it is. Undefined where its owner was asked, and wants neither. */
+type Use = 'print' | 'drawing' | 'document';
+
+/** @throws {Error} for what can be nothing, or not what it was chosen as */
+async function useOf(
+  opening: Opening,
+  file: File,
+  {how, texts, signal}: {readonly how: How; readonly texts: Texts; readonly signal: AbortSignal},
+): Promise<Use | undefined> {
+  const {failures, print} = texts;
+  const kind = await kindOf(file);
+  if (kind && isDocument(kind))
+    throw new Error(failures.document(file.name, print.files.kinds[kind]));
+  if (kind === 'dxf') return 'drawing';
+  if (kind === 'svg' && how !== 'chosen as print' && file.size <= most) {
+    const {askUse, svgUse} = await import('./import/open-drawing.js');
+    const use = await svgUse(file, signal);
+    // what is wrong with it, readers of drawings say
+    if (use !== 'picture' && how === 'chosen as garment') return 'drawing';
+    if (use === 'pattern') return askUse(file, opening);
+  }
+  // browsers take DXF for a picture
+  if (!kind && /\.dxf$/i.test(file.name)) return 'drawing';
+  if (await looksLikePicture(file)) {
+    if (how === 'chosen as garment') throw new Error(failures.picture(file.name));
+    return 'print';
+  }
+  return (await isJson(file)) ? 'document' : 'drawing';
+}
+
+/** Whatever else it is, readers of drawings know better what to say of it. */
+const isJson = async (file: File): Promise<boolean> =>
+  /^\s*[[{"]/.test(await file.slice(0, 256).text());
+
+async function openAsDrawing(
+  opening: Opening,
+  file: File,
+  {failures}: Texts,
+  life: AbortController,
+): Promise<void> {
+  if (file.size > most) throw new Error(failures.tooLarge(file.name));
+  const {openDrawing} = await import('./import/open-drawing.js');
+  await openDrawing(file, opening, life);
 }
 
 /** Of the core's failures and of projects; whatever else goes wrong is said in the user's language already. */
@@ -58,8 +121,7 @@ function sentenceOn(error: unknown, workbench: Workbench, texts: Texts): string 
 }
 
 async function opened(
-  workbench: Workbench,
-  projects: Projects,
+  {workbench, projects}: Opening,
   file: File,
   {failures}: Texts,
 ): Promise<void> {

@@ -60,6 +60,7 @@ export class SeamwisePage extends WorkbenchElement {
     save: (): void => {
       saveProject(this);
     },
+    cut: (): void => void this.renderRoot.querySelector<SaveMenu>('sw-save-menu')?.cut(),
   };
 
   get pattern(): PatternPane | null {
@@ -175,18 +176,19 @@ export class SeamwisePage extends WorkbenchElement {
   }
 
   async #open(): Promise<void> {
-    const file = await chooseFile('.json,application/json');
+    const file = await chooseFile('.json,.dxf,.svg,.obj,application/json');
     if (file) await this.#take(file, 'chosen as garment');
   }
 
   async #take(file: File, how?: How): Promise<void> {
     const {openFile} = await import('./open-file.js');
-    await openFile(this.workbench, this.projects, file, how);
+    const {workbench, projects, renderRoot: root} = this;
+    await openFile({workbench, projects, root}, file, how);
   }
 
   async #openPrint(): Promise<void> {
     const file = await chooseFile(printFiles);
-    if (file) await this.#take(file);
+    if (file) await this.#take(file, 'chosen as print');
   }
 
   /** All commands to look through; loaded once somebody wants to. */
@@ -210,9 +212,7 @@ export class SeamwisePage extends WorkbenchElement {
           saveResult(this);
         },
         picture: () => void savePicture(this),
-        cutting: () => {
-          menu.saveCutting();
-        },
+        cut: this.#keyed.cut,
         link: () => void menu.copyLink(),
         other: menu.saveOther,
       },

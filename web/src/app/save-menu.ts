@@ -5,34 +5,25 @@ import {
   controls,
   WorkbenchElement,
   icon,
-  lengthUnit,
   placeUnder,
   type Command,
-  type NumberField,
   type WornPane,
 } from '../editor/index.js';
 import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
 import {saveFile} from './files.js';
-import {saveCutting, savePicture, saveProject, saveResult, stem} from './save.js';
-
-/** What most sewing patterns have. [cm] */
-const usualAllowance = 1;
-/** More than any hem. [cm] */
-const greatestAllowance = 5;
+import {savePicture, saveProject, saveResult, stem} from './save.js';
 
 export class SaveMenu extends WorkbenchElement {
   static override properties = {
     ...WorkbenchElement.properties,
     projects: {attribute: false},
     worn: {attribute: false},
-    allowance: {state: true},
     ofWorn: {state: true},
   };
   declare projects: Projects;
   /** Undefined while it is not shown. */
   declare worn: () => WornPane | undefined;
-  declare allowance: number;
   declare protected ofWorn: readonly Command[];
 
   static override styles = [
@@ -57,14 +48,12 @@ export class SaveMenu extends WorkbenchElement {
 
   constructor() {
     super();
-    this.allowance = usualAllowance;
     this.ofWorn = [];
   }
 
-  /** What was asked for is on its way, unless something has to be corrected first. */
+  /** What was asked for is on its way. */
   readonly #close = ({target}: Event): void => {
-    const isWrong = this.renderRoot.querySelector<NumberField>('sw-number-field')?.isWrong;
-    if (!isWrong && target instanceof Element && target.closest('button'))
+    if (target instanceof Element && target.closest('button'))
       this.renderRoot.querySelector<HTMLElement>('[popover]')?.hidePopover();
   };
 
@@ -89,9 +78,8 @@ export class SaveMenu extends WorkbenchElement {
   }
 
   protected override render(): TemplateResult {
-    const {app, controls: controlTexts} = this.texts;
+    const {app} = this.texts;
     const {workbench} = this;
-    const {cm, name} = lengthUnit[workbench.preferences.units];
     return html`
       <button class="outlined" popovertarget="save" ?disabled=${!workbench.design}>
         ${icon.save} <span class="label">${app.saveMore}</span>
@@ -129,27 +117,8 @@ export class SaveMenu extends WorkbenchElement {
           >
             ${icon.save} ${app.savePicture}
           </button>
-          <sw-number-field
-            .label=${app.allowance(name)}
-            .value=${this.allowance / cm}
-            .least=${0}
-            .most=${greatestAllowance / cm}
-            .step=${0.1}
-            .fractions=${workbench.preferences.units === 'inch'}
-            .digits=${3}
-            .wrong=${controlTexts.between(this.format.length(0), this.format.length(greatestAllowance))}
-            @entered=${({detail}: CustomEvent<number>) => {
-              this.allowance = detail * cm;
-            }}
-          ></sw-number-field>
-          <button
-            class="outlined"
-            ?disabled=${!workbench.result}
-            @click=${() => {
-              this.saveCutting();
-            }}
-          >
-            ${icon.save} ${app.saveCutting}
+          <button class="outlined" aria-haspopup="dialog" @click=${() => void this.cut()}>
+            ${icon.cut} ${app.cut}
           </button>
           ${this.ofWorn.map(
             ({title, run}) =>
@@ -161,12 +130,10 @@ export class SaveMenu extends WorkbenchElement {
     `;
   }
 
-  /** With the allowance that is typed, and not with another one: one that is wrong is shown. */
-  saveCutting(): void {
-    const field = this.renderRoot.querySelector<NumberField>('sw-number-field');
-    if (field?.isWrong) {
-      this.renderRoot.querySelector<HTMLElement>('[popover]')?.showPopover();
-      field.focus();
-    } else void saveCutting(this, this.allowance);
+  /** Asks how to cut before it saves anything. */
+  async cut(): Promise<void> {
+    if (!this.workbench.design) return;
+    const {openCut} = await import('./cut/open-cut.js');
+    await openCut(this.workbench, this.renderRoot, this.saveOther);
   }
 }

@@ -2,8 +2,7 @@
 import {fileNameOf} from '../model/project-name.js';
 import {writeProject} from '../model/project.js';
 import {written} from '../model/written-design.js';
-import {toFailure, type Workbench} from '../editor/index.js';
-import {cuttingSvg} from './cutting-svg.js';
+import type {Workbench} from '../editor/index.js';
 import {saveFile} from './files.js';
 import type {Projects} from './projects/projects.js';
 
@@ -39,14 +38,4 @@ export function saveResult(saved: Saved): void {
 export async function savePicture(saved: Saved): Promise<void> {
   const picture = await saved.workbench.view?.picture();
   if (picture) saveFile(`${stem(saved)}.png`, picture);
-}
-
-export async function saveCutting(saved: Saved, allowanceCm: number): Promise<void> {
-  const {workbench} = saved;
-  try {
-    const file = await cuttingSvg(workbench, allowanceCm);
-    if (file !== undefined) saveFile(`${stem(saved)}.cut.svg`, file, 'image/svg+xml');
-  } catch (error) {
-    workbench.say({tone: 'error', text: toFailure(error).message});
-  }
 }

@@ -6,7 +6,7 @@ import type {Print} from '../model/print.js';
 import {methods} from '../model/method.js';
 import {resultText, withoutTimes} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
-import {readBytes, readText, textOf} from '../node/files.js';
+import {readText, textOf} from '../node/files.js';
 import {readGarment, remedies, solve, type ProblemNames, type Remedy} from '../node/index.js';
 import {
   choice,
@@ -18,7 +18,8 @@ import {
 } from './base/arguments.js';
 import {figuresLine, remedyLine} from './figures.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
-import {readPicture, readPrint} from './print-files.js';
+import {readGarmentBytes} from './base/garment-text.js';
+import {readPicture, readPrint} from './base/print-files.js';
 import type {Aligned} from './stored.js';
 import {advise, print, ProgressLine, remark} from './base/terminal.js';
 
@@ -50,7 +51,7 @@ export async function align(words: readonly string[]): Promise<void> {
   const named = symmetryFile === 'auto' || symmetryFile === 'none';
 
   const given: Aligned = {
-    garment: {path: garmentFile, bytes: await readBytes(garmentFile)},
+    garment: {path: garmentFile, bytes: await readGarmentBytes(garmentFile)},
     print: {path: printFile, bytes: await readPrint(printFile)},
     symmetry: named ? symmetryFile : await readText(symmetryFile),
     options: withDecided(optionsFile === undefined ? '{}' : await readText(optionsFile), decided),

@@ -20,7 +20,7 @@ import {choice, parseArguments, UsageError, type Arguments} from './base/argumen
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
 import {readCell} from './base/cell-picture.js';
-import {parsed, readClothOf, readResult, type ResultFile} from './result-file.js';
+import {parsed, plainIn, readClothOf, readResult, type ResultFile} from './result-file.js';
 
 const grammar = {
   files: ['the result file'],
@@ -142,12 +142,6 @@ async function timed(
 function fabricIn({design}: ResultFile): Pick<DrapeSettings, 'fabric'> {
   const fabric = fabricNames.find((name) => name === fieldOf(design, 'fabric'));
   return {...(fabric && {fabric})};
-}
-
-/** Pieces of unprinted cloth, as the design says that a result may hold. */
-function plainIn({design}: ResultFile): readonly string[] {
-  const plain = fieldOf(fieldOf(design, 'options'), 'plain');
-  return Array.isArray(plain) ? plain.filter((name) => typeof name === 'string') : [];
 }
 
 function report(resultFile: string, file: DrapeFile, asJson: boolean): void {

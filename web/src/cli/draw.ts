@@ -9,7 +9,7 @@ import {placementsIn} from '../layout/on-body.js';
 import {readGarment} from '../node/index.js';
 import {parseArguments, UsageError} from './base/arguments.js';
 import {checkWritable, writeWhole} from './base/files.js';
-import {imageTypes, readTile} from './print-files.js';
+import {imageTypes, readTile} from './base/print-files.js';
 import {readClothOf, readResult, type ResultFile} from './result-file.js';
 import {print} from './base/terminal.js';
 

@@ -5,11 +5,12 @@ import type {Alignment} from '../model/geometry.js';
 import {methods} from '../model/method.js';
 import type {MeshedPattern} from '../model/result.js';
 import {fileError, readText, textOf} from '../node/files.js';
+import {readGarmentText} from './base/garment-text.js';
 import {solve} from '../node/index.js';
 import {drawStage, type Stage} from '../picture/draw-stage.js';
 import {choice, parseArguments, UsageError, wholeNumber} from './base/arguments.js';
 import {writeWhole} from './base/files.js';
-import {readPrint} from './print-files.js';
+import {readPrint} from './base/print-files.js';
 import {print} from './base/terminal.js';
 
 const grammar = {
@@ -28,7 +29,7 @@ export async function dump(words: readonly string[]): Promise<void> {
   const symmetry = args.value('--symmetry') ?? 'auto';
   const options = args.value('--options');
   const problem = {
-    garment: await readText(garmentFile),
+    garment: await readGarmentText(garmentFile),
     print: textOf(await readPrint(printFile)),
     symmetry: symmetry === 'auto' || symmetry === 'none' ? symmetry : await readText(symmetry),
     options: options === undefined ? '{}' : await readText(options),

@@ -1,27 +1,50 @@
-import {convert, symmetries} from '../node/index.js';
-import {readText} from '../node/files.js';
-import {parseArguments} from './base/arguments.js';
+import {convert, garmentDxf, symmetries} from '../node/index.js';
+import {readGarmentText} from './base/garment-text.js';
+import {choice, lengthCm, parseArguments, UsageError} from './base/arguments.js';
 import {checkWritable, writeWhole} from './base/files.js';
 import {print} from './base/terminal.js';
 
-const grammar = {files: ['the garment file'], valued: ['--out'], switches: []};
+const grammar = {files: ['the garment file'], valued: ['--out']};
 
 /** `symmetries`: what `--symmetry auto` would find, in the format of a symmetry file. */
 export async function listSymmetries(words: readonly string[]): Promise<void> {
   const {file, out} = await readArguments(words);
-  await deliver(`${JSON.stringify(await symmetries(await readText(file), file), null, 1)}\n`, out);
+  await deliver(
+    `${JSON.stringify(await symmetries(await readGarmentText(file), file), null, 1)}\n`,
+    out,
+  );
 }
 
-/** `convert`: the garment in the project's own format. */
+/** More than anybody sews with. [cm] */
+const greatestAllowance = 10;
+
+/** `convert`: the garment in the project's own format, in plain GarmentCode, or as DXF. */
 export async function convertFile(words: readonly string[]): Promise<void> {
-  const {file, out} = await readArguments(words);
-  await deliver(await convert(await readText(file), file), out);
+  const args = parseArguments(words, {
+    ...grammar,
+    valued: [...grammar.valued, '--to', '--allowance'],
+    switches: ['--plain', '--sew-as-1'],
+  });
+  const [file = ''] = args.files;
+  const out = args.value('--out');
+  const isDxf = choice(args, '--to', ['json', 'dxf']) === 'dxf';
+  const allowanceCm = lengthCm(args, '--allowance', greatestAllowance);
+  if (!isDxf && (allowanceCm !== undefined || args.has('--sew-as-1'))) {
+    throw new UsageError('--allowance and --sew-as-1 belong to --to dxf, which is missing.');
+  }
+  if (out !== undefined) await checkWritable(out, [file]);
+  const text = await readGarmentText(file);
+  const sewAsBoundary = args.has('--sew-as-1');
+  const converted = isDxf
+    ? garmentDxf(text, {name: file, sewAsBoundary, ...(allowanceCm !== undefined && {allowanceCm})})
+    : convert(text, {name: file, plain: args.has('--plain')});
+  await deliver(await converted, out);
 }
 
 async function readArguments(
   words: readonly string[],
 ): Promise<{readonly file: string; readonly out: string | undefined}> {
-  const args = parseArguments(words, grammar);
+  const args = parseArguments(words, {...grammar, switches: []});
   const [file = ''] = args.files;
   const out = args.value('--out');
   if (out !== undefined) await checkWritable(out);

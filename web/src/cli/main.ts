@@ -13,9 +13,12 @@ const commands: Readonly<Record<string, () => Promise<Command>>> = {
   order: async () => (await import('./order.js')).order,
   batch: async () => (await import('./batch/command.js')).batch,
   symmetries: async () => (await import('./garments.js')).listSymmetries,
+  import: async () => (await import('./import.js')).importFile,
   convert: async () => (await import('./garments.js')).convertFile,
   draw: async () => (await import('./draw.js')).draw,
+  cut: async () => (await import('./cut.js')).cut,
   drape: async () => (await import('./drape.js')).drape,
+  seams: async () => (await import('./seams.js')).listSeams,
   dump: async () => (await import('./dump.js')).dump,
 };
 

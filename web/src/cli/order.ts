@@ -1,26 +1,26 @@
 import {decidedOf} from '../model/design.js';
-import {garmentTitle, panelMarks} from '../model/garment-marks.js';
 import {packageVersion} from '../model/version.js';
 import {addressFrom, addressOf, folderOf, readAddress} from '../node/addresses.js';
 import {textOf} from '../node/files.js';
 import {order as solveOrder, readGarment, type Order} from '../node/index.js';
-import {cuttingFile} from '../cutting/cutting-file.js';
+import {noPaper, paperOf} from '../paper/papers.js';
 import {notAsSold} from '../picture/mark.js';
-import {lengthCm, parseArguments, UsageError} from './base/arguments.js';
+import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
+import {cutFiles, greatestAllowance, type CutAnswer, type CutWish} from './base/cut-files.js';
 import {figuresLine} from './figures.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
-import {fetchTile} from './print-files.js';
 import {print, ProgressLine, remark} from './base/terminal.js';
+
+/** Files to cut by, by the flags that name them. */
+const cutFlags = {'--svg': 'svg', '--pdf': 'pdf', '--dxf': 'dxf', '--plt': 'plt'} as const;
+const wishFlags = ['--paper', '--allowance', '--hem', '--ink'];
 
 const grammar = {
   files: ['the design file'],
-  valued: ['--base', '--out', '--svg', '--allowance'],
+  valued: ['--base', '--out', ...Object.keys(cutFlags), ...wishFlags],
   switches: ['--json'],
 };
 
-/** What the page adds unless told otherwise, and more than anybody sews with. [cm] */
-const usualAllowance = 1;
-const greatestAllowance = 10;
 /** For scripts: what was written is an answer, but not the one that was sold. */
 const notReproducedCode = 3;
 
@@ -28,13 +28,23 @@ const notReproducedCode = 3;
 export async function order(words: readonly string[]): Promise<void> {
   const args = parseArguments(words, grammar);
   const [designFile = ''] = args.files;
-  const allowanceCm = lengthCm(args, '--allowance', greatestAllowance) ?? usualAllowance;
-  const [outFile, cutFile, baseWord] = ['--out', '--svg', '--base'].map((flag) => args.value(flag));
-  if (cutFile === undefined && args.value('--allowance') !== undefined) {
-    throw new UsageError('--allowance belongs to --svg FILE.svg, which is missing.');
+  const [outFile, baseWord] = ['--out', '--base'].map((flag) => args.value(flag));
+  const cuts = Object.entries(cutFlags).flatMap(([flag, kind]) => {
+    const file = args.value(flag);
+    return file === undefined ? [] : [{flag, kind, file}];
+  });
+  const wish = wishOf(args);
+  const idle = wishFlags.find((flag) => args.value(flag) !== undefined);
+  if (cuts.length === 0 && idle !== undefined) {
+    throw new UsageError(
+      `${idle} belongs to --pdf FILE.pdf, --svg, --dxf or --plt, which is missing.`,
+    );
   }
-  checkDistinct({'--out': outFile, '--svg': cutFile});
-  for (const file of [outFile, cutFile]) {
+  checkDistinct({
+    '--out': outFile,
+    ...Object.fromEntries(cuts.map(({flag, file}) => [flag, file])),
+  });
+  for (const file of [outFile, ...cuts.map(({file}) => file)]) {
     if (file !== undefined) await checkWritable(file, [designFile]);
   }
   const address = addressOf(designFile);
@@ -56,34 +66,47 @@ export async function order(words: readonly string[]): Promise<void> {
   } finally {
     progress.clear();
   }
-  if (cutFile !== undefined)
-    await writeWhole(cutFile, await toCut(done, {base, within}, allowanceCm));
+  if (cuts.length > 0) {
+    const kinds = cuts.map(({kind}) => kind);
+    const contents = await cutFiles(answerOf(done, {base, within}), kinds, wish);
+    for (const [k, {file}] of cuts.entries()) await writeWhole(file, contents[k] ?? '');
+  }
   if (outFile !== undefined) await writeWhole(outFile, done.text);
   await report(designFile, done, args.has('--json'));
   if (!done.reproduced) process.exitCode = notReproducedCode;
 }
 
-async function toCut(
-  {design, garment: text, print: cloth, result, reproduced}: Order,
-  {base, within}: {readonly base: URL; readonly within: readonly URL[]},
-  allowanceCm: number,
-): Promise<string> {
-  const garment = await readGarment(text, design.garment.url);
-  const tile = await fetchTile(cloth, addressFrom(base, design.print.url), {within});
-  const {size} = design.garment;
-  return cuttingFile(
-    result,
-    {...cloth, ...(tile !== undefined && {tile})},
-    {
-      ...garmentTitle(garment, new URL(addressFrom(base, design.garment.url)).pathname),
-      ...(size !== undefined && {size}),
-      panels: panelMarks(garment, decidedOf(design)),
-    },
-    {
-      ...{allowanceCm, units: 'cm', plain: design.options.plain ?? []},
-      ...(!reproduced && {mark: notAsSold}),
-    },
+/** @throws {UsageError} */
+function wishOf(args: Arguments): CutWish {
+  const [allowance, hem] = ['--allowance', '--hem'].map((flag) =>
+    lengthCm(args, flag, greatestAllowance),
   );
+  const paper = args.value('--paper');
+  if (paper !== undefined && !paperOf(paper)) throw new UsageError(noPaper(paper));
+  const ink = choice(args, '--ink', ['full', 'outline']);
+  return {
+    ...(paper !== undefined && {paper}),
+    ...(allowance !== undefined && {allowance}),
+    ...(hem !== undefined && {hem}),
+    ...(ink && {ink}),
+  };
+}
+
+function answerOf(
+  {design, garment: text, print, result, reproduced}: Order,
+  {base, within}: {readonly base: URL; readonly within: readonly URL[]},
+): CutAnswer {
+  const {url, size} = design.garment;
+  return {
+    ...{result, print, address: addressFrom(base, design.print.url), limits: {within}},
+    garment: {
+      ...{text, name: new URL(addressFrom(base, url)).pathname},
+      ...(size !== undefined && {size}),
+    },
+    decisions: decidedOf(design),
+    plain: design.options.plain ?? [],
+    ...(!reproduced && {mark: notAsSold}),
+  };
 }
 
 async function report(designFile: string, done: Order, asJson: boolean): Promise<void> {

@@ -20,7 +20,7 @@ import {
 import type {SolveResult} from '../model/result.js';
 import {readBytes, resultLimit, textOf} from '../node/files.js';
 import {UsageError} from './base/arguments.js';
-import {inColourway, readPrint} from './print-files.js';
+import {inColourway, readPrint} from './base/print-files.js';
 
 export type ResultFile = SolveResult & {
   /** What `order` writes of a result says first if it is not the one that was sold. */
@@ -93,6 +93,12 @@ function asResult(value: unknown, path: string): ResultFile {
     throw error;
   }
   return value as ResultFile;
+}
+
+/** Pieces of unprinted cloth, as the design says that a result may hold. */
+export function plainIn({design}: ResultFile): readonly string[] {
+  const plain = fieldOf(fieldOf(design, 'options'), 'plain');
+  return Array.isArray(plain) ? plain.filter((name) => typeof name === 'string') : [];
 }
 
 /** The file with its bytes. @throws {UsageError}, {FileError} naming it */

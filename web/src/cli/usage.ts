@@ -22,14 +22,17 @@ seamwise order DESIGN.json [flags]
     --base URL|FOLDER           what its relative URLs count from, and where its files have to be;
                                 default its own folder, with files of the folder where you stand, too
     --out RESULT.json           writes the result, without times
-    --svg FILE.svg              writes the pieces to cut, at true scale
-    --allowance CM              around them; default 1
+    --pdf FILE.pdf              writes the pieces to cut, at true scale; as one sheet with --svg FILE.svg,
+                                for CAD programs with --dxf FILE.dxf, for plotters with --plt FILE.plt
+    --paper a4|letter|...|WxH   of the PDF, as for cut; default a4
+    --allowance CM, --hem CM    around them; default 1, hems the same
+    --ink full|outline          in their print, the default, or lines alone
     --json                      prints the line as JSON
 
 seamwise batch JOBS.ndjson --out FOLDER [flags]
   Solves every job of a file, one a line, on all cores, and goes on where an earlier run was cut short.
   Results lie in FOLDER/results, and FOLDER/done.ndjson has a line for each job that has ended. A job with
-  "drape": true has its drape and its GLB there, too.
+  "drape": true has its drape and its GLB there, too; one with "cut": {"paper": "a4", "allowance": 1} its PDF.
     --workers N                 threads; default one per core
     --job-timeout SECONDS       ends a job that takes longer, and records it as failed; default 600, 0 for never
     --retry-timeouts            tries the jobs again that took too long
@@ -43,12 +46,51 @@ seamwise batch --work --queue redis://HOST:PORT[/DB] --out FOLDER [--workers N] 
 seamwise symmetries GARMENT.json [--out FILE.json]
   Lists the symmetries that the garment shows by itself, in the format of a symmetry file.
 
-seamwise convert GARMENT.json [--out FILE.json]
+seamwise import FILE [flags]
+  Reads a pattern of another program, DXF (AAMA, ASTM or plain), SVG, OBJ with texture coordinates, or a
+  garment's JSON, and tells what is in it.
+    --units mm|cm|in            in which unit it is, whatever it says
+    --size NAME                 of a nest of sizes; default the one that the others were graded from
+    --seams suggest|file|none   default: suggested where the file has none
+    --out GARMENT.json          writes it in the project's own format, seamwise-garment/1
+    --json                      prints what was found as JSON
+
+seamwise convert GARMENT.json [--plain] [--out FILE.json]
+seamwise convert GARMENT.json --to dxf [--allowance CM] [--sew-as-1] --out FILE.dxf
   Rewrites a garment in the project's own format, seamwise-garment/1.
+    --to dxf                    as AAMA DXF (R12, mm): cut lines on layer 1, sewn ones on 14 where they differ
+    --allowance CM              in DXF: beyond edges where the garment gives none; default 0
+    --plain                     as a GarmentCode specification instead, which other programs read: paths become
+                                single cubics, sewn one by one; cut-outs, grain and marks have no place there
+
+seamwise seams GARMENT.json --suggest [flags]
+  Lists what every edge that is not sewn may be sewn to, the likeliest first, and which seams are as good as
+  certain. Shapes decide, and the seams that the garment has.
+    --strip                     as if it had none
+    --confirm N                 with --strip: but for N of them, chosen by chance
+    --seed N                    same seed, same choice; default 1
+    --json                      prints them as JSON
 
 seamwise draw RESULT.json --print PRINT.json [--colourway NAME] [--out PICTURE.svg] [--title TEXT] [--cloth-only]
   Draws the pieces on their print, before and after, with the mismatch along the seams.
     --cloth-only                without seams, axes and names over the print
+
+seamwise cut RESULT.json --print PRINT.json [flags]
+  Lays the pieces on a sheet at true scale, in their print, to print and to cut along, and prints one line: how many
+  pages of which size. Without a file to write it only says that.
+    --colourway NAME            of the print
+    --garment GARMENT.json      names, notches and grain lines; default the garment that the result holds
+    --allowance CM              around pieces, where the garment gives none; default 1
+    --hem CM                    of hems, where the garment gives none; default 3, or what --allowance says
+    --sew-as-1                  in DXF: the sewn line on layer 1, the cut line on 14, as CLO expects them
+    --paper a4|letter|a3|legal|tabloid   pages to glue; default a4
+    --paper a2|a1|a0|36in       large sheets and rolls
+    --paper projector           one page without margins, wide cut lines, no sewn lines, a grid of 5 cm
+    --paper WxH[mm|cm|in]       any other
+    --ink full|outline          outline leaves the print out
+    --date YYYY-MM-DD           to stand on every page
+    --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf (AAMA), --plt FILE.plt (HP-GL)
+    --map FILE.json             where pages, pieces, marks and test squares lie
 
 seamwise drape RESULT.json --print PRINT.json [flags]
   Hangs a solved garment on a form, as it is worn, and prints one line of figures: how far the cloth is stretched

@@ -1,33 +1,127 @@
-/** Where cloth is cut: the sewn outline with its allowance. Lengths in cm. */
-import {Clipper, EndType, JoinType} from 'clipper2-ts';
+/** Where cloth is cut: the sewn outline with the allowances of its edges. Lengths in cm. */
+import {Clipper, FillRule} from 'clipper2-ts';
 
-import type {Point} from '../model/geometry.js';
+import {dot, minus, unit, type Point} from '../model/geometry.js';
+import {isInside, signedArea} from '../model/polyline.js';
+import type {Allowances} from './allowances.js';
+import {bandOf, type Band} from './bands.js';
+import {cornerCloth, longer, turnedCorner, type Corner} from './corners.js';
+import type {EdgeKey} from './garment-edges.js';
 
-/** How far a sharp corner's allowance may reach, in allowances, before it is cut off. */
-const mitreLimit = 2;
 /** Digits after the point of a centimetre that are kept. */
 const precision = 5;
+/** What is less is rounding. [cm2] */
+const leastArea = 0.01;
+/** Cosine of a turn that no corner has. */
+const spike = -0.98;
+/** Points of a cut line that lie this near to the line through their neighbours are left out. */
+const straight = 1e-4;
+
+interface AllowedEdge {
+  readonly key: EdgeKey;
+  /** From start to end, the piece to the left. */
+  readonly points: readonly Point[];
+}
+
+type Polygon = readonly Point[];
+
+const paths = (polygons: readonly Polygon[]) =>
+  polygons.map((polygon) => polygon.map(([x, y]) => ({x, y})));
+
+const polygons = (found: readonly (readonly {x: number; y: number}[])[]): readonly Polygon[] =>
+  found.map((path) => path.map(({x, y}): Point => [x, y]));
+
+const anticlockwise = (polygon: Polygon): Polygon =>
+  signedArea(polygon) < 0 ? [...polygon].reverse() : polygon;
+
+const union = (all: readonly Polygon[]): readonly Polygon[] =>
+  polygons(Clipper.unionD(paths(all), [], FillRule.NonZero, precision));
+
+const without = (all: readonly Polygon[], less: readonly Polygon[]): readonly Polygon[] =>
+  polygons(
+    Clipper.differenceD(paths(all), paths(less.map(anticlockwise)), FillRule.NonZero, precision),
+  );
+
+/** Where a loop's edge begins. */
+function cornerBefore(
+  edge: AllowedEdge,
+  before: AllowedEdge,
+  widths: Allowances['widths'],
+): Corner | undefined {
+  const [p, q] = before.points.slice(-2);
+  const [r, s] = edge.points;
+  if (!p || !q || !r || !s) return undefined;
+  return {
+    ...{at: r, before: unit(minus(q, p)), after: unit(minus(s, r))},
+    widthBefore: widths.get(before.key) ?? 0,
+    widthAfter: widths.get(edge.key) ?? 0,
+  };
+}
+
+/** All cloth beyond one closed line. */
+function clothBeyond(
+  loop: readonly AllowedEdge[],
+  {widths, corners}: Allowances,
+): readonly Polygon[] {
+  const bands = loop.map(({key, points}): Band => bandOf(points, widths.get(key) ?? 0));
+  const cloth = bands.map((band) => [...band.cloth]);
+  const less = bands.map((): Polygon[] => []);
+  const fill: Polygon[] = [];
+  for (const [k, edge] of loop.entries()) {
+    const last = (k + loop.length - 1) % loop.length;
+    const corner = loop[last] && cornerBefore(edge, loop[last], widths);
+    if (!corner) continue;
+    const {turned: own, square} = corners.get(edge.key) ?? {};
+    const [hem, other] = own === 'before' ? [last, k] : [k, last];
+    const otherCut = bands[other]?.cut ?? [];
+    const turned =
+      own && turnedCorner(corner, own, other === k ? otherCut : [...otherCut].reverse());
+    if (turned) {
+      const beside = own === 'before' ? 'after' : 'before';
+      cloth[hem]?.push(turned.more, longer(corner, beside, square?.[beside] ?? 0));
+      less[hem]?.push(turned.less);
+      fill.push(turned.beside);
+    } else fill.push(...cornerCloth(corner, square));
+  }
+  return [
+    ...cloth.flatMap((polygons, k) => {
+      const all = polygons.filter((polygon) => polygon.length > 2);
+      const off = less[k] ?? [];
+      return off.length > 0 ? without(all.map(anticlockwise), off) : all;
+    }),
+    ...fill,
+  ].filter((polygon) => polygon.length > 2);
+}
+
+/** Without points at which it turns back on itself: what rounding leaves of polygons that touch. */
+function withoutSpikes(line: Polygon): Polygon {
+  const kept = line.filter((p, k) => {
+    const [before = p, after = p] = [line.at(k - 1), line[(k + 1) % line.length]];
+    return dot(unit(minus(p, before)), unit(minus(after, p))) > spike;
+  });
+  return kept.length < line.length ? withoutSpikes(kept) : kept;
+}
 
 /**
- * The closed lines at `allowance` outside of the outline and inside of its holes, without loops where they
- * would cross themselves; small holes close.
- * @param outline counter-clockwise
- * @param holes clockwise
+ * The closed lines at the allowances outside of an outline and inside of its holes, without loops where they would
+ * cross themselves; small holes close.
+ * @param loops the outline counter-clockwise, then holes clockwise, edge by edge
  */
 export function cutLine(
-  outline: readonly Point[],
-  holes: readonly (readonly Point[])[],
-  allowance: number,
-): readonly (readonly Point[])[] {
-  const loops = [outline, ...holes];
-  if (allowance === 0) return loops;
-  const paths = loops.map((loop) => loop.map(([x, y]) => ({x, y})));
-  return Clipper.inflatePathsD(
-    paths,
-    allowance,
-    JoinType.Miter,
-    EndType.Polygon,
-    mitreLimit,
-    precision,
-  ).map((path) => path.map(({x, y}): Point => [x, y]));
+  loops: readonly (readonly AllowedEdge[])[],
+  allowances: Allowances,
+): readonly Polygon[] {
+  const lines = loops.map((loop) => loop.flatMap(({points}) => points.slice(0, -1)));
+  const cloth = loops.flatMap((loop) => clothBeyond(loop, allowances)).map(anticlockwise);
+  if (cloth.length === 0) return lines;
+  const [, ...holes] = lines;
+  return union([...lines, ...cloth]).flatMap((line) => {
+    const area = signedArea(line);
+    const kept =
+      polygons([Clipper.simplifyPathD(paths([withoutSpikes(line)])[0] ?? [], straight, true)])[0] ??
+      [];
+    // what allowances close between them is cloth
+    const isHole = area < 0 && holes.some((hole) => line.some((p) => isInside(hole, p)));
+    return Math.abs(area) > leastArea && (area > 0 || isHole) ? [kept] : [];
+  });
 }

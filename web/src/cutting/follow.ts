@@ -6,7 +6,7 @@ import type {ResultPiece} from '../model/result.js';
 import {pick} from '../scene/marks.js';
 
 /** A point of the sewn outline, and the unit vector that leads out of the piece there. */
-export interface OutlineMark {
+interface OutlineMark {
   readonly at: Point;
   readonly outward: Point;
 }

@@ -1,11 +1,9 @@
 /** Places inside a piece that show the same point of the print, to lay paper on printed cloth by. Lengths in cm. */
 import {
-  between,
   combined,
   coordinates,
   distance,
   minus,
-  nearestShare,
   norm,
   onPiece,
   onPrint,
@@ -13,7 +11,7 @@ import {
   type Alignment,
   type Point,
 } from '../model/geometry.js';
-import {boxOf, isInside} from '../model/polyline.js';
+import {boxOf, distanceTo, isInside} from '../model/polyline.js';
 import type {Print} from '../model/print.js';
 
 /** Marks may lie this near to the sewn outline. */
@@ -26,16 +24,6 @@ const parts = 6;
 const enough = 0.3;
 
 type Lattice = Pick<Print, 'w1' | 'w2'>;
-
-/** From a point to a closed line. */
-function clearance(line: readonly Point[], p: Point): number {
-  let nearest = Infinity;
-  line.forEach((a, k) => {
-    const b = line[(k + 1) % line.length] ?? a;
-    nearest = Math.min(nearest, distance(p, between(a, b, nearestShare(a, b, p))));
-  });
-  return nearest;
-}
 
 const several = (side: Point): Point => plus(side, side, Math.ceil(least / norm(side)) - 1);
 
@@ -57,7 +45,7 @@ function placesOf(
   return range(0)
     .flatMap((i) => range(1).map((j) => onPiece(alignment, plus(motif, combined(basis, i, j)))))
     .filter((p) => loops.every((loop, k) => isInside(loop, p) === (k === 0)))
-    .filter((p) => loops.every((loop) => clearance(loop, p) >= margin));
+    .filter((p) => loops.every((loop) => distanceTo(loop, p) >= margin));
 }
 
 /** Up to three of the places, each as far as can be from those before it. */

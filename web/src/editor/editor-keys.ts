@@ -14,6 +14,12 @@ export function editorKeys(event: KeyboardEvent, commands: KeyCommands): void {
   command();
 }
 
+/** Whether a key that nobody has taken may be one of the pattern's: not in a field, nor in a dialog. */
+export const isFree = (event: KeyboardEvent): boolean =>
+  !event.defaultPrevented &&
+  !isTyping(event) &&
+  !event.composedPath().some((one) => one instanceof HTMLDialogElement && one.open);
+
 const isTyping = (event: KeyboardEvent): boolean => {
   const [target] = event.composedPath();
   if (target instanceof HTMLSelectElement) return true; // a letter chooses

@@ -300,8 +300,8 @@ export const editorLayout = css`
       display: none;
       height: min(22rem, calc(0.37 * var(--height)));
     }
-    /* who is asked how the grain runs has to see the pieces */
-    .workbench:has(sw-grain-question[asks]) .side section {
+    /* who is asked how the grain runs, or sews, has to see the pieces */
+    .workbench:has(sw-grain-question[asks], sw-pattern[sews]) .side section {
       height: calc(0.15 * var(--height));
     }
     :is([data-sheet='print'], [data-sheet='cutting']) .setup,

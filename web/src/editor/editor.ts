@@ -21,7 +21,7 @@ import type {Samples} from '../workbench/samples.js';
 import {toFailure} from '../workbench/latest-solve.js';
 import {sameTarget} from '../workbench/state.js';
 import type {Target} from '../workbench/workbench.js';
-import {editorKeys, type KeyCommands} from './editor-keys.js';
+import {editorKeys, isFree, type KeyCommands} from './editor-keys.js';
 import {editorLayout} from './editor-layout.js';
 import {KeptHeight} from './kept-height.js';
 
@@ -95,6 +95,7 @@ export class Editor extends WorkbenchElement {
   /** Keys that work wherever the focus is: in the editor by themselves, elsewhere when a page hands them on. */
   press(event: KeyboardEvent): void {
     editorKeys(event, {...this.commands, ...this.#own});
+    if (isFree(event)) this.pattern?.sewByKey(event);
   }
 
   get pattern(): PatternPane | null {
@@ -231,6 +232,7 @@ export class Editor extends WorkbenchElement {
         .workbench=${workbench}
         .known=${this.#known}
         .more=${this.#keysOfWorn}
+        .sewing=${this.#keysOfSewing}
       ></sw-key-map>
     </div>`;
   }
@@ -267,6 +269,9 @@ export class Editor extends WorkbenchElement {
   }
 
   readonly #keysOfWorn = (): readonly Command[] => this.worn?.commands ?? [];
+
+  readonly #keysOfSewing = (): readonly (readonly [string, string])[] =>
+    this.pattern?.tools.sewing?.chooser.sew.keys ?? [];
 
   /** Commands whose keys work here. */
   get #known(): readonly ShortcutId[] {

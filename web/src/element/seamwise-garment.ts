@@ -25,7 +25,7 @@ import {faceOf} from './garment/face.js';
 import {keepInside} from './garment/inner-events.js';
 import {Modes} from './garment/modes.js';
 import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/offered-prints.js';
-import {pictureOf} from './garment/picture.js';
+import {cutFileFor, pictureOf, type BlobRequest} from './garment/picture.js';
 import {Rest} from './garment/rest.js';
 import {GarmentSession} from './garment/session.js';
 import {Speech} from './garment/speech.js';
@@ -48,7 +48,9 @@ export type {
 export type * from './garment/events.js';
 export type {Units} from '../model/units.js';
 export type {PrintOffer} from './garment/offered-prints.js';
+export type {BlobRequest} from './garment/picture.js';
 export type {Messages, Texts} from '../texts/texts.js';
+export type {SewTexts} from '../texts/sew/en.js';
 export type {WornTexts} from '../texts/worn-texts.js';
 
 export class SeamwiseGarment extends AttributeElement {
@@ -222,14 +224,17 @@ export class SeamwiseGarment extends AttributeElement {
   }
 
   /**
-   * The whole pattern as a picture, so many pixels wide: `image/png`, `image/jpeg` or `image/webp`.
-   * @throws {SolverError} while nothing is drawn, and for a width that no picture can have
+   * The whole pattern as a picture, so many pixels wide, or the pieces to cut as a file at true scale, by its type.
+   * @throws {SolverError} of a picture while nothing is drawn, and for a width that none can have; of a file to cut by
+   *   while there is no answer, and for a paper or an allowance that there is not
    */
-  async toBlob({
-    type,
-    width,
-  }: {readonly type?: string; readonly width?: number} = {}): Promise<Blob> {
-    return pictureOf(this.#session.workbench.view, this.#isDrawn, {type, width}, this.#texts);
+  async toBlob(request: BlobRequest = {}): Promise<Blob> {
+    const {workbench} = this.#session;
+    const {type, width} = request;
+    return (
+      (await cutFileFor(workbench, request, this.#texts)) ??
+      pictureOf(workbench.view, this.#isDrawn, {type, width}, this.#texts)
+    );
   }
 
   formResetCallback(): void {

@@ -29,7 +29,7 @@ interface Spacing {
   readonly least: (piece: number) => number;
 }
 
-function boxesOf({pieces}: Pattern): readonly PieceBox[] {
+function boxesOf({pieces}: Pick<Pattern, 'pieces'>): readonly PieceBox[] {
   return pieces.map(({rest, outline}) => {
     const {low, high} = boxOf(outline.flatMap((v) => rest.slice(v, v + 1)));
     const [width, height] = minus(high, low);
@@ -57,8 +57,15 @@ const partner = (name: string): string =>
     .map((word) => sides[word.toLowerCase()] ?? word.toLowerCase())
     .join('');
 
+/** Meshed anew, a piece is as much larger or smaller: nothing moves for it. */
+const noise = 0.002;
+
 /** The tallest come first, and pairs by name stay side by side, the wearer's right on the left. */
-function onShelves({pieces}: Pattern, cells: readonly Block[], gap: number): Arrangement[] {
+function onShelves(
+  {pieces}: Pick<Pattern, 'pieces'>,
+  cells: readonly Block[],
+  gap: number,
+): Arrangement[] {
   const numbers = new Map(pieces.map(({name}, k) => [name.toLowerCase(), k]));
   const isRight = (k: number): boolean =>
     /(^|[^a-z])r(ight)?([^a-z]|$)/i.test(pieces[k]?.name ?? '');
@@ -67,7 +74,9 @@ function onShelves({pieces}: Pattern, cells: readonly Block[], gap: number): Arr
     if (other === undefined || other === k) return [cells.slice(k, k + 1)];
     return isRight(k) ? [[k, other].flatMap((n) => cells.slice(n, n + 1))] : [];
   });
-  const tallest = (group: readonly Block[]): number => Math.max(...group.map(({height}) => height));
+  // whole halves, lest twins that were meshed anew swap places
+  const tallest = (group: readonly Block[]): number =>
+    Math.round(2 * Math.max(...group.map(({height}) => height)));
   groups.sort((a, b) => tallest(b) - tallest(a));
   const all = cells.reduce((sum, {width}) => sum + width + gap, 0);
   return Array.from({length: 19}, (_, k) => ({
@@ -88,7 +97,7 @@ interface LayoutChoice {
  * to be drawn upside down lies upright, so that mirrored pairs are mirror images of each other.
  */
 export function layOut(
-  pattern: Pattern,
+  pattern: Pick<Pattern, 'pieces'>,
   aspect: number,
   spacing: Spacing,
   placements?: Placements,
@@ -101,7 +110,9 @@ export function layOut(
       : onShelves(pattern, cells, spacing.gap);
   const size = ({block: {width, height}, merit}: Arrangement): number =>
     merit * Math.min(aspect / width, 1 / height);
-  const {block} = arrangements.reduce((best, next) => (size(next) > size(best) ? next : best));
+  const {block} = arrangements.reduce((best, next) =>
+    size(next) > size(best) * (1 + noise) ? next : best,
+  );
   const turned = headDown(pattern, placements);
   const places = boxes.map((): SheetPlace => ({offset: [0, 0]}));
   for (const {piece, at} of block.places) {

@@ -136,7 +136,7 @@ export interface Arrangement {
 
 /** Fronts between the sleeves, backs below or beside, parts at the foot; on narrow sheets the sleeves below. */
 export function onBody(
-  pattern: Pattern,
+  pattern: Pick<Pattern, 'pieces'>,
   boxes: readonly {readonly low: Point; readonly width: number; readonly height: number}[],
   blocks: readonly Block[],
   placements: Placements,

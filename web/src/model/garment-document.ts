@@ -11,15 +11,32 @@ export interface Unknown {
   readonly more?: Readonly<Record<string, unknown>>;
 }
 
+/** How an allowance ends at its corners: both lines run on until they meet, as its mirror image, or at a right angle. */
+export type AllowanceCorner = 'miter' | 'mirror' | 'square';
+
+/** Cloth beyond the line along which a piece is sewn. */
+export interface Allowance {
+  /** From 0 to 20. [cm] */
+  readonly width: number;
+  readonly corner?: AllowanceCorner;
+}
+
 /** An edge of an outline as drafted; the next one begins where it ends. */
 export interface DraftedEdge extends Unknown {
-  /** Its ends, and between them the control points of a Bezier curve: one, two, or none of a line or an arc. [cm] */
+  /**
+   * Its ends, and between them the control points of a Bezier curve: one, two, or none of a line or an arc. Of a path,
+   * a chain of cubics, those of each, with the points where they meet: 3 n + 1 of n cubics, n >= 2. [cm]
+   */
   readonly points: readonly [Point, Point, ...Point[]];
   /** Radius of a circular arc. [cm] */
   readonly radius?: number;
   /** Angle that a circular arc turns by, counter-clockwise if positive. [rad] */
   readonly sweep?: number;
   readonly label?: string;
+  /** What is cut beyond it. */
+  readonly allowance?: Allowance;
+  /** Its owner says that it is sewn to nothing, such as a hem or a neckline. */
+  readonly open?: true;
 }
 
 /** A mark on an edge of the outline. */
@@ -54,6 +71,8 @@ export interface GarmentPiece extends Unknown {
   readonly cutLine?: readonly Point[];
   readonly sewLine?: readonly Point[];
   readonly notches?: readonly DraftedNotch[];
+  /** Places that are drilled to mark them. */
+  readonly drillHoles?: readonly Point[];
   readonly grain?: {
     readonly line?: readonly [Point, Point];
     readonly lock?: GrainLock;
@@ -84,6 +103,8 @@ export interface GarmentSeam extends Unknown {
   readonly name?: string;
   /** As the file states it; the edges decide. */
   readonly lengthRatio?: number;
+  /** A program has proposed it, and nobody confirmed it. */
+  readonly suggested?: true;
 }
 
 /** Two marked lines that lie on each other without being sewn. */

@@ -1,6 +1,6 @@
 /** Garment documents as seamwise-garment/1 files, in centimetres. */
 import type {DraftedEdge, EdgeOfPiece, GarmentDocument, GarmentPiece} from './garment-document.js';
-import type {Curvature, PanelEdge, Stitch} from './garment.js';
+import type {Curvature, PanelEdge, PathCubic, Stitch} from './garment.js';
 import type {Point} from './geometry.js';
 
 /** A point as the file has it. */
@@ -11,12 +11,21 @@ const frameOf =
   ({mirroredFromInput}: Pick<GarmentPiece, 'mirroredFromInput'>): Frame =>
   ([x, y]) => [mirroredFromInput ? 0 - x : x, y];
 
+/** The cubics of a path, by all its points. */
+export const cubicsOf = (points: readonly Point[]): readonly PathCubic[] =>
+  Array.from({length: (points.length - 1) / 3}, (_, k) => {
+    const end = 3 * k + 4;
+    const cubic = points.slice(end - 3, end === points.length ? end - 1 : end);
+    return cubic as [Point, Point] | [Point, Point, Point]; // as many as are cut out
+  });
+
 function curvatureOf({points, radius, sweep}: DraftedEdge, turn: 1 | -1): Curvature | undefined {
   if (radius !== undefined && sweep !== undefined) {
     const isLong = Math.abs(sweep) > Math.PI;
     return {type: 'circle', params: [radius, isLong ? 1 : 0, turn * sweep > 0 ? 1 : 0]};
   }
   const [, first, second] = points;
+  if (points.length > 4) return {type: 'path', params: cubicsOf(points)};
   if (points.length === 4 && second) return {type: 'cubic', params: [first, second]};
   return points.length === 3 ? {type: 'quadratic', params: [first]} : undefined;
 }
@@ -39,6 +48,8 @@ function loopOf(
       endpoints: [first + k, first + ((k + 1) % loop.length)],
       ...(curvature && {curvature}),
       ...(edge.label !== undefined && {label: edge.label}),
+      ...(edge.allowance && {allowance: edge.allowance}),
+      ...(edge.open && {open: true}),
       ...edge.more,
     };
   });
@@ -55,9 +66,18 @@ const turnedOver = ([x, y, z]: readonly [number, number, number]): readonly numb
 const member = (name: string, value: unknown): Readonly<Record<string, unknown>> =>
   value === undefined || (Array.isArray(value) && value.length === 0) ? {} : {[name]: value};
 
-function panelOf(piece: GarmentPiece): object {
-  const {mirroredFromInput, outline, holes, internalLines, cutLine, sewLine, grain, placement} =
-    piece;
+/** What is drafted of a piece, and where it hangs. */
+interface PanelShape {
+  readonly translation?: readonly number[];
+  readonly rotation?: readonly number[];
+  readonly vertices: readonly Point[];
+  readonly edges: readonly PanelEdge[];
+  readonly holes?: readonly (readonly PanelEdge[])[];
+}
+
+/** Control points are those of panels. */
+export function shapeOf(piece: GarmentPiece): PanelShape {
+  const {mirroredFromInput, outline, holes, placement} = piece;
   const vertices: Point[] = [];
   const frame = frameOf(piece);
   const file = {frame, turn: mirroredFromInput ? -1 : 1, vertices} as const;
@@ -73,8 +93,16 @@ function panelOf(piece: GarmentPiece): object {
     }),
     vertices,
     edges,
-    ...member('label', piece.label),
     ...member('holes', cutOuts),
+  };
+}
+
+function panelOf(piece: GarmentPiece): object {
+  const {internalLines, cutLine, sewLine, grain} = piece;
+  const frame = frameOf(piece);
+  return {
+    ...shapeOf(piece),
+    ...member('label', piece.label),
     ...member('grain', grain && {...grain, ...member('line', grain.line?.map(frame))}),
     ...member(
       'internalLines',
@@ -82,6 +110,7 @@ function panelOf(piece: GarmentPiece): object {
     ),
     ...member('cutLine', cutLine?.map(frame)),
     ...member('sewLine', sewLine?.map(frame)),
+    ...member('drillHoles', piece.drillHoles?.map(frame)),
     ...member('notches', piece.notches),
     ...member('quantity', piece.quantity),
     ...member('size', piece.size),
@@ -91,8 +120,15 @@ function panelOf(piece: GarmentPiece): object {
 }
 
 /** An object as text; unlike one in memory, it keeps its order whatever its members are called. */
-const objectText = (members: readonly (readonly [name: string, text: string])[]): string =>
+export const objectText = (members: readonly (readonly [name: string, text: string])[]): string =>
   `{${members.map(([name, text]) => `\n${JSON.stringify(name)}: ${text}`).join(',')}}`;
+
+export function stitchesOf({pieces, seams}: Pick<GarmentDocument, 'pieces' | 'seams'>): Stitch[] {
+  const end = ({piece, edge}: EdgeOfPiece) => ({panel: pieces[piece]?.name ?? '', edge});
+  return seams.map(({a, b, sameDirection}) =>
+    sameDirection ? [end(a), end(b), 'right_wrong'] : [end(a), end(b)],
+  );
+}
 
 /** The text of a file that reads as this document, but for the last digits of what is no centimetre there. */
 export function garmentFile(document: GarmentDocument): string {
@@ -100,14 +136,11 @@ export function garmentFile(document: GarmentDocument): string {
   const frames = new Map(pieces.map((piece) => [piece.name, frameOf(piece)]));
   const drawn = (piece: string, line: readonly Point[]): readonly Point[] =>
     line.map(frames.get(piece) ?? ((point) => point));
-  const end = ({piece, edge}: EdgeOfPiece) => ({panel: pieces[piece]?.name ?? '', edge});
-  const stitches = seams.map(({a, b, sameDirection}): Stitch =>
-    sameDirection ? [end(a), end(b), 'right_wrong'] : [end(a), end(b)],
-  );
-  const described = seams.map(({weight, matched, name, lengthRatio, more}, stitch) => ({
+  const described = seams.map(({weight, matched, name, lengthRatio, suggested, more}, stitch) => ({
     ...{stitch, weight, matched},
     ...member('name', name),
     ...member('lengthRatio', lengthRatio),
+    ...member('suggested', suggested),
     ...more,
   }));
   const side = ({piece, line}: (typeof matches)[number]['a']) => ({
@@ -141,7 +174,7 @@ export function garmentFile(document: GarmentDocument): string {
       'pattern',
       objectText([
         ['panels', panels],
-        ['stitches', JSON.stringify(stitches)],
+        ['stitches', JSON.stringify(stitchesOf(document))],
         ...texts(morePattern),
       ]),
     ],

@@ -1,5 +1,5 @@
 /** What a garment says about its pieces that a result does not repeat. */
-import type {GarmentDocument, Placement} from './garment-document.js';
+import type {GarmentDocument, GarmentPiece, Placement} from './garment-document.js';
 import type {Point} from './geometry.js';
 import {angleOf, type GrainRule} from './options.js';
 import {pieceNames, titleOfFile, type PieceNames} from './piece-names.js';
@@ -22,6 +22,8 @@ export interface PanelMarks {
   /** Where it is on the body. */
   readonly placement?: Placement;
   readonly notches?: readonly Notch[];
+  /** All that the garment has of it. */
+  readonly drafted?: GarmentPiece;
 }
 
 /** Of a garment's own words, those that belong on every sheet. */
@@ -54,7 +56,8 @@ export function panelMarks(
   const labels = new Map(pieces.map(({name, label}) => [name, label]));
   const called = pieceNames(labels, {...chosenNames(document), ...names});
   return new Map(
-    pieces.map(({name, outline, grain, placement, notches = []}): [string, PanelMarks] => {
+    pieces.map((piece): [string, PanelMarks] => {
+      const {name, outline, grain, placement, notches = []} = piece;
       const grainDeg = Object.hasOwn(rules, name) ? angleOf(rules[name]) : undefined;
       const marked = notches.flatMap(({edge, at}): Notch[] => {
         const {points} = outline[edge] ?? {};
@@ -69,6 +72,7 @@ export function panelMarks(
           ...(grainDeg !== undefined && {grainDeg}),
           ...(placement && {placement}),
           ...(marked.length > 0 && {notches: marked}),
+          drafted: piece,
         },
       ];
     }),

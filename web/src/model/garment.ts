@@ -1,3 +1,4 @@
+import type {Allowance} from './garment-document.js';
 import type {Point} from './geometry.js';
 
 /** One end of a stitch: an outline edge of a panel, by its number in the panel's loop. */
@@ -15,12 +16,20 @@ export type Curvature =
   | Point
   | {readonly type: 'quadratic'; readonly params: readonly [Point]}
   | {readonly type: 'cubic'; readonly params: readonly [Point, Point]}
-  | {readonly type: 'circle'; readonly params: readonly [number, number, number]};
+  | {readonly type: 'circle'; readonly params: readonly [number, number, number]}
+  | {readonly type: 'path'; readonly params: readonly PathCubic[]};
+
+/** A cubic of a path: two control points, and the point where it ends; the last one ends where its edge does. */
+export type PathCubic = readonly [Point, Point, Point] | readonly [Point, Point];
 
 export interface PanelEdge {
   readonly endpoints: readonly [number, number];
   readonly curvature?: Curvature;
   readonly label?: string;
+  /** What is cut beyond it. [units of the file] */
+  readonly allowance?: number | Allowance;
+  /** It stays open. */
+  readonly open?: boolean;
 }
 
 export interface Panel {

@@ -1,5 +1,5 @@
 /** Lines through points, open or closed. Lengths in cm. */
-import {between, cross, distance, dot, minus, unit, type Point} from './geometry.js';
+import {between, cross, distance, dot, minus, nearestShare, unit, type Point} from './geometry.js';
 
 /** The length of the line through points. */
 export const lengthOf = (line: readonly Point[]): number =>
@@ -66,7 +66,41 @@ export interface Box {
 
 /** The least box around points. */
 export function boxOf(points: readonly Point[]): Box {
-  const xs = points.map(([x]) => x);
-  const ys = points.map(([, y]) => y);
-  return {low: [Math.min(...xs), Math.min(...ys)], high: [Math.max(...xs), Math.max(...ys)]};
+  let [left, lower, right, upper] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const [x, y] of points) {
+    [left, right] = [Math.min(left, x), Math.max(right, x)];
+    [lower, upper] = [Math.min(lower, y), Math.max(upper, y)];
+  }
+  return {low: [left, lower], high: [right, upper]};
+}
+
+/** From a point to a closed line. */
+export function distanceTo(loop: readonly Point[], p: Point): number {
+  let nearest = Infinity;
+  loop.forEach((a, k) => {
+    const b = loop[(k + 1) % loop.length] ?? a;
+    nearest = Math.min(nearest, distance(p, between(a, b, nearestShare(a, b, p))));
+  });
+  return nearest;
+}
+
+/** The stretches of a straight line that lie within a closed one and outside of its holes. */
+export function linesInside(
+  loops: readonly (readonly Point[])[],
+  from: Point,
+  to: Point,
+): readonly (readonly [Point, Point])[] {
+  const length = distance(from, to);
+  const along = unit(minus(to, from));
+  const stops = loops
+    .flatMap((loop) => crossingsOf(loop, from, along))
+    .filter((at) => at > 0 && at < length)
+    .sort((a, b) => a - b);
+  const ends = [0, ...stops, length].map((at) => between(from, to, at / length));
+  return ends.slice(1).flatMap((end, k) => {
+    const start = ends[k] ?? end;
+    const half = between(start, end, 0.5);
+    const isWithin = loops.filter((loop) => isInside(loop, half)).length % 2 === 1;
+    return isWithin ? [[start, end] as const] : [];
+  });
 }

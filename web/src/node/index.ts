@@ -9,6 +9,7 @@ import type {Problem} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import type {SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 import type {Remedy} from '../remedies/remedy.js';
 import {localAnswerer} from '../solver/answering.js';
 import {helpersFor} from '../solver/cores.js';
@@ -24,6 +25,8 @@ import {
 import {Helpers} from '../solver/seamwise/helpers.js';
 import {TextService} from '../solver/service.js';
 import {thread} from './thread.js';
+import type {Cut, CutSettings} from './cut.js';
+import type {ImportedGarment, ImportOptions} from './import.js';
 import type {Order, OrderHooks} from './order.js';
 
 export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
@@ -53,7 +56,27 @@ export * from '../model/stored-design.js';
 export type * from '../model/stored-file.js';
 export {resultText, sha256Of} from '../model/result-text.js';
 export {FileError} from '../model/versioned-file.js';
+export type * from '../cutting/cut-sheet.js';
+export type {DxfOptions} from '../cutting/out/sheet-dxf.js';
+export type {Box} from '../model/polyline.js';
+export type {PanelDecisions} from '../model/garment-marks.js';
+export type {CellPixels} from '../paper/cloth-cell.js';
+export type {CuttingPdf} from '../paper/cutting-pdf.js';
+export type {PageLayout, SheetPage} from '../paper/pages.js';
+export type {Paper} from '../paper/papers.js';
+export type {SheetMap} from '../paper/sheet-map.js';
+export type {PrintWithTile} from '../picture/cloth.js';
+export type {Cut, CutSettings} from './cut.js';
+export type {
+  ImportedGarment,
+  ImportedPiece,
+  ImportedSeam,
+  ImportedSide,
+  ImportOptions,
+  ImportReport,
+} from './import.js';
 export type {Order, OrderHooks} from './order.js';
+export type {NamedEdge, SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
 
 /** For a program that solves on threads of its own, as a batch does, all cores are at work already. */
@@ -135,6 +158,16 @@ export async function drape(
   return solver.drape(result, settings, hooks);
 }
 
+/**
+ * The pieces of a result to cut, laid on a sheet at true scale, and how that is divided among pages. Files of it, as PDF
+ * and as SVG, are made when they are asked for.
+ * @throws {RangeError} for a paper that is none
+ */
+export async function cut(result: SolveResult, settings: CutSettings): Promise<Cut> {
+  const {cutWith} = await import('./cut.js');
+  return cutWith(result, settings);
+}
+
 /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */
 export async function symmetries(
   garment: Garment | string,
@@ -187,12 +220,82 @@ export async function readGarment(
   return solver.garment(garment, {name});
 }
 
-/** A garment of any readable format as the text of a seamwise-garment/1 file. */
+/**
+ * A pattern of another program as a garment, by the bytes of its file: DXF (AAMA, ASTM or plain), or any garment's JSON.
+ * @throws {FileError} or {SolverError} naming what is wrong and what to do
+ */
+export async function importGarment(
+  bytes: Uint8Array,
+  options: ImportOptions = {},
+): Promise<ImportedGarment> {
+  const {importWith} = await import('./import.js');
+  return importWith(readGarment, bytes, options);
+}
+
+/**
+ * What every edge of a garment that is not sewn may be sewn to, and which seams are as good as certain. Shapes decide, and
+ * the seams that the garment has.
+ * @throws {SolverError} for bad input
+ */
+export async function seamSuggestions(
+  garment: Garment | string,
+  settings: SuggestionSettings = {},
+  name = plainNames.garment,
+): Promise<SeamSuggestions> {
+  const {suggestionsFor} = await import('../pairing/report.js');
+  return suggestionsFor(await readGarment(garment, name), settings);
+}
+
+export interface ConvertOptions {
+  /** What failures call the garment. */
+  readonly name?: string;
+  /** As a plain GarmentCode specification; see `convert`. */
+  readonly plain?: boolean;
+}
+
+/**
+ * A garment of any readable format as the text of a seamwise-garment/1 file. With `plain`, as a GarmentCode
+ * specification for programs that know no more than that, in centimetres: each path is split into single cubics, and
+ * both sides of its seam at the same shares of their lengths, so that every stitch joins one edge to one edge. What
+ * that format has no place for is left out: cut-outs, grain lines, marks.
+ * @param options or only the name
+ * @throws {SolverError} for bad input
+ */
 export async function convert(
   garment: Garment | string,
-  name = plainNames.garment,
+  options: ConvertOptions | string = {},
 ): Promise<string> {
-  return solver.convert(garment, {name});
+  const {name = plainNames.garment, plain = false} =
+    typeof options === 'string' ? {name: options} : options;
+  if (!plain) return solver.convert(garment, {name});
+  const {plainGarment} = await import('../model/plain-garment.js');
+  return plainGarment(await solver.garment(garment, {name}));
+}
+
+export interface GarmentDxfOptions {
+  /** What failures call the garment, and what it is called where it gives no title. */
+  readonly name?: string;
+  /** Beyond edges whose garment states none. Default 0. [cm] */
+  readonly allowanceCm?: number;
+  /** The sewn line on layer 1 and the cut line on 14, as CLO expects them. Default false. */
+  readonly sewAsBoundary?: boolean;
+}
+
+/**
+ * The pieces of a garment as AAMA DXF (R12, millimetres, a block per piece): the cut line on layer 1, the line that is
+ * sewn on 14 where it is another one, notches on 4, grain on 7, and so on, each within 0.02 mm of its curves.
+ * @throws {SolverError} for bad input
+ */
+export async function garmentDxf(
+  garment: Garment | string,
+  {name = plainNames.garment, allowanceCm = 0, sewAsBoundary = false}: GarmentDxfOptions = {},
+): Promise<string> {
+  const document = await readGarment(garment, name);
+  const [{draftedSheet}, {sheetDxf}] = await Promise.all([
+    import('../cutting/drafted-sheet.js'),
+    import('../cutting/out/sheet-dxf.js'),
+  ]);
+  return sheetDxf(draftedSheet(document, {allowanceCm, units: 'cm'}, name), {sewAsBoundary});
 }
 
 /** Memory of the shared module: its size, and what is in use of it. [bytes] */

@@ -1,6 +1,6 @@
 /** What a file is by its first bytes, whatever it is called, and whether it is all there. */
 
-/** Those that become prints, others that people take for pictures, and documents, which are none. */
+/** Those that become prints, others that people take for pictures, drawings, and documents, which are neither. */
 export type FileKind =
   | 'png'
   | 'jpeg'
@@ -17,8 +17,7 @@ export type FileKind =
   | 'dxf'
   | 'zip';
 
-export const isDocument = (kind: FileKind): boolean =>
-  ['pdf', 'postscript', 'dxf', 'zip'].includes(kind);
+export const isDocument = (kind: FileKind): boolean => ['pdf', 'postscript', 'zip'].includes(kind);
 
 /** Bytes that are looked at for the beginning of a text. */
 const beginning = 4096;

@@ -11,6 +11,7 @@ import {
   printElements,
   reducedBasis,
   type PlaneMap,
+  type Repeat,
 } from '../model/wallpaper.js';
 
 /** A seam under an alignment: the mismatch of every edge and the mean length of its two sides. [cm] */
@@ -103,6 +104,8 @@ export interface Drift {
   readonly end: number;
   /** The most anywhere. */
   readonly most: number;
+  /** Further than a print can miss that lies anyhow: how far says nothing then. */
+  readonly isLost: boolean;
 }
 
 /** A print that is further off than this along the whole seam than it is point by point has run off. [cm] */
@@ -111,7 +114,11 @@ const leastDrift = 0.3;
 const endPart = 0.1;
 
 /** Undefined where following the print along the seam makes no difference. */
-export function driftOf(local: SeamMismatch, whole: SeamMismatch): Drift | undefined {
+export function driftOf(
+  local: SeamMismatch,
+  whole: SeamMismatch,
+  {w1, w2}: Repeat,
+): Drift | undefined {
   if (meanOf(whole) - meanOf(local) <= leastDrift) return undefined;
   const {mismatch, lengths} = whole;
   const part = endPart * lengths.reduce((sum, one) => sum + one, 0);
@@ -123,7 +130,10 @@ export function driftOf(local: SeamMismatch, whole: SeamMismatch): Drift | undef
     const count = long.findIndex((one) => (way += one) >= part) + 1;
     return meanOf({mismatch: some.slice(0, count), lengths: long.slice(0, count)});
   };
-  return {start: endOf(1), end: endOf(-1), most: Math.max(...mismatch)};
+  const [most, [u, v]] = [Math.max(...mismatch), reducedBasis(w1, w2)];
+  // no point is further than half this diagonal from the nearest of the lattice
+  const isLost = most > Math.hypot(...u, ...v) / 2;
+  return {start: endOf(1), end: endOf(-1), most, isLost};
 }
 
 /** Adds the seams up. */

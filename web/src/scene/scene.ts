@@ -191,11 +191,12 @@ export function realigned(scene: PatternScene, alignments: readonly Alignment[])
       ...piece,
       alignment: alignments[k] ?? piece.alignment,
     })),
-    seams: scene.seams.map((seam, k) => ({...seam, ...matchOf(local[k], whole[k])})),
+    seams: scene.seams.map((seam, k) => ({...seam, ...matchOf(pattern, local[k], whole[k])})),
   };
 }
 
 function matchOf(
+  {print}: Pattern,
   local: SeamMismatch | undefined,
   whole: JoinedSeam | undefined,
 ): SeamMatch | undefined {
@@ -206,7 +207,7 @@ function matchOf(
   return {
     ...{kind: whole.kind, mismatch, worst},
     mean: meanOf(local),
-    drift: driftOf(local, whole),
+    drift: driftOf(local, whole, print),
   };
 }
 

@@ -23,7 +23,7 @@ function beside(line: readonly Point[], outline: readonly Point[], inside: numbe
  * @param inside from the sewn line to the middle of a letter [cm]
  */
 export function seamLetters(
-  {pieces, seams}: Pattern,
+  {pieces, seams}: Pick<Pattern, 'pieces' | 'seams'>,
   inside: number,
   state: 'rest' | 'shape' = 'shape',
 ): readonly (readonly SeamLetter[])[] {

@@ -1,5 +1,6 @@
 /** Words that whoever embeds the element gives in place of its own. */
 import type {Texts} from './en.js';
+import type {SewTexts} from './sew/en.js';
 import type {WornTexts} from './worn/en.js';
 
 type Some<T> = T extends (...given: never) => string
@@ -10,8 +11,8 @@ type Some<T> = T extends (...given: never) => string
       ? T
       : {readonly [Name in keyof T]?: Some<T[Name]>};
 
-/** Any of the texts, by their names in `texts/en` and `texts/worn`; a plain sentence may stand for one with figures in it. */
-export type Messages = Some<Texts & {worn: WornTexts}>;
+/** Any of the texts, by their names in `texts/en`, `texts/worn` and `texts/sew`; a plain sentence may stand for one with figures in it. */
+export type Messages = Some<Texts & {worn: WornTexts; sew: SewTexts}>;
 
 /** What is of another kind than the text in its place is left out. */
 export const withMessages = <T>(texts: T, messages: Messages): T => merged(texts, messages) as T;

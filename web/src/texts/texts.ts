@@ -1,6 +1,7 @@
 import type {Language} from './preferences.js';
 import {en, type Texts} from './en.js';
 import {withMessages, type Messages} from './messages.js';
+import {isTouched} from './pointer.js';
 
 export type {Texts} from './en.js';
 export type {Messages} from './messages.js';
@@ -24,10 +25,6 @@ function withThese(texts: Texts, messages: Messages | undefined): Texts {
   known.set(texts, made);
   return made;
 }
-
-/** Where a finger is what points. */
-const isTouched = (): boolean =>
-  'matchMedia' in globalThis && matchMedia('(pointer: coarse)').matches;
 
 /** The words of a language, English until they are loaded, but for those that somebody gives themselves. */
 export function textsOf(language: Language, messages?: Messages): Texts {

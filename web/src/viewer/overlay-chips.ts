@@ -6,9 +6,10 @@ import {outsideOf} from './outside.js';
 import {onSheet, type Overlay, type Sign} from './overlay.js';
 import type {PatternScene} from '../scene/scene.js';
 import {atShare} from '../model/polyline.js';
+import {wayOnSheet} from '../model/sheet-place.js';
 import {lineOf} from '../scene/seam-line.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
-import type {Appearance} from './strokes.js';
+import {inks, type Appearance} from './strokes.js';
 
 interface Chip {
   readonly element: HTMLElement;
@@ -30,7 +31,7 @@ export class OverlayChips {
   #message: HTMLElement | undefined;
 
   show(scene: PatternScene, overlay: Overlay, appearance: Appearance): void {
-    const {points = [], ghosts = [], signs = [], message} = overlay;
+    const {points = [], ghosts = [], signs = [], badges = [], message} = overlay;
     const beside = {share: [0, -0.5], by: [reach, 0]} as const;
     const named = points.flatMap(({piece, point, label}): Chip[] =>
       label === undefined
@@ -56,13 +57,21 @@ export class OverlayChips {
       at: onSheet(scene, piece, point),
       off: {share: [-0.5, -0.5], by: [0, 0]},
     }));
+    const numbers = badges.map(({piece, point, inwards, text}): Chip => {
+      const [x, y] = wayOnSheet(scene.pieces[piece] ?? {offset: [0, 0]}, inwards);
+      return {
+        element: badge(text, appearance),
+        at: onSheet(scene, piece, point),
+        off: {share: [-0.5, -0.5], by: [letterReach * x, -letterReach * y]},
+      };
+    });
     const said = message && {
       element: messageChip(message.text, message.tone, appearance),
       at: onSheet(scene, message.piece, message.point),
       off: {share: [-0.5, -1], by: [0, -reach]} as const,
     };
     this.#message = said?.element;
-    this.#chips = [...letters, ...sewn, ...decided, ...named, ...(said ? [said] : [])];
+    this.#chips = [...letters, ...sewn, ...decided, ...numbers, ...named, ...(said ? [said] : [])];
     this.element.replaceChildren(...this.#chips.map(({element}) => element));
   }
 
@@ -97,6 +106,20 @@ function lettersOf(
     const outside = outsideOf(scene.pieces[side.piece], side.vertices);
     return {letter: seamLetter(number), at, inwards: [-outside * along[1], outside * along[0]]};
   });
+}
+
+function badge(text: string, appearance: Appearance): HTMLElement {
+  const element = placeable(document.createElement('span'), {
+    width: `${letterSize}px`,
+    height: `${letterSize}px`,
+    borderRadius: '50%',
+    background: `rgb(${inks[appearance].accent.join(' ')})`,
+    color: `rgb(${inks[appearance].paper.join(' ')})`,
+    textAlign: 'center',
+    font: `600 12px/${letterSize}px system-ui, sans-serif`,
+  });
+  element.textContent = text;
+  return element;
 }
 
 function ghostLetter(letter: string, appearance: Appearance): HTMLElement {

@@ -26,7 +26,20 @@ export interface Overlay {
   /** A mirror axis that is being drawn. */
   readonly candidate?: {readonly piece: number; readonly axis: readonly [Point, Point]};
   readonly points?: readonly (OnPiece & {readonly label?: string})[];
-  readonly lines?: readonly {readonly piece: number; readonly line: readonly Point[]}[];
+  readonly lines?: readonly {
+    readonly piece: number;
+    readonly line: readonly Point[];
+    /** Default `chosen`. */
+    readonly look?: LineLook;
+  }[];
+  /** Between points that come to lie on each other. */
+  readonly threads?: readonly {
+    readonly from: OnPiece;
+    readonly to: OnPiece;
+    readonly isFaint?: boolean;
+  }[];
+  /** Numbers beside lines, on the side that a direction leads to. */
+  readonly badges?: readonly (OnPiece & {readonly inwards: Point; readonly text: string})[];
   readonly cursors?: readonly OnPiece[];
   /** Lines that something may click over to. */
   readonly rails?: readonly {readonly piece: number; readonly line: readonly [Point, Point]}[];
@@ -36,6 +49,9 @@ export interface Overlay {
 }
 
 export type Sign = 'pin' | 'lock';
+
+/** `lit`: one may choose it; `faint`: it is suggested; `open`: it is to stay as it is. */
+export type LineLook = 'chosen' | 'lit' | 'faint' | 'open';
 
 /** Of the thread between two sides: how far it bends out, in parts of its length. */
 const bend = 0.16;
@@ -83,11 +99,18 @@ export function overlayStrokes(
     candidate,
     points = [],
     lines = [],
+    threads = [],
     cursors = [],
     rails = [],
     highlight,
   } = overlay;
   const seam = highlight && scene.seams[highlight.seam];
+  const lookOf: Readonly<Record<LineLook, LineStyle>> = {
+    chosen: {colour: accent, width: 3.5},
+    lit: {colour: accent, width: 2.4, dash: [6, 9]},
+    faint: {colour: accent, width: 1.2, dash: [1, 5]},
+    open: {colour: quiet, width: 2.4, dash: [0.5, 5]},
+  };
   return [
     ...outline(overlay.hoverPiece, {colour: accent, width: 2}),
     ...outline(overlay.selectPiece, {colour: accent, width: 3.5}),
@@ -99,9 +122,18 @@ export function overlayStrokes(
       return [cased(rail, casing), rail];
     }),
     ...(candidate ? axis(candidate.piece, candidate.axis, accent) : []),
-    ...lines.flatMap(({piece, line: marked}) => {
-      const chosen = line(piece, marked, {colour: accent, width: 3.5});
-      return [cased(chosen, casing), chosen];
+    ...lines.flatMap(({piece, line: marked, look = 'chosen'}) => {
+      const drawn = line(piece, marked, lookOf[look]);
+      return [cased(drawn, casing), drawn];
+    }),
+    ...threads.flatMap(({from, to, isFaint = false}) => {
+      const points = thread(
+        onSheet(scene, from.piece, from.point),
+        onSheet(scene, to.piece, to.point),
+      );
+      const styles: LineStyle = isFaint ? lookOf.faint : {colour: accent, width: 1.6};
+      const ends = isFaint ? [] : [from, to].flatMap((end) => dot(end, 6));
+      return [cased({points, styles}, casing), {points, styles}, ...ends];
     }),
     ...(seam ? highlit(scene, seam, highlight.side, appearance) : []),
     ...points.flatMap((point) => dot(point, 8)),

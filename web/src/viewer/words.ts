@@ -37,6 +37,8 @@ export class Words {
     if (scene && overlay) this.#chips.show(scene, overlay, look);
     else this.#chips.clear();
     this.#notes.highlight(overlay?.highlight?.seam);
+    // there are other numbers to be read
+    this.#notes.element.style.visibility = overlay?.badges ? 'hidden' : '';
   }
 
   /** Whether there are words at all, and those of seams among them. */

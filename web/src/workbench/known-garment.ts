@@ -10,6 +10,8 @@ export class KnownGarment {
   #garment: DesignGarment | undefined;
   #pattern: MeshedPattern | undefined;
   readonly #documents = new WeakMap<DesignGarment, GarmentDocument>();
+  /** What an edit has made of the garment, before anybody has read or meshed it. */
+  #expected: {readonly garment: DesignGarment; readonly pattern: MeshedPattern} | undefined;
   /** What is being read. */
   #reading: DesignGarment | undefined;
 
@@ -32,11 +34,18 @@ export class KnownGarment {
     return this.#pattern;
   }
 
+  /** What the file of a garment holds that comes next, and how it lies until it is meshed. */
+  expect(garment: DesignGarment, document: GarmentDocument, pattern: MeshedPattern): void {
+    this.#documents.set(garment, document);
+    this.#expected = {garment, pattern};
+  }
+
   /** What was known of another garment is forgotten. @returns whether it was another one */
   meet(garment: DesignGarment): boolean {
     if (garment === this.#garment) return false;
     this.#garment = garment;
-    this.#pattern = undefined;
+    this.#pattern = this.#expected?.garment === garment ? this.#expected.pattern : undefined;
+    this.#expected = undefined;
     return true;
   }
 

@@ -65,22 +65,28 @@ export class SceneMaker {
   );
   /** What each garment was laid out for, once and for all: windows and panels change, pieces stay where they lie. */
   readonly #rooms = new WeakMap<DesignGarment, Room>();
-  /** How the pieces lay last, by name, and of which garment. */
+  /** What was laid out last. */
+  #laid: DesignGarment | undefined;
+  /** How the pieces lay last, by name. */
   #last = new Map<string, Alignment>();
-  #lastGarment: GarmentDocument | undefined;
+
+  /** A garment that goes by the same name is the same one, edited: its pieces stay where they are. */
+  #roomBefore({name}: DesignGarment): Room | undefined {
+    return this.#laid?.name === name ? this.#rooms.get(this.#laid) : undefined;
+  }
 
   /** Undefined until the solver has read the garment. */
   scenes(work: Work, shown: Room): Scenes | undefined {
     const {design, garment, pattern, result, partial} = work;
     if (!design || !garment || !pattern) return undefined;
     const print = this.#print(design.print);
-    if (garment !== this.#lastGarment) this.#last = new Map();
-    this.#lastGarment = garment;
+    if (!this.#roomBefore(design.garment)) this.#last = new Map();
     const {plain, pins, locked} = design.options;
     const {names, grain} = decidedOf(design);
     const decided = this.#decided(names, grain);
-    const room = this.#rooms.get(design.garment) ?? shown;
+    const room = this.#rooms.get(design.garment) ?? this.#roomBefore(design.garment) ?? shown;
     if (isRoom(room)) this.#rooms.set(design.garment, room);
+    this.#laid = design.garment;
     const {width, height} = room;
     const settings = this.#settings(garment, decided, plain, work.preferences.scale, width, height);
     const before = this.#rest(pattern, print, settings);

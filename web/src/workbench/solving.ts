@@ -142,6 +142,11 @@ export class Solving extends Observable {
     if (this.#known.takeFirst(garment, pattern)) this.changed();
   }
 
+  /** The design is about to have another garment, which an edit has made. */
+  expect(garment: DesignGarment, document: GarmentDocument, pattern: MeshedPattern): void {
+    this.#known.expect(garment, document, pattern);
+  }
+
   /** A garment as it lies in its file. @throws {SolverError} when it cannot be read */
   meshed({garment, print}: Pick<Design, 'garment' | 'print'>): Promise<MeshedPattern> {
     const problem = {garment: garment.text, print: printOf(print), symmetry: 'none'};

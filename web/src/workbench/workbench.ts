@@ -187,6 +187,19 @@ export class Workbench {
     this.#parts.history.change(change, kind);
   }
 
+  /**
+   * Takes a step to a garment that an edit has made of the present one.
+   * @param document what its file holds @param pattern how it lies until it is meshed
+   */
+  edit(
+    change: Partial<Design> & Pick<Design, 'garment'>,
+    document: GarmentDocument,
+    pattern: MeshedPattern,
+  ): void {
+    this.#parts.solving.expect(change.garment, document, pattern);
+    this.change(change);
+  }
+
   /** For a drag: until it ends, its changes are one step, however long it rests. @returns what ends it */
   hold(): () => void {
     return this.#parts.history.hold();

@@ -41,7 +41,7 @@ function fileCommands(parts: PageParts): readonly Command[] {
   if (!workbench.design) return open;
   const why = workbench.result ? undefined : needs.answer;
   const saved = (
-    id: Exclude<keyof typeof saves, 'other'>,
+    id: Exclude<keyof typeof saves, 'other' | 'cut'>,
     title: string,
     words: string,
     why?: string,
@@ -53,7 +53,7 @@ function fileCommands(parts: PageParts): readonly Command[] {
     withKey(texts, 'save', {words: also.save, run: saves.project}),
     saved('result', app.saveResult, '', why),
     saved('picture', app.savePicture, also.picture, why),
-    saved('cutting', app.saveCutting, also.cutting, why),
+    withKey(texts, 'cut', {words: `${also.save} ${also.cutting}`, run: saves.cut}),
     saved('link', app.copyLink, also.link),
     {
       ...{id: 'paper', title: commands.paper, words: also.paper},

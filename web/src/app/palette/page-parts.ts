@@ -22,7 +22,7 @@ export interface PageParts {
     readonly project: () => void;
     readonly result: () => void;
     readonly picture: () => void;
-    readonly cutting: () => void;
+    readonly cut: () => void;
     readonly link: () => void;
     readonly other: (ending: string, content: Blob) => void;
   };

@@ -12,8 +12,14 @@ import {
 } from '../../editor/index.js';
 import {withKey, type PageParts} from './page-parts.js';
 
-const tools = ['piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;
+const tools = ['sew', 'piece', 'axis', 'pair', 'move', 'keep', 'grain'] as const;
 const zooms = ['fit', 'zoomIn', 'zoomOut', 'zoom'] as const;
+
+const alsoOf = (id: (typeof tools)[number], {also}: PageParts['texts']['commands']): string => {
+  if (id === 'sew') return also.sew;
+  if (id === 'keep') return also.keep;
+  return id === 'move' ? '' : also.symmetry;
+};
 
 export function toolCommands({workbench, texts, editor}: PageParts): readonly Command[] {
   const {pattern} = editor;
@@ -21,7 +27,7 @@ export function toolCommands({workbench, texts, editor}: PageParts): readonly Co
   const {commands, symmetry} = texts;
   const list = tools.map((id) =>
     withKey(texts, id, {
-      words: id === 'keep' ? commands.also.keep : id === 'move' ? '' : commands.also.symmetry,
+      words: alsoOf(id, commands),
       run: () => {
         patternCommands[id](pattern);
         editor.toPattern();

@@ -8,6 +8,7 @@ import {
   isTooDeep,
   listOf,
   Malformed,
+  number,
   oneOf,
   shape,
   text,
@@ -19,12 +20,16 @@ import type {Symmetry} from '../../model/symmetries.js';
 import {sha256Of} from '../../model/result-text.js';
 import {packageVersion} from '../../model/version.js';
 import {addressFrom} from '../../node/addresses.js';
+import {paperOf} from '../../paper/papers.js';
+import {greatestAllowance, type CutWish} from '../base/cut-files.js';
 
 /** A garment in a print. Addresses are whole; the options and symmetries are as the line has them. */
 export interface Job extends Omit<Design<string, string>, 'names' | 'fabric'> {
   readonly label: Label;
   /** Whether to drape the result and to write it as GLB. */
   readonly drape: boolean;
+  /** How to write the pieces of the result as PDF; null for not at all. */
+  readonly cut: CutWish | null;
 }
 
 /** What a job is called; nothing in it but the files it names changes the answer. */
@@ -47,7 +52,7 @@ const singles = ['garment', 'print', 'size'] as const;
 const known = [
   ...singles,
   ...singles.map((name) => `${name}s`),
-  ...['symmetry', 'method', 'options', 'seed', 'name', 'drape'],
+  ...['symmetry', 'method', 'options', 'seed', 'name', 'drape', 'cut'],
 ];
 const mark = '{size}';
 
@@ -64,6 +69,14 @@ const symmetryField: Read<Job['symmetry']> = (value, at) =>
       ? (value as readonly Symmetry[])
       : fail(at, "'auto', 'none' or a list of symmetries");
 
+const paper: Read<string> = (value, at) =>
+  typeof value === 'string' && paperOf(value) ? value : fail(at, 'a paper, such as a4 or 60x90cm');
+const allowance = number(0, greatestAllowance);
+const cutFields: Read<CutWish> = shape(
+  {},
+  {paper, allowance, hem: allowance, ink: oneOf(['full', 'outline'])},
+);
+
 const fields = shape(
   {},
   {
@@ -71,6 +84,7 @@ const fields = shape(
     ...{garments: listOf(word), prints: listOf(word), sizes: listOf(word)},
     ...{symmetry: symmetryField, method: oneOf(methods), options: object, seed: seedField},
     drape: flag,
+    cut: cutFields,
   },
 );
 
@@ -100,7 +114,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
   const unsized = garments.find((garment) => sizes.length > 1 && !garment.includes(mark));
   if (unsized !== undefined) fail('garment', `a name with ${mark} in it, since there are sizes`);
   const {name = null, symmetry = 'auto', method = 'best', options = {}, seed = usualSeed} = given;
-  const {drape = false} = given;
+  const {drape = false, cut = null} = given;
   for (const garment of garments) {
     for (const size of sizes) {
       const file = size === null ? garment : garment.replaceAll(mark, size);
@@ -110,7 +124,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
           label: {name, garment: file, print, size},
           garment: garmentAddress,
           print: addressFrom(base, print).href,
-          ...{symmetry, method, options, seed, drape},
+          ...{symmetry, method, options, seed, drape, cut},
         };
       }
     }
@@ -141,11 +155,12 @@ export async function keyed(
 
 /** What the answer of a job depends on, as one sha256. */
 function keyOf(job: Omit<KeyedJob, 'key'>): string {
-  const {garmentSha256, printSha256, symmetry, method, options, seed, drape} = job;
+  const {garmentSha256, printSha256, symmetry, method, options, seed, drape, cut} = job;
   const content = sorted({
     ...{garment: garmentSha256, print: printSha256},
     ...{symmetry, method, options, seed, solver: packageVersion},
     ...(drape && {drape}), // what is not draped keeps its key
+    ...(cut && {cut}),
   });
   return sha256Of(JSON.stringify(content));
 }
@@ -159,6 +174,7 @@ const keyedFields: Read<KeyedJob> = shape({
     options: object,
     seed: seedField,
     drape: flag,
+    cut: (value: unknown, at: string) => (value === null ? null : cutFields(value, at)),
     key: hash,
     garmentSha256: hash,
     printSha256: hash,

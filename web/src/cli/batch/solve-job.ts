@@ -11,7 +11,9 @@ import {FileError} from '../../model/versioned-file.js';
 import {addressOf, readAddress} from '../../node/addresses.js';
 import {textOf} from '../../node/files.js';
 import {drape, solve} from '../../node/index.js';
+import {UsageError} from '../base/arguments.js';
 import {readCell} from '../base/cell-picture.js';
+import {cutFiles, type CutAnswer, type CutWish} from '../base/cut-files.js';
 import type {KeyedJob} from './jobs.js';
 import {failedFor, failureText, figuresOf, type Outcome} from './outcome.js';
 import {Store} from './store.js';
@@ -56,16 +58,20 @@ async function solved(job: KeyedJob): Promise<Solved> {
   const {label} = job;
   try {
     const print = await textAt(job.print, label.print, job.printSha256);
-    const result = await solve(
-      problemFor(job, await textAt(job.garment, label.garment, job.garmentSha256), print),
-      {names: {garment: label.garment, print: label.print}},
-    );
+    const garment = await textAt(job.garment, label.garment, job.garmentSha256);
+    const result = await solve(problemFor(job, garment, print), {
+      names: {garment: label.garment, print: label.print},
+    });
     const text = resultText(result);
-    const beside = job.drape ? await draped(job, print, result, text) : {};
+    const beside = {
+      ...(job.drape && (await draped(job, print, result, text))),
+      ...(job.cut && (await cut(job, job.cut, {garment, print, result}))),
+    };
     const figures = {metrics: figuresOf(result), sha256: sha256Of(text)};
     return {outcome: {status: 'done', ...figures, milliseconds: null}, text, beside};
   } catch (error) {
     if (error instanceof SolverError) return refused(error);
+    if (error instanceof UsageError) return {outcome: failedFor('not-found', error.message)};
     if (error instanceof FileError) return {outcome: failedFor('not-found', error.message)};
     throw error;
   }
@@ -87,6 +93,24 @@ async function draped(
     ...{plain, garment: titleOfFile(label.garment), sha256: sha256Of(text)},
   });
   return {'.drape.json': drapeText(drapeFile(result, worn)), '.glb': scene};
+}
+
+/** @throws {FileError} where the print's picture cannot be read, or be drawn by nobody */
+async function cut(
+  {label, print: address, options}: KeyedJob,
+  wish: CutWish,
+  of: {readonly garment: string; readonly print: string; readonly result: SolveResult},
+): Promise<NonNullable<Solved['beside']>> {
+  const answer: CutAnswer = {
+    garment: {
+      ...{text: of.garment, name: label.garment},
+      ...(label.size !== null && {size: label.size}),
+    },
+    ...{result: of.result, print: readPrintFile(of.print, label.print)},
+    ...{address: addressOf(address), plain: options.plain ?? []},
+  };
+  const [pdf = ''] = await cutFiles(answer, ['pdf'], wish);
+  return {'.pdf': pdf};
 }
 
 function refused({code, message, piece, seam}: SolverError): Solved {

@@ -20,7 +20,9 @@ const table = {
   redo: {where: 'editor', keys: ['Mod Shift Z', 'Mod Y']},
   views: {where: 'editor', keys: ['V']},
   save: {where: 'page', keys: ['Mod S']},
+  cut: {where: 'page', keys: ['Mod Shift S']},
   open: {where: 'page', keys: ['Mod O']},
+  sew: {where: 'pattern', keys: ['J']},
   piece: {where: 'pattern', keys: ['S']},
   axis: {where: 'pattern', keys: ['X']},
   pair: {where: 'pattern', keys: ['P']},
@@ -82,13 +84,19 @@ export function keyOf(id: ShortcutId, {keyNames}: Pick<Texts, 'keyNames'>): stri
 
 /** What a command is called. */
 export function titleOf(id: ShortcutId, texts: Texts): string {
-  const {app, symmetry, keep, pattern, commands, lists} = texts;
+  const {app, sewing, symmetry, keep, pattern, commands, lists} = texts;
   const {views} = pattern;
   const titles: Readonly<Record<ShortcutId, string>> = {
     ...{commands: commands.title, keys: app.keys, undo: app.undo, redo: app.redo},
     views: lists.of(views.label, `${views.pattern}, ${views.garment}, ${views.both}`),
-    ...{save: app.saveProject, open: app.openGarment},
-    ...{piece: symmetry.piece, axis: commands.axis, pair: symmetry.pair, move: symmetry.move},
+    ...{save: app.saveProject, cut: app.cut, open: app.openGarment},
+    ...{
+      sew: sewing.tool,
+      piece: symmetry.piece,
+      axis: commands.axis,
+      pair: symmetry.pair,
+      move: symmetry.move,
+    },
     ...{keep: keep.tool, grain: commands.grain, turn: commands.turnSelected, lens: commands.lens},
     ...{clothOnly: pattern.clothOnly, fit: pattern.fit},
     ...{zoomIn: pattern.zoomIn, zoomOut: pattern.zoomOut, zoom: pattern.zoomPercent},

@@ -1,6 +1,7 @@
 /** What a step changed, so that taking it back can say what goes. */
-import {askedSymmetries, fabricOf, type Design} from '../../model/design.js';
+import {askedSymmetries, fabricOf, type Design, type DesignGarment} from '../../model/design.js';
 import type {SolveOptions} from '../../model/options.js';
+import {fieldOf} from '../../model/read.js';
 import type {Symmetry} from '../../model/symmetries.js';
 import {solveSettingsOf, type SolveSettings} from '../controls/presets.js';
 import {withQuarterTurn} from '../lists/choices.js';
@@ -48,7 +49,17 @@ export function changeBetween(from: Design, to: Design): Change {
 function garmentChange({garment: a}: Design, {garment: b}: Design): Change['kind'] | undefined {
   if (a.name === b.name && a.text === b.text) return undefined;
   if (a.sample && a.sample.style === b.sample?.style) return 'size';
-  return a.name === b.name ? 'unit' : 'garment';
+  if (a.name !== b.name) return 'garment';
+  return patternText(a) === patternText(b) ? 'unit' : 'seams';
+}
+
+const known = new WeakMap<DesignGarment, string>();
+
+/** What is sewn to what, and of what shape: all of a garment but the unit of its numbers. */
+function patternText(garment: DesignGarment): string {
+  const text = known.get(garment) ?? JSON.stringify(fieldOf(JSON.parse(garment.text), 'pattern'));
+  known.set(garment, text);
+  return text;
 }
 
 function printChange({print: p}: Design, {print: q}: Design): Change['kind'] | undefined {

@@ -129,6 +129,7 @@ export function remarkOn(
   if (why === 'grain' || (why && !drift)) return remedies.why[why];
   if (!drift) return undefined;
   const [near, far] = [Math.min(drift.start, drift.end), Math.max(drift.start, drift.end)];
+  if (drift.isLost) return lists.lost;
   const meets = near <= mismatchSteps[1] && far > mismatchSteps[1];
   return meets ? lists.runsOff(format.fine(far)) : lists.offAlong(format.fine(drift.most));
 }

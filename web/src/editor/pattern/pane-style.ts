@@ -42,6 +42,17 @@ export const paneStyle = css`
     flex-wrap: var(--sw-foot-wrap, nowrap);
     padding: var(--sw-space-1) var(--sw-space-3) var(--sw-space-2);
   }
+  .foot:has(sw-sew-bar) {
+    flex-wrap: wrap;
+  }
+  .foot:has(sw-sew-bar) sw-tool-hint {
+    block-size: 3.9em; /* for three lines, whatever is said */
+    overflow-y: auto;
+  }
+  sw-sew-bar {
+    flex: 1 1 100%;
+    min-width: 0;
+  }
   .foot[hidden] {
     display: none;
   }
@@ -70,6 +81,10 @@ export const paneStyle = css`
     }
     sw-tool-hint {
       flex-basis: 100%;
+    }
+    /* who sews has to see the pieces */
+    .foot:has(sw-sew-bar) .view {
+      display: none;
     }
   }
   :host([purpose='place']) .foot {

@@ -28,6 +28,7 @@ const tool =
 type Act = (pane: CommandedPattern) => boolean;
 
 export const patternCommands: Readonly<Record<ShortcutIn<'pattern'>, Act>> = {
+  sew: tool('sew'),
   piece: tool('piece'),
   axis: tool('axis'),
   pair: tool('pair'),

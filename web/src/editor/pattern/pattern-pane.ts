@@ -1,5 +1,5 @@
 /** The pattern: its drawing, what lies over it, and the same as words for those who do not see it. */
-import {html, nothing, type TemplateResult} from 'lit';
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {PickIndex} from '../../clicks/pick-index.js';
 import type {Target as Picked} from '../../clicks/pick.js';
@@ -23,10 +23,16 @@ import {emptyNote, noteStyle, stateNote, undrawableNote} from './state-note.js';
 import type {ZoomMenu} from './zoom-menu.js';
 
 export class PatternPane extends PatternDrawing {
-  static override properties = {...PatternDrawing.properties, purpose: {reflect: true}};
+  static override properties = {
+    ...PatternDrawing.properties,
+    purpose: {reflect: true},
+    sews: {type: Boolean, reflect: true},
+  };
   static override styles = [...PatternDrawing.styles, controls, paneStyle, noteStyle];
   /** `place`: for who moves the print, and does nothing else. */
   declare purpose: 'edit' | 'place';
+  /** For the room that it gets. */
+  declare sews: boolean;
 
   readonly #index = new SheetIndex();
   readonly #movementOf = lastOf(movementOf);
@@ -36,11 +42,14 @@ export class PatternPane extends PatternDrawing {
   #split: number | undefined;
   #showsMovement = false;
   #isBare = false;
+  /** The piece of work that was looked at for seams, by its number. */
+  #welcomed: number | undefined;
   #cursor: LensCursor | undefined;
 
   constructor() {
     super();
     this.purpose = 'edit';
+    this.sews = false;
   }
 
   get tools(): PatternTools {
@@ -111,6 +120,20 @@ export class PatternPane extends PatternDrawing {
     stage.tabIndex = -1; // the pattern as a whole has the focus
   }
 
+  /** A garment that comes without any seam is to be sewn. */
+  #welcome(): void {
+    const {beginnings, garment} = this.workbench;
+    if (!garment || beginnings === this.#welcomed || this.purpose !== 'edit') return;
+    this.#welcomed = beginnings;
+    if (garment.seams.length === 0 && this.tools.active !== 'sew') this.tools.toggle('sew');
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    this.#welcome();
+    this.sews = this.tools.active === 'sew';
+  }
+
   protected override drew(view: PatternView): void {
     const {workbench} = this;
     const {scenes} = workbench;
@@ -132,6 +155,11 @@ export class PatternPane extends PatternDrawing {
   /** The keys of the pattern work again. */
   override focus(options?: FocusOptions): void {
     this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
+  }
+
+  /** Letters and numbers of the tool that sews work while a button has the focus, too; what presses buttons does not. */
+  sewByKey(event: KeyboardEvent): void {
+    if (this.tools.sewing && /^[^ ]$/.test(event.key)) patternKeys(this, event);
   }
 
   get index(): PickIndex | undefined {
@@ -156,7 +184,7 @@ export class PatternPane extends PatternDrawing {
         role="application"
         aria-label=${pattern.label}
         aria-description=${pattern.description}
-        aria-activedescendant=${workbench.selected ? optionId(workbench.selected) : nothing}
+        aria-activedescendant=${this.#activeId ?? nothing}
         aria-owns="options"
         tabindex="0"
         @keydown=${(event: KeyboardEvent) => {
@@ -168,7 +196,7 @@ export class PatternPane extends PatternDrawing {
       >
         <div class="stage"></div>
       </div>
-      ${index ? patternOptions(workbench, index, this.texts, this.format) : nothing} ${this.#note()}
+      ${index ? this.#options(index) : nothing} ${this.#note()}
       <slot name="notice"></slot>
       ${this.#menu()}
       ${
@@ -183,6 +211,7 @@ export class PatternPane extends PatternDrawing {
             ></sw-wipe-handle>`
       }
       <div class="foot" ?hidden=${empty}>
+        ${this.tools.sewing?.bar() ?? nothing}
         ${
           this.tools.active
             ? html`<sw-tool-hint
@@ -207,6 +236,22 @@ export class PatternPane extends PatternDrawing {
     `;
   }
 
+  /** What the keys are about just now. */
+  get #activeId(): string | undefined {
+    const {selected} = this.workbench;
+    const {sewing} = this.tools;
+    return sewing ? sewing.activeId : selected && optionId(selected);
+  }
+
+  /** Pieces and seams as words, or edges for who sews. */
+  #options(index: PickIndex): TemplateResult {
+    const {pattern} = this.texts;
+    return (
+      this.tools.sewing?.options(pattern.contents) ??
+      patternOptions(this.workbench, index, this.texts, this.format)
+    );
+  }
+
   #comparing(): TemplateResult {
     const {pattern} = this.texts;
     return html`${this.#toggle(pattern.wipe, icon.before, this.#split !== undefined, () => {
@@ -222,6 +267,9 @@ export class PatternPane extends PatternDrawing {
 
   #note(): TemplateResult | typeof nothing {
     if (this.undrawable !== undefined) return undrawableNote(this.undrawable);
+    const {garment, state} = this.workbench;
+    if (this.tools.active === 'sew' && garment?.seams.length === 0 && state.kind === 'done')
+      return nothing; // the tool says what to do
     return stateNote(this.workbench, this.texts, () => {
       const {result, scenes} = this.workbench;
       if (!this.#showsMovement || !result) return undefined;

@@ -16,19 +16,29 @@ import {middleOf, pin, shifted, stepped, turnedOn, unpin} from './print-mover.js
 import {GrainClicks} from './grain-clicks.js';
 import {keepMarks, toggleKept} from '../lists/keeping.js';
 import {railsOf} from './rails.js';
+import type {SewingTool} from '../sewing/sewing-tool.js';
+import {toFailure} from '../../workbench/latest-solve.js';
 import {SymmetryChooser} from './symmetry-chooser.js';
 
 /**
  * `axis`: a symmetric piece by two points, even where a line is near. `keep`: what is pressed stays as drafted,
- * or is let go. `grain`: where the grain line of a piece runs.
+ * or is let go. `grain`: where the grain line of a piece runs. `sew`: edges are sewn to each other.
  */
-export type Tool = 'piece' | 'axis' | 'pair' | 'move' | 'keep' | 'grain';
+export type Tool = 'piece' | 'axis' | 'pair' | OwnTool;
+/** A tool that names no symmetry. */
+type OwnTool = 'move' | 'keep' | 'grain' | 'sew';
+
+const ownTools: readonly Tool[] = ['move', 'keep', 'grain', 'sew'];
+const isOwn = (tool: Tool): tool is OwnTool => ownTools.includes(tool);
 
 /** How near a pointer has to come to a line. [CSS px] */
 export const reachOf = (pointerType: string): number => (pointerType === 'touch' ? 22 : 6);
 
 /** Lines no further apart than this are as good as each other. [CSS px] */
 const tie = 2;
+
+/** Who sews means lines alone: they reach so many times as far. */
+const sewingReach = 2;
 
 export class PatternTools {
   readonly chooser: SymmetryChooser;
@@ -37,8 +47,9 @@ export class PatternTools {
   readonly isFixed: boolean;
   readonly #workbench: Workbench;
   readonly #changed: () => void;
-  /** A tool that names no symmetry. */
-  #own: 'move' | 'keep' | 'grain' | undefined;
+  #own: OwnTool | undefined;
+  /** Loaded when somebody sews, in a language. */
+  #sewing: {readonly language: string; readonly tool: SewingTool | undefined} | undefined;
   #byPoints = false;
   /** What a press would keep or let go. */
   #pointed: Picked | undefined;
@@ -60,9 +71,15 @@ export class PatternTools {
     return tool === 'piece' && this.#byPoints ? 'axis' : tool;
   }
 
+  /** A garment that is stored by where it lies stays as it lies there, unless it has no seams at all. */
+  get canSew(): boolean {
+    const {design, garment} = this.#workbench;
+    return !design?.garment.file || garment?.seams.length === 0;
+  }
+
   toggle(tool: Tool): void {
-    if (this.isFixed) return;
-    if (tool === 'move' || tool === 'keep' || tool === 'grain') {
+    if (this.isFixed || (tool === 'sew' && tool !== this.#own && !this.canSew)) return;
+    if (isOwn(tool)) {
       this.chooser.leave();
       this.grain.begin();
       this.#own = this.#own === tool ? undefined : tool;
@@ -75,10 +92,32 @@ export class PatternTools {
     this.#changed();
   }
 
+  /** The tool that sews, while it is at work and once it is loaded. */
+  get sewing(): SewingTool | undefined {
+    if (this.#own !== 'sew') return undefined;
+    const {language} = this.#workbench.preferences;
+    if (this.#sewing?.language !== language) void this.#loadSewing(language);
+    return this.#sewing?.tool;
+  }
+
+  async #loadSewing(language: string): Promise<void> {
+    this.#sewing = {language, tool: this.#sewing?.tool};
+    try {
+      const {sewingTool} = await import('../sewing/sewing-tool.js');
+      const tool = await sewingTool(this.#workbench, this.#changed);
+      this.#sewing = {language, tool};
+    } catch (error) {
+      this.#sewing = this.#own = undefined;
+      this.#workbench.say({tone: 'error', text: toFailure(error).message});
+    }
+    this.#changed();
+  }
+
   /** One step back. @returns whether there was one */
   back(): boolean {
     const {active, isFixed} = this;
     if (isFixed) return false;
+    if (this.sewing?.chooser.send({type: 'back'})) return true;
     if (active === 'grain' && this.grain.back()) this.#changed();
     else if (this.#own) this.toggle(this.#own);
     else if (active) this.chooser.send({type: 'back'});
@@ -104,11 +143,13 @@ export class PatternTools {
   words(texts: Texts, format: Format): string {
     if (this.#own === 'move') return texts.symmetry.moving;
     if (this.#own === 'keep') return texts.keep.hint;
+    if (this.#own === 'sew') return this.sewing?.chooser.words(texts, format) ?? '';
     return this.#own ? this.grain.words(texts) : this.chooser.words(texts, format);
   }
 
   /** What a press may have meant: one thing, or several as good as each other. */
   meant(index: PickIndex, at: Point, reach: number, scale: number): readonly Picked[] {
+    if (this.#own === 'sew') return targetsAt(index, at, (sewingReach * reach) / scale).slice(0, 1);
     const targets = targetsAt(index, at, reach / scale);
     if (this.active === 'pair' || this.active === 'move') {
       const piece = targets.find(({kind}) => kind === 'piece') ?? targets[0];
@@ -119,6 +160,10 @@ export class PatternTools {
 
   /** Where a press just here would be taken to be; undefined when it would not be a point. */
   hover(index: PickIndex, target: Picked | undefined, reachCm: number): void {
+    if (this.#own === 'sew') {
+      this.sewing?.chooser.hover(target);
+      return;
+    }
     this.#pointed = this.#own === 'keep' ? target : undefined;
     const isPoint = this.active === 'axis' || this.#isPointInside(target);
     const before = this.#hovered;
@@ -145,8 +190,12 @@ export class PatternTools {
     return snap(index, piece, point, reachCm, {notches: this.#notches(piece)});
   }
 
-  /** A press that has been understood. */
-  take(index: PickIndex, target: Picked, reachCm: number): void {
+  /** A press that has been understood. @param isMore one more of what is chosen */
+  take(index: PickIndex, target: Picked, reachCm: number, isMore = false): void {
+    if (this.#own === 'sew') {
+      this.sewing?.chooser.take(target, isMore);
+      return;
+    }
     if (this.#own === 'grain') {
       this.#takeForGrain(target, this.#snapped(index, target, reachCm).point);
     } else if (this.chooser.tool) {
@@ -231,6 +280,7 @@ export class PatternTools {
 
   marks(scene: PatternScene, texts: Texts, format: Format): Overlay {
     if (this.#own === 'move') return railsOf(scene, this.#workbench.selected, texts);
+    if (this.#own === 'sew') return this.sewing?.chooser.marks(scene) ?? {};
     if (this.#own === 'keep') return keepMarks(this.#workbench, scene, this.#pointed, texts);
     const isGrain = this.#own === 'grain';
     const marks = isGrain ? this.grain.marks() : this.chooser.marks(scene, texts, format);

@@ -61,28 +61,45 @@ export class Pointing {
     this.#pane.requestUpdate();
   }
 
-  take(target: Picked): void {
+  take(target: Picked, isMore = false): void {
     const {index, view, tools} = this.#pane;
-    if (index && view) tools.take(index, target, reachOf('mouse') / view.scale);
+    if (index && view) tools.take(index, target, reachOf('mouse') / view.scale, isMore);
     this.forgetTies();
   }
 
   /** A press inside a piece moves its print, while that is the tool. @returns whether it does */
   press(event: PointerEvent, at: Point): boolean {
     const {workbench, view, tools} = this.#pane;
+    const reach = 2 * reachOf(event.pointerType);
+    const grabbed =
+      view && tools.sewing?.chooser.grab(view.sheetPointAt(...at), reach / view.scale);
+    if (grabbed) {
+      this.#follow(event, (to) => {
+        grabbed.move(view.sheetPointAt(...to));
+      }).addEventListener('abort', grabbed.drop);
+      return true;
+    }
     const pressed = view?.pieceAt(...at);
     const follow = workbench.scenes && pressed && tools.drag(workbench.scenes.now, pressed.piece);
     if (!view || !follow) return false;
     const [x, y] = view.sheetPointAt(...at);
     holdWhilePressed(workbench, event);
+    this.#follow(event, (to) => {
+      const [toX, toY] = view.sheetPointAt(...to);
+      follow([toX - x, toY - y]);
+    });
+    return true;
+  }
+
+  /** Follows a pointer until it is lifted. @returns aborted then */
+  #follow({pointerId}: PointerEvent, moved: (to: Point) => void): AbortSignal {
     const done = new AbortController();
     const {signal} = done;
-    this.#stage.setPointerCapture(event.pointerId);
+    this.#stage.setPointerCapture(pointerId);
     this.#stage.addEventListener(
       'pointermove',
       (move) => {
-        const [toX, toY] = view.sheetPointAt(...this.#at(move));
-        follow([toX - x, toY - y]);
+        moved(this.#at(move));
       },
       {signal},
     );
@@ -95,7 +112,7 @@ export class Pointing {
         {signal},
       );
     }
-    return true;
+    return signal;
   }
 
   #at(event: MouseEvent): Point {
@@ -116,7 +133,7 @@ export class Pointing {
     const [first] = targets;
     this.#ties = targets.length > 1 ? {at, targets} : undefined;
     if (!first) this.#pane.workbench.select(undefined);
-    else if (targets.length === 1) this.take(first);
+    else if (targets.length === 1) this.take(first, event.shiftKey);
     this.#pane.requestUpdate();
   }
 
@@ -125,6 +142,6 @@ export class Pointing {
     const [target] = this.#meant(event, this.#at(event));
     const {index, view, tools, workbench} = this.#pane;
     if (index && view) tools.hover(index, target, reachOf('mouse') / view.scale);
-    workbench.point(pointedAt(target));
+    workbench.point(tools.sewing ? undefined : pointedAt(target)); // who sews means edges
   }
 }

@@ -28,21 +28,31 @@ export class Toolbar extends WorkbenchElement {
         background: var(--sw-paper);
       }
       .tools button {
+        flex: none;
         padding: 0 var(--sw-space-2);
       }
-      /* one row: the pictures say it where there is no room for words */
+      /* long words take two lines rather than a row of their own */
+      .tools .all {
+        flex: 1 1 5.5rem;
+        justify-content: start;
+        max-width: max-content;
+        line-height: 1.2;
+        text-align: start;
+        white-space: normal;
+      }
+      @container (48rem <= width < 90rem) {
+        .tools .all {
+          flex: none;
+          white-space: nowrap;
+        }
+      }
+      /* the pictures say it where there is no room for words */
       @container (width < 90rem) {
         .tools {
           flex-wrap: nowrap;
         }
-        .tools button {
-          flex: none;
-        }
         .tools .all {
-          flex: 0 1 auto; /* long words take two lines */
-          line-height: 1.2;
-          text-align: start;
-          white-space: normal;
+          flex-basis: auto;
         }
         .tool {
           width: var(--sw-target);
@@ -72,6 +82,7 @@ export class Toolbar extends WorkbenchElement {
           event.stopPropagation();
         }}
       >
+        ${this.tools.canSew ? this.#tool('sew', this.texts.sewing.tool, icon.sew) : nothing}
         ${this.#tool('piece', symmetry.piece, icon.piece)}
         ${this.#tool('pair', symmetry.pair, icon.pair)}
         ${this.#tool('move', symmetry.move, icon.move)}
@@ -81,7 +92,7 @@ export class Toolbar extends WorkbenchElement {
   }
 
   #tool(
-    name: 'piece' | 'pair' | 'move' | 'keep',
+    name: 'sew' | 'piece' | 'pair' | 'move' | 'keep',
     label: string,
     picture: TemplateResult,
   ): TemplateResult {

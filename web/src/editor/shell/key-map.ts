@@ -13,11 +13,14 @@ export class KeyMap extends WorkbenchElement {
     ...WorkbenchElement.properties,
     known: {attribute: false},
     more: {attribute: false},
+    sewing: {attribute: false},
   };
   /** Commands that there are beside those of the pattern. */
   declare known: readonly ShortcutId[];
   /** What else has keys just now, while it has the focus. */
   declare more: () => readonly Command[];
+  /** Those of the tool that sews, while it is at work. */
+  declare sewing: () => readonly (readonly [key: string, meaning: string])[];
   /** Had the focus before the map; browsers forget it when it is in a shadow. */
   #before: Element | null = null;
 
@@ -94,19 +97,28 @@ export class KeyMap extends WorkbenchElement {
               <dd>${meaning}</dd>`,
         )}
       </dl>
-      ${this.#ofGarment()}
+      ${this.#others(this.texts.sewing.tool, this.sewing())} ${this.#ofGarment()}
     </div>`;
   }
 
   #ofGarment(): TemplateResult | typeof nothing {
-    const keyed = this.more().filter(({key}) => key !== undefined);
-    if (keyed.length === 0) return nothing;
-    return html`<h3>${this.texts.pattern.views.garment}</h3>
+    const keyed = this.more().flatMap(({key, title}) =>
+      key === undefined ? [] : [[key, title] as const],
+    );
+    return this.#others(this.texts.pattern.views.garment, keyed);
+  }
+
+  #others(
+    heading: string,
+    keys: readonly (readonly [key: string, meaning: string])[],
+  ): TemplateResult | typeof nothing {
+    if (keys.length === 0) return nothing;
+    return html`<h3>${heading}</h3>
       <dl>
-        ${keyed.map(
-          ({key, title}) =>
+        ${keys.map(
+          ([key, meaning]) =>
             html`<dt>${key}</dt>
-              <dd>${title}</dd>`,
+              <dd>${meaning}</dd>`,
         )}
       </dl>`;
   }

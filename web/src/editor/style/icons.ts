@@ -18,6 +18,9 @@ const drawn = (paths: TemplateResult): TemplateResult =>
 
 export const icon = {
   pattern: drawn(svg`<path d="M2.5 13V6.5L5 3h1v10zM13.5 13V6.5L11 3h-1v10z"/>`),
+  sew: drawn(
+    svg`<path d="M13.5 2.5 5 11M13.5 2.5l-1.2 2.6L10.9 3.7zM5 11l-.8.8"/><path d="M4 12c-2 .5-2-2 0-2.500s3-3 .5-4" stroke-dasharray="2 2"/>`,
+  ),
   garment: drawn(svg`<path d="M6 2.5 4 3.5 5 8l-2 5.5h10L11 8l1-4.5-2-1C9.5 4 6.5 4 6 2.5z"/>`),
   both: drawn(svg`<path d="M2 3h12v10H2zM8 3v10"/>`),
   turntable: drawn(
@@ -34,6 +37,9 @@ export const icon = {
   redo: drawn(svg`<path d="m10.5 3 3 3-3 3M13.5 6H6a3.5 3.5 0 0 0 0 7h3"/>`),
   open: drawn(svg`<path d="M2 12.5v-9h4l1.5 2H14v7z"/>`),
   save: drawn(svg`<path d="M8 2.5v8M4.5 7.5 8 11l3.5-3.5M2.5 13.5h11"/>`),
+  cut: drawn(
+    svg`<circle cx="4" cy="12" r="2"/><circle cx="12" cy="12" r="2"/><path d="M5.2 10.4 11 2.5M10.8 10.4 5 2.5"/>`,
+  ),
   recent: drawn(svg`<circle cx="8" cy="8" r="5.5"/><path d="M8 5v3.2l2.2 1.3"/>`),
   copy: drawn(svg`<path d="M5.5 5.5h8v8h-8zM10.5 5.5v-3h-8v8h3"/>`),
   bin: drawn(svg`<path d="M3 4.5h10M6 4.5v-2h4v2M4.5 4.5l.5 9h6l.5-9M7 7v4M9 7v4"/>`),

@@ -40,7 +40,7 @@ export function nextDesign(
   const fabric = before?.asked.fabric === asked.fabric ? kept.fabric : asked.fabric;
   const isSameSymmetry = isSameGarment && before.asked.symmetry === asked.symmetry;
   return {
-    garment,
+    garment: isSameGarment ? kept.garment : garment, // as somebody has sewn it, say
     print: before?.loaded.print === print ? kept.print : print,
     symmetry: isSameSymmetry && now ? now.symmetry : loaded.symmetry,
     method: kept.method,

@@ -64,7 +64,7 @@ export const answer: AnswerTexts = {
     noWasm: (message) => `Das Rechenprogramm lässt sich nicht laden. Auf Englisch: ${message}`,
     picture: (file) => `${file} ist ein Bild; als Muster öffnen, oder einen Schnitt wählen.`,
     document: (file, kind) =>
-      `${file} ist ${kind}; das kann Seamwise nicht lesen: für einen Schnitt eine Datei von GarmentCode wählen, für ein Muster ein Bild als PNG, JPEG, WebP oder SVG.`,
+      `${file} ist ${kind}; das kann Seamwise nicht lesen: für einen Schnitt DXF, SVG, OBJ oder eine Datei von GarmentCode wählen, für ein Muster ein Bild als PNG, JPEG, WebP oder SVG.`,
     tooLarge: (file) => `${file} ist zu groß für einen Schnitt; eine andere Datei wählen.`,
     noDesign: (file) =>
       `${file} ist ein Ergebnis ohne seinen Entwurf; den Schnitt öffnen, aus dem es entstand.`,
@@ -113,6 +113,7 @@ export const answer: AnswerTexts = {
     worst: (length) => `höchstens ${length}`,
     runsOff: (length) => `trifft sich an einem Ende, am anderen ${length} daneben`,
     offAlong: (length) => `im Verlauf bis ${length} daneben`,
+    lost: 'das Muster läuft an ihr entlang nicht weiter',
     between: (a, b) => `${a} an ${b}`,
     within: (piece) => `${piece}, im Teil selbst`,
     numbered: (name, number) => `${name} ${number}`,
@@ -164,6 +165,7 @@ export const answer: AnswerTexts = {
     noAnswer: 'Es gibt noch keine Lösung zu speichern; mit solve() darauf warten.',
     noDrawing: 'Es ist noch nichts gezeichnet; mit solve() darauf warten.',
     pictureWidth: (most) => `Ein Bild ist 1 bis ${most} Pixel breit; bitte eines davon verlangen.`,
+    allowance: (most) => `Eine Zugabe hat 0 bis ${most}; bitte so eine verlangen.`,
     noPicture: 'Dieser Browser kann das Bild nicht schreiben; bitte ein kleineres verlangen.',
     noTools: (reason) =>
       `Was dieser Modus braucht, ist nicht ladbar (${reason}); Verbindung prüfen und die Seite neu laden.`,

@@ -19,7 +19,7 @@ export const pattern: PatternTexts = {
       '„Schnitt öffnen“ wählen, oder einen Schnitt hier ablegen oder einfügen: GarmentCode, oder ein Projekt oder Ergebnis von Seamwise.',
     stale: 'Das Bild ist nicht mehr aktuell',
     failed: 'Nicht ausgerichtet: die Teile liegen wie zuvor',
-    noSeams: 'Diese Datei hat keine Nähte, also gibt es nichts anzupassen.',
+    noSeams: 'Noch keine Nähte: Kanten aneinandernähen, dann wird der Druck dort angepasst.',
     zoomIn: 'Vergrößern',
     zoomOut: 'Verkleinern',
     zoom: 'Zoom',
@@ -41,6 +41,7 @@ export const pattern: PatternTexts = {
     mirrored: 'gespiegelt',
     notCounted: 'zählt nicht',
   },
+  sewing: {tool: 'Nähen'},
   symmetry: {
     tools: 'Werkzeuge',
     piece: 'Symmetrisches Teil',
@@ -184,6 +185,7 @@ export const pattern: PatternTexts = {
     paper: 'Schnitt auf Papier drucken',
     needs: {answer: 'sobald ausgerichtet ist', piece: 'erst ein Teil wählen'},
     also: {
+      sew: 'Naht zusammennähen Kanten verbinden',
       garment: 'Beispiel Schnittmuster Kleidung',
       print: 'Stoff Druck Motiv',
       open: 'Datei laden importieren',

@@ -64,7 +64,7 @@ export const answer = {
     picture: (file: string) =>
       `${file} is a picture; open it as a print, or choose a sewing pattern.`,
     document: (file: string, kind: string) =>
-      `${file} is ${kind}, which Seamwise cannot read: choose a GarmentCode file for a pattern, or a PNG, JPEG, WebP or SVG picture for a print.`,
+      `${file} is ${kind}, which Seamwise cannot read: choose DXF, SVG, OBJ or a GarmentCode file for a pattern, or a PNG, JPEG, WebP or SVG picture for a print.`,
     tooLarge: (file: string) => `${file} is too large for a sewing pattern; choose another file.`,
     noDesign: (file: string) =>
       `${file} is a result without its design; open the garment that it was made from.`,
@@ -112,6 +112,7 @@ export const answer = {
     worst: (length: string) => `worst ${length}`,
     runsOff: (length: string) => `meets at one end, ${length} off at the other`,
     offAlong: (length: string) => `followed all along, up to ${length} off`,
+    lost: 'the print does not run on along it',
     between: (a: string, b: string) => `${a} to ${b}`,
     within: (piece: string) => `${piece}, within the piece`,
     numbered: (name: string, number: number) => `${name} ${number}`,
@@ -164,6 +165,7 @@ export const answer = {
     noAnswer: 'There is no answer to store yet; wait for it with solve().',
     noDrawing: 'Nothing is drawn yet; wait for it with solve().',
     pictureWidth: (most: string) => `A picture is 1 to ${most} pixels wide; ask for one of these.`,
+    allowance: (most: string) => `An allowance is 0 to ${most}; ask for one of these.`,
     noPicture: 'This browser cannot write the picture; ask for a smaller one.',
     noTools: (reason: string) =>
       `What this mode needs cannot be loaded (${reason}); check the connection and load the page again.`,

@@ -18,7 +18,7 @@ export const pattern = {
       'Choose Open garment, or drop or paste a sewing pattern here: GarmentCode, or a project or result of Seamwise.',
     stale: 'The picture is out of date',
     failed: 'Not aligned: the pieces are shown as they lay',
-    noSeams: 'This file has no seams, so there is nothing to match.',
+    noSeams: 'No seams yet: sew edges to each other, and the print is matched there.',
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
     zoom: 'Zoom',
@@ -41,6 +41,7 @@ export const pattern = {
     mirrored: 'mirrored',
     notCounted: 'not counted',
   },
+  sewing: {tool: 'Sew'},
   symmetry: {
     tools: 'Tools',
     piece: 'Symmetric piece',
@@ -184,6 +185,7 @@ export const pattern = {
     needs: {answer: 'once it is aligned', piece: 'select a piece first'},
     /** What else people call them. */
     also: {
+      sew: 'seam stitch join edges',
       garment: 'sample pattern clothes',
       print: 'fabric cloth motif',
       open: 'file load import',

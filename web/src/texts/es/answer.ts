@@ -65,7 +65,7 @@ export const answer: AnswerTexts = {
     noWasm: (message) => `No se puede cargar el programa de cálculo. En inglés: ${message}`,
     picture: (file) => `${file} es una imagen; ábrela como estampado o elige un patrón.`,
     document: (file, kind) =>
-      `${file} es ${kind}, que Seamwise no puede leer: elige un archivo de GarmentCode para un patrón, o una imagen PNG, JPEG, WebP o SVG para un estampado.`,
+      `${file} es ${kind}, que Seamwise no puede leer: elige DXF, SVG, OBJ o un archivo de GarmentCode para un patrón, o una imagen PNG, JPEG, WebP o SVG para un estampado.`,
     tooLarge: (file) => `${file} es demasiado grande para un patrón; elige otro archivo.`,
     noDesign: (file) => `${file} es un resultado sin su diseño; abre la prenda de la que salió.`,
     project: (message) => `No se puede leer el proyecto. En inglés: ${message}`,
@@ -112,6 +112,7 @@ export const answer: AnswerTexts = {
     worst: (length) => `${length} en lo peor`,
     runsOff: (length) => `casa en un extremo, desfasada ${length} en el otro`,
     offAlong: (length) => `seguida a lo largo, desfasada hasta ${length}`,
+    lost: 'el estampado no continúa a lo largo de ella',
     between: (a, b) => `${a} con ${b}`,
     within: (piece) => `${piece}, en la propia pieza`,
     numbered: (name, number) => `${name} ${number}`,
@@ -164,6 +165,7 @@ export const answer: AnswerTexts = {
     noDrawing: 'Aún no hay nada dibujado; espéralo con solve().',
     pictureWidth: (most) =>
       `Una imagen mide de 1 a ${most} píxeles de ancho; pide uno de esos anchos.`,
+    allowance: (most) => `Un margen mide de 0 a ${most}; pide uno así.`,
     noPicture: 'Este navegador no puede escribir la imagen; pide una más pequeña.',
     noTools: (reason) =>
       `No se puede cargar lo que este modo necesita (${reason}); comprueba la conexión y recarga la página.`,

@@ -19,7 +19,7 @@ export const pattern: PatternTexts = {
       'Elige Abrir patrón, o suelta o pega uno aquí: GarmentCode, o un proyecto o resultado de Seamwise.',
     stale: 'La imagen ya no está al día',
     failed: 'Sin casar: las piezas se muestran como estaban',
-    noSeams: 'Este archivo no tiene costuras, así que no hay nada que casar.',
+    noSeams: 'Aún no hay costuras: cosa bordes entre sí y el estampado casará allí.',
     zoomIn: 'Acercar',
     zoomOut: 'Alejar',
     zoom: 'Zoom',
@@ -41,6 +41,7 @@ export const pattern: PatternTexts = {
     mirrored: 'en espejo',
     notCounted: 'no cuenta',
   },
+  sewing: {tool: 'Coser'},
   symmetry: {
     tools: 'Herramientas',
     piece: 'Pieza simétrica',
@@ -183,6 +184,7 @@ export const pattern: PatternTexts = {
     paper: 'Imprimir el patrón en papel',
     needs: {answer: 'cuando esté casado', piece: 'selecciona antes una pieza'},
     also: {
+      sew: 'costura unir bordes',
       garment: 'muestra prenda ropa modelo',
       print: 'tela motivo tejido',
       open: 'archivo cargar importar',

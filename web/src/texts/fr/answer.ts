@@ -67,7 +67,7 @@ export const answer: AnswerTexts = {
     noWasm: (message) => `Le programme de calcul ne se charge pas. En anglais : ${message}`,
     picture: (file) => `${file} est une image ; ouvrez-la comme imprimé, ou choisissez un patron.`,
     document: (file, kind) =>
-      `${file} est ${kind}, que Seamwise ne peut lire : choisissez un fichier GarmentCode pour un patron, une image PNG, JPEG, WebP ou SVG pour un imprimé.`,
+      `${file} est ${kind}, que Seamwise ne peut lire : choisissez DXF, SVG, OBJ ou un fichier GarmentCode pour un patron, une image PNG, JPEG, WebP ou SVG pour un imprimé.`,
     tooLarge: (file) => `${file} est trop grand pour un patron ; choisissez un autre fichier.`,
     noDesign: (file) =>
       `${file} est un résultat sans son projet ; ouvrez le vêtement dont il vient.`,
@@ -116,6 +116,7 @@ export const answer: AnswerTexts = {
     worst: (length) => `au pire ${length}`,
     runsOff: (length) => `se raccorde à un bout, décalée de ${length} à l’autre`,
     offAlong: (length) => `suivie sur sa longueur, décalée jusqu’à ${length}`,
+    lost: 'l’imprimé ne se poursuit pas le long d’elle',
     between: (a, b) => `${a} à ${b}`,
     within: (piece) => `${piece}, sur la pièce même`,
     numbered: (name, number) => `${name} ${number}`,
@@ -169,6 +170,7 @@ export const answer: AnswerTexts = {
     noDrawing: 'Rien n’est encore dessiné ; attendez avec solve().',
     pictureWidth: (most) =>
       `Une image a de 1 à ${most} pixels de large ; demandez une de ces largeurs.`,
+    allowance: (most) => `Une marge a de 0 à ${most} ; demandez-en une ainsi.`,
     noPicture: 'Ce navigateur ne peut pas écrire l’image ; demandez-en une plus petite.',
     noTools: (reason) =>
       `Ce qu’il faut pour ce mode ne peut être chargé (${reason}) ; vérifiez la connexion et rechargez la page.`,

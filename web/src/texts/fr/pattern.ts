@@ -20,7 +20,7 @@ export const pattern: PatternTexts = {
       'Choisissez Ouvrir un patron, ou déposez ou collez-en un ici : GarmentCode, ou un projet ou résultat de Seamwise.',
     stale: 'L’image n’est plus à jour',
     failed: 'Non raccordé : les pièces sont montrées comme elles étaient',
-    noSeams: 'Ce fichier n’a pas de coutures, il n’y a donc rien à raccorder.',
+    noSeams: 'Pas encore de coutures : cousez des bords entre eux, et l’imprimé s’y raccorde.',
     zoomIn: 'Agrandir',
     zoomOut: 'Réduire',
     zoom: 'Zoom',
@@ -42,6 +42,7 @@ export const pattern: PatternTexts = {
     mirrored: 'en miroir',
     notCounted: 'non comptée',
   },
+  sewing: {tool: 'Coudre'},
   symmetry: {
     tools: 'Outils',
     piece: 'Pièce symétrique',
@@ -184,6 +185,7 @@ export const pattern: PatternTexts = {
     paper: 'Imprimer le patron sur papier',
     needs: {answer: 'une fois raccordé', piece: 'sélectionnez d’abord une pièce'},
     also: {
+      sew: 'couture assembler bords',
       garment: 'exemple vêtement modèle',
       print: 'tissu motif étoffe',
       open: 'fichier charger importer',

@@ -66,7 +66,7 @@ export const answer: AnswerTexts = {
     noWasm: (message) => `Il programma di calcolo non si carica. In inglese: ${message}`,
     picture: (file) => `${file} è un’immagine; aprila come stampa, o scegli un cartamodello.`,
     document: (file, kind) =>
-      `${file} è ${kind}, che Seamwise non può leggere: scegli un file di GarmentCode per un cartamodello, o un’immagine PNG, JPEG, WebP o SVG per una stampa.`,
+      `${file} è ${kind}, che Seamwise non può leggere: scegli DXF, SVG, OBJ o un file di GarmentCode per un cartamodello, o un’immagine PNG, JPEG, WebP o SVG per una stampa.`,
     tooLarge: (file) => `${file} è troppo grande per un cartamodello; scegli un altro file.`,
     noDesign: (file) => `${file} è un risultato senza il suo progetto; apri il capo da cui è nato.`,
     project: (message) => `Il progetto non è leggibile. In inglese: ${message}`,
@@ -114,6 +114,7 @@ export const answer: AnswerTexts = {
     worst: (length) => `al peggio ${length}`,
     runsOff: (length) => `combacia a un capo, scarta di ${length} all’altro`,
     offAlong: (length) => `seguita per tutta la lunghezza, scarta fino a ${length}`,
+    lost: 'la stampa non prosegue lungo di essa',
     between: (a, b) => `${a} con ${b}`,
     within: (piece) => `${piece}, nel pezzo stesso`,
     numbered: (name, number) => `${name} ${number}`,
@@ -166,6 +167,7 @@ export const answer: AnswerTexts = {
     noDrawing: 'Non è ancora disegnato nulla; aspetta con solve().',
     pictureWidth: (most) =>
       `Un’immagine è larga da 1 a ${most} pixel; chiedi una di queste larghezze.`,
+    allowance: (most) => `Un margine va da 0 a ${most}; chiedine uno così.`,
     noPicture: 'Questo browser non può scrivere l’immagine; chiedine una più piccola.',
     noTools: (reason) =>
       `Non si può caricare ciò che serve a questo modo (${reason}); controlla la connessione e ricarica la pagina.`,

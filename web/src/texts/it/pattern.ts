@@ -19,7 +19,7 @@ export const pattern: PatternTexts = {
       'Scegli Apri cartamodello, oppure trascina o incolla qui un file: GarmentCode, o un progetto o risultato di Seamwise.',
     stale: 'L’immagine non è più aggiornata',
     failed: 'Non combaciato: i pezzi sono mostrati com’erano',
-    noSeams: 'Questo file non ha cuciture, quindi non c’è nulla da far combaciare.',
+    noSeams: 'Ancora nessuna cucitura: cuci i bordi tra loro e la stampa combacerà lì.',
     zoomIn: 'Ingrandisci',
     zoomOut: 'Riduci',
     zoom: 'Zoom',
@@ -41,6 +41,7 @@ export const pattern: PatternTexts = {
     mirrored: 'a specchio',
     notCounted: 'non conta',
   },
+  sewing: {tool: 'Cuci'},
   symmetry: {
     tools: 'Strumenti',
     piece: 'Pezzo simmetrico',
@@ -181,6 +182,7 @@ export const pattern: PatternTexts = {
     paper: 'Stampa il cartamodello su carta',
     needs: {answer: 'quando combacia', piece: 'seleziona prima un pezzo'},
     also: {
+      sew: 'cucitura unire bordi',
       garment: 'campione capo abito modello',
       print: 'stoffa motivo tessuto',
       open: 'file caricare importare',

@@ -1,0 +1,64 @@
+/** A PDF taken apart, for tests: by its table, without any reader of PDF. */
+import {inflateSync} from 'node:zlib';
+
+interface PdfObject {
+  readonly text: string;
+  /** Unpacked where it is packed by Flate alone. */
+  readonly stream?: string;
+}
+
+interface ReadPdf {
+  readonly objects: ReadonlyMap<number, PdfObject>;
+  /** In their order. */
+  readonly pages: readonly {readonly size: readonly number[]; readonly content: string}[];
+}
+
+const latin = (bytes: Uint8Array): string => Buffer.from(bytes).toString('latin1');
+
+/** @throws {Error} where the table does not lead to objects */
+export function readPdf(bytes: Uint8Array): ReadPdf {
+  const whole = latin(bytes);
+  const table = Number(/startxref\n(\d+)\n%%EOF\n$/.exec(whole)?.[1]);
+  const entries = /^xref\n0 (\d+)\n0{10} 65535 f \n((?:\d{10} 00000 n \n)*)trailer\n(.*)\n/.exec(
+    whole.slice(table),
+  );
+  if (!entries) throw new Error('no table');
+  const places = (entries[2] ?? '').split('\n').flatMap((line) => line.slice(0, 10) || []);
+  if (places.length + 1 !== Number(entries[1])) throw new Error('the table has another size');
+  const objects = new Map(
+    places.map((place, k): [number, PdfObject] => {
+      const from = Number(place);
+      const begin = `${k + 1} 0 obj\n`;
+      if (!whole.startsWith(begin, from)) throw new Error(`object ${k + 1} is elsewhere`);
+      const end = whole.indexOf('\nendobj\n', from);
+      const body = whole.slice(from + begin.length, end);
+      const at = body.indexOf('>>\nstream\n');
+      if (at < 0) return [k + 1, {text: body}];
+      const text = body.slice(0, at + 2);
+      const length = Number(/\/Length (\d+)>>$/.exec(text)?.[1]);
+      const start = from + begin.length + at + '>>\nstream\n'.length;
+      if (!whole.startsWith('\nendstream\nendobj\n', start + length)) throw new Error('a length');
+      const data = bytes.slice(start, start + length);
+      return [
+        k + 1,
+        {text, stream: latin(text.includes('FlateDecode') ? inflateSync(data) : data)},
+      ];
+    }),
+  );
+  const get = (ref: string | undefined): PdfObject => {
+    const found = objects.get(Number(ref));
+    if (!found) throw new Error(`no object ${ref ?? ''}`);
+    return found;
+  };
+  const root = get(/\/Root (\d+) 0 R/.exec(entries[3] ?? '')?.[1]);
+  const tree = get(/\/Pages (\d+) 0 R/.exec(root.text)?.[1]);
+  const kids = /\/Kids\[([^\]]*)\]/.exec(tree.text)?.[1] ?? '';
+  const pages = [...kids.matchAll(/(\d+) 0 R/g)].map(([, ref]) => {
+    const {text} = get(ref);
+    return {
+      size: (/\/MediaBox\[0 0 ([^\]]*)\]/.exec(text)?.[1] ?? '').split(' ').map(Number),
+      content: get(/\/Contents (\d+) 0 R/.exec(text)?.[1]).stream ?? '',
+    };
+  });
+  return {objects, pages};
+}

@@ -1,0 +1,227 @@
+/** What file to cut by: on what paper, with what allowance, and how many pages that makes, before it is made. */
+import {html, type TemplateResult} from 'lit';
+
+import {controls, WorkbenchElement, icon, type NumberField} from '../../editor/index.js';
+import type {SolveResult} from '../../model/result.js';
+import type {CutTexts} from '../../texts/cut-texts.js';
+import {keepChoices, storedChoices, type CutChoices} from './cut-choices.js';
+import {cutFile, cutPlan, type CutPlan} from './cut-job.js';
+import {sheetDialog} from '../style/sheet-dialog.js';
+import {cutSettings} from './cut-settings.js';
+import {cutStyle} from './cut-style.js';
+import {pageMap} from './page-map.js';
+
+/** Gets a file, with how its name ends. */
+type Saver = (ending: string, content: Blob) => void;
+
+const types = {
+  pdf: 'application/pdf',
+  svg: 'image/svg+xml',
+  dxf: 'application/dxf',
+  plt: 'application/vnd.hp-hpgl',
+} as const;
+
+export class CutDialog extends WorkbenchElement {
+  static override properties = {
+    ...WorkbenchElement.properties,
+    choices: {state: true},
+    plan: {state: true},
+    making: {state: true},
+    trouble: {state: true},
+    isRenewed: {state: true},
+  };
+  static override styles = [controls, sheetDialog, cutStyle];
+  /** Of the user's language. */
+  declare words: CutTexts;
+  declare save: Saver;
+  declare protected choices: CutChoices;
+  /** Undefined until one is there. */
+  declare protected plan: CutPlan | undefined;
+  declare protected making: 'plan' | 'file' | undefined;
+  declare protected trouble: string | undefined;
+  /** Another answer has come since this was opened. */
+  declare protected isRenewed: boolean;
+  /** What the plan is of, or is going to be. */
+  #laid: SolveResult | undefined;
+  #life = new AbortController();
+
+  async open(): Promise<void> {
+    this.choices = storedChoices(this.workbench.preferences.units);
+    this.#laid = undefined;
+    this.plan = undefined;
+    this.isRenewed = false;
+    await this.updateComplete;
+    if (!this.#dialog?.open) this.#dialog?.showModal();
+    this.#follow();
+  }
+
+  protected override updated(): void {
+    if (this.#dialog?.open) this.#follow();
+  }
+
+  protected override render(): TemplateResult {
+    const {words, texts} = this;
+    return html`<dialog
+      aria-labelledby="title"
+      @close=${() => {
+        this.#life.abort();
+      }}
+      @keydown=${(event: Event) => {
+        event.stopPropagation(); // letters are keys of the page elsewhere
+      }}
+    >
+      <header>
+        <h2 id="title">${words.title}</h2>
+        <button
+          class="icon"
+          aria-label=${texts.app.close}
+          title=${texts.app.close}
+          @click=${this.#close}
+        >
+          ${icon.close}
+        </button>
+      </header>
+      <div class="body">
+        <div class="settings">
+          ${cutSettings({
+            ...{choices: this.choices, plan: this.plan, words, texts, format: this.format},
+            units: this.workbench.preferences.units,
+            choose: (change) => {
+              this.#choose(change);
+            },
+          })}
+        </div>
+        ${this.#figure()}
+      </div>
+      ${this.#foot()}
+    </dialog>`;
+  }
+
+  #figure(): TemplateResult {
+    const {words, plan, making} = this;
+    return html`<figure class=${making === 'plan' ? 'waiting' : ''}>
+      ${plan ? pageMap(plan, plan.pages ? words.map : words.sheetMap) : html`<div></div>`}
+      <figcaption role="status">${plan ? this.#caption(plan) : this.#why()}</figcaption>
+    </figure>`;
+  }
+
+  /** Why there is no plan. */
+  #why(): string {
+    const {words} = this;
+    if (this.#answer) return words.planning;
+    const {kind} = this.workbench.state;
+    return kind === 'failed' || kind === 'stale' ? words.unsolved : words.waiting;
+  }
+
+  #caption({pages, widthCm, heightCm}: CutPlan): TemplateResult {
+    const {words} = this;
+    const sheet = words.sheet(this.#extent(widthCm, heightCm));
+    if (!pages) return html`<b>${sheet}</b>`;
+    const {boxes, widthCm: across, heightCm: up} = pages;
+    const size = this.#extent(across, up);
+    return html`<b>${words.pages(boxes.length)}</b>, ${size}<br /><span class="soft"
+        >${sheet}</span
+      >`;
+  }
+
+  #foot(): TemplateResult {
+    const {words, making, trouble, choices} = this;
+    const usual = choices.file === 'pdf' ? words.atFullSize : '';
+    const hint = this.isRenewed ? words.renewed : usual;
+    return html`<footer>
+      <p
+        class=${trouble === undefined ? 'soft' : 'error'}
+        role=${trouble === undefined ? 'status' : 'alert'}
+      >
+        ${trouble ?? (making === 'file' ? words.making : hint)}
+      </p>
+      <button class="outlined" @click=${this.#close}>${this.texts.app.cancel}</button>
+      <button
+        class="primary"
+        autofocus
+        ?disabled=${making === 'file' || !this.#answer}
+        @click=${() => void this.#make()}
+      >
+        ${words.save(words.files[choices.file])}
+      </button>
+    </footer>`;
+  }
+
+  #extent(widthCm: number, heightCm: number): string {
+    const {words, format} = this;
+    return words.extent(format.length(widthCm), format.length(heightCm));
+  }
+
+  #choose(change: Partial<CutChoices>): void {
+    this.choices = {...this.choices, ...change};
+    if (this.#answer) void this.#lay();
+  }
+
+  get #dialog(): HTMLDialogElement | null {
+    return this.renderRoot.querySelector('dialog');
+  }
+
+  /** What a file would be made of now. */
+  get #answer(): SolveResult | undefined {
+    const {garment, result} = this.workbench;
+    return garment && result;
+  }
+
+  /** Shows what there is to cut, and no more what was there before. */
+  #follow(): void {
+    const answer = this.#answer;
+    if (answer === this.#laid) return;
+    this.isRenewed ||= this.plan !== undefined;
+    this.#laid = answer;
+    this.plan = undefined;
+    this.#life.abort();
+    this.making = undefined;
+    if (answer) void this.#lay();
+  }
+
+  readonly #lay = (): Promise<void> =>
+    this.#doing('plan', async (signal) => {
+      this.plan = await cutPlan(this.workbench, this.choices, signal);
+    });
+
+  /** With the lengths that are typed, and not with others. */
+  async #make(): Promise<void> {
+    const fields = this.renderRoot.querySelectorAll<NumberField>('sw-number-field');
+    const wrong = [...fields].find(({isWrong}) => isWrong);
+    if (wrong) {
+      wrong.focus();
+      return;
+    }
+    const {choices} = this;
+    await this.#doing('file', async (signal) => {
+      const content = await cutFile(this.workbench, choices, signal);
+      const {file} = choices;
+      keepChoices(choices, this.workbench.preferences.units);
+      this.save(file === 'svg' ? 'cut.svg' : file, new Blob([content], {type: types[file]}));
+      this.#close();
+    });
+  }
+
+  /** What is asked last counts. */
+  async #doing(
+    making: 'plan' | 'file',
+    work: (signal: AbortSignal) => Promise<void>,
+  ): Promise<void> {
+    this.#life.abort();
+    this.#life = new AbortController();
+    const {signal} = this.#life;
+    this.making = making;
+    this.trouble = undefined;
+    try {
+      await work(signal);
+    } catch (error) {
+      if (!signal.aborted) this.trouble = this.words.failed((error as Error).message);
+    } finally {
+      if (this.#life.signal === signal) this.making = undefined;
+    }
+  }
+
+  readonly #close = (): void => {
+    this.#dialog?.close();
+  };
+}

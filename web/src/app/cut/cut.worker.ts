@@ -1,0 +1,29 @@
+/** Lays pieces out and writes cutting files. */
+import {cutSheet} from '../../cutting/lay-sheet.js';
+import type {CutSheet} from '../../cutting/cut-sheet.js';
+import {cutFile} from '../../paper/cut-file.js';
+import {pagesOf} from '../../paper/cutting-pdf.js';
+import {paperOf} from '../../paper/papers.js';
+import {serve} from '../worker/serve.js';
+import type {CutPlan, Question} from './cut-job.js';
+
+function planOf(sheet: CutSheet, {choices: {file, paper: name}}: Question): CutPlan {
+  const {widthCm, heightCm, pieces, ownAllowances} = sheet;
+  const paper = file === 'pdf' ? paperOf(name) : undefined;
+  const outlines = pieces.flatMap(({cut}) => cut);
+  const plan = {widthCm, heightCm, outlines, ownAllowances};
+  if (!paper) return plan;
+  const {pages, ...page} = pagesOf(sheet, paper);
+  const boxes = pages.map(({window, name}) => ({...window, ...(name !== undefined && {name})}));
+  return {...plan, pages: {widthCm: page.widthCm, heightCm: page.heightCm, boxes}};
+}
+
+serve(async (asked, request) => {
+  const question = asked as Question;
+  const {kind, result, print, marks, options, choices} = question;
+  const sheet = cutSheet(result, print, marks, options);
+  if (kind === 'plan') return planOf(sheet, question);
+  const pixels = async (width: number, height: number) =>
+    (await request({width, height})) as Uint8Array<ArrayBuffer> | undefined;
+  return cutFile(sheet, print, {...choices, pixels});
+});

@@ -1,0 +1,20 @@
+/** Asks how to cut, loaded once somebody wants to. */
+import type {Workbench} from '../../editor/index.js';
+import {cutTexts} from '../../texts/cut-texts.js';
+import {CutDialog} from './cut-dialog.js';
+
+const tag = 'sw-cut-dialog';
+
+/** @param save gets the file, with how its name ends */
+export async function openCut(
+  workbench: Workbench,
+  root: HTMLElement | DocumentFragment,
+  save: (ending: string, content: Blob) => void,
+): Promise<void> {
+  if (!customElements.get(tag)) customElements.define(tag, CutDialog);
+  const words = await cutTexts(workbench.preferences.language);
+  const dialog = root.querySelector<CutDialog>(tag) ?? new CutDialog();
+  Object.assign(dialog, {workbench, words, save});
+  if (!dialog.isConnected) root.append(dialog);
+  await dialog.open();
+}

@@ -1,0 +1,35 @@
+/** Reads drawings of other programs, and makes garments of them. */
+import {readDrawing} from '../../formats/read-drawing.js';
+import {useOfSvg} from '../../formats/svg/read-svg.js';
+import {defaultChoices, garmentOf} from '../../formats/to-garment.js';
+import type {DrawnPiece} from '../../model/drawing.js';
+import {garmentFile} from '../../model/garment-file.js';
+import {serve} from '../worker/serve.js';
+import {pieceShape} from './piece-shape.js';
+import type {Making, Question, ShownDrawing} from './reading.js';
+
+async function drawingOf(file: File, size: string | undefined): Promise<ShownDrawing> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const drawing = readDrawing(bytes, file.name, size === undefined ? {} : {size});
+  return {drawing, shapes: drawing.pieces.map(pieceShape), first: defaultChoices(drawing)};
+}
+
+const sewnOutside = ({cut, ...piece}: DrawnPiece): DrawnPiece =>
+  cut ? {...piece, sewn: cut} : piece;
+
+function garmentText({drawing, choices, isOuterSewn}: Making): string {
+  const pieces = isOuterSewn ? drawing.pieces.map(sewnOutside) : drawing.pieces;
+  return garmentFile(garmentOf({...drawing, pieces}, choices));
+}
+
+serve(async (asked) => {
+  const question = asked as Question;
+  switch (question.kind) {
+    case 'use':
+      return useOfSvg(await question.file.text());
+    case 'drawing':
+      return drawingOf(question.file, question.size);
+    default:
+      return garmentText(question);
+  }
+});

@@ -1,0 +1,258 @@
+/** What a drawing of another program holds, and what is to become of it: shown before anything is opened. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import {controls, WorkbenchElement, icon} from '../../editor/index.js';
+import type {FileUnit} from '../../model/garment-document.js';
+import type {ImportTexts} from '../../texts/import-texts.js';
+import {chosenAlso, type PieceChoice} from './choices.js';
+import {sheetDialog} from '../style/sheet-dialog.js';
+import {importStyle} from './import-style.js';
+import {pieceChoice, ruler, type ShownChoices} from './piece-choice.js';
+import {WorkerComplaint} from '../worker/ask.js';
+import {drawingIn, garmentFrom, type ShownDrawing} from './reading.js';
+import {sizeChoice} from './size-choice.js';
+import {unitChoice} from './unit-choice.js';
+
+export type FileUse = 'drawing' | 'print';
+
+/** Opens the garment that was chosen. @throws {Error} with one sentence: the sheet stays, and says it */
+type Opener = (text: string, signal: AbortSignal) => Promise<void>;
+
+export class ImportSheet extends WorkbenchElement {
+  static override properties = {
+    ...WorkbenchElement.properties,
+    file: {state: true},
+    shown: {state: true},
+    unit: {state: true},
+    choices: {state: true},
+    isOuterSewn: {state: true},
+    isBusy: {state: true},
+    trouble: {state: true},
+  };
+  static override styles = [controls, sheetDialog, importStyle];
+  /** Of the user's language. */
+  declare words: ImportTexts;
+  declare protected file: File | undefined;
+  /** Undefined while it is asked what the file is. */
+  declare protected shown: ShownDrawing | undefined;
+  declare protected unit: FileUnit;
+  declare protected choices: readonly PieceChoice[];
+  declare protected isOuterSewn: boolean;
+  declare protected isBusy: boolean;
+  declare protected trouble: string | undefined;
+  #life = new AbortController();
+  #opener: Opener | undefined;
+  #use: ((use: FileUse | undefined) => void) | undefined;
+
+  constructor() {
+    super();
+    this.choices = [];
+    this.isOuterSewn = this.isBusy = false;
+  }
+
+  /** Whether an SVG that may be either is a pattern or a print. @returns undefined for neither */
+  async askUse(file: File): Promise<FileUse | undefined> {
+    this.#end();
+    this.file = file;
+    this.shown = undefined;
+    await this.#show();
+    return new Promise((resolve) => {
+      this.#use = resolve;
+    });
+  }
+
+  /** Shows what a drawing holds; closed by whoever does not want it. */
+  async offer(file: File, shown: ShownDrawing, opener: Opener): Promise<void> {
+    this.#end();
+    this.file = file;
+    this.#opener = opener;
+    this.shown = shown;
+    ({unit: this.unit, pieces: this.choices} = shown.first);
+    this.isOuterSewn = false;
+    await this.#show();
+  }
+
+  protected override render(): TemplateResult {
+    const {file, shown, words} = this;
+    const {app} = this.texts;
+    const name = file?.name ?? '';
+    return html`<dialog
+      class=${shown ? '' : 'question'}
+      aria-labelledby="title"
+      @close=${() => {
+        this.#end();
+      }}
+      @keydown=${(event: Event) => {
+        event.stopPropagation(); // letters are keys of the page elsewhere
+      }}
+    >
+      <header>
+        <h2 id="title">${shown ? words.title(name) : words.which(name)}</h2>
+        <button class="icon" aria-label=${app.close} title=${app.close} @click=${this.#close}>
+          ${icon.close}
+        </button>
+      </header>
+      ${file ? (shown ? this.#drawing(shown) : this.#uses()) : nothing}
+    </dialog>`;
+  }
+
+  #uses(): TemplateResult {
+    const {words} = this;
+    const use = (use: FileUse, title: string, note: string): TemplateResult =>
+      html`<button
+        class="outlined"
+        ?autofocus=${use === 'drawing'}
+        @click=${() => {
+          this.#use?.(use);
+          this.#close();
+        }}
+      >
+        <b>${title}</b><span class="soft">${note}</span>
+      </button>`;
+    return html`<div class="kinds">
+      ${use('drawing', words.asPattern, words.asPatternNote)}
+      ${use('print', words.asPrint, words.asPrintNote)}
+    </div>`;
+  }
+
+  #drawing(shown: ShownDrawing): TemplateResult {
+    const {words, format} = this;
+    const {drawing} = shown;
+    const choosing: ShownChoices = {
+      ...{shown, unit: this.unit, choices: this.choices, words, format},
+      units: this.workbench.preferences.units,
+      choose: (piece, change) => {
+        this.choices = this.choices.map((one, k) => (k === piece ? {...one, ...change} : one));
+      },
+    };
+    return html`<div class="body">
+        <div class="settings">
+          ${sizeChoice(drawing, this.isBusy, this.#readSize, words)}
+          ${unitChoice(
+            shown,
+            this.unit,
+            (unit) => {
+              this.unit = unit;
+            },
+            words,
+            format,
+          )}
+          ${this.#lines(shown)} ${this.#notes(shown)}
+        </div>
+        <div class="pieces">${pieceChoice(choosing)} ${ruler(choosing)}</div>
+      </div>
+      ${this.#foot()}`;
+  }
+
+  /** Only where both are drawn there is something to choose. */
+  #lines({drawing}: ShownDrawing): TemplateResult | typeof nothing {
+    if (!drawing.pieces.some(({cut}) => cut)) return nothing;
+    const {words} = this;
+    return html`<section>
+      <h3>${words.lines}</h3>
+      <label class="inline">
+        <input
+          type="checkbox"
+          .checked=${!this.isOuterSewn}
+          aria-describedby="lines"
+          @change=${({target}: Event) => {
+            this.isOuterSewn = !(target as HTMLInputElement).checked;
+          }}
+        />
+        ${words.outerIsCut}
+      </label>
+      <p id="lines" class="soft">${words.outerIsCutNote}</p>
+    </section>`;
+  }
+
+  #notes({drawing, first}: ShownDrawing): TemplateResult | typeof nothing {
+    const {words} = this;
+    const {program} = drawing;
+    const notes = [...drawing.notes, ...first.notes];
+    if (notes.length === 0 && program === undefined) return nothing;
+    return html`<section>
+      <h3>${words.notes}</h3>
+      <ul class="notes">
+        ${program === undefined ? nothing : html`<li>${words.program(program)}</li>`}
+        ${notes.map((note) => html`<li>${note}</li>`)}
+      </ul>
+    </section>`;
+  }
+
+  #foot(): TemplateResult {
+    const {words, choices, isBusy, trouble} = this;
+    const taken = choices.filter(({take}) => take).length;
+    return html`<footer>
+      <p
+        class=${trouble === undefined ? 'soft' : 'error'}
+        role=${trouble === undefined ? 'status' : 'alert'}
+      >
+        ${trouble ?? words.taken(taken, choices.length)}
+      </p>
+      <button class="outlined" @click=${this.#close}>${this.texts.app.cancel}</button>
+      <button
+        class="primary"
+        autofocus
+        ?disabled=${isBusy || taken === 0}
+        @click=${() => void this.#busy(this.#open)}
+      >
+        ${words.open}
+      </button>
+    </footer>`;
+  }
+
+  readonly #readSize = (size: string): void => {
+    void this.#busy(async (signal) => {
+      const {file, shown, choices} = this;
+      if (!file || !shown) return;
+      const read = await drawingIn(file, signal, size);
+      this.choices = chosenAlso(read, shown, choices);
+      this.shown = read;
+    });
+  };
+
+  readonly #open = async (signal: AbortSignal): Promise<void> => {
+    const {shown, unit, choices: pieces, isOuterSewn} = this;
+    if (!shown) return;
+    const {drawing} = shown;
+    const choices = {unit, pieces};
+    const text = await garmentFrom({drawing, choices, isOuterSewn}, signal);
+    await this.#opener?.(text, signal);
+    this.#close();
+  };
+
+  /** What goes wrong leaves all that was chosen as it is. */
+  async #busy(work: (signal: AbortSignal) => Promise<void>): Promise<void> {
+    const {signal} = this.#life;
+    this.isBusy = true;
+    this.trouble = undefined;
+    try {
+      await work(signal);
+    } catch (error) {
+      if (signal.aborted) return;
+      const {message} = error as Error;
+      this.trouble = error instanceof WorkerComplaint ? this.words.failed(message) : message;
+    } finally {
+      if (!signal.aborted) this.isBusy = false;
+    }
+  }
+
+  async #show(): Promise<void> {
+    await this.updateComplete;
+    const dialog = this.renderRoot.querySelector('dialog');
+    if (dialog && !dialog.open) dialog.showModal();
+  }
+
+  readonly #close = (): void => {
+    this.renderRoot.querySelector('dialog')?.close();
+  };
+
+  /** Whatever is under way for a file is for nothing. */
+  #end(): void {
+    this.#life.abort();
+    this.#life = new AbortController();
+    this.#use?.(undefined);
+    this.#use = this.#opener = this.file = this.shown = this.trouble = undefined;
+    this.isBusy = false;
+  }
+}

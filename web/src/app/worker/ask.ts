@@ -1,0 +1,41 @@
+/** Has a question answered in a worker of its own, which ends with the answer: the page goes on, and nothing is kept. */
+import type {Reply} from './reply.js';
+
+/** Why there is no answer, in one sentence. */
+export class WorkerComplaint extends Error {
+  override readonly name = 'WorkerComplaint';
+}
+
+/**
+ * @param help tells what the worker asks on the way
+ * @throws {WorkerComplaint} for what cannot be answered; the signal's reason when it fires
+ */
+export async function ask<Answer>(
+  worker: Worker,
+  question: unknown,
+  signal: AbortSignal,
+  help?: (request: unknown) => Promise<unknown>,
+): Promise<Answer> {
+  const answered = async (request: unknown): Promise<void> => {
+    worker.postMessage(await help?.(request));
+  };
+  try {
+    return await new Promise<Answer>((resolve, reject) => {
+      signal.throwIfAborted();
+      worker.onmessage = ({data}: MessageEvent<Reply>) => {
+        if (data.kind === 'answer') resolve(data.answer as Answer);
+        else if (data.kind === 'failed') reject(new WorkerComplaint(data.message));
+        else void answered(data.request).catch(reject);
+      };
+      worker.onerror = ({message}) => {
+        reject(new WorkerComplaint(message));
+      };
+      signal.addEventListener('abort', () => {
+        reject(signal.reason as Error);
+      });
+      worker.postMessage(question);
+    });
+  } finally {
+    worker.terminate();
+  }
+}

@@ -1,0 +1,18 @@
+import {recognised} from '../../formats/recognise.js';
+import {FileError} from '../../model/versioned-file.js';
+import {readBytes, textOf} from '../../node/files.js';
+
+/** The bytes of a garment's file. @throws {FileError} for drawings, of which a garment is to be made first */
+export async function readGarmentBytes(path: string): Promise<Buffer> {
+  const bytes = await readBytes(path);
+  const kind = recognised(bytes);
+  if (typeof kind !== 'string') return bytes;
+  throw new FileError(
+    path,
+    `is ${kind.toUpperCase()}; make a garment of it first: seamwise import ${path} --out GARMENT.json.`,
+  );
+}
+
+/** @throws as `readGarmentBytes` */
+export const readGarmentText = async (path: string): Promise<string> =>
+  textOf(await readGarmentBytes(path));

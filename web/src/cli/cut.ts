@@ -1,0 +1,150 @@
+import {resolve} from 'node:path';
+import {pathToFileURL} from 'node:url';
+
+import {chosenNames} from '../model/garment-marks.js';
+import type {GarmentDocument} from '../model/garment-document.js';
+import type {Print} from '../model/print.js';
+import {fieldOf} from '../model/read.js';
+import {notAsSold} from '../picture/mark.js';
+import {noPaper, paperOf} from '../paper/papers.js';
+import {addressFrom, readAddress} from '../node/addresses.js';
+import {readText} from '../node/files.js';
+import {cut as cutResult, readGarment, type Cut} from '../node/index.js';
+import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
+import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
+import {print, remark} from './base/terminal.js';
+import {readTile} from './base/print-files.js';
+import {plainIn, readClothOf, readResult, type ResultFile} from './result-file.js';
+
+/** What can be written, by the flag that names the file. */
+const outputs: Readonly<
+  Record<string, (cut: Cut, args: Arguments) => Promise<string | Uint8Array> | string>
+> = {
+  '--pdf': async (cut) => {
+    const {bytes, notes} = await cut.pdf();
+    notes.forEach(remark);
+    return bytes;
+  },
+  '--svg': (cut) => cut.svg(),
+  '--dxf': (cut, args) => cut.dxf({sewAsBoundary: args.has('--sew-as-1')}),
+  '--plt': (cut) => cut.hpgl(),
+  '--map': (cut) => `${JSON.stringify(cut.map)}\n`,
+};
+
+const grammar = {
+  files: ['the result file'],
+  valued: [
+    ...[
+      '--print',
+      '--colourway',
+      '--garment',
+      '--allowance',
+      '--hem',
+      '--paper',
+      '--ink',
+      '--date',
+    ],
+    ...Object.keys(outputs),
+  ],
+  switches: ['--sew-as-1'],
+};
+
+/** More than anybody sews with. [cm] */
+const greatestAllowance = 10;
+
+/** `cut`: the pieces of a result at true scale, to print and to cut along. */
+export async function cut(words: readonly string[]): Promise<void> {
+  const args = parseArguments(words, grammar);
+  const [resultFile = ''] = args.files;
+  const [printFile, colourway, garmentFile] = ['--print', '--colourway', '--garment'].map((flag) =>
+    args.value(flag),
+  );
+  if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
+  const settings = settingsOf(args);
+  const inputs = [resultFile, printFile, ...(garmentFile === undefined ? [] : [garmentFile])];
+  const wanted = Object.entries(outputs).flatMap(([flag, content]) => {
+    const path = args.value(flag);
+    return path === undefined ? [] : [{flag, path, content}];
+  });
+  checkDistinct(Object.fromEntries(wanted.map(({flag, path}) => [flag, path])));
+  for (const {path} of wanted) await checkWritable(path, inputs);
+
+  const {result} = await readResult(resultFile);
+  const cloth = await readClothOf(result, resultFile, {printFile, colourway});
+  const tile = await readTile(cloth, printFile);
+  const garment = await garmentOf(result, garmentFile);
+  if (!garment) {
+    remark(
+      `${resultFile} does not hold its design, so pieces have no notches and no grain lines of their own; name the garment with --garment FILE.`,
+    );
+  }
+  const done = await cutResult(result, {
+    ...settings,
+    ...garment,
+    ...(colourway !== undefined && {colourway}),
+    print: {...cloth, ...(tile !== undefined && {tile})},
+    names: chosenNames(result.design),
+    plain: plainIn(result),
+    pixels: () => rasterOf(cloth, printFile),
+    ...(result.reproduced === false && {mark: notAsSold}),
+  });
+  for (const {path, content} of wanted) await writeWhole(path, await content(done, args));
+  print(figures(resultFile, done));
+}
+
+/** @throws {UsageError} */
+function settingsOf(args: Arguments) {
+  const allowanceCm = lengthCm(args, '--allowance', greatestAllowance);
+  const hemCm = lengthCm(args, '--hem', greatestAllowance);
+  const paper = args.value('--paper');
+  if (paper !== undefined && !paperOf(paper)) throw new UsageError(noPaper(paper));
+  const ink = choice(args, '--ink', ['full', 'outline']);
+  const day = args.value('--date');
+  const date = new Date(`${day ?? ''}T00:00:00Z`);
+  if (day !== undefined && !(/^\d{4}-\d\d-\d\d$/.test(day) && Number.isFinite(date.getTime()))) {
+    throw new UsageError(`--date is '${day}', but must be a day, such as 2026-03-21.`);
+  }
+  return {
+    ...(allowanceCm !== undefined && {allowanceCm}),
+    ...(hemCm !== undefined && {hemCm}),
+    ...(paper !== undefined && {paper}),
+    ...(ink && {ink}),
+    ...(day !== undefined && {date}),
+  };
+}
+
+/** As the flag says, or as the design that the result may hold. @throws {UsageError}, {FileError}, {SolverError} */
+async function garmentOf(
+  {design}: ResultFile,
+  file: string | undefined,
+): Promise<{readonly garment: GarmentDocument; readonly garmentFile: string} | undefined> {
+  const held = fieldOf(design, 'garment');
+  const [heldText, heldName] = ['text', 'name'].map((key) => fieldOf(held, key));
+  const text = file === undefined ? heldText : await readText(file);
+  const garmentFile = file ?? heldName;
+  if (typeof text !== 'string') return undefined;
+  const called = typeof garmentFile === 'string' ? garmentFile : 'the garment';
+  return {garment: await readGarment(text, called), garmentFile: called};
+}
+
+/** For pictures that Node does not draw: the one of pixels that the colourway names. @throws {FileError} */
+async function rasterOf(
+  {image, colourways = []}: Print,
+  printFile: string,
+): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  const raster = colourways.find((one) => one.image === image)?.raster;
+  if (raster === undefined) return undefined;
+  const bytes = await readAddress(addressFrom(pathToFileURL(resolve(printFile)), raster));
+  return new Uint8Array(bytes);
+}
+
+function figures(resultFile: string, {sheet, layout}: Cut): string {
+  const {pieces, widthCm, heightCm} = sheet;
+  const {pages, paper} = layout;
+  const size = (width: number, height: number): string =>
+    `${width.toFixed(1)} x ${height.toFixed(1)} cm`;
+  return [
+    `${resultFile}: ${pieces.length} pieces on a sheet of ${size(widthCm, heightCm)}`,
+    `${pages.length} ${pages.length === 1 ? 'page' : 'pages'} of ${size(layout.widthCm, layout.heightCm)}, ${paper.name}`,
+  ].join('; ');
+}

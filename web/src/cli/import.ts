@@ -1,0 +1,62 @@
+import {importGarment, type FileUnit, type ImportReport} from '../node/index.js';
+import {readBytes} from '../node/files.js';
+import {drawingLimit} from '../node/import.js';
+import {choice, parseArguments} from './base/arguments.js';
+import {checkWritable, writeWhole} from './base/files.js';
+import {print, remark} from './base/terminal.js';
+
+const grammar = {
+  files: ['the pattern file'],
+  valued: ['--units', '--size', '--seams', '--out'],
+  switches: ['--json'],
+};
+
+const units: Readonly<Record<'mm' | 'cm' | 'in', FileUnit>> = {mm: 'mm', cm: 'cm', in: 'inch'};
+
+/** `import`: a pattern of another program as a garment. */
+export async function importFile(words: readonly string[]): Promise<void> {
+  const args = parseArguments(words, grammar);
+  const [file = ''] = args.files;
+  const unit = choice(args, '--units', ['mm', 'cm', 'in']);
+  const size = args.value('--size');
+  const seams = choice(args, '--seams', ['suggest', 'file', 'none']);
+  const out = args.value('--out');
+  if (out !== undefined) await checkWritable(out, [file]);
+  const {garment, report} = await importGarment(await readBytes(file, drawingLimit), {
+    name: file,
+    ...(unit && {units: units[unit]}),
+    ...(size !== undefined && {size}),
+    ...(seams && {seams}),
+  });
+  if (out !== undefined) await writeWhole(out, garment);
+  if (args.has('--json')) {
+    print(`${JSON.stringify(report)}\n`);
+    return;
+  }
+  report.notes.forEach(remark);
+  print(listOf(file, report));
+}
+
+const cm = (length: number): string => length.toFixed(1);
+
+const unitNames: Readonly<Record<string, string>> = {
+  ...{mm: 'millimetres', cm: 'centimetres', in: 'inches', m: 'metres'},
+};
+
+/** One line for the file, then one for every piece. */
+function listOf(
+  file: string,
+  {pieces, sizes, size, units: {used, from}, seams}: ImportReport,
+): string {
+  const taken = pieces.filter((piece) => piece.taken);
+  const inSize =
+    size === null ? '' : `, size ${size}${sizes.length > 1 ? ` of ${sizes.join(', ')}` : ''}`;
+  const origin = {file: 'as the file says', flag: 'as asked for', guess: 'guessed from size'}[from];
+  return [
+    `${file}: ${String(taken.length)} pieces${inSize}, in ${unitNames[used] ?? used} (${origin}), ${String(seams.length)} seams`,
+    ...taken.map(
+      ({name, widthCm, heightCm, quantity, notches}) =>
+        `${name}: ${cm(widthCm)} x ${cm(heightCm)} cm, cut ${String(quantity)}, ${String(notches)} notches`,
+    ),
+  ].join('\n');
+}

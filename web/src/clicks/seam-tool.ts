@@ -1,0 +1,346 @@
+/** How seams are made by clicks and keys: an edge, or a run of several, then what it is sewn to. */
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import {edgeOf, isOpen, sameEdge, seamAt, sideLength} from '../model/garment-edit.js';
+import {has, inOrder, joined, stretched, type Run} from './run.js';
+
+/** Two sides that may be sewn to each other. */
+export interface Suggestion {
+  readonly a: Run;
+  readonly b: Run;
+  /** Start meets start. */
+  readonly sameDirection: boolean;
+}
+
+/** What a side may be sewn to: `a` is that side, or more than it. */
+export interface Candidate extends Suggestion {
+  /** How likely that is, from 0 to 1. */
+  readonly p: number;
+}
+
+/** The garment as the tool sees it. */
+export interface Sewing {
+  readonly garment: GarmentDocument;
+  /** What a run may be sewn to, the likeliest first. */
+  readonly candidates: (run: Run) => readonly Candidate[];
+  /** The first of them, if it is likely enough to be named. */
+  readonly best: (run: Run) => Candidate | undefined;
+  /** Seams that are as good as sure. */
+  readonly sure: () => readonly Suggestion[];
+  /** The likeliest of all that has not been answered. */
+  readonly likeliest: () => Suggestion | undefined;
+  /** All edges, in the order in which keys lead from one to the next. */
+  readonly order: Run;
+}
+
+type Refusal =
+  /** It is sewn already. */
+  | 'sewn'
+  /** No edge is chosen. */
+  | 'nothing'
+  /** There is no candidate of that number. */
+  | 'noCandidate'
+  /** Every edge is sewn or stays open. */
+  | 'finished';
+
+export interface SeamState {
+  /** What keys are about; empty while nothing is chosen. */
+  readonly run: Run;
+  /** The next edge is what the run is sewn to. */
+  readonly isHeld: boolean;
+  /** Where keys have led meanwhile. */
+  readonly other: Run;
+  /** It is to be sewn the other way round than proposed. */
+  readonly isTurned: boolean;
+  /** Suggestions are shown and asked about. */
+  readonly suggests: boolean;
+  /** Those that somebody did not want. */
+  readonly answered: readonly Suggestion[];
+  /** Seams, by number, of which is asked whether they are gathered. */
+  readonly gathered: readonly number[];
+  readonly refused: Refusal | undefined;
+}
+
+interface Split {
+  readonly kind: 'split';
+  readonly edge: EdgeOfPiece;
+  /** Of its length, from its start. */
+  readonly share: number;
+  /** The part that stays chosen: the first or the second. */
+  readonly keeps: 0 | 1;
+}
+
+/** A change of the garment that somebody has asked for. */
+export type SeamEdit =
+  | {readonly kind: 'sew'; readonly a: Run; readonly b: Run; readonly sameDirection: boolean}
+  | {readonly kind: 'sewAll'; readonly seams: readonly Suggestion[]}
+  | Split
+  | {readonly kind: 'unsew' | 'turn'; readonly seam: number}
+  | {readonly kind: 'open'; readonly run: Run; readonly open: boolean}
+  | {readonly kind: 'match'; readonly seams: readonly number[]}
+  /** Takes seams apart, and sews one side of them with more to the other. */
+  | ({readonly kind: 'join'; readonly seams: readonly number[]} & Suggestion);
+
+/** About the run that is chosen. */
+type RunEvent =
+  /** The candidate's number, from 1. */
+  | {readonly type: 'sewTo'; readonly candidate: number}
+  | {readonly type: 'hold'}
+  | {readonly type: 'turn'}
+  | {readonly type: 'unsew'}
+  | {readonly type: 'open'};
+
+export type SeamEvent =
+  /** A press on an edge; with `extends` it is one more of the run. */
+  | {readonly type: 'pick'; readonly edge: EdgeOfPiece; readonly extends: boolean}
+  /** Keys lead to an edge. */
+  | {readonly type: 'go'; readonly edge: EdgeOfPiece}
+  /** To the next edge, or the one before, on the outline: the run takes it in, or lets it go. */
+  | {readonly type: 'stretch'; readonly by: 1 | -1}
+  | ({readonly type: 'split'} & Omit<Split, 'kind'>)
+  | RunEvent
+  | {readonly type: 'next' | 'suggest' | 'acceptAll' | 'back' | 'yes' | 'no' | 'skip' | 'join'}
+  /** The garment has been changed. */
+  | {
+      readonly type: 'edited';
+      readonly edgesOf: (edge: EdgeOfPiece) => Run;
+      readonly gathered: readonly number[];
+      /** Of a split, the part that stays chosen. */
+      readonly keeps?: 0 | 1;
+    };
+
+interface Answer {
+  readonly state: SeamState;
+  readonly edit?: SeamEdit;
+}
+
+export const nothingChosen: SeamState = {
+  ...{run: [], isHeld: false, other: [], isTurned: false},
+  ...{suggests: false, answered: [], gathered: [], refused: undefined},
+};
+
+/** What is asked, to be answered by yes, no or skip. */
+export type Question =
+  | {
+      readonly kind: 'gathered';
+      readonly seams: readonly number[];
+      /** With the next edge the shorter side is as long as the other. */
+      readonly instead?: Suggestion;
+    }
+  | ({readonly kind: 'seam'} & Suggestion);
+
+export function questionOf(state: SeamState, sewing: Sewing): Question | undefined {
+  const {gathered: seams} = state;
+  if (seams.length > 0) {
+    const instead = insteadOf(sewing, seams[0] ?? -1);
+    return {kind: 'gathered', seams, ...(instead && {instead})};
+  }
+  if (!state.suggests || state.run.length > 0) return undefined;
+  const likely = sewing.likeliest();
+  return likely && {kind: 'seam', ...likely};
+}
+
+function insteadOf({garment}: Sewing, number: number): Suggestion | undefined {
+  const seam = garment.seams[number];
+  if (!seam) return undefined;
+  const isShorter = sideLength(garment, [seam.a]) < sideLength(garment, [seam.b]);
+  const [short, long] = isShorter ? [seam.a, seam.b] : [seam.b, seam.a];
+  const run = joined(garment, short, long);
+  return run && {a: run, b: [long], sameDirection: seam.sameDirection};
+}
+
+const isSewn = ({garment}: Sewing, edge: EdgeOfPiece): boolean =>
+  seamAt(garment, edge) !== undefined;
+
+/** Nothing is asked about gathers any more once something else is done. */
+const calm = (state: SeamState): SeamState => ({...state, gathered: [], refused: undefined});
+
+const refusing = (state: SeamState, refused: Refusal): Answer => ({state: {...state, refused}});
+
+/** Which way round two sides are sewn: as proposed, or as usual, where outlines run against each other. */
+export function directionOf(state: SeamState, sewing: Sewing, other: Run): boolean {
+  const [first] = other;
+  const known = sewing.candidates(state.run).find(({b}) => first && has(b, first));
+  return (known?.sameDirection ?? false) !== state.isTurned;
+}
+
+function sewn(state: SeamState, sewing: Sewing, other: Run, run = state.run): Answer {
+  if (other.length === 0 || other.some((edge) => has(run, edge))) return {state};
+  if ([...run, ...other].some((edge) => isSewn(sewing, edge))) return refusing(state, 'sewn');
+  const sameDirection = directionOf(state, sewing, other);
+  return {state, edit: {kind: 'sew', a: run, b: other, sameDirection}};
+}
+
+/** Another edge is chosen. */
+const chosen = (state: SeamState, run: Run, isHeld: boolean): SeamState => ({
+  ...state,
+  ...{run, isHeld, other: [], isTurned: false},
+});
+
+function picked(state: SeamState, sewing: Sewing, edge: EdgeOfPiece, isMore: boolean): Answer {
+  const {run, isHeld} = state;
+  const sewnAlready = isSewn(sewing, edge);
+  if (isMore && run.length > 0) {
+    if (has(run, edge))
+      return {
+        state: chosen(
+          state,
+          run.filter((one) => !sameEdge(one, edge)),
+          isHeld,
+        ),
+      };
+    return sewnAlready
+      ? refusing(state, 'sewn')
+      : {state: chosen(state, inOrder(sewing.garment, [...run, edge]), true)};
+  }
+  if (isHeld && has(run, edge)) return {state: chosen(state, run, false)};
+  if (isHeld) return sewn(state, sewing, [edge]);
+  return {state: chosen(state, [edge], !sewnAlready)};
+}
+
+/** The side where keys are now grows along its outline. */
+function withStretched(state: SeamState, {garment}: Sewing, by: 1 | -1): SeamState {
+  const name = state.isHeld && state.other.length > 0 ? 'other' : 'run';
+  return {...state, [name]: stretched(garment, state[name], by)};
+}
+
+/** The longest edge that is neither sewn nor open, after the present one by length. */
+function nextOf({run}: SeamState, {garment, order}: Sewing): EdgeOfPiece | undefined {
+  const left = order
+    .filter((edge) => seamAt(garment, edge) === undefined && !isOpen(edgeOf(garment, edge)))
+    .map((edge) => ({edge, length: sideLength(garment, [edge])}))
+    .sort((one, other) => other.length - one.length)
+    .map(({edge}) => edge);
+  const [present] = run;
+  const at = left.findIndex((edge) => present && sameEdge(edge, present));
+  return left[(at + 1) % left.length];
+}
+
+/** Takes back what was chosen last. @returns nothing where there is nothing to take back */
+function back(state: SeamState): SeamState | undefined {
+  if (state.gathered.length > 0 || state.refused) return calm(state);
+  if (state.other.length > 0) return {...state, other: []};
+  if (state.isHeld) return {...state, isHeld: false, isTurned: false};
+  if (state.run.length > 0) return chosen(state, [], false);
+  return state.suggests ? {...state, suggests: false, answered: []} : undefined;
+}
+
+function answered(state: SeamState, sewing: Sewing, answer: 'yes' | 'no' | 'skip'): Answer {
+  const question = questionOf(state, sewing);
+  if (question?.kind === 'gathered') {
+    const edit = {kind: 'match', seams: question.seams} as const;
+    return {state: calm(state), ...(answer === 'no' && {edit})};
+  }
+  if (!question) return {state};
+  const {a, b, sameDirection} = question;
+  return answer === 'yes'
+    ? {state, edit: {kind: 'sew', a, b, sameDirection}}
+    : {state: {...state, answered: [...state.answered, question]}};
+}
+
+function edited(
+  state: SeamState,
+  {edgesOf, gathered, keeps}: Extract<SeamEvent, {readonly type: 'edited'}>,
+): SeamState {
+  const both = (one: Suggestion): Suggestion[] => {
+    const [a, b] = [one.a.flatMap(edgesOf), one.b.flatMap(edgesOf)];
+    return a.length === one.a.length && b.length === one.b.length ? [{...one, a, b}] : [];
+  };
+  return {
+    ...calm(state),
+    run: state.run.flatMap((edge) => {
+      const parts = edgesOf(edge);
+      return keeps === undefined || parts.length < 2 ? parts : parts.slice(keeps, keeps + 1);
+    }),
+    ...{isHeld: false, other: [], isTurned: false},
+    answered: state.answered.flatMap(both),
+    gathered,
+  };
+}
+
+/** What is made of an event; nothing where it ends the tool. What has no meaning in a state leaves it as it is. */
+export function afterEvent(
+  before: SeamState,
+  event: SeamEvent,
+  sewing: Sewing,
+): Answer | undefined {
+  if (event.type === 'back') {
+    const state = back(before);
+    return state && {state};
+  }
+  if (event.type === 'yes' || event.type === 'no' || event.type === 'skip')
+    return answered(before, sewing, event.type);
+  const state = calm(before);
+  if (event.type === 'join') {
+    const question = questionOf(before, sewing);
+    if (question?.kind !== 'gathered' || !question.instead) return {state: before};
+    return {state, edit: {kind: 'join', seams: question.seams, ...question.instead}};
+  }
+  const {garment} = sewing;
+  const [first] = state.run;
+  const seam = first && seamAt(garment, first);
+  switch (event.type) {
+    case 'edited':
+      return {state: edited(state, event)};
+    case 'pick':
+      return picked(state, sewing, event.edge, event.extends);
+    case 'go':
+      return {
+        state: state.isHeld
+          ? {...state, other: has(state.run, event.edge) ? [] : [event.edge], isTurned: false}
+          : chosen(state, [event.edge], false),
+      };
+    case 'stretch':
+      return {state: seam === undefined ? withStretched(state, sewing, event.by) : state};
+    case 'split': {
+      const {edge, share, keeps} = event;
+      return {state, edit: {kind: 'split', edge, share, keeps}};
+    }
+    case 'suggest':
+      return {state: {...chosen(state, [], false), suggests: !state.suggests, answered: []}};
+    case 'acceptAll':
+      return {state, edit: {kind: 'sewAll', seams: sewing.sure()}};
+    case 'next': {
+      const next = nextOf(state, sewing);
+      return next ? {state: chosen(state, [next], false)} : refusing(state, 'finished');
+    }
+    case 'sewTo':
+    case 'hold':
+    case 'turn':
+    case 'unsew':
+    case 'open':
+      return first ? ofRun(state, event, sewing, seam) : refusing(state, 'nothing');
+  }
+}
+
+/** What is done to the run that is chosen. @param seam that it is sewn in */
+function ofRun(
+  state: SeamState,
+  event: RunEvent,
+  sewing: Sewing,
+  seam: number | undefined,
+): Answer {
+  const {run, isHeld, other} = state;
+  switch (event.type) {
+    case 'sewTo': {
+      if (seam !== undefined) return refusing(state, 'sewn');
+      const candidate = sewing.candidates(run)[event.candidate - 1];
+      return candidate
+        ? sewn(state, sewing, candidate.b, candidate.a)
+        : refusing(state, 'noCandidate');
+    }
+    case 'hold':
+      if (seam !== undefined) return refusing(state, 'sewn');
+      return isHeld ? sewn(state, sewing, other) : {state: {...state, isHeld: true}};
+    case 'turn':
+      return seam === undefined
+        ? {state: {...state, isTurned: !state.isTurned}}
+        : {state, edit: {kind: 'turn', seam}};
+    case 'unsew':
+      return seam === undefined ? {state} : {state, edit: {kind: 'unsew', seam}};
+    case 'open': {
+      if (seam !== undefined) return refusing(state, 'sewn');
+      const open = !run.every((edge) => isOpen(edgeOf(sewing.garment, edge)));
+      return {state, edit: {kind: 'open', run, open}};
+    }
+  }
+}

@@ -1,0 +1,222 @@
+/** What is cut beyond a corner of an outline: polygons of cloth, counter-clockwise. Lengths in cm. */
+import {between, dot, leftOf, minus, norm, plus, unit, type Point} from '../model/geometry.js';
+
+/** The edge that ends at a corner, or the one that begins there. */
+export type Own = 'before' | 'after';
+
+/** Where neither says anything, cut lines run on until they meet. */
+export interface CornerPlan {
+  /** Whose allowance is turned up along its seam line, as a hem is. */
+  readonly turned?: Own;
+  /** How far beyond the end of its seam an allowance is cut off at a right angle. */
+  readonly square?: {readonly before?: number; readonly after?: number};
+}
+
+/** The two edges that meet: which way each runs there, and how wide its allowance is. */
+export interface Corner {
+  readonly at: Point;
+  /** Of length 1, in the direction of the outline. */
+  readonly before: Point;
+  readonly after: Point;
+  readonly widthBefore: number;
+  readonly widthAfter: number;
+}
+
+/** How far a corner's allowance may reach, in widths, before it is cut off. */
+const mitreLimit = 2.5;
+/** A line that is nearly straight has no corner: sine of its turn. */
+const least = 1e-6;
+
+/** Nor is anything turned up where the other edge leaves it at less than this: sine. */
+const leastTurned = 0.3;
+
+/** A quarter turn clockwise: out of the piece. */
+export const outOf = (direction: Point): Point => {
+  const [x, y] = leftOf(direction);
+  return [0 - x, 0 - y];
+};
+
+/**
+ * A corner as one of its edges sees it: the corner is the origin, that edge runs towards it along +x, its allowance lies
+ * at +y. The other allowance is what has less than `width` along `normal`.
+ */
+interface Frame {
+  readonly along: Point;
+  readonly out: Point;
+  readonly width: number;
+  readonly other: {readonly normal: Point; readonly width: number};
+}
+
+function frameOf(corner: Corner, own: Own): Frame {
+  const {before, after, widthBefore, widthAfter} = corner;
+  const isBefore = own === 'before';
+  const along: Point = isBefore ? before : [0 - after[0], 0 - after[1]];
+  const out = outOf(isBefore ? before : after);
+  const otherOut = outOf(isBefore ? after : before);
+  return {
+    ...{along, out, width: isBefore ? widthBefore : widthAfter},
+    other: {
+      normal: [dot(otherOut, along), dot(otherOut, out)],
+      width: isBefore ? widthAfter : widthBefore,
+    },
+  };
+}
+
+const fromFrame = ({at}: Corner, {along, out}: Frame, [x, y]: Point): Point =>
+  plus(plus(at, along, x), out, y);
+
+const intoFrame = ({at}: Corner, {along, out}: Frame, p: Point): Point => [
+  dot(minus(p, at), along),
+  dot(minus(p, at), out),
+];
+
+/** Where the other cut line is at a height y of the frame. */
+const acrossAt = ({other: {normal, width}}: Frame, y: number): number =>
+  (width - y * normal[1]) / normal[0];
+
+/** Both cut lines run on until they meet, or to the limit. */
+function mitre(frame: Frame): readonly Point[] {
+  const {
+    width,
+    other: {normal, width: otherWidth},
+  } = frame;
+  const foot: Point = [0, width];
+  const otherFoot: Point = [otherWidth * normal[0], otherWidth * normal[1]];
+  // where one allowance ends within the line of the other, the end of the wider one stays square
+  if (otherWidth < width * normal[1]) return [[0, 0], [0, otherWidth / normal[1]], otherFoot];
+  if (width < otherWidth * normal[1]) {
+    const share = width / normal[1];
+    return [[0, 0], foot, [share * normal[0], share * normal[1]]];
+  }
+  const meeting: Point = [acrossAt(frame, width), width];
+  const reach = norm(meeting);
+  const limit = mitreLimit * Math.max(width, otherWidth);
+  if (reach <= limit) return [[0, 0], foot, meeting, otherFoot];
+  const towards = unit(meeting);
+  const cutOff = (from: Point): Point =>
+    between(from, meeting, (limit - dot(from, towards)) / (reach - dot(from, towards)));
+  return [[0, 0], foot, cutOff(foot), cutOff(otherFoot), otherFoot];
+}
+
+/** The part of a convex polygon that lies no further along a direction than `far`. */
+function upTo(polygon: readonly Point[], direction: Point, far: number): readonly Point[] {
+  return polygon.flatMap((p, k) => {
+    const q = polygon[(k + 1) % polygon.length] ?? p;
+    const [a, b] = [dot(p, direction) - far, dot(q, direction) - far];
+    const crossing = a > 0 !== b > 0 ? [between(p, q, a / (a - b))] : [];
+    return a > 0 ? crossing : [p, ...crossing];
+  });
+}
+
+/** An allowance that runs on beyond the other cut line begins so far inside of its seam line. */
+const overlap = 0.1;
+
+/** The allowance of a seam made longer, if it has to be. */
+export function longer(corner: Corner, own: Own, reach: number): readonly Point[] {
+  const frame = frameOf(corner, own);
+  if (frame.other.normal[0] < least || reach <= acrossAt(frame, 0) + least) return [];
+  return [
+    [0, 0 - overlap],
+    [0, frame.width],
+    [reach, frame.width],
+    [reach, 0 - overlap],
+  ].map(([x = 0, y = 0]) => fromFrame(corner, frame, [x, y]));
+}
+
+/** The corner's cloth with its seam cut off square. */
+function squared(
+  frame: Frame,
+  reach: number,
+  cloth: readonly Point[],
+): readonly (readonly Point[])[] {
+  // an acute corner's tip lies beyond the other cloth and is cut off; else the allowance is made longer
+  if (frame.other.normal[1] < 0) return [upTo(cloth, [1, 0], reach)];
+  return [
+    cloth,
+    [
+      [0, 0],
+      [0, frame.width],
+      [reach, frame.width],
+      [reach, 0],
+    ],
+  ];
+}
+
+/** What fills a corner that is not turned up; nothing where the outline turns inwards. */
+export function cornerCloth(
+  corner: Corner,
+  square: CornerPlan['square'] = {},
+): readonly (readonly Point[])[] {
+  const frame = frameOf(corner, 'before');
+  if (frame.other.normal[0] < least || frame.width + frame.other.width === 0) return [];
+  const real = (points: readonly Point[], of: Frame) => points.map((p) => fromFrame(corner, of, p));
+  let cloth = real(mitre(frame), frame);
+  const more: (readonly Point[])[] = [];
+  for (const own of ['before', 'after'] as const) {
+    const reach = square[own];
+    if (reach === undefined) continue;
+    const of = frameOf(corner, own);
+    const [kept = [], ...added] = squared(
+      of,
+      reach,
+      cloth.map((p) => intoFrame(corner, of, p)),
+    );
+    cloth = real(kept, of);
+    more.push(...added.map((points) => real(points, of)), longer(corner, own, reach));
+  }
+  return [cloth, ...more];
+}
+
+/** A hem's end, as polygons: what its allowance has besides, and has not; and what the other edge's has besides. */
+interface Turned {
+  readonly more: readonly Point[];
+  readonly less: readonly Point[];
+  readonly beside: readonly Point[];
+}
+
+/**
+ * Turned up along its seam line, a hem lies on the piece: beyond that line the other cut line runs on as its own mirror
+ * image.
+ * @param otherCut the other edge's cut line, from the corner on
+ */
+export function turnedCorner(
+  corner: Corner,
+  own: Own,
+  otherCut: readonly Point[],
+): Turned | undefined {
+  const frame = frameOf(corner, own);
+  const {width, other} = frame;
+  if (other.normal[0] < leastTurned || width === 0) return undefined;
+  const start = acrossAt(frame, 0);
+  const image: Point[] = [[start, 0]];
+  for (const p of otherCut) {
+    const [x, y] = intoFrame(corner, frame, p);
+    const [, last] = image.at(-1) ?? [start, 0];
+    if (-y > last + least) image.push([x, -y]);
+    if (-y > width) break;
+  }
+  // what is shorter than the hem is deep runs on as it ends
+  const [[x1, y1] = [start, 0], [x0, y0] = [start - other.normal[1], -other.normal[0]]] = image
+    .slice(-2)
+    .reverse();
+  const end = 1.2 * width;
+  if (y1 < end) image.push([x1 + ((end - y1) * (x1 - x0)) / (y1 - y0 || 1), end]);
+  const far = Math.max(...image.map(([x]) => x)) + 1;
+  const beyond = far + Math.max(0, ...image.map(([x]) => -x)) + 1;
+  const last = image.at(-1)?.[1] ?? end;
+  const real = (points: readonly Point[]) => points.map((p) => fromFrame(corner, frame, p));
+  return {
+    more: real([
+      [0, 0],
+      [0, width],
+      [far, width],
+      [far, 0],
+    ]),
+    less: real([...image, [beyond, last], [beyond, 0 - overlap], [start, 0 - overlap]]),
+    beside: real([
+      [0, 0],
+      [start, 0],
+      [other.width * other.normal[0], other.width * other.normal[1]],
+    ]),
+  };
+}

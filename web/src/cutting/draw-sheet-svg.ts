@@ -1,0 +1,122 @@
+/** A sheet of pieces to cut as SVG whose unit is the millimetre, with squares to measure below them. */
+import {onPiece, type Point} from '../model/geometry.js';
+import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
+import {markAcross} from '../picture/mark.js';
+import {escaped, polyline, short, text} from '../picture/svg.js';
+import {textWidth} from '../layout/name-lines.js';
+import type {CutLine, CutSheet, CutText, LaidPiece} from './cut-sheet.js';
+
+/** [mm] */
+const unit = 10;
+const margin = 15;
+/** Room for test squares, and at least so much for words beside them. */
+const foot = 82;
+const belowWords = 24;
+const leading = 7;
+const leastWidth = 240;
+const ink = '#1d1f23';
+
+type Page = (p: Point) => Point;
+
+const pathOf = (page: Page, points: readonly Point[], isClosed: boolean): string =>
+  polyline(points.map(page)) + (isClosed ? 'Z' : '');
+
+const closed = (loops: readonly (readonly Point[])[], page: Page): string =>
+  loops.map((loop) => pathOf(page, loop, true)).join('');
+
+function drawnLine({points, isClosed, widthMm, dashMm, haloMm, isFaint}: CutLine, page: Page) {
+  const d = pathOf(page, points, isClosed);
+  const opacity = isFaint ? ' opacity="0.4"' : '';
+  const halo =
+    haloMm === undefined
+      ? ''
+      : `<path d="${d}" stroke="#fff" stroke-opacity="0.85" stroke-width="${short(widthMm + haloMm)}"${opacity}/>`;
+  const dash = dashMm ? ` stroke-dasharray="${dashMm.join(' ')}"` : '';
+  return {
+    halo,
+    line: `<path d="${d}" stroke="${ink}" stroke-width="${short(widthMm)}"${dash}${opacity}/>`,
+  };
+}
+
+function drawnText({at, lines, sizeMm: size, hasPlate, angle = 0}: CutText, page: Page): string {
+  const [x, y] = page(at);
+  const leading = 1.25 * size;
+  const width = Math.max(...lines.map((line) => textWidth(line, size))) + size;
+  const height = leading * lines.length + 0.4 * size;
+  const ground = hasPlate
+    ? `<rect x="${short(x - width / 2)}" y="${short(y - height / 2)}" width="${short(width)}" height="${short(height)}" rx="${short(size / 3)}" fill="#fff" fill-opacity="0.85" stroke="none"/>`
+    : '';
+  const words = lines.map((line, k) =>
+    text([x, y + leading * (k - (lines.length - 1) / 2) + 0.35 * size], line, {
+      ...{size: Number(short(size)), anchor: 'middle', fill: ink, weight: k === 0 ? 600 : 400},
+    }),
+  );
+  const turn =
+    angle === 0
+      ? ''
+      : ` transform="rotate(${short((-180 / Math.PI) * angle)} ${short(x)} ${short(y)})"`;
+  return `<g stroke="none"${turn}>${ground}${words.join('')}</g>`;
+}
+
+/** Lines that follow each other lie on the light ground of all of them. */
+function drawnMarks({marks}: LaidPiece, page: Page): string {
+  const drawn: string[] = [];
+  let lines: string[] = [];
+  const flush = (): void => {
+    drawn.push(...lines);
+    lines = [];
+  };
+  marks.forEach((mark, k) => {
+    if (mark.kind === 'text' || mark.layer !== marks[k - 1]?.layer) flush();
+    if (mark.kind === 'text') drawn.push(drawnText(mark, page));
+    else {
+      const {halo, line} = drawnLine(mark, page);
+      drawn.push(halo);
+      lines.push(line);
+    }
+  });
+  flush();
+  return drawn.join('');
+}
+
+const drawnPiece = (piece: LaidPiece, k: number, page: Page): string =>
+  `<g id="piece-${k}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round"><path d="${closed(piece.cut, page)}" fill="${piece.alignment ? `url(#cloth-${k})` : '#fff'}" fill-rule="evenodd"/>${drawnMarks(piece, page)}</g>`;
+
+/** Measured with a ruler, they show whether the paper has the right size. */
+function testSquares([x, y]: Point): string {
+  const square = (left: number, side: number, label: string): string =>
+    `<rect x="${short(left)}" y="${short(y)}" width="${side}" height="${side}" fill="none" stroke="${ink}" stroke-width="0.3"/>${text([left + side / 2, y + side / 2 + 1.5], label, {size: 5, anchor: 'middle', fill: ink})}`;
+  return square(x, 50, '5 cm') + square(x + 60, 50.8, '2 in');
+}
+
+/** @param mark words across the whole sheet, such as `notAsSold` */
+export function drawSheetSvg(
+  {widthCm, heightCm, pieces, heading, facts}: CutSheet,
+  print: PrintWithTile,
+  mark?: string,
+): string {
+  const width = Math.max(widthCm * unit, leastWidth) + 2 * margin;
+  const footHeight = Math.max(foot, belowWords + 18 + leading * facts.length);
+  const height = heightCm * unit + 2 * margin + footHeight;
+  const page: Page = ([x, y]) => [margin + unit * x, margin + unit * (heightCm - y)];
+  const cloths = pieces.map(({alignment, place}, k) =>
+    alignment
+      ? clothUnder(`cloth-${k}`, 'cloth', print, alignment, (p) => page(onPiece(place, p)))
+      : '',
+  );
+  const below = height - margin - footHeight + belowWords;
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}mm" height="${short(height)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
+    `<title>${escaped(heading)}</title>`,
+    `<defs>${clothTile('cloth', print, unit)}${cloths.join('')}</defs>`,
+    '<rect width="100%" height="100%" fill="#fff"/>',
+    ...pieces.map((piece, k) => drawnPiece(piece, k, page)),
+    testSquares([margin, below]),
+    text([margin + 122, below + 8], heading, {size: 8, weight: 600, fill: ink}),
+    ...facts.map((line, k) =>
+      text([margin + 122, below + 18 + leading * k], line, {size: 4.5, fill: ink}),
+    ),
+    mark === undefined ? '' : markAcross(mark, width, height),
+    '</svg>\n',
+  ].join('\n');
+}

@@ -1,0 +1,163 @@
+/** Notches: those of the garment, and those that seams need besides. Lengths in cm. */
+import type {Notch, PanelMarks} from '../model/garment-marks.js';
+import {distance, dot, leftOf, minus, plus, type Point} from '../model/geometry.js';
+import {atShare, distanceTo, lengthOf} from '../model/polyline.js';
+import type {ResultPiece} from '../model/result.js';
+import {turned} from '../layout/on-body.js';
+import {notchMark} from './follow.js';
+import {cornerOf, type EdgeKey, type GarmentEdges} from './garment-edges.js';
+
+export interface CutNotch {
+  /** On the sewn line. */
+  readonly at: Point;
+  /** Of length 1. */
+  readonly outward: Point;
+  readonly width: number;
+  /** Of the slit, from the cut line. */
+  readonly depth: number;
+  readonly seam?: number;
+}
+
+/** A longer seam has a notch at its middle. */
+const longSeam = 25;
+/** Notches keep away from corners, and new ones from others. */
+const cornerRoom = 2;
+const notchRoom = 3;
+/** Between the two notches of a back. */
+const pairGap = 1;
+/** A seam that ends where its outline turns by less ends at a split. [rad] */
+const splitTurn = 0.35;
+/** Slits take this share of the allowance, and leave so much of it. */
+const slitShare = 0.4;
+const leastLeft = 0.2;
+const intoPiece = 0.4;
+
+type Side = 'front' | 'back' | undefined;
+
+/** Where a piece hangs, or what it is called. */
+function sideOf(marks: PanelMarks | undefined): Side {
+  const {label = '', placement} = marks ?? {};
+  const said = [/\bfront\b/i, /\bback\b/i].map((word) => word.test(label));
+  if (said[0] !== said[1]) return said[0] ? 'front' : 'back';
+  const [, , z] = turned([0, 0, 1], placement?.rotation ?? [0, 0, 0]);
+  return !placement || Math.abs(z) < 0.5 ? undefined : z > 0 ? 'front' : 'back';
+}
+
+const slitDepth = (width: number): number =>
+  Math.max(0, Math.min(slitShare * width, width - leastLeft));
+
+/** On an edge, at a share of it in the direction of the outline. */
+function onEdge(garment: GarmentEdges, key: EdgeKey, share: number, width: number): CutNotch {
+  const {edge} = garment.edges.get(key) ?? {};
+  const {at, along} = atShare(edge?.points ?? [], share);
+  const [x, y] = leftOf(along);
+  return {
+    ...{at, outward: [0 - x, 0 - y], width, depth: slitDepth(width)},
+    ...(edge?.seam && {seam: edge.seam.number}),
+  };
+}
+
+/** Where sewn lines turn, per piece: notches do not tell points apart there. */
+function cornersOf(garment: GarmentEdges, piece: number): readonly Point[] {
+  return (garment.loops[piece] ?? []).flat().flatMap((key) => {
+    const {turn} = cornerOf(garment, {key, at: 'start'});
+    const [start] = garment.edges.get(key)?.edge.points ?? [];
+    return start && Math.abs(turn) > splitTurn ? [start] : [];
+  });
+}
+
+/** By piece, from the garment. */
+function ownNotches(
+  garment: GarmentEdges,
+  piece: ResultPiece,
+  number: number,
+  {
+    notches,
+    widthOf,
+  }: {readonly notches: readonly Notch[]; readonly widthOf: (key: EdgeKey) => number},
+): CutNotch[] {
+  const keys = (garment.loops[number] ?? []).flat();
+  const lines = keys.map((key) => garment.edges.get(key)?.edge.points ?? []);
+  return notches.flatMap((notch) => {
+    const mark = notchMark(piece, notch);
+    if (!mark) return [];
+    // it lies on the edge whose step it divides
+    const k = lines.findIndex((line) =>
+      line.slice(1).some((to, n) => {
+        const from = line[n] ?? to;
+        const along = dot(minus(to, from), mark.outward);
+        return Math.abs(along) < 1e-6 && distanceTo([from, to], mark.at) < 1e-6;
+      }),
+    );
+    const key = keys[k];
+    const seam = key === undefined ? undefined : garment.edges.get(key)?.edge.seam?.number;
+    const width = key === undefined ? 0 : widthOf(key);
+    return [{...mark, width, depth: slitDepth(width), ...(seam !== undefined && {seam})}];
+  });
+}
+
+/**
+ * By piece. Those of the garment; one at the middle of every long seam, two on what joins a back; one at every split of a
+ * seam: at the same share of both sides.
+ */
+export function garmentNotches(
+  garment: GarmentEdges,
+  pieces: readonly ResultPiece[],
+  marks: readonly PanelMarks[],
+  widths: ReadonlyMap<EdgeKey, number>,
+): readonly (readonly CutNotch[])[] {
+  const widthOf = (key: EdgeKey): number => widths.get(key) ?? 0;
+  const found = pieces.map((piece, k) =>
+    ownNotches(garment, piece, k, {notches: marks[k]?.notches ?? [], widthOf}),
+  );
+  const corners = pieces.map((_, k) => cornersOf(garment, k));
+  const isFree = (piece: number, {at}: CutNotch): boolean =>
+    (corners[piece] ?? []).every((corner) => distance(corner, at) >= cornerRoom) &&
+    (found[piece] ?? []).every((other) => distance(other.at, at) >= notchRoom);
+
+  for (const [a, b] of seamSides(garment)) {
+    const sides = [a, b].map((key) => ({
+      ...{key, piece: garment.edges.get(key)?.piece ?? 0},
+      isReversed: garment.edges.get(key)?.edge.seam?.isReversed ?? false,
+      length: lengthOf(garment.edges.get(key)?.edge.points ?? []),
+    }));
+    const longest = Math.max(...sides.map(({length}) => length));
+    const on = sides.map(({piece}) => sideOf(marks[piece]));
+    const isBack = on.includes('back') && !on.includes('front');
+    const half = isBack ? pairGap / 2 / longest : 0;
+    const shares = longest > longSeam ? (isBack ? [0.5 - half, 0.5 + half] : [0.5]) : [];
+    const added = sides.map(({key, piece, isReversed}) =>
+      shares.map((share) => ({
+        piece,
+        notch: onEdge(garment, key, isReversed ? 1 - share : share, widthOf(key)),
+      })),
+    );
+    // both sides or none
+    if (added.flat().every(({piece, notch}) => isFree(piece, notch)))
+      for (const {piece, notch} of added.flat()) found[piece]?.push(notch);
+  }
+  for (const [key, {edge, piece}] of garment.edges) {
+    const {other, turn} = cornerOf(garment, {key, at: 'start'});
+    const isSplit = edge.seam && garment.edges.get(other)?.edge.seam && other !== key;
+    const notch = onEdge(garment, key, 0, widthOf(key));
+    if (isSplit && Math.abs(turn) < splitTurn && isFree(piece, notch)) found[piece]?.push(notch);
+  }
+  return found;
+}
+
+/** Both edges of every seam. */
+function seamSides({edges}: GarmentEdges): readonly (readonly [EdgeKey, EdgeKey])[] {
+  const first = new Map<number, EdgeKey>();
+  return [...edges].flatMap(([key, {edge}]) => {
+    if (!edge.seam) return [];
+    const other = first.get(edge.seam.number);
+    first.set(edge.seam.number, key);
+    return other === undefined ? [] : [[other, key] as const];
+  });
+}
+
+/** The slit of a notch; a line into the piece where there is no allowance to cut into. */
+export function slitOf({at, outward, width, depth}: CutNotch): readonly [Point, Point] {
+  const edge = plus(at, outward, width);
+  return [edge, plus(edge, outward, -(depth || intoPiece))];
+}

@@ -1,0 +1,122 @@
+/** Records of DXF R12, in millimetres to two thousandths: pairs of a group code and a value, a line each. */
+import type {Point} from '../../model/geometry.js';
+
+/** Lines end as those of programs that cut do. */
+const lineEnd = '\r\n';
+/** Of words that nobody draws at a size of their own. [mm] */
+const textHeight = 5;
+
+export type Pair = readonly [code: number, value: string | number];
+
+/** From centimetres, without a digit that does not count. */
+const mm = (cm: number): string => String(Number((10 * cm).toFixed(4)) + 0);
+
+/** What 7 bits hold: letters without their accents, and a question mark for what has no such letter. */
+export function plainText(text: string): string {
+  const written: Readonly<Record<string, string>> = {
+    ß: 'ss',
+    æ: 'ae',
+    Æ: 'AE',
+    ø: 'o',
+    Ø: 'O',
+    œ: 'oe',
+    ł: 'l',
+    Ł: 'L',
+    '×': 'x',
+    '°': ' deg',
+    '–': '-',
+    '—': '-',
+    '’': "'",
+    '\u00a0': ' ',
+  };
+  return text
+    .replace(/[^\u0020-\u007e]/gu, (letter) => written[letter] ?? letter)
+    .normalize('NFKD')
+    .replace(/[\u0300-\u036f]/gu, '')
+    .replace(/[^\u0020-\u007e]/gu, '?');
+}
+
+const at = ([x, y]: Point): readonly Pair[] => [
+  [10, mm(x)],
+  [20, mm(y)],
+];
+
+/** @param more such as a notch's depth and angle */
+export const point = (layer: number, p: Point, more: readonly Pair[] = []): readonly Pair[] => [
+  [0, 'POINT'],
+  [8, layer],
+  ...at(p),
+  ...more,
+];
+
+export const line = (layer: number, [from, to]: readonly [Point, Point]): readonly Pair[] => [
+  [0, 'LINE'],
+  [8, layer],
+  ...at(from),
+  [11, mm(to[0])],
+  [21, mm(to[1])],
+];
+
+export const polyline = (
+  layer: number,
+  points: readonly Point[],
+  isClosed: boolean,
+): readonly Pair[] => [
+  [0, 'POLYLINE'],
+  [8, layer],
+  [66, 1],
+  [10, '0'],
+  [20, '0'],
+  [70, isClosed ? 1 : 0],
+  ...points.flatMap((p): Pair[] => [[0, 'VERTEX'], [8, layer], ...at(p)]),
+  [0, 'SEQEND'],
+  [8, layer],
+];
+
+export const text = (layer: number, p: Point, words: string): readonly Pair[] => [
+  [0, 'TEXT'],
+  [8, layer],
+  ...at(p),
+  [40, textHeight],
+  [1, plainText(words)],
+];
+
+export const block = (name: string, entities: readonly Pair[]): readonly Pair[] => [
+  [0, 'BLOCK'],
+  [8, 1],
+  [2, name],
+  [70, 0],
+  ...at([0, 0]),
+  ...entities,
+  [0, 'ENDBLK'],
+  [8, 1],
+];
+
+export const insert = (name: string): readonly Pair[] => [
+  [0, 'INSERT'],
+  [8, 1],
+  [2, name],
+  ...at([0, 0]),
+];
+
+/** A whole file without tables, which some readers refuse. */
+export function dxfFile(blocks: readonly Pair[], entities: readonly Pair[]): string {
+  const section = (name: string, pairs: readonly Pair[]): readonly Pair[] => [
+    [0, 'SECTION'],
+    [2, name],
+    ...pairs,
+    [0, 'ENDSEC'],
+  ];
+  const pairs: readonly Pair[] = [
+    ...section('HEADER', [
+      [9, '$ACADVER'],
+      [1, 'AC1009'],
+    ]),
+    ...section('BLOCKS', blocks),
+    ...section('ENTITIES', entities),
+    [0, 'EOF'],
+  ];
+  return pairs
+    .map(([code, value]) => `${String(code).padStart(3)}${lineEnd}${value}${lineEnd}`)
+    .join('');
+}

@@ -1,0 +1,198 @@
+/**
+ * Pieces to cut as AAMA DXF: syntax of R12, a block per piece, metric. The layers are those of ANSI/AAMA-292 and ASTM
+ * D6673. Units METRIC are millimetres.
+ */
+import {
+  degrees,
+  distance,
+  minus,
+  plus,
+  towards,
+  turnBetween,
+  type Point,
+} from '../../model/geometry.js';
+import {packageVersion} from '../../model/version.js';
+import type {CutSheet, LaidPiece} from '../cut-sheet.js';
+import {
+  block,
+  dxfFile,
+  insert,
+  line,
+  plainText,
+  point,
+  polyline,
+  text,
+  type Pair,
+} from './dxf-records.js';
+
+const layers = {
+  cut: 1,
+  turn: 2,
+  curve: 3,
+  notch: 4,
+  grain: 7,
+  inner: 8,
+  stripe: 9,
+  plaid: 10,
+  hole: 11,
+  drill: 13,
+  sew: 14,
+  words: 15,
+  /** The first of the copies by which readers check 1, 8, 11 and 14. */
+  copy: 84,
+} as const;
+
+export interface DxfOptions {
+  /** The sewn line is the boundary, on layer 1, and what is cut follows on 14, as CLO expects it. Default false. */
+  readonly sewAsBoundary?: boolean;
+  /** On which the file is made. */
+  readonly date?: Date;
+}
+
+/** Lines that turn by more have a corner there. [rad] */
+const cornerTurn = 0.35;
+/** Points that are one. [cm] */
+const same = 1e-3;
+/** Of an internal line that stands for a tick. [cm] */
+const tickReach = 0.4;
+/** Names of blocks are cut here by some readers. */
+const longestName = 31;
+
+/** Corners of a line are turn points, all others lie on curves. */
+function pointsOf(loop: readonly Point[], corners: readonly Point[]): readonly Pair[] {
+  return loop.flatMap((p, k) => {
+    const [before = p, after = p] = [loop.at(k - 1), loop[(k + 1) % loop.length]];
+    const isCorner =
+      Math.abs(turnBetween(minus(p, before), minus(after, p))) > cornerTurn ||
+      corners.some((corner) => distance(corner, p) < same);
+    return point(isCorner ? layers.turn : layers.curve, p);
+  });
+}
+
+/** Whether the line that is cut is another one than the line that is sewn. */
+const hasAllowance = ({cut, sewn}: LaidPiece): boolean =>
+  cut.length !== sewn.length ||
+  cut.some((loop, k) => {
+    const other = sewn[k] ?? [];
+    return loop.length !== other.length || loop.some((p, n) => distance(p, other[n] ?? p) > 0);
+  });
+
+/** The boundary, copied for whoever checks it; the other line; cut-outs. */
+function outlines(piece: LaidPiece, {sewAsBoundary = false}: DxfOptions): readonly Pair[] {
+  const {cut, sewn, corners} = piece;
+  const [boundary, other] = sewAsBoundary ? [sewn, cut] : [cut, sewn];
+  const [outer = [], ...holes] = boundary;
+  const others = hasAllowance(piece) ? other : [];
+  return [
+    ...polyline(layers.cut, outer, true),
+    ...pointsOf(outer, corners),
+    ...polyline(layers.copy, outer, true),
+    ...holes.flatMap((hole) => [...polyline(layers.hole, hole, true), ...pointsOf(hole, corners)]),
+    ...others.flatMap((loop) => [...polyline(layers.sew, loop, true), ...pointsOf(loop, corners)]),
+  ];
+}
+
+/** On the boundary: how deep, how wide, and which way into the piece. */
+function notches(piece: LaidPiece, {sewAsBoundary = false}: DxfOptions): readonly Pair[] {
+  return piece.notches.flatMap(({at, angle, allowanceCm, depthCm}) =>
+    point(layers.notch, sewAsBoundary ? at : plus(at, towards(angle), allowanceCm), [
+      [30, Number((10 * depthCm).toFixed(3))],
+      [39, 0],
+      [50, Number(((degrees(angle) + 540) % 360).toFixed(3))],
+    ]),
+  );
+}
+
+function inside(piece: LaidPiece): readonly Pair[] {
+  const {grain, internalLines, ticks, stripe, plaid, drillHoles, matchPoints} = piece;
+  return [
+    ...line(layers.grain, grain),
+    ...internalLines.flatMap((points) => polyline(layers.inner, points, false)),
+    ...ticks.flatMap(({at, angle, label}) => {
+      const reach = towards(angle);
+      return [
+        ...line(layers.inner, [plus(at, reach, -tickReach), plus(at, reach, tickReach)]),
+        ...text(layers.words, at, label),
+      ];
+    }),
+    ...(stripe ? line(layers.stripe, stripe) : []),
+    ...(plaid ? line(layers.plaid, plaid) : []),
+    ...matchPoints.flatMap(({at, number}) => [
+      ...[0, Math.PI / 2].flatMap((angle) =>
+        line(layers.inner, [
+          plus(at, towards(angle), -tickReach),
+          plus(at, towards(angle), tickReach),
+        ]),
+      ),
+      ...text(layers.words, at, String(number)),
+    ]),
+    ...drillHoles.flatMap((at) => point(layers.drill, at)),
+  ];
+}
+
+function words(piece: LaidPiece, name: string, {size}: CutSheet): readonly Pair[] {
+  const [foot] = piece.grain;
+  const said = [
+    `Piece Name: ${name}`,
+    `Quantity: ${piece.quantity},0`,
+    ...(size === undefined ? [] : [`Size: ${size}`]),
+    ...(piece.material === undefined ? [] : [`Material: ${piece.material}`]),
+    `Annotation: ${piece.words.join('; ')}`,
+  ];
+  return [
+    ...said.flatMap((one) => text(layers.cut, foot, one)),
+    ...piece.words.flatMap((one, k) => text(layers.words, plus(foot, [0, -k]), one)),
+    ...piece.letters.flatMap(({letter, at}) => text(layers.words, at, letter)),
+  ];
+}
+
+/** Readable, in 7 bits, and each once, however it is capitalised. */
+function namesOf(pieces: readonly LaidPiece[]): readonly string[] {
+  const taken = new Set<string>();
+  return pieces.map(({name}, k) => {
+    const plain = plainText(name);
+    const readable = /\w/.test(plain) && !plain.includes('?') ? plain : `piece ${k + 1}`;
+    let unique = readable.slice(0, longestName);
+    for (let n = 2; taken.has(blockName(unique).toLowerCase()); n++) {
+      const ending = ` ${n}`;
+      unique = readable.slice(0, longestName - ending.length) + ending;
+    }
+    taken.add(blockName(unique).toLowerCase());
+    return unique;
+  });
+}
+
+/** Of letters that every reader takes. */
+const blockName = (name: string): string => name.replace(/[^\w-]+/g, '_');
+
+const twoDigits = (value: number): string => String(value).padStart(2, '0');
+
+function style(sheet: CutSheet, {date}: DxfOptions): readonly string[] {
+  const day = date && [date.getUTCDate(), date.getUTCMonth() + 1].map(twoDigits);
+  return [
+    `Style Name: ${sheet.title ?? 'Pattern'}`,
+    ...(date && day ? [`Creation Date: ${day.join('-')}-${date.getUTCFullYear()}`] : []),
+    `Author: Seamwise;Seamwise;${packageVersion}`,
+    ...(sheet.size === undefined ? [] : [`Sample Size: ${sheet.size}`]),
+    'Units: METRIC',
+  ];
+}
+
+/** The text of a DXF file of 7 bits. */
+export function sheetDxf(sheet: CutSheet, options: DxfOptions = {}): string {
+  const names = namesOf(sheet.pieces);
+  const blocks = sheet.pieces.flatMap((piece, k) => {
+    const name = names[k] ?? piece.name;
+    return block(blockName(name), [
+      ...words(piece, name, sheet),
+      ...outlines(piece, options),
+      ...notches(piece, options),
+      ...inside(piece),
+    ]);
+  });
+  const entities = [
+    ...style(sheet, options).flatMap((one, k) => text(layers.cut, [0, -2 - k], one)),
+    ...names.flatMap((name) => insert(blockName(name))),
+  ];
+  return dxfFile(blocks, entities);
+}

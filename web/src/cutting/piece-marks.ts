@@ -1,0 +1,176 @@
+/** What is drawn on a piece to cut: its lines, marks and words on the sheet. Lengths in cm, but for lines and letters. */
+import {combined, minus, plus, rotated, towards, unit, type Point} from '../model/geometry.js';
+import {linesInside} from '../model/polyline.js';
+import type {Print} from '../model/print.js';
+import {imageCell} from '../model/wallpaper.js';
+import {textWidth} from '../layout/name-lines.js';
+import type {CutPiece} from './cut-piece.js';
+import {slitOf} from './notches.js';
+import type {SeamTick} from './ticks.js';
+import type {CutLayer, CutLine, CutMark, CutText} from './cut-sheet.js';
+
+interface MarkStyle {
+  /** Of printed cloth. */
+  readonly print: Print | undefined;
+  /** Lines of words; the first is the name, and what comes first matters most. */
+  readonly words: readonly string[];
+  /** Piece coordinates -> sheet. */
+  readonly onto: (p: Point) => Point;
+}
+
+const haloMm = 0.7;
+const cutMm = 0.5;
+const sewMm = 0.35;
+const notchMm = 0.5;
+const grainMm = 0.4;
+const crossMm = 0.3;
+const frameMm = 0.2;
+const sewDashMm = [4, 2];
+const frameDashMm = [2, 2];
+const crossRadius = 0.3;
+const crossReach = 0.45;
+const arrow = 0.35;
+const greatestWordsMm = 7;
+const easyWordsMm = 3;
+const leastWordsMm = 2;
+const letterMm = 5.5;
+const numberMm = 3.5;
+const insideMm = 0.25;
+const insideDashMm = [6, 1.5, 0.5, 1.5];
+const drillRadius = 0.15;
+const tickMm = 0.4;
+const tickReach = 0.4;
+/** From the end of a tick to the middle of its label. */
+const tickAside = 0.35;
+const tickLabelMm = 2.6;
+const stripeStyle = {
+  widthMm: 0.25,
+  dashMm: [8, 1.5, 0.5, 1.5, 0.5, 1.5],
+  haloMm: 0.5,
+  isFaint: true,
+};
+/** From a cross to the middle of its number. */
+const numberAside: Point = [0.65, 0.4];
+
+type LineStyle = Omit<CutLine, 'kind' | 'layer' | 'points' | 'isClosed'>;
+
+const line = (layer: CutLayer, points: readonly Point[], style: LineStyle): CutLine => ({
+  ...{kind: 'line', layer, points, isClosed: false},
+  ...style,
+});
+
+const closed = (
+  layer: CutLayer,
+  loops: readonly (readonly Point[])[],
+  style: LineStyle,
+): readonly CutLine[] => loops.map((points) => ({...line(layer, points, style), isClosed: true}));
+
+const plate = (layer: CutLayer, at: Point, lines: readonly string[], sizeMm: number): CutText => ({
+  ...{kind: 'text', layer, at, lines, sizeMm, hasPlate: true},
+});
+
+/** Both ends have heads: the file says how the grain runs, not which end is up. */
+function grainArrow([from, to]: readonly [Point, Point]): readonly CutLine[] {
+  const [ux, uy] = unit(minus(to, from)).map((side) => side * arrow) as [number, number];
+  const head = ([x, y]: Point, sign: 1 | -1): Point[] => [
+    [x - sign * ux - uy / 2, y - sign * uy + ux / 2],
+    [x, y],
+    [x - sign * ux + uy / 2, y - sign * uy - ux / 2],
+  ];
+  return [[from, to], head(to, 1), head(from, -1)].map((points) =>
+    line('marks', points, {widthMm: grainMm, haloMm}),
+  );
+}
+
+/** Across the sewn line, along a line of the print. */
+function tickMarks({at, along, label}: SeamTick, onto: (p: Point) => Point): readonly CutMark[] {
+  const ends = [plus(at, along, -tickReach), plus(at, along, tickReach)];
+  return [
+    line('matches', ends.map(onto), {widthMm: tickMm, haloMm}),
+    plate('matches', onto(plus(at, along, -tickReach - tickAside)), [label], tickLabelMm),
+  ];
+}
+
+/** One repeat of the print around a point, so that the place is found on the cloth. */
+function repeatAround(p: Point, piece: CutPiece, {print, onto}: MarkStyle): readonly CutLine[] {
+  if (!print) return [];
+  const [a, b] = imageCell(print).map((side) => rotated(side, piece.alignment.angle));
+  if (!a || !b) return [];
+  const corner = (s: number, t: number): Point => plus(p, combined([a, b], s, t));
+  const half = 1 / 2;
+  const frame = [
+    corner(-half, -half),
+    corner(half, -half),
+    corner(half, half),
+    corner(-half, half),
+  ];
+  return frame
+    .flatMap((from, k) => linesInside(piece.sewn, from, frame[(k + 1) % 4] ?? from))
+    .map((ends) =>
+      line('matches', ends.map(onto), {
+        ...{widthMm: frameMm, dashMm: frameDashMm, haloMm, isFaint: true},
+      }),
+    );
+}
+
+const ringSteps = 32;
+
+const ring = (at: Point, radius: number): readonly Point[] =>
+  Array.from({length: ringSteps}, (_, k) =>
+    plus(at, towards((2 * Math.PI * k) / ringSteps), radius),
+  );
+
+const drillHole = (at: Point): readonly CutLine[] =>
+  closed('marks', [ring(at, drillRadius)], {widthMm: insideMm, haloMm});
+
+function crossAt([x, y]: Point, number: number): readonly CutMark[] {
+  const r = crossReach;
+  const style = {widthMm: crossMm, haloMm};
+  return [
+    ...closed('matches', [ring([x, y], crossRadius)], style),
+    ...[
+      [[x - r, y] as const, [x + r, y] as const],
+      [[x, y - r] as const, [x, y + r] as const],
+    ].map((ends) => line('matches', ends, style)),
+    plate('matches', plus([x, y], numberAside), [String(number)], numberMm),
+  ];
+}
+
+/** As large as the room for words allows; where that is little, the first of them alone. */
+function wordsOn({words: {at, room}}: CutPiece, {words, onto}: MarkStyle): CutText {
+  const sizeOf = (lines: readonly string[]): number => {
+    const longest = Math.max(...lines.map((one) => textWidth(one, 1)));
+    return (20 * room) / Math.hypot(longest + 1, 1.25 * lines.length + 0.4);
+  };
+  const counts = words.map((_, k) => words.length - k);
+  const count = counts.find((n) => sizeOf(words.slice(0, n)) >= easyWordsMm) ?? 1;
+  const lines = words.slice(0, count);
+  const size = Math.max(leastWordsMm, Math.min(greatestWordsMm, sizeOf(lines)));
+  return plate('words', onto(at), lines, size);
+}
+
+/** In the order in which they are drawn. */
+export function pieceMarks(piece: CutPiece, style: MarkStyle): readonly CutMark[] {
+  const {onto} = style;
+  const loops = (points: readonly (readonly Point[])[]) => points.map((loop) => loop.map(onto));
+  return [
+    ...closed('cut', loops(piece.cut), {widthMm: cutMm}),
+    ...piece.matches.flatMap((p) => repeatAround(p, piece, style)),
+    ...closed('sew', loops(piece.sewn), {widthMm: sewMm, dashMm: sewDashMm, haloMm}),
+    ...piece.notches.map((notch) =>
+      line('marks', slitOf(notch).map(onto), {widthMm: notchMm, haloMm}),
+    ),
+    ...piece.internalLines.map((points) =>
+      line('marks', points.map(onto), {widthMm: insideMm, dashMm: insideDashMm, haloMm}),
+    ),
+    ...piece.drillHoles.flatMap((p) => drillHole(onto(p))),
+    ...grainArrow([onto(piece.grain[0]), onto(piece.grain[1])]),
+    ...piece.matches.flatMap((p, k) => crossAt(onto(p), k + 1)),
+    ...[piece.stripe, piece.plaid].flatMap((ends) =>
+      ends ? [line('matches', ends.map(onto), stripeStyle)] : [],
+    ),
+    ...piece.ticks.flatMap((tick) => tickMarks(tick, onto)),
+    ...piece.letters.map(({letter, at}) => plate('marks', onto(at), [letter], letterMm)),
+    wordsOn(piece, style),
+  ];
+}

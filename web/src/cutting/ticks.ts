@@ -1,0 +1,180 @@
+/** Ticks along matched seams: both sides show one and the same point of the print there. Lengths in cm. */
+import {
+  between,
+  combined,
+  coordinates,
+  cross,
+  distance,
+  minus,
+  onPiece,
+  onPrint,
+  plus,
+  rotated,
+  unit,
+  type Alignment,
+  type Point,
+} from '../model/geometry.js';
+import {seamLetter} from '../model/letters.js';
+import type {ResultSeam, SeamSide, SolveResult} from '../model/result.js';
+import {
+  apply,
+  joining,
+  printElements,
+  reduced,
+  type PlaneMap,
+  type Repeat,
+} from '../model/wallpaper.js';
+import {pick} from '../scene/marks.js';
+
+export interface SeamTick {
+  /** The same on both sides, and nowhere else. */
+  readonly label: string;
+  /** On the sewn line, or where the print shows the same as on the other side, if that is beside it. */
+  readonly at: Point;
+  /** Along the line of the print, of length 1. */
+  readonly along: Point;
+  readonly seam: number;
+}
+
+/** Ticks of a seam keep apart, and away from its ends. */
+const apart = 4;
+const endRoom = 1;
+/** Sides that show the same this far beside each other do not pair up. */
+const greatestMiss = 0.1;
+
+/** Where a line crosses a lattice line through `motif`: a fraction of the step, of its sides. */
+interface Crossing {
+  readonly step: number;
+  readonly part: number;
+}
+
+/** The steps of a sewn line on the print, in repeats from the motif: which cross a line that the other side spans. */
+function crossings(shares: readonly number[]): readonly Crossing[] {
+  return shares.slice(1).flatMap((to, step) => {
+    const from = shares[step] ?? to;
+    const [low, high] = from < to ? [from, to] : [to, from];
+    const first = Math.ceil(low);
+    return Array.from({length: Math.max(0, Math.ceil(high) - first)}, (_, k) => ({
+      step,
+      part: (first + k - from) / (to - from),
+    })).sort((a, b) => a.part - b.part);
+  });
+}
+
+/** The image of a print point by a symmetry of the print that comes nearest to another one, with what turns lines along. */
+function imageNear(
+  elements: readonly PlaneMap[],
+  repeat: Repeat,
+  from: Point,
+  to: Point,
+): {readonly at: Point; readonly element: PlaneMap} | undefined {
+  const images = elements.map((element) => {
+    const image = apply(element, from);
+    const at = plus(to, reduced(repeat, minus(image, to)));
+    return {at, element};
+  });
+  return images.reduce<(typeof images)[number] | undefined>(
+    (best, one) => (best && distance(best.at, to) <= distance(one.at, to) ? best : one),
+    undefined,
+  );
+}
+
+interface Sewn {
+  readonly line: readonly Point[];
+  readonly alignment: Alignment;
+}
+
+/** Ticks of one seam, both sides of each. */
+function seamTicks(
+  number: number,
+  [a, b]: readonly [Sewn, Sewn],
+  {
+    repeat,
+    elements,
+    motif,
+  }: {
+    readonly repeat: Repeat;
+    readonly elements: readonly PlaneMap[];
+    readonly motif: Point;
+  },
+): readonly (readonly [SeamTick, SeamTick])[] {
+  const {w1, w2} = repeat;
+  const [start, end] = [a.line[0], a.line.at(-1)];
+  if (!start || !end) return [];
+  // lines of the family that crosses the seam more squarely
+  const chord = unit(minus(onPrint(a.alignment, end), onPrint(a.alignment, start)));
+  const lines = Math.abs(cross(unit(w1), chord)) > Math.abs(cross(unit(w2), chord)) ? w1 : w2;
+  const across = lines === w1 ? 1 : 0;
+  const onLine = a.line.map(
+    (p) => coordinates([w1, w2], minus(onPrint(a.alignment, p), motif))[across],
+  );
+  const found: (readonly [SeamTick, SeamTick])[] = [];
+  for (const {step, part} of crossings(onLine)) {
+    const [p, q] = [a, b].map(({line}) => {
+      const [from, to] = line.slice(step, step + 2);
+      return from && to && between(from, to, part);
+    });
+    const image =
+      p && q && imageNear(elements, repeat, onPrint(a.alignment, p), onPrint(b.alignment, q));
+    if (!image) continue;
+    const at = onPiece(b.alignment, image.at);
+    const isNearOther = found.some(([one]) => distance(one.at, p) < apart);
+    const isAtEnd = distance(p, start) < endRoom || distance(p, end) < endRoom;
+    if (distance(at, q) > greatestMiss || isNearOther || isAtEnd) continue;
+    const label = `${seamLetter(number)}${found.length + 1}`;
+    const origin = apply(image.element, [0, 0]);
+    const [way, otherWay] = [lines, minus(apply(image.element, lines), origin)];
+    const turned = ({angle}: Alignment, line: Point): Point => unit(rotated(line, angle));
+    found.push([
+      {...{label, seam: number, at: p}, along: turned(a.alignment, way)},
+      {...{label, seam: number, at}, along: turned(b.alignment, otherWay)},
+    ]);
+  }
+  return found;
+}
+
+/**
+ * By piece.
+ * @param motifOf the point of the print that a piece's crosses show; undefined of what has none, such as plain cloth
+ */
+export function matchTicks(
+  {pieces, seams, continuousOnly}: Pick<SolveResult, 'pieces' | 'seams' | 'continuousOnly'>,
+  repeat: Repeat,
+  motifOf: (piece: number) => Point | undefined,
+): readonly (readonly SeamTick[])[] {
+  const elements = printElements(joining(repeat, continuousOnly));
+  const ticks = pieces.map((): SeamTick[] => []);
+  const sewn = ({piece, vertices}: SeamSide): Sewn | undefined => {
+    const {shape, alignment} = pieces[piece] ?? {};
+    return shape && alignment && {line: pick(shape, vertices), alignment};
+  };
+  const add = (number: number, {a, b, matched}: ResultSeam): void => {
+    const [motif, other, one, two] = [motifOf(a.piece), motifOf(b.piece), sewn(a), sewn(b)];
+    if (!matched || !motif || !other || !one || !two) return;
+    for (const [first, second] of seamTicks(number, [one, two], {repeat, elements, motif})) {
+      ticks[a.piece]?.push(first);
+      ticks[b.piece]?.push(second);
+    }
+  };
+  for (const [number, seam] of seams.entries()) add(number, seam);
+  return ticks;
+}
+
+/** The lattice vectors nearest to across and along a line, as they lie on the piece. */
+export function stripeWays(
+  {w1, w2}: Repeat,
+  {angle}: Alignment,
+  grain: Point,
+): {readonly across: Point; readonly along: Point} {
+  const ways = [
+    [1, 0],
+    [0, 1],
+    [1, 1],
+    [-1, 1],
+  ].map(([s = 0, t = 0]) => unit(rotated(combined([w1, w2], s, t), angle)));
+  const skew = (way: Point): number => Math.abs(cross(way, grain));
+  const [first = grain] = ways;
+  const along = ways.reduce((best, way) => (skew(way) < skew(best) - 1e-9 ? way : best), first);
+  const across = ways.reduce((best, way) => (skew(way) > skew(best) + 1e-9 ? way : best), first);
+  return {across, along};
+}

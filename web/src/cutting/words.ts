@@ -1,0 +1,146 @@
+/** What stands on a sheet of pieces to cut, and on each piece. */
+import {angleOf, degrees, minus} from '../model/geometry.js';
+import type {Print} from '../model/print.js';
+import {repeatOf} from '../model/repeat.js';
+import {formatLength, type Units} from '../model/units.js';
+import type {AllowanceRule} from './allowances.js';
+import type {CutPiece, EdgeAllowance} from './cut-piece.js';
+
+export interface WordsOptions extends AllowanceRule {
+  readonly units: Units;
+  /** How numbers are written. Default 'en'. */
+  readonly locale?: string;
+  /** Of the print, as it is called. */
+  readonly colourway?: string;
+  /** On which the sheet is made, as people write it. */
+  readonly date?: string;
+}
+
+/** A turn that is less is none. [degrees] */
+const leastTurn = 0.05;
+
+const printName = (print: Print, {colourway}: WordsOptions): string =>
+  [print.title ?? `Print ${print.group}`, ...(colourway === undefined ? [] : [colourway])].join(
+    ', ',
+  );
+
+function repeatSize(print: Print, {units, locale = 'en'}: WordsOptions): string {
+  const {width, height} = repeatOf(print).size;
+  return [width, height].map((cm) => formatLength(cm, units, locale)).join(' × ');
+}
+
+/** By how much the print is turned from the grain line of a piece, in (-90, 90]. [degrees] */
+function turnOf({grain: [foot, head], alignment}: CutPiece, print: Print): number {
+  const turn = degrees(alignment.angle - angleOf(minus(head, foot))) + 90 + repeatOf(print).turnDeg;
+  return turn - 180 * Math.ceil(turn / 180 - 0.5);
+}
+
+function turnWords(piece: CutPiece, print: Print, {locale = 'en'}: WordsOptions): string {
+  const turn = turnOf(piece, print);
+  if (Math.abs(turn) < leastTurn) return '';
+  const amount = turn.toLocaleString(locale, {maximumFractionDigits: 1});
+  return `, turned ${amount}°`;
+}
+
+/** Line by line; what comes first matters most. @param print of printed cloth */
+export function pieceWords(
+  piece: CutPiece,
+  {
+    print,
+    twin,
+    heading,
+  }: {
+    readonly print: Print | undefined;
+    readonly twin: string | undefined;
+    readonly heading: string;
+  },
+  options: WordsOptions,
+): readonly string[] {
+  const {label, quantity} = piece;
+  return [
+    label,
+    print ? `Cut ${quantity}, face up, single layer` : `Cut ${quantity} of plain cloth`,
+    ...(twin === undefined ? [] : [`Mirror image of ${twin}`]),
+    ...(heading === '' ? [] : [heading]),
+    ...(print
+      ? [
+          printName(print, options),
+          `${repeatSize(print, options)}${turnWords(piece, print, options)}`,
+        ]
+      : []),
+  ];
+}
+
+/** What is said of edges of one kind, and whether that is true of all of them. */
+interface SaidWidth {
+  readonly said: string | undefined;
+  readonly isAll: boolean;
+}
+
+/** What the rule asks for, where some follow it; else what all have. */
+function saidOf(
+  edges: readonly EdgeAllowance[],
+  ruledCm: number,
+  length: (cm: number) => string,
+): SaidWidth {
+  const widths = [...new Set(edges.map(({widthCm}) => length(widthCm)))];
+  const isAll = widths.length < 2;
+  if (isAll) return {said: widths[0], isAll};
+  return {said: edges.every(({isOwn}) => isOwn) ? undefined : length(ruledCm), isAll};
+}
+
+/** How cut and sewn lines are drawn, and how far they are apart. */
+function linesSentence(cuts: readonly CutPiece[], options: WordsOptions): string {
+  const {allowanceCm, hemCm = allowanceCm, units, locale = 'en'} = options;
+  const length = (cm: number): string => formatLength(cm, units, locale);
+  const edges = cuts.flatMap(({allowances}) => allowances);
+  if (edges.every(({widthCm}) => widthCm === 0)) {
+    return 'Without allowance: sew along the solid line.';
+  }
+  const [seam, hem] = [false, true].map((hems) =>
+    saidOf(
+      edges.filter(({isHem}) => isHem === hems),
+      hems ? hemCm : allowanceCm,
+      length,
+    ),
+  ) as [SaidWidth, SaidWidth];
+  const parts = [
+    'Solid: cut. Dashed: sew',
+    ...(seam.said === undefined ? [] : [`${seam.said} inside`]),
+    ...(hem.said === undefined || hem.said === seam.said ? [] : [`${hem.said} at hems`]),
+    ...(seam.isAll && hem.isAll ? [] : ['elsewhere as the pattern says']),
+  ];
+  const isTold = seam.said !== undefined || hem.said !== undefined;
+  return isTold
+    ? `${parts.join(', ')}.`
+    : 'Solid: cut. Dashed: sew, as far inside as the pattern says.';
+}
+
+/** A sentence each. */
+export function factsOf(
+  cuts: readonly CutPiece[],
+  print: Print | undefined,
+  options: WordsOptions,
+): readonly string[] {
+  const {date} = options;
+  return [
+    ...(print ? [`${printName(print, options)}, repeat ${repeatSize(print, options)}`] : []),
+    linesSentence(cuts, options),
+    ...(cuts.some(({internalLines}) => internalLines.length > 0)
+      ? ['Dash-dot: lines that the pattern draws inside.']
+      : []),
+    'Edges with the same letter are sewn together.',
+    'Each piece is cut from a single layer, face up; none lies on a fold.',
+    ...(cuts.some(({matches}) => matches.length > 0)
+      ? [
+          'Numbered crosses of a piece lie on the same point of the print;',
+          'the faint frame around each shows one repeat.',
+        ]
+      : []),
+    ...(cuts.some(({ticks}) => ticks.length > 0)
+      ? ['Ticks with the same name, such as A1, meet on one point of the print.']
+      : []),
+    'Print at 100 %; measure the squares.',
+    ...(date === undefined ? [] : [date]),
+  ];
+}

@@ -1,0 +1,33 @@
+/** The picture of a print's cell as cutting files take it. */
+import {dataUrlOf} from '../../recognition/data-url.js';
+import {imageHref} from '../../recognition/svg-picture.js';
+import {fetchPicture} from '../../recognition/tile.js';
+
+/** As something a file may hold: SVG text, or a `data:` URL. @throws {Error} when it cannot be read */
+export async function embeddedTile(image: string): Promise<string> {
+  if (image.startsWith('data:')) return image;
+  const blob = await fetchPicture(new URL(image, document.baseURI));
+  return blob.type.startsWith('image/svg') ? blob.text() : dataUrlOf(blob);
+}
+
+/** More is refused by browsers. [px] */
+const mostPixels = 8192;
+
+/** Drawn as PNG, so many pixels wide and high; undefined where no picture can be. */
+export async function pixelsOfTile(
+  tile: string,
+  width: number,
+  height: number,
+): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  const image = new Image();
+  image.src = imageHref(tile);
+  await image.decode();
+  const scale = Math.min(1, mostPixels / Math.max(width, height));
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [Math.ceil(width * scale), Math.ceil(height * scale)];
+  canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height);
+  const blob = await new Promise<Blob | null>((resolve) => {
+    canvas.toBlob(resolve);
+  });
+  return blob ? new Uint8Array(await blob.arrayBuffer()) : undefined;
+}

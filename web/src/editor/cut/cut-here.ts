@@ -1,0 +1,26 @@
+/** Cutting files, made on the thread that asks for them. */
+import {cutSheet} from '../../cutting/lay-sheet.js';
+import type {AllowanceRule} from '../../cutting/allowances.js';
+import {cutFile, type CutFileKind} from '../../paper/cut-file.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {pixelsOfTile} from './cell-picture.js';
+import {cutMaterial} from './cut-material.js';
+
+interface CutRequest extends AllowanceRule {
+  readonly file: CutFileKind;
+  readonly paper: string;
+  readonly ink: 'full' | 'outline';
+}
+
+/** Undefined before there is an answer. @throws {RangeError} for a paper that is none; {Error} when the print's picture cannot be read */
+export async function cutHere(
+  workbench: Workbench,
+  {file, paper, ink, ...rule}: CutRequest,
+): Promise<string | Uint8Array<ArrayBuffer> | undefined> {
+  const material = await cutMaterial(workbench, rule);
+  if (!material) return undefined;
+  const {result, print, marks, options} = material;
+  const sheet = cutSheet(result, print, marks, options);
+  const pixels = (width: number, height: number) => pixelsOfTile(print.tile ?? '', width, height);
+  return cutFile(sheet, print, {file, paper, ink, pixels});
+}

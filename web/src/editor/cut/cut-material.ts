@@ -1,0 +1,37 @@
+/** What cutting files are made of, once there is an answer. */
+import {decidedOf, noPicture, printOf} from '../../model/design.js';
+import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
+import type {SolveResult} from '../../model/result.js';
+import type {AllowanceRule} from '../../cutting/allowances.js';
+import type {CuttingMarks, SheetOptions} from '../../cutting/lay-sheet.js';
+import type {PrintWithTile} from '../../picture/cloth.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import {embeddedTile} from './cell-picture.js';
+
+/** Plain data, which may go to a worker. */
+export interface CutMaterial {
+  readonly result: SolveResult;
+  readonly print: PrintWithTile;
+  readonly marks: CuttingMarks;
+  readonly options: SheetOptions;
+}
+
+/** Undefined before there is an answer. @throws {Error} when the print's picture cannot be read */
+export async function cutMaterial(
+  {design, garment, result, preferences}: Workbench,
+  rule: AllowanceRule,
+): Promise<CutMaterial | undefined> {
+  if (!design || !garment || !result) return undefined;
+  const {units, language: locale} = preferences;
+  const {image} = design.print;
+  const tile = image === noPicture ? undefined : await embeddedTile(image);
+  return {
+    result,
+    print: {...printOf(design.print), ...(tile !== undefined && {tile})},
+    marks: {
+      ...garmentTitle(garment, design.garment.name),
+      panels: panelMarks(garment, decidedOf(design)),
+    },
+    options: {...rule, units, locale, plain: design.options.plain ?? []},
+  };
+}

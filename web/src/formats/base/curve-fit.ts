@@ -1,0 +1,253 @@
+/** Few curves through many points. */
+import {
+  between,
+  distance,
+  minus,
+  nearestShare,
+  turnBetween,
+  type Point,
+} from '../../model/geometry.js';
+import {straight, type CubicFrom} from './bezier.js';
+
+/** How often a curve is fitted anew to points that have moved along it to where it is nearest. */
+const rounds = 24;
+
+/** How often it is fitted once it is good enough. */
+const polish = 4;
+
+/** Who is not this near after some rounds, in tolerances, will not get there. */
+const hopeless = {after: 8, times: 8};
+
+/** How far a curve may bow out between points, in tolerances: where they lie wider apart, lines are meant. */
+const mostBow = 3;
+
+/** A step this much longer than most is drawn straight, and has points put on it. */
+const longStep = 3;
+const mostParts = 64;
+
+/**
+ * A chain of curves along a line through points, which it misses by no more than `tolerance` at any of them. Ends are
+ * kept; corners have to be ends of lines already.
+ * @param points at least two, in the unit of the tolerance
+ */
+export function pathThrough(points: readonly Point[], tolerance: number): CubicFrom[] {
+  const line = withStraightSteps(points);
+  const xs = Float64Array.from(line, ([x]) => x);
+  const ys = Float64Array.from(line, ([, y]) => y);
+  const turns = line.map((at, k) => {
+    const [before, after] = [line[k - 1], line[k + 1]];
+    return before && after ? Math.abs(turnBetween(minus(at, before), minus(after, at))) : 0;
+  });
+  const bows = Float64Array.from(line, (at, k) => {
+    const length = distance(line[k - 1] ?? at, at);
+    const turn = Math.max(turns[k - 1] ?? 0, turns[k] ?? 0);
+    return Math.min((length / 4) * turn, mostBow * tolerance);
+  });
+  return fitted({xs, ys, bows}, tolerance);
+}
+
+/** Columns, as curves are fitted to thousands of points. */
+interface Columns {
+  readonly xs: Float64Array;
+  readonly ys: Float64Array;
+  /** How far the curve may bow out of the line that leads to each point: twice as far as an arc would. */
+  readonly bows: Float64Array;
+}
+
+const pointOf = ({xs, ys}: Columns, k: number): Point => [xs[k] ?? 0, ys[k] ?? 0];
+
+function fitted(points: Columns, tolerance: number): CubicFrom[] {
+  const last = points.xs.length - 1;
+  const {cubic, off, at} = oneCurve(points, tolerance);
+  if (off <= tolerance || last < 2)
+    return [last < 2 ? straight(pointOf(points, 0), cubic[2]) : cubic];
+  const part = (from: number, to: number): Columns => ({
+    xs: points.xs.subarray(from, to + 1),
+    ys: points.ys.subarray(from, to + 1),
+    bows: points.bows.subarray(from, to + 1),
+  });
+  return [...fitted(part(0, at), tolerance), ...fitted(part(at, last), tolerance)];
+}
+
+/** A curve knows nothing of the points between those that it is fitted to, and would swing there. */
+function withStraightSteps(points: readonly Point[]): readonly Point[] {
+  const lengths = points.slice(1).map((to, k) => distance(points[k] ?? to, to));
+  const usual = [...lengths].sort((a, b) => a - b)[Math.floor(lengths.length / 2)] ?? 0;
+  if (lengths.length < 2) return points;
+  return points.flatMap((to, k) => {
+    const from = points[k - 1];
+    const length = lengths[k - 1] ?? 0;
+    if (!from || length <= longStep * usual) return [to];
+    const parts = Math.min(mostParts, Math.ceil(length / usual));
+    return Array.from({length: parts}, (_, j) => between(from, to, (j + 1) / parts));
+  });
+}
+
+/** A curve by its control points, and what it misses. */
+interface Fit {
+  readonly cubic: CubicFrom;
+  readonly off: number;
+  /** The number of the point that is missed most, none of the ends. */
+  readonly at: number;
+}
+
+/** The best curve between the first point and the last, or one that is good enough. */
+function oneCurve(points: Columns, tolerance: number): Fit {
+  const last = points.xs.length - 1;
+  const [start, end] = [pointOf(points, 0), pointOf(points, last)];
+  const [first, second] = straight(start, end);
+  const controls = Float64Array.of(...start, ...first, ...second, ...end);
+  const at = shares(points);
+  let best = fitOf(points, at, controls);
+  let more = best.off > tolerance ? rounds : 0;
+  for (let round = 0; round < more; round++) {
+    // by distances from the points at first, then from the curve's tangents, along which they may slip
+    if (!improve(points, at, controls, round === 0)) break;
+    moveAlong(points, at, controls);
+    moveAlong(points, at, controls);
+    const fit = fitOf(points, at, controls);
+    // what is good enough is made as good as it gets: the same curve in another unit is to be the same
+    if (fit.off <= tolerance) more = Math.min(more, round + 1 + polish);
+    if (fit.off < best.off) best = fit;
+    if (round >= hopeless.after && best.off > hopeless.times * tolerance) break;
+  }
+  return best;
+}
+
+/** How far along each point lies, as a share of the whole way. */
+function shares({xs, ys}: Columns): Float64Array {
+  const at = new Float64Array(xs.length);
+  for (let k = 1; k < at.length; k++) {
+    const step = Math.hypot((xs[k] ?? 0) - (xs[k - 1] ?? 0), (ys[k] ?? 0) - (ys[k - 1] ?? 0));
+    at[k] = (at[k - 1] ?? 0) + step;
+  }
+  const length = at.at(-1) ?? 0;
+  return at.map((one) => one / (length || 1));
+}
+
+/** One coordinate of a curve at a parameter, and its first two derivatives. */
+function axisAt(
+  controls: Float64Array,
+  axis: 0 | 1,
+  t: number,
+): [value: number, slope: number, bend: number] {
+  const u = 1 - t;
+  const a = controls[axis] ?? 0;
+  const b = controls[2 + axis] ?? 0;
+  const c = controls[4 + axis] ?? 0;
+  const d = controls[6 + axis] ?? 0;
+  const [ab, bc, cd] = [b - a, c - b, d - c];
+  return [
+    a * u * u * u + 3 * b * u * u * t + 3 * c * u * t * t + d * t * t * t,
+    3 * (ab * u * u + 2 * bc * u * t + cd * t * t),
+    6 * ((bc - ab) * u + (cd - bc) * t),
+  ];
+}
+
+function fitOf(points: Columns, at: Float64Array, controls: Float64Array): Fit {
+  const {xs, ys} = points;
+  let off = 0;
+  let number = 1;
+  for (let k = 1; k < at.length; k++) {
+    const swing = swingTo(points, at, controls, k);
+    const t = at[k] ?? 0;
+    const [[x], [y]] = [axisAt(controls, 0, t), axisAt(controls, 1, t)];
+    const away = Math.max(Math.hypot(x - (xs[k] ?? 0), y - (ys[k] ?? 0)), swing);
+    if (away > off) [off, number] = [away, Math.min(k, at.length - 2)];
+  }
+  const [, , ax = 0, ay = 0, bx = 0, by = 0, x = 0, y = 0] = controls;
+  const cubic: CubicFrom = [
+    [ax, ay],
+    [bx, by],
+    [x, y],
+  ];
+  return {cubic, off, at: number};
+}
+
+/** How far the curve swings out of the line that leads to a point, beyond what it may. */
+function swingTo(
+  {xs, ys, bows}: Columns,
+  at: Float64Array,
+  controls: Float64Array,
+  k: number,
+): number {
+  const t = ((at[k - 1] ?? 0) + (at[k] ?? 0)) / 2;
+  const p: Point = [axisAt(controls, 0, t)[0], axisAt(controls, 1, t)[0]];
+  const [from, to]: [Point, Point] = [
+    [xs[k - 1] ?? 0, ys[k - 1] ?? 0],
+    [xs[k] ?? 0, ys[k] ?? 0],
+  ];
+  return distance(p, between(from, to, nearestShare(from, to, p))) - (bows[k] ?? 0);
+}
+
+/** A step of Newton's method for each point towards the parameter at which the curve is nearest to it. */
+function moveAlong({xs, ys}: Columns, at: Float64Array, controls: Float64Array): void {
+  for (let k = 1; k + 1 < at.length; k++) {
+    const t = at[k] ?? 0;
+    const [x, dx, ddx] = axisAt(controls, 0, t);
+    const [y, dy, ddy] = axisAt(controls, 1, t);
+    const [ox, oy] = [x - (xs[k] ?? 0), y - (ys[k] ?? 0)];
+    const slope = dx * dx + dy * dy + ox * ddx + oy * ddy;
+    const moved = slope > 0 ? t - (ox * dx + oy * dy) / slope : t;
+    at[k] = Math.max(0, Math.min(1, moved));
+  }
+}
+
+/** Least squares in the four coordinates of both inner controls. @returns whether there was something to gain */
+function improve(
+  {xs, ys}: Columns,
+  at: Float64Array,
+  controls: Float64Array,
+  isByPoints: boolean,
+): boolean {
+  const rows = new Float64Array(20); // of the normal equations, four, each with its right side
+  const add = (row: readonly [number, number, number, number], side: number): void => {
+    row.forEach((value, i) => {
+      row.forEach((other, j) => (rows[5 * i + j] = (rows[5 * i + j] ?? 0) + value * other));
+      rows[5 * i + 4] = (rows[5 * i + 4] ?? 0) + value * side;
+    });
+  };
+  for (let k = 1; k + 1 < at.length; k++) {
+    const t = at[k] ?? 0;
+    const u = 1 - t;
+    const [a, b] = [3 * u * u * t, 3 * u * t * t];
+    const [x, dx] = axisAt(controls, 0, t);
+    const [y, dy] = axisAt(controls, 1, t);
+    const [ox, oy] = [(xs[k] ?? 0) - x, (ys[k] ?? 0) - y];
+    if (isByPoints) {
+      add([a, 0, b, 0], ox);
+      add([0, a, 0, b], oy);
+    } else {
+      const length = Math.hypot(dx, dy) || 1;
+      const [nx, ny] = [0 - dy / length, dx / length];
+      add([a * nx, a * ny, b * nx, b * ny], nx * ox + ny * oy);
+    }
+  }
+  const step = solved(rows);
+  step?.forEach((by, k) => (controls[k + 2] = (controls[k + 2] ?? 0) + by));
+  return step !== undefined;
+}
+
+/** How much of the diagonal is added to it: along a straight line controls may lie anywhere. */
+const damping = 1e-7;
+
+/** Gauss's elimination, of a matrix that is positive once it is damped. */
+function solved(rows: Float64Array): number[] | undefined {
+  const get = (i: number, j: number): number => rows[5 * i + j] ?? 0;
+  const trace = get(0, 0) + get(1, 1) + get(2, 2) + get(3, 3);
+  if (!(trace > 0)) return undefined;
+  for (let i = 0; i < 4; i++) rows[6 * i] = get(i, i) + damping * trace;
+  for (let i = 0; i < 4; i++) {
+    for (let r = i + 1; r < 4; r++) {
+      const factor = get(r, i) / get(i, i);
+      for (let j = i; j < 5; j++) rows[5 * r + j] = get(r, j) - factor * get(i, j);
+    }
+  }
+  const values = [0, 0, 0, 0];
+  for (let i = 3; i >= 0; i--) {
+    let rest = get(i, 4);
+    for (let j = i + 1; j < 4; j++) rest -= get(i, j) * (values[j] ?? 0);
+    values[i] = rest / get(i, i);
+  }
+  return values.every(Number.isFinite) ? values : undefined;
+}

@@ -1,0 +1,57 @@
+/** What people write on pieces, in the five languages and in those of programs that draw patterns. */
+
+/** How many of a piece are cut. */
+export interface Count {
+  readonly asDrawn: number;
+  readonly mirrored: number;
+}
+
+const cutWords =
+  'cut|cutting|coupe[rz]?|tailler|schneiden|zuschneiden|tagliar?e?|taglia|cort[ae]r?|cortad|knip(?:pen)?';
+const foldWords =
+  /on (?:the )?fold|on ?fold|cut on fold|fold line|(?:stoff)?bruch|(?:au|sur(?: le| la)?|dans le) pli(?:ure)?|(?:in|sul|sulla|su) (?:doppi[ao]|piega)|(?:al|en el|sobre(?: el)?|en) (?:doblez|doble|pliegue|lomo)|aan de vouw/i;
+const pairWords =
+  /mirror|\bpairs?\b|\bpaire?\b|\bpaare?\b|gegengleich|gespiegelt|coppi[ae]|specular|sym[eé]tri|sim[eé]tric|espejo|\bl ?(?:\+|&|and) ?r\b|left and right/i;
+
+const word = `(?:${cutWords})`;
+/** `Cut 2`, `cut: 1 pair`, `2 x zuschneiden`, `4x`. */
+const counts = [
+  new RegExp(`\\b${word}\\b[^\\d\\n]{0,12}?(\\d{1,2})(?!\\d|[.,]\\d| ?(?:mm|cm|in\\b|"|%))`, 'i'),
+  new RegExp(`(?<![\\d.,])(\\d{1,2})\\s*(?:x|×|mal|fois|volte|veces)?\\s*${word}\\b`, 'i'),
+  /(?:^|\s)(\d{1,2})\s?[x×](?=\s|$)|(?:^|\s)[x×]\s?(\d{1,2})(?=\s|$)/i,
+];
+
+const pairsOf = /\d\s*(?:x\s*)?(?:pairs?|paare?|paires?|coppi[ae]|par(?:es)?)\b/i;
+const sameWords = /identi[ck]|gleich(?!gewicht)|same|ugual|igual/i;
+
+/**
+ * As words say it; undefined where they say nothing. Two are cut of folded cloth, and mirror each other, unless they
+ * lie at the fold themselves or are said to be alike.
+ */
+export function countOf(words: readonly string[]): Count | undefined {
+  for (const text of words) {
+    const found = counts.map((one) => one.exec(text)).find((one) => one !== null);
+    const isPair = pairWords.test(text);
+    const said = Number(found?.slice(1).join('') ?? NaN);
+    if (Number.isNaN(said) && !(isPair && new RegExp(`\\b${word}\\b`, 'i').test(text))) continue;
+    const all = Number.isNaN(said) ? 1 : said;
+    if (all < 1) continue;
+    // one pair are two
+    if (isPair && (all === 1 || pairsOf.test(text))) return {asDrawn: all, mirrored: all};
+    const isAlike = !isPair && (sameWords.test(text) || saysFold([text]) || all % 2 === 1);
+    return isAlike
+      ? {asDrawn: all, mirrored: 0}
+      : {asDrawn: Math.ceil(all / 2), mirrored: Math.floor(all / 2)};
+  }
+  return undefined;
+}
+
+/** Whether words say that the piece is half, and lies at a fold of the cloth. */
+export const saysFold = (words: readonly string[]): boolean =>
+  words.some((one) => foldWords.test(one));
+
+/** Whether words name the grain line. */
+export const saysGrain = (words: readonly string[]): boolean =>
+  words.some((one) =>
+    /grain|fadenlauf|droit[- ]fil|dritto ?filo|filo|hilo|draadrichting/i.test(one),
+  );

@@ -1,0 +1,13 @@
+/** How many pieces a garment has at most. */
+import {FileError} from '../../model/versioned-file.js';
+
+const mostPieces = 500;
+
+/** @throws {FileError} beyond it */
+export function checkCount(count: number, file: string): void {
+  if (count <= mostPieces) return;
+  throw new FileError(
+    file,
+    `holds ${count} pieces, more than the ${mostPieces} of any garment; export those of one garment alone.`,
+  );
+}

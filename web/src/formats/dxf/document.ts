@@ -1,0 +1,80 @@
+/** A DXF file: what its header says, its blocks in their order, and what is drawn outside of them. */
+import type {Point} from '../../model/geometry.js';
+import {FileError} from '../../model/versioned-file.js';
+import {entityOf, mostVertices, type Entity} from './entities.js';
+import {groupsOf, type Group} from './tags.js';
+
+/** Names may be equal: programs are known to call every block alike. */
+export interface Block {
+  readonly name: string;
+  readonly base: Point;
+  readonly entities: Entity[];
+}
+
+export interface DxfDocument {
+  /** Numbers of the header, by the names of its variables. */
+  readonly header: ReadonlyMap<string, number>;
+  readonly blocks: readonly Block[];
+  readonly entities: readonly Entity[];
+}
+
+/** Garments have thousands of lines. */
+const mostEntities = 200_000;
+
+/** @throws {FileError} naming the file */
+export function documentOf(text: string, name: string): DxfDocument {
+  const header = new Map<string, number>();
+  const blocks: Block[] = [];
+  const entities: Entity[] = [];
+  let section = '';
+  let count = 0;
+  let open: Block | undefined;
+  let polyline: Group | undefined;
+  let vertices: Group[] = [];
+  const add = (group: Group): void => {
+    if (section !== 'BLOCKS' && section !== 'ENTITIES') return;
+    const entity = entityOf(group, vertices);
+    if (entity && ++count > mostEntities) {
+      throw new FileError(
+        name,
+        `draws more than ${mostEntities} lines and points, which no garment has; export the pieces of one alone.`,
+      );
+    }
+    if (entity) (section === 'BLOCKS' ? open?.entities : entities)?.push(entity);
+  };
+  for (const group of groupsOf(text, name)) {
+    if (polyline && group.type === 'VERTEX') {
+      vertices.push(group);
+      if (vertices.length > mostVertices) throw polyline.error('has more points than any outline');
+      continue;
+    }
+    if (polyline) add(polyline);
+    polyline = undefined;
+    if (group.type === 'SECTION') {
+      section = group.text(2).trim().toUpperCase();
+      if (section === 'HEADER') readHeader(group, header);
+    } else if (group.type === 'ENDSEC') section = '';
+    else if (group.type === 'POLYLINE') {
+      polyline = group;
+      vertices = [];
+    } else if (group.type === 'BLOCK' && section === 'BLOCKS') {
+      open = {
+        name: group.text(2).trim(),
+        base: [group.number(10, 0), group.number(20, 0)],
+        entities: [],
+      };
+      blocks.push(open);
+    } else if (group.type === 'ENDBLK') open = undefined;
+    else add(group);
+  }
+  if (polyline) add(polyline);
+  return {header, blocks, entities};
+}
+
+function readHeader(group: Group, header: Map<string, number>): void {
+  let variable = '';
+  for (const {code, value} of group.tags) {
+    if (code === 9) variable = value.trim().toUpperCase();
+    else if (code === 70) header.set(variable, Number(value));
+  }
+}

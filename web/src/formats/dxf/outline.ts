@@ -1,0 +1,161 @@
+/** A closed line of points as runs of curves between its corners. */
+import type {Run} from '../../model/drawing.js';
+import {distance, minus, turnBetween, radians, type Point} from '../../model/geometry.js';
+import {cubicsOf, halved} from '../base/bezier.js';
+import {pathThrough} from '../base/curve-fit.js';
+import {splineThrough, type SplineRule} from '../base/splines.js';
+import type {Loop} from './loops.js';
+
+/** What a drawn line may be missed by. [cm] */
+const missed = 0.002;
+
+/** Lines between points are the curve itself where it strays no further from them. [cm] */
+const sagitta = 0.005;
+
+/** How far a turn point may lie from the point of the outline that it marks. [cm] */
+const turnReach = 0.03;
+
+/** Where nothing is marked, a line that turns by more has a corner; no curve turns by so much between key points. */
+const cornerTurn = {fine: radians(20), coarse: radians(50)};
+
+interface OutlineRules {
+  readonly cmPerUnit: number;
+  /** Marked as corners; none where a file does not mark them. */
+  readonly turnPoints: readonly Point[];
+  /** Of the curve through key points; without, lines are meant as drawn. */
+  readonly rule?: SplineRule | undefined;
+}
+
+export interface Outline {
+  readonly runs: readonly Run[];
+  /** Whether curves were put through key points. */
+  readonly isInterpolated: boolean;
+}
+
+/** @param loop its points, of which none is twice */
+export function outlineOf(loop: Loop, {cmPerUnit, turnPoints, rule}: OutlineRules): Outline {
+  const {points} = loop;
+  const isFine = (line: readonly Point[]): boolean => strays(line) * cmPerUnit <= sagitta;
+  const marked = cornersOf(loop, turnPoints, turnReach / cmPerUnit);
+  const corners =
+    marked.length > 0
+      ? marked
+      : turnsOf([...points, ...points.slice(0, 2)], cornerTurn.fine)
+          .map((k) => k % points.length)
+          .sort((a, b) => a - b);
+  const stretches =
+    corners.length > 0
+      ? stretchesOf(points, corners, 0)
+      : stretchesOf(points, thirds(points.length), runUp);
+  let isInterpolated = false;
+  const runs = stretches.flatMap(({line, lead}): Run[] => {
+    if (!rule || line.length === 2 || isFine(line)) {
+      return cutAt(line, turnsOf(line, cornerTurn.fine)).map((part) => ({
+        start: part[0] ?? [0, 0],
+        cubics: pathThrough(part, missed / cmPerUnit),
+      }));
+    }
+    isInterpolated = true;
+    const turns = turnsOf(line, cornerTurn.coarse);
+    if (turns.length > 0) return cutAt(line, turns).map((part) => splineRun(part, rule));
+    const {start, cubics} = splineRun(lead.line, rule);
+    return [
+      {
+        start: line[0] ?? start,
+        cubics: cubics.slice(lead.from, lead.from + line.length - 1),
+      },
+    ];
+  });
+  return {runs: runs.length === 1 ? runs.flatMap(halves) : runs, isInterpolated};
+}
+
+/** Points that a curve without corners has been through, and goes on to. */
+const runUp = 6;
+
+interface Stretch {
+  readonly line: readonly Point[];
+  /** With what comes before and after, and where in it the stretch begins. */
+  readonly lead: {readonly line: readonly Point[]; readonly from: number};
+}
+
+function stretchesOf(
+  points: readonly Point[],
+  corners: readonly number[],
+  lead: number,
+): Stretch[] {
+  const count = points.length;
+  const between = (from: number, to: number): Point[] =>
+    Array.from({length: to - from + 1}, (_, k) => points[(from + k + count) % count] ?? [0, 0]);
+  return corners.map((from, k) => {
+    const next = corners[k + 1] ?? (corners[0] ?? 0) + count;
+    const long = Math.min(lead, count - 1);
+    return {line: between(from, next), lead: {line: between(from - long, next + long), from: long}};
+  });
+}
+
+const thirds = (count: number): number[] => [0, Math.floor(count / 3), Math.floor((2 * count) / 3)];
+
+/** Of turn points. */
+const [few, many] = [40, 1000];
+
+/** By what the points say: those that are marked, and ends of drawn lines. */
+function cornersOf({points, joints}: Loop, turnPoints: readonly Point[], reach: number): number[] {
+  // who marks all points marks no corners
+  const isTelling =
+    turnPoints.length < few || turnPoints.length < Math.min(many, points.length / 2);
+  const marked = new Set(joints.length > 1 ? joints : []);
+  for (const turn of isTelling ? turnPoints : []) {
+    let [best, off] = [-1, reach];
+    points.forEach((point, k) => {
+      const away = distance(point, turn);
+      if (away <= off) [best, off] = [k, away];
+    });
+    if (best >= 0) marked.add(best);
+  }
+  return [...marked].sort((a, b) => a - b);
+}
+
+/** The angle between two steps. [rad] */
+const turnAt = (before: Point, at: Point, after: Point): number =>
+  Math.abs(turnBetween(minus(at, before), minus(after, at)));
+
+/** Numbers of the inner points at which a line has a corner; the last two may be its first again. */
+function turnsOf(line: readonly Point[], least: number): number[] {
+  const turns: number[] = [];
+  for (let k = 1; k + 1 < line.length; k++) {
+    const [before, at, after] = [line[k - 1], line[k], line[k + 1]];
+    if (before && at && after && turnAt(before, at, after) > least) turns.push(k);
+  }
+  return turns;
+}
+
+function cutAt(line: readonly Point[], turns: readonly number[]): (readonly Point[])[] {
+  const cuts = [0, ...turns, line.length - 1];
+  return cuts.slice(1).map((to, k) => line.slice(cuts[k], to + 1));
+}
+
+const splineRun = (line: readonly Point[], rule: SplineRule): Run => ({
+  start: line[0] ?? [0, 0],
+  cubics: splineThrough(line, rule),
+});
+
+/** How far most lines between points stray from the curve that they stand for, as arcs would. */
+function strays(line: readonly Point[]): number {
+  const strayed: number[] = [];
+  for (let k = 1; k + 1 < line.length; k++) {
+    const [before, at, after] = [line[k - 1], line[k], line[k + 1]];
+    if (!before || !at || !after) continue;
+    strayed.push(((distance(before, at) + distance(at, after)) / 16) * turnAt(before, at, after));
+  }
+  return strayed.sort((a, b) => a - b)[Math.floor(strayed.length / 2)] ?? 0;
+}
+
+function halves(run: Run): Run[] {
+  const all = cubicsOf(run);
+  const parts = all.length > 1 ? all : all.flatMap(halved);
+  const cut = Math.floor(parts.length / 2);
+  return [parts.slice(0, cut), parts.slice(cut)].map((part) => ({
+    start: part[0]?.[0] ?? run.start,
+    cubics: part.map(([, first, second, end]) => [first, second, end]),
+  }));
+}

@@ -1,0 +1,115 @@
+/** What a file is by its content, whatever it is called, and what is said of those that cannot be read. */
+import {decoded} from './base/decoded.js';
+
+export type DrawingKind = 'dxf' | 'svg' | 'obj';
+
+/** A file as far as it takes to tell what it is. */
+interface Beginning {
+  readonly bytes: Uint8Array;
+  /** The first characters. */
+  readonly text: string;
+}
+
+/** Characters that are looked at. */
+const looked = 16_384;
+
+interface Recognised {
+  readonly is: (file: Beginning) => boolean;
+  readonly kind: DrawingKind | Refusal;
+}
+
+/** Ends the sentence that begins with the name of the file. */
+interface Refusal {
+  readonly refusal: string;
+}
+
+const starts =
+  (...marks: readonly string[]): Recognised['is'] =>
+  ({bytes}) =>
+    marks.some((mark) => String.fromCharCode(...bytes.subarray(0, mark.length)) === mark);
+
+const says =
+  (pattern: RegExp): Recognised['is'] =>
+  ({text}) =>
+    pattern.test(text);
+
+const picture = (what: string): Refusal => ({
+  refusal: `is a ${what} picture, whatever it is called; open it as a print, or export the pattern as DXF or SVG.`,
+});
+
+const model: Refusal = {
+  refusal:
+    'is a 3D model without flat pieces; export it as OBJ with UVs, or its pattern as DXF (AAMA or ASTM).',
+};
+
+const illustrator: Refusal = {
+  refusal: "is Adobe Illustrator's own format; there, use File > Save a Copy, and choose SVG.",
+};
+
+/** The first that fits counts. */
+const kinds: readonly Recognised[] = [
+  {is: starts('AutoCAD Binary DXF'), kind: {refusal: 'is a binary DXF; save it as ASCII DXF.'}},
+  {
+    is: says(/^(\s*999\s*[\r\n].*[\r\n]+)*\s*0\s*[\r\n]+\s*SECTION\s/),
+    kind: 'dxf',
+  },
+  {
+    is: says(/^AC10\d\d|^AC1\.|^MC0\.0/),
+    kind: {refusal: 'is DWG, which only CAD programs read; there, save it as ASCII DXF (R12).'},
+  },
+  {is: starts('\x89PNG'), kind: picture('PNG')},
+  {is: starts('\xff\xd8\xff'), kind: picture('JPEG')},
+  {is: starts('GIF8'), kind: picture('GIF')},
+  {is: starts('RIFF'), kind: picture('WebP')},
+  {is: starts('II*\0', 'MM\0*'), kind: picture('TIFF')},
+  {is: starts('BM'), kind: picture('BMP')},
+  {is: says(/^%(?:PDF|!PS)[^]*Adobe Illustrator/), kind: illustrator},
+  {
+    is: starts('%PDF'),
+    kind: {
+      refusal:
+        'is PDF, in which lines belong to no piece; save it as SVG with Inkscape, or with: pdftocairo -svg FILE.pdf FILE.svg.',
+    },
+  },
+  {is: starts('%!'), kind: {refusal: 'is PostScript; save it as SVG with Inkscape.'}},
+  {
+    is: starts('PK\x03\x04'),
+    kind: {
+      refusal:
+        "is an archive, as CLO's and Marvelous Designer's projects (.zprj) are; there, use File > Export > DXF (AAMA/ASTM), or unpack it.",
+    },
+  },
+  {is: starts('\x1f\x8b'), kind: {refusal: 'is compressed; save it as plain SVG, or unpack it.'}},
+  {is: starts('glTF', 'Kaydara FBX', 'BLENDER', 'PXR-USDC'), kind: model},
+  {is: says(/^solid [^]*facet normal/), kind: model},
+  {
+    is: says(/^\s*(?:IN|SP\d|PU|PD)\d*[;,]/),
+    kind: {refusal: 'is a file for plotters (HP-GL); export the pattern as DXF (AAMA or ASTM).'},
+  },
+  {
+    is: says(/^\s*<!doctype html|^\s*<html/i),
+    kind: {refusal: 'is a web page; save the pattern itself.'},
+  },
+  {is: says(/<(?:\w+:)?svg[\s>]/), kind: 'svg'},
+  {
+    is: says(/<pattern[\s>]/),
+    kind: {
+      refusal:
+        "is a pattern of Valentina or Seamly2D, whose outlines are formulas; there, use File > Export layout as DXF or SVG, or run 'valentina -b NAME -f 25 FILE.val'.",
+    },
+  },
+  {
+    is: says(/<(?:vit|vst|smis|smms)[\s>]/),
+    kind: {
+      refusal:
+        'holds measurements of Valentina or Seamly2D, and no pattern; export the pattern as DXF or SVG.',
+    },
+  },
+  {is: says(/^v[tn]?[ \t]+[-+.\d][^\0]*$|^(?:mtllib|usemtl)\s/m), kind: 'obj'},
+];
+
+/** Undefined for what is nothing that is known. */
+export function recognised(bytes: Uint8Array): DrawingKind | Refusal | undefined {
+  const file = {bytes, text: decoded(bytes.subarray(0, looked))};
+  return kinds.find(({is}) => is(file))?.kind;
+}

@@ -1,0 +1,160 @@
+/** Pieces as FreeSewing draws them: a group each, and a class for what a line means. [mm] */
+import type {DrawnNotch, DrawnPiece} from '../../model/drawing.js';
+import type {Point} from '../../model/geometry.js';
+import {atShare, isInside, lengthOf} from '../../model/polyline.js';
+import {endOf} from '../base/bezier.js';
+import {countOf, type Count} from '../base/words.js';
+import {nearestOn} from '../base/nearest.js';
+import {cutAround} from './cut-around.js';
+import type {Line} from './lines.js';
+import {areaOf, chained, pointsOf, rimOf, runsOf} from './outlines.js';
+import {classesOf} from './styles.js';
+import type {Drawn, DrawnText, Sheet} from './walk.js';
+import type {XmlElement} from '../base/xml.js';
+
+/** Of what a piece is cut, by the class of its outline. */
+const materials = ['fabric', 'lining', 'interfacing', 'canvas', 'contrast', 'various'];
+/** Lines that are no outline, whatever else they are. */
+const marks = ['sa', 'help', 'note', 'mark', 'hidden', 'dashed', 'dotted', 'lashed', 'scalebox'];
+
+const idOf = (element: XmlElement): string => element.attributes.get('id') ?? '';
+
+/** The part that something belongs to; stacks of several parts are drawn on top of each other. */
+function partOf(groups: readonly XmlElement[]): XmlElement | undefined {
+  const stacks = groups.filter((group) => /(?:^|-)stack-/.test(idOf(group)));
+  return stacks.find((group) => idOf(group).includes('-part-')) ?? stacks[0];
+}
+
+const hasClass = (element: XmlElement, ...names: readonly string[]): boolean =>
+  classesOf(element).some((name) => names.includes(name));
+
+/** None where the file has no groups as FreeSewing writes them. */
+export function freesewingPieces(sheet: Sheet): DrawnPiece[] {
+  const parts = new Set<XmlElement>();
+  for (const {groups} of sheet.drawn) {
+    const part = partOf(groups);
+    if (part) parts.add(part);
+  }
+  const within = <T extends {readonly groups: readonly XmlElement[]}>(
+    all: readonly T[],
+    part: XmlElement,
+  ): T[] => all.filter(({groups}) => groups.includes(part));
+  return [...parts].flatMap((part) => {
+    const drawn = within(sheet.drawn, part).filter((one) => !one.isUsed);
+    const outline = outlineOf(drawn);
+    return outline
+      ? [pieceOf(part, outline, drawn, within(sheet.texts, part), within(sheet.symbols, part))]
+      : [];
+  });
+}
+
+interface Outline {
+  readonly line: Line;
+  readonly drawn: Drawn;
+}
+
+/** The largest closed line that is sewn; smaller ones are darts. */
+function outlineOf(drawn: readonly Drawn[]): Outline | undefined {
+  const closed = drawn
+    .filter(({element}) => hasClass(element, ...materials) && !hasClass(element, ...marks))
+    .flatMap((one) =>
+      one.lines.filter(({isClosed}) => isClosed).map((line) => ({line, drawn: one})),
+    );
+  const areas = closed.map(({line}) => areaOf(line));
+  return closed[areas.indexOf(Math.max(...areas))];
+}
+
+function pieceOf(
+  part: XmlElement,
+  {line, drawn: outline}: Outline,
+  drawn: readonly Drawn[],
+  texts: readonly DrawnText[],
+  symbols: Sheet['symbols'],
+): DrawnPiece {
+  const rim = rimOf(line);
+  const pointing = (marker: string): Line | undefined =>
+    drawn.find(({element}) => element.attributes.get('marker-start')?.includes(`#${marker}`))
+      ?.lines[0];
+  const [fold, grain] = ['cutonfoldFrom', 'grainlineFrom'].map(pointing);
+  const words = texts
+    .filter(
+      ({element}) =>
+        !element.children.some((one) => typeof one !== 'string' && one.name === 'textPath'),
+    )
+    .flatMap(({lines}) => lines);
+  const sa = drawn.filter(({element}) => hasClass(element, 'sa')).flatMap(({lines}) => lines);
+  const cut = cutAround(line, sa);
+  const ends = (one: Line): [Point, Point] => [one.start, endOf(one)];
+  const grainLine = grain ?? fold; // the mark of a fold says that it is the grain, too
+  return {
+    name: nameOf(part, texts),
+    quantity: quantityOf(words),
+    material: materialOf(outline.element),
+    sewn: runsOf(line),
+    ...(cut && {cut: runsOf(cut)}),
+    holes: [],
+    notches: symbols.flatMap(({of, at}) => notchAt(of, at, rim)),
+    ...(grainLine && {grain: ends(grainLine)}),
+    ...(fold && {fold: ends(fold)}),
+    internalLines: internalLines(drawn, line, rim),
+    drillHoles: symbols.filter(({of}) => /^(?:button|snap|eyelet)/.test(of)).map(({at}) => at),
+    words,
+  };
+}
+
+/** A piece that is cut twice of one material in different ways has a line for each. */
+function quantityOf(words: readonly string[]): Count {
+  const bare = (line: string): string => line.replaceAll(/^\W+|\d/g, '');
+  const lines = words.flatMap((line) => {
+    const count = countOf([line]);
+    return count ? [{line: bare(line), count}] : [];
+  });
+  const [first] = lines;
+  if (!first) return {asDrawn: 1, mirrored: 0};
+  const alike = lines.filter(({line}) => line === first.line).map(({count}) => count);
+  return {
+    asDrawn: alike.reduce((sum, {asDrawn}) => sum + asDrawn, 0),
+    mirrored: alike.reduce((sum, {mirrored}) => sum + mirrored, 0),
+  };
+}
+
+/** A notch lies on its outline; what lies elsewhere is another mark. [mm] */
+const onOutline = 1;
+
+function notchAt(of: string, at: Point, rim: readonly Point[]): DrawnNotch[] {
+  const isNotch = of === 'notch' || of === 'bnotch';
+  return isNotch && nearestOn(rim, at, true).off <= onOutline ? [{at, kind: 'slit'}] : [];
+}
+
+function nameOf(part: XmlElement, texts: readonly DrawnText[]): string {
+  const title = texts.find(
+    ({element}) => hasClass(element, 'text-lg') && hasClass(element, 'font-bold'),
+  );
+  const [titled = ''] = title?.lines ?? [];
+  // a title that nobody translated is a key
+  const isKey = titled === '' || /^[a-z]+[A-Z]/.test(titled) || titled.includes(':');
+  const named = isKey ? idOf(part).replace(/^.*[-.]/, '') : titled;
+  return /\s/.test(named) ? named : named.replaceAll(/(?<=[a-z])(?=[A-Z])/g, ' ').toLowerCase();
+}
+
+/** Lines shorter than this are no more than ticks. [mm] */
+const shortest = 10;
+
+/** What else is drawn within a piece: darts, folds, places of buttons. */
+function internalLines(
+  drawn: readonly Drawn[],
+  outline: Line,
+  rim: readonly Point[],
+): (readonly Point[])[] {
+  const shown = drawn.filter(
+    ({element}) =>
+      !hasClass(element, 'sa', 'hidden', 'scalebox') && !element.attributes.has('marker-start'),
+  );
+  return chained(shown.flatMap(({lines}) => lines))
+    .filter(({line}) => line.start !== outline.start || !line.isClosed)
+    .map(({line}) => pointsOf(line))
+    .filter((line) => lengthOf(line) >= shortest && isInside(rim, atShare(line, 0.5).at));
+}
+
+const materialOf = (outline: XmlElement): string =>
+  materials.find((name) => hasClass(outline, name)) ?? 'fabric';

@@ -1,0 +1,113 @@
+/** How long a unit of an SVG is. */
+import type {UnitGuess} from '../../model/drawing.js';
+import {FileError} from '../../model/versioned-file.js';
+import type {XmlDocument} from '../base/xml.js';
+import {numbersOf} from './matrix.js';
+
+/** Millimetres of the units that stand for a length on paper. */
+const paperUnits: Readonly<Record<string, number>> = {
+  ...{mm: 1, cm: 10, m: 1000, in: 25.4, pt: 25.4 / 72, pc: 25.4 / 6, q: 0.25},
+};
+
+interface SvgProgram {
+  /** With its version, where the file says it. */
+  readonly name?: string;
+  /** Its pixels in an inch: most mean 96, as the standard has it. */
+  readonly perInch: number;
+}
+
+/** Qt draws for both, and names neither. Words of a piece come in order: its letter, its name, then the pattern's. */
+export const valentina = 'Valentina or Seamly';
+
+/** Which program wrote a file, by what it leaves in it. */
+export function programOf({root, comments}: XmlDocument): SvgProgram {
+  const {attributes} = root;
+  const said = comments.join(' ');
+  const freesewing = attributes.get('freesewing');
+  if (freesewing !== undefined) return {name: `FreeSewing ${freesewing}`, perInch: 96};
+  const inkscape = attributes.get('inkscape:version');
+  if (inkscape !== undefined || said.includes('Created with Inkscape')) {
+    const [, major, minor] = /^(\d+)\.(\d+)/.exec(inkscape ?? '') ?? [];
+    const isOld = Number(major) === 0 && Number(minor) < 92;
+    return {
+      name: `Inkscape ${(inkscape ?? '').split(' ')[0] ?? ''}`.trim(),
+      perInch: isOld ? 90 : 96,
+    };
+  }
+  const isIllustrator = said.includes('Adobe Illustrator') || attributes.has('data-name');
+  if (isIllustrator) {
+    const version = /Adobe Illustrator (\d[\d.]*)/.exec(said)?.[1];
+    return {name: `Adobe Illustrator ${version ?? ''}`.trim(), perInch: 72};
+  }
+  if (attributes.get('baseProfile') === 'tiny' && /^(?:Pattern)?$/.test(titlesOf(root)[0] ?? '')) {
+    return {name: valentina, perInch: 96};
+  }
+  const named = /(Valentina|Seamly\w*|CorelDRAW|Affinity|LibreCAD|Blender)[^,;\n]*/i.exec(
+    [...titlesOf(root), said].join('\n'),
+  )?.[0];
+  return {...(named !== undefined && {name: named.trim()}), perInch: 96};
+}
+
+const titlesOf = (root: XmlDocument['root']): string[] =>
+  root.children.flatMap((child) =>
+    typeof child !== 'string' && (child.name === 'title' || child.name === 'desc')
+      ? child.children.filter((one) => typeof one === 'string')
+      : [],
+  );
+
+interface SvgScale {
+  /** Of a unit of what lies in the root; undefined where the file leaves it open. */
+  readonly millimetres?: number;
+  readonly because: UnitGuess['because'];
+  /** Whether width or height are lengths on paper. */
+  readonly isStated: boolean;
+  /** What was assumed. */
+  readonly note?: string;
+}
+
+/** From the outermost element. A side in percent says nothing, as one that is left out. @throws {FileError} for a size of 0 */
+export function scaleOf({root, comments}: XmlDocument, file: string): SvgScale {
+  const {perInch, name} = programOf({root, comments});
+  const [, , across, down] = numbersOf(root.attributes.get('viewBox'));
+  const pixel = 25.4 / perInch;
+  const sides = [
+    {stated: root.attributes.get('width'), units: across},
+    {stated: root.attributes.get('height'), units: down},
+  ];
+  const scales = sides.flatMap(({stated, units}) => {
+    const [, number, unit = ''] =
+      /^\s*\+?([\d.]+(?:e[-+]?\d+)?)\s*([a-z%]*)\s*$/i.exec(stated ?? '') ?? [];
+    const paper = paperUnits[unit.toLowerCase()];
+    const isPixels = unit === '' || unit.toLowerCase() === 'px';
+    const length = Number(number) * (paper ?? (isPixels ? pixel : NaN));
+    if (length === 0) {
+      throw new FileError(
+        file,
+        `states a size of '${stated ?? ''}'; correct its width and height.`,
+      );
+    }
+    if (!(length > 0)) return [];
+    // without a view box a unit is a pixel, however large the paper
+    const scale = units !== undefined && units > 0 ? length / units : pixel;
+    return [{scale, isStated: paper !== undefined}];
+  });
+  const isStated = scales.some((one) => one.isStated);
+  const found = scales.filter((one) => one.isStated === isStated).map((one) => one.scale);
+  if (isStated) return {millimetres: Math.min(...found), because: 'stated', isStated};
+  // Illustrator leaves out the size of what is meant for pages, and keeps its points
+  const isKnown = name?.startsWith('Adobe Illustrator') ?? false;
+  if (found.length === 0 && !isKnown) {
+    return {
+      because: 'size',
+      isStated,
+      note: 'The file does not say how large it is; that was guessed from its pieces.',
+    };
+  }
+  const note = `Its size is in pixels, of which ${name ?? 'most programs'} ${name === undefined ? 'have' : 'has'} ${perInch} in an inch.`;
+  return {
+    millimetres: found.length > 0 ? Math.min(...found) : pixel,
+    because: 'program',
+    isStated,
+    note,
+  };
+}

@@ -1,0 +1,129 @@
+/** What is drawn in pieces and at their outlines: grain, folds, notches, holes to drill. [mm] */
+import type {DrawnNotch, Run} from '../../model/drawing.js';
+import {cross, distance, middle, minus, unit, type Point} from '../../model/geometry.js';
+import {atShare, boxOf, lengthOf} from '../../model/polyline.js';
+import {endOf, isLine} from '../base/bezier.js';
+import {nearestOn} from '../base/nearest.js';
+import {saysFold, saysGrain} from '../base/words.js';
+import {longerSide, type Loop, type Stroke} from './nesting.js';
+import {pointsOf} from './outlines.js';
+import type {DrawnText} from './walk.js';
+
+/** A line that is no outline, measured. */
+export interface Mark extends Stroke {
+  readonly points: readonly Point[];
+  readonly length: number;
+  /** The middle of its length. */
+  readonly at: Point;
+}
+
+/** Lines shorter than this are ticks. [mm] */
+const shortest = 15;
+
+export const isLong = ({length}: Mark): boolean => length >= shortest;
+
+/** All but letters, which are filled and have no stroke. */
+export const marksOf = (strokes: readonly Stroke[]): Mark[] =>
+  strokes.flatMap((stroke) => {
+    const points = pointsOf(stroke.line);
+    const isFilled = stroke.drawers.every(
+      ({style, element}) =>
+        style.stroke === 'none' && style.fill !== 'none' && element.name === 'path',
+    );
+    if (isFilled && longerSide(boxOf(points)) < 2 * shortest) return [];
+    return [{...stroke, points, length: lengthOf(points), at: atShare(points, 0.5).at}];
+  });
+
+/** The point of a line that lies farthest from its start: heads of arrows may follow it. */
+const farthest = ({start, cubics}: Run): Point =>
+  cubics.reduce(
+    (far, [, , end]) => (distance(end, start) > distance(far, start) ? end : far),
+    start,
+  );
+
+export const grainEnds = ({line}: Mark): [Point, Point] => [line.start, farthest(line)];
+
+/** Round marks as wide as this are holes to drill. [mm] */
+const drill = {least: 1.5, most: 12};
+
+export function isDrill(mark: Mark): boolean {
+  const {line, points} = mark;
+  if (!line.isClosed || line.cubics.length < 2 || line.cubics.length > 8) return false;
+  const centre = middleOf(mark);
+  const radii = points.map((p) => distance(p, centre));
+  const [low, high] = [Math.min(...radii), Math.max(...radii)];
+  return 2 * low >= drill.least && 2 * high <= drill.most && high - low <= 0.1 * high;
+}
+
+/** Of a round mark. */
+export function middleOf({points}: Mark): Point {
+  const {low, high} = boxOf(points);
+  return middle(low, high);
+}
+
+/** A straight line that is called so, has its word beside it, or has the heads of an arrow. */
+export function grainOf(within: readonly Mark[], texts: readonly DrawnText[]): Mark | undefined {
+  const straight = within.filter(({line}) => {
+    const length = distance(line.start, farthest(line));
+    return length >= 50 && isLine({start: line.start, cubics: line.cubics.slice(0, 1)}, 0.1);
+  });
+  const isCalled = ({drawers}: Mark): boolean =>
+    drawers.some(({element, groups}) =>
+      saysGrain(
+        [element, ...groups.slice(-1)].map(({attributes}) => [...attributes.values()].join(' ')),
+      ),
+    );
+  const isArrow = ({drawers}: Mark): boolean =>
+    drawers.some(({element: {attributes}}) =>
+      [...attributes].some(([name, value]) => /marker-(?:start|end)/.test(`${name} ${value}`)),
+    );
+  const said = texts.filter(({lines}) => saysGrain(lines)).map(({at}) => at);
+  const off = ({line}: Mark): number =>
+    Math.min(...said.map((at) => nearestOn([line.start, farthest(line)], at, false).off));
+  const beside = straight.filter((chain) => off(chain) <= 60).sort((a, b) => off(a) - off(b));
+  return straight.find(isCalled) ?? beside[0] ?? straight.find(isArrow);
+}
+
+/** The straight edge that lies at the fold of the cloth: without allowance, or nearest to the word, or the longest. */
+export function foldOf(
+  runs: readonly Run[],
+  outer: Loop,
+  seam: Loop | undefined,
+  texts: readonly DrawnText[],
+): Run | undefined {
+  const length = (run: Run): number => distance(run.start, endOf(run));
+  const straight = runs.filter((run) => isLine(run, 0.1)).sort((a, b) => length(b) - length(a));
+  const long = straight.filter((run) => length(run) >= 0.25 * longerSide(outer.box));
+  const bare = seam
+    ? long.filter((run) => nearestOn(outer.rim, middle(run.start, endOf(run)), true).off < 0.5)
+    : [];
+  const said = texts.filter(({lines}) => saysFold(lines)).map(({at}) => at);
+  const off = (run: Run): number =>
+    Math.min(...said.map((at) => nearestOn([run.start, endOf(run)], at, false).off));
+  const near = long.filter((run) => off(run) <= 40).sort((a, b) => off(a) - off(b));
+  return bare[0] ?? near[0] ?? long[0];
+}
+
+/** Marks that begin or end at an outline, from it or across it. [mm] */
+const notchReach = 0.5;
+/** Of allowances that a notch at the cut line is for. [mm] */
+const widest = 40;
+
+export function notchesOf(near: readonly Mark[], sewn: Loop, outer: Loop): DrawnNotch[] {
+  const found: DrawnNotch[] = [];
+  for (const {line, points, length} of near) {
+    if (length > (line.isClosed ? 2 : 1) * shortest || length < 1) continue;
+    const onRim = points
+      .map((p) => nearestOn(outer.rim, p, true))
+      .find(({off}) => off <= notchReach);
+    const at = onRim && nearestOn(sewn.rim, onRim.at, true);
+    if (!at || at.off > widest) continue;
+    const way = unit(minus(farthest(line), line.start));
+    const next = sewn.rim[(at.step + 1) % sewn.rim.length] ?? at.at;
+    const along = unit(minus(next, sewn.rim[at.step] ?? at.at));
+    const isAlong = !line.isClosed && Math.abs(cross(way, along)) < 0.5;
+    if (isAlong || found.some((other) => distance(other.at, at.at) < 2)) continue;
+    found.push({at: at.at, kind: line.isClosed || line.cubics.length === 2 ? 'v' : 'slit'});
+  }
+  return found;
+}

@@ -1,0 +1,67 @@
+/** Affine maps of the plane, as SVG writes them: x' = a x + c y + e, y' = b x + d y + f. */
+import {radians, type Point} from '../../model/geometry.js';
+
+export type Matrix = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
+
+export const mapped = ([a, b, c, d, e, f]: Matrix, [x, y]: Point): Point => [
+  a * x + c * y + e,
+  b * x + d * y + f,
+];
+
+/** First `inner`, then `outer`. */
+export const composed = (outer: Matrix, inner: Matrix): Matrix => {
+  const [a, b, c, d, e, f] = inner;
+  const [x, y] = mapped(outer, [e, f]);
+  return [
+    ...[outer[0] * a + outer[2] * b, outer[1] * a + outer[3] * b],
+    ...[outer[0] * c + outer[2] * d, outer[1] * c + outer[3] * d],
+    ...[x, y],
+  ] as unknown as Matrix;
+};
+
+export const shift = (x: number, y: number): Matrix => [1, 0, 0, 1, x, y];
+export const scaling = (x: number, y = x): Matrix => [x, 0, 0, y, 0, 0];
+
+/** By how much lengths grow, on average. */
+export const growth = ([a, b, c, d]: Matrix): number => Math.sqrt(Math.abs(a * d - b * c));
+
+/** Whether a map leaves of a plane no more than a line. */
+export const isFlat = (m: Matrix): boolean =>
+  !(growth(m) ** 2 > 1e-6 * Math.hypot(m[0], m[1], m[2], m[3]) ** 2);
+
+function turn(degrees: number, x = 0, y = 0): Matrix {
+  const [c, s] = [Math.cos(radians(degrees)), Math.sin(radians(degrees))];
+  return composed(shift(x, y), composed([c, s, -s, c, 0, 0], shift(-x, -y)));
+}
+
+const tan = (degrees: number): number => Math.tan(radians(degrees));
+
+/** One word of a `transform`; undefined where its numbers are too few or too many. */
+function step(name: string, n: readonly number[]): Matrix | undefined {
+  const [p = 0, q] = n;
+  if (name === 'matrix' && n.length === 6) return n as unknown as Matrix;
+  if (name === 'translate' && n.length <= 2) return shift(p, q ?? 0);
+  if (name === 'scale' && n.length <= 2) return scaling(p, q ?? p);
+  if (name === 'rotate' && (n.length === 1 || n.length === 3)) return turn(p, q, n[2]);
+  if (name === 'skewX' && n.length === 1) return [1, 0, tan(p), 1, 0, 0];
+  return name === 'skewY' && n.length === 1 ? [1, tan(p), 0, 1, 0, 0] : undefined;
+}
+
+/** Numbers of a list that parts them by blanks or commas. */
+export const numbersOf = (list: string | undefined): number[] =>
+  (list ?? '').match(/[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi)?.map(Number) ?? [];
+
+/** The map of an attribute `transform`; undefined where that cannot be read. */
+export function matrixOf(transform: string | undefined): Matrix | undefined {
+  let whole: Matrix = scaling(1);
+  const rest = (transform ?? '').replaceAll(
+    /(\w+)\s*\(([^)]*)\)/g,
+    (_, name: string, list: string) => {
+      const numbers = numbersOf(list);
+      const next = numbers.length > 0 ? step(name, numbers) : undefined;
+      if (next) whole = composed(whole, next);
+      return next ? '' : '?';
+    },
+  );
+  return /^[\s,]*$/.test(rest) && whole.every(Number.isFinite) ? whole : undefined;
+}

@@ -1,0 +1,171 @@
+/** SVG as a drawing of pieces. */
+import type {Drawing, DrawnPiece, Run, UnitGuess} from '../../model/drawing.js';
+import type {FileUnit} from '../../model/garment-document.js';
+import type {Point} from '../../model/geometry.js';
+import {boxOf} from '../../model/polyline.js';
+import {FileError} from '../../model/versioned-file.js';
+import {mapped} from '../base/bezier.js';
+import {cmPer, guessedUnit} from '../base/units.js';
+import {readXml, type XmlDocument} from '../base/xml.js';
+import {freesewingPieces} from './freesewing.js';
+import {genericPieces, largestClosed, type Found} from './generic.js';
+import {programOf, scaleOf} from './lengths.js';
+import {composed, numbersOf, scaling, shift} from './matrix.js';
+import {measuredScale} from './scale-box.js';
+import {classesOf} from './styles.js';
+import {walked, type Sheet} from './walk.js';
+
+/**
+ * @param text of an SVG file
+ * @param file its name, for messages
+ * @param units of what the file draws, where its owner knows them
+ * @throws {FileError} where it holds no pieces that can be read
+ */
+export function readSvg(text: string, file: string, units?: FileUnit): Drawing {
+  const document = svgOf(text, file);
+  const {sheet, unit, notes} = scaled(document, file, units);
+  const {program} = sheet;
+  const {pieces, notes: found} = foundIn(sheet);
+  if (pieces.length === 0) throw new FileError(file, whyNone(sheet, found));
+  const title = titleOf(sheet);
+  return {
+    kind: 'svg',
+    ...(program !== undefined && {program}),
+    ...(title !== undefined && {title}),
+    sizes: [],
+    unit: {...unit, isSure: unit.isSure && (units !== undefined || isUsual(pieces))},
+    pieces: pieces.map((piece) => inUnit(piece, unit.unit)),
+    seams: [],
+    notes: [...notes, ...found, ...sheet.notes],
+  };
+}
+
+/** What an SVG may be meant as: a pattern, which draws outlines of pieces at a size on paper; others are pictures. */
+export type SvgUse = 'pattern' | 'picture' | 'damaged';
+
+export function useOfSvg(text: string): SvgUse {
+  let document: XmlDocument;
+  try {
+    document = svgOf(text, '');
+  } catch (error) {
+    if (error instanceof FileError) return 'damaged';
+    throw error;
+  }
+  return drawsPieces(document) ? 'pattern' : 'picture';
+}
+
+function drawsPieces(document: XmlDocument): boolean {
+  try {
+    if (!scaleOf(document, '').isStated) return false;
+    const {sheet} = scaled(document, '');
+    const drawn = sheet.drawn.filter(
+      ({style, element}) => style.stroke !== 'none' || classesOf(element).length > 0,
+    );
+    return foundIn({...sheet, drawn}).pieces.length > 0;
+  } catch (error) {
+    if (error instanceof FileError) return false;
+    throw error;
+  }
+}
+
+function svgOf(text: string, file: string): XmlDocument {
+  const document = readXml(text, file);
+  const {name} = document.root;
+  if (name === 'svg') return document;
+  throw new FileError(file, `is XML, but no SVG: its outermost element is <${name}>.`);
+}
+
+/** A drawing in millimetres. */
+interface Scaled {
+  readonly sheet: Sheet;
+  /** In which it is handed on. */
+  readonly unit: UnitGuess;
+  readonly notes: readonly string[];
+}
+
+/** A test square that is off by no more is right: files are rounded. */
+const rounding = 0.003;
+
+function scaled(document: XmlDocument, file: string, units?: FileUnit): Scaled {
+  const at = (factor: number): Sheet => sheetOf(document, factor, file);
+  const sure = {isSure: true, others: []};
+  if (units !== undefined) {
+    const unit: UnitGuess = {unit: units, because: 'stated', ...sure};
+    return {sheet: at(10 * cmPer(units)), unit, notes: []};
+  }
+  const {millimetres, because, note} = scaleOf(document, file);
+  const notes = note === undefined ? [] : [note];
+  const sheet = at(millimetres ?? 1);
+  const ratio = measuredScale(sheet);
+  if (ratio !== undefined && (Math.abs(ratio - 1) > rounding || millimetres === undefined)) {
+    const unit: UnitGuess = {unit: 'mm', because: 'measured', ...sure};
+    return {sheet: at((millimetres ?? 1) * ratio), unit, notes: [measuredNote(ratio)]};
+  }
+  if (millimetres === undefined) {
+    const unit = guessedUnit({largest: largestClosed(sheet), because});
+    return {sheet: at(10 * cmPer(unit.unit)), unit, notes};
+  }
+  return {sheet, unit: {unit: 'mm', because, ...sure}, notes};
+}
+
+function sheetOf(document: XmlDocument, factor: number, file: string): Sheet {
+  const {root} = document;
+  const {name: program} = programOf(document);
+  const [left = 0, top = 0, across = 0, down = 0] = numbersOf(root.attributes.get('viewBox'));
+  const matrix = composed(scaling(factor, -factor), shift(-left, -top));
+  const page: Point = [factor * across, factor * down];
+  return {...walked(root, matrix, file), page, ...(program !== undefined && {program})};
+}
+
+const measuredNote = (ratio: number): string =>
+  `By its test square it is drawn at ${(100 / ratio).toFixed(1)} % of its size, and taken ${ratio.toFixed(4)} times as large.`;
+
+function foundIn(sheet: Sheet): Found {
+  const pieces = freesewingPieces(sheet);
+  return pieces.length > 0 ? {pieces, notes: []} : genericPieces(sheet);
+}
+
+/** Whether somebody could wear pieces of this size. [mm] */
+function isUsual(pieces: readonly DrawnPiece[]): boolean {
+  const sides = pieces.map(({sewn}) => {
+    const {low, high} = boxOf(sewn.flatMap(({start, cubics}) => [start, ...cubics.flat()]));
+    return Math.max(high[0] - low[0], high[1] - low[1]);
+  });
+  return guessedUnit({largest: Math.max(...sides), stated: ['mm']}).isSure;
+}
+
+function whyNone(sheet: Sheet, notes: readonly string[]): string {
+  const [first] = notes;
+  if (first !== undefined) return `shows no piece: ${first}`;
+  const largest = largestClosed(sheet) / 10;
+  if (largest > 0) {
+    return `shows no piece: its largest closed line is ${largest.toFixed(1)} cm long, and pieces have 25 cm² or more; correct its size, or give its units.`;
+  }
+  return sheet.drawn.length === 0 && sheet.texts.length > 0
+    ? 'shows text alone, and no outline of a piece; export the outlines, too.'
+    : 'shows no closed line, as outlines of pieces are; join the ends of its lines.';
+}
+
+function titleOf({texts}: Sheet): string | undefined {
+  const lines = texts.flatMap((text) => text.lines);
+  return lines.flatMap((line) => /^FreeSewing (.+?) v\d/.exec(line)?.[1] ?? [])[0];
+}
+
+/** From millimetres. */
+function inUnit(piece: DrawnPiece, unit: FileUnit): DrawnPiece {
+  const factor = 0.1 / cmPer(unit);
+  if (factor === 1) return piece;
+  const at = ([x, y]: Point): Point => [factor * x, factor * y];
+  const runs = (loop: readonly Run[]): Run[] => loop.map((run) => mapped(run, at));
+  const line = ([a, b]: readonly [Point, Point]): [Point, Point] => [at(a), at(b)];
+  return {
+    ...piece,
+    sewn: runs(piece.sewn),
+    ...(piece.cut && {cut: runs(piece.cut)}),
+    notches: piece.notches.map((notch) => ({...notch, at: at(notch.at)})),
+    ...(piece.grain && {grain: line(piece.grain)}),
+    ...(piece.fold && {fold: line(piece.fold)}),
+    internalLines: piece.internalLines.map((points) => points.map(at)),
+    drillHoles: piece.drillHoles.map(at),
+  };
+}

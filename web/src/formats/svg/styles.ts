@@ -1,0 +1,76 @@
+/** What of SVG's styles says whether and how a line is drawn. */
+import type {XmlElement} from '../base/xml.js';
+
+/** As an element has them, from its own and from its groups. */
+export interface Style {
+  readonly stroke: string;
+  readonly fill: string;
+  readonly isHidden: boolean;
+  /** In units around the text. */
+  readonly fontSize: number;
+}
+
+export const initialStyle: Style = {stroke: 'none', fill: 'black', isHidden: false, fontSize: 16};
+
+type Properties = Readonly<Record<string, string>>;
+
+/** By the name of the class. Other selectors are not looked at: programs that draw patterns write classes. */
+export type StyleSheet = ReadonlyMap<string, Properties>;
+
+function propertiesOf(declarations: string): Properties {
+  const pairs = declarations.split(';').flatMap((one) => {
+    const colon = one.indexOf(':');
+    if (colon < 0) return [];
+    const value = one.slice(colon + 1).replace('!important', '');
+    return [[one.slice(0, colon).trim().toLowerCase(), value.trim().toLowerCase()] as const];
+  });
+  return Object.fromEntries(pairs);
+}
+
+/** All rules for classes alone of the texts of `style` elements. */
+export function sheetOf(texts: readonly string[]): StyleSheet {
+  const sheet = new Map<string, Properties>();
+  for (const text of texts) {
+    const bare = text.replaceAll(/\/\*[^]*?\*\//g, '');
+    for (const [, selectors = '', body = ''] of bare.matchAll(/([^{}]+)\{([^{}]*)\}/g)) {
+      for (const selector of selectors.split(',')) {
+        const name = /^\s*(?:[a-z]+)?\.([\w-]+)\s*$/i.exec(selector)?.[1];
+        if (name !== undefined) sheet.set(name, {...sheet.get(name), ...propertiesOf(body)});
+      }
+    }
+  }
+  return sheet;
+}
+
+export const classesOf = ({attributes}: XmlElement): string[] =>
+  (attributes.get('class') ?? '').split(/\s+/).filter((name) => name !== '');
+
+const points: Readonly<Record<string, number>> = {pt: 4 / 3, mm: 96 / 25.4, cm: 96 / 2.54};
+
+function fontSizeOf(value: string | undefined, around: number): number {
+  const [, number, unit = ''] = /^([\d.]+)\s*([a-z%]*)$/.exec(value ?? '') ?? [];
+  const size = Number(number) * (points[unit] ?? (unit === 'em' ? around : 1));
+  return size > 0 && unit !== '%' ? size : around;
+}
+
+/** Of an element in a group of this style; undefined where it is not drawn at all. */
+export function styleOf(element: XmlElement, around: Style, sheet: StyleSheet): Style | undefined {
+  const {attributes} = element;
+  const own = propertiesOf(attributes.get('style') ?? '');
+  const ruled = Object.assign(
+    {},
+    ...classesOf(element).map((name) => sheet.get(name)),
+  ) as Properties;
+  const value = (name: string): string | undefined =>
+    [own[name], ruled[name], attributes.get(name)?.trim().toLowerCase()].find(
+      (one) => one !== undefined && one !== 'inherit',
+    );
+  if (value('display') === 'none' || value('opacity') === '0') return undefined;
+  const visibility = value('visibility');
+  return {
+    stroke: value('stroke') ?? around.stroke,
+    fill: value('fill') ?? around.fill,
+    isHidden: visibility === undefined ? around.isHidden : visibility !== 'visible',
+    fontSize: fontSizeOf(value('font-size'), around.fontSize),
+  };
+}

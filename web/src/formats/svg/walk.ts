@@ -1,0 +1,286 @@
+/** All that an SVG draws, in true place and size: groups, transforms, uses and styles resolved. */
+import type {Point} from '../../model/geometry.js';
+import {FileError} from '../../model/versioned-file.js';
+import type {XmlElement} from '../base/xml.js';
+import {linesOf, type Line} from './lines.js';
+import {
+  composed,
+  growth,
+  isFlat,
+  mapped,
+  matrixOf,
+  numbersOf,
+  scaling,
+  shift,
+  type Matrix,
+} from './matrix.js';
+import {initialStyle, sheetOf, styleOf, type Style, type StyleSheet} from './styles.js';
+
+/** What an element draws. */
+export interface Drawn {
+  readonly element: XmlElement;
+  /** From the root inwards. */
+  readonly groups: readonly XmlElement[];
+  readonly style: Style;
+  readonly lines: readonly Line[];
+  /** Whether it is drawn by way of a `use`. */
+  readonly isUsed: boolean;
+}
+
+export interface DrawnText {
+  readonly element: XmlElement;
+  readonly groups: readonly XmlElement[];
+  /** Line by line. */
+  readonly lines: readonly string[];
+  readonly at: Point;
+  /** Height of its letters. [mm] */
+  readonly size: number;
+}
+
+/** A symbol that is put somewhere. */
+interface DrawnSymbol {
+  /** The id of what is used. */
+  readonly of: string;
+  readonly groups: readonly XmlElement[];
+  readonly at: Point;
+}
+
+/** [mm], y up. */
+export interface Sheet {
+  readonly drawn: readonly Drawn[];
+  readonly texts: readonly DrawnText[];
+  readonly symbols: readonly DrawnSymbol[];
+  readonly notes: readonly string[];
+  /** What is shown of it: width and height; 0 where that is not said. */
+  readonly page: Point;
+  /** What drew it, where the file says so. */
+  readonly program?: string;
+}
+
+type Contents = Omit<Sheet, 'page' | 'program'>;
+
+const unseen = new Set([
+  ...['defs', 'symbol', 'clipPath', 'mask', 'pattern', 'marker', 'linearGradient', 'filter'],
+  ...[
+    'radialGradient',
+    'metadata',
+    'title',
+    'desc',
+    'style',
+    'script',
+    'namedview',
+    'foreignObject',
+  ],
+]);
+
+/** What a pattern of many sizes stays far below. */
+const mostDrawn = 60_000;
+/** Characters of a path, some ten thousand points. */
+const longestPath = 300_000;
+/** Further than cloth is long. [mm] */
+const furthest = 1e5;
+/** Uses of uses. */
+const mostUses = 16;
+
+/** Of a group, for what lies in it. */
+interface Place {
+  readonly matrix: Matrix;
+  readonly style: Style;
+  readonly groups: readonly XmlElement[];
+  readonly uses: number;
+}
+
+const hrefOf = ({attributes}: XmlElement): string =>
+  (attributes.get('href') ?? attributes.get('xlink:href') ?? '').trim();
+
+/** @param matrix from the units of the root's content to millimetres, y up @throws {FileError} */
+export function walked(root: XmlElement, matrix: Matrix, file: string): Contents {
+  const walk = new Walk(root, file);
+  const style = styleOf(root, initialStyle, walk.sheet) ?? initialStyle;
+  walk.children(root, {matrix, style, groups: [], uses: 0});
+  return walk.result();
+}
+
+class Walk {
+  readonly sheet: StyleSheet;
+  readonly #file: string;
+  readonly #byId = new Map<string, XmlElement>();
+  readonly #drawn: Drawn[] = [];
+  readonly #texts: DrawnText[] = [];
+  readonly #symbols: DrawnSymbol[] = [];
+  readonly #notes = new Set<string>();
+  #count = 0;
+
+  constructor(root: XmlElement, file: string) {
+    this.#file = file;
+    const styles: string[] = [];
+    this.#index(root, styles);
+    this.sheet = sheetOf(styles);
+  }
+
+  result(): Contents {
+    return {
+      drawn: this.#drawn,
+      texts: this.#texts,
+      symbols: this.#symbols,
+      notes: [...this.#notes],
+    };
+  }
+
+  #index(element: XmlElement, styles: string[]): void {
+    const id = element.attributes.get('id');
+    if (id !== undefined && !this.#byId.has(id)) this.#byId.set(id, element);
+    if (element.name === 'style') styles.push(textOf(element));
+    if (element.name === 'script') this.#notes.add('Scripts in the file are not run.');
+    for (const child of element.children) if (typeof child !== 'string') this.#index(child, styles);
+  }
+
+  children(element: XmlElement, place: Place): void {
+    for (const child of element.children)
+      if (typeof child !== 'string') this.#element(child, place);
+  }
+
+  #element(element: XmlElement, around: Place): void {
+    if (unseen.has(element.name)) return;
+    if (++this.#count > mostDrawn) {
+      throw new FileError(
+        this.#file,
+        `draws more than ${mostDrawn} shapes, as a picture does and no pattern; delete all but the outlines and their marks.`,
+      );
+    }
+    const style = styleOf(element, around.style, this.sheet);
+    if (!style) return;
+    const matrix = composed(around.matrix, this.#transformOf(element));
+    const place = {matrix, style, groups: [...around.groups, element], uses: around.uses};
+    if (element.name === 'use') this.#use(element, place);
+    else if (element.name === 'svg')
+      this.children(element, {...place, matrix: composed(matrix, viewOf(element))});
+    else if (element.name === 'text') this.#text(element, around.groups, place);
+    else if (element.name === 'image') this.#notes.add('Pictures in the file are left out.');
+    else this.#shape(element, around.groups, place);
+  }
+
+  #shape(
+    element: XmlElement,
+    groups: readonly XmlElement[],
+    {matrix, style, uses, ...place}: Place,
+  ): void {
+    if ((element.attributes.get('d')?.length ?? 0) > longestPath) this.#refusePath(element);
+    const shape = linesOf(element, matrix);
+    if (!shape) {
+      this.children(element, {matrix, style, uses, ...place});
+      return;
+    }
+    const id = element.attributes.get('id') ?? element.name;
+    if (shape.isDamaged)
+      this.#notes.add(`The path '${id}' is damaged, and read as far as it goes.`);
+    if (style.isHidden || shape.lines.length === 0) return;
+    if (isFlat(matrix)) {
+      throw new FileError(
+        this.#file,
+        `flattens '${id}' to a line by its transform; correct the transform, or delete it.`,
+      );
+    }
+    this.#check(shape.lines, id);
+    this.#drawn.push({element, groups, style, lines: shape.lines, isUsed: uses > 0});
+  }
+
+  #refusePath({attributes}: XmlElement): never {
+    throw new FileError(
+      this.#file,
+      `draws '${attributes.get('id') ?? 'a path'}' through more points than any outline has; simplify it.`,
+    );
+  }
+
+  #check(lines: readonly Line[], id: string): void {
+    const isSane = (value: number): boolean => Math.abs(value) <= furthest; // NaN is not, either
+    for (const {start, cubics} of lines) {
+      if ([start, ...cubics.flat()].every(([x, y]) => isSane(x) && isSane(y))) continue;
+      throw new FileError(
+        this.#file,
+        `draws '${id}' more than 100 m away; delete it, or correct its numbers.`,
+      );
+    }
+  }
+
+  #use(element: XmlElement, place: Place): void {
+    const href = hrefOf(element);
+    const id = href.slice(1);
+    const [x = 0, y = 0] = ['x', 'y'].map(
+      (name) => numbersOf(element.attributes.get(name))[0] ?? 0,
+    );
+    const matrix = composed(place.matrix, shift(x, y));
+    const target = this.#byId.get(id);
+    if (!href.startsWith('#') || !target) {
+      this.#notes.add(`What is used from '${href}' is not in the file, and left out.`);
+      return;
+    }
+    if (place.uses >= mostUses) {
+      throw new FileError(this.#file, `uses '${id}' within itself; delete that use.`);
+    }
+    this.#symbols.push({of: id, groups: place.groups, at: mapped(matrix, [0, 0])});
+    const inner = {...place, matrix, uses: place.uses + 1};
+    if (target.name === 'symbol')
+      this.children(target, {...inner, matrix: composed(matrix, viewOf(target))});
+    else this.#element(target, inner);
+  }
+
+  #text(element: XmlElement, groups: readonly XmlElement[], {matrix, style}: Place): void {
+    const lines = linesOfText(element);
+    const first = [element, ...element.children.filter((one) => typeof one !== 'string')];
+    const [x = 0, y = 0] = ['x', 'y'].map(
+      (name) => first.flatMap(({attributes}) => numbersOf(attributes.get(name)))[0] ?? 0,
+    );
+    if (style.isHidden || lines.length === 0) return;
+    const size = style.fontSize * growth(matrix);
+    this.#texts.push({element, groups, lines, at: mapped(matrix, [x, y]), size});
+  }
+
+  #transformOf(element: XmlElement): Matrix {
+    const transform = element.attributes.get('transform');
+    const matrix = matrixOf(transform);
+    if (matrix) return matrix;
+    throw new FileError(
+      this.#file,
+      `has a transform that cannot be read, '${(transform ?? '').slice(0, 60)}'; correct it.`,
+    );
+  }
+}
+
+/** From the view box of a nested `svg` or a `symbol` to what lies around it. */
+function viewOf({attributes}: XmlElement): Matrix {
+  const at = (name: string): number | undefined => numbersOf(attributes.get(name))[0];
+  const box = numbersOf(attributes.get('viewBox'));
+  const [left = 0, top = 0, across = 0, down = 0] = box;
+  const place = shift(at('x') ?? 0, at('y') ?? 0);
+  if (!(across > 0 && down > 0)) return place;
+  const [width, height] = [at('width') ?? across, at('height') ?? down];
+  const scale = Math.min(width / across, height / down);
+  const middle = shift((width - scale * across) / 2, (height - scale * down) / 2);
+  return composed(composed(place, middle), composed(scaling(scale), shift(-left, -top)));
+}
+
+/** All text of an element, as it is written. */
+const textOf = (element: XmlElement): string =>
+  element.children.map((child) => (typeof child === 'string' ? child : textOf(child))).join('');
+
+/** Of parts of a text those that begin a line of their own. */
+function linesOfText(element: XmlElement): string[] {
+  const lines: string[] = [''];
+  let height: string | undefined = element.attributes.get('y');
+  const write = (part: XmlElement): void => {
+    for (const child of part.children) {
+      if (typeof child === 'string') {
+        lines.push(`${lines.pop() ?? ''}${child}`);
+        continue;
+      }
+      const y = child.attributes.get('y');
+      const isLower = (numbersOf(child.attributes.get('dy'))[0] ?? 0) !== 0;
+      if (isLower || (y !== undefined && y !== height)) lines.push('');
+      height = y ?? height;
+      write(child);
+    }
+  };
+  write(element);
+  return lines.map((line) => line.replaceAll(/\s+/g, ' ').trim()).filter((line) => line !== '');
+}

@@ -1,0 +1,280 @@
+/** A drawing as a garment: what was chosen of it, in centimetres, outlines counter-clockwise, nothing mirrored. */
+import type {Drawing, DrawnPiece, Run} from '../model/drawing.js';
+import type {
+  DraftedEdge,
+  DraftedNotch,
+  EdgeOfPiece,
+  FileUnit,
+  GarmentDocument,
+  GarmentPiece,
+} from '../model/garment-document.js';
+import {dot, minus, radians, type Point} from '../model/geometry.js';
+import {atShare, signedArea} from '../model/polyline.js';
+import type {Symmetry} from '../model/symmetries.js';
+import {endOf, isLine, mapped, reversedLoop, tracedLoop, tracedRun} from './base/bezier.js';
+import {nearestOn} from './base/nearest.js';
+import {cmPer} from './base/units.js';
+import {unfolded} from './unfold.js';
+
+/** How far lines are drawn from the curves that they stand for. [cm] */
+const traceTolerance = 0.002;
+
+/** Control points this near to a line draw one. [cm] */
+const straightTolerance = 1e-4;
+
+/** A notch further from the outline marks none of its edges. [cm] */
+const notchReach = 3;
+
+/** A grain line that rises by less lies on its side, and points to the right in all pieces. [rad] */
+const sideways = radians(20);
+
+/** What has less is no piece that anybody prints. [cm2] */
+const smallest = 4;
+
+/** Of one piece: whether it is taken, and whether its mirror image is cut, too. */
+export interface PieceChoice {
+  readonly take: boolean;
+  readonly cut: 'once' | 'pair';
+}
+
+export interface Choices {
+  readonly unit: FileUnit;
+  /** As many as the drawing has pieces. */
+  readonly pieces: readonly PieceChoice[];
+}
+
+/** What is taken unless somebody chooses otherwise. */
+export interface DefaultChoices extends Choices {
+  /** One sentence for every piece that is left out. */
+  readonly notes: readonly string[];
+}
+
+const unprinted = /lining|fusible|fusing|interfacing/i;
+
+export function defaultChoices(drawing: Drawing): DefaultChoices {
+  const {unit} = drawing.unit;
+  const notes: string[] = [];
+  const pieces = drawing.pieces.map((piece): PieceChoice => {
+    const reason = reasonToLeave(piece, cmPer(unit));
+    if (reason !== undefined) notes.push(`Piece '${piece.name}' is left out: ${reason}.`);
+    if (piece.fold && !unfolded(scaledPiece(piece, cmPer(unit))).axis) {
+      notes.push(
+        `The fold of piece '${piece.name}' is not on its outline, so that it is taken as a whole; draw the fold along an edge to have it unfolded.`,
+      );
+    }
+    return {take: reason === undefined, cut: isPair(piece) ? 'pair' : 'once'};
+  });
+  return {unit, pieces, notes};
+}
+
+function reasonToLeave({sewn, material = ''}: DrawnPiece, scale: number): string | undefined {
+  const area = Math.abs(signedArea(tracedLoop(sewn, traceTolerance / scale))) * scale * scale;
+  if (area < smallest) return `it has ${area.toFixed(1)} cm2`;
+  return unprinted.test(material) ? `its material is ${material}` : undefined;
+}
+
+/** Cut once and once mirrored, or twice; what is unfolded is its own mirror image. */
+const isPair = ({quantity: {asDrawn, mirrored}, fold}: DrawnPiece): boolean =>
+  !fold && (mirrored > 0 || asDrawn === 2);
+
+/**
+ * The garment that a drawing shows. Half pieces are unfolded and keep their axis as a symmetry; of pairs the mirror
+ * image is a piece of its own.
+ */
+export function garmentOf(drawing: Drawing, {unit, pieces: choices}: Choices): GarmentDocument {
+  const names = new Set<string>();
+  const pieces: GarmentPiece[] = [];
+  const symmetries: Symmetry[] = [];
+  const places = new Map<number, Placed>();
+  drawing.pieces.forEach((drawn, number) => {
+    const {take, cut} = choices[number] ?? {take: true, cut: 'once'};
+    if (!take) return;
+    const made = pieceOf(drawn, uniqueName(drawn.name, names), cmPer(unit));
+    places.set(number, {...made, number: pieces.length});
+    pieces.push(made.piece);
+    if (made.axis) symmetries.push({kind: 'piece', piece: made.piece.name, axis: made.axis});
+    if (cut !== 'pair') return;
+    const twin = mirrorImage(made.piece, uniqueName(drawn.name, names));
+    pieces.push(twin);
+    symmetries.push({kind: 'pair', pieces: [made.piece.name, twin.name]});
+  });
+  const end = ({piece, run}: {readonly piece: number; readonly run: number}): EdgeOfPiece[] => {
+    const placed = places.get(piece);
+    const edge = placed?.edges[run];
+    return placed && edge !== undefined ? [{piece: placed.number, edge}] : [];
+  };
+  const seams = drawing.seams.flatMap(({a, b, sameDirection}) => {
+    const [[from], [to]] = [end(a), end(b)];
+    return from && to ? [{a: from, b: to, sameDirection, weight: 1, matched: true}] : [];
+  });
+  return {
+    ...{pieces, seams, matches: [], symmetries, questions: []},
+    ...(drawing.title !== undefined && {title: drawing.title}),
+    ...(drawing.size !== undefined && {size: drawing.size}),
+  };
+}
+
+/** "Sleeve", "Sleeve 2", ...; not more than messages can bear. */
+function uniqueName(drawn: string, taken: Set<string>): string {
+  const stem =
+    drawn
+      .replaceAll(/\p{Cc}/gu, ' ')
+      .trim()
+      .slice(0, 80) || 'piece';
+  let name = stem;
+  for (let k = 2; taken.has(name); k++) name = `${stem} ${k}`;
+  taken.add(name);
+  return name;
+}
+
+/** A piece by itself, as a garment would have it. @param scale from the unit of the drawing to cm */
+export const drawnPieceInCm = (drawn: DrawnPiece, scale: number): GarmentPiece =>
+  pieceOf(drawn, drawn.name, scale).piece;
+
+interface Made {
+  readonly piece: GarmentPiece;
+  /** By the numbers of the drawn runs, those of the edges. */
+  readonly edges: readonly number[];
+  readonly axis?: readonly [Point, Point];
+}
+
+interface Placed extends Made {
+  readonly number: number;
+}
+
+function pieceOf(drawn: DrawnPiece, name: string, scale: number): Made {
+  const inCm = scaledPiece(drawn, scale);
+  const {piece: whole, axis} = unfolded(inCm);
+  const isClockwise = signedArea(tracedLoop(whole.sewn, traceTolerance)) < 0;
+  const runs = isClockwise ? reversedLoop(whole.sewn) : whole.sewn;
+  const {
+    quantity: {asDrawn, mirrored},
+    grain,
+    cut,
+  } = whole;
+  const count = asDrawn + mirrored;
+  const last = runs.length - 1;
+  return {
+    piece: {
+      ...{name, mirroredFromInput: false},
+      outline: runs.map((run) => withAllowance(run, cut && tracedLoop(cut, traceTolerance))),
+      holes: whole.holes.map((hole) => turnedClockwise(hole).map(edgeOf)),
+      internalLines: whole.internalLines,
+      ...(cut && {cutLine: tracedLoop(cut, traceTolerance)}),
+      notches: notchesOf(whole, runs),
+      ...(grain && {grain: {line: upwards(grain), lock: 'on'}}),
+      ...(count > 1 && !isPair(drawn) && {quantity: count}),
+      ...(whole.size !== undefined && {size: whole.size}),
+      ...(whole.material !== undefined && {material: whole.material}),
+      ...(whole.drillHoles.length > 0 && {drillHoles: whole.drillHoles}),
+    },
+    edges: runs.map((_, k) => (isClockwise ? last - k : k)),
+    ...(axis && {axis}),
+  };
+}
+
+/** Grain lines of such files have no head: which end they begin at says nothing. */
+function upwards([from, to]: readonly [Point, Point]): readonly [Point, Point] {
+  return dot(minus(to, from), [Math.sin(sideways), Math.cos(sideways)]) < 0
+    ? [to, from]
+    : [from, to];
+}
+
+function scaledPiece(piece: DrawnPiece, scale: number): DrawnPiece {
+  const at = ([x, y]: Point): Point => [x * scale, y * scale];
+  const line = ([from, to]: readonly [Point, Point]) => [at(from), at(to)] as const;
+  const loop = (runs: readonly Run[]): Run[] => runs.map((run) => mapped(run, at));
+  const {sewn, cut, holes, notches, grain, fold, internalLines, drillHoles, ...rest} = piece;
+  return {
+    ...rest,
+    sewn: loop(sewn),
+    ...(cut && {cut: loop(cut)}),
+    holes: holes.map(loop),
+    notches: notches.map((notch) => ({...notch, at: at(notch.at)})),
+    ...(grain && {grain: line(grain)}),
+    ...(fold && {fold: line(fold)}),
+    internalLines: internalLines.map((points) => points.map(at)),
+    drillHoles: drillHoles.map(at),
+  };
+}
+
+const turnedClockwise = (loop: readonly Run[]): readonly Run[] =>
+  signedArea(tracedLoop(loop, traceTolerance)) > 0 ? reversedLoop(loop) : loop;
+
+function edgeOf(run: Run): DraftedEdge {
+  if (isLine(run, straightTolerance)) return {points: [run.start, endOf(run)]};
+  const [first, ...rest] = run.cubics.flat();
+  return {points: [run.start, first ?? run.start, ...rest]};
+}
+
+/** How wide the cloth is kept beyond an edge: what most of it is, as corners have other widths. [cm] */
+function withAllowance(run: Run, cut: readonly Point[] | undefined): DraftedEdge {
+  const edge = edgeOf(run);
+  if (!cut) return edge;
+  const line = tracedRun(run, traceTolerance);
+  const widths = Array.from({length: 15}, (_, k) => atShare(line, (k + 0.5) / 15).at)
+    .map((at) => nearestOn(cut, at, true).off)
+    .sort((a, b) => a - b);
+  return {...edge, allowance: {width: Number((widths[7] ?? 0).toFixed(3))}};
+}
+
+/** Each on the edge that it is nearest to, if that is near. */
+function notchesOf({notches}: DrawnPiece, runs: readonly Run[]): DraftedNotch[] {
+  const lines = runs.map((run) => measured(tracedRun(run, traceTolerance)));
+  return notches.flatMap(({at}): DraftedNotch[] => {
+    const [best] = lines
+      .map((line, edge) => ({edge, ...onLine(line, at)}))
+      .sort((a, b) => a.off - b.off);
+    return best && best.off <= notchReach ? [{edge: best.edge, at: best.share}] : [];
+  });
+}
+
+interface Measured {
+  readonly points: readonly Point[];
+  /** From the start to each point. */
+  readonly lengths: readonly number[];
+}
+
+function measured(points: readonly Point[]): Measured {
+  let length = 0;
+  return {
+    points,
+    lengths: points.map(([x, y], k) => {
+      const [px, py] = points[k - 1] ?? [x, y];
+      return (length += Math.hypot(x - px, y - py));
+    }),
+  };
+}
+
+function onLine(
+  {points, lengths}: Measured,
+  point: Point,
+): {readonly off: number; readonly share: number} {
+  const {at, off, step} = nearestOn(points, point, false);
+  const [x, y] = points[step] ?? at;
+  const length = (lengths[step] ?? 0) + Math.hypot(at[0] - x, at[1] - y);
+  return {off, share: length / (lengths.at(-1) ?? 1)};
+}
+
+const mirror = ([x, y]: Point): Point => [0 - x, y];
+
+/** The piece with x the other way round: its outline is turned, to run counter-clockwise again. */
+function mirrorImage(piece: GarmentPiece, name: string): GarmentPiece {
+  const {outline, holes, internalLines, cutLine, notches = [], grain, drillHoles} = piece;
+  const loop = (edges: readonly DraftedEdge[]): DraftedEdge[] =>
+    edges
+      .map((edge) => ({...edge, points: edge.points.map(mirror).reverse() as [Point, Point]}))
+      .reverse();
+  const last = outline.length - 1;
+  return {
+    ...piece,
+    name,
+    outline: loop(outline),
+    holes: holes.map(loop),
+    internalLines: internalLines.map((line) => line.map(mirror)),
+    ...(cutLine && {cutLine: cutLine.map(mirror)}),
+    notches: notches.map(({edge, at}) => ({edge: last - edge, at: 1 - at})),
+    ...(drillHoles && {drillHoles: drillHoles.map(mirror)}),
+    ...(grain?.line && {grain: {...grain, line: [mirror(grain.line[0]), mirror(grain.line[1])]}}),
+  };
+}

@@ -1,0 +1,265 @@
+/** Patterns of other programs as garments, and what was found in them. */
+import {drawingLimit, readDrawing} from '../formats/read-drawing.js';
+import {
+  defaultChoices,
+  drawnPieceInCm,
+  garmentOf,
+  type DefaultChoices,
+} from '../formats/to-garment.js';
+import {cmPer, isPossible} from '../formats/base/units.js';
+import type {Drawing} from '../model/drawing.js';
+import {edgeLine} from '../model/edge-curve.js';
+import {
+  unitsInMetre,
+  type EdgeOfPiece,
+  type FileUnit,
+  type GarmentDocument,
+  type GarmentPiece,
+} from '../model/garment-document.js';
+import {garmentFile} from '../model/garment-file.js';
+import {inUnit} from '../model/garment-units.js';
+import {angleOf, degrees, minus, type Point} from '../model/geometry.js';
+import {boxOf, signedArea} from '../model/polyline.js';
+import {fieldOf} from '../model/read.js';
+import {FileError} from '../model/versioned-file.js';
+import {textOf} from './files.js';
+
+export {drawingLimit};
+
+/** Steps per curve by which a piece is measured: areas to 0.1 cm2. */
+const areaSteps = 128;
+
+export interface ImportOptions {
+  /** What messages call the file. */
+  readonly name?: string;
+  /** In which unit it is, whatever it says. */
+  readonly units?: FileUnit;
+  /** Of a nest of sizes; by default the one that the others were graded from. */
+  readonly size?: string;
+  /**
+   * Where seams come from: suggested where the file has none, the default; the file alone; or none at all.
+   */
+  readonly seams?: 'suggest' | 'file' | 'none';
+}
+
+export interface ImportedPiece {
+  readonly name: string;
+  readonly widthCm: number;
+  readonly heightCm: number;
+  readonly areaCm2: number;
+  /** How many are cut, mirror images too. */
+  readonly quantity: number;
+  readonly notches: number;
+  /** Of the grain line, counter-clockwise from the x axis; null without one. */
+  readonly grainDeg: number | null;
+  /** Whether the file draws half of it, up to a fold. */
+  readonly fold: boolean;
+  /** Whether the file draws where it is sewn, and where it is cut. */
+  readonly sewLine: boolean;
+  readonly cutLine: boolean;
+  /** False of what is left out: notes say why. */
+  readonly taken: boolean;
+}
+
+/** Part of an outline, from point to point in the order of sewing. [cm] */
+export interface ImportedSide {
+  readonly piece: string;
+  readonly from: Point;
+  readonly to: Point;
+}
+
+export interface ImportedSeam {
+  readonly a: ImportedSide;
+  readonly b: ImportedSide;
+  /** Whether the start of one edge meets the end of the other. */
+  readonly reversed: boolean;
+  /** How likely it is; 1 as the file has it. */
+  readonly score: number;
+}
+
+export interface ImportReport {
+  readonly pieces: readonly ImportedPiece[];
+  readonly sizes: readonly string[];
+  readonly size: string | null;
+  readonly units: {readonly used: string; readonly from: 'file' | 'flag' | 'guess'};
+  readonly seams: readonly ImportedSeam[];
+  /** One sentence each, of what was assumed or left out. */
+  readonly notes: readonly string[];
+}
+
+export interface ImportedGarment {
+  /** The text of a seamwise-garment/1 file. */
+  readonly garment: string;
+  readonly report: ImportReport;
+}
+
+/** Reads and checks the text of a garment. */
+type ReadGarment = (text: string, name: string) => Promise<GarmentDocument>;
+
+/** @throws as `importGarment` does */
+export async function importWith(
+  readGarment: ReadGarment,
+  bytes: Uint8Array,
+  {name = 'the pattern', units, size, seams = 'suggest'}: ImportOptions,
+): Promise<ImportedGarment> {
+  const isJson = /^\s*\{/.test(textOf(bytes.subarray(0, 64)));
+  const {document, found} = isJson
+    ? await fromGarment(readGarment, textOf(bytes), name, units)
+    : await fromDrawing(readGarment, bytes, name, {
+        ...(units && {units}),
+        ...(size !== undefined && {size}),
+      });
+  const sewn =
+    seams === 'none'
+      ? {...document, seams: []}
+      : seams === 'suggest' && document.seams.length === 0
+        ? await withSuggestions(document)
+        : document;
+  return {
+    garment: garmentFile(sewn),
+    report: {...found, seams: sewn.seams.map((seam) => seamIn(sewn, seam))},
+  };
+}
+
+/** Seams that are as good as certain, marked as suggested. */
+async function withSuggestions(document: GarmentDocument): Promise<GarmentDocument> {
+  const {sureSeams} = await import('../pairing/suggest.js');
+  const seams = sureSeams(document).map(({a, b, p, sameDirection}) => ({
+    ...{a, b, sameDirection, weight: 1, matched: true, suggested: true as const},
+    more: {score: rounded(p)},
+  }));
+  return {...document, seams};
+}
+
+interface Found {
+  readonly document: GarmentDocument;
+  readonly found: Omit<ImportReport, 'seams'>;
+}
+
+async function fromGarment(
+  readGarment: ReadGarment,
+  text: string,
+  name: string,
+  units: FileUnit | undefined,
+): Promise<Found> {
+  const document = await readGarment(text, name);
+  const read = units ? await readGarment(inUnit(text, units), name) : document;
+  const perMetre = fieldOf(fieldOf(JSON.parse(text) as unknown, 'properties'), 'units_in_meter');
+  const [used] = Object.entries(unitsInMetre).find(([, count]) => count === perMetre) ?? ['cm'];
+  return {
+    document: read,
+    found: {
+      pieces: read.pieces.map((piece) => ({...measured(piece), taken: true})),
+      sizes: read.size === undefined ? [] : [read.size],
+      size: read.size ?? null,
+      units: units ? {used: shortly(units), from: 'flag'} : {used: shortly(used), from: 'file'},
+      notes: [],
+    },
+  };
+}
+
+/** As the flag has it. */
+const shortly = (unit: string): string => (unit === 'inch' ? 'in' : unit);
+
+async function fromDrawing(
+  readGarment: ReadGarment,
+  bytes: Uint8Array,
+  name: string,
+  options: {readonly units?: FileUnit; readonly size?: string},
+): Promise<Found> {
+  const drawing = readDrawing(bytes, name, options);
+  const choices = defaultChoices(drawing);
+  const drawn = garmentOf(drawing, choices);
+  const {unit, because} = drawing.unit;
+  const pieces = piecesIn(drawing, choices, drawn);
+  const largest = Math.max(...pieces.map(({widthCm, heightCm}) => Math.max(widthCm, heightCm)));
+  const guess = because === 'size' || !drawing.unit.isSure;
+  if (!options.units && !isPossible(largest)) {
+    throw new FileError(
+      name,
+      `would have a largest piece of ${largest.toPrecision(3)} cm if it is in ${unit}, which nobody could wear; say in which unit it is with --units mm, cm or in.`,
+    );
+  }
+  if (drawn.pieces.length === 0) {
+    throw new FileError(name, `has no piece to print: ${choices.notes.join(' ')}`);
+  }
+  const document = await readGarment(garmentFile(drawn), name);
+  return {
+    document,
+    found: {
+      pieces,
+      sizes: drawing.sizes,
+      size: drawing.size ?? null,
+      units: {used: shortly(unit), from: options.units ? 'flag' : guess ? 'guess' : 'file'},
+      notes: [
+        ...drawing.notes,
+        ...choices.notes,
+        ...(guess && !options.units
+          ? [
+              `The unit is taken to be ${shortly(unit)}, in which the largest piece is ${largest.toFixed(1)} cm long.`,
+            ]
+          : []),
+      ],
+    },
+  };
+}
+
+/** All that are drawn, whether taken or not. */
+function piecesIn(
+  drawing: Drawing,
+  {unit, pieces: choices}: DefaultChoices,
+  {pieces, symmetries}: GarmentDocument,
+): ImportedPiece[] {
+  const folded = new Set(symmetries.flatMap((one) => (one.kind === 'piece' ? [one.piece] : [])));
+  let next = 0;
+  return drawing.pieces.map((drawn, k): ImportedPiece => {
+    const {take, cut} = choices[k] ?? {take: false, cut: 'once'};
+    const own = take ? pieces[next] : undefined;
+    if (take) next += cut === 'pair' ? 2 : 1;
+    const {asDrawn, mirrored} = drawn.quantity;
+    const isBoth = drawn.cut !== undefined;
+    return {
+      ...measured(own ?? drawnPieceInCm(drawn, cmPer(unit))),
+      quantity: asDrawn + mirrored,
+      fold: own !== undefined && folded.has(own.name),
+      ...{sewLine: isBoth, cutLine: isBoth, taken: take},
+    };
+  });
+}
+
+function measured(piece: GarmentPiece): Omit<ImportedPiece, 'taken'> {
+  const outline = piece.outline.flatMap((edge) => edgeLine(edge, areaSteps).slice(0, -1));
+  const {low, high} = boxOf(outline);
+  const line = piece.grain?.line;
+  return {
+    name: piece.name,
+    widthCm: rounded(high[0] - low[0]),
+    heightCm: rounded(high[1] - low[1]),
+    areaCm2: rounded(Math.abs(signedArea(outline))),
+    quantity: piece.quantity ?? 1,
+    notches: piece.notches?.length ?? 0,
+    grainDeg: line ? rounded(degrees(angleOf(minus(line[1], line[0])))) : null,
+    fold: false,
+    sewLine: piece.sewLine !== undefined,
+    cutLine: piece.cutLine !== undefined,
+  };
+}
+
+const rounded = (value: number): number => Number(value.toFixed(4)) + 0;
+
+function seamIn(
+  {pieces}: GarmentDocument,
+  {a, b, sameDirection, more}: GarmentDocument['seams'][number],
+): ImportedSeam {
+  const side = ({piece, edge}: EdgeOfPiece, isTurned: boolean): ImportedSide => {
+    const {name = '', outline = []} = pieces[piece] ?? {};
+    const points: readonly Point[] = outline[edge]?.points ?? [];
+    const ends = [points[0] ?? [0, 0], points.at(-1) ?? [0, 0]] as const;
+    return {piece: name, from: ends[isTurned ? 1 : 0], to: ends[isTurned ? 0 : 1]};
+  };
+  const score = fieldOf(more, 'score');
+  return {
+    ...{a: side(a, false), b: side(b, !sameDirection), reversed: !sameDirection},
+    score: typeof score === 'number' ? score : 1,
+  };
+}

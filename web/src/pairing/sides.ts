@@ -1,0 +1,95 @@
+/** What a sleeve cap is sewn to: two edges of two pieces that go on at a seam, as both armholes do at the shoulder. */
+import type {EdgeOfPiece, GarmentDocument} from '../model/garment-document.js';
+import {near} from './features.js';
+import {edgeAt, partnersIn, type PairingHooks} from './rank.js';
+import {numberOf, scoresOf, type Scores} from './scores.js';
+
+/** Two edges in the order in which they are sewn, each from its start to its end, and what they may be sewn to. */
+interface SideSuggestion {
+  readonly edge: EdgeOfPiece;
+  readonly side: readonly [EdgeOfPiece, EdgeOfPiece];
+  /** How likely it is, from 0 to 1. */
+  readonly p: number;
+}
+
+/** Seams that are less likely join nothing. */
+const leastJoint = 0.5;
+/** As a share of lengths, and what is left of a half turn where two edges go on: both may be eased. [rad] */
+const width = {length: 0.06, angle: 0.8};
+
+interface Meeting {
+  readonly first: number;
+  readonly second: number;
+  readonly p: number;
+  /** How long the seam is at which they meet. [cm] */
+  readonly length: number;
+}
+
+/** Two edges that meet at both ends, as armholes do, go on over the shorter seam: at the other one a sleeve is closed. */
+const withoutTurned = (meetings: readonly Meeting[]): readonly Meeting[] =>
+  meetings.filter(({first, second, length}) =>
+    meetings.every(
+      (other) => other.first !== second || other.second !== first || other.length >= length,
+    ),
+  );
+
+/** All pairs of free edges that go on over a seam, confirmed or likely. */
+function meetingsIn(scores: Scores, {seams}: GarmentDocument): readonly Meeting[] {
+  const {garment, isFree, likelihoods} = scores;
+  const {edges} = garment;
+  const sewn = seams.flatMap(({a, b, sameDirection}) => {
+    const ends = [numberOf(garment, a), numberOf(garment, b)] as const;
+    return sameDirection ? [] : [ends, [ends[1], ends[0]] as const];
+  });
+  const likely = edges.flatMap((_, a) => {
+    const [best] = partnersIn(scores, a);
+    return best && best.p >= leastJoint ? [[a, best.b] as const] : [];
+  });
+  return [...sewn, ...likely].flatMap(([a, b]): Meeting[] => {
+    const [first, second] = [edges[a]?.before ?? a, edges[b]?.after ?? b];
+    const [one, joint, other] = [edges[first], edges[a], edges[second]];
+    if (isFree[first] !== 1 || isFree[second] !== 1 || !one || !joint || !other) return [];
+    if (one.at.piece === other.at.piece) return [];
+    const isSewn = isFree[a] !== 1;
+    const p = isSewn ? 1 : (likelihoods.values[a * likelihoods.size + b] ?? 0);
+    const {length} = joint;
+    return [
+      {first, second, length, p: p * near(joint.corner + other.corner - Math.PI, width.angle)},
+    ];
+  });
+}
+
+/**
+ * Sides of two edges, each with the edge that it may be sewn to, the likeliest first: for whatever has no likely partner by
+ * itself. Equal ones share what is likely.
+ */
+export function likeliestSides(
+  document: GarmentDocument,
+  {refused = []}: PairingHooks = {},
+): readonly SideSuggestion[] {
+  const scores = scoresOf(document, refused);
+  const {garment, isFree} = scores;
+  const {edges} = garment;
+  const alone = edges.map((_, edge) => 1 - (partnersIn(scores, edge)[0]?.p ?? 0));
+  const meetings = withoutTurned(meetingsIn(scores, document));
+  return edges
+    .flatMap(({at, length}, k) => {
+      if (isFree[k] !== 1) return [];
+      const found = meetings.flatMap(({first, second, p}) => {
+        const [one, other] = [edges[first], edges[second]];
+        if (!one || !other || one.at.piece === at.piece || other.at.piece === at.piece) return [];
+        const ratio = Math.log((one.length + other.length) / length);
+        const free = (alone[k] ?? 0) * (alone[first] ?? 0) * (alone[second] ?? 0);
+        return [{edge: at, first, second, p: p * free * near(ratio, width.length)}];
+      });
+      const total = Math.max(
+        1,
+        found.reduce((sum, {p}) => sum + p, 0),
+      );
+      return found.map(({edge, first, second, p}): SideSuggestion => {
+        const side = [edgeAt(scores, first), edgeAt(scores, second)] as const;
+        return {edge, side, p: p / total};
+      });
+    })
+    .sort((one, other) => other.p - one.p);
+}

@@ -1,0 +1,48 @@
+/** Upright boxes on a sheet, and what reaches into them. Lengths in cm. */
+import {cross, minus, type Point} from '../model/geometry.js';
+import {isInside, type Box} from '../model/polyline.js';
+
+export const boxAt = ([x, y]: Point, width: number, height: number): Box => ({
+  low: [x, y],
+  high: [x + width, y + height],
+});
+
+export const grown = ({low, high}: Box, by: number): Box => ({
+  low: [low[0] - by, low[1] - by],
+  high: [high[0] + by, high[1] + by],
+});
+
+/** What two boxes share; of boxes apart, one whose corners are the wrong way round. */
+export const shared = (a: Box, b: Box): Box => ({
+  low: [Math.max(a.low[0], b.low[0]), Math.max(a.low[1], b.low[1])],
+  high: [Math.min(a.high[0], b.high[0]), Math.min(a.high[1], b.high[1])],
+});
+
+export function overlap(a: Box, b: Box): boolean {
+  const {low, high} = shared(a, b);
+  return low[0] < high[0] && low[1] < high[1];
+}
+
+export const cornersOf = ({low, high}: Box): readonly [Point, Point, Point, Point] => [
+  low,
+  [high[0], low[1]],
+  high,
+  [low[0], high[1]],
+];
+
+/** Whether a straight line has a point in a box. */
+function enters(from: Point, to: Point, box: Box): boolean {
+  const {low, high} = box;
+  const isBeside = ([0, 1] as const).some(
+    (axis) =>
+      Math.max(from[axis], to[axis]) < low[axis] || Math.min(from[axis], to[axis]) > high[axis],
+  );
+  if (isBeside) return false;
+  const sides = cornersOf(box).map((corner) => cross(minus(to, from), minus(corner, from)));
+  return Math.min(...sides) <= 0 && Math.max(...sides) >= 0;
+}
+
+/** Whether what lies within closed lines, the outline and its holes, reaches into a box. */
+export const reachesInto = (loops: readonly (readonly Point[])[], box: Box): boolean =>
+  loops.some((loop) => loop.some((p, k) => enters(p, loop[(k + 1) % loop.length] ?? p, box))) ||
+  loops.filter((loop) => isInside(loop, box.low)).length % 2 === 1;

@@ -1,0 +1,150 @@
+/**
+ * The print under pieces, cell by cell. PDF has patterns for this, but readers draw those up to 12 mm off where they are
+ * turned. Each cell runs on a little beyond its edges, so that no hairline shows between two. Lengths in cm.
+ */
+import type {LaidPiece} from '../cutting/cut-sheet.js';
+import {
+  coordinates,
+  combined,
+  norm,
+  onPiece,
+  onPrint,
+  unit,
+  towards,
+  type Alignment,
+  type Point,
+} from '../model/geometry.js';
+import {boxOf, type Box} from '../model/polyline.js';
+import type {Print} from '../model/print.js';
+import {imageCell} from '../model/wallpaper.js';
+import {boxAt, cornersOf, grown, overlap, shared} from './boxes.js';
+import {line, num, nums, scoped, through} from './pdf-content.js';
+import type {PdfResources} from './pdf-resources.js';
+import type {PdfImage} from './raster-tile.js';
+import type {Size} from './vector-cell.js';
+
+export interface Cell {
+  /** Of what a form shows, on the print. */
+  readonly sides: readonly [Point, Point];
+  /** Each is drawn for all cells before the next. */
+  readonly passes: readonly {readonly form: string; readonly opacity: number}[];
+}
+
+/** A picture of pixels is first drawn larger by this on every side. */
+const leastReach = 0.02;
+/** Cells with shorter sides are drawn several at once. */
+const blockSide = 5;
+
+/** Sides of the print's cell, and the map from a form's upright box to the slanted cell. */
+function sheared(print: Print): {readonly size: Size; readonly matrix: string} {
+  const sides = imageCell(print);
+  const [[ax, ay], [bx, by]] = [unit(sides[0]), unit(sides[1])];
+  return {
+    size: [norm(sides[0]), norm(sides[1])],
+    matrix: `/Matrix[${[ax, ay, bx, by].map((value) => num(value, 8)).join(' ')} 0 0]`,
+  };
+}
+
+const bounds = ({low, high}: Box): string => `/BBox[${nums(...low, ...high)}]`;
+
+/** Small cells as blocks of several. */
+function inBlocks(resources: PdfResources, print: Print, cell: Cell, reach: number): Cell {
+  const [a, b] = cell.sides;
+  const counts = [a, b].map((side) => Math.max(1, Math.round(blockSide / norm(side))));
+  const [across = 1, up = 1] = counts;
+  if (across * up === 1) return cell;
+  const points = [0, across].flatMap((i) => [0, up].map((j) => combined(imageCell(print), i, j)));
+  const passes = cell.passes.map(({form, opacity}) => {
+    const cells = Array.from({length: across * up}, (_, k) =>
+      placed(form, combined([a, b], k % across, Math.floor(k / across))),
+    );
+    return {
+      opacity,
+      form: resources.form(bounds(grown(boxOf(points), 3 * reach)), cells.join('\n')),
+    };
+  });
+  return {sides: [combined([a, b], across, 0), combined([a, b], 0, up)], passes};
+}
+
+const placed = (form: string, at: Point): string => `q 1 0 0 1 ${nums(...at)} cm /${form} Do Q`;
+
+/** @param drawn by the sizes of the cell's sides, each to be seen through at its opacity */
+export function vectorCell(
+  resources: PdfResources,
+  print: Print,
+  drawn: (
+    size: Size,
+  ) => readonly {readonly content: string; readonly reach: number; readonly opacity: number}[],
+): Cell {
+  const {size, matrix} = sheared(print);
+  const groups = drawn(size);
+  const passes = groups.map(({content, reach, opacity}) => {
+    const more = `${bounds(grown(boxAt([0, 0], ...size), reach))}${matrix}`;
+    return {opacity, form: resources.form(more, content)};
+  });
+  const reach = Math.max(0, ...groups.map((one) => one.reach));
+  return inBlocks(resources, print, {sides: imageCell(print), passes}, reach);
+}
+
+/** The picture a little larger first, so that the paper does not show where two of true size meet. */
+export function rasterCell(resources: PdfResources, print: Print, image: PdfImage): Cell {
+  const {size, matrix} = sheared(print);
+  const name = resources.image(image);
+  const [w, h] = size;
+  const passes = [leastReach, 0].map((reach) => {
+    const drawn = scoped(
+      `${nums(w + 2 * reach, 0, 0, h + 2 * reach, -reach, -reach)} cm`,
+      `/${name} Do`,
+    );
+    const more = `${bounds(grown(boxAt([0, 0], ...size), 2 * leastReach))}${matrix}`;
+    return {opacity: 1, form: resources.form(more, drawn)};
+  });
+  return inBlocks(resources, print, {sides: imageCell(print), passes}, 2 * leastReach);
+}
+
+/** Where print points lie on the sheet: first on the piece, then with it. */
+const onSheet = (place: Alignment, alignment: Alignment): Alignment => ({
+  angle: place.angle + alignment.angle,
+  translation: onPiece(place, alignment.translation),
+});
+
+/** Corners of the cells that reach into a box of the sheet, on the print. */
+function cellsIn(lying: Alignment, sides: readonly [Point, Point], seen: Box): readonly Point[] {
+  const corners = cornersOf(seen).map((corner) => coordinates(sides, onPrint(lying, corner)));
+  const {low, high} = boxOf(corners);
+  const cells: Point[] = [];
+  for (let j = Math.floor(low[1]); j <= high[1]; j++) {
+    for (let i = Math.floor(low[0]); i <= high[0]; i++) {
+      const own = [0, 1].flatMap((u) =>
+        [0, 1].map((v) => onPiece(lying, combined(sides, i + u, j + v))),
+      );
+      if (overlap(boxOf(own), seen)) cells.push(combined(sides, i, j));
+    }
+  }
+  return cells;
+}
+
+/** The print within the cut line of a piece, as far as a window of the sheet shows it. */
+export function clothUnder(
+  resources: PdfResources,
+  cell: Cell,
+  {cut, place, alignment}: LaidPiece,
+  window: Box,
+): string {
+  const seen = shared(boxOf(cut[0] ?? []), window);
+  if (!alignment || seen.low[0] >= seen.high[0] || seen.low[1] >= seen.high[1]) return '';
+  const lying = onSheet(place, alignment);
+  const [c, s] = towards(lying.angle);
+  const onto = through({xx: c, xy: -s, yx: s, yy: c, shift: lying.translation});
+  const cells = cellsIn(lying, cell.sides, seen);
+  const passes = cell.passes.map(({form, opacity}) => {
+    const all = scoped(onto, ...cells.map((at) => placed(form, at)));
+    if (opacity === 1) return all;
+    const group = resources.form(
+      `${bounds(seen)}/Group<</S/Transparency/CS/DeviceRGB/I true>>`,
+      all,
+    );
+    return scoped(`/${resources.opacity(opacity)} gs`, `/${group} Do`);
+  });
+  return scoped(cut.map((loop) => line(loop, true)).join('\n'), 'W* n', ...passes);
+}

@@ -1,0 +1,75 @@
+/** The cell of a print for a PDF, of whatever its picture is; what draws that is loaded then. */
+import {norm} from '../model/geometry.js';
+import {FileError} from '../model/versioned-file.js';
+import {imageCell} from '../model/wallpaper.js';
+import type {PrintWithTile} from '../picture/cloth.js';
+import {blobOf} from '../recognition/data-url.js';
+import {rasterCell, vectorCell, type Cell} from './cell.js';
+import type {PdfResources} from './pdf-resources.js';
+
+/** The cell as PNG or JPEG, asked for where its picture is neither, and no simple SVG. Sizes in pixels. */
+export type CellPixels = (
+  width: number,
+  height: number,
+) => Promise<Uint8Array<ArrayBuffer> | undefined>;
+
+/** For whoever draws the cell in pixels. [dots per inch] */
+const drawnDpi = 300;
+/** Fewer show on paper. */
+const leastDpi = 150;
+const inch = 2.54;
+
+/** Where a print has no picture, its cells are outlined. */
+const blank = (width: number, height: number): string =>
+  `<svg viewBox="0 0 ${width} ${height}"><rect width="100%" height="100%" fill="#f1ede3" stroke="#c9c1ae" stroke-width="0.03"/></svg>`;
+
+const svgType = /^data:image\/svg\+xml\b/i;
+
+/** The text of an SVG, or the bytes of any other picture that is at hand. */
+async function contentOf(tile: string): Promise<string | Uint8Array<ArrayBuffer> | undefined> {
+  if (tile.trimStart().startsWith('<')) return tile;
+  if (!tile.startsWith('data:')) return undefined;
+  const blob = blobOf(tile);
+  return svgType.test(tile) ? blob.text() : new Uint8Array(await blob.arrayBuffer());
+}
+
+/** @throws {FileError} where nothing draws the picture */
+export async function clothCell(
+  resources: PdfResources,
+  print: PrintWithTile,
+  pixels: CellPixels | undefined,
+  note: (sentence: string) => void,
+): Promise<Cell> {
+  const [width = 0, height = 0] = imageCell(print).map(norm);
+  const {tile = blank(width, height), image = ''} = print;
+  const called = image === '' || image.startsWith('data:') ? 'The picture of the print' : image;
+  const content = await contentOf(tile);
+  if (typeof content === 'string') {
+    const {vectorTile} = await import('./vector-tile.js');
+    const groups = vectorTile(content, width, height);
+    if (groups) {
+      const {drawnGroup} = await import('./vector-cell.js');
+      return vectorCell(resources, print, (size) =>
+        groups.map(({leaves, opacity}) => ({...drawnGroup(leaves, size), opacity})),
+      );
+    }
+  }
+  const {pdfImage} = await import('./raster-tile.js');
+  const own = content instanceof Uint8Array ? await pdfImage(content, called) : undefined;
+  const dots = (cm: number): number => Math.ceil((cm / inch) * drawnDpi);
+  const drawn = own ? undefined : await pixels?.(dots(width), dots(height));
+  const found = own ?? (drawn && (await pdfImage(drawn, called)));
+  if (!found) {
+    throw new FileError(
+      called,
+      'is none of the pictures that PDF files hold, a PNG, a JPEG or an SVG of simple shapes in plain colours; save it as PNG.',
+    );
+  }
+  const dpi = Math.min(found.width / width, found.height / height) * inch;
+  if (dpi < leastDpi) {
+    note(
+      `${called} has ${Math.round(dpi)} dots per inch at this size, so its pixels will show; ${leastDpi} and more look sharp.`,
+    );
+  }
+  return rasterCell(resources, print, found);
+}

@@ -1,0 +1,37 @@
+/** A sheet of pieces to cut as a file, of whatever kind. */
+import type {CutSheet} from '../cutting/cut-sheet.js';
+import {drawSheetSvg} from '../cutting/draw-sheet-svg.js';
+import {sheetDxf} from '../cutting/out/sheet-dxf.js';
+import {sheetHpgl} from '../cutting/out/sheet-hpgl.js';
+import type {PrintWithTile} from '../picture/cloth.js';
+import {cuttingPdf, type CuttingPdfOptions} from './cutting-pdf.js';
+import {noPaper, paperOf} from './papers.js';
+
+export type CutFileKind = 'pdf' | 'svg' | 'dxf' | 'plt';
+
+interface CutFileOptions extends Omit<CuttingPdfOptions, 'paper'> {
+  readonly file: CutFileKind;
+  /** By its name or its size, as `paperOf` takes it; of PDF alone. */
+  readonly paper: string;
+}
+
+/** What cutters and plotters read has no print. @throws {RangeError} for a paper that is none; {FileError} where the print's picture can be drawn by nobody */
+export async function cutFile(
+  sheet: CutSheet,
+  print: PrintWithTile,
+  {file, paper: word, ...options}: CutFileOptions,
+): Promise<string | Uint8Array<ArrayBuffer>> {
+  switch (file) {
+    case 'svg':
+      return drawSheetSvg(sheet, print, options.mark);
+    case 'dxf':
+      return sheetDxf(sheet, options.date ? {date: options.date} : {});
+    case 'plt':
+      return sheetHpgl(sheet);
+    default: {
+      const paper = paperOf(word);
+      if (!paper) throw new RangeError(noPaper(word));
+      return (await cuttingPdf(sheet, print, {...options, paper})).bytes;
+    }
+  }
+}

@@ -1,0 +1,274 @@
+/** A sheet of pieces to cut as PDF, at true scale, on pages of paper or for a projector. */
+import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
+import {middle, type Point} from '../model/geometry.js';
+import {boxOf, isInside, type Box} from '../model/polyline.js';
+import {packageVersion} from '../model/version.js';
+import type {PrintWithTile} from '../picture/cloth.js';
+import {cornersOf, overlap} from './boxes.js';
+import {clothUnder} from './cell.js';
+import {clothCell, type CellPixels} from './cloth-cell.js';
+import {drawMarks} from './draw-marks.js';
+import {drawFirstPage, roomOf} from './first-page.js';
+import {drawFoot, drawFrame} from './page-frame.js';
+import {dividedAmong, type PageLayout, type SheetPage} from './pages.js';
+import type {Paper} from './papers.js';
+import {
+  filledWith,
+  line,
+  num,
+  nums,
+  onLayer,
+  pointsPerCm,
+  scoped,
+  strokedWith,
+  through,
+} from './pdf-content.js';
+import {dateString, PdfDocument, refTo, textString, type Ref} from './pdf-document.js';
+import {PdfResources} from './pdf-resources.js';
+import {inFontLetters, textAt, widthOf} from './pdf-text.js';
+import {sheetMap, type SheetMap} from './sheet-map.js';
+import {marksOnPages} from './words-on-page.js';
+
+export interface CuttingPdfOptions {
+  readonly paper: Paper;
+  /** The print in its place, or lines alone, to save ink. Default full. */
+  readonly ink?: 'full' | 'outline';
+  /** Words across every page, such as `notAsSold`. */
+  readonly mark?: string;
+  /** Stands on every page. Without it the same sheet gives the same bytes. */
+  readonly date?: Date;
+  readonly pixels?: CellPixels;
+}
+
+export interface CuttingPdf {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly layout: PageLayout;
+  readonly map: SheetMap;
+  /** A sentence each. */
+  readonly notes: readonly string[];
+}
+
+/** How a sheet is divided among pages. Cheap: a page may tell before a file is made. */
+export const pagesOf = (sheet: CutSheet, paper: Paper): PageLayout =>
+  dividedAmong(sheet, paper, (hasMap) => roomOf(sheet, hasMap));
+
+/** Shapes of a sheet that are tried, as width to height. */
+const aspects = [1.4, 0.6, 2.8];
+
+/** The sheet that takes the fewest pages of a paper, then the least paper. */
+export function sheetFor(paper: Paper, lay: (aspect: number) => CutSheet): CutSheet {
+  const tried = (paper.isProjector ? aspects.slice(0, 1) : aspects).map((aspect) => {
+    const sheet = lay(aspect);
+    const {pages, widthCm, heightCm} = pagesOf(sheet, paper);
+    return {sheet, cost: pages.length * 1e6 + widthCm * heightCm};
+  });
+  const least = Math.min(...tried.map(({cost}) => cost));
+  return (tried.find(({cost}) => cost === least) ?? {sheet: lay(aspects[0] ?? 1)}).sheet;
+}
+
+const layerNames = {
+  ...{print: 'Print', cut: 'Cut line', sew: 'Sew line', marks: 'Marks', matches: 'Match points'},
+  ...{words: 'Words', frame: 'Page frame', grid: 'Grid'},
+};
+
+type LayerName = keyof typeof layerNames;
+
+/** What stands in all pages of a file. */
+interface Drawing {
+  readonly sheet: CutSheet;
+  readonly layout: PageLayout;
+  readonly resources: PdfResources;
+  readonly layers: Readonly<Record<LayerName, string>>;
+  readonly marks: readonly (readonly CutMark[])[];
+  readonly cloth: (window: Box) => string;
+  readonly foot: string;
+  readonly mark: string | undefined;
+}
+
+/** On the wall thin lines are lost, and what is sewn is not cut. */
+const projectedMm = 1.5;
+
+const projected = (marks: readonly CutMark[]): readonly CutMark[] =>
+  marks.flatMap((mark): readonly CutMark[] => {
+    if (mark.layer === 'sew') return [];
+    const isCut = mark.kind === 'line' && mark.layer === 'cut';
+    return [isCut ? {...mark, widthMm: projectedMm, haloMm: projectedMm} : mark];
+  });
+
+const gridSide = 5;
+const gridLine = 0.03;
+
+/** Lines that a projector is set up by. */
+function drawnGrid({low, high}: Box): string {
+  const steps = (axis: 0 | 1): number[] => {
+    const first = Math.ceil(low[axis] / gridSide);
+    const count = Math.floor(high[axis] / gridSide) - first + 1;
+    return Array.from({length: count}, (_, k) => (first + k) * gridSide);
+  };
+  const upright = steps(0).map((x) =>
+    line([
+      [x, low[1]],
+      [x, high[1]],
+    ]),
+  );
+  const level = steps(1).map((y) =>
+    line([
+      [low[0], y],
+      [high[0], y],
+    ]),
+  );
+  return scoped(`${nums(gridLine)} w`, strokedWith([0.6, 0.6, 0.6]), ...upright, ...level, 'S');
+}
+
+/** From corner to corner, as large as it goes. */
+function drawnAcross(words: string, {low, high}: Box, resources: PdfResources): string {
+  const [width, height] = [high[0] - low[0], high[1] - low[1]];
+  const size = (0.8 * Math.hypot(width, height)) / widthOf(words, 'bold');
+  return scoped(
+    `/${resources.opacity(0.55)} gs`,
+    filledWith([0.76, 0.15, 0.11]),
+    textAt(middle(low, high), words, {
+      ...{size, weight: 'bold', align: 'middle', angle: Math.atan2(height, width)},
+    }),
+  );
+}
+
+function pageContent(page: SheetPage, number: number, drawing: Drawing): string {
+  const {sheet, layout, resources, layers, marks, cloth, foot, mark} = drawing;
+  const {window, low, name} = page;
+  const {isProjector} = layout.paper;
+  const toPoints = {
+    ...{xx: pointsPerCm, xy: 0, yx: 0, yy: pointsPerCm},
+    shift: [-low[0] * pointsPerCm, -low[1] * pointsPerCm] as const,
+  };
+  const pieces = scoped(
+    `${line(cornersOf(window), true)}\nW n`,
+    onLayer(layers.print, cloth(window)),
+    isProjector ? onLayer(layers.grid, drawnGrid(window)) : '',
+    ...marks.map((some) => drawMarks(some, window, layers, resources)),
+  );
+  const about = [
+    isProjector ? '' : drawFrame(page, layout),
+    isProjector ? '' : drawFoot(page, foot, number, layout.pages.length),
+    number === 1 ? drawFirstPage(sheet, layout) : '',
+  ];
+  return scoped(
+    through(toPoints),
+    name === undefined ? '' : pieces,
+    onLayer(layers[isProjector ? 'words' : 'frame'], ...about),
+    mark === undefined ? '' : drawnAcross(mark, window, resources),
+  );
+}
+
+/** Readers list pieces beside the pages, each with the page that shows its middle, or else some of it. */
+function outlineOf(
+  document: PdfDocument,
+  {pieces}: CutSheet,
+  pages: readonly SheetPage[],
+  refs: readonly Ref[],
+): Ref {
+  const root = document.reserve();
+  const items = pieces.map(() => document.reserve());
+  pieces.forEach(({label, cut}, k) => {
+    const around = boxOf(cut[0] ?? []);
+    const centre: Point = middle(around.low, around.high);
+    const shown = pages.findIndex(({frame}) => isInside(cornersOf(frame), centre));
+    const touched = pages.findIndex(({frame}) => overlap(frame, around));
+    const page = refs[Math.max(0, shown < 0 ? touched : shown)] ?? 0;
+    const [before, next] = [items[k - 1], items[k + 1]];
+    document.set(
+      items[k] ?? 0,
+      [
+        `<</Title ${textString(label)}/Parent ${refTo(root)}/Dest[${refTo(page)}/Fit]`,
+        before === undefined ? '' : `/Prev ${refTo(before)}`,
+        next === undefined ? '' : `/Next ${refTo(next)}`,
+        '>>',
+      ].join(''),
+    );
+  });
+  const [first = 0, last = 0] = [items[0], items.at(-1)];
+  document.set(
+    root,
+    `<</Type/Outlines/First ${refTo(first)}/Last ${refTo(last)}/Count ${items.length}>>`,
+  );
+  return root;
+}
+
+/** Lets others have the thread between pages. */
+const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+/**
+ * The file, and where everything lies in it. `print.tile` is the picture of its cell, as SVG text or `data:` URL.
+ * @throws {FileError} where the picture can be drawn by nobody
+ */
+export async function cuttingPdf(
+  sheet: CutSheet,
+  print: PrintWithTile,
+  {paper, ink = 'full', mark, date, pixels}: CuttingPdfOptions,
+): Promise<CuttingPdf> {
+  const notes: string[] = [];
+  const layout = pagesOf(sheet, paper);
+  const document = new PdfDocument();
+  const resources = new PdfResources(document);
+  const {isProjector = false} = paper;
+  const unused = new Set<LayerName>([
+    ...(isProjector ? (['sew', 'frame'] as const) : (['grid'] as const)),
+    ...(ink === 'full' ? [] : (['print'] as const)),
+  ]);
+  const layers = Object.fromEntries(
+    Object.entries(layerNames).map(([key, name]) => [
+      key,
+      unused.has(key as LayerName) ? '' : resources.layer(name),
+    ]),
+  ) as Record<LayerName, string>;
+  const cell =
+    ink === 'full'
+      ? await clothCell(resources, print, pixels, (sentence) => notes.push(sentence))
+      : undefined;
+  const day = date?.toISOString().slice(0, 10);
+  const words = [sheet.heading, print.title ?? `Print ${print.group}`, ...(day ? [day] : [])];
+  const drawing: Drawing = {
+    ...{sheet, layout, resources, layers, mark},
+    marks: sheet.pieces.map((piece) =>
+      isProjector ? projected(piece.marks) : marksOnPages(piece, layout.pages),
+    ),
+    cloth: (window) =>
+      cell
+        ? sheet.pieces.map((piece) => clothUnder(resources, cell, piece, window)).join('\n')
+        : '',
+    foot: words.filter((word) => word !== '').join('  ·  '),
+  };
+  const tree = document.reserve();
+  const refs: Ref[] = [];
+  const size = [layout.widthCm, layout.heightCm].map((side) => num(side * pointsPerCm)).join(' ');
+  for (const [k, page] of layout.pages.entries()) {
+    const content = document.stream('', pageContent(page, k + 1, drawing));
+    refs.push(
+      document.add(
+        `<</Type/Page/Parent ${refTo(tree)}/MediaBox[0 0 ${size}]/Resources ${refTo(resources.ref)}/Contents ${refTo(content)}>>`,
+      ),
+    );
+    await pause();
+  }
+  resources.finish();
+  document.set(tree, `<</Type/Pages/Count ${refs.length}/Kids[${refs.map(refTo).join(' ')}]>>`);
+  const labels = layout.pages.map(({name = 'Overview'}, k) => `${k}<</P ${textString(name)}>>`);
+  const outline = outlineOf(document, sheet, layout.pages, refs);
+  const catalog = document.add(
+    [
+      `<</Type/Catalog/Pages ${refTo(tree)}/Outlines ${refTo(outline)}/Lang(en)`,
+      `/PageLabels<</Nums[${labels.join('')}]>>/OCProperties ${resources.optionalContent}`,
+      // whoever prints is offered true size first
+      `/ViewerPreferences<</PrintScaling/None/DisplayDocTitle true>>`,
+      `/PageMode/${isProjector ? 'UseOC' : 'UseNone'}>>`,
+    ].join('\n'),
+  );
+  const info = document.add(
+    `<</Title ${textString(sheet.heading)}/Creator ${textString(`Seamwise ${packageVersion}`)}${date ? `/CreationDate ${dateString(date)}` : ''}>>`,
+  );
+  const written = [sheet.heading, ...sheet.pieces.map(({label}) => label)];
+  if (written.some((text) => inFontLetters(text) !== text.normalize('NFC'))) {
+    notes.push('Words with letters that Helvetica has not are written in its own.');
+  }
+  return {bytes: await document.bytes(catalog, info), layout, map: sheetMap(sheet, layout), notes};
+}

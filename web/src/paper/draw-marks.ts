@@ -1,0 +1,134 @@
+/** Lines, marks and words of pieces to cut as content of a page, in cm on the sheet. */
+import type {CutLine, CutMark, CutText} from '../cutting/cut-sheet.js';
+import {plus, rotated, towards, type Point} from '../model/geometry.js';
+import {boxOf, type Box} from '../model/polyline.js';
+import {grown, overlap} from './boxes.js';
+import {filledWith, line, nums, onLayer, scoped, strokedWith, through} from './pdf-content.js';
+import type {PdfResources} from './pdf-resources.js';
+import {textAt, widthOf} from './pdf-text.js';
+
+/** Names in content of the layers that marks have. */
+type MarkLayers = Readonly<Record<CutMark['layer'], string>>;
+
+const mm = 0.1;
+const leading = 1.25;
+/** Light grounds of lines and words: the print shows through a little. */
+const light = 0.85;
+const faint = 0.4;
+
+const white = filledWith([1, 1, 1]);
+
+/** A rectangle with round corners, from its lower left one. */
+function roundBox([x, y]: Point, width: number, height: number, radius: number): string {
+  const k = 0.5523 * radius; // a quarter of a circle as a cubic
+  const [right, top] = [x + width, y + height];
+  const curve = (...values: number[]): string => `${nums(...values)} c`;
+  return [
+    `${nums(x + radius, y)} m ${nums(right - radius, y)} l`,
+    curve(right - radius + k, y, right, y + radius - k, right, y + radius),
+    `${nums(right, top - radius)} l`,
+    curve(right, top - radius + k, right - radius + k, top, right - radius, top),
+    `${nums(x + radius, top)} l`,
+    curve(x + radius - k, top, x, top - radius + k, x, top - radius),
+    `${nums(x, y + radius)} l`,
+    curve(x, y + radius - k, x + radius - k, y, x + radius, y),
+    'h',
+  ].join('\n');
+}
+
+function stroke({points, isClosed}: CutLine, widthMm: number, dashMm: readonly number[]): string {
+  const dash = dashMm.map((part) => part * mm);
+  return `${nums(widthMm * mm)} w [${nums(...dash)}] 0 d\n${line(points, isClosed)}\nS`;
+}
+
+/** The light line beneath, and the line. */
+function drawnLine(mark: CutLine, resources: PdfResources): readonly [string, string] {
+  const {widthMm, haloMm, dashMm = [], isFaint} = mark;
+  const seen = (share: number): string => `/${resources.opacity(share)} gs`;
+  const halo =
+    haloMm === undefined
+      ? ''
+      : scoped(
+          seen(isFaint ? light * faint : light),
+          strokedWith([1, 1, 1]),
+          stroke(mark, widthMm + haloMm, []),
+        );
+  const drawn = stroke(mark, widthMm, dashMm);
+  return [halo, isFaint ? scoped(seen(faint), drawn) : drawn];
+}
+
+interface WordsBox {
+  readonly width: number;
+  readonly height: number;
+}
+
+const weightOf = (k: number): 'bold' | 'regular' => (k === 0 ? 'bold' : 'regular');
+
+function wordsBox({lines, sizeMm}: CutText): WordsBox {
+  const size = sizeMm * mm;
+  const width = Math.max(...lines.map((words, k) => size * widthOf(words, weightOf(k)))) + size;
+  return {width, height: size * (leading * lines.length + 0.4)};
+}
+
+function drawnText(mark: CutText, resources: PdfResources): string {
+  const {at, lines, sizeMm, hasPlate, angle = 0} = mark;
+  const size = sizeMm * mm;
+  const {width, height} = wordsBox(mark);
+  const [c, s] = towards(angle);
+  return scoped(
+    through({xx: c, xy: -s, yx: s, yy: c, shift: at}),
+    hasPlate
+      ? scoped(
+          `/${resources.opacity(light)} gs`,
+          white,
+          roundBox([-width / 2, -height / 2], width, height, size / 3),
+          'f',
+        )
+      : '',
+    ...lines.map((words, k) => {
+      const y = size * (leading * ((lines.length - 1) / 2 - k) - 0.35);
+      return textAt([0, y], words, {size, weight: weightOf(k), align: 'middle'});
+    }),
+  );
+}
+
+/** What a mark may cover. */
+export function boxOfMark(mark: CutMark): Box {
+  if (mark.kind === 'line') {
+    return grown(boxOf(mark.points), (mark.widthMm + (mark.haloMm ?? 0)) * mm);
+  }
+  const {width, height} = wordsBox(mark);
+  const corners = [-1, 1].flatMap((i) =>
+    [-1, 1].map((j) =>
+      plus(mark.at, rotated([(i * width) / 2, (j * height) / 2], mark.angle ?? 0)),
+    ),
+  );
+  return boxOf(corners);
+}
+
+/** Those of some marks that a window shows. Lines that follow each other lie on the light ground of all of them. */
+export function drawMarks(
+  marks: readonly CutMark[],
+  window: Box,
+  layers: MarkLayers,
+  resources: PdfResources,
+): string {
+  const shown = marks.filter((mark) => overlap(boxOfMark(mark), window));
+  const drawn: string[] = [];
+  shown.forEach((first, k) => {
+    const before = shown[k - 1];
+    const isRun = first.kind === 'line';
+    if (isRun && before?.kind === 'line' && before.layer === first.layer) return; // drawn with those before
+    const end = shown.findIndex(
+      (mark, n) => n > k && !(isRun && mark.kind === 'line' && mark.layer === first.layer),
+    );
+    const parts = shown
+      .slice(k, end < 0 ? undefined : end)
+      .map((mark) =>
+        mark.kind === 'text' ? ['', drawnText(mark, resources)] : drawnLine(mark, resources),
+      );
+    const [below, above] = [0, 1].map((layer) => parts.map((part) => part[layer] ?? ''));
+    drawn.push(onLayer(layers[first.layer], ...(below ?? []), ...(above ?? [])));
+  });
+  return scoped('1 j 1 J', ...drawn);
+}

@@ -1,0 +1,140 @@
+/** What stands on the first page: words, squares to measure, and which page lies where. Lengths in cm, y up. */
+import type {CutSheet} from '../cutting/cut-sheet.js';
+import {plus, type Point} from '../model/geometry.js';
+import {boxOf, type Box} from '../model/polyline.js';
+import {box, filledWith, line, nums, scoped, strokedWith} from './pdf-content.js';
+import {cornersOf} from './boxes.js';
+import {textAt, widthOf} from './pdf-text.js';
+import type {PageLayout} from './pages.js';
+
+const inch = 2.54;
+const headingSize = 0.6;
+const factSize = 0.34;
+const factLeading = 0.5;
+const gap = 0.5;
+const squareSides = [5, 2 * inch];
+const squareWords = ['5 cm', '2 in'];
+/** The map takes this much at least. */
+const leastMap = 7;
+const mapLine = 0.02;
+/** A page of home printers is then some centimetres large. */
+const mostScale = 0.2;
+
+/** More fits no small page. */
+const mostHeading = 17;
+
+/** A name that is too long for the page ends in an ellipsis. */
+function fitting(heading: string): string {
+  const letters = Array.from(heading);
+  const isWider = (text: string): boolean => headingSize * widthOf(text, 'bold') > mostHeading;
+  if (!isWider(heading)) return heading;
+  let count = letters.length;
+  while (count > 1 && isWider(`${letters.slice(0, count).join('')}…`)) count--;
+  return `${letters.slice(0, count).join('').trimEnd()}…`;
+}
+
+/** A square to measure. */
+interface TestSquare {
+  readonly low: Point;
+  readonly side: number;
+}
+
+/** Without the map: the words, then the squares. */
+const wordsHeight = (facts: readonly string[]): number =>
+  headingSize + gap + factLeading * facts.length;
+
+/** What words and squares take at least, with a map if there are several pages. */
+export function roomOf({heading, facts}: CutSheet, hasMap: boolean): Point {
+  const width = Math.max(
+    squareSides.reduce((sum, side) => sum + side + gap, -gap),
+    headingSize * widthOf(fitting(heading), 'bold'),
+    ...facts.map((fact) => factSize * widthOf(fact)),
+  );
+  const height = wordsHeight(facts) + 2 * gap + Math.max(...squareSides);
+  return [width, height + (hasMap ? gap + leastMap : 0)];
+}
+
+/** From the lower left corner of the block. */
+export const testSquares = ({low}: Box): readonly TestSquare[] =>
+  squareSides.map((side, k) => ({
+    side,
+    low: plus(low, [k * ((squareSides[0] ?? 0) + gap), 0]),
+  }));
+
+function drawnSquares(block: Box): string {
+  return testSquares(block)
+    .map(({low, side}, k) => {
+      const middle = plus(low, [side / 2, side / 2 - 0.15]);
+      return [
+        `${nums(0.03)} w`,
+        box(low, side, side),
+        'S',
+        textAt(middle, squareWords[k] ?? '', {size: 0.5, align: 'middle'}),
+      ].join('\n');
+    })
+    .join('\n');
+}
+
+const grey = strokedWith([0.45, 0.45, 0.45]);
+
+/** Pages with their names over the outlines of the pieces; those left out are crossed. */
+function drawnMap({pieces}: CutSheet, {pages, empty}: PageLayout, room: Box): string {
+  const named = pages.filter(({name}) => name !== undefined);
+  const {low, high} = boxOf([...named.map(({frame}) => frame), ...empty].flatMap(cornersOf));
+  const scale = Math.min(
+    (room.high[0] - room.low[0]) / (high[0] - low[0]),
+    (room.high[1] - room.low[1]) / (high[1] - low[1]),
+    mostScale,
+  );
+  const onMap = ([x, y]: Point): Point => [
+    room.low[0] + (x - low[0]) * scale,
+    room.high[1] - (high[1] - y) * scale,
+  ];
+  const frame = (one: Box): string => `${line(cornersOf(one).map(onMap), true)}\nS`;
+  const crossed = ({low: a, high: b}: Box): string =>
+    [[a, b] as const, [[a[0], b[1]] as const, [b[0], a[1]] as const]]
+      .map((ends) => `${line(ends.map(onMap))}\nS`)
+      .join('\n');
+  return [
+    scoped(
+      `${nums(mapLine)} w`,
+      grey,
+      ...named.map((page) => frame(page.frame)),
+      ...empty.flatMap((one) => [frame(one), crossed(one)]),
+    ),
+    `${nums(1.5 * mapLine)} w`,
+    ...pieces.flatMap(({cut}) => cut.map((loop) => `${line(loop.map(onMap), true)}\nS`)),
+    ...named.map(({name = '', frame: {low: a, high: b}}) => {
+      const size = Math.min(0.4, 0.25 * scale * Math.min(b[0] - a[0], b[1] - a[1]));
+      const at = plus(onMap([a[0], b[1]]), [0.3 * size, -size]);
+      const width = size * widthOf(name, 'bold');
+      // outlines below would strike it through
+      const plate = box(plus(at, [-0.15 * size, -0.15 * size]), width + 0.3 * size, size);
+      return [
+        scoped(filledWith([1, 1, 1]), plate, 'f'),
+        textAt(at, name, {size, weight: 'bold'}),
+      ].join('\n');
+    }),
+  ].join('\n');
+}
+
+/** Words from the top, squares at the bottom, the map in between. */
+export function drawFirstPage(sheet: CutSheet, layout: PageLayout): string {
+  const {block} = layout;
+  const {heading, facts} = sheet;
+  const [left, top] = [block.low[0], block.high[1]];
+  const words = facts.map((fact, k) =>
+    textAt([left, top - headingSize - gap - factLeading * k], fact, {size: factSize}),
+  );
+  const hasMap = layout.pages.filter(({name}) => name !== undefined).length > 1;
+  const room: Box = {
+    low: plus(block.low, [0, Math.max(...squareSides) + gap]),
+    high: plus(block.high, [0, -wordsHeight(facts)]),
+  };
+  return [
+    textAt([left, top - 0.8 * headingSize], fitting(heading), {size: headingSize, weight: 'bold'}),
+    ...words,
+    drawnSquares(block),
+    hasMap ? drawnMap(sheet, layout, room) : '',
+  ].join('\n');
+}

@@ -1,0 +1,228 @@
+/** Which page of a file shows what of a sheet. Lengths in cm, on the sheet, y up. */
+import type {CutSheet} from '../cutting/cut-sheet.js';
+import type {Point} from '../model/geometry.js';
+import {seamLetter} from '../model/letters.js';
+import {boxOf, type Box} from '../model/polyline.js';
+import {boxAt, grown, overlap, reachesInto} from './boxes.js';
+import type {Paper} from './papers.js';
+
+export interface SheetPage {
+  /** Its row as a letter, its column as a number; none of a page that shows nothing of the sheet. */
+  readonly name?: string;
+  readonly row: number;
+  readonly column: number;
+  /** Where its lower left corner lies. */
+  readonly low: Point;
+  /** What is drawn of the sheet. */
+  readonly window: Box;
+  /** Of that, what is not glued below another page. */
+  readonly frame: Box;
+}
+
+/** All pages have one size. */
+export interface PageLayout {
+  readonly paper: Paper;
+  readonly widthCm: number;
+  readonly heightCm: number;
+  readonly columns: number;
+  readonly rows: number;
+  /** In the order in which they are read. */
+  readonly pages: readonly SheetPage[];
+  /** Frames of pages that would be empty, and are left out. */
+  readonly empty: readonly Box[];
+  /** Where on the first page the squares to measure are, and words. */
+  readonly block: Box;
+}
+
+/** Printers reach no further. */
+const usualMargin = 1;
+/** Pages are glued over each other by this. */
+const overlapCm = 1;
+/** Lines on the edge of the sheet are wide. */
+const pad = 0.2;
+const projectorPad = 0.5;
+/** 200 inches, all that readers show, less what rounding takes. */
+const longest = 500;
+/** The block keeps half of this away from all, and tries places this far apart, on large pages fewer. */
+const step = 1;
+const mostTries = 30;
+
+/** A paper turned one way, and how sheets are divided among pages of it. */
+interface Format {
+  readonly width: number;
+  readonly height: number;
+  readonly margin: number;
+  readonly pad: number;
+  /** Pages become longer this way where something needs room. */
+  readonly grows?: 0 | 1;
+}
+
+/** What lies on pages of a format, beginning at a share of the room that is left over. */
+interface Tiling {
+  readonly format: Format;
+  readonly columns: number;
+  readonly rows: number;
+  readonly pages: readonly SheetPage[];
+  readonly empty: readonly Box[];
+}
+
+const shares = [0.5, 0, 1] as const;
+
+/** How many pages lie side by side, and how much room is left. */
+function divided(length: number, page: number): {readonly count: number; readonly left: number} {
+  const count = Math.max(1, Math.ceil((length - overlapCm) / (page - overlapCm) - 1e-9));
+  return {count, left: count * (page - overlapCm) + overlapCm - length};
+}
+
+function tiling(
+  {pieces, widthCm, heightCm}: CutSheet,
+  format: Format,
+  [shareX, shareY]: Point,
+): Tiling {
+  const {margin, pad: around} = format;
+  const [w, h] = [format.width - 2 * margin, format.height - 2 * margin];
+  const across = divided(widthCm + 2 * around, w);
+  const down = divided(heightCm + 2 * around, h);
+  const left = -around - across.left * shareX;
+  const top = heightCm + around + down.left * shareY;
+  const boxes = pieces.map(({cut}) => boxOf(cut[0] ?? []));
+  const pages: SheetPage[] = [];
+  const empty: Box[] = [];
+  for (let row = 0; row < down.count; row++) {
+    for (let column = 0; column < across.count; column++) {
+      const low: Point = [left + column * (w - overlapCm), top - row * (h - overlapCm) - h];
+      const glued = [column < across.count - 1, row < down.count - 1].map((is) =>
+        is ? overlapCm : 0,
+      );
+      const [right = 0, below = 0] = glued;
+      const frame = boxAt([low[0], low[1] + below], w - right, h - below);
+      const isEmpty = pieces.every(
+        ({cut}, k) => !overlap(boxes[k] ?? frame, frame) || !reachesInto(cut, frame),
+      );
+      if (isEmpty) empty.push(frame);
+      else {
+        pages.push({
+          ...{name: `${seamLetter(row)}${column + 1}`, row, column, frame},
+          low: [low[0] - margin, low[1] - margin],
+          window: boxAt(low, w, h),
+        });
+      }
+    }
+  }
+  return {format, columns: across.count, rows: down.count, pages, empty};
+}
+
+/** Both ways to turn the paper. */
+function formatsOf({widthCm, heightCm}: CutSheet, paper: Paper): readonly Format[] {
+  if (paper.isProjector) {
+    const side = (length: number): number => Math.min(longest, length + 2 * projectorPad);
+    const [width, height] = [side(widthCm), side(heightCm)];
+    return [{width, height, margin: 0, pad: projectorPad, grows: 1}];
+  }
+  const margins = {margin: usualMargin, pad};
+  if (paper.heightCm !== undefined) {
+    const [width, height] = [paper.widthCm, paper.heightCm];
+    return [
+      {width, height, ...margins},
+      {width: height, height: width, ...margins},
+    ];
+  }
+  const long = (length: number): number => Math.min(longest, length + 2 * (usualMargin + pad));
+  return [
+    {width: paper.widthCm, height: long(heightCm), ...margins, grows: 1},
+    {width: long(widthCm), height: paper.widthCm, ...margins, grows: 0},
+  ];
+}
+
+const area = ({width, height}: Format): number => width * height;
+
+/** Those with the fewest pages, then the least paper. */
+function best(sheet: CutSheet, formats: readonly Format[]): readonly [Tiling, ...Tiling[]] {
+  const all = formats.flatMap((format) =>
+    shares.flatMap((x) => shares.map((y) => tiling(sheet, format, [x, y]))),
+  );
+  const cost = ({format, pages}: Tiling): number => pages.length * 1e6 + area(format);
+  const least = Math.min(...all.map(cost));
+  return all.filter((one) => cost(one) <= least + 1e-6) as [Tiling, ...Tiling[]];
+}
+
+/** A place on a page that no piece reaches into, from below. */
+function freePlace(
+  {pieces}: CutSheet,
+  {frame}: SheetPage,
+  [width, height]: Point,
+): Box | undefined {
+  const outlines = pieces
+    .map(({cut}) => ({cut, around: boxOf(cut[0] ?? [])}))
+    .filter(({around}) => overlap(around, frame));
+  const {low, high} = grown(frame, -step / 2);
+  const apart = Math.max(step, Math.min(high[0] - low[0], high[1] - low[1]) / mostTries);
+  for (let y = low[1]; y + height <= high[1]; y += apart) {
+    for (let x = low[0]; x + width <= high[0]; x += apart) {
+      const place = boxAt([x, y], width, height);
+      const near = grown(place, step / 2);
+      if (outlines.every(({cut, around}) => !overlap(around, near) || !reachesInto(cut, near))) {
+        return place;
+      }
+    }
+  }
+  return undefined;
+}
+
+/** The first of some tilings whose first page has room. */
+function withRoom(
+  sheet: CutSheet,
+  tilings: readonly Tiling[],
+  room: Point,
+): {readonly tiling: Tiling; readonly block: Box} | undefined {
+  for (const one of tilings) {
+    const [first] = one.pages;
+    const block = first && freePlace(sheet, first, room);
+    if (block) return {tiling: one, block};
+  }
+  return undefined;
+}
+
+/** A page before all others, above the sheet, so that it shows nothing of it. */
+function cover({format, pages}: Tiling, {heightCm}: CutSheet): SheetPage {
+  const {width, height, margin} = format;
+  const left = Math.min(...pages.map(({low}) => low[0]));
+  const low: Point = [
+    left,
+    Math.max(heightCm, ...pages.map(({window}) => window.high[1])) + margin,
+  ];
+  const window = boxAt([low[0] + margin, low[1] + margin], width - 2 * margin, height - 2 * margin);
+  return {row: -1, column: 0, low, window, frame: window};
+}
+
+/**
+ * How a sheet is divided among pages.
+ * @param roomFor width and height of the words and squares on the first page, with or without a map
+ */
+export function dividedAmong(
+  sheet: CutSheet,
+  paper: Paper,
+  roomFor: (hasMap: boolean) => Point,
+): PageLayout {
+  const formats = formatsOf(sheet, paper).map((format) =>
+    paper.isProjector
+      ? {...format, width: Math.max(format.width, roomFor(false)[0] + 2 * step)}
+      : format,
+  );
+  const tilings = best(sheet, formats);
+  const room = roomFor(tilings[0].pages.length > 1);
+  const longer = ({grows, ...format}: Format): readonly Format[] => {
+    if (grows === undefined) return [];
+    const side = grows === 0 ? 'width' : 'height';
+    return [{...format, [side]: Math.min(longest, format[side] + room[grows] + 2 * step)}];
+  };
+  const found =
+    withRoom(sheet, tilings, room) ?? withRoom(sheet, best(sheet, formats.flatMap(longer)), room);
+  const {format, columns, rows, pages, empty} = found?.tiling ?? tilings[0];
+  const before = found ? [] : [cover(tilings[0], sheet)];
+  return {
+    ...{paper, columns, rows, empty, pages: [...before, ...pages]},
+    block: found?.block ?? before[0]?.frame ?? boxAt([0, 0], 0, 0),
+    ...{widthCm: format.width, heightCm: format.height},
+  };
+}

@@ -1,0 +1,37 @@
+/** What stands in content streams: operators with their numbers, in whatever unit the matrix sets. */
+import type {Point} from '../model/geometry.js';
+import type {PlaneMap} from '../model/wallpaper.js';
+
+/** Points to the centimetre. */
+export const pointsPerCm = 72 / 2.54;
+
+/** Four digits of a centimetre are a micrometre, more than any paper holds. */
+export const num = (value: number, digits = 4): string => String(Number(value.toFixed(digits)) + 0);
+
+export const nums = (...values: readonly number[]): string =>
+  values.map((value) => num(value)).join(' ');
+
+/** What follows is drawn through a map. Its linear part is kept finer, since it is multiplied by long ways. */
+export const through = ({xx, xy, yx, yy, shift}: PlaneMap): string =>
+  `${[xx, yx, xy, yy].map((value) => num(value, 8)).join(' ')} ${shift.map((value) => num(value, 5)).join(' ')} cm`;
+
+/** What is inside leaves no trace on what follows. */
+export const scoped = (...parts: readonly string[]): string =>
+  ['q', ...parts.filter((part) => part !== ''), 'Q'].join('\n');
+
+export const line = (points: readonly Point[], isClosed = false): string =>
+  points.map(([x, y], k) => `${nums(x, y)} ${k === 0 ? 'm' : 'l'}`).join('\n') +
+  (isClosed ? '\nh' : '');
+
+export const box = ([x, y]: Point, width: number, height: number): string =>
+  `${nums(x, y, width, height)} re`;
+
+/** What belongs to a layer, by the name that the page's resources give it. */
+export const onLayer = (layer: string, ...parts: readonly string[]): string =>
+  parts.every((part) => part === '') ? '' : [`/OC /${layer} BDC`, ...parts, 'EMC'].join('\n');
+
+/** Red, green and blue, from 0 to 1. */
+export type Colour = readonly [number, number, number];
+
+export const filledWith = (colour: Colour): string => `${nums(...colour)} rg`;
+export const strokedWith = (colour: Colour): string => `${nums(...colour)} RG`;

@@ -1,0 +1,199 @@
+/** The picture of a print's cell as areas and lines: what is simple in an SVG, and all of the prints of this project. */
+import {boxOf, type Box} from '../model/polyline.js';
+import {after, determinant, type PlaneMap} from '../model/wallpaper.js';
+import type {Colour} from './pdf-content.js';
+import {carriedPath, readPath, type SvgPath} from './svg-path.js';
+import {readTags, type SvgElement} from './svg-tags.js';
+import {
+  colourOf,
+  lengthOf,
+  numbersOf,
+  scaled,
+  shapeData,
+  shifted,
+  transformOf,
+} from './svg-values.js';
+
+interface Stroke {
+  readonly colour: Colour;
+  readonly width: number;
+  readonly cap: number;
+  readonly join: number;
+  readonly dash: readonly number[];
+}
+
+/** What is drawn at once. */
+export interface Leaf {
+  readonly path: SvgPath;
+  readonly fill?: Colour;
+  readonly isEvenOdd: boolean;
+  readonly stroke?: Stroke;
+  /** Around it. */
+  readonly box: Box;
+}
+
+/** Leaves that become visible together, as one, through an opacity. */
+interface LeafGroup {
+  readonly opacity: number;
+  readonly leaves: Leaf[];
+}
+
+/** No print of anybody's needs more, and a file that lets them multiply ends here. */
+const mostLeaves = 20_000;
+const deepest = 30;
+
+class Unknown extends Error {
+  override readonly name = 'Unknown';
+}
+
+/** What is said for an element and all within. */
+type Style = ReadonlyMap<string, string>;
+
+const inherited = [
+  ...['fill', 'fill-rule', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-opacity'],
+  ...['stroke-linecap', 'stroke-linejoin', 'stroke-dasharray', 'visibility', 'color'],
+];
+/** Of these no part is drawn in its place. */
+const unseen = new Set(['defs', 'title', 'desc', 'metadata', 'sodipodi:namedview']);
+const containers = new Set(['svg', 'g', 'a']);
+/** Whatever has one of these is for browsers. */
+const beyond = ['clip-path', 'mask', 'filter', 'mix-blend-mode'];
+
+class Reader {
+  readonly groups: LeafGroup[] = [];
+  readonly #named = new Map<string, SvgElement>();
+  readonly #size: readonly [number, number];
+  #count = 0;
+  /** The group that is being filled, whose opacity holds for all of it. */
+  #group: LeafGroup | undefined;
+
+  constructor(root: SvgElement, size: readonly [number, number]) {
+    this.#size = size;
+    this.#collect(root, 0);
+  }
+
+  #collect(element: SvgElement, depth: number): void {
+    if (depth > deepest) throw new Unknown();
+    const id = element.attributes.get('id');
+    if (id !== undefined) this.#named.set(id, element);
+    for (const child of element.children) this.#collect(child, depth + 1);
+  }
+
+  draw(element: SvgElement, above: PlaneMap, outer: Style, depth = 0): void {
+    const {name, attributes} = element;
+    if (unseen.has(name) || attributes.get('display') === 'none') return;
+    if (depth > deepest || beyond.some((key) => (attributes.get(key) ?? 'none') !== 'none')) {
+      throw new Unknown();
+    }
+    const style = new Map(outer);
+    for (const key of inherited) {
+      const said = attributes.get(key);
+      if (said !== undefined && said !== 'inherit') style.set(key, said);
+    }
+    const own = transformOf(attributes.get('transform') ?? '');
+    if (!own) throw new Unknown();
+    const map = after(above, own);
+    this.#through(Number(attributes.get('opacity') ?? 1), () => {
+      if (containers.has(name) && (name !== 'svg' || depth === 0)) {
+        for (const child of element.children) this.draw(child, map, style, depth + 1);
+      } else if (name === 'use') {
+        const target = this.#named.get((attributes.get('href') ?? '').slice(1));
+        if (!target) throw new Unknown();
+        const [x, y] = [lengthOf(attributes.get('x')), lengthOf(attributes.get('y'))];
+        this.draw(target, after(map, shifted(x, y)), style, depth + 1);
+      } else this.#shape(element, map, style);
+    });
+  }
+
+  /** All of one element at one opacity. Within one another they would have to be drawn apart. */
+  #through(opacity: number, draw: () => void): void {
+    if (!(opacity >= 0 && opacity <= 1)) throw new Unknown();
+    if (opacity === 1) {
+      draw();
+      return;
+    }
+    if (this.#group && this.#group.opacity < 1) throw new Unknown();
+    this.#group = {opacity, leaves: []};
+    this.groups.push(this.#group);
+    draw();
+    this.#group = undefined;
+  }
+
+  #shape({name, attributes}: SvgElement, map: PlaneMap, style: Style): void {
+    const data = shapeData(name, (key) => attributes.get(key), this.#size);
+    const path = data === undefined ? undefined : readPath(data);
+    if (!path) throw new Unknown();
+    if (style.get('visibility') === 'hidden') return;
+    const fill = colourOf(style.get('fill') ?? 'black');
+    const drawn = colourOf(style.get('stroke') ?? 'none');
+    if (fill === undefined || drawn === undefined) throw new Unknown();
+    const stroke = drawn && strokeOf(drawn, style, Math.sqrt(Math.abs(determinant(map))));
+    const [filled, lined] = ['fill-opacity', 'stroke-opacity'].map((key) =>
+      Number(style.get(key) ?? 1),
+    );
+    const opacity = fill ? filled : lined;
+    if (fill && stroke && filled !== lined) throw new Unknown();
+    const carried = carriedPath(path, map);
+    this.#through(opacity ?? 1, () => {
+      this.#add({
+        path: carried,
+        isEvenOdd: style.get('fill-rule') === 'evenodd',
+        box: boxAround(carried, stroke ? stroke.width : 0),
+        ...(fill && {fill}),
+        ...(stroke && {stroke}),
+      });
+    });
+  }
+
+  #add(leaf: Leaf): void {
+    if (++this.#count > mostLeaves) throw new Unknown();
+    if (leaf.path.length === 0 || !(leaf.fill || leaf.stroke)) return;
+    if (!this.#group) {
+      this.#group = {opacity: 1, leaves: []};
+      this.groups.push(this.#group);
+    }
+    this.#group.leaves.push(leaf);
+  }
+}
+
+function strokeOf(colour: Colour, style: Style, scale: number): Stroke {
+  const width = lengthOf(style.get('stroke-width') ?? '1') * scale;
+  const dash = numbersOf(style.get('stroke-dasharray') ?? '').map((part) => part * scale);
+  if (!(width >= 0)) throw new Unknown();
+  return {
+    ...{colour, width, dash},
+    cap: Math.max(0, ['butt', 'round', 'square'].indexOf(style.get('stroke-linecap') ?? 'butt')),
+    join: Math.max(0, ['miter', 'round', 'bevel'].indexOf(style.get('stroke-linejoin') ?? 'miter')),
+  };
+}
+
+function boxAround(path: SvgPath, more: number): Box {
+  const {low, high} = boxOf(path.flatMap(({points}) => points));
+  return {low: [low[0] - more, low[1] - more], high: [high[0] + more, high[1] + more]};
+}
+
+/**
+ * The picture stretched over a cell of this size, from its lower left corner, y up; undefined for an SVG that has more than
+ * simple shapes in plain colours. [cm]
+ */
+export function vectorTile(
+  svg: string,
+  width: number,
+  height: number,
+): readonly LeafGroup[] | undefined {
+  const root = readTags(svg);
+  if (!root) return undefined;
+  const [said, across, up] = ['viewBox', 'width', 'height'].map((key) => root.attributes.get(key));
+  const [x = 0, y = 0, w = NaN, h = NaN] =
+    said === undefined ? [0, 0, lengthOf(across), lengthOf(up)] : numbersOf(said);
+  if (!(w > 0 && h > 0)) return undefined;
+  const flipped = after(shifted(0, height), scaled(width / w, -height / h));
+  try {
+    const reader = new Reader(root, [w, h]);
+    reader.draw(root, after(flipped, shifted(-x, -y)), new Map());
+    return reader.groups;
+  } catch (cause) {
+    if (cause instanceof Unknown) return undefined;
+    throw cause;
+  }
+}

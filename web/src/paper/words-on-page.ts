@@ -1,0 +1,75 @@
+/** Words of pieces where they are read whole: within one page, where the piece has room for that. Lengths in cm. */
+import type {CutMark, CutText, LaidPiece} from '../cutting/cut-sheet.js';
+import {distance, middle, type Point} from '../model/geometry.js';
+import {boxOf, isInside, type Box} from '../model/polyline.js';
+import {boxAt, cornersOf, grown, overlap, reachesInto, shared} from './boxes.js';
+import {boxOfMark} from './draw-marks.js';
+import type {SheetPage} from './pages.js';
+
+/** Places are tried this far apart. */
+const step = 0.5;
+/** From the joint, and from other marks. */
+const clear = 0.3;
+
+const within = (inner: Box, outer: Box): boolean =>
+  inner.low[0] >= outer.low[0] &&
+  inner.low[1] >= outer.low[1] &&
+  inner.high[0] <= outer.high[0] &&
+  inner.high[1] <= outer.high[1];
+
+/** Whether a box lies inside the sewn line, and outside of holes. */
+function liesOn(loops: readonly (readonly Point[])[], box: Box): boolean {
+  const [outline = [], ...holes] = loops;
+  const isCrossed = loops.some((loop) => reachesInto([loop], box) && !isInside(loop, box.low));
+  const corners = cornersOf(box);
+  return (
+    !isCrossed &&
+    corners.every((p) => isInside(outline, p)) &&
+    !holes.some((hole) => corners.some((p) => isInside(hole, p)))
+  );
+}
+
+/** The place in a frame that is nearest to where the words are; undefined without room. */
+function placeIn(
+  frame: Box,
+  mark: CutText,
+  {sewn}: LaidPiece,
+  others: readonly Box[],
+): Point | undefined {
+  const {low, high} = boxOfMark(mark);
+  const [width, height] = [high[0] - low[0], high[1] - low[1]];
+  const room = shared(grown(frame, -clear), boxOf(sewn[0] ?? []));
+  let best: Point | undefined;
+  for (let y = room.low[1]; y + height <= room.high[1]; y += step) {
+    for (let x = room.low[0]; x + width <= room.high[0]; x += step) {
+      const box = boxAt([x, y], width, height);
+      const at = middle(box.low, box.high);
+      if (best && distance(at, mark.at) >= distance(best, mark.at)) continue;
+      const near = grown(box, clear);
+      if (others.some((other) => overlap(other, near))) continue;
+      if (liesOn(sewn, box)) best = at;
+    }
+  }
+  return best;
+}
+
+/** The marks of a piece, its words moved off the joints of pages. */
+export function marksOnPages(piece: LaidPiece, pages: readonly SheetPage[]): readonly CutMark[] {
+  const {marks} = piece;
+  return marks.map((mark): CutMark => {
+    if (mark.kind !== 'text' || mark.layer !== 'words') return mark;
+    const box = boxOfMark(mark);
+    const frames = pages.map(({frame}) => frame);
+    if (frames.some((frame) => within(box, frame))) return mark;
+    const others = marks.flatMap((other) =>
+      other.layer === 'cut' || other.layer === 'sew' || other === mark ? [] : [boxOfMark(other)],
+    );
+    const around = boxOf(piece.sewn[0] ?? []);
+    const [nearest] = frames
+      .filter((frame) => overlap(frame, around))
+      .map((frame) => placeIn(frame, mark, piece, others))
+      .filter((at) => at !== undefined)
+      .sort((a, b) => distance(a, mark.at) - distance(b, mark.at));
+    return nearest ? {...mark, at: nearest} : mark;
+  });
+}

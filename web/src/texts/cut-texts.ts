@@ -1,0 +1,16 @@
+/** What is asked before pieces are cut: loaded with what asks it, in one language. */
+import type {CutTexts} from './cut/en.js';
+import type {Language} from './preferences.js';
+
+export type {CutTexts} from './cut/en.js';
+
+const loaders: Readonly<Record<Language, () => Promise<{readonly cutting: CutTexts}>>> = {
+  en: () => import('./cut/en.js'),
+  de: () => import('./cut/de.js'),
+  fr: () => import('./cut/fr.js'),
+  es: () => import('./cut/es.js'),
+  it: () => import('./cut/it.js'),
+};
+
+export const cutTexts = async (language: Language): Promise<CutTexts> =>
+  (await loaders[language]()).cutting;

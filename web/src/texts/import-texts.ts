@@ -1,0 +1,16 @@
+/** What is asked when a drawing is opened: loaded with what asks it, in one language. */
+import type {ImportTexts} from './import/en.js';
+import type {Language} from './preferences.js';
+
+export type {ImportTexts} from './import/en.js';
+
+const loaders: Readonly<Record<Language, () => Promise<{readonly importing: ImportTexts}>>> = {
+  en: () => import('./import/en.js'),
+  de: () => import('./import/de.js'),
+  fr: () => import('./import/fr.js'),
+  es: () => import('./import/es.js'),
+  it: () => import('./import/it.js'),
+};
+
+export const importTexts = async (language: Language): Promise<ImportTexts> =>
+  (await loaders[language]()).importing;

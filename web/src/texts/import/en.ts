@@ -1,0 +1,45 @@
+/** In English: what is asked when a drawing of another program is opened. */
+
+export const importing = {
+  title: (file: string) => `Open ${file}`,
+  reading: (file: string) => `Reading ${file} …`,
+  failed: (message: string) => message,
+  program: (program: string) => `Drawn with ${program}.`,
+  which: (file: string) => `What is ${file}?`,
+  asPattern: 'A sewing pattern',
+  asPatternNote: 'Its lines become pieces to sew.',
+  asPrint: 'A print',
+  asPrintNote: 'The picture is repeated on the cloth.',
+  size: 'Size',
+  sample: (size: string) => `${size} (sample size)`,
+  unit: 'Unit of the file',
+  largest: (length: string) => `Largest piece ${length}`,
+  unitIs: {
+    stated: (unit: string) => `unit ${unit}: the file says so.`,
+    measured: (unit: string) => `unit ${unit}: measured on its scale box.`,
+    size: (unit: string) => `unit ${unit}: guessed from size.`,
+    program: (unit: string) => `unit ${unit}: as its program writes.`,
+    chosen: (unit: string) => `unit ${unit}: chosen.`,
+  },
+  doubtful: 'Please check it.',
+  units: {mm: 'mm', cm: 'cm', inch: 'in', m: 'm'},
+  lines: 'Lines',
+  outerIsCut: 'The outer line is the cut line',
+  outerIsCutNote: 'The inner one is sewn. Without the tick the outer one is.',
+  notes: 'Notes',
+  pieces: 'Pieces',
+  toScale: 'All drawn at one scale',
+  all: 'All',
+  none: 'None',
+  cut: (piece: string) => `How often ${piece} is cut`,
+  once: 'Cut once',
+  pair: 'Cut a pair',
+  extent: (width: string, height: string) => `${width} × ${height}`,
+  half: 'half, on the fold',
+  ruler: (length: string) => `Ruler, ${length}`,
+  taken: (count: number, all: number) =>
+    all === 1 ? `${count} of 1 piece` : `${count} of ${all} pieces`,
+  open: 'Open',
+};
+
+export type ImportTexts = typeof importing;

@@ -1,0 +1,93 @@
+/** En français : l’outil qui coud les bords entre eux. */
+import type {SewTexts} from './en.js';
+
+export const sew: SewTexts = {
+  begin:
+    'Choisissez un bord : cliquez dessus, ou appuyez sur Tab. N va au plus long qui n’est pas cousu.',
+  edges: 'Bords',
+  places: {
+    right: 'Côté droit',
+    upperRight: 'En haut à droite',
+    top: 'Haut',
+    upperLeft: 'En haut à gauche',
+    left: 'Côté gauche',
+    lowerLeft: 'En bas à gauche',
+    bottom: 'Bas',
+    lowerRight: 'En bas à droite',
+  },
+  edge: (place, piece) => `${piece}, ${place}`,
+  run: (count, first) => `${count} bords à partir de ${first}`,
+  both: (one, other) => `${one} avec ${other}`,
+  chosen: (edge, length) => `${edge}, ${length}.`,
+  best: (edge, length) => `Le plus proche : ${edge}, ${length}. 1 le coud.`,
+  bestWith: (more, edge, length) =>
+    `Le plus proche : avec ${more}, à ${edge}, ${length}. 1 le coud.`,
+  noMatch:
+    'Rien ne lui ressemble. Appuyez sur Entrée et choisissez à quoi il est cousu, ou sur H : il reste ouvert. ⇧ ← → réunit des bords.',
+  held: 'Choisissez à quoi il est cousu, ou appuyez sur 1 à 5. ⇧ ← → réunit des bords.',
+  preview: (edge, ease) => `À ${edge}, ${ease}. Entrée coud.`,
+  ease: (length) => `embu ${length}`,
+  noEase: 'même longueur',
+  turned: 'Dans l’autre sens.',
+  sewnTo: (edge, ease) => `Cousu à ${edge}, ${ease}. R inverse le sens, Suppr découd.`,
+  staysOpen: 'Reste ouvert.',
+  count: (sewn, all, open) => `${sewn} bords cousus sur ${all}, ${open} ouverts`,
+  finished: 'Chaque bord est cousu ou reste ouvert.',
+  sure: (count) =>
+    count === 1 ? 'Une couture est presque sûre.' : `${count} coutures sont presque sûres.`,
+  nothingSure: 'Plus rien à proposer.',
+  isSewn: (one, other) => `« ${one} » est-il cousu à « ${other} » ?`,
+  gathered: (share, length) =>
+    `Un côté est plus long de ${share} (${length}). Froncé, sans que l’imprimé doive se raccorder ?`,
+  orJoined: (side) => `Ou est-ce ${side} ?`,
+  refusals: {
+    sewn: 'C’est déjà cousu ; décousez d’abord.',
+    nothing: 'Choisissez d’abord un bord.',
+    noCandidate: 'Il n’y a pas de proposition de ce numéro.',
+    finished: 'Chaque bord est cousu ou reste ouvert.',
+  },
+  touch: {
+    begin: 'Touchez un bord à coudre à un autre.',
+    best: (edge, length) =>
+      `Le plus proche : ${edge}, ${length}. Touchez 1, ou le bord auquel il est cousu.`,
+    bestWith: (more, edge, length) =>
+      `Le plus proche : avec ${more}, à ${edge}, ${length}. Touchez 1, ou le bord auquel il est cousu.`,
+    noMatch: 'Rien ne lui ressemble. Touchez ce à quoi il est cousu, ou « Reste ouvert ».',
+    held: 'Touchez ce à quoi il est cousu, ou un numéro de 1 à 5.',
+    preview: (edge, ease) => `À ${edge}, ${ease}. Touchez-le pour coudre.`,
+    sewnTo: (edge, ease) => `Cousu à ${edge}, ${ease}.`,
+  },
+  suggest: 'Proposer',
+  acceptAll: (count) => `Accepter les ${count}`,
+  yes: 'Oui',
+  no: 'Non',
+  skip: 'Plus tard',
+  sewIt: 'Coudre',
+  turn: 'Inverser',
+  join: 'Réunir avec le bord suivant',
+  split: 'Diviser',
+  open: 'Reste ouvert',
+  notOpen: 'Est cousu',
+  unsew: 'Découdre',
+  next: 'Bord suivant',
+  actions: 'Couture',
+  candidates: 'À quoi il peut être cousu',
+  hold: 'Coudre à …',
+  keys: [
+    ['Tab', 'Bord suivant, avec Maj le précédent'],
+    ['Entrée', 'Retenir un bord, puis le coudre au suivant'],
+    ['1 … 5', 'Coudre à la proposition de ce numéro'],
+    [
+      '⇧ ← →',
+      'Plusieurs bords comme un seul côté, même par-dessus des coutures ; ou cliquer avec Maj',
+    ],
+    ['R', 'Dans l’autre sens'],
+    ['P', 'Diviser au pointeur, à un cran ou au milieu'],
+    ['H', 'Reste ouvert'],
+    ['N', 'Le bord le plus long qui n’est pas cousu'],
+    ['Suppr', 'Découdre'],
+    ['U', 'Annuler'],
+    ['M', 'Réunir le côté plus court avec son bord suivant, sans froncer'],
+    ['Q', 'Propositions, à répondre par Y (oui), N ou S (plus tard) ; A les accepte toutes'],
+  ],
+};
