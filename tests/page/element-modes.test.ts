@@ -62,7 +62,7 @@ it('shows the symmetries that are kept by themselves as kept, and lets go of the
   const remove = panel.getByRole('button', {name: /^Remove/});
   const accept = panel.getByRole('button', {name: /^Accept/});
   await expect.poll(() => remove.count()).toBe(3);
-  expect(await accept.count()).toBe(0);
+  await expect.poll(() => accept.count()).toBe(0);
   await remove.first().click();
   expect(await symmetryOf()).toHaveLength(2);
   await expect.poll(() => accept.count()).toBe(1);
@@ -315,5 +315,5 @@ it('shows the worn garment beside the pieces where a print is placed, and below 
     element.mode = 'preview';
   });
   await expect.poll(() => page.locator('sw-pattern').count()).toBe(0);
-  expect(await page.locator('sw-worn').count()).toBe(1);
+  await expect.poll(() => page.locator('sw-worn').count()).toBe(1);
 });

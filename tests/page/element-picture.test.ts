@@ -78,7 +78,7 @@ it.each(['preview', 'place', 'edit'])(
     });
     expect(isShown).toBe(mode !== 'edit'); // which says it in words
     if (mode === 'edit') await page.getByText('The browser has taken the graphics away').waitFor();
-    expect(await canvas.isVisible()).toBe(false);
+    await expect.poll(() => canvas.isVisible()).toBe(false);
     expect(await run(({state}) => state)).toBe('ready');
     await page.evaluate(() => {
       (globalThis as unknown as {extension: WEBGL_lose_context}).extension.restoreContext();

@@ -183,7 +183,7 @@ it('shows and hides the map of keys from anywhere', async () => {
   const page = await openPage();
   await solved(page);
   const map = page.getByRole('region', {name: 'Keys', exact: true});
-  expect(await map.count()).toBe(0);
+  await expect.poll(() => map.count()).toBe(0);
   await press(page, '?');
   await map.waitFor();
   await press(page, '?');

@@ -43,10 +43,10 @@ it('chooses a print by its name, names it in undo, and takes it back', async () 
   await command(page, 'fabric majol', 'Print: Majolica');
   expect((await designOf(page)).print).toMatchObject({group: 'p4m', title: 'Majolica'});
   const undo = button(page, 'Undo');
-  expect(await undo.getAttribute('title')).toBe('Undo: print, Majolica');
+  await expect.poll(() => undo.getAttribute('title')).toBe('Undo: print, Majolica');
   await command(page, 'undo majolica', 'Undo: print, Majolica');
   expect(await designOf(page)).toEqual(before);
-  expect(await button(page, 'Redo').getAttribute('title')).toBe('Redo: print, Majolica');
+  await expect.poll(() => button(page, 'Redo').getAttribute('title')).toBe('Redo: print, Majolica');
 });
 
 it('says why a print will not do only until the design is another', async () => {
@@ -59,7 +59,7 @@ it('says why a print will not do only until the design is another', async () => 
   await denied.waitFor();
   await page.keyboard.press('Control+k');
   await field(page).fill('meadow');
-  expect(await active(page).getAttribute('aria-disabled')).toBe('true');
+  await expect.poll(() => active(page).getAttribute('aria-disabled')).toBe('true');
   await page.keyboard.press('Escape');
   await page.keyboard.press('Control+z');
   await denied.waitFor({state: 'detached'});
@@ -91,21 +91,23 @@ it('is walked by arrow keys, says how many there are, and why one cannot be carr
   await field(page).fill('turn selected');
   await expect.poll(() => options(page).count()).toBe(1);
   await page.getByText('1 command', {exact: true}).waitFor();
-  expect(await active(page).getAttribute('aria-disabled')).toBe('true');
-  expect(await active(page).textContent()).toContain('select a piece first');
+  await expect.poll(() => active(page).getAttribute('aria-disabled')).toBe('true');
+  await expect.poll(() => active(page).textContent()).toContain('select a piece first');
   await page.keyboard.press('Enter');
-  expect(await field(page).isVisible()).toBe(true);
+  await expect.poll(() => field(page).isVisible()).toBe(true);
   await field(page).fill('');
   await expect.poll(() => options(page).count()).toBeGreaterThan(60);
   const [first, second] = await options(page).allTextContents();
-  expect(await active(page).textContent()).toBe(first);
+  await expect.poll(() => active(page).textContent()).toBe(first);
   await page.keyboard.press('ArrowDown');
-  expect(await active(page).textContent()).toBe(second);
+  await expect.poll(() => active(page).textContent()).toBe(second);
   const id = await field(page).getAttribute('aria-activedescendant');
-  expect(await active(page).getAttribute('id')).toBe(id);
+  await expect.poll(() => active(page).getAttribute('id')).toBe(id);
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press('ArrowUp');
-  expect(await active(page).textContent()).toBe((await options(page).allTextContents()).at(-1));
+  await expect
+    .poll(() => active(page).textContent())
+    .toBe((await options(page).allTextContents()).at(-1));
   await field(page).fill('no such thing');
   await page.getByText('No command has these words.').waitFor();
 });
@@ -115,11 +117,13 @@ it('turns a piece, hands a tool over to the keys of the pattern, and changes the
   await solved(page);
   await command(page, 'rotate back', 'Turn Back by 90°');
   expect((await designOf(page)).options.grain?.pieces).toEqual({back: 'across'});
-  expect(await button(page, 'Undo').first().getAttribute('title')).toBe('Undo: turn Back');
+  await expect
+    .poll(() => button(page, 'Undo').first().getAttribute('title'))
+    .toBe('Undo: turn Back');
   await page.getByRole('status').getByRole('button', {name: 'Undo'}).click();
   await page.getByText('Undone: turn Back.').waitFor();
   await command(page, 'move print', 'Move print');
-  expect(await button(page, 'Move print').getAttribute('aria-pressed')).toBe('true');
+  await expect.poll(() => button(page, 'Move print').getAttribute('aria-pressed')).toBe('true');
   expect(await pattern(page).evaluate((element) => element.matches(':focus'))).toBe(true);
   await command(page, 'deutsch', 'Language: Deutsch');
   await page.getByRole('button', {name: 'Befehle'}).waitFor();
@@ -169,11 +173,11 @@ it('finds the views, and with the garment worn what that can be asked for, with 
   await page.keyboard.press('?');
   const map = page.getByRole('region', {name: 'Keys'});
   await map.getByRole('heading', {name: 'Garment'}).waitFor();
-  expect(await map.getByText('Seen from: Three-quarter').isVisible()).toBe(true);
+  await expect.poll(() => map.getByText('Seen from: Three-quarter').isVisible()).toBe(true);
   await page.keyboard.press('Escape');
   await page.keyboard.press('v');
-  expect(await pattern(page).isVisible()).toBe(true);
-  expect(await garment.isVisible()).toBe(true);
+  await expect.poll(() => pattern(page).isVisible()).toBe(true);
+  await expect.poll(() => garment.isVisible()).toBe(true);
   await page.keyboard.press('v');
-  expect(await worn.count()).toBe(0);
+  await expect.poll(() => worn.count()).toBe(0);
 });

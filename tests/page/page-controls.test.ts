@@ -13,10 +13,10 @@ it('takes several decisions at once for who starts', async () => {
   await button(page, 'Woven shirt').click();
   const {options, method} = await designOf(page);
   expect([options.maxChangeCm, options.grain?.default, method]).toEqual([0.4, 'on', 'best']);
-  expect(await button(page, 'Woven shirt').getAttribute('aria-pressed')).toBe('true');
-  expect(await page.getByLabel(change).inputValue()).toBe('4');
+  await expect.poll(() => button(page, 'Woven shirt').getAttribute('aria-pressed')).toBe('true');
+  await expect.poll(() => page.getByLabel(change).inputValue()).toBe('4');
   await page.getByLabel('Grain for all pieces').selectOption('On the bias');
-  expect(await button(page, 'Woven shirt').getAttribute('aria-pressed')).toBe('false');
+  await expect.poll(() => button(page, 'Woven shirt').getAttribute('aria-pressed')).toBe('false');
   expect((await designOf(page)).options.grain).toEqual({default: 'bias'});
 });
 
@@ -28,20 +28,20 @@ it.each(['-1', '21', ''])('refuses to let pieces change by "%s" mm, and says so'
   await field.fill(typed);
   await field.press('Enter');
   await page.getByText(/Enter a number from 0(\.0)? mm to 20 mm\./).waitFor();
-  expect(await field.getAttribute('aria-invalid')).toBe('true');
+  await expect.poll(() => field.getAttribute('aria-invalid')).toBe('true');
   expect(await designOf(page)).toEqual(before);
   await field.fill('7.5');
   await field.press('Enter');
-  expect(await field.getAttribute('aria-invalid')).toBeNull();
+  await expect.poll(() => field.getAttribute('aria-invalid')).toBeNull();
   expect((await designOf(page)).options.maxChangeCm).toBeCloseTo(0.75, 12);
 });
 
 it('solves only when asked once that is switched off', async () => {
   const page = await openPage({viewport: {width: 640, height: 480}});
   const live = page.getByRole('switch', {name: 'Solve as I go'});
-  expect(await live.getAttribute('aria-checked')).toBe('true');
+  await expect.poll(() => live.getAttribute('aria-checked')).toBe('true');
   await live.press('Space');
-  expect(await live.getAttribute('aria-checked')).toBe('false');
+  await expect.poll(() => live.getAttribute('aria-checked')).toBe('false');
   await page.getByLabel('Continue the print only').check();
   expect((await designOf(page)).options.continuousOnly).toBe(true);
   await page.getByText('Out of date. Align to bring it up to date.').waitFor();
@@ -72,5 +72,5 @@ it('opens its settings within a narrow window, and closes them on Escape', async
   expect(box?.x).toBeGreaterThanOrEqual(0);
   expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(390);
   await page.keyboard.press('Escape');
-  expect(await panel.isVisible()).toBe(false);
+  await expect.poll(() => panel.isVisible()).toBe(false);
 });

@@ -42,7 +42,7 @@ it('tells how many pages a PDF will have, on any paper, and makes as many', asyn
     await caption.filter({hasText: size}).waitFor();
     const told = Number.parseInt((await caption.textContent()) ?? '', 10);
     // a picture of each page, before any is made
-    expect(await dialog.locator('.map .page').count()).toBe(told);
+    await expect.poll(() => dialog.locator('.map .page').count()).toBe(told);
     const pdf = await savedCut(page, 'PDF');
     expect(pdf.startsWith('%PDF-')).toBe(true);
     expect(pagesIn(pdf)).toBe(told);
@@ -93,7 +93,7 @@ it('shows what it will save: waits for the answer, and follows the next one', as
   });
   await dialog.getByText('The answer has changed: this is the new one.').waitFor();
   await caption.filter({hasText: /page/}).waitFor();
-  expect(await save.isDisabled()).toBe(false);
+  await expect.poll(() => save.isDisabled()).toBe(false);
   expect(await drawn.getAttribute('d')).not.toBe(before);
   await page.keyboard.press('Escape');
 
@@ -129,7 +129,7 @@ it('forgets what was changed and not saved', async () => {
   await hem.press('Enter');
   await page.keyboard.press('Escape');
   await page.keyboard.press('Control+Shift+S');
-  expect(await hem.inputValue()).toBe('3');
+  await expect.poll(() => hem.inputValue()).toBe('3');
 });
 
 it('proposes the paper of its user, and remembers what was saved', async () => {

@@ -98,7 +98,7 @@ it('still has its tables where nothing can be drawn', async () => {
   await solved(page);
   for (const name of ['Pieces', 'Seams']) {
     const rows = page.getByRole('table', {name, exact: true}).getByRole('row');
-    expect(await rows.count()).toBeGreaterThan(5);
+    await expect.poll(() => rows.count()).toBeGreaterThan(5);
   }
 });
 
@@ -113,10 +113,10 @@ it('says that what is shown is out of date once a solve is cancelled', async () 
   await cancelled;
   await says(page, /^Cancelled/);
   await page.getByText('The picture is out of date').waitFor();
-  expect(await button(page, 'Cancel').count()).toBe(0);
+  await expect.poll(() => button(page, 'Cancel').count()).toBe(0);
   await button(page, 'Align').click();
   await solved(page);
-  expect(await page.getByText('The picture is out of date').count()).toBe(0);
+  await expect.poll(() => page.getByText('The picture is out of date').count()).toBe(0);
 });
 
 it('waits for Align where nobody wants to solve with every change', async () => {
@@ -127,9 +127,9 @@ it('waits for Align where nobody wants to solve with every change', async () => 
   await says(page, /^Out of date/);
   await page.getByText('The picture is out of date').waitFor();
   await button(page, 'Save …').click();
-  expect(await button(page, 'Save result').isDisabled()).toBe(true);
+  await expect.poll(() => button(page, 'Save result').isDisabled()).toBe(true);
   await page.keyboard.press('Escape');
-  expect(await button(page, 'Cancel').count()).toBe(0);
+  await expect.poll(() => button(page, 'Cancel').count()).toBe(0);
   await button(page, 'Align').click();
   await solved(page);
   await page.getByRole('switch', {name: 'Solve as I go'}).press('Space');

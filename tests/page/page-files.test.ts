@@ -149,7 +149,7 @@ it('says in one sentence why a file cannot be opened, and leaves everything as i
     expect(await designOf(page)).toEqual(before);
   }
   await button(page, 'Dismiss').click();
-  expect(await page.getByRole('alert').count()).toBe(0);
+  await expect.poll(() => page.getByRole('alert').count()).toBe(0);
 });
 
 it('knows a file by its first bytes, whatever it is called and whether or not a type is given', async () => {
@@ -261,7 +261,7 @@ it.each(['-1', '12', ''])(
     await field.fill(typed);
     await page.getByRole('button', {name: 'Save PDF'}).click();
     await page.getByRole('alert').filter({hasText: 'Enter a number from 0 cm to 10 cm.'}).waitFor();
-    expect(await field.inputValue()).toBe(typed);
+    await expect.poll(() => field.inputValue()).toBe(typed);
     await field.fill('2');
     const svg = await savedCut(page, 'SVG');
     expect(svg).toContain('2 cm');

@@ -127,7 +127,9 @@ it('says in one sentence why a drawing cannot be opened, and loses nothing', asy
   await dialog.getByRole('checkbox', {name: 'Sleeve left'}).uncheck();
   await dialog.getByRole('button', {name: 'Open', exact: true}).click();
   await dialog.getByRole('alert').filter({hasText: 'front'}).waitFor();
-  expect(await dialog.getByRole('checkbox', {name: 'Sleeve left'}).isChecked()).toBe(false);
+  await expect
+    .poll(() => dialog.getByRole('checkbox', {name: 'Sleeve left'}).isChecked())
+    .toBe(false);
   expect(await designOf(page)).toEqual(before);
 });
 
@@ -159,7 +161,7 @@ it('reads on until Escape', async () => {
   await page.keyboard.press('Escape');
   await reading.waitFor({state: 'detached'});
   await page.waitForTimeout(4000);
-  expect(await sheet(page).isVisible()).toBe(false);
+  await expect.poll(() => sheet(page).isVisible()).toBe(false);
   expect(await designOf(page)).toEqual(before);
 });
 

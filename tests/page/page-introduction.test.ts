@@ -55,7 +55,7 @@ it('is in the way of nobody: the first key or press shows the answer', async () 
   const other = await openDraft();
   await button(other, 'Move print').click();
   expect(await showsDraft(other)).toBe(false);
-  expect(await button(other, 'Move print').getAttribute('aria-pressed')).toBe('true');
+  await expect.poll(() => button(other, 'Move print').getAttribute('aria-pressed')).toBe('true');
 });
 
 it('shows no draft to who wants no motion', async () => {
@@ -76,7 +76,7 @@ it('gives three hints, one at a time, that move nothing and do not come back', a
   const [below, box] = [(room?.y ?? NaN) + (room?.height ?? NaN), await hint(page).boundingBox()];
   expect(box?.y).toBeGreaterThanOrEqual(below); // no piece lies under it
   for (const words of [/another print/, /before and after/, /Press a seam/]) {
-    expect(await hint(page).textContent()).toMatch(words);
+    await expect.poll(() => hint(page).textContent()).toMatch(words);
     const fits = await hint(page).evaluate(
       (note) => note.scrollHeight <= note.clientHeight && note.scrollWidth <= note.clientWidth,
     );
@@ -85,10 +85,10 @@ it('gives three hints, one at a time, that move nothing and do not come back', a
     await hint(page).getByText(words).waitFor({state: 'hidden'});
     expect(await stage(page)).toEqual(room);
   }
-  expect(await hint(page).count()).toBe(0);
+  await expect.poll(() => hint(page).count()).toBe(0);
   const later = await openPage({beside: page, isFirst: true});
   await solved(later);
-  expect(await hint(later).count()).toBe(0);
+  await expect.poll(() => hint(later).count()).toBe(0);
 });
 
 it('needs no hint for what somebody does by themselves, and remembers the others', async () => {

@@ -58,7 +58,7 @@ it('keeps all steps over a reload', async () => {
     await button(page, 'Undo').click();
     expect(await designOf(page)).toEqual(design);
   }
-  expect(await button(page, 'Undo').isDisabled()).toBe(true);
+  await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
 });
 
 it('keeps what is changed at the very moment of a reload', async () => {

@@ -41,10 +41,10 @@ const falling = (numbers: readonly number[]): number[] => [...numbers].sort((a, 
 it('lists all pieces and all seams, the worst seam first', async () => {
   const page = await opened();
   await solved(page);
-  expect(await rows(page, 'Pieces').count()).toBe(8);
-  expect(await rows(page, 'Seams').count()).toBe(12);
+  await expect.poll(() => rows(page, 'Pieces').count()).toBe(8);
+  await expect.poll(() => rows(page, 'Seams').count()).toBe(12);
   const after = table(page, 'Seams').getByRole('columnheader', {name: 'After'});
-  expect(await after.getAttribute('aria-sort')).toBe('descending');
+  await expect.poll(() => after.getAttribute('aria-sort')).toBe('descending');
   const mismatches = await column(page, 'Seams', 3);
   expect(mismatches).toEqual(falling(mismatches));
 });
@@ -57,7 +57,7 @@ it('sorts by a column, and the other way round when asked again', async () => {
   const lengths = await column(page, 'Seams', 1);
   expect(lengths).toEqual(falling(lengths));
   await header.getByRole('button').click();
-  expect(await header.getAttribute('aria-sort')).toBe('ascending');
+  await expect.poll(() => header.getAttribute('aria-sort')).toBe('ascending');
   expect(await column(page, 'Seams', 1)).toEqual(falling(lengths).reverse());
 });
 
@@ -109,9 +109,9 @@ it('lets a seam match less, or not at all, as one step each', async () => {
   await match.selectOption({label: "Don't match"});
   expect(await options(page)).toMatchObject({unmatched: [2]});
   await button(page, 'Undo').click();
-  expect(await match.inputValue()).toBe('half');
+  await expect.poll(() => match.inputValue()).toBe('half');
   await button(page, 'Undo').click();
-  expect(await match.inputValue()).toBe('full');
+  await expect.poll(() => match.inputValue()).toBe('full');
 });
 
 it('cuts a piece from plain cloth, or on a grain of its own', async () => {
@@ -154,6 +154,6 @@ it('says that a garment without seams has nothing to match', async () => {
   });
   const words = 'No seams yet: sew edges to each other, and the print is matched there.';
   await page.locator('sw-tables').getByText(words).waitFor();
-  expect(await rows(page, 'Pieces').count()).toBe(1);
-  expect(await table(page, 'Seams').isVisible()).toBe(true);
+  await expect.poll(() => rows(page, 'Pieces').count()).toBe(1);
+  await expect.poll(() => table(page, 'Seams').isVisible()).toBe(true);
 });

@@ -118,5 +118,7 @@ it('keeps edges by keys alone', async () => {
   await expect.poll(async () => Object.values((await lockedOf(page)) ?? {}).flat().length).toBe(1);
   expect(await barriers(page)).toEqual([]);
   await page.keyboard.press('Escape');
-  expect(await button(page, 'Keep as drafted').getAttribute('aria-pressed')).toBe('true');
+  await expect
+    .poll(() => button(page, 'Keep as drafted').getAttribute('aria-pressed'))
+    .toBe('true');
 });

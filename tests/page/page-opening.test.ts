@@ -10,7 +10,9 @@ it('shows a sample garment, and its live answer without being asked', async () =
   await page.getByRole('application', {name: 'Pattern'}).waitFor();
   await solved(page);
   const fit = page.getByLabel('How well it meets', {exact: true});
-  expect(await fit.textContent()).toMatch(/Worst [\d.]+ mm: .+\.\s+Before, [\d.]+ mm on average\./);
+  await expect
+    .poll(() => fit.textContent())
+    .toMatch(/Worst [\d.]+ mm: .+\.\s+Before, [\d.]+ mm on average\./);
 });
 
 it('names all that tests and screen readers rely on', async () => {
@@ -32,7 +34,7 @@ it('names all that tests and screen readers rely on', async () => {
     expect(await page.getByRole('table', {name, exact: true}).count(), name).toBe(1);
   for (const name of ['Repeat width (cm)', 'Repeat height (cm)', 'Greatest change (mm)'])
     expect(await page.getByRole('spinbutton', {name, exact: true}).count(), name).toBe(1);
-  expect(await page.getByRole('radiogroup', {name: 'Wallpaper group'}).count()).toBe(1);
+  await expect.poll(() => page.getByRole('radiogroup', {name: 'Wallpaper group'}).count()).toBe(1);
 });
 
 it('cancels within a tenth of a second, and aligns again when asked', async () => {
@@ -81,11 +83,11 @@ it('undoes to the start and redoes to the end, with identical answers', async ()
     await solved(page);
     expect((await saved(page, 'Save result')) === results[k]).toBe(true);
   }
-  expect(await button(page, 'Undo').isDisabled()).toBe(true);
+  await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
   for (const k of [1, 2]) {
     await button(page, 'Redo').click();
     await solved(page);
     expect((await saved(page, 'Save result')) === results[k]).toBe(true);
   }
-  expect(await button(page, 'Redo').isDisabled()).toBe(true);
+  await expect.poll(() => button(page, 'Redo').isDisabled()).toBe(true);
 });

@@ -55,7 +55,7 @@ it('repeats in half-drop, brick or mirrored, with the measures of the picture', 
   const dropped = (await designOf(page)).print;
   expect(dropped).toMatchObject({group: 'p1', cell: 'centred', tile: {repeat: 'halfDrop'}});
   expect(dropped.size.width).toBeCloseTo(2 * straight.size.width, 9);
-  expect(await page.getByLabel('Repeat width (cm)').inputValue()).toBe('6.1');
+  await expect.poll(() => page.getByLabel('Repeat width (cm)').inputValue()).toBe('6.1');
   // the pixels of the picture, each as it was
   const pixels = await page.evaluate(async (url) => {
     const image = new Image();
@@ -80,7 +80,7 @@ it('is not taken while its edges do not meet, and can be mirrored with one click
   await give(page, 'cut.png', pngOf(painted(220, 200, cut)));
   await page.getByText('cut does not repeat as it is. Its edges do not meet.').waitFor();
   const marks = page.getByRole('img', {name: 'cut, with'}).locator('path').first();
-  expect(await marks.getAttribute('d')).toMatch(/^M0 0\.\d+V0\.\d+M1 0/);
+  await expect.poll(() => marks.getAttribute('d')).toMatch(/^M0 0\.\d+V0\.\d+M1 0/);
   expect(await designOf(page)).toEqual(before);
   await button(page, 'Mirror it').click();
   await page.getByText('Your own: cut').waitFor();
@@ -127,7 +127,7 @@ it('is measured by two points, by mouse or by keys', async () => {
   expect(await barriers(page)).toEqual([]);
   await button(page, 'Use this size').click();
   expect((await designOf(page)).print.size.width).toBeCloseTo(20, 0);
-  expect(await page.getByRole('dialog').count()).toBe(0);
+  await expect.poll(() => page.getByRole('dialog').count()).toBe(0);
 });
 
 it('is no print where it is damaged or another kind of file, and the print before stays', async () => {

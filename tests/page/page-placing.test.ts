@@ -212,5 +212,5 @@ it('offers to leave out what the print cannot keep', async () => {
   await button(page, 'Leave out what it cannot keep').click();
   await solved(page);
   expect((await designOf(page)).symmetry).toBe('none');
-  expect(await progress(page).innerText()).toMatch(/^Aligned in/);
+  await expect.poll(() => progress(page).innerText()).toMatch(/^Aligned in/);
 });

@@ -42,7 +42,7 @@ const blot = '<rect x="1" y="1" width="3" height="2" fill="#237"/>';
 it('offers the 17 groups and stripes, which arrow keys walk through', async () => {
   const page = await quietPage();
   const gallery = page.getByRole('radiogroup', {name: 'Wallpaper group'});
-  expect(await gallery.getByRole('radio').count()).toBe(18);
+  await expect.poll(() => gallery.getByRole('radio').count()).toBe(18);
   await page.getByRole('radio', {name: 'p4m, Majolica', checked: true}).focus();
   await page.keyboard.press('ArrowRight');
   await page.getByRole('radio', {name: 'p4g, Bay trellis', checked: true}).waitFor();
@@ -51,30 +51,30 @@ it('offers the 17 groups and stripes, which arrow keys walk through', async () =
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
   await page.getByRole('radio', {name: 'Stripes, Ticking', checked: true}).waitFor();
-  expect(await gallery.getByRole('radio', {checked: true}).count()).toBe(1);
+  await expect.poll(() => gallery.getByRole('radio', {checked: true}).count()).toBe(1);
   expect((await designOf(page)).print).toMatchObject({group: 'pmm', sample: {name: 'ticking'}});
 });
 
 it('names its prints, and shows only those that are looked for', async () => {
   const page = await quietPage();
   const majolica = page.getByRole('radio', {name: 'p4m, Majolica'});
-  expect(await majolica.innerText()).toBe('Majolica');
-  expect(await majolica.getAttribute('title')).toBe('Majolica, p4m');
+  await expect.poll(() => majolica.innerText()).toBe('Majolica');
+  await expect.poll(() => majolica.getAttribute('title')).toBe('Majolica, p4m');
   const radios = page.getByRole('radiogroup', {name: 'Wallpaper group'}).getByRole('radio');
   const tartan = button(page, 'Tartan, p4m');
   await button(page, 'Stripes and checks').click();
-  expect(await radios.allInnerTexts()).toEqual(['Foulard', 'Ticking']);
-  expect(await tartan.isVisible()).toBe(true);
+  await expect.poll(() => radios.allInnerTexts()).toEqual(['Foulard', 'Ticking']);
+  await expect.poll(() => tartan.isVisible()).toBe(true);
   await radios.first().press('ArrowRight');
   await page.getByRole('radio', {name: 'Stripes, Ticking', checked: true}).waitFor();
   await button(page, 'Florals').click();
-  expect(await radios.count()).toBe(9);
-  expect(await tartan.count()).toBe(0);
+  await expect.poll(() => radios.count()).toBe(9);
+  await expect.poll(() => tartan.count()).toBe(0);
   await button(page, 'With mirrors').click();
-  expect(await radios.allInnerTexts()).toContain('Snow crystal');
+  await expect.poll(() => radios.allInnerTexts()).toContain('Snow crystal');
   expect(await radios.allInnerTexts()).not.toContain('Trailing rose');
   await button(page, 'With mirrors').click();
-  expect(await radios.count()).toBe(18);
+  await expect.poll(() => radios.count()).toBe(18);
 });
 
 it('says why a group will not do, and which would', async () => {
@@ -83,7 +83,7 @@ it('says why a group will not do, and which would', async () => {
     (element as SeamwisePage).workbench.change({symmetry: [{kind: 'piece', piece: 'front'}]});
   });
   const greyed = page.locator('[role=radio][aria-disabled=true]');
-  expect(await greyed.count()).toBe(7);
+  await expect.poll(() => greyed.count()).toBe(7);
   await group(page, 'p4').press('Space');
   await page
     .getByText('A piece that is symmetric in itself needs a print with mirrors, and p4 has none.')
@@ -126,9 +126,9 @@ it('refuses a repeat that is too small or too large in one sentence', async () =
   for (const typed of ['0.1', '201']) {
     await enter(page, 'Repeat width (cm)', typed);
     await page.getByText('Enter a number from 0.2 cm to 200 cm.').waitFor();
-    expect(await field.getAttribute('aria-invalid')).toBe('true');
+    await expect.poll(() => field.getAttribute('aria-invalid')).toBe('true');
     await enter(page, 'Repeat width (cm)', '11');
-    expect(await field.getAttribute('aria-invalid')).toBeNull();
+    await expect.poll(() => field.getAttribute('aria-invalid')).toBeNull();
   }
   expect((await designOf(page)).print.size.width).toBe(11);
 });

@@ -48,7 +48,7 @@ it('keeps what is worked on when something else is opened, and goes back to it',
   const before = await designOf(page);
   await drop(page, 'scarf.json');
   expect(await page.title()).toBe('scarf – Seamwise');
-  expect(await button(page, 'Undo').isDisabled()).toBe(true);
+  await expect.poll(() => button(page, 'Undo').isDisabled()).toBe(true);
   await page.getByText('“Asymmetric dress, M” is kept under Projects.').waitFor();
   await button(page, 'Back to it').click();
   await shows(page, 'asymmetric-dress-m.json');
@@ -81,7 +81,7 @@ it('leaves what cannot be read unopened, and everything as it was', async () => 
   await hand(page, 'drop', jsonFile('torn.json', '{"pattern": 1}'));
   await page.getByRole('alert').filter({hasText: 'torn.json'}).waitFor();
   expect(await designOf(page)).toEqual(before);
-  expect(await button(page, 'Undo').isEnabled()).toBe(true);
+  await expect.poll(() => button(page, 'Undo').isEnabled()).toBe(true);
   expect(await cards(await listOf(page))).toEqual(['Asymmetric dress, M']);
 });
 
@@ -238,7 +238,7 @@ it('says that a link is damaged, and leaves everything as it was', async () => {
   });
   await page.getByRole('alert').filter({hasText: 'The link is damaged'}).waitFor();
   expect(await designOf(page)).toEqual(before);
-  expect(await button(page, 'Undo').isEnabled()).toBe(true);
+  await expect.poll(() => button(page, 'Undo').isEnabled()).toBe(true);
   await page.evaluate(() => {
     history.replaceState(null, '', '#design=AAAA');
     location.reload();

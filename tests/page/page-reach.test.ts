@@ -38,7 +38,7 @@ it('shows that a file held over the page would be taken, until it is let go or g
       [type, kind] as const,
     );
   await drag('dragover', 'text');
-  expect(await hint.isVisible()).toBe(false);
+  await expect.poll(() => hint.isVisible()).toBe(false);
   await drag('dragover', 'file');
   await hint.waitFor();
   await drag('dragleave', 'file');
@@ -67,10 +67,10 @@ it.each(['light', 'dark'] as const)('prints the pattern alone, on white (%s)', a
   expect(corner).toEqual([255, 255, 255, 255]);
   expect(shares).toBeGreaterThan(0.2);
   expect(shares).toBeLessThan(0.9);
-  expect(await button(page, 'Open print').isVisible()).toBe(false);
-  expect(await sheet.isVisible()).toBe(true);
+  await expect.poll(() => button(page, 'Open print').isVisible()).toBe(false);
+  await expect.poll(() => sheet.isVisible()).toBe(true);
   await page.evaluate(() => dispatchEvent(new Event('afterprint')));
   await page.emulateMedia({media: 'screen', colorScheme: theme});
-  expect(await sheet.count()).toBe(0);
+  await expect.poll(() => sheet.count()).toBe(0);
   await button(page, 'Open print').waitFor();
 });

@@ -80,11 +80,11 @@ it('is sewn by keys alone, and fits as the one whose seams it had', async () => 
   await solved(page);
   await choose(page, 'Open garment', jsonFile('tee.json', stripped));
   await says(page, /^Choose an edge/);
-  expect(await button(page, 'Sew').getAttribute('aria-pressed')).toBe('true');
+  await expect.poll(() => button(page, 'Sew').getAttribute('aria-pressed')).toBe('true');
   await pattern(page).focus();
   await page.keyboard.press('Tab');
   await says(page, /^Hem of Front, 56 cm/);
-  expect(await pattern(page).getAttribute('aria-activedescendant')).toBe('edge-0-0');
+  await expect.poll(() => pattern(page).getAttribute('aria-activedescendant')).toBe('edge-0-0');
   let present = 0;
   const count: number[] = [];
   for (const [a, b] of stitches) {
@@ -112,7 +112,7 @@ it('is sewn by keys alone, and fits as the one whose seams it had', async () => 
 
   await page.keyboard.press('u');
   expect((await garmentOf(page)).seams.length).toBeLessThan(stitches.length);
-  expect(await button(page, 'Redo').getAttribute('title')).toBe('Redo: seams');
+  await expect.poll(() => button(page, 'Redo').getAttribute('title')).toBe('Redo: seams');
   await page.keyboard.press('Control+Shift+z');
   await expect.poll(async () => seamsOf(await garmentOf(page))).toEqual(wanted);
 

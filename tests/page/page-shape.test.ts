@@ -106,13 +106,17 @@ it('says what the next step back takes back', async () => {
   const page = await openPage();
   await solved(page);
   await button(page, 'Woven shirt').click();
-  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: greatest change');
+  await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: greatest change');
   await page.getByLabel('Turn (degrees)').fill('15');
   await page.getByLabel('Turn (degrees)').press('Enter');
-  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: turn of the print');
+  await expect
+    .poll(() => button(page, 'Undo').getAttribute('title'))
+    .toBe('Undo: turn of the print');
   await button(page, 'Undo').click();
-  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: greatest change');
-  expect(await button(page, 'Redo').getAttribute('title')).toBe('Redo: turn of the print');
+  await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: greatest change');
+  await expect
+    .poll(() => button(page, 'Redo').getAttribute('title'))
+    .toBe('Redo: turn of the print');
 });
 
 const designWith = async (page: Page, group: string): Promise<void> => {
@@ -185,7 +189,7 @@ it('shows nothing but the cloth when asked, and all again', async () => {
   const page = await openPage();
   await solved(page);
   const name = page.locator('sw-pattern .stage span').filter({hasText: /^Front lower$/});
-  expect(await name.isVisible()).toBe(true);
+  await expect.poll(() => name.isVisible()).toBe(true);
   const hasRanks = (): Promise<boolean> =>
     page.locator('sw-pattern .stage span').filter({hasText: /^1$/}).isVisible();
   expect(await hasRanks()).toBe(true);

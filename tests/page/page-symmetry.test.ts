@@ -114,7 +114,9 @@ it('goes one step back with every Escape, and leaves the tool at last', async ()
   await page.keyboard.press('Escape');
   await hint(page, /^Click the first/);
   await page.keyboard.press('Escape');
-  expect(await button(page, 'Symmetric pair').getAttribute('aria-pressed')).toBe('false');
+  await expect
+    .poll(() => button(page, 'Symmetric pair').getAttribute('aria-pressed'))
+    .toBe('false');
 });
 
 it('makes a pair by keyboard alone', async () => {
@@ -132,7 +134,7 @@ it('puts a tool away that a button began, by Escape on that button', async () =>
   await solved(page);
   const tool = page.getByRole('toolbar').getByRole('button', {name: 'Symmetric piece'});
   await tool.click();
-  expect(await tool.getAttribute('aria-pressed')).toBe('true');
+  await expect.poll(() => tool.getAttribute('aria-pressed')).toBe('true');
   await page.keyboard.press('Escape');
   await expect.poll(() => tool.getAttribute('aria-pressed')).toBe('false');
 });

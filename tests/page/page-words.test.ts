@@ -23,5 +23,5 @@ it('says notes on a garment and faults of files in German, around the place in t
   await alert.filter({hasText: /Das ist kein Schnitt.*Auf Englisch: leer\.json has no/}).waitFor();
   await choose(page, 'Schnitt öffnen', jsonFile('ergebnis.json', {format: 'seamwise-result/1'}));
   await alert.filter({hasText: 'ergebnis.json ist ein Ergebnis ohne seinen Entwurf'}).waitFor();
-  expect(await page.getByText(/^In .* ausgerichtet$/).count()).toBe(1);
+  await expect.poll(() => page.getByText(/^In .* ausgerichtet$/).count()).toBe(1);
 });

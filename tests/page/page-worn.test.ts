@@ -25,13 +25,13 @@ it('shows the garment worn in place of the pattern, beside it, and marks in both
   await solved(page);
   const views = page.locator('sw-editor .views');
   const worn = page.locator('sw-worn');
-  expect(await worn.count()).toBe(0);
+  await expect.poll(() => worn.count()).toBe(0);
   await views.getByRole('button', {name: 'Garment'}).click();
   const status = worn.locator('[role=status]');
   await expect.poll(() => status.textContent(), {timeout: 120_000}).toContain('Front view.');
-  expect(await page.locator('sw-pattern').isVisible()).toBe(false);
+  await expect.poll(() => page.locator('sw-pattern').isVisible()).toBe(false);
   await views.getByRole('button', {name: 'Both'}).click();
-  expect(await page.locator('sw-pattern').isVisible()).toBe(true);
+  await expect.poll(() => page.locator('sw-pattern').isVisible()).toBe(true);
   const picked = () =>
     page.evaluate(() => {
       const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
@@ -109,12 +109,12 @@ it('wipes between before and after by a handle that keys move as well, and by a 
   const [left, right] = await halves();
   await worn.getByRole('button', {name: 'Before and after'}).click();
   const handle = worn.getByRole('slider', {name: 'Before and after'});
-  expect(await handle.inputValue()).toBe('50');
+  await expect.poll(() => handle.inputValue()).toBe('50');
   await expect.poll(async () => (await halves())[0], {timeout: 20_000}).not.toBe(left);
   expect((await halves())[1]).toBe(right);
   await handle.focus();
   await page.keyboard.press('ArrowRight');
-  expect(await handle.inputValue()).toBe('51');
+  await expect.poll(() => handle.inputValue()).toBe('51');
   await page.keyboard.press('End');
   await expect.poll(async () => (await halves())[1], {timeout: 20_000}).not.toBe(right);
   await page.mouse.move(stage.x + stage.width - 1, stage.y + stage.height / 2);
@@ -123,11 +123,11 @@ it('wipes between before and after by a handle that keys move as well, and by a 
   await page.mouse.up();
   expect(Number(await handle.inputValue())).toBeLessThan(2);
   await worn.getByRole('button', {name: 'Before and after'}).click();
-  expect(await handle.count()).toBe(0);
+  await expect.poll(() => handle.count()).toBe(0);
   await page.getByRole('application', {name: 'Garment, worn'}).focus();
   await page.keyboard.down('w');
   await handle.waitFor();
-  expect(await handle.inputValue()).toBe('100');
+  await expect.poll(() => handle.inputValue()).toBe('100');
   await page.keyboard.up('w');
   await expect.poll(() => handle.count()).toBe(0);
 });
@@ -135,18 +135,18 @@ it('wipes between before and after by a handle that keys move as well, and by a 
 it('is of a fabric that can be taken back, and that the project keeps', async () => {
   const page = await openWorn();
   const fabric = page.locator('sw-worn').getByLabel('Fabric');
-  expect(await fabric.inputValue()).toBe('poplin');
+  await expect.poll(() => fabric.inputValue()).toBe('poplin');
   await fabric.selectOption('denim');
-  expect(await button(page, 'Undo').getAttribute('title')).toBe('Undo: fabric');
+  await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: fabric');
   expect(JSON.parse(await saved(page, 'Save project'))).toMatchObject({design: {fabric: 'denim'}});
   await solved(page); // no answer depends on it
   await button(page, 'Undo').click();
-  expect(await fabric.inputValue()).toBe('poplin');
+  await expect.poll(() => fabric.inputValue()).toBe('poplin');
   await button(page, 'Redo').click();
   await page.reload();
   await solved(page);
   await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
-  expect(await fabric.inputValue()).toBe('denim');
+  await expect.poll(() => fabric.inputValue()).toBe('denim');
 });
 
 it('gives away a picture of what is seen, a model and a film', async () => {

@@ -74,17 +74,17 @@ it('draws seams green and whole where the print meets, red, wider and broken whe
 it('numbers the worst seams, and nothing where they meet', async () => {
   const page = await openPage();
   await show(page, twoSquares());
-  expect(await page.getByText('1', {exact: true}).count()).toBe(0);
+  await expect.poll(() => page.getByText('1', {exact: true}).count()).toBe(0);
   await realign(page, [
     {angle: 0, translation: [0, 0]},
     {angle: 0, translation: [-4, 0.34]},
   ]);
-  expect(await page.getByText('1', {exact: true}).isVisible()).toBe(true);
+  await expect.poll(() => page.getByText('1', {exact: true}).isVisible()).toBe(true);
   await page.evaluate(() => {
     Viewer.view.setSeams(false);
   });
   await settled(page);
-  expect(await page.getByText('1', {exact: true}).isVisible()).toBe(false);
+  await expect.poll(() => page.getByText('1', {exact: true}).isVisible()).toBe(false);
 });
 
 it('draws outlines as wide at every zoom', async () => {
@@ -141,6 +141,6 @@ it('puts the same letter on both pieces of a pair', async () => {
     twoSquares([{kind: 'pair', pieces: [0, 1], map: {angle: 0, translation: [4, 0]}, pairs: []}]),
   );
   const letters = page.getByText('α', {exact: true});
-  expect(await letters.count()).toBe(2);
-  expect(await letters.first().isVisible()).toBe(true);
+  await expect.poll(() => letters.count()).toBe(2);
+  await expect.poll(() => letters.first().isVisible()).toBe(true);
 });

@@ -209,5 +209,5 @@ it('leaves nothing behind when it is disposed of', async () => {
   await page.evaluate(() => {
     Viewer.view.dispose();
   });
-  expect(await page.locator('main > *').count()).toBe(0);
+  await expect.poll(() => page.locator('main > *').count()).toBe(0);
 });
