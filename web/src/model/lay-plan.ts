@@ -1,0 +1,70 @@
+/** Pieces laid on a bolt of printed cloth, as `seamwise-layplan/1`: x across from the left edge, y along the warp from the cut. [cm] */
+import type {Point} from './geometry.js';
+import type {GroupName} from './print.js';
+
+/** A piece on the cloth, face up. */
+export interface LaidPlacement {
+  /** Which of the results that are laid, and which of several equal garments; both from 0. */
+  readonly result: number;
+  readonly copy: number;
+  readonly piece: string;
+  /** p_cloth = R(angle) p + translation, p a point of the piece's `shape`. [rad, cm] */
+  readonly angle: number;
+  readonly translation: Point;
+  /** The cut line on the cloth, counter-clockwise. */
+  readonly cut: readonly Point[];
+}
+
+/** What a layout takes where the print starts elsewhere, or on other cloth; null where a piece finds no place. */
+export interface PhaseLength {
+  /** Of the print's origin from the left edge. [cm] */
+  readonly phaseCm: number;
+  readonly lengthCm: number | null;
+}
+export interface WidthLength {
+  readonly widthCm: number;
+  readonly lengthCm: number | null;
+}
+
+/** A change of the placing that costs no fit, and what it saves. */
+export interface CheaperLay {
+  readonly kind: 'phase' | 'shift' | 'unmatched';
+  readonly lengthCm: number;
+  /** Of the print under the pieces that move, and which those are. */
+  readonly shift?: Point;
+  readonly pieces?: readonly string[];
+  readonly phaseCm?: number;
+}
+
+export interface LayPlan {
+  readonly format: 'seamwise-layplan/1';
+  readonly print: {readonly group: GroupName; readonly w1: Point; readonly w2: Point};
+  /** Between its edges, and what is of no use along each of them. */
+  readonly widthCm: number;
+  readonly selvedgeCm: number;
+  /** Between pieces. */
+  readonly gapCm: number;
+  readonly allowanceCm: number;
+  readonly lengthCm: number;
+  /** Where an origin of the print lies on the cloth; null for a layout that ignores the print. */
+  readonly printOrigin: Point | null;
+  readonly placements: readonly LaidPlacement[];
+  readonly unplaced: readonly {
+    readonly result: number;
+    readonly copy: number;
+    readonly piece: string;
+  }[];
+  /** Area of the pieces / (width x length). */
+  readonly useShare: number;
+  /** No layout with the print starting here is shorter. */
+  readonly boundCm: number;
+  /** Whether the bound is the length. */
+  readonly proven: boolean;
+  /** Of the same pieces, laid with as much effort without regard to the print; null where nobody asked. */
+  readonly freeLengthCm: number | null;
+  /** By where the print starts, where that was not said; else the one phase. */
+  readonly phases: readonly PhaseLength[];
+  readonly widths: readonly WidthLength[];
+  readonly cheaper: readonly CheaperLay[];
+  readonly notes: readonly string[];
+}
