@@ -85,5 +85,6 @@ Json startsTask(const Json& task);
 Json searchTask(const Json& task);
 Json editTask(const Json& task);
 Json drapeTask(const Json& task);
+Json nestTask(const Json& task);
 
 }  // namespace seamwise::bench

@@ -1,0 +1,26 @@
+// The face to JavaScript of the module that lays pieces on cloth; web/src/solver/module/marker.d.mts
+// describes it. Nothing but plain values crosses.
+#include <emscripten/bind.h>
+
+#include "bindings/marker_handle.h"
+#include "bindings/module_ends.h"
+
+namespace seamwise {
+namespace {
+
+EMSCRIPTEN_BINDINGS(marker) {
+  endWhenMemoryRunsOut();
+  emscripten::class_<MarkerHandle>("Marker")
+      .constructor<const val&>()
+      .function("failure", &MarkerHandle::failure)
+      .function("advance", &MarkerHandle::advance)
+      .function("stage", &MarkerHandle::stage)
+      .function("fraction", &MarkerHandle::fraction)
+      .function("count", &MarkerHandle::count)
+      .function("layout", &MarkerHandle::layout)
+      .function("report", &MarkerHandle::report)
+      .function("freePlaces", &MarkerHandle::freePlaces);
+}
+
+}  // namespace
+}  // namespace seamwise

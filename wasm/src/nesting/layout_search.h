@@ -1,0 +1,87 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/random.h"
+#include "nesting/layout.h"
+
+namespace seamwise {
+
+/// Seeks short layouts on a cloth: pieces are first laid one by one, each as low as it can lie;
+/// then the cloth is cut shorter, and pieces that overlap move, one at a time, to where the weighted
+/// sum of their overlaps with all others is the least of all their places. Weights of pairs that
+/// overlap grow, as in guided local search [Umetani et al. 2009; Gardeyn and Wauters 2025].
+class LayoutSearch {
+ public:
+  LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uint64_t seed);
+
+  const LayCloth& cloth() const { return cloth_; }
+  /// Lays pieces one by one, in the next of some orders, from the next of some heights. True once a
+  /// layout has been found, and false when there are no more orders.
+  bool construct();
+  /// One sweep of moves; false when no shorter layout can be, by the domains alone.
+  bool improve();
+  /// A layout found elsewhere, which may be shorter than the best.
+  void offer(const LaidPieces& layout);
+
+  const std::optional<LaidPieces>& best() const { return best_; }
+  /// An item for which no window has a place, however long; -1 when all have.
+  int homeless() const { return homeless_; }
+  /// Table reads so far.
+  double reads() const { return reads_; }
+
+ private:
+  struct Other {
+    const DifferenceTable* table;
+    Dot dot;
+    float weight;
+  };
+  struct Found {
+    LayPlace place;
+    float score;
+  };
+
+  void setWindow(double bottom, double length);
+  bool begin();
+  void restart();
+  void sweep();
+  std::vector<Other> othersOf(int item, int placed, bool weighted) const;
+  void scoreRow(const std::vector<Other>& others, int j, const DotRun& run);
+  Found leastOverlap(int item);
+  std::optional<LayPlace> lowest(int item);
+  float overlap(int a, int b) const;
+  void place(int item, const LayPlace& place);
+  void reweigh();
+  double total() const;
+  bool layInOrder(const std::vector<int>& order);
+  bool hasPlace(int item) const;
+
+  const PiecesOnBoard& pieces_;
+  LayCloth cloth_;
+  Random random_;
+  int count_;
+  std::vector<std::vector<int>> ways_;  ///< per item, those allowed
+  std::vector<std::vector<DifferenceTable>> flaws_;  ///< per placed shape
+  std::vector<double> beginnings_;
+  std::vector<std::vector<int>> orders_;
+  std::size_t next_ = 0;  ///< pair of an order and a beginning
+  int homeless_ = -1;
+
+  Window window_;
+  std::vector<Domain> domains_;  ///< per placed shape
+  std::vector<LayPlace> places_;
+  std::vector<float> weights_, overlaps_;  ///< of pairs, both ways
+  std::vector<float> flaw_overlaps_;       ///< per item
+  std::vector<float> scores_;              ///< of a row
+
+  std::optional<LaidPieces> best_;
+  double beginning_ = 0;  ///< of the best
+  double shrink_;         ///< of the next target, as a share
+  bool is_under_way_ = false;
+  int idle_ = 0, restarts_ = 0;
+  double least_total_ = 0;
+  double reads_ = 0;
+};
+
+}  // namespace seamwise

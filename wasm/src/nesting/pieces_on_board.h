@@ -1,0 +1,110 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "nesting/board.h"
+#include "nesting/difference_table.h"
+#include "nesting/nesting_problem.h"
+#include "nesting/shape.h"
+
+namespace seamwise {
+
+/// The part of the cloth on which pieces may lie. [cm]
+struct Window {
+  double left = 0, right = 0, bottom = 0, top = 0;
+};
+
+/// Dots at which a shape lies within a window, row by row.
+struct Domain {
+  int first = 0;          ///< row of runs[0]
+  std::vector<DotRun> runs;  ///< per row its columns
+  DotRun rows() const { return {first, first + static_cast<int>(runs.size()) - 1}; }
+  const DotRun& row(int j) const { return runs[j - first]; }
+  bool has(Dot dot) const {
+    return dot.j >= first && dot.j <= rows().hi && dot.i >= row(dot.j).lo && dot.i <= row(dot.j).hi;
+  }
+};
+
+/// A shape with the place of its dot (0, 0): pieces and turns that share both share tables.
+struct PlacedShape {
+  int shape = 0;
+  Vec2 offset = Vec2::Zero();  ///< cm, from the origin of the print
+};
+
+/// One of the turns of the print by which a piece may be laid: p -> linear p + offset + dot.
+struct LayWay {
+  int placed = 0;  ///< index of its PlacedShape
+  Mat2 linear = Mat2::Identity();
+  double angle = 0;
+  Vec2 offset = Vec2::Zero();  ///< cm, from the origin of the print, in full precision
+  bool is_up = true;           ///< the piece's grain line points up the cloth
+  int element = 0;             ///< of the group; they are numbered as the group's elements()
+};
+
+struct LayItem {
+  std::vector<LayWay> ways;
+  int garment = 0;
+  int like = 0;  ///< the first item that has the same ways
+  bool is_pinned = false;
+};
+
+/// All pieces of a problem on a board, with what keeps them apart. Tables are made one by one.
+class PiecesOnBoard {
+ public:
+  PiecesOnBoard(const NestingProblem& problem, bool ignores_print);
+
+  const Board& board() const { return board_; }
+  const std::vector<LayItem>& items() const { return items_; }
+  const Shape& shapeOf(const LayWay& way) const { return shapes_[placed_[way.placed].shape]; }
+  const Shape& shape(int placed) const { return shapes_[placed_[placed].shape]; }
+  int placedCount() const { return static_cast<int>(placed_.size()); }
+  /// The smallest repeat along the warp; none on a board without one. [cm]
+  const std::optional<double>& period() const { return period_; }
+  double area() const { return area_; }
+  /// It has so many columns that layouts on it are sought, not proven.
+  bool isFine() const { return is_fine_; }
+
+  /// Makes the next table; false when there is none left to make.
+  bool makeTable();
+  double made() const;  ///< share of tables, 0 to 1
+
+  /// The dots of the second placed shape, less those of the first, at which they overlap.
+  const DifferenceTable& table(int first, int second) const {
+    return tables_[static_cast<std::size_t>(first) * placed_.size() + second];
+  }
+  /// The dots of a placed shape at which it lies over a flaw, one table for each flaw.
+  std::vector<DifferenceTable> flawTables(int placed, const Vec2& origin) const;
+
+  /// Where the placed shape's origin lies at a dot, with the print's origin there. [cm]
+  Vec2 at(int placed, Dot dot, const Vec2& origin) const {
+    return origin + placed_[placed].offset + board_.shift(dot);
+  }
+  double bottomAt(int placed, Dot dot, const Vec2& origin) const {
+    return at(placed, dot, origin).y() + shape(placed).low.y();
+  }
+  double topAt(int placed, Dot dot, const Vec2& origin) const {
+    return at(placed, dot, origin).y() + shape(placed).high.y();
+  }
+  Domain domain(int placed, const Window& window, const Vec2& origin) const;
+  /// The piece's own coordinates -> cloth, in full precision.
+  RigidMotion place(int item, int way, Dot dot, const Vec2& origin) const;
+
+ private:
+  int addShape(const Polyline& outline, const Mat2& turn);
+  int addPlaced(int shape, const Vec2& offset);
+  void addWays(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
+  void addPin(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
+
+  Board board_;
+  Spacing spacing_;
+  bool ignores_print_ = false, is_fine_ = false;
+  std::optional<double> period_;
+  double area_ = 0;
+  std::vector<Shape> shapes_, flaws_;
+  std::vector<PlacedShape> placed_;
+  std::vector<LayItem> items_;
+  std::vector<DifferenceTable> tables_;
+  std::size_t next_ = 0;  ///< table to be made
+};
+
+}  // namespace seamwise

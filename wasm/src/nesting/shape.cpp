@@ -1,0 +1,91 @@
+#include "nesting/shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "geometry/polygon.h"
+#include "nesting/convex_parts.h"
+
+namespace seamwise {
+namespace {
+
+/// How far outlines may grow: differences this close to touching are looked into exactly on boards
+/// of few dots, and cost length on boards of many. Half of it makes twice the convex parts.
+constexpr double kGrowth = 0.04;  // cm
+/// The same where outlines curve inwards: every corner there makes a convex part.
+constexpr double kInwardGrowth = 0.12;  // cm
+
+struct Corner {
+  Vec2 at;
+  double off = 0;  ///< how far the polygon may have left the given one along the edge that follows
+};
+
+double heightAbove(const Vec2& from, const Vec2& to, const Vec2& p) {
+  const Vec2 along = to - from;
+  return std::abs(cross(along, p - from)) / std::max(along.norm(), 1e-12);
+}
+
+}  // namespace
+
+Vec2 rounded(const Vec2& p) {
+  constexpr double kSteps = 1 << 20;
+  return {std::nearbyint(p.x() * kSteps) / kSteps, std::nearbyint(p.y() * kSteps) / kSteps};
+}
+
+Polyline simplifiedOutwards(const Polyline& polygon, double most, double most_inwards) {
+  std::vector<Corner> left;
+  for (const Vec2& p : polygon) left.push_back({p});
+  bool again = true;
+  while (again && left.size() > 4) {
+    again = false;
+    for (std::size_t k = 0; k < left.size() && left.size() > 4;) {
+      const std::size_t n = left.size();
+      const std::size_t before = (k + n - 1) % n, after = (k + 1) % n, next = (k + 2) % n;
+      const Vec2 &a = left[before].at, &b = left[k].at, &c = left[after].at, &d = left[next].at;
+      if (cross(b - a, c - b) <= 0) {  // points inwards, or lies on the line
+        const double off = heightAbove(a, c, b) + std::max(left[before].off, left[k].off);
+        if (off <= most_inwards) {
+          left[before].off = off;
+          left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
+          again = true;
+          continue;
+        }
+      } else if (const Vec2 u = b - a, v = d - c; cross(c - b, v) > 0 && cross(u, v) > 1e-9) {
+        const Vec2 tip = b + u * (cross(c - b, v) / cross(u, v));
+        const double off =
+            heightAbove(b, c, tip) + std::max({left[before].off, left[k].off, left[after].off});
+        if (off <= most) {
+          left[before].off = left[k].off = off;
+          left[k] = {tip, off};
+          left.erase(left.begin() + static_cast<std::ptrdiff_t>(after));
+          again = true;
+          continue;
+        }
+      }
+      ++k;
+    }
+  }
+  Polyline simple;
+  for (const Corner& corner : left) simple.push_back(corner.at);
+  return findCrossing(simple) ? polygon : simple;
+}
+
+Shape shapeOf(const Polyline& outline, const Mat2& turn) {
+  Shape shape;
+  for (const Vec2& p : outline) {
+    const Vec2 q = rounded(turn * p);
+    if (shape.ring.empty() || q != shape.ring.back()) shape.ring.push_back(q);
+  }
+  while (shape.ring.size() > 1 && shape.ring.front() == shape.ring.back()) shape.ring.pop_back();
+  shape.low = shape.high = shape.ring.front();
+  for (const Vec2& p : shape.ring) {
+    shape.low = shape.low.cwiseMin(p);
+    shape.high = shape.high.cwiseMax(p);
+  }
+  shape.area = signedArea(shape.ring);
+  shape.parts = convexParts(simplifiedOutwards(shape.ring, kGrowth, kInwardGrowth), 2 * kTouching);
+  return shape;
+}
+
+}  // namespace seamwise
