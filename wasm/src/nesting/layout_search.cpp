@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <numeric>
+
+#include "base/lanes.h"
 
 namespace seamwise {
 namespace {
@@ -16,6 +19,32 @@ constexpr float kFlawWeight = 1000;  ///< nothing is worth lying on a flaw
 constexpr int kIdleSweeps = 40;      ///< without less overlap, before something else is tried
 constexpr int kRowReads = 30;        ///< what beginning a row takes, in reads; measured
 constexpr int kRestarts = 6;         ///< before a target less far is
+
+using Floats = Lanes<float>::Vector;
+
+void addWeighted(const std::uint16_t* depths, int count, float weight, float* into) {
+  using Depths __attribute__((vector_size(8))) = std::uint16_t;
+  constexpr int kLanes = Lanes<float>::kCount;
+  int k = 0;
+  for (; k + kLanes <= count; k += kLanes) {
+    Depths of;
+    std::memcpy(&of, depths + k, sizeof of);
+    const Floats sum = loaded(into + k) + weight * __builtin_convertvector(of, Floats);
+    std::memcpy(into + k, &sum, sizeof sum);
+  }
+  for (; k < count; ++k) into[k] += weight * static_cast<float>(depths[k]);
+}
+
+float leastOf(const std::vector<float>& numbers) {
+  constexpr std::size_t kLanes = Lanes<float>::kCount;
+  constexpr float kMost = std::numeric_limits<float>::infinity();
+  Floats lanes = {kMost, kMost, kMost, kMost};
+  std::size_t k = 0;
+  for (; k + kLanes <= numbers.size(); k += kLanes) lanes = least(lanes, loaded(&numbers[k]));
+  float all = std::min(std::min(lanes[0], lanes[1]), std::min(lanes[2], lanes[3]));
+  for (; k < numbers.size(); ++k) all = std::min(all, numbers[k]);
+  return all;
+}
 
 }  // namespace
 
@@ -150,9 +179,8 @@ void LayoutSearch::scoreRow(const std::vector<Other>& others, int j, const DotRu
     const int lo = std::max(run.lo, other.dot.i + columns.lo);
     const int hi = std::min(run.hi, other.dot.i + columns.hi);
     if (hi < lo) continue;
-    const std::uint16_t* depths = table.row(row) + (lo - other.dot.i - columns.lo);
-    float* into = scores_.data() + (lo - run.lo);
-    for (int k = 0; k <= hi - lo; ++k) into[k] += other.weight * static_cast<float>(depths[k]);
+    addWeighted(table.row(row) + (lo - other.dot.i - columns.lo), hi - lo + 1, other.weight,
+                scores_.data() + (lo - run.lo));
     reads_ += hi - lo + kRowReads;
   }
   reads_ += run.size() + kRowReads;
@@ -169,7 +197,7 @@ LayoutSearch::Found LayoutSearch::leastOverlap(int item) {
       const DotRun& run = domain.row(j);
       if (run.empty()) continue;
       scoreRow(others, j, run);
-      const float least = *std::min_element(scores_.begin(), scores_.end());
+      const float least = leastOf(scores_);
       if (least > best.score) continue;
       if (least < best.score) ties = 0;
       const int equal = static_cast<int>(std::count(scores_.begin(), scores_.end(), least));

@@ -16,18 +16,24 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Budgets at effort 1, in table reads. Chosen so that each stage takes about half a second of one
 // core in WebAssembly for a dozen pieces.
 constexpr double kLayReads = 1.5e9;
-constexpr double kProofReads = 250e6;
+constexpr double kProofReads = 200e6;
 constexpr double kWidthReads = 50e6;
-/// Of the budget for laying: what all variants share before the best of them get the rest.
-constexpr double kFirstShare = 0.5;
-constexpr std::size_t kSecondRound = 2;  ///< variants that get it
-/// Of the budget for proofs, what the first gets, that nothing shorter is; others raise the bound.
-constexpr double kFirstProof = 0.6;
-constexpr int kOtherProofs = 4;
+/// Of the budget for laying: what all variants share before a proof is tried.
+constexpr double kFirstShare = 0.3;
+constexpr std::size_t kSecondRound = 2;  ///< variants that get the rest
+/// Of the budget for proofs, what one gets that nothing is shorter than the best, and what others.
+constexpr double kProofOfBest = 0.5, kOtherProof = 0.1;
+constexpr int kMostProofs = 6;
+constexpr double kWorthProving = 0.5;  ///< cm between bound and best
 constexpr double kLessLength = 0.01;  ///< cm
-constexpr double kReadsOfCell = 20;  ///< a table's dot, against a read of it
+constexpr double kReadsOfCell = 20;  ///< to make a table's dot, in reads of one
+constexpr double kReadsOfRow = 5;    ///< of a proof
 /// How much wider cloth is looked at for a piece that finds no place. [cm]
 constexpr double kMostWider = 200, kWider = 0.5;
+
+double lengthOf(const LayoutSearch& search) {
+  return search.best() ? search.best()->length() : std::numeric_limits<double>::infinity();
+}
 
 std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
 
@@ -134,43 +140,33 @@ void Marker::keepBest() {
   }
 }
 
-/// One step of one variant, in turn.
+/// One step of one variant, in turn: all of them have a share, then the best of them the rest.
 void Marker::lay() {
-  const bool is_first = spent() < kFirstShare * budget() || !best_;
-  if (is_first) {
+  if (spent() < kFirstShare * budget() || !best_) {
     const double share = kFirstShare * budget() / static_cast<double>(variants_.size());
     for (std::size_t tried = 0; tried < variants_.size(); ++tried) {
       Variant& variant = variants_[turn_++ % variants_.size()];
-      LayoutSearch& search = *variant.search;
       if (variant.is_done) continue;
+      LayoutSearch& search = *variant.search;
       const double before = search.reads();
-      if (!search.construct())
-        variant.is_done = search.reads() >= share || !search.improve();
+      if (!search.construct()) variant.is_done = search.reads() >= share || !search.improve();
       reads_ += search.reads() - before + 1;
-      keepBest();
-      return;
+      return keepBest();
     }
   }
-  keepBest();
   if (!best_) return fail();
-  if (variants_.size() > kSecondRound) {
+  if (proofs_ > 0 && spent() < budget()) {
     std::stable_sort(variants_.begin(), variants_.end(), [](const Variant& a, const Variant& b) {
-      const auto length = [](const Variant& v) {
-        return v.search->best() ? v.search->best()->length()
-                                : std::numeric_limits<double>::infinity();
-      };
-      return length(a) < length(b);
+      return lengthOf(*a.search) < lengthOf(*b.search);
     });
-  }
-  const std::size_t few = std::min(kSecondRound, variants_.size());
-  const bool is_last = spent() >= budget() || problem_.effort == 0;
-  for (std::size_t k = 0; k < few && !is_last; ++k) {
-    LayoutSearch& search = *variants_[turn_++ % few].search;
-    const double before = search.reads();
-    const bool more = search.improve();
-    reads_ += search.reads() - before + 1;
-    keepBest();
-    if (more) return;
+    for (std::size_t k = 0; k < std::min(kSecondRound, variants_.size()); ++k) {
+      LayoutSearch& search = *variants_[turn_++ % std::min(kSecondRound, variants_.size())].search;
+      const double before = search.reads();
+      const bool more = search.improve();
+      reads_ += search.reads() - before + 1;
+      keepBest();
+      if (more) return;
+    }
   }
   beginProof();
 }
@@ -211,6 +207,8 @@ void Marker::fail() {
 }
 
 void Marker::beginProof() {
+  stage_ = Stage::kDone;
+  if (problem_.effort == 0) return;
   const LayCloth& cloth = best_search_->cloth();
   double tallest = 0;
   const auto ways = allowedWays(pieces_, cloth);
@@ -222,48 +220,58 @@ void Marker::beginProof() {
     }
     tallest = std::max(tallest, least);
   }
-  bound_ = std::min(best_->length(), std::max(tallest, pieces_.area() / (cloth.right - cloth.left)));
+  const double area = pieces_.area() / (cloth.right - cloth.left);
+  bound_ = std::min(best_->length(), std::max({bound_, tallest, area}));
   is_proven_ = bound() >= length() - kLessLength;
-  stage_ = problem_.effort == 0 ? Stage::kDone : is_proven_ ? Stage::kFree : Stage::kProve;
+  stage_ = is_proven_ ? Stage::kFree : Stage::kProve;
 }
 
-/// First that nothing is shorter than the best; where that takes too long, that nothing is shorter
-/// than something between bound and best.
-void Marker::prove() {
+/// What the next proof is to be of, if one is worth its work: that nothing is shorter than the best,
+/// as long as that has not been tried in vain; then, that nothing is shorter than what lies between
+/// the bound and the best.
+bool Marker::beginNextProof() {
   const double all = kProofReads * problem_.effort;
-  if (!proof_) {
-    const double shortest = problem_.whole_repeats && pieces_.period()
-                                ? length() - *pieces_.period()
-                                : best_->length() - kLessLength;
-    const double rest = all - proven_work_;
-    is_last_proof_ = proven_work_ > 0;
-    proof_target_ = is_last_proof_ ? (bound_ + best_->length()) / 2 : shortest;
-    proof_work_ = is_last_proof_ ? rest / 2 : kFirstProof * all;
-    const bool is_worth = rest > all / (1 << kOtherProofs) && best_->length() - bound_ > 0.1;
-    proof_ = std::make_unique<CompleteSearch>(pieces_, best_search_->cloth(), proof_target_);
-    if (!proof_->canProve() || (is_last_proof_ && !is_worth)) {
-      proof_.reset();
-      stage_ = Stage::kFree;
-      return;
-    }
+  const bool is_first = proofs_ == 0 || best_->length() < tried_length_ - kLessLength;
+  const bool is_worth = proofs_ < kMostProofs && best_->length() - bound_ > kWorthProving;
+  if (!is_first && !is_worth) return false;
+  is_of_best_ = is_first;
+  if (is_first) tried_length_ = best_->length();
+  const double shortest = problem_.whole_repeats && pieces_.period()
+                              ? length() - *pieces_.period()
+                              : best_->length() - kLessLength;
+  proof_target_ = is_first ? shortest : (bound_ + best_->length()) / 2;
+  proof_work_ = (is_first ? kProofOfBest : kOtherProof) * all;
+  proof_ = std::make_unique<CompleteSearch>(pieces_, best_search_->cloth(), proof_target_);
+  ++proofs_;
+  return proof_->canProve();
+}
+
+void Marker::prove() {
+  if (!proof_ && !beginNextProof()) {
+    proof_.reset();
+    stage_ = spent() < budget() ? Stage::kLay : Stage::kFree;
+    return;
   }
   constexpr double kStep = 1e5;
   const double before = proof_->reads();
   const bool more = proof_->step(kStep);
-  reads_ += proof_->reads() - before + 1;
+  reads_ += kReadsOfRow * (proof_->reads() - before) + 1;
   if (more && proof_->reads() < proof_work_) return;
-  proven_work_ += proof_->reads();
+  const bool is_open = more;
   if (const auto& found = proof_->found()) {
     for (const Variant& variant : variants_)
       if (variant.search.get() == best_search_) variant.search->offer(*found);
     keepBest();
-    if (!is_last_proof_) proven_work_ = 0;  // the first proof begins anew, below the shorter one
-  } else if (!more) {
-    bound_ = std::max(bound_, is_last_proof_ ? proof_target_ : best_->length());
-    is_proven_ = !is_last_proof_;
+    if (is_of_best_) --proofs_;  // begins anew, below the shorter one
+  } else if (!is_open) {
+    bound_ = std::max(bound_, is_of_best_ ? best_->length() : proof_target_);
+    is_proven_ = is_of_best_;
   }
   proof_.reset();
-  if (is_proven_) stage_ = Stage::kFree;
+  if (is_proven_)
+    stage_ = Stage::kFree;
+  else if (is_of_best_ && is_open && spent() < budget())
+    stage_ = Stage::kLay;  // there may be something shorter
 }
 
 void Marker::layFree() {
@@ -356,8 +364,7 @@ double Marker::fraction() const {
     case Stage::kLay:
       return 0.1 + 0.3 * share(spent(), budget());
     case Stage::kProve:
-      return 0.4 + 0.2 * share(proven_work_ + (proof_ ? proof_->reads() : 0),
-                               kProofReads * problem_.effort);
+      return 0.4 + 0.2 * (proof_ ? share(proof_->reads(), proof_work_) : 0);
     case Stage::kFree:
       return 0.6 + 0.3 * (free_search_ ? share(free_search_->reads(), budget()) : 0);
     case Stage::kWidths:

@@ -64,6 +64,7 @@ class Marker {
   void lay();
   void keepBest();
   void beginProof();
+  bool beginNextProof();
   void prove();
   void layFree();
   void layWidths();
@@ -85,9 +86,11 @@ class Marker {
   std::vector<RigidMotion> places_;
 
   std::unique_ptr<CompleteSearch> proof_;
-  double proof_target_ = 0;
-  bool is_last_proof_ = false;
-  double proven_work_ = 0, proof_work_ = 0;
+  int proofs_ = 0;            ///< begun
+  double proof_target_ = 0;   ///< that no layout is as short as. [cm]
+  double proof_work_ = 0;     ///< it may take. [rows]
+  bool is_of_best_ = false;   ///< that nothing is shorter than the best
+  double tried_length_ = 0;   ///< of the last of these. [cm]
   double bound_ = 0;
   bool is_proven_ = false;
 
