@@ -16,7 +16,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Budgets at effort 1, in table reads. Chosen so that each stage takes about half a second of one
 // core in WebAssembly for a dozen pieces.
 constexpr double kLayReads = 1.5e9;
-constexpr double kProofReads = 200e6;
+constexpr double kProofReads = 400e6;
 constexpr double kWidthReads = 50e6;
 /// Of the budget for laying: what all variants share before a proof is tried.
 constexpr double kFirstShare = 0.3;
