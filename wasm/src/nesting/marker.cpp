@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/decimal.h"
+#include "base/sort_by.h"
 
 namespace seamwise {
 namespace {
@@ -156,9 +157,7 @@ void Marker::lay() {
   }
   if (!best_) return fail();
   if (proofs_ > 0 && spent() < budget()) {
-    std::stable_sort(variants_.begin(), variants_.end(), [](const Variant& a, const Variant& b) {
-      return lengthOf(*a.search) < lengthOf(*b.search);
-    });
+    sortBy(variants_, [](const Variant& variant) { return lengthOf(*variant.search); });
     for (std::size_t k = 0; k < std::min(kSecondRound, variants_.size()); ++k) {
       LayoutSearch& search = *variants_[turn_++ % std::min(kSecondRound, variants_.size())].search;
       const double before = search.reads();
