@@ -32,7 +32,10 @@ function cutOff(placements: readonly LaidPlacement[], down: number): readonly La
   }));
 }
 
-/** "121 to 136 cm", rounded to the next centimetre. */
+/** To the next centimetre; what is a hair longer than one is none more. */
+const whole = (length: number): number => Math.ceil(length - 0.05);
+
+/** "121 to 136 cm" */
 function rangeNote(phases: readonly PhaseLength[]): readonly string[] {
   const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
   const [least, most] = [Math.min(...known), Math.max(...known)];
@@ -40,7 +43,7 @@ function rangeNote(phases: readonly PhaseLength[]): readonly string[] {
   return [
     ...(known.length > 1 && most - least > sameLength
       ? [
-          `${Math.ceil(least)} to ${Math.ceil(most)} cm, by where the print starts at the selvedge; measure it.`,
+          `${whole(least)} to ${whole(most)} cm, by where the print starts at the selvedge; measure it.`,
         ]
       : []),
     ...(known.length > 0 && nowhere > 0
