@@ -394,7 +394,10 @@ describe('a plan', () => {
     expect(plan.useShare).toBeCloseTo(area / (140 * plan.lengthCm), 12);
     expect(plan).toMatchObject({proven: true, boundCm: plan.lengthCm, freeLengthCm: 6});
     expect(plan.phases[2]).toEqual({phaseCm: 2.5, lengthCm: plan.lengthCm});
-    expect(plan.widths[0]).toEqual({widthCm: 90, lengthCm: null});
+    expect(plan.widths.map(({lengthCm}) => lengthCm)).toEqual([
+      ...[null, 9, 9],
+      ...[plan.lengthCm, plan.lengthCm, plan.lengthCm], // what lies on 140 cm lies on more
+    ]);
     expect(plan.unplaced).toEqual([]);
   });
 
