@@ -13,11 +13,12 @@ import {plus, rotated} from '@/model/geometry.js';
 import {planComplaints} from '../support/check-plan.js';
 import {rectangle, resultOf} from '../support/laid-rectangles.js';
 import type {PlanRules} from '../support/plan-rules.js';
+import {extentOf} from '../support/rings.js';
 import {sample} from './garments.js';
 
 const print: Print = {group: 'p4m', w1: [11, 0], w2: [0, 11]};
 const rules: PlanRules = {turns: () => 'half'};
-const usual: MarkerSettings = {widthCm: 140, allowanceCm: 1, effort: 0.1, phaseCm: 3, widthsCm: []};
+const usual: MarkerSettings = {widthCm: 140, allowanceCm: 1, effort: 0.05, phaseCm: 3, widthsCm: []};
 
 let tee: SolveResult;
 beforeAll(async () => {
@@ -110,6 +111,56 @@ describe('a garment on its print', () => {
     expect(free.printOrigin).toBeNull();
     const {lengthCm} = await laid([tee]);
     expect(free.lengthCm).toBeLessThanOrEqual(lengthCm);
+  });
+});
+
+describe('folded cloth', () => {
+  it('is cut through both plies: each piece with its mirror image in the fold', async () => {
+    const onGrain = {grain: {default: 'on'}} as const;
+    const result = await solve({garment: sample('tee'), print, options: onGrain});
+    const {phaseCm, ...anywhere} = usual;
+    expect(phaseCm).toBeDefined();
+    for (const where of [{}, {phaseCm: 4, widthCm: 190}, {ignoresPrint: true}]) {
+      const settings = {...anywhere, widthCm: 180, copies: 2, fold: true, ...where};
+      const plan = await marker([result], settings);
+      expect(planComplaints(plan, [result], {...rules, copies: 2})).toEqual([]);
+      expect(plan.placements).toHaveLength(8);
+      const {foldCm = NaN} = plan;
+      expect(Math.abs(foldCm - settings.widthCm / 2)).toBeLessThanOrEqual(11 / 4 + 1e-9);
+      const images = plan.placements.map(({cut}) => extentOf(cut));
+      for (const [left, lower, right, upper] of images) {
+        const image = [2 * foldCm - right, lower, 2 * foldCm - left, upper];
+        const off = images.map((other) =>
+          Math.max(...other.map((side, k) => Math.abs(side - (image[k] ?? NaN)))),
+        );
+        expect(Math.min(...off)).toBeLessThan(0.02);
+        expect(left > foldCm || right < foldCm).toBe(true);
+      }
+    }
+  });
+
+  it('is for prints that mirror along it, and for pieces with mirror images', async () => {
+    const refusal = (result: SolveResult, copies: number) =>
+      marker([result], {...usual, widthCm: 180, copies, fold: true}).then(
+        () => '',
+        (error: unknown) => String(error),
+      );
+    expect(await refusal(loose('p4m'), 2)).toContain("Piece 'front' has no mirror image");
+    expect(await refusal(loose('p4'), 2)).toContain('Along this cloth p4 has no mirror line');
+    const map = {angle: 0, translation: [30, 0]} as const;
+    const front = rectangle('front', 30, 41, {angle: 0, translation: [4, 3]});
+    const symmetries = [{kind: 'piece', piece: 0, map, pairs: []}] as const;
+    const single = resultOf(print, [front], {symmetries});
+    expect(await refusal(single, 1)).toContain("Piece 'front' is its own mirror image");
+    const off = resultOf(print, [{...front, alignment: {angle: 0, translation: [5, 3]}}], {
+      symmetries,
+    });
+    expect(await refusal(off, 2)).toContain("'front' do not show each other's mirror image");
+    expect(await refusal(single, 2)).toBe('');
+    const wide = {...usual, widthCm: 50, copies: 2, fold: true};
+    await expect(marker([single], wide)).rejects.toThrow(
+      /^On half of folded cloth: front is 32.0 cm/,
+    );
   });
 });
 

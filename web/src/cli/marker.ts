@@ -46,7 +46,7 @@ const grammar = {
     ...flagsOf(layCounts),
     ...Object.keys(outputs),
   ],
-  switches: ['--free', '--json'],
+  switches: ['--free', '--fold', '--json'],
 } as const;
 
 /** `marker`: the pieces of results laid on a bolt of their print. */
@@ -131,7 +131,7 @@ function wishOf(args: Arguments): LayWish {
     ...(nap && {nap}),
     ...(shift && {shift}),
     ...(effort !== undefined && {effort}),
-    free: args.has('--free'),
+    ...{free: args.has('--free'), fold: args.has('--fold')},
   };
 }
 
