@@ -18,7 +18,13 @@ import {sample} from './garments.js';
 
 const print: Print = {group: 'p4m', w1: [11, 0], w2: [0, 11]};
 const rules: PlanRules = {turns: () => 'half'};
-const usual: MarkerSettings = {widthCm: 140, allowanceCm: 1, effort: 0.05, phaseCm: 3, widthsCm: []};
+const usual: MarkerSettings = {
+  widthCm: 140,
+  allowanceCm: 1,
+  effort: 0.05,
+  phaseCm: 3,
+  widthsCm: [],
+};
 
 let tee: SolveResult;
 beforeAll(async () => {

@@ -19,7 +19,7 @@ import {cutPairs, type CutPair} from './pairs.js';
 import type {MarkerOrder} from './problem.js';
 import {acrossRepeat} from './repeats.js';
 
-export interface FoldedOrder {
+interface FoldedOrder {
   /** One piece of each pair, on the ply to the right of the fold. */
   readonly order: MarkerOrder;
   /** Of its plan that of both plies, the cloth spread again. */
