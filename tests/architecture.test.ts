@@ -43,6 +43,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   scene: ['model', 'layout'], // no GL, no SVG, no DOM
   picture: ['model', 'recognition', 'layout', 'scene'],
   cutting: ['model', 'layout', 'scene', 'picture'],
+  marker: ['model', 'layout', 'scene', 'cutting'],
   paper: ['model', 'recognition', 'picture', 'cutting'], // no DOM: files of pages in Node, too
   remedies: ['model', 'scene'],
   viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
@@ -62,10 +63,11 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'picture',
     'cutting',
     'paper',
+    'marker',
     'pairing',
     'remedies',
   ],
-  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'paper', 'node'],
+  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'marker', 'paper', 'node'],
   '': ['model', 'solver'], // index.ts, the entry of the package
 };
 
