@@ -29,11 +29,11 @@ function liesOn(loops: readonly (readonly Point[])[], box: Box): boolean {
   );
 }
 
-/** The place in a frame that is nearest to where the words are; undefined without room. */
-function placeIn(
+/** The place in a frame, within closed lines, that is nearest to where the words are; undefined without room. */
+export function placeIn(
   frame: Box,
   mark: CutText,
-  {sewn}: LaidPiece,
+  {sewn}: Pick<LaidPiece, 'sewn'>,
   others: readonly Box[],
 ): Point | undefined {
   const {low, high} = boxOfMark(mark);
