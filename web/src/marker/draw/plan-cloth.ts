@@ -22,9 +22,11 @@ export interface DrawnCloth {
 /** Heights of letters, one after the other as there is room. [mm on paper] */
 const labelSizes = [3.4, 2.8, 2.3, 1.9];
 const numberSize = 1.9;
+/** Of the width of words in one font to that in another. */
+const fontRoom = 1.25;
 /** Half of a cross, and from its middle to that of its number. */
 const crossReach = 1.3;
-const numberAside = 1.9;
+const numberAside = 3.1;
 const ringRadius = 1.6;
 const ringSteps = 24;
 const upright = Math.PI / 2;
@@ -50,14 +52,15 @@ function besideCross(at: Point, cut: readonly Point[], aside: number): Point {
 }
 
 function crossMarks(size: Size, {cut, crosses}: PlanPiece): readonly CutMark[] {
-  return crosses.flatMap((at, k) => [
-    ...cross(at, cm(size, crossReach)).map((points) =>
-      lineOf(size, points, {width: 0.3, halo: 0.5, layer: 'matches'}),
-    ),
+  const numbers = crosses.map((at, k) =>
     textOf(size, besideCross(at, cut, cm(size, numberAside)), String(k + 1), numberSize, {
       ...{layer: 'matches', hasPlate: true},
     }),
-  ]);
+  );
+  const lines = crosses
+    .flatMap((at) => cross(at, cm(size, crossReach)))
+    .map((points) => lineOf(size, points, {width: 0.3, halo: 0.5, layer: 'matches'}));
+  return [...numbers, ...lines];
 }
 
 /** Number and name where they fit within the piece and the window: large or small, level or upright; else the number. */
@@ -79,7 +82,9 @@ function labelOf(
   const alone = {lines: [String(number)], mm: numberSize, angle: 0};
   for (const {lines, mm, angle} of [...variants, alone]) {
     const label = textOf(size, at, lines, mm, {hasPlate: true, angle});
-    const place = placeIn(frame, label, {sewn: [cut]}, others);
+    // letters of other fonts are wider
+    const wider = {...label, sizeMm: label.sizeMm * fontRoom};
+    const place = placeIn(frame, wider, {sewn: [cut]}, others);
     if (place) return [{...label, at: place}];
   }
   // too narrow for any: beside nothing, over the lines

@@ -139,7 +139,9 @@ export function planSheets(
   const pieces = planPieces(plan, options, nameOf);
   const ring = repeatCorner(plan);
   const filling = new Filling(format);
-  const heading = [options.title, texts.title].filter((one) => one !== undefined).join(': ');
+  const heading = [options.title, texts.title(format.scale)]
+    .filter((one) => one !== undefined)
+    .join(': ');
   const printName = print.title ?? `Print ${print.group}`;
   const facts = factsOf(plan, words, {printName, ring, nameOf});
   const {widthCm, lengthCm, selvedgeCm} = plan;
@@ -156,7 +158,7 @@ export function planSheets(
       for (const table of tables) addTable(filling, table);
     },
   ];
-  addHeading(filling, heading, figuresOf(plan, words), [...facts, texts.scale(format.scale)]);
+  addHeading(filling, heading, figuresOf(plan, words), facts);
   // what is rolled off first says what follows
   for (const step of isRoll ? steps.toReversed() : steps) step();
   filling.turn();

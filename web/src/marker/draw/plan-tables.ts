@@ -35,12 +35,9 @@ const headSize = 2.3;
 const titleSize = 3;
 const left = 0;
 
-const title = (words: string, note = ''): Row => ({
-  ...{height: 7, size: titleSize},
-  cells: [
-    {words, x: left, align: 'left', isBold: true},
-    ...(note === '' ? [] : [{words: note, x: 96, align: 'left'} as const]),
-  ],
+const title = (words: string): Row => ({
+  ...{height: 6.5, size: titleSize},
+  cells: [{words, x: left, align: 'left', isBold: true}],
 });
 
 /** Where each piece is laid. */
@@ -51,7 +48,11 @@ export function crossesTable(pieces: readonly PlanPiece[], words: PlanWords): Ta
     at ? `${place(at[0])} × ${place(at[1])}` : texts.none;
   return {
     head: [
-      title(texts.crosses, texts.crossesUnit(unit)),
+      title(texts.crosses),
+      {
+        ...{height: 4, size: headSize},
+        cells: [{words: texts.crossesUnit(unit), x: left, align: 'left'}],
+      },
       {
         ...{height: rowHeight, size: headSize, rule: 'below'},
         cells: [
@@ -113,7 +114,7 @@ function pairedTable(
 
 /** What the plan would take elsewhere on the print, and on other cloth. */
 export function otherwiseTables(
-  {phases, widths, lengthCm, printOrigin}: LayPlan,
+  {phases, widths, widthCm: own, lengthCm, printOrigin}: LayPlan,
   {texts, short, unit}: PlanWords,
 ): readonly Table[] {
   const lengthOf = (cm: number | null): string => (cm === null ? texts.none : short(cm));
@@ -143,7 +144,7 @@ export function otherwiseTables(
             widths.map(({widthCm, lengthCm: length}) => ({
               upper: short(widthCm),
               lower: lengthOf(length),
-              isOwn: false,
+              isOwn: widthCm === own,
             })),
           ),
         ]

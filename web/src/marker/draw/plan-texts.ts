@@ -1,7 +1,7 @@
 /** In English: what stands on a lay plan. Lengths come as words, with their units. */
 
 export const planTexts = {
-  title: 'Lay plan',
+  title: (scale: number) => `Lay plan 1 : ${scale}`,
   length: 'Length',
   proven: 'proven: none is shorter',
   atBest: (length: string) => `at best ${length}`,
@@ -18,12 +18,11 @@ export const planTexts = {
     `${name}: the ring is on a corner of its repeat, ${across} from the left edge, ${along} from the start.`,
   plain: 'The print is not regarded: pieces lie anywhere.',
   unplaced: (pieces: string) => `Without a place: ${pieces}.`,
-  scale: (scale: number) => `1 : ${scale}`,
   start: 'Start of the cloth',
   page: (number: number, count: number) => `page ${number} of ${count}`,
   garment: (piece: string, garment: number) => `${piece}, garment ${garment}`,
   crosses: 'Crosses of a piece lie on one and the same point of the print',
-  crossesUnit: (unit: string) => `from the left edge × from the start, in ${unit}`,
+  crossesUnit: (unit: string) => `Each from the left edge × from the start of the cloth [${unit}]`,
   number: 'No.',
   piece: 'Piece',
   cross: (number: number) => `Cross ${number}`,

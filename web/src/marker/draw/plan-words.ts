@@ -19,7 +19,7 @@ export interface PlanWords {
   readonly length: (cm: number) => string;
   /** For tables, without the unit: to a tenth of a millimetre, or a hundredth of an inch. */
   readonly place: (cm: number) => string;
-  /** For tables, without the unit: to a millimetre, or a tenth of an inch. */
+  /** For tables, without the unit: to a millimetre, or a hundredth of an inch. */
   readonly short: (cm: number) => string;
   readonly unit: string;
   readonly share: (share: number) => string;
@@ -48,7 +48,7 @@ export function planWords({units, locale = 'en', texts = planTexts}: PlanWordsOp
     ...{texts, units, length},
     unit: units === 'inch' ? 'in' : 'cm',
     place: (cm) => number(cm / own, 2),
-    short: (cm) => number(cm / own, 0, 1),
+    short: (cm) => number(cm / own, 0, units === 'inch' ? 2 : 1),
     share: (share) => texts.share(number(100 * share, 1)),
     bought: (cm) =>
       units === 'inch'
