@@ -3,10 +3,9 @@ import type {CutMark} from '../../cutting/cut-sheet.js';
 import {plus, towards, type Point} from '../../model/geometry.js';
 import {boxOf, distanceTo, isInside, type Box} from '../../model/polyline.js';
 import {boxOfMark} from '../../paper/draw-marks.js';
-import {boxAt, overlap, shared} from '../../paper/boxes.js';
+import {boxAt, cornersOf, overlap, shared} from '../../paper/boxes.js';
 import {placeIn} from '../../paper/words-on-page.js';
-import {innermost} from '../../scene/marks.js';
-import type {PlanPiece} from './plan-pieces.js';
+import {inmost, type PlanPiece} from './plan-pieces.js';
 import {cm, lineOf, textOf, type Size} from './plan-style.js';
 
 /** What of a plan's cloth is drawn. */
@@ -66,13 +65,13 @@ function crossMarks(size: Size, {cut, crosses}: PlanPiece): readonly CutMark[] {
 /** Number and name where they fit within the piece and the window: large or small, level or upright; else the number. */
 function labelOf(
   size: Size,
-  {number, name, cut}: PlanPiece,
+  {number, name, cut, crosses}: PlanPiece,
   window: Box,
   others: readonly Box[],
 ): readonly CutMark[] {
   const frame = shared(boxOf(cut), window);
   if (!overlap(frame, window)) return [];
-  const {at, room} = innermost(cut);
+  const {at} = inmost(cut, crosses);
   const isOneLine = [`${number}  ${name}`];
   const variants = labelSizes.flatMap((mm) => [
     {lines: [String(number), name], mm, angle: 0},
@@ -87,12 +86,8 @@ function labelOf(
     const place = placeIn(frame, wider, {sewn: [cut]}, others);
     if (place) return [{...label, at: place}];
   }
-  // too narrow for any: beside nothing, over the lines
-  const isHere = isInside(
-    [window.low, [window.high[0], window.low[1]], window.high, [window.low[0], window.high[1]]],
-    at,
-  );
-  return isHere && room > 0
+  // too narrow for any: over the lines
+  return isInside(cornersOf(window), at)
     ? [textOf(size, at, [String(number)], numberSize, {hasPlate: true})]
     : [];
 }

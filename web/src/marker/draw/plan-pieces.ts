@@ -1,4 +1,5 @@
 /** Pieces of a lay plan as they are drawn: numbered, called by a name, with crosses to lay them by. Lengths in cm, on the cloth. */
+import {finer} from '../../cutting/cut-piece.js';
 import {matchMarks} from '../../cutting/match-marks.js';
 import {
   combined,
@@ -53,12 +54,18 @@ function crossesOf(
   return matchMarks(print, known.alignment, loops).map((p) => onPiece(place, p));
 }
 
+/** The point of a piece that lies furthest from its cut line and from other points, and how far. */
+export const inmost = (
+  cut: readonly Point[],
+  others: readonly Point[] = [],
+): ReturnType<typeof innermost> => innermost(finer([...cut, ...cut.slice(0, 1)]), others);
+
 function grainOf(
   {cut, ...place}: LaidPlacement,
   known: ResultPiece | undefined,
 ): readonly [Point, Point] {
   if (known?.grainAngle === undefined) {
-    const {at, room} = innermost(cut);
+    const {at, room} = inmost(cut);
     const up = towards(Math.PI / 2);
     return [plus(at, up, -grainShare * room), plus(at, up, grainShare * room)];
   }

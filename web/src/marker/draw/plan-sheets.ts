@@ -158,6 +158,7 @@ export function planSheets(
       for (const table of tables) addTable(filling, table);
     },
   ];
+  if (isRoll) filling.add(cm(filling.size, aboveCloth));
   addHeading(filling, heading, figuresOf(plan, words), facts);
   // what is rolled off first says what follows
   for (const step of isRoll ? steps.toReversed() : steps) step();
