@@ -44,12 +44,12 @@ export const printOnCloth = (origin: Point): Alignment => ({angle: 0, translatio
 const grainShare = 0.8;
 
 function crossesOf(
-  {cut, ...place}: LaidPlacement,
+  place: LaidPlacement,
   known: ResultPiece | undefined,
   print: Pick<Print, 'w1' | 'w2'>,
   origin: Point,
 ): readonly Point[] {
-  if (!known) return matchMarks(print, printOnCloth(origin), [cut]);
+  if (!known) return matchMarks(print, printOnCloth(origin), [place.cut]);
   const loops = [known.outline, ...known.holes].map((loop) => pick(known.shape, loop));
   return matchMarks(print, known.alignment, loops).map((p) => onPiece(place, p));
 }
@@ -60,12 +60,9 @@ export const inmost = (
   others: readonly Point[] = [],
 ): ReturnType<typeof innermost> => innermost(finer([...cut, ...cut.slice(0, 1)]), others);
 
-function grainOf(
-  {cut, ...place}: LaidPlacement,
-  known: ResultPiece | undefined,
-): readonly [Point, Point] {
+function grainOf(place: LaidPlacement, known: ResultPiece | undefined): readonly [Point, Point] {
   if (known?.grainAngle === undefined) {
-    const {at, room} = inmost(cut);
+    const {at, room} = inmost(place.cut);
     const up = towards(Math.PI / 2);
     return [plus(at, up, -grainShare * room), plus(at, up, grainShare * room)];
   }
