@@ -80,6 +80,9 @@ function drawnCloth(
   {layers, cell}: {readonly layers: Layers; readonly cell: Cell | undefined},
 ): string {
   const window = boxAt([0, from], plan.widthCm, to - from);
+  // lines along the edges of the cloth are wide; elsewhere it is cut off
+  const [first, last] = [from > 0 ? from : -1, to < plan.lengthCm ? to : to + 1];
+  const clip = boxAt([-1, first], plan.widthCm + 2, last - first);
   const {around, outside, inside} = veils(plan, {from, to});
   const cloth = {
     ...{cut: [around], place: printOnCloth([0, 0])},
@@ -94,8 +97,7 @@ function drawnCloth(
     );
   return scoped(
     through({xx: 1, xy: 0, yx: 0, yy: 1, shift: at}),
-    // the lines along its edges are wide
-    `${line(cornersOf(boxAt([-1, from - 1], plan.widthCm + 2, to - from + 2)), true)}\nW n`,
+    `${line(cornersOf(clip), true)}\nW n`,
     scoped(
       `${line(around, true)}\nW n`,
       onLayer(

@@ -3,6 +3,7 @@
  * drawn from it. Lengths in cm at the scale of the cloth, y up, from a sheet's lower left corner.
  */
 import type {CutMark} from '../../cutting/cut-sheet.js';
+import {nameLines} from '../../layout/name-lines.js';
 import type {Point} from '../../model/geometry.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import type {Print} from '../../model/print.js';
@@ -39,6 +40,7 @@ const gapBetween = 5;
 const headingHeight = 10;
 const figureHeight = 17;
 const factHeight = 4.4;
+const factSize = 2.6;
 const leastCloth = 40;
 
 const heightOf = (rows: readonly Row[]): number => rows.reduce((sum, row) => sum + row.height, 0);
@@ -65,9 +67,9 @@ function addHeading(
       figureMarks(size, figure, [x + cm(size, (k * tableWidth) / 4), y]),
     ),
   );
-  for (const fact of facts) {
+  for (const line of facts.flatMap((fact) => nameLines(fact, tableWidth, factSize))) {
     filling.add(cm(size, factHeight), ([x, y]) => [
-      textOf(size, [x, y - cm(size, factHeight / 2)], fact, 2.6, {align: 'left'}),
+      textOf(size, [x, y - cm(size, factHeight / 2)], line, factSize, {align: 'left'}),
     ]);
   }
 }
