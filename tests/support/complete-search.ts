@@ -160,15 +160,17 @@ export function shortestLength(
   const all = turned.map((shapes) =>
     shapes.flatMap((shape) => dotsOf(shape, board, [0, period + most])),
   );
-  const floors = [...new Set(all.flat().map(({lower}) => Math.round(lower / rounding)))]
-    .map((count) => count * rounding)
+  const floors = all
+    .flat()
+    .map(({lower}) => lower)
     .filter((floor) => floor < period - rounding / 2)
-    .sort((a, b) => a - b);
+    .sort((a, b) => a - b)
+    .filter((floor, k, sorted) => k === 0 || floor - at(sorted, k - 1) > rounding);
   let best = most + 2 * rounding;
   for (const floor of floors) {
     const domains = all.map((dots) =>
       dots
-        .filter(({lower, upper}) => lower >= floor - 2 * rounding && upper < floor + best)
+        .filter(({lower, upper}) => lower >= floor - rounding && upper < floor + best)
         .sort((a, b) => a.upper - b.upper),
     );
     best = lowestEnd(domains, mayLie, floor + best) - floor;
