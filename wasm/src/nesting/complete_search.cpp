@@ -120,7 +120,7 @@ const CompleteSearch::BitTable& CompleteSearch::bitsOf(int first, int second) {
   bits.bits.resize(static_cast<std::size_t>(bits.words) * bits.rows.size());
   for (int j = bits.rows.lo; j <= bits.rows.hi; ++j)
     for (int k = 0; k < columns.size(); ++k)
-      if (table.row(j)[k] > 0)
+      if (table.depth({columns.lo + k, j}) > 0)
         bits.bits[static_cast<std::size_t>(j - bits.rows.lo) * bits.words + k / kBits] |=
             std::uint64_t{1} << (k % kBits);
   return bits;

@@ -235,7 +235,10 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
   }
   across.merge();
   upwards.merge();
-  depths_.resize(static_cast<std::size_t>(rows_) * columns_);
+  stride_ = spacing.stride;
+  block_rows_ = (rows_ + stride_ - 1) / stride_;
+  block_columns_ = (columns_ + stride_ - 1) / stride_;
+  depths_.resize(static_cast<std::size_t>(stride_) * stride_ * block_rows_ * block_columns_);
   const double doubtful = kDoubtful + 2 * most_gap;
   for (int j = 0; j < rows_; ++j) {
     for (int i = 0; i < columns_; ++i) {
@@ -245,8 +248,7 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
         const Vec2 d = offset + board.shift({column0_ + i, row0_ + j});
         if (areApart(first, second, d, gapAt(d))) continue;
       }
-      depths_[static_cast<std::size_t>(j) * columns_ + i] =
-          static_cast<std::uint16_t>(std::min(1 + depth / kUnit, 60000.0));
+      depths_[place(j, i)] = static_cast<std::uint16_t>(std::min(1 + depth / kUnit, 60000.0));
     }
   }
 }
@@ -255,7 +257,9 @@ DifferenceTable DifferenceTable::reversed() const {
   DifferenceTable other = *this;
   other.row0_ = -(row0_ + rows_ - 1);
   other.column0_ = -(column0_ + columns_ - 1);
-  std::reverse(other.depths_.begin(), other.depths_.end());
+  for (int j = 0; j < rows_; ++j)
+    for (int i = 0; i < columns_; ++i)
+      other.depths_[place(j, i)] = depths_[place(rows_ - 1 - j, columns_ - 1 - i)];
   return other;
 }
 

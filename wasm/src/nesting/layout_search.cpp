@@ -8,17 +8,23 @@
 #include <numeric>
 
 #include "base/lanes.h"
+#include "base/sort_by.h"
 
 namespace seamwise {
 namespace {
 
 constexpr std::size_t kMostBeginnings = 24;
 constexpr double kShorter = 0.01;    ///< cm by which a shorter layout is shorter at least
-constexpr double kFirstShrink = 0.04;
+constexpr double kFirstShrink = 0.01, kMostShrink = 0.03;
 constexpr float kFlawWeight = 1000;  ///< nothing is worth lying on a flaw
+constexpr int kMostTaken = 4;        ///< pieces that are laid again at once
 constexpr int kIdleSweeps = 40;      ///< without less overlap, before something else is tried
 constexpr int kRowReads = 30;        ///< what beginning a row takes, in reads; measured
+constexpr std::size_t kDescents = 6; ///< from the best dots that were looked at
 constexpr int kRestarts = 6;         ///< before a target less far is
+
+int floorDiv(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+int ceilDiv(int a, int b) { return -floorDiv(-a, b); }
 
 using Floats = Lanes<float>::Vector;
 
@@ -35,14 +41,14 @@ void addWeighted(const std::uint16_t* depths, int count, float weight, float* in
   for (; k < count; ++k) into[k] += weight * static_cast<float>(depths[k]);
 }
 
-float leastOf(const std::vector<float>& numbers) {
+float leastOf(const float* numbers, std::size_t count) {
   constexpr std::size_t kLanes = Lanes<float>::kCount;
   constexpr float kMost = std::numeric_limits<float>::infinity();
   Floats lanes = {kMost, kMost, kMost, kMost};
   std::size_t k = 0;
-  for (; k + kLanes <= numbers.size(); k += kLanes) lanes = least(lanes, loaded(&numbers[k]));
+  for (; k + kLanes <= count; k += kLanes) lanes = least(lanes, loaded(numbers + k));
   float all = std::min(std::min(lanes[0], lanes[1]), std::min(lanes[2], lanes[3]));
-  for (; k < numbers.size(); ++k) all = std::min(all, numbers[k]);
+  for (; k < count; ++k) all = std::min(all, numbers[k]);
   return all;
 }
 
@@ -71,13 +77,10 @@ LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uin
     return by == 0 ? shape.area : by == 1 ? box.y() : box.x();
   };
   for (int by = 0; by < 3; ++by) {
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return size(a, by) > size(b, by); });
-    // what is pinned is there already
-    std::vector<int> all = order;
-    std::stable_partition(all.begin(), all.end(),
-                          [&](int item) { return pieces.items()[item].is_pinned; });
-    orders_.push_back(std::move(all));
+    // largest first; what is pinned is there already
+    sortBy(order, [&](int item) { return -size(item, by); });
+    sortBy(order, [&](int item) { return pieces.items()[item].is_pinned ? 0 : 1; });
+    orders_.push_back(order);
   }
 }
 
@@ -171,6 +174,7 @@ std::vector<LayoutSearch::Other> LayoutSearch::othersOf(int item, int placed, bo
 
 void LayoutSearch::scoreRow(const std::vector<Other>& others, int j, const DotRun& run) {
   scores_.assign(run.size(), 0);
+  const int stride = pieces_.stride();
   for (const Other& other : others) {
     const DifferenceTable& table = *other.table;
     const int row = j - other.dot.j;
@@ -178,36 +182,124 @@ void LayoutSearch::scoreRow(const std::vector<Other>& others, int j, const DotRu
     const DotRun columns = table.columns();
     const int lo = std::max(run.lo, other.dot.i + columns.lo);
     const int hi = std::min(run.hi, other.dot.i + columns.hi);
-    if (hi < lo) continue;
-    addWeighted(table.row(row) + (lo - other.dot.i - columns.lo), hi - lo + 1, other.weight,
-                scores_.data() + (lo - run.lo));
-    reads_ += hi - lo + kRowReads;
+    for (int first = lo; first <= std::min(hi, lo + stride - 1); ++first) {
+      const std::uint16_t* depths = table.from({first - other.dot.i, row});
+      for (int i = first, k = 0; i <= hi; i += stride, ++k)
+        scores_[i - run.lo] += other.weight * static_cast<float>(depths[k]);
+    }
+    if (hi >= lo) reads_ += 2 * (hi - lo) + kRowReads;
   }
   reads_ += run.size() + kRowReads;
 }
 
+/// Scores of all dots of a domain's box whose rows and columns leave the rests of `phase`.
+void LayoutSearch::scoreSome(const std::vector<Other>& others, const Domain& domain, Dot phase) {
+  const int stride = pieces_.stride();
+  DotRun box{std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
+  for (const DotRun& run : domain.runs) {
+    if (run.empty()) continue;
+    box.lo = std::min(box.lo, run.lo);
+    box.hi = std::max(box.hi, run.hi);
+  }
+  // dot = stride * number + rest
+  const auto numbers = [&](const DotRun& run, int rest) {
+    return DotRun{ceilDiv(run.lo - rest, stride), floorDiv(run.hi - rest, stride)};
+  };
+  some_columns_ = numbers(box, phase.i);
+  some_rows_ = numbers(domain.rows(), phase.j);
+  const std::size_t width = some_columns_.size();
+  scores_.assign(width * some_rows_.size(), 0);
+  for (const Other& other : others) {
+    const DifferenceTable& table = *other.table;
+    const Dot off = phase - other.dot;  // difference = stride * number + off
+    DotRun columns = numbers(table.columns(), off.i), rows = numbers(table.rows(), off.j);
+    columns = {std::max(columns.lo, some_columns_.lo), std::min(columns.hi, some_columns_.hi)};
+    rows = {std::max(rows.lo, some_rows_.lo), std::min(rows.hi, some_rows_.hi)};
+    if (columns.empty()) continue;
+    for (int j = rows.lo; j <= rows.hi; ++j) {
+      addWeighted(table.from({stride * columns.lo + off.i, stride * j + off.j}), columns.size(),
+                  other.weight,
+                  scores_.data() + (j - some_rows_.lo) * width + (columns.lo - some_columns_.lo));
+      reads_ += columns.size() + kRowReads;
+    }
+  }
+  reads_ += static_cast<double>(scores_.size()) + kRowReads;
+}
+
+float LayoutSearch::scoreAt(const std::vector<Other>& others, Dot dot) {
+  float sum = 0;
+  for (const Other& other : others)
+    sum += other.weight * static_cast<float>(other.table->depth(dot - other.dot));
+  reads_ += 2 * static_cast<double>(others.size());
+  return sum;
+}
+
+/// From dots that were looked at to a better one between them.
+void LayoutSearch::descend(const std::vector<Other>& others, const Domain& domain, Found* found) {
+  for (int step = pieces_.stride() / 2; step > 0 && found->score > 0;) {
+    Found best = *found;
+    for (int j = -step; j <= step; j += step) {
+      for (int i = -step; i <= step; i += step) {
+        const Dot dot = found->place.dot + Dot{i, j};
+        if ((i == 0 && j == 0) || !domain.has(dot)) continue;
+        const float score = scoreAt(others, dot);
+        if (score < best.score) best = {{found->place.way, dot}, score};
+      }
+    }
+    if (best.score == found->score) step /= 2;
+    *found = best;
+  }
+}
+
 LayoutSearch::Found LayoutSearch::leastOverlap(int item) {
   Found best{{}, std::numeric_limits<float>::infinity()};
+  const int stride = pieces_.stride();
   int ties = 0;
   for (const int way : ways_[item]) {
     const int placed = pieces_.items()[item].ways[way].placed;
     const Domain& domain = domains_[placed];
     const std::vector<Other> others = othersOf(item, placed, true);
-    for (int j = domain.first; j <= domain.rows().hi; ++j) {
-      const DotRun& run = domain.row(j);
-      if (run.empty()) continue;
-      scoreRow(others, j, run);
-      const float least = leastOf(scores_);
-      if (least > best.score) continue;
-      if (least < best.score) ties = 0;
-      const int equal = static_cast<int>(std::count(scores_.begin(), scores_.end(), least));
-      ties += equal;
-      if (random_.below(ties) >= equal) continue;
+    const Dot phase{random_.below(stride), random_.below(stride)};
+    scoreSome(others, domain, phase);
+    std::vector<std::pair<double, std::size_t>> rows;
+    for (int n = some_rows_.lo; n <= some_rows_.hi; ++n) {
+      const DotRun& run = domain.row(stride * n + phase.j);
+      const int lo = ceilDiv(run.lo - phase.i, stride), hi = floorDiv(run.hi - phase.i, stride);
+      if (hi < lo) continue;
+      const float* scores = scores_.data() +
+                            static_cast<std::size_t>(n - some_rows_.lo) * some_columns_.size() +
+                            (lo - some_columns_.lo);
+      const int count = hi - lo + 1;
+      const float least = leastOf(scores, count);
+      if (stride == 1 && least > best.score) continue;
+      const int equal = static_cast<int>(std::count(scores, scores + count, least));
       int nth = equal == 1 ? 0 : random_.below(equal);
       int k = 0;
-      while (scores_[k] != least || nth-- > 0) ++k;
-      best = {{way, {run.lo + k, j}}, least};
+      while (scores[k] != least || nth-- > 0) ++k;
+      const Found found{{way, {stride * (lo + k) + phase.i, stride * n + phase.j}}, least};
+      if (least < best.score) ties = 0;
+      if (least <= best.score) {
+        ties += equal;
+        if (random_.below(ties) < equal) best = found;
+      }
+      if (stride > 1) {
+        candidates_.push_back(found);
+        rows.emplace_back(least, candidates_.size() - 1);
+      }
     }
+    if (stride == 1 || best.score == 0) {
+      candidates_.clear();
+      continue;
+    }
+    sortKeyed(rows);
+    for (std::size_t k = 0; k < std::min(rows.size(), kDescents); ++k) {
+      Found found = candidates_[rows[k].second];
+      descend(others, domain, &found);
+      if (found.score >= best.score) continue;
+      best = found;
+      ties = 1;
+    }
+    candidates_.clear();
   }
   return best;
 }
@@ -268,6 +360,7 @@ bool LayoutSearch::begin() {
     for (int item = 0; item < count_ && all; ++item) all = hasPlace(item);
     if (!all) continue;
     places_ = best_->places;
+    if (pieces_.isFine()) closeUp(best_->length() - target);
     for (int item = 0; item < count_; ++item) place(item, places_[item]);
     for (int item = 0; item < count_; ++item) {
       const int placed = pieces_.items()[item].ways[places_[item].way].placed;
@@ -282,12 +375,26 @@ bool LayoutSearch::begin() {
   return false;
 }
 
+/// Moves all that lies above some piece's lower end down, so that pieces overlap only there.
+void LayoutSearch::closeUp(double by) {
+  const int down = static_cast<int>(std::ceil(by / pieces_.board().up.y()));
+  const auto bottomOf = [&](int item) {
+    const int placed = pieces_.items()[item].ways[places_[item].way].placed;
+    return pieces_.bottomAt(placed, places_[item].dot, cloth_.origin);
+  };
+  const double cut = bottomOf(random_.below(count_));
+  for (int item = 0; item < count_; ++item)
+    if (bottomOf(item) > cut && !pieces_.items()[item].is_pinned) places_[item].dot.j -= down;
+}
+
 /// Goes on from elsewhere: pieces change places, or some are taken off and laid again.
 void LayoutSearch::restart() {
   idle_ = 0;
   least_total_ = std::numeric_limits<double>::infinity();
   std::fill(weights_.begin(), weights_.end(), 1.0f);
-  const int few = 2 + random_.below(std::max(1, count_ / 3));
+  const int few = 2 + random_.below(std::clamp(count_ / 3, 1, kMostTaken));
+  places_ = least_places_;
+  for (int item = 0; item < count_; ++item) place(item, places_[item]);
   std::vector<int> taken;
   for (int k = 0; k < few; ++k) {
     const int item = random_.below(count_);
@@ -345,14 +452,19 @@ bool LayoutSearch::improve() {
   sweep();
   const double left = total();
   if (left == 0) {
+    if (restarts_ == 0) shrink_ = std::min(kMostShrink, 1.5 * shrink_);
     LaidPieces layout{places_};
     measure(pieces_, cloth_, &layout);
     offer(layout);
     return true;
   }
   reweigh();
-  idle_ = left < least_total_ ? 0 : idle_ + 1;
-  least_total_ = std::min(least_total_, left);
+  ++idle_;
+  if (left < least_total_) {
+    idle_ = 0;
+    least_total_ = left;
+    least_places_ = places_;
+  }
   if (idle_ < kIdleSweeps) return true;
   if (++restarts_ < kRestarts) {
     restart();

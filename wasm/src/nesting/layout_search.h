@@ -32,6 +32,7 @@ class LayoutSearch {
   double reads() const { return reads_; }
 
  private:
+  /// What a piece must not lie on, and how much that weighs.
   struct Other {
     const DifferenceTable* table;
     Dot dot;
@@ -44,10 +45,14 @@ class LayoutSearch {
 
   void setWindow(double bottom, double length);
   bool begin();
+  void closeUp(double by);
   void restart();
   void sweep();
   std::vector<Other> othersOf(int item, int placed, bool weighted) const;
   void scoreRow(const std::vector<Other>& others, int j, const DotRun& run);
+  void scoreSome(const std::vector<Other>& others, const Domain& domain, Dot phase);
+  float scoreAt(const std::vector<Other>& others, Dot dot);
+  void descend(const std::vector<Other>& others, const Domain& domain, Found* found);
   Found leastOverlap(int item);
   std::optional<LayPlace> lowest(int item);
   float overlap(int a, int b) const;
@@ -73,7 +78,9 @@ class LayoutSearch {
   std::vector<LayPlace> places_;
   std::vector<float> weights_, overlaps_;  ///< of pairs, both ways
   std::vector<float> flaw_overlaps_;       ///< per item
-  std::vector<float> scores_;              ///< of a row
+  std::vector<float> scores_;              ///< of a row, or of some dots of a domain
+  std::vector<Found> candidates_;          ///< the best of each row of them
+  DotRun some_rows_, some_columns_;        ///< of these, in strides
 
   std::optional<LaidPieces> best_;
   double beginning_ = 0;  ///< of the best
@@ -81,6 +88,7 @@ class LayoutSearch {
   bool is_under_way_ = false;
   int idle_ = 0, restarts_ = 0;
   double least_total_ = 0;
+  std::vector<LayPlace> least_places_;
   double reads_ = 0;
 };
 

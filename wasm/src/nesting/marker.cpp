@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/decimal.h"
+#include "base/sort_by.h"
 
 namespace seamwise {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Budgets at effort 1, in table reads. Chosen so that each stage takes about half a second of one
 // core in WebAssembly for a dozen pieces.
 constexpr double kLayReads = 1.5e9;
-constexpr double kProofReads = 200e6;
+constexpr double kProofReads = 400e6;
 constexpr double kWidthReads = 50e6;
 /// Of the budget for laying: what all variants share before a proof is tried.
 constexpr double kFirstShare = 0.3;
@@ -156,9 +157,7 @@ void Marker::lay() {
   }
   if (!best_) return fail();
   if (proofs_ > 0 && spent() < budget()) {
-    std::stable_sort(variants_.begin(), variants_.end(), [](const Variant& a, const Variant& b) {
-      return lengthOf(*a.search) < lengthOf(*b.search);
-    });
+    sortBy(variants_, [](const Variant& variant) { return lengthOf(*variant.search); });
     for (std::size_t k = 0; k < std::min(kSecondRound, variants_.size()); ++k) {
       LayoutSearch& search = *variants_[turn_++ % std::min(kSecondRound, variants_.size())].search;
       const double before = search.reads();

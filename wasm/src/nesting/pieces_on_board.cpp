@@ -14,6 +14,7 @@ constexpr double kStep = 0.5;  // cm
 constexpr double kMostCells = 60e6;
 /// Boards of more columns are searched, not proven, and too near to touching is not looked into.
 constexpr int kFineColumns = 64;
+constexpr int kStride = 4;  ///< on fine boards: the depth of overlaps is smooth over 2 cm
 constexpr double kOnEdge = 1e-5;  ///< cm by which pieces may reach beyond a window
 
 bool isMultiple(double angle, double of) { return std::abs(std::remainder(angle, of)) < 1e-6; }
@@ -49,7 +50,7 @@ bool isSame(const Polyline& a, const Polyline& b) {
 }  // namespace
 
 PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
-    : spacing_{problem.gap, ignores_print ? 0 : problem.repeat_tolerance, false},
+    : spacing_{problem.gap, ignores_print ? 0 : problem.repeat_tolerance, false, 1},
       ignores_print_(ignores_print) {
   const WallpaperGroup& group = problem.group;
   const auto boardOf = [&](double step) {
@@ -81,6 +82,7 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
   }
   is_fine_ = problem.width / board_.along.x() > kFineColumns;
   spacing_.is_exact = !is_fine_;
+  spacing_.stride = is_fine_ ? kStride : 1;
   for (const Polyline& flaw : problem.flaws) flaws_.push_back(seamwise::shapeOf(flaw, Mat2::Identity()));
   for (std::size_t k = 0; k < items_.size(); ++k) {
     const auto same = [&](const LayItem& other) {
@@ -177,7 +179,7 @@ std::vector<DifferenceTable> PiecesOnBoard::flawTables(int placed, const Vec2& o
   std::vector<DifferenceTable> tables;
   for (const Shape& flaw : flaws_)
     tables.emplace_back(flaw, shape(placed), origin + placed_[placed].offset, board_,
-                        Spacing{0, 0, spacing_.is_exact});
+                        Spacing{0, 0, spacing_.is_exact, spacing_.stride});
   return tables;
 }
 

@@ -63,6 +63,8 @@ class PiecesOnBoard {
   double area() const { return area_; }
   /// It has so many columns that layouts on it are sought, not proven.
   bool isFine() const { return is_fine_; }
+  /// Of the dots that a search looks at first; 1 where there are few.
+  int stride() const { return spacing_.stride; }
 
   /// Makes the next table; false when there is none left to make.
   bool makeTable();
