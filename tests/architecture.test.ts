@@ -24,6 +24,7 @@ const coreRooms = [
   'mesh',
   'deform',
   'drape',
+  'nesting',
   'problem',
   'methods',
   'solve',
@@ -43,6 +44,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   scene: ['model', 'layout'], // no GL, no SVG, no DOM
   picture: ['model', 'recognition', 'layout', 'scene'],
   cutting: ['model', 'layout', 'scene', 'picture'],
+  paper: ['model', 'recognition', 'picture', 'cutting'], // no DOM: files of pages in Node, too
   marker: ['model', 'layout', 'scene', 'recognition', 'picture', 'cutting', 'paper'], // no DOM
   remedies: ['model', 'scene'],
   viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
