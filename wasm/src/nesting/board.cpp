@@ -1,7 +1,7 @@
 #include "nesting/board.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "wallpaper/lattice.h"
@@ -57,7 +57,9 @@ Board Board::ofLattice(const Vec2& w1, const Vec2& w2, double least) {
   }
   if (along.x() < 0) along = -along;
   if (cross(along, up) < 0) up = -up;
-  const auto times = [&](const Vec2& v) { return std::max(1.0, std::ceil(least / v.norm() - 1e-9)); };
+  const auto times = [&](const Vec2& v) {
+    return std::max(1.0, std::ceil(least / v.norm() - 1e-9));
+  };
   along *= times(along);
   up -= std::nearbyint(up.dot(along) / along.squaredNorm()) * along;
   up *= times(up);

@@ -7,10 +7,10 @@
 
 namespace seamwise {
 
-/// Looks through all layouts of at most a given length, step by step: one piece after the other, that
-/// with the fewest dots left first, where pieces that ran out of dots before count more, with the
-/// dots that each leaves to the others as bits. Layouts that differ by whole repeats, or by which of
-/// two equal pieces lies where, are looked at once.
+/// Looks through all layouts of at most a given length, step by step: one piece after the other,
+/// that with the fewest dots left first, where pieces that ran out of dots before count more, with
+/// the dots that each leaves to the others as bits. Layouts that differ by whole repeats, or by
+/// which of two equal pieces lies where, are looked at once.
 class CompleteSearch {
  public:
   /// @param length   that no layout sought exceeds. [cm]

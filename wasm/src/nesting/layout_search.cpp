@@ -14,14 +14,16 @@ namespace seamwise {
 namespace {
 
 constexpr std::size_t kMostBeginnings = 24;
-constexpr double kShorter = 0.01;    ///< cm by which a shorter layout is shorter at least
+constexpr double kShorter = 0.01;  ///< cm by which a shorter layout is shorter at least
 constexpr double kFirstShrink = 0.01, kMostShrink = 0.03;
-constexpr float kFlawWeight = 1000;  ///< nothing is worth lying on a flaw
-constexpr int kMostTaken = 4;        ///< pieces that are laid again at once
-constexpr int kIdleSweeps = 40;      ///< without less overlap, before something else is tried
-constexpr int kRowReads = 30;        ///< what beginning a row takes, in reads; measured
-constexpr std::size_t kDescents = 6; ///< from the best dots that were looked at
-constexpr int kRestarts = 6;         ///< before a target less far is
+constexpr float kFlawWeight = 1000;   ///< nothing is worth lying on a flaw
+constexpr int kDoublings = 8;         ///< of the height in which pieces are laid one by one
+constexpr int kMostTaken = 4;         ///< pieces that are laid again at once
+constexpr int kIdleSweeps = 40;       ///< without less overlap, before something else is tried
+constexpr int kRowReads = 30;         ///< what beginning a row takes, in reads; measured
+constexpr double kLookupReads = 12;   ///< and what reading a single dot takes
+constexpr std::size_t kDescents = 6;  ///< from the best dots that were looked at
+constexpr int kRestarts = 6;          ///< before a target less far is
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 int ceilDiv(int a, int b) { return -floorDiv(-a, b); }
@@ -86,32 +88,43 @@ LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uin
 
 bool LayoutSearch::construct() {
   if (next_ == orders_.size() * beginnings_.size() || homeless_ >= 0) return false;
-  const std::size_t by = next_ % orders_.size(), from = next_ / orders_.size();
+  const std::vector<int>& order = orders_[next_ % orders_.size()];
+  if (laid_ == 0) {
+    if (doublings_ == 0) height_ = firstHeight();
+    setWindow(beginnings_[next_ / orders_.size()], height_);
+    for (LayPlace& place : places_) place.way = -1;
+  }
+  const int item = order[laid_];
+  if (const auto found = lowest(item)) {
+    places_[item] = *found;
+    if (++laid_ < order.size()) return true;
+    LaidPieces layout{places_};
+    measure(pieces_, cloth_, &layout);
+    offer(layout);
+  } else {
+    laid_ = 0;
+    // taller windows have rows like those of this one, if they repeat
+    const bool is_hopeless = !hasPlace(item) && (doublings_ > 0 || pieces_.period());
+    height_ *= 2;
+    if (!is_hopeless && ++doublings_ < kDoublings) return true;
+    homeless_ = item;
+    return false;
+  }
+  laid_ = 0;
+  doublings_ = 0;
   ++next_;
-  // tall enough for a loose layout; one that needs more is given more
-  const double width = std::max(cloth_.right - cloth_.left, 1.0);
+  return true;
+}
+
+/// Tall enough for a loose layout; one that needs more is given more. [cm]
+double LayoutSearch::firstHeight() const {
   double tallest = 0;
   for (int placed = 0; placed < pieces_.placedCount(); ++placed)
     tallest = std::max(tallest, pieces_.shape(placed).high.y() - pieces_.shape(placed).low.y());
-  const double repeat = pieces_.period().value_or(100.0);
-  double length = 2 * pieces_.area() / width + 2 * tallest + 2 * repeat;
-  for (int times = 0; times < 8; ++times, length *= 2) {
-    setWindow(beginnings_[from], length);
-    if (layInOrder(orders_[by])) {
-      LaidPieces layout{places_};
-      measure(pieces_, cloth_, &layout);
-      offer(layout);
-      return true;
-    }
-    for (int item = 0; item < count_; ++item)
-      if (!hasPlace(item)) homeless_ = item;
-    // longer windows have rows like those of this one
-    if (homeless_ >= 0 && (times > 0 || pieces_.period())) return false;
-    homeless_ = -1;
-  }
-  for (int item = 0; item < count_ && homeless_ < 0; ++item)
-    if (places_[item].way < 0) homeless_ = item;
-  return false;
+  constexpr double kUnknownRepeat = 100;
+  const double repeat = pieces_.period().value_or(kUnknownRepeat);
+  const double width = std::max(cloth_.right - cloth_.left, 1.0);
+  return 2 * (pieces_.area() / width + tallest + repeat);
 }
 
 void LayoutSearch::offer(const LaidPieces& layout) {
@@ -139,10 +152,9 @@ void LayoutSearch::setWindow(double bottom, double length) {
 float LayoutSearch::overlap(int a, int b) const {
   const LayPlace &p = places_[a], &q = places_[b];
   if (p.way < 0 || q.way < 0) return 0;
-  return static_cast<float>(pieces_
-                                .table(pieces_.items()[a].ways[p.way].placed,
-                                       pieces_.items()[b].ways[q.way].placed)
-                                .depth(q.dot - p.dot));
+  return static_cast<float>(
+      pieces_.table(pieces_.items()[a].ways[p.way].placed, pieces_.items()[b].ways[q.way].placed)
+          .depth(q.dot - p.dot));
 }
 
 void LayoutSearch::place(int item, const LayPlace& place) {
@@ -230,7 +242,7 @@ float LayoutSearch::scoreAt(const std::vector<Other>& others, Dot dot) {
   float sum = 0;
   for (const Other& other : others)
     sum += other.weight * static_cast<float>(other.table->depth(dot - other.dot));
-  reads_ += 2 * static_cast<double>(others.size());
+  reads_ += kLookupReads * static_cast<double>(others.size());
   return sum;
 }
 
@@ -335,16 +347,6 @@ std::optional<LayPlace> LayoutSearch::lowest(int item) {
   return best;
 }
 
-bool LayoutSearch::layInOrder(const std::vector<int>& order) {
-  for (LayPlace& place : places_) place.way = -1;
-  for (const int item : order) {
-    const auto found = lowest(item);
-    if (!found) return false;
-    places_[item] = *found;
-  }
-  return true;
-}
-
 /// Cuts the cloth shorter and brings what lies beyond it back; false when no height to begin at
 /// leaves every piece a place.
 bool LayoutSearch::begin() {
@@ -435,8 +437,8 @@ void LayoutSearch::reweigh() {
   if (most <= 0) return;
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const float depth = overlaps_[k];
-    weights_[k] =
-        depth > 0 ? weights_[k] * (1.2f + 0.8f * depth / most) : std::max(1.0f, weights_[k] * 0.95f);
+    weights_[k] = depth > 0 ? weights_[k] * (1.2f + 0.8f * depth / most)
+                            : std::max(1.0f, weights_[k] * 0.95f);
   }
 }
 

@@ -16,19 +16,21 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // Budgets at effort 1, in table reads. Chosen so that each stage takes about half a second of one
 // core in WebAssembly for a dozen pieces.
-constexpr double kLayReads = 1.5e9;
+constexpr double kLayReads = 1e9;
 constexpr double kProofReads = 400e6;
-constexpr double kWidthReads = 50e6;
+constexpr double kWidthReads = 100e6;
 /// Of the budget for laying: what all variants share before a proof is tried.
 constexpr double kFirstShare = 0.3;
 constexpr std::size_t kSecondRound = 2;  ///< variants that get the rest
 /// Of the budget for proofs, what one gets that nothing is shorter than the best, and what others.
 constexpr double kProofOfBest = 0.5, kOtherProof = 0.1;
 constexpr int kMostProofs = 6;
-constexpr double kWorthProving = 0.5;  ///< cm between bound and best
-constexpr double kLessLength = 0.01;  ///< cm
-constexpr double kReadsOfCell = 20;  ///< to make a table's dot, in reads of one
-constexpr double kReadsOfRow = 5;    ///< of a proof
+constexpr double kWorthProving = 0.5;   ///< cm between bound and best
+constexpr double kLessLength = 0.01;    ///< cm
+constexpr double kReadsOfDot = 60;      ///< to make a table's dot, in reads of one
+constexpr double kReadsOfTable = 5e5;   ///< beside its dots
+constexpr double kReadsOfShapes = 2e7;  ///< to make all shapes of a board
+constexpr double kReadsOfRow = 5;       ///< of a proof
 /// How much wider cloth is looked at for a piece that finds no place. [cm]
 constexpr double kMostWider = 200, kWider = 0.5;
 
@@ -49,7 +51,8 @@ Outcome<std::unique_ptr<Marker>> Marker::make(NestingProblem problem) {
     const double least = piece.turns == LayTurns::kHalf ? across : std::min(across, along);
     if (!piece.pin && least > room + 1e-6)
       return Error{Failure::kOptions, piece.name + " is " + centimetres(across) +
-                                          " wide, more than the " + centimetres(std::max(room, 0.0)) +
+                                          " wide, more than the " +
+                                          centimetres(std::max(room, 0.0)) +
                                           " between the selvedges; the cloth has to be at least " +
                                           centimetres(across + 2 * problem.selvedge) + " wide."};
   }
@@ -78,7 +81,8 @@ LayCloth Marker::clothOf(double width, double phase) const {
 std::vector<std::vector<bool>> Marker::naps() const {
   if (problem_.nap != Nap::kGarment) return {{}};
   int garments = 0;
-  for (const NestingPiece& piece : problem_.pieces) garments = std::max(garments, piece.garment + 1);
+  for (const NestingPiece& piece : problem_.pieces)
+    garments = std::max(garments, piece.garment + 1);
   constexpr int kAll = 3;  // of more garments, not all combinations are tried
   std::vector<std::vector<bool>> naps;
   if (garments <= kAll) {
@@ -180,8 +184,8 @@ void Marker::fail() {
     return;
   }
   if (!problem_.flaws.empty()) {
-    error_ = Error{Failure::kOptions,
-                   piece.name + " finds no place between the flaws of the cloth."};
+    error_ =
+        Error{Failure::kOptions, piece.name + " finds no place between the flaws of the cloth."};
     return;
   }
   for (double width = problem_.width; width < problem_.width + kMostWider; width += kWider) {
@@ -193,10 +197,10 @@ void Marker::fail() {
         if (std::none_of(domain.runs.begin(), domain.runs.end(),
                          [](const DotRun& run) { return !run.empty(); }))
           continue;
-        error_ = Error{Failure::kOptions,
-                       "On this repeat " + piece.name + " fits nowhere across " +
-                           centimetres(problem_.width) + "; the cloth has to be at least " +
-                           centimetres(width) + " wide."};
+        error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
+                                              centimetres(problem_.width) +
+                                              "; the cloth has to be at least " +
+                                              centimetres(width) + " wide."};
         return;
       }
     }
@@ -225,9 +229,9 @@ void Marker::beginProof() {
   stage_ = is_proven_ ? Stage::kFree : Stage::kProve;
 }
 
-/// What the next proof is to be of, if one is worth its work: that nothing is shorter than the best,
-/// as long as that has not been tried in vain; then, that nothing is shorter than what lies between
-/// the bound and the best.
+/// What the next proof is to be of, if one is worth its work: that nothing is shorter than the
+/// best, as long as that has not been tried in vain; then, that nothing is shorter than what lies
+/// between the bound and the best.
 bool Marker::beginNextProof() {
   const double all = kProofReads * problem_.effort;
   const bool is_first = proofs_ == 0 || best_->length() < tried_length_ - kLessLength;
@@ -279,12 +283,15 @@ void Marker::layFree() {
     stage_ = Stage::kWidths;
     return;
   }
-  if (!free_pieces_) free_pieces_ = std::make_unique<PiecesOnBoard>(problem_, true);
+  if (!free_pieces_) {
+    free_pieces_ = std::make_unique<PiecesOnBoard>(problem_, true);
+    reads_ += kReadsOfShapes;
+    return;
+  }
   if (!free_search_) {
-    if (free_pieces_->makeTable()) {
-      reads_ += kReadsOfCell * 1e4;
-      return;
-    }
+    const double dots = free_pieces_->makeTable();
+    reads_ += kReadsOfTable + kReadsOfDot * dots;
+    if (dots > 0) return;
     LayCloth cloth = clothOf(problem_.width, 0);
     cloth.origin = {cloth.left, 0};
     free_search_ = std::make_unique<LayoutSearch>(*free_pieces_, cloth, problem_.seed);
@@ -326,15 +333,20 @@ void Marker::layWidths() {
   ++width_;
 }
 
+void Marker::makeTables() {
+  const double dots = pieces_.makeTable();
+  reads_ += kReadsOfTable + kReadsOfDot * dots;
+  if (dots > 0) return;
+  makeVariants();
+  stage_ = Stage::kLay;
+}
+
 bool Marker::advance(double work) {
   reads_ = 0;
   while (reads_ < work * 1e6 && stage_ != Stage::kDone) {
     switch (stage_) {
       case Stage::kTables:
-        reads_ += kReadsOfCell * 1e4;
-        if (pieces_.makeTable()) break;
-        makeVariants();
-        stage_ = Stage::kLay;
+        makeTables();
         break;
       case Stage::kLay:
         lay();
@@ -356,7 +368,9 @@ bool Marker::advance(double work) {
 }
 
 double Marker::fraction() const {
-  const auto share = [](double done, double all) { return all > 0 ? std::min(1.0, done / all) : 1.0; };
+  const auto share = [](double done, double all) {
+    return all > 0 ? std::min(1.0, done / all) : 1.0;
+  };
   switch (stage_) {
     case Stage::kTables:
       return 0.1 * pieces_.made();
@@ -367,7 +381,8 @@ double Marker::fraction() const {
     case Stage::kFree:
       return 0.6 + 0.3 * (free_search_ ? share(free_search_->reads(), budget()) : 0);
     case Stage::kWidths:
-      return 0.9 + 0.1 * share(static_cast<double>(width_), static_cast<double>(problem_.widths.size()));
+      return 0.9 +
+             0.1 * share(static_cast<double>(width_), static_cast<double>(problem_.widths.size()));
     case Stage::kDone:
       return 1;
   }

@@ -24,8 +24,8 @@ Vec2 rounded(const Vec2& p);
 Shape shapeOf(const Polyline& outline, const Mat2& turn);
 
 /// A polygon of few vertices that holds the simple counter-clockwise polygon: corners that point
-/// inwards are left out, short edges give way to where their neighbours meet. It leaves the polygon by
-/// at most `most` cm, where that curves inwards by `most_inwards`.
+/// inwards are left out, short edges give way to where their neighbours meet. It leaves the polygon
+/// by at most `most` cm, where that curves inwards by `most_inwards`.
 Polyline simplifiedOutwards(const Polyline& polygon, double most, double most_inwards);
 
 }  // namespace seamwise
