@@ -1,12 +1,16 @@
-import {chosenNames} from '../model/garment-marks.js';
+import {chosenNames, panelMarks} from '../model/garment-marks.js';
 import type {Point} from '../model/geometry.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import {naps, type MarkerProgress} from '../model/marker.js';
+import {readable, titleOfFile} from '../model/piece-names.js';
+import type {Print} from '../model/print.js';
 import {listOf, Malformed, number, pairOf} from '../model/read.js';
 import {readText} from '../node/files.js';
 import {
+  layPlanFiles,
   layPlanText,
   marker as layResults,
+  type LayPlanFiles,
   type MarkerGarment,
   type NodeMarkerSettings,
 } from '../node/index.js';
@@ -28,12 +32,28 @@ import {
   shifts,
   type LayWish,
 } from './base/lay-wish.js';
+import {readRaster, readTile} from './base/print-files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
 import {garmentOf, optionsIn, parsed, readClothOf, readResult} from './result-file.js';
 
+type Content = string | Uint8Array;
+
 /** What can be written, by the flag that names the file. */
-const outputs: Readonly<Record<string, (plan: LayPlan) => string | Promise<string | Uint8Array>>> =
-  {'--out': layPlanText};
+const outputs: Readonly<
+  Record<string, (files: LayPlanFiles, plan: LayPlan) => Content | Promise<Content>>
+> = {
+  '--out': (_, plan) => layPlanText(plan),
+  '--svg': ({svg}) => svg(),
+  '--pdf': (files) => pages(files, 10),
+  '--plotter': (files) => pages(files, 1),
+  '--dxf': ({dxf}) => dxf(),
+};
+
+async function pages({pdf}: LayPlanFiles, scale: 10 | 1): Promise<Uint8Array> {
+  const {bytes, notes} = await pdf(scale);
+  notes.forEach(remark);
+  return bytes;
+}
 
 const flagsOf = (names: readonly string[]): string[] => names.map((name) => `--${name}`);
 
@@ -74,13 +94,43 @@ export async function marker(words: readonly string[]): Promise<void> {
   const laid = await Promise.all(
     args.files.map((file) => readLaid(file, {printFile, garmentFile, isOnly: !args.files[1]})),
   );
-  const [{cloth} = {cloth: {}}] = laid;
+  const [{cloth} = {cloth: undefined}] = laid;
+  if (!cloth) throw new UsageError('The result file is missing.');
   const {plan, milliseconds} = await timed(
     laid.map(({garment}) => garment),
     {...settings, print: cloth, ...(flaws && {flaws})},
   );
-  for (const {path, content} of wanted) await writeWhole(path, await content(plan));
+  const files = await filesOf(plan, laid, {cloth, printFile, resultFiles: args.files});
+  for (const {path, content} of wanted) await writeWhole(path, await content(files, plan));
   report(args, plan, milliseconds);
+}
+
+async function filesOf(
+  plan: LayPlan,
+  laid: readonly {readonly garment: MarkerGarment}[],
+  {
+    cloth,
+    printFile,
+    resultFiles,
+  }: {
+    readonly cloth: Print;
+    readonly printFile: string;
+    readonly resultFiles: readonly string[];
+  },
+): Promise<LayPlanFiles> {
+  const tile = await readTile(cloth, printFile);
+  const called = laid.map(
+    ({garment: {garment, names}}) =>
+      (piece: string): string | undefined =>
+        garment && panelMarks(garment, {...(names && {names})}).get(piece)?.label,
+  );
+  return layPlanFiles(plan, {
+    print: {...cloth, ...(tile !== undefined && {tile})},
+    results: laid.map(({garment}) => garment.result),
+    names: (result, piece) => called[result]?.(piece) ?? readable(piece),
+    title: resultFiles.map(titleOfFile).join(', '),
+    pixels: () => readRaster(cloth, printFile),
+  });
 }
 
 interface LaidFile {

@@ -112,6 +112,8 @@ seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [fla
     --effort N                  looks N times as long, from 1, the default, or 0: a first layout
     --seed N                    same seed, same layout; default 1
     --out PLAN.json             writes where every piece lies
+    --svg FILE.svg              draws it at a tenth of its size; --pdf FILE.pdf too, --plotter FILE.pdf at true scale
+    --dxf FILE.dxf              the pieces where they lie, for cutters
     --json                      prints the figures as JSON
 
 seamwise drape RESULT.json --print PRINT.json [flags]

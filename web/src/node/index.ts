@@ -30,6 +30,7 @@ import {thread} from './thread.js';
 import type {Cut, CutSettings} from './cut.js';
 import type {ImportedGarment, ImportOptions} from './import.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
+import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 import type {Order, OrderHooks} from './order.js';
 
 export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
@@ -84,6 +85,7 @@ export type {
   ImportReport,
 } from './import.js';
 export type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
+export type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 export type {Order, OrderHooks} from './order.js';
 export type {NamedEdge, SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
@@ -196,6 +198,15 @@ export async function marker(
 ): Promise<LayPlan> {
   const {markerWith} = await import('./marker.js');
   return markerWith((problem, all) => solver.marker(problem, all), results, settings, hooks);
+}
+
+/** Files of a lay plan: drawn small with its tables, at true scale for a plotter, and as DXF for cutters. */
+export async function layPlanFiles(
+  plan: LayPlan,
+  settings: LayPlanSettings,
+): Promise<LayPlanFiles> {
+  const {layPlanFilesOf} = await import('./lay-plan.js');
+  return layPlanFilesOf(plan, settings);
 }
 
 /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */
