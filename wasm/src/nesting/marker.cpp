@@ -8,29 +8,16 @@
 
 #include "base/decimal.h"
 #include "base/sort_by.h"
+#include "tuning/nesting.h"
 
 namespace seamwise {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Budgets at effort 1, in table reads. Chosen so that each stage takes about half a second of one
-// core in WebAssembly for a dozen pieces.
-constexpr double kLayReads = 1e9;
-constexpr double kProofReads = 400e6;
-constexpr double kWidthReads = 100e6;
 /// Of the budget for laying: what all variants share before a proof is tried.
 constexpr double kFirstShare = 0.3;
 constexpr std::size_t kSecondRound = 2;  ///< variants that get the rest
-/// Of the budget for proofs, what one gets that nothing is shorter than the best, and what others.
-constexpr double kProofOfBest = 0.5, kOtherProof = 0.1;
-constexpr int kMostProofs = 6;
-constexpr double kWorthProving = 0.5;   ///< cm between bound and best
-constexpr double kLessLength = 0.01;    ///< cm
-constexpr double kReadsOfDot = 60;      ///< to make a table's dot, in reads of one
-constexpr double kReadsOfTable = 5e5;   ///< beside its dots
-constexpr double kReadsOfShapes = 2e7;  ///< to make all shapes of a board
-constexpr double kReadsOfRow = 5;       ///< of a proof
 /// How much wider cloth is looked at for a piece that finds no place. [cm]
 constexpr double kMostWider = 200, kWider = 0.5;
 
@@ -114,7 +101,7 @@ void Marker::makeVariants() {
   }
 }
 
-double Marker::budget() const { return kLayReads * problem_.effort; }
+double Marker::budget() const { return NestingTuning::kLayReads * problem_.effort; }
 
 double Marker::spent() const {
   double reads = 0;
@@ -160,7 +147,8 @@ void Marker::lay() {
     }
   }
   if (!best_) return fail();
-  if (proofs_ > 0 && spent() < budget()) {
+  // one variant is soon proven, perhaps; the best of several is not known before
+  if ((proofs_ > 0 || variants_.size() > 1) && spent() < budget()) {
     sortBy(variants_, [](const Variant& variant) { return lengthOf(*variant.search); });
     for (std::size_t k = 0; k < std::min(kSecondRound, variants_.size()); ++k) {
       LayoutSearch& search = *variants_[turn_++ % std::min(kSecondRound, variants_.size())].search;
@@ -209,133 +197,9 @@ void Marker::fail() {
                                         centimetres(problem_.width) + "."};
 }
 
-void Marker::beginProof() {
-  stage_ = Stage::kDone;
-  if (problem_.effort == 0) return;
-  const LayCloth& cloth = best_search_->cloth();
-  double tallest = 0;
-  const auto ways = allowedWays(pieces_, cloth);
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const int way : ways[k]) {
-      const Shape& shape = pieces_.shapeOf(pieces_.items()[k].ways[way]);
-      least = std::min(least, shape.high.y() - shape.low.y());
-    }
-    tallest = std::max(tallest, least);
-  }
-  const double area = pieces_.area() / (cloth.right - cloth.left);
-  bound_ = std::min(best_->length(), std::max({bound_, tallest, area}));
-  is_proven_ = bound() >= length() - kLessLength;
-  stage_ = is_proven_ ? Stage::kFree : Stage::kProve;
-}
-
-/// What the next proof is to be of, if one is worth its work: that nothing is shorter than the
-/// best, as long as that has not been tried in vain; then, that nothing is shorter than what lies
-/// between the bound and the best.
-bool Marker::beginNextProof() {
-  const double all = kProofReads * problem_.effort;
-  const bool is_first = proofs_ == 0 || best_->length() < tried_length_ - kLessLength;
-  const bool is_worth = proofs_ < kMostProofs && best_->length() - bound_ > kWorthProving;
-  if (!is_first && !is_worth) return false;
-  is_of_best_ = is_first;
-  if (is_first) tried_length_ = best_->length();
-  const double shortest = problem_.whole_repeats && pieces_.period()
-                              ? length() - *pieces_.period()
-                              : best_->length() - kLessLength;
-  proof_target_ = is_first ? shortest : (bound_ + best_->length()) / 2;
-  proof_work_ = (is_first ? kProofOfBest : kOtherProof) * all;
-  proof_ = std::make_unique<CompleteSearch>(pieces_, best_search_->cloth(), proof_target_);
-  ++proofs_;
-  return proof_->canProve();
-}
-
-void Marker::prove() {
-  if (!proof_ && !beginNextProof()) {
-    proof_.reset();
-    stage_ = spent() < budget() ? Stage::kLay : Stage::kFree;
-    return;
-  }
-  constexpr double kStep = 1e5;
-  const double before = proof_->reads();
-  const bool more = proof_->step(kStep);
-  reads_ += kReadsOfRow * (proof_->reads() - before) + 1;
-  if (more && proof_->reads() < proof_work_) return;
-  const bool is_open = more;
-  if (const auto& found = proof_->found()) {
-    for (const Variant& variant : variants_)
-      if (variant.search.get() == best_search_) variant.search->offer(*found);
-    keepBest();
-    if (is_of_best_) --proofs_;  // begins anew, below the shorter one
-  } else if (!is_open) {
-    bound_ = std::max(bound_, is_of_best_ ? best_->length() : proof_target_);
-    is_proven_ = is_of_best_;
-  }
-  proof_.reset();
-  if (is_proven_)
-    stage_ = Stage::kFree;
-  else if (is_of_best_ && is_open && spent() < budget())
-    stage_ = Stage::kLay;  // there may be something shorter
-}
-
-void Marker::layFree() {
-  if (!problem_.also_free || problem_.ignores_print) {
-    if (problem_.ignores_print) free_length_ = length();
-    stage_ = Stage::kWidths;
-    return;
-  }
-  if (!free_pieces_) {
-    free_pieces_ = std::make_unique<PiecesOnBoard>(problem_, true);
-    reads_ += kReadsOfShapes;
-    return;
-  }
-  if (!free_search_) {
-    const double dots = free_pieces_->makeTable();
-    reads_ += kReadsOfTable + kReadsOfDot * dots;
-    if (dots > 0) return;
-    LayCloth cloth = clothOf(problem_.width, 0);
-    cloth.origin = {cloth.left, 0};
-    free_search_ = std::make_unique<LayoutSearch>(*free_pieces_, cloth, problem_.seed);
-  }
-  const double before = free_search_->reads();
-  bool more = free_search_->construct();
-  if (!more) more = free_search_->reads() < budget() && free_search_->improve();
-  reads_ += free_search_->reads() - before + 1;
-  if (more) return;
-  // a layout on the print is one without it
-  free_length_ = free_search_->best() ? std::min(free_search_->best()->length(), best_->length())
-                                      : best_->length();
-  stage_ = Stage::kWidths;
-}
-
-void Marker::layWidths() {
-  if (width_ == problem_.widths.size()) {
-    stage_ = Stage::kDone;
-    return;
-  }
-  const double width = problem_.widths[width_];
-  if (!width_search_) {
-    LayCloth cloth = best_search_->cloth();
-    cloth.right = width - problem_.selvedge;
-    width_search_ = std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed);
-    // what goes onto narrower cloth goes onto this, too
-    if (width >= problem_.width) width_search_->offer(*best_);
-  }
-  const double before = width_search_->reads();
-  bool more = width_search_->construct();
-  if (!more && width_search_->best())
-    more = width_search_->reads() < kWidthReads * problem_.effort && width_search_->improve();
-  reads_ += width_search_->reads() - before + 1;
-  if (more) return;
-  const auto& found = width_search_->best();
-  const bool is_same = std::abs(width - problem_.width) < 1e-9;
-  width_lengths_.push_back(is_same ? length() : found ? roundedUp(found->length()) : kNaN);
-  width_search_.reset();
-  ++width_;
-}
-
 void Marker::makeTables() {
   const double dots = pieces_.makeTable();
-  reads_ += kReadsOfTable + kReadsOfDot * dots;
+  reads_ += NestingTuning::kReadsOfTable + NestingTuning::kReadsOfDot * dots;
   if (dots > 0) return;
   makeVariants();
   stage_ = Stage::kLay;
