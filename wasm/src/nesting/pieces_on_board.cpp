@@ -105,10 +105,10 @@ int PiecesOnBoard::addShape(const Polyline& outline, const Mat2& turn) {
 
 int PiecesOnBoard::addPlaced(int shape, const Vec2& offset) {
   const auto known = std::find_if(placed_.begin(), placed_.end(), [&](const PlacedShape& one) {
-    return one.shape == shape && (one.offset - offset).norm() < 1e-6;
+    return !one.is_pinned && one.shape == shape && (one.offset - offset).norm() < 1e-6;
   });
   if (known != placed_.end()) return static_cast<int>(known - placed_.begin());
-  placed_.push_back({shape, offset});
+  placed_.push_back({shape, offset, false});
   return static_cast<int>(placed_.size()) - 1;
 }
 
@@ -153,7 +153,8 @@ void PiecesOnBoard::addPin(const NestingPiece& piece, const NestingProblem& prob
   way.angle = piece.pin->angle;
   way.is_up = (way.linear * piece.up).y() > -1e-6;
   way.offset = piece.pin->shift - Vec2(problem.phases.front(), problem.start.value_or(0));
-  way.placed = addPlaced(addShape(piece.outline, way.linear), rounded(way.offset));
+  way.placed = static_cast<int>(placed_.size());
+  placed_.push_back({addShape(piece.outline, way.linear), rounded(way.offset), true});
   item->ways.push_back(way);
   item->is_pinned = true;
 }
@@ -190,6 +191,11 @@ Domain PiecesOnBoard::domain(int placed, const Window& window, const Vec2& origi
   const double top = window.top - shape.high.y() - start.y() + kOnEdge;
   Domain domain;
   if (right < left || top < bottom) return domain;
+  if (placed_[placed].is_pinned) {
+    const bool is_in = left <= 0 && right >= 0 && bottom <= 0 && top >= 0;
+    if (is_in) domain.runs.push_back({0, 0});
+    return domain;
+  }
   const Vec2 &along = board_.along, &up = board_.up;
   // rows of the parallelogram that could meet the box
   double lo = 1e9, hi = -1e9;
