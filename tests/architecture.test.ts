@@ -43,6 +43,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   scene: ['model', 'layout'], // no GL, no SVG, no DOM
   picture: ['model', 'recognition', 'layout', 'scene'],
   cutting: ['model', 'layout', 'scene', 'picture'],
+  marker: ['model'], // no DOM
   paper: ['model', 'recognition', 'picture', 'cutting'], // no DOM: files of pages in Node, too
   remedies: ['model', 'scene'],
   viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
