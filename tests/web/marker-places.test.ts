@@ -41,7 +41,7 @@ const wavy = (radius: number, count = 200): readonly Point[] =>
   });
 
 const piece = (more: Partial<LayablePiece> = {}): LayablePiece => ({
-  cut: [
+  outline: [
     [0, 0],
     [18, 0],
     [18, 28],
@@ -87,10 +87,10 @@ describe('the places of a piece on printed cloth', () => {
         const {all} = new Places([laid], 0, turn, cloth);
         expect(all.length).toBeGreaterThan(10);
         for (const translation of all.slice(0, 20)) {
-          const seen = laid.piece.cut.map((p) =>
+          const seen = laid.piece.outline.map((p) =>
             minus(onPiece({angle: turn.angle, translation}, p), cloth.origin),
           );
-          const meant = laid.piece.cut.map((p) => onPrint(laid.piece.alignment, p));
+          const meant = laid.piece.outline.map((p) => onPrint(laid.piece.alignment, p));
           const missed = proper.map((element) =>
             Math.max(
               ...meant.map((w, k) =>
@@ -167,7 +167,7 @@ describe('what is in the way', () => {
 
   it('is a piece that lies within another, or right on it', () => {
     const small = piece({
-      cut: [
+      outline: [
         [0, 0],
         [2, 0],
         [2, 2],
@@ -215,9 +215,9 @@ describe('what is in the way', () => {
   });
 
   it('is known within a frame for twelve pieces of 200 points', () => {
-    const cut = wavy(15);
+    const outline = wavy(15);
     const laid = Array.from({length: 12}, (_, k): LaidPiece => ({
-      piece: piece({cut, turns: 'any'}),
+      piece: piece({outline, turns: 'any'}),
       place: {angle: 0, translation: [16 + 30 * (k % 4), 18 + 32 * Math.floor(k / 4)]},
     }));
     const cloth = bolt({widthCm: 150});
@@ -273,7 +273,7 @@ describe('a piece that is moved', () => {
     if (!first) throw new Error('Nothing is laid.');
     const turned = turnedInPlace(first, Math.PI);
     const middle = (angle: number, at: Point): Point => {
-      const {low, high} = boxOf(first.piece.cut.map((p) => plus(rotated(p, angle), at)));
+      const {low, high} = boxOf(first.piece.outline.map((p) => plus(rotated(p, angle), at)));
       return [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
     };
     expect(distance(middle(Math.PI, turned), middle(0, first.place.translation))).toBeLessThan(

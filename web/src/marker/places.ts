@@ -12,6 +12,7 @@ import {
   type Alignment,
   type Point,
 } from '../model/geometry.js';
+import type {MarkerPiece} from '../model/marker.js';
 import {boxOf, type Box} from '../model/polyline.js';
 import {determinant, printElements, reducedBasis, type CellOf} from '../model/wallpaper.js';
 import {areApart, ringOf, type Ring} from './apart.js';
@@ -21,18 +22,8 @@ const sameAngle = 1e-6;
 /** What reaches beyond an edge by less than this does not. */
 const slack = 1e-4;
 
-/** What is laid. Points are in the coordinates of the piece's shape. */
-export interface LayablePiece {
-  /** Where it is cut, counter-clockwise. */
-  readonly cut: readonly Point[];
-  readonly alignment: Alignment;
-  /** By which turns of the print it may be laid. */
-  readonly turns: 'half' | 'quarter' | 'any';
-  /** From foot to head. */
-  readonly up: Point;
-  /** Shifts of the print under it that fit as well, beside none. */
-  readonly shifts: readonly Point[];
-}
+/** What is laid: of a piece of a problem, what its places depend on. */
+export type LayablePiece = Pick<MarkerPiece, 'outline' | 'alignment' | 'turns' | 'up' | 'shifts'>;
 
 /** The cloth, and how pieces keep apart on it. */
 export interface Bolt {
@@ -129,7 +120,7 @@ export const isFree = ({pieces, flaws, isOutside}: Obstacles): boolean =>
 
 /** The box around a piece as it lies. */
 export function boxAt({piece, place}: LaidPiece): Box {
-  const {low, high} = turnedRing(piece.cut, place.angle);
+  const {low, high} = turnedRing(piece.outline, place.angle);
   return {low: plus(low, place.translation), high: plus(high, place.translation)};
 }
 
@@ -146,13 +137,13 @@ export function obstaclesTo(
 ): Obstacles {
   const own = laid[k];
   if (!own) return {pieces: [], flaws: [], isOutside: true};
-  const ring = turnedRing(own.piece.cut, place.angle);
+  const ring = turnedRing(own.piece.outline, place.angle);
   const {low, high} = boxAt({...own, place});
   const meets = (other: Ring, at: Point, gap: number): boolean =>
     !areApart(ring, other, minus(at, place.translation), gap);
   return {
     pieces: laid.flatMap(({piece, place: {angle, translation}}, n) =>
-      n !== k && meets(turnedRing(piece.cut, angle), translation, gapCm) ? [n] : [],
+      n !== k && meets(turnedRing(piece.outline, angle), translation, gapCm) ? [n] : [],
     ),
     flaws: flaws.flatMap((flaw, n) => (meets(turnedRing(flaw, 0), [0, 0], 0) ? [n] : [])),
     isOutside:
@@ -178,7 +169,7 @@ export class Places {
       this.all = [];
       return;
     }
-    const {low, high} = turnedRing(own.piece.cut, turn.angle);
+    const {low, high} = turnedRing(own.piece.outline, turn.angle);
     const {widthCm, selvedgeCm, repeat} = bolt;
     const beyond = usedLength(laid.filter((_, n) => n !== k)) + 2 * (high[1] - low[1]);
     const room: Box = {
@@ -259,7 +250,7 @@ export const turnAt = (turns: readonly Turn[], angle: number): Turn | undefined 
 
 /** Where a piece turned otherwise would have to lie for the middle of its box to stay. */
 export function turnedInPlace({piece, place}: LaidPiece, angle: number): Point {
-  const [before, after] = [place.angle, angle].map((one) => turnedRing(piece.cut, one));
+  const [before, after] = [place.angle, angle].map((one) => turnedRing(piece.outline, one));
   if (!before || !after) return place.translation;
   const middleOf = ({low, high}: Box): Point => [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
   return plus(place.translation, minus(middleOf(before), middleOf(after)));
