@@ -43,15 +43,15 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   scene: ['model', 'layout'], // no GL, no SVG, no DOM
   picture: ['model', 'recognition', 'layout', 'scene'],
   cutting: ['model', 'layout', 'scene', 'picture'],
-  marker: ['model'], // no DOM
+  marker: ['model', 'layout', 'scene', 'cutting'], // no DOM
   paper: ['model', 'recognition', 'picture', 'cutting'], // no DOM: files of pages in Node, too
   remedies: ['model', 'scene'],
   viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
   texts: ['model', 'scene'],
-  workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'remedies', 'texts'],
+  workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'marker', 'remedies', 'texts'],
   editor: [
-    ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'remedies'],
-    ...['picture', 'paper', 'viewer', 'texts', 'workbench', 'pairing'],
+    ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'marker'],
+    ...['remedies', 'picture', 'paper', 'viewer', 'texts', 'workbench', 'pairing'],
   ],
   element: ['model', 'solver', 'recognition', 'paper', 'texts', 'workbench', 'editor'],
   app: ['model', 'recognition', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],
@@ -63,10 +63,11 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'picture',
     'cutting',
     'paper',
+    'marker',
     'pairing',
     'remedies',
   ],
-  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'paper', 'node'],
+  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'marker', 'paper', 'node'],
   '': ['model', 'solver'], // index.ts, the entry of the package
 };
 

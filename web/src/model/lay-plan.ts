@@ -8,6 +8,8 @@ export interface LaidPlacement {
   readonly result: number;
   readonly copy: number;
   readonly piece: string;
+  /** Which of several that are cut of the piece for one garment, from 0; absent of one. */
+  readonly nth?: number;
   /** p_cloth = R(angle) p + translation, p a point of the piece's `shape`. [rad, cm] */
   readonly angle: number;
   readonly translation: Point;
@@ -53,6 +55,7 @@ export interface LayPlan {
     readonly result: number;
     readonly copy: number;
     readonly piece: string;
+    readonly nth?: number;
   }[];
   /** Area of the pieces / (width x length). */
   readonly useShare: number;

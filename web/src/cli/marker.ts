@@ -1,0 +1,217 @@
+import {chosenNames} from '../model/garment-marks.js';
+import type {Point} from '../model/geometry.js';
+import type {LayPlan} from '../model/lay-plan.js';
+import {naps, type MarkerProgress} from '../model/marker.js';
+import {listOf, Malformed, number, pairOf} from '../model/read.js';
+import {markerLimits} from '../marker/settings.js';
+import {readText} from '../node/files.js';
+import {
+  layPlanText,
+  marker as layResults,
+  type MarkerGarment,
+  type NodeMarkerSettings,
+} from '../node/index.js';
+import {
+  choice,
+  factor,
+  lengthCm,
+  parseArguments,
+  UsageError,
+  wholeNumber,
+  type Arguments,
+} from './base/arguments.js';
+import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
+import {print, remark, StatusLine} from './base/terminal.js';
+import {garmentOf, optionsIn, parsed, readClothOf, readResult} from './result-file.js';
+
+/** What can be written, by the flag that names the file. */
+const outputs: Readonly<Record<string, (plan: LayPlan) => string | Promise<string | Uint8Array>>> =
+  {'--out': layPlanText};
+
+/** Lengths, with the settings that they are. [cm] */
+const lengths = {
+  '--width': 'widthCm',
+  '--selvedge': 'selvedgeCm',
+  '--start': 'startCm',
+  '--gap': 'gapCm',
+  '--allowance': 'allowanceCm',
+  '--hem': 'hemCm',
+} as const;
+
+/** Whole numbers. */
+const counts = {'--copies': 'copies', '--plies': 'plies', '--seed': 'seed'} as const;
+
+const grammar = {
+  files: ['the result file'],
+  hasMore: true,
+  valued: [
+    ...['--print', '--garment', '--phase', '--nap', '--shift', '--flaws', '--effort'],
+    ...Object.keys(lengths),
+    ...Object.keys(counts),
+    ...Object.keys(outputs),
+  ],
+  switches: ['--free', '--json'],
+} as const;
+
+/** `marker`: the pieces of results laid on a bolt of their print. */
+export async function marker(words: readonly string[]): Promise<void> {
+  const args = parseArguments(words, grammar);
+  const [printFile, garmentFile, flawsFile] = ['--print', '--garment', '--flaws'].map((flag) =>
+    args.value(flag),
+  );
+  if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
+  if (garmentFile !== undefined && args.files.length > 1) {
+    throw new UsageError(
+      '--garment names one garment, but there are several results; lay results that hold theirs.',
+    );
+  }
+  const settings = settingsOf(args);
+  const others = [garmentFile, flawsFile].filter((file) => file !== undefined);
+  const wanted = Object.entries(outputs).flatMap(([flag, content]) => {
+    const path = args.value(flag);
+    return path === undefined ? [] : [{flag, path, content}];
+  });
+  checkDistinct(Object.fromEntries(wanted.map(({flag, path}) => [flag, path])));
+  for (const {path} of wanted) await checkWritable(path, [...args.files, printFile, ...others]);
+
+  const flaws = flawsFile === undefined ? undefined : await readFlaws(flawsFile);
+  const laid = await Promise.all(
+    args.files.map((file) => readLaid(file, {printFile, garmentFile, isOnly: !args.files[1]})),
+  );
+  const [{cloth} = {cloth: {}}] = laid;
+  const {plan, milliseconds} = await timed(
+    laid.map(({garment}) => garment),
+    {...settings, print: cloth, ...(flaws && {flaws})},
+  );
+  for (const {path, content} of wanted) await writeWhole(path, await content(plan));
+  report(args, plan, milliseconds);
+}
+
+interface LaidFile {
+  readonly printFile: string;
+  readonly garmentFile: string | undefined;
+  readonly isOnly: boolean;
+}
+
+/** @throws {UsageError}, {FileError}, {SolverError} naming the file */
+async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile) {
+  const {result} = await readResult(file);
+  const cloth = await readClothOf(result, file, {printFile, colourway: undefined});
+  const held = await garmentOf(result, garmentFile);
+  if (!held) {
+    remark(
+      `${file} does not hold its design, so all its edges get the same allowance; name the garment with --garment FILE.`,
+    );
+  }
+  const garment: MarkerGarment = {
+    result,
+    ...(!isOnly && {name: file}),
+    ...(held && {garment: held.garment}),
+    ...{options: optionsIn(result, file), names: chosenNames(result.design)},
+  };
+  return {cloth, garment};
+}
+
+/** @throws {UsageError} */
+function settingsOf(args: Arguments): NodeMarkerSettings {
+  const given = (flags: Readonly<Record<string, string>>, read: (flag: string) => unknown) =>
+    Object.entries(flags).flatMap(([flag, name]) => {
+      const value = read(flag);
+      return value === undefined ? [] : [[name, value] as const];
+    });
+  if (args.value('--width') === undefined) {
+    throw new UsageError('--width CM, how wide the cloth is, is missing.');
+  }
+  const most = (flag: string): number => markerLimits[lengths[flag as keyof typeof lengths]][1];
+  const phaseCm =
+    args.value('--phase') === 'any'
+      ? undefined
+      : lengthCm(args, '--phase', markerLimits.phaseCm[1]);
+  const nap = choice(args, '--nap', naps);
+  const shift = choice(args, '--shift', ['kept', 'component']);
+  const effort =
+    args.value('--effort') === '0' ? 0 : factor(args, '--effort', markerLimits.effort[1]);
+  const numbers = Object.fromEntries([
+    ...given(lengths, (flag) => lengthCm(args, flag, most(flag))),
+    ...given(counts, (flag) => wholeNumber(args, flag)),
+  ]) as Pick<NodeMarkerSettings, 'widthCm'>;
+  return {
+    ...numbers,
+    ...(phaseCm !== undefined && {phaseCm}),
+    ...(nap && {nap}),
+    ...(shift && {shift}),
+    ...(effort !== undefined && {effort}),
+    ...(args.has('--free') && {ignoresPrint: true}),
+  };
+}
+
+const polygons = listOf(listOf(pairOf(number(-1e6, 1e6))));
+
+/** @throws {UsageError}, {FileError} naming the file */
+async function readFlaws(file: string): Promise<readonly (readonly Point[])[]> {
+  try {
+    return polygons(parsed(await readText(file), file), 'flaws');
+  } catch (error) {
+    if (!(error instanceof Malformed)) throw error;
+    throw new UsageError(
+      `${file} is no list of flaws (${error.message}); write polygons as lists of points [x, y] in cm.`,
+    );
+  }
+}
+
+const stages: Readonly<Record<MarkerProgress['stage'], string>> = {
+  tables: 'Comparing pieces',
+  lay: 'Laying pieces',
+  prove: 'Looking for a proof',
+  free: 'Laying without the print',
+  widths: 'Laying on other widths',
+  done: 'Laid',
+};
+
+/** Shows how far it is. */
+async function timed(
+  garments: readonly MarkerGarment[],
+  settings: NodeMarkerSettings,
+): Promise<{readonly plan: LayPlan; readonly milliseconds: number}> {
+  const status = new StatusLine();
+  const started = performance.now();
+  let best = '';
+  try {
+    const plan = await layResults(garments, settings, {
+      onLayout: ({lengthCm: length}) => {
+        best = `, ${length.toFixed(1)} cm so far`;
+      },
+      onProgress: ({stage, fraction}) => {
+        status.write(`${stages[stage]}, ${Math.floor(100 * fraction)} %${best}`);
+      },
+    });
+    return {plan, milliseconds: Math.round(performance.now() - started)};
+  } finally {
+    status.clear();
+  }
+}
+
+function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
+  const {placements, unplaced, notes, ...figures} = plan;
+  if (args.has('--json')) {
+    const results = args.files;
+    const pieces = placements.length;
+    print(JSON.stringify({results, pieces, ...figures, unplaced, notes, milliseconds}));
+    return;
+  }
+  notes.forEach(remark);
+  print(line(args.files, plan));
+}
+
+const cm = (length: number): string => `${length.toFixed(1)} cm`;
+
+function line(files: readonly string[], plan: LayPlan): string {
+  const {placements, unplaced, widthCm, lengthCm, useShare, boundCm, proven, freeLengthCm} = plan;
+  return [
+    `${files.join(', ')}: ${placements.length} pieces on ${cm(lengthCm)} of cloth ${widthCm} cm wide`,
+    `${(100 * useShare).toFixed(1)} % of it used`,
+    proven ? 'proven the shortest' : `${cm(boundCm)} at the least`,
+    ...(freeLengthCm === null ? [] : [`${cm(freeLengthCm)} without regard to the print`]),
+    ...(unplaced.length > 0 ? [`${unplaced.length} found no place`] : []),
+  ].join('; ');
+}
