@@ -92,12 +92,9 @@ export class Laying extends Observable {
     return this.#work !== undefined && !isOf(this.#work, result, design);
   }
 
-  get canUndo(): boolean {
-    return !this.isStale && (this.#work?.history.past.length ?? 0) > 0;
-  }
-
-  get canRedo(): boolean {
-    return !this.isStale && (this.#work?.history.future.length ?? 0) > 0;
+  /** What there is to be taken back; undefined for nothing, as where another design is to be laid. */
+  get history(): History<LayStep> | undefined {
+    return this.isStale ? undefined : this.#work?.history;
   }
 
   /** The plan with the pieces as they lie now. */
@@ -215,15 +212,15 @@ export class Laying extends Observable {
 
   /** @returns whether there was something to take back */
   undo(): boolean {
-    return this.canUndo && this.#travel(undone);
+    return this.#travel(undone);
   }
 
   redo(): boolean {
-    return this.canRedo && this.#travel(redone);
+    return this.#travel(redone);
   }
 
   #travel(way: (history: History<LayStep>) => History<LayStep> | undefined): boolean {
-    const history = this.#work && way(this.#work.history);
+    const history = this.history && way(this.history);
     if (!this.#work || !history) return false;
     this.#stop();
     this.#work.history = history;
@@ -296,9 +293,10 @@ export class Laying extends Observable {
     this.#running = running;
     this.#become({kind: 'laying', fraction: 0});
     const step = work.history.present;
+    const isOver = (): boolean => running.signal.aborted;
     try {
       await new Promise((resolve) => setTimeout(resolve)); // what is shown of it comes first
-      if (running.signal.aborted) return;
+      if (isOver()) return;
       const order = orderOf(design, work, garment, step.choices);
       const problem = askedOf(order.problem, step);
       const take = (layout: MarkerLayout & Partial<MarkerAnswer>): void => {
@@ -311,22 +309,22 @@ export class Laying extends Observable {
       const answer = await this.#source.solver.marker(problem, {
         signal: running.signal,
         onProgress: ({fraction}) => {
-          if (running.signal.aborted) return;
+          if (isOver()) return;
           this.#state = {kind: 'laying', fraction};
           this.changedOften();
         },
         onLayout: (layout) => {
-          if (running.signal.aborted) return;
+          if (isOver()) return;
           take(layout);
           this.changed();
         },
       });
-      if (running.signal.aborted) return;
+      if (isOver()) return;
       this.#running = undefined;
       take(answer);
       this.#become({kind: 'done'});
     } catch (error) {
-      if (running.signal.aborted) return;
+      if (isOver()) return;
       this.#running = undefined;
       if (work === this.#work) {
         const {order} = work;

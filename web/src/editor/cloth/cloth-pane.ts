@@ -1,0 +1,384 @@
+/** The pieces of the present answer on their cloth: its drawing, what is done to it, and the same as words. */
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+
+import {usedLength} from '../../marker/places.js';
+import type {Alignment, Point} from '../../model/geometry.js';
+import type {PieceOnCloth} from '../../workbench/laying.js';
+import {lastOf} from '../../workbench/last-of.js';
+import {spokenFailure} from '../../workbench/spoken-failure.js';
+import {sameTarget} from '../../workbench/state.js';
+import type {Target} from '../../workbench/workbench.js';
+import {commandFor} from '../commands/command-for.js';
+import type {Command} from '../commands/command.js';
+import {controls} from '../style/controls.js';
+import {clothBar, clothZoom} from './cloth-bar.js';
+import {clothCommands} from './cloth-commands.js';
+import {ClothElement} from './cloth-element.js';
+import {placeOn, placeTurned, ways} from './cloth-moves.js';
+import {ClothPointing, type PointedCloth} from './cloth-pointing.js';
+import {clothSheet} from './cloth-sheet.js';
+import {clothStatus, spokenStatus} from './cloth-status.js';
+import {clothStyle} from './cloth-style.js';
+import {conflicts, placeWords, roundedLength} from './cloth-words.js';
+import {layStepWords} from './lay-step-words.js';
+import {margin, type SheetFrame} from './sheet-frame.js';
+
+const zooms = {least: 1, most: 12} as const;
+/** Cloth that is shown beyond what is used. [cm] */
+const beyond = 14;
+/** Long cloth is shown at this share of the scale at which its width fills the view, at the least. */
+const leastShare = 0.6;
+export class ClothPane extends ClothElement {
+  static override properties = {
+    ...ClothElement.properties,
+    selected: {state: true},
+  };
+  static override styles = [controls, clothStyle];
+  /** The number of a piece. */
+  declare protected selected: number | undefined;
+  readonly #conflictsOf = lastOf(conflicts);
+  readonly #pointing = new ClothPointing(this);
+  #observer: ResizeObserver | undefined;
+  #end: (() => void) | undefined;
+  /** Of the room that the cloth is shown in. [CSS px] */
+  #room: Point = [0, 0];
+  #zoom = 1;
+  /** What was picked last, here or elsewhere. */
+  #target: Target | undefined;
+  /** What was done last, in words. */
+  #said = '';
+  #isAtStart = false;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#observer = new ResizeObserver(([entry]) => {
+      const {width = 0, height = 0} = entry?.contentRect ?? {};
+      this.#room = [width, height];
+      this.requestUpdate();
+    });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#observer?.disconnect();
+    this.#end?.();
+    this.#end = undefined;
+    this.#pointing.cancel();
+  }
+
+  /** What it can be asked for, with the keys that mean it while it has the focus. */
+  get commands(): readonly Command[] {
+    return clothCommands(this, this.texts, this.words);
+  }
+
+  get isReady(): boolean {
+    const {laying} = this;
+    return !laying.isStale && laying.pieces.length > 0 && laying.bolt !== undefined;
+  }
+
+  /** What undo would take back here. */
+  get undoWords(): string | undefined {
+    const {past = [], present} = this.laying.history ?? {};
+    return layStepWords(past.at(-1), present, this.words);
+  }
+
+  get redoWords(): string | undefined {
+    const {future = [], present} = this.laying.history ?? {};
+    return layStepWords(present, future[0], this.words);
+  }
+
+  /** @returns whether there was something to take back */
+  undo(): boolean {
+    this.#pointing.cancel();
+    return this.laying.undo();
+  }
+
+  redo(): boolean {
+    return this.laying.redo();
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
+  }
+
+  zoomBy(factor: number): void {
+    this.#zoom = Math.min(zooms.most, Math.max(zooms.least, this.#zoom * factor));
+    this.requestUpdate();
+  }
+
+  fit(): void {
+    this.#zoom = 1;
+    this.#isAtStart = false;
+    this.requestUpdate();
+  }
+
+  walk(step: 1 | -1): void {
+    const {pieces} = this.laying;
+    const from = pieces.findIndex(({number}) => number === this.selected);
+    const first = step > 0 ? -1 : 0;
+    const next = pieces[((from < 0 ? first : from) + step + pieces.length) % pieces.length];
+    if (next) this.choose(next.number);
+  }
+
+  turn(takes = false): void {
+    const {bolt, pieces} = this.laying;
+    const piece = this.selectedPiece;
+    if (!bolt || !piece || !this.isReady) return;
+    const place = placeTurned(pieces, piece, bolt, takes);
+    if (place) this.move(piece, place);
+    else this.#say(this.words.cannotTurn(this.labelOf(piece)));
+  }
+
+  togglePin(): void {
+    const piece = this.selectedPiece;
+    if (piece && this.isReady) this.laying.togglePin(piece.number);
+  }
+
+  pack(): void {
+    this.laying.pack();
+  }
+
+  toggleFlawTool(): void {
+    if (this.isReady) this.#pointing.toggleFlawTool();
+  }
+
+  /** Shows a piece as the one that is meant, here and everywhere. */
+  choose(number: number | undefined): void {
+    this.selected = number;
+    this.#target = this.#targetOf(number);
+    this.workbench.select(this.#target);
+    this.#say('');
+  }
+
+  #targetOf(number: number | undefined): Target | undefined {
+    const name = this.laying.names[number ?? -1];
+    const piece = this.workbench.pattern?.pieces.findIndex((one) => one.name === name) ?? -1;
+    return piece < 0 ? undefined : {kind: 'piece', piece};
+  }
+
+  move({number}: PieceOnCloth, place: Alignment): void {
+    this.laying.move(number, place);
+    this.#say('');
+  }
+
+  /** @param draft of a flaw */
+  addFlaw(flaw: readonly Point[]): void {
+    this.laying.setFlaws([...(this.laying.step?.flaws ?? []), flaw]);
+  }
+
+  get selectedPiece(): PieceOnCloth | undefined {
+    return this.laying.pieces.find(({number}) => number === this.selected);
+  }
+
+  get chosen(): {readonly isPinned: boolean} | undefined {
+    const piece = this.selectedPiece;
+    return piece && {isPinned: this.laying.step?.pins.has(piece.number) ?? false};
+  }
+
+  get hasPins(): boolean {
+    return (this.laying.step?.pins.size ?? 0) > 0;
+  }
+
+  get isMarking(): boolean {
+    return this.#pointing.isMarking;
+  }
+
+  /** What is shown, for who points at it. */
+  get shown(): PointedCloth['shown'] {
+    const {pieces, bolt} = this.laying;
+    return {pieces, bolt, frame: bolt && this.#frame(bolt.widthCm, usedLength(pieces))};
+  }
+
+  /** Shows what the pointer is over, here and everywhere. */
+  point(number: number | undefined): void {
+    this.workbench.point(this.#targetOf(number));
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const {selected} = this.workbench;
+    if (sameTarget(selected, this.#target)) return;
+    this.#target = selected;
+    this.selected = this.#numberOf(selected);
+  }
+
+  /** Laid from now on. The cut edge is seen first. */
+  protected override updated(): void {
+    if (this.isConnected) this.#end ??= this.laying.show();
+    const application = this.renderRoot.querySelector('.application');
+    if (application) this.#observer?.observe(application);
+    if (!application || this.#isAtStart || !this.renderRoot.querySelector('.sheet')) return;
+    this.#isAtStart = true;
+    application.scrollTop = application.scrollHeight;
+  }
+
+  protected override render(): TemplateResult {
+    const {laying, words} = this;
+    const {state} = laying;
+    return html`<div class="pane">
+      ${clothBar(this, words)}
+      <div
+        class="application"
+        role="application"
+        aria-label=${words.label}
+        aria-description=${words.description}
+        tabindex="0"
+        @keydown=${this.#press}
+      >
+        <div
+          class="stage ${laying.isStale ? 'stale' : ''} ${this.isMarking ? 'marking' : ''}"
+          @pointerdown=${this.#pointing.press}
+          @pointermove=${this.#pointing.move}
+          @pointerup=${this.#pointing.release}
+          @pointercancel=${this.#pointing.cancel}
+          @pointerleave=${this.#pointing.leave}
+          @dblclick=${this.#pointing.closeFlaw}
+        >
+          ${this.#sheet()}
+        </div>
+      </div>
+      <slot name="notice"></slot>
+      <div class="foot">
+        <div class="said">${clothStatus(this.#status)}</div>
+        ${clothZoom(this, this.texts)}
+      </div>
+      <progress
+        aria-hidden="true"
+        max="1"
+        ?hidden=${state.kind !== 'laying'}
+        .value=${state.kind === 'laying' ? state.fraction : 0}
+      ></progress>
+      <sw-cloth-panel
+        .workbench=${this.workbench}
+        .selected=${this.selected}
+        .conflicts=${this.#conflicts}
+        @sw-piece-chosen=${({detail}: CustomEvent<number>) => {
+          this.choose(detail);
+        }}
+        @keydown=${this.#pressInList}
+      ></sw-cloth-panel>
+      <p class="hidden" role="status">${spokenStatus(this.#status)}</p>
+    </div>`;
+  }
+
+  get #conflicts(): ReadonlyMap<number, string> {
+    const {pieces, bolt} = this.laying;
+    return bolt ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
+  }
+
+  /** As large as there is room for, and as somebody has zoomed. */
+  #frame(widthCm: number, usedCm: number): SheetFrame {
+    const [width, height] = this.#room;
+    const lengthCm = usedCm + beyond;
+    const across = (width - margin.left - margin.right) / widthCm;
+    const along = (height - margin.top - margin.bottom) / lengthCm;
+    const scale = Math.max(Math.min(across, along), leastShare * across, 1);
+    return {widthCm, lengthCm, scale: scale * this.#zoom};
+  }
+
+  #sheet(): TemplateResult | typeof nothing {
+    const {laying, words} = this;
+    const {bolt, pieces, step, print} = laying;
+    if (!bolt || !step || !print || this.#room[0] === 0) return nothing;
+    const usedCm = usedLength(pieces);
+    const {units} = this.workbench.preferences;
+    const frame = this.#pointing.frame ?? this.#frame(bolt.widthCm, usedCm);
+    return clothSheet({
+      ...{frame, bolt, image: print.image, usedCm, pieces, words, units},
+      usedWords: roundedLength(usedCm, units, this.format),
+      label: this.labelOf,
+      pins: step.pins,
+      selected: this.selected,
+      pointed: this.#numberOf(this.workbench.pointed),
+      bad: new Set(this.#conflicts.keys()),
+      dragged: this.#pointing.dragged,
+      draft: this.#pointing.draft,
+    });
+  }
+
+  /** The first of the pieces that a target means. */
+  #numberOf(target: Target | undefined): number | undefined {
+    const name =
+      target?.kind === 'piece' ? this.workbench.pattern?.pieces[target.piece]?.name : undefined;
+    const number = name === undefined ? -1 : this.laying.names.indexOf(name);
+    return number < 0 ? undefined : number;
+  }
+
+  get #placeOfSelected(): string | undefined {
+    const {bolt} = this.laying;
+    const piece = this.selectedPiece;
+    if (!piece || !bolt) return undefined;
+    return `${this.labelOf(piece)}: ${placeWords(piece, bolt, this.words, this.format)}`;
+  }
+
+  get #status(): Parameters<typeof clothStatus>[0] {
+    const {laying, words, format} = this;
+    const {state} = laying;
+    const conflicts = this.#conflicts;
+    const own = this.selected === undefined ? undefined : conflicts.get(this.selected);
+    const why =
+      state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
+    return {
+      ...{laying, words, format, why, said: this.#said, isMarking: this.isMarking},
+      ...{conflict: own ?? [...conflicts.values()][0], place: this.#placeOfSelected},
+    };
+  }
+
+  #say(text: string): void {
+    this.#said = text;
+    this.requestUpdate();
+  }
+
+  /** Keys work in the list of pieces, too; what presses buttons there does not. */
+  readonly #pressInList = (event: KeyboardEvent): void => {
+    const [target] = event.composedPath();
+    const isField = target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
+    if (!isField && !['Enter', ' '].includes(event.key)) this.#press(event);
+  };
+
+  readonly #press = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey) return;
+    if (!this.#handled(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  #handled({key, altKey, shiftKey}: KeyboardEvent): boolean {
+    const way = ways[key];
+    if (way) return this.#nudge(way, altKey);
+    if (key === 'Escape') return this.#pointing.cancel() || this.#letGo();
+    if (key === 'Enter' && this.isMarking) {
+      this.#pointing.closeFlaw();
+      return true;
+    }
+    if (altKey) {
+      if (key.toUpperCase() !== 'R') return false;
+      this.turn(true);
+      return true;
+    }
+    const command = commandFor(this.commands, shiftKey && /^n$/i.test(key) ? 'Shift N' : key);
+    command?.run();
+    return command !== undefined;
+  }
+
+  #letGo(): boolean {
+    if (this.selected === undefined) return false;
+    this.choose(undefined);
+    return true;
+  }
+
+  /** @returns whether there is a piece to be moved */
+  #nudge(way: Point, takes: boolean): boolean {
+    const {bolt, pieces} = this.laying;
+    const piece = this.selectedPiece;
+    if (!bolt || !this.isReady) return false;
+    if (!piece) {
+      this.walk(1);
+      return true;
+    }
+    const place = placeOn(pieces, piece, bolt, way, takes);
+    if (place) this.move(piece, place);
+    else this.#say(this.words.noWay(this.labelOf(piece)));
+    return true;
+  }
+}

@@ -1,0 +1,208 @@
+/** The cloth in its print, with its edges and rulers, and the pieces that lie on it. */
+import {html, nothing, svg, type TemplateResult} from 'lit';
+
+import {turnedRing, type Bolt} from '../../marker/places.js';
+import {imageCell} from '../../model/wallpaper.js';
+import {norm, onPiece, plus, type Point} from '../../model/geometry.js';
+import type {Units} from '../../model/units.js';
+import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {PieceOnCloth} from '../../workbench/laying.js';
+import {
+  closed,
+  frameSize,
+  onSheet,
+  pixels,
+  rulerMarks,
+  unit,
+  viewBox,
+  type SheetFrame,
+} from './sheet-frame.js';
+
+/** A piece while it is dragged: by how much, and where it would come to lie. */
+export interface Dragged {
+  readonly number: number;
+  /** [cm] */
+  readonly by: Point;
+  /** The cut line at the nearest place. */
+  readonly target: readonly Point[];
+  readonly isTaken: boolean;
+  /** Free places, each by the middle of the piece. */
+  readonly dots: readonly Point[];
+}
+
+export interface SheetState {
+  readonly frame: SheetFrame;
+  readonly bolt: Bolt;
+  readonly image: string;
+  /** Up to which the cloth is used. [cm] */
+  readonly usedCm: number;
+  readonly usedWords: string;
+  readonly pieces: readonly PieceOnCloth[];
+  readonly label: (piece: PieceOnCloth) => string;
+  readonly pins: ReadonlySet<number>;
+  readonly selected: number | undefined;
+  readonly pointed: number | undefined;
+  /** Numbers of those that lie where others do. */
+  readonly bad: ReadonlySet<number>;
+  readonly dragged: Dragged | undefined;
+  /** What is being drawn as a flaw. */
+  readonly draft: readonly Point[];
+  readonly units: Units;
+  readonly words: ClothTexts;
+}
+
+/** Beyond this share of the width there is no room for words on where the print starts. */
+const latestStart = 0.6;
+
+/** The print in its cell, beginning where the cloth has its origin. */
+function printPattern({bolt: {repeat, origin}, image}: SheetState): TemplateResult {
+  const [a, b] = imageCell(repeat);
+  const [w, h] = [norm(a) * unit, norm(b) * unit];
+  const [x, y] = onSheet(origin);
+  // the picture's y runs down, against the second side of its cell
+  const matrix = [a[0] / norm(a), -a[1] / norm(a), -b[0] / norm(b), b[1] / norm(b), x, y];
+  return svg`<pattern id="print" patternUnits="userSpaceOnUse" width=${w} height=${h}
+    patternTransform="matrix(${matrix.map((one) => one.toFixed(7)).join(' ')})">
+    <rect width=${w} height=${h} fill="#f1ede3" />
+    <image href=${image} width=${w} height=${h} preserveAspectRatio="none" />
+  </pattern>`;
+}
+
+function hatching(frame: SheetFrame): TemplateResult {
+  const side = pixels(frame, 6);
+  return svg`<pattern id="hatching" patternUnits="userSpaceOnUse" width=${side} height=${side}
+    patternTransform="rotate(45)"><path class="hatch" d="M0 0V${side}" /></pattern>`;
+}
+
+function edges({frame, bolt, usedCm, words}: SheetState): TemplateResult {
+  const {widthCm, selvedgeCm} = bolt;
+  const [right, top] = onSheet([widthCm, frame.lengthCm]);
+  const side = selvedgeCm * unit;
+  const strip = (x: number) =>
+    svg`<rect class="selvedge" x=${x} y=${top} width=${side} height=${-top}><title>${words.selvedgeLabel}</title></rect>`;
+  const [, used] = onSheet([0, usedCm]);
+  return svg`
+    ${selvedgeCm > 0 ? svg`${strip(0)}${strip(right - side)}` : nothing}
+    <path class="edge" d="M0 0V${top}M${right} 0V${top}" />
+    <path class="cut-edge" d="M0 0H${right}" />
+    ${usedCm > 0 ? svg`<path class="used" d="M0 ${used}H${right}" />` : nothing}
+  `;
+}
+
+function rulers(state: SheetState): TemplateResult {
+  const {frame, bolt, usedCm, usedWords, units, words} = state;
+  const {widthCm, origin} = bolt;
+  const px = (count: number): number => pixels(frame, count);
+  const size = px(11);
+  const across = rulerMarks(widthCm, frame.scale, units).map(({at, label}) => {
+    const x = at * unit;
+    return svg`<path d="M${x} ${px(3)}v${px(label ? 7 : 4)}" />${
+      label
+        ? svg`<text x=${x} y=${px(21)} font-size=${size} text-anchor="middle">${label}</text>`
+        : nothing
+    }`;
+  });
+  const along = rulerMarks(frame.lengthCm, frame.scale, units).map(({at, label}) => {
+    const y = -at * unit;
+    const isByUsed = Math.abs(at - usedCm) * frame.scale < 14;
+    return svg`<path d="M${px(-3)} ${y}h${px(label ? -7 : -4)}" />${
+      label && !isByUsed
+        ? svg`<text x=${px(-13)} y=${y + px(4)} font-size=${size} text-anchor="end">${label}</text>`
+        : nothing
+    }`;
+  });
+  const start = origin[0] * unit;
+  const isShown = start >= 0 && origin[0] <= widthCm * latestStart;
+  return svg`<g class="ruler" aria-hidden="true">
+    ${across} ${along}
+    ${
+      usedCm > 0
+        ? svg`<text class="length" x=${px(-6)} y=${-usedCm * unit + px(4)} font-size=${size} text-anchor="end">${usedWords}</text>`
+        : nothing
+    }
+    <text x=${widthCm * unit} y=${px(36)} font-size=${size} text-anchor="end">✂ ${words.cutEdge}</text>
+    ${
+      isShown
+        ? svg`<text x=${start} y=${px(36)} font-size=${size} dx=${px(-4)}>↑ ${words.printStarts}</text>`
+        : nothing
+    }
+  </g>`;
+}
+
+const outlines = new WeakMap<PieceOnCloth, string>();
+
+/** The cut line where the piece lies, made once. */
+function outlineOf(piece: PieceOnCloth): string {
+  const known =
+    outlines.get(piece) ?? closed(piece.piece.outline.map((p) => onPiece(piece.place, p)));
+  outlines.set(piece, known);
+  return known;
+}
+
+/** A place of a piece that is well inside of it. */
+export const middleOf = ({piece, place}: PieceOnCloth): Point =>
+  plus(turnedRing(piece.outline, place.angle).inner, place.translation);
+
+function pieceDrawing(piece: PieceOnCloth, state: SheetState): TemplateResult {
+  const {frame, label, pins, selected, pointed, bad, dragged} = state;
+  const {number} = piece;
+  const isDragged = dragged?.number === number;
+  const [x, y] = onSheet(middleOf(piece));
+  const [byX, byY] = onSheet(isDragged ? dragged.by : [0, 0]);
+  const px = (count: number): number => pixels(frame, count);
+  const classes = [
+    'piece',
+    ...(selected === number ? ['selected'] : []),
+    ...(pointed === number ? ['pointed'] : []),
+    ...(bad.has(number) && !isDragged ? ['bad'] : []),
+    ...(isDragged ? ['dragged'] : []),
+  ].join(' ');
+  const d = outlineOf(piece);
+  return svg`<g class=${classes} data-number=${number} transform="translate(${byX} ${byY})">
+    <path class="cloth" d=${d} fill="url(#print)" />
+    <path class="line" d=${d} />
+    <text class="name" x=${x} y=${y + px(4)} font-size=${px(12)} stroke-width=${px(4)}
+      text-anchor="middle">${pins.has(number) ? '📌\u{fe0e} ' : ''}${label(piece)}</text>
+  </g>`;
+}
+
+/** Where the dragged piece would come to lie, and the other places that it has. */
+function targets({frame, dragged}: SheetState): TemplateResult | typeof nothing {
+  if (!dragged) return nothing;
+  const dots = dragged.dots
+    .map((dot) => {
+      const [x, y] = onSheet(dot);
+      return `M${x.toFixed(0)} ${y.toFixed(0)}h0`;
+    })
+    .join('');
+  return svg`<path class="dots halo" d=${dots} stroke-width=${pixels(frame, 7)} />
+    <path class="dots" d=${dots} stroke-width=${pixels(frame, 4.5)} />
+    <path class="target ${dragged.isTaken ? 'bad' : ''}" d=${closed(dragged.target)} />`;
+}
+
+export function clothSheet(state: SheetState): TemplateResult {
+  const {frame, bolt, pieces, dragged, draft} = state;
+  const [width, height] = frameSize(frame);
+  const [right, top] = onSheet([bolt.widthCm, frame.lengthCm]);
+  // what is dragged lies over the others, then what is selected
+  const rank = ({number}: PieceOnCloth): number =>
+    number === dragged?.number ? 2 : number === state.selected ? 1 : 0;
+  const ordered = [...pieces].sort((one, other) => rank(one) - rank(other));
+  return html`<svg
+    class="sheet"
+    width=${width}
+    height=${height}
+    viewBox=${viewBox(frame)}
+    aria-hidden="true"
+  >
+    <defs>${printPattern(state)}${hatching(frame)}</defs>
+    <rect y=${top} width=${right} height=${-top} fill="url(#print)" />
+    <rect class="pale" y=${top} width=${right} height=${-top} />
+    ${edges(state)} ${rulers(state)} ${bolt.flaws.map((flaw) => flawDrawing(flaw))}
+    ${ordered.map((piece) => pieceDrawing(piece, state))} ${targets(state)}
+    ${draft.length > 0 ? svg`<path class="flaw draft" d=${closed(draft)} />` : nothing}
+  </svg>`;
+}
+
+const flawDrawing = (flaw: readonly Point[]): TemplateResult =>
+  svg`<path class="flaw" d=${closed(flaw)} />`;
