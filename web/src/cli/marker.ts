@@ -3,7 +3,6 @@ import type {Point} from '../model/geometry.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import {naps, type MarkerProgress} from '../model/marker.js';
 import {listOf, Malformed, number, pairOf} from '../model/read.js';
-import {markerLimits} from '../marker/settings.js';
 import {readText} from '../node/files.js';
 import {
   layPlanText,
@@ -21,6 +20,14 @@ import {
   type Arguments,
 } from './base/arguments.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
+import {
+  layCounts,
+  layLengths,
+  layLimit,
+  laySettings,
+  shifts,
+  type LayWish,
+} from './base/lay-wish.js';
 import {print, remark, StatusLine} from './base/terminal.js';
 import {garmentOf, optionsIn, parsed, readClothOf, readResult} from './result-file.js';
 
@@ -28,26 +35,15 @@ import {garmentOf, optionsIn, parsed, readClothOf, readResult} from './result-fi
 const outputs: Readonly<Record<string, (plan: LayPlan) => string | Promise<string | Uint8Array>>> =
   {'--out': layPlanText};
 
-/** Lengths, with the settings that they are. [cm] */
-const lengths = {
-  '--width': 'widthCm',
-  '--selvedge': 'selvedgeCm',
-  '--start': 'startCm',
-  '--gap': 'gapCm',
-  '--allowance': 'allowanceCm',
-  '--hem': 'hemCm',
-} as const;
-
-/** Whole numbers. */
-const counts = {'--copies': 'copies', '--plies': 'plies', '--seed': 'seed'} as const;
+const flagsOf = (names: readonly string[]): string[] => names.map((name) => `--${name}`);
 
 const grammar = {
   files: ['the result file'],
   hasMore: true,
   valued: [
     ...['--print', '--garment', '--phase', '--nap', '--shift', '--flaws', '--effort'],
-    ...Object.keys(lengths),
-    ...Object.keys(counts),
+    ...flagsOf(layLengths),
+    ...flagsOf(layCounts),
     ...Object.keys(outputs),
   ],
   switches: ['--free', '--json'],
@@ -65,7 +61,7 @@ export async function marker(words: readonly string[]): Promise<void> {
       '--garment names one garment, but there are several results; lay results that hold theirs.',
     );
   }
-  const settings = settingsOf(args);
+  const settings = laySettings(wishOf(args));
   const others = [garmentFile, flawsFile].filter((file) => file !== undefined);
   const wanted = Object.entries(outputs).flatMap(([flag, content]) => {
     const path = args.value(flag);
@@ -113,35 +109,29 @@ async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile
 }
 
 /** @throws {UsageError} */
-function settingsOf(args: Arguments): NodeMarkerSettings {
-  const given = (flags: Readonly<Record<string, string>>, read: (flag: string) => unknown) =>
-    Object.entries(flags).flatMap(([flag, name]) => {
-      const value = read(flag);
-      return value === undefined ? [] : [[name, value] as const];
-    });
-  if (args.value('--width') === undefined) {
-    throw new UsageError('--width CM, how wide the cloth is, is missing.');
-  }
-  const most = (flag: string): number => markerLimits[lengths[flag as keyof typeof lengths]][1];
-  const phaseCm =
-    args.value('--phase') === 'any'
-      ? undefined
-      : lengthCm(args, '--phase', markerLimits.phaseCm[1]);
+function wishOf(args: Arguments): LayWish {
+  const width = lengthCm(args, '--width', layLimit('width'));
+  if (width === undefined) throw new UsageError('--width CM, how wide the cloth is, is missing.');
+  const given = <K extends string>(names: readonly K[], read: (name: K) => number | undefined) =>
+    Object.fromEntries(
+      names.flatMap((name) => {
+        const value = read(name);
+        return value === undefined ? [] : [[name, value]];
+      }),
+    );
+  const place = args.value('--phase');
   const nap = choice(args, '--nap', naps);
-  const shift = choice(args, '--shift', ['kept', 'component']);
-  const effort =
-    args.value('--effort') === '0' ? 0 : factor(args, '--effort', markerLimits.effort[1]);
-  const numbers = Object.fromEntries([
-    ...given(lengths, (flag) => lengthCm(args, flag, most(flag))),
-    ...given(counts, (flag) => wholeNumber(args, flag)),
-  ]) as Pick<NodeMarkerSettings, 'widthCm'>;
+  const shift = choice(args, '--shift', shifts);
+  const effort = args.value('--effort') === '0' ? 0 : factor(args, '--effort', layLimit('effort'));
   return {
-    ...numbers,
-    ...(phaseCm !== undefined && {phaseCm}),
+    width,
+    ...given(layLengths, (name) => lengthCm(args, `--${name}`, layLimit(name))),
+    ...given(layCounts, (name) => wholeNumber(args, `--${name}`)),
+    ...(place !== 'any' && given(['phase'], () => lengthCm(args, '--phase', layLimit('phase')))),
     ...(nap && {nap}),
     ...(shift && {shift}),
     ...(effort !== undefined && {effort}),
-    ...(args.has('--free') && {ignoresPrint: true}),
+    free: args.has('--free'),
   };
 }
 

@@ -4,7 +4,7 @@ import type {SolveResult} from '../model/result.js';
 type Joined = Pick<SolveResult, 'pieces' | 'seams' | 'symmetries' | 'matches'>;
 
 /** The numbers of the pieces, by what is matched, directly or by way of others; or is each other's mirror image. */
-export function components({
+function components({
   pieces,
   seams,
   symmetries,

@@ -1,6 +1,6 @@
 /** The answer about a layout as a plan that people and programs read. Lengths in cm. */
 import {minus, onPiece, plus, type Alignment, type Point} from '../model/geometry.js';
-import type {LaidPlacement, LayPlan, PhaseLength} from '../model/lay-plan.js';
+import type {LaidPlacement, LayPlan, PhaseLength, WidthLength} from '../model/lay-plan.js';
 import type {MarkerAnswer, MarkerLayout} from '../model/marker.js';
 import {boxOf, signedArea} from '../model/polyline.js';
 import type {MarkerOrder} from './problem.js';
@@ -32,7 +32,10 @@ function cutOff(placements: readonly LaidPlacement[], down: number): readonly La
   }));
 }
 
-/** "121 to 136 cm", rounded to the next centimetre. */
+/** To the next centimetre; what is a hair longer than one is none more. */
+const whole = (length: number): number => Math.ceil(length - 0.05);
+
+/** "121 to 136 cm" */
 function rangeNote(phases: readonly PhaseLength[]): readonly string[] {
   const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
   const [least, most] = [Math.min(...known), Math.max(...known)];
@@ -40,7 +43,7 @@ function rangeNote(phases: readonly PhaseLength[]): readonly string[] {
   return [
     ...(known.length > 1 && most - least > sameLength
       ? [
-          `${Math.ceil(least)} to ${Math.ceil(most)} cm, by where the print starts at the selvedge; measure it.`,
+          `${whole(least)} to ${whole(most)} cm, by where the print starts at the selvedge; measure it.`,
         ]
       : []),
     ...(known.length > 0 && nowhere > 0
@@ -49,6 +52,23 @@ function rangeNote(phases: readonly PhaseLength[]): readonly string[] {
         ]
       : []),
   ];
+}
+
+/** What lies on a cloth lies on a wider one, too. */
+function widthsOf(
+  {problem: {widthCm: own, widthsCm}}: MarkerOrder,
+  {widthLengthsCm}: Layout,
+  lengthCm: number,
+): readonly WidthLength[] {
+  const known = [
+    {widthCm: own, lengthCm},
+    ...widthsCm.map((widthCm, k) => ({widthCm, lengthCm: widthLengthsCm?.[k] ?? Infinity})),
+  ];
+  return widthsCm.map((widthCm) => {
+    const lengths = known.filter((other) => other.widthCm <= widthCm).map((one) => one.lengthCm);
+    const least = Math.min(...lengths);
+    return {widthCm, lengthCm: widthLengthsCm && least < Infinity ? least : null};
+  });
 }
 
 /** @param layout the answer, or the best layout so far, of which it is not known yet how good it is */
@@ -64,7 +84,7 @@ export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
   const placements = down === 0 ? laid : cutOff(laid, down);
   const [x, y] = plus(layout.printOrigin, [0, -down]);
   const area = laid.reduce((sum, {cut}) => sum + signedArea(cut), 0);
-  const bound = Math.min(layout.boundCm ?? 0, lengthCm);
+  const {boundCm: bound = 0, freeLengthCm: free = null, proven = false} = layout;
   const phases = problem.phasesCm.map((phaseCm, k): PhaseLength => {
     const isThis = Math.abs(phaseCm - x) < samePhase;
     return {phaseCm, lengthCm: isThis ? lengthCm : (layout.phaseLengthsCm?.[k] ?? null)};
@@ -76,13 +96,12 @@ export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
     placements,
     unplaced: pieces.filter((_, k) => !layout.places[k]),
     useShare: area / (widthCm * lengthCm),
-    boundCm: layout.proven ? lengthCm : bound,
-    proven: layout.proven ?? false,
-    freeLengthCm: layout.freeLengthCm ?? null,
+    boundCm: proven ? lengthCm : Math.min(bound, lengthCm),
+    proven,
+    // where the print is no matter, a layout with it is one
+    freeLengthCm: free === null ? null : Math.min(free, lengthCm),
     phases: ignoresPrint ? [] : phases,
-    widths: problem.widthsCm.map((width, k) => ({
-      ...{widthCm: width, lengthCm: layout.widthLengthsCm?.[k] ?? null},
-    })),
+    widths: widthsOf(order, layout, lengthCm),
     cheaper: [],
     notes: [
       ...notes,
