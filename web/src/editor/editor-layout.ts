@@ -164,6 +164,13 @@ export const editorLayout = css`
       --beside: 23rem;
     }
   }
+  @container (width >= 90rem) {
+    .solving sw-progress {
+      max-width: 10rem;
+      line-height: 1.2;
+      white-space: normal; /* the views want the room of a long sentence */
+    }
+  }
   @container (width >= 64rem) {
     /* what it says of seams is not what is asked there */
     .workbench:has([data-shows='cloth']) .report {

@@ -1,5 +1,5 @@
 /** Whether closed lines keep a distance from each other. Lengths in cm. */
-import {minus, plus, type Point} from '../model/geometry.js';
+import {between, distance, minus, plus, type Point} from '../model/geometry.js';
 import {boxOf, distanceTo, isInside, type Box} from '../model/polyline.js';
 
 /** What is nearer by less than this touches. */
@@ -7,7 +7,7 @@ const slack = 1e-3;
 /** Of the bands across a line by which its edges are found. */
 const bandHeight = 2;
 /** Points that are tried for being well inside, per side of the box. */
-const tries = 9;
+const tries = 10; // the middle is one of them
 
 /** A closed line with its edges in order of height. */
 export interface Ring extends Box {
@@ -21,16 +21,21 @@ export interface Ring extends Box {
 const band = (ring: Pick<Ring, 'low'>, y: number): number =>
   Math.floor((y - ring.low[1]) / bandHeight);
 
+/** Of two points of a grid with as much room, the one nearer to the middle is taken: a share of how far it is. */
+const pull = 0.05;
+
 /** The point of a grid that is furthest from the line, inside of it. */
 function innerOf(points: readonly Point[], {low, high}: Box): Point {
-  let [best, room]: [Point, number] = [points[0] ?? low, 0];
+  const middle = between(low, high, 0.5);
+  let [best, room]: [Point, number] = [points[0] ?? low, -Infinity];
   for (let i = 1; i < tries; i++) {
     for (let j = 1; j < tries; j++) {
       const at: Point = [
         low[0] + ((high[0] - low[0]) * i) / tries,
         low[1] + ((high[1] - low[1]) * j) / tries,
       ];
-      const apart = isInside(points, at) ? distanceTo(points, at) : 0;
+      if (!isInside(points, at)) continue;
+      const apart = distanceTo(points, at) - pull * distance(at, middle);
       if (apart > room) [best, room] = [at, apart];
     }
   }

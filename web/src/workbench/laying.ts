@@ -2,15 +2,16 @@
 import {movedPlan, placesIn} from '../marker/moved-plan.js';
 import type {Bolt, LaidPiece} from '../marker/places.js';
 import {layPlan} from '../marker/plan.js';
-import {markerOrder, type MarkerOrder} from '../marker/problem.js';
+import type {MarkerOrder} from '../marker/problem.js';
 import {printOf, type Design, type DesignPrint} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
-import type {Alignment, Point} from '../model/geometry.js';
+import type {Alignment} from '../model/geometry.js';
 import {amended, begun, redone, stepped, undone, type History} from '../model/history.js';
 import type {LayPlan} from '../model/lay-plan.js';
-import type {MarkerAnswer, MarkerLayout, MarkerProblem} from '../model/marker.js';
+import type {MarkerAnswer, MarkerLayout} from '../model/marker.js';
 import type {SolveResult} from '../model/result.js';
 import {keepCloth, storedCloth, type ClothChoices} from './cloth-choices.js';
+import {askedOf, noPins, orderOf, type Flaw, type LayStep} from './lay-step.js';
 import {lastOf} from './last-of.js';
 import {toFailure} from './latest-solve.js';
 import {Observable} from './observable.js';
@@ -21,20 +22,6 @@ type LayingState =
   | {readonly kind: 'waiting' | 'done' | 'cancelled'}
   | {readonly kind: 'laying'; readonly fraction: number}
   | {readonly kind: 'failed'; readonly failure: Failure};
-
-export type Flaw = readonly Point[];
-
-/** What undo comes back to. Pieces are meant by their numbers. */
-export interface LayStep {
-  readonly choices: ClothChoices;
-  /** Polygons of the cloth on which nothing may lie. */
-  readonly flaws: readonly Flaw[];
-  readonly pins: ReadonlySet<number>;
-  /** Undefined where one has none. */
-  readonly places: readonly (Alignment | undefined)[];
-  /** As it was laid last; undefined before. */
-  readonly plan: LayPlan | undefined;
-}
 
 /** One design on its cloth. */
 interface Work {
@@ -57,8 +44,6 @@ type Source = Pick<
   Workbench,
   'design' | 'garment' | 'result' | 'subscribe' | 'solver' | 'preferences'
 >;
-
-const noPins: ReadonlySet<number> = new Set();
 
 export class Laying extends Observable {
   readonly #source: Source;
@@ -105,6 +90,13 @@ export class Laying extends Observable {
   }
 
   readonly #planOf = lastOf(movedPlan);
+
+  /** Somebody has moved pieces since they were laid. */
+  get isMoved(): boolean {
+    const {order} = this.#work ?? {};
+    const {plan, places = []} = this.step ?? {};
+    return order !== undefined && plan !== undefined && areMoved(placesIn(order, plan), places);
+  }
 
   /** All that have a place. */
   get pieces(): readonly PieceOnCloth[] {
@@ -191,6 +183,7 @@ export class Laying extends Observable {
     const {design} = this.#source;
     if (!choices || !design) return;
     const next = {...choices, ...change};
+    if (JSON.stringify(next) === JSON.stringify(choices)) return;
     keepCloth(design.print, next);
     this.#change({choices: next, pins: noPins}, true);
   }
@@ -225,7 +218,7 @@ export class Laying extends Observable {
     this.#stop();
     this.#work.history = history;
     keepCloth(this.#work.print, history.present.choices);
-    this.#become({kind: 'done'});
+    this.#settle(history.present);
     return true;
   }
 
@@ -235,10 +228,14 @@ export class Laying extends Observable {
     if (!work || !isOf(work, this.#source.result, this.#source.design)) return;
     this.#stop();
     const {history} = work;
-    const next = {...history.present, ...change};
+    const next = {...history.present, ...change, failure: undefined};
     work.history = history.present.plan ? stepped(history, next) : amended(history, next);
     if (packs) void this.#run(work);
     else this.#become({kind: 'done'});
+  }
+
+  #settle({failure}: LayStep): void {
+    this.#become(failure ? {kind: 'failed', failure} : {kind: 'done'});
   }
 
   #become(state: LayingState): void {
@@ -266,7 +263,7 @@ export class Laying extends Observable {
     if (known?.print === design.print && known.history.present.plan) {
       this.#next = undefined;
       this.#work = known;
-      this.#become({kind: 'done'});
+      this.#settle(known.history.present);
       return;
     }
     // flaws are those of a bolt, whatever is cut from it
@@ -279,6 +276,7 @@ export class Laying extends Observable {
         flaws,
         pins: noPins,
         places: [],
+        failure: undefined,
         plan: flaws.length > 0 ? plan : undefined,
       }),
     };
@@ -297,7 +295,7 @@ export class Laying extends Observable {
     try {
       await new Promise((resolve) => setTimeout(resolve)); // what is shown of it comes first
       if (isOver()) return;
-      const order = orderOf(design, work, garment, step.choices);
+      const order = orderOf(design, work.result, garment, step.choices);
       const problem = askedOf(order.problem, step);
       const take = (layout: MarkerLayout & Partial<MarkerAnswer>): void => {
         const plan = layPlan({...order, problem}, layout);
@@ -326,14 +324,10 @@ export class Laying extends Observable {
     } catch (error) {
       if (isOver()) return;
       this.#running = undefined;
-      if (work === this.#work) {
-        const {order} = work;
-        work.history = amended(work.history, {
-          ...step,
-          places: order?.pieces.map(() => undefined) ?? [],
-        });
-      }
-      this.#become({kind: 'failed', failure: toFailure(error)});
+      const failure = toFailure(error);
+      const places = work.order?.pieces.map(() => undefined) ?? [];
+      work.history = amended(work.history, {...step, places, failure});
+      this.#become({kind: 'failed', failure});
     }
   }
 }
@@ -341,39 +335,8 @@ export class Laying extends Observable {
 const isOf = (work: Work, result: SolveResult | undefined, design: Design | undefined): boolean =>
   work.result === result && work.print === design?.print;
 
-function orderOf(
-  {garment: file, options, names, print}: Design,
-  {result}: Work,
-  garment: NonNullable<Source['garment']>,
-  {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm}: ClothChoices,
-): MarkerOrder {
-  return markerOrder(
-    [{result, name: file.name, garment, options, ...(names && {names})}],
-    {
-      ...{widthCm, selvedgeCm, gapCm},
-      ...(phaseCm !== null && {phaseCm}),
-      ...(isOneWay && {nap: 'one-way'}),
-    },
-    print,
-  );
-}
-
-/** With flaws or pinned pieces the cloth is one that lies there: where its print is stays. */
-function askedOf(
-  problem: MarkerProblem,
-  {pins, flaws, places, plan, choices}: LayStep,
-): MarkerProblem {
-  const origin = plan?.printOrigin;
-  if (!origin || (pins.size === 0 && flaws.length === 0)) return {...problem, flaws};
-  return {
-    ...problem,
-    ...{flaws, phasesCm: [choices.phaseCm ?? origin[0]], startCm: origin[1]},
-    pieces: problem.pieces.map((piece, k) => {
-      const pin = pins.has(k) ? places[k] : undefined;
-      return pin ? {...piece, pin} : piece;
-    }),
-  };
-}
+const areMoved = (laid: LayStep['places'], places: LayStep['places']): boolean =>
+  JSON.stringify(laid) !== JSON.stringify(places);
 
 const known = new WeakMap<Source, Laying>();
 

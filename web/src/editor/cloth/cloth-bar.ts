@@ -3,7 +3,7 @@ import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {Texts} from '../../texts/texts.js';
-import {icon} from '../style/icons.js';
+import {drawn, icon} from '../style/icons.js';
 
 /** The cloth as its buttons see it. */
 interface BarredCloth {
@@ -23,19 +23,10 @@ interface BarredCloth {
 /** Of a press of a button; a key goes less far. */
 const zoomFactor = 1.4;
 
-const flawIcon = html`<svg
-  viewBox="0 0 16 16"
-  width="16"
-  height="16"
-  fill="none"
-  stroke="currentColor"
-  stroke-width="1.5"
-  stroke-linecap="round"
-  stroke-linejoin="round"
-  aria-hidden="true"
->
-  ${svg`<path d="M2.5 2.500h11v11h-11z" stroke-dasharray="2 2"/><path d="m6 6 4 4M10 6l-4 4"/>`}
-</svg>`;
+const flawIcon = drawn(
+  svg`<path d="M2.5 2.5h11v11h-11z" stroke-dasharray="2 2"/><path d="m6 6 4 4M10 6l-4 4"/>`,
+);
+const packIcon = drawn(svg`<path d="M2.5 7h5v6.5h-5zM9.500 9h4v4.5h-4zM2.500 2.5h11V5h-11z"/>`);
 
 interface Tool {
   readonly label: string;
@@ -83,17 +74,13 @@ export function clothBar(cloth: BarredCloth, words: ClothTexts): TemplateResult 
           cloth.toggleFlawTool();
         },
       })}
+      ${tool({
+        ...{label: pack, picture: packIcon, key: 'A', isPossible: isReady},
+        act: () => {
+          cloth.pack();
+        },
+      })}
     </div>
-    <button
-      class="outlined pack"
-      title="${pack} (A)"
-      ?disabled=${!isReady}
-      @click=${() => {
-        cloth.pack();
-      }}
-    >
-      ${pack}
-    </button>
   </div>`;
 }
 

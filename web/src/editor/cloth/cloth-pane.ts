@@ -15,17 +15,20 @@ import {clothBar, clothZoom} from './cloth-bar.js';
 import {clothCommands} from './cloth-commands.js';
 import {ClothElement} from './cloth-element.js';
 import {placeOn, placeTurned, ways} from './cloth-moves.js';
+import {clothFiles} from './cloth-files.js';
 import {ClothPointing, type PointedCloth} from './cloth-pointing.js';
-import {clothSheet} from './cloth-sheet.js';
+import {clothSheet, type Dragged} from './cloth-sheet.js';
 import {clothStatus, spokenStatus} from './cloth-status.js';
 import {clothStyle} from './cloth-style.js';
-import {conflicts, placeWords, roundedLength} from './cloth-words.js';
+import {conflicts, conflictWords, placeWords, roundedLength} from './cloth-words.js';
 import {layStepWords} from './lay-step-words.js';
 import {margin, type SheetFrame} from './sheet-frame.js';
 
 const zooms = {least: 1, most: 12} as const;
 /** Cloth that is shown beyond what is used. [cm] */
 const beyond = 14;
+/** At the least. [cm] */
+const leastLength = 50;
 /** Long cloth is shown at this share of the scale at which its width fills the view, at the least. */
 const leastShare = 0.6;
 export class ClothPane extends ClothElement {
@@ -69,6 +72,13 @@ export class ClothPane extends ClothElement {
   /** What it can be asked for, with the keys that mean it while it has the focus. */
   get commands(): readonly Command[] {
     return clothCommands(this, this.texts, this.words);
+  }
+
+  /** What can be had just now: nothing while pieces lie on each other. */
+  get files(): ReturnType<typeof clothFiles> {
+    const {plan} = this.laying;
+    const isGood = plan !== undefined && this.isReady && this.#conflicts.size === 0;
+    return isGood ? clothFiles(plan, this.words) : [];
   }
 
   get isReady(): boolean {
@@ -131,11 +141,14 @@ export class ClothPane extends ClothElement {
 
   togglePin(): void {
     const piece = this.selectedPiece;
-    if (piece && this.isReady) this.laying.togglePin(piece.number);
+    if (!piece || !this.isReady) return;
+    this.laying.togglePin(piece.number);
+    this.#say('');
   }
 
   pack(): void {
     this.laying.pack();
+    this.#say('');
   }
 
   toggleFlawTool(): void {
@@ -154,6 +167,10 @@ export class ClothPane extends ClothElement {
     const name = this.laying.names[number ?? -1];
     const piece = this.workbench.pattern?.pieces.findIndex((one) => one.name === name) ?? -1;
     return piece < 0 ? undefined : {kind: 'piece', piece};
+  }
+
+  hold(): void {
+    this.laying.cancel();
   }
 
   move({number}: PieceOnCloth, place: Alignment): void {
@@ -215,7 +232,7 @@ export class ClothPane extends ClothElement {
   protected override render(): TemplateResult {
     const {laying, words} = this;
     const {state} = laying;
-    return html`<div class="pane">
+    return html`<div class="pane" data-state=${state.kind}>
       ${clothBar(this, words)}
       <div
         class="application"
@@ -269,7 +286,7 @@ export class ClothPane extends ClothElement {
   /** As large as there is room for, and as somebody has zoomed. */
   #frame(widthCm: number, usedCm: number): SheetFrame {
     const [width, height] = this.#room;
-    const lengthCm = usedCm + beyond;
+    const lengthCm = Math.max(usedCm, leastLength) + beyond;
     const across = (width - margin.left - margin.right) / widthCm;
     const along = (height - margin.top - margin.bottom) / lengthCm;
     const scale = Math.max(Math.min(across, along), leastShare * across, 1);
@@ -304,23 +321,34 @@ export class ClothPane extends ClothElement {
     return number < 0 ? undefined : number;
   }
 
+  #inWay({piece, inWay}: Dragged): string | undefined {
+    return conflictWords(piece, inWay, this.laying.pieces, this.labelOf, this.words);
+  }
+
+  /** Of the one that is dragged, where it would come to lie. */
   get #placeOfSelected(): string | undefined {
     const {bolt} = this.laying;
-    const piece = this.selectedPiece;
+    const {dragged} = this.#pointing;
+    const piece = dragged ? {...dragged.piece, place: dragged.place} : this.selectedPiece;
     if (!piece || !bolt) return undefined;
-    return `${this.labelOf(piece)}: ${placeWords(piece, bolt, this.words, this.format)}`;
+    const place = placeWords(piece, bolt, this.words, this.format);
+    const pinned = this.chosen?.isPinned ? `, ${this.words.pinned}` : '';
+    return `${this.labelOf(piece)}: ${place}${pinned}`;
   }
 
   get #status(): Parameters<typeof clothStatus>[0] {
     const {laying, words, format} = this;
     const {state} = laying;
+    const {dragged} = this.#pointing;
     const conflicts = this.#conflicts;
     const own = this.selected === undefined ? undefined : conflicts.get(this.selected);
     const why =
       state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
     return {
       ...{laying, words, format, why, said: this.#said, isMarking: this.isMarking},
-      ...{conflict: own ?? [...conflicts.values()][0], place: this.#placeOfSelected},
+      isDragging: dragged !== undefined,
+      ...{conflict: dragged ? this.#inWay(dragged) : (own ?? [...conflicts.values()][0])},
+      place: this.#placeOfSelected,
     };
   }
 

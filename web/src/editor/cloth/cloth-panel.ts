@@ -2,12 +2,13 @@
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {LayPlan} from '../../model/lay-plan.js';
-import type {LayStep} from '../../workbench/laying.js';
+import type {LayStep} from '../../workbench/lay-step.js';
+import {rangeNote} from '../../marker/plan.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {ClothElement} from './cloth-element.js';
 import {clothFields} from './cloth-fields.js';
-import {flawWords, placeWords, roundedLength, soldLength} from './cloth-words.js';
+import {flawWords, lengthRange, placeWords, roundedLength, soldLength} from './cloth-words.js';
 import {panelStyle} from './panel-style.js';
 
 /** What is dearer by less costs nothing, and what is shorter by less is as long. [cm] */
@@ -42,7 +43,7 @@ export class ClothPanel extends ClothElement {
   protected override render(): TemplateResult {
     const {laying, words} = this;
     const {step, plan, state, isStale} = laying;
-    const isShown = plan !== undefined && state.kind !== 'failed';
+    const isShown = plan !== undefined && state.kind !== 'failed' && laying.pieces.length > 0;
     return html`<section aria-label=${words.panel} class=${isStale ? 'stale' : ''}>
         ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#fields()}
       </section>
@@ -53,9 +54,10 @@ export class ClothPanel extends ClothElement {
   #result(plan: LayPlan): TemplateResult {
     const {words, format, laying} = this;
     const {units} = this.workbench.preferences;
-    const {lengthCm, useShare, boundCm, proven, notes} = plan;
+    const {lengthCm, useShare, boundCm, proven, phases} = plan;
+    const notes = plan.notes.filter((note) => !rangeNote(phases).includes(note));
     const isDone = laying.state.kind === 'done';
-    const rounded = (cm: number): string => roundedLength(cm, units, format);
+    const laid = laying.step?.plan ?? plan;
     return html`<h2 class="buy">${words.buy(soldLength(lengthCm, units, words, format))}</h2>
       <ul class="facts">
         <li>${words.used(format.length(lengthCm), format.percent(useShare))}</li>
@@ -65,8 +67,8 @@ export class ClothPanel extends ClothElement {
             ? html`<li>${words.bound(format.length(boundCm))}</li>`
             : nothing
         }
-        ${this.#cost(plan)} ${this.#range(plan, rounded)}
-        ${notes.map((note) => html`<li>${note}</li>`)}
+        ${laying.isMoved ? html`<li>${words.moved}</li>` : nothing} ${this.#cost(laid)}
+        ${this.#range(phases)} ${notes.map((note) => html`<li>${note}</li>`)}
       </ul>`;
   }
 
@@ -80,11 +82,20 @@ export class ClothPanel extends ClothElement {
   }
 
   /** Where nobody has measured where the print starts, how much hangs on it. */
-  #range({phases}: LayPlan, rounded: (cm: number) => string): TemplateResult | typeof nothing {
+  #range(phases: LayPlan['phases']): readonly TemplateResult[] {
     const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
     const [least, most] = [Math.min(...known), Math.max(...known)];
-    if (known.length < 2 || most - least < leastCost) return nothing;
-    return html`<li class="range">${this.words.range(rounded(least), rounded(most))}</li>`;
+    const {words, format} = this;
+    const {units} = this.workbench.preferences;
+    const nowhere = phases.length - known.length;
+    return [
+      ...(known.length > 1 && most - least >= leastCost
+        ? [html`<li class="range">${lengthRange([least, most], units, words, format)}</li>`]
+        : []),
+      ...(known.length > 1 && nowhere > 0
+        ? [html`<li class="range">${words.rangeNowhere(nowhere, phases.length)}</li>`]
+        : []),
+    ];
   }
 
   #fields(): TemplateResult | typeof nothing {

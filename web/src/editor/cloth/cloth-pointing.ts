@@ -20,6 +20,8 @@ export interface PointedCloth {
     readonly bolt: Bolt | undefined;
     readonly frame: SheetFrame | undefined;
   };
+  /** Nothing is laid any more, so that all stays where it is. */
+  hold(): void;
   choose(number: number | undefined): void;
   point(number: number | undefined): void;
   move(piece: PieceOnCloth, place: Alignment): void;
@@ -117,7 +119,10 @@ export class ClothPointing {
   #begin({piece}: Press): void {
     const {pieces, bolt} = this.#cloth.shown;
     if (!bolt) return;
-    this.#drag ??= new PieceDrag(pieces, piece, bolt);
+    if (!this.#drag) {
+      this.#cloth.hold();
+      this.#drag = new PieceDrag(pieces, piece, bolt);
+    }
     this.#drawing ??= requestAnimationFrame(this.#draw);
   }
 

@@ -1,9 +1,10 @@
 /** The cloth in its print, with its edges and rulers, and the pieces that lie on it. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import {turnedRing, type Bolt} from '../../marker/places.js';
+import {textWidth} from '../../layout/name-lines.js';
+import {isFree, turnedRing, type Bolt, type Obstacles} from '../../marker/places.js';
 import {imageCell} from '../../model/wallpaper.js';
-import {norm, onPiece, plus, type Point} from '../../model/geometry.js';
+import {norm, onPiece, plus, type Alignment, type Point} from '../../model/geometry.js';
 import type {Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {PieceOnCloth} from '../../workbench/laying.js';
@@ -20,12 +21,13 @@ import {
 
 /** A piece while it is dragged: by how much, and where it would come to lie. */
 export interface Dragged {
-  readonly number: number;
+  readonly piece: PieceOnCloth;
   /** [cm] */
   readonly by: Point;
+  readonly place: Alignment;
+  readonly inWay: Obstacles;
   /** The cut line at the nearest place. */
   readonly target: readonly Point[];
-  readonly isTaken: boolean;
   /** Free places, each by the middle of the piece. */
   readonly dots: readonly Point[];
 }
@@ -104,9 +106,8 @@ function rulers(state: SheetState): TemplateResult {
   });
   const along = rulerMarks(frame.lengthCm, frame.scale, units).map(({at, label}) => {
     const y = -at * unit;
-    const isByUsed = Math.abs(at - usedCm) * frame.scale < 14;
     return svg`<path d="M${px(-3)} ${y}h${px(label ? -7 : -4)}" />${
-      label && !isByUsed
+      label
         ? svg`<text x=${px(-13)} y=${y + px(4)} font-size=${size} text-anchor="end">${label}</text>`
         : nothing
     }`;
@@ -117,7 +118,8 @@ function rulers(state: SheetState): TemplateResult {
     ${across} ${along}
     ${
       usedCm > 0
-        ? svg`<text class="length" x=${px(-6)} y=${-usedCm * unit + px(4)} font-size=${size} text-anchor="end">${usedWords}</text>`
+        ? svg`<text class="length" x=${widthCm * unit - px(6)} y=${-usedCm * unit - px(6)}
+            font-size=${px(12)} stroke-width=${px(4)} text-anchor="end">${usedWords}</text>`
         : nothing
     }
     <text x=${widthCm * unit} y=${px(36)} font-size=${size} text-anchor="end">✂ ${words.cutEdge}</text>
@@ -143,10 +145,26 @@ function outlineOf(piece: PieceOnCloth): string {
 export const middleOf = ({piece, place}: PieceOnCloth): Point =>
   plus(turnedRing(piece.outline, place.angle).inner, place.translation);
 
+/** Of letters. [CSS px] */
+const nameSizes = {least: 8, most: 12} as const;
+
+/** So that the name fits into the piece, as far as it can be read. [CSS px] */
+function nameSize({piece, place}: PieceOnCloth, label: string, {scale}: SheetFrame): number {
+  const {low, high} = turnedRing(piece.outline, place.angle);
+  const size = ((high[0] - low[0]) * scale) / textWidth(label, 1.1);
+  return Math.min(nameSizes.most, Math.max(nameSizes.least, size));
+}
+
+/** The head of a pin. @param px the unit of the drawing */
+const pinDrawing = ([x, y]: Point, px: number): TemplateResult =>
+  svg`<g class="pin" transform="translate(${x} ${y}) scale(${px})">
+    <circle r="11" /><path d="M-2.5 -6h5M-1.5 -6v4.5L-4 1h8L1.5 -1.5V-6M0 1V6" />
+  </g>`;
+
 function pieceDrawing(piece: PieceOnCloth, state: SheetState): TemplateResult {
   const {frame, label, pins, selected, pointed, bad, dragged} = state;
   const {number} = piece;
-  const isDragged = dragged?.number === number;
+  const isDragged = dragged?.piece.number === number;
   const [x, y] = onSheet(middleOf(piece));
   const [byX, byY] = onSheet(isDragged ? dragged.by : [0, 0]);
   const px = (count: number): number => pixels(frame, count);
@@ -154,30 +172,33 @@ function pieceDrawing(piece: PieceOnCloth, state: SheetState): TemplateResult {
     'piece',
     ...(selected === number ? ['selected'] : []),
     ...(pointed === number ? ['pointed'] : []),
-    ...(bad.has(number) && !isDragged ? ['bad'] : []),
+    ...((isDragged ? !isFree(dragged.inWay) : bad.has(number)) ? ['bad'] : []),
     ...(isDragged ? ['dragged'] : []),
   ].join(' ');
   const d = outlineOf(piece);
   return svg`<g class=${classes} data-number=${number} transform="translate(${byX} ${byY})">
     <path class="cloth" d=${d} fill="url(#print)" />
     <path class="line" d=${d} />
-    <text class="name" x=${x} y=${y + px(4)} font-size=${px(12)} stroke-width=${px(4)}
-      text-anchor="middle">${pins.has(number) ? '📌\u{fe0e} ' : ''}${label(piece)}</text>
+    ${pins.has(number) ? pinDrawing([x, y - px(26)], px(1)) : nothing}
+    <text class="name" x=${x} y=${y + px(4)} font-size=${px(nameSize(piece, label(piece), frame))}
+      stroke-width=${px(4)} text-anchor="middle">${label(piece)}</text>
   </g>`;
 }
 
-/** Where the dragged piece would come to lie, and the other places that it has. */
-function targets({frame, dragged}: SheetState): TemplateResult | typeof nothing {
-  if (!dragged) return nothing;
-  const dots = dragged.dots
+/** Where the dragged piece would come to lie. */
+const target = ({target: line, inWay}: Dragged): TemplateResult =>
+  svg`<path class="target ${isFree(inWay) ? '' : 'bad'}" d=${closed(line)} />`;
+
+/** The places that it has. */
+function dots({dots: all}: Dragged, frame: SheetFrame): TemplateResult {
+  const d = all
     .map((dot) => {
       const [x, y] = onSheet(dot);
       return `M${x.toFixed(0)} ${y.toFixed(0)}h0`;
     })
     .join('');
-  return svg`<path class="dots halo" d=${dots} stroke-width=${pixels(frame, 7)} />
-    <path class="dots" d=${dots} stroke-width=${pixels(frame, 4.5)} />
-    <path class="target ${dragged.isTaken ? 'bad' : ''}" d=${closed(dragged.target)} />`;
+  return svg`<path class="dots halo" d=${d} stroke-width=${pixels(frame, 8)} />
+    <path class="dots" d=${d} stroke-width=${pixels(frame, 5)} />`;
 }
 
 export function clothSheet(state: SheetState): TemplateResult {
@@ -186,8 +207,9 @@ export function clothSheet(state: SheetState): TemplateResult {
   const [right, top] = onSheet([bolt.widthCm, frame.lengthCm]);
   // what is dragged lies over the others, then what is selected
   const rank = ({number}: PieceOnCloth): number =>
-    number === dragged?.number ? 2 : number === state.selected ? 1 : 0;
+    number === dragged?.piece.number ? 2 : number === state.selected ? 1 : 0;
   const ordered = [...pieces].sort((one, other) => rank(one) - rank(other));
+  const below = dragged ? ordered.length - 1 : ordered.length;
   return html`<svg
     class="sheet"
     width=${width}
@@ -199,7 +221,10 @@ export function clothSheet(state: SheetState): TemplateResult {
     <rect y=${top} width=${right} height=${-top} fill="url(#print)" />
     <rect class="pale" y=${top} width=${right} height=${-top} />
     ${edges(state)} ${rulers(state)} ${bolt.flaws.map((flaw) => flawDrawing(flaw))}
-    ${ordered.map((piece) => pieceDrawing(piece, state))} ${targets(state)}
+    ${ordered.slice(0, below).map((piece) => pieceDrawing(piece, state))}
+    ${dragged ? target(dragged) : nothing}
+    ${ordered.slice(below).map((piece) => pieceDrawing(piece, state))}
+    ${dragged ? dots(dragged, frame) : nothing}
     ${draft.length > 0 ? svg`<path class="flaw draft" d=${closed(draft)} />` : nothing}
   </svg>`;
 }

@@ -14,6 +14,7 @@ interface Status {
   readonly conflict: string | undefined;
   readonly place: string | undefined;
   readonly isMarking: boolean;
+  readonly isDragging: boolean;
   readonly words: ClothTexts;
   readonly format: Format;
 }
@@ -24,11 +25,13 @@ const passing: ReadonlySet<string> = new Set(['internal', 'network', 'timeout'])
 export function clothStatus(status: Status): TemplateResult {
   const {laying, words, format, why} = status;
   const {state} = laying;
+  if (status.isMarking) return html`<p class="told">${words.flawHint}</p>`;
   const act = (label: string, run: () => void): TemplateResult =>
     html`<button class="outlined" @click=${run}>${label}</button>`;
   const again = act(words.again, () => {
     laying.pack();
   });
+  if (status.isDragging) return doneWords(status);
   switch (state.kind) {
     case 'waiting':
       return html`<p class="told">${laying.step ? words.stale : words.waiting}</p>`;
@@ -50,8 +53,7 @@ export function clothStatus(status: Status): TemplateResult {
   }
 }
 
-function doneWords({isMarking, said, conflict, place, words}: Status): TemplateResult {
-  if (isMarking) return html`<p class="told">${words.flawHint}</p>`;
+function doneWords({said, conflict, place, words}: Status): TemplateResult {
   if (said !== '') return html`<p class="told">${said}</p>`;
   if (conflict !== undefined) return html`<p class="told bad">${conflict}</p>`;
   return html`<span class="place">${place ?? words.hint}</span>`;

@@ -10,9 +10,10 @@ export const clothStyle = css`
     background: var(--sw-ground);
   }
   .pane {
+    --panel: 21rem;
     position: relative;
     display: grid;
-    grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr) 21rem;
+    grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr) var(--panel);
     min-height: 0;
   }
   .application {
@@ -106,9 +107,9 @@ export const clothStyle = css`
   }
   progress {
     position: absolute;
-    inset: auto 21rem 0 0;
+    inset: auto var(--panel) 0 0;
     appearance: none;
-    width: calc(100% - 21rem);
+    width: calc(100% - var(--panel));
     height: 3px;
     border: 0;
     background: transparent;
@@ -140,8 +141,8 @@ export const clothStyle = css`
     opacity: 0.66;
   }
   .hatch {
-    stroke: var(--sw-strong-line);
-    stroke-width: 1;
+    stroke: var(--sw-soft);
+    stroke-width: 1.25;
   }
   .selvedge {
     fill: url(#hatching);
@@ -170,6 +171,9 @@ export const clothStyle = css`
   }
   .ruler .length {
     fill: var(--sw-accent);
+    stroke: var(--sw-paper);
+    stroke-linejoin: round;
+    paint-order: stroke;
     font-weight: 600;
   }
   .piece {
@@ -206,7 +210,6 @@ export const clothStyle = css`
   }
   .piece.dragged {
     cursor: grabbing;
-    opacity: 0.92;
     filter: drop-shadow(0 3px 6px rgb(0 0 0 / 0.35));
   }
   .name {
@@ -216,6 +219,21 @@ export const clothStyle = css`
     paint-order: stroke;
     font-weight: 600;
     pointer-events: none;
+  }
+  .pin {
+    pointer-events: none;
+  }
+  .pin circle {
+    fill: #fdfcfb;
+    stroke: #26282c;
+    stroke-width: 1;
+  }
+  .pin path {
+    fill: none;
+    stroke: #26282c;
+    stroke-width: 1.5;
+    stroke-linecap: round;
+    stroke-linejoin: round;
   }
   .dots {
     fill: none;
@@ -261,23 +279,9 @@ export const clothStyle = css`
       border-top: 1px solid var(--sw-line);
     }
   }
-  @container (width < 46rem) {
+  @container (width < 60rem) {
     .pane {
-      display: block;
-      overflow-y: auto;
-    }
-    .application {
-      height: calc(100cqh - 7.5rem);
-      min-height: 12rem;
-    }
-    sw-cloth-panel {
-      border: 0;
-      border-top: 1px solid var(--sw-line);
-    }
-    progress {
-      position: sticky;
-      inset: auto 0 0;
-      width: 100%;
+      --panel: 17.5rem;
     }
     .tool span {
       position: absolute;
@@ -290,9 +294,36 @@ export const clothStyle = css`
       width: var(--sw-target);
       padding: 0;
     }
-    .bar,
+  }
+  /* above each other: there is no room side by side */
+  @container (width < 42rem) {
+    .pane {
+      display: block;
+      overflow-y: auto;
+    }
+    .application {
+      height: calc(
+        100cqh - 2 * (var(--sw-target) + 1rem) - 3.5rem
+      ); /* what there is to buy is seen */
+      min-height: 12rem;
+    }
+    sw-cloth-panel {
+      border-left: 0;
+    }
+    progress {
+      position: sticky;
+      inset: auto 0 0;
+      width: 100%;
+    }
+    .bar {
+      padding: var(--sw-space-1) 0 var(--sw-space-1) var(--sw-space-2);
+    }
     .foot {
+      flex-wrap: nowrap;
       padding: var(--sw-space-1) var(--sw-space-2);
+    }
+    .said {
+      line-height: 1.25;
     }
   }
 `;

@@ -1,6 +1,6 @@
 /** What a step on the cloth is called in words. */
 import type {ClothTexts} from '../../texts/cloth-texts.js';
-import type {LayStep} from '../../workbench/laying.js';
+import type {LayStep} from '../../workbench/lay-step.js';
 
 function changeBetween(from: LayStep, to: LayStep): keyof ClothTexts['steps'] {
   if (from.choices !== to.choices) return 'cloth';

@@ -1,7 +1,6 @@
 /** A piece that is being dragged over its cloth: where it may lie, and where it would come to lie. */
 import {
   apartFrom,
-  isFree,
   obstaclesTo,
   Places,
   turnAt,
@@ -78,9 +77,9 @@ export class PieceDrag {
   get shown(): Dragged {
     const {place} = this;
     const ring = turnedRing(this.piece.piece.outline, place.angle);
-    const isTaken = !isFree(obstaclesTo(this.#pieces, this.#index, place, this.#bolt));
     return {
-      ...{number: this.piece.number, by: this.#by, isTaken, dots: this.#dots},
+      ...{piece: this.piece, place, by: this.#by, dots: this.#dots},
+      inWay: obstaclesTo(this.#pieces, this.#index, place, this.#bolt),
       target: ring.points.map((p) => plus(p, place.translation)),
     };
   }

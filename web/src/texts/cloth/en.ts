@@ -24,6 +24,8 @@ export const cloth = {
   costsNothing: 'The print costs no cloth',
   range: (least: string, most: string) =>
     `${least} to ${most}, by where the print starts; measure it.`,
+  rangeNowhere: (nowhere: number, all: number) =>
+    `At ${nowhere} of ${all} places where the print may start, not all pieces fit.`,
   width: 'Cloth width',
   otherWidth: 'Other …',
   widthIn: (unit: string) => `Cloth width (${unit})`,
@@ -51,7 +53,6 @@ export const cloth = {
   pin: 'Pin',
   unpin: 'Unpin',
   turn: 'Turn',
-  turnPiece: (piece: string) => `Turn ${piece}`,
   pinPiece: (piece: string) => `Pin ${piece}`,
   cannotTurn: (piece: string) => `${piece} has no other turn on this print and grain.`,
   noWay: (piece: string) => `${piece} has no free place further on that way.`,
@@ -67,7 +68,6 @@ export const cloth = {
     `Flaw ${number}, ${left} from the left, ${start} from the start`,
   remove: 'Remove',
   removeFlaw: (flaw: string) => `Remove: ${flaw}`,
-  save: 'Save',
   savePlan: 'Save lay plan (JSON)',
   saveSvg: 'Save lay plan (SVG)',
   savePdf: 'Save lay plan (PDF)',
