@@ -71,7 +71,7 @@ export class SaveMenu extends WorkbenchElement {
     const view = this.view();
     if (!view) this.ofView = [];
     else
-      this.ofView = (await import('./view-saves.js')).viewSaves(
+      this.ofView = (await import('./saves/view-saves.js')).viewSaves(
         view,
         this.workbench,
         this.saveOther,

@@ -1,7 +1,7 @@
 /** All commands of the page, the likeliest first. */
 import {languageNames, languages, type Command, type Preferences} from '../../editor/index.js';
 import {garmentCommands, printCommands, solveCommands, stepCommands} from './design-list.js';
-import {viewSaves} from '../view-saves.js';
+import {viewSaves} from '../saves/view-saves.js';
 import {withKey, type PageParts} from './page-parts.js';
 import {pieceCommands, toolCommands, viewCommands} from './pattern-list.js';
 

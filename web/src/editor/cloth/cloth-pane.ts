@@ -1,20 +1,17 @@
 /** The pieces of the present answer on their cloth: its drawing, what is done to it, and the same as words. */
-import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+import {html, nothing, type TemplateResult} from 'lit';
 
 import {usedLength} from '../../marker/places.js';
-import type {Alignment, Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {Point} from '../../model/geometry.js';
 import {lastOf} from '../../workbench/last-of.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
-import {sameTarget} from '../../workbench/state.js';
-import type {Target} from '../../workbench/workbench.js';
 import {commandFor} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';
 import {controls} from '../style/controls.js';
 import {clothBar, clothZoom} from './cloth-bar.js';
 import {clothCommands} from './cloth-commands.js';
-import {ClothElement} from './cloth-element.js';
-import {placeOn, placeTurned, ways} from './cloth-moves.js';
+import {PieceActions} from './piece-actions.js';
+import {ways} from './cloth-moves.js';
 import {clothFiles} from './cloth-files.js';
 import {ClothPointing, type PointedCloth} from './cloth-pointing.js';
 import {clothSheet, type Dragged} from './cloth-sheet.js';
@@ -31,14 +28,8 @@ const beyond = 14;
 const leastLength = 50;
 /** Long cloth is shown at this share of the scale at which its width fills the view, at the least. */
 const leastShare = 0.6;
-export class ClothPane extends ClothElement {
-  static override properties = {
-    ...ClothElement.properties,
-    selected: {state: true},
-  };
+export class ClothPane extends PieceActions {
   static override styles = [controls, clothStyle];
-  /** The number of a piece. */
-  declare protected selected: number | undefined;
   readonly #conflictsOf = lastOf(conflicts);
   readonly #pointing = new ClothPointing(this);
   #observer: ResizeObserver | undefined;
@@ -46,10 +37,6 @@ export class ClothPane extends ClothElement {
   /** Of the room that the cloth is shown in. [CSS px] */
   #room: Point = [0, 0];
   #zoom = 1;
-  /** What was picked last, here or elsewhere. */
-  #target: Target | undefined;
-  /** What was done last, in words. */
-  #said = '';
   #isAtStart = false;
 
   override connectedCallback(): void {
@@ -79,11 +66,6 @@ export class ClothPane extends ClothElement {
     const {plan} = this.laying;
     const isGood = plan !== undefined && this.isReady && this.#conflicts.size === 0;
     return isGood ? clothFiles(plan, this.words) : [];
-  }
-
-  get isReady(): boolean {
-    const {laying} = this;
-    return !laying.isStale && laying.pieces.length > 0 && laying.bolt !== undefined;
   }
 
   /** What undo would take back here. */
@@ -122,78 +104,8 @@ export class ClothPane extends ClothElement {
     this.requestUpdate();
   }
 
-  walk(step: 1 | -1): void {
-    const {pieces} = this.laying;
-    const from = pieces.findIndex(({number}) => number === this.selected);
-    const first = step > 0 ? -1 : 0;
-    const next = pieces[((from < 0 ? first : from) + step + pieces.length) % pieces.length];
-    if (next) this.choose(next.number);
-  }
-
-  turn(takes = false): void {
-    const {bolt, pieces} = this.laying;
-    const piece = this.selectedPiece;
-    if (!bolt || !piece || !this.isReady) return;
-    const place = placeTurned(pieces, piece, bolt, takes);
-    if (place) this.move(piece, place);
-    else this.#say(this.words.cannotTurn(this.labelOf(piece)));
-  }
-
-  togglePin(): void {
-    const piece = this.selectedPiece;
-    if (!piece || !this.isReady) return;
-    this.laying.togglePin(piece.number);
-    this.#say('');
-  }
-
-  pack(): void {
-    this.laying.pack();
-    this.#say('');
-  }
-
   toggleFlawTool(): void {
     if (this.isReady) this.#pointing.toggleFlawTool();
-  }
-
-  /** Shows a piece as the one that is meant, here and everywhere. */
-  choose(number: number | undefined): void {
-    this.selected = number;
-    this.#target = this.#targetOf(number);
-    this.workbench.select(this.#target);
-    this.#say('');
-  }
-
-  #targetOf(number: number | undefined): Target | undefined {
-    const name = this.laying.names[number ?? -1];
-    const piece = this.workbench.pattern?.pieces.findIndex((one) => one.name === name) ?? -1;
-    return piece < 0 ? undefined : {kind: 'piece', piece};
-  }
-
-  hold(): void {
-    this.laying.cancel();
-  }
-
-  move({number}: PieceOnCloth, place: Alignment): void {
-    this.laying.move(number, place);
-    this.#say('');
-  }
-
-  /** @param draft of a flaw */
-  addFlaw(flaw: readonly Point[]): void {
-    this.laying.setFlaws([...(this.laying.step?.flaws ?? []), flaw]);
-  }
-
-  get selectedPiece(): PieceOnCloth | undefined {
-    return this.laying.pieces.find(({number}) => number === this.selected);
-  }
-
-  get chosen(): {readonly isPinned: boolean} | undefined {
-    const piece = this.selectedPiece;
-    return piece && {isPinned: this.laying.step?.pins.has(piece.number) ?? false};
-  }
-
-  get hasPins(): boolean {
-    return (this.laying.step?.pins.size ?? 0) > 0;
   }
 
   get isMarking(): boolean {
@@ -204,19 +116,6 @@ export class ClothPane extends ClothElement {
   get shown(): PointedCloth['shown'] {
     const {pieces, bolt} = this.laying;
     return {pieces, bolt, frame: bolt && this.#frame(bolt.widthCm, usedLength(pieces))};
-  }
-
-  /** Shows what the pointer is over, here and everywhere. */
-  point(number: number | undefined): void {
-    this.workbench.point(this.#targetOf(number));
-  }
-
-  protected override willUpdate(changed: PropertyValues<this>): void {
-    super.willUpdate(changed);
-    const {selected} = this.workbench;
-    if (sameTarget(selected, this.#target)) return;
-    this.#target = selected;
-    this.selected = this.#numberOf(selected);
   }
 
   /** Laid from now on. The cut edge is seen first. */
@@ -306,19 +205,11 @@ export class ClothPane extends ClothElement {
       label: this.labelOf,
       pins: step.pins,
       selected: this.selected,
-      pointed: this.#numberOf(this.workbench.pointed),
+      pointed: this.numberOf(this.workbench.pointed),
       bad: new Set(this.#conflicts.keys()),
       dragged: this.#pointing.dragged,
       draft: this.#pointing.draft,
     });
-  }
-
-  /** The first of the pieces that a target means. */
-  #numberOf(target: Target | undefined): number | undefined {
-    const name =
-      target?.kind === 'piece' ? this.workbench.pattern?.pieces[target.piece]?.name : undefined;
-    const number = name === undefined ? -1 : this.laying.names.indexOf(name);
-    return number < 0 ? undefined : number;
   }
 
   #inWay({piece, inWay}: Dragged): string | undefined {
@@ -345,16 +236,11 @@ export class ClothPane extends ClothElement {
     const why =
       state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
     return {
-      ...{laying, words, format, why, said: this.#said, isMarking: this.isMarking},
+      ...{laying, words, format, why, said: this.said, isMarking: this.isMarking},
       isDragging: dragged !== undefined,
       ...{conflict: dragged ? this.#inWay(dragged) : (own ?? [...conflicts.values()][0])},
       place: this.#placeOfSelected,
     };
-  }
-
-  #say(text: string): void {
-    this.#said = text;
-    this.requestUpdate();
   }
 
   /** Keys work in the list of pieces, too; what presses buttons there does not. */
@@ -373,8 +259,8 @@ export class ClothPane extends ClothElement {
 
   #handled({key, altKey, shiftKey}: KeyboardEvent): boolean {
     const way = ways[key];
-    if (way) return this.#nudge(way, altKey);
-    if (key === 'Escape') return this.#pointing.cancel() || this.#letGo();
+    if (way) return this.nudge(way, altKey);
+    if (key === 'Escape') return this.#pointing.cancel() || this.letGo();
     if (key === 'Enter' && this.isMarking) {
       this.#pointing.closeFlaw();
       return true;
@@ -387,26 +273,5 @@ export class ClothPane extends ClothElement {
     const command = commandFor(this.commands, shiftKey && /^n$/i.test(key) ? 'Shift N' : key);
     command?.run();
     return command !== undefined;
-  }
-
-  #letGo(): boolean {
-    if (this.selected === undefined) return false;
-    this.choose(undefined);
-    return true;
-  }
-
-  /** @returns whether there is a piece to be moved */
-  #nudge(way: Point, takes: boolean): boolean {
-    const {bolt, pieces} = this.laying;
-    const piece = this.selectedPiece;
-    if (!bolt || !this.isReady) return false;
-    if (!piece) {
-      this.walk(1);
-      return true;
-    }
-    const place = placeOn(pieces, piece, bolt, way, takes);
-    if (place) this.move(piece, place);
-    else this.#say(this.words.noWay(this.labelOf(piece)));
-    return true;
   }
 }

@@ -5,8 +5,8 @@ import {
   type Command,
   type Workbench,
   type WornPane,
-} from '../editor/index.js';
-import {wornFiles} from '../editor/worn/worn-files.js';
+} from '../../editor/index.js';
+import {wornFiles} from '../../editor/worn/worn-files.js';
 
 /** @param save gets what is to be saved, and how the name of its file ends */
 export const viewSaves = (
