@@ -296,7 +296,10 @@ describe('how a place is said', () => {
     expect(countedRepeats([13, 2], centred)).toEqual({across: 3, along: 2});
   });
 
-  it('has nothing to count where the print lies aslant', () => {
+  it('has nothing to count where the print lies aslant, or repeats too often', () => {
+    expect(countedRepeats([3, 2], bolt({repeat: {group: 'pmm', w1: [10, 0], w2: [0, 0.5]}}))).toBe(
+      undefined,
+    );
     expect(countedRepeats([3, 2], bolt({repeat: {group: 'p2', w1: [9, 1], w2: [-1, 9]}}))).toBe(
       undefined,
     );

@@ -88,7 +88,7 @@ export const editorLayout = css`
   }
   .views button {
     min-height: calc(var(--sw-target) - 6px); /* as high as what is beside it */
-    padding: 0 var(--sw-space-2);
+    padding: 0 calc(var(--sw-space-2) - 2px);
   }
   .views svg {
     display: none;
@@ -166,7 +166,8 @@ export const editorLayout = css`
   }
   @container (width >= 90rem) {
     .solving sw-progress {
-      max-width: 10rem;
+      min-width: 9rem;
+      max-width: 9rem;
       line-height: 1.2;
       white-space: normal; /* the views want the room of a long sentence */
     }

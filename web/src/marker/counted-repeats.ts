@@ -11,13 +11,15 @@ export interface CountedRepeats {
 
 /** Sides of a cell lie along the cloth where they miss it by less than this share of their length. */
 const straight = 1e-6;
+/** Nobody counts repeats that are smaller, as those along stripes. [cm] */
+const leastCounted = 2;
 /** Of a repeat: what misses its edge by less lies on it. */
 const slack = 1e-3;
 
 const isAlong = (side: Point, axis: 0 | 1): boolean =>
   Math.abs(side[axis === 0 ? 1 : 0]) < straight * norm(side);
 
-/** Undefined where the repeats do not lie along the edges of the cloth, so that nobody can count them. @param at the lower left corner of the box around it */
+/** Undefined where the repeats do not lie along the edges of the cloth, so that nobody can count them, or are too small. @param at the lower left corner of the box around it */
 export function countedRepeats(
   at: Point,
   {repeat, origin, selvedgeCm}: Bolt,
@@ -25,6 +27,7 @@ export function countedRepeats(
   const cell = imageCell(repeat);
   const [across, along] = isAlong(cell[0], 0) ? cell : [cell[1], cell[0]];
   if (!isAlong(across, 0) || !isAlong(along, 1)) return undefined;
+  if (Math.min(norm(across), norm(along)) < leastCounted) return undefined;
   const count = (from: number, to: number, start: number, side: number): number => {
     const [first, here] = [from, to].map((x) => Math.floor((x - start) / side + slack));
     return (here ?? 0) - (first ?? 0) + 1;
