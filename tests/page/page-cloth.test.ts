@@ -4,6 +4,7 @@ import {expect, it} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
 import type {LayPlan} from '@/model/lay-plan.js';
+import {barriers} from '../support/barriers.js';
 import {button, saved, showSample, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();
@@ -233,4 +234,16 @@ it('gives the plan away as it lies, and nothing while pieces lie on each other',
     Math.max(...moved.placements.flatMap(({cut}) => cut.map(([, y]) => y))),
     6,
   );
+});
+
+it.each([
+  ['light', 1280],
+  ['dark', 390],
+] as const)('keeps nobody out in %s, %i pixels wide', async (colorScheme, width) => {
+  const page = await openCloth({colorScheme, viewport: {width, height: 800}});
+  await rowOf(page, 'Front').focus();
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('p');
+  await expect.poll(() => status(page)).toMatch(/pinned$/);
+  expect(await barriers(page, ['minor', 'moderate', 'serious', 'critical'])).toEqual([]);
 });

@@ -4,7 +4,7 @@ import {imageCell} from '../model/wallpaper.js';
 import type {Bolt} from './places.js';
 
 /** Counted from 1: from the left selvedge, and from where the cloth is cut. The first may be cut off. */
-export interface CountedRepeats {
+interface CountedRepeats {
   readonly across: number;
   readonly along: number;
 }

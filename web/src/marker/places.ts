@@ -40,7 +40,7 @@ export interface Bolt {
 }
 
 /** One way of turning a piece on the cloth. */
-export interface Turn {
+interface Turn {
   readonly angle: number;
   /** Translations with which it may lie, but for whole repeats. */
   readonly bases: readonly Point[];

@@ -32,7 +32,7 @@ export interface Dragged {
   readonly dots: readonly Point[];
 }
 
-export interface SheetState {
+interface SheetState {
   readonly frame: SheetFrame;
   readonly bolt: Bolt;
   readonly image: string;
@@ -142,7 +142,7 @@ function outlineOf(piece: PieceOnCloth): string {
 }
 
 /** A place of a piece that is well inside of it. */
-export const middleOf = ({piece, place}: PieceOnCloth): Point =>
+const middleOf = ({piece, place}: PieceOnCloth): Point =>
   plus(turnedRing(piece.outline, place.angle).inner, place.translation);
 
 /** Of letters. [CSS px] */
