@@ -109,7 +109,7 @@ type Word = string | ((...given: readonly unknown[]) => string);
 /** All words below a name, by their paths. */
 function wordsOf(texts: object, path = ''): [string, Word][] {
   return Object.entries(texts as Record<string, Word | object>).flatMap(([name, one]) =>
-    typeof one === 'object' ? wordsOf(one, `${path}${name}.`) : [[path + name, one as Word]],
+    typeof one === 'object' ? wordsOf(one, `${path}${name}.`) : [[path + name, one]],
   );
 }
 
