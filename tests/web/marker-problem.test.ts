@@ -187,6 +187,9 @@ describe('a problem', () => {
     const at = (angle: number): Alignment => ({angle, translation: [0, 0]});
     expect(distance(up({grainAngle: -Math.PI / 2}) ?? [9, 9], [0, -1])).toBeLessThan(1e-9);
     expect(distance(up({grainAngle: 0}) ?? [9, 9], [0, 1])).toBeLessThan(1e-9);
+    expect(distance(up({grainAngle: 0.5}) ?? [9, 9], [Math.cos(0.5), Math.sin(0.5)])).toBeLessThan(
+      1e-9,
+    );
     expect(distance(up({alignment: at(Math.PI / 2)}) ?? [9, 9], [-1, 0])).toBeLessThan(1e-9);
   });
 
@@ -243,6 +246,9 @@ describe('a problem', () => {
     expect(up.problem.nap).toBe('one-way');
     const given = markerOrder([{result: result()}], {widthCm: 90, nap: 'garment'}, {oneWay: true});
     expect(given.problem.nap).toBe('garment');
+    const free = {grain: {default: 'free'}} as const;
+    const turned = orderOf({options: free}, {nap: 'one-way'}).problem.pieces;
+    expect(turned.map(({turns}) => turns)).toEqual(['half', 'half']);
   });
 
   it('rounds lengths of several plies where the print comes again', () => {

@@ -46,7 +46,7 @@ const grammar = {
     ...flagsOf(layCounts),
     ...Object.keys(outputs),
   ],
-  switches: ['--free', '--json'],
+  switches: ['--free', '--fold', '--json'],
 } as const;
 
 /** `marker`: the pieces of results laid on a bolt of their print. */
@@ -131,7 +131,7 @@ function wishOf(args: Arguments): LayWish {
     ...(nap && {nap}),
     ...(shift && {shift}),
     ...(effort !== undefined && {effort}),
-    free: args.has('--free'),
+    ...{free: args.has('--free'), fold: args.has('--fold')},
   };
 }
 
@@ -196,12 +196,13 @@ function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
 const cm = (length: number): string => `${length.toFixed(1)} cm`;
 
 function line(files: readonly string[], plan: LayPlan): string {
-  const {placements, unplaced, widthCm, lengthCm, useShare, boundCm, proven, freeLengthCm} = plan;
+  const {placements, unplaced, widthCm, lengthCm, useShare, boundCm, proven} = plan;
+  const free = plan.printOrigin ? plan.freeLengthCm : null;
   return [
     `${files.join(', ')}: ${placements.length} pieces on ${cm(lengthCm)} of cloth ${widthCm} cm wide`,
     `${(100 * useShare).toFixed(1)} % of it used`,
     proven ? 'proven the shortest' : `${cm(boundCm)} at the least`,
-    ...(freeLengthCm === null ? [] : [`${cm(freeLengthCm)} without regard to the print`]),
+    ...(free === null ? [] : [`${cm(free)} without regard to the print`]),
     ...(unplaced.length > 0 ? [`${unplaced.length} found no place`] : []),
   ].join('; ');
 }

@@ -106,6 +106,8 @@ seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [fla
     --shift kept|component      component: the print may move under pieces that no seam matches, where it fits as well
     --plies N                   layers cut at once: lengths are whole repeats, so that all start alike
     --flaws FILE.json           polygons on the cloth, [[[x, y], ...], ...], where no piece may lie
+    --fold                      lengthwise, cut through both plies: for pieces with mirror images, on prints that mirror
+                                from side to side
     --free                      whatever the print: what it costs in cloth
     --effort N                  looks N times as long, from 1, the default, or 0: a first layout
     --seed N                    same seed, same layout; default 1

@@ -1,6 +1,6 @@
 /** The line along which a piece is cut, as it is laid. Lengths in cm. */
 import {cross, minus, type Point} from '../model/geometry.js';
-import {signedArea} from '../model/polyline.js';
+import {boxOf, signedArea} from '../model/polyline.js';
 
 /** The outer one of a piece's cut lines, counter-clockwise; undefined where there is none. */
 export function outerRing(cut: readonly (readonly Point[])[]): readonly Point[] | undefined {
@@ -11,16 +11,33 @@ export function outerRing(cut: readonly (readonly Point[])[]): readonly Point[] 
   return signedArea(largest) < 0 ? [...largest].reverse() : largest;
 }
 
-type Step = readonly [from: Point, to: Point];
+/** A step of a line, with the least and the greatest x and y on it. */
+interface Step {
+  readonly from: Point;
+  readonly to: Point;
+  readonly low: Point;
+  readonly high: Point;
+}
+
+const stepOf = (from: Point, to: Point): Step => ({from, to, ...boxOf([from, to])});
+
+const isApart = (one: Step, other: Step): boolean =>
+  one.high[0] < other.low[0] ||
+  other.high[0] < one.low[0] ||
+  one.high[1] < other.low[1] ||
+  other.high[1] < one.low[1];
 
 /** Whether two steps pass through each other; to touch is no crossing. */
-function passThrough([a, b]: Step, [c, d]: Step): boolean {
+function passThrough({from: a, to: b}: Step, {from: c, to: d}: Step): boolean {
   const side = (p: Point, q: Point, r: Point): number => cross(minus(q, p), minus(r, p));
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
 /** Where a closed line crosses itself: the start of the first step that does. */
 export function selfCrossing(ring: readonly Point[]): Point | undefined {
-  const steps = ring.map((from, k): Step => [from, ring[(k + 1) % ring.length] ?? from]);
-  return steps.find((step, k) => steps.slice(k + 2).some((other) => passThrough(step, other)))?.[0];
+  const steps = ring.map((from, k) => stepOf(from, ring[(k + 1) % ring.length] ?? from));
+  // most pairs are far apart, and there are many
+  const crosses = (step: Step, k: number): boolean =>
+    steps.some((other, n) => n > k + 1 && !isApart(step, other) && passThrough(step, other));
+  return steps.find(crosses)?.from;
 }

@@ -6,7 +6,7 @@ import {SolverError} from '../model/failure.js';
 import type {GarmentDocument, GarmentPiece} from '../model/garment-document.js';
 import {panelMarks, type PanelMarks} from '../model/garment-marks.js';
 import {dot, radians, towards, type Point} from '../model/geometry.js';
-import type {LaidTurns, MarkerPiece} from '../model/marker.js';
+import type {LaidTurns, MarkerPiece, Nap} from '../model/marker.js';
 import type {GrainLock, SolveOptions} from '../model/options.js';
 import type {PieceNames} from '../model/piece-names.js';
 import type {ResultPiece, SolveResult} from '../model/result.js';
@@ -35,6 +35,11 @@ export interface PieceOfMarker {
   readonly nth?: number;
 }
 
+interface Laying extends AllowanceRule {
+  readonly nap: Nap;
+  readonly shifts: readonly Point[];
+}
+
 interface LaidOf extends PieceOfMarker {
   readonly asked: Omit<MarkerPiece, 'garment'>;
 }
@@ -57,17 +62,18 @@ function lockOf(
   return chosen ?? drafted?.grain?.lock ?? all;
 }
 
-/** A grain line that lies nearer to the warp runs along it: cosine. */
-const alongWarp = Math.cos(radians(30));
+/** A grain line that rises by less of its length has no upper end. */
+const leastRise = 0.2;
 
-/** Up the cloth, as the piece was solved; or down, where its grain line points so. */
+/** From foot to head of the grain line; up the cloth as the piece was solved, where that runs across it and stays so. */
 function upOf(
   {alignment, grainAngle = Math.PI / 2}: ResultPiece,
   {grainDeg}: Pick<PanelMarks, 'grainDeg'>,
+  turns: LaidTurns,
 ): Point {
   const warp = towards(alignment.angle + Math.PI / 2);
   const grain = towards(grainDeg === undefined ? grainAngle : radians(grainDeg));
-  return Math.abs(dot(warp, grain)) > alongWarp ? grain : warp;
+  return turns === 'half' && Math.abs(dot(warp, grain)) < leastRise ? warp : grain;
 }
 
 /** Of the cut lines' rings, the outer ones. @throws {SolverError} naming a piece that cannot be laid */
@@ -89,14 +95,13 @@ function ringOf(cut: readonly (readonly Point[])[], name: string, piece: number)
 /**
  * Those of one garment, once each time that they are cut.
  * @param result its number
- * @param shifts of the print under pieces that nothing holds to it
+ * @param laying how, and shifts of the print under pieces that nothing holds to it
  * @throws {SolverError} naming a piece whose cut line crosses itself
  */
 export function laidPieces(
   {result: solved, name: file, garment, options = {}, names}: MarkerGarment,
   result: number,
-  rule: AllowanceRule,
-  shifts: readonly Point[],
+  {nap, shifts, ...rule}: Laying,
 ): readonly Omit<LaidOf, 'copy'>[] {
   const {plain = []} = options;
   const decided = decidedOf({options, ...(names && {names})});
@@ -111,12 +116,15 @@ export function laidPieces(
     if (!piece) return [];
     const called = file === undefined ? piece.name : `${piece.name} of ${file}`;
     const quantity = mark.drafted?.quantity ?? 1;
+    const lock = lockOf(options, mark.drafted, piece.name) ?? 'on';
+    // what stands on its head is turned back by half a turn, and by no other
+    const turns = nap === 'one-way' ? 'half' : turnsBy[lock];
     const asked = {
       name: called,
       outline: ringOf(cut[k] ?? [], called, k),
       alignment: piece.alignment,
-      turns: turnsBy[lockOf(options, mark.drafted, piece.name) ?? 'on'],
-      up: upOf(piece, mark),
+      turns,
+      up: upOf(piece, mark, turns),
       shifts: loose.has(k) ? shifts : [],
     };
     return Array.from({length: quantity}, (_, nth) => ({

@@ -108,7 +108,7 @@ export function markerOrder(
   const repeat = warpRepeat(print);
   const shifts = settings.shift === 'component' && !ignoresPrint ? equalShifts(print) : [];
   const laid = garments.flatMap((garment, k) => {
-    const pieces = laidPieces(garment, k, {allowanceCm, hemCm}, shifts);
+    const pieces = laidPieces(garment, k, {allowanceCm, hemCm, nap, shifts});
     return Array.from({length: copies}, (_, copy) =>
       pieces.map((piece) => ({...piece, copy, garment: k * copies + copy})),
     ).flat();

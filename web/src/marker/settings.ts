@@ -28,6 +28,8 @@ export interface MarkerSettings {
   readonly plies?: number;
   /** Polygons of the cloth on which no piece may lie. */
   readonly flaws?: readonly (readonly Point[])[];
+  /** Whether the cloth is folded lengthwise, and both plies are cut at once: for pieces with mirror images. Default false. */
+  readonly fold?: boolean;
   /** Lays pieces wherever they fit, whatever the print. Default false. */
   readonly ignoresPrint?: boolean;
   /** How much the repeat on the bolt may be longer or shorter than told, as a share. Default 0. */
@@ -49,7 +51,7 @@ type Usual = Required<
 
 const usual: Usual = {
   ...{selvedgeCm: 1, gapCm: 0.2, copies: 1, plies: 1, effort: 1, seed: 1},
-  ...{repeatTolerance: 0, ignoresPrint: false, flaws: []},
+  ...{repeatTolerance: 0, ignoresPrint: false, flaws: [], fold: false},
   ...{shift: 'kept', widthsCm: usualWidths},
 };
 

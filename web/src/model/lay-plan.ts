@@ -48,6 +48,8 @@ export interface LayPlan {
   readonly gapCm: number;
   readonly allowanceCm: number;
   readonly lengthCm: number;
+  /** Where the cloth is folded, from its left edge; it is shown spread. Absent of single cloth. */
+  readonly foldCm?: number;
   /** Where an origin of the print lies on the cloth; null for a layout that ignores the print. */
   readonly printOrigin: Point | null;
   readonly placements: readonly LaidPlacement[];

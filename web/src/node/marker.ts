@@ -1,8 +1,10 @@
 /** Pieces of results laid on cloth, as a plan. */
+import {foldedOrder} from '../marker/fold.js';
 import type {MarkerGarment} from '../marker/pieces.js';
 import {layPlan} from '../marker/plan.js';
 import {markerOrder} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
+import {failureOf, SolverError} from '../model/failure.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
 import type {Print} from '../model/print.js';
@@ -31,14 +33,28 @@ export async function markerWith(
 ): Promise<LayPlan> {
   hooks.signal?.throwIfAborted();
   const garments = results.map((one) => ('result' in one ? one : {result: one}));
-  const order = markerOrder(garments, settings, print);
+  const whole = markerOrder(garments, settings, print);
+  const solved = garments.map(({result}) => result);
+  const folded = settings.fold ? foldedOrder(whole, solved, settings.phaseCm) : undefined;
+  const order = folded?.order ?? whole;
+  const planOf = (layout: Parameters<typeof layPlan>[1]): LayPlan => {
+    const plan = layPlan(order, layout);
+    return folded?.spread(plan) ?? plan;
+  };
+  const explained = (error: unknown): never => {
+    if (!folded || !(error instanceof SolverError) || error.code !== 'options') throw error;
+    throw new SolverError({
+      ...failureOf(error),
+      message: `On half of folded cloth: ${error.message}`,
+    });
+  };
   const answer = await lay(order.problem, {
     ...hooks,
     ...(onLayout && {
       onLayout: (layout) => {
-        onLayout(layPlan(order, layout));
+        onLayout(planOf(layout));
       },
     }),
-  });
-  return layPlan(order, answer);
+  }).catch(explained);
+  return planOf(answer);
 }

@@ -19,6 +19,8 @@ export interface LayWish {
   readonly plies?: number;
   readonly nap?: Nap;
   readonly shift?: (typeof shifts)[number];
+  /** Lengthwise, and cut through both plies. */
+  readonly fold?: boolean;
   /** Whatever the print. */
   readonly free?: boolean;
   readonly effort?: number;
@@ -57,7 +59,7 @@ export const layFields: Read<LayWish> = shape(
     ...{selvedge: within('selvedge'), gap: within('gap'), phase, start: within('start')},
     ...{allowance: within('allowance'), hem: within('hem'), effort: within('effort')},
     ...{copies: wholeNumber, plies: wholeNumber, seed: wholeNumber},
-    ...{nap: oneOf(naps), shift: oneOf(shifts), free: flag},
+    ...{nap: oneOf(naps), shift: oneOf(shifts), free: flag, fold: flag},
   },
 );
 
@@ -65,7 +67,7 @@ const others = ['nap', 'shift', 'effort'] as const;
 
 /** The same, as pieces are laid by it. */
 export function laySettings(wish: LayWish): MarkerSettings {
-  const {width, phase: place, free} = wish;
+  const {width, phase: place, free, fold} = wish;
   const given = <K extends keyof LayWish>(names: readonly K[], named: (name: K) => string) =>
     Object.fromEntries(
       names.flatMap((name) => (wish[name] === undefined ? [] : [[named(name), wish[name]]])),
@@ -76,5 +78,6 @@ export function laySettings(wish: LayWish): MarkerSettings {
     ...given([...layCounts, ...others], (name) => name),
     ...(typeof place === 'number' && {phaseCm: place}),
     ...(free === true && {ignoresPrint: true}),
+    ...(fold === true && {fold}),
   };
 }
