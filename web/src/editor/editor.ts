@@ -228,6 +228,7 @@ export class Editor extends WorkbenchElement {
         .workbench=${workbench}
         .known=${this.#known}
         .more=${this.#keysOfView}
+        .view=${this.shows}
         .sewing=${this.#keysOfSewing}
       ></sw-key-map>
     </div>`;

@@ -83,8 +83,7 @@ function phaseField(fields: Fields): TemplateResult {
       <select
         class="phase"
         @change=${(event: Event) => {
-          const start = Math.max(0, Math.round(10 * startCm) / 10);
-          choose({phaseCm: chosen(event) === 'known' ? start : null});
+          choose({phaseCm: chosen(event) === 'known' ? Math.max(0, startCm) : null});
         }}
       >
         ${(['unknown', 'known'] as const).map(

@@ -1,7 +1,7 @@
 /** The cloth in its print, with its edges and rulers, and the pieces that lie on it. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import {textWidth} from '../../layout/name-lines.js';
+import {nameLines, textWidth} from '../../layout/name-lines.js';
 import {isFree, turnedRing, type Bolt, type Obstacles} from '../../marker/places.js';
 import {imageCell} from '../../model/wallpaper.js';
 import {norm, onPiece, plus, type Alignment, type Point} from '../../model/geometry.js';
@@ -147,12 +147,23 @@ const middleOf = ({piece, place}: PieceOnCloth): Point =>
 
 /** Of letters. [CSS px] */
 const nameSizes = {least: 8, most: 12} as const;
+/** Of the height of letters. */
+const lineHeight = 1.15;
 
-/** So that the name fits into the piece, as far as it can be read. [CSS px] */
-function nameSize({piece, place}: PieceOnCloth, label: string, {scale}: SheetFrame): number {
-  const {low, high} = turnedRing(piece.outline, place.angle);
-  const size = ((high[0] - low[0]) * scale) / textWidth(label, 1.1);
-  return Math.min(nameSizes.most, Math.max(nameSizes.least, size));
+/** In as many lines as the width of the piece asks for, as large as it allows. */
+function nameDrawing(piece: PieceOnCloth, label: string, frame: SheetFrame): TemplateResult {
+  const {low, high} = turnedRing(piece.piece.outline, piece.place.angle);
+  const room = (high[0] - low[0]) * frame.scale;
+  const lines = nameLines(label, room, nameSizes.most);
+  const widest = Math.max(...lines.map((line) => textWidth(line, 1)));
+  const fitting = Math.min(nameSizes.most, Math.max(nameSizes.least, room / widest));
+  const size = pixels(frame, fitting);
+  const [x, y] = onSheet(middleOf(piece));
+  const top = y + size * (0.35 - ((lines.length - 1) / 2) * lineHeight);
+  return svg`<text class="name" font-size=${size} stroke-width=${pixels(frame, 4)}
+    text-anchor="middle">${lines.map(
+      (line, k) => svg`<tspan x=${x} y=${top + k * lineHeight * size}>${line}</tspan>`,
+    )}</text>`;
 }
 
 /** The head of a pin. @param px the unit of the drawing */
@@ -180,8 +191,7 @@ function pieceDrawing(piece: PieceOnCloth, state: SheetState): TemplateResult {
     <path class="cloth" d=${d} fill="url(#print)" />
     <path class="line" d=${d} />
     ${pins.has(number) ? pinDrawing([x, y - px(26)], px(1)) : nothing}
-    <text class="name" x=${x} y=${y + px(4)} font-size=${px(nameSize(piece, label(piece), frame))}
-      stroke-width=${px(4)} text-anchor="middle">${label(piece)}</text>
+    ${nameDrawing(piece, label(piece), frame)}
   </g>`;
 }
 
