@@ -19,7 +19,7 @@ interface ClothFile {
 
 /** What the plan is drawn with. @throws {Error} when the print's picture cannot be read */
 async function drawnWith({design, garment, result, preferences}: Workbench, print: DesignPrint) {
-  const tile = print && print.image !== noPicture ? await embeddedTile(print.image) : undefined;
+  const tile = print.image === noPicture ? undefined : await embeddedTile(print.image);
   const marks = design && garment ? panelMarks(garment, decidedOf(design)) : undefined;
   const {title} = (garment && garmentTitle(garment, design?.garment.name)) ?? {};
   return {
