@@ -24,7 +24,7 @@ std::vector<std::vector<int>> allowedWays(const PiecesOnBoard& pieces, const Lay
     std::vector<int> ways;
     for (std::size_t k = 0; k < item.ways.size(); ++k) {
       const bool is_turned = !item.ways[k].is_up;
-      if (cloth.turned_down.empty() || cloth.turned_down[item.garment] == is_turned)
+      if (cloth.turned_down.empty() || (cloth.turned_down[item.garment] != 0) == is_turned)
         ways.push_back(static_cast<int>(k));
     }
     allowed.push_back(std::move(ways));

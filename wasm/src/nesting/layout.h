@@ -20,10 +20,10 @@ struct LaidPieces {
 
 /// The cloth on which a board's pieces are laid, and how the print lies on it.
 struct LayCloth {
-  double left = 0, right = 0;     ///< of what is of use. [cm]
-  Vec2 origin = Vec2::Zero();     ///< of the print, and so of the board. [cm]
-  bool is_fixed = false;          ///< the cut is at 0; else it is wherever the layout begins
-  std::vector<bool> turned_down;  ///< per garment, where its pieces have to point one way
+  double left = 0, right = 0;    ///< of what is of use. [cm]
+  Vec2 origin = Vec2::Zero();    ///< of the print, and so of the board. [cm]
+  bool is_fixed = false;         ///< the cut is at 0; else it is wherever the layout begins
+  std::vector<int> turned_down;  ///< per garment 1 or 0, where its pieces have to point one way
 };
 
 /// The layout's ends. @param is_fixed  it begins at 0 wherever its pieces do

@@ -65,25 +65,25 @@ LayCloth Marker::clothOf(double width, double phase) const {
 }
 
 /// Which garments may point down, where all pieces of one point the same way.
-std::vector<std::vector<bool>> Marker::naps() const {
+std::vector<std::vector<int>> Marker::naps() const {
   if (problem_.nap != Nap::kGarment) return {{}};
   int garments = 0;
   for (const NestingPiece& piece : problem_.pieces)
     garments = std::max(garments, piece.garment + 1);
   constexpr int kAll = 3;  // of more garments, not all combinations are tried
-  std::vector<std::vector<bool>> naps;
+  std::vector<std::vector<int>> naps;
   if (garments <= kAll) {
     for (int bits = 0; bits < 1 << garments; ++bits) {
-      std::vector<bool> down;
-      for (int g = 0; g < garments; ++g) down.push_back((bits >> g & 1) != 0);
+      std::vector<int> down;
+      for (int g = 0; g < garments; ++g) down.push_back(bits >> g & 1);
       naps.push_back(down);
     }
     return naps;
   }
   for (int odd = 0; odd < 2; ++odd) {
     for (int even = 0; even < 2; ++even) {
-      std::vector<bool> down;
-      for (int g = 0; g < garments; ++g) down.push_back((g % 2 == 0 ? even : odd) != 0);
+      std::vector<int> down;
+      for (int g = 0; g < garments; ++g) down.push_back(g % 2 == 0 ? even : odd);
       naps.push_back(down);
     }
   }
@@ -92,7 +92,7 @@ std::vector<std::vector<bool>> Marker::naps() const {
 
 void Marker::makeVariants() {
   for (std::size_t phase = 0; phase < problem_.phases.size(); ++phase) {
-    for (const std::vector<bool>& nap : naps()) {
+    for (const std::vector<int>& nap : naps()) {
       LayCloth cloth = clothOf(problem_.width, problem_.phases[phase]);
       cloth.turned_down = nap;
       variants_.push_back(

@@ -59,7 +59,7 @@ class Marker {
 
   explicit Marker(NestingProblem problem);
   LayCloth clothOf(double width, double phase) const;
-  std::vector<std::vector<bool>> naps() const;
+  std::vector<std::vector<int>> naps() const;
   void makeTables();
   void makeVariants();
   void lay();
