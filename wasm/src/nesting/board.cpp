@@ -1,7 +1,7 @@
 #include "nesting/board.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "wallpaper/lattice.h"
@@ -48,7 +48,7 @@ Board Board::ofLattice(const Vec2& w1, const Vec2& w2, double least) {
   Vec2 along, up;
   if (const auto across = axisVector(a, b, 0)) {
     const Dot other = partnerOf(*across);
-    along = across->i * a + across->j * b;
+    along = {(across->i * a + across->j * b).x(), 0};  // level but for rounding
     up = other.i * a + other.j * b;
   } else {
     const bool first = std::abs(a.x()) * b.norm() >= std::abs(b.x()) * a.norm();
@@ -57,7 +57,9 @@ Board Board::ofLattice(const Vec2& w1, const Vec2& w2, double least) {
   }
   if (along.x() < 0) along = -along;
   if (cross(along, up) < 0) up = -up;
-  const auto times = [&](const Vec2& v) { return std::max(1.0, std::ceil(least / v.norm() - 1e-9)); };
+  const auto times = [&](const Vec2& v) {
+    return std::max(1.0, std::ceil(least / v.norm() - 1e-9));
+  };
   along *= times(along);
   up -= std::nearbyint(up.dot(along) / along.squaredNorm()) * along;
   up *= times(up);

@@ -21,8 +21,8 @@ struct DotRun {
   int size() const { return hi < lo ? 0 : hi - lo + 1; }
 };
 
-/// The lattice of places that pieces may take, as rows of dots: dot (i, j) shifts by i along + j up.
-/// `along` lies across the cloth where the lattice has such a vector, and `up` leans the least.
+/// The lattice of places that pieces may take, as rows of dots: dot (i, j) shifts by i along + j
+/// up. `along` lies across the cloth where the lattice has such a vector, and `up` leans the least.
 struct Board {
   Vec2 along, up;  ///< cm; along.x > 0, up.y > 0
   Vec2 shift(Dot dot) const { return dot.i * along + dot.j * up; }

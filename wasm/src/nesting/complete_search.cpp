@@ -17,7 +17,8 @@ constexpr double kSameHeight = 1e-6;  // cm
 CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& cloth, double length)
     : pieces_(pieces), cloth_(cloth), length_(length) {
   const bool is_level = pieces.board().along.y() == 0;
-  if (pieces.isFine() || !is_level || !(pieces.period() || cloth.is_fixed)) return;
+  if (pieces.isFine() || !pieces.isWhole() || !is_level || !(pieces.period() || cloth.is_fixed))
+    return;
   const auto ways = allowedWays(pieces, cloth);
   slots_of_.resize(ways.size());
   int tallest = 0;
@@ -39,9 +40,8 @@ CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& clot
   failures_.assign(ways.size(), 1);
   // the tallest piece begins within one repeat; where it lies limits the others by pairs alone
   const double repeat = cloth.is_fixed ? 0 : *pieces.period();
-  const Window window =
-      cloth.is_fixed ? Window{cloth.left, cloth.right, 0, length}
-                     : Window{cloth.left, cloth.right, -length, repeat + length};
+  const Window window = cloth.is_fixed ? Window{cloth.left, cloth.right, 0, length}
+                                       : Window{cloth.left, cloth.right, -length, repeat + length};
   can_prove_ = setRows(window);
   if (!can_prove_ || rows_.empty()) return;
   Level level = root(window);
@@ -85,13 +85,15 @@ CompleteSearch::Level CompleteSearch::root(const Window& window) const {
   level.bottom = window.bottom;
   level.top = window.top;
   for (std::size_t s = 0; s < slots_.size(); ++s) {
+    if (slots_[s].high - slots_[s].low > length_ + kSameHeight) continue;
     const auto flaws = pieces_.flawTables(slots_[s].placed, cloth_.origin);
     for (int j = domains_[s].first; j <= domains_[s].rows().hi; ++j) {
       const DotRun& run = domains_[s].row(j);
       for (int i = run.lo; i <= run.hi; ++i) {
         const bool is_flawed =
-            std::any_of(flaws.begin(), flaws.end(),
-                        [&](const DifferenceTable& flaw) { return flaw.depth({i, j}) > 0; });
+            std::any_of(flaws.begin(), flaws.end(), [&](const DifferenceTable& flaw) {
+              return flaw.depth({i, j}) > 0;
+            });
         if (!is_flawed)
           level.domains[rowAt(static_cast<int>(s), j)] |= std::uint64_t{1}
                                                           << (i - bases_[j - rows_.lo]);
@@ -185,7 +187,8 @@ bool CompleteSearch::leaves(Level* level, const Value& value, int item) {
       std::uint64_t& row = rows[j - rows_.lo];
       if (row == 0) continue;
       const double up = j * pieces_.board().up.y();
-      if (slot.low + up < level->bottom - kSameHeight || slot.high + up > level->top + kSameHeight) {
+      if (slot.low + up < level->bottom - kSameHeight ||
+          slot.high + up > level->top + kSameHeight) {
         row = 0;
         continue;
       }

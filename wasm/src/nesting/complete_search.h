@@ -7,17 +7,17 @@
 
 namespace seamwise {
 
-/// Looks through all layouts of at most a given length, step by step: one piece after the other, that
-/// with the fewest dots left first, where pieces that ran out of dots before count more, with the
-/// dots that each leaves to the others as bits. Layouts that differ by whole repeats, or by which of
-/// two equal pieces lies where, are looked at once.
+/// Looks through all layouts of at most a given length, step by step: one piece after the other,
+/// that with the fewest dots left first, where pieces that ran out of dots before count more, with
+/// the dots that each leaves to the others as bits. Layouts that differ by whole repeats, or by
+/// which of two equal pieces lies where, are looked at once.
 class CompleteSearch {
  public:
   /// @param length   that no layout sought exceeds. [cm]
   CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& cloth, double length);
 
-  /// Whether its end proves anything: rows are level, they repeat or the cut is fixed, and none has
-  /// more than 64 dots. Otherwise `step` must not be called.
+  /// Whether its end proves anything: the board has all dots, rows are level, they repeat or the
+  /// cut is fixed, and none has more than 64 dots. Otherwise `step` must not be called.
   bool canProve() const { return can_prove_; }
   /// Goes on until about so many rows are looked at; false when it has ended.
   bool step(double reads);

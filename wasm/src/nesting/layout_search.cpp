@@ -105,8 +105,9 @@ bool LayoutSearch::construct() {
     }
     for (int item = 0; item < count_; ++item)
       if (!hasPlace(item)) homeless_ = item;
-    // longer windows have rows like those of this one
-    if (homeless_ >= 0 && (times > 0 || pieces_.period())) return false;
+    // longer windows have rows like those of this one, but a pin may lie beyond it
+    const bool is_pin = homeless_ >= 0 && pieces_.items()[homeless_].is_pinned;
+    if (homeless_ >= 0 && !is_pin && (times > 0 || pieces_.period())) return false;
     homeless_ = -1;
   }
   for (int item = 0; item < count_ && homeless_ < 0; ++item)
@@ -115,7 +116,7 @@ bool LayoutSearch::construct() {
 }
 
 void LayoutSearch::offer(const LaidPieces& layout) {
-  if (best_ && layout.length() > best_->length() - kShorter) return;
+  if (best_ && layout.length() > best_->length() - kShorter / 2) return;
   best_ = layout;
   beginning_ = cloth_.is_fixed ? 0 : layout.bottom;
   is_under_way_ = false;
@@ -300,6 +301,20 @@ LayoutSearch::Found LayoutSearch::leastOverlap(int item) {
       ties = 1;
     }
     candidates_.clear();
+  }
+  if (best.place.way >= 0) return best;
+  // domains lie between the dots that are looked at
+  for (const int way : ways_[item]) {
+    const int placed = pieces_.items()[item].ways[way].placed;
+    const Domain& domain = domains_[placed];
+    const auto run = std::find_if(domain.runs.begin(), domain.runs.end(),
+                                  [](const DotRun& one) { return !one.empty(); });
+    if (run == domain.runs.end()) continue;
+    const std::vector<Other> others = othersOf(item, placed, true);
+    const Dot dot{run->lo, domain.first + static_cast<int>(run - domain.runs.begin())};
+    Found found{{way, dot}, scoreAt(others, dot)};
+    descend(others, domain, &found);
+    if (found.score < best.score) best = found;
   }
   return best;
 }

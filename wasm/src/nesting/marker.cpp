@@ -37,28 +37,33 @@ double lengthOf(const LayoutSearch& search) {
 }
 
 std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
+/// Rounded up, so that cloth of that width is wide enough.
+std::string atLeast(double length) { return centimetres(std::ceil(10 * length - 1e-4) / 10); }
 
 }  // namespace
 
 Outcome<std::unique_ptr<Marker>> Marker::make(NestingProblem problem) {
+  if (problem.pieces.empty()) return Error{Failure::kOptions, "There is no piece to lay."};
   const double room = problem.width - 2 * problem.selvedge;
-  for (const NestingPiece& piece : problem.pieces) {
-    // turned by whatever the print allows, or by nothing
-    const Shape shape = shapeOf(piece.outline, piece.alignment.linear().transpose());
-    const double across = shape.high.x() - shape.low.x(), along = shape.high.y() - shape.low.y();
-    const double least = piece.turns == LayTurns::kHalf ? across : std::min(across, along);
-    if (!piece.pin && least > room + 1e-6)
-      return Error{Failure::kOptions, piece.name + " is " + centimetres(across) +
-                                          " wide, more than the " + centimetres(std::max(room, 0.0)) +
-                                          " between the selvedges; the cloth has to be at least " +
-                                          centimetres(across + 2 * problem.selvedge) + " wide."};
-  }
   std::unique_ptr<Marker> marker(new Marker(std::move(problem)));
-  for (std::size_t k = 0; k < marker->problem_.pieces.size(); ++k)
-    if (marker->pieces_.items()[k].ways.empty())
+  for (std::size_t k = 0; k < marker->problem_.pieces.size(); ++k) {
+    const NestingPiece& piece = marker->problem_.pieces[k];
+    const std::vector<LayWay>& ways = marker->pieces_.items()[k].ways;
+    if (ways.empty())
+      return Error{Failure::kOptions, piece.name + " cannot lie with its upper end up on this print; "
+                                                   "allow both ways."};
+    double least = std::numeric_limits<double>::infinity();
+    for (const LayWay& way : ways) {
+      const Shape& shape = marker->pieces_.shapeOf(way);
+      least = std::min(least, shape.high.x() - shape.low.x());
+    }
+    if (!piece.pin && least > room + 1e-5)
       return Error{Failure::kOptions,
-                   marker->problem_.pieces[k].name +
-                       " cannot lie with its upper end up on this print; allow both ways."};
+                   piece.name + " is " + atLeast(least) + " wide, more than the " +
+                       centimetres(std::max(room, 0.0)) +
+                       " between the selvedges; the cloth has to be at least " +
+                       atLeast(least + 2 * marker->problem_.selvedge) + " wide."};
+  }
   return marker;
 }
 
@@ -166,6 +171,7 @@ void Marker::lay() {
       keepBest();
       if (more) return;
     }
+    is_searched_ = true;
   }
   beginProof();
 }
@@ -175,8 +181,10 @@ void Marker::fail() {
   const int item = std::max(search.homeless(), 0);
   const NestingPiece& piece = problem_.pieces[item];
   stage_ = Stage::kDone;
-  if (problem_.pieces.empty()) {
-    error_ = Error{Failure::kOptions, "There is no piece to lay."};
+  if (piece.pin) {
+    error_ = Error{Failure::kOptions, piece.name +
+                                          " cannot lie where it is pinned: it overlaps another "
+                                          "pinned piece or a flaw, or leaves the cloth; move it."};
     return;
   }
   if (!problem_.flaws.empty()) {
@@ -196,7 +204,7 @@ void Marker::fail() {
         error_ = Error{Failure::kOptions,
                        "On this repeat " + piece.name + " fits nowhere across " +
                            centimetres(problem_.width) + "; the cloth has to be at least " +
-                           centimetres(width) + " wide."};
+                           atLeast(width) + " wide."};
         return;
       }
     }
@@ -248,7 +256,7 @@ bool Marker::beginNextProof() {
 void Marker::prove() {
   if (!proof_ && !beginNextProof()) {
     proof_.reset();
-    stage_ = spent() < budget() ? Stage::kLay : Stage::kFree;
+    stage_ = spent() < budget() && !is_searched_ ? Stage::kLay : Stage::kFree;
     return;
   }
   constexpr double kStep = 1e5;
@@ -261,6 +269,7 @@ void Marker::prove() {
     for (const Variant& variant : variants_)
       if (variant.search.get() == best_search_) variant.search->offer(*found);
     keepBest();
+    is_searched_ = false;
     if (is_of_best_) --proofs_;  // begins anew, below the shorter one
   } else if (!is_open) {
     bound_ = std::max(bound_, is_of_best_ ? best_->length() : proof_target_);
@@ -269,7 +278,7 @@ void Marker::prove() {
   proof_.reset();
   if (is_proven_)
     stage_ = Stage::kFree;
-  else if (is_of_best_ && is_open && spent() < budget())
+  else if (is_of_best_ && is_open && spent() < budget() && !is_searched_)
     stage_ = Stage::kLay;  // there may be something shorter
 }
 

@@ -81,6 +81,8 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
     board_ = boardOf(step);
   }
   is_fine_ = problem.width / board_.along.x() > kFineColumns;
+  is_whole_ = !ignores_print && cross(board_.along, board_.up) <
+                                    1.5 * std::abs(cross(group.w1(), group.w2()));
   spacing_.is_exact = !is_fine_;
   spacing_.stride = is_fine_ ? kStride : 1;
   for (const Polyline& flaw : problem.flaws) flaws_.push_back(seamwise::shapeOf(flaw, Mat2::Identity()));
@@ -106,12 +108,12 @@ int PiecesOnBoard::addShape(const Polyline& outline, const Mat2& turn) {
   return static_cast<int>(shapes_.size()) - 1;
 }
 
-int PiecesOnBoard::addPlaced(int shape, const Vec2& offset) {
+int PiecesOnBoard::addPlaced(int shape, const Vec2& offset, bool is_pinned) {
   const auto known = std::find_if(placed_.begin(), placed_.end(), [&](const PlacedShape& one) {
-    return one.shape == shape && (one.offset - offset).norm() < 1e-6;
+    return one.shape == shape && one.is_pinned == is_pinned && (one.offset - offset).norm() < 1e-6;
   });
   if (known != placed_.end()) return static_cast<int>(known - placed_.begin());
-  placed_.push_back({shape, offset});
+  placed_.push_back({shape, offset, is_pinned});
   return static_cast<int>(placed_.size()) - 1;
 }
 
@@ -142,7 +144,7 @@ void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& pro
                        static_cast<int>(std::floor(steps.y() + 1e-6))};
         way.offset = offset - board_.shift(cell);
       }
-      way.placed = addPlaced(shape, rounded(way.offset));
+      way.placed = addPlaced(shape, rounded(way.offset), false);
       item->ways.push_back(way);
     }
   }
@@ -155,7 +157,7 @@ void PiecesOnBoard::addPin(const NestingPiece& piece, const NestingProblem& prob
   way.angle = piece.pin->angle;
   way.is_up = (way.linear * piece.up).y() > -1e-6;
   way.offset = piece.pin->shift - Vec2(problem.phases.front(), problem.start.value_or(0));
-  way.placed = addPlaced(addShape(piece.outline, way.linear), rounded(way.offset));
+  way.placed = addPlaced(addShape(piece.outline, way.linear), rounded(way.offset), true);
   item->ways.push_back(way);
   item->is_pinned = true;
 }
@@ -192,6 +194,10 @@ Domain PiecesOnBoard::domain(int placed, const Window& window, const Vec2& origi
   const double top = window.top - shape.high.y() - start.y() + kOnEdge;
   Domain domain;
   if (right < left || top < bottom) return domain;
+  if (placed_[placed].is_pinned) {
+    if (left <= 0 && right >= 0 && bottom <= 0 && top >= 0) domain.runs.push_back({0, 0});
+    return domain;
+  }
   const Vec2 &along = board_.along, &up = board_.up;
   // rows of the parallelogram that could meet the box
   double lo = 1e9, hi = -1e9;

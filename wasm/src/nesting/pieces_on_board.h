@@ -29,6 +29,7 @@ struct Domain {
 struct PlacedShape {
   int shape = 0;
   Vec2 offset = Vec2::Zero();  ///< cm, from the origin of the print
+  bool is_pinned = false;      ///< its dot (0, 0) is the only one
 };
 
 /// One of the turns of the print by which a piece may be laid: p -> linear p + offset + dot.
@@ -63,6 +64,8 @@ class PiecesOnBoard {
   double area() const { return area_; }
   /// It has so many columns that layouts on it are sought, not proven.
   bool isFine() const { return is_fine_; }
+  /// It has all dots that the print allows.
+  bool isWhole() const { return is_whole_; }
   /// Of the dots that a search looks at first; 1 where there are few.
   int stride() const { return spacing_.stride; }
 
@@ -93,13 +96,13 @@ class PiecesOnBoard {
 
  private:
   int addShape(const Polyline& outline, const Mat2& turn);
-  int addPlaced(int shape, const Vec2& offset);
+  int addPlaced(int shape, const Vec2& offset, bool is_pinned);
   void addWays(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
   void addPin(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
 
   Board board_;
   Spacing spacing_;
-  bool ignores_print_ = false, is_fine_ = false;
+  bool ignores_print_ = false, is_fine_ = false, is_whole_ = false;
   std::optional<double> period_;
   double area_ = 0;
   std::vector<Shape> shapes_, flaws_;

@@ -13,6 +13,7 @@ struct Shape {
   Polyline ring;                ///< counter-clockwise, in steps of 2^-20 cm
   std::vector<Polyline> parts;  ///< convex; their union holds the ring, and little more
   Vec2 low, high;               ///< of the ring
+  Vec2 inner = Vec2::Zero();    ///< well inside of the ring, as a rule
   double area = 0;              ///< cm2
 
   Vec2 middle() const { return (low + high) / 2; }
@@ -24,8 +25,8 @@ Vec2 rounded(const Vec2& p);
 Shape shapeOf(const Polyline& outline, const Mat2& turn);
 
 /// A polygon of few vertices that holds the simple counter-clockwise polygon: corners that point
-/// inwards are left out, short edges give way to where their neighbours meet. It leaves the polygon by
-/// at most `most` cm, where that curves inwards by `most_inwards`.
+/// inwards are left out, short edges give way to where their neighbours meet. It leaves the polygon
+/// by at most `most` cm, where that curves inwards by `most_inwards`.
 Polyline simplifiedOutwards(const Polyline& polygon, double most, double most_inwards);
 
 }  // namespace seamwise
