@@ -24,6 +24,7 @@ const coreRooms = [
   'mesh',
   'deform',
   'drape',
+  'nesting',
   'problem',
   'methods',
   'solve',
@@ -44,6 +45,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   picture: ['model', 'recognition', 'layout', 'scene'],
   cutting: ['model', 'layout', 'scene', 'picture'],
   paper: ['model', 'recognition', 'picture', 'cutting'], // no DOM: files of pages in Node, too
+  marker: ['model', 'layout', 'scene', 'recognition', 'picture', 'cutting', 'paper'], // no DOM
   remedies: ['model', 'scene'],
   viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
   texts: ['model', 'scene'],
@@ -62,10 +64,11 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'picture',
     'cutting',
     'paper',
+    'marker',
     'pairing',
     'remedies',
   ],
-  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'paper', 'node'],
+  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'marker', 'paper', 'node'],
   '': ['model', 'solver'], // index.ts, the entry of the package
 };
 

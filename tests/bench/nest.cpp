@@ -8,7 +8,8 @@ namespace seamwise::bench {
 namespace {
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 Vec2 pointOf(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
@@ -58,10 +59,15 @@ Json nestTask(const Json& task) {
   }
   if (marker.error()) return {{"failure", marker.error()->message}};
   Json phases = marker.phaseLengths(), widths = marker.widthLengths();
-  return {{"length", marker.length()}, {"bound", marker.bound()},
-          {"proven", marker.isProven()}, {"free", marker.freeLength()},
-          {"phases", phases}, {"widths", widths}, {"stages", stages},
-          {"milliseconds", millisecondsSince(start)}, {"shorter", shorter}};
+  return {{"length", marker.length()},
+          {"bound", marker.bound()},
+          {"proven", marker.isProven()},
+          {"free", marker.freeLength()},
+          {"phases", phases},
+          {"widths", widths},
+          {"stages", stages},
+          {"milliseconds", millisecondsSince(start)},
+          {"shorter", shorter}};
 }
 
 }  // namespace seamwise::bench

@@ -19,6 +19,8 @@ const mostForPackage = 870 * kilobyte;
 const mostForStandalone = 472 * kilobyte;
 /** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
 const mostForDrape = 107 * kilobyte;
+/** The module that lays pieces on cloth, which is fetched only for that. [bytes] */
+const mostForMarker = 45 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;
@@ -45,7 +47,7 @@ it('is a sound package, as publint sees it', async () => {
 it('has types that every resolver of ES modules finds', async () => {
   const [node, attw] = tool('@arethetypeswrong/cli', 'attw');
   const asked = ['--profile', 'esm-only', '--format', 'ascii', '--no-definitely-typed'];
-  const data = ['--exclude-entrypoints', './seamwise.wasm', './drape.wasm']; // no modules, so that they have no types
+  const data = ['--exclude-entrypoints', './seamwise.wasm', './drape.wasm', './marker.wasm']; // no modules, so that they have no types
   const complaint = await promisify(execFile)(node, [attw, all.tarball, ...asked, ...data]).then(
     () => undefined,
     (error: unknown) => (error as {stdout: string}).stdout,
@@ -141,6 +143,9 @@ it('is small', () => {
   const drape = compressed((file) => file === 'dist/solver/module/drape.wasm');
   expect(drape).toBeGreaterThan(50 * kilobyte);
   expect(drape).toBeLessThan(mostForDrape);
+  const marker = compressed((file) => file === 'dist/solver/module/marker.wasm');
+  expect(marker).toBeGreaterThan(10 * kilobyte);
+  expect(marker).toBeLessThan(mostForMarker);
 });
 
 it('is not much larger for pages without a bundler', () => {

@@ -5,6 +5,7 @@ import * as fc from 'fast-check';
 import {
   convert,
   designOf,
+  marker,
   mirror,
   readStoredDesign,
   solve,
@@ -19,7 +20,7 @@ import {checks, sample, twoStrips} from './garments.js';
 
 const publicFolder = new URL('../../public/', import.meta.url);
 
-const kinds = ['design', 'garment', 'options', 'print', 'symmetries'] as const;
+const kinds = ['design', 'garment', 'layplan', 'options', 'print', 'symmetries'] as const;
 
 /** What the schema of one kind of file says about a document. */
 function schema(kind: (typeof kinds)[number]) {
@@ -66,6 +67,18 @@ describe('the schemas accept', () => {
     const solved = await solve({garment: twoStrips(), print: checks});
     const again = writeStoredDesign(designOf(storedDesign, solved));
     expect(schema('design')(JSON.parse(again))).toEqual([]);
+  });
+
+  it('plans of pieces on cloth', async () => {
+    const solved = await solve({garment: twoStrips(), print: checks});
+    const settings = {widthCm: 60, effort: 0, copies: 2};
+    for (const ignoresPrint of [false, true]) {
+      const plan = await marker([solved], {...settings, ignoresPrint});
+      expect(schema('layplan')(plan)).toEqual([]);
+      const [first] = plan.placements;
+      const half = {...plan, placements: [{...first, cut: [[0, 0]]}]};
+      expect(schema('layplan')(half)).not.toEqual([]);
+    }
   });
 
   it('whatever the solver is tried with', () => {

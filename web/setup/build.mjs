@@ -21,8 +21,11 @@ import {main, must, root, say, SetupError, tool} from './shell.mjs';
 import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const moduleFolder = 'web/src/solver/module';
-/** What the modules are; the second is fetched only when a garment is draped. */
-const moduleFiles = ['seamwise.mjs', 'seamwise.wasm', 'drape.mjs', 'drape.wasm'];
+/** What the modules are; all but the first are fetched only when they are asked: to drape a garment, to lay its pieces. */
+const moduleFiles = ['seamwise', 'drape', 'marker'].flatMap((name) => [
+  `${name}.mjs`,
+  `${name}.wasm`,
+]);
 const declarations = 'build/declarations';
 /** What the module is made from. */
 export const moduleSources = ['CMakeLists.txt', 'CMakePresets.json', 'wasm'];
@@ -43,7 +46,7 @@ const parts = {
   standalone: {
     from: ['vite.standalone.config.ts', 'package-lock.json', 'LICENSE', 'web/setup/notices'],
     make: buildStandalone,
-    products: ['seamwise.js', 'seamwise.wasm', 'drape.wasm'].map(
+    products: ['seamwise.js', 'seamwise.wasm', 'drape.wasm', 'marker.wasm'].map(
       (file) => `dist/standalone/${file}`,
     ),
   },

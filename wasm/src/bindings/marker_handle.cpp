@@ -41,9 +41,8 @@ NestingPiece pieceOf(const val& given) {
 
 Outcome<NestingProblem> problemOf(const val& request) {
   const auto number = [&](const char* field) { return request[field].as<double>(); };
-  auto group =
-      WallpaperGroup::make(request["group"].as<std::string>(), {number("w1x"), number("w1y")},
-                           {number("w2x"), number("w2y")});
+  auto group = WallpaperGroup::make(request["group"].as<std::string>(),
+                                    {number("w1x"), number("w1y")}, {number("w2x"), number("w2y")});
   if (!group.ok()) return group.error();
   NestingProblem problem{std::move(group).value()};
   const val pieces = request["pieces"], flaws = request["flaws"];

@@ -131,10 +131,9 @@ Polyline grown(const Polyline& ring, const Indices& part, double overlap) {
 
 /// From the lowest vertex, of several the leftmost.
 Polyline fromLowest(const Polyline& convex) {
-  const auto lowest =
-      std::min_element(convex.begin(), convex.end(), [](const Vec2& a, const Vec2& b) {
-        return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
-      });
+  const auto lowest = std::min_element(
+      convex.begin(), convex.end(),
+      [](const Vec2& a, const Vec2& b) { return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x(); });
   Polyline ring(lowest, convex.end());
   ring.insert(ring.end(), convex.begin(), lowest);
   return ring;

@@ -222,7 +222,8 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
   rows_ = cells.rows.size();
   column0_ = cells.columns.lo;
   columns_ = cells.columns.size();
-  const auto along = static_cast<float>(board.along.norm()), up = static_cast<float>(board.up.norm());
+  const auto along = static_cast<float>(board.along.norm()),
+             up = static_cast<float>(board.up.norm());
   Unions across(rows_, columns_), upwards(columns_, rows_);
   const double room = most_gap - kTouching;
   for (const Polyline& a : first.parts) {
@@ -231,9 +232,11 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
       const std::vector<HalfPlane> sides = halfPlanes(sum);
       const Cells held = cellsOf(extentOf(sum, most_gap), offset, board);
       for (int j = held.rows.lo; j <= held.rows.hi; ++j)
-        across.add(j - row0_, stretchIn(sides, room, offset + board.shift({column0_, j}), board.along));
+        across.add(j - row0_,
+                   stretchIn(sides, room, offset + board.shift({column0_, j}), board.along));
       for (int i = held.columns.lo; i <= held.columns.hi; ++i)
-        upwards.add(i - column0_, stretchIn(sides, room, offset + board.shift({i, row0_}), board.up));
+        upwards.add(i - column0_,
+                    stretchIn(sides, room, offset + board.shift({i, row0_}), board.up));
     }
   }
   across.merge();

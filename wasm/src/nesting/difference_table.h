@@ -33,8 +33,8 @@ class DifferenceTable {
     const int j = n.j - row0_, i = n.i - column0_;
     return j >= 0 && j < rows_ && i >= 0 && i < columns_ ? depths_[place(j, i)] : 0;
   }
-  /// Depths of every stride-th dot of a row, from (i, j) on, which must be in the table. They lie one
-  /// after the other.
+  /// Depths of every stride-th dot of a row, from (i, j) on, which must be in the table. They lie
+  /// one after the other.
   const std::uint16_t* from(Dot n) const {
     return depths_.data() + place(n.j - row0_, n.i - column0_);
   }

@@ -20,9 +20,9 @@ struct LaidPieces {
 
 /// The cloth on which a board's pieces are laid, and how the print lies on it.
 struct LayCloth {
-  double left = 0, right = 0;    ///< of what is of use. [cm]
-  Vec2 origin = Vec2::Zero();    ///< of the print, and so of the board. [cm]
-  bool is_fixed = false;         ///< the cut is at 0; else it is wherever the layout begins
+  double left = 0, right = 0;     ///< of what is of use. [cm]
+  Vec2 origin = Vec2::Zero();     ///< of the print, and so of the board. [cm]
+  bool is_fixed = false;          ///< the cut is at 0; else it is wherever the layout begins
   std::vector<bool> turned_down;  ///< per garment, where its pieces have to point one way
 };
 
@@ -34,6 +34,7 @@ std::vector<std::vector<int>> allowedWays(const PiecesOnBoard& pieces, const Lay
 
 /// Heights at which a layout may begin, in steps of less than the repeat: those at which a piece
 /// may lie lowest; one where the cut is fixed. At most `most` of them, evenly chosen. [cm]
-std::vector<double> beginnings(const PiecesOnBoard& pieces, const LayCloth& cloth, std::size_t most);
+std::vector<double> beginnings(const PiecesOnBoard& pieces, const LayCloth& cloth,
+                               std::size_t most);
 
 }  // namespace seamwise

@@ -9,16 +9,17 @@
 namespace seamwise {
 
 /// Seeks short layouts on a cloth: pieces are first laid one by one, each as low as it can lie;
-/// then the cloth is cut shorter, and pieces that overlap move, one at a time, to where the weighted
-/// sum of their overlaps with all others is the least of all their places. Weights of pairs that
-/// overlap grow, as in guided local search [Umetani et al. 2009; Gardeyn and Wauters 2025].
+/// then the cloth is cut shorter, and pieces that overlap move, one at a time, to where the
+/// weighted sum of their overlaps with all others is the least of all their places. Weights of
+/// pairs that overlap grow, as in guided local search [Umetani et al. 2009; Gardeyn and Wauters
+/// 2025].
 class LayoutSearch {
  public:
   LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uint64_t seed);
 
   const LayCloth& cloth() const { return cloth_; }
-  /// Lays pieces one by one, in the next of some orders, from the next of some heights. True once a
-  /// layout has been found, and false when there are no more orders.
+  /// Lays one more piece of a layout in the next of some orders, from the next of some heights.
+  /// False when there are no more orders, or a piece finds no place.
   bool construct();
   /// One sweep of moves; false when no shorter layout can be, by the domains alone.
   bool improve();
@@ -54,23 +55,27 @@ class LayoutSearch {
   float scoreAt(const std::vector<Other>& others, Dot dot);
   void descend(const std::vector<Other>& others, const Domain& domain, Found* found);
   Found leastOverlap(int item);
+  Found leastBetween(int item);
   std::optional<LayPlace> lowest(int item);
   float overlap(int a, int b) const;
   void place(int item, const LayPlace& place);
   void reweigh();
   double total() const;
-  bool layInOrder(const std::vector<int>& order);
+  double firstHeight() const;
   bool hasPlace(int item) const;
 
   const PiecesOnBoard& pieces_;
   LayCloth cloth_;
   Random random_;
   int count_;
-  std::vector<std::vector<int>> ways_;  ///< per item, those allowed
+  std::vector<std::vector<int>> ways_;               ///< per item, those allowed
   std::vector<std::vector<DifferenceTable>> flaws_;  ///< per placed shape
   std::vector<double> beginnings_;
   std::vector<std::vector<int>> orders_;
   std::size_t next_ = 0;  ///< pair of an order and a beginning
+  std::size_t laid_ = 0;  ///< pieces, in that order
+  double height_ = 0;     ///< of the window
+  int doublings_ = 0;     ///< of it
   int homeless_ = -1;
 
   Window window_;

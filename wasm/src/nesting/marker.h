@@ -12,9 +12,9 @@
 
 namespace seamwise {
 
-/// Lays pieces on printed cloth, step by step: first somehow, then shorter and shorter, then it tries
-/// to prove that no layout is shorter, then without the print, then on cloth of other widths. Work
-/// is counted in table reads, so that the same problem has the same answer everywhere.
+/// Lays pieces on printed cloth, step by step: first somehow, then shorter and shorter, then it
+/// tries to prove that no layout is shorter, then without the print, then on cloth of other widths.
+/// Work is counted in table reads, so that the same problem has the same answer everywhere.
 class Marker {
  public:
   enum class Stage : std::uint8_t { kTables, kLay, kProve, kFree, kWidths, kDone };
@@ -60,6 +60,7 @@ class Marker {
   explicit Marker(NestingProblem problem);
   LayCloth clothOf(double width, double phase) const;
   std::vector<std::vector<bool>> naps() const;
+  void makeTables();
   void makeVariants();
   void lay();
   void keepBest();
@@ -87,11 +88,11 @@ class Marker {
   std::vector<RigidMotion> places_;
 
   std::unique_ptr<CompleteSearch> proof_;
-  int proofs_ = 0;            ///< begun
-  double proof_target_ = 0;   ///< that no layout is as short as. [cm]
-  double proof_work_ = 0;     ///< it may take. [rows]
-  bool is_of_best_ = false;   ///< that nothing is shorter than the best
-  double tried_length_ = 0;   ///< of the last of these. [cm]
+  int proofs_ = 0;           ///< begun
+  double proof_target_ = 0;  ///< that no layout is as short as. [cm]
+  double proof_work_ = 0;    ///< it may take. [rows]
+  bool is_of_best_ = false;  ///< that nothing is shorter than the best
+  double tried_length_ = 0;  ///< of the last of these. [cm]
   double bound_ = 0;
   bool is_proven_ = false;
 

@@ -16,7 +16,7 @@ struct Window {
 
 /// Dots at which a shape lies within a window, row by row.
 struct Domain {
-  int first = 0;          ///< row of runs[0]
+  int first = 0;             ///< row of runs[0]
   std::vector<DotRun> runs;  ///< per row its columns
   DotRun rows() const { return {first, first + static_cast<int>(runs.size()) - 1}; }
   const DotRun& row(int j) const { return runs[j - first]; }
@@ -69,8 +69,8 @@ class PiecesOnBoard {
   /// Of the dots that a search looks at first; 1 where there are few.
   int stride() const { return spacing_.stride; }
 
-  /// Makes the next table; false when there is none left to make.
-  bool makeTable();
+  /// Makes the next table. @returns its dots; 0 when there is none left to make
+  double makeTable();
   double made() const;  ///< share of tables, 0 to 1
 
   /// The dots of the second placed shape, less those of the first, at which they overlap.

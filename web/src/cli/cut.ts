@@ -1,20 +1,12 @@
-import {resolve} from 'node:path';
-import {pathToFileURL} from 'node:url';
-
 import {chosenNames} from '../model/garment-marks.js';
-import type {GarmentDocument} from '../model/garment-document.js';
-import type {Print} from '../model/print.js';
-import {fieldOf} from '../model/read.js';
 import {notAsSold} from '../picture/mark.js';
 import {noPaper, paperOf} from '../paper/papers.js';
-import {addressFrom, readAddress} from '../node/addresses.js';
-import {readText} from '../node/files.js';
-import {cut as cutResult, readGarment, type Cut} from '../node/index.js';
+import {cut as cutResult, type Cut} from '../node/index.js';
 import {choice, lengthCm, parseArguments, UsageError, type Arguments} from './base/arguments.js';
 import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {print, remark} from './base/terminal.js';
-import {readTile} from './base/print-files.js';
-import {plainIn, readClothOf, readResult, type ResultFile} from './result-file.js';
+import {readRaster, readTile} from './base/print-files.js';
+import {garmentOf, plainIn, readClothOf, readResult} from './result-file.js';
 
 /** What can be written, by the flag that names the file. */
 const outputs: Readonly<
@@ -85,7 +77,7 @@ export async function cut(words: readonly string[]): Promise<void> {
     print: {...cloth, ...(tile !== undefined && {tile})},
     names: chosenNames(result.design),
     plain: plainIn(result),
-    pixels: () => rasterOf(cloth, printFile),
+    pixels: () => readRaster(cloth, printFile),
     ...(result.reproduced === false && {mark: notAsSold}),
   });
   for (const {path, content} of wanted) await writeWhole(path, await content(done, args));
@@ -111,31 +103,6 @@ function settingsOf(args: Arguments) {
     ...(ink && {ink}),
     ...(day !== undefined && {date}),
   };
-}
-
-/** As the flag says, or as the design that the result may hold. @throws {UsageError}, {FileError}, {SolverError} */
-async function garmentOf(
-  {design}: ResultFile,
-  file: string | undefined,
-): Promise<{readonly garment: GarmentDocument; readonly garmentFile: string} | undefined> {
-  const held = fieldOf(design, 'garment');
-  const [heldText, heldName] = ['text', 'name'].map((key) => fieldOf(held, key));
-  const text = file === undefined ? heldText : await readText(file);
-  const garmentFile = file ?? heldName;
-  if (typeof text !== 'string') return undefined;
-  const called = typeof garmentFile === 'string' ? garmentFile : 'the garment';
-  return {garment: await readGarment(text, called), garmentFile: called};
-}
-
-/** For pictures that Node does not draw: the one of pixels that the colourway names. @throws {FileError} */
-async function rasterOf(
-  {image, colourways = []}: Print,
-  printFile: string,
-): Promise<Uint8Array<ArrayBuffer> | undefined> {
-  const raster = colourways.find((one) => one.image === image)?.raster;
-  if (raster === undefined) return undefined;
-  const bytes = await readAddress(addressFrom(pathToFileURL(resolve(printFile)), raster));
-  return new Uint8Array(bytes);
 }
 
 function figures(resultFile: string, {sheet, layout}: Cut): string {

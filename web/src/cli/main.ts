@@ -17,6 +17,7 @@ const commands: Readonly<Record<string, () => Promise<Command>>> = {
   convert: async () => (await import('./garments.js')).convertFile,
   draw: async () => (await import('./draw.js')).draw,
   cut: async () => (await import('./cut.js')).cut,
+  marker: async () => (await import('./marker.js')).marker,
   drape: async () => (await import('./drape.js')).drape,
   seams: async () => (await import('./seams.js')).listSeams,
   dump: async () => (await import('./dump.js')).dump,

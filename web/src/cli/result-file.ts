@@ -1,6 +1,8 @@
 /** A result file as a picture is drawn of it. It may have been written, or changed, by anybody. */
-import {readAlignment} from '../model/design-reader.js';
+import {decisionFields, readAlignment} from '../model/design-reader.js';
+import type {GarmentDocument} from '../model/garment-document.js';
 import {distance, norm, type Point} from '../model/geometry.js';
+import type {SolveOptions} from '../model/options.js';
 import {groupNames, type Print} from '../model/print.js';
 import {readPrintFile} from '../model/print-file.js';
 import {
@@ -18,7 +20,8 @@ import {
   type Read,
 } from '../model/read.js';
 import type {SolveResult} from '../model/result.js';
-import {readBytes, resultLimit, textOf} from '../node/files.js';
+import {readBytes, readText, resultLimit, textOf} from '../node/files.js';
+import {readGarment} from '../node/index.js';
 import {UsageError} from './base/arguments.js';
 import {inColourway, readPrint} from './base/print-files.js';
 
@@ -69,12 +72,14 @@ function checkSymmetries(value: unknown, pieces: number): void {
   })(value, 'symmetries');
 }
 
+const damaged = (path: string, what: string): UsageError =>
+  new UsageError(
+    `${path} is not a whole result file (seamwise-result/1)${what}; align the garment again with --out.`,
+  );
+
 /** @throws {UsageError} naming the file and the field that is wrong */
 function asResult(value: unknown, path: string): ResultFile {
-  const complain = (what: string): UsageError =>
-    new UsageError(
-      `${path} is not a whole result file (seamwise-result/1)${what}; align the garment again with --out.`,
-    );
+  const complain = (what: string): UsageError => damaged(path, what);
   if (fieldOf(value, 'format') !== 'seamwise-result/1' || isTooDeep(value)) throw complain('');
   try {
     const {pieces} = shape(
@@ -93,6 +98,31 @@ function asResult(value: unknown, path: string): ResultFile {
     throw error;
   }
   return value as ResultFile;
+}
+
+/** What it was solved with, as the design says that it may hold. @throws {UsageError} naming the file */
+export function optionsIn({design}: ResultFile, path: string): SolveOptions {
+  const options = fieldOf(design, 'options');
+  try {
+    return options === undefined ? {} : decisionFields.options(options, 'design.options');
+  } catch (error) {
+    if (error instanceof Malformed) throw damaged(path, `: ${error.message}`);
+    throw error;
+  }
+}
+
+/** Its garment: that of a file, if one is named, or as the design that the result may hold. @throws {UsageError}, {FileError}, {SolverError} */
+export async function garmentOf(
+  {design}: ResultFile,
+  file: string | undefined,
+): Promise<{readonly garment: GarmentDocument; readonly garmentFile: string} | undefined> {
+  const held = fieldOf(design, 'garment');
+  const [heldText, heldName] = ['text', 'name'].map((key) => fieldOf(held, key));
+  const text = file === undefined ? heldText : await readText(file);
+  const garmentFile = file ?? heldName;
+  if (typeof text !== 'string') return undefined;
+  const called = typeof garmentFile === 'string' ? garmentFile : 'the garment';
+  return {garment: await readGarment(text, called), garmentFile: called};
 }
 
 /** Pieces of unprinted cloth, as the design says that a result may hold. */

@@ -32,7 +32,8 @@ seamwise order DESIGN.json [flags]
 seamwise batch JOBS.ndjson --out FOLDER [flags]
   Solves every job of a file, one a line, on all cores, and goes on where an earlier run was cut short.
   Results lie in FOLDER/results, and FOLDER/done.ndjson has a line for each job that has ended. A job with
-  "drape": true has its drape and its GLB there, too; one with "cut": {"paper": "a4", "allowance": 1} its PDF.
+  "drape": true has its drape and its GLB there, too; one with "cut": {"paper": "a4", "allowance": 1} its PDF;
+  one with "marker": {"width": 140} the plan of its pieces on cloth.
     --workers N                 threads; default one per core
     --job-timeout SECONDS       ends a job that takes longer, and records it as failed; default 600, 0 for never
     --retry-timeouts            tries the jobs again that took too long
@@ -91,6 +92,29 @@ seamwise cut RESULT.json --print PRINT.json [flags]
     --date YYYY-MM-DD           to stand on every page
     --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf (AAMA), --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie
+
+seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [flags]
+  Lays the pieces of one or several results on a bolt of their print, each where the print is what the result asks
+  for, and prints one line: how much cloth that takes, and how little it can take.
+    --copies N                  so many garments of each result; default 1
+    --selvedge CM               of no use along each edge of the cloth; default 1
+    --gap CM                    between pieces; default 0.2
+    --allowance CM, --hem CM    as for cut; --garment GARMENT.json, too
+    --phase CM|any              from the left edge to an origin of the print; any, the default, tries several
+    --start CM                  from the cut to an origin of the print; default: the cloth is cut anywhere
+    --nap one-way|garment|none  heads up; or all of a garment the same way; default none, or one-way as the print is
+    --shift kept|component      component: the print may move under pieces that no seam matches, where it fits as well
+    --plies N                   layers cut at once: lengths are whole repeats, so that all start alike
+    --flaws FILE.json           polygons on the cloth, [[[x, y], ...], ...], where no piece may lie
+    --fold                      lengthwise, cut through both plies: for pieces with mirror images, on prints that mirror
+                                from side to side
+    --free                      whatever the print: what it costs in cloth
+    --effort N                  looks N times as long, from 1, the default, or 0: a first layout
+    --seed N                    same seed, same layout; default 1
+    --out PLAN.json             writes where every piece lies
+    --svg FILE.svg              draws it at a tenth of its size; --pdf FILE.pdf too, --plotter FILE.pdf at true scale
+    --dxf FILE.dxf              the pieces where they lie, for cutters
+    --json                      prints the figures as JSON
 
 seamwise drape RESULT.json --print PRINT.json [flags]
   Hangs a solved garment on a form, as it is worn, and prints one line of figures: how far the cloth is stretched

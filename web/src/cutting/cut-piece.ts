@@ -99,7 +99,7 @@ function throughPiece(
 }
 
 /** A line with more points on it. */
-const finer = (line: readonly Point[]): readonly Point[] =>
+export const finer = (line: readonly Point[]): readonly Point[] =>
   line.flatMap((to, k) => {
     const from = line[k - 1];
     const steps = from ? Math.max(1, Math.ceil(distance(from, to) / lineStep)) : 1;

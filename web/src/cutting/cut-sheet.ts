@@ -19,7 +19,7 @@ export interface CutLine {
   readonly isFaint?: boolean;
 }
 
-/** Words one below the other, their middle at a point. */
+/** Words one below the other, their middle at a point, or that of their left or right edge. */
 export interface CutText {
   readonly kind: 'text';
   readonly layer: CutLayer;
@@ -30,6 +30,10 @@ export interface CutText {
   readonly hasPlate: boolean;
   /** Counter-clockwise. [rad] Default 0. */
   readonly angle?: number;
+  /** Default middle. */
+  readonly align?: 'left' | 'middle' | 'right';
+  /** Of all lines. Default bold for the first, regular for the others. */
+  readonly weight?: 'regular' | 'bold';
 }
 
 export type CutMark = CutLine | CutText;

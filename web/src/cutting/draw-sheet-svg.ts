@@ -4,7 +4,7 @@ import {clothTile, clothUnder, type PrintWithTile} from '../picture/cloth.js';
 import {markAcross} from '../picture/mark.js';
 import {escaped, polyline, short, text} from '../picture/svg.js';
 import {textWidth} from '../layout/name-lines.js';
-import type {CutLine, CutSheet, CutText, LaidPiece} from './cut-sheet.js';
+import type {CutLine, CutMark, CutSheet, CutText, LaidPiece} from './cut-sheet.js';
 
 /** [mm] */
 const unit = 10;
@@ -38,19 +38,29 @@ function drawnLine({points, isClosed, widthMm, dashMm, haloMm, isFaint}: CutLine
   };
 }
 
-function drawnText({at, lines, sizeMm: size, hasPlate, angle = 0}: CutText, page: Page): string {
+/** Parts of a text's width that lie left of its point, and how SVG calls that. */
+const aligned = {
+  left: {share: 0, anchor: 'start'},
+  middle: {share: 0.5, anchor: 'middle'},
+  right: {share: 1, anchor: 'end'},
+} as const;
+
+function drawnText(mark: CutText, page: Page): string {
+  const {at, lines, sizeMm: size, hasPlate, angle = 0, align = 'middle', weight} = mark;
   const [x, y] = page(at);
   const leading = 1.25 * size;
+  const {share, anchor} = aligned[align];
   const width = Math.max(...lines.map((line) => textWidth(line, size))) + size;
   const height = leading * lines.length + 0.4 * size;
   const ground = hasPlate
-    ? `<rect x="${short(x - width / 2)}" y="${short(y - height / 2)}" width="${short(width)}" height="${short(height)}" rx="${short(size / 3)}" fill="#fff" fill-opacity="0.85" stroke="none"/>`
+    ? `<rect x="${short(x - width * share)}" y="${short(y - height / 2)}" width="${short(width)}" height="${short(height)}" rx="${short(size / 3)}" fill="#fff" fill-opacity="0.85" stroke="none"/>`
     : '';
-  const words = lines.map((line, k) =>
-    text([x, y + leading * (k - (lines.length - 1) / 2) + 0.35 * size], line, {
-      ...{size: Number(short(size)), anchor: 'middle', fill: ink, weight: k === 0 ? 600 : 400},
-    }),
-  );
+  const words = lines.map((line, k) => {
+    const isBold = weight === undefined ? k === 0 : weight === 'bold';
+    return text([x, y + leading * (k - (lines.length - 1) / 2) + 0.35 * size], line, {
+      ...{size: Number(short(size)), anchor, fill: ink, weight: isBold ? 600 : 400},
+    });
+  });
   const turn =
     angle === 0
       ? ''
@@ -59,7 +69,7 @@ function drawnText({at, lines, sizeMm: size, hasPlate, angle = 0}: CutText, page
 }
 
 /** Lines that follow each other lie on the light ground of all of them. */
-function drawnMarks({marks}: LaidPiece, page: Page): string {
+export function drawnMarks(marks: readonly CutMark[], page: Page): string {
   const drawn: string[] = [];
   let lines: string[] = [];
   const flush = (): void => {
@@ -80,7 +90,7 @@ function drawnMarks({marks}: LaidPiece, page: Page): string {
 }
 
 const drawnPiece = (piece: LaidPiece, k: number, page: Page): string =>
-  `<g id="piece-${k}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round"><path d="${closed(piece.cut, page)}" fill="${piece.alignment ? `url(#cloth-${k})` : '#fff'}" fill-rule="evenodd"/>${drawnMarks(piece, page)}</g>`;
+  `<g id="piece-${k}" aria-label="${escaped(piece.label)}" fill="none" stroke-linejoin="round" stroke-linecap="round"><path d="${closed(piece.cut, page)}" fill="${piece.alignment ? `url(#cloth-${k})` : '#fff'}" fill-rule="evenodd"/>${drawnMarks(piece.marks, page)}</g>`;
 
 /** Measured with a ruler, they show whether the paper has the right size. */
 function testSquares([x, y]: Point): string {

@@ -1,7 +1,6 @@
 /** All pieces of a garment at true scale on one sheet, to cut along. Lengths in cm. */
 import type {GarmentTitle, PanelMarks} from '../model/garment-marks.js';
 import {angleOf, onPiece, onPrint, wrapped, type Alignment, type Point} from '../model/geometry.js';
-import {readable} from '../model/piece-names.js';
 import type {Print} from '../model/print.js';
 import type {Pattern} from '../model/result.js';
 import type {SheetPlace} from '../model/sheet-place.js';
@@ -9,10 +8,8 @@ import {layOut, type Layout} from '../layout/layout.js';
 import {placementsIn, type Placements} from '../layout/on-body.js';
 import {seamLetters} from '../scene/seam-letters.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
-import {allowancesOf} from './allowances.js';
-import {cutLine} from './cut-line.js';
+import {cutLinesOf} from './cut-lines.js';
 import type {CutSheet, LaidPiece} from './cut-sheet.js';
-import {allowedLoops, garmentEdges} from './garment-edges.js';
 import {garmentNotches} from './notches.js';
 import {pieceMarks} from './piece-marks.js';
 import {matchTicks} from './ticks.js';
@@ -129,18 +126,16 @@ function cutPieces(
 ): readonly CutPiece[] {
   const {plain = []} = options;
   const letters = seamLetters(result, letterRoom);
-  const marks = result.pieces.map(({name}) => panels.get(name) ?? {label: readable(name)});
-  const garment = garmentEdges(result, (name) => panels.get(name)?.drafted);
-  const allowances = allowancesOf(garment, result.pieces, marks, options);
+  const {marks, garment, allowances, loops: all, cut} = cutLinesOf(result, panels, options);
   const notches = garmentNotches(garment, result.pieces, marks, allowances.widths);
   const cuts = result.pieces.map((piece, k) => {
-    const loops = allowedLoops(garment, k);
+    const loops = all[k] ?? [];
     const edges = loops.flat();
     return cutPiece(piece, marks[k] ?? {label: piece.name}, {
       print: plain.includes(piece.name) ? undefined : print,
       ...{letters: letters[k] ?? [], notches: notches[k] ?? []},
       sewn: loops.map((loop) => loop.flatMap(({points}) => points.slice(0, -1))),
-      cut: cutLine(loops, allowances),
+      cut: cut[k] ?? [],
       corners: edges.flatMap(({points}) => points.slice(0, 1)),
       allowances: edges.map(({key}) => ({
         widthCm: allowances.widths.get(key) ?? 0,

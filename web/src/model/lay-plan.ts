@@ -8,6 +8,8 @@ export interface LaidPlacement {
   readonly result: number;
   readonly copy: number;
   readonly piece: string;
+  /** Which of several that are cut of the piece for one garment, from 0; absent of one. */
+  readonly nth?: number;
   /** p_cloth = R(angle) p + translation, p a point of the piece's `shape`. [rad, cm] */
   readonly angle: number;
   readonly translation: Point;
@@ -46,6 +48,8 @@ export interface LayPlan {
   readonly gapCm: number;
   readonly allowanceCm: number;
   readonly lengthCm: number;
+  /** Where the cloth is folded, from its left edge; it is shown spread. Absent of single cloth. */
+  readonly foldCm?: number;
   /** Where an origin of the print lies on the cloth; null for a layout that ignores the print. */
   readonly printOrigin: Point | null;
   readonly placements: readonly LaidPlacement[];
@@ -53,6 +57,7 @@ export interface LayPlan {
     readonly result: number;
     readonly copy: number;
     readonly piece: string;
+    readonly nth?: number;
   }[];
   /** Area of the pieces / (width x length). */
   readonly useShare: number;

@@ -5,10 +5,12 @@ import {isMainThread} from 'node:worker_threads';
 import type {Drape, DrapeSettings} from '../model/drape.js';
 import type {Garment} from '../model/garment.js';
 import type {GarmentDocument} from '../model/garment-document.js';
+import type {LayPlan} from '../model/lay-plan.js';
 import type {Problem} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
+import type {MarkerGarment} from '../marker/pieces.js';
 import type {SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 import type {Remedy} from '../remedies/remedy.js';
 import {localAnswerer} from '../solver/answering.js';
@@ -27,12 +29,15 @@ import {TextService} from '../solver/service.js';
 import {thread} from './thread.js';
 import type {Cut, CutSettings} from './cut.js';
 import type {ImportedGarment, ImportOptions} from './import.js';
+import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
+import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 import type {Order, OrderHooks} from './order.js';
 
 export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
 export * from '../model/drape.js';
 export * from '../model/drape-file.js';
 export * from '../model/glb.js';
+export type * from '../model/lay-plan.js';
 export type * from '../model/garment.js';
 export type * from '../model/garment-document.js';
 export {garmentFile} from '../model/garment-file.js';
@@ -58,6 +63,10 @@ export {resultText, sha256Of} from '../model/result-text.js';
 export {FileError} from '../model/versioned-file.js';
 export type * from '../cutting/cut-sheet.js';
 export type {DxfOptions} from '../cutting/out/sheet-dxf.js';
+export {layPlanText} from '../marker/plan.js';
+export type {MarkerGarment} from '../marker/pieces.js';
+export type {MarkerSettings} from '../marker/settings.js';
+export type {MarkerProgress, MarkerStage, Nap} from '../model/marker.js';
 export type {Box} from '../model/polyline.js';
 export type {PanelDecisions} from '../model/garment-marks.js';
 export type {CellPixels} from '../paper/cloth-cell.js';
@@ -75,6 +84,8 @@ export type {
   ImportOptions,
   ImportReport,
 } from './import.js';
+export type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
+export type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 export type {Order, OrderHooks} from './order.js';
 export type {NamedEdge, SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
@@ -88,7 +99,13 @@ const wasmFile = (name: string) =>
 /** The solver on this thread. */
 class ThreadSolver extends TextService {
   readonly #answerer = localAnswerer(
-    {sources: {seamwise: () => wasmFile('seamwise'), drape: () => wasmFile('drape')}},
+    {
+      sources: {
+        seamwise: () => wasmFile('seamwise'),
+        drape: () => wasmFile('drape'),
+        marker: () => wasmFile('marker'),
+      },
+    },
     new Helpers(thread),
   );
 
@@ -166,6 +183,30 @@ export async function drape(
 export async function cut(result: SolveResult, settings: CutSettings): Promise<Cut> {
   const {cutWith} = await import('./cut.js');
   return cutWith(result, settings);
+}
+
+/**
+ * The pieces of one or several results on a bolt of their print: each so that the cloth shows on it what the result asks
+ * for, on as little cloth as can be found. Runs on this thread in slices, one layout at a time.
+ * @throws {SolverError} for settings and pieces that cannot be laid, such as one that is wider than the cloth; the
+ *   signal's reason, when it fires
+ */
+export async function marker(
+  results: readonly (SolveResult | MarkerGarment)[],
+  settings: NodeMarkerSettings,
+  hooks: MarkerPlanHooks = {},
+): Promise<LayPlan> {
+  const {markerWith} = await import('./marker.js');
+  return markerWith((problem, all) => solver.marker(problem, all), results, settings, hooks);
+}
+
+/** Files of a lay plan: drawn small with its tables, at true scale for a plotter, and as DXF for cutters. */
+export async function layPlanFiles(
+  plan: LayPlan,
+  settings: LayPlanSettings,
+): Promise<LayPlanFiles> {
+  const {layPlanFilesOf} = await import('./lay-plan.js');
+  return layPlanFilesOf(plan, settings);
 }
 
 /** The symmetries a garment shows by itself: what `symmetry: 'auto'` would impose, group permitting. */

@@ -42,7 +42,11 @@ function enters(from: Point, to: Point, box: Box): boolean {
   return Math.min(...sides) <= 0 && Math.max(...sides) >= 0;
 }
 
+/** Whether a closed line has a point in a box. */
+export const crossesInto = (loop: readonly Point[], box: Box): boolean =>
+  loop.some((p, k) => enters(p, loop[(k + 1) % loop.length] ?? p, box));
+
 /** Whether what lies within closed lines, the outline and its holes, reaches into a box. */
 export const reachesInto = (loops: readonly (readonly Point[])[], box: Box): boolean =>
-  loops.some((loop) => loop.some((p, k) => enters(p, loop[(k + 1) % loop.length] ?? p, box))) ||
+  loops.some((loop) => crossesInto(loop, box)) ||
   loops.filter((loop) => isInside(loop, box.low)).length % 2 === 1;

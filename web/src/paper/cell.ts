@@ -128,7 +128,7 @@ function cellsIn(lying: Alignment, sides: readonly [Point, Point], seen: Box): r
 export function clothUnder(
   resources: PdfResources,
   cell: Cell,
-  {cut, place, alignment}: LaidPiece,
+  {cut, place, alignment}: Pick<LaidPiece, 'cut' | 'place' | 'alignment'>,
   window: Box,
 ): string {
   const seen = shared(boxOf(cut[0] ?? []), window);

@@ -2,7 +2,6 @@
 import type {CutMark, CutSheet} from '../cutting/cut-sheet.js';
 import {middle, type Point} from '../model/geometry.js';
 import {boxOf, isInside, type Box} from '../model/polyline.js';
-import {packageVersion} from '../model/version.js';
 import type {PrintWithTile} from '../picture/cloth.js';
 import {cornersOf, overlap} from './boxes.js';
 import {clothUnder} from './cell.js';
@@ -15,7 +14,6 @@ import type {Paper} from './papers.js';
 import {
   filledWith,
   line,
-  num,
   nums,
   onLayer,
   pointsPerCm,
@@ -23,7 +21,8 @@ import {
   strokedWith,
   through,
 } from './pdf-content.js';
-import {dateString, PdfDocument, refTo, textString, type Ref} from './pdf-document.js';
+import {PdfDocument, refTo, textString, type Ref} from './pdf-document.js';
+import {pdfFile} from './pdf-file.js';
 import {PdfResources} from './pdf-resources.js';
 import {inFontLetters, textAt, widthOf} from './pdf-text.js';
 import {sheetMap, type SheetMap} from './sheet-map.js';
@@ -194,9 +193,6 @@ function outlineOf(
   return root;
 }
 
-/** Lets others have the thread between pages. */
-const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
-
 /**
  * The file, and where everything lies in it. `print.tile` is the picture of its cell, as SVG text or `data:` URL.
  * @throws {FileError} where the picture can be drawn by nobody
@@ -238,37 +234,18 @@ export async function cuttingPdf(
         : '',
     foot: words.filter((word) => word !== '').join('  ·  '),
   };
-  const tree = document.reserve();
-  const refs: Ref[] = [];
-  const size = [layout.widthCm, layout.heightCm].map((side) => num(side * pointsPerCm)).join(' ');
-  for (const [k, page] of layout.pages.entries()) {
-    const content = document.stream('', pageContent(page, k + 1, drawing));
-    refs.push(
-      document.add(
-        `<</Type/Page/Parent ${refTo(tree)}/MediaBox[0 0 ${size}]/Resources ${refTo(resources.ref)}/Contents ${refTo(content)}>>`,
-      ),
-    );
-    await pause();
-  }
-  resources.finish();
-  document.set(tree, `<</Type/Pages/Count ${refs.length}/Kids[${refs.map(refTo).join(' ')}]>>`);
-  const labels = layout.pages.map(({name = 'Overview'}, k) => `${k}<</P ${textString(name)}>>`);
-  const outline = outlineOf(document, sheet, layout.pages, refs);
-  const catalog = document.add(
-    [
-      `<</Type/Catalog/Pages ${refTo(tree)}/Outlines ${refTo(outline)}/Lang(en)`,
-      `/PageLabels<</Nums[${labels.join('')}]>>/OCProperties ${resources.optionalContent}`,
-      // whoever prints is offered true size first
-      `/ViewerPreferences<</PrintScaling/None/DisplayDocTitle true>>`,
-      `/PageMode/${isProjector ? 'UseOC' : 'UseNone'}>>`,
-    ].join('\n'),
-  );
-  const info = document.add(
-    `<</Title ${textString(sheet.heading)}/Creator ${textString(`Seamwise ${packageVersion}`)}${date ? `/CreationDate ${dateString(date)}` : ''}>>`,
-  );
+  const pages = layout.pages.map((page, k) => ({
+    ...{widthCm: layout.widthCm, heightCm: layout.heightCm, label: page.name ?? 'Overview'},
+    content: () => pageContent(page, k + 1, drawing),
+  }));
+  const bytes = await pdfFile(document, resources, pages, {
+    ...{title: sheet.heading, mode: isProjector ? 'UseOC' : 'UseNone'},
+    ...(date && {date}),
+    outline: (refs) => outlineOf(document, sheet, layout.pages, refs),
+  });
   const written = [sheet.heading, ...sheet.pieces.map(({label}) => label)];
   if (written.some((text) => inFontLetters(text) !== text.normalize('NFC'))) {
     notes.push('Words with letters that Helvetica has not are written in its own.');
   }
-  return {bytes: await document.bytes(catalog, info), layout, map: sheetMap(sheet, layout), notes};
+  return {bytes, layout, map: sheetMap(sheet, layout), notes};
 }

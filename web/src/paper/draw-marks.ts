@@ -5,7 +5,7 @@ import {boxOf, type Box} from '../model/polyline.js';
 import {grown, overlap} from './boxes.js';
 import {filledWith, line, nums, onLayer, scoped, strokedWith, through} from './pdf-content.js';
 import type {PdfResources} from './pdf-resources.js';
-import {textAt, widthOf} from './pdf-text.js';
+import {textAt, widthOf, type Weight} from './pdf-text.js';
 
 /** Names in content of the layers that marks have. */
 type MarkLayers = Readonly<Record<CutMark['layer'], string>>;
@@ -62,16 +62,20 @@ interface WordsBox {
   readonly height: number;
 }
 
-const weightOf = (k: number): 'bold' | 'regular' => (k === 0 ? 'bold' : 'regular');
+const weightOf = ({weight}: CutText, k: number): Weight => weight ?? (k === 0 ? 'bold' : 'regular');
 
-function wordsBox({lines, sizeMm}: CutText): WordsBox {
+function wordsBox(mark: CutText): WordsBox {
+  const {lines, sizeMm} = mark;
   const size = sizeMm * mm;
-  const width = Math.max(...lines.map((words, k) => size * widthOf(words, weightOf(k)))) + size;
-  return {width, height: size * (leading * lines.length + 0.4)};
+  const widths = lines.map((words, k) => size * widthOf(words, weightOf(mark, k)));
+  return {width: Math.max(...widths) + size, height: size * (leading * lines.length + 0.4)};
 }
 
+/** Where the left edge of words is, as a share of their width from their point. */
+const leftShare = {left: 0, middle: -0.5, right: -1} as const;
+
 function drawnText(mark: CutText, resources: PdfResources): string {
-  const {at, lines, sizeMm, hasPlate, angle = 0} = mark;
+  const {at, lines, sizeMm, hasPlate, angle = 0, align = 'middle'} = mark;
   const size = sizeMm * mm;
   const {width, height} = wordsBox(mark);
   const [c, s] = towards(angle);
@@ -81,13 +85,13 @@ function drawnText(mark: CutText, resources: PdfResources): string {
       ? scoped(
           `/${resources.opacity(light)} gs`,
           white,
-          roundBox([-width / 2, -height / 2], width, height, size / 3),
+          roundBox([width * leftShare[align], -height / 2], width, height, size / 3),
           'f',
         )
       : '',
     ...lines.map((words, k) => {
       const y = size * (leading * ((lines.length - 1) / 2 - k) - 0.35);
-      return textAt([0, y], words, {size, weight: weightOf(k), align: 'middle'});
+      return textAt([0, y], words, {size, weight: weightOf(mark, k), align});
     }),
   );
 }
@@ -98,10 +102,9 @@ export function boxOfMark(mark: CutMark): Box {
     return grown(boxOf(mark.points), (mark.widthMm + (mark.haloMm ?? 0)) * mm);
   }
   const {width, height} = wordsBox(mark);
-  const corners = [-1, 1].flatMap((i) =>
-    [-1, 1].map((j) =>
-      plus(mark.at, rotated([(i * width) / 2, (j * height) / 2], mark.angle ?? 0)),
-    ),
+  const left = width * leftShare[mark.align ?? 'middle'];
+  const corners = [left, left + width].flatMap((x) =>
+    [-1, 1].map((j) => plus(mark.at, rotated([x, (j * height) / 2], mark.angle ?? 0))),
   );
   return boxOf(corners);
 }

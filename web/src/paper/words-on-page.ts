@@ -2,7 +2,7 @@
 import type {CutMark, CutText, LaidPiece} from '../cutting/cut-sheet.js';
 import {distance, middle, type Point} from '../model/geometry.js';
 import {boxOf, isInside, type Box} from '../model/polyline.js';
-import {boxAt, cornersOf, grown, overlap, reachesInto, shared} from './boxes.js';
+import {boxAt, crossesInto, grown, overlap, shared} from './boxes.js';
 import {boxOfMark} from './draw-marks.js';
 import type {SheetPage} from './pages.js';
 
@@ -20,20 +20,18 @@ const within = (inner: Box, outer: Box): boolean =>
 /** Whether a box lies inside the sewn line, and outside of holes. */
 function liesOn(loops: readonly (readonly Point[])[], box: Box): boolean {
   const [outline = [], ...holes] = loops;
-  const isCrossed = loops.some((loop) => reachesInto([loop], box) && !isInside(loop, box.low));
-  const corners = cornersOf(box);
   return (
-    !isCrossed &&
-    corners.every((p) => isInside(outline, p)) &&
-    !holes.some((hole) => corners.some((p) => isInside(hole, p)))
+    isInside(outline, box.low) &&
+    !holes.some((hole) => isInside(hole, box.low)) &&
+    !loops.some((loop) => crossesInto(loop, box))
   );
 }
 
-/** The place in a frame that is nearest to where the words are; undefined without room. */
-function placeIn(
+/** The place in a frame, within closed lines, that is nearest to where the words are; undefined without room. */
+export function placeIn(
   frame: Box,
   mark: CutText,
-  {sewn}: LaidPiece,
+  {sewn}: Pick<LaidPiece, 'sewn'>,
   others: readonly Box[],
 ): Point | undefined {
   const {low, high} = boxOfMark(mark);

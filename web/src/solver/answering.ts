@@ -8,8 +8,10 @@ import type {AnswerTable, Queue} from './answers/table.js';
 import {drapeRequest, runDrape} from './drape/run-drape.js';
 import {documentBytes} from './json/document.js';
 import {garmentText} from './json/garment-text.js';
+import {markerRequest, runMarker} from './marker/run-marker.js';
 import type {DrapeModule} from './module/drape.mjs';
-import {drape, seamwise} from './module/load.js';
+import {drape, marker, seamwise} from './module/load.js';
+import type {MarkerModule} from './module/marker.mjs';
 import type {SeamwiseModule} from './module/seamwise.mjs';
 import type {Requests} from './requests/requests.js';
 import {plainNames} from './requests/texts.js';
@@ -24,6 +26,7 @@ export {besideThePage} from './answers/slices.js';
 type SolverModules = {
   readonly seamwise: SeamwiseModule;
   readonly drape: DrapeModule;
+  readonly marker: MarkerModule;
 };
 
 /** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
@@ -35,12 +38,15 @@ const shares: Queue = {atOnce: 1};
 /** What is shown is draped; more at once would only keep all waiting. */
 const drapes: Queue = {atOnce: 1};
 
+/** One cloth is laid out at a time. */
+const markers: Queue = {atOnce: 1};
+
 /** A share that is of no use any more must not keep others waiting. [ms] */
 const shareSlice = 20;
 
 /** @param helpers other threads for what takes long; none, unless said otherwise */
 export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
-  modules: {seamwise, drape},
+  modules: {seamwise, drape, marker},
   requests: {
     solve: {
       module: 'seamwise',
@@ -104,6 +110,14 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
       answer: (module, texts, {hooks, pace}) =>
         owning(new module.Drape(drapeRequest(module, texts)), (cloth) =>
           runDrape(cloth, hooks, pace),
+        ),
+    },
+    marker: {
+      module: 'marker',
+      queue: markers,
+      answer: (module, problem, {hooks, pace}) =>
+        owning(new module.Marker(markerRequest(problem)), (layout) =>
+          runMarker(layout, hooks, pace),
         ),
     },
     share: {

@@ -35,7 +35,9 @@ export class MainThreadSolver extends TextService {
       const {besideThePage, localAnswerer} = await import('./answering.js');
       const url = this.#wasmUrl;
       const at = url === undefined ? undefined : modulesAt(url);
-      const sources = at ? {seamwise: () => at.seamwise, drape: () => at.drape} : {};
+      const sources = at
+        ? {seamwise: () => at.seamwise, drape: () => at.drape, marker: () => at.marker}
+        : {};
       return localAnswerer({sources, pace: besideThePage});
     } catch (error) {
       this.#answerer = undefined; // to be tried again

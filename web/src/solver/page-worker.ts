@@ -19,10 +19,15 @@ const usualLoadingPatience = 20_000;
 /** Served as compiled, the script is this file's neighbour. */
 const usualScript = 'solver.worker.js';
 
-/** Where the modules are: that of the solver, and beside it the one that drapes. */
-export function modulesAt(wasmUrl: string | URL): {seamwise: string; drape: string} {
+/** Where the modules are: that of the solver, and beside it those that drape and that lay pieces. */
+export function modulesAt(wasmUrl: string | URL): {
+  seamwise: string;
+  drape: string;
+  marker: string;
+} {
   const seamwise = new URL(wasmUrl, document.baseURI).href;
-  return {seamwise, drape: new URL('drape.wasm', seamwise).href};
+  const beside = (file: string) => new URL(file, seamwise).href;
+  return {seamwise, drape: beside('drape.wasm'), marker: beside('marker.wasm')};
 }
 
 /** A worker of the page's. */

@@ -36,8 +36,8 @@ const pools = new Map<string, SolverPool>();
 
 /**
  * A share in the page's solvers, of which there are at most four, one core left free: the same worker for
- * all calls of a lease, since it keeps the last mesh; it starts with the first call. Drapes of all leases
- * have one worker more, where they wait for each other and never hold up a solve.
+ * all calls of a lease, since it keeps the last mesh; it starts with the first call. Drapes and
+ * layouts on cloth of all leases have one worker more, where they wait for their like and never hold up a solve.
  */
 export function leaseSolver(places: LeasePlaces = {}): SolverLease {
   const key = JSON.stringify([placeOf(places.workerUrl), placeOf(places.wasmUrl)]);
@@ -68,7 +68,7 @@ export class SolverPool {
   constructor(places: WorkerPlaces = {}, emptied: () => void = () => undefined) {
     this.#places = places;
     this.#emptied = emptied;
-    this.#shared = {page: new MainThreadSolver(places), draper: new SolverClient(places)};
+    this.#shared = {page: new MainThreadSolver(places), aside: new SolverClient(places)};
   }
 
   lease(onBlocked?: (failure: Failure) => void): SolverLease {
@@ -107,7 +107,7 @@ export class SolverPool {
     pooled.client.dispose();
     this.#workers.delete(pooled);
     if (this.#workers.size > 0) return;
-    this.#shared.draper.dispose();
+    this.#shared.aside.dispose();
     this.#emptied();
   }
 }
@@ -115,7 +115,8 @@ export class SolverPool {
 /** What all leases of a pool have in common; what they never ask is never started. */
 interface Shared {
   readonly page: MainThreadSolver;
-  readonly draper: SolverClient;
+  /** For what takes long and is no solve. */
+  readonly aside: SolverClient;
 }
 
 /** A worker of the pool, which starts with its first job. */
@@ -155,7 +156,7 @@ class LeasedSolver extends TextService {
     const all = {...hooks, signal};
     (pooled.warming ??= new AbortController()).abort(); // the worker is to do nothing else
     if (!pooled.blocked) {
-      const client = kind === 'drape' ? this.#shared.draper : pooled.client;
+      const client = kind === 'drape' || kind === 'marker' ? this.#shared.aside : pooled.client;
       try {
         return await client.ask(kind, request, all);
       } catch (error) {

@@ -1,6 +1,7 @@
 import type {Drape, DrapeSettings} from '../model/drape.js';
 import type {Garment} from '../model/garment.js';
 import type {GarmentDocument} from '../model/garment-document.js';
+import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
 import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
@@ -80,6 +81,12 @@ export interface SolverService {
     settings?: DrapeSettings,
     hooks?: NamedDrapeHooks,
   ): Promise<Drape>;
+
+  /**
+   * Lays the cut lines of pieces on printed cloth, so that each has its part of the print and the cloth is short.
+   * @throws {SolverError} where that cannot be, such as for a piece that is wider than the cloth
+   */
+  marker(problem: MarkerProblem, hooks?: MarkerHooks): Promise<MarkerAnswer>;
 }
 
 /** A service for whoever can answer requests: it makes the requests. */
@@ -129,6 +136,10 @@ export abstract class TextService implements SolverService {
     hooks: NamedDrapeHooks = {},
   ): Promise<Drape> {
     return this.#ask('drape', () => drapeTexts(result, settings, hooks.names), hooks);
+  }
+
+  marker(problem: MarkerProblem, hooks: MarkerHooks = {}): Promise<MarkerAnswer> {
+    return this.#ask('marker', () => problem, hooks);
   }
 
   /** A signal that has fired goes before anything that is wrong with a request. */

@@ -8,6 +8,8 @@ interface Grammar {
   readonly valued: readonly string[];
   readonly switches: readonly string[];
   readonly files: readonly string[];
+  /** Whether the last of its files may be followed by more of its kind. */
+  readonly hasMore?: true;
 }
 
 export interface Arguments {
@@ -34,7 +36,8 @@ export function parseArguments(words: readonly string[], grammar: Grammar): Argu
   const missing = grammar.files[files.length];
   if (missing !== undefined) throw new UsageError(`${missing} is missing.`);
   const extra = files[grammar.files.length];
-  if (extra !== undefined) throw new UsageError(`'${extra}' is one argument too many.`);
+  if (extra !== undefined && !grammar.hasMore)
+    throw new UsageError(`'${extra}' is one argument too many.`);
   return {files, value: (flag) => values.get(flag), has: (flag) => values.has(flag)};
 }
 

@@ -90,3 +90,14 @@ export async function readPicture(print: Print, printFile: string): Promise<stri
     throw error;
   }
 }
+
+/** For pictures that Node does not draw: the one of pixels that the colourway names. @throws {FileError} */
+export async function readRaster(
+  {image, colourways = []}: Print,
+  printFile: string,
+): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  const raster = colourways.find((one) => one.image === image)?.raster;
+  if (raster === undefined) return undefined;
+  const bytes = await readAddress(addressFrom(pathToFileURL(resolve(printFile)), raster));
+  return new Uint8Array(bytes);
+}

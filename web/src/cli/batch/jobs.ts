@@ -22,6 +22,7 @@ import {packageVersion} from '../../model/version.js';
 import {addressFrom} from '../../node/addresses.js';
 import {paperOf} from '../../paper/papers.js';
 import {greatestAllowance, type CutWish} from '../base/cut-files.js';
+import {layFields, type LayWish} from '../base/lay-wish.js';
 
 /** A garment in a print. Addresses are whole; the options and symmetries are as the line has them. */
 export interface Job extends Omit<Design<string, string>, 'names' | 'fabric'> {
@@ -30,6 +31,8 @@ export interface Job extends Omit<Design<string, string>, 'names' | 'fabric'> {
   readonly drape: boolean;
   /** How to write the pieces of the result as PDF; null for not at all. */
   readonly cut: CutWish | null;
+  /** How to lay the pieces of the result on cloth; null for not at all. */
+  readonly marker: LayWish | null;
 }
 
 /** What a job is called; nothing in it but the files it names changes the answer. */
@@ -52,7 +55,7 @@ const singles = ['garment', 'print', 'size'] as const;
 const known = [
   ...singles,
   ...singles.map((name) => `${name}s`),
-  ...['symmetry', 'method', 'options', 'seed', 'name', 'drape', 'cut'],
+  ...['symmetry', 'method', 'options', 'seed', 'name', 'drape', 'cut', 'marker'],
 ];
 const mark = '{size}';
 
@@ -85,6 +88,7 @@ const fields = shape(
     ...{symmetry: symmetryField, method: oneOf(methods), options: object, seed: seedField},
     drape: flag,
     cut: cutFields,
+    marker: layFields,
   },
 );
 
@@ -114,7 +118,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
   const unsized = garments.find((garment) => sizes.length > 1 && !garment.includes(mark));
   if (unsized !== undefined) fail('garment', `a name with ${mark} in it, since there are sizes`);
   const {name = null, symmetry = 'auto', method = 'best', options = {}, seed = usualSeed} = given;
-  const {drape = false, cut = null} = given;
+  const {drape = false, cut = null, marker = null} = given;
   for (const garment of garments) {
     for (const size of sizes) {
       const file = size === null ? garment : garment.replaceAll(mark, size);
@@ -124,7 +128,7 @@ export function* jobsOf(line: string, base: URL): Generator<Job> {
           label: {name, garment: file, print, size},
           garment: garmentAddress,
           print: addressFrom(base, print).href,
-          ...{symmetry, method, options, seed, drape, cut},
+          ...{symmetry, method, options, seed, drape, cut, marker},
         };
       }
     }
@@ -155,26 +159,31 @@ export async function keyed(
 
 /** What the answer of a job depends on, as one sha256. */
 function keyOf(job: Omit<KeyedJob, 'key'>): string {
-  const {garmentSha256, printSha256, symmetry, method, options, seed, drape, cut} = job;
+  const {garmentSha256, printSha256, symmetry, method, options, seed, drape, cut, marker} = job;
   const content = sorted({
     ...{garment: garmentSha256, print: printSha256},
     ...{symmetry, method, options, seed, solver: packageVersion},
     ...(drape && {drape}), // what is not draped keeps its key
     ...(cut && {cut}),
+    ...(marker && {marker}),
   });
   return sha256Of(JSON.stringify(content));
 }
 
 const hash = text(/^[\da-f]{64}$/, 'a sha256');
-const wordOrNull: Read<string | null> = (value, at) => (value === null ? null : word(value, at));
+const orNull =
+  <T>(read: Read<T>): Read<T | null> =>
+  (value, at) =>
+    value === null ? null : read(value, at);
 const keyedFields: Read<KeyedJob> = shape({
-  label: shape({name: wordOrNull, garment: word, print: word, size: wordOrNull}),
+  label: shape({name: orNull(word), garment: word, print: word, size: orNull(word)}),
   ...{garment: word, print: word, symmetry: symmetryField, method: oneOf(methods)},
   ...{
     options: object,
     seed: seedField,
     drape: flag,
-    cut: (value: unknown, at: string) => (value === null ? null : cutFields(value, at)),
+    cut: orNull(cutFields),
+    marker: orNull(layFields),
     key: hash,
     garmentSha256: hash,
     printSha256: hash,

@@ -10,10 +10,11 @@ import {resultText, sha256Of} from '../../model/result-text.js';
 import {FileError} from '../../model/versioned-file.js';
 import {addressOf, readAddress} from '../../node/addresses.js';
 import {textOf} from '../../node/files.js';
-import {drape, solve} from '../../node/index.js';
+import {drape, layPlanText, marker, readGarment, solve} from '../../node/index.js';
 import {UsageError} from '../base/arguments.js';
 import {readCell} from '../base/cell-picture.js';
 import {cutFiles, type CutAnswer, type CutWish} from '../base/cut-files.js';
+import {laySettings, type LayWish} from '../base/lay-wish.js';
 import type {KeyedJob} from './jobs.js';
 import {failedFor, failureText, figuresOf, type Outcome} from './outcome.js';
 import {Store} from './store.js';
@@ -66,6 +67,7 @@ async function solved(job: KeyedJob): Promise<Solved> {
     const beside = {
       ...(job.drape && (await draped(job, print, result, text))),
       ...(job.cut && (await cut(job, job.cut, {garment, print, result}))),
+      ...(job.marker && (await laid(job, job.marker, {garment, print, result}))),
     };
     const figures = {metrics: figuresOf(result), sha256: sha256Of(text)};
     return {outcome: {status: 'done', ...figures, milliseconds: null}, text, beside};
@@ -111,6 +113,21 @@ async function cut(
   };
   const [pdf = ''] = await cutFiles(answer, ['pdf'], wish);
   return {'.pdf': pdf};
+}
+
+/** @throws {SolverError} for what cannot be laid */
+async function laid(
+  {label, options}: KeyedJob,
+  wish: LayWish,
+  of: {readonly garment: string; readonly print: string; readonly result: SolveResult},
+): Promise<NonNullable<Solved['beside']>> {
+  const garment = await readGarment(of.garment, label.garment);
+  const print = readPrintFile(of.print, label.print);
+  const plan = await marker([{result: of.result, garment, options}], {
+    ...laySettings(wish),
+    print,
+  });
+  return {'.layplan.json': layPlanText(plan)};
 }
 
 function refused({code, message, piece, seam}: SolverError): Solved {

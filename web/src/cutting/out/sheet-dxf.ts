@@ -25,7 +25,7 @@ import {
   type Pair,
 } from './dxf-records.js';
 
-const layers = {
+export const layers = {
   cut: 1,
   turn: 2,
   curve: 3,
@@ -117,18 +117,22 @@ function inside(piece: LaidPiece): readonly Pair[] {
     }),
     ...(stripe ? line(layers.stripe, stripe) : []),
     ...(plaid ? line(layers.plaid, plaid) : []),
-    ...matchPoints.flatMap(({at, number}) => [
-      ...[0, Math.PI / 2].flatMap((angle) =>
-        line(layers.inner, [
-          plus(at, towards(angle), -tickReach),
-          plus(at, towards(angle), tickReach),
-        ]),
-      ),
-      ...text(layers.words, at, String(number)),
-    ]),
+    ...crosses(matchPoints),
     ...drillHoles.flatMap((at) => point(layers.drill, at)),
   ];
 }
+
+/** Numbered. */
+export const crosses = (points: LaidPiece['matchPoints']): readonly Pair[] =>
+  points.flatMap(({at, number}) => [
+    ...[0, Math.PI / 2].flatMap((angle) =>
+      line(layers.inner, [
+        plus(at, towards(angle), -tickReach),
+        plus(at, towards(angle), tickReach),
+      ]),
+    ),
+    ...text(layers.words, at, String(number)),
+  ]);
 
 function words(piece: LaidPiece, name: string, {size}: CutSheet): readonly Pair[] {
   const [foot] = piece.grain;
@@ -147,7 +151,7 @@ function words(piece: LaidPiece, name: string, {size}: CutSheet): readonly Pair[
 }
 
 /** Readable, in 7 bits, and each once, however it is capitalised. */
-function namesOf(pieces: readonly LaidPiece[]): readonly string[] {
+export function namesOf(pieces: readonly Pick<LaidPiece, 'name'>[]): readonly string[] {
   const taken = new Set<string>();
   return pieces.map(({name}, k) => {
     const plain = plainText(name);
@@ -163,7 +167,7 @@ function namesOf(pieces: readonly LaidPiece[]): readonly string[] {
 }
 
 /** Of letters that every reader takes. */
-const blockName = (name: string): string => name.replace(/[^\w-]+/g, '_');
+export const blockName = (name: string): string => name.replace(/[^\w-]+/g, '_');
 
 const twoDigits = (value: number): string => String(value).padStart(2, '0');
 

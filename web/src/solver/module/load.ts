@@ -5,6 +5,7 @@
  */
 import type {ModuleLoader} from '../answers/shared-module.js';
 import type {DrapeModule} from './drape.mjs';
+import type {MarkerModule} from './marker.mjs';
 import type {ModuleSettings} from './module.js';
 import createSeamwise, {type SeamwiseModule} from './seamwise.mjs';
 
@@ -19,6 +20,13 @@ export const drape: ModuleLoader<DrapeModule> = {
   file: 'drape.wasm',
   url: new URL('./drape.wasm', import.meta.url),
   create: async (compiled) => instance((await import('./drape.mjs')).default, compiled),
+};
+
+/** Fetched, script and all, when pieces are first laid on cloth. */
+export const marker: ModuleLoader<MarkerModule> = {
+  file: 'marker.wasm',
+  url: new URL('./marker.wasm', import.meta.url),
+  create: async (compiled) => instance((await import('./marker.mjs')).default, compiled),
 };
 
 function instance<M>(

@@ -1,5 +1,6 @@
 import type {Drape, DrapeHooks} from '../../model/drape.js';
 import type {GarmentDocument} from '../../model/garment-document.js';
+import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../../model/marker.js';
 import type {ProofHooks, SolveHooks} from '../../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../../model/symmetries.js';
@@ -15,6 +16,7 @@ export type Requests = {
   readonly garment: {request: GarmentTexts; answer: GarmentDocument; hooks: object};
   readonly convert: {request: GarmentTexts; answer: string; hooks: object};
   readonly drape: {request: DrapeTexts; answer: Drape; hooks: DrapeHooks};
+  readonly marker: {request: MarkerProblem; answer: MarkerAnswer; hooks: MarkerHooks};
   /** A share of another thread's search: the order from `Solver.lend`, answered for `Solver.take`. */
   readonly share: {request: {readonly order: Float64Array}; answer: Float64Array; hooks: object};
   /** Of the module: its size, and what is in use of it. [bytes] */

@@ -2,7 +2,7 @@ import type {Failure} from '../../model/failure.js';
 import type {KindOf, RequestKinds} from '../requests/kinds.js';
 
 /** Grows with every change of the messages: a page must not talk to a worker from an old cache. */
-export const protocolVersion = '5';
+export const protocolVersion = '6';
 
 /** Starts a job. Its number is the asking thread's and is never used again. */
 export interface RequestMessage<R extends RequestKinds, K extends KindOf<R> = KindOf<R>> {

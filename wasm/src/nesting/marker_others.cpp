@@ -1,0 +1,71 @@
+// The same pieces without regard to the print, and on cloth of other widths.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "nesting/marker.h"
+#include "tuning/nesting.h"
+
+namespace seamwise {
+
+void Marker::layFree() {
+  if (!problem_.also_free || problem_.ignores_print) {
+    if (problem_.ignores_print) free_length_ = length();
+    stage_ = Stage::kWidths;
+    return;
+  }
+  if (!free_pieces_) {
+    free_pieces_ = std::make_unique<PiecesOnBoard>(problem_, true);
+    reads_ += NestingTuning::kReadsOfShapes;
+    return;
+  }
+  if (!free_search_) {
+    const double dots = free_pieces_->makeTable();
+    reads_ += NestingTuning::kReadsOfTable + NestingTuning::kReadsOfDot * dots;
+    if (dots > 0) return;
+    LayCloth cloth = clothOf(problem_.width, 0);
+    cloth.origin = {cloth.left, 0};
+    free_search_ = std::make_unique<LayoutSearch>(*free_pieces_, cloth, problem_.seed);
+  }
+  const double before = free_search_->reads();
+  bool more = free_search_->construct();
+  if (!more) more = free_search_->reads() < budget() && free_search_->improve();
+  reads_ += free_search_->reads() - before + 1;
+  if (more) return;
+  // a layout on the print is one without it
+  free_length_ = free_search_->best() ? std::min(free_search_->best()->length(), best_->length())
+                                      : best_->length();
+  stage_ = Stage::kWidths;
+}
+
+void Marker::layWidths() {
+  if (width_ == problem_.widths.size()) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  const double width = problem_.widths[width_];
+  if (!width_search_) {
+    LayCloth cloth = best_search_->cloth();
+    cloth.right = width - problem_.selvedge;
+    width_search_ = std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed);
+    // what goes onto narrower cloth goes onto this, too
+    if (width >= problem_.width) width_search_->offer(*best_);
+  }
+  const double before = width_search_->reads();
+  bool more = width_search_->construct();
+  if (!more && width_search_->best())
+    more = width_search_->reads() < NestingTuning::kWidthReads * problem_.effort &&
+           width_search_->improve();
+  reads_ += width_search_->reads() - before + 1;
+  if (more) return;
+  const auto& found = width_search_->best();
+  const bool is_same = std::abs(width - problem_.width) < 1e-9;
+  width_lengths_.push_back(is_same ? length()
+                           : found ? roundedUp(found->length())
+                                   : std::numeric_limits<double>::quiet_NaN());
+  width_search_.reset();
+  ++width_;
+}
+
+}  // namespace seamwise

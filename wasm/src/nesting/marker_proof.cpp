@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "nesting/marker.h"
+#include "tuning/nesting.h"
+
+namespace seamwise {
+namespace {
+
+/// Of the budget for proofs, what one gets that nothing is shorter than the best, and what others.
+constexpr double kProofOfBest = 0.5, kOtherProof = 0.1;
+constexpr int kMostProofs = 6;
+constexpr double kWorthProving = 0.5;  ///< cm between bound and best
+constexpr double kLessLength = 0.01;   ///< cm
+
+}  // namespace
+
+void Marker::beginProof() {
+  stage_ = Stage::kDone;
+  if (problem_.effort == 0) return;
+  const LayCloth& cloth = best_search_->cloth();
+  double tallest = 0;
+  const auto ways = allowedWays(pieces_, cloth);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int way : ways[k]) {
+      const Shape& shape = pieces_.shapeOf(pieces_.items()[k].ways[way]);
+      least = std::min(least, shape.high.y() - shape.low.y());
+    }
+    tallest = std::max(tallest, least);
+  }
+  const double area = pieces_.area() / (cloth.right - cloth.left);
+  bound_ = std::min(best_->length(), std::max({bound_, tallest, area}));
+  is_proven_ = bound() >= length() - kLessLength;
+  stage_ = is_proven_ ? Stage::kFree : Stage::kProve;
+}
+
+/// What the next proof is to be of, if one is worth its work: that nothing is shorter than the
+/// best, as long as that has not been tried in vain; then, that nothing is shorter than what lies
+/// between the bound and the best.
+bool Marker::beginNextProof() {
+  const double all = NestingTuning::kProofRows * problem_.effort;
+  const bool is_first = proofs_ == 0 || best_->length() < tried_length_ - kLessLength;
+  const bool is_worth = proofs_ < kMostProofs && best_->length() - bound_ > kWorthProving;
+  if (!is_first && !is_worth) return false;
+  is_of_best_ = is_first;
+  if (is_first) tried_length_ = best_->length();
+  const double shortest = problem_.whole_repeats && pieces_.period()
+                              ? length() - *pieces_.period()
+                              : best_->length() - kLessLength;
+  proof_target_ = is_first ? shortest : (bound_ + best_->length()) / 2;
+  proof_work_ = (is_first ? kProofOfBest : kOtherProof) * all;
+  proof_ = std::make_unique<CompleteSearch>(pieces_, best_search_->cloth(), proof_target_);
+  ++proofs_;
+  return proof_->canProve();
+}
+
+void Marker::prove() {
+  if (!proof_ && !beginNextProof()) {
+    proof_.reset();
+    stage_ = spent() < budget() && !is_searched_ ? Stage::kLay : Stage::kFree;
+    return;
+  }
+  constexpr double kStep = 1e5;
+  const double before = proof_->reads();
+  const bool more = proof_->step(kStep);
+  reads_ += NestingTuning::kReadsOfRow * (proof_->reads() - before) + 1;
+  if (more && proof_->reads() < proof_work_) return;
+  const bool is_open = more;
+  if (const auto& found = proof_->found()) {
+    for (const Variant& variant : variants_)
+      if (variant.search.get() == best_search_) variant.search->offer(*found);
+    keepBest();
+    is_searched_ = false;
+    if (is_of_best_) --proofs_;  // begins anew, below the shorter one
+  } else if (!is_open) {
+    bound_ = std::max(bound_, is_of_best_ ? best_->length() : proof_target_);
+    is_proven_ = is_of_best_;
+  }
+  proof_.reset();
+  if (is_proven_)
+    stage_ = Stage::kFree;
+  else if (is_of_best_ && is_open && spent() < budget() && !is_searched_)
+    stage_ = Stage::kLay;  // there may be something shorter
+}
+
+}  // namespace seamwise

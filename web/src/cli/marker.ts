@@ -1,0 +1,258 @@
+import {chosenNames, panelMarks} from '../model/garment-marks.js';
+import type {Point} from '../model/geometry.js';
+import type {LayPlan} from '../model/lay-plan.js';
+import {naps, type MarkerProgress} from '../model/marker.js';
+import {readable, titleOfFile} from '../model/piece-names.js';
+import type {Print} from '../model/print.js';
+import {listOf, Malformed, number, pairOf} from '../model/read.js';
+import {readText} from '../node/files.js';
+import {
+  layPlanFiles,
+  layPlanText,
+  marker as layResults,
+  type LayPlanFiles,
+  type MarkerGarment,
+  type NodeMarkerSettings,
+} from '../node/index.js';
+import {
+  choice,
+  factor,
+  lengthCm,
+  parseArguments,
+  UsageError,
+  wholeNumber,
+  type Arguments,
+} from './base/arguments.js';
+import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
+import {
+  layCounts,
+  layLengths,
+  layLimit,
+  laySettings,
+  shifts,
+  type LayWish,
+} from './base/lay-wish.js';
+import {readRaster, readTile} from './base/print-files.js';
+import {print, remark, StatusLine} from './base/terminal.js';
+import {garmentOf, optionsIn, parsed, readClothOf, readResult} from './result-file.js';
+
+type Content = string | Uint8Array;
+
+/** What can be written, by the flag that names the file. */
+const outputs: Readonly<
+  Record<string, (files: LayPlanFiles, plan: LayPlan) => Content | Promise<Content>>
+> = {
+  '--out': (_, plan) => layPlanText(plan),
+  '--svg': ({svg}) => svg(),
+  '--pdf': (files) => pages(files, 10),
+  '--plotter': (files) => pages(files, 1),
+  '--dxf': ({dxf}) => dxf(),
+};
+
+async function pages({pdf}: LayPlanFiles, scale: 10 | 1): Promise<Uint8Array> {
+  const {bytes, notes} = await pdf(scale);
+  notes.forEach(remark);
+  return bytes;
+}
+
+const flagsOf = (names: readonly string[]): string[] => names.map((name) => `--${name}`);
+
+const grammar = {
+  files: ['the result file'],
+  hasMore: true,
+  valued: [
+    ...['--print', '--garment', '--phase', '--nap', '--shift', '--flaws', '--effort'],
+    ...flagsOf(layLengths),
+    ...flagsOf(layCounts),
+    ...Object.keys(outputs),
+  ],
+  switches: ['--free', '--fold', '--json'],
+} as const;
+
+/** `marker`: the pieces of results laid on a bolt of their print. */
+export async function marker(words: readonly string[]): Promise<void> {
+  const args = parseArguments(words, grammar);
+  const [printFile, garmentFile, flawsFile] = ['--print', '--garment', '--flaws'].map((flag) =>
+    args.value(flag),
+  );
+  if (printFile === undefined) throw new UsageError('--print PRINT.json is missing.');
+  if (garmentFile !== undefined && args.files.length > 1) {
+    throw new UsageError(
+      '--garment names one garment, but there are several results; lay results that hold theirs.',
+    );
+  }
+  const settings = laySettings(wishOf(args));
+  const others = [garmentFile, flawsFile].filter((file) => file !== undefined);
+  const wanted = Object.entries(outputs).flatMap(([flag, content]) => {
+    const path = args.value(flag);
+    return path === undefined ? [] : [{flag, path, content}];
+  });
+  checkDistinct(Object.fromEntries(wanted.map(({flag, path}) => [flag, path])));
+  for (const {path} of wanted) await checkWritable(path, [...args.files, printFile, ...others]);
+
+  const flaws = flawsFile === undefined ? undefined : await readFlaws(flawsFile);
+  const laid = await Promise.all(
+    args.files.map((file) => readLaid(file, {printFile, garmentFile, isOnly: !args.files[1]})),
+  );
+  const [{cloth} = {cloth: undefined}] = laid;
+  if (!cloth) throw new UsageError('The result file is missing.');
+  const {plan, milliseconds} = await timed(
+    laid.map(({garment}) => garment),
+    {...settings, print: cloth, ...(flaws && {flaws})},
+  );
+  const files = await filesOf(plan, laid, {cloth, printFile, resultFiles: args.files});
+  for (const {path, content} of wanted) await writeWhole(path, await content(files, plan));
+  report(args, plan, milliseconds);
+}
+
+async function filesOf(
+  plan: LayPlan,
+  laid: readonly {readonly garment: MarkerGarment}[],
+  {
+    cloth,
+    printFile,
+    resultFiles,
+  }: {
+    readonly cloth: Print;
+    readonly printFile: string;
+    readonly resultFiles: readonly string[];
+  },
+): Promise<LayPlanFiles> {
+  const tile = await readTile(cloth, printFile);
+  const called = laid.map(
+    ({garment: {garment, names}}) =>
+      (piece: string): string | undefined =>
+        garment && panelMarks(garment, {...(names && {names})}).get(piece)?.label,
+  );
+  return layPlanFiles(plan, {
+    print: {...cloth, ...(tile !== undefined && {tile})},
+    results: laid.map(({garment}) => garment.result),
+    names: (result, piece) => called[result]?.(piece) ?? readable(piece),
+    title: resultFiles.map(titleOfFile).join(', '),
+    pixels: () => readRaster(cloth, printFile),
+  });
+}
+
+interface LaidFile {
+  readonly printFile: string;
+  readonly garmentFile: string | undefined;
+  readonly isOnly: boolean;
+}
+
+/** @throws {UsageError}, {FileError}, {SolverError} naming the file */
+async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile) {
+  const {result} = await readResult(file);
+  const cloth = await readClothOf(result, file, {printFile, colourway: undefined});
+  const held = await garmentOf(result, garmentFile);
+  if (!held) {
+    remark(
+      `${file} does not hold its design, so all its edges get the same allowance; name the garment with --garment FILE.`,
+    );
+  }
+  const garment: MarkerGarment = {
+    result,
+    ...(!isOnly && {name: file}),
+    ...(held && {garment: held.garment}),
+    ...{options: optionsIn(result, file), names: chosenNames(result.design)},
+  };
+  return {cloth, garment};
+}
+
+/** @throws {UsageError} */
+function wishOf(args: Arguments): LayWish {
+  const width = lengthCm(args, '--width', layLimit('width'));
+  if (width === undefined) throw new UsageError('--width CM, how wide the cloth is, is missing.');
+  const given = <K extends string>(names: readonly K[], read: (name: K) => number | undefined) =>
+    Object.fromEntries(
+      names.flatMap((name) => {
+        const value = read(name);
+        return value === undefined ? [] : [[name, value]];
+      }),
+    );
+  const place = args.value('--phase');
+  const nap = choice(args, '--nap', naps);
+  const shift = choice(args, '--shift', shifts);
+  const effort = args.value('--effort') === '0' ? 0 : factor(args, '--effort', layLimit('effort'));
+  return {
+    width,
+    ...given(layLengths, (name) => lengthCm(args, `--${name}`, layLimit(name))),
+    ...given(layCounts, (name) => wholeNumber(args, `--${name}`)),
+    ...(place !== 'any' && given(['phase'], () => lengthCm(args, '--phase', layLimit('phase')))),
+    ...(nap && {nap}),
+    ...(shift && {shift}),
+    ...(effort !== undefined && {effort}),
+    ...{free: args.has('--free'), fold: args.has('--fold')},
+  };
+}
+
+const polygons = listOf(listOf(pairOf(number(-1e6, 1e6))));
+
+/** @throws {UsageError}, {FileError} naming the file */
+async function readFlaws(file: string): Promise<readonly (readonly Point[])[]> {
+  try {
+    return polygons(parsed(await readText(file), file), 'flaws');
+  } catch (error) {
+    if (!(error instanceof Malformed)) throw error;
+    throw new UsageError(
+      `${file} is no list of flaws (${error.message}); write polygons as lists of points [x, y] in cm.`,
+    );
+  }
+}
+
+const stages: Readonly<Record<MarkerProgress['stage'], string>> = {
+  tables: 'Comparing pieces',
+  lay: 'Laying pieces',
+  prove: 'Looking for a proof',
+  free: 'Laying without the print',
+  widths: 'Laying on other widths',
+  done: 'Laid',
+};
+
+/** Shows how far it is. */
+async function timed(
+  garments: readonly MarkerGarment[],
+  settings: NodeMarkerSettings,
+): Promise<{readonly plan: LayPlan; readonly milliseconds: number}> {
+  const status = new StatusLine();
+  const started = performance.now();
+  let best = '';
+  try {
+    const plan = await layResults(garments, settings, {
+      onLayout: ({lengthCm: length}) => {
+        best = `, ${length.toFixed(1)} cm so far`;
+      },
+      onProgress: ({stage, fraction}) => {
+        status.write(`${stages[stage]}, ${Math.floor(100 * fraction)} %${best}`);
+      },
+    });
+    return {plan, milliseconds: Math.round(performance.now() - started)};
+  } finally {
+    status.clear();
+  }
+}
+
+function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
+  const {placements, unplaced, notes, ...figures} = plan;
+  if (args.has('--json')) {
+    const results = args.files;
+    const pieces = placements.length;
+    print(JSON.stringify({results, pieces, ...figures, unplaced, notes, milliseconds}));
+    return;
+  }
+  notes.forEach(remark);
+  print(line(args.files, plan));
+}
+
+const cm = (length: number): string => `${length.toFixed(1)} cm`;
+
+function line(files: readonly string[], plan: LayPlan): string {
+  const {placements, unplaced, widthCm, lengthCm, useShare, boundCm, proven} = plan;
+  const free = plan.printOrigin ? plan.freeLengthCm : null;
+  return [
+    `${files.join(', ')}: ${placements.length} pieces on ${cm(lengthCm)} of cloth ${widthCm} cm wide`,
+    `${(100 * useShare).toFixed(1)} % of it used`,
+    proven ? 'proven the shortest' : `${cm(boundCm)} at the least`,
+    ...(free === null ? [] : [`${cm(free)} without regard to the print`]),
+    ...(unplaced.length > 0 ? [`${unplaced.length} found no place`] : []),
+  ].join('; ');
+}

@@ -1,0 +1,71 @@
+/** A lay plan as SVG, a tenth of its true size. */
+import {drawnMarks} from '../../cutting/draw-sheet-svg.js';
+import {plus, type Point} from '../../model/geometry.js';
+import type {LayPlan} from '../../model/lay-plan.js';
+import {clothTile, clothUnder, type PrintWithTile} from '../../picture/cloth.js';
+import {escaped, polyline, short} from '../../picture/svg.js';
+import {printOnCloth} from './plan-pieces.js';
+import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
+import {veils} from './veils.js';
+
+const scale = 10;
+/** [cm on paper] */
+const margin = 1;
+/** A millimetre of the cloth. */
+const unit = 10;
+
+type Page = (p: Point) => Point;
+
+const closed = (loops: readonly (readonly Point[])[], page: Page): string =>
+  loops.map((loop) => `${polyline(loop.map(page))}Z`).join('');
+
+function drawnCloth(
+  plan: LayPlan,
+  print: PrintWithTile,
+  {cloth}: PlanSheet,
+  page: Page,
+): {readonly defs: string; readonly drawn: string} {
+  if (!cloth) return {defs: '', drawn: ''};
+  const onSheet: Page = (p) => page(plus(cloth.at, p));
+  const {printOrigin} = plan;
+  const {around, outside, inside} = veils(plan, cloth);
+  const ground = (fill: string, loops: readonly (readonly Point[])[], opacity = 1): string =>
+    `<path d="${closed(loops, onSheet)}" fill="${fill}" fill-opacity="${opacity}" fill-rule="evenodd"/>`;
+  return {
+    defs: printOrigin
+      ? clothTile('tile', print, unit) +
+        clothUnder('cloth', 'tile', print, printOnCloth(printOrigin), onSheet)
+      : '',
+    drawn: [
+      ...(printOrigin ? [ground('url(#cloth)', [around])] : []),
+      ground('#fff', outside.loops, outside.opacity),
+      ground('#fff', inside.loops, inside.opacity),
+      `<g fill="none" stroke-linejoin="round" stroke-linecap="round">${drawnMarks(cloth.marks, onSheet)}</g>`,
+    ].join('\n'),
+  };
+}
+
+/** @param print whose picture lies faintly below the pieces */
+export function drawPlanSvg(
+  plan: LayPlan,
+  {print, ...options}: PlanOptions & {readonly print: PrintWithTile},
+): string {
+  const [sheet] = planSheets(plan, print, options, {
+    ...{scale, isAsHighAsNeeded: true, isRoll: false, heightCm: Infinity},
+    marginCm: margin * scale,
+    widthCm: (leastWidth(plan, scale) + 2 * margin) * scale,
+  });
+  if (!sheet) throw new Error('a plan has a sheet');
+  const [width, height] = [sheet.widthCm * unit, sheet.heightCm * unit];
+  const page: Page = ([x, y]) => [unit * x, height - unit * y];
+  const {defs, drawn} = drawnCloth(plan, print, sheet, page);
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width / scale)}mm" height="${short(height / scale)}mm" viewBox="0 0 ${short(width)} ${short(height)}" font-family="'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif">`,
+    `<title>${escaped(options.title ?? '')}</title>`,
+    `<defs>${defs}</defs>`,
+    '<rect width="100%" height="100%" fill="#fff"/>',
+    drawn,
+    `<g fill="none" stroke-linecap="round">${drawnMarks(sheet.marks, page)}</g>`,
+    '</svg>\n',
+  ].join('\n');
+}

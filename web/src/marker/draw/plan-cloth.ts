@@ -1,0 +1,184 @@
+/** The cloth of a lay plan with its pieces, between two cuts across. Lengths in cm, on the cloth. */
+import type {CutMark} from '../../cutting/cut-sheet.js';
+import {plus, towards, type Point} from '../../model/geometry.js';
+import {boxOf, distanceTo, isInside, type Box} from '../../model/polyline.js';
+import {boxOfMark} from '../../paper/draw-marks.js';
+import {boxAt, cornersOf, overlap, shared} from '../../paper/boxes.js';
+import {placeIn} from '../../paper/words-on-page.js';
+import {inmost, type PlanPiece} from './plan-pieces.js';
+import {cm, lineOf, textOf, type Size} from './plan-style.js';
+
+/** What of a plan's cloth is drawn. */
+export interface DrawnCloth {
+  readonly widthCm: number;
+  readonly lengthCm: number;
+  readonly selvedgeCm: number;
+  readonly pieces: readonly PlanPiece[];
+  /** A corner of the print's repeat. */
+  readonly ring: Point | undefined;
+}
+
+/** Heights of letters, one after the other as there is room. [mm on paper] */
+const labelSizes = [3.4, 2.8, 2.3, 1.9];
+const numberSize = 1.9;
+/** Of the width of words in one font to that in another. */
+const fontRoom = 1.25;
+/** Half of a cross, and from its middle to that of its number. */
+const crossReach = 1.3;
+const numberAside = 3.1;
+const ringRadius = 1.6;
+const ringSteps = 24;
+const upright = Math.PI / 2;
+
+const cross = ([x, y]: Point, reach: number): readonly (readonly Point[])[] => [
+  [
+    [x - reach, y],
+    [x + reach, y],
+  ],
+  [
+    [x, y - reach],
+    [x, y + reach],
+  ],
+];
+
+/** Beside a cross, where the piece has most room. */
+function besideCross(at: Point, cut: readonly Point[], aside: number): Point {
+  const places = [45, -45, 135, -135].map((turn) =>
+    plus(at, towards((turn * Math.PI) / 180), aside),
+  );
+  const room = (p: Point): number => (isInside(cut, p) ? Math.min(aside, distanceTo(cut, p)) : 0);
+  return places.reduce((best, p) => (room(p) > room(best) + 1e-9 ? p : best));
+}
+
+function crossMarks(size: Size, {cut, crosses}: PlanPiece): readonly CutMark[] {
+  const numbers = crosses.map((at, k) =>
+    textOf(size, besideCross(at, cut, cm(size, numberAside)), String(k + 1), numberSize, {
+      ...{layer: 'matches', hasPlate: true},
+    }),
+  );
+  const lines = crosses
+    .flatMap((at) => cross(at, cm(size, crossReach)))
+    .map((points) => lineOf(size, points, {width: 0.3, halo: 0.5, layer: 'matches'}));
+  return [...numbers, ...lines];
+}
+
+/** Number and name where they fit within the piece and the window: large or small, level or upright; else the number. */
+function labelOf(
+  size: Size,
+  {number, name, cut, crosses}: PlanPiece,
+  window: Box,
+  others: readonly Box[],
+): readonly CutMark[] {
+  const frame = shared(boxOf(cut), window);
+  if (!overlap(frame, window)) return [];
+  const {at} = inmost(cut, crosses);
+  const isOneLine = [`${number}  ${name}`];
+  const variants = labelSizes.flatMap((mm) => [
+    {lines: [String(number), name], mm, angle: 0},
+    {lines: isOneLine, mm, angle: 0},
+    {lines: isOneLine, mm, angle: upright},
+  ]);
+  const alone = {lines: [String(number)], mm: numberSize, angle: 0};
+  for (const {lines, mm, angle} of [...variants, alone]) {
+    const label = textOf(size, at, lines, mm, {hasPlate: true, angle});
+    // letters of other fonts are wider
+    const wider = {...label, sizeMm: label.sizeMm * fontRoom};
+    const place = placeIn(frame, wider, {sewn: [cut]}, others);
+    if (place) return [{...label, at: place}];
+  }
+  // too narrow for any: over the lines
+  return isInside(cornersOf(window), at)
+    ? [textOf(size, at, [String(number)], numberSize, {hasPlate: true})]
+    : [];
+}
+
+/** What lies on the cloth from `from` to `to`: to be cut off there. */
+export function clothMarks(
+  size: Size,
+  {widthCm, lengthCm, selvedgeCm, pieces, ring}: DrawnCloth,
+  [from, to]: Point,
+): readonly CutMark[] {
+  const window = boxAt([0, from], widthCm, to - from);
+  const along = (x: number): readonly Point[] => [
+    [x, from],
+    [x, to],
+  ];
+  const shown = pieces.filter(({cut}) => overlap(boxOf(cut), window));
+  const ringMarks =
+    ring === undefined
+      ? []
+      : [
+          lineOf(
+            size,
+            Array.from({length: ringSteps}, (_, k) =>
+              plus(ring, towards((2 * Math.PI * k) / ringSteps), cm(size, ringRadius)),
+            ),
+            {width: 0.4, halo: 0.6, isClosed: true, layer: 'matches'},
+          ),
+        ];
+  return [
+    ...(selvedgeCm > 0 ? [selvedgeCm, widthCm - selvedgeCm] : []).map((x) =>
+      lineOf(size, along(x), {width: 0.2, dash: [2, 1]}),
+    ),
+    ...shown.map(({cut}) =>
+      lineOf(size, cut, {width: 0.4, halo: 0.5, isClosed: true, layer: 'cut'}),
+    ),
+    ...ringMarks,
+    ...shown.flatMap((piece) => {
+      const crosses = crossMarks(size, piece);
+      return [
+        ...crosses,
+        ...labelOf(size, piece, window, [...crosses, ...ringMarks].map(boxOfMark)),
+      ];
+    }),
+    ...[0, widthCm].map((x) => lineOf(size, along(x), {width: 0.4})),
+    ...[0, lengthCm].map((y) =>
+      lineOf(
+        size,
+        [
+          [0, y],
+          [widthCm, y],
+        ],
+        {width: 0.4},
+      ),
+    ),
+  ];
+}
+
+interface RulerStyle {
+  /** Of ticks, in the ruler's own unit; every so many are longer, and have a number. */
+  readonly step: number;
+  readonly long: number;
+  /** Of the unit. [cm] */
+  readonly unitCm: number;
+  /** On which side of the line, to the left of its direction as positive. */
+  readonly side: 1 | -1;
+  readonly hasPlate: boolean;
+}
+
+/** Ticks and numbers along an edge of the cloth. @param axis 0 across, 1 along */
+export function ruler(
+  size: Size,
+  axis: 0 | 1,
+  [from, to]: Point,
+  {step, long, unitCm, side, hasPlate}: RulerStyle,
+): readonly CutMark[] {
+  const place = (along: number, aside: number): Point =>
+    axis === 0 ? [along, -side * aside] : [-side * aside, along];
+  const first = Math.ceil(from / (step * unitCm) - 1e-9);
+  const count = Math.floor(to / (step * unitCm) + 1e-9) - first + 1;
+  return Array.from({length: Math.max(0, count)}, (_, k) => first + k).flatMap((n): CutMark[] => {
+    const at = n * step * unitCm;
+    const isLong = n % long === 0;
+    const tick = lineOf(size, [place(at, 0), place(at, cm(size, isLong ? 2.2 : 1.2))], {
+      width: isLong ? 0.25 : 0.18,
+      ...(hasPlate && {halo: 0.4}),
+    });
+    if (!isLong) return [tick];
+    const label = textOf(size, place(at, cm(size, axis === 0 ? 4 : 2.8)), String(n * step), 2.1, {
+      align: axis === 0 ? 'middle' : side > 0 ? 'right' : 'left',
+      hasPlate,
+    });
+    return [tick, label];
+  });
+}

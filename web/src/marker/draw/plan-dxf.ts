@@ -1,0 +1,43 @@
+/** A lay plan as DXF for CAD programs and cutters: a block for each piece, where it lies on the cloth. */
+import {blockName, crosses, layers, namesOf} from '../../cutting/out/sheet-dxf.js';
+import {block, dxfFile, insert, line, polyline, text} from '../../cutting/out/dxf-records.js';
+import type {Point} from '../../model/geometry.js';
+import type {LayPlan} from '../../model/lay-plan.js';
+import {namesIn, planPieces, type KnownPieces} from './plan-pieces.js';
+import {planTexts, type PlanTexts} from './plan-texts.js';
+
+export interface PlanDxfOptions extends KnownPieces {
+  readonly texts?: PlanTexts;
+}
+
+/** Of 7 bits, in millimetres; the cloth's left selvedge is at x = 0, its start at y = 0. */
+export function planDxf(plan: LayPlan, {texts = planTexts, ...known}: PlanDxfOptions = {}): string {
+  const pieces = planPieces(plan, known, namesIn(plan, known, texts.garment));
+  const names = namesOf(pieces);
+  const blocks = pieces.flatMap(({cut, grain, crosses: marked}, k) => {
+    const name = names[k] ?? '';
+    return block(blockName(name), [
+      ...text(layers.cut, grain[0], `Piece Name: ${name}`),
+      ...text(layers.cut, grain[0], 'Quantity: 1,0'),
+      ...text(layers.words, grain[0], name),
+      ...polyline(layers.cut, cut, true),
+      ...line(layers.grain, grain),
+      ...crosses(marked.map((at, n) => ({at, number: n + 1}))),
+    ]);
+  });
+  const {widthCm, lengthCm, selvedgeCm} = plan;
+  const along = (x: number): readonly [Point, Point] => [
+    [x, 0],
+    [x, lengthCm],
+  ];
+  const across = (y: number): readonly [Point, Point] => [
+    [0, y],
+    [widthCm, y],
+  ];
+  const edges = [...new Set([0, selvedgeCm, widthCm - selvedgeCm, widthCm])].map(along);
+  return dxfFile(blocks, [
+    ...text(layers.cut, [0, -2], 'Units: METRIC'),
+    ...names.flatMap((name) => insert(blockName(name))),
+    ...[...edges, across(0), across(lengthCm)].flatMap((ends) => line(layers.inner, ends)),
+  ]);
+}

@@ -1,0 +1,156 @@
+/** A lay plan as PDF: small, on pages of paper, or at true scale for a plotter. */
+import {cornersOf, boxAt} from '../../paper/boxes.js';
+import {clothUnder, type Cell} from '../../paper/cell.js';
+import {clothCell, type CellPixels} from '../../paper/cloth-cell.js';
+import {drawMarks} from '../../paper/draw-marks.js';
+import type {Paper} from '../../paper/papers.js';
+import {filledWith, line, onLayer, pointsPerCm, scoped, through} from '../../paper/pdf-content.js';
+import {PdfDocument} from '../../paper/pdf-document.js';
+import {pdfFile} from '../../paper/pdf-file.js';
+import {PdfResources} from '../../paper/pdf-resources.js';
+import {textAt} from '../../paper/pdf-text.js';
+import type {Point} from '../../model/geometry.js';
+import type {LayPlan} from '../../model/lay-plan.js';
+import type {PrintWithTile} from '../../picture/cloth.js';
+import type {SheetFormat} from './filling.js';
+import {printOnCloth} from './plan-pieces.js';
+import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-sheets.js';
+import {planTexts} from './plan-texts.js';
+import {veils} from './veils.js';
+
+export interface PlanPdfOptions extends PlanOptions {
+  /** Whose picture lies faintly below the pieces. */
+  readonly print: PrintWithTile;
+  /** 1: as wide as the cloth, for a plotter. Else small, on paper; smaller still where the cloth is too wide for it. */
+  readonly scale: 10 | 1;
+  /** Of a small plan. Default A4. */
+  readonly paper?: Paper;
+  /** Without it the same plan gives the same bytes. */
+  readonly date?: Date;
+  readonly pixels?: CellPixels;
+}
+
+export interface PlanPdf {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly pages: number;
+  /** A sentence each. */
+  readonly notes: readonly string[];
+}
+
+const a4: Paper = {name: 'A4', widthCm: 21, heightCm: 29.7};
+/** [cm on paper] */
+const margin = 1;
+const footSize = 0.26;
+const footRise = 0.5;
+/** All that readers show. [cm] */
+const longest = 500;
+
+const layerNames = {
+  ...{print: 'Print', cut: 'Cut line', marks: 'Marks', matches: 'Match points', words: 'Words'},
+};
+
+type Layers = Readonly<Record<keyof typeof layerNames | 'sew', string>>;
+
+/** Upright if the cloth fits, else on its side, else smaller. */
+function formatOn({widthCm, heightCm = longest}: Paper, plan: LayPlan, scale: number): SheetFormat {
+  const needed = leastWidth(plan, scale) + 2 * margin;
+  const [narrow, wide] = [Math.min(widthCm, heightCm), Math.max(widthCm, heightCm)];
+  const width = needed <= narrow + 1e-9 ? narrow : wide;
+  // words need so much at any scale, and what is made smaller fits at last
+  if (needed > wide && leastWidth(plan, 2 * scale) < leastWidth(plan, scale)) {
+    return formatOn({name: '', widthCm, heightCm}, plan, 2 * scale);
+  }
+  return {
+    ...{scale, isAsHighAsNeeded: false, isRoll: false, marginCm: margin * scale},
+    ...{widthCm: width * scale, heightCm: (width === narrow ? wide : narrow) * scale},
+  };
+}
+
+const roll = ({widthCm}: LayPlan): SheetFormat => ({
+  ...{scale: 1, isAsHighAsNeeded: true, isRoll: true, marginCm: 0},
+  ...{widthCm, heightCm: longest},
+});
+
+const white = filledWith([1, 1, 1]);
+
+function drawnCloth(
+  plan: LayPlan,
+  {from, to, at, marks}: NonNullable<PlanSheet['cloth']>,
+  resources: PdfResources,
+  {layers, cell}: {readonly layers: Layers; readonly cell: Cell | undefined},
+): string {
+  const window = boxAt([0, from], plan.widthCm, to - from);
+  // lines along the edges of the cloth are wide; elsewhere it is cut off
+  const [first, last] = [from > 0 ? from : -1, to < plan.lengthCm ? to : to + 1];
+  const clip = boxAt([-1, first], plan.widthCm + 2, last - first);
+  const {around, outside, inside} = veils(plan, {from, to});
+  const cloth = {
+    ...{cut: [around], place: printOnCloth([0, 0])},
+    ...(plan.printOrigin && {alignment: printOnCloth(plan.printOrigin)}),
+  };
+  const veil = (loops: readonly (readonly Point[])[], opacity: number): string =>
+    scoped(
+      `/${resources.opacity(opacity)} gs`,
+      white,
+      ...loops.map((loop) => line(loop, true)),
+      'f*',
+    );
+  return scoped(
+    through({xx: 1, xy: 0, yx: 0, yy: 1, shift: at}),
+    `${line(cornersOf(clip), true)}\nW n`,
+    scoped(
+      `${line(around, true)}\nW n`,
+      onLayer(
+        layers.print,
+        cell ? clothUnder(resources, cell, cloth, window) : '',
+        veil(outside.loops, outside.opacity),
+        veil(inside.loops, inside.opacity),
+      ),
+    ),
+    drawMarks(marks, window, layers, resources),
+  );
+}
+
+/** @throws {FileError} where the print's picture can be drawn by nobody */
+export async function planPdf(
+  plan: LayPlan,
+  {print, scale, paper = a4, date, pixels, ...options}: PlanPdfOptions,
+): Promise<PlanPdf> {
+  const notes: string[] = [];
+  const format = scale === 1 ? roll(plan) : formatOn(paper, plan, scale);
+  const sheets = planSheets(plan, print, options, format);
+  const document = new PdfDocument();
+  const resources = new PdfResources(document);
+  const layer = (name: keyof typeof layerNames): string => resources.layer(layerNames[name]);
+  const layers: Layers = {
+    ...{print: layer('print'), cut: layer('cut'), marks: layer('marks')},
+    ...{matches: layer('matches'), words: layer('words'), sew: ''},
+  };
+  const cell = plan.printOrigin
+    ? await clothCell(resources, print, pixels, (sentence) => notes.push(sentence))
+    : undefined;
+  const {texts = planTexts} = options.words;
+  const toPoints = pointsPerCm / format.scale;
+  const pages = sheets.map(({widthCm, heightCm, marks, cloth}, k) => {
+    const foot = textAt(
+      [widthCm - format.marginCm, footRise * format.scale],
+      texts.page(k + 1, sheets.length),
+      {size: footSize * format.scale, align: 'right'},
+    );
+    return {
+      ...{widthCm: widthCm / format.scale, heightCm: heightCm / format.scale, label: String(k + 1)},
+      content: () =>
+        scoped(
+          through({xx: toPoints, xy: 0, yx: 0, yy: toPoints, shift: [0, 0]}),
+          cloth ? drawnCloth(plan, cloth, resources, {layers, cell}) : '',
+          drawMarks(marks, boxAt([0, 0], widthCm, heightCm), layers, resources),
+          format.isRoll || sheets.length === 1 ? '' : onLayer(layers.words, foot),
+        ),
+    };
+  });
+  const bytes = await pdfFile(document, resources, pages, {
+    ...{title: options.title ?? texts.title(format.scale), mode: 'UseNone'},
+    ...(date && {date}),
+  });
+  return {bytes, pages: sheets.length, notes};
+}

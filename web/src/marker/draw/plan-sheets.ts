@@ -1,0 +1,173 @@
+/**
+ * A lay plan on sheets: figures above, the cloth with its pieces and rulers, tables below; neither SVG nor PDF, which are
+ * drawn from it. Lengths in cm at the scale of the cloth, y up, from a sheet's lower left corner.
+ */
+import type {CutMark} from '../../cutting/cut-sheet.js';
+import {nameLines} from '../../layout/name-lines.js';
+import type {Point} from '../../model/geometry.js';
+import type {LayPlan} from '../../model/lay-plan.js';
+import type {Print} from '../../model/print.js';
+import {Filling, moved, type PlanSheet, type SheetFormat} from './filling.js';
+import {clothMarks, ruler, type DrawnCloth} from './plan-cloth.js';
+import {namesIn, planPieces, repeatCorner, type KnownPieces} from './plan-pieces.js';
+import {cm, textOf, type Size} from './plan-style.js';
+import {crossesTable, otherwiseTables, rowMarks, type Row, type Table} from './plan-tables.js';
+import {
+  factsOf,
+  figuresOf,
+  planWords,
+  type Figure,
+  type PlanWords,
+  type PlanWordsOptions,
+} from './plan-words.js';
+
+export interface PlanOptions extends KnownPieces {
+  readonly words: PlanWordsOptions;
+  /** Of the garment. */
+  readonly title?: string;
+}
+
+export type {PlanSheet} from './filling.js';
+
+/** What is above a length by less is rounding. [cm] */
+const rounding = 1e-9;
+/** All in mm on paper. */
+const tableWidth = 188;
+const rulerRoom = 9;
+const belowCloth = 11;
+const aboveCloth = 4;
+const gapBetween = 5;
+const headingHeight = 10;
+const figureHeight = 17;
+const factHeight = 4.4;
+const factSize = 2.6;
+const leastCloth = 40;
+
+const heightOf = (rows: readonly Row[]): number => rows.reduce((sum, row) => sum + row.height, 0);
+
+/** A figure in a column of its own. */
+const figureMarks = (size: Size, {caption, value, note}: Figure, [x, y]: Point): CutMark[] => [
+  textOf(size, [x, y - cm(size, 2)], caption, 2.5, {align: 'left'}),
+  textOf(size, [x, y - cm(size, 7.2)], value, 5.2, {align: 'left', weight: 'bold'}),
+  textOf(size, [x, y - cm(size, 12)], note, 2.3, {align: 'left'}),
+];
+
+function addHeading(
+  filling: Filling,
+  heading: string,
+  figures: readonly Figure[],
+  facts: readonly string[],
+): void {
+  const {size} = filling;
+  filling.add(cm(size, headingHeight), ([x, y]) => [
+    textOf(size, [x, y - cm(size, 3.5)], heading, 6, {align: 'left', weight: 'bold'}),
+  ]);
+  filling.add(cm(size, figureHeight), ([x, y]) =>
+    figures.flatMap((figure, k) =>
+      figureMarks(size, figure, [x + cm(size, (k * tableWidth) / 4), y]),
+    ),
+  );
+  for (const line of facts.flatMap((fact) => nameLines(fact, tableWidth, factSize))) {
+    filling.add(cm(size, factHeight), ([x, y]) => [
+      textOf(size, [x, y - cm(size, factHeight / 2)], line, factSize, {align: 'left'}),
+    ]);
+  }
+}
+
+function addTable(filling: Filling, {head, rows}: Table): void {
+  const {size} = filling;
+  const put = (row: Row): void => {
+    filling.add(cm(size, row.height), (at) => rowMarks(size, row, at, tableWidth));
+  };
+  const space = cm(size, gapBetween);
+  // a head has two rows below it at least
+  const needed = space + cm(size, heightOf([...head, ...rows.slice(0, 2)]));
+  if (needed > filling.left) filling.turn();
+  else if (!filling.isFresh) filling.add(space);
+  head.forEach(put);
+  for (const row of rows) {
+    if (cm(size, row.height) > filling.left) {
+      filling.turn();
+      head.forEach(put);
+    }
+    put(row);
+  }
+}
+
+/** Of centimetres, or of inches. */
+const rulerSteps = {cm: {step: 5, long: 2, unitCm: 1}, inch: {step: 1, long: 6, unitCm: 2.54}};
+const fineSteps = {cm: {step: 1, long: 10, unitCm: 1}, inch: {step: 1, long: 6, unitCm: 2.54}};
+
+function addCloth(
+  filling: Filling,
+  cloth: DrawnCloth,
+  isRoll: boolean,
+  {texts, units}: PlanWords,
+): void {
+  const {size} = filling;
+  const {widthCm, lengthCm} = cloth;
+  const steps = (isRoll ? fineSteps : rulerSteps)[units];
+  const [beside, below] = isRoll ? [0, 0] : [cm(size, rulerRoom), cm(size, belowCloth)];
+  filling.add(cm(size, aboveCloth));
+  for (let from = 0; from < lengthCm - rounding;) {
+    const rest = lengthCm - from;
+    if (filling.left - below < Math.min(rest, cm(size, leastCloth))) filling.turn();
+    const to = from + Math.min(rest, filling.left - below);
+    const marks = clothMarks(size, cloth, [from, to]);
+    if (isRoll) {
+      const along = ruler(size, 1, [from, to], {...steps, side: -1, hasPlate: true});
+      filling.addCloth([from, to], [0, 0], [...marks, ...along], []);
+    } else {
+      const style = {...steps, side: 1, hasPlate: false} as const;
+      filling.addCloth([from, to], [beside, below], marks, [
+        ...ruler(size, 1, [from, to], style),
+        ...moved(ruler(size, 0, [0, widthCm], style), [0, from]),
+        ...(from === 0 ? [textOf(size, [widthCm / 2, -cm(size, 8)], texts.start, 2.3)] : []),
+      ]);
+    }
+    from = to;
+  }
+}
+
+export function planSheets(
+  plan: LayPlan,
+  print: Print,
+  options: PlanOptions,
+  format: SheetFormat,
+): readonly PlanSheet[] {
+  const words = planWords(options.words);
+  const {texts} = words;
+  const nameOf = namesIn(plan, options, texts.garment);
+  const pieces = planPieces(plan, options, nameOf);
+  const ring = repeatCorner(plan);
+  const filling = new Filling(format);
+  const heading = [options.title, texts.title(format.scale)]
+    .filter((one) => one !== undefined)
+    .join(': ');
+  const printName = print.title ?? `Print ${print.group}`;
+  const facts = factsOf(plan, words, {printName, ring, nameOf});
+  const {widthCm, lengthCm, selvedgeCm} = plan;
+  const tables = [
+    ...(plan.printOrigin ? [crossesTable(pieces, words)] : []),
+    ...otherwiseTables(plan, words),
+  ];
+  const {isRoll} = format;
+  const steps = [
+    () => {
+      addCloth(filling, {widthCm, lengthCm, selvedgeCm, pieces, ring}, isRoll, words);
+    },
+    () => {
+      for (const table of tables) addTable(filling, table);
+    },
+  ];
+  if (isRoll) filling.add(cm(filling.size, aboveCloth));
+  addHeading(filling, heading, figuresOf(plan, words), facts);
+  // what is rolled off first says what follows
+  for (const step of isRoll ? steps.toReversed() : steps) step();
+  filling.turn();
+  return filling.done;
+}
+
+/** Of a sheet at 1 : scale that holds all of a plan side by side. [cm on paper, without margins] */
+export const leastWidth = ({widthCm}: LayPlan, scale: number): number =>
+  Math.max(tableWidth / 10, widthCm / scale + rulerRoom / 10 + 0.2);

@@ -1,0 +1,118 @@
+/** Figures of a lay plan as people read them. */
+import type {Point} from '../../model/geometry.js';
+import type {LayPlan} from '../../model/lay-plan.js';
+import {fractionOrNumber, formatLength, type Units} from '../../model/units.js';
+import {planTexts, type PlanTexts} from './plan-texts.js';
+
+export interface PlanWordsOptions {
+  readonly units: Units;
+  /** How numbers are written. Default 'en'. */
+  readonly locale?: string;
+  /** In another language. Default English. */
+  readonly texts?: PlanTexts;
+}
+
+export interface PlanWords {
+  readonly texts: PlanTexts;
+  readonly units: Units;
+  /** "12.3 cm", "4 7/8 in" */
+  readonly length: (cm: number) => string;
+  /** For tables, without the unit: to a tenth of a millimetre, or a hundredth of an inch. */
+  readonly place: (cm: number) => string;
+  /** For tables, without the unit: to a millimetre, or a hundredth of an inch. */
+  readonly short: (cm: number) => string;
+  readonly unit: string;
+  readonly share: (share: number) => string;
+  /** Of cloth, rounded up to what shops cut; and to what that is. */
+  readonly bought: (cm: number) => {readonly length: string; readonly step: string};
+}
+
+const cmPerInch = 2.54;
+/** Shops cut to this. [cm] */
+const shopStep = 5;
+/** The same in yards, of which there are so many to a yard. */
+const yardParts = 8;
+const cmPerYard = 36 * cmPerInch;
+/** What is above a step by less is on it: lengths are sums. */
+const rounding = 1e-6;
+
+/** A length of cloth that is no shorter, in whole steps. */
+const roundedUp = (cm: number, step: number): number => Math.ceil(cm / step - rounding);
+
+export function planWords({units, locale = 'en', texts = planTexts}: PlanWordsOptions): PlanWords {
+  const length = (cm: number): string => formatLength(cm, units, locale);
+  const number = (value: number, least: number, most = least): string =>
+    value.toLocaleString(locale, {minimumFractionDigits: least, maximumFractionDigits: most});
+  const own = units === 'inch' ? cmPerInch : 1;
+  return {
+    ...{texts, units, length},
+    unit: units === 'inch' ? 'in' : 'cm',
+    place: (cm) => number(cm / own, 2),
+    short: (cm) => number(cm / own, 0, units === 'inch' ? 2 : 1),
+    share: (share) => texts.share(number(100 * share, 1)),
+    bought: (cm) =>
+      units === 'inch'
+        ? {
+            length: `${fractionOrNumber(roundedUp(cm, cmPerYard / yardParts) / yardParts, 3)} yd`,
+            step: `1/${yardParts} yd`,
+          }
+        : {
+            length: `${number((roundedUp(cm, shopStep) * shopStep) / 100, 2)} m`,
+            step: `${shopStep} cm`,
+          },
+  };
+}
+
+/** A figure with what it is called above, and what is to be known of it below. */
+export interface Figure {
+  readonly caption: string;
+  readonly value: string;
+  readonly note: string;
+}
+
+export function figuresOf(
+  {lengthCm, boundCm, proven, useShare, widthCm, freeLengthCm, printOrigin}: LayPlan,
+  {texts, length, share, bought}: PlanWords,
+): readonly Figure[] {
+  const cloth = bought(lengthCm);
+  return [
+    {
+      caption: texts.length,
+      value: length(lengthCm),
+      note: proven ? texts.proven : texts.atBest(length(boundCm)),
+    },
+    {caption: texts.buy, value: cloth.length, note: texts.roundedUp(cloth.step)},
+    {caption: texts.use, value: share(useShare), note: texts.ofWidth(length(widthCm))},
+    ...(printOrigin && freeLengthCm !== null
+      ? [
+          {
+            caption: texts.cost,
+            value: length(lengthCm - freeLengthCm),
+            note: texts.without(length(freeLengthCm)),
+          },
+        ]
+      : []),
+  ];
+}
+
+/** A sentence each. @param ring a corner of the print's repeat; none where the print does not matter */
+export function factsOf(
+  {widthCm, selvedgeCm, gapCm, allowanceCm, unplaced, notes}: LayPlan,
+  {texts, length}: PlanWords,
+  {
+    printName,
+    ring,
+    nameOf,
+  }: {
+    readonly printName: string;
+    readonly ring: Point | undefined;
+    readonly nameOf: (piece: LayPlan['unplaced'][number]) => string;
+  },
+): readonly string[] {
+  return [
+    texts.cloth(length(widthCm), length(selvedgeCm), length(gapCm), length(allowanceCm)),
+    ring ? texts.print(printName, length(ring[0]), length(ring[1])) : texts.plain,
+    ...(unplaced.length > 0 ? [texts.unplaced(unplaced.map(nameOf).join(', '))] : []),
+    ...notes,
+  ];
+}

@@ -1,0 +1,30 @@
+/** White over the print of a lay plan, so that pieces and words stand out. Lengths in cm, on the cloth. */
+import type {Point} from '../../model/geometry.js';
+import type {LayPlan} from '../../model/lay-plan.js';
+import {boxAt, cornersOf} from '../../paper/boxes.js';
+
+/** Closed lines, filled by the even-odd rule. */
+interface Veil {
+  readonly loops: readonly (readonly Point[])[];
+  readonly opacity: number;
+}
+
+export interface Veils {
+  /** The cloth. */
+  readonly around: readonly Point[];
+  readonly outside: Veil;
+  readonly inside: Veil;
+}
+
+export function veils(
+  {widthCm, placements}: LayPlan,
+  {from, to}: {readonly from: number; readonly to: number},
+): Veils {
+  const around = cornersOf(boxAt([0, from], widthCm, to - from));
+  const pieces = placements.map(({cut}) => cut);
+  return {
+    around,
+    outside: {loops: [around, ...pieces], opacity: 0.72},
+    inside: {loops: pieces, opacity: 0.3},
+  };
+}

@@ -1,0 +1,43 @@
+/** The line along which a piece is cut, as it is laid. Lengths in cm. */
+import {cross, minus, type Point} from '../model/geometry.js';
+import {boxOf, signedArea} from '../model/polyline.js';
+
+/** The outer one of a piece's cut lines, counter-clockwise; undefined where there is none. */
+export function outerRing(cut: readonly (readonly Point[])[]): readonly Point[] | undefined {
+  const [largest] = [...cut].sort(
+    (one, other) => Math.abs(signedArea(other)) - Math.abs(signedArea(one)),
+  );
+  if (!largest || largest.length < 3) return undefined;
+  return signedArea(largest) < 0 ? [...largest].reverse() : largest;
+}
+
+/** A step of a line, with the least and the greatest x and y on it. */
+interface Step {
+  readonly from: Point;
+  readonly to: Point;
+  readonly low: Point;
+  readonly high: Point;
+}
+
+const stepOf = (from: Point, to: Point): Step => ({from, to, ...boxOf([from, to])});
+
+const isApart = (one: Step, other: Step): boolean =>
+  one.high[0] < other.low[0] ||
+  other.high[0] < one.low[0] ||
+  one.high[1] < other.low[1] ||
+  other.high[1] < one.low[1];
+
+/** Whether two steps pass through each other; to touch is no crossing. */
+function passThrough({from: a, to: b}: Step, {from: c, to: d}: Step): boolean {
+  const side = (p: Point, q: Point, r: Point): number => cross(minus(q, p), minus(r, p));
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+/** Where a closed line crosses itself: the start of the first step that does. */
+export function selfCrossing(ring: readonly Point[]): Point | undefined {
+  const steps = ring.map((from, k) => stepOf(from, ring[(k + 1) % ring.length] ?? from));
+  // most pairs are far apart, and there are many
+  const crosses = (step: Step, k: number): boolean =>
+    steps.some((other, n) => n > k + 1 && !isApart(step, other) && passThrough(step, other));
+  return steps.find(crosses)?.from;
+}

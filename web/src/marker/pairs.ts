@@ -1,0 +1,122 @@
+/** Pieces that are cut at once from both plies of folded cloth: each with its mirror image. Lengths in cm, angles in radians. */
+import {SolverError} from '../model/failure.js';
+import type {MirrorMap, Point} from '../model/geometry.js';
+import {inverse, mirrors} from '../model/mirror-images.js';
+import type {LaidTurns, MarkerPiece} from '../model/marker.js';
+import {distanceTo} from '../model/polyline.js';
+import type {SolveResult} from '../model/result.js';
+import {mirrorImage} from '../scene/marks.js';
+import type {MarkerOrder} from './problem.js';
+
+/** Two pieces by their numbers in a problem, and how the first mirrors onto the second. */
+export interface CutPair {
+  readonly first: number;
+  readonly second: number;
+  readonly map: MirrorMap;
+}
+
+/** Cut lines of mirror images lie this near to each other. */
+const sameLine = 0.02;
+
+const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
+
+/** What each piece of a result mirrors onto, by name; a piece may mirror onto itself. */
+function twinsIn({
+  pieces,
+  symmetries,
+}: SolveResult): ReadonlyMap<string, {readonly name: string; readonly map: MirrorMap}> {
+  const nameOf = (k: number): string => pieces[k]?.name ?? '';
+  return new Map(
+    symmetries.flatMap((symmetry) => {
+      const {map} = symmetry;
+      if (symmetry.kind === 'piece') {
+        const name = nameOf(symmetry.piece);
+        return [[name, {name, map}] as const];
+      }
+      const [one, other] = [nameOf(symmetry.pieces[0]), nameOf(symmetry.pieces[1])];
+      return [[one, {name: other, map}] as const, [other, {name: one, map: inverse(map)}] as const];
+    }),
+  );
+}
+
+const liesOn = (line: readonly Point[], other: readonly Point[]): boolean =>
+  line.every((p) => distanceTo(other, p) < sameLine);
+
+/** By how much a turn may be off. [rad] */
+const sameTurn = 1e-6;
+
+const rightTurns: Readonly<Record<LaidTurns, number>> = {
+  ...{half: Math.PI, quarter: Math.PI / 2, any: 0},
+};
+
+/** Whether the second piece lies on the print by a turn that it may have, wherever the first one does. */
+function keepsGrain(one: MarkerPiece, other: MarkerPiece, map: MirrorMap): boolean {
+  const step = rightTurns[other.turns];
+  const turn = one.alignment.angle + other.alignment.angle - map.angle;
+  return step === 0 || Math.abs(turn - step * Math.round(turn / step)) < sameTurn;
+}
+
+/** @throws {SolverError} where one is not the mirror image of the other, as it is cut or in its print */
+function checkMirrored({problem}: MarkerOrder, {first, second, map}: CutPair): void {
+  const [one, other] = [problem.pieces[first], problem.pieces[second]];
+  if (!one || !other) return;
+  const image = one.outline.map((p) => mirrorImage(map, p));
+  const named = one.name === other.name ? `'${one.name}'` : `'${one.name}' and '${other.name}'`;
+  if (!liesOn(image, other.outline) || !liesOn(other.outline, image)) {
+    throw wrong(
+      `${named} are not cut as mirror images, so the plies of folded cloth cannot be cut at once; lay them on single cloth.`,
+    );
+  }
+  const {print, ignoresPrint} = problem;
+  if (!ignoresPrint && !mirrors(print, map, one.alignment, other.alignment)) {
+    throw wrong(
+      `${named} do not show each other's mirror image of the print, as the plies of folded cloth do; lay them on single cloth.`,
+    );
+  }
+  if (!keepsGrain(one, other, map)) {
+    throw wrong(
+      `On the lower ply of folded cloth, the mirror image of '${one.name}' would lie off its grain; lay it on single cloth, or solve it on grain.`,
+    );
+  }
+}
+
+/**
+ * All pieces of a problem, two by two.
+ * @throws {SolverError} naming a piece that has no mirror image to be cut with
+ */
+export function cutPairs(order: MarkerOrder, results: readonly SolveResult[]): readonly CutPair[] {
+  const numbersOf = (result: number, name: string): number[] =>
+    order.pieces.flatMap((one, k) => (one.result === result && one.piece === name ? [k] : []));
+  const pairs = results.flatMap((solved, result) => {
+    const twins = twinsIn(solved);
+    const done = new Set<string>();
+    return [
+      ...new Set(order.pieces.flatMap((one) => (one.result === result ? one.piece : []))),
+    ].flatMap((name): CutPair[] => {
+      if (done.has(name)) return [];
+      const twin = twins.get(name);
+      const [all, others] = [numbersOf(result, name), numbersOf(result, twin?.name ?? '')];
+      if (!twin || others.length !== all.length) {
+        throw wrong(
+          `Piece '${name}' has no mirror image, which the lower ply of folded cloth would be; lay it on single cloth.`,
+        );
+      }
+      done.add(twin.name);
+      const {map} = twin;
+      if (twin.name !== name) {
+        return all.map((first, k) => ({first, second: others[k] ?? first, map}));
+      }
+      if (all.length % 2 !== 0) {
+        throw wrong(
+          `Piece '${name}' is its own mirror image, and both plies of folded cloth are cut at once; lay an even number of copies, or single cloth.`,
+        );
+      }
+      return all.flatMap((first, k) => {
+        const second = all[k + 1];
+        return k % 2 === 0 && second !== undefined ? [{first, second, map}] : [];
+      });
+    });
+  });
+  for (const pair of pairs) checkMirrored(order, pair);
+  return pairs;
+}

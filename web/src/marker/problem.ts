@@ -1,0 +1,148 @@
+/** Solved garments as one problem: which pieces lie on which cloth, and how. Lengths in cm. */
+import {SolverError} from '../model/failure.js';
+import {distance, norm, rotated} from '../model/geometry.js';
+import type {MarkerProblem} from '../model/marker.js';
+import type {Print} from '../model/print.js';
+import type {Repeat} from '../model/wallpaper.js';
+import {laidPieces, type MarkerGarment, type PieceOfMarker} from './pieces.js';
+import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from './repeats.js';
+import {checkedSettings, type MarkerSettings} from './settings.js';
+
+/** A problem with what it takes to read its answer. */
+export interface MarkerOrder {
+  readonly problem: MarkerProblem;
+  /** Of each piece of the problem, which it is. */
+  readonly pieces: readonly PieceOfMarker[];
+  readonly allowanceCm: number;
+  /** What people should know, one sentence each. */
+  readonly notes: readonly string[];
+}
+
+const usualAllowance = 1;
+const usualHem = 3;
+
+/** As many as anybody cuts at once, and waits for. */
+const mostPieces = 500;
+/** How many places across the cloth are tried for the print's origin where nobody says it. */
+const phaseCount = 8;
+/** By which repeats of two results differ that are the same, as a share. */
+const sameRepeat = 1e-5;
+
+const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
+
+const calledBy = ({name}: MarkerGarment, k: number): string => name ?? `result ${k + 1}`;
+
+/** The print of all. @throws {SolverError} where results have several */
+function commonPrint(garments: readonly MarkerGarment[]): Repeat {
+  const [first, ...others] = garments;
+  if (!first) throw wrong('There is no result to lay; name at least one.');
+  const {print} = first.result;
+  const isSame = (other: Repeat): boolean =>
+    other.group === print.group &&
+    (['w1', 'w2'] as const).every(
+      (w) => distance(other[w], print[w]) < sameRepeat * norm(print[w]),
+    );
+  const k = others.findIndex(({result}) => !isSame(result.print));
+  const [differs] = others.slice(k);
+  if (k >= 0 && differs) {
+    throw wrong(
+      `${calledBy(differs, k + 1)} was solved for another group or repeat than ${calledBy(first, 0)}; lay results of one print together.`,
+    );
+  }
+  return {group: print.group, w1: print.w1, w2: print.w2};
+}
+
+/** Where a pile or a print has an upside, pieces that stand on their heads have to be turned by a half turn of the print. */
+function checkUpright({print, pieces, nap, ignoresPrint}: MarkerProblem): void {
+  if (nap !== 'one-way' || ignoresPrint || hasHalfTurn(print)) return;
+  const down = pieces.find(({alignment, up}) => rotated(up, -alignment.angle)[1] < 0);
+  if (!down) return;
+  throw wrong(
+    `Piece '${down.name}' was solved upside down, and ${print.group} has no half turn to put it right; solve it again with a print that is one-way, or leave the nap out.`,
+  );
+}
+
+function notesOf(
+  garments: readonly MarkerGarment[],
+  {plies = 1, startCm, flaws = []}: MarkerSettings,
+  repeat: number | undefined,
+): readonly string[] {
+  const plain = garments.flatMap(({result, options}) =>
+    result.pieces.flatMap(({name}) => (options?.plain?.includes(name) ? [name] : [])),
+  );
+  const names = [...new Set(plain)].join(', ');
+  return [
+    ...(plain.length > 0 ? [`Pieces of plain cloth are not laid on the print: ${names}.`] : []),
+    ...(plies > 1 && repeat === undefined
+      ? [
+          'This print never comes again along the cloth, so no length makes all plies start alike: lay them one by one.',
+        ]
+      : []),
+    ...(plies > 1 && repeat !== undefined
+      ? [
+          `Each of the ${plies} plies is a whole number of repeats long, of ${repeat.toFixed(2)} cm, so that all start alike.`,
+        ]
+      : []),
+    ...(flaws.length > 0 && startCm === undefined
+      ? [
+          'Flaws are counted from the cut, where the print is taken to start; say how far from it the print starts if it does not.',
+        ]
+      : []),
+  ];
+}
+
+/**
+ * @param print what is known of it besides its repeat
+ * @throws {SolverError} for settings, garments and pieces that cannot be laid, naming which and what to do
+ */
+export function markerOrder(
+  garments: readonly MarkerGarment[],
+  asked: MarkerSettings,
+  {oneWay = false}: Pick<Print, 'oneWay'> = {},
+): MarkerOrder {
+  const settings = checkedSettings(asked);
+  const {allowanceCm = usualAllowance, hemCm = asked.allowanceCm ?? usualHem} = settings;
+  const {copies, phaseCm, plies, ignoresPrint, flaws, nap = oneWay ? 'one-way' : 'none'} = settings;
+  const print = commonPrint(garments);
+  const startCm = settings.startCm ?? (flaws.length > 0 ? 0 : undefined);
+  const repeat = warpRepeat(print);
+  const shifts = settings.shift === 'component' && !ignoresPrint ? equalShifts(print) : [];
+  const laid = garments.flatMap((garment, k) => {
+    const pieces = laidPieces(garment, k, {allowanceCm, hemCm, nap, shifts});
+    return Array.from({length: copies}, (_, copy) =>
+      pieces.map((piece) => ({...piece, copy, garment: k * copies + copy})),
+    ).flat();
+  });
+  if (laid.length === 0) throw wrong('All pieces are of plain cloth; there is nothing to lay.');
+  if (laid.length > mostPieces) {
+    throw wrong(
+      `There are ${laid.length} pieces, but at most ${mostPieces} are laid at once; lay fewer garments.`,
+    );
+  }
+  const problem: MarkerProblem = {
+    print,
+    pieces: laid.map(({asked: piece, garment}) => ({...piece, garment})),
+    ...{widthCm: settings.widthCm, selvedgeCm: settings.selvedgeCm, gapCm: settings.gapCm},
+    ...{repeatTolerance: settings.repeatTolerance, nap, ignoresPrint, flaws},
+    wholeRepeats: plies > 1 && repeat !== undefined && !ignoresPrint,
+    phasesCm: ignoresPrint ? [0] : phasesOf(phaseCm, acrossRepeat(print, startCm !== undefined)),
+    ...(startCm !== undefined && {startCm}),
+    ...{widthsCm: settings.widthsCm, alsoFree: !ignoresPrint},
+    ...{effort: settings.effort, seed: settings.seed},
+  };
+  checkUpright(problem);
+  return {
+    problem,
+    pieces: laid.map(({result, copy, piece, nth}) => ({
+      ...{result, copy, piece},
+      ...(nth !== undefined && {nth}),
+    })),
+    allowanceCm,
+    notes: notesOf(garments, settings, repeat),
+  };
+}
+
+const phasesOf = (phase: number | undefined, repeat: number): readonly number[] =>
+  phase === undefined
+    ? Array.from({length: phaseCount}, (_, k) => (k * repeat) / phaseCount)
+    : [phase];
