@@ -49,10 +49,10 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   remedies: ['model', 'scene'],
   viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
   texts: ['model', 'scene'],
-  workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'remedies', 'texts'],
+  workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'marker', 'remedies', 'texts'],
   editor: [
-    ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'remedies'],
-    ...['picture', 'paper', 'viewer', 'texts', 'workbench', 'pairing'],
+    ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'marker'],
+    ...['remedies', 'picture', 'paper', 'viewer', 'texts', 'workbench', 'pairing'],
   ],
   element: ['model', 'solver', 'recognition', 'paper', 'texts', 'workbench', 'editor'],
   app: ['model', 'recognition', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],

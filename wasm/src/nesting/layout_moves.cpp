@@ -141,6 +141,7 @@ void LayoutSearch::descend(const std::vector<Other>& others, const Domain& domai
 }
 
 LayoutSearch::Found LayoutSearch::leastOverlap(int item) {
+  if (pieces_.items()[item].is_pinned) return {places_[item], 0};
   Found best{{}, std::numeric_limits<float>::infinity()};
   const int stride = pieces_.stride();
   int ties = 0;

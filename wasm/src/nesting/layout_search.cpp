@@ -191,7 +191,7 @@ void LayoutSearch::restart() {
   std::vector<int> taken;
   for (int k = 0; k < few; ++k) {
     const int item = random_.below(count_);
-    if (places_[item].way < 0) continue;
+    if (places_[item].way < 0 || pieces_.items()[item].is_pinned) continue;
     place(item, {});
     taken.push_back(item);
   }

@@ -107,10 +107,10 @@ int PiecesOnBoard::addShape(const Polyline& outline, const Mat2& turn) {
 
 int PiecesOnBoard::addPlaced(int shape, const Vec2& offset, bool is_pinned) {
   const auto known = std::find_if(placed_.begin(), placed_.end(), [&](const PlacedShape& one) {
-    return one.shape == shape && one.is_pinned == is_pinned && (one.offset - offset).norm() < 1e-6;
+    return !one.is_pinned && one.shape == shape && (one.offset - offset).norm() < 1e-6;
   });
   if (known != placed_.end()) return static_cast<int>(known - placed_.begin());
-  placed_.push_back({shape, offset, is_pinned});
+  placed_.push_back({shape, offset, false});
   return static_cast<int>(placed_.size()) - 1;
 }
 
@@ -155,7 +155,8 @@ void PiecesOnBoard::addPin(const NestingPiece& piece, const NestingProblem& prob
   way.angle = piece.pin->angle;
   way.is_up = (way.linear * piece.up).y() > -1e-6;
   way.offset = piece.pin->shift - Vec2(problem.phases.front(), problem.start.value_or(0));
-  way.placed = addPlaced(addShape(piece.outline, way.linear), rounded(way.offset), true);
+  way.placed = static_cast<int>(placed_.size());
+  placed_.push_back({addShape(piece.outline, way.linear), rounded(way.offset), true});
   item->ways.push_back(way);
   item->is_pinned = true;
 }
@@ -193,7 +194,8 @@ Domain PiecesOnBoard::domain(int placed, const Window& window, const Vec2& origi
   Domain domain;
   if (right < left || top < bottom) return domain;
   if (placed_[placed].is_pinned) {
-    if (left <= 0 && right >= 0 && bottom <= 0 && top >= 0) domain.runs.push_back({0, 0});
+    const bool is_in = left <= 0 && right >= 0 && bottom <= 0 && top >= 0;
+    if (is_in) domain.runs.push_back({0, 0});
     return domain;
   }
   const Vec2 &along = board_.along, &up = board_.up;

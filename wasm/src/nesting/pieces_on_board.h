@@ -29,7 +29,7 @@ struct Domain {
 struct PlacedShape {
   int shape = 0;
   Vec2 offset = Vec2::Zero();  ///< cm, from the origin of the print
-  bool is_pinned = false;      ///< its dot (0, 0) is the only one
+  bool is_pinned = false;      ///< lies at no other dot, and is no other piece's
 };
 
 /// One of the turns of the print by which a piece may be laid: p -> linear p + offset + dot.

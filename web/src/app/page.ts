@@ -14,6 +14,7 @@ import {
   type PatternPane,
   type Samples,
   type WornPane,
+  type ClothPane,
 } from '../editor/index.js';
 import {chooseFile, takeFiles} from './files.js';
 import {keepHints, type Hint} from './introduction/kept.js';
@@ -51,7 +52,8 @@ export class SeamwisePage extends WorkbenchElement {
   }
 
   readonly #shownEditor = (): Editor | null => this.#editor;
-  readonly #shownWorn = (): WornPane | undefined => this.#editor?.worn;
+  readonly #shownView = (): WornPane | ClothPane | undefined =>
+    this.#editor?.worn ?? this.#editor?.cloth;
 
   /** What has a key of its own beside the editor's. */
   readonly #keyed = {
@@ -132,7 +134,7 @@ export class SeamwisePage extends WorkbenchElement {
           slot="actions"
           .workbench=${workbench}
           .projects=${projects}
-          .worn=${this.#shownWorn}
+          .view=${this.#shownView}
         ></sw-save-menu>
         <button
           slot="actions"

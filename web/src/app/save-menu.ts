@@ -8,6 +8,7 @@ import {
   placeUnder,
   type Command,
   type WornPane,
+  type ClothPane,
 } from '../editor/index.js';
 import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
@@ -18,13 +19,13 @@ export class SaveMenu extends WorkbenchElement {
   static override properties = {
     ...WorkbenchElement.properties,
     projects: {attribute: false},
-    worn: {attribute: false},
-    ofWorn: {state: true},
+    view: {attribute: false},
+    ofView: {state: true},
   };
   declare projects: Projects;
-  /** Undefined while it is not shown. */
-  declare worn: () => WornPane | undefined;
-  declare protected ofWorn: readonly Command[];
+  /** Beside the pattern or in its place; undefined while there is none. */
+  declare view: () => WornPane | ClothPane | undefined;
+  declare protected ofView: readonly Command[];
 
   static override styles = [
     controls,
@@ -48,7 +49,7 @@ export class SaveMenu extends WorkbenchElement {
 
   constructor() {
     super();
-    this.ofWorn = [];
+    this.ofView = [];
   }
 
   /** What was asked for is on its way. */
@@ -66,12 +67,12 @@ export class SaveMenu extends WorkbenchElement {
     await copyLink(this.workbench, this.projects);
   };
 
-  async #listWorn(): Promise<void> {
-    const worn = this.worn();
-    if (!worn) this.ofWorn = [];
+  async #listView(): Promise<void> {
+    const view = this.view();
+    if (!view) this.ofView = [];
     else
-      this.ofWorn = (await import('./worn/saves.js')).wornSaves(
-        worn,
+      this.ofView = (await import('./saves/view-saves.js')).viewSaves(
+        view,
         this.workbench,
         this.saveOther,
       );
@@ -88,7 +89,7 @@ export class SaveMenu extends WorkbenchElement {
         popover
         id="save"
         @beforetoggle=${({currentTarget}: Event) => {
-          void this.#listWorn();
+          void this.#listView();
           placeUnder(this.renderRoot.querySelector('button'), currentTarget as HTMLElement);
         }}
       >
@@ -120,7 +121,7 @@ export class SaveMenu extends WorkbenchElement {
           <button class="outlined" aria-haspopup="dialog" @click=${() => void this.cut()}>
             ${icon.cut} ${app.cut}
           </button>
-          ${this.ofWorn.map(
+          ${this.ofView.map(
             ({title, run}) =>
               html`<button class="outlined" @click=${run}>${icon.save} ${title}</button>`,
           )}

@@ -1,6 +1,6 @@
 import {chosenNames, panelMarks} from '../model/garment-marks.js';
 import type {Point} from '../model/geometry.js';
-import type {LayPlan} from '../model/lay-plan.js';
+import type {CheaperLay, LayPlan} from '../model/lay-plan.js';
 import {naps, type MarkerProgress} from '../model/marker.js';
 import {readable, titleOfFile} from '../model/piece-names.js';
 import type {Print} from '../model/print.js';
@@ -232,15 +232,27 @@ async function timed(
 }
 
 function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
-  const {placements, unplaced, notes, ...figures} = plan;
+  const {placements, unplaced, notes, cheaper, ...figures} = plan;
   if (args.has('--json')) {
     const results = args.files;
     const pieces = placements.length;
-    print(JSON.stringify({results, pieces, ...figures, unplaced, notes, milliseconds}));
+    print(JSON.stringify({results, pieces, ...figures, cheaper, unplaced, notes, milliseconds}));
     return;
   }
   notes.forEach(remark);
+  cheaper.map((offer) => cheaperWords(plan, offer)).forEach(remark);
   print(line(args.files, plan));
+}
+
+function cheaperWords({lengthCm: length}: LayPlan, offer: CheaperLay): string {
+  const {kind, lengthCm, phaseCm = 0, pieces = []} = offer;
+  const names = [...new Set(pieces)].join(', ');
+  const how = {
+    phase: `the print starts ${cm(phaseCm)} from the left edge`,
+    shift: `the print may move under ${names}, which no seam matches`,
+    unmatched: `the print need not match on ${names}`,
+  };
+  return `${cm(length - lengthCm)} less if ${how[kind]}.`;
 }
 
 const cm = (length: number): string => `${length.toFixed(1)} cm`;

@@ -58,10 +58,11 @@ export const editorLayout = css`
     min-height: 0;
   }
   sw-pattern,
-  sw-worn {
+  sw-worn,
+  sw-cloth {
     grid-row: 3;
   }
-  [data-shows='garment'] sw-pattern {
+  :is([data-shows='garment'], [data-shows='cloth']) sw-pattern {
     display: none;
   }
   [data-shows='both'] {
@@ -87,7 +88,7 @@ export const editorLayout = css`
   }
   .views button {
     min-height: calc(var(--sw-target) - 6px); /* as high as what is beside it */
-    padding: 0 var(--sw-space-2);
+    padding: 0 calc(var(--sw-space-2) - 2px);
   }
   .views svg {
     display: none;
@@ -147,7 +148,7 @@ export const editorLayout = css`
       display: block;
     }
     .pattern {
-      --sw-views-room: calc(3 * var(--sw-target) + var(--sw-space-4));
+      --sw-views-room: calc(4 * var(--sw-target) + var(--sw-space-4));
     }
   }
   @container (88rem <= width < 90rem) {
@@ -163,7 +164,25 @@ export const editorLayout = css`
       --beside: 23rem;
     }
   }
+  @container (width >= 90rem) {
+    .solving sw-progress {
+      min-width: 9rem;
+      max-width: 9rem;
+      line-height: 1.2;
+      white-space: normal; /* the views want the room of a long sentence */
+    }
+  }
   @container (width >= 64rem) {
+    /* what it says of seams is not what is asked there */
+    .workbench:has([data-shows='cloth']) .report {
+      display: none;
+    }
+    [data-shows='cloth'] {
+      grid-column: pattern / report;
+    }
+    header:has(~ [data-shows='cloth']) {
+      --beside: 0px;
+    }
     sw-lens {
       position: sticky;
       top: 0;

@@ -8,7 +8,8 @@ import type {Command} from './commands/command.js';
 import type {ShortcutId} from './commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
-import {loadLaterParts, loadWorn} from './load-later-parts.js';
+import type {ClothPane} from './cloth/cloth-pane.js';
+import {loadCloth, loadLaterParts, loadWorn} from './load-later-parts.js';
 import {defineParts} from './parts.js';
 import type {LensCursor} from './pattern/marks.js';
 import type {PatternPane} from './pattern/pattern-pane.js';
@@ -27,8 +28,8 @@ import {KeptHeight} from './kept-height.js';
 
 type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
 
-/** What the garment is shown by: its pieces, or as it is worn. */
-export const editorViews = ['pattern', 'garment', 'both'] as const;
+/** What the garment is shown by: its pieces, as it is worn, or its pieces on their cloth. */
+export const editorViews = ['pattern', 'garment', 'both', 'cloth'] as const;
 type EditorView = (typeof editorViews)[number];
 
 /** What somebody does who does not wait for the first answer. */
@@ -61,10 +62,10 @@ export class Editor extends WorkbenchElement {
 
   readonly #own = {
     undo: () => {
-      this.workbench.undo();
+      if (!this.cloth?.undo()) this.workbench.undo();
     },
     redo: () => {
-      this.workbench.redo();
+      if (!this.cloth?.redo()) this.workbench.redo();
     },
     keys: () => void this.#toggleKeys(),
     views: () => {
@@ -104,18 +105,22 @@ export class Editor extends WorkbenchElement {
 
   /** Undefined while the pattern alone is shown, and until what shows it is loaded. */
   get worn(): WornPane | undefined {
-    const pane = this.renderRoot.querySelector<WornPane>('sw-worn:defined');
-    return pane ?? undefined;
+    return this.renderRoot.querySelector<WornPane>('sw-worn:defined') ?? undefined;
+  }
+
+  /** Undefined while something else is shown, and until what shows it is loaded. */
+  get cloth(): ClothPane | undefined {
+    return this.renderRoot.querySelector<ClothPane>('sw-cloth:defined') ?? undefined;
   }
 
   show(view: EditorView): void {
     this.shows = view;
-    if (view === 'both') this.sheet = undefined; // both want the room of it
+    if (view === 'both' || view === 'cloth') this.sheet = undefined; // they want the room of it
   }
 
   /** The keys of the pattern work. */
   toPattern(): void {
-    if (this.shows === 'garment') this.show('pattern');
+    if (this.shows !== 'both') this.show('pattern');
     void this.updateComplete.then(() => {
       this.pattern?.focus();
     });
@@ -144,7 +149,7 @@ export class Editor extends WorkbenchElement {
   /** A seam that somebody picks in the pattern is to be seen from near. */
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    if (this.shows !== 'pattern') void this.#loadWorn();
+    if (this.shows !== 'pattern') void this.#load();
     const {selected} = this.workbench;
     if (sameTarget(selected, this.#selected)) return;
     this.#selected = selected;
@@ -197,18 +202,9 @@ export class Editor extends WorkbenchElement {
         <sw-units-question .workbench=${workbench}></sw-units-question>
         <sw-grain-question .workbench=${workbench}></sw-grain-question>
         <sw-pattern .workbench=${workbench}
-          >${this.shows === 'garment' ? nothing : this.#notice()}<slot
-            name="hint"
-            slot="hint"
-          ></slot
+          >${this.#showsPattern ? this.#notice() : nothing}<slot name="hint" slot="hint"></slot
         ></sw-pattern>
-        ${
-          this.shows === 'pattern'
-            ? nothing
-            : html`<sw-worn .workbench=${workbench} .beside=${true}
-                >${this.shows === 'garment' ? this.#notice() : nothing}</sw-worn
-              >`
-        }
+        ${this.#beside()}
       </div>
       <div class="side">
         <section class="setup" aria-label=${app.setup}>
@@ -231,19 +227,34 @@ export class Editor extends WorkbenchElement {
       <sw-key-map
         .workbench=${workbench}
         .known=${this.#known}
-        .more=${this.#keysOfWorn}
+        .more=${this.#keysOfView}
+        .view=${this.shows}
         .sewing=${this.#keysOfSewing}
       ></sw-key-map>
     </div>`;
   }
 
-  async #loadWorn(): Promise<void> {
+  async #load(): Promise<void> {
     try {
-      await loadWorn();
+      await (this.shows === 'cloth' ? loadCloth : loadWorn)();
     } catch (error) {
       this.shows = 'pattern';
       this.workbench.say({tone: 'error', text: toFailure(error).message});
     }
+  }
+
+  get #showsPattern(): boolean {
+    return this.shows === 'pattern' || this.shows === 'both';
+  }
+
+  /** What is shown beside the pattern or in its place. */
+  #beside(): TemplateResult | typeof nothing {
+    const {workbench, shows} = this;
+    if (shows === 'pattern') return nothing;
+    const notice = this.#showsPattern ? nothing : this.#notice();
+    return shows === 'cloth'
+      ? html`<sw-cloth .workbench=${workbench}>${notice}</sw-cloth>`
+      : html`<sw-worn .workbench=${workbench} .beside=${true}>${notice}</sw-worn>`;
   }
 
   #notice(): TemplateResult {
@@ -268,7 +279,7 @@ export class Editor extends WorkbenchElement {
     </div>`;
   }
 
-  readonly #keysOfWorn = (): readonly Command[] => this.worn?.commands ?? [];
+  readonly #keysOfView = (): readonly Command[] => (this.worn ?? this.cloth)?.commands ?? [];
 
   readonly #keysOfSewing = (): readonly (readonly [string, string])[] =>
     this.pattern?.tools.sewing?.chooser.sew.keys ?? [];
@@ -303,9 +314,10 @@ export class Editor extends WorkbenchElement {
   }
 
   #steps(): TemplateResult {
-    const {workbench} = this;
-    const {app} = this.texts;
-    const [undone, redone] = [undoWords(workbench, this.texts), redoWords(workbench, this.texts)];
+    const {workbench, cloth, texts} = this;
+    const {app} = texts;
+    const undone = cloth?.undoWords ?? undoWords(workbench, texts);
+    const redone = cloth?.redoWords ?? redoWords(workbench, texts);
     return html`${this.#icon(app.undo, undone && app.undoOf(undone), icon.undo, this.#own.undo)}
     ${this.#icon(app.redo, redone && app.redoOf(redone), icon.redo, this.#own.redo)}`;
   }

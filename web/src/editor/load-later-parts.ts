@@ -19,3 +19,9 @@ export async function loadWorn(): Promise<void> {
   const {defineWorn} = await import('./worn/define-worn.js');
   defineWorn();
 }
+
+/** Loads what shows the pieces on their cloth. @throws {Error} where it cannot be had */
+export async function loadCloth(): Promise<void> {
+  const {defineCloth} = await import('./cloth/define-cloth.js');
+  defineCloth();
+}

@@ -92,6 +92,15 @@ function ringOf(cut: readonly (readonly Point[])[], name: string, piece: number)
   return ring;
 }
 
+/** Of all pieces of a garment together: each has to be compared with all others. */
+const mostShifts = 60;
+
+/** Evenly chosen. */
+function thinned<T>(all: readonly T[], most: number): readonly T[] {
+  const every = Math.max(1, Math.ceil(all.length / Math.max(1, most)));
+  return all.filter((_, k) => k % every === 0);
+}
+
 /**
  * Those of one garment, once each time that they are cut.
  * @param result its number
@@ -125,7 +134,7 @@ export function laidPieces(
       alignment: piece.alignment,
       turns,
       up: upOf(piece, mark, turns),
-      shifts: loose.has(k) ? shifts : [],
+      shifts: loose.has(k) ? thinned(shifts, mostShifts / loose.size) : [],
     };
     return Array.from({length: quantity}, (_, nth) => ({
       ...{result, piece: piece.name, asked},

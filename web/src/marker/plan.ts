@@ -36,7 +36,7 @@ function cutOff(placements: readonly LaidPlacement[], down: number): readonly La
 const whole = (length: number): number => Math.ceil(length - 0.05);
 
 /** "121 to 136 cm" */
-function rangeNote(phases: readonly PhaseLength[]): readonly string[] {
+export function rangeNote(phases: readonly PhaseLength[]): readonly string[] {
   const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
   const [least, most] = [Math.min(...known), Math.max(...known)];
   const nowhere = phases.length - known.length;

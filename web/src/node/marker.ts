@@ -1,4 +1,5 @@
 /** Pieces of results laid on cloth, as a plan. */
+import {cheaperLays} from '../marker/cheaper.js';
 import {foldedOrder} from '../marker/fold.js';
 import type {MarkerGarment} from '../marker/pieces.js';
 import {layPlan} from '../marker/plan.js';
@@ -56,5 +57,8 @@ export async function markerWith(
       },
     }),
   }).catch(explained);
-  return planOf(answer);
+  const plan = planOf(answer);
+  const {signal} = hooks;
+  const laid = {garments, settings, print, plan};
+  return {...plan, cheaper: await cheaperLays(laid, lay, {...(signal && {signal})})};
 }

@@ -1,4 +1,5 @@
 /** Words that whoever embeds the element gives in place of its own. */
+import type {ClothTexts} from './cloth/en.js';
 import type {Texts} from './en.js';
 import type {SewTexts} from './sew/en.js';
 import type {WornTexts} from './worn/en.js';
@@ -11,8 +12,8 @@ type Some<T> = T extends (...given: never) => string
       ? T
       : {readonly [Name in keyof T]?: Some<T[Name]>};
 
-/** Any of the texts, by their names in `texts/en`, `texts/worn` and `texts/sew`; a plain sentence may stand for one with figures in it. */
-export type Messages = Some<Texts & {worn: WornTexts; sew: SewTexts}>;
+/** Any of the texts, by their names in `texts/en`, `texts/worn`, `texts/sew` and `texts/cloth`; a plain sentence may stand for one with figures in it. */
+export type Messages = Some<Texts & {worn: WornTexts; sew: SewTexts; cloth: ClothTexts}>;
 
 /** What is of another kind than the text in its place is left out. */
 export const withMessages = <T>(texts: T, messages: Messages): T => merged(texts, messages) as T;

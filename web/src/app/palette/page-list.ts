@@ -1,14 +1,14 @@
 /** All commands of the page, the likeliest first. */
 import {languageNames, languages, type Command, type Preferences} from '../../editor/index.js';
 import {garmentCommands, printCommands, solveCommands, stepCommands} from './design-list.js';
-import {wornSaves} from '../worn/saves.js';
+import {viewSaves} from '../saves/view-saves.js';
 import {withKey, type PageParts} from './page-parts.js';
 import {pieceCommands, toolCommands, viewCommands} from './pattern-list.js';
 
 export const allCommands = (parts: PageParts): readonly Command[] => [
   ...stepCommands(parts),
   ...fileCommands(parts),
-  ...savesOfWorn(parts),
+  ...savesOfView(parts),
   ...toolCommands(parts),
   ...viewCommands(parts),
   ...solveCommands(parts),
@@ -18,11 +18,12 @@ export const allCommands = (parts: PageParts): readonly Command[] => [
   ...settingCommands(parts),
 ];
 
-/** What there is to take away of the worn garment, while it is shown. */
-function savesOfWorn({workbench, texts, editor, saves}: PageParts): readonly Command[] {
-  if (!editor.worn) return [];
+/** What there is to take away of the view beside the pattern, while there is one. */
+function savesOfView({workbench, texts, editor, saves}: PageParts): readonly Command[] {
+  const view = editor.worn ?? editor.cloth;
+  if (!view) return [];
   const words = texts.commands.also.save;
-  const commands = wornSaves(editor.worn, workbench, saves.other);
+  const commands = viewSaves(view, workbench, saves.other);
   return commands.map((command) => ({...command, words}));
 }
 

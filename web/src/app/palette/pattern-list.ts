@@ -60,8 +60,8 @@ export const viewCommands = (parts: PageParts): readonly Command[] => {
           editor.show(view);
         },
       })),
-    ...(editor.shows === 'garment' ? [] : patternViews(parts)),
-    ...(editor.worn?.commands ?? []),
+    ...(editor.shows === 'garment' || editor.shows === 'cloth' ? [] : patternViews(parts)),
+    ...((editor.worn ?? editor.cloth)?.commands ?? []),
   ];
 };
 

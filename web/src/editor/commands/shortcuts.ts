@@ -88,7 +88,10 @@ export function titleOf(id: ShortcutId, texts: Texts): string {
   const {views} = pattern;
   const titles: Readonly<Record<ShortcutId, string>> = {
     ...{commands: commands.title, keys: app.keys, undo: app.undo, redo: app.redo},
-    views: lists.of(views.label, `${views.pattern}, ${views.garment}, ${views.both}`),
+    views: lists.of(
+      views.label,
+      `${views.pattern}, ${views.garment}, ${views.both}, ${views.cloth}`,
+    ),
     ...{save: app.saveProject, cut: app.cut, open: app.openGarment},
     ...{
       sew: sewing.tool,

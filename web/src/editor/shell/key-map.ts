@@ -1,6 +1,7 @@
 /** All keys at a glance. */
 import {css, html, nothing, type TemplateResult} from 'lit';
 
+import type {Texts} from '../../texts/texts.js';
 import type {Command} from '../commands/command.js';
 import {keyOf, shortcutIds, shortcuts, titleOf, type ShortcutId} from '../commands/shortcuts.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
@@ -13,12 +14,15 @@ export class KeyMap extends WorkbenchElement {
     ...WorkbenchElement.properties,
     known: {attribute: false},
     more: {attribute: false},
+    view: {},
     sewing: {attribute: false},
   };
   /** Commands that there are beside those of the pattern. */
   declare known: readonly ShortcutId[];
   /** What else has keys just now, while it has the focus. */
   declare more: () => readonly Command[];
+  /** Whose those are. */
+  declare view: keyof Texts['pattern']['views'];
   /** Those of the tool that sews, while it is at work. */
   declare sewing: () => readonly (readonly [key: string, meaning: string])[];
   /** Had the focus before the map; browsers forget it when it is in a shadow. */
@@ -97,15 +101,16 @@ export class KeyMap extends WorkbenchElement {
               <dd>${meaning}</dd>`,
         )}
       </dl>
-      ${this.#others(this.texts.sewing.tool, this.sewing())} ${this.#ofGarment()}
+      ${this.#others(this.texts.sewing.tool, this.sewing())} ${this.#ofView()}
     </div>`;
   }
 
-  #ofGarment(): TemplateResult | typeof nothing {
+  #ofView(): TemplateResult | typeof nothing {
+    const {views} = this.texts.pattern;
     const keyed = this.more().flatMap(({key, title}) =>
       key === undefined ? [] : [[key, title] as const],
     );
-    return this.#others(this.texts.pattern.views.garment, keyed);
+    return this.#others(views[this.view === 'cloth' ? 'cloth' : 'garment'], keyed);
   }
 
   #others(

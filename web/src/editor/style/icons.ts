@@ -1,7 +1,8 @@
 /** Small pictures of one stroke, drawn in the colour of the text beside them. */
 import {svg, html, type TemplateResult} from 'lit';
 
-const drawn = (paths: TemplateResult): TemplateResult =>
+/** Of lines 16 units wide and high. */
+export const drawn = (paths: TemplateResult): TemplateResult =>
   html`<svg
     viewBox="0 0 16 16"
     width="16"

@@ -20,9 +20,6 @@ interface CommandedGarment {
 /** One notch of zoom by a key. */
 const notch = 1.25;
 
-/** Keys that mean the same as the one that is shown. */
-const others: Readonly<Record<string, string>> = {'=': '+', '-': '−', F: '0'};
-
 /** How it is looked at: also for who looks only. */
 function looking({view}: CommandedGarment, texts: Texts, words: WornTexts): readonly Command[] {
   const {commands, lists, pattern} = texts;
@@ -139,9 +136,3 @@ export const wornCommands = (
   ...looking(garment, texts, words),
   ...(edits ? [...walking(garment, words), ...showing(garment, texts, words)] : []),
 ];
-
-/** The one that a key means. */
-export function commandFor(commands: readonly Command[], pressed: string): Command | undefined {
-  const name = pressed.length === 1 ? pressed.toUpperCase() : pressed;
-  return commands.find(({key}) => key !== undefined && key === (others[name] ?? name));
-}

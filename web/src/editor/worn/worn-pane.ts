@@ -7,13 +7,14 @@ import {presetNames, type CameraPreset} from '../../viewer/garment/camera.js';
 import type {GarmentView} from '../../viewer/garment/garment-view.js';
 import {wornTexts, type WornTexts} from '../../texts/worn-texts.js';
 import {spokenFailure} from '../../workbench/spoken-failure.js';
+import {commandFor} from '../commands/command-for.js';
 import type {Command} from '../commands/command.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
 import {seamRows, worstSeams} from '../lists/rows.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
-import {commandFor, wornCommands} from './worn-commands.js';
+import {wornCommands} from './worn-commands.js';
 import {WornDrawing} from './worn-drawing.js';
 import {wornStyle} from './worn-style.js';
 

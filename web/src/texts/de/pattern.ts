@@ -6,7 +6,13 @@ export const pattern: PatternTexts = {
     label: 'Schnittteile',
     contents: 'Teile und ihre Nähte',
     view: 'Ansicht',
-    views: {label: 'Gezeigt als', pattern: 'Schnitt', garment: 'Getragen', both: 'Beides'},
+    views: {
+      label: 'Gezeigt als',
+      pattern: 'Schnitt',
+      garment: 'Getragen',
+      both: 'Beides',
+      cloth: 'Stoff',
+    },
     which: 'Welche?',
     edge: 'Offene Kante',
     description:

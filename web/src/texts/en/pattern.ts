@@ -5,7 +5,13 @@ export const pattern = {
     label: 'Pattern',
     contents: 'Pieces and their seams',
     view: 'View',
-    views: {label: 'Shown as', pattern: 'Pattern', garment: 'Garment', both: 'Both'},
+    views: {
+      label: 'Shown as',
+      pattern: 'Pattern',
+      garment: 'Garment',
+      both: 'Both',
+      cloth: 'Cloth',
+    },
     which: 'Which one?',
     edge: 'Open edge',
     description:

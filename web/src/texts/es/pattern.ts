@@ -6,7 +6,13 @@ export const pattern: PatternTexts = {
     label: 'Dibujo del patrón',
     contents: 'Las piezas y sus costuras',
     view: 'Vista',
-    views: {label: 'Mostrado como', pattern: 'Patrón', garment: 'Prenda', both: 'Ambos'},
+    views: {
+      label: 'Mostrado como',
+      pattern: 'Patrón',
+      garment: 'Prenda',
+      both: 'Ambos',
+      cloth: 'Tela',
+    },
     which: '¿Cuál?',
     edge: 'Borde libre',
     description:

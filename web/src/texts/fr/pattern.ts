@@ -7,7 +7,13 @@ export const pattern: PatternTexts = {
     label: 'Plan du patron',
     contents: 'Les pièces et leurs coutures',
     view: 'Vue',
-    views: {label: 'Affiché', pattern: 'Patron', garment: 'Porté', both: 'Les deux'},
+    views: {
+      label: 'Affiché',
+      pattern: 'Patron',
+      garment: 'Porté',
+      both: 'Les deux',
+      cloth: 'Tissu',
+    },
     which: 'Lequel ?',
     edge: 'Bord libre',
     description:

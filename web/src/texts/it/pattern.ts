@@ -6,7 +6,13 @@ export const pattern: PatternTexts = {
     label: 'Disegno del cartamodello',
     contents: 'I pezzi e le loro cuciture',
     view: 'Vista',
-    views: {label: 'Mostrato come', pattern: 'Modello', garment: 'Indossato', both: 'Entrambi'},
+    views: {
+      label: 'Mostrato come',
+      pattern: 'Modello',
+      garment: 'Indossato',
+      both: 'Entrambi',
+      cloth: 'Tessuto',
+    },
     which: 'Quale?',
     edge: 'Bordo libero',
     description:

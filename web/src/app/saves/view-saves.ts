@@ -1,15 +1,21 @@
-/** What there is to take away of a worn garment, as commands: loaded with a list of them. */
-import {toFailure, type Command, type Workbench, type WornPane} from '../../editor/index.js';
+/** What there is to take away of the view beside the pattern, as commands: loaded with a list of them. */
+import {
+  toFailure,
+  type ClothPane,
+  type Command,
+  type Workbench,
+  type WornPane,
+} from '../../editor/index.js';
 import {wornFiles} from '../../editor/worn/worn-files.js';
 
 /** @param save gets what is to be saved, and how the name of its file ends */
-export const wornSaves = (
-  worn: WornPane,
+export const viewSaves = (
+  view: WornPane | ClothPane,
   workbench: Workbench,
   save: (ending: string, content: Blob) => void,
 ): readonly Command[] =>
-  wornFiles(worn).map(({id, title, ending, make}) => ({
-    ...{id: `save worn ${id}`, title},
+  ('files' in view ? view.files : wornFiles(view)).map(({id, title, ending, make}) => ({
+    ...{id: `save view ${id}`, title},
     run: () => {
       make().then(
         (content) => {

@@ -1,0 +1,249 @@
+/** The pieces on their cloth, on the page: laid, moved, turned and pinned there, and told what is wrong. */
+import type {Locator, Page} from 'playwright-core';
+import {expect, it} from 'vitest';
+
+import type {SeamwisePage} from '@/app/page.js';
+import type {LayPlan} from '@/model/lay-plan.js';
+import {barriers} from '../support/barriers.js';
+import {button, saved, showSample, solved, usePage} from '../support/page.js';
+
+const openPage = usePage();
+
+const pane = (page: Page): Locator => page.locator('sw-cloth');
+const panel = (page: Page): Locator => page.locator('sw-cloth-panel');
+const status = (page: Page): Promise<string | null> =>
+  pane(page).locator('[role=status]').textContent();
+/** What is said below the cloth. */
+const said = async (page: Page): Promise<string> =>
+  (await pane(page).locator('.said').textContent())?.trim() ?? '';
+const bought = (page: Page): Promise<string | null> => panel(page).locator('h2').textContent();
+/** What is said of the plan. */
+const facts = (page: Page): Promise<string> => panel(page).locator('.facts').innerText();
+const rowOf = (page: Page, name: string): Locator =>
+  panel(page).locator('.pieces').getByRole('row', {name});
+
+/** Until nothing is laid any more. */
+async function laid(page: Page): Promise<void> {
+  const state = () => pane(page).locator('.pane').getAttribute('data-state');
+  await expect.poll(state, {timeout: 60_000}).toBe('done');
+  await expect.poll(() => bought(page)).toMatch(/^Buy \d/);
+}
+
+/** A tee in a print that may lie upside down, on its cloth. */
+async function openCloth(options: Parameters<typeof openPage>[0] = {}): Promise<Page> {
+  const page = await openPage(options);
+  await solved(page);
+  await showSample(page, 'tee');
+  await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    const print = workbench?.design?.print;
+    if (print) workbench.change({print: {...print, group: 'p2', oneWay: false}, symmetry: 'none'});
+  });
+  await solved(page);
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+  await laid(page);
+  return page;
+}
+
+it('lays the pieces in their print, says what there is to buy, and marks what is picked everywhere', async () => {
+  const page = await openCloth();
+  await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
+  await expect.poll(() => facts(page)).toMatch(/long, \d+ % used/);
+  await expect.poll(() => facts(page)).toMatch(/Proven shortest|At best/);
+  await expect.poll(() => facts(page)).toMatch(/The print costs/);
+  await expect.poll(() => panel(page).locator('.widths tbody tr').count()).toBe(6);
+  const place = /\d+(st|nd|rd|th) repeat from the left, \d+(st|nd|rd|th) from the start/;
+  await expect.poll(() => rowOf(page, 'Back').textContent()).toMatch(place);
+  await pane(page).locator('.piece', {hasText: 'Back'}).click();
+  await expect.poll(() => status(page)).toMatch(place);
+  const picked = () =>
+    page.evaluate(() => {
+      const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+      const {selected, pattern} = workbench ?? {};
+      return selected?.kind === 'piece' ? pattern?.pieces[selected.piece]?.name : undefined;
+    });
+  await expect.poll(picked).toBe('back');
+  await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    const front = workbench?.pattern?.pieces.findIndex(({name}) => name === 'front') ?? -1;
+    workbench?.select({kind: 'piece', piece: front});
+  });
+  await expect.poll(() => status(page)).toMatch(/^Front: /);
+});
+
+it('moves, turns and pins a piece by keys, and takes all of that back', async () => {
+  const page = await openCloth();
+  await rowOf(page, 'Front').focus();
+  await expect.poll(() => status(page)).toMatch(/^Front: /);
+  const first = await status(page);
+  await page.keyboard.press('ArrowUp');
+  await expect.poll(() => status(page)).not.toBe(first);
+  const second = await status(page);
+  await expect.poll(() => facts(page)).toContain('As moved by hand');
+  await expect
+    .poll(() => button(page, 'Undo').getAttribute('title'))
+    .toBe('Undo: move on the cloth');
+  await page.keyboard.press('r');
+  await expect.poll(() => status(page)).toMatch(/turned 180°/);
+  await page.keyboard.press('p');
+  await expect.poll(() => status(page)).toMatch(/pinned$/);
+  await expect
+    .poll(() => rowOf(page, 'Front').getByRole('button').getAttribute('aria-pressed'))
+    .toBe('true');
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => status(page)).toBe(second);
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => status(page)).toBe(first);
+  await page.keyboard.press('Control+Shift+z');
+  await expect.poll(() => status(page)).toBe(second);
+});
+
+it('leaves what is pinned where it is when it packs the rest', async () => {
+  const page = await openCloth();
+  await rowOf(page, 'Back').focus();
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('p');
+  await expect.poll(() => status(page)).toMatch(/pinned$/);
+  const place = await status(page);
+  const pack = pane(page).getByRole('button', {name: 'Pack the rest'});
+  await pack.click();
+  await laid(page);
+  await expect.poll(() => status(page)).toBe(place);
+  await expect.poll(() => facts(page)).not.toContain('As moved by hand');
+  await expect.poll(() => panel(page).locator('.error').count()).toBe(0);
+  await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: packing');
+  await button(page, 'Undo').click();
+  await expect.poll(() => facts(page)).toContain('As moved by hand');
+});
+
+it('lets a piece be dragged: to the nearest free place, or with Alt on others, which is said', async () => {
+  const page = await openCloth();
+  const dragged = async (to: string): Promise<void> => {
+    const [from, onto] = await Promise.all(
+      ['Front', to].map((name) => pane(page).locator('.piece', {hasText: name}).boundingBox()),
+    );
+    if (!from || !onto) throw new Error('There is no such piece.');
+    await page.mouse.move(from.x + from.width / 2, from.y + from.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(onto.x + onto.width / 2, onto.y + onto.height / 2, {steps: 6});
+  };
+  const dots = () => pane(page).locator('.dots').last().getAttribute('d');
+  await dragged('Back');
+  await expect.poll(dots).toMatch(/^M/);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await expect.poll(() => pane(page).locator('.dots').count()).toBe(0);
+  await expect.poll(() => button(page, 'Undo').getAttribute('title')).not.toContain('cloth');
+  await dragged('Back');
+  await page.mouse.up();
+  await expect.poll(() => said(page)).toMatch(/^Front: /);
+  await expect.poll(() => panel(page).locator('.error').count()).toBe(0);
+  await page.keyboard.down('Alt');
+  await dragged('Back');
+  await expect.poll(() => said(page)).toMatch(/^Front overlaps .*Back/);
+  await page.mouse.up();
+  await page.keyboard.up('Alt');
+  await expect
+    .poll(() => panel(page).locator('.pieces').innerText())
+    .toContain('Back overlaps Front');
+  await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Front'}).count()).toBe(1);
+  await expect.poll(() => pane(page).locator('.piece.bad', {hasText: 'Back'}).count()).toBe(1);
+});
+
+it('keeps pieces off a flaw that is drawn, until it is removed', async () => {
+  const page = await openCloth();
+  const places = () => panel(page).locator('.pieces').innerText();
+  const before = await places();
+  const front = await pane(page).locator('.piece', {hasText: 'Front'}).boundingBox();
+  if (!front) throw new Error('The front is not there.');
+  await pane(page).getByRole('button', {name: 'Mark a flaw'}).click();
+  await expect.poll(() => said(page)).toMatch(/^Drag a box over the flaw/);
+  const [x, y] = [front.x + front.width / 2, front.y + front.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y + 20, {steps: 3});
+  await page.mouse.up();
+  await expect.poll(() => panel(page).locator('.flaws li').count()).toBe(1);
+  await laid(page);
+  await expect.poll(places).not.toBe(before);
+  await expect.poll(() => panel(page).locator('.error').count()).toBe(0);
+  await panel(page)
+    .getByRole('button', {name: /^Remove: Flaw 1/})
+    .click();
+  await expect.poll(() => panel(page).locator('.flaws').count()).toBe(0);
+});
+
+it('says that the plan is of the design before, and lays the new one', async () => {
+  const page = await openCloth();
+  await page.evaluate(() => {
+    const {workbench} = document.querySelector<SeamwisePage>('seamwise-page') ?? {};
+    workbench?.prefer({solveAsIGo: false});
+    const print = workbench?.design?.print;
+    if (print)
+      workbench.change({print: {...print, size: {...print.size, width: 1.1 * print.size.width}}});
+  });
+  await expect.poll(() => said(page)).toBe('The design has changed: this is the plan from before.');
+  await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(1);
+  await expect
+    .poll(() => pane(page).getByRole('button', {name: 'Pack again'}).isDisabled())
+    .toBe(true);
+  await button(page, 'Align').click();
+  await laid(page);
+  await expect.poll(() => pane(page).locator('.stage.stale').count()).toBe(0);
+  // what was found out of the design before is not looked for again
+  await button(page, 'Undo').click();
+  await expect.poll(() => said(page)).not.toMatch(/changed/);
+});
+
+it('says of cloth that is too narrow which piece is too wide, and remembers what the cloth is like', async () => {
+  const page = await openCloth();
+  const width = panel(page).locator('select.width');
+  await width.selectOption('150');
+  await laid(page);
+  await width.selectOption('other');
+  const own = panel(page).getByLabel('Cloth width (cm)');
+  await own.fill('30');
+  await own.press('Enter');
+  await expect.poll(() => said(page), {timeout: 30_000}).toMatch(/wide/);
+  await expect.poll(() => pane(page).getByRole('alert').count()).toBe(1);
+  await expect.poll(() => pane(page).locator('.piece').count()).toBe(0);
+  await button(page, 'Undo').click();
+  await expect.poll(() => bought(page)).toMatch(/^Buy \d/);
+  await expect.poll(() => width.inputValue()).toBe('150');
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Pattern'}).click();
+  await page.reload();
+  await solved(page);
+  await page.locator('sw-editor .views').getByRole('button', {name: 'Cloth'}).click();
+  await expect.poll(() => width.inputValue()).toBe('150');
+});
+
+it('gives the plan away as it lies, and nothing while pieces lie on each other', async () => {
+  const page = await openCloth();
+  const plan = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  expect(plan).toMatchObject({format: 'seamwise-layplan/1', widthCm: 140});
+  expect(plan.placements).toHaveLength(4);
+  await rowOf(page, 'Front').focus();
+  await page.keyboard.press('ArrowUp');
+  await expect.poll(() => facts(page)).toContain('As moved by hand');
+  const moved = JSON.parse(await saved(page, 'Save lay plan (JSON)')) as LayPlan;
+  const of = ({placements}: LayPlan) => placements.find(({piece}) => piece === 'front');
+  expect(of(moved)?.angle).toBe(of(plan)?.angle);
+  expect(of(moved)?.translation[1]).toBeGreaterThan(of(plan)?.translation[1] ?? Infinity);
+  expect(moved.lengthCm).toBeCloseTo(
+    Math.max(...moved.placements.flatMap(({cut}) => cut.map(([, y]) => y))),
+    6,
+  );
+});
+
+it.each([
+  ['light', 1280],
+  ['dark', 390],
+] as const)('keeps nobody out in %s, %i pixels wide', async (colorScheme, width) => {
+  const page = await openCloth({colorScheme, viewport: {width, height: 800}});
+  await rowOf(page, 'Front').focus();
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('p');
+  await expect.poll(() => status(page)).toMatch(/pinned$/);
+  expect(await barriers(page, ['minor', 'moderate', 'serious', 'critical'])).toEqual([]);
+});

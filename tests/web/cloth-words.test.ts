@@ -1,0 +1,135 @@
+/** What is said of the pieces on their cloth, in every language. */
+import {describe, expect, it} from 'vitest';
+
+import {
+  lengthRange,
+  placeWords,
+  pointWords,
+  roundedLength,
+  soldLength,
+} from '@/editor/cloth/cloth-words.js';
+import {FlawTool} from '@/editor/cloth/flaw-tool.js';
+import type {Bolt} from '@/marker/places.js';
+import {signedArea} from '@/model/polyline.js';
+import {clothTexts, type ClothTexts} from '@/texts/cloth-texts.js';
+import {formatFor} from '@/texts/format.js';
+import {languages} from '@/texts/preferences.js';
+
+const words = clothTexts('en');
+const [cm, inch] = [formatFor('en', 'cm'), formatFor('en', 'inch')];
+
+const bolt: Bolt = {
+  ...{repeat: {group: 'p2', w1: [10, 0], w2: [0, 10]}, origin: [3, 2], flaws: []},
+  ...{widthCm: 110, selvedgeCm: 1, gapCm: 0.2, isOneWay: false},
+};
+
+describe('the length of cloth', () => {
+  it('is what there is to buy, rounded up as it is sold', () => {
+    expect(soldLength(141, 'cm', words, cm)).toBe('1.45 m');
+    expect(soldLength(145.001, 'cm', words, cm)).toBe('1.45 m');
+    expect(soldLength(145.1, 'cm', words, cm)).toBe('1.5 m');
+    expect(soldLength(91.44, 'inch', words, inch)).toBe('1 yd');
+    expect(soldLength(100, 'inch', words, inch)).toBe('1 1/8 yd');
+  });
+
+  it('is said in whole centimetres, never too short', () => {
+    expect(roundedLength(120.2, 'cm', cm)).toBe('121 cm');
+    expect(lengthRange([120.2, 135.6], 'cm', words, cm)).toMatch(/^121 to 136 cm, /);
+    expect(lengthRange([101.6, 127], 'inch', words, inch)).toMatch(/^40 in to 50 in, /);
+  });
+});
+
+describe('a place on cloth', () => {
+  it('is counted in repeats, or measured', () => {
+    expect(pointWords([23, 12], bolt, words, cm)).toBe(
+      '4th repeat from the left, 3rd from the start',
+    );
+    const slanting: Bolt = {...bolt, repeat: {group: 'p2', w1: [9, 1], w2: [-1, 9]}};
+    expect(pointWords([23, 12], slanting, words, cm)).toBe(
+      '23 cm from the left, 12 cm from the start',
+    );
+  });
+
+  it('says by how much the piece is turned', () => {
+    const piece = {
+      outline: [
+        [0, 0],
+        [8, 0],
+        [8, 8],
+      ] as const,
+      alignment: {angle: 0, translation: [0, 0] as const},
+      ...{turns: 'half' as const, up: [0, 1] as const, shifts: []},
+    };
+    const turned = {piece, place: {angle: Math.PI, translation: [31, 20] as const}};
+    expect(placeWords(turned, bolt, words, cm)).toMatch(/from the start, turned 180°$/);
+  });
+
+  it.each([
+    [1, '1st'],
+    [2, '2nd'],
+    [3, '3rd'],
+    [11, '11th'],
+    [12, '12th'],
+    [21, '21st'],
+    [112, '112th'],
+  ])('has an ordinal: %i', (n, said) => {
+    expect(words.at(n, 4)).toBe(`${said} repeat from the left, 4th from the start`);
+  });
+});
+
+describe('a flaw', () => {
+  it('is a box that is dragged, whichever way, counter-clockwise', () => {
+    const tool = new FlawTool();
+    tool.press([5, 5]);
+    tool.move([2, 8]);
+    expect(tool.draft).toHaveLength(4);
+    const box = tool.release([2, 8]) ?? [];
+    expect(signedArea(box)).toBeCloseTo(9);
+  });
+
+  it('is a polygon of corners that are clicked, or nothing', () => {
+    const tool = new FlawTool();
+    for (const corner of [
+      [0, 0],
+      [0, 4],
+      [4, 0],
+    ] as const) {
+      tool.press(corner);
+      expect(tool.release(corner)).toBeUndefined();
+    }
+    expect(signedArea(tool.close() ?? [])).toBeCloseTo(8);
+    tool.press([1, 1]);
+    tool.release([1, 1]);
+    expect(tool.close()).toBeUndefined();
+  });
+});
+
+type Word = string | ((...given: readonly unknown[]) => string);
+
+/** All words below a name, by their paths. */
+function wordsOf(texts: object, path = ''): [string, Word][] {
+  return Object.entries(texts as Record<string, Word | object>).flatMap(([name, one]) =>
+    typeof one === 'object' ? wordsOf(one, `${path}${name}.`) : [[path + name, one]],
+  );
+}
+
+const said = (word: Word | undefined): string | undefined =>
+  typeof word === 'function'
+    ? word(...Array.from({length: word.length}, (_, k) => 7003 + k))
+    : word;
+
+/** Alike everywhere, or by chance. */
+const alike = /^(metres|yards|place)$/;
+
+it.each(languages.filter((language) => language !== 'en'))(
+  'says in %s all that it is told, and nothing in English',
+  (language) => {
+    const own = new Map(wordsOf(clothTexts(language)));
+    for (const [path, english] of wordsOf(words satisfies ClothTexts)) {
+      const text = said(own.get(path));
+      const given = typeof english === 'function' ? english.length : 0;
+      for (let k = 0; k < given; k++) expect(text, path).toContain(String(7003 + k));
+      if (!alike.test(path)) expect(text, path).not.toBe(said(english));
+    }
+  },
+);

@@ -1,0 +1,228 @@
+/** What is laid of a workbench, when, and what is moved there by hand. */
+import {describe, expect, it, vi} from 'vitest';
+
+import type {Design} from '@/model/design.js';
+import {SolverError} from '@/model/failure.js';
+import type {GarmentDocument} from '@/model/garment-document.js';
+import type {Alignment} from '@/model/geometry.js';
+import type {MarkerAnswer, MarkerHooks, MarkerLayout, MarkerProblem} from '@/model/marker.js';
+import type {SolveResult} from '@/model/result.js';
+import type {SolverService} from '@/solver/service.js';
+import {Laying} from '@/workbench/laying.js';
+import {bareCloth, newDesign} from '@/workbench/samples.js';
+import type {Workbench} from '@/workbench/workbench.js';
+import {plainMetrics, squarePair} from '../support/two-squares.js';
+
+const garment = {name: 'two.json', text: '{}'};
+const document = {pieces: [], seams: []} as unknown as GarmentDocument;
+const design = newDesign(garment, bareCloth);
+const result: SolveResult = {
+  ...{format: 'seamwise-result/1', units: 'cm', search: [], metrics: plainMetrics, notes: []},
+  ...squarePair(),
+};
+const other: SolveResult = {...result};
+
+const placed = (x: number, y: number): Alignment => ({angle: 0, translation: [x, y]});
+/** Both beside each other; the cut lines reach 3 cm below the squares, and 1 cm above them. */
+const layout: MarkerLayout = {
+  lengthCm: 8,
+  printOrigin: [2, 1],
+  places: [placed(2, 3), placed(12, 3)],
+};
+const answer: MarkerAnswer = {
+  ...layout,
+  ...{boundCm: 8, proven: true, freeLengthCm: 8, notes: []},
+  ...{phaseLengthsCm: [], widthLengthsCm: []},
+};
+
+interface Asked {
+  readonly problem: MarkerProblem;
+  readonly hooks: MarkerHooks;
+  readonly answer: (given?: Partial<MarkerAnswer>) => void;
+  readonly fail: (error: Error) => void;
+}
+
+const settled = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 5));
+
+function atWork(at: {design: Design | undefined; result: SolveResult | undefined}) {
+  const asked: Asked[] = [];
+  const marker = vi.fn<SolverService['marker']>(
+    (problem, hooks = {}) =>
+      new Promise((resolve, reject) => {
+        const give: Asked['answer'] = (given = {}) => {
+          resolve({...answer, ...given});
+        };
+        asked.push({problem, hooks, answer: give, fail: reject});
+        hooks.signal?.addEventListener('abort', () => {
+          reject(new DOMException('', 'AbortError'));
+        });
+      }),
+  );
+  const listeners = new Set<() => void>();
+  const source = {
+    solver: {marker} as unknown as SolverService,
+    garment: document,
+    get design() {
+      return at.design;
+    },
+    get result() {
+      return at.result;
+    },
+    subscribe: (_: unknown, listener: () => void) => {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  } as unknown as Workbench;
+  const laying = new Laying(source);
+  return {
+    ...{laying, asked, listeners},
+    become: (next: Partial<typeof at>) => {
+      Object.assign(at, next);
+      for (const listener of [...listeners]) listener();
+    },
+  };
+}
+
+/** Something is laid and settled. */
+async function laidOut() {
+  const work = atWork({design, result});
+  const end = work.laying.show();
+  await settled();
+  work.asked[0]?.answer();
+  await settled();
+  return {...work, end};
+}
+
+describe('pieces on their cloth', () => {
+  it('are laid while somebody looks, and shown as the layouts come', async () => {
+    const {laying, asked, become, listeners} = atWork({design, result: undefined});
+    const end = laying.show();
+    await settled();
+    expect([laying.state.kind, asked.length]).toEqual(['waiting', 0]);
+    become({result});
+    await settled();
+    expect(asked[0]?.problem).toMatchObject({widthCm: 140, selvedgeCm: 1, gapCm: 0.2});
+    expect(laying.pieces).toEqual([]);
+    asked[0]?.hooks.onLayout?.(layout);
+    expect(laying.pieces.map(({name}) => name)).toEqual(['left_half', 'right_half']);
+    expect(laying.plan).toMatchObject({proven: false});
+    asked[0]?.answer();
+    await settled();
+    expect([laying.state.kind, laying.plan?.proven]).toEqual(['done', true]);
+    end();
+    expect(listeners.size).toBe(0);
+    laying.show();
+    await settled();
+    expect(asked).toHaveLength(1); // what is known is not looked for again
+  });
+
+  it('are those of the design before until others are laid, and come back with it', async () => {
+    const {laying, asked, become} = await laidOut();
+    become({result: undefined});
+    expect([laying.isStale, laying.state.kind]).toEqual([true, 'waiting']);
+    expect(laying.pieces).toHaveLength(2);
+    laying.move(0, placed(22, 3)); // is of no use any more
+    expect(laying.pieces[0]?.place.translation[0]).toBe(2);
+    become({result: other});
+    await settled();
+    expect([laying.isStale, laying.state.kind]).toEqual([true, 'laying']);
+    asked[1]?.hooks.onLayout?.(layout);
+    expect(laying.isStale).toBe(false);
+    become({result});
+    await settled();
+    expect([laying.isStale, laying.state.kind, asked.length]).toEqual([false, 'done', 2]);
+  });
+
+  it('are moved, turned and pinned in steps that can be taken back', async () => {
+    const {laying} = await laidOut();
+    expect([laying.undo(), laying.isMoved]).toEqual([false, false]);
+    laying.move(1, placed(12, 13));
+    laying.togglePin(1);
+    expect(laying.plan?.lengthCm).toBeCloseTo(18);
+    expect(laying.plan?.boundCm).toBeCloseTo(8);
+    expect(laying.plan?.proven).toBe(false);
+    expect([laying.isMoved, laying.step?.pins.has(1)]).toEqual([true, true]);
+    expect([laying.undo(), laying.step?.pins.size, laying.isMoved]).toEqual([true, 0, true]);
+    expect([laying.undo(), laying.plan?.proven, laying.isMoved]).toEqual([true, true, false]);
+    expect([laying.redo(), laying.isMoved]).toEqual([true, true]);
+    laying.move(0, placed(32, 3));
+    expect(laying.redo()).toBe(false);
+  });
+
+  it('stay where they are pinned, on cloth whose print stays, when the rest is packed', async () => {
+    const {laying, asked} = await laidOut();
+    expect(asked[0]?.problem.startCm).toBeUndefined();
+    laying.move(1, placed(12, 13));
+    laying.togglePin(1);
+    laying.pack();
+    await settled();
+    const {problem} = asked[1] ?? {};
+    expect(problem).toMatchObject({phasesCm: [2], startCm: laying.plan?.printOrigin?.[1]});
+    expect(problem?.pieces.map(({pin}) => pin)).toEqual([undefined, placed(12, 13)]);
+    asked[1]?.answer({places: [placed(2, 13), placed(12, 13)]});
+    await settled();
+    expect(laying.isMoved).toBe(false);
+    expect(laying.undo()).toBe(true);
+    expect(laying.isMoved).toBe(true);
+  });
+
+  it('keep off flaws, on cloth whose print stays', async () => {
+    const {laying, asked} = await laidOut();
+    const flaw = [
+      [0, 0],
+      [3, 0],
+      [3, 3],
+    ] as const;
+    laying.setFlaws([flaw]);
+    await settled();
+    expect(asked[1]?.problem).toMatchObject({flaws: [flaw], phasesCm: [2]});
+    expect(laying.bolt?.flaws).toEqual([flaw]);
+  });
+
+  it('say why they cannot lie on a cloth, and lie again where that is taken back', async () => {
+    const {laying, asked} = await laidOut();
+    laying.choose({widthCm: 30});
+    await settled();
+    const message = 'left_half is too wide.';
+    asked[1]?.fail(new SolverError({code: 'options', message}));
+    await settled();
+    expect(laying.state).toMatchObject({kind: 'failed', failure: {message}});
+    expect(laying.pieces).toEqual([]);
+    laying.choose({widthCm: 30});
+    await settled();
+    expect(asked).toHaveLength(2); // it is that already
+    expect([laying.undo(), laying.state.kind, laying.pieces.length]).toEqual([true, 'done', 2]);
+    expect([laying.redo(), laying.state.kind]).toEqual([true, 'failed']);
+  });
+
+  it('are the best so far where somebody has heard enough, or takes one in hand', async () => {
+    const {laying, asked, become} = atWork({design, result});
+    laying.show();
+    await settled();
+    asked[0]?.hooks.onLayout?.(layout);
+    laying.cancel();
+    await settled();
+    expect(asked[0]?.hooks.signal?.aborted).toBe(true);
+    expect([laying.state.kind, laying.pieces.length]).toEqual(['cancelled', 2]);
+    become({});
+    expect(asked).toHaveLength(1);
+    laying.pack();
+    await settled();
+    asked[1]?.hooks.onLayout?.(layout);
+    laying.move(0, placed(22, 3));
+    expect(asked[1]?.hooks.signal?.aborted).toBe(true);
+    asked[1]?.hooks.onLayout?.(layout);
+    expect(laying.pieces[0]?.place).toEqual(placed(22, 3));
+  });
+
+  it('are not looked for any more when nobody looks', async () => {
+    const {laying, asked} = atWork({design, result});
+    const end = laying.show();
+    await settled();
+    end();
+    expect([asked[0]?.hooks.signal?.aborted, laying.state.kind]).toEqual([true, 'waiting']);
+    laying.show();
+    await settled();
+    expect(asked).toHaveLength(2);
+  });
+});

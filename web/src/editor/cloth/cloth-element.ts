@@ -1,0 +1,24 @@
+/** What the parts of the cloth's view have in common. */
+import {clothTexts, type ClothTexts} from '../../texts/cloth-texts.js';
+import {layingOf, type Laying, type PieceOnCloth} from '../../workbench/laying.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
+
+export abstract class ClothElement extends WorkbenchElement {
+  protected get laying(): Laying {
+    return layingOf(this.workbench).read;
+  }
+
+  protected get words(): ClothTexts {
+    const {language, messages} = this.workbench.preferences;
+    return clothTexts(language, messages);
+  }
+
+  /** What a piece is called; with a number where several are cut of it. */
+  protected readonly labelOf = ({name, number}: Pick<PieceOnCloth, 'name' | 'number'>): string => {
+    const label =
+      this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ?? name;
+    const {names} = this.laying;
+    const same = names.flatMap((one, k) => (one === name ? [k] : []));
+    return same.length > 1 ? `${label} ${same.indexOf(number) + 1}` : label;
+  };
+}

@@ -1,0 +1,277 @@
+/** The pieces of the present answer on their cloth: its drawing, what is done to it, and the same as words. */
+import {html, nothing, type TemplateResult} from 'lit';
+
+import {usedLength} from '../../marker/places.js';
+import type {Point} from '../../model/geometry.js';
+import {lastOf} from '../../workbench/last-of.js';
+import {spokenFailure} from '../../workbench/spoken-failure.js';
+import {commandFor} from '../commands/command-for.js';
+import type {Command} from '../commands/command.js';
+import {controls} from '../style/controls.js';
+import {clothBar, clothZoom} from './cloth-bar.js';
+import {clothCommands} from './cloth-commands.js';
+import {PieceActions} from './piece-actions.js';
+import {ways} from './cloth-moves.js';
+import {clothFiles} from './cloth-files.js';
+import {ClothPointing, type PointedCloth} from './cloth-pointing.js';
+import {clothSheet, type Dragged} from './cloth-sheet.js';
+import {clothStatus, spokenStatus} from './cloth-status.js';
+import {clothStyle} from './cloth-style.js';
+import {conflicts, conflictWords, placeWords, roundedLength} from './cloth-words.js';
+import {layStepWords} from './lay-step-words.js';
+import {margin, type SheetFrame} from './sheet-frame.js';
+
+const zooms = {least: 1, most: 12} as const;
+/** Cloth that is shown beyond what is used. [cm] */
+const beyond = 14;
+/** At the least. [cm] */
+const leastLength = 50;
+/** Long cloth is shown at this share of the scale at which its width fills the view, at the least. */
+const leastShare = 0.6;
+export class ClothPane extends PieceActions {
+  static override styles = [controls, clothStyle];
+  readonly #conflictsOf = lastOf(conflicts);
+  readonly #pointing = new ClothPointing(this);
+  #observer: ResizeObserver | undefined;
+  #end: (() => void) | undefined;
+  /** Of the room that the cloth is shown in. [CSS px] */
+  #room: Point = [0, 0];
+  #zoom = 1;
+  #isAtStart = false;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#observer = new ResizeObserver(([entry]) => {
+      const {width = 0, height = 0} = entry?.contentRect ?? {};
+      this.#room = [width, height];
+      this.requestUpdate();
+    });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#observer?.disconnect();
+    this.#end?.();
+    this.#end = undefined;
+    this.#pointing.cancel();
+  }
+
+  /** What it can be asked for, with the keys that mean it while it has the focus. */
+  get commands(): readonly Command[] {
+    return clothCommands(this, this.texts, this.words);
+  }
+
+  /** What can be had just now: nothing while pieces lie on each other. */
+  get files(): ReturnType<typeof clothFiles> {
+    const {plan} = this.laying;
+    const isGood = plan !== undefined && this.isReady && this.#conflicts.size === 0;
+    return isGood ? clothFiles(plan, this.words) : [];
+  }
+
+  /** What undo would take back here. */
+  get undoWords(): string | undefined {
+    const {past = [], present} = this.laying.history ?? {};
+    return layStepWords(past.at(-1), present, this.words);
+  }
+
+  get redoWords(): string | undefined {
+    const {future = [], present} = this.laying.history ?? {};
+    return layStepWords(present, future[0], this.words);
+  }
+
+  /** @returns whether there was something to take back */
+  undo(): boolean {
+    this.#pointing.cancel();
+    return this.laying.undo();
+  }
+
+  redo(): boolean {
+    return this.laying.redo();
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>('.application')?.focus(options);
+  }
+
+  zoomBy(factor: number): void {
+    this.#zoom = Math.min(zooms.most, Math.max(zooms.least, this.#zoom * factor));
+    this.requestUpdate();
+  }
+
+  fit(): void {
+    this.#zoom = 1;
+    this.#isAtStart = false;
+    this.requestUpdate();
+  }
+
+  toggleFlawTool(): void {
+    if (this.isReady) this.#pointing.toggleFlawTool();
+  }
+
+  get isMarking(): boolean {
+    return this.#pointing.isMarking;
+  }
+
+  /** What is shown, for who points at it. */
+  get shown(): PointedCloth['shown'] {
+    const {pieces, bolt} = this.laying;
+    return {pieces, bolt, frame: bolt && this.#frame(bolt.widthCm, usedLength(pieces))};
+  }
+
+  /** Laid from now on. The cut edge is seen first. */
+  protected override updated(): void {
+    if (this.isConnected) this.#end ??= this.laying.show();
+    const application = this.renderRoot.querySelector('.application');
+    if (application) this.#observer?.observe(application);
+    if (!application || this.#isAtStart || !this.renderRoot.querySelector('.sheet')) return;
+    this.#isAtStart = true;
+    application.scrollTop = application.scrollHeight;
+  }
+
+  protected override render(): TemplateResult {
+    const {laying, words} = this;
+    const {state} = laying;
+    return html`<div class="pane" data-state=${state.kind}>
+      ${clothBar(this, words)}
+      <div
+        class="application"
+        role="application"
+        aria-label=${words.label}
+        aria-description=${words.description}
+        tabindex="0"
+        @keydown=${this.#press}
+      >
+        <div
+          class="stage ${laying.isStale ? 'stale' : ''} ${this.isMarking ? 'marking' : ''}"
+          @pointerdown=${this.#pointing.press}
+          @pointermove=${this.#pointing.move}
+          @pointerup=${this.#pointing.release}
+          @pointercancel=${this.#pointing.cancel}
+          @pointerleave=${this.#pointing.leave}
+          @dblclick=${this.#pointing.closeFlaw}
+        >
+          ${this.#sheet()}
+        </div>
+      </div>
+      <slot name="notice"></slot>
+      <div class="foot">
+        <div class="said">${clothStatus(this.#status)}</div>
+        ${clothZoom(this, this.texts)}
+      </div>
+      <progress
+        aria-hidden="true"
+        max="1"
+        ?hidden=${state.kind !== 'laying'}
+        .value=${state.kind === 'laying' ? state.fraction : 0}
+      ></progress>
+      <sw-cloth-panel
+        .workbench=${this.workbench}
+        .selected=${this.selected}
+        .conflicts=${this.#conflicts}
+        @sw-piece-chosen=${({detail}: CustomEvent<number>) => {
+          this.choose(detail);
+        }}
+        @keydown=${this.#pressInList}
+      ></sw-cloth-panel>
+      <p class="hidden" role="status">${spokenStatus(this.#status)}</p>
+    </div>`;
+  }
+
+  get #conflicts(): ReadonlyMap<number, string> {
+    const {pieces, bolt} = this.laying;
+    return bolt ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
+  }
+
+  /** As large as there is room for, and as somebody has zoomed. */
+  #frame(widthCm: number, usedCm: number): SheetFrame {
+    const [width, height] = this.#room;
+    const lengthCm = Math.max(usedCm, leastLength) + beyond;
+    const across = (width - margin.left - margin.right) / widthCm;
+    const along = (height - margin.top - margin.bottom) / lengthCm;
+    const scale = Math.max(Math.min(across, along), leastShare * across, 1);
+    return {widthCm, lengthCm, scale: scale * this.#zoom};
+  }
+
+  #sheet(): TemplateResult | typeof nothing {
+    const {laying, words} = this;
+    const {bolt, pieces, step, print} = laying;
+    if (!bolt || !step || !print || this.#room[0] === 0) return nothing;
+    const usedCm = usedLength(pieces);
+    const {units} = this.workbench.preferences;
+    const frame = this.#pointing.frame ?? this.#frame(bolt.widthCm, usedCm);
+    return clothSheet({
+      ...{frame, bolt, image: print.image, usedCm, pieces, words, units},
+      usedWords: roundedLength(usedCm, units, this.format),
+      label: this.labelOf,
+      pins: step.pins,
+      selected: this.selected,
+      pointed: this.numberOf(this.workbench.pointed),
+      bad: new Set(this.#conflicts.keys()),
+      dragged: this.#pointing.dragged,
+      draft: this.#pointing.draft,
+    });
+  }
+
+  #inWay({piece, inWay}: Dragged): string | undefined {
+    return conflictWords(piece, inWay, this.laying.pieces, this.labelOf, this.words);
+  }
+
+  /** Of the one that is dragged, where it would come to lie. */
+  get #placeOfSelected(): string | undefined {
+    const {bolt} = this.laying;
+    const {dragged} = this.#pointing;
+    const piece = dragged ? {...dragged.piece, place: dragged.place} : this.selectedPiece;
+    if (!piece || !bolt) return undefined;
+    const place = placeWords(piece, bolt, this.words, this.format);
+    const pinned = this.chosen?.isPinned ? `, ${this.words.pinned}` : '';
+    return `${this.labelOf(piece)}: ${place}${pinned}`;
+  }
+
+  get #status(): Parameters<typeof clothStatus>[0] {
+    const {laying, words, format} = this;
+    const {state} = laying;
+    const {dragged} = this.#pointing;
+    const conflicts = this.#conflicts;
+    const own = this.selected === undefined ? undefined : conflicts.get(this.selected);
+    const why =
+      state.kind === 'failed' ? spokenFailure(state.failure, this.workbench, this.texts) : '';
+    return {
+      ...{laying, words, format, why, said: this.said, isMarking: this.isMarking},
+      isDragging: dragged !== undefined,
+      ...{conflict: dragged ? this.#inWay(dragged) : (own ?? [...conflicts.values()][0])},
+      place: this.#placeOfSelected,
+    };
+  }
+
+  /** Keys work in the list of pieces, too; what presses buttons there does not. */
+  readonly #pressInList = (event: KeyboardEvent): void => {
+    const [target] = event.composedPath();
+    const isField = target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
+    if (!isField && !['Enter', ' '].includes(event.key)) this.#press(event);
+  };
+
+  readonly #press = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey) return;
+    if (!this.#handled(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  #handled({key, altKey, shiftKey}: KeyboardEvent): boolean {
+    const way = ways[key];
+    if (way) return this.nudge(way, altKey);
+    if (key === 'Escape') return this.#pointing.cancel() || this.letGo();
+    if (key === 'Enter' && this.isMarking) {
+      this.#pointing.closeFlaw();
+      return true;
+    }
+    if (altKey) {
+      if (key.toUpperCase() !== 'R') return false;
+      this.turn(true);
+      return true;
+    }
+    const command = commandFor(this.commands, shiftKey && /^n$/i.test(key) ? 'Shift N' : key);
+    command?.run();
+    return command !== undefined;
+  }
+}

@@ -1,0 +1,250 @@
+/** Beside the cloth: what there is to buy, what cloth it is, and the pieces as a list. */
+import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
+
+import type {LayPlan} from '../../model/lay-plan.js';
+import type {LayStep} from '../../workbench/lay-step.js';
+import {rangeNote} from '../../marker/plan.js';
+import {controls} from '../style/controls.js';
+import {icon} from '../style/icons.js';
+import {ClothElement} from './cloth-element.js';
+import {clothFields} from './cloth-fields.js';
+import {flawWords, lengthRange, placeWords, roundedLength, soldLength} from './cloth-words.js';
+import {panelStyle} from './panel-style.js';
+
+/** What is dearer by less costs nothing, and what is shorter by less is as long. [cm] */
+const leastCost = 0.5;
+
+export class ClothPanel extends ClothElement {
+  static override properties = {
+    ...ClothElement.properties,
+    selected: {attribute: false},
+    conflicts: {attribute: false},
+    hasOwnWidth: {state: true},
+  };
+  static override styles = [controls, panelStyle];
+  /** The number of a piece. */
+  declare selected: number | undefined;
+  /** Why pieces do not lie well, by their numbers. */
+  declare conflicts: ReadonlyMap<number, string>;
+  declare protected hasOwnWidth: boolean;
+
+  constructor() {
+    super();
+    this.conflicts = new Map();
+    this.hasOwnWidth = false;
+  }
+
+  /** What is selected elsewhere comes into sight. */
+  protected override updated(changed: PropertyValues<this>): void {
+    if (!changed.has('selected')) return;
+    this.renderRoot.querySelector('tr.selected')?.scrollIntoView({block: 'nearest'});
+  }
+
+  protected override render(): TemplateResult {
+    const {laying, words} = this;
+    const {step, plan, state, isStale} = laying;
+    const isShown = plan !== undefined && state.kind !== 'failed' && laying.pieces.length > 0;
+    return html`<section aria-label=${words.panel} class=${isStale ? 'stale' : ''}>
+        ${isShown ? this.#result(plan) : html`<h2>${words.panel}</h2>`} ${this.#fields()}
+      </section>
+      ${isShown && step ? html`${this.#pieces(step)} ${this.#flaws(step)}` : nothing}
+      ${isShown ? this.#widths(plan) : nothing}`;
+  }
+
+  #result(plan: LayPlan): TemplateResult {
+    const {words, format, laying} = this;
+    const {units} = this.workbench.preferences;
+    const {lengthCm, useShare, boundCm, proven, phases} = plan;
+    const notes = plan.notes.filter((note) => !rangeNote(phases).includes(note));
+    const isDone = laying.state.kind === 'done';
+    const laid = laying.step?.plan ?? plan;
+    return html`<h2 class="buy">${words.buy(soldLength(lengthCm, units, words, format))}</h2>
+      <ul class="facts">
+        <li>${words.used(format.length(lengthCm), format.percent(useShare))}</li>
+        ${proven ? html`<li>${icon.result} ${words.proven}</li>` : nothing}
+        ${
+          !proven && isDone && boundCm > 0
+            ? html`<li>${words.bound(format.length(boundCm))}</li>`
+            : nothing
+        }
+        ${laying.isMoved ? html`<li>${words.moved}</li>` : nothing} ${this.#cost(laid)}
+        ${this.#range(phases)} ${notes.map((note) => html`<li>${note}</li>`)}
+      </ul>`;
+  }
+
+  #cost({lengthCm, freeLengthCm}: LayPlan): TemplateResult | typeof nothing {
+    if (freeLengthCm === null) return nothing;
+    const cost = lengthCm - freeLengthCm;
+    const {words, format} = this;
+    return html`<li>
+      ${cost < leastCost ? words.costsNothing : words.costs(format.length(cost))}
+    </li>`;
+  }
+
+  /** Where nobody has measured where the print starts, how much hangs on it. */
+  #range(phases: LayPlan['phases']): readonly TemplateResult[] {
+    const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
+    const [least, most] = [Math.min(...known), Math.max(...known)];
+    const {words, format} = this;
+    const {units} = this.workbench.preferences;
+    const nowhere = phases.length - known.length;
+    return [
+      ...(known.length > 1 && most - least >= leastCost
+        ? [html`<li class="range">${lengthRange([least, most], units, words, format)}</li>`]
+        : []),
+      ...(known.length > 1 && nowhere > 0
+        ? [html`<li class="range">${words.rangeNowhere(nowhere, phases.length)}</li>`]
+        : []),
+    ];
+  }
+
+  #fields(): TemplateResult | typeof nothing {
+    const {laying, workbench} = this;
+    const {choices, plan} = laying;
+    const {design, preferences} = workbench;
+    if (!choices || !design) return nothing;
+    return clothFields({
+      ...{choices, units: preferences.units, format: this.format},
+      ...{texts: this.texts, words: this.words, hasOwnWidth: this.hasOwnWidth},
+      startCm: plan?.printOrigin?.[0],
+      isOneWay: design.print.oneWay,
+      choose: (change) => {
+        if (change.widthCm !== undefined) this.hasOwnWidth = false;
+        laying.choose(change);
+      },
+      askOwnWidth: () => {
+        this.hasOwnWidth = true;
+      },
+    });
+  }
+
+  #pieces({pins}: LayStep): TemplateResult {
+    const {laying, words} = this;
+    const {bolt, names, pieces} = laying;
+    return html`<table class="pieces">
+      <caption>
+        ${words.pieces}
+      </caption>
+      <thead class="hidden">
+        <tr>
+          <th scope="col">${words.piece}</th>
+          <th scope="col">${words.place}</th>
+          <th scope="col">${words.pin}</th>
+        </tr>
+      </thead>
+      <tbody>
+        ${names.map((name, number) => {
+          const piece = pieces.find((one) => one.number === number);
+          const label = this.labelOf({name, number});
+          const conflict = this.conflicts.get(number);
+          const place = piece && bolt ? placeWords(piece, bolt, words, this.format) : words.noPlace;
+          return html`<tr
+            class=${number === this.selected ? 'selected' : ''}
+            aria-selected=${number === this.selected}
+            tabindex="0"
+            @click=${() => {
+              this.#choose(number);
+            }}
+            @focus=${() => {
+              if (number !== this.selected) this.#choose(number);
+            }}
+          >
+            <th scope="row">${label}</th>
+            <td>
+              ${place}
+              ${conflict === undefined ? nothing : html`<span class="error">${conflict}</span>`}
+            </td>
+            <td>
+              <button
+                class="icon"
+                aria-label=${words.pinPiece(label)}
+                title=${pins.has(number) ? words.unpin : words.pin}
+                aria-pressed=${pins.has(number)}
+                ?disabled=${!piece || laying.isStale}
+                @click=${(event: Event) => {
+                  event.stopPropagation();
+                  laying.togglePin(number);
+                }}
+              >
+                ${icon.pin}
+              </button>
+            </td>
+          </tr>`;
+        })}
+      </tbody>
+    </table>`;
+  }
+
+  #choose(number: number): void {
+    this.dispatchEvent(new CustomEvent<number>('sw-piece-chosen', {detail: number}));
+  }
+
+  #flaws({flaws}: LayStep): TemplateResult | typeof nothing {
+    const {laying, words} = this;
+    if (flaws.length === 0) return nothing;
+    return html`<section class="flaws" aria-label=${words.flaws}>
+      <h3>${words.flaws}</h3>
+      <ul>
+        ${flaws.map((flaw, k) => {
+          const said = flawWords(flaw, k + 1, words, this.format);
+          return html`<li>
+            <span>${said}</span>
+            <button
+              class="link"
+              aria-label=${words.removeFlaw(said)}
+              ?disabled=${laying.isStale}
+              @click=${() => {
+                laying.setFlaws(flaws.filter((one) => one !== flaw));
+              }}
+            >
+              ${words.remove}
+            </button>
+          </li>`;
+        })}
+      </ul>
+    </section>`;
+  }
+
+  #widths({widths, widthCm}: LayPlan): TemplateResult | typeof nothing {
+    const {laying, words, format} = this;
+    const {units} = this.workbench.preferences;
+    if (!widths.some(({lengthCm}) => lengthCm !== null)) return nothing;
+    return html`<table class="widths">
+      <caption>
+        ${words.widths}
+      </caption>
+      <thead>
+        <tr>
+          <th scope="col">${words.widthColumn}</th>
+          <th scope="col" class="number">${words.lengthColumn}</th>
+        </tr>
+      </thead>
+      <tbody>
+        ${widths.map(({widthCm: width, lengthCm}) => {
+          const label = format.length(width);
+          return html`<tr class=${width === widthCm ? 'present' : ''}>
+            <th scope="row">
+              ${
+                width === widthCm || lengthCm === null
+                  ? label
+                  : html`<button
+                      class="link"
+                      aria-label=${words.takeWidth(label)}
+                      title=${words.takeWidth(label)}
+                      @click=${() => {
+                        laying.choose({widthCm: width});
+                      }}
+                    >
+                      ${label}
+                    </button>`
+              }
+            </th>
+            <td class="number">
+              ${lengthCm === null ? words.nowhere : roundedLength(lengthCm, units, format)}
+            </td>
+          </tr>`;
+        })}
+      </tbody>
+    </table>`;
+  }
+}

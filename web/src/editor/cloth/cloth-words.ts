@@ -1,0 +1,104 @@
+/** What is said of a plan and of the places of its pieces. */
+import {countedRepeats} from '../../marker/counted-repeats.js';
+import {
+  boxAt,
+  isFree,
+  obstaclesTo,
+  type Bolt,
+  type LaidPiece,
+  type Obstacles,
+} from '../../marker/places.js';
+import {degrees, type Point} from '../../model/geometry.js';
+import {boxOf} from '../../model/polyline.js';
+import {fractionOrNumber, type Units} from '../../model/units.js';
+import type {ClothTexts} from '../../texts/cloth-texts.js';
+import type {Format} from '../../texts/format.js';
+import type {PieceOnCloth} from '../../workbench/laying.js';
+
+/** Steps in which cloth is sold: 5 cm, an eighth of a yard. */
+const soldCm = 5;
+const yardCm = 91.44;
+const eighths = 8;
+/** What is longer by less is not. [cm] */
+const slack = 0.01;
+
+/** What there is to buy for a length, rounded up: "1.45 m", "1 5/8 yd". */
+export function soldLength(cm: number, units: Units, words: ClothTexts, format: Format): string {
+  if (units === 'inch') {
+    const parts = Math.max(0, Math.ceil(((cm - slack) / yardCm) * eighths));
+    return words.yards(fractionOrNumber(parts / eighths, 3));
+  }
+  return words.metres(format.number((Math.ceil((cm - slack) / soldCm) * soldCm) / 100, 2));
+}
+
+/** Whole centimetres, upwards; sixteenths of an inch. */
+export const roundedLength = (cm: number, units: Units, format: Format): string =>
+  format.length(units === 'inch' ? cm : Math.ceil(cm - slack));
+
+/** "121 to 136 cm" of lengths in whole centimetres. */
+export const lengthRange = (
+  [least, most]: readonly [number, number],
+  units: Units,
+  words: ClothTexts,
+  format: Format,
+): string =>
+  words.range(
+    units === 'inch' ? format.length(least) : format.number(Math.ceil(least - slack)),
+    roundedLength(most, units, format),
+  );
+
+/** Where something begins: "3rd repeat from the left, 2nd from the start". */
+export function pointWords(at: Point, bolt: Bolt, words: ClothTexts, format: Format): string {
+  const counted = countedRepeats(at, bolt);
+  return counted
+    ? words.at(counted.across, counted.along)
+    : words.atLength(format.length(at[0]), format.length(at[1]));
+}
+
+/** The same of a piece, and how it is turned. */
+export function placeWords(laid: LaidPiece, bolt: Bolt, words: ClothTexts, format: Format): string {
+  const turn = ((Math.round(degrees(laid.place.angle)) % 360) + 360) % 360;
+  const where = pointWords(boxAt(laid).low, bolt, words, format);
+  return turn === 0 ? where : `${where}, ${words.turned(format.number(turn))}`;
+}
+
+/** Where a flaw is. */
+export function flawWords(
+  flaw: readonly Point[],
+  number: number,
+  words: ClothTexts,
+  format: Format,
+): string {
+  const {low} = boxOf(flaw);
+  return words.flawAt(number, format.length(low[0]), format.length(low[1]));
+}
+
+/** What is in the way of a piece; undefined for nothing. */
+export function conflictWords(
+  piece: PieceOnCloth,
+  found: Obstacles,
+  pieces: readonly PieceOnCloth[],
+  label: (piece: PieceOnCloth) => string,
+  words: ClothTexts,
+): string | undefined {
+  if (isFree(found)) return undefined;
+  const others = found.pieces.flatMap((n) => (pieces[n] ? [label(pieces[n])] : []));
+  if (others.length > 0) return words.overlaps(label(piece), others.join(', '));
+  return found.flaws.length > 0 ? words.onFlaw(label(piece)) : words.outside(label(piece));
+}
+
+/** Of those that are not free where they lie, why, by their numbers. */
+export function conflicts(
+  pieces: readonly PieceOnCloth[],
+  bolt: Bolt,
+  label: (piece: PieceOnCloth) => string,
+  words: ClothTexts,
+): ReadonlyMap<number, string> {
+  return new Map(
+    pieces.flatMap((piece, k): (readonly [number, string])[] => {
+      const found = obstaclesTo(pieces, k, piece.place, bolt);
+      const said = conflictWords(piece, found, pieces, label, words);
+      return said === undefined ? [] : [[piece.number, said]];
+    }),
+  );
+}

@@ -1,0 +1,146 @@
+/** What is done to the pieces on their cloth, whoever asks for it; and which of them is meant. */
+import type {PropertyValues} from 'lit';
+
+import type {Alignment, Point} from '../../model/geometry.js';
+import type {PieceOnCloth} from '../../workbench/laying.js';
+import {sameTarget} from '../../workbench/state.js';
+import type {Target} from '../../workbench/workbench.js';
+import {ClothElement} from './cloth-element.js';
+import {placeOn, placeTurned} from './cloth-moves.js';
+
+export abstract class PieceActions extends ClothElement {
+  static override properties = {
+    ...ClothElement.properties,
+    selected: {state: true},
+  };
+  /** The number of a piece. */
+  declare protected selected: number | undefined;
+  /** What was done last, in words. */
+  protected said = '';
+  /** What was picked last, here or elsewhere. */
+  #target: Target | undefined;
+
+  get isReady(): boolean {
+    const {laying} = this;
+    return !laying.isStale && laying.pieces.length > 0 && laying.bolt !== undefined;
+  }
+
+  walk(step: 1 | -1): void {
+    const {pieces} = this.laying;
+    const from = pieces.findIndex(({number}) => number === this.selected);
+    const first = step > 0 ? -1 : 0;
+    const next = pieces[((from < 0 ? first : from) + step + pieces.length) % pieces.length];
+    if (next) this.choose(next.number);
+  }
+
+  turn(takes = false): void {
+    const {bolt, pieces} = this.laying;
+    const piece = this.selectedPiece;
+    if (!bolt || !piece || !this.isReady) return;
+    const place = placeTurned(pieces, piece, bolt, takes);
+    if (place) this.move(piece, place);
+    else this.say(this.words.cannotTurn(this.labelOf(piece)));
+  }
+
+  togglePin(): void {
+    const piece = this.selectedPiece;
+    if (!piece || !this.isReady) return;
+    this.laying.togglePin(piece.number);
+    this.say('');
+  }
+
+  pack(): void {
+    this.laying.pack();
+    this.say('');
+  }
+
+  /** Shows a piece as the one that is meant, here and everywhere. */
+  choose(number: number | undefined): void {
+    this.selected = number;
+    this.#target = this.#targetOf(number);
+    this.workbench.select(this.#target);
+    this.say('');
+  }
+
+  #targetOf(number: number | undefined): Target | undefined {
+    const name = this.laying.names[number ?? -1];
+    const piece = this.workbench.pattern?.pieces.findIndex((one) => one.name === name) ?? -1;
+    return piece < 0 ? undefined : {kind: 'piece', piece};
+  }
+
+  hold(): void {
+    this.laying.cancel();
+  }
+
+  move({number}: PieceOnCloth, place: Alignment): void {
+    this.laying.move(number, place);
+    this.say('');
+  }
+
+  /** @param draft of a flaw */
+  addFlaw(flaw: readonly Point[]): void {
+    this.laying.setFlaws([...(this.laying.step?.flaws ?? []), flaw]);
+  }
+
+  get selectedPiece(): PieceOnCloth | undefined {
+    return this.laying.pieces.find(({number}) => number === this.selected);
+  }
+
+  get chosen(): {readonly isPinned: boolean} | undefined {
+    const piece = this.selectedPiece;
+    return piece && {isPinned: this.laying.step?.pins.has(piece.number) ?? false};
+  }
+
+  get hasPins(): boolean {
+    return (this.laying.step?.pins.size ?? 0) > 0;
+  }
+
+  /** Shows what the pointer is over, here and everywhere. */
+  point(number: number | undefined): void {
+    this.workbench.point(this.#targetOf(number));
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const {selected} = this.workbench;
+    if (!sameTarget(selected, this.#target)) {
+      this.#target = selected;
+      this.selected = undefined;
+    }
+    this.selected ??= this.numberOf(this.#target); // it may not have been laid before
+  }
+
+  /** The first of the pieces that a target means. */
+  protected numberOf(target: Target | undefined): number | undefined {
+    const name =
+      target?.kind === 'piece' ? this.workbench.pattern?.pieces[target.piece]?.name : undefined;
+    const number = name === undefined ? -1 : this.laying.names.indexOf(name);
+    return number < 0 ? undefined : number;
+  }
+
+  protected say(text: string): void {
+    this.said = text;
+    this.requestUpdate();
+  }
+
+  protected letGo(): boolean {
+    if (this.selected === undefined) return false;
+    this.choose(undefined);
+    return true;
+  }
+
+  /** @returns whether there is a piece to be moved */
+  protected nudge(way: Point, takes: boolean): boolean {
+    const {bolt, pieces} = this.laying;
+    const piece = this.selectedPiece;
+    if (!bolt || !this.isReady) return false;
+    if (!piece) {
+      this.walk(1);
+      return true;
+    }
+    const place = placeOn(pieces, piece, bolt, way, takes);
+    if (place) this.move(piece, place);
+    else this.say(this.words.noWay(this.labelOf(piece)));
+    return true;
+  }
+}

@@ -1,0 +1,45 @@
+/** A plan with its pieces lying otherwise: as somebody has moved them. Lengths in cm. */
+import {onPiece, type Alignment} from '../model/geometry.js';
+import type {LaidPlacement, LayPlan} from '../model/lay-plan.js';
+import {boxOf, signedArea} from '../model/polyline.js';
+import type {MarkerOrder} from './problem.js';
+
+/** A length that is greater than the bound by less is as short as it can be. */
+const sameLength = 0.05;
+
+type Pieces = Pick<MarkerOrder, 'pieces'> & {
+  readonly problem: Pick<MarkerOrder['problem'], 'pieces'>;
+};
+
+/** What a plan says of where each piece lies; undefined where it has no place. */
+export function placesIn({pieces}: Pieces, {placements}: LayPlan): (Alignment | undefined)[] {
+  return pieces.map(({result, copy, piece, nth}) => {
+    const found = placements.find(
+      (one) => one.result === result && one.copy === copy && one.piece === piece && one.nth === nth,
+    );
+    return found && {angle: found.angle, translation: found.translation};
+  });
+}
+
+/** @param places by number of the pieces */
+export function movedPlan(
+  {pieces, problem}: Pieces,
+  plan: LayPlan,
+  places: readonly (Alignment | undefined)[],
+): LayPlan {
+  const placements = pieces.flatMap((piece, k): LaidPlacement[] => {
+    const [place, asked] = [places[k], problem.pieces[k]];
+    return place && asked
+      ? [{...piece, ...place, cut: asked.outline.map((p) => onPiece(place, p))}]
+      : [];
+  });
+  const lengthCm = Math.max(0, boxOf(placements.flatMap(({cut}) => cut)).high[1]);
+  const boundCm = Math.min(plan.boundCm, lengthCm);
+  const area = placements.reduce((sum, {cut}) => sum + signedArea(cut), 0);
+  return {
+    ...plan,
+    ...{placements, lengthCm, boundCm, useShare: area / (plan.widthCm * lengthCm || 1)},
+    proven: plan.proven && lengthCm - boundCm < sameLength,
+    unplaced: pieces.filter((_, k) => !places[k]),
+  };
+}

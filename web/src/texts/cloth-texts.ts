@@ -1,0 +1,18 @@
+/** What is said of the pieces on their cloth: loaded with what shows them, in all languages. */
+import {cloth as de} from './cloth/de.js';
+import {cloth as en, type ClothTexts} from './cloth/en.js';
+import {cloth as es} from './cloth/es.js';
+import {cloth as fr} from './cloth/fr.js';
+import {cloth as it} from './cloth/it.js';
+import {withMessages, type Messages} from './messages.js';
+import type {Language} from './preferences.js';
+
+export type {ClothTexts} from './cloth/en.js';
+
+const tables: Readonly<Record<Language, ClothTexts>> = {en, de, fr, es, it};
+
+/** The words of a language, but for those that somebody gives themselves. */
+export function clothTexts(language: Language, messages?: Messages): ClothTexts {
+  const own = tables[language];
+  return messages?.cloth ? withMessages({cloth: own}, {cloth: messages.cloth}).cloth : own;
+}

@@ -1,0 +1,96 @@
+/** In English: the pieces laid on the cloth. */
+
+/** 1st, 2nd, 3rd, 4th, 11th, 21st */
+function ordinal(n: number): string {
+  const teens = n % 100 > 10 && n % 100 < 14;
+  const ending = teens ? 'th' : (['th', 'st', 'nd', 'rd'][n % 10] ?? 'th');
+  return `${n}${ending}`;
+}
+
+export const cloth = {
+  label: 'Cloth with the pieces on it',
+  description:
+    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all.',
+  panel: 'Cloth',
+  /** What there is to buy. */
+  buy: (length: string) => `Buy ${length}`,
+  metres: (metres: string) => `${metres} m`,
+  yards: (yards: string) => `${yards} yd`,
+  used: (length: string, percent: string) => `${length} long, ${percent} used`,
+  proven: 'Proven shortest',
+  bound: (length: string) => `At best ${length}`,
+  moved: 'As moved by hand',
+  costs: (length: string) => `The print costs ${length}`,
+  costsNothing: 'The print costs no cloth',
+  range: (least: string, most: string) =>
+    `${least} to ${most}, by where the print starts; measure it.`,
+  rangeNowhere: (nowhere: number, all: number) =>
+    `At ${nowhere} of ${all} places where the print may start, not all pieces fit.`,
+  width: 'Cloth width',
+  otherWidth: 'Other …',
+  widthIn: (unit: string) => `Cloth width (${unit})`,
+  selvedge: (unit: string) => `Selvedge (${unit})`,
+  gap: (unit: string) => `Between pieces (${unit})`,
+  oneWay: 'All pieces one way up',
+  oneWayNote: 'For velvet and other cloth with a nap.',
+  phase: 'Print starts at the selvedge',
+  phases: {unknown: 'Unknown', known: 'Measured'},
+  phaseIn: (unit: string) => `From the left edge to a corner of the repeat (${unit})`,
+  widths: 'On other widths',
+  widthColumn: 'Width',
+  lengthColumn: 'Length',
+  nowhere: 'does not fit',
+  takeWidth: (width: string) => `Lay on ${width}`,
+  pieces: 'Pieces on the cloth',
+  piece: 'Piece',
+  place: 'Place',
+  at: (across: number, along: number) =>
+    `${ordinal(across)} repeat from the left, ${ordinal(along)} from the start`,
+  atLength: (left: string, start: string) => `${left} from the left, ${start} from the start`,
+  turned: (degrees: string) => `turned ${degrees}°`,
+  noPlace: 'no place found',
+  pinned: 'pinned',
+  pin: 'Pin',
+  unpin: 'Unpin',
+  turn: 'Turn',
+  pinPiece: (piece: string) => `Pin ${piece}`,
+  cannotTurn: (piece: string) => `${piece} has no other turn on this print and grain.`,
+  noWay: (piece: string) => `${piece} has no free place further on that way.`,
+  packRest: 'Pack the rest',
+  packAgain: 'Pack again',
+  overlaps: (piece: string, others: string) => `${piece} overlaps ${others}`,
+  onFlaw: (piece: string) => `${piece} lies on a flaw`,
+  outside: (piece: string) => `${piece} reaches beyond the cloth`,
+  flaw: 'Mark a flaw',
+  flawHint: 'Drag a box over the flaw, or click its corners and press Enter; Esc ends.',
+  flaws: 'Flaws',
+  flawAt: (number: number, left: string, start: string) =>
+    `Flaw ${number}, ${left} from the left, ${start} from the start`,
+  remove: 'Remove',
+  removeFlaw: (flaw: string) => `Remove: ${flaw}`,
+  savePlan: 'Save lay plan (JSON)',
+  saveSvg: 'Save lay plan (SVG)',
+  savePdf: 'Save lay plan (PDF)',
+  cutEdge: 'cut edge',
+  selvedgeLabel: 'selvedge',
+  printStarts: 'print starts',
+  laying: (percent: string) => `Laying, ${percent}`,
+  cancel: 'Cancel',
+  cancelled: 'Cancelled: it may become shorter.',
+  again: 'Lay again',
+  waiting: 'Laid once the print is aligned',
+  stale: 'The design has changed: this is the plan from before.',
+  hint: 'Drag a piece to another place in the print',
+  nextPiece: 'Next piece',
+  pieceBefore: 'Piece before',
+  steps: {
+    move: 'move on the cloth',
+    turn: 'turn on the cloth',
+    pin: 'pin on the cloth',
+    pack: 'packing',
+    flaw: 'flaw',
+    cloth: 'cloth',
+  },
+};
+
+export type ClothTexts = typeof cloth;
