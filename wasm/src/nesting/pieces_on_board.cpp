@@ -105,7 +105,7 @@ int PiecesOnBoard::addShape(const Polyline& outline, const Mat2& turn) {
   return static_cast<int>(shapes_.size()) - 1;
 }
 
-int PiecesOnBoard::addPlaced(int shape, const Vec2& offset, bool is_pinned) {
+int PiecesOnBoard::addPlaced(int shape, const Vec2& offset) {
   const auto known = std::find_if(placed_.begin(), placed_.end(), [&](const PlacedShape& one) {
     return !one.is_pinned && one.shape == shape && (one.offset - offset).norm() < 1e-6;
   });
@@ -142,7 +142,7 @@ void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& pro
                        static_cast<int>(std::floor(steps.y() + 1e-6))};
         way.offset = offset - board_.shift(cell);
       }
-      way.placed = addPlaced(shape, rounded(way.offset), false);
+      way.placed = addPlaced(shape, rounded(way.offset));
       item->ways.push_back(way);
     }
   }

@@ -96,7 +96,7 @@ class PiecesOnBoard {
 
  private:
   int addShape(const Polyline& outline, const Mat2& turn);
-  int addPlaced(int shape, const Vec2& offset, bool is_pinned);
+  int addPlaced(int shape, const Vec2& offset);
   void addWays(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
   void addPin(const NestingPiece& piece, const NestingProblem& problem, LayItem* item);
 
