@@ -8,7 +8,7 @@ import {allowedTurns, warpPeriod, type TurnRule} from './plan-print.js';
 import {pieceOf, ringOnPiece, type PlanRules} from './plan-rules.js';
 import {movedBy, outlineOf, ringDistance, sharedArea, type Outline} from './rings.js';
 
-export interface Board {
+interface Board {
   readonly print: Repeat;
   readonly widthCm: number;
   readonly selvedgeCm: number;
@@ -17,7 +17,7 @@ export interface Board {
   readonly phaseCm: number;
 }
 
-export interface BoardPiece {
+interface BoardPiece {
   /** The cut line, on the piece. */
   readonly ring: readonly Point[];
   readonly alignment: Alignment;

@@ -49,7 +49,7 @@ export function lessRepeats({w1, w2}: Pick<Repeat, 'w1' | 'w2'>, v: Point): Poin
 }
 
 /** How the points of the print beneath a piece lie to those that its alignment says. */
-export interface OnCloth {
+interface OnCloth {
   /** How far they are from a turn of the group, once the first of them is put in its place; mirrored ones are far. */
   readonly off: number;
   /** The print's own shift beneath the piece, before it is turned, less whole repeats. */

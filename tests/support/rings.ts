@@ -13,7 +13,7 @@ export const ringArea = (ring: Ring): number =>
 export const movedBy = (ring: Ring, by: Point): Ring => ring.map((p) => plus(p, by));
 
 /** Left, lower, right and upper end. */
-export type Extent = readonly [left: number, lower: number, right: number, upper: number];
+type Extent = readonly [left: number, lower: number, right: number, upper: number];
 
 export function extentOf(points: Ring): Extent {
   const [x, y] = [points.map((p) => p[0]), points.map((p) => p[1])];

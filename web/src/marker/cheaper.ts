@@ -23,7 +23,7 @@ const onIt = 1e-3;
 
 type Lay = (problem: MarkerProblem, hooks: MarkerHooks) => Promise<MarkerAnswer>;
 
-export interface Laid {
+interface Laid {
   readonly garments: readonly MarkerGarment[];
   readonly settings: MarkerSettings;
   readonly print: Pick<Print, 'oneWay'> | undefined;

@@ -4,7 +4,7 @@ import {num, pointsPerCm} from './pdf-content.js';
 import {dateString, refTo, textString, type PdfDocument, type Ref} from './pdf-document.js';
 import type {PdfResources} from './pdf-resources.js';
 
-export interface PdfPage {
+interface PdfPage {
   readonly widthCm: number;
   readonly heightCm: number;
   /** What readers call it. */

@@ -63,9 +63,10 @@ export class ClothPane extends PieceActions {
 
   /** What can be had just now: nothing while pieces lie on each other. */
   get files(): ReturnType<typeof clothFiles> {
-    const {plan} = this.laying;
-    const isGood = plan !== undefined && this.isReady && this.#conflicts.size === 0;
-    return isGood ? clothFiles(plan, this.words) : [];
+    const {words, workbench} = this;
+    const {plan, print} = this.laying;
+    const isGood = plan && print && this.isReady && this.#conflicts.size === 0;
+    return isGood ? clothFiles(plan, {words, workbench, print}) : [];
   }
 
   /** What undo would take back here. */

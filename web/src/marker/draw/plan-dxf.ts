@@ -6,7 +6,7 @@ import type {LayPlan} from '../../model/lay-plan.js';
 import {namesIn, planPieces, type KnownPieces} from './plan-pieces.js';
 import {planTexts, type PlanTexts} from './plan-texts.js';
 
-export interface PlanDxfOptions extends KnownPieces {
+interface PlanDxfOptions extends KnownPieces {
   readonly texts?: PlanTexts;
 }
 

@@ -18,7 +18,7 @@ import {leastWidth, planSheets, type PlanOptions, type PlanSheet} from './plan-s
 import {planTexts} from './plan-texts.js';
 import {veils} from './veils.js';
 
-export interface PlanPdfOptions extends PlanOptions {
+interface PlanPdfOptions extends PlanOptions {
   /** Whose picture lies faintly below the pieces. */
   readonly print: PrintWithTile;
   /** 1: as wide as the cloth, for a plotter. Else small, on paper; smaller still where the cloth is too wide for it. */

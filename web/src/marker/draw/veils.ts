@@ -9,7 +9,7 @@ interface Veil {
   readonly opacity: number;
 }
 
-export interface Veils {
+interface Veils {
   /** The cloth. */
   readonly around: readonly Point[];
   readonly outside: Veil;

@@ -62,6 +62,8 @@ export const cloth: ClothTexts = {
   savePlan: 'Legeplan speichern (JSON)',
   saveSvg: 'Legeplan speichern (SVG)',
   savePdf: 'Legeplan speichern (PDF)',
+  savePlotter: 'Legeplan in wahrer Größe speichern (PDF)',
+  saveDxf: 'Legeplan speichern (DXF)',
   cutEdge: 'Schnittkante',
   selvedgeLabel: 'Webkante',
   printStarts: 'Musterbeginn',

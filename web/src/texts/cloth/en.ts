@@ -71,6 +71,8 @@ export const cloth = {
   savePlan: 'Save lay plan (JSON)',
   saveSvg: 'Save lay plan (SVG)',
   savePdf: 'Save lay plan (PDF)',
+  savePlotter: 'Save lay plan at true scale (PDF)',
+  saveDxf: 'Save lay plan (DXF)',
   cutEdge: 'cut edge',
   selvedgeLabel: 'selvedge',
   printStarts: 'print starts',

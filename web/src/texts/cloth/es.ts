@@ -63,6 +63,8 @@ export const cloth: ClothTexts = {
   savePlan: 'Guardar el plan de corte (JSON)',
   saveSvg: 'Guardar el plan de corte (SVG)',
   savePdf: 'Guardar el plan de corte (PDF)',
+  savePlotter: 'Guardar el plan de corte a tamaño real (PDF)',
+  saveDxf: 'Guardar el plan de corte (DXF)',
   cutEdge: 'borde cortado',
   selvedgeLabel: 'orillo',
   printStarts: 'inicio del estampado',

@@ -65,6 +65,8 @@ export const cloth: ClothTexts = {
   savePlan: 'Enregistrer le plan de coupe (JSON)',
   saveSvg: 'Enregistrer le plan de coupe (SVG)',
   savePdf: 'Enregistrer le plan de coupe (PDF)',
+  savePlotter: 'Enregistrer le plan de coupe à l’échelle 1 (PDF)',
+  saveDxf: 'Enregistrer le plan de coupe (DXF)',
   cutEdge: 'bord coupé',
   selvedgeLabel: 'lisière',
   printStarts: 'début de l’imprimé',

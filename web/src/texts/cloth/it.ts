@@ -63,6 +63,8 @@ export const cloth: ClothTexts = {
   savePlan: 'Salva il piano di taglio (JSON)',
   saveSvg: 'Salva il piano di taglio (SVG)',
   savePdf: 'Salva il piano di taglio (PDF)',
+  savePlotter: 'Salva il piano di taglio in grandezza reale (PDF)',
+  saveDxf: 'Salva il piano di taglio (DXF)',
   cutEdge: 'bordo tagliato',
   selvedgeLabel: 'cimosa',
   printStarts: 'inizio della stampa',
