@@ -224,7 +224,7 @@ TEST(Marker, OffersPlacesThatAreFree) {
       }
     }
   }
-  EXPECT_GT(count, 10);
+  EXPECT_GT(count, 4);  // more than where they are
 }
 
 }  // namespace

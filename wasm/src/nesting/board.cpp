@@ -48,7 +48,7 @@ Board Board::ofLattice(const Vec2& w1, const Vec2& w2, double least) {
   Vec2 along, up;
   if (const auto across = axisVector(a, b, 0)) {
     const Dot other = partnerOf(*across);
-    along = across->i * a + across->j * b;
+    along = {(across->i * a + across->j * b).x(), 0};  // level but for rounding
     up = other.i * a + other.j * b;
   } else {
     const bool first = std::abs(a.x()) * b.norm() >= std::abs(b.x()) * a.norm();

@@ -17,7 +17,8 @@ constexpr double kSameHeight = 1e-6;  // cm
 CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& cloth, double length)
     : pieces_(pieces), cloth_(cloth), length_(length) {
   const bool is_level = pieces.board().along.y() == 0;
-  if (pieces.isFine() || !is_level || !(pieces.period() || cloth.is_fixed)) return;
+  if (pieces.isFine() || !pieces.isWhole() || !is_level || !(pieces.period() || cloth.is_fixed))
+    return;
   const auto ways = allowedWays(pieces, cloth);
   slots_of_.resize(ways.size());
   int tallest = 0;
@@ -84,6 +85,7 @@ CompleteSearch::Level CompleteSearch::root(const Window& window) const {
   level.bottom = window.bottom;
   level.top = window.top;
   for (std::size_t s = 0; s < slots_.size(); ++s) {
+    if (slots_[s].high - slots_[s].low > length_ + kSameHeight) continue;
     const auto flaws = pieces_.flawTables(slots_[s].placed, cloth_.origin);
     for (int j = domains_[s].first; j <= domains_[s].rows().hi; ++j) {
       const DotRun& run = domains_[s].row(j);

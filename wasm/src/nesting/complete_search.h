@@ -16,8 +16,8 @@ class CompleteSearch {
   /// @param length   that no layout sought exceeds. [cm]
   CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& cloth, double length);
 
-  /// Whether its end proves anything: rows are level, they repeat or the cut is fixed, and none has
-  /// more than 64 dots. Otherwise `step` must not be called.
+  /// Whether its end proves anything: the board has all dots, rows are level, they repeat or the
+  /// cut is fixed, and none has more than 64 dots. Otherwise `step` must not be called.
   bool canProve() const { return can_prove_; }
   /// Goes on until about so many rows are looked at; false when it has ended.
   bool step(double reads);

@@ -88,7 +88,10 @@ bool areApart(const Shape& first, const Shape& second, const Vec2& shift, double
       if (edgesCross(a, b, c, d) ? distance > kTouching || room > 0 : distance < room) return false;
     }
   }
-  return !reachesInto(p, first.low, first.high, q, shift) &&
+  // narrow equal outlines that coincide have no other point within each other
+  const auto is_common = [&](const Vec2& at) { return isDeepIn(p, at) && isDeepIn(q, at - shift); };
+  return !is_common(first.inner) && !is_common(second.inner + shift) &&
+         !reachesInto(p, first.low, first.high, q, shift) &&
          !reachesInto(q, second.low, second.high, p, -shift);
 }
 

@@ -83,7 +83,8 @@ void LayoutSearch::scoreRow(const std::vector<Other>& others, int j, const DotRu
 /// Scores of all dots of a domain's box whose rows and columns leave the rests of `phase`.
 void LayoutSearch::scoreSome(const std::vector<Other>& others, const Domain& domain, Dot phase) {
   const int stride = pieces_.stride();
-  DotRun box{std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
+  constexpr int kFar = 1 << 29;
+  DotRun box{kFar, -kFar};
   for (const DotRun& run : domain.runs) {
     if (run.empty()) continue;
     box.lo = std::min(box.lo, run.lo);
@@ -189,6 +190,24 @@ LayoutSearch::Found LayoutSearch::leastOverlap(int item) {
       ties = 1;
     }
     candidates_.clear();
+  }
+  return best.place.way >= 0 ? best : leastBetween(item);
+}
+
+/// The same where domains are so small that they lie between the dots that are looked at.
+LayoutSearch::Found LayoutSearch::leastBetween(int item) {
+  Found best{{}, std::numeric_limits<float>::infinity()};
+  for (const int way : ways_[item]) {
+    const int placed = pieces_.items()[item].ways[way].placed;
+    const Domain& domain = domains_[placed];
+    const auto run = std::find_if(domain.runs.begin(), domain.runs.end(),
+                                  [](const DotRun& one) { return !one.empty(); });
+    if (run == domain.runs.end()) continue;
+    const std::vector<Other> others = othersOf(item, placed, true);
+    const Dot dot{run->lo, domain.first + static_cast<int>(run - domain.runs.begin())};
+    Found found{{way, dot}, scoreAt(others, dot)};
+    descend(others, domain, &found);
+    if (found.score < best.score) best = found;
   }
   return best;
 }

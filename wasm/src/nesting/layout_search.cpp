@@ -68,8 +68,9 @@ bool LayoutSearch::construct() {
     offer(layout);
   } else {
     laid_ = 0;
-    // taller windows have rows like those of this one, if they repeat
-    const bool is_hopeless = !hasPlace(item) && (doublings_ > 0 || pieces_.period());
+    // taller windows have rows like those of this one, if they repeat; a pin may lie beyond
+    const bool is_hopeless =
+        !hasPlace(item) && !pieces_.items()[item].is_pinned && (doublings_ > 0 || pieces_.period());
     height_ *= 2;
     if (!is_hopeless && ++doublings_ < kDoublings) return true;
     homeless_ = item;
@@ -93,7 +94,7 @@ double LayoutSearch::firstHeight() const {
 }
 
 void LayoutSearch::offer(const LaidPieces& layout) {
-  if (best_ && layout.length() > best_->length() - kShorter) return;
+  if (best_ && layout.length() > best_->length() - kShorter / 2) return;  // rounding
   best_ = layout;
   beginning_ = cloth_.is_fixed ? 0 : layout.bottom;
   is_under_way_ = false;

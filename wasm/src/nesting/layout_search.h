@@ -55,6 +55,7 @@ class LayoutSearch {
   float scoreAt(const std::vector<Other>& others, Dot dot);
   void descend(const std::vector<Other>& others, const Domain& domain, Found* found);
   Found leastOverlap(int item);
+  Found leastBetween(int item);
   std::optional<LayPlace> lowest(int item);
   float overlap(int a, int b) const;
   void place(int item, const LayPlace& place);

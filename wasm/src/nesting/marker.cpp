@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/decimal.h"
 #include "base/sort_by.h"
 #include "tuning/nesting.h"
 
@@ -18,39 +17,12 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// Of the budget for laying: what all variants share before a proof is tried.
 constexpr double kFirstShare = 0.3;
 constexpr std::size_t kSecondRound = 2;  ///< variants that get the rest
-/// How much wider cloth is looked at for a piece that finds no place. [cm]
-constexpr double kMostWider = 200, kWider = 0.5;
 
 double lengthOf(const LayoutSearch& search) {
   return search.best() ? search.best()->length() : std::numeric_limits<double>::infinity();
 }
 
-std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
-
 }  // namespace
-
-Outcome<std::unique_ptr<Marker>> Marker::make(NestingProblem problem) {
-  const double room = problem.width - 2 * problem.selvedge;
-  for (const NestingPiece& piece : problem.pieces) {
-    // turned by whatever the print allows, or by nothing
-    const Shape shape = shapeOf(piece.outline, piece.alignment.linear().transpose());
-    const double across = shape.high.x() - shape.low.x(), along = shape.high.y() - shape.low.y();
-    const double least = piece.turns == LayTurns::kHalf ? across : std::min(across, along);
-    if (!piece.pin && least > room + 1e-6)
-      return Error{Failure::kOptions, piece.name + " is " + centimetres(across) +
-                                          " wide, more than the " +
-                                          centimetres(std::max(room, 0.0)) +
-                                          " between the selvedges; the cloth has to be at least " +
-                                          centimetres(across + 2 * problem.selvedge) + " wide."};
-  }
-  std::unique_ptr<Marker> marker(new Marker(std::move(problem)));
-  for (std::size_t k = 0; k < marker->problem_.pieces.size(); ++k)
-    if (marker->pieces_.items()[k].ways.empty())
-      return Error{Failure::kOptions,
-                   marker->problem_.pieces[k].name +
-                       " cannot lie with its upper end up on this print; allow both ways."};
-  return marker;
-}
 
 Marker::Marker(NestingProblem problem)
     : problem_(std::move(problem)), pieces_(problem_, problem_.ignores_print) {}
@@ -158,43 +130,9 @@ void Marker::lay() {
       keepBest();
       if (more) return;
     }
+    is_searched_ = true;
   }
   beginProof();
-}
-
-void Marker::fail() {
-  const LayoutSearch& search = *variants_.front().search;
-  const int item = std::max(search.homeless(), 0);
-  const NestingPiece& piece = problem_.pieces[item];
-  stage_ = Stage::kDone;
-  if (problem_.pieces.empty()) {
-    error_ = Error{Failure::kOptions, "There is no piece to lay."};
-    return;
-  }
-  if (!problem_.flaws.empty()) {
-    error_ =
-        Error{Failure::kOptions, piece.name + " finds no place between the flaws of the cloth."};
-    return;
-  }
-  for (double width = problem_.width; width < problem_.width + kMostWider; width += kWider) {
-    for (const double phase : problem_.phases) {
-      const LayCloth cloth = clothOf(width, phase);
-      const Window window{cloth.left, cloth.right, 0, 1000};
-      for (const LayWay& way : pieces_.items()[item].ways) {
-        const Domain domain = pieces_.domain(way.placed, window, cloth.origin);
-        if (std::none_of(domain.runs.begin(), domain.runs.end(),
-                         [](const DotRun& run) { return !run.empty(); }))
-          continue;
-        error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
-                                              centimetres(problem_.width) +
-                                              "; the cloth has to be at least " +
-                                              centimetres(width) + " wide."};
-        return;
-      }
-    }
-  }
-  error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
-                                        centimetres(problem_.width) + "."};
 }
 
 void Marker::makeTables() {

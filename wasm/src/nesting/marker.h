@@ -81,6 +81,7 @@ class Marker {
   std::vector<Variant> variants_;
   std::size_t turn_ = 0;  ///< whose variant it is
   int count_ = 0;
+  bool is_searched_ = false;  ///< nothing shorter than the best is left to be tried
   const LayoutSearch* best_search_ = nullptr;
   std::optional<LaidPieces> best_;
   Vec2 origin_ = Vec2::Zero();

@@ -59,7 +59,7 @@ bool Marker::beginNextProof() {
 void Marker::prove() {
   if (!proof_ && !beginNextProof()) {
     proof_.reset();
-    stage_ = spent() < budget() ? Stage::kLay : Stage::kFree;
+    stage_ = spent() < budget() && !is_searched_ ? Stage::kLay : Stage::kFree;
     return;
   }
   constexpr double kStep = 1e5;
@@ -72,6 +72,7 @@ void Marker::prove() {
     for (const Variant& variant : variants_)
       if (variant.search.get() == best_search_) variant.search->offer(*found);
     keepBest();
+    is_searched_ = false;
     if (is_of_best_) --proofs_;  // begins anew, below the shorter one
   } else if (!is_open) {
     bound_ = std::max(bound_, is_of_best_ ? best_->length() : proof_target_);
@@ -80,7 +81,7 @@ void Marker::prove() {
   proof_.reset();
   if (is_proven_)
     stage_ = Stage::kFree;
-  else if (is_of_best_ && is_open && spent() < budget())
+  else if (is_of_best_ && is_open && spent() < budget() && !is_searched_)
     stage_ = Stage::kLay;  // there may be something shorter
 }
 

@@ -76,6 +76,8 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
           tableCells(shapes_[a.shape], shapes_[b.shape], Board::square(kUsualStep), spacing_.gap);
   board_ = boardOf(std::max(kShortestStep, kUsualStep * std::sqrt(cells / kCells)));
   is_fine_ = problem.width / board_.along.x() > kFineColumns;
+  is_whole_ = !ignores_print &&
+              cross(board_.along, board_.up) < 1.5 * std::abs(cross(group.w1(), group.w2()));
   spacing_.is_exact = !is_fine_;
   spacing_.stride = is_fine_ ? kStride : 1;
   for (const Polyline& flaw : problem.flaws)

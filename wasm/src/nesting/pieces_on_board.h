@@ -64,6 +64,8 @@ class PiecesOnBoard {
   double area() const { return area_; }
   /// It has so many columns that layouts on it are sought, not proven.
   bool isFine() const { return is_fine_; }
+  /// It has all dots that the print allows.
+  bool isWhole() const { return is_whole_; }
   /// Of the dots that a search looks at first; 1 where there are few.
   int stride() const { return spacing_.stride; }
 
@@ -100,7 +102,7 @@ class PiecesOnBoard {
 
   Board board_;
   Spacing spacing_;
-  bool ignores_print_ = false, is_fine_ = false;
+  bool ignores_print_ = false, is_fine_ = false, is_whole_ = false;
   std::optional<double> period_;
   double area_ = 0;
   std::vector<Shape> shapes_, flaws_;

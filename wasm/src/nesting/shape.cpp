@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 #include "geometry/polygon.h"
 #include "nesting/convex_parts.h"
@@ -53,8 +54,8 @@ Polyline simplifiedOutwards(const Polyline& polygon, double most, double most_in
         }
       } else if (const Vec2 u = b - a, v = d - c; cross(c - b, v) > 0 && cross(u, v) > 1e-9) {
         const Vec2 tip = b + u * (cross(c - b, v) / cross(u, v));
-        const double off =
-            heightAbove(b, c, tip) + std::max({left[before].off, left[k].off, left[after].off});
+        const double off = nearestOnPolyline({b, c}, tip).distance +
+                           std::max({left[before].off, left[k].off, left[after].off});
         if (off <= most) {
           left[before].off = left[k].off = off;
           left[k] = {tip, off};
@@ -85,6 +86,12 @@ Shape shapeOf(const Polyline& outline, const Mat2& turn) {
   }
   shape.area = signedArea(shape.ring);
   shape.parts = convexParts(simplifiedOutwards(shape.ring, kGrowth, kInwardGrowth), 2 * kTouching);
+  double largest = 0;
+  for (const Polyline& part : shape.parts) {
+    if (signedArea(part) <= largest) continue;
+    largest = signedArea(part);
+    shape.inner = std::accumulate(part.begin(), part.end(), Vec2(0, 0)) / part.size();
+  }
   return shape;
 }
 

@@ -13,6 +13,7 @@ struct Shape {
   Polyline ring;                ///< counter-clockwise, in steps of 2^-20 cm
   std::vector<Polyline> parts;  ///< convex; their union holds the ring, and little more
   Vec2 low, high;               ///< of the ring
+  Vec2 inner = Vec2::Zero();    ///< well inside of the ring, as a rule
   double area = 0;              ///< cm2
 
   Vec2 middle() const { return (low + high) / 2; }

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "base/decimal.h"
+#include "nesting/marker.h"
+
+namespace seamwise {
+namespace {
+
+/// How much wider cloth is looked at for a piece that finds no place. [cm]
+constexpr double kMostWider = 200, kWider = 0.5;
+
+std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
+/// Rounded up, so that cloth of that width is wide enough.
+std::string atLeast(double length) { return centimetres(std::ceil(10 * length - 1e-4) / 10); }
+
+}  // namespace
+
+Outcome<std::unique_ptr<Marker>> Marker::make(NestingProblem problem) {
+  if (problem.pieces.empty()) return Error{Failure::kOptions, "There is no piece to lay."};
+  const double room = problem.width - 2 * problem.selvedge;
+  std::unique_ptr<Marker> marker(new Marker(std::move(problem)));
+  for (std::size_t k = 0; k < marker->problem_.pieces.size(); ++k) {
+    const NestingPiece& piece = marker->problem_.pieces[k];
+    const std::vector<LayWay>& ways = marker->pieces_.items()[k].ways;
+    if (ways.empty())
+      return Error{
+          Failure::kOptions,
+          piece.name + " cannot lie with its upper end up on this print; allow both ways."};
+    double least = std::numeric_limits<double>::infinity();
+    for (const LayWay& way : ways) {
+      const Shape& shape = marker->pieces_.shapeOf(way);
+      least = std::min(least, shape.high.x() - shape.low.x());
+    }
+    if (!piece.pin && least > room + 1e-5)
+      return Error{Failure::kOptions,
+                   piece.name + " is " + atLeast(least) + " wide, more than the " +
+                       centimetres(std::max(room, 0.0)) +
+                       " between the selvedges; the cloth has to be at least " +
+                       atLeast(least + 2 * marker->problem_.selvedge) + " wide."};
+  }
+  return marker;
+}
+
+void Marker::fail() {
+  const LayoutSearch& search = *variants_.front().search;
+  const int item = std::max(search.homeless(), 0);
+  const NestingPiece& piece = problem_.pieces[item];
+  stage_ = Stage::kDone;
+  if (piece.pin) {
+    error_ = Error{Failure::kOptions, piece.name +
+                                          " cannot lie where it is pinned: it overlaps another "
+                                          "pinned piece or a flaw, or leaves the cloth; move it."};
+    return;
+  }
+  if (!problem_.flaws.empty()) {
+    error_ =
+        Error{Failure::kOptions, piece.name + " finds no place between the flaws of the cloth."};
+    return;
+  }
+  for (double width = problem_.width; width < problem_.width + kMostWider; width += kWider) {
+    for (const double phase : problem_.phases) {
+      const LayCloth cloth = clothOf(width, phase);
+      const Window window{cloth.left, cloth.right, 0, 1000};
+      for (const LayWay& way : pieces_.items()[item].ways) {
+        const Domain domain = pieces_.domain(way.placed, window, cloth.origin);
+        if (std::none_of(domain.runs.begin(), domain.runs.end(),
+                         [](const DotRun& run) { return !run.empty(); }))
+          continue;
+        error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
+                                              centimetres(problem_.width) +
+                                              "; the cloth has to be at least " + atLeast(width) +
+                                              " wide."};
+        return;
+      }
+    }
+  }
+  error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
+                                        centimetres(problem_.width) + "."};
+}
+
+}  // namespace seamwise
