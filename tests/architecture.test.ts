@@ -54,7 +54,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'marker'],
     ...['remedies', 'picture', 'paper', 'viewer', 'texts', 'workbench', 'pairing'],
   ],
-  element: ['model', 'solver', 'recognition', 'paper', 'texts', 'workbench', 'editor'],
+  element: ['model', 'solver', 'recognition', 'paper', 'marker', 'texts', 'workbench', 'editor'],
   app: ['model', 'recognition', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],
   node: [
     'model',

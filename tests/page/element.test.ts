@@ -74,6 +74,7 @@ it('mirrors attributes as properties, and makes sense of whatever is written in 
       ...{view: element.view, mode: element.mode, loading: element.loading, units: element.units},
       ...{maxChangeMm: element.maxChangeMm, size: element.size, alt: element.alt},
       ...{state: element.state, value: element.value},
+      ...{clothWidth: element.clothWidth, selvedge: element.selvedge},
     };
     element.setAttribute('mode', 'dance');
     element.setAttribute('view', 'moon');
@@ -81,13 +82,18 @@ it('mirrors attributes as properties, and makes sense of whatever is written in 
     element.setAttribute('units', 'parsec');
     element.setAttribute('locale', '???');
     element.setAttribute('max-change-mm', 'lots');
+    element.setAttribute('cloth-width', '-140');
+    element.setAttribute('selvedge', 'none');
     const wrong = {
       ...{mode: element.mode, view: element.view, loading: element.loading},
       ...{units: element.units, maxChangeMm: element.maxChangeMm},
+      ...{clothWidth: element.clothWidth, selvedge: element.selvedge},
     };
     element.mode = 'place';
     element.size = 'xl';
     element.maxChangeMm = 4;
+    element.clothWidth = 140;
+    element.selvedge = null;
     element.units = 'inch';
     element.workerUrl = 'w.js';
     const written = element.getAttributeNames().map((name) => [name, element.getAttribute(name)]);
@@ -96,11 +102,14 @@ it('mirrors attributes as properties, and makes sense of whatever is written in 
   expect(seen.usual).toEqual({
     ...{garment: '', print: '', symmetry: 'auto', view: 'pattern', mode: 'preview'},
     ...{loading: 'lazy', units: 'cm', maxChangeMm: 10, size: '', alt: '', state: 'idle', value: ''},
+    ...{clothWidth: null, selvedge: 1},
   });
   expect(seen.wrong).toEqual({
     ...{mode: 'preview', view: 'pattern', loading: 'lazy', units: 'cm', maxChangeMm: 10},
+    ...{clothWidth: null, selvedge: 1},
   });
   expect(seen.written).toMatchObject({
+    ...{'cloth-width': '140'},
     ...{mode: 'place', size: 'xl', 'max-change-mm': '4', units: 'inch', 'worker-url': 'w.js'},
   });
 });

@@ -123,6 +123,8 @@ export const productPage = ({catalogue, garment, chosen, cost, cart, lineId}) =>
               ? html`data-design="/cart/${cart.id}/${lineId}/design.json"`
               : html`print="${printPath(chosen.print.name)}"`
           }
+          cloth-width="${chosen.print.fabric.usableWidthCm}"
+          selvedge="0"
           view="garment"
           camera="three-quarter"
           alt="${garment.title} in the print, worn"
@@ -168,6 +170,7 @@ export const productPage = ({catalogue, garment, chosen, cost, cart, lineId}) =>
             html`<fieldset
               class="colours"
               data-print="${print.name}"
+              data-width="${print.fabric.usableWidthCm}"
               ${print === chosen.print ? '' : html`hidden`}
             >
               <legend>Colour</legend>
@@ -190,6 +193,7 @@ export const productPage = ({catalogue, garment, chosen, cost, cart, lineId}) =>
             <span id="pieces">${cost.piecesM2.toFixed(2)}</span> m² of pieces,
             <span id="cloth">${cost.clothM2.toFixed(2)}</span> m² of cloth. ${priceRule}.
           </p>
+          <p class="quiet" id="length"></p>
         </section>
         <input type="hidden" name="cart" value="${cart?.id}" /><input
           type="hidden"

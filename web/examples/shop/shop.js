@@ -18,6 +18,7 @@ function sell(form) {
     if (target.name === 'print') {
       for (const colours of form.querySelectorAll('.colours')) {
         colours.hidden = colours.dataset.print !== target.value;
+        if (!colours.hidden) garment.clothWidth = Number(colours.dataset.width);
       }
       garment.print = `/prints/${target.value}.json`;
     }
@@ -76,6 +77,7 @@ function sell(form) {
     problem.hidden = true;
   });
   garment.addEventListener('progress', ({detail: {phase, fraction}}) => {
+    find('length').textContent = '';
     const quarter = Math.floor(4 * fraction) * 25;
     const what = phase === 'alignment' ? 'The print finds its place' : 'The seams are made to meet';
     say(`${what}, ${quarter} %`);
@@ -84,6 +86,10 @@ function sell(form) {
     const share = Math.round(100 * (1 - metrics.fit / metrics.fitRandom));
     say(`The print meets ${share} % better than if it lay as it fell.`);
     void askPrice();
+  });
+  garment.addEventListener('cloth', ({detail: {widthCm, lengthCm}}) => {
+    find('length').textContent =
+      `Cut from ${(lengthCm / 100).toFixed(2)} m of cloth, ${widthCm} cm wide.`;
   });
   garment.addEventListener('error', ({detail}) => {
     complain(detail);

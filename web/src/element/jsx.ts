@@ -12,6 +12,9 @@ export interface SeamwiseGarmentAttributes {
   /** No outline moves further than this. [mm] */
   'max-change-mm'?: number | string;
   view?: GarmentView;
+  /** Of the cloth on which it is laid, and of what is of no use along each edge. [cm] */
+  'cloth-width'?: number | string;
+  selvedge?: number | string;
   mode?: GarmentMode;
   loading?: GarmentLoading;
   units?: SeamwiseGarment['units'];

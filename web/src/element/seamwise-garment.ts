@@ -5,9 +5,11 @@
 import type {PropertyValues, TemplateResult} from 'lit';
 
 import {SolverError} from '../model/failure.js';
+import type {LayPlan} from '../model/lay-plan.js';
 import type {SolveResult} from '../model/result.js';
 import {readStoredDesign, type StoredDesign} from '../model/stored-design.js';
 import {FileError} from '../model/versioned-file.js';
+import type {Emit} from './garment/announcer.js';
 import {Answering} from './garment/answering.js';
 import {asError} from './garment/as-error.js';
 import {AttributeElement} from './garment/attribute-element.js';
@@ -20,12 +22,13 @@ import {
   type GarmentView,
 } from './garment/attributes.js';
 import {Beginning} from './garment/beginning.js';
+import {Cloth} from './garment/cloth.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf} from './garment/face.js';
 import {keepInside} from './garment/inner-events.js';
 import {Modes} from './garment/modes.js';
 import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/offered-prints.js';
-import {cutFileFor, pictureOf, type BlobRequest} from './garment/picture.js';
+import {blobOf, type BlobRequest} from './garment/picture.js';
 import {Rest} from './garment/rest.js';
 import {GarmentSession} from './garment/session.js';
 import {Speech} from './garment/speech.js';
@@ -33,19 +36,14 @@ import {garmentStyle} from './garment/style.js';
 import {upgrade} from './garment/upgrade.js';
 import {PatternDrawing} from '../editor/pattern/drawing.js';
 import {register} from '../editor/base/register.js';
-import {loadWorn} from '../editor/load-later-parts.js';
 import {controls} from '../editor/style/controls.js';
 import {tokens} from '../editor/style/tokens.js';
 import type {Messages, Texts} from '../texts/texts.js';
 import {preferencesFor} from '../texts/preferences.js';
 
-export type {
-  GarmentCamera,
-  GarmentLoading,
-  GarmentMode,
-  GarmentView,
-} from './garment/attributes.js';
+export type * from './garment/attributes.js';
 export type * from './garment/events.js';
+export type * from '../model/lay-plan.js';
 export type {Units} from '../model/units.js';
 export type {PrintOffer} from './garment/offered-prints.js';
 export type {BlobRequest} from './garment/picture.js';
@@ -69,13 +67,15 @@ export class SeamwiseGarment extends AttributeElement {
   });
   readonly #speech: Speech;
   readonly #answering: Answering;
+  readonly #cloth: Cloth;
   #shown: GarmentMode = 'preview';
   #shownView: GarmentView = 'pattern';
   #isDrawn = false;
   /** Gives back what others may need, unless it is put into the document again soon. */
   readonly #rest = new Rest(
-    () => !this.isConnected && !this.#session.isAwaited,
+    () => !this.isConnected && !this.#session.isAwaited && !this.#cloth.isAwaited,
     () => {
+      this.#cloth.pause();
       this.#offers.stop();
       if (this.#session.pause()) this.#beginning.askAgain();
     },
@@ -83,6 +83,9 @@ export class SeamwiseGarment extends AttributeElement {
 
   constructor() {
     super();
+    const emit: Emit = (type, detail) => {
+      this.emit(type, detail);
+    };
     register('sw-drawing', PatternDrawing);
     this.#session = new GarmentSession(
       {
@@ -92,9 +95,7 @@ export class SeamwiseGarment extends AttributeElement {
             this.#session.report(new SolverError(failure));
           },
         }),
-        emit: (type, detail) => {
-          this.emit(type, detail);
-        },
+        emit,
         changed: () => {
           this.#present();
         },
@@ -114,6 +115,9 @@ export class SeamwiseGarment extends AttributeElement {
       this.#session,
     );
     this.#answering = new Answering(this.#session, this.#beginning, this.#speech);
+    this.#cloth = new Cloth({
+      ...{element: this, session: this.#session, texts: () => this.#texts.garment, emit},
+    });
     this.#modes = new Modes(
       () => {
         this.#present();
@@ -160,6 +164,11 @@ export class SeamwiseGarment extends AttributeElement {
     return this.#session.error;
   }
 
+  /** What the answer takes of cloth as wide as `clothWidth`; null until it is laid. [cm] */
+  get clothLengthCm(): number | null {
+    return this.#cloth.lengthCm;
+  }
+
   /** The design as JSON text; empty while there is no answer, or none that can be stored. */
   get value(): string {
     if (this.#session.state !== 'ready') return '';
@@ -189,16 +198,21 @@ export class SeamwiseGarment extends AttributeElement {
    */
   async solve({signal}: {readonly signal?: AbortSignal} = {}): Promise<SolveResult> {
     signal?.throwIfAborted();
-    upgrade(this);
-    try {
-      return await this.#answering.answer(this.isAskable, signal);
-    } finally {
-      if (!this.isConnected) this.#rest.soon();
-    }
+    return this.#needed(() => this.#answering.answer(this.isAskable, signal));
+  }
+
+  /**
+   * How the answer lies on cloth as wide as `clothWidth`; where something else is asked for meanwhile, how that does.
+   * @throws {SolverError} where the width is not said, and for a piece that the cloth is too narrow for; as `solve` does
+   */
+  async layPlan({signal}: {readonly signal?: AbortSignal} = {}): Promise<LayPlan> {
+    signal?.throwIfAborted();
+    return this.#needed(() => this.#cloth.plan(() => this.solve(signal && {signal}), signal));
   }
 
   /** Ends what is under way; what is shown stays. */
   cancel(): void {
+    this.#cloth.cancel();
     this.#session.cancel();
   }
 
@@ -228,13 +242,8 @@ export class SeamwiseGarment extends AttributeElement {
    * @throws {SolverError} of a picture while nothing is drawn, and for a width that none can have; of a file to cut by
    *   while there is no answer, and for a paper or an allowance that there is not
    */
-  async toBlob(request: BlobRequest = {}): Promise<Blob> {
-    const {workbench} = this.#session;
-    const {type, width} = request;
-    return (
-      (await cutFileFor(workbench, request, this.#texts)) ??
-      pictureOf(workbench.view, this.#isDrawn, {type, width}, this.#texts)
-    );
+  toBlob(request: BlobRequest = {}): Promise<Blob> {
+    return blobOf(this.#session.workbench, () => this.#isDrawn, request, this.#texts);
   }
 
   formResetCallback(): void {
@@ -252,6 +261,7 @@ export class SeamwiseGarment extends AttributeElement {
     this.#speech.prefer();
     this.#beginning.watch();
     this.#beginning.schedule();
+    this.#cloth.follow();
   }
 
   override disconnectedCallback(): void {
@@ -314,6 +324,16 @@ export class SeamwiseGarment extends AttributeElement {
     });
   }
 
+  /** Work for which it may be needed outside the document. */
+  async #needed<T>(work: () => Promise<T>): Promise<T> {
+    upgrade(this);
+    try {
+      return await work();
+    } finally {
+      if (!this.isConnected) this.#rest.soon();
+    }
+  }
+
   /** The user has. */
   #choose({url}: OfferedPrint): void {
     this.colourway = null;
@@ -323,8 +343,7 @@ export class SeamwiseGarment extends AttributeElement {
 
   /** Tells what has become of the element, outwards and inwards. */
   #present(): void {
-    if (this.#beginning.hasBegun) void this.#modes.load(this.mode);
-    if (this.#beginning.hasBegun && this.view !== 'pattern') void this.#loadWorn();
+    if (this.#beginning.hasBegun) this.#modes.load(this.mode, this.view);
     const shown = this.#modes.shown(this.mode);
     if (this.#shown !== shown || this.#shownView !== this.view) this.#isDrawn = false;
     this.#shown = shown;
@@ -337,15 +356,7 @@ export class SeamwiseGarment extends AttributeElement {
     const isPicture = this.mode === 'preview' && this.view === 'pattern' && !this.isMissing;
     this.describe(isPicture ? 'img' : 'group', this.alt || garment.label);
     this.requestUpdate();
-  }
-
-  async #loadWorn(): Promise<void> {
-    try {
-      await loadWorn();
-    } catch (error) {
-      const message = this.#texts.garment.noTools(asError(error).message);
-      this.#session.report(new SolverError({code: 'network', message}));
-    }
+    this.#cloth.follow();
   }
 
   get #texts(): Texts {

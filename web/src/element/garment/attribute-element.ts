@@ -8,6 +8,8 @@ import type {WorkerPlaces} from '../../solver/client.js';
 import type {Preferences} from '../../texts/preferences.js';
 import {
   changeOf,
+  clothWidthOf,
+  selvedgeOf,
   unitsOf,
   wordOf,
   type GarmentCamera,
@@ -118,6 +120,24 @@ export abstract class AttributeElement extends FormElement {
 
   set turntable(turns: boolean) {
     this.toggleAttribute('turntable', turns);
+  }
+
+  /** Of cloth on which the answer is laid, between its edges; null: on none. [cm] */
+  get clothWidth(): number | null {
+    return clothWidthOf(this.#read('cloth-width'));
+  }
+
+  set clothWidth(width: number | null | undefined) {
+    this.write('cloth-width', width?.toString());
+  }
+
+  /** What is of no use along each edge of the cloth. [cm] */
+  get selvedge(): number {
+    return selvedgeOf(this.getAttribute('selvedge'));
+  }
+
+  set selvedge(selvedge: number | null | undefined) {
+    this.write('selvedge', selvedge?.toString());
   }
 
   get mode(): GarmentMode {

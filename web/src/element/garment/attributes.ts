@@ -10,7 +10,7 @@ export type GarmentLoading = 'lazy' | 'eager';
 /** In the order of the documentation. */
 export const attributes = [
   ...['garment', 'size', 'print', 'colourway', 'symmetry', 'max-change-mm'],
-  ...['view', 'dummy', 'fabric', 'camera', 'turntable'],
+  ...['view', 'dummy', 'fabric', 'camera', 'turntable', 'cloth-width', 'selvedge'],
   ...['mode', 'loading', 'units', 'locale', 'lang', 'alt', 'worker-url', 'wasm-url'],
   ...['name', 'required', 'disabled'],
 ] as const;
@@ -32,6 +32,7 @@ export const asking: ReadonlySet<string> = new Set([
 ]);
 
 const usualChange = 10;
+const usualSelvedge = 1;
 const greatestChange = 10 * optionLimits.maxChangeCm[1];
 
 /** One of the words, however it is capitalised; the first if it is another. */
@@ -44,6 +45,18 @@ export const wordOf = <const T extends string>(
 export function changeOf(written: string | null): number {
   const value = written?.trim() ? Number(written) : usualChange;
   return value >= 0 && value <= greatestChange ? value : usualChange;
+}
+
+/** Nothing for what is no width. [cm] */
+export function clothWidthOf(written: string | null): number | null {
+  const width = Number(written);
+  return width > 0 && width < Infinity ? width : null;
+}
+
+/** [cm] */
+export function selvedgeOf(written: string | null): number {
+  const selvedge = written?.trim() ? Number(written) : usualSelvedge;
+  return selvedge >= 0 && selvedge < Infinity ? selvedge : usualSelvedge;
 }
 
 export const unitsOf = (written: string | null): Units =>

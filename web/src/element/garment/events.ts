@@ -31,6 +31,14 @@ export interface GarmentEvents {
     readonly settled: boolean;
     readonly notes: readonly string[];
   };
+  /** The answer has been laid on cloth; what people should know of that, one sentence each. [cm] */
+  readonly cloth: {
+    readonly widthCm: number;
+    readonly lengthCm: number;
+    /** Whether no layout is shorter with the print starting where it does. */
+    readonly proven: boolean;
+    readonly notes: readonly string[];
+  };
   readonly solve: {readonly metrics: Metrics; readonly milliseconds: number};
   /** The user has picked a piece, by its name, or a seam, by its number, on one of its pieces. */
   readonly select: {

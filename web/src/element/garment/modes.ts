@@ -1,5 +1,6 @@
-/** The code behind the modes, which is loaded by whoever shows them. */
-import type {GarmentMode} from './attributes.js';
+/** The code behind the modes and views, which is loaded by whoever shows them. */
+import {loadWorn} from '../../editor/load-later-parts.js';
+import type {GarmentMode, GarmentView} from './attributes.js';
 
 export class Modes {
   readonly #loaded = new Set<GarmentMode>(['preview']);
@@ -17,8 +18,13 @@ export class Modes {
     return this.#loaded.has(mode) ? mode : 'preview';
   }
 
+  load(mode: GarmentMode, view: GarmentView): void {
+    void this.#load(mode);
+    if (view !== 'pattern') loadWorn().catch(this.#failed);
+  }
+
   /** Once; what fails is tried again after another mode was asked for. */
-  async load(mode: GarmentMode): Promise<void> {
+  async #load(mode: GarmentMode): Promise<void> {
     if (mode === this.#asked) return;
     this.#asked = mode;
     if (mode === 'preview' || this.#loaded.has(mode)) return;

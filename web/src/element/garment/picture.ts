@@ -40,7 +40,7 @@ const greatestAllowance = 10;
 const isAllowance = (cm: number): boolean => cm >= 0 && cm <= greatestAllowance;
 
 /** Undefined for a type that is none of files to cut by. @throws {SolverError} with one sentence */
-export async function cutFileFor(
+async function cutFileFor(
   workbench: Workbench,
   {type = '', paper = 'a4', allowance = 1, hem = allowance, ink = 'full'}: BlobRequest,
   {garment}: Texts,
@@ -81,7 +81,7 @@ async function pictureAs(png: Blob, type = 'image/png'): Promise<Blob> {
 }
 
 /** @throws {SolverError} with one sentence where nothing is drawn, for a wrong width, and where it cannot be written */
-export async function pictureOf(
+async function pictureOf(
   view: SheetWindow | undefined,
   isDrawn: boolean,
   {type, width}: {readonly type: string | undefined; readonly width: number | undefined},
@@ -99,3 +99,13 @@ export async function pictureOf(
     throw new SolverError({code: 'internal', message: garment.noPicture});
   }
 }
+
+/** What is asked for. @throws {SolverError} as the element's `toBlob` does */
+export const blobOf = async (
+  workbench: Workbench,
+  isDrawn: () => boolean,
+  request: BlobRequest,
+  texts: Texts,
+): Promise<Blob> =>
+  (await cutFileFor(workbench, request, texts)) ??
+  pictureOf(workbench.view, isDrawn(), {type: request.type, width: request.width}, texts);

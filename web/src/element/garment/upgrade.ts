@@ -1,7 +1,19 @@
 /** What may have been set before the element was known. */
 const properties = [
   ...['garment', 'size', 'print', 'colourway', 'symmetry', 'maxChangeMm', 'view', 'mode'],
-  ...['loading', 'units', 'locale', 'alt', 'workerUrl', 'wasmUrl', 'messages', 'prints', 'name'],
+  ...[
+    'clothWidth',
+    'selvedge',
+    'loading',
+    'units',
+    'locale',
+    'alt',
+    'workerUrl',
+    'wasmUrl',
+    'messages',
+    'prints',
+    'name',
+  ],
   ...['required', 'disabled', 'value'],
 ] as const;
 

@@ -163,12 +163,14 @@ export const answer: AnswerTexts = {
     garment: 'Der Schnitt',
     print: 'Das Stoffmuster',
     noAnswer: 'Es gibt noch keine Lösung zu speichern; mit solve() darauf warten.',
+    noCloth:
+      "Ohne Stoffbreite lässt sich nichts auslegen; im Attribut 'cloth-width' angeben, wie breit der Stoff ist.",
     noDrawing: 'Es ist noch nichts gezeichnet; mit solve() darauf warten.',
     pictureWidth: (most) => `Ein Bild ist 1 bis ${most} Pixel breit; bitte eines davon verlangen.`,
     allowance: (most) => `Eine Zugabe hat 0 bis ${most}; bitte so eine verlangen.`,
     noPicture: 'Dieser Browser kann das Bild nicht schreiben; bitte ein kleineres verlangen.',
     noTools: (reason) =>
-      `Was dieser Modus braucht, ist nicht ladbar (${reason}); Verbindung prüfen und die Seite neu laden.`,
+      `Was dafür nötig ist, ist nicht ladbar (${reason}); Verbindung prüfen und die Seite neu laden.`,
     cancelled: 'Die Anpassung wurde abgebrochen.',
   },
 };

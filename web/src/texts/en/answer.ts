@@ -163,12 +163,14 @@ export const answer = {
     garment: 'garment',
     print: 'print',
     noAnswer: 'There is no answer to store yet; wait for it with solve().',
+    noCloth:
+      "There is nothing to lay on: say how wide the cloth is, in the attribute 'cloth-width'.",
     noDrawing: 'Nothing is drawn yet; wait for it with solve().',
     pictureWidth: (most: string) => `A picture is 1 to ${most} pixels wide; ask for one of these.`,
     allowance: (most: string) => `An allowance is 0 to ${most}; ask for one of these.`,
     noPicture: 'This browser cannot write the picture; ask for a smaller one.',
     noTools: (reason: string) =>
-      `What this mode needs cannot be loaded (${reason}); check the connection and load the page again.`,
+      `What this needs cannot be loaded (${reason}); check the connection and load the page again.`,
     cancelled: 'The solve was cancelled.',
   },
 };

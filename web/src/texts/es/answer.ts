@@ -162,13 +162,14 @@ export const answer: AnswerTexts = {
     garment: 'El patrón',
     print: 'El estampado',
     noAnswer: 'Aún no hay solución que guardar; espérala con solve().',
+    noCloth: "No hay tela sobre la que colocar nada; indica su ancho en el atributo 'cloth-width'.",
     noDrawing: 'Aún no hay nada dibujado; espéralo con solve().',
     pictureWidth: (most) =>
       `Una imagen mide de 1 a ${most} píxeles de ancho; pide uno de esos anchos.`,
     allowance: (most) => `Un margen mide de 0 a ${most}; pide uno así.`,
     noPicture: 'Este navegador no puede escribir la imagen; pide una más pequeña.',
     noTools: (reason) =>
-      `No se puede cargar lo que este modo necesita (${reason}); comprueba la conexión y recarga la página.`,
+      `No se puede cargar lo que hace falta (${reason}); comprueba la conexión y recarga la página.`,
     cancelled: 'El cálculo se ha cancelado.',
   },
 };

@@ -167,13 +167,15 @@ export const answer: AnswerTexts = {
     garment: 'Le patron',
     print: 'L’imprimé',
     noAnswer: 'Pas encore de solution à enregistrer ; attendez-la avec solve().',
+    noCloth:
+      "Il n’y a pas de tissu où placer les pièces ; indiquez sa largeur dans l’attribut 'cloth-width'.",
     noDrawing: 'Rien n’est encore dessiné ; attendez avec solve().',
     pictureWidth: (most) =>
       `Une image a de 1 à ${most} pixels de large ; demandez une de ces largeurs.`,
     allowance: (most) => `Une marge a de 0 à ${most} ; demandez-en une ainsi.`,
     noPicture: 'Ce navigateur ne peut pas écrire l’image ; demandez-en une plus petite.',
     noTools: (reason) =>
-      `Ce qu’il faut pour ce mode ne peut être chargé (${reason}) ; vérifiez la connexion et rechargez la page.`,
+      `Ce qu’il faut pour cela ne peut être chargé (${reason}) ; vérifiez la connexion et rechargez la page.`,
     cancelled: 'Le calcul a été interrompu.',
   },
 };

@@ -164,13 +164,15 @@ export const answer: AnswerTexts = {
     garment: 'Il cartamodello',
     print: 'La stampa',
     noAnswer: 'Non c’è ancora una soluzione da salvare; aspettala con solve().',
+    noCloth:
+      "Non c’è stoffa su cui disporre i pezzi; indicane la larghezza nell’attributo 'cloth-width'.",
     noDrawing: 'Non è ancora disegnato nulla; aspetta con solve().',
     pictureWidth: (most) =>
       `Un’immagine è larga da 1 a ${most} pixel; chiedi una di queste larghezze.`,
     allowance: (most) => `Un margine va da 0 a ${most}; chiedine uno così.`,
     noPicture: 'Questo browser non può scrivere l’immagine; chiedine una più piccola.',
     noTools: (reason) =>
-      `Non si può caricare ciò che serve a questo modo (${reason}); controlla la connessione e ricarica la pagina.`,
+      `Non si può caricare ciò che serve (${reason}); controlla la connessione e ricarica la pagina.`,
     cancelled: 'Il calcolo è stato interrotto.',
   },
 };
