@@ -48,7 +48,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   marker: ['model', 'layout', 'scene', 'recognition', 'picture', 'cutting', 'paper'], // no DOM
   remedies: ['model', 'scene'],
   viewer: ['model', 'recognition', 'scene'], // never the solver: views read a result
-  texts: ['model', 'scene'],
+  texts: ['model', 'scene', 'marker'], // of the marker, what stands on a lay plan
   workbench: ['model', 'solver', 'recognition', 'layout', 'scene', 'marker', 'remedies', 'texts'],
   editor: [
     ...['model', 'solver', 'recognition', 'layout', 'clicks', 'scene', 'cutting', 'marker'],

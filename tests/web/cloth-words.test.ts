@@ -1,4 +1,4 @@
-/** What is said of the pieces on their cloth, in every language. */
+/** What is said of the pieces on their cloth, on the page and on lay plans, in every language. */
 import {describe, expect, it} from 'vitest';
 
 import {
@@ -11,8 +11,10 @@ import {
 import {FlawTool} from '@/editor/cloth/flaw-tool.js';
 import type {Bolt} from '@/marker/places.js';
 import {signedArea} from '@/model/polyline.js';
-import {clothTexts, type ClothTexts} from '@/texts/cloth-texts.js';
+import {inFontLetters, widthOf} from '@/paper/pdf-text.js';
+import {clothTexts} from '@/texts/cloth-texts.js';
 import {formatFor} from '@/texts/format.js';
+import {planTextsIn} from '@/texts/plan-texts.js';
 import {languages} from '@/texts/preferences.js';
 
 const words = clothTexts('en');
@@ -119,17 +121,41 @@ const said = (word: Word | undefined): string | undefined =>
     : word;
 
 /** Alike everywhere, or by chance. */
-const alike = /^(metres|yards|place)$/;
+const alike = /^(metres|yards|place|share|none)$/;
 
-it.each(languages.filter((language) => language !== 'en'))(
-  'says in %s all that it is told, and nothing in English',
-  (language) => {
-    const own = new Map(wordsOf(clothTexts(language)));
-    for (const [path, english] of wordsOf(words satisfies ClothTexts)) {
-      const text = said(own.get(path));
-      const given = typeof english === 'function' ? english.length : 0;
-      for (let k = 0; k < given; k++) expect(text, path).toContain(String(7003 + k));
-      if (!alike.test(path)) expect(text, path).not.toBe(said(english));
-    }
-  },
-);
+describe.each([
+  {what: 'the page', textsIn: clothTexts},
+  {what: 'a lay plan', textsIn: planTextsIn},
+])('$what', ({textsIn}) => {
+  it.each(languages.filter((language) => language !== 'en'))(
+    'says in %s all that it is told, and nothing in English',
+    (language) => {
+      const own = new Map(wordsOf(textsIn(language)));
+      for (const [path, english] of wordsOf(textsIn('en'))) {
+        const text = said(own.get(path));
+        const given = typeof english === 'function' ? english.length : 0;
+        for (let k = 0; k < given; k++) expect(text, path).toContain(String(7003 + k));
+        if (!alike.test(path)) expect(text, path).not.toBe(said(english));
+      }
+    },
+  );
+});
+
+/** Of a figure and of a table's first column, beside the next. [mm] */
+const rooms = {figure: 45, name: 36};
+
+it.each(languages)('has room in %s for what stands on a lay plan', (language) => {
+  const texts = planTextsIn(language);
+  const figures = [
+    ...[texts.length, texts.buy, texts.use, texts.cost, texts.proven],
+    ...[texts.atBest('1234.5 cm'), texts.roundedUp('1/8 yd')],
+    ...[texts.ofWidth('123.4 cm'), texts.without('1234.5 cm')],
+  ];
+  const wide = (text: string, size: number, most: number): string[] =>
+    size * widthOf(text) > most ? [text] : [];
+  expect(figures.flatMap((text) => wide(text, 2.5, rooms.figure))).toEqual([]);
+  const names = [texts.phase, texts.width, texts.length].map((name) => `${name} (cm)`);
+  expect(names.flatMap((text) => wide(text, 2.6, rooms.name))).toEqual([]);
+  const all = wordsOf(texts).map(([, word]) => said(word) ?? '');
+  expect(all.map(inFontLetters)).toEqual(all);
+});

@@ -1,0 +1,35 @@
+/** En español: lo que figura en un plan de corte. */
+import type {PlanTexts} from '../../marker/draw/plan-texts.js';
+
+export const plan: PlanTexts = {
+  title: (scale) => `Plan de corte 1 : ${scale}`,
+  length: 'Largo',
+  proven: 'largo mínimo demostrado',
+  atBest: (length) => `en el mejor caso ${length}`,
+  buy: 'Compra',
+  roundedUp: (step) => `redondeado al alza, en pasos de ${step}`,
+  use: 'Tela aprovechada',
+  ofWidth: (width) => `en un ancho de ${width}`,
+  cost: 'El estampado cuesta',
+  without: (length) => `sin estampado ${length}`,
+  share: (share) => `${share} %`,
+  cloth: (width, selvedge, gap, allowance) =>
+    `Tela de ${width} de ancho, orillos de ${selvedge}, ${gap} entre las piezas, margen de costura de ${allowance}; una sola capa, con el derecho hacia arriba.`,
+  print: (name, across, along) =>
+    `${name}: el anillo está en una esquina de la repetición, a ${across} del borde izquierdo, a ${along} del inicio.`,
+  plain: 'El estampado no se tiene en cuenta: las piezas van en cualquier sitio.',
+  unplaced: (pieces) => `Sin sitio: ${pieces}.`,
+  start: 'Inicio de la tela',
+  page: (number, count) => `página ${number} de ${count}`,
+  garment: (piece, garment) => `${piece}, prenda ${garment}`,
+  crosses: 'Las cruces de una pieza están en un mismo punto del estampado',
+  crossesUnit: (unit) => `Cada una desde el borde izquierdo × desde el inicio de la tela [${unit}]`,
+  number: 'N.º',
+  piece: 'Pieza',
+  cross: (number) => `Cruz ${number}`,
+  phases: 'El estampado puede empezar en otro punto en el borde izquierdo',
+  phase: 'Inicio del estampado',
+  widths: 'En otros anchos',
+  width: 'Ancho',
+  none: '–',
+};
