@@ -5,6 +5,7 @@ import {garmentTitle, panelMarks} from '../../model/garment-marks.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import {readable} from '../../model/piece-names.js';
 import type {ClothTexts} from '../../texts/cloth-texts.js';
+import {planTextsIn} from '../../texts/plan-texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {embeddedTile, pixelsOfTile} from '../cut/cell-picture.js';
 
@@ -27,7 +28,11 @@ async function drawnWith({design, garment, result, preferences}: Workbench, prin
     ...(result && {results: [result]}),
     ...(title !== undefined && {title}),
     names: (_: number, piece: string) => marks?.get(piece)?.label ?? readable(piece),
-    words: {units: preferences.units, locale: preferences.language},
+    words: {
+      units: preferences.units,
+      locale: preferences.language,
+      texts: planTextsIn(preferences.language),
+    },
     pixels: (width: number, height: number) => pixelsOfTile(tile ?? '', width, height),
   };
 }
@@ -65,9 +70,9 @@ export function clothFiles(
       ...{id: 'dxf', title: words.saveDxf, ending: 'layplan.dxf'},
       make: async () => {
         const {planDxf} = await import('../../marker/draw/plan-dxf.js');
-        return new Blob([planDxf(plan, await drawnWith(workbench, print))], {
-          type: 'image/vnd.dxf',
-        });
+        const {words: own, ...drawn} = await drawnWith(workbench, print);
+        const dxf = planDxf(plan, {...drawn, texts: own.texts});
+        return new Blob([dxf], {type: 'image/vnd.dxf'});
       },
     },
     {
