@@ -26,6 +26,7 @@ void Marker::layFree() {
     if (dots > 0) return;
     LayCloth cloth = clothOf(problem_.width, 0);
     cloth.origin = {cloth.left, 0};
+    cloth.turned_down = best_search_->cloth().turned_down;
     free_search_ = std::make_unique<LayoutSearch>(*free_pieces_, cloth, problem_.seed);
   }
   const double before = free_search_->reads();

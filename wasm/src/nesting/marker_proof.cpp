@@ -40,6 +40,7 @@ void Marker::beginProof() {
 /// best, as long as that has not been tried in vain; then, that nothing is shorter than what lies
 /// between the bound and the best.
 bool Marker::beginNextProof() {
+  if (naps().size() > 1) return false;  // the proof would be of one of them
   const double all = NestingTuning::kProofRows * problem_.effort;
   const bool is_first = proofs_ == 0 || best_->length() < tried_length_ - kLessLength;
   const bool is_worth = proofs_ < kMostProofs && best_->length() - bound_ > kWorthProving;

@@ -263,7 +263,8 @@ function line(files: readonly string[], plan: LayPlan): string {
   return [
     `${files.join(', ')}: ${placements.length} pieces on ${cm(lengthCm)} of cloth ${widthCm} cm wide`,
     `${(100 * useShare).toFixed(1)} % of it used`,
-    proven ? 'proven the shortest' : `${cm(boundCm)} at the least`,
+    ...(proven ? ['proven the shortest'] : []),
+    ...(!proven && boundCm > 0 ? [`${cm(boundCm)} at the least`] : []),
     ...(free === null ? [] : [`${cm(free)} without regard to the print`]),
     ...(unplaced.length > 0 ? [`${unplaced.length} found no place`] : []),
   ].join('; ');
