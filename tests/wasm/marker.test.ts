@@ -74,6 +74,20 @@ describe('a garment on its print', () => {
     expect(layPlanText(again)).toBe(layPlanText(plan));
   });
 
+  it('says what would take less cloth, and that is true', async () => {
+    const {phaseCm: given, ...anywhere} = usual;
+    expect(given).toBeDefined();
+    const best = await marker([tee], {...anywhere, widthCm: 120});
+    const lengths = best.phases.map(({lengthCm}) => lengthCm ?? 0);
+    const {phaseCm = 0} = best.phases[lengths.indexOf(Math.max(...lengths))] ?? {};
+    const worst = await laid([tee], {widthCm: 120, phaseCm});
+    for (const {lengthCm} of worst.cheaper) expect(lengthCm).toBeLessThan(worst.lengthCm - 1);
+    const offer = worst.cheaper.find(({kind}) => kind === 'phase');
+    expect(offer !== undefined).toBe(best.lengthCm < worst.lengthCm - 1);
+    const moved = await laid([tee], {widthCm: 120, phaseCm: offer?.phaseCm ?? phaseCm});
+    expect(moved.lengthCm).toBeLessThan((offer ?? worst).lengthCm + 0.5);
+  });
+
   it('takes the least cloth of several phases, and tells of all', async () => {
     const {phaseCm, ...anywhere} = usual;
     expect(phaseCm).toBeDefined();

@@ -11,7 +11,7 @@ import type {LayPlan} from '../model/lay-plan.js';
 import type {MarkerAnswer, MarkerLayout} from '../model/marker.js';
 import type {SolveResult} from '../model/result.js';
 import {keepCloth, storedCloth, type ClothChoices} from './cloth-choices.js';
-import {askedOf, noPins, orderOf, type Flaw, type LayStep} from './lay-step.js';
+import {askedOf, noPins, offersFor, orderOf, type Flaw, type LayStep} from './lay-step.js';
 import {lastOf} from './last-of.js';
 import {toFailure} from './latest-solve.js';
 import {Observable} from './observable.js';
@@ -284,6 +284,13 @@ export class Laying extends Observable {
     void this.#run(this.#next);
   }
 
+  #offer(work: Work, plan: LayPlan, cheaper: LayPlan['cheaper']): void {
+    const {present} = work.history;
+    if (present.plan !== plan || cheaper.length === 0) return;
+    work.history = amended(work.history, {...present, plan: {...plan, cheaper}});
+    this.changed();
+  }
+
   async #run(work: Work): Promise<void> {
     const {garment, design} = this.#source;
     if (!garment || !design) return;
@@ -295,7 +302,8 @@ export class Laying extends Observable {
     try {
       await new Promise((resolve) => setTimeout(resolve)); // what is shown of it comes first
       if (isOver()) return;
-      const order = orderOf(design, work.result, garment, step.choices);
+      const toLay = {design, garment, result: work.result, choices: step.choices};
+      const order = orderOf(toLay);
       const problem = askedOf(order.problem, step);
       const take = (layout: MarkerLayout & Partial<MarkerAnswer>): void => {
         const plan = layPlan({...order, problem}, layout);
@@ -318,9 +326,16 @@ export class Laying extends Observable {
         },
       });
       if (isOver()) return;
-      this.#running = undefined;
       take(answer);
       this.#become({kind: 'done'});
+      const {plan} = work.history.present;
+      // of a bolt that lies there, nothing is to be chosen any more
+      if (plan && problem.startCm === undefined) {
+        const cheaper = await offersFor(toLay, plan, this.#source.solver, running.signal);
+        if (isOver()) return;
+        this.#offer(work, plan, cheaper);
+      }
+      this.#running = undefined;
     } catch (error) {
       if (isOver()) return;
       this.#running = undefined;

@@ -13,10 +13,14 @@ export abstract class ClothElement extends WorkbenchElement {
     return clothTexts(language, messages);
   }
 
-  /** What a piece is called; with a number where several are cut of it. */
+  /** What a piece of the garment is called. */
+  protected nameOf(name: string): string {
+    return this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ?? name;
+  }
+
+  /** The same of a piece on the cloth, with a number where several are cut of it. */
   protected readonly labelOf = ({name, number}: Pick<PieceOnCloth, 'name' | 'number'>): string => {
-    const label =
-      this.workbench.scenes?.now.pieces.find((piece) => piece.name === name)?.label ?? name;
+    const label = this.nameOf(name);
     const {names} = this.laying;
     const same = names.flatMap((one, k) => (one === name ? [k] : []));
     return same.length > 1 ? `${label} ${same.indexOf(number) + 1}` : label;

@@ -68,7 +68,8 @@ export class ClothPanel extends ClothElement {
             : nothing
         }
         ${laying.isMoved ? html`<li>${words.moved}</li>` : nothing} ${this.#cost(laid)}
-        ${this.#range(phases)} ${notes.map((note) => html`<li>${note}</li>`)}
+        ${this.#range(phases)} ${laying.isMoved ? nothing : this.#offers(laid)}
+        ${notes.map((note) => html`<li>${note}</li>`)}
       </ul>`;
   }
 
@@ -96,6 +97,17 @@ export class ClothPanel extends ClothElement {
         ? [html`<li class="range">${words.rangeNowhere(nowhere, phases.length)}</li>`]
         : []),
     ];
+  }
+
+  /** What would take less cloth. */
+  #offers({lengthCm, cheaper}: LayPlan): readonly TemplateResult[] {
+    const {words, format} = this;
+    return cheaper.map(({kind, lengthCm: length, phaseCm = 0, pieces = []}) => {
+      const saving = format.length(lengthCm - length);
+      const names = [...new Set(pieces)].map((name) => this.nameOf(name)).join(', ');
+      const how = {phase: format.length(phaseCm), shift: names, unmatched: names};
+      return html`<li class="offer">${words.less[kind](saving, how[kind])}</li>`;
+    });
   }
 
   #fields(): TemplateResult | typeof nothing {

@@ -18,6 +18,14 @@ export const cloth: ClothTexts = {
   range: (least, most) => `${least} bis ${most}, je nachdem, wo das Muster beginnt; bitte messen.`,
   rangeNowhere: (nowhere, all) =>
     `An ${nowhere} von ${all} möglichen Stellen des Musterbeginns passen nicht alle Teile.`,
+  less: {
+    phase: (saving, start) =>
+      `${saving} weniger, wenn das Muster ${start} von der linken Kante beginnt`,
+    shift: (saving, pieces) =>
+      `${saving} weniger, wenn sich das Muster unter ${pieces} verschieben darf`,
+    unmatched: (saving, pieces) =>
+      `${saving} weniger, wenn das Muster bei ${pieces} nicht passen muss`,
+  },
   width: 'Stoffbreite',
   otherWidth: 'Andere …',
   widthIn: (unit) => `Stoffbreite (${unit})`,

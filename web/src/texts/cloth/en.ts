@@ -26,6 +26,15 @@ export const cloth = {
     `${least} to ${most}, by where the print starts; measure it.`,
   rangeNowhere: (nowhere: number, all: number) =>
     `At ${nowhere} of ${all} places where the print may start, not all pieces fit.`,
+  /** What would take less cloth. */
+  less: {
+    phase: (saving: string, start: string) =>
+      `${saving} less if the print starts ${start} from the left edge`,
+    shift: (saving: string, pieces: string) =>
+      `${saving} less if the print may move under ${pieces}`,
+    unmatched: (saving: string, pieces: string) =>
+      `${saving} less if the print need not match on ${pieces}`,
+  },
   width: 'Cloth width',
   otherWidth: 'Other …',
   widthIn: (unit: string) => `Cloth width (${unit})`,

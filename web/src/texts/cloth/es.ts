@@ -18,6 +18,13 @@ export const cloth: ClothTexts = {
   range: (least, most) => `De ${least} a ${most}, según dónde empiece el estampado; mídelo.`,
   rangeNowhere: (nowhere, all) =>
     `En ${nowhere} de ${all} inicios posibles del estampado no caben todas las piezas.`,
+  less: {
+    phase: (saving, start) =>
+      `${saving} menos si el estampado empieza a ${start} del borde izquierdo`,
+    shift: (saving, pieces) => `${saving} menos si el estampado puede desplazarse bajo ${pieces}`,
+    unmatched: (saving, pieces) =>
+      `${saving} menos si el estampado no tiene que casar en ${pieces}`,
+  },
   width: 'Ancho de la tela',
   otherWidth: 'Otro …',
   widthIn: (unit) => `Ancho de la tela (${unit})`,

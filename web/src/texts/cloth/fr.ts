@@ -20,6 +20,12 @@ export const cloth: ClothTexts = {
   range: (least, most) => `De ${least} à ${most}, selon où commence l’imprimé ; mesurez-le.`,
   rangeNowhere: (nowhere, all) =>
     `Pour ${nowhere} des ${all} débuts possibles de l’imprimé, toutes les pièces ne tiennent pas.`,
+  less: {
+    phase: (saving, start) => `${saving} de moins si l’imprimé commence à ${start} du bord gauche`,
+    shift: (saving, pieces) => `${saving} de moins si l’imprimé peut se décaler sous ${pieces}`,
+    unmatched: (saving, pieces) =>
+      `${saving} de moins si l’imprimé n’a pas à se raccorder sur ${pieces}`,
+  },
   width: 'Largeur du tissu',
   otherWidth: 'Autre …',
   widthIn: (unit) => `Largeur du tissu (${unit})`,

@@ -18,6 +18,12 @@ export const cloth: ClothTexts = {
   range: (least, most) => `Da ${least} a ${most}, secondo dove inizia la stampa; misuralo.`,
   rangeNowhere: (nowhere, all) =>
     `In ${nowhere} di ${all} possibili inizi della stampa non ci stanno tutti i pezzi.`,
+  less: {
+    phase: (saving, start) => `${saving} in meno se la stampa inizia a ${start} dal bordo sinistro`,
+    shift: (saving, pieces) => `${saving} in meno se la stampa può spostarsi sotto ${pieces}`,
+    unmatched: (saving, pieces) =>
+      `${saving} in meno se la stampa non deve combaciare su ${pieces}`,
+  },
   width: 'Altezza del tessuto',
   otherWidth: 'Altra …',
   widthIn: (unit) => `Altezza del tessuto (${unit})`,
