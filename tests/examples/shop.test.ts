@@ -139,6 +139,23 @@ it('shows the garment as it is worn, its pieces when asked, and the worn one aga
   expect(await poster.isVisible()).toBe(false);
 });
 
+it('says how much cloth it cuts, as soon as that is known', async () => {
+  const page = await open(`${shop}garment/tee`);
+  const length = page.locator('#length');
+  const patient = {timeout: 60_000};
+  const said = /^Cut from (\d\.\d\d) m of cloth, 140 cm wide\.$/;
+  await expect.poll(() => length.textContent(), patient).toMatch(said);
+  const metres = Number(said.exec((await length.textContent()) ?? '')?.[1]);
+  const centimetres = await garment(page).evaluate(
+    (element: SeamwiseGarment) => element.clothLengthCm,
+  );
+  expect(metres).toBeCloseTo((centimetres ?? 0) / 100, 2);
+  await page.getByText('XL', {exact: true}).click();
+  await expect.poll(() => length.textContent(), patient).toBe('');
+  await expect.poll(() => length.textContent(), patient).toMatch(said);
+  expect(Number(said.exec((await length.textContent()) ?? '')?.[1])).toBeGreaterThan(metres);
+});
+
 it('can be walked by keys alone', async () => {
   const page = await open(shop);
   const focused = (): Promise<string> =>

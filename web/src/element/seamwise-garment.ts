@@ -73,9 +73,9 @@ export class SeamwiseGarment extends AttributeElement {
   #isDrawn = false;
   /** Gives back what others may need, unless it is put into the document again soon. */
   readonly #rest = new Rest(
-    () => !this.isConnected && !this.#session.isAwaited && !this.#cloth.isAwaited,
+    () => !this.isConnected && !this.#session.isAwaited && !this.#cloth.isAwaited(),
     () => {
-      this.#cloth.pause();
+      this.#cloth.layer?.pause();
       this.#offers.stop();
       if (this.#session.pause()) this.#beginning.askAgain();
     },
@@ -116,7 +116,7 @@ export class SeamwiseGarment extends AttributeElement {
     );
     this.#answering = new Answering(this.#session, this.#beginning, this.#speech);
     this.#cloth = new Cloth({
-      ...{element: this, session: this.#session, texts: () => this.#texts.garment, emit},
+      ...{element: this, session: this.#session, texts: () => this.#texts, emit},
     });
     this.#modes = new Modes(
       () => {
@@ -166,7 +166,7 @@ export class SeamwiseGarment extends AttributeElement {
 
   /** What the answer takes of cloth as wide as `clothWidth`; null until it is laid. [cm] */
   get clothLengthCm(): number | null {
-    return this.#cloth.lengthCm;
+    return this.#cloth.layer?.lengthCm ?? null;
   }
 
   /** The design as JSON text; empty while there is no answer, or none that can be stored. */
@@ -212,7 +212,7 @@ export class SeamwiseGarment extends AttributeElement {
 
   /** Ends what is under way; what is shown stays. */
   cancel(): void {
-    this.#cloth.cancel();
+    this.#cloth.layer?.cancel();
     this.#session.cancel();
   }
 
