@@ -88,6 +88,8 @@ bool areApart(const Shape& first, const Shape& second, const Vec2& shift, double
       if (edgesCross(a, b, c, d) ? distance > kTouching || room > 0 : distance < room) return false;
     }
   }
+  // lines that keep a distance do not cross: one outline holds the other, or neither does
+  if (room > 0) return !contains(p, q.front() + shift) && !contains(q, p.front() - shift);
   // narrow equal outlines that coincide have no other point within each other
   const auto is_common = [&](const Vec2& at) { return isDeepIn(p, at) && isDeepIn(q, at - shift); };
   return !is_common(first.inner) && !is_common(second.inner + shift) &&

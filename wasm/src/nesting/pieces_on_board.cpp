@@ -13,6 +13,7 @@ namespace {
 /// shows.
 constexpr double kShortestStep = 0.15, kUsualStep = 0.5;  // cm
 constexpr double kCells = 16e6;
+constexpr double kLeastShare = 0.1;  ///< of these, where there is less effort to use them
 /// Boards of more columns are searched, not proven, and too near to touching is not looked into.
 constexpr int kFineColumns = 64;
 constexpr int kStride = 4;        ///< on fine boards: the depth of overlaps is smooth over 2 cm
@@ -74,7 +75,8 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
     for (const PlacedShape& b : placed_)
       cells +=
           tableCells(shapes_[a.shape], shapes_[b.shape], Board::square(kUsualStep), spacing_.gap);
-  board_ = boardOf(std::max(kShortestStep, kUsualStep * std::sqrt(cells / kCells)));
+  const double most = kCells * std::clamp(problem.effort, kLeastShare, 1.0);
+  board_ = boardOf(std::max(kShortestStep, kUsualStep * std::sqrt(cells / most)));
   is_fine_ = problem.width / board_.along.x() > kFineColumns;
   is_whole_ = !ignores_print &&
               cross(board_.along, board_.up) < 1.5 * std::abs(cross(group.w1(), group.w2()));
@@ -109,8 +111,12 @@ int PiecesOnBoard::addPlaced(int shape, const Vec2& offset) {
   const auto known = std::find_if(placed_.begin(), placed_.end(), [&](const PlacedShape& one) {
     return !one.is_pinned && one.shape == shape && (one.offset - offset).norm() < 1e-6;
   });
-  if (known != placed_.end()) return static_cast<int>(known - placed_.begin());
-  placed_.push_back({shape, offset, false});
+  const int item = static_cast<int>(items_.size());  // that whose ways are being made
+  if (known != placed_.end()) {
+    if (known->item != item) known->item = -1;
+    return static_cast<int>(known - placed_.begin());
+  }
+  placed_.push_back({shape, offset, item, false});
   return static_cast<int>(placed_.size()) - 1;
 }
 
@@ -156,7 +162,8 @@ void PiecesOnBoard::addPin(const NestingPiece& piece, const NestingProblem& prob
   way.is_up = (way.linear * piece.up).y() > -1e-6;
   way.offset = piece.pin->shift - Vec2(problem.phases.front(), problem.start.value_or(0));
   way.placed = static_cast<int>(placed_.size());
-  placed_.push_back({addShape(piece.outline, way.linear), rounded(way.offset), true});
+  placed_.push_back({addShape(piece.outline, way.linear), rounded(way.offset),
+                     static_cast<int>(items_.size()), true});
   item->ways.push_back(way);
   item->is_pinned = true;
 }
@@ -165,6 +172,10 @@ double PiecesOnBoard::makeTable() {
   if (next_ == tables_.size()) return 0;
   const std::size_t n = placed_.size(), first = next_ / n, second = next_ % n;
   const PlacedShape &a = placed_[first], &b = placed_[second];
+  if (a.item >= 0 && a.item == b.item) {  // a piece does not lie in two ways at once
+    ++next_;
+    return 1;
+  }
   tables_[next_] = first > second ? tables_[second * n + first].reversed()
                                   : DifferenceTable(shapes_[a.shape], shapes_[b.shape],
                                                     b.offset - a.offset, board_, spacing_);

@@ -29,6 +29,7 @@ struct Domain {
 struct PlacedShape {
   int shape = 0;
   Vec2 offset = Vec2::Zero();  ///< cm, from the origin of the print
+  int item = -1;               ///< the only one that may lie so; -1: several may
   bool is_pinned = false;      ///< lies at no other dot, and is no other piece's
 };
 

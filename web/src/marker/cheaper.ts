@@ -17,7 +17,7 @@ const leastSaving = 1;
 const smallShare = 0.25;
 /** As many of them, the largest, are tried at so many places along each vector of the repeat. */
 const mostUnmatched = 2;
-const steps = 4;
+const steps = 3;
 /** A piece lies on its print that misses it by less. */
 const onIt = 1e-3;
 
