@@ -168,7 +168,7 @@ class Unions {
     const int lo = std::max(0, static_cast<int>(std::ceil(stretch.from)));
     const int hi = std::min(dots_ - 1, static_cast<int>(std::floor(stretch.to)));
     if (hi < lo) return;
-    Stretch* ends = line_(line);
+    Stretch* ends = lineAt(line);
     // noted at its first dot, and carried on by merge()
     ends[lo].from = std::min(ends[lo].from, stretch.from);
     ends[lo].to = std::max(ends[lo].to, stretch.to);
@@ -176,7 +176,7 @@ class Unions {
 
   void merge() {
     for (std::size_t line = 0; line < ends_.size() / dots_; ++line) {
-      Stretch* ends = line_(static_cast<int>(line));
+      Stretch* ends = lineAt(static_cast<int>(line));
       Stretch at{0, -1e9f};
       for (int k = 0; k < dots_; ++k) {
         const Stretch& begun = ends[k];
@@ -198,7 +198,7 @@ class Unions {
   }
 
  private:
-  Stretch* line_(int line) { return ends_.data() + static_cast<std::ptrdiff_t>(line) * dots_; }
+  Stretch* lineAt(int line) { return ends_.data() + static_cast<std::ptrdiff_t>(line) * dots_; }
   int dots_;
   std::vector<Stretch> ends_;
 };

@@ -46,16 +46,16 @@ std::vector<std::vector<int>> Marker::naps() const {
   std::vector<std::vector<int>> naps;
   if (garments <= kAll) {
     for (int bits = 0; bits < 1 << garments; ++bits) {
-      std::vector<int> down;
-      for (int g = 0; g < garments; ++g) down.push_back(bits >> g & 1);
+      std::vector<int> down(garments);
+      for (int g = 0; g < garments; ++g) down[g] = bits >> g & 1;
       naps.push_back(down);
     }
     return naps;
   }
   for (int odd = 0; odd < 2; ++odd) {
     for (int even = 0; even < 2; ++even) {
-      std::vector<int> down;
-      for (int g = 0; g < garments; ++g) down.push_back(g % 2 == 0 ? even : odd);
+      std::vector<int> down(garments);
+      for (int g = 0; g < garments; ++g) down[g] = g % 2 == 0 ? even : odd;
       naps.push_back(down);
     }
   }
