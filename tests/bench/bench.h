@@ -38,6 +38,10 @@ class PeakMemory {
   double before_;
 };
 
+/// Of the matrix of a grid of 90 x 90 nodes with 2 unknowns each, its numerical part; the quickest
+/// of several. What is not solved by factorisations is measured in these. [ms]
+double gridFactorisation();
+
 /// The problem of a task, from its fields garment and print (files), symmetry, method, seed,
 /// options, edgeLength (cm, even where an options file may not go), and evenSeams: no seam weighs
 /// more than another and no marked lines count, so that the fit is just what is searched for.

@@ -9,6 +9,7 @@ import {build, buildBench} from '../../web/setup/build.mjs';
 import {ensurePackages} from '../../web/setup/packages.mjs';
 import {main, root, say, SetupError} from '../../web/setup/shell.mjs';
 import {findGarments, findPrints} from './cases.mjs';
+import {measureLayouts} from './layouts.mjs';
 import {
   both,
   measureDrapes,
@@ -33,6 +34,7 @@ const parts = {
   edits: {measure: measureEdits, platforms: both},
   growth: {measure: measureGrowth, platforms: both},
   drapes: {measure: measureDrapes, platforms: both},
+  layouts: {measure: measureLayouts, platforms: both},
   rules: {measure: measureRules, platforms: []},
   page: {
     measure: async (settings) => (await import('./page.mjs')).measurePage(settings),
@@ -46,12 +48,13 @@ const usage = `npm run bench -- [--parts ${Object.keys(parts).join(',')}] [--gar
     [--groups GROUP,...] [--seeds N] [--long SECONDS] [--long-cases N] [--thorough] [--json] [--write]
 Measures the sample garments, and all below the given folders, on an idle machine; about three
 quarters of an hour: half of it 'published', a minute or less 'growth', 'edits', 'drapes' and 'page', the others some minutes each.
+'layouts' lays the pieces of tee, shirt, trousers, princess dress and hoodie on cloth with prints that repeat every 10 and 20 cm, and without.
 --only takes a part of a garment's name. --groups are those of the prints: of 'methods' (pmm by itself), of
-'published' and of 'search' (${usualGroups.join()} by themselves). --seeds: of paper and ws19, and of the search (1).
+'published' and of 'search' (${usualGroups.join()} by themselves). --seeds: of paper and ws19, of the search, and of the layouts (1).
 --long: how much time the search gets for comparison (60 s), in so many cases (${usualLongCases}).
 --thorough solves paper and ws19 with five seeds and in WebAssembly, too, compares every garment with
-the published method in every group, gives every search the long time, and
-counts broken rules in every size; that takes hours. --json writes everything for machines (npm run -s bench: npm itself is silent, too), --write the
+the published method in every group, gives every search the long time,
+lays the pieces of all garments, and counts broken rules in every size; that takes hours. --json writes everything for machines (npm run -s bench: npm itself is silent, too), --write the
 tables into docs/benchmarks.md.`;
 
 function readArguments() {
@@ -163,6 +166,9 @@ const notes = `- **fit** and its kin are those of [the life of a print](life-of-
 - **Rules**: all sample prints, on grain and at any angle. *worse*: seams whose mean mismatch is more than 0.3 mm above that
   of placing alone and above 1 mm; *in vain*: seams that shaping improves by less than a quarter although a vertex off its ends
   moves by more than 1 mm; *whole*: results above the drafted pieces laid on grain. Means over all prints, in mm.
+- **Layouts**: cut lines with 1 cm allowance on cloth of 140 cm, laid at random alignments on grain in a square cell of group p2. *area*:
+  what all pieces cover, over the width; *bound*: no layout is shorter than this, with *proven* where one is as long. *no print*: the
+  same pieces laid anywhere. Times from the outlines to the first layout, and to the end of search and proof.
 - \`=\` stands where neither of two fits leaves any mismatch.
 `;
 
@@ -185,6 +191,7 @@ async function run() {
       methods: groups(['pmm']),
       published: groups(usualGroups),
       search: groups(usualGroups),
+      layouts: findPrints(['p2']),
     },
     seeds: count('seeds', options.seeds ?? (options.thorough ? '5' : '1')),
     long: count('long', options.long),

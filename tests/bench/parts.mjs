@@ -17,9 +17,9 @@ const exampleOf = (garments) =>
 
 /** Those that stand for all where one would not do. */
 const usualNames = ['princess-dress', 'shirt', 'trousers'];
-function usualOf(garments, thorough) {
+export function usualOf(garments, thorough, names = usualNames) {
   const usual = garments.filter(
-    ({name}) => thorough || usualNames.some((one) => name.startsWith(`${one}-`)),
+    ({name}) => thorough || names.some((one) => name.startsWith(`${one}-`)),
   );
   return usual.length > 0 ? usual : garments.slice(0, 1);
 }
@@ -27,7 +27,7 @@ function usualOf(garments, thorough) {
 const named = (task, {garment, print}) => ({task, garment: garment.file, print: print.file});
 
 /** What is measured; nothing where that fails, which is told and must not cost the other figures. */
-async function unlessBroken(name, fail, measure) {
+export async function unlessBroken(name, fail, measure) {
   try {
     return await measure();
   } catch (error) {
@@ -47,7 +47,7 @@ async function twoAtOnce(items, work) {
   return results;
 }
 
-const isThere = (row) => row !== undefined;
+export const isThere = (row) => row !== undefined;
 
 /**
  * Every garment by every method. best and its solve without symmetry run natively and in

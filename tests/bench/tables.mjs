@@ -1,4 +1,5 @@
 // The figures as tables, in Markdown that can be read as it stands.
+import {layoutTable} from './layout-table.mjs';
 import {quotient} from './numbers.mjs';
 import {publishedTables} from './published-tables.mjs';
 import {digits, fit, kilobytes, megabytes, millimetres, ms, share, table} from './table.mjs';
@@ -326,6 +327,10 @@ export function tablesOf(results) {
     [
       'Drapes, in factorisations of a grid of 90 x 90 nodes',
       results.drapes && table(drapeHead, drapeRows(results.drapes)),
+    ],
+    [
+      'Layouts, in factorisations of a grid of 90 x 90 nodes',
+      results.layouts && layoutTable(results.layouts),
     ],
     ['Page', results.page && table(['', ''], pageRows(results.page))],
   ];

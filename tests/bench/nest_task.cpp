@@ -1,16 +1,10 @@
-// Layouts of pieces on a board: how long they are, whether that is proven, and what it took.
-#include <chrono>
-
+// Layouts of pieces on a board: how long they are, whether that is proven, and what it took, in
+// factorisations of a grid in the same process.
 #include "bench.h"
 #include "nesting/marker.h"
 
 namespace seamwise::bench {
 namespace {
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 Vec2 pointOf(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
 
@@ -44,29 +38,35 @@ Json nestTask(const Json& task) {
   problem.widths = task.value("widths", std::vector<double>{});
   problem.effort = task.value("effort", 1.0);
   problem.seed = task.value("seed", 1);
-  const auto start = std::chrono::steady_clock::now();
+  const double unit = gridFactorisation();
+  const Watch watch;
   auto made = Marker::make(std::move(problem));
   if (!made.ok()) return {{"failure", made.error().message}};
   Marker& marker = *made.value();
   Json shorter = Json::array(), stages = Json::array();
-  int count = 0;
-  auto stage = marker.stage();
-  while (marker.advance(1)) {
-    if (marker.count() > count) shorter.push_back({millisecondsSince(start), marker.length()});
-    count = marker.count();
-    if (marker.stage() != stage) stages.push_back(millisecondsSince(start));
-    stage = marker.stage();
+  double first = 0;
+  for (bool goes_on = true; goes_on;) {
+    const int count = marker.count();
+    const Marker::Stage stage = marker.stage();
+    goes_on = marker.advance(1);
+    const double now = watch.milliseconds();
+    if (count == 0 && marker.count() > 0) first = now;
+    if (marker.count() > count) shorter.push_back({now, marker.length()});
+    if (marker.stage() != stage) stages.push_back(now);
   }
+  const double whole = watch.milliseconds();
   if (marker.error()) return {{"failure", marker.error()->message}};
-  Json phases = marker.phaseLengths(), widths = marker.widthLengths();
   return {{"length", marker.length()},
           {"bound", marker.bound()},
           {"proven", marker.isProven()},
           {"free", marker.freeLength()},
-          {"phases", phases},
-          {"widths", widths},
+          {"phases", marker.phaseLengths()},
+          {"widths", marker.widthLengths()},
+          {"unit", unit},
+          {"first", first / unit},
+          {"whole", whole / unit},
+          {"milliseconds", {{"first", first}, {"whole", whole}}},
           {"stages", stages},
-          {"milliseconds", millisecondsSince(start)},
           {"shorter", shorter}};
 }
 
