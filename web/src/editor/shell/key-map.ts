@@ -69,7 +69,9 @@ export class KeyMap extends WorkbenchElement {
 
   open(): void {
     this.requestUpdate(); // there may be other keys than before
-    this.renderRoot.querySelector<HTMLElement>('[popover]')?.togglePopover();
+    const map = this.renderRoot.querySelector<HTMLElement>('[popover]');
+    // at once, so that the next key is the map's, however soon it is pressed
+    if (map?.togglePopover()) map.querySelector('button')?.focus();
   }
 
   protected override render(): TemplateResult {
@@ -83,9 +85,6 @@ export class KeyMap extends WorkbenchElement {
         if (newState === 'open') this.#before = focused();
         else if (this.shadowRoot?.activeElement && this.#before instanceof HTMLElement)
           this.#before.focus();
-      }}
-      @toggle=${({newState}: ToggleEvent) => {
-        if (newState === 'open') this.renderRoot.querySelector('button')?.focus();
       }}
     >
       <header>
