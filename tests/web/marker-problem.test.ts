@@ -228,14 +228,16 @@ describe('a problem', () => {
       orderOf({result: result({pieces, ...more})}, settings).problem.pieces.map(
         ({shifts}) => shifts.length,
       );
-    const all = equalShifts(plainPrint).length;
+    const count = equalShifts(plainPrint).length;
+    /** Of each of several pieces: sixty at the most are shared among them. */
+    const each = (pieces: number): number => Math.ceil(count / Math.ceil((count * pieces) / 60));
     expect(counts({}, {})).toEqual([0, 0, 0, 0]);
-    expect(counts({}, {shift: 'component'})).toEqual([0, 0, all, all]);
+    expect(counts({}, {shift: 'component'})).toEqual([0, 0, each(2), each(2)]);
     expect(counts({}, {shift: 'component', ignoresPrint: true})).toEqual([0, 0, 0, 0]);
-    expect(counts({seams: []}, {shift: 'component'})).toEqual([0, all, all, all]);
+    expect(counts({seams: []}, {shift: 'component'})).toEqual([0, each(3), each(3), each(3)]);
     const line = {line: [[0, 0] as const, [4, 0] as const]};
     const matches = [{a: {piece: 2, ...line}, b: {piece: 0, ...line}}];
-    expect(counts({matches}, {shift: 'component'})).toEqual([0, 0, 0, all]);
+    expect(counts({matches}, {shift: 'component'})).toEqual([0, 0, 0, each(1)]);
     const map = {angle: 0, translation: [0, 0]} as const;
     const symmetries = [{kind: 'pair', pieces: [2, 3], map, pairs: []}] as const;
     expect(counts({symmetries}, {shift: 'component'})).toEqual([0, 0, 0, 0]);
