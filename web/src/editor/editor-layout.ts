@@ -168,6 +168,9 @@ export const editorLayout = css`
     .solving sw-progress {
       min-width: 9rem;
       max-width: 9rem;
+      display: grid;
+      align-content: center;
+      height: 2.4em; /* of two lines, so that nothing moves when there is one */
       line-height: 1.2;
       white-space: normal; /* the views want the room of a long sentence */
     }
