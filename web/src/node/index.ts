@@ -86,6 +86,7 @@ export type {
 } from './import.js';
 export type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 export type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
+export type {PlanPdf} from '../marker/draw/plan-pdf.js';
 export type {Order, OrderHooks} from './order.js';
 export type {NamedEdge, SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
