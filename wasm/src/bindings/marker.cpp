@@ -18,8 +18,7 @@ EMSCRIPTEN_BINDINGS(marker) {
       .function("fraction", &MarkerHandle::fraction)
       .function("count", &MarkerHandle::count)
       .function("layout", &MarkerHandle::layout)
-      .function("report", &MarkerHandle::report)
-      .function("freePlaces", &MarkerHandle::freePlaces);
+      .function("report", &MarkerHandle::report);
 }
 
 }  // namespace

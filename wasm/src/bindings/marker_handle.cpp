@@ -120,6 +120,4 @@ val MarkerHandle::report() const {
   return value;
 }
 
-val MarkerHandle::freePlaces(int piece) const { return placesValue(marker_->freePlaces(piece)); }
-
 }  // namespace seamwise

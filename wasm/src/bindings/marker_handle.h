@@ -24,7 +24,6 @@ class MarkerHandle {
   /// Once there is one: the best layout so far.
   val layout() const;
   val report() const;
-  val freePlaces(int piece) const;
 
  private:
   std::unique_ptr<Marker> marker_;

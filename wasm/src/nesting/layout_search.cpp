@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostBeginnings = 24;
 constexpr double kShorter = 0.01;  ///< cm by which a shorter layout is shorter at least
-constexpr double kFirstShrink = 0.01, kMostShrink = 0.03;
+constexpr double kFirstShrink = 0.01, kMostShrink = 0.03, kLeastShrink = 2e-3;
 constexpr int kDoublings = 8;    ///< of the height in which pieces are laid one by one
 constexpr int kMostTaken = 4;    ///< pieces that are laid again at once
 constexpr int kIdleSweeps = 40;  ///< without less overlap, before something else is tried
@@ -233,13 +233,16 @@ void LayoutSearch::reweigh() {
   }
 }
 
+/// The next target is half as far; at last it is whatever is shorter.
+void LayoutSearch::shrinkLess() { shrink_ = shrink_ > kLeastShrink ? shrink_ / 2 : 0; }
+
 bool LayoutSearch::improve() {
   if (!best_) return false;
   if (!is_under_way_) {
     restarts_ = 0;
     while (!begin()) {
       if (shrink_ == 0) return false;
-      shrink_ = shrink_ > 2e-3 ? shrink_ / 2 : 0;
+      shrinkLess();
     }
   }
   sweep();
@@ -264,7 +267,7 @@ bool LayoutSearch::improve() {
     return true;
   }
   is_under_way_ = false;  // another height to begin at, and a target less far
-  shrink_ = shrink_ > 2e-3 ? shrink_ / 2 : 0;
+  shrinkLess();
   return true;
 }
 

@@ -60,6 +60,7 @@ class LayoutSearch {
   float overlap(int a, int b) const;
   void place(int item, const LayPlace& place);
   void reweigh();
+  void shrinkLess();
   double total() const;
   double firstHeight() const;
   bool hasPlace(int item) const;

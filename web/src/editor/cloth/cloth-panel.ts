@@ -4,6 +4,7 @@ import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 import type {LayPlan} from '../../model/lay-plan.js';
 import type {LayStep} from '../../workbench/lay-step.js';
 import {rangeNote} from '../../marker/plan.js';
+import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {ClothElement} from './cloth-element.js';
@@ -21,7 +22,7 @@ export class ClothPanel extends ClothElement {
     conflicts: {attribute: false},
     hasOwnWidth: {state: true},
   };
-  static override styles = [controls, panelStyle];
+  static override styles = [controls, section, panelStyle];
   /** The number of a piece. */
   declare selected: number | undefined;
   /** Why pieces do not lie well, by their numbers. */

@@ -1,18 +1,6 @@
 import {css} from 'lit';
 
 export const panelStyle = css`
-  :host {
-    display: block;
-  }
-  section {
-    display: grid;
-    gap: var(--sw-space-3);
-    padding: var(--sw-space-4);
-    border-bottom: 1px solid var(--sw-line);
-  }
-  h2 {
-    font-size: var(--sw-text-large);
-  }
   .buy {
     font-size: var(--sw-text-title);
     line-height: 1.2;

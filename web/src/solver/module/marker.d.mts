@@ -94,8 +94,6 @@ export interface ModuleMarker extends EmbindObject {
   /** The best layout so far. */
   layout(): ModuleLayout;
   report(): ModuleMarkerReport;
-  /** Places on the cloth of the best layout where a piece may lie without touching the others: angle, x, y after each other. */
-  freePlaces(piece: number): Float64Array;
 }
 
 export interface MarkerModule {
