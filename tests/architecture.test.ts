@@ -25,6 +25,7 @@ const coreRooms = [
   'deform',
   'drape',
   'nesting',
+  'recognition',
   'problem',
   'methods',
   'solve',

@@ -6,8 +6,6 @@
 
 namespace seamwise {
 
-using Mat3 = Eigen::Matrix3d;
-
 inline constexpr double kCentimetre = 0.01;  ///< m
 
 /// Where the vertices of a cloth are, or a force or a step for each. [m, unless said]

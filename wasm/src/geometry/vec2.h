@@ -10,6 +10,7 @@ namespace seamwise {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat2 = Eigen::Matrix2d;
+using Mat3 = Eigen::Matrix3d;
 using Polyline = std::vector<Vec2>;
 
 inline constexpr double kPi = std::numbers::pi;

@@ -1,0 +1,33 @@
+#pragma once
+#include "geometry/vec2.h"
+
+namespace seamwise {
+
+/// Where a flat print's lattice coordinates lie on a picture of it: x = lens(H (u, v, 1)), in
+/// pixels of the whole upright picture, x to the right, y down. The lens, with one term:
+/// lens(y) = c + (1 + k |y - c|^2 / r^2) (y - c), c the picture's middle, r half its longer side.
+struct LatticeMap {
+  Mat3 homography = Mat3::Identity();
+  double lens = 0;             ///< k
+  Vec2 middle = Vec2::Zero();  ///< c. [px]
+  double radius = 1;           ///< r. [px]
+
+  Vec2 operator()(const Vec2& u) const {
+    const Eigen::Vector3d p = homography * Eigen::Vector3d(u.x(), u.y(), 1);
+    const Vec2 flat(p.x() / p.z(), p.y() / p.z());
+    const Vec2 off = flat - middle;
+    return middle + (1 + lens * off.squaredNorm() / (radius * radius)) * off;
+  }
+
+  /// The same places for another basis and origin: u = m u' + origin.
+  LatticeMap rebased(const Mat2& m, const Vec2& origin) const {
+    Mat3 change = Mat3::Identity();
+    change.topLeftCorner<2, 2>() = m;
+    change.topRightCorner<2, 1>() = origin;
+    LatticeMap map = *this;
+    map.homography = homography * change;
+    return map;
+  }
+};
+
+}  // namespace seamwise
