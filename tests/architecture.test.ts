@@ -59,6 +59,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   app: ['model', 'recognition', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],
   node: [
     'model',
+    'recognition',
     'formats',
     'solver',
     'scene',
@@ -69,7 +70,18 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'pairing',
     'remedies',
   ],
-  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'marker', 'paper', 'node'],
+  cli: [
+    'model',
+    'recognition',
+    'formats',
+    'layout',
+    'scene',
+    'picture',
+    'cutting',
+    'marker',
+    'paper',
+    'node',
+  ],
   '': ['model', 'solver'], // index.ts, the entry of the package
 };
 

@@ -129,3 +129,12 @@ export interface PhotoTileSettings {
   /** Of w1 and w2, in proportion. */
   readonly shape: readonly [Point, Point];
 }
+
+export interface PhotoRequest extends PhotoSettings {
+  /** A file is decoded by who answers. */
+  readonly picture: PhotoPixels | Blob;
+}
+
+export interface PhotoTileRequest extends PhotoTileSettings {
+  readonly picture: PhotoPixels | Blob;
+}
