@@ -1,6 +1,6 @@
 /** Between a print's lattice and the picture of it. */
 import type {Point} from './geometry.js';
-import type {PhotoMap} from './photo.js';
+import type {Homography, PhotoMap} from './photo.js';
 
 interface Size {
   readonly width: number;
@@ -59,4 +59,18 @@ export function vectorsAtMiddle(
     w2Px: along(0, 1),
     originPx: pixelOf(map, size, [Math.round(u), Math.round(v)]),
   };
+}
+
+/** The same places for other vectors and another origin, all in lattice coordinates of the map: u = u' w1 + v' w2 + origin. */
+export function rebased(
+  {homography, lens}: PhotoMap,
+  [w1, w2]: readonly [Point, Point],
+  origin: Point = [0, 0],
+): PhotoMap {
+  const row = (k: 0 | 3 | 6): [number, number, number] => {
+    const [a, b, c] = [homography[k], homography[k + 1] ?? 0, homography[k + 2] ?? 0];
+    const at = ([u, v]: Point): number => a * u + b * v;
+    return [at(w1), at(w2), at(origin) + c];
+  };
+  return {homography: [...row(0), ...row(3), ...row(6)] satisfies Homography, lens};
 }
