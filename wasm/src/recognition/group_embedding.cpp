@@ -84,6 +84,11 @@ int basisChange(const IntegerMatrix& b) {
 
 }  // namespace
 
+Mat2 reducingMatrix(const Mat2& gram) {
+  const IntegerMatrix b = reducingBasis(gram);
+  return (Mat2() << b[0], b[1], b[2], b[3]).finished();
+}
+
 std::vector<GroupEmbedding> embeddingsOf(const GroupData& group, const Mat2& gram,
                                          double tolerance) {
   if (group.lattice == LatticeType::kOblique) return {{{1, 0, 0, 1}, cosets(group)}};

@@ -20,4 +20,7 @@ struct GroupEmbedding {
 std::vector<GroupEmbedding> embeddingsOf(const GroupData& group, const Mat2& gram,
                                          double tolerance);
 
+/// The change to a basis of shortest vectors (Lagrange), whole numbers of determinant +1.
+Mat2 reducingMatrix(const Mat2& gram);
+
 }  // namespace seamwise
