@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "recognition/cell_picture.h"
 #include "recognition/lattice_reading.h"
 #include "wallpaper/group.h"
 
@@ -29,7 +30,17 @@ struct GroupReading {
   int best = 0;                      ///< the largest of those that it has; the smaller one on ties
   Confidence confidence = Confidence::kUncertain;
   bool one_way = false;  ///< no half turn lays the cloth on itself
-  bool stripes = false;  ///< the same all along one direction
+  /// The same all along one direction: its best group has w2 along the stripes, of any length, and
+  /// only the part of w1 across them counts.
+  bool stripes = false;
 };
+
+/// Which wallpaper groups a cell has, wherever their origins are and whichever of the lattice's
+/// vectors are their axes. A group is there if each of its elements lays the cell on itself: the
+/// share of the pattern's energy that differs is small in all and at every place, beyond noise and
+/// what creases displace.
+/// @param gram        of the cell's w1, w2, in any unit of area
+/// @param tolerance   of the lattice: lengths as a share, angles in radians
+GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolerance);
 
 }  // namespace seamwise
