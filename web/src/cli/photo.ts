@@ -1,6 +1,12 @@
 import {basename, dirname, extname, join} from 'node:path';
 
-import type {PhotoReading, PhotoSettings, PhotoStage, RepeatsMeasured} from '../model/photo.js';
+import type {
+  PhotoNote,
+  PhotoReading,
+  PhotoSettings,
+  PhotoStage,
+  RepeatsMeasured,
+} from '../model/photo.js';
 import type {Print} from '../model/print.js';
 import {titleOfFile} from '../model/piece-names.js';
 import {failureOf, SolverError} from '../model/failure.js';
@@ -43,7 +49,6 @@ const status = new StatusLine();
 
 const stages: Readonly<Record<PhotoStage, string>> = {
   repeat: 'Looking for the repeat',
-  align: 'Aligning the copies',
   light: 'Evening out the light',
   symmetry: 'Comparing symmetries',
   tile: 'Making the cell',
@@ -151,8 +156,17 @@ function report(path: string, reading: PhotoReading, isJson: boolean): void {
       ? `${cmOf(w1)} x ${cmOf(w2)} cm (+-${(100 * latticeUncertainty).toFixed(2)} %)`
       : 'size unknown: --measure w1=REPEATS/CM';
   print(`${path}: ${group}, ${size}, ${copies} copies, ${confidence}`);
-  notes.forEach(remark);
+  notes.forEach((note) => {
+    remark(sentences[note]);
+  });
 }
+
+const sentences: Readonly<Record<PhotoNote, string>> = {
+  uneven: 'The cloth does not lie quite flat; smooth it out and take another for an exact size.',
+  differs: 'Parts of the picture differ from all other copies of the print; they are left out.',
+  focalLength:
+    'The camera is unknown, so that height against width is known to a few per cent only; measure both w1 and w2.',
+};
 
 const cmOf = ([x, y]: readonly [number, number]): string => Math.hypot(x, y).toFixed(2);
 

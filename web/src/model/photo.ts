@@ -72,7 +72,7 @@ export interface PhotoGroup {
   readonly map: PhotoMap;
 }
 
-export const photoStages = ['repeat', 'align', 'light', 'symmetry', 'tile'] as const;
+export const photoStages = ['repeat', 'light', 'symmetry', 'tile'] as const;
 export type PhotoStage = (typeof photoStages)[number];
 
 export interface PhotoProgress {
@@ -85,6 +85,13 @@ export interface PhotoHooks {
   readonly signal?: AbortSignal;
   readonly onProgress?: (progress: PhotoProgress) => void;
 }
+
+/**
+ * `uneven`: creases move the print by more than cloth does that lies flat; `differs`: parts of the picture differ from all other
+ * copies; `focalLength`: proportions are known no better than the camera is.
+ */
+export const photoNotes = ['uneven', 'differs', 'focalLength'] as const;
+export type PhotoNote = (typeof photoNotes)[number];
 
 export interface PhotoReading {
   readonly width: number;
@@ -116,8 +123,8 @@ export interface PhotoReading {
   readonly others: readonly PhotoMap[];
   /** Of the picture, where copies differ: creases, dirt. */
   readonly differing: readonly (readonly Point[])[];
-  /** What somebody should know, by `photoNotes`. */
-  readonly notes: readonly string[];
+  /** What somebody should know. */
+  readonly notes: readonly PhotoNote[];
 }
 
 /** A clean picture of the print's cell, as prints have it. */

@@ -3,6 +3,7 @@ import {groupNames} from '../../model/print.js';
 import {vectorsAtMiddle} from '../../model/photo-map.js';
 import {
   photoConfidences,
+  photoNotes,
   photoStages,
   symmetryVerdicts,
   type Homography,
@@ -111,13 +112,14 @@ export async function runPhoto(
   const [w1 = [1, 0], w2 = [0, 1]] = pointsOf(vectors);
   const unit = 1 / Math.hypot(...w1);
   const scaled = ([x, y]: Point): Point => [unit * x, unit * y];
-  const {oneWay, stripes, copies, explained, notes} = report;
+  const {oneWay, stripes, copies, explained} = report;
   return {
     ...{width, height, map: own.map, ...vectorsAtMiddle(own.map, {width, height})},
     ...{w1: isScaled ? w1 : null, w2: isScaled ? w2 : null, shape: [scaled(w1), scaled(w2)]},
     ...{group: own.name, groups: read, latticeUncertainty: uncertainty},
     confidence: known(photoConfidences, report.confidence),
-    ...{oneWay, stripes, copies, explained, notes},
+    ...{oneWay, stripes, copies, explained},
+    notes: report.notes.map((note) => known(photoNotes, note)),
     others: others.map(mapOf),
     differing: differing.map(pointsOf),
   };
