@@ -48,8 +48,7 @@ type Placing = (i: number, j: number) => number;
 const placings = (group: GroupName, n: number): readonly Placing[] =>
   elementsOf(group).map(({m: [a, b, c, d], a: [x, y]}) => {
     const mask = n - 1; // n is a power of two
-    return (i, j) =>
-      ((c * i + d * j + y * n) & mask) * n + ((a * i + b * j + x * n) & mask);
+    return (i, j) => ((c * i + d * j + y * n) & mask) * n + ((a * i + b * j + x * n) & mask);
   });
 
 /** How much of each sample the patch and its images cover, as a union: so it is exactly symmetric. */
