@@ -113,19 +113,25 @@ export function scaled(m: Matrix3): Matrix3 {
 }
 
 /** How far from the middle a ray would land without the lens, over how far it does, by its squared radius on the picture. */
-export function unlensed({lens, lensRadius}: LatticeView): (squared: number) => number {
-  if (lens === 0) return () => 1;
+export function unlensed({lens, lensRadius}: LatticeView, squared: number): number {
+  if (lens === 0 || squared === 0) return 1;
   const k = lens / (lensRadius * lensRadius);
+  const r = Math.sqrt(squared);
+  let flat = r;
+  for (let pass = 0; pass < 8; pass++) {
+    flat -= (flat + k * flat ** 3 - r) / (1 + 3 * k * flat * flat);
+  }
+  return flat / r;
+}
+
+/** The same from a table, for every pixel of a picture. */
+export function unlensedTable(view: LatticeView): (squared: number) => number {
+  if (view.lens === 0) return () => 1;
   const steps = 1024;
-  const most = 2 * lensRadius * lensRadius; // the corners
-  const table = Float64Array.from({length: steps + 2}, (_, i) => {
-    const r = Math.sqrt((most * i) / steps);
-    let flat = r;
-    for (let pass = 0; pass < 20; pass++) {
-      flat -= (flat + k * flat ** 3 - r) / (1 + 3 * k * flat * flat);
-    }
-    return r === 0 ? 1 : flat / r;
-  });
+  const most = 2 * view.lensRadius * view.lensRadius; // the corners
+  const table = Float64Array.from({length: steps + 2}, (_, i) =>
+    unlensed(view, (most * i) / steps),
+  );
   return (squared) => {
     const place = (squared / most) * steps;
     const i = Math.min(steps, Math.floor(place));

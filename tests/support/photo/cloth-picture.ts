@@ -1,7 +1,7 @@
 /** Cloth as light comes from it: the print through the view, with folds, weave and lamps. */
 import type {Point} from '@/model/geometry.js';
 
-import {inverse, repeatsAt, unlensed, type LatticeView} from './camera.js';
+import {inverse, repeatsAt, unlensedTable, type LatticeView} from './camera.js';
 import {halved, type Cell, type Print} from './drawn-print.js';
 import type {Creases} from './creases.js';
 import {darkPicture, type LightPicture} from './pixels.js';
@@ -97,7 +97,7 @@ export function clothPicture(
   const picture = darkPicture(width, height);
   const [red, green, blue] = picture.planes;
   const [a, b, c, d, e, f, g, h, i] = inverse(view.homography);
-  const factor = unlensed(view);
+  const factor = unlensedTable(view);
   const [cx, cy] = view.lensMiddle;
   const pixel = pixelShare(view, width, height);
   const weave = look.weave ? seenWeave(look.weave, pixel) : 0;

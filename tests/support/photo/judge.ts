@@ -66,7 +66,7 @@ function within([a, b]: Basis, other: Basis): readonly number[] {
 export function flattened(view: LatticeView, [x, y]: Point): Point {
   const dx = x - view.lensMiddle[0];
   const dy = y - view.lensMiddle[1];
-  const factor = unlensed(view)(dx * dx + dy * dy);
+  const factor = unlensed(view, dx * dx + dy * dy);
   return [view.lensMiddle[0] + factor * dx, view.lensMiddle[1] + factor * dy];
 }
 

@@ -13,7 +13,9 @@ import {cutTileCase, tileCase} from './tile-cases.js';
 
 type Making = () => Promise<PhotoCase>;
 
-const size: readonly [number, number] = [960, 720];
+type Size = readonly [number, number];
+const size: Size = [960, 720];
+const cameraSize: Size = [4000, 3000];
 
 const times = <T>(count: number, of: (k: number) => T): readonly T[] =>
   Array.from({length: count}, (_, k) => of(k));
@@ -52,6 +54,12 @@ const tiles = (seed: number): readonly Making[] => [
     .map((group, g) => () => cutTileCase(`tile-cut-${g + 1}`, group, seed + 5_000 + g)),
 ];
 
+const large = (seed: number): readonly Making[] =>
+  (['p1', 'pmg', 'cmm', 'p4g', 'p31m'] as const).map((group, g) => () => {
+    const name = `large-${group}`;
+    return floralCase({name, level: 'normal', seed: seed + g, size: cameraSize}, group);
+  });
+
 /** Parts of a set, each with seeds of its own. */
 const parts = {
   normal: (seed: number, normals: number) => florals('normal', normals, seed),
@@ -60,8 +68,10 @@ const parts = {
   special: (seed: number) => specials('normal', 2, seed + 30_000),
   decoy: (seed: number) => decoyCases(seed + 40_000, size),
   tile: (seed: number) => tiles(seed + 50_000),
+  large: (seed: number) => large(seed + 60_000),
 } as const;
 export type Part = keyof typeof parts;
+const usualParts: readonly Part[] = ['normal', 'scan', 'hard', 'special', 'decoy', 'tile'];
 
 /** What a folder holds; `cases.json` is written when all are there. */
 class Folder {
@@ -71,17 +81,18 @@ class Folder {
     mkdirSync(path, {recursive: true});
   }
 
-  /** Every fifth also as a camera's file, turned and tagged by one of the eight orientations; tiles as PNG. */
+  /** Every fifth, and each of more than 4 megapixels, also as a camera's file, turned and tagged by one of the eight orientations; tiles as PNG; the large ones as nothing else. */
   async add({truth, pixels, cell}: PhotoCase): Promise<void> {
     const write = (ending: string, bytes: Buffer): void => {
       writeFileSync(join(this.path, `${truth.name}${ending}`), bytes);
     };
-    write('.rgba', rawOf(pixels));
+    const isLarge = pixels.width * pixels.height > 4e6;
+    if (!isLarge) write('.rgba', rawOf(pixels));
     if (cell) write('.cell.rgba', rawOf(cellPixels(cell)));
     if (truth.level === 'tile') {
       write('.png', await pngOf(pixels));
-    } else if (this.truths.length % 5 === 0) {
-      const orientation = (1 + ((this.truths.length / 5) % 8)) as Orientation;
+    } else if (isLarge || this.truths.length % 5 === 0) {
+      const orientation = (1 + (Math.ceil(this.truths.length / 5) % 8)) as Orientation;
       const jpeg = await jpegOf(stored(pixels, orientation), 95);
       write('.jpg', withExif(jpeg, orientation, truth.f35 ?? undefined));
     }
@@ -104,7 +115,7 @@ export async function writeCases(
   path: string,
   seed: number,
   normals: number,
-  asked: readonly Part[] = Object.keys(parts) as Part[],
+  asked: readonly Part[] = usualParts,
 ): Promise<void> {
   for (const part of asked) {
     const folder = new Folder(path);
