@@ -5,7 +5,7 @@ import type {Point} from '@/model/geometry.js';
 import {printElements} from '@/model/wallpaper.js';
 import {bandKinds, bandPrint} from '../support/photo/band-prints.js';
 import {applied} from '../support/photo/camera.js';
-import type {CaseHead, PrintTruth} from '../support/photo/case.js';
+import {cellPixels, type CaseHead, type PrintTruth} from '../support/photo/case.js';
 import {Chance} from '../support/photo/chance.js';
 import {samplerOf} from '../support/photo/cloth-picture.js';
 import {conditionsOf, type Conditions} from '../support/photo/conditions.js';
@@ -14,9 +14,11 @@ import {decoded, jpegOf, stored, withExif, type Orientation} from '../support/ph
 import {clearlyBroken, floralPrint, leastBroken} from '../support/photo/floral-prints.js';
 import {allGroups, elementsOf, shapeOf} from '../support/photo/group-elements.js';
 import {toLinear} from '../support/photo/inks.js';
+import {sidesOf, tilePsnr} from '../support/photo/judge-tile.js';
 import {judge, latticePoint, seenRepeats, type PhotoAnswer} from '../support/photo/judge.js';
 import {photographOf} from '../support/photo/photograph.js';
 import {floralCase} from '../support/photo/print-cases.js';
+import {almostPrint} from '../support/photo/special-prints.js';
 import {SymmetryShares} from '../support/photo/symmetry-shares.js';
 import {tileCase} from '../support/photo/tile-cases.js';
 
@@ -96,6 +98,13 @@ describe('a print drawn for a group', () => {
   ] as const)('%s is not taken for a print of no more than %s', (group, smaller) => {
     const print = floralPrint(group, new Chance(3), 256);
     expect(leastBroken({...print, group: smaller})).toBeLessThan(1e-9);
+  });
+
+  it.each([0, 3, 6])('of pair %i almost has more symmetry than it has', (number) => {
+    const print = almostPrint(number, new Chance(9), 256);
+    for (const element of elementsOf(print.group)) expect(apart(print, element)).toBe(0);
+    expect(print.broken).toBeGreaterThan(0.02);
+    expect(print.broken).toBeLessThan(clearlyBroken);
   });
 
   it('is not taken for its double cell', () => {
@@ -303,6 +312,27 @@ describe('the judge', async () => {
     expect(judged(answer([2, 0, 0, 1], [0, 0], 'p2'))).toMatchObject({primitive: false});
     const half = judged(answer([0.5, 0, 0, 1] as const, [0, 0], 'p1'));
     expect(half).toMatchObject({primitive: false, falseClaim: true});
+  });
+
+  it('measures how near a tile is to the cell, whatever the light, on the cell it shows', () => {
+    const cell = cellPixels(floralPrint('cm', new Chance(6), 128).cell);
+    const n = cell.width;
+    // the rectangular cell, twice as large, darker, with its origin at the middle of the cell's first sample
+    const data = new Uint8ClampedArray(4 * n * n).fill(255);
+    for (let y = 0; y < n; y++) {
+      for (let x = 0; x < n; x++) {
+        const [a, b] = [x, n - 1 - y];
+        const from = 4 * (((a + b) & (n - 1)) * n + ((a - b) & (n - 1)));
+        for (let c = 0; c < 3; c++) data[4 * (y * n + x) + c] = 0.9 * (cell.data[from + c] ?? 0);
+      }
+    }
+    const sides = sidesOf('rectangular', 'rhombic');
+    const shown = {pixels: {width: n, height: n, data}, sides, basis: [1, 0, 0, 1]} as const;
+    // of pixel (x, y) the middle shows (a - b, a + b) / n
+    const exact = tilePsnr(cell, {...shown, origin: [0, -1 / n]});
+    expect(exact).toBeGreaterThan(32);
+    expect(tilePsnr(cell, {...shown, origin: [0.03, -1 / n]})).toBeLessThan(exact - 6);
+    expect(tilePsnr(cell, {...shown, basis: [0, -1, 1, 0], origin: [0, -1 / n]})).toBeLessThan(20);
   });
 
   it('reads repeats as the lens shows them', () => {

@@ -12,6 +12,8 @@ export interface Patch {
   /** Of the outline's middle, in lattice coordinates. */
   readonly at: Point;
   readonly ink: Ink;
+  /** By whose symmetries it is repeated, on the same w1, w2; the design's, if not given. */
+  readonly group?: GroupName;
 }
 
 export interface Design {
@@ -108,10 +110,9 @@ class Cover {
 /** @param n samples along either side, a power of two */
 export function drawn(design: Design, n: number): Print {
   const cell = emptyCell(n, design.ground);
-  const to = placings(design.group, n);
   const cover = new Cover(n);
   for (const patch of design.patches) {
-    cover.add(patch, design, to);
+    cover.add(patch, design, placings(patch.group ?? design.group, n));
     cover.print(cell, patch.ink);
   }
   return {group: design.group, w1: design.w1, w2: design.w2, cell};

@@ -13,7 +13,7 @@ import {nearSymmetries, SymmetryShares} from './symmetry-shares.js';
 const likeness = 0.05;
 /** A print is without a symmetry that breaks at least this share of its energy. */
 export const clearlyBroken = 0.06;
-/** Below this one cannot tell; between, the print is `near`. */
+/** Below this nobody can tell; between the two the print almost has the symmetry. */
 export const barelyBroken = 0.02;
 
 /** w1 along +x, counter-clockwise. [cm] */
@@ -101,16 +101,8 @@ export interface RandomPrint extends Print {
   readonly broken: number;
 }
 
-/**
- * @param n samples along a side of the cell, a power of two, 256 at least
- * @param near one that almost has a symmetry it lacks: 2-6 % of its energy break it
- */
-export function floralPrint(
-  group: GroupName,
-  chance: Chance,
-  n: number,
-  near = false,
-): RandomPrint {
+/** @param n samples along a side of the cell, a power of two, 256 at least */
+export function floralPrint(group: GroupName, chance: Chance, n: number): RandomPrint {
   const order = elementsOf(group).length;
   for (let attempt = 0; attempt < 400; attempt++) {
     const [w1, w2] = latticeFor(group, chance);
@@ -118,10 +110,7 @@ export function floralPrint(
     const patches = randomPatches(w1, w2, order, chance, inks);
     const design: Design = {group, w1, w2, ground, patches};
     const broken = leastBroken(drawn(design, 128));
-    const wanted = near
-      ? broken >= barelyBroken && broken < clearlyBroken
-      : broken >= clearlyBroken;
-    if (wanted) return {...drawn(design, n), broken};
+    if (broken >= clearlyBroken) return {...drawn(design, n), broken};
   }
-  throw new RangeError(`no print of ${group} breaks what it lacks as wanted`);
+  throw new RangeError(`no print of ${group} breaks what it lacks`);
 }

@@ -91,13 +91,28 @@ const length = (v: Point): number => Math.hypot(...v);
 const angle = ([a, b]: Basis): number =>
   (Math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) * 180) / Math.PI;
 
+/** How the basis seen at the picture's middle is made of the print's, not rounded. */
+const changeOf = (truth: CaseHead & PrintTruth, {homography}: PhotoAnswer): readonly number[] => {
+  const middle: Point = [truth.width / 2, truth.height / 2];
+  const found = repeatsAt(homography as unknown as Matrix3, middle);
+  return within(seenRepeats(truth, middle), found);
+};
+
+/** The answer's w1, w2 as whole-number columns in the print's lattice coordinates, row by row. */
+export function basisFound(
+  truth: CaseHead & PrintTruth,
+  answer: PhotoAnswer,
+): readonly [number, number, number, number] {
+  const [p = 0, q = 0, r = 0, s = 0] = changeOf(truth, answer).map(Math.round);
+  return [p, q, r, s];
+}
+
 function judgePrint(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintVerdict {
   const middle: Point = [truth.width / 2, truth.height / 2];
   const seen = seenRepeats(truth, middle);
   const found = repeatsAt(answer.homography as unknown as Matrix3, middle);
-  const change = within(seen, found);
-  const whole = change.map(Math.round);
-  const [p = 0, q = 0, r = 0, s = 0] = whole;
+  const whole = basisFound(truth, answer);
+  const [p, q, r, s] = whole;
   const nearest = columns(seen, whole);
   const latticeError = Math.max(
     ...([0, 1] as const).map(
@@ -105,7 +120,7 @@ function judgePrint(truth: CaseHead & PrintTruth, answer: PhotoAnswer): PrintVer
         Math.hypot(found[k][0] - nearest[k][0], found[k][1] - nearest[k][1]) / length(found[k]),
     ),
   );
-  const [c0 = 0, c1 = 0, c2 = 0, c3 = 0] = change;
+  const [c0 = 0, c1 = 0, c2 = 0, c3 = 0] = changeOf(truth, answer);
   const index = c0 * c3 - c1 * c2;
   const primitive = p * s - q * r === 1 && latticeError < 0.05;
   const lengths = answer.w1 && answer.w2 ? ([answer.w1, answer.w2] as const) : undefined;

@@ -7,7 +7,7 @@ import {conditionsOf, type Conditions, type PhotoLevel} from './conditions.js';
 import type {Print} from './drawn-print.js';
 import {clearlyBroken, floralPrint, type RandomPrint} from './floral-prints.js';
 import {originNear, photographOf, type Photograph} from './photograph.js';
-import {isStripe, specialPrints} from './special-prints.js';
+import {almostPrint, isStripe, specialPrints} from './special-prints.js';
 
 /** Samples along a side of a cell: as many as the greatest repeat of a picture has pixels. */
 export const samplesFor = (longerSide: number): number =>
@@ -84,4 +84,11 @@ export function specialCase(asked: PrintCaseAsked, kind: string): Promise<PhotoC
   const make = specialPrints[kind];
   if (!make) throw new RangeError(`no print of the kind ${kind}`);
   return taken(asked, kind, make(chance.branch(), samplesFor(Math.max(...asked.size))), chance);
+}
+
+/** @param number which of the pairs of groups that `almostPrint` knows */
+export function almostCase(asked: PrintCaseAsked, number: number): Promise<PhotoCase> {
+  const chance = new Chance(asked.seed);
+  const print = almostPrint(number, chance.branch(), samplesFor(Math.max(...asked.size)));
+  return taken(asked, 'almost', print, chance);
 }

@@ -5,8 +5,15 @@ import type {GroupName} from '@/model/print.js';
 import {bandKinds, bandPrint, stripePrint} from './band-prints.js';
 import type {Chance} from './chance.js';
 import {drawn, type Design, type Patch} from './drawn-print.js';
-import {elementsOf} from './group-elements.js';
-import {barelyBroken, leastBroken, randomPatches, type RandomPrint} from './floral-prints.js';
+import {elementsOf, shapeOf} from './group-elements.js';
+import {
+  barelyBroken,
+  clearlyBroken,
+  leastBroken,
+  randomLattice,
+  randomPatches,
+  type RandomPrint,
+} from './floral-prints.js';
 import {palette, type Ink} from './inks.js';
 import {leaf, placed} from './outlines.js';
 
@@ -94,6 +101,42 @@ function oneOfSix(chance: Chance, n: number): RandomPrint {
     }).flat();
     return {group: 'p1', w1, w2, ground, patches};
   }, n);
+}
+
+/** A group and the one that is left when a single motif follows no more than it, on the same w1, w2. */
+const lessened = [
+  ['p4m', 'p4'],
+  ['p6m', 'p6'],
+  ['p31m', 'p3'],
+  ['p3m1', 'p3'],
+  ['pmm', 'p2'],
+  ['pmg', 'p2'],
+  ['cmm', 'p2'],
+  ['cm', 'p1'],
+] as const;
+
+/** A print of one of those groups but for a single motif: it almost has the others' symmetries. */
+export function almostPrint(number: number, chance: Chance, n: number): RandomPrint {
+  const [group, left] = lessened[number % lessened.length] ?? lessened[0];
+  const order = elementsOf(group).length;
+  for (let attempt = 0; attempt < tries; attempt++) {
+    const [w1, w2] = randomLattice(shapeOf(group), chance);
+    const {ground, inks} = palette(chance);
+    const [single, ...patches] = randomPatches(w1, w2, order, chance, inks);
+    if (!single) continue;
+    const design: Design = {
+      group,
+      w1,
+      w2,
+      ground,
+      patches: [...patches, {...single, group: left}],
+    };
+    const broken = leastBroken({...drawn(design, 128), group: left});
+    if (broken >= barelyBroken && broken < clearlyBroken) {
+      return {...drawn(design, n), group: left, broken};
+    }
+  }
+  throw new RangeError(`no print of ${left} almost is of ${group}`);
 }
 
 /** By kind, how they are made; `n` samples along a side of the cell. */

@@ -1,6 +1,6 @@
 // Writes synthetic photographs of prints whose truth is known:
 //   node tests/support/photo/write-cases.mjs FOLDER SEED NORMALS [PART ...]
-// NORMALS: how many of each group at the level `normal`. PART: normal scan hard special decoy tile, which are
+// NORMALS: how many of each group at the level `normal`. PART: normal scan hard special almost decoy tile, which are
 // all that is made without one, and large: five of 12 megapixels, as JPEG files.
 import {fileURLToPath} from 'node:url';
 

@@ -7,7 +7,7 @@ import type {PhotoLevel} from './conditions.js';
 import {decoyCases} from './decoy-cases.js';
 import {jpegOf, pngOf, rawOf, stored, withExif, type Orientation} from './files.js';
 import {allGroups} from './group-elements.js';
-import {floralCase, specialCase} from './print-cases.js';
+import {almostCase, floralCase, specialCase} from './print-cases.js';
 import {specialPrints} from './special-prints.js';
 import {cutTileCase, tileCase} from './tile-cases.js';
 
@@ -54,6 +54,13 @@ const tiles = (seed: number): readonly Making[] => [
     .map((group, g) => () => cutTileCase(`tile-cut-${g + 1}`, group, seed + 5_000 + g)),
 ];
 
+const almosts = (count: number, seed: number): readonly Making[] =>
+  times(
+    count,
+    (k) => () =>
+      almostCase({name: `normal-almost-${k + 1}`, level: 'normal', seed: seed + k, size}, k),
+  );
+
 const large = (seed: number): readonly Making[] =>
   (['p1', 'pmg', 'cmm', 'p4g', 'p31m'] as const).map((group, g) => () => {
     const name = `large-${group}`;
@@ -68,10 +75,19 @@ const parts = {
   special: (seed: number) => specials('normal', 2, seed + 30_000),
   decoy: (seed: number) => decoyCases(seed + 40_000, size),
   tile: (seed: number) => tiles(seed + 50_000),
+  almost: (seed: number) => almosts(8, seed + 70_000),
   large: (seed: number) => large(seed + 60_000),
 } as const;
 export type Part = keyof typeof parts;
-const usualParts: readonly Part[] = ['normal', 'scan', 'hard', 'special', 'decoy', 'tile'];
+const usualParts: readonly Part[] = [
+  'normal',
+  'scan',
+  'hard',
+  'special',
+  'almost',
+  'decoy',
+  'tile',
+];
 
 /** What a folder holds; `cases.json` is written when all are there. */
 class Folder {
