@@ -103,7 +103,7 @@ bool isCutShort(const PixelLines& lines, TileEdge& edge) {
       edge.differs_at = (i + 0.5) / n;
     }
   }
-  return whole - cut > Tuning::kCutEvidence;
+  return whole - cut > Tuning::kCutEvidence && whole > Tuning::kCutRatio * cut;
 }
 
 /// Change from one line to another: of all of it, as at the side of a stripe, and what single
