@@ -165,7 +165,8 @@ struct MissedTile {
   bool isMendedBy(const MissedTile& other) const {
     if (other.reading.groups.stripes) return false;
     if (other.symmetries() != symmetries()) return other.symmetries() > symmetries();
-    return other.missed < TileReadingTuning::kMended * missed;
+    return missed > TileReadingTuning::kLeastMissed &&
+           other.missed < TileReadingTuning::kMended * missed;
   }
 };
 
