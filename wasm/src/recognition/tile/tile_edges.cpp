@@ -76,16 +76,28 @@ StepAside stepAside(const std::vector<float>& from, const std::vector<float>& to
   return step;
 }
 
-/// Whether lines of motifs step aside across the border as though `missing` lines of pixels were
-/// cut away, rather than none.
-bool isCutShort(const PixelLines& lines, TileEdge& edge) {
+/// By how much what lines show steps aside from one line to the next, against what it does on both
+/// sides of the two: square errors of the same step and of twice that, which a line cut away
+/// between the two would leave.
+struct StepErrors {
+  double whole = 0, cut = 0;
+  double most_at = 0;  ///< where the first exceeds the other most, as a share of the line
+
+  double ratio() const { return (whole + Tuning::kCutEvidence) / (cut + Tuning::kCutEvidence); }
+};
+
+/// Of the lines `at` and the next one, round the border.
+StepErrors stepErrors(const PixelLines& lines, int at) {
   const int count = lines.count(), n = lines.length();
-  const auto line = [&](int k) { return softenedLine(lines.at(k), Tuning::kLineSoftening, 3); };
-  const std::vector<float> before = line(count - 2), last = line(count - 1), first = line(0),
-                           after = line(1);
+  const auto line = [&](int k) {
+    return softenedLine(lines.at((k + count) % count), Tuning::kLineSoftening, 3);
+  };
+  const std::vector<float> before = line(at - 1), last = line(at), first = line(at + 1),
+                           after = line(at + 2);
   const StepAside in = stepAside(before, last), across = stepAside(last, first),
                   out = stepAside(first, after);
-  double whole = 0, cut = 0, most = 0;
+  StepErrors errors;
+  double most = 0;
   for (int i = 0; i < n; ++i) {
     if (std::min({in.weight[i], across.weight[i], out.weight[i]}) < Tuning::kLeastSlope) continue;
     const double step = (in.by[i] + out.by[i]) / 2;
@@ -96,14 +108,30 @@ bool isCutShort(const PixelLines& lines, TileEdge& edge) {
       return std::min(Tuning::kMostMissed, ratio * ratio);
     };
     const double one = missed(step), other = missed(2 * step);
-    whole += one;
-    cut += other;
+    errors.whole += one;
+    errors.cut += other;
     if (one - other > most) {
       most = one - other;
-      edge.differs_at = (i + 0.5) / n;
+      errors.most_at = (i + 0.5) / n;
     }
   }
-  return whole - cut > Tuning::kCutEvidence;
+  return errors;
+}
+
+/// Whether motifs step aside across the border as though a line of pixels were cut away there, and
+/// do so nowhere within.
+bool isCutShort(const PixelLines& lines, TileEdge& edge) {
+  const int count = lines.count();
+  const StepErrors border = stepErrors(lines, count - 1);
+  edge.differs_at = border.most_at;
+  if (border.whole - border.cut < Tuning::kCutEvidence || border.ratio() < Tuning::kCutRatio) {
+    return false;
+  }
+  for (int k = 1; k <= Tuning::kLinesWithin; ++k) {
+    const StepErrors within = stepErrors(lines, k * count / (Tuning::kLinesWithin + 1));
+    if (border.ratio() < Tuning::kCutBeyond * within.ratio()) return false;
+  }
+  return true;
 }
 
 /// Change from one line to another: of all of it, as at the side of a stripe, and what single

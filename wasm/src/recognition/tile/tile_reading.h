@@ -19,7 +19,4 @@ struct TileReading {
 /// picture is too small.
 Outcome<TileReading> readTile(const PixelView& tile);
 
-/// The cell of a tile's lattice with n x n samples, from the pixels that lie around each.
-CellPicture tileCell(const PixelView& tile, const LatticeMap& map, int n);
-
 }  // namespace seamwise
