@@ -7,6 +7,7 @@
 #include "recognition/cell_mean.h"
 #include "recognition/copy_fields_fit.h"
 #include "recognition/map_inverse.h"
+#include "recognition/tile_symmetry.h"
 
 namespace seamwise::testing {
 namespace {
@@ -137,6 +138,27 @@ TEST(PhotoTile, TheMeanOfCopiesIsThePrint) {
   EXPECT_GT(noiseOf(meanOf(photo, map, fields, 96, 0)), 5 * noise);  // copies in their own light
 }
 
+TEST(PhotoTile, APatchThatDiffersIsLeftOut) {
+  const LatticeMap map = tilted().map();
+  const MapInverse look(map);
+  const auto even = [](const Vec2&) { return 1.0; };
+  Photo photo = photographed(320, 240, wavyPrint, look, even, 0.01);
+  EXPECT_TRUE(fieldsOf(photo, map).regions.empty());
+  for (int y = 60; y < 100; ++y)
+    for (int x = 200; x < 250; ++x)
+      photo.rgba[4 * (y * 320 + x)] = photo.rgba[4 * (y * 320 + x) + 2] = 0;
+  const CopyFields fields = fieldsOf(photo, map);
+  ASSERT_EQ(fields.regions.size(), 1u);
+  EXPECT_LT((fields.regions[0].low - Vec2(200, 60)).norm(), 40);  // a third of a cell beyond
+  EXPECT_LT((fields.regions[0].high - Vec2(250, 100)).norm(), 40);
+  EXPECT_GT(fields.differing, 0.026);  // the patch
+  EXPECT_LT(fields.differing, 0.15);
+  float weight;
+  fields.weight.at(225, 80, &weight);
+  EXPECT_EQ(weight, 0);
+  EXPECT_GT(decibels(meanOf(photo, map, fields, 96)), 38);
+}
+
 TEST(PhotoTile, AnotherBasisAndOriginTurnTheCell) {
   const LatticeMap map = tilted().map();
   const Photo photo = photographed(
@@ -170,6 +192,46 @@ TEST(PhotoTile, ItsImageHasPixelsAsWideAsHigh) {
   const CellGrid least = nativeGrid(map, gram, Mat2::Identity(), Vec2::Zero(), 40);
   EXPECT_EQ(least.columns, 40);
   EXPECT_EQ(least.rows, 37);
+}
+
+/// A tile of random pixels, and its mean under the group.
+struct Symmetrised {
+  explicit Symmetrised(const char* name, int n) {
+    Random random(3);
+    for (std::vector<float>& plane : planes)
+      for (int k = 0; k < n * n; ++k) plane.push_back(static_cast<float>(random.uniform()));
+    TileSymmetry tile(planes, n, n, *findGroup(name));
+    while (tile.advance(100)) {
+    }
+    symmetric = tile.planes();
+  }
+  std::array<std::vector<float>, 3> planes, symmetric;
+};
+
+TEST(PhotoTile, TilesAreMadeSymmetricPixelByPixel) {
+  const int n = 24;
+  const Symmetrised tile("p4g", n);
+  for (int k = 0; k < n * n; ++k) {
+    const int i = k % n, j = k / n;
+    EXPECT_FLOAT_EQ(tile.symmetric[0][k], tile.symmetric[0][i * n + (n - 1 - j)]);  // quarter turn
+    const int glide = ((n - 1 - j + n / 2) % n) * n + (i + n / 2) % n;
+    EXPECT_FLOAT_EQ(tile.symmetric[0][k], tile.symmetric[0][glide]);
+  }
+  EXPECT_NE(tile.symmetric[0][0], tile.planes[0][0]);
+}
+
+TEST(PhotoTile, TurnsBySixtyDegreesLieBetweenPixels) {
+  const int n = 48;
+  const Symmetrised once("p6m", n);
+  TileSymmetry twice(once.symmetric, n, n, *findGroup("p6m"));
+  while (twice.advance(100)) {
+  }
+  double before = 0, after = 0;
+  for (int k = 0; k < n * n; ++k) {
+    before += std::pow(once.symmetric[0][k] - once.planes[0][k], 2);
+    after += std::pow(twice.planes()[0][k] - once.symmetric[0][k], 2);
+  }
+  EXPECT_LT(after, 0.05 * before);  // what interpolation smooths
 }
 
 TEST(PhotoTile, ImagesBeginWithTheirTopRow) {

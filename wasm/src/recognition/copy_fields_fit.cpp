@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recognition/differing.h"
 #include "recognition/map_inverse.h"
 
 namespace seamwise {
@@ -96,8 +97,7 @@ void CopyFieldsFit::beginShift() {
 void CopyFieldsFit::finish() {
   fields_.shift = registration_->shift();
   fields_.unevenness = registration_->rms() / cell_size_;
-  fields_.weight = SmoothField(1, pixels_.width, pixels_.height, cell_size_);
-  std::fill(fields_.weight.nodes.begin(), fields_.weight.nodes.end(), 1.0f);
+  findDiffering(*registration_, cell_size_, &fields_);
   registration_.reset();
 }
 
