@@ -9,22 +9,24 @@ namespace seamwise {
 
 namespace {
 /// Parts of a row between which places and light are interpolated: fields bend over a third of it.
-constexpr int kParts = 32;
+constexpr int kRowParts = 32;
 constexpr int kShortestPart = 4, kLongestPart = 32;  // samples
-constexpr float kLeastWeight = 1e-3f;
+constexpr float kLeastCopyWeight = 1e-3f;
 constexpr double kEqualLengths = 0.01;
-constexpr int kMultiple = 12;  // of halves, thirds, quarters and sixths of the cell
+constexpr int kTileMultiple = 12;  // of halves, thirds, quarters and sixths of the cell
 
 // sRGB: linear light is ((code + 0.055) / 1.055)^2.4 for codes above the toe, below which it is
 // proportional to them.
-constexpr float kGamma = 2.4f, kOffset = 0.055f, kToe = 0.04045f;
+constexpr float kSrgbGamma = 2.4f, kSrgbOffset = 0.055f, kSrgbToe = 0.04045f;
 
 /// Coded colours with their linear light multiplied by gains^2.4. Exact above the toe, since there
 /// code + 0.055 is multiplied by `gains`; below, goes on straight to black.
 PixelLanes underLight(const PixelLanes& code, const PixelLanes& gains) {
-  const PixelLanes lit = (code + kOffset) * gains - kOffset;
-  const PixelLanes dark = code * (((kToe + kOffset) * gains - kOffset) * (1 / kToe));
-  return least(greatest(code < kToe ? dark : lit, PixelLanes{0, 0, 0, 0}), PixelLanes{1, 1, 1, 1});
+  const PixelLanes lit = (code + kSrgbOffset) * gains - kSrgbOffset;
+  const PixelLanes dark =
+      code * (((kSrgbToe + kSrgbOffset) * gains - kSrgbOffset) * (1 / kSrgbToe));
+  return least(greatest(code < kSrgbToe ? dark : lit, PixelLanes{0, 0, 0, 0}),
+               PixelLanes{1, 1, 1, 1});
 }
 }  // namespace
 
@@ -38,7 +40,7 @@ CellGrid nativeGrid(const LatticeMap& map, const Mat2& gram, const Mat2& basis, 
   const double shrink = std::min(1.0, longest / (px * std::max(along, up)));
   const auto whole = [&](double length) {
     const double n = px * shrink * length;
-    const int multiple = n >= 4 * kMultiple ? kMultiple : 1;
+    const int multiple = n >= 4 * kTileMultiple ? kTileMultiple : 1;
     return std::max(1, static_cast<int>(std::lround(n / multiple)) * multiple);
   };
   CellGrid grid;
@@ -59,7 +61,7 @@ CellMean::CellMean(const PixelView& pixels, int factor, const LatticeMap& map,
       grid_(grid),
       flatten_(static_cast<float>(flatten)),
       cells_(map_, pixels.width * factor, pixels.height * factor),
-      part_(std::clamp(grid.columns / kParts, kShortestPart, kLongestPart)),
+      part_(std::clamp(grid.columns / kRowParts, kShortestPart, kLongestPart)),
       copies_(static_cast<std::size_t>(grid.columns) * cells_.across * cells_.up),
       counts_(grid.columns) {
   const std::size_t size = static_cast<std::size_t>(grid.columns) * grid.rows;
@@ -95,7 +97,7 @@ CellMean::Knot CellMean::knotAt(double column, double row, int cell_u, int cell_
   fields_.weight.at(x, y, &knot.weight);
   knot.x = static_cast<float>((p.x() + shift[0]) * scale_);
   knot.y = static_cast<float>((p.y() + shift[1]) * scale_);
-  for (int c = 0; c < 3; ++c) knot.gains[c] = std::exp(-flatten_ / kGamma * light[c]);
+  for (int c = 0; c < 3; ++c) knot.gains[c] = std::exp(-flatten_ / kSrgbGamma * light[c]);
   return knot;
 }
 
@@ -120,7 +122,7 @@ void CellMean::addPart(const Knot& from, const Knot& to, int first, int end) {
   for (int i = first; i < end; ++i) {
     const float t = static_cast<float>(i - first) / static_cast<float>(part_);
     const float weight = from.weight + t * (to.weight - from.weight);
-    if (weight < kLeastWeight) continue;
+    if (weight < kLeastCopyWeight) continue;
     PixelLanes value = {0, 0, 0, 0};
     if (!bicubic(pixels_, from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), &value))
       continue;

@@ -12,7 +12,7 @@ namespace {
 /// Mean squared difference from which on a place differs: so many times the picture's median, and
 /// this share of the print's variance more.
 constexpr float kTimesMedian = 4, kShareOfPrint = 0.2f;
-constexpr float kFold = 0.4f;  // slope of the shift at which cloth is no longer flat
+constexpr float kFoldSlope = 0.4f;  // slope of the shift at which cloth is no longer flat
 constexpr float kLeastSteepness = 0.3f, kMostSteepness = 1.5f;
 constexpr float kFewSamples = 0.1f;  // of a full node's weight, below which nothing is known
 
@@ -48,7 +48,7 @@ float printVariance(const CopyRegistration& registration) {
   return sum;
 }
 
-NodeSums sumsOf(const CopyRegistration& registration) {
+NodeSums nodeSumsOf(const CopyRegistration& registration) {
   const LatticeCanvas& canvas = registration.canvas();
   const SmoothField& shift = registration.shift();
   NodeSums sums(static_cast<std::size_t>(shift.columns) * shift.rows);
@@ -94,7 +94,7 @@ float slopeAt(const SmoothField& shift, int i, int j) {
 }
 
 /// Rectangles around nodes that touch each other.
-void gather(const SmoothField& field, const std::vector<bool>& marked, CopyFields* fields) {
+void gatherRegions(const SmoothField& field, const std::vector<bool>& marked, CopyFields* fields) {
   DisjointSets sets(static_cast<int>(marked.size()));
   const int columns = field.columns;
   for (int k = 0; k < static_cast<int>(marked.size()); ++k) {
@@ -122,7 +122,7 @@ void gather(const SmoothField& field, const std::vector<bool>& marked, CopyField
 
 void findDiffering(const CopyRegistration& registration, double cell_size, CopyFields* fields) {
   const SmoothField& shift = registration.shift();
-  const NodeSums sums = sumsOf(registration);
+  const NodeSums sums = nodeSumsOf(registration);
   const std::size_t n = sums.count.size();
   const float full = *std::max_element(sums.count.begin(), sums.count.end());
   std::vector<float> known;
@@ -144,7 +144,7 @@ void findDiffering(const CopyRegistration& registration, double cell_size, CopyF
   for (std::size_t k = 0; k < n; ++k) {
     if (sums.count[k] <= kFewSamples * full) continue;
     const int i = static_cast<int>(k) % shift.columns, j = static_cast<int>(k) / shift.columns;
-    marked[k] = sums.squares[k] / sums.count[k] > limit || slopeAt(shift, i, j) > kFold;
+    marked[k] = sums.squares[k] / sums.count[k] > limit || slopeAt(shift, i, j) > kFoldSlope;
     const float steep = std::clamp((sums.steep[k] + prior) / (sums.mean_steep[k] + prior),
                                    kLeastSteepness, kMostSteepness);
     const float size = sums.area[k] / sums.count[k] / cell_area;
@@ -152,7 +152,7 @@ void findDiffering(const CopyRegistration& registration, double cell_size, CopyF
     if (marked[k]) differing += sums.count[k];
   }
   fields->differing = all > 0 ? differing / all : 0;
-  gather(shift, marked, fields);
+  gatherRegions(shift, marked, fields);
 }
 
 }  // namespace seamwise

@@ -6,7 +6,7 @@ namespace seamwise {
 
 namespace {
 
-PixelLanes cubicShares(float t) {
+PixelLanes pixelShares(float t) {
   return PixelLanes{0.5f * t * (-1 + t * (2 - t)), 1 + 0.5f * t * t * (-5 + 3 * t),
                     0.5f * t * (1 + t * (4 - 3 * t)), 0.5f * t * t * (t - 1)};
 }
@@ -71,8 +71,8 @@ bool bicubic(const PixelView& pixels, float x, float y, PixelLanes* value) {
         t < static_cast<float>(pixels.height - 2)))
     return bilinear(pixels, x, y, value);
   const int i = static_cast<int>(s), j = static_cast<int>(t);
-  const PixelLanes across = cubicShares(s - static_cast<float>(i));
-  const PixelLanes down = cubicShares(t - static_cast<float>(j));
+  const PixelLanes across = pixelShares(s - static_cast<float>(i));
+  const PixelLanes down = pixelShares(t - static_cast<float>(j));
   const std::size_t stride = static_cast<std::size_t>(pixels.width) * 4;
   const std::uint8_t* p =
       pixels.rgba.data() + stride * (j - 1) + 4 * static_cast<std::size_t>(i - 1);

@@ -9,20 +9,20 @@ namespace {
 
 /// Distances from the median up to which colours count, over the mean distance: 4.7 standard
 /// deviations of noise that is normal in three colours.
-constexpr float kReach = 4.7f / 1.6f;
+constexpr float kOutlierReach = 4.7f / 1.6f;
 /// Added to the mean distance: a step and a half of 8 bits.
-constexpr float kStep = 1.5f / 255;
+constexpr float kCodeStep = 1.5f / 255;
 /// Colours of which the median is taken; of more, so many at equal steps.
 constexpr int kMedianOf = 15;
 
-PixelLanes greatestOf(const PixelLanes* colours, int count) {
+PixelLanes greatestColour(const PixelLanes* colours, int count) {
   PixelLanes most = colours[0];
   for (int k = 1; k < count; ++k) most = greatest(most, colours[k]);
   return most;
 }
 
 /// The median of each lane.
-PixelLanes medianOf(const PixelLanes* colours, int count) {
+PixelLanes medianColour(const PixelLanes* colours, int count) {
   PixelLanes sorted[kMedianOf];
   const int n = std::min(count, kMedianOf);
   for (int k = 0; k < n; ++k) sorted[k] = colours[k * count / n];
@@ -35,10 +35,10 @@ PixelLanes medianOf(const PixelLanes* colours, int count) {
     }
     sorted[end] = most;
   }
-  return n % 2 == 1 ? sorted[n / 2] : 0.5f * (sorted[n / 2] + greatestOf(sorted, n / 2));
+  return n % 2 == 1 ? sorted[n / 2] : 0.5f * (sorted[n / 2] + greatestColour(sorted, n / 2));
 }
 
-float squaredLength(const PixelLanes& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+float colourSquares(const PixelLanes& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
 /// The sum of the squares of the opponent channels of a difference.
 float opponentSquares(const PixelLanes& d) {
@@ -53,12 +53,12 @@ AgreedColour agreedColour(PixelLanes* colours, int count) {
   AgreedColour agreed;
   if (count == 0) return agreed;
   if (count > 2) {
-    const PixelLanes center = medianOf(colours, count);
+    const PixelLanes center = medianColour(colours, count);
     float distance = 0;
-    for (int k = 0; k < count; ++k) distance += std::sqrt(squaredLength(colours[k] - center));
-    const float reach = kReach * (distance / static_cast<float>(count) + kStep);
+    for (int k = 0; k < count; ++k) distance += std::sqrt(colourSquares(colours[k] - center));
+    const float reach = kOutlierReach * (distance / static_cast<float>(count) + kCodeStep);
     for (int k = 0; k < count; ++k) {
-      const float far = squaredLength(colours[k] - center) / (reach * reach);
+      const float far = colourSquares(colours[k] - center) / (reach * reach);
       colours[k][3] *= far < 1 ? (1 - far) * (1 - far) : 0.0f;
     }
   }

@@ -9,18 +9,18 @@ namespace {
 
 constexpr double kOnPixel = 1e-6;  // of a pixel
 
-int wrapped(int i, int n) {
+int wrappedPixel(int i, int n) {
   const int rest = i % n;
   return rest < 0 ? rest + n : rest;
 }
 
 /// Four pixels and their shares around a place that is given in pixels.
-struct Reach {
-  Reach(double place, int n) {
+struct CubicReach {
+  CubicReach(double place, int n) {
     const double whole = std::floor(place + kOnPixel);
     const float t = static_cast<float>(place - whole);
     const int first = static_cast<int>(whole);
-    for (int k = 0; k < 4; ++k) at[k] = wrapped(first - 1 + k, n);
+    for (int k = 0; k < 4; ++k) at[k] = wrappedPixel(first - 1 + k, n);
     between = std::abs(place - whole) > kOnPixel;
     share[0] = 0.5f * t * (-1 + t * (2 - t));
     share[1] = 1 + 0.5f * t * t * (-5 + 3 * t);
@@ -55,8 +55,8 @@ void TileSymmetry::add(const LatticeElement& element, int row) {
   for (int i = 0; i < columns_; ++i) {
     const double u = (i + 0.5) / columns_;
     const auto& [m, a] = element;
-    const Reach x((m[0] * u + m[1] * v + a[0]) * columns_ - 0.5, columns_);
-    const Reach y((m[2] * u + m[3] * v + a[1]) * rows_ - 0.5, rows_);
+    const CubicReach x((m[0] * u + m[1] * v + a[0]) * columns_ - 0.5, columns_);
+    const CubicReach y((m[2] * u + m[3] * v + a[1]) * rows_ - 0.5, rows_);
     const std::size_t to = static_cast<std::size_t>(row) * columns_ + i;
     for (int c = 0; c < 3; ++c) {
       const std::vector<float>& plane = planes_[c];
