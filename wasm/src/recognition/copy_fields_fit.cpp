@@ -98,7 +98,7 @@ void CopyFieldsFit::beginShift() {
 
 void CopyFieldsFit::finish() {
   fields_.shift = registration_->shift();
-  fields_.unevenness = registration_->rms() / cell_size_;
+  fields_.unevenness = registration_->rms() / longerRepeat(map_);
   findDiffering(*registration_, cell_size_, &fields_);
   registration_.reset();
 }

@@ -78,7 +78,7 @@ void LightFit::fit(int channel) {
     weight += w;
   }
   const float mean = static_cast<float>(weight) / static_cast<float>(sums.a11.size());
-  stepField(sums, kLightStiffness * mean, channel, channel, &field_);
+  stepField(sums, {kLightStiffness * mean, 0}, channel, channel, &field_);
 }
 
 void LightFit::center() {

@@ -1,5 +1,6 @@
 #include "recognition/map_inverse.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace seamwise {
@@ -48,6 +49,11 @@ Mat2 derivative(const LatticeMap& map, const Vec2& u) {
 double cellSize(const LatticeMap& map) {
   const Mat2 d = derivative(map, MapInverse(map)(map.middle));
   return std::sqrt(std::abs(cross(d.col(0), d.col(1))));
+}
+
+double longerRepeat(const LatticeMap& map) {
+  const Mat2 d = derivative(map, MapInverse(map)(map.middle));
+  return std::max(d.col(0).norm(), d.col(1).norm());
 }
 
 }  // namespace seamwise

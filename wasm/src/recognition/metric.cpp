@@ -12,7 +12,9 @@ namespace {
 constexpr double kFilmSide = 36;      // longer side of 35 mm film. [mm]
 constexpr double kUsualFocus = 0.75;  // of phones, over the longer side: 24 to 30 mm
 constexpr double kUsualError = 0.2;   // of that, as a share
-constexpr double kFileError = 0.02;   // of f35, whole mm, as a share
+constexpr double kFileMiddle = 0.005,
+                 kAnyMiddle = 0.1;  // error of the middle, over the longer side
+constexpr double kFileError = 0.02;  // of f35, whole mm, as a share
 /// Change of scale from a picture's middle to its border, over the lattice's error, up to which
 /// there is no perspective; and at least as a share: a tilt of half a degree.
 constexpr double kSurely = 4, kNoPerspective = 0.004;
@@ -113,12 +115,22 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
   }
   // What a scan's third row says is noise.
   metric.gram = gramFor(h, middle, scan ? 0 : f);
-  const Mat2 nearer = gramFor(h, middle, f * (1 - f_error));
-  const Mat2 farther = gramFor(h, middle, f * (1 + f_error));
-  const double half_aspect = scan ? 0 : std::log(gramAspect(farther) / gramAspect(nearer)) / 2;
-  const double half_angle = scan ? 0 : (gramAngle(farther) - gramAngle(nearer)) / 2;
-  metric.aspect_error = std::hypot(half_aspect, reading.uncertainty * std::sqrt(2.0));
-  metric.angle_error = std::hypot(half_angle, reading.uncertainty);
+  double aspect_squares = 2 * reading.uncertainty * reading.uncertainty;
+  double angle_squares = reading.uncertainty * reading.uncertainty;
+  const auto vary = [&](const Vec2& off, double share) {
+    const Mat2 other = gramFor(h, middle + longer * off, f * (1 + share));
+    aspect_squares += std::pow(std::log(gramAspect(other) / gramAspect(metric.gram)), 2);
+    angle_squares += std::pow(gramAngle(other) - gramAngle(metric.gram), 2);
+  };
+  if (!scan) {
+    vary(Vec2::Zero(), -f_error);
+    // A picture without a focal length may be cut out of one.
+    const double off = hints.f35 ? kFileMiddle : kAnyMiddle;
+    vary(Vec2(off, 0), 0);
+    vary(Vec2(0, off), 0);
+  }
+  metric.aspect_error = std::sqrt(aspect_squares);
+  metric.angle_error = std::sqrt(angle_squares);
   if (first && second) {
     const double angle = gramAngle(metric.gram), product = *first * *second * std::cos(angle);
     metric.gram << *first * *first, product, product, *second * *second;

@@ -10,6 +10,7 @@ constexpr int kCoarseShiftRounds = 3, kShiftRounds = 8;
 constexpr double kShiftNodesPerCell = 3;
 constexpr double kMostShiftNodesAcross = 72;  // of the longer side
 constexpr float kShiftStiffness = 0.05f;      // of a node's mean curvature
+constexpr float kShiftSize = 0.003f;          // of it; along stripes nothing else holds a node
 constexpr float kShiftTail = 3;               // errors beyond so many mean errors count little
 
 /// The derivatives of a function on the picture by x and by y, of those by u and by v at sample k.
@@ -134,8 +135,8 @@ void CopyRegistration::step() {
   }
   double curvature = 0;
   for (std::size_t k = 0; k < sums.a11.size(); ++k) curvature += sums.a11[k] + sums.a22[k];
-  const double mean = curvature / (2 * static_cast<double>(sums.a11.size()));
-  stepField(sums, kShiftStiffness * static_cast<float>(mean), 0, 1, &shift_);
+  const float mean = static_cast<float>(curvature) / (2 * static_cast<float>(sums.a11.size()));
+  stepField(sums, {kShiftStiffness * mean, kShiftSize * mean}, 0, 1, &shift_);
 }
 
 void CopyRegistration::center() {

@@ -51,16 +51,17 @@ double dotOf(const std::vector<float>& a, const std::vector<float>& b) {
   return sum;
 }
 
-/// (A + stiffness bending) x of both channels, one after the other in x.
-void applyNormal(const FieldSums& sums, float stiffness, int columns, int rows,
+/// (A + bending + size) x of both channels, one after the other in x.
+void applyNormal(const FieldSums& sums, const FieldCost& cost, int columns, int rows,
                  const std::vector<float>& x, std::vector<float>* out) {
   const std::size_t n = sums.a11.size();
+  const float least = cost.size + kLeastFieldCurvature;
   for (std::size_t k = 0; k < n; ++k) {
-    (*out)[k] = (sums.a11[k] + kLeastFieldCurvature) * x[k] + sums.a12[k] * x[n + k];
-    (*out)[n + k] = sums.a12[k] * x[k] + (sums.a22[k] + kLeastFieldCurvature) * x[n + k];
+    (*out)[k] = (sums.a11[k] + least) * x[k] + sums.a12[k] * x[n + k];
+    (*out)[n + k] = sums.a12[k] * x[k] + (sums.a22[k] + least) * x[n + k];
   }
-  addBending(x.data(), columns, rows, stiffness, out->data());
-  addBending(x.data() + n, columns, rows, stiffness, out->data() + n);
+  addBending(x.data(), columns, rows, cost.bending, out->data());
+  addBending(x.data() + n, columns, rows, cost.bending, out->data() + n);
 }
 
 }  // namespace
@@ -115,22 +116,22 @@ void FieldSums::add(const SplineShares& at, float weight, float xx, float xy, fl
   }
 }
 
-void stepField(const FieldSums& sums, float stiffness, int c1, int c2, SmoothField* field) {
+void stepField(const FieldSums& sums, const FieldCost& cost, int c1, int c2, SmoothField* field) {
   const std::size_t n = sums.a11.size();
   std::vector<float> x(2 * n), now(2 * n), residual(2 * n), direction, image(2 * n);
   for (std::size_t k = 0; k < n; ++k) {
     now[k] = -field->nodes[k * field->channels + c1];
     now[n + k] = -field->nodes[k * field->channels + c2];
-    residual[k] = sums.g1[k];
-    residual[n + k] = sums.g2[k];
+    residual[k] = sums.g1[k] + cost.size * now[k];
+    residual[n + k] = sums.g2[k] + cost.size * now[n + k];
   }
-  addBending(now.data(), field->columns, field->rows, stiffness, residual.data());
-  addBending(now.data() + n, field->columns, field->rows, stiffness, residual.data() + n);
+  addBending(now.data(), field->columns, field->rows, cost.bending, residual.data());
+  addBending(now.data() + n, field->columns, field->rows, cost.bending, residual.data() + n);
   direction = residual;
   double squared = dotOf(residual, residual);
   const double enough = squared * kFieldSolved;
   for (int step = 0; step < kFieldSolveSteps && squared > enough; ++step) {
-    applyNormal(sums, stiffness, field->columns, field->rows, direction, &image);
+    applyNormal(sums, cost, field->columns, field->rows, direction, &image);
     const float along = static_cast<float>(squared / std::max(dotOf(direction, image), 1e-30));
     for (std::size_t k = 0; k < 2 * n; ++k) {
       x[k] += along * direction[k];
