@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kFilmSide = 36;      // longer side of 35 mm film. [mm]
 constexpr double kUsualFocus = 0.75;  // of phones, over the longer side: 24 to 30 mm
-constexpr double kUsualError = 0.2;   // of that, as a share
-constexpr double kFileMiddle = 0.005,
-                 kAnyMiddle = 0.1;  // error of the middle, over the longer side
+constexpr double kUsualError = 0.3;   // of that: 24 to 35 mm
+/// Errors of the optical axis, over the longer side: of a whole picture, of one maybe cut out.
+constexpr double kFileMiddle = 0.005, kAnyMiddle = 0.1;
 constexpr double kFileError = 0.02;  // of f35, whole mm, as a share
 /// Change of scale from a picture's middle to its border, over the lattice's error, up to which
 /// there is no perspective; and at least as a share: a tilt of half a degree.
