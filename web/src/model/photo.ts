@@ -130,6 +130,7 @@ export interface PhotoReading {
 /** A clean picture of the print's cell, as prints have it. */
 export interface PhotoTileSettings {
   readonly map: PhotoMap;
+  readonly isTile?: boolean;
   /** Symmetries that are made exact; none, unless said otherwise. */
   readonly symmetrise?: GroupName;
   readonly flatten?: number;

@@ -125,7 +125,7 @@ bool Photo::fitFields() {
   grid.columns = grid.rows = PhotoTuning::kSamples;
   const ReducedPixels& reduced = fit_->reduced();
   mean_ = std::make_unique<CellMean>(reduced.view(), reduced.factor(), lattice_.map, fields, grid,
-                                     settings_.flatten, curve_);
+                                     settings_.flatten);
   return false;
 }
 

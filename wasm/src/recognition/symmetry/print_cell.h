@@ -1,7 +1,7 @@
 #pragma once
 #include "recognition/base/cell_picture.h"
-#include "recognition/symmetry/group_reading.h"
 #include "recognition/base/picture.h"
+#include "recognition/symmetry/group_reading.h"
 
 namespace seamwise {
 
