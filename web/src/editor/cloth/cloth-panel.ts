@@ -21,6 +21,7 @@ export class ClothPanel extends ClothElement {
     selected: {attribute: false},
     conflicts: {attribute: false},
     hasOwnWidth: {state: true},
+    hasAllowances: {state: true},
   };
   static override styles = [controls, section, panelStyle];
   /** The number of a piece. */
@@ -28,11 +29,13 @@ export class ClothPanel extends ClothElement {
   /** Why pieces do not lie well, by their numbers. */
   declare conflicts: ReadonlyMap<number, string>;
   declare protected hasOwnWidth: boolean;
+  declare protected hasAllowances: boolean;
 
   constructor() {
     super();
     this.conflicts = new Map();
     this.hasOwnWidth = false;
+    this.hasAllowances = false;
   }
 
   /** What is selected elsewhere comes into sight. */
@@ -121,12 +124,17 @@ export class ClothPanel extends ClothElement {
       ...{texts: this.texts, words: this.words, hasOwnWidth: this.hasOwnWidth},
       startCm: plan?.printOrigin?.[0],
       isOneWay: design.print.oneWay,
+      hasAllowances: this.hasAllowances,
+      ownAllowances: laying.ownAllowances,
       choose: (change) => {
         if (change.widthCm !== undefined) this.hasOwnWidth = false;
         laying.choose(change);
       },
       askOwnWidth: () => {
         this.hasOwnWidth = true;
+      },
+      askAllowances: () => {
+        this.hasAllowances = !this.hasAllowances;
       },
     });
   }
