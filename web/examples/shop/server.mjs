@@ -200,7 +200,7 @@ function refusal(error) {
   if (error instanceof FileError || error instanceof SolverError) {
     return page(messagePage('The workshop cannot make this', error.message), 422);
   }
-  console.error(error);
+  if (error.name !== 'AbortError') console.error(error); // else the customer has left
   return page(messagePage('Our fault', 'Something broke here; please try again.'), 500);
 }
 

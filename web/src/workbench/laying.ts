@@ -157,6 +157,18 @@ export class Laying extends Observable {
     this.#change({places: places.map((one, k) => (k === number ? place : one))}, false);
   }
 
+  /** Takes a piece off the cloth, until it is laid anew. */
+  remove(number: number): void {
+    const {places = [], pins = noPins} = this.step ?? {};
+    this.#change(
+      {
+        places: places.map((one, k) => (k === number ? undefined : one)),
+        pins: new Set([...pins].filter((pin) => pin !== number)),
+      },
+      false,
+    );
+  }
+
   togglePin(number: number): void {
     const pins = new Set(this.step?.pins);
     if (!pins.delete(number)) pins.add(number);
@@ -267,11 +279,13 @@ export class Laying extends Observable {
           this.changedOften();
         },
         onPlan: (order, plan) => {
+          const isFirst = this.#work !== work;
           work.order = order;
           work.history = amended(work.history, {...step, plan, places: placesIn(order, plan)});
           this.#work = work;
           this.#next = undefined;
-          this.changed();
+          if (isFirst) this.changed();
+          else this.changedOften();
         },
       });
       this.#become({kind: 'done'});

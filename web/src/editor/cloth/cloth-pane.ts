@@ -180,8 +180,9 @@ export class ClothPane extends PieceActions {
   }
 
   get #conflicts(): ReadonlyMap<number, string> {
-    const {pieces, bolt} = this.laying;
-    return bolt ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
+    const {pieces, bolt, isMoved} = this.laying;
+    // what is laid keeps apart
+    return bolt && isMoved ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
   }
 
   /** As large as there is room for, and as somebody has zoomed. */

@@ -61,7 +61,6 @@ export class ClothPanel extends ClothElement {
     const {lengthCm, useShare, boundCm, proven, phases} = plan;
     const notes = plan.notes.filter((note) => !rangeNote(phases).includes(note));
     const isDone = laying.state.kind === 'done';
-    const laid = laying.step?.plan ?? plan;
     return html`<h2 class="buy">${words.buy(soldLength(lengthCm, units, words, format))}</h2>
       <ul class="facts">
         <li>${words.used(format.length(lengthCm), format.percent(useShare))}</li>
@@ -71,8 +70,11 @@ export class ClothPanel extends ClothElement {
             ? html`<li>${words.bound(format.length(boundCm))}</li>`
             : nothing
         }
-        ${laying.isMoved ? html`<li>${words.moved}</li>` : nothing} ${this.#cost(laid)}
-        ${this.#range(phases)} ${laying.isMoved ? nothing : this.#offers(laid)}
+        ${
+          laying.isMoved
+            ? html`<li>${words.moved}</li>` // all else is of the plan before
+            : html`${this.#cost(plan)} ${this.#range(phases)} ${this.#offers(plan)}`
+        }
         ${notes.map((note) => html`<li>${note}</li>`)}
       </ul>`;
   }

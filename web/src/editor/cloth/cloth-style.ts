@@ -76,7 +76,11 @@ export const clothStyle = css`
       width: 100%;
     }
     .bar {
+      position: sticky; /* beside the choice of views, which stays, too */
+      z-index: 1;
+      top: 0;
       padding: var(--sw-space-1) 0 var(--sw-space-1) var(--sw-space-2);
+      background: var(--sw-ground);
     }
     .foot {
       flex-wrap: nowrap;

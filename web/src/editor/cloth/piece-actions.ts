@@ -42,6 +42,14 @@ export abstract class PieceActions extends ClothElement {
     else this.say(this.words.cannotTurn(this.labelOf(piece)));
   }
 
+  takeOff(): void {
+    const piece = this.selectedPiece;
+    if (!piece || !this.isReady) return;
+    this.laying.remove(piece.number);
+    this.choose(undefined);
+    this.say(this.words.takenOff(this.labelOf(piece)));
+  }
+
   togglePin(): void {
     const piece = this.selectedPiece;
     if (!piece || !this.isReady) return;

@@ -36,6 +36,8 @@ export const viewFrame = css`
     justify-content: space-between;
   }
   .foot > .group {
+    flex: none;
+    flex-wrap: nowrap;
     margin-left: auto;
   }
   .said {

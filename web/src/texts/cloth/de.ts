@@ -4,7 +4,7 @@ import type {ClothTexts} from './en.js';
 export const cloth: ClothTexts = {
   label: 'Stoff mit den Teilen darauf',
   description:
-    'Pfeiltasten legen das gewählte Teil auf den nächsten freien Platz, mit Alt auch auf den nächsten belegten; R dreht es, P heftet es an, N und Umschalt N gehen von Teil zu Teil, Plus und Minus zoomen, 0 zeigt alles.',
+    'Pfeiltasten legen das gewählte Teil auf den nächsten freien Platz, mit Alt auch auf den nächsten belegten; R dreht es, P heftet es an, Entf nimmt es weg, N und Umschalt N gehen von Teil zu Teil, Plus und Minus zoomen, 0 zeigt alles.',
   panel: 'Stoff',
   buy: (length) => `${length} kaufen`,
   metres: (metres) => `${metres} m`,
@@ -57,7 +57,9 @@ export const cloth: ClothTexts = {
   at: (across, along) => `${across}. Rapport von links, ${along}. vom Anfang`,
   atLength: (left, start) => `${left} von links, ${start} vom Anfang`,
   turned: (degrees) => `um ${degrees}° gedreht`,
-  noPlace: 'kein Platz gefunden',
+  noPlace: 'nicht auf dem Stoff',
+  takeOff: 'Vom Stoff nehmen',
+  takenOff: (piece) => `${piece} liegt nicht mehr auf dem Stoff; Packen bringt es zurück.`,
   pinned: 'angeheftet',
   pin: 'Anheften',
   unpin: 'Lösen',
@@ -97,6 +99,7 @@ export const cloth: ClothTexts = {
   steps: {
     move: 'Verschieben auf dem Stoff',
     turn: 'Drehen auf dem Stoff',
+    remove: 'vom Stoff genommen',
     pin: 'Anheften auf dem Stoff',
     pack: 'Packen',
     flaw: 'Stofffehler',

@@ -10,7 +10,7 @@ function ordinal(n: number): string {
 export const cloth = {
   label: 'Cloth with the pieces on it',
   description:
-    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all.',
+    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, Delete takes it off, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all.',
   panel: 'Cloth',
   /** What there is to buy. */
   buy: (length: string) => `Buy ${length}`,
@@ -67,7 +67,9 @@ export const cloth = {
     `${ordinal(across)} repeat from the left, ${ordinal(along)} from the start`,
   atLength: (left: string, start: string) => `${left} from the left, ${start} from the start`,
   turned: (degrees: string) => `turned ${degrees}°`,
-  noPlace: 'no place found',
+  noPlace: 'not on the cloth',
+  takeOff: 'Take off the cloth',
+  takenOff: (piece: string) => `${piece} is off the cloth; packing brings it back.`,
   pinned: 'pinned',
   pin: 'Pin',
   unpin: 'Unpin',
@@ -107,6 +109,7 @@ export const cloth = {
   steps: {
     move: 'move on the cloth',
     turn: 'turn on the cloth',
+    remove: 'taking off the cloth',
     pin: 'pin on the cloth',
     pack: 'packing',
     flaw: 'flaw',

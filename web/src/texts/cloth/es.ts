@@ -4,7 +4,7 @@ import type {ClothTexts} from './en.js';
 export const cloth: ClothTexts = {
   label: 'Tela con las piezas encima',
   description:
-    'Las flechas llevan la pieza elegida al siguiente sitio libre, con Alt al siguiente aunque esté ocupado; R la gira, P la fija, N y Mayús N van de pieza en pieza, más y menos acercan y alejan, 0 muestra todo.',
+    'Las flechas llevan la pieza elegida al siguiente sitio libre, con Alt al siguiente aunque esté ocupado; R la gira, P la fija, Supr la quita, N y Mayús N van de pieza en pieza, más y menos acercan y alejan, 0 muestra todo.',
   panel: 'Tela',
   buy: (length) => `Compra ${length}`,
   metres: (metres) => `${metres} m`,
@@ -56,7 +56,9 @@ export const cloth: ClothTexts = {
   at: (across, along) => `${across}.ª repetición desde la izquierda, ${along}.ª desde el inicio`,
   atLength: (left, start) => `a ${left} de la izquierda, a ${start} del inicio`,
   turned: (degrees) => `girada ${degrees}°`,
-  noPlace: 'sin sitio',
+  noPlace: 'fuera de la tela',
+  takeOff: 'Quitar de la tela',
+  takenOff: (piece) => `${piece} ya no está sobre la tela; colocar de nuevo la devuelve.`,
   pinned: 'fijada',
   pin: 'Fijar',
   unpin: 'Soltar',
@@ -97,6 +99,7 @@ export const cloth: ClothTexts = {
   steps: {
     move: 'mover sobre la tela',
     turn: 'girar sobre la tela',
+    remove: 'quitar de la tela',
     pin: 'fijar sobre la tela',
     pack: 'colocación',
     flaw: 'defecto',

@@ -6,7 +6,7 @@ const ordinal = (n: number): string => (n === 1 ? '1er' : `${n}e`);
 export const cloth: ClothTexts = {
   label: 'Tissu avec les pièces posées dessus',
   description:
-    'Les flèches déplacent la pièce choisie à la place libre suivante, avec Alt à la suivante même occupée ; R la tourne, P l’épingle, N et Maj N passent de pièce en pièce, plus et moins zooment, 0 montre tout.',
+    'Les flèches déplacent la pièce choisie à la place libre suivante, avec Alt à la suivante même occupée ; R la tourne, P l’épingle, Suppr la retire, N et Maj N passent de pièce en pièce, plus et moins zooment, 0 montre tout.',
   panel: 'Tissu',
   buy: (length) => `Achetez ${length}`,
   metres: (metres) => `${metres} m`,
@@ -58,7 +58,9 @@ export const cloth: ClothTexts = {
     `${ordinal(across)} raccord depuis la gauche, ${ordinal(along)} depuis le début`,
   atLength: (left, start) => `à ${left} de la gauche, à ${start} du début`,
   turned: (degrees) => `tournée de ${degrees}°`,
-  noPlace: 'aucune place trouvée',
+  noPlace: 'pas sur le tissu',
+  takeOff: 'Retirer du tissu',
+  takenOff: (piece) => `${piece} n’est plus sur le tissu ; placer à nouveau la ramène.`,
   pinned: 'épinglée',
   pin: 'Épingler',
   unpin: 'Libérer',
@@ -98,6 +100,7 @@ export const cloth: ClothTexts = {
   steps: {
     move: 'déplacement sur le tissu',
     turn: 'rotation sur le tissu',
+    remove: 'retrait du tissu',
     pin: 'épingle sur le tissu',
     pack: 'placement',
     flaw: 'défaut',

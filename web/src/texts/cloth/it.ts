@@ -4,7 +4,7 @@ import type {ClothTexts} from './en.js';
 export const cloth: ClothTexts = {
   label: 'Tessuto con i pezzi sopra',
   description:
-    'Le frecce portano il pezzo scelto al prossimo posto libero, con Alt al prossimo anche se occupato; R lo gira, P lo fissa, N e Maiusc N vanno di pezzo in pezzo, più e meno ingrandiscono e riducono, 0 mostra tutto.',
+    'Le frecce portano il pezzo scelto al prossimo posto libero, con Alt al prossimo anche se occupato; R lo gira, P lo fissa, Canc lo toglie, N e Maiusc N vanno di pezzo in pezzo, più e meno ingrandiscono e riducono, 0 mostra tutto.',
   panel: 'Tessuto',
   buy: (length) => `Compra ${length}`,
   metres: (metres) => `${metres} m`,
@@ -55,7 +55,9 @@ export const cloth: ClothTexts = {
   at: (across, along) => `${across}º rapporto da sinistra, ${along}º dall’inizio`,
   atLength: (left, start) => `a ${left} da sinistra, a ${start} dall’inizio`,
   turned: (degrees) => `girato di ${degrees}°`,
-  noPlace: 'nessun posto trovato',
+  noPlace: 'non sul tessuto',
+  takeOff: 'Togli dal tessuto',
+  takenOff: (piece) => `${piece} non è più sul tessuto; disporre di nuovo lo riporta.`,
   pinned: 'fissato',
   pin: 'Fissa',
   unpin: 'Libera',
@@ -96,6 +98,7 @@ export const cloth: ClothTexts = {
   steps: {
     move: 'spostamento sul tessuto',
     turn: 'rotazione sul tessuto',
+    remove: 'tolto dal tessuto',
     pin: 'fissaggio sul tessuto',
     pack: 'disposizione',
     flaw: 'difetto',
