@@ -82,8 +82,8 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
   const sold = await shown(page);
   expect(sold.sha256).not.toBe(before.sha256);
   const cost = await priceTold(page);
-  await page.getByRole('button', {name: 'Add to cart'}).click();
-  await page.waitForURL(/\/cart\//);
+  await page.getByRole('button', {name: 'Add to cart'}).click(patient);
+  await page.waitForURL(/\/cart\//, patient);
   await page.reload();
   expect(await page.locator('.total').textContent()).toContain(cost);
   expect(await page.locator('.line').textContent()).toContain('Snow crystal, Mist');
@@ -152,19 +152,19 @@ it('asks for the cloth that it cuts, in steps of 5 cm, as soon as that is known'
   const page = await open(`${shop}garment/tee`);
   const length = page.locator('#length');
   const said = /^Cut from (\d\.\d\d) m of cloth, 140 cm wide\.$/;
-  const metres = async (): Promise<number> => {
+  const centimetres = async (): Promise<number> =>
+    (await garment(page).evaluate((element: SeamwiseGarment) => element.clothLengthCm)) ?? 0;
+  const sold = async (): Promise<number> => {
     await expect.poll(() => length.textContent(), patient).toMatch(said);
-    return Number(said.exec((await length.textContent()) ?? '')?.[1]);
+    const metres = Number(said.exec((await length.textContent()) ?? '')?.[1]);
+    expect(100 * metres).toBeCloseTo(5 * Math.ceil((await centimetres()) / 5), 6);
+    await expect.poll(() => price(page).textContent()).toBe(`€${(34 * metres).toFixed(2)}`);
+    return centimetres();
   };
-  const first = await metres();
-  const centimetres = await garment(page).evaluate(
-    (element: SeamwiseGarment) => element.clothLengthCm,
-  );
-  expect(100 * first).toBeCloseTo(5 * Math.ceil((centimetres ?? 0) / 5), 6);
-  await expect.poll(() => price(page).textContent()).toBe(`€${(34 * first).toFixed(2)}`);
+  const first = await sold();
   await page.getByText('XL', {exact: true}).click();
   await expect.poll(() => price(page).textContent(), patient).toBe('…');
-  expect(await metres()).toBeGreaterThan(first);
+  expect(await sold()).toBeGreaterThan(first);
 });
 
 it('can be walked by keys alone', async () => {
@@ -211,7 +211,7 @@ it('can be walked by keys alone', async () => {
   expect(print.size?.width).toBeGreaterThan(7); // the file's own
   await tabTo(/^Add to cart$/);
   await page.keyboard.press('Enter');
-  await page.waitForURL(/\/cart\//);
+  await page.waitForURL(/\/cart\//, patient);
   await tabTo(/^Six-gore skirt, S$/);
   await page.keyboard.press('Enter');
   await page.waitForURL(/line=/);
@@ -227,8 +227,8 @@ it.each(['light', 'dark'] as const)('keeps nobody out, in %s colours', async (co
   await page.getByRole('button', {name: 'Place the print yourself'}).click();
   await garment(page).locator('sw-place-bar').waitFor();
   expect(await barriers(page, all)).toEqual([]);
-  await page.getByRole('button', {name: 'Add to cart'}).click();
-  await page.waitForURL(/\/cart\//);
+  await page.getByRole('button', {name: 'Add to cart'}).click(patient);
+  await page.waitForURL(/\/cart\//, patient);
   expect(await barriers(page, all)).toEqual([]);
 });
 
@@ -260,9 +260,9 @@ it('adds to the cart what is still being solved, as soon as it is there', async 
     await route.continue();
   });
   await page.goto(`${shop}garment/tee?size=xs&print=check`);
-  await page.getByRole('button', {name: 'Add to cart'}).click();
+  await page.getByRole('button', {name: 'Add to cart'}).click(patient);
   deliver?.();
-  await page.waitForURL(/\/cart\//);
+  await page.waitForURL(/\/cart\//, patient);
   expect(await page.locator('.line').textContent()).toContain('Tee, XS');
 });
 
@@ -368,7 +368,8 @@ it('has its own price, and no other files than its own', async () => {
   const cart = await fetch(new URL(taken.headers.get('location') ?? '', shop));
   expect(await cart.text()).toContain(`<strong>${told}</strong>`);
   // the length is that of the package on its own
-  const {plan} = await order(design, {read: readSample, cloth: {widthCm: 140, selvedgeCm: 0}});
+  const read = (url: string): Promise<Uint8Array> => readSample(new URL(url).pathname);
+  const {plan} = await order(design, {read, cloth: {widthCm: 140, selvedgeCm: 0}});
   expect(cents).toBe(170 * Math.ceil((plan?.lengthCm ?? 0) / 5));
   for (const path of [
     'server.mjs',

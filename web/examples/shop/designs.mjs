@@ -123,5 +123,5 @@ export async function priced({design, print}, shownCents, catalogue, signal) {
   return {lengthCm: plan.lengthCm, cents};
 }
 
-/** A bolt of a print, as `cloth-width` and `selvedge` of the page have it. */
-const clothOf = ({fabric}) => ({widthCm: fabric.usableWidthCm, selvedgeCm: 0});
+/** A bolt of a print, as `cloth-width` and `selvedge` of the page have it; of no other width is anything asked. */
+const clothOf = ({fabric}) => ({widthCm: fabric.usableWidthCm, selvedgeCm: 0, widthsCm: []});
