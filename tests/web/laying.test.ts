@@ -44,7 +44,13 @@ interface Asked {
   readonly fail: (error: Error) => void;
 }
 
-const settled = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 25));
+const settled = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 5));
+
+// without pauses, however busy the machine is
+vi.mock('@/solver/answers/slices.js', async (original) => ({
+  ...(await original<typeof import('@/solver/answers/slices.js')>()),
+  besideThePage: {slice: Infinity, pause: () => Promise.resolve()},
+}));
 
 function atWork(at: {design: Design | undefined; result: SolveResult | undefined}) {
   const asked: Asked[] = [];
