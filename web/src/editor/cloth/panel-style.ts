@@ -39,6 +39,11 @@ export const panelStyle = css`
   .note {
     margin-left: calc(1rem + var(--sw-space-2));
   }
+  @media (pointer: coarse), (width < 40rem) {
+    .note {
+      margin-left: calc(1.5rem + var(--sw-space-2)); /* below what its box says */
+    }
+  }
   table {
     width: 100%;
     border-collapse: collapse;
