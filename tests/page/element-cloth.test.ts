@@ -162,7 +162,7 @@ it('keeps nothing in the browser of what is said of the cloth in its editor', as
   const {page, put} = await openPage();
   await put(tee.replace('alt=', 'mode="edit" alt='));
   const editor = page.locator('seamwise-garment sw-editor');
-  await editor.getByRole('button', {name: 'Cloth'}).click();
+  await editor.getByRole('button', {name: 'Cloth', exact: true}).click();
   const panel = page.locator('sw-cloth-panel');
   const facts = () => panel.locator('.facts').innerText();
   await expect.poll(facts, patient).toMatch(/long/);
