@@ -1,5 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
+import {cutRings, cutRingSteps} from '@/marker/cut-rings.js';
 import {layPlan} from '@/marker/plan.js';
 import {markerOrder} from '@/marker/problem.js';
 import type {MarkerGarment} from '@/marker/pieces.js';
@@ -58,6 +59,28 @@ const repeatOf = (group: GroupName): Repeat => {
   const [w1, w2] = lattices[latticeType(group)];
   return {group, w1, w2};
 };
+
+describe('cut lines', () => {
+  const rule = {allowanceCm: 1, hemCm: 3};
+  const count = (laid: MarkerGarment, asked: typeof rule): number =>
+    [...cutRingSteps(laid, asked)].length;
+
+  it('are made piece by piece, so that a page goes on meanwhile, and each once', () => {
+    const laid = {result: result()};
+    expect(count(laid, rule)).toBeGreaterThanOrEqual(2 * laid.result.pieces.length);
+    expect(count(laid, rule)).toBe(0);
+    expect(cutRings(laid, rule)).toBe(cutRings({...laid}, {...rule}));
+    expect(count(laid, {...rule, hemCm: 5})).toBeGreaterThan(0);
+    const [, outline = []] = cutRings(laid, {...rule, hemCm: 5}).rings.values();
+    expect(boxOf(outline).low[1]).toBeCloseTo(-5);
+  });
+
+  it('are those of printed pieces, whose names messages say with their file', () => {
+    const plain = {result: result(), options: {plain: ['left_half']}};
+    expect([...cutRings(plain, rule).rings.keys()]).toEqual([1]);
+    expect(cutRings(plain, rule).ownAllowances).toBe('none');
+  });
+});
 
 describe('shifts after which a print fits as well', () => {
   it.each(groupNames)('of %s keep its group', (group) => {

@@ -157,14 +157,14 @@ export async function remedies(
 }
 
 /**
- * Solves a stored design again, from the very files that it was made with.
+ * Solves a stored design again, from the very files that it was made with, and lays it on `cloth` where that is given.
  * @param design an object, or its JSON text
  * @throws {FileError} when the design is damaged, or when a file cannot be read or is another one;
  *   {SolverError} for a bad garment or print; the signal's reason, when it fires
  */
 export async function order(design: StoredDesign | string, hooks: OrderHooks = {}): Promise<Order> {
   const {orderWith} = await import('./order.js');
-  return orderWith(solve, design, hooks);
+  return orderWith(solver, design, hooks);
 }
 
 /**

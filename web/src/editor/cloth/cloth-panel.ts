@@ -21,6 +21,7 @@ export class ClothPanel extends ClothElement {
     selected: {attribute: false},
     conflicts: {attribute: false},
     hasOwnWidth: {state: true},
+    hasAllowances: {state: true},
   };
   static override styles = [controls, section, panelStyle];
   /** The number of a piece. */
@@ -28,11 +29,13 @@ export class ClothPanel extends ClothElement {
   /** Why pieces do not lie well, by their numbers. */
   declare conflicts: ReadonlyMap<number, string>;
   declare protected hasOwnWidth: boolean;
+  declare protected hasAllowances: boolean;
 
   constructor() {
     super();
     this.conflicts = new Map();
     this.hasOwnWidth = false;
+    this.hasAllowances = false;
   }
 
   /** What is selected elsewhere comes into sight. */
@@ -58,7 +61,6 @@ export class ClothPanel extends ClothElement {
     const {lengthCm, useShare, boundCm, proven, phases} = plan;
     const notes = plan.notes.filter((note) => !rangeNote(phases).includes(note));
     const isDone = laying.state.kind === 'done';
-    const laid = laying.step?.plan ?? plan;
     return html`<h2 class="buy">${words.buy(soldLength(lengthCm, units, words, format))}</h2>
       <ul class="facts">
         <li>${words.used(format.length(lengthCm), format.percent(useShare))}</li>
@@ -68,8 +70,11 @@ export class ClothPanel extends ClothElement {
             ? html`<li>${words.bound(format.length(boundCm))}</li>`
             : nothing
         }
-        ${laying.isMoved ? html`<li>${words.moved}</li>` : nothing} ${this.#cost(laid)}
-        ${this.#range(phases)} ${laying.isMoved ? nothing : this.#offers(laid)}
+        ${
+          laying.isMoved
+            ? html`<li>${words.moved}</li>` // all else is of the plan before
+            : html`${this.#cost(plan)} ${this.#range(phases)} ${this.#offers(plan)}`
+        }
         ${notes.map((note) => html`<li>${note}</li>`)}
       </ul>`;
   }
@@ -121,12 +126,17 @@ export class ClothPanel extends ClothElement {
       ...{texts: this.texts, words: this.words, hasOwnWidth: this.hasOwnWidth},
       startCm: plan?.printOrigin?.[0],
       isOneWay: design.print.oneWay,
+      hasAllowances: this.hasAllowances,
+      ownAllowances: laying.ownAllowances,
       choose: (change) => {
         if (change.widthCm !== undefined) this.hasOwnWidth = false;
         laying.choose(change);
       },
       askOwnWidth: () => {
         this.hasOwnWidth = true;
+      },
+      askAllowances: () => {
+        this.hasAllowances = !this.hasAllowances;
       },
     });
   }
