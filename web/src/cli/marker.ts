@@ -34,7 +34,7 @@ import {
 } from './base/lay-wish.js';
 import {readRaster, readTile} from './base/print-files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
-import {garmentOf, optionsIn, parsed, readClothOf, readResult} from './result-file.js';
+import {garmentOf, optionsIn, parsed, problemIn, readClothOf, readResult} from './result-file.js';
 
 type Content = string | Uint8Array;
 
@@ -149,11 +149,13 @@ async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile
       `${file} does not hold its design, so all its edges get the same allowance; name the garment with --garment FILE.`,
     );
   }
+  const problem = result.otherAlignments && problemIn(result, file, cloth);
   const garment: MarkerGarment = {
     result,
     ...(!isOnly && {name: file}),
     ...(held && {garment: held.garment}),
     ...{options: optionsIn(result, file), names: chosenNames(result.design)},
+    ...(problem && {problem}),
   };
   return {cloth, garment};
 }
@@ -205,6 +207,7 @@ const stages: Readonly<Record<MarkerProgress['stage'], string>> = {
   prove: 'Looking for a proof',
   free: 'Laying without the print',
   widths: 'Laying on other widths',
+  shifts: 'Moving the print under pieces',
   done: 'Laid',
 };
 
@@ -245,15 +248,19 @@ function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
 }
 
 function cheaperWords({lengthCm: length}: LayPlan, offer: CheaperLay): string {
-  const {kind, lengthCm, phaseCm = 0, pieces = []} = offer;
+  const {kind, lengthCm, phaseCm = 0, pieces = [], design} = offer;
   const names = [...new Set(pieces)].join(', ');
+  const [mean, instead] = [design?.meanCm ?? 0, design?.insteadOfCm ?? 0].map(millimetres);
   const how = {
-    phase: `the print starts ${cm(phaseCm)} from the left edge`,
-    shift: `the print may move under ${names}, which no seam matches`,
-    unmatched: `the print need not match on ${names}`,
+    phase: `if the print starts ${cm(phaseCm)} from the left edge`,
+    shift: `if the print may move under ${names}, where it fits as well`,
+    unmatched: `if the print need not match on ${names}`,
+    design: `with another placing that fits as well: ${mean} instead of ${instead} mm on average; the plan has its pins`,
   };
-  return `${cm(length - lengthCm)} less if ${how[kind]}.`;
+  return `${cm(length - lengthCm)} less ${how[kind]}.`;
 }
+
+const millimetres = (length: number): string => (10 * length).toFixed(1);
 
 const cm = (length: number): string => `${length.toFixed(1)} cm`;
 

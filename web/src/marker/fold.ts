@@ -102,7 +102,8 @@ export function foldedOrder(
   const across = ([x, y]: Point): Point => [2 * foldCm - x, y];
   const half: MarkerOrder = {
     ...order,
-    pieces: pairs.flatMap(({first}) => pieces[first] ?? []),
+    // the lower ply mirrors the print where it is
+    ...{components: [], pieces: pairs.flatMap(({first}) => pieces[first] ?? [])},
     problem: {
       ...problem,
       pieces: pairs.flatMap(({first}) => {

@@ -9,8 +9,9 @@ import {dot, radians, towards, type Point} from '../model/geometry.js';
 import type {LaidTurns, MarkerPiece, Nap} from '../model/marker.js';
 import type {GrainLock, SolveOptions} from '../model/options.js';
 import type {PieceNames} from '../model/piece-names.js';
+import type {Problem} from '../model/problem.js';
 import type {ResultPiece, SolveResult} from '../model/result.js';
-import {loosePieces} from './components.js';
+import {movablePieces} from './components.js';
 import {outerRing, selfCrossing} from './outline.js';
 
 /** A solved garment, and what is known of it besides. */
@@ -24,6 +25,8 @@ export interface MarkerGarment {
   readonly options?: Pick<SolveOptions, 'grain' | 'plain'>;
   /** What pieces are called, where that was chosen. */
   readonly names?: PieceNames;
+  /** What it answers, so that other designs of it can be solved. */
+  readonly problem?: Problem;
 }
 
 /** Which piece of which garment lies where a problem has one. */
@@ -42,6 +45,8 @@ interface Laying extends AllowanceRule {
 
 interface LaidOf extends PieceOfMarker {
   readonly asked: Omit<MarkerPiece, 'garment'>;
+  /** Of a piece whose print moves only with that of others: which of these. */
+  readonly component?: number;
 }
 
 const turnsBy: Readonly<Record<GrainLock, LaidTurns>> = {
@@ -118,7 +123,7 @@ export function laidPieces(
   const printed = [...solved.pieces.keys()].filter(
     (k) => !plain.includes(solved.pieces[k]?.name ?? ''),
   );
-  const loose = loosePieces(solved, printed);
+  const {loose, joined} = movablePieces(solved, printed);
   return printed.flatMap((k) => {
     const {[k]: piece} = solved.pieces;
     const {[k]: mark = {label: ''}} = marks;
@@ -136,8 +141,10 @@ export function laidPieces(
       up: upOf(piece, mark, turns),
       shifts: loose.has(k) ? thinned(shifts, mostShifts / loose.size) : [],
     };
+    const component = joined.findIndex((group) => group.includes(k));
     return Array.from({length: quantity}, (_, nth) => ({
       ...{result, piece: piece.name, asked},
+      ...(component >= 0 && {component}),
       ...(quantity > 1 && {nth}),
     }));
   });

@@ -13,6 +13,8 @@ export interface MarkerOrder {
   readonly problem: MarkerProblem;
   /** Of each piece of the problem, which it is. */
   readonly pieces: readonly PieceOfMarker[];
+  /** Numbers of pieces whose print moves only together; of each garment those of most pieces first. */
+  readonly components: readonly (readonly number[])[];
   readonly allowanceCm: number;
   /** What people should know, one sentence each. */
   readonly notes: readonly string[];
@@ -132,6 +134,7 @@ export function markerOrder(
   };
   checkUpright(problem);
   return {
+    components: componentsOf(laid),
     problem,
     pieces: laid.map(({result, copy, piece, nth}) => ({
       ...{result, copy, piece},
@@ -140,6 +143,19 @@ export function markerOrder(
     allowanceCm,
     notes: notesOf(garments, settings, repeat),
   };
+}
+
+/** Numbers of pieces by what their print moves with: garment by garment, as `movablePieces` orders them. */
+function componentsOf(
+  laid: readonly {readonly garment: number; readonly component?: number}[],
+): readonly (readonly number[])[] {
+  const groups = new Map<number, number[]>();
+  for (const [k, {garment, component}] of laid.entries()) {
+    if (component === undefined) continue;
+    const key = garment * laid.length + component;
+    groups.set(key, [...(groups.get(key) ?? []), k]);
+  }
+  return [...groups].sort(([one], [other]) => one - other).map(([, group]) => group);
 }
 
 const phasesOf = (phase: number | undefined, repeat: number): readonly number[] =>

@@ -80,7 +80,7 @@ export interface MarkerAnswer extends MarkerLayout {
   readonly notes: readonly string[];
 }
 
-export type MarkerStage = 'tables' | 'lay' | 'prove' | 'free' | 'widths' | 'done';
+export type MarkerStage = 'tables' | 'lay' | 'prove' | 'free' | 'widths' | 'shifts' | 'done';
 
 export interface MarkerProgress {
   readonly stage: MarkerStage;

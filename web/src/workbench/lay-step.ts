@@ -64,7 +64,7 @@ export const offersFor = (
   solver: Workbench['solver'],
   signal: AbortSignal,
 ): Promise<LayPlan['cheaper']> =>
-  cheaperLays({...askedFor(toLay), plan}, (problem, hooks) => solver.marker(problem, hooks), {
+  cheaperLays({...askedFor(toLay), plan}, {lay: (problem, hooks) => solver.marker(problem, hooks)}, {
     signal,
   });
 
