@@ -50,7 +50,13 @@ export function ringOf(points: readonly Point[]): Ring {
     const last = band(box, Math.max(from[1], to[1]));
     for (let b = band(box, Math.min(from[1], to[1])); b <= last; b++) bands[b]?.push(k);
   });
-  return {...box, points, inner: innerOf(points, box), bands};
+  let inner: Point | undefined;
+  return {
+    ...{...box, points, bands},
+    get inner() {
+      return (inner ??= innerOf(points, box)); // sought only where somebody asks
+    },
+  };
 }
 
 /** Of a point from an edge, squared. */

@@ -24,7 +24,7 @@ const steps = 3;
 const onIt = 1e-3;
 
 /** What the questions are answered with. */
-interface CheaperMeans {
+export interface CheaperMeans {
   readonly lay: Lay;
   /** Without it no other design is looked at. */
   readonly solve?: SolveDesign;

@@ -36,20 +36,21 @@ const pinsOf = ({pieces}: SolveResult, {pieces: at}: OtherAlignment): Pins =>
     }),
   );
 
-/** With the pieces of one garment as they lie in another design of it. */
-const placedAs = (
-  garments: readonly MarkerGarment[],
+/** The order with the pieces of one garment where they lie in another design of it. */
+function placedAs(
+  order: MarkerOrder,
+  {result: {pieces}}: MarkerGarment,
   which: number,
   {pieces: at}: OtherAlignment,
-): readonly MarkerGarment[] =>
-  garments.map((garment, g) => {
-    if (g !== which) return garment;
-    const pieces = garment.result.pieces.map((piece, k) => ({
-      ...piece,
-      alignment: at[k] ?? piece.alignment,
-    }));
-    return {...garment, result: {...garment.result, pieces}};
+): MarkerOrder {
+  const byName = new Map(pieces.map(({name}, k) => [name, at[k]]));
+  const placed = order.problem.pieces.map((piece, k) => {
+    const {result, piece: name} = order.pieces[k] ?? {};
+    const alignment = result === which && name !== undefined ? byName.get(name) : undefined;
+    return alignment ? {...piece, alignment} : piece;
   });
+  return {...order, problem: {...order.problem, pieces: placed}};
+}
 
 const meanOf = ({metrics}: SolveResult): number => metrics.localCm?.final ?? Infinity;
 
@@ -79,17 +80,18 @@ export async function cheaperDesign(
   {signal}: Pick<MarkerHooks, 'signal'>,
 ): Promise<CheaperLay | undefined> {
   const hooks = signal ? {signal} : {};
-  const lengthOf = async (changed: readonly MarkerGarment[], effort: number): Promise<number> => {
-    const laid = await unlessFailed(lay(orderOf(changed, effort).problem, hooks), signal);
+  const lengthOf = async ({problem}: MarkerOrder): Promise<number> => {
+    const laid = await unlessFailed(lay(problem, hooks), signal);
     return laid?.lengthCm ?? Infinity;
   };
   const rough: {readonly which: number; readonly other: OtherAlignment; readonly length: number}[] =
     [];
   for (const [which, garment] of garments.entries()) {
-    const {result, problem} = garment;
-    const others = problem ? (result.otherAlignments ?? []) : [];
+    const {result, others = result.otherAlignments ?? [], problem} = garment;
+    if (!problem || others.length === 0) continue;
+    const order = orderOf(garments, roughShare);
     for (const other of others.slice(0, mostLaid)) {
-      const length = await lengthOf(placedAs(garments, which, other), roughShare);
+      const length = await lengthOf(placedAs(order, garment, which, other));
       if (length < lengthCm - leastSaving + roughError) rough.push({which, other, length});
     }
   }
@@ -105,7 +107,7 @@ export async function cheaperDesign(
     const [meanCm, insteadOfCm] = [meanOf(solved), meanOf(garment.result)];
     if (!(meanCm <= insteadOfCm * (1 + asGood) + asGoodCm)) continue;
     const changed = garments.map((one, g) => (g === which ? {...one, result: solved} : one));
-    const length = await lengthOf(changed, share);
+    const length = await lengthOf(orderOf(changed, share));
     if (length >= Math.min(lengthCm - leastSaving, best?.lengthCm ?? Infinity)) continue;
     const design = {result: which, pins, meanCm, insteadOfCm};
     best = {kind: 'design', lengthCm: length, design};

@@ -1,7 +1,7 @@
 /** Beside the cloth: what there is to buy, what cloth it is, and the pieces as a list. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {LayPlan} from '../../model/lay-plan.js';
+import type {CheaperDesign, LayPlan} from '../../model/lay-plan.js';
 import type {LayStep} from '../../workbench/lay-step.js';
 import {rangeNote} from '../../marker/plan.js';
 import {section} from '../controls/section.js';
@@ -21,6 +21,7 @@ export class ClothPanel extends ClothElement {
     selected: {attribute: false},
     conflicts: {attribute: false},
     hasOwnWidth: {state: true},
+    hasAllowances: {state: true},
   };
   static override styles = [controls, section, panelStyle];
   /** The number of a piece. */
@@ -28,11 +29,13 @@ export class ClothPanel extends ClothElement {
   /** Why pieces do not lie well, by their numbers. */
   declare conflicts: ReadonlyMap<number, string>;
   declare protected hasOwnWidth: boolean;
+  declare protected hasAllowances: boolean;
 
   constructor() {
     super();
     this.conflicts = new Map();
     this.hasOwnWidth = false;
+    this.hasAllowances = false;
   }
 
   /** What is selected elsewhere comes into sight. */
@@ -103,12 +106,30 @@ export class ClothPanel extends ClothElement {
   /** What would take less cloth. */
   #offers({lengthCm, cheaper}: LayPlan): readonly TemplateResult[] {
     const {words, format} = this;
-    return cheaper.map(({kind, lengthCm: length, phaseCm = 0, pieces = []}) => {
+    return cheaper.map(({kind, lengthCm: length, phaseCm = 0, pieces = [], design}) => {
       const saving = format.length(lengthCm - length);
       const names = [...new Set(pieces)].map((name) => this.nameOf(name)).join(', ');
+      if (design) return this.#designOffer(saving, design);
+      if (kind === 'design') return html`${nothing}`;
       const how = {phase: format.length(phaseCm), shift: names, unmatched: names};
       return html`<li class="offer">${words.less[kind](saving, how[kind])}</li>`;
     });
+  }
+
+  /** Taking it is a step of the design, which undo takes back. */
+  #designOffer(saving: string, {pins, meanCm, insteadOfCm}: CheaperDesign): TemplateResult {
+    const {words, format, workbench} = this;
+    const [mean, instead] = [meanCm, insteadOfCm].map((cm) => format.mismatch(cm));
+    const take = (): void => {
+      const {options} = workbench.design ?? {};
+      if (options) workbench.change({options: {...options, pins}});
+    };
+    return html`<li class="offer">
+      ${words.lessDesign(saving, mean ?? '', instead ?? '')}
+      <button class="link" ?disabled=${this.laying.isStale} @click=${take}>
+        ${words.takeDesign}
+      </button>
+    </li>`;
   }
 
   #fields(): TemplateResult | typeof nothing {
@@ -121,12 +142,17 @@ export class ClothPanel extends ClothElement {
       ...{texts: this.texts, words: this.words, hasOwnWidth: this.hasOwnWidth},
       startCm: plan?.printOrigin?.[0],
       isOneWay: design.print.oneWay,
+      hasAllowances: this.hasAllowances,
+      ownAllowances: laying.ownAllowances,
       choose: (change) => {
         if (change.widthCm !== undefined) this.hasOwnWidth = false;
         laying.choose(change);
       },
       askOwnWidth: () => {
         this.hasOwnWidth = true;
+      },
+      askAllowances: () => {
+        this.hasAllowances = !this.hasAllowances;
       },
     });
   }

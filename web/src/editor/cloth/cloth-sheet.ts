@@ -7,7 +7,7 @@ import {imageCell} from '../../model/wallpaper.js';
 import {norm, onPiece, plus, type Alignment, type Point} from '../../model/geometry.js';
 import type {Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/cloth-texts.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import {
   closed,
   frameSize,

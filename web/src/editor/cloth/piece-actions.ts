@@ -2,7 +2,7 @@
 import type {PropertyValues} from 'lit';
 
 import type {Alignment, Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
 import {ClothElement} from './cloth-element.js';

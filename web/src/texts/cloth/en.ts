@@ -23,7 +23,7 @@ export const cloth = {
   costs: (length: string) => `The print costs ${length}`,
   costsNothing: 'The print costs no cloth',
   range: (least: string, most: string) =>
-    `${least} to ${most}, by where the print starts; measure it.`,
+    `${least} to ${most}, depending on where the print starts: measure it.`,
   rangeNowhere: (nowhere: number, all: number) =>
     `At ${nowhere} of ${all} places where the print may start, not all pieces fit.`,
   /** What would take less cloth. */
@@ -40,8 +40,18 @@ export const cloth = {
   widthIn: (unit: string) => `Cloth width (${unit})`,
   selvedge: (unit: string) => `Selvedge (${unit})`,
   gap: (unit: string) => `Between pieces (${unit})`,
+  copies: 'Garments',
+  allowances: (seam: string, hem: string) => `Seam allowance ${seam}, hems ${hem}`,
+  changeAllowances: 'Change',
+  allowance: (unit: string) => `Seam allowance (${unit})`,
+  hem: (unit: string) => `Hem (${unit})`,
+  ownAllowances: {
+    all: 'The pattern has its own allowances on all edges.',
+    some: 'The pattern has its own allowances on some edges.',
+  },
   oneWay: 'All pieces one way up',
   oneWayNote: 'For velvet and other cloth with a nap.',
+  oneWayPrint: 'This print has a right way up.',
   phase: 'Print starts at the selvedge',
   phases: {unknown: 'Unknown', known: 'Measured'},
   phaseIn: (unit: string) => `From the left edge to a corner of the repeat (${unit})`,
