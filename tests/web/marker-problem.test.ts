@@ -376,7 +376,6 @@ describe('a plan', () => {
     ],
     phaseLengthsCm: [9, 8.3, 8.02, 8.3, null, 9.1, 8.3, 8.3],
     widthLengthsCm: [null, 9, 9, 8, 8, 8],
-    notes: ['Said by the search.'],
   };
   const plan = layPlan(order, answer);
 
@@ -411,7 +410,6 @@ describe('a plan', () => {
 
   it('says what the place of the print is worth', () => {
     expect(plan.notes).toEqual([
-      'Said by the search.',
       expect.stringMatching(
         /^7 to 10 cm, by where the print starts at the selvedge; measure it\.$/,
       ),
@@ -424,7 +422,7 @@ describe('a plan', () => {
     expect(told.printOrigin).toEqual([2.5, 3]);
     expect(told.placements[0]?.translation).toEqual([3, 1.01]);
     const free = layPlan(orderOf({}, {ignoresPrint: true}), answer);
-    expect(free).toMatchObject({printOrigin: null, phases: [], notes: ['Said by the search.']});
+    expect(free).toMatchObject({printOrigin: null, phases: [], notes: []});
   });
 
   it('lists what found no place', () => {

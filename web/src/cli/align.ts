@@ -44,7 +44,7 @@ export async function align(words: readonly string[]): Promise<void> {
   const optionsFile = args.value('--options');
   const decided = {
     maxChangeCm: lengthCm(args, '--max-change', optionLimits.maxChangeCm[1]),
-    effort: factor(args, '--effort', optionLimits.effort[1]),
+    effort: factor(args, '--effort', optionLimits.effort),
   };
   const outFile = args.value('--out');
   const designFile = args.value('--design');
@@ -124,12 +124,15 @@ async function solved(
   // what is asked of this result alone is no part of its design
   const others = wants.others ? {otherAlignments: true} : {};
   try {
-    const result = await solve({...problem, options: withDecided(given.options, others)}, {
-      onProgress: (step) => {
-        progress.show(step);
+    const result = await solve(
+      {...problem, options: withDecided(given.options, others)},
+      {
+        onProgress: (step) => {
+          progress.show(step);
+        },
+        names,
       },
-      names,
-    });
+    );
     if (!wants.remedies) return {result};
     progress.write('Looking for remedies');
     return {result, found: await remedies(problem, result, {names})};

@@ -27,7 +27,7 @@ import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {
   layCounts,
   layLengths,
-  layLimit,
+  layRange,
   laySettings,
   shifts,
   type LayWish,
@@ -162,7 +162,7 @@ async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile
 
 /** @throws {UsageError} */
 function wishOf(args: Arguments): LayWish {
-  const width = lengthCm(args, '--width', layLimit('width'));
+  const width = lengthCm(args, '--width', layRange('width')[1]);
   if (width === undefined) throw new UsageError('--width CM, how wide the cloth is, is missing.');
   const given = <K extends string>(names: readonly K[], read: (name: K) => number | undefined) =>
     Object.fromEntries(
@@ -174,12 +174,12 @@ function wishOf(args: Arguments): LayWish {
   const place = args.value('--phase');
   const nap = choice(args, '--nap', naps);
   const shift = choice(args, '--shift', shifts);
-  const effort = args.value('--effort') === '0' ? 0 : factor(args, '--effort', layLimit('effort'));
+  const effort = factor(args, '--effort', layRange('effort'));
   return {
     width,
-    ...given(layLengths, (name) => lengthCm(args, `--${name}`, layLimit(name))),
-    ...given(layCounts, (name) => wholeNumber(args, `--${name}`)),
-    ...(place !== 'any' && given(['phase'], () => lengthCm(args, '--phase', layLimit('phase')))),
+    ...given(layLengths, (name) => lengthCm(args, `--${name}`, layRange(name)[1])),
+    ...given(layCounts, (name) => wholeNumber(args, `--${name}`, layRange(name))),
+    ...(place !== 'any' && given(['phase'], () => lengthCm(args, '--phase', layRange('phase')[1]))),
     ...(nap && {nap}),
     ...(shift && {shift}),
     ...(effort !== undefined && {effort}),

@@ -10,6 +10,7 @@ import {
   type MirrorMap,
   type Point,
 } from '../model/geometry.js';
+import {layNote} from '../model/lay-note.js';
 import type {LaidPlacement, LayPlan} from '../model/lay-plan.js';
 import {mirrorLines} from '../model/mirror-lines.js';
 import {signedArea} from '../model/polyline.js';
@@ -118,10 +119,7 @@ export function foldedOrder(
       ),
       widthsCm: phaseCm === undefined ? problem.widthsCm.map((width) => halfOf(width / 2)) : [],
     },
-    notes: [
-      ...order.notes,
-      `The cloth is folded ${foldCm.toFixed(1)} cm from its left edge, face to face, and both plies are cut at once.`,
-    ],
+    notes: [...order.notes, layNote('folded', {lengthsCm: [foldCm]})],
   };
   return {
     order: half,

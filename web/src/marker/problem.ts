@@ -1,6 +1,7 @@
 /** Solved garments as one problem: which pieces lie on which cloth, and how. Lengths in cm. */
 import {SolverError} from '../model/failure.js';
 import {distance, norm, rotated} from '../model/geometry.js';
+import {layNote, type LayNote} from '../model/lay-note.js';
 import type {MarkerProblem} from '../model/marker.js';
 import type {Print} from '../model/print.js';
 import type {Repeat} from '../model/wallpaper.js';
@@ -16,8 +17,8 @@ export interface MarkerOrder {
   /** Numbers of pieces whose print moves only together; of each garment those of most pieces first. */
   readonly components: readonly (readonly number[])[];
   readonly allowanceCm: number;
-  /** What people should know, one sentence each. */
-  readonly notes: readonly string[];
+  /** What people should know. */
+  readonly notes: readonly LayNote[];
 }
 
 const usualAllowance = 1;
@@ -66,31 +67,22 @@ function checkUpright({print, pieces, nap, ignoresPrint}: MarkerProblem): void {
 
 function notesOf(
   garments: readonly MarkerGarment[],
-  {plies = 1, startCm, flaws = []}: MarkerSettings,
+  {plies = 1, startCm, flaws = [], fold = false, shift}: MarkerSettings,
   repeat: number | undefined,
-): readonly string[] {
+): readonly LayNote[] {
   const plain = garments.flatMap(({result, options}) =>
     result.pieces.flatMap(({name}) => (options?.plain?.includes(name) ? [name] : [])),
   );
-  const names = [...new Set(plain)].join(', ');
-  return [
-    ...(plain.length > 0 ? [`Pieces of plain cloth are not laid on the print: ${names}.`] : []),
-    ...(plies > 1 && repeat === undefined
-      ? [
-          'This print never comes again along the cloth, so no length makes all plies start alike: lay them one by one.',
-        ]
-      : []),
-    ...(plies > 1 && repeat !== undefined
-      ? [
-          `Each of the ${plies} plies is a whole number of repeats long, of ${repeat.toFixed(2)} cm, so that all start alike.`,
-        ]
-      : []),
-    ...(flaws.length > 0 && startCm === undefined
-      ? [
-          'Flaws are counted from the cut, where the print is taken to start; say how far from it the print starts if it does not.',
-        ]
-      : []),
+  const known: readonly (LayNote | false)[] = [
+    plain.length > 0 && layNote('plainPieces', {pieces: [...new Set(plain)]}),
+    plies > 1 &&
+      (repeat === undefined
+        ? layNote('pliesUnlike')
+        : layNote('pliesWhole', {counts: [plies], lengthsCm: [repeat]})),
+    flaws.length > 0 && startCm === undefined && layNote('flawsFromCut'),
+    fold && shift === 'component' && layNote('foldKeepsPrint'),
   ];
+  return known.filter((note) => note !== false);
 }
 
 /**

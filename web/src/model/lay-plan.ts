@@ -1,5 +1,6 @@
 /** Pieces laid on a bolt of printed cloth, as `seamwise-layplan/1`: x across from the left edge, y along the warp from the cut. [cm] */
 import type {Alignment, Point} from './geometry.js';
+import type {LayNote} from './lay-note.js';
 import type {GroupName} from './print.js';
 
 /** A piece on the cloth, face up. */
@@ -87,4 +88,6 @@ export interface LayPlan {
   readonly widths: readonly WidthLength[];
   readonly cheaper: readonly CheaperLay[];
   readonly notes: readonly string[];
+  /** What each of them says, as code and values. */
+  readonly noteDetails: readonly LayNote[];
 }

@@ -57,9 +57,7 @@ export async function markerWith(
     }),
   }).catch(explained);
   const shifted =
-    settings.shift === 'component'
-      ? await layShifted(order, answer, lay, hooks)
-      : {order, answer};
+    settings.shift === 'component' ? await layShifted(order, answer, lay, hooks) : {order, answer};
   const plan = planOf(shifted.answer, shifted.order);
   const {signal} = hooks;
   const laid = {garments, settings, print, plan};
