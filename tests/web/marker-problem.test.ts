@@ -1,5 +1,6 @@
 import {describe, expect, it} from 'vitest';
 
+import {saidNote} from '@/marker/draw/note-texts.js';
 import {layPlan} from '@/marker/plan.js';
 import {markerOrder} from '@/marker/problem.js';
 import type {MarkerGarment} from '@/marker/pieces.js';
@@ -14,6 +15,7 @@ import {
   type Alignment,
   type Point,
 } from '@/model/geometry.js';
+import type {LayNote} from '@/model/lay-note.js';
 import type {MarkerAnswer} from '@/model/marker.js';
 import {boxOf, signedArea} from '@/model/polyline.js';
 import {groupNames, type GroupName} from '@/model/print.js';
@@ -30,6 +32,8 @@ const result = (more: Partial<SolveResult> = {}): SolveResult => ({
 
 const orderOf = (garment: Partial<MarkerGarment> = {}, settings: Partial<MarkerSettings> = {}) =>
   markerOrder([{result: result(), ...garment}], {widthCm: 140, ...settings});
+
+const saidOf = (notes: readonly LayNote[]): string => notes.map((note) => saidNote(note)).join();
 
 const lattices: Readonly<Record<ReturnType<typeof latticeType>, readonly [Point, Point]>> = {
   oblique: [
@@ -216,7 +220,9 @@ describe('a problem', () => {
   it('leaves pieces of plain cloth out, and says so', () => {
     const {pieces, notes} = orderOf({options: {plain: ['left_half']}});
     expect(pieces.map(({piece}) => piece)).toEqual(['right_half']);
-    expect(notes).toEqual(['Pieces of plain cloth are not laid on the print: left_half.']);
+    expect(notes.map((note) => saidNote(note))).toEqual([
+      'Pieces of plain cloth are not laid on the print: left_half.',
+    ]);
     expect(() => orderOf({options: {plain: ['left_half', 'right_half']}})).toThrow(
       /^All pieces are of plain cloth/,
     );
@@ -256,11 +262,11 @@ describe('a problem', () => {
   it('rounds lengths of several plies where the print comes again', () => {
     const {problem, notes} = orderOf({}, {plies: 3});
     expect(problem.wholeRepeats).toBe(true);
-    expect(notes.join()).toContain('3 plies is a whole number of repeats long, of 10.00 cm');
+    expect(saidOf(notes)).toContain('3 plies is a whole number of repeats long, of 10.00 cm');
     const print = {...plainPrint, w1: [8, 1], w2: [-Math.SQRT2, 9]} as const;
     const turned = orderOf({result: result({print})}, {plies: 3});
     expect(turned.problem.wholeRepeats).toBe(false);
-    expect(turned.notes.join()).toContain('never comes again along the cloth');
+    expect(saidOf(turned.notes)).toContain('never comes again along the cloth');
   });
 
   it('counts flaws from the cut', () => {
@@ -272,7 +278,7 @@ describe('a problem', () => {
       ],
     ];
     expect(orderOf({}, {flaws}).problem.startCm).toBe(0);
-    expect(orderOf({}, {flaws}).notes.join()).toContain('counted from the cut');
+    expect(saidOf(orderOf({}, {flaws}).notes)).toContain('counted from the cut');
     const told = orderOf({}, {flaws, startCm: 3});
     expect(told.problem.startCm).toBe(3);
     expect(told.notes).toEqual([]);

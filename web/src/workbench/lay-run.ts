@@ -110,8 +110,11 @@ async function withOthers(
   solver: Workbench['solver'],
   signal: AbortSignal,
 ): Promise<MarkerGarment> {
-  const problem = problemOf(design);
-  const asked = withOptions(problem, {otherAlignments: true});
-  const solved = await unlessFailed(solver.solve(asked, {signal}), signal);
-  return {...garment, problem, others: solved?.otherAlignments ?? []};
+  const seek = async (): Promise<MarkerGarment> => {
+    const problem = problemOf(design);
+    const asked = withOptions(problem, {otherAlignments: true});
+    const {otherAlignments: others = []} = await solver.solve(asked, {signal});
+    return {...garment, problem, others};
+  };
+  return (await unlessFailed(seek(), signal)) ?? garment;
 }
