@@ -10,10 +10,12 @@ import {at} from './plane.js';
 
 /** From 0 to 1, one after the other. */
 export function chance(seed: number): () => number {
-  let state = (seed * 2_654_435_761 + 12_345) >>> 0;
+  let state = seed >>> 0;
   return () => {
-    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
-    return state / 2 ** 32;
+    state = (state + 0x6d2b79f5) >>> 0;
+    const mixed = Math.imul(state ^ (state >>> 15), state | 1);
+    const more = mixed ^ (mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61));
+    return ((more ^ (more >>> 14)) >>> 0) / 2 ** 32;
   };
 }
 

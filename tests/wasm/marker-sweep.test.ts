@@ -18,9 +18,10 @@ const garments = [
   ...['hoodie', 'asymmetric-dress', 'gathered-skirt', 'patchwork-jacket', 'shift-dress'],
 ] as const;
 
-const count = Number(process.env['SEAMWISE_SWEEP'] ?? 10);
+const count = Number(process.env.SEAMWISE_SWEEP ?? 6);
 
-const options = {grain: {default: 'on'}, proof: 0} as const;
+/** An apron's ties are longer than most cloth is wide. */
+const options = {grain: {default: 'on'}, plain: ['waistband'], proof: 0} as const;
 
 const printOf = (group: string): Print =>
   JSON.parse(
@@ -59,7 +60,7 @@ it(
       const laid = results.map((result) => ({result, options}));
       try {
         const plan = await marker(laid, settings);
-        expect(planComplaints(plan, results, rules), named).toEqual([]);
+        expect(planComplaints(plan, results, {...rules, plain: options.plain}), named).toEqual([]);
         tally.laid += 1;
       } catch (error) {
         if (!(error instanceof SolverError)) throw error;

@@ -43,6 +43,12 @@ const anyShifts = ({w1, w2}: Repeat): readonly Point[] =>
     combined([w1, w2], ((k + 1) % steps) / steps, Math.floor((k + 1) / steps) / steps),
   );
 
+/** Wherever the print starts at the left edge. */
+const withoutPhase = (settings: MarkerSettings): MarkerSettings => ({
+  widthCm: settings.widthCm,
+  ...Object.fromEntries(Object.entries(settings).filter(([name]) => name !== 'phaseCm')),
+});
+
 /** Names of the pieces that do not lie on the print as the seams ask for. */
 function moved({problem, pieces}: MarkerOrder, {places, printOrigin}: MarkerAnswer): string[] {
   const away = printDistance(problem.print);
@@ -98,8 +104,7 @@ export async function cheaperLays(
 
   const offers: CheaperLay[] = [];
   if (phaseCm !== undefined) {
-    const {phaseCm: given, ...anywhere} = settings;
-    const answer = await laid(orderOf(garments, anywhere));
+    const answer = await laid(orderOf(garments, withoutPhase(settings)));
     if (isWorthIt(answer)) {
       const {lengthCm, printOrigin: origin} = answer;
       offers.push({kind: 'phase', lengthCm, phaseCm: origin[0]});

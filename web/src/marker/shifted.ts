@@ -4,8 +4,8 @@
  */
 import {minus, rotated, type Point} from '../model/geometry.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
-import {boxOf, signedArea} from '../model/polyline.js';
-import {turnedRing, turnsOf} from './places.js';
+import {signedArea} from '../model/polyline.js';
+import {leastExtents} from './extents.js';
 import type {MarkerOrder} from './problem.js';
 import {movesFreely, spreadShifts} from './repeats.js';
 
@@ -61,17 +61,10 @@ export const hasShiftsToTry = (order: MarkerOrder): boolean =>
   movableIn(order).length > 0 && spreadShifts(order.problem.print, 1).length > 0;
 
 /** Of any places of its print: the area of all pieces, or the tallest piece, whichever asks for more. */
-export function plainBound({print, widthCm, selvedgeCm, pieces, nap}: MarkerProblem): number {
+export function plainBound(problem: MarkerProblem): number {
+  const {widthCm, selvedgeCm, pieces} = problem;
   const area = pieces.reduce((sum, {outline}) => sum + signedArea(outline), 0);
-  const bolt = {repeat: print, origin: [0, 0], widthCm, selvedgeCm, gapCm: 0} as const;
-  const heights = pieces.map((piece) =>
-    Math.min(
-      ...turnsOf(piece, {...bolt, isOneWay: nap === 'one-way', flaws: []}).map(({angle}) => {
-        const {low, high} = boxOf(turnedRing(piece.outline, angle).points);
-        return high[1] - low[1];
-      }),
-    ),
-  );
+  const heights = pieces.map((piece) => leastExtents(piece, problem)[1]);
   return Math.max(area / (widthCm - 2 * selvedgeCm), ...heights);
 }
 
@@ -91,9 +84,46 @@ interface Shifted {
   readonly answer: MarkerAnswer;
 }
 
+const none: Point = [0, 0];
+/** All components are gone through as often at most, while that helps. */
+const rounds = 2;
+
 /**
- * A layout where the print is moved under one component after the other, each time to where a quick layout is
- * shortest, twice at most; then once more as thoroughly as the first layout was.
+ * Moves the print under one component after the other, each time to where it takes least.
+ * @param lengthFor how much cloth it takes so
+ * @param tells hears of each layout that is tried
+ */
+async function bestShifts(
+  order: MarkerOrder,
+  lengthFor: (by: ComponentShifts) => Promise<number>,
+  tells: (tried: number) => void,
+): Promise<ComponentShifts> {
+  const movable = movableIn(order);
+  const each = Math.min(mostOfOne, Math.max(1, Math.floor(mostTried / movable.length)));
+  const shifts = spreadShifts(order.problem.print, each);
+  let best: ComponentShifts = order.components.map(() => none);
+  let length = await lengthFor(best);
+  let tried = 0;
+  for (let round = 0; round < rounds; round++) {
+    const before = best;
+    for (const c of movable.slice(0, mostTried)) {
+      const {[c]: own} = best;
+      for (const by of round === 0 ? shifts : [none, ...shifts]) {
+        if (by === own) continue;
+        tells(tried++);
+        const next = best.map((one, k) => (k === c ? by : one));
+        const found = await lengthFor(next);
+        if (found < length - sameLength) [best, length] = [next, found];
+      }
+    }
+    if (best === before) break;
+  }
+  return best;
+}
+
+/**
+ * A layout where the print is moved under components to where quick layouts are shortest, then once more as thorough
+ * as the first layout was.
  * @param laid the answer with the print as it is
  * @returns the shorter one of the two
  */
@@ -101,51 +131,29 @@ export async function layShifted(
   order: MarkerOrder,
   laid: MarkerAnswer,
   lay: Lay,
-  hooks: Pick<MarkerHooks, 'signal' | 'onProgress'> = {},
+  {signal, onProgress}: Pick<MarkerHooks, 'signal' | 'onProgress'> = {},
 ): Promise<Shifted> {
-  const {problem} = order;
-  const {effort, print} = problem;
-  const stays = {order, answer: isBoundOfAll(order) ? laid : withoutProof(order, laid)};
-  const movable = movableIn(order);
-  const each = Math.min(mostOfOne, Math.max(1, Math.floor(mostTried / (movable.length || 1))));
-  const shifts = spreadShifts(print, each);
-  if (effort === 0 || movable.length === 0 || shifts.length === 0) return stays;
-  const {signal, onProgress} = hooks;
-  const stop = signal ? {signal} : {};
-  const {printOrigin} = laid;
-  const lengthFor = async (by: ComponentShifts): Promise<number> => {
-    const quick = hastened(shiftedOrder(order, by).problem, printOrigin, effort * effortShare);
-    const answer = await unlessFailed(lay(quick, stop), signal);
-    return answer?.lengthCm ?? Infinity;
+  const {effort} = order.problem;
+  if (effort === 0 || !hasShiftsToTry(order)) {
+    return {order, answer: isBoundOfAll(order) ? laid : withoutProof(order, laid)};
+  }
+  const stays = {order, answer: withoutProof(order, laid)};
+  const laidBy = (by: ComponentShifts, share: number): Promise<MarkerAnswer | undefined> => {
+    const {problem} = shiftedOrder(order, by);
+    const asked = hastened(problem, laid.printOrigin, effort * share);
+    return unlessFailed(lay(asked, signal ? {signal} : {}), signal);
   };
-  let best: ComponentShifts = order.components.map(() => [0, 0]);
-  let length = await lengthFor(best);
-  let tried = 0;
-  let isBetter = true;
-  for (let round = 0; round < 2 && isBetter; round++) {
-    isBetter = false;
-    for (const c of movable) {
-      if (tried >= 2 * mostTried) break;
-      const before = best;
-      for (const by of [...shifts, [0, 0] as const]) {
-        if (by === before[c]) continue;
-        onProgress?.({stage: 'shifts', fraction: Math.min(1, tried++ / (2 * mostTried))});
-        const next = before.map((one, k) => (k === c ? by : one));
-        const found = await lengthFor(next);
-        if (found >= length - sameLength) continue;
-        [best, length, isBetter] = [next, found, true];
-      }
-    }
-  }
-  if (best.every(([x, y]) => x === 0 && y === 0)) return {order, answer: withoutProof(order, laid)};
-  const moved = shiftedOrder(order, best);
-  const found = await unlessFailed(lay(hastened(moved.problem, printOrigin, effort), stop), signal);
-  if (!found || found.lengthCm >= laid.lengthCm - sameLength) {
-    return {order, answer: withoutProof(order, laid)};
-  }
+  const best = await bestShifts(
+    order,
+    async (by) => (await laidBy(by, effortShare))?.lengthCm ?? Infinity,
+    (tried) => onProgress?.({stage: 'shifts', fraction: Math.min(1, tried / (rounds * mostTried))}),
+  );
+  if (best.every((by) => by === none)) return stays;
+  const found = await laidBy(best, 1);
+  if (!found || found.lengthCm >= laid.lengthCm - sameLength) return stays;
   const {freeLengthCm, phaseLengthsCm, widthLengthsCm} = laid;
   const answer = {...found, freeLengthCm, phaseLengthsCm, widthLengthsCm};
-  return {order: moved, answer: withoutProof(order, answer)};
+  return {order: shiftedOrder(order, best), answer: withoutProof(order, answer)};
 }
 
 /** Undefined for what cannot be, as where some piece finds no place. @throws what ends the search */

@@ -81,7 +81,7 @@ export class ClothPanel extends ClothElement {
   #notes({noteDetails}: LayPlan): readonly string[] {
     const {format, workbench} = this;
     const {notes} = planTextsIn(workbench.preferences.language);
-    const {length} = format;
+    const length = (cm: number): string => format.length(cm);
     const range = (least: number, most: number) => [length(least), length(most)] as const;
     return noteDetails
       .filter(({code}) => code !== 'phaseRange' && code !== 'phaseNowhere')
