@@ -1,10 +1,10 @@
 /** Ways to lay results on cloth, by chance: the same for the same number. */
 import type {MarkerSettings, Nap} from 'seamwise/node';
 
+import {warpRepeat} from '@/marker/repeats.js';
 import {mirrorLines} from '@/model/mirror-lines.js';
 import type {Point} from '@/model/geometry.js';
 import type {Repeat} from '@/model/wallpaper.js';
-import {warpPeriod} from './plan-print.js';
 import type {PlanRules} from './plan-rules.js';
 import {at} from './plane.js';
 
@@ -56,7 +56,7 @@ export function randomLay(repeat: Repeat, next: () => number): RandomLay {
     ...(isStarted && {startCm: length(0, 20)}),
   };
   const isStartFixed = isStarted || flaws.length > 0;
-  const wholeRepeats = plies > 1 && !ignoresPrint && warpPeriod(repeat) !== undefined;
+  const wholeRepeats = plies > 1 && !ignoresPrint && warpRepeat(repeat) !== undefined;
   const rules: PlanRules = {
     turns: () => 'half',
     ...{copies, nap, shift: fold ? 'kept' : shift, flaws, isStartFixed, wholeRepeats},

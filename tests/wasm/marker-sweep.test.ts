@@ -30,7 +30,7 @@ const printOf = (group: string): Print =>
 
 /** What cloth and print may be in the way of. */
 const refusals =
-  /is [\d.]+ cm wide, more than|fits nowhere across|finds no place between|no mirror image|own mirror image|mirror image of the print|was solved upside down|cannot lie with its upper end up|not cut as mirror images|off its grain/;
+  /is [\d.]+ cm wide, more than|fits nowhere across|finds no place between|no mirror image|own mirror image|mirror image of the print|was solved upside down|cannot lie with its upper end up|not cut as mirror images|off its grain|upside down, against the nap|between selvedge and fold/;
 
 it(
   `lays pieces where they may lie, ${count} times`,
