@@ -14,6 +14,9 @@ namespace {
 constexpr double kUnit = 0.01;  ///< of a depth. [cm]
 /// Depths below which rough parts and full outlines may disagree: both outlines grow. [cm]
 constexpr double kDoubtful = 0.5;
+/// Overlaps up to this are none where pieces need keep no gap: ten times what rounding makes of
+/// lines that touch. Long edges would share some square millimetres otherwise. [cm]
+constexpr double kCommon = 1e-5;
 
 struct HalfPlane {
   Vec2 normal;  ///< outward, of length 1
@@ -53,7 +56,7 @@ bool edgesCross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 /// Whether p lies deeper in the polygon than touching allows.
 bool isDeepIn(const Polyline& ring, const Vec2& p) {
-  return contains(ring, p) && outlineDistance(ring, p) > kTouching;
+  return contains(ring, p) && outlineDistance(ring, p) > kCommon;
 }
 
 /// Whether a corner or the middle of an edge of `points` + shift lies deep in the polygon.
@@ -69,7 +72,7 @@ bool reachesInto(const Polyline& ring, const Vec2& low, const Vec2& high, const 
   return false;
 }
 
-/// Whether two full outlines, the second shifted, keep a distance. Overlaps of kTouching do.
+/// Whether two full outlines, the second shifted, keep a distance. Overlaps of kCommon do.
 bool areApart(const Shape& first, const Shape& second, const Vec2& shift, double gap) {
   const double room = std::max(gap - kTouching, 0.0);
   const Polyline &p = first.ring, &q = second.ring;
@@ -85,7 +88,7 @@ bool areApart(const Shape& first, const Shape& second, const Vec2& shift, double
       const double distance =
           std::min(std::min(segmentDistance(a, b, c), segmentDistance(a, b, d)),
                    std::min(segmentDistance(c, d, a), segmentDistance(c, d, b)));
-      if (edgesCross(a, b, c, d) ? distance > kTouching || room > 0 : distance < room) return false;
+      if (edgesCross(a, b, c, d) ? distance > kCommon || room > 0 : distance < room) return false;
     }
   }
   // lines that keep a distance do not cross: one outline holds the other, or neither does
@@ -248,15 +251,18 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
   block_columns_ = (columns_ + stride_ - 1) / stride_;
   depths_.resize(static_cast<std::size_t>(stride_) * stride_ * block_rows_ * block_columns_);
   const double doubtful = kDoubtful + 2 * most_gap;
+  // without a gap, rough parts that are a hair smaller hide overlaps that long edges show
+  const bool is_tight = spacing.is_exact && room <= 0;
   for (int j = 0; j < rows_; ++j) {
     for (int i = 0; i < columns_; ++i) {
       const float depth = std::min(across.inside(j, i) * along, upwards.inside(i, j) * up);
-      if (depth < 0) continue;
+      if (depth < 0 && !is_tight) continue;
       if (spacing.is_exact && depth < doubtful) {
         const Vec2 d = offset + board.shift({column0_ + i, row0_ + j});
         if (areApart(first, second, d, gapAt(d))) continue;
       }
-      depths_[place(j, i)] = static_cast<std::uint16_t>(std::min(1 + depth / kUnit, 60000.0));
+      depths_[place(j, i)] =
+          static_cast<std::uint16_t>(std::min(1 + std::max(depth, 0.0f) / kUnit, 60000.0));
     }
   }
 }

@@ -85,6 +85,10 @@ Shape shapeOf(const Polyline& outline, const Mat2& turn) {
     shape.high = shape.high.cwiseMax(p);
   }
   shape.area = signedArea(shape.ring);
+  if (shape.area < 0) {  // flaws are given either way round
+    std::reverse(shape.ring.begin(), shape.ring.end());
+    shape.area = -shape.area;
+  }
   shape.parts = convexParts(simplifiedOutwards(shape.ring, kGrowth, kInwardGrowth), 2 * kTouching);
   double largest = 0;
   for (const Polyline& part : shape.parts) {

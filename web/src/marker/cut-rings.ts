@@ -9,7 +9,8 @@ import {panelMarks, type PanelMarks} from '../model/garment-marks.js';
 import type {Point} from '../model/geometry.js';
 import type {SolveOptions} from '../model/options.js';
 import type {PieceNames} from '../model/piece-names.js';
-import type {SolveResult} from '../model/result.js';
+import type {Problem} from '../model/problem.js';
+import type {OtherAlignment, SolveResult} from '../model/result.js';
 import {outerRing, selfCrossing} from './outline.js';
 
 /** A solved garment, and what is known of it besides. */
@@ -23,6 +24,10 @@ export interface MarkerGarment {
   readonly options?: Pick<SolveOptions, 'grain' | 'plain'>;
   /** What pieces are called, where that was chosen. */
   readonly names?: PieceNames;
+  /** What it answers, so that other designs of it can be solved. */
+  readonly problem?: Problem;
+  /** Other designs of it that fit as well. Default: those that the result tells of. */
+  readonly others?: readonly OtherAlignment[];
 }
 
 interface CutRings {

@@ -6,7 +6,7 @@ import {dot, radians, towards, type Point} from '../model/geometry.js';
 import type {LaidTurns, MarkerPiece, Nap} from '../model/marker.js';
 import type {GrainLock, SolveOptions} from '../model/options.js';
 import type {ResultPiece} from '../model/result.js';
-import {loosePieces} from './components.js';
+import {movablePieces} from './components.js';
 import {calledIn, cutRings, type MarkerGarment} from './cut-rings.js';
 
 export type {MarkerGarment} from './cut-rings.js';
@@ -27,6 +27,8 @@ interface Laying extends AllowanceRule {
 
 interface LaidOf extends PieceOfMarker {
   readonly asked: Omit<MarkerPiece, 'garment'>;
+  /** Of a piece whose print moves only with that of others: which of these. */
+  readonly component?: number;
 }
 
 const turnsBy: Readonly<Record<GrainLock, LaidTurns>> = {
@@ -83,7 +85,7 @@ export function laidPieces(
 ): readonly Omit<LaidOf, 'copy'>[] {
   const {result: solved, options = {}} = laid;
   const {marks, rings} = cutRings(laid, rule);
-  const loose = loosePieces(solved, [...rings.keys()]);
+  const {loose, joined} = movablePieces(solved, [...rings.keys()]);
   return [...rings].flatMap(([k, outline]) => {
     const {[k]: piece} = solved.pieces;
     const {[k]: mark = {label: ''}} = marks;
@@ -100,8 +102,10 @@ export function laidPieces(
       up: upOf(piece, mark, turns),
       shifts: loose.has(k) ? thinned(shifts, mostShifts / loose.size) : [],
     };
+    const component = joined.findIndex((group) => group.includes(k));
     return Array.from({length: quantity}, (_, nth) => ({
       ...{result, piece: piece.name, asked},
+      ...(component >= 0 && {component}),
       ...(quantity > 1 && {nth}),
     }));
   });

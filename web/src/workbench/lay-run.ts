@@ -1,10 +1,13 @@
 /** An answer laid on its cloth, beside a page that goes on. */
-import {cheaperLays} from '../marker/cheaper.js';
+import {cheaperLays, type CheaperMeans} from '../marker/cheaper.js';
 import {cutRings, cutRingSteps, type MarkerGarment} from '../marker/cut-rings.js';
+import {withOptions} from '../marker/designs.js';
 import {layPlan} from '../marker/plan.js';
 import {markerOrder, type MarkerOrder} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
+import {unlessFailed} from '../marker/shifted.js';
 import type {Design} from '../model/design.js';
+import {problemOf} from '../model/design-problem.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import type {SolveResult} from '../model/result.js';
@@ -89,8 +92,29 @@ export async function offersFor(
   signal: AbortSignal,
 ): Promise<LayPlan['cheaper']> {
   if (liesThere(toLay.step)) return [];
-  const lay: Parameters<typeof cheaperLays>[1] = (problem, hooks) => solver.marker(problem, hooks);
-  const offers = await cheaperLays({...askedFor(toLay), plan}, lay, {signal});
+  const asked = askedFor(toLay);
+  const means: CheaperMeans = {
+    lay: (problem, hooks) => solver.marker(problem, hooks),
+    solve: (problem, hooks) => solver.solve(problem, hooks),
+  };
+  const garment = await withOthers(asked.garments[0], toLay.design, solver, signal);
+  const offers = await cheaperLays({...asked, garments: [garment], plan}, means, {signal});
   signal.throwIfAborted();
   return offers;
+}
+
+/** With the other designs that its search has compared: the search itself is remembered, so that this takes little. */
+async function withOthers(
+  garment: MarkerGarment,
+  design: Design,
+  solver: Workbench['solver'],
+  signal: AbortSignal,
+): Promise<MarkerGarment> {
+  const seek = async (): Promise<MarkerGarment> => {
+    const problem = problemOf(design);
+    const asked = withOptions(problem, {otherAlignments: true});
+    const {otherAlignments: others = []} = await solver.solve(asked, {signal});
+    return {...garment, problem, others};
+  };
+  return (await unlessFailed(seek(), signal)) ?? garment;
 }

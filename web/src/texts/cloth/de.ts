@@ -26,6 +26,9 @@ export const cloth: ClothTexts = {
     unmatched: (saving, pieces) =>
       `${saving} weniger, wenn das Muster bei ${pieces} nicht passen muss`,
   },
+  lessDesign: (saving, mean, instead) =>
+    `${saving} weniger, wenn alle Teile anders im Muster liegen und es ebenso gut passt: im Mittel ${mean} statt ${instead} daneben`,
+  takeDesign: 'So legen',
   width: 'Stoffbreite',
   otherWidth: 'Andere …',
   widthIn: (unit) => `Stoffbreite (${unit})`,

@@ -35,6 +35,9 @@ export const cloth = {
     unmatched: (saving: string, pieces: string) =>
       `${saving} less if the print need not match on ${pieces}`,
   },
+  lessDesign: (saving: string, mean: string, instead: string) =>
+    `${saving} less with another placing in the print that fits as well: off by ${mean} instead of ${instead} on average`,
+  takeDesign: 'Place it so',
   width: 'Cloth width',
   otherWidth: 'Other …',
   widthIn: (unit: string) => `Cloth width (${unit})`,

@@ -25,6 +25,9 @@ export const cloth: ClothTexts = {
     unmatched: (saving, pieces) =>
       `${saving} menos si el estampado no tiene que casar en ${pieces}`,
   },
+  lessDesign: (saving, mean, instead) =>
+    `${saving} menos con otra colocación de las piezas en el estampado que casa igual de bien: ${mean} de media en vez de ${instead}`,
+  takeDesign: 'Colocar así',
   width: 'Ancho de la tela',
   otherWidth: 'Otro …',
   widthIn: (unit) => `Ancho de la tela (${unit})`,

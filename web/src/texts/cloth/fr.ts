@@ -26,6 +26,9 @@ export const cloth: ClothTexts = {
     unmatched: (saving, pieces) =>
       `${saving} de moins si l’imprimé n’a pas à se raccorder sur ${pieces}`,
   },
+  lessDesign: (saving, mean, instead) =>
+    `${saving} de moins avec un autre placement des pièces sur l’imprimé, qui tombe aussi juste : ${mean} d’écart en moyenne au lieu de ${instead}`,
+  takeDesign: 'Placer ainsi',
   width: 'Largeur du tissu',
   otherWidth: 'Autre …',
   widthIn: (unit) => `Largeur du tissu (${unit})`,

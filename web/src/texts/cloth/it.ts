@@ -24,6 +24,9 @@ export const cloth: ClothTexts = {
     unmatched: (saving, pieces) =>
       `${saving} in meno se la stampa non deve combaciare su ${pieces}`,
   },
+  lessDesign: (saving, mean, instead) =>
+    `${saving} in meno con un’altra disposizione dei pezzi sulla stampa che combacia altrettanto bene: ${mean} in media invece di ${instead}`,
+  takeDesign: 'Disponi così',
   width: 'Altezza del tessuto',
   otherWidth: 'Altra …',
   widthIn: (unit) => `Altezza del tessuto (${unit})`,
