@@ -64,7 +64,9 @@ class Marker {
   void lay();
   void keepBest();
   void beginProof();
+  LayCloth clothOfProof() const;
   bool beginNextProof();
+  void take(const LaidPieces& found);
   void prove();
   void layFree();
   void layWidths();
