@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "photo_samples.h"
-#include "recognition/metric.h"
+#include "recognition/cloth/metric.h"
 
 namespace seamwise::testing {
 namespace {

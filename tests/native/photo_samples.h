@@ -7,9 +7,9 @@
 
 #include "base/random.h"
 #include "geometry/vec2.h"
-#include "recognition/lattice_map.h"
-#include "recognition/picture.h"
-#include "recognition/srgb.h"
+#include "recognition/base/lattice_map.h"
+#include "recognition/base/picture.h"
+#include "recognition/cloth/srgb.h"
 
 namespace seamwise::testing {
 

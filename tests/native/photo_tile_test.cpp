@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "photo_samples.h"
-#include "recognition/cell_mean.h"
-#include "recognition/copy_fields_fit.h"
-#include "recognition/map_inverse.h"
-#include "recognition/tile_symmetry.h"
+#include "recognition/cloth/cell_mean.h"
+#include "recognition/cloth/copy_fields_fit.h"
+#include "recognition/base/map_inverse.h"
+#include "recognition/cloth/tile_symmetry.h"
 
 namespace seamwise::testing {
 namespace {

@@ -40,6 +40,8 @@ enum class Failure : std::uint8_t {
   kSymmetryConflict = 64,
   // options
   kOptions = 80,
+  // pictures of cloth
+  kPicture = 90,
 };
 
 /// One sentence for people: it names the piece or seam and the remedy.

@@ -1,0 +1,244 @@
+#include "recognition/lattice/lattice_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "recognition/lattice/cell_tests.h"
+#include "recognition/lattice/channels.h"
+#include "recognition/lattice/lattice_vote.h"
+#include "wallpaper/lattice.h"
+
+namespace seamwise {
+namespace {
+const bool dbg = getenv("LDBG") != nullptr;
+constexpr int kLongest = 1280;
+constexpr int kVoteLongest = 300;
+constexpr double kLightSigma = 0.16;
+constexpr double kShortest = 6;
+
+std::vector<TiltedPart> parts() {
+  std::vector<TiltedPart> list{{Vec2::Zero(), 1}, {Vec2::Zero(), 0.5}, {Vec2::Zero(), 0.25}};
+  for (int k = 0; k < 6; ++k) list.push_back({0.13 * unit(kPi * k / 3), 1});
+  for (int k = 0; k < 12; ++k) list.push_back({0.25 * unit(kPi * (k + 0.5) / 6), 1});
+  for (int k = 0; k < 14; ++k) list.push_back({0.36 * unit(2 * kPi * k / 14), 1});
+  return list;
+}
+}  // namespace
+
+LatticeSearch::LatticeSearch(const PixelView& view) : view_(view) {
+  factor_ = reductionTo(kLongest, view);
+  picture_ = reducedFrame(view, factor_);
+}
+LatticeSearch::LatticeSearch(const PixelView& view, const LatticeMap& given, GivenLattice use)
+    : LatticeSearch(view) {
+  given_ = given;
+  use_ = use;
+}
+
+bool LatticeSearch::advance() {
+  switch (stage_) {
+    case Stage::kReduce:
+      reduce();
+      break;
+    case Stage::kFlatten:
+      flatten(picture_, kLightSigma * std::min(picture_.width, picture_.height));
+      stage_ = Stage::kLevels;
+      break;
+    case Stage::kLevels:
+      addLevels();
+      break;
+    case Stage::kVote:
+      vote();
+      break;
+    case Stage::kAlign:
+      align();
+      break;
+    case Stage::kCells:
+      testCells();
+      break;
+    case Stage::kMeasure:
+      measure();
+      break;
+    case Stage::kDone:
+      return false;
+  }
+  return stage_ != Stage::kDone;
+}
+
+void LatticeSearch::reduce() {
+  const int to = std::min(picture_.height, row_ + 64);
+  reduceRows(view_, factor_, row_, to, picture_);
+  row_ = to;
+  if (row_ == picture_.height) stage_ = Stage::kFlatten;
+}
+
+void LatticeSearch::addLevels() {
+  levels_.push_back(ChannelImage::of(picture_));
+  if (std::max(picture_.width, picture_.height) >= 150) {
+    picture_ = halved(picture_);
+    return;
+  }
+  stage_ = Stage::kVote;
+  part_end_ = 9;
+  std::size_t l = 0;
+  while (std::max(levels_[l].width, levels_[l].height) > kVoteLongest) ++l;
+  axes_ = principalAxes(levels_[l]);
+}
+
+void LatticeSearch::vote() {
+  const TiltedPart part = parts()[part_];
+  std::size_t l = 0;
+  while (l + 1 < levels_.size() &&
+         part.share * std::max(levels_[l].width, levels_[l].height) > kVoteLongest)
+    ++l;
+  const ChannelImage& image = levels_[l];
+  const WeightedPlanes planes = tiltedPlanes(image, axes_, part);
+  const int reach_x = static_cast<int>(0.55 * part.share * image.width),
+            reach_y = static_cast<int>(0.55 * part.share * image.height);
+  const Autocorrelation r = autocorrelation(planes, reach_x, reach_y, 0.04);
+  std::vector<VotedLattice> voted = voteStripes(r, kShortest);
+  for (const auto& v : voteLattices(r, kShortest, 3)) voted.push_back(v);
+  const double unit_px = std::max(image.width, image.height) / 2.0;
+  for (const auto& v : voted) {
+    Hypothesis h;
+    h.view.middle = Vec2(picture_.width, picture_.height) * 0;
+    h.view.middle = Vec2(view_.width, view_.height) / 2;
+    h.view.radius = std::max(view_.width, view_.height) / 2.0;
+    h.view.basis << v.basis[0], v.basis[1];
+    h.view.basis /= unit_px;
+    h.view.tilt = part.tilt;
+    h.score = v.score;
+    h.is_stripes = v.is_stripes;
+    if (dbg)
+      fprintf(stderr,
+              "vote part %zu share %.2f tilt %.2f %.2f: score %.3f stripes %d basis %.3f %.3f | "
+              "%.3f %.3f\n",
+              part_, part.share, part.tilt.x(), part.tilt.y(), h.score, h.is_stripes,
+              h.view.basis(0, 0), h.view.basis(1, 0), h.view.basis(0, 1), h.view.basis(1, 1));
+    addHypothesis(h);
+  }
+  if (++part_ == part_end_) beginAlignment();
+}
+
+void LatticeSearch::addHypothesis(Hypothesis h) {
+  for (auto& other : hypotheses_) {
+    const Mat2 index = other.view.basis.inverse() * h.view.basis;
+    const Mat2 whole = index.array().round();
+    if (std::abs(std::abs(whole.determinant()) - 1) < 1e-9 && (index - whole).norm() < 0.08) {
+      if (h.score > other.score) other = h;
+      return;
+    }
+  }
+  hypotheses_.push_back(h);
+}
+
+void LatticeSearch::beginAlignment() {
+  std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  stage_ = Stage::kAlign;
+  next_ = 0;
+}
+
+void LatticeSearch::align() {
+  if (next_ < std::min<std::size_t>(6, hypotheses_.size())) {
+    Hypothesis h = hypotheses_[next_++];
+    const double before = std::abs(h.view.basis.determinant());
+    for (const FitStage& s :
+         {FitStage{1.5, 16, FitUnknowns::kBasis, 6}, FitStage{2.5, 16, FitUnknowns::kTilt, 6},
+          FitStage{20, 16, FitUnknowns::kTilt, 8}}) {
+      const FittedLattice f = fitLattice(levels_, h.view, s);
+      h.view = f.view;
+      h.uncertainty = f.uncertainty;
+    }
+    const CellList cells = visibleCells(h.view, 20);
+    if (cells.empty()) return;
+    const int n = 20;
+    const Agreement a =
+        agreementOf(sampleCopies(levelFor(levels_, h.view, n), h.view, cells, n, false));
+    h.explained = a.explained;
+    const double after = std::abs(h.view.basis.determinant());
+    if (dbg)
+      fprintf(stderr, "align score %.3f -> explained %.3f area ratio %.3f tilt %.3f %.3f\n",
+              h.score, h.explained, after / before, h.view.tilt.x(), h.view.tilt.y());
+    if (after / before < 0.6 || after / before > 1.6) return;
+    aligned_.push_back(h);
+    return;
+  }
+  if (aligned_.empty()) {
+    stage_ = Stage::kMeasure;
+    return;
+  }
+  std::stable_sort(aligned_.begin(), aligned_.end(),
+                   [](const auto& a, const auto& b) { return a.explained > b.explained; });
+  if (aligned_[0].explained < 0.6 && part_end_ < parts().size()) {
+    part_end_ = parts().size();
+    stage_ = Stage::kVote;
+    hypotheses_.clear();
+    return;
+  }
+  // the smallest among the good
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < aligned_.size(); ++i)
+    if (aligned_[i].explained > aligned_[0].explained - 0.04 &&
+        std::abs(aligned_[i].view.basis.determinant()) <
+            0.9 * std::abs(aligned_[best].view.basis.determinant()))
+      best = i;
+  std::swap(aligned_[0], aligned_[best]);
+  stage_ = Stage::kCells;
+}
+
+void LatticeSearch::testCells() {
+  Hypothesis& h = aligned_[0];
+  const int n = 24;
+  const Copies copies =
+      sampleCopies(levelFor(levels_, h.view, n), h.view, visibleCells(h.view, 12), n, false);
+  Mat2 best = Mat2::Identity();
+  double least = 1e300;
+  for (int index = 2; index <= 6; ++index)
+    for (const Mat2& m : largerCells(index)) {
+      const SplitEvidence e = splitEvidence(copies, m);
+      if (dbg && (index < 4 || isSplit(e)))
+        fprintf(stderr,
+                "split %d (%g %g %g): ratio %.2f share %.4f worst %.3f within %.5f pairs %d %s\n",
+                index, m(0, 0), m(0, 1), m(1, 1), e.ratio, e.share, e.worst, e.within, e.pairs,
+                isSplit(e) ? "SPLIT" : "");
+      if (isSplit(e) && e.within < 0.85 * least) {
+        least = e.within;
+        best = m;
+      }
+    }
+  h.view = h.view.rebased(best);
+  stage_ = Stage::kMeasure;
+}
+
+void LatticeSearch::measure() {
+  if (aligned_.empty()) {
+    result_ = Error{Failure::kInternal, "no repeat found"};
+    stage_ = Stage::kDone;
+    return;
+  }
+  Hypothesis& h = aligned_[0];
+  for (const FitStage& s :
+       {FitStage{20, 32, FitUnknowns::kLens, 6}, FitStage{20, 48, FitUnknowns::kLens, 4}}) {
+    const FittedLattice f = fitLattice(levels_, h.view, s);
+    h.view = f.view;
+    h.uncertainty = f.uncertainty;
+    if (dbg)
+      fprintf(stderr, "measure converged %d tilt %.4f %.4f lens %.4f\n", f.has_converged,
+              h.view.tilt.x(), h.view.tilt.y(), h.view.lens);
+  }
+  const Agreement a = agreementOf(
+      sampleCopies(levelFor(levels_, h.view, 32), h.view, visibleCells(h.view, 20), 32, false));
+  h.explained = a.explained;
+  LatticeReading reading;
+  reading.map = h.view.map();
+  reading.explained = h.explained;
+  reading.uncertainty = h.uncertainty.maxCoeff();
+  reading.confidence = h.explained > 0.7 ? Confidence::kSure : Confidence::kUncertain;
+  result_ = reading;
+  stage_ = Stage::kDone;
+}
+double LatticeSearch::fraction() const { return 0; }
+}  // namespace seamwise
