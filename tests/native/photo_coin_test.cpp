@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "photo_samples.h"
-#include "recognition/coin.h"
-#include "recognition/map_inverse.h"
+#include "recognition/base/map_inverse.h"
+#include "recognition/cloth/coin.h"
 
 namespace seamwise::testing {
 namespace {

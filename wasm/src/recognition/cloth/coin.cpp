@@ -1,11 +1,11 @@
-#include "recognition/coin.h"
+#include "recognition/cloth/coin.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
-#include "recognition/map_inverse.h"
+#include "recognition/base/map_inverse.h"
 
 namespace seamwise {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/outcome.h"
-#include "recognition/metric.h"
-#include "recognition/pixels.h"
+#include "recognition/cloth/metric.h"
+#include "recognition/cloth/pixels.h"
 
 namespace seamwise {
 
