@@ -193,23 +193,28 @@ void LatticeSearch::testCells() {
   Hypothesis& h = aligned_[0];
   const int n = 24;
   const Copies copies =
-      sampleCopies(levelFor(levels_, h.view, n), h.view, visibleCells(h.view, 12), n, false);
-  Mat2 best = Mat2::Identity();
-  double least = 1e300;
-  for (int index = 2; index <= 6; ++index)
-    for (const Mat2& m : largerCells(index)) {
-      const SplitEvidence e = splitEvidence(copies, m);
-      if (dbg && (index < 4 || isSplit(e)))
-        fprintf(stderr,
-                "split %d (%g %g %g): ratio %.2f share %.4f worst %.3f within %.5f pairs %d %s\n",
-                index, m(0, 0), m(0, 1), m(1, 1), e.ratio, e.share, e.worst, e.within, e.pairs,
-                isSplit(e) ? "SPLIT" : "");
-      if (isSplit(e) && e.within < 0.85 * least) {
-        least = e.within;
-        best = m;
+      sampleCopies(levelFor(levels_, h.view, n), h.view, visibleCells(h.view, 6), n, false);
+  const CopyDifferences differences(copies);
+  Mat2 lattice = Mat2::Identity();
+  for (int round = 0; round < 3; ++round) {
+    Mat2 best = Mat2::Identity();
+    double best_w = 1e300;
+    for (int index = 2; index <= 6; ++index)
+      for (const Mat2& m : largerCells(index)) {
+        const SplitEvidence e = splitEvidence(differences, lattice, m, h.view.basis);
+        if (dbg && e.ratio > 0)
+          fprintf(stderr, "split %d (%g %g %g): ratio %.2f share %.4f worst %.3f within %.5f %s\n",
+                  index, m(0, 0), m(0, 1), m(1, 1), e.ratio, e.share, e.worst, e.within,
+                  isSplit(e) ? "SPLIT" : "");
+        if (isSplit(e) && e.within < 0.8 * best_w) {
+          best_w = e.within;
+          best = m;
+        }
       }
-    }
-  h.view = h.view.rebased(best);
+    if (best == Mat2::Identity()) break;
+    lattice = lattice * best;
+  }
+  h.view = h.view.rebased(lattice);
   stage_ = Stage::kMeasure;
 }
 
