@@ -32,6 +32,7 @@ enum class Failure : std::uint8_t {
   kNotAPrint = 40,
   kGroupUnknown = 41,
   kLattice = 42,
+  kPicture = 43,  // no print was found on a picture
   // symmetries
   kSymmetryMalformed = 60,
   kSymmetryUnknownPiece = 61,

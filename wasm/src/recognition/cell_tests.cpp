@@ -151,7 +151,7 @@ SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& latt
 }
 
 bool isSplit(const SplitEvidence& evidence) {
-  return (evidence.ratio > 1.4 && evidence.share > 0.005) || evidence.worst > 0.1;
+  return (evidence.ratio > 1.4 && evidence.share > 0.01) || evidence.worst > 0.1;
 }
 
 }  // namespace seamwise

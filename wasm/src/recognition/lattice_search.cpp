@@ -152,11 +152,11 @@ void LatticeSearch::align() {
       h.view = f.view;
       h.uncertainty = f.uncertainty;
     }
-    const CellList cells = visibleCells(h.view, 20);
+    const CellList cells = visibleCells(h.view, 1);
     if (cells.empty()) return;
     const int n = 20;
-    const Agreement a =
-        agreementOf(sampleCopies(levelFor(levels_, h.view, n), h.view, cells, n, false));
+    const Agreement a = agreementOf(
+        sampleCopies(levelFor(levels_, h.view, n), h.view, visibleCells(h.view, 6), n, false));
     h.explained = a.explained;
     const double after = std::abs(h.view.basis.determinant());
     if (dbg)
@@ -189,23 +189,52 @@ void LatticeSearch::align() {
   stage_ = Stage::kCells;
 }
 
+// A smaller cell that no larger one is needed beside.
 void LatticeSearch::testCells() {
   Hypothesis& h = aligned_[0];
-  const int n = 24;
-  const Copies copies =
-      sampleCopies(levelFor(levels_, h.view, n), h.view, visibleCells(h.view, 6), n, false);
-  const CopyDifferences differences(copies);
+  h.view = fitLattice(levels_, h.view, FitStage{20, 24, FitUnknowns::kLens, 4}).view;
+  const auto copiesOf = [&](const TiltedLattice& view, int n) {
+    return sampleCopies(levelFor(levels_, view, n), view, visibleCells(view, 5), n, false);
+  };
+  const auto trial = [&](const SplitEvidence& e, int index, const Mat2& m, const char* what) {
+    if (dbg && e.ratio > 0)
+      fprintf(stderr, "%s %d (%g %g %g): ratio %.2f share %.4f worst %.3f within %.5f %s\n", what,
+              index, m(0, 0), m(0, 1), m(1, 1), e.ratio, e.share, e.worst, e.within,
+              isSplit(e) ? "SPLIT" : "");
+  };
+  double explained = agreementOf(copiesOf(h.view, 16)).explained;
+  bool is_smaller = !h.is_stripes;
+  for (int round = 0; is_smaller && round < 5; ++round) {
+    is_smaller = false;
+    for (int index = 2; index <= 3 && !is_smaller; ++index)
+      for (const Mat2& m : largerCells(index)) {
+        const TiltedLattice finer = h.view.rebased(m.inverse());
+        const auto reduced = lagrangeReduced(finer.basis.col(0), finer.basis.col(1));
+        if (reduced[0].norm() * h.view.radius * levels_[0].scale < kShortest ||
+            reduced[0].norm() < 0.25 * reduced[1].norm())
+          continue;
+        const Copies copies = copiesOf(finer, 16);
+        const double e = agreementOf(copies).explained;
+        if (e < explained - 0.15) continue;
+        const SplitEvidence split =
+            splitEvidence(CopyDifferences(copies), Mat2::Identity(), m, finer.basis);
+        trial(split, index, m, "finer");
+        if (isSplit(split)) continue;
+        explained = e;
+        h.view = finer;
+        is_smaller = true;
+        break;
+      }
+  }
+  const CopyDifferences differences(copiesOf(h.view, 24));
   Mat2 lattice = Mat2::Identity();
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; !h.is_stripes && round < 3; ++round) {
     Mat2 best = Mat2::Identity();
     double best_w = 1e300;
     for (int index = 2; index <= 6; ++index)
       for (const Mat2& m : largerCells(index)) {
         const SplitEvidence e = splitEvidence(differences, lattice, m, h.view.basis);
-        if (dbg && e.ratio > 0)
-          fprintf(stderr, "split %d (%g %g %g): ratio %.2f share %.4f worst %.3f within %.5f %s\n",
-                  index, m(0, 0), m(0, 1), m(1, 1), e.ratio, e.share, e.worst, e.within,
-                  isSplit(e) ? "SPLIT" : "");
+        trial(e, index, m, "larger");
         if (isSplit(e) && e.within < 0.8 * best_w) {
           best_w = e.within;
           best = m;
@@ -219,31 +248,77 @@ void LatticeSearch::testCells() {
 }
 
 void LatticeSearch::measure() {
-  if (aligned_.empty()) {
-    result_ = Error{Failure::kInternal, "no repeat found"};
-    stage_ = Stage::kDone;
+  if (!aligned_.empty()) {
+    Hypothesis& h = aligned_[0];
+    for (const FitStage& s :
+         {FitStage{20, 32, FitUnknowns::kLens, 6}, FitStage{20, 48, FitUnknowns::kLens, 4}}) {
+      const FittedLattice f = fitLattice(levels_, h.view, s);
+      h.view = f.view;
+      h.uncertainty = f.uncertainty;
+      if (dbg)
+        fprintf(stderr, "measure converged %d tilt %.4f %.4f lens %.4f\n", f.has_converged,
+                h.view.tilt.x(), h.view.tilt.y(), h.view.lens);
+    }
+    const Agreement a = agreementOf(
+        sampleCopies(levelFor(levels_, h.view, 32), h.view, visibleCells(h.view, 12), 32, false));
+    h.explained = a.explained;
+    if (dbg) {
+      double bad = 0, good = 0, all = 0;
+      for (size_t i = 0; i < a.of_cells.size(); ++i) {
+        all += a.cell_share[i];
+        (a.of_cells[i] < 0.25 ? bad : good) += a.cell_share[i];
+      }
+      const Vec2 rep = repeatsSeen(h.view);
+      fprintf(stderr, "verdict explained %.3f badcells %.2f repeats %.2f %.2f variance %.5f\n",
+              a.explained, bad / all, rep.x(), rep.y(), a.variance);
+    }
+  }
+  if (dbg)
+    for (auto& l : levels_) {
+      double v = 0;
+      for (float x : l.samples) v += x * x;
+      fprintf(stderr, "level %d variance %.6f\n", l.width, v / l.width / l.height);
+    }
+  finish();
+}
+void LatticeSearch::finish() {
+  stage_ = Stage::kDone;
+  for (auto& h : aligned_)
+    if (candidates_.size() < 3) candidates_.push_back(readingOf(h));
+  const char* none =
+      "no repeat was found on the picture: photograph the cloth flat and from above, so that at "
+      "least three repeats are seen";
+  if (aligned_.empty() || aligned_[0].explained < 0.3) {
+    result_ = Error{Failure::kPicture, none};
     return;
   }
-  Hypothesis& h = aligned_[0];
-  for (const FitStage& s :
-       {FitStage{20, 32, FitUnknowns::kLens, 6}, FitStage{20, 48, FitUnknowns::kLens, 4}}) {
-    const FittedLattice f = fitLattice(levels_, h.view, s);
-    h.view = f.view;
-    h.uncertainty = f.uncertainty;
-    if (dbg)
-      fprintf(stderr, "measure converged %d tilt %.4f %.4f lens %.4f\n", f.has_converged,
-              h.view.tilt.x(), h.view.tilt.y(), h.view.lens);
+  if (repeatsSeen(aligned_[0].view).minCoeff() < 2.2) {
+    result_ = Error{Failure::kPicture,
+                    "fewer than 2.2 repeats are seen: step back until three repeats are seen"};
+    return;
   }
-  const Agreement a = agreementOf(
-      sampleCopies(levelFor(levels_, h.view, 32), h.view, visibleCells(h.view, 20), 32, false));
-  h.explained = a.explained;
+  result_ = candidates_[0];
+}
+LatticeReading LatticeSearch::readingOf(const Hypothesis& h) const {
   LatticeReading reading;
-  reading.map = h.view.map();
+  TiltedLattice view = h.view;
+  const auto reduced = lagrangeReduced(view.basis.col(0), view.basis.col(1));
+  if (!h.is_stripes) view.basis << reduced[0], reduced[1];
+  if (view.basis.determinant() > 0) view.basis.col(1) *= -1;
+  reading.map = view.map();
   reading.explained = h.explained;
-  reading.uncertainty = h.uncertainty.maxCoeff();
-  reading.confidence = h.explained > 0.7 ? Confidence::kSure : Confidence::kUncertain;
-  result_ = reading;
-  stage_ = Stage::kDone;
+  reading.uncertainty = h.is_stripes ? h.uncertainty.x() : h.uncertainty.maxCoeff();
+  reading.confidence = h.explained > 0.75  ? Confidence::kSure
+                       : h.explained > 0.6 ? Confidence::kLikely
+                                           : Confidence::kUncertain;
+  reading.is_stripes = h.is_stripes;
+  const Copies copies = sampleCopies(levels_.back(), view, visibleCells(view, 30), 4, false);
+  for (std::size_t c = 0; c < copies.cells.size(); ++c) {
+    bool is_whole = true;
+    for (std::size_t s = 0; s < 16; ++s) is_whole = is_whole && copies.weights[16 * c + s] > 0;
+    reading.copies += is_whole ? 1 : 0;
+  }
+  return reading;
 }
 double LatticeSearch::fraction() const { return 0; }
 }  // namespace seamwise
