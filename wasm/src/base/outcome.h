@@ -32,7 +32,6 @@ enum class Failure : std::uint8_t {
   kNotAPrint = 40,
   kGroupUnknown = 41,
   kLattice = 42,
-  kPicture = 43,  // no print was found on a picture
   // symmetries
   kSymmetryMalformed = 60,
   kSymmetryUnknownPiece = 61,
@@ -41,6 +40,8 @@ enum class Failure : std::uint8_t {
   kSymmetryConflict = 64,
   // options
   kOptions = 80,
+  // pictures of cloth
+  kPicture = 90,
 };
 
 /// One sentence for people: it names the piece or seam and the remedy.

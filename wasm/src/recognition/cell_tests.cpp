@@ -151,7 +151,8 @@ SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& latt
 }
 
 bool isSplit(const SplitEvidence& evidence) {
-  return (evidence.ratio > 1.4 && evidence.share > 0.01) || evidence.worst > 0.1;
+  return (evidence.ratio > 2 && evidence.share > 0.01) ||
+         (evidence.ratio > 1.1 && evidence.worst > 0.3);
 }
 
 }  // namespace seamwise

@@ -8,6 +8,7 @@
 #include "recognition/cell_tests.h"
 #include "recognition/channels.h"
 #include "recognition/lattice_vote.h"
+#include "recognition/stripes.h"
 #include "wallpaper/lattice.h"
 
 namespace seamwise {
@@ -202,22 +203,28 @@ void LatticeSearch::testCells() {
               index, m(0, 0), m(0, 1), m(1, 1), e.ratio, e.share, e.worst, e.within,
               isSplit(e) ? "SPLIT" : "");
   };
+  if (const auto stripes = asStripes(copiesOf(h.view, 24), h.view)) {
+    h.is_stripes = true;
+    h.view = fitLattice(levels_, *stripes, FitStage{20, 24, FitUnknowns::kTilt, 6}).view;
+    if (dbg) fprintf(stderr, "stripes\n");
+  }
   double explained = agreementOf(copiesOf(h.view, 16)).explained;
-  bool is_smaller = !h.is_stripes;
+  bool is_smaller = true;
   for (int round = 0; is_smaller && round < 5; ++round) {
     is_smaller = false;
     for (int index = 2; index <= 3 && !is_smaller; ++index)
       for (const Mat2& m : largerCells(index)) {
-        const TiltedLattice finer = h.view.rebased(m.inverse());
+        if (h.is_stripes && m(1, 1) != 1) continue;
+        const TiltedLattice finer = h.view.rebased(m.inverse().transpose());
         const auto reduced = lagrangeReduced(finer.basis.col(0), finer.basis.col(1));
         if (reduced[0].norm() * h.view.radius * levels_[0].scale < kShortest ||
-            reduced[0].norm() < 0.25 * reduced[1].norm())
+            (!h.is_stripes && reduced[0].norm() < 0.15 * reduced[1].norm()))
           continue;
         const Copies copies = copiesOf(finer, 16);
         const double e = agreementOf(copies).explained;
         if (e < explained - 0.15) continue;
         const SplitEvidence split =
-            splitEvidence(CopyDifferences(copies), Mat2::Identity(), m, finer.basis);
+            splitEvidence(CopyDifferences(copies), Mat2::Identity(), m.transpose(), finer.basis);
         trial(split, index, m, "finer");
         if (isSplit(split)) continue;
         explained = e;
@@ -228,11 +235,12 @@ void LatticeSearch::testCells() {
   }
   const CopyDifferences differences(copiesOf(h.view, 24));
   Mat2 lattice = Mat2::Identity();
-  for (int round = 0; !h.is_stripes && round < 3; ++round) {
+  for (int round = 0; round < 3; ++round) {
     Mat2 best = Mat2::Identity();
     double best_w = 1e300;
     for (int index = 2; index <= 6; ++index)
       for (const Mat2& m : largerCells(index)) {
+        if (h.is_stripes && m(1, 1) != 1) continue;
         const SplitEvidence e = splitEvidence(differences, lattice, m, h.view.basis);
         trial(e, index, m, "larger");
         if (isSplit(e) && e.within < 0.8 * best_w) {
@@ -292,7 +300,8 @@ void LatticeSearch::finish() {
     result_ = Error{Failure::kPicture, none};
     return;
   }
-  if (repeatsSeen(aligned_[0].view).minCoeff() < 2.2) {
+  const Vec2 seen = repeatsSeen(aligned_[0].view);
+  if ((aligned_[0].is_stripes ? seen.x() : seen.minCoeff()) < 2.2) {
     result_ = Error{Failure::kPicture,
                     "fewer than 2.2 repeats are seen: step back until three repeats are seen"};
     return;
