@@ -25,7 +25,12 @@ const coreRooms = [
   'deform',
   'drape',
   'nesting',
-  'recognition',
+  'recognition/base',
+  'recognition/lattice',
+  'recognition/cloth',
+  'recognition/symmetry',
+  'recognition/tile',
+  'recognition/photo',
   'problem',
   'methods',
   'solve',
@@ -59,6 +64,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
   app: ['model', 'recognition', 'formats', 'picture', 'cutting', 'paper', 'texts', 'editor'],
   node: [
     'model',
+    'recognition',
     'formats',
     'solver',
     'scene',
@@ -69,7 +75,18 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     'pairing',
     'remedies',
   ],
-  cli: ['model', 'formats', 'layout', 'scene', 'picture', 'cutting', 'marker', 'paper', 'node'],
+  cli: [
+    'model',
+    'recognition',
+    'formats',
+    'layout',
+    'scene',
+    'picture',
+    'cutting',
+    'marker',
+    'paper',
+    'node',
+  ],
   '': ['model', 'solver'], // index.ts, the entry of the package
 };
 

@@ -22,7 +22,7 @@ import {ensureSystem, forModule, forNativeTests} from './system.mjs';
 
 const moduleFolder = 'web/src/solver/module';
 /** What the modules are; all but the first are fetched only when they are asked: to drape a garment, to lay its pieces. */
-const moduleFiles = ['seamwise', 'drape', 'marker'].flatMap((name) => [
+const moduleFiles = ['seamwise', 'drape', 'marker', 'photo'].flatMap((name) => [
   `${name}.mjs`,
   `${name}.wasm`,
 ]);
@@ -46,7 +46,7 @@ const parts = {
   standalone: {
     from: ['vite.standalone.config.ts', 'package-lock.json', 'LICENSE', 'web/setup/notices'],
     make: buildStandalone,
-    products: ['seamwise.js', 'seamwise.wasm', 'drape.wasm', 'marker.wasm'].map(
+    products: ['seamwise.js', 'seamwise.wasm', 'drape.wasm', 'marker.wasm', 'photo.wasm'].map(
       (file) => `dist/standalone/${file}`,
     ),
   },

@@ -93,6 +93,16 @@ seamwise cut RESULT.json --print PRINT.json [flags]
     --pdf FILE.pdf, --svg FILE.svg, --dxf FILE.dxf (AAMA), --plt FILE.plt (HP-GL)
     --map FILE.json             where pages, pieces, marks and test squares lie
 
+seamwise photo PICTURE.jpg|png|webp [flags]
+  Reads a print off a photograph or scan of its cloth: repeat, symmetries, and a clean picture.
+    --measure w1=N/CM           so many repeats along w1 measure so many cm; again for w2
+    --between X,Y,X,Y=CM        two points of the picture, in pixels, lie so far apart on the cloth
+    --f35 MM                    focal length of the camera as on film; default what the file says
+    --tile                      the picture is seamless: one cell, or several
+    --symmetrise                makes the symmetries that it has exact
+    --out PRINT.json            writes the print, its picture beside it as PNG
+    --json                      prints what was found as JSON
+
 seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [flags]
   Lays the pieces of one or several results on a bolt of their print, each where the print is what the result asks
   for, and prints one line: how much cloth that takes, and how little it can take.

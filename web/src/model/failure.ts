@@ -29,6 +29,7 @@ export const failureCodes = {
   symmetryGroup: 63,
   symmetryConflict: 64,
   options: 80,
+  picture: 90,
 } as const;
 
 /** Codes of failures that a page raises without the core. The names are part of the API, too. */

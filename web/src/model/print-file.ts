@@ -12,6 +12,7 @@ const fields: Read<Print> = shape(
     image: text(),
     colourways: listOf(shape({name: text(), image: text()}, {raster: text()})),
     oneWay: flag,
+    unscaled: flag,
     cell: oneOf(printCells),
   },
 );

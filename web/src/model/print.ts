@@ -36,6 +36,8 @@ export interface Print {
   readonly cell?: PrintCell;
   /** The print has an upside: a piece on grain may not be turned by 180 degrees. */
   readonly oneWay?: boolean;
+  /** Its lengths are in proportion only: nobody has measured them yet. It can be placed, but not cut. */
+  readonly unscaled?: boolean;
   readonly fabric?: {readonly usableWidthCm?: number};
   /** The first is the one that `image` shows. */
   readonly colourways?: readonly Colourway[];

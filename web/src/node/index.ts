@@ -6,6 +6,7 @@ import type {Drape, DrapeSettings} from '../model/drape.js';
 import type {Garment} from '../model/garment.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {LayPlan} from '../model/lay-plan.js';
+import type {PhotoHooks, PhotoPixels} from '../model/photo.js';
 import type {Problem} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
@@ -32,6 +33,7 @@ import type {ImportedGarment, ImportOptions} from './import.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 import type {Order, OrderHooks} from './order.js';
+import type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
 
 export type {Alignment, MirrorMap, Point} from '../model/geometry.js';
 export * from '../model/drape.js';
@@ -42,6 +44,7 @@ export type * from '../model/garment.js';
 export type * from '../model/garment-document.js';
 export {garmentFile} from '../model/garment-file.js';
 export type * from '../model/options.js';
+export type * from '../model/photo.js';
 export type * from '../model/print.js';
 export type * from '../model/method.js';
 export type * from '../model/problem.js';
@@ -88,6 +91,7 @@ export type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 export type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
 export type {PlanPdf} from '../marker/draw/plan-pdf.js';
 export type {Order, OrderHooks} from './order.js';
+export type {PrintFromPixels, PrintFromPixelsSettings} from './photo.js';
 export type {NamedEdge, SeamSuggestions, SuggestionSettings} from '../pairing/report.js';
 export type {Remedy, RemedyChange, RemedyKind} from '../remedies/remedy.js';
 
@@ -105,6 +109,7 @@ class ThreadSolver extends TextService {
         seamwise: () => wasmFile('seamwise'),
         drape: () => wasmFile('drape'),
         marker: () => wasmFile('marker'),
+        photo: () => wasmFile('photo'),
       },
     },
     new Helpers(thread),
@@ -338,6 +343,28 @@ export async function garmentDxf(
     import('../cutting/out/sheet-dxf.js'),
   ]);
   return sheetDxf(draftedSheet(document, {allowanceCm, units: 'cm'}, name), {sewAsBoundary});
+}
+
+/**
+ * Reads a print off a photograph or scan of its cloth: lattice, group, size, and a clean picture of its cell.
+ * @throws {SolverError} where there is none to be found, with one sentence that says why; the signal's reason, when it fires
+ */
+export async function printFromPixels(
+  pixels: PhotoPixels,
+  settings: PrintFromPixelsSettings = {},
+  hooks: PhotoHooks = {},
+): Promise<PrintFromPixels> {
+  hooks.signal?.throwIfAborted();
+  const {printWith} = await import('./photo.js');
+  return printWith(
+    {
+      photo: (request, its) => solver.photo(request, its),
+      photoTile: (request, its) => solver.photoTile(request, its),
+    },
+    pixels,
+    settings,
+    hooks,
+  );
 }
 
 /** Memory of the shared module: its size, and what is in use of it. [bytes] */

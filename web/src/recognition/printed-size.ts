@@ -1,4 +1,5 @@
 /** How large a picture is to be printed, as its file says it. */
+import {exifTags, jpegSegments} from './exif.js';
 import type {FileKind} from './file-kind.js';
 
 /** Pixels per cm, to the right and down, as the picture is stored. */
@@ -43,47 +44,16 @@ function pngResolution(view: DataView): Resolution | undefined {
 }
 
 function jpegResolution(view: DataView): Resolution | undefined {
-  let inExif: Resolution | undefined;
-  for (let at = 2; ;) {
-    const marker = view.getUint16(at);
-    if (marker === 0xffff) {
-      at++; // padding
-      continue;
-    }
-    if (marker < 0xffc0 || marker === 0xffda) return inExif; // the pixels begin
+  for (const {marker, at} of jpegSegments(view)) {
     const isJfif = marker === 0xffe0 && view.getUint32(at + 4) === 0x4a464946;
     const unit = isJfif ? view.getUint8(at + 11) : 0;
-    if (unit === 1 || unit === 2) {
-      const perCm = (offset: number): number =>
-        view.getUint16(at + offset) / (unit === 1 ? cmPerInch : 1);
-      const found = usable(perCm(12), perCm(14));
-      if (found) return found;
-    }
-    if (marker === 0xffe1 && view.getUint32(at + 4) === 0x45786966) {
-      inExif ??= exifResolution(view, at + 10);
-    }
-    at += 2 + view.getUint16(at + 2);
+    if (unit !== 1 && unit !== 2) continue;
+    const perCm = (offset: number): number =>
+      view.getUint16(at + offset) / (unit === 1 ? cmPerInch : 1);
+    const found = usable(perCm(12), perCm(14));
+    if (found) return found;
   }
-}
-
-/** The first directory of a TIFF that lies in the file from `start` on. */
-function exifResolution(view: DataView, start: number): Resolution | undefined {
-  const little = view.getUint16(start) === 0x4949;
-  const short = (at: number): number => view.getUint16(at, little);
-  const long = (at: number): number => view.getUint32(at, little);
-  const directory = start + long(start + 4);
-  let [across, down, unit] = [0, 0, 2];
-  for (let k = 0; k < short(directory); k++) {
-    const entry = directory + 2 + 12 * k;
-    const rational = (): number => {
-      const at = start + long(entry + 8);
-      return long(at) / long(at + 4);
-    };
-    const tag = short(entry);
-    if (tag === 0x011a) across = rational();
-    if (tag === 0x011b) down = rational();
-    if (tag === 0x0128) unit = short(entry + 8);
-  }
+  const {resolution: [across, down] = [0, 0], resolutionUnit: unit = 2} = exifTags(view);
   const perUnit = unit === 2 ? cmPerInch : 1;
   return unit === 2 || unit === 3 ? usable(across / perUnit, down / perUnit) : undefined;
 }

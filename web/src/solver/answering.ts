@@ -10,9 +10,17 @@ import {documentBytes} from './json/document.js';
 import {garmentText} from './json/garment-text.js';
 import {markerRequest, runMarker} from './marker/run-marker.js';
 import type {DrapeModule} from './module/drape.mjs';
-import {drape, marker, seamwise} from './module/load.js';
+import {drape, marker, photo, seamwise} from './module/load.js';
 import type {MarkerModule} from './module/marker.mjs';
+import type {PhotoModule} from './module/photo.mjs';
 import type {SeamwiseModule} from './module/seamwise.mjs';
+import {decoded} from './photo/decode.js';
+import {
+  photoModuleRequest,
+  photoTileModuleRequest,
+  runPhoto,
+  runPhotoTile,
+} from './photo/run-photo.js';
 import type {Requests} from './requests/requests.js';
 import {plainNames} from './requests/texts.js';
 import {toError, valueOf} from './seamwise/failures.js';
@@ -27,6 +35,7 @@ type SolverModules = {
   readonly seamwise: SeamwiseModule;
   readonly drape: DrapeModule;
   readonly marker: MarkerModule;
+  readonly photo: PhotoModule;
 };
 
 /** A small solve need not wait for a large one before it; more at once would only keep all waiting. */
@@ -41,12 +50,15 @@ const drapes: Queue = {atOnce: 1};
 /** One cloth is laid out at a time. */
 const markers: Queue = {atOnce: 1};
 
+/** A picture takes a great part of the memory that there is. */
+const photos: Queue = {atOnce: 1};
+
 /** A share that is of no use any more must not keep others waiting. [ms] */
 const shareSlice = 20;
 
 /** @param helpers other threads for what takes long; none, unless said otherwise */
 export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
-  modules: {seamwise, drape, marker},
+  modules: {seamwise, drape, marker, photo},
   requests: {
     solve: {
       module: 'seamwise',
@@ -119,6 +131,28 @@ export const answering = (helpers?: Helpers): AnswerTable<Requests, SolverModule
         owning(new module.Marker(markerRequest(problem)), (layout) =>
           runMarker(layout, hooks, pace),
         ),
+    },
+    photo: {
+      module: 'photo',
+      queue: photos,
+      answer: async (module, {picture, ...settings}, {hooks, pace}) => {
+        const pixels = await decoded(picture);
+        hooks.signal?.throwIfAborted();
+        return owning(new module.Photo(photoModuleRequest(pixels, settings)), (reading) =>
+          runPhoto(reading, pixels, hooks, pace),
+        );
+      },
+    },
+    photoTile: {
+      module: 'photo',
+      queue: photos,
+      answer: async (module, {picture, ...settings}, {hooks, pace}) => {
+        const pixels = await decoded(picture);
+        hooks.signal?.throwIfAborted();
+        return owning(new module.PhotoTile(photoTileModuleRequest(pixels, settings)), (tile) =>
+          runPhotoTile(tile, hooks, pace),
+        );
+      },
     },
     share: {
       module: 'seamwise',

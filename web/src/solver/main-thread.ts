@@ -36,7 +36,12 @@ export class MainThreadSolver extends TextService {
       const url = this.#wasmUrl;
       const at = url === undefined ? undefined : modulesAt(url);
       const sources = at
-        ? {seamwise: () => at.seamwise, drape: () => at.drape, marker: () => at.marker}
+        ? {
+            seamwise: () => at.seamwise,
+            drape: () => at.drape,
+            marker: () => at.marker,
+            photo: () => at.photo,
+          }
         : {};
       return localAnswerer({sources, pace: besideThePage});
     } catch (error) {

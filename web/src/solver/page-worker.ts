@@ -19,15 +19,21 @@ const usualLoadingPatience = 20_000;
 /** Served as compiled, the script is this file's neighbour. */
 const usualScript = 'solver.worker.js';
 
-/** Where the modules are: that of the solver, and beside it those that drape and that lay pieces. */
+/** Where the modules are: that of the solver, and beside it those that drape, lay pieces and read pictures. */
 export function modulesAt(wasmUrl: string | URL): {
   seamwise: string;
   drape: string;
   marker: string;
+  photo: string;
 } {
   const seamwise = new URL(wasmUrl, document.baseURI).href;
   const beside = (file: string) => new URL(file, seamwise).href;
-  return {seamwise, drape: beside('drape.wasm'), marker: beside('marker.wasm')};
+  return {
+    seamwise,
+    drape: beside('drape.wasm'),
+    marker: beside('marker.wasm'),
+    photo: beside('photo.wasm'),
+  };
 }
 
 /** A worker of the page's. */

@@ -58,6 +58,14 @@ function workersWanted(): number {
 }
 
 /** Workers with the same script and .wasm file, shared by leases. */
+/** Kinds of requests that a worker of their own answers, so that no solve waits for them. */
+const besideSolves: ReadonlySet<keyof Requests> = new Set([
+  'drape',
+  'marker',
+  'photo',
+  'photoTile',
+]);
+
 export class SolverPool {
   readonly #places: WorkerPlaces;
   readonly #emptied: () => void;
@@ -156,7 +164,7 @@ class LeasedSolver extends TextService {
     const all = {...hooks, signal};
     (pooled.warming ??= new AbortController()).abort(); // the worker is to do nothing else
     if (!pooled.blocked) {
-      const client = kind === 'drape' || kind === 'marker' ? this.#shared.aside : pooled.client;
+      const client = besideSolves.has(kind) ? this.#shared.aside : pooled.client;
       try {
         return await client.ask(kind, request, all);
       } catch (error) {

@@ -2,6 +2,13 @@ import type {Drape, DrapeSettings} from '../model/drape.js';
 import type {Garment} from '../model/garment.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
+import type {
+  PhotoHooks,
+  PhotoPixels,
+  PhotoReading,
+  PhotoRequest,
+  PhotoTileRequest,
+} from '../model/photo.js';
 import type {Problem, ProofHooks, SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
@@ -87,6 +94,15 @@ export interface SolverService {
    * @throws {SolverError} where that cannot be, such as for a piece that is wider than the cloth
    */
   marker(problem: MarkerProblem, hooks?: MarkerHooks): Promise<MarkerAnswer>;
+
+  /**
+   * Reads lattice and group of a print off a picture of its cloth.
+   * @throws {SolverError} where none is found
+   */
+  photo(request: PhotoRequest, hooks?: PhotoHooks): Promise<PhotoReading>;
+
+  /** The print's cell, w1 to the right and w2 up, from all copies that a picture shows. */
+  photoTile(request: PhotoTileRequest, hooks?: PhotoHooks): Promise<PhotoPixels>;
 }
 
 /** A service for whoever can answer requests: it makes the requests. */
@@ -140,6 +156,14 @@ export abstract class TextService implements SolverService {
 
   marker(problem: MarkerProblem, hooks: MarkerHooks = {}): Promise<MarkerAnswer> {
     return this.#ask('marker', () => problem, hooks);
+  }
+
+  photo(request: PhotoRequest, hooks: PhotoHooks = {}): Promise<PhotoReading> {
+    return this.#ask('photo', () => request, hooks);
+  }
+
+  photoTile(request: PhotoTileRequest, hooks: PhotoHooks = {}): Promise<PhotoPixels> {
+    return this.#ask('photoTile', () => request, hooks);
   }
 
   /** A signal that has fired goes before anything that is wrong with a request. */

@@ -8,6 +8,8 @@ interface Grammar {
   readonly valued: readonly string[];
   readonly switches: readonly string[];
   readonly files: readonly string[];
+  /** Those of the flags with a value that may be given more than once. */
+  readonly repeated?: readonly string[];
   /** Whether the last of its files may be followed by more of its kind. */
   readonly hasMore?: true;
 }
@@ -16,12 +18,14 @@ export interface Arguments {
   readonly files: readonly string[];
   /** The value of a flag, or undefined. */
   value(flag: string): string | undefined;
+  /** All values of a flag that may be repeated. */
+  values(flag: string): readonly string[];
   has(flag: string): boolean;
 }
 
 /** Reads `--flag value`, `--flag=value` and files. @throws {UsageError} naming what is wrong */
 export function parseArguments(words: readonly string[], grammar: Grammar): Arguments {
-  const values = new Map<string, string>();
+  const values = new Map<string, readonly string[]>();
   const files: string[] = [];
   const rest = [...words];
   for (let word = rest.shift(); word !== undefined; word = rest.shift()) {
@@ -38,27 +42,35 @@ export function parseArguments(words: readonly string[], grammar: Grammar): Argu
   const extra = files[grammar.files.length];
   if (extra !== undefined && !grammar.hasMore)
     throw new UsageError(`'${extra}' is one argument too many.`);
-  return {files, value: (flag) => values.get(flag), has: (flag) => values.has(flag)};
+  return {
+    files,
+    value: (flag) => values.get(flag)?.[0],
+    values: (flag) => values.get(flag) ?? [],
+    has: (flag) => values.has(flag),
+  };
 }
 
 function readFlag(
   word: string,
   rest: string[],
-  {valued, switches}: Grammar,
-  values: Map<string, string>,
+  {valued, switches, repeated = []}: Grammar,
+  values: Map<string, readonly string[]>,
 ): void {
   const equals = word.indexOf('=');
   const flag = equals < 0 ? word : word.slice(0, equals);
-  if (values.has(flag)) throw new UsageError(`${flag} is given twice.`);
+  const before = values.get(flag) ?? [];
+  if (before.length > 0 && !repeated.includes(flag)) {
+    throw new UsageError(`${flag} is given twice.`);
+  }
   if (switches.includes(flag)) {
     if (equals >= 0) throw new UsageError(`${flag} takes no value.`);
-    values.set(flag, '');
+    values.set(flag, ['']);
   } else if (valued.includes(flag)) {
     const value = equals < 0 ? rest.shift() : word.slice(equals + 1);
     if (value === undefined || value === '' || value.startsWith('--')) {
       throw new UsageError(`${flag} needs a value.`);
     }
-    values.set(flag, value);
+    values.set(flag, [...before, value]);
   } else {
     const known = [...valued, ...switches].join(', ');
     throw new UsageError(`unknown flag '${flag}'; there are ${known}.`);

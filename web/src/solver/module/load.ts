@@ -7,6 +7,7 @@ import type {ModuleLoader} from '../answers/shared-module.js';
 import type {DrapeModule} from './drape.mjs';
 import type {MarkerModule} from './marker.mjs';
 import type {ModuleSettings} from './module.js';
+import type {PhotoModule} from './photo.mjs';
 import createSeamwise, {type SeamwiseModule} from './seamwise.mjs';
 
 export const seamwise: ModuleLoader<SeamwiseModule> = {
@@ -27,6 +28,13 @@ export const marker: ModuleLoader<MarkerModule> = {
   file: 'marker.wasm',
   url: new URL('./marker.wasm', import.meta.url),
   create: async (compiled) => instance((await import('./marker.mjs')).default, compiled),
+};
+
+/** Fetched, script and all, when a print is first read off a picture. */
+export const photo: ModuleLoader<PhotoModule> = {
+  file: 'photo.wasm',
+  url: new URL('./photo.wasm', import.meta.url),
+  create: async (compiled) => instance((await import('./photo.mjs')).default, compiled),
 };
 
 function instance<M>(

@@ -1,6 +1,13 @@
 import type {Drape, DrapeHooks} from '../../model/drape.js';
 import type {GarmentDocument} from '../../model/garment-document.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../../model/marker.js';
+import type {
+  PhotoHooks,
+  PhotoPixels,
+  PhotoReading,
+  PhotoRequest,
+  PhotoTileRequest,
+} from '../../model/photo.js';
 import type {ProofHooks, SolveHooks} from '../../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../../model/result.js';
 import type {DetectedSymmetries, MeasuredSymmetry} from '../../model/symmetries.js';
@@ -17,6 +24,8 @@ export type Requests = {
   readonly convert: {request: GarmentTexts; answer: string; hooks: object};
   readonly drape: {request: DrapeTexts; answer: Drape; hooks: DrapeHooks};
   readonly marker: {request: MarkerProblem; answer: MarkerAnswer; hooks: MarkerHooks};
+  readonly photo: {request: PhotoRequest; answer: PhotoReading; hooks: PhotoHooks};
+  readonly photoTile: {request: PhotoTileRequest; answer: PhotoPixels; hooks: PhotoHooks};
   /** A share of another thread's search: the order from `Solver.lend`, answered for `Solver.take`. */
   readonly share: {request: {readonly order: Float64Array}; answer: Float64Array; hooks: object};
   /** Of the module: its size, and what is in use of it. [bytes] */

@@ -1,0 +1,104 @@
+#include "recognition/cloth/copy_fields_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recognition/base/map_inverse.h"
+
+namespace seamwise {
+
+namespace {
+
+constexpr double kReducedCell = 160;     // px of a cell's side, at least where the picture has them
+constexpr int kFewest = 16, kMost = 64;  // samples of a cell's side for registration
+constexpr double kMostSamples = 500'000;   // of all cells
+constexpr double kPixelsPerSample = 1.2;   // of the picture that is sampled, at least
+constexpr int kCoarseCell = 20;            // samples of a cell's side that creases leave alone
+constexpr int kLightCell = 16;             // samples of a cell's side for the light
+constexpr int kPixelsPerStep = 2'000'000;  // read when a picture is made smaller
+
+int factorFor(double cell_size, double wanted) {
+  return std::max(1, static_cast<int>(cell_size / wanted));
+}
+
+int samplesFor(const PixelView& pixels, double cell_size) {
+  const double cells =
+      static_cast<double>(pixels.width) * pixels.height / (cell_size * cell_size) + 1;
+  const double most = std::min(std::sqrt(kMostSamples / cells), cell_size / 2);
+  return std::clamp(static_cast<int>(most) / 8 * 8, kFewest, kMost);
+}
+
+}  // namespace
+
+CopyFieldsFit::CopyFieldsFit(const PixelView& pixels, const LatticeMap& map, const SrgbCurve& curve)
+    : pixels_(pixels),
+      map_(map),
+      curve_(curve),
+      cell_size_(cellSize(map)),
+      samples_(samplesFor(pixels, cell_size_)),
+      reduced_(pixels, factorFor(cell_size_, kReducedCell)) {}
+
+bool CopyFieldsFit::advance() {
+  switch (stage_) {
+    case Stage::kReduce:
+      if (reduced_.advance(kPixelsPerStep)) return true;
+      fine_ = std::make_unique<ReducedPixels>(
+          reduced_.view(), factorFor(cell_size_ / reduced_.factor(), samples_ * kPixelsPerSample));
+      stage_ = Stage::kReduceFine;
+      return true;
+    case Stage::kReduceFine:
+      if (fine_->advance(kPixelsPerStep)) return true;
+      coarse_ = std::make_unique<ReducedPixels>(fine_->view(), factorFor(samples_, kCoarseCell));
+      stage_ = Stage::kReduceCoarse;
+      return true;
+    case Stage::kReduceCoarse:
+      if (coarse_->advance(kPixelsPerStep)) return true;
+      beginLight();
+      stage_ = Stage::kLight;
+      return true;
+    case Stage::kLight:
+      if (light_->advance()) return true;
+      beginShift();
+      stage_ = Stage::kShift;
+      return true;
+    case Stage::kShift:
+      if (registration_->advance()) return true;
+      finish();
+      stage_ = Stage::kDone;
+      return false;
+    case Stage::kDone:
+      return false;
+  }
+  return false;
+}
+
+double CopyFieldsFit::fraction() const { return static_cast<double>(stage_) / 5; }
+
+void CopyFieldsFit::beginLight() {
+  const int width = pixels_.width, height = pixels_.height;
+  const SmoothField flat(2, width, height, std::max(width, height));
+  LatticeCanvas canvas = latticeCanvas(map_, width, height, std::min(kLightCell, samples_));
+  sampleCanvas(coarse_->view(), reduced_.factor() * fine_->factor() * coarse_->factor(), flat,
+               &canvas);
+  light_ = std::make_unique<LightFit>(std::move(canvas), curve_, width, height, cell_size_);
+}
+
+void CopyFieldsFit::beginShift() {
+  fields_.light = light_->field();
+  light_.reset();
+  const int factor = reduced_.factor() * fine_->factor();
+  registration_ = std::make_unique<CopyRegistration>(
+      latticeCanvas(map_, pixels_.width, pixels_.height, samples_), fine_->view(), factor,
+      coarse_->view(), factor * coarse_->factor(), fields_.light, curve_, pixels_.width,
+      pixels_.height, cell_size_);
+}
+
+void CopyFieldsFit::finish() {
+  fields_.shift = registration_->shift();
+  fields_.unevenness = registration_->rms() / cell_size_;
+  fields_.weight = SmoothField(1, pixels_.width, pixels_.height, cell_size_);
+  std::fill(fields_.weight.nodes.begin(), fields_.weight.nodes.end(), 1.0f);
+  registration_.reset();
+}
+
+}  // namespace seamwise

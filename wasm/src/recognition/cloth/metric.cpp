@@ -1,0 +1,167 @@
+#include "recognition/cloth/metric.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recognition/base/map_inverse.h"
+
+namespace seamwise {
+
+namespace {
+
+constexpr double kFilm = 36;          // longer side of 35 mm film. [mm]
+constexpr double kUsualFocus = 0.75;  // of phones, over the longer side: 24 to 30 mm
+constexpr double kUsualError = 0.2;   // of that, as a share
+constexpr double kFileError = 0.02;   // of f35, whole mm, as a share
+/// Change of scale from a picture's middle to its border, over the lattice's error, up to which
+/// there is no perspective; and at least as a share: a tilt of half a degree.
+constexpr double kSurely = 4, kNoPerspective = 0.004;
+constexpr double kPointing = 1;  // error of a point that somebody sets. [px]
+constexpr double kTape = 0.001;  // error of a measured length, as a share
+constexpr double kShortestFocus = 0.3, kLongestFocus = 6;  // over the longer side
+constexpr int kFocusSteps = 40;
+
+double angleOf(const Mat2& gram) {
+  return std::acos(std::clamp(gram(0, 1) / std::sqrt(gram(0, 0) * gram(1, 1)), -1.0, 1.0));
+}
+
+double aspectOf(const Mat2& gram) { return std::sqrt(gram(1, 1) / gram(0, 0)); }
+
+double areaOf(const Mat2& gram) {
+  return std::sqrt(std::max(gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(0, 1), 1e-300));
+}
+
+/// The Gram matrix with area 1 if the camera's focal length is f, infinity for a scan. [px]
+Mat2 gramFor(const Mat3& h, const Vec2& middle, double f) {
+  Eigen::Matrix<double, 3, 2> ray;
+  for (int c = 0; c < 2; ++c) {
+    ray(0, c) = h(0, c) - middle.x() * h(2, c);
+    ray(1, c) = h(1, c) - middle.y() * h(2, c);
+    ray(2, c) = f * h(2, c);
+  }
+  const Mat2 gram = ray.transpose() * ray;
+  return gram / areaOf(gram);
+}
+
+/// How much scale changes from the middle to the border: the share by which the map's denominator
+/// does, over half the longer side.
+double perspective(const LatticeMap& map, int longer) {
+  const Vec2 u = MapInverse(map)(map.middle);
+  const Mat3& h = map.homography;
+  const double depth = h(2, 0) * u.x() + h(2, 1) * u.y() + h(2, 2);
+  const Mat2 d = derivative(map, u);
+  const double det = cross(d.col(0), d.col(1));
+  const Vec2 slope(cross(Vec2(h(2, 0), h(2, 1)), Vec2(d(1, 0), d(1, 1))) / det,
+                   cross(Vec2(d(0, 0), d(0, 1)), Vec2(h(2, 0), h(2, 1))) / det);
+  return slope.norm() * longer / 2 / std::abs(depth);
+}
+
+/// The focal length near `likely` for which the cell's sides have the measured ratio, if any does.
+double focusFor(const Mat3& h, const Vec2& middle, double longer, double likely, double aspect) {
+  double best = likely, least = std::abs(std::log(aspectOf(gramFor(h, middle, likely)) / aspect));
+  for (int k = 0; k <= kFocusSteps; ++k) {
+    const double share = static_cast<double>(k) / kFocusSteps;
+    const double f = longer * kShortestFocus * std::pow(kLongestFocus / kShortestFocus, share);
+    const double off = std::abs(std::log(aspectOf(gramFor(h, middle, f)) / aspect));
+    if (off < least) least = off, best = f;
+  }
+  return best;
+}
+
+Error impossible(const char* message) {
+  Error error;
+  error.code = Failure::kOptions;
+  error.message = message;
+  return error;
+}
+
+void scaleBy(double factor, double error, MetricReading* reading) {
+  reading->gram *= factor * factor;
+  reading->scaled = true;
+  reading->length_error = error;
+}
+
+}  // namespace
+
+Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int height,
+                                  const MetricHints& hints) {
+  const auto& [first, second] = hints.lengths;
+  for (const std::optional<double>& length : hints.lengths)
+    if (length && !(*length > 0 && *length < 1e4))
+      return impossible("a measured repeat has to be longer than 0 cm and shorter than 100 m");
+  if (hints.f35 && !(*hints.f35 > 3 && *hints.f35 < 3000))
+    return impossible("a focal length on 35 mm film lies between 3 and 3000 mm; leave it out");
+  const Mat3& h = reading.map.homography;
+  const Vec2& middle = reading.map.middle;
+  const double longer = std::max(width, height);
+  MetricReading metric;
+  double f = kUsualFocus * longer, f_error = kUsualError;
+  if (hints.f35) {
+    f = *hints.f35 / kFilm * longer, f_error = kFileError;
+    metric.source = MetricSource::kFocalLength;
+  } else if (perspective(reading.map, static_cast<int>(longer)) <
+             std::max(kNoPerspective, kSurely * reading.uncertainty)) {
+    f_error = 0;
+  } else {
+    metric.source = MetricSource::kAssumedFocalLength;
+  }
+  const bool scan = metric.source == MetricSource::kScan;
+  if (first && second) {
+    metric.source = MetricSource::kTwoLengths;
+    if (!scan) f = focusFor(h, middle, longer, f, *second / *first);
+  }
+  // What a scan's third row says is noise.
+  metric.gram = gramFor(h, middle, scan ? 0 : f);
+  const Mat2 nearer = gramFor(h, middle, f * (1 - f_error));
+  const Mat2 farther = gramFor(h, middle, f * (1 + f_error));
+  const double half_aspect = scan ? 0 : std::log(aspectOf(farther) / aspectOf(nearer)) / 2;
+  const double half_angle = scan ? 0 : (angleOf(farther) - angleOf(nearer)) / 2;
+  metric.aspect_error = std::hypot(half_aspect, reading.uncertainty * std::sqrt(2.0));
+  metric.angle_error = std::hypot(half_angle, reading.uncertainty);
+  if (first && second) {
+    const double angle = angleOf(metric.gram), product = *first * *second * std::cos(angle);
+    metric.gram << *first * *first, product, product, *second * *second;
+    metric.aspect_error = kTape * std::sqrt(2.0);
+    scaleBy(1, kTape, &metric);
+  } else if (first || second) {
+    const int k = first ? 0 : 1;
+    scaleBy((first ? *first : *second) / std::sqrt(metric.gram(k, k)),
+            std::hypot(kTape, metric.aspect_error / 2), &metric);
+  } else if (hints.span) {
+    const MapInverse inverse(reading.map);
+    const Vec2 u = inverse(hints.span->to) - inverse(hints.span->from);
+    const double apart = std::sqrt(std::max(u.dot(metric.gram * u), 0.0));
+    const double px = (hints.span->to - hints.span->from).norm();
+    if (!(hints.span->length > 0 && hints.span->length < 1e4 && px > 4 * kPointing))
+      return impossible(
+          "two points on the photo have to lie more than 4 px apart, and their distance on the "
+          "cloth between 0 cm and 100 m");
+    scaleBy(hints.span->length / apart,
+            std::hypot(std::sqrt(2.0) * kPointing / px, metric.aspect_error / 2), &metric);
+  }
+  return metric;
+}
+
+std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram, int quarters) {
+  const double along = std::sqrt(gram(0, 0)), area = areaOf(gram);
+  Mat2 w;  // w1 along x
+  w << along, gram(0, 1) / along, 0, area / along;
+  const Mat2 seen = derivative(map, MapInverse(map)(map.middle));
+  const double det = cross(seen.col(0), seen.col(1));
+  // Where the picture's upward edge runs on the cloth: y is down there.
+  const Vec2 up = w * Vec2(seen(0, 1) / det, -seen(0, 0) / det);
+  const double turn = kPi / 2 - directionOf(up);
+  double nearest = kPi, snap = 0;
+  const Vec2 candidates[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
+  for (const Vec2& u : candidates) {
+    const double angle = directionOf(rotation(turn) * (w * u));
+    const double edge = std::nearbyint(angle / (kPi / 2)) * (kPi / 2);
+    if (std::abs(edge - angle) >= nearest - 1e-6) continue;
+    nearest = std::abs(edge - angle);
+    snap = edge - angle;
+  }
+  const Mat2 placed = rotation(turn + snap + quarters * (kPi / 2)) * w;
+  return {placed.col(0), placed.col(1)};
+}
+
+}  // namespace seamwise

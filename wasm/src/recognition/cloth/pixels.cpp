@@ -1,0 +1,92 @@
+#include "recognition/cloth/pixels.h"
+
+#include <algorithm>
+
+namespace seamwise {
+
+namespace {
+
+void cubicShares(float t, float* shares) {
+  shares[0] = 0.5f * t * (-1 + t * (2 - t));
+  shares[1] = 1 + 0.5f * t * t * (-5 + 3 * t);
+  shares[2] = 0.5f * t * (1 + t * (4 - 3 * t));
+  shares[3] = 0.5f * t * t * (t - 1);
+}
+
+}  // namespace
+
+ReducedPixels::ReducedPixels(const PixelView& pixels, int factor)
+    : pixels_(pixels),
+      factor_(factor),
+      width_(pixels.width / factor),
+      height_(pixels.height / factor) {
+  if (factor == 1)
+    row_ = height_;
+  else
+    rgba_.resize(static_cast<std::size_t>(width_) * height_ * 4);
+}
+
+bool ReducedPixels::advance(int pixels) {
+  const int rows = std::max(1, pixels / (pixels_.width * factor_));
+  const int end = std::min(height_, row_ + rows);
+  std::vector<std::uint32_t> sums;
+  const std::size_t stride = static_cast<std::size_t>(pixels_.width) * 4;
+  const int area = factor_ * factor_;
+  for (; row_ < end; ++row_) {
+    sums.assign(static_cast<std::size_t>(width_) * 4, 0);
+    for (int k = 0; k < factor_; ++k) {
+      const std::uint8_t* from = pixels_.rgba.data() + stride * (row_ * factor_ + k);
+      for (int i = 0; i < width_; ++i)
+        for (int l = 0; l < factor_; ++l, from += 4)
+          for (int c = 0; c < 4; ++c) sums[4 * i + c] += from[c];
+    }
+    std::uint8_t* to = rgba_.data() + static_cast<std::size_t>(width_) * 4 * row_;
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      to[k] = static_cast<std::uint8_t>((sums[k] + area / 2) / area);
+  }
+  return row_ < height_;
+}
+
+PixelView ReducedPixels::view() const {
+  return factor_ == 1 ? pixels_ : PixelView{width_, height_, rgba_};
+}
+
+bool bilinear(const PixelView& pixels, float x, float y, PixelLanes* value) {
+  const float width = static_cast<float>(pixels.width), height = static_cast<float>(pixels.height);
+  if (!(x >= 0 && y >= 0 && x < width && y < height)) return false;
+  const float s = std::clamp(x - 0.5f, 0.0f, width - 1), t = std::clamp(y - 0.5f, 0.0f, height - 1);
+  const int i = std::min(static_cast<int>(s), pixels.width - 2);
+  const int j = std::min(static_cast<int>(t), pixels.height - 2);
+  const float a = s - static_cast<float>(i), b = t - static_cast<float>(j);
+  const std::size_t stride = static_cast<std::size_t>(pixels.width) * 4;
+  const std::uint8_t* p = pixels.rgba.data() + stride * j + 4 * static_cast<std::size_t>(i);
+  const PixelLanes above = (1 - a) * internal::pixelAt(p) + a * internal::pixelAt(p + 4);
+  p += stride;
+  const PixelLanes below = (1 - a) * internal::pixelAt(p) + a * internal::pixelAt(p + 4);
+  *value = (1 - b) * above + b * below;
+  return true;
+}
+
+bool bicubic(const PixelView& pixels, float x, float y, PixelLanes* value) {
+  const float s = x - 0.5f, t = y - 0.5f;
+  if (!(s >= 1 && t >= 1 && s < static_cast<float>(pixels.width - 2) &&
+        t < static_cast<float>(pixels.height - 2)))
+    return bilinear(pixels, x, y, value);
+  const int i = static_cast<int>(s), j = static_cast<int>(t);
+  float across[4], down[4];
+  cubicShares(s - static_cast<float>(i), across);
+  cubicShares(t - static_cast<float>(j), down);
+  const std::size_t stride = static_cast<std::size_t>(pixels.width) * 4;
+  const std::uint8_t* p =
+      pixels.rgba.data() + stride * (j - 1) + 4 * static_cast<std::size_t>(i - 1);
+  PixelLanes sum = {0, 0, 0, 0};
+  for (const float share : down) {
+    sum += share * (across[0] * internal::pixelAt(p) + across[1] * internal::pixelAt(p + 4) +
+                    across[2] * internal::pixelAt(p + 8) + across[3] * internal::pixelAt(p + 12));
+    p += stride;
+  }
+  *value = sum;
+  return true;
+}
+
+}  // namespace seamwise

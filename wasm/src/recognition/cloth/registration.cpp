@@ -1,0 +1,165 @@
+#include "recognition/cloth/registration.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seamwise {
+
+namespace {
+constexpr int kCoarseRounds = 3, kRounds = 8;
+constexpr double kNodesPerCell = 3;
+constexpr double kMostNodesAcross = 72;  // of the longer side
+constexpr float kStiffness = 0.05f;      // of a node's mean curvature
+constexpr float kTail = 3;               // errors beyond so many mean errors count little
+
+/// The derivatives of a function on the picture by x and by y, of those by u and by v at sample k.
+struct PictureGradient {
+  PictureGradient(const LatticeCanvas& canvas, int column, int row) {
+    const int left = column > 0 ? 1 : 0, right = column + 1 < canvas.columns() ? 1 : 0;
+    const int down = row > 0 ? 1 : 0, up = row + 1 < canvas.rows() ? 1 : 0;
+    const int k = row * canvas.columns() + column;
+    const float along = static_cast<float>(canvas.n) / static_cast<float>(left + right);
+    const float across = static_cast<float>(canvas.n) / static_cast<float>(down + up);
+    const int above = k + up * canvas.columns(), below = k - down * canvas.columns();
+    const float xu = (canvas.x[k + right] - canvas.x[k - left]) * along;
+    const float yu = (canvas.y[k + right] - canvas.y[k - left]) * along;
+    const float xv = (canvas.x[above] - canvas.x[below]) * across;
+    const float yv = (canvas.y[above] - canvas.y[below]) * across;
+    const float det = xu * yv - yu * xv;
+    ux = yv / det, vx = -yu / det, uy = -xv / det, vy = xu / det;
+  }
+  float ux, vx, uy, vy;
+};
+}  // namespace
+
+CopyRegistration::CopyRegistration(LatticeCanvas canvas, const PixelView& pixels, int factor,
+                                   const PixelView& coarse, int coarse_factor,
+                                   const SmoothField& light, const SrgbCurve& curve, int width,
+                                   int height, double cell_size)
+    : canvas_(std::move(canvas)),
+      pixels_(pixels),
+      coarse_(coarse),
+      factor_(factor),
+      coarse_factor_(coarse_factor),
+      curve_(curve),
+      shift_(2, width, height,
+             std::max(cell_size / kNodesPerCell, std::max(width, height) / kMostNodesAcross)) {
+  for (std::vector<float>& gains : gains_) gains.resize(canvas_.size());
+  float values[3];
+  for (std::size_t k = 0; k < canvas_.size(); ++k) {
+    if (!canvas_.seen[k]) continue;
+    light.at(canvas_.x[k], canvas_.y[k], values);
+    for (int c = 0; c < 3; ++c) gains_[c][k] = std::exp(-values[c]);
+  }
+}
+
+bool CopyRegistration::advance() {
+  sample();
+  average();
+  if (++round_ > kRounds) return false;  // the last round shows what the field has become
+  step();
+  center();
+  return true;
+}
+
+void CopyRegistration::sample() {
+  const bool coarse = round_ < kCoarseRounds;
+  sampleCanvas(coarse ? coarse_ : pixels_, coarse ? coarse_factor_ : factor_, shift_, &canvas_);
+  for (int c = 0; c < 3; ++c) {
+    std::vector<float>& plane = canvas_.planes[c];
+    for (std::size_t k = 0; k < plane.size(); ++k)
+      if (canvas_.seen[k]) plane[k] = curve_.code(curve_.linear(plane[k]) * gains_[c][k]);
+  }
+}
+
+void CopyRegistration::average() {
+  const std::size_t places = static_cast<std::size_t>(canvas_.n) * canvas_.n;
+  count_.assign(places, 0);
+  for (std::vector<float>& plane : mean_) plane.assign(places, 0);
+  for (int b = 0, k = 0; b < canvas_.rows(); ++b) {
+    for (int a = 0; a < canvas_.columns(); ++a, ++k) {
+      if (!canvas_.seen[k]) continue;
+      const std::size_t place = canvas_.place(a, b);
+      ++count_[place];
+      for (int c = 0; c < 3; ++c) mean_[c][place] += canvas_.planes[c][k];
+    }
+  }
+  for (std::vector<float>& plane : mean_)
+    for (std::size_t k = 0; k < places; ++k) plane[k] /= std::max(count_[k], 1.0f);
+}
+
+void CopyRegistration::step() {
+  const int n = canvas_.n;
+  double errors = 0, used = 1e-9;
+  for (int b = 0, k = 0; b < canvas_.rows(); ++b) {
+    for (int a = 0; a < canvas_.columns(); ++a, ++k) {
+      if (!canvas_.seen[k]) continue;
+      for (int c = 0; c < 3; ++c)
+        errors += std::abs(mean_[c][canvas_.place(a, b)] - canvas_.planes[c][k]);
+      ++used;
+    }
+  }
+  const float tail = kTail * static_cast<float>(errors / used) + 1e-6f;
+  FieldSums sums(shift_);
+  for (int b = 0, k = 0; b < canvas_.rows(); ++b) {
+    const std::size_t row = static_cast<std::size_t>(b % n) * n;
+    const std::size_t above = static_cast<std::size_t>((b + 1) % n) * n;
+    const std::size_t below = static_cast<std::size_t>((b + n - 1) % n) * n;
+    for (int a = 0; a < canvas_.columns(); ++a, ++k) {
+      const std::size_t place = row + a % n;
+      if (!canvas_.seen[k] || count_[place] < 2) continue;
+      const PictureGradient to(canvas_, a, b);
+      const SplineShares shares(shift_, canvas_.x[k], canvas_.y[k]);
+      // Of the others: a copy is not to hold itself back.
+      const float others = count_[place] / (count_[place] - 1);
+      float difference = 0, error[3];
+      for (int c = 0; c < 3; ++c) {
+        error[c] = others * (mean_[c][place] - canvas_.planes[c][k]);
+        difference += std::abs(error[c]);
+      }
+      const float size = difference / tail, weight = 1 / (1 + size * size);
+      float gx2 = 0, gxy = 0, gy2 = 0, ex = 0, ey = 0;
+      for (int c = 0; c < 3; ++c) {
+        const std::vector<float>& t = mean_[c];
+        const float half = 0.5f * static_cast<float>(n);
+        const float tu = half * (t[row + (a + 1) % n] - t[row + (a + n - 1) % n]);
+        const float tv = half * (t[above + a % n] - t[below + a % n]);
+        const float gx = to.ux * tu + to.vx * tv, gy = to.uy * tu + to.vy * tv;
+        gx2 += gx * gx, gxy += gx * gy, gy2 += gy * gy;
+        ex += gx * error[c], ey += gy * error[c];
+      }
+      sums.add(shares, weight, gx2, gxy, gy2, ex, ey, shift_.columns);
+    }
+  }
+  double curvature = 0;
+  for (std::size_t k = 0; k < sums.a11.size(); ++k) curvature += sums.a11[k] + sums.a22[k];
+  const double mean = curvature / (2 * static_cast<double>(sums.a11.size()));
+  stepField(sums, kStiffness * static_cast<float>(mean), 0, 1, &shift_);
+}
+
+void CopyRegistration::center() {
+  double mean[2] = {0, 0}, count = 1e-9;
+  float d[2];
+  for (std::size_t k = 0; k < canvas_.size(); ++k) {
+    if (!canvas_.seen[k]) continue;
+    shift_.at(canvas_.x[k], canvas_.y[k], d);
+    mean[0] += d[0], mean[1] += d[1];
+    ++count;
+  }
+  for (std::size_t k = 0; k < shift_.nodes.size(); ++k)
+    shift_.nodes[k] -= static_cast<float>(mean[k % 2] / count);
+}
+
+double CopyRegistration::rms() const {
+  double sum = 0, count = 1e-9;
+  float d[2];
+  for (std::size_t k = 0; k < canvas_.size(); ++k) {
+    if (!canvas_.seen[k]) continue;
+    shift_.at(canvas_.x[k], canvas_.y[k], d);
+    sum += static_cast<double>(d[0]) * d[0] + static_cast<double>(d[1]) * d[1];
+    ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+}  // namespace seamwise

@@ -1,0 +1,312 @@
+#include "recognition/lattice/lattice_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recognition/lattice/channels.h"
+#include "recognition/lattice/picture_faults.h"
+#include "recognition/lattice/primitive_cell.h"
+#include "recognition/lattice/stripes.h"
+#include "wallpaper/lattice.h"
+
+namespace seamwise {
+namespace {
+
+constexpr int kLongest = 1280;          // of the reduced picture, 640 at least. [pixels]
+constexpr int kSmallestLevel = 150;     // longer side that is halved once more. [pixels]
+constexpr int kRowsAtOnce = 64;         // of the reduced picture
+constexpr double kLightSpread = 0.16;   // of the shorter side: light varies more slowly
+constexpr int kHypotheses = 6;          // that are aligned; the right one was never beyond the 4th
+constexpr double kWellExplained = 0.6;  // no other tilt is tried. Prints have 0.9, other things 0.5
+constexpr double kNothing = 0.3;        // explained by chance; no repeat
+constexpr double kAsGood = 0.04;        // explained less, by a smaller cell that is preferred
+constexpr double kSure = 0.8;
+constexpr double kMostChange = 1.6;    // of the cell's area by alignment; beyond, it ran away
+constexpr double kReach = 20;          // cells from the middle that are aligned
+constexpr double kAgreementReach = 8;  // and compared
+constexpr int kAgreementSamples = 28;  // along a cell
+constexpr std::size_t kCandidates = 3;
+constexpr double kSameCandidate = 0.03;  // of w1, w2
+// Errors of 124 drawn photographs were 2.5 times what the residuals say: creases displace
+// neighbouring copies alike.
+constexpr double kCreasesAlike = 2.5;
+
+const std::vector<FitStage>& alignStages() {
+  static const std::vector<FitStage> stages{{1.5, 16, FitUnknowns::kBasis, 6},
+                                            {2.5, 16, FitUnknowns::kTilt, 6},
+                                            {kReach, 16, FitUnknowns::kTilt, 8}};
+  return stages;
+}
+
+const std::vector<FitStage>& cellStages() {
+  static const std::vector<FitStage> stages{{kReach, 24, FitUnknowns::kLens, 4}};
+  return stages;
+}
+
+const std::vector<FitStage>& lastStages() {
+  static const std::vector<FitStage> stages{{kReach, 32, FitUnknowns::kLens, 6},
+                                            {kReach, 48, FitUnknowns::kLens, 4}};
+  return stages;
+}
+
+double areaOf(const TiltedLattice& view) { return std::abs(view.basis.determinant()); }
+
+}  // namespace
+
+LatticeSearch::LatticeSearch(const PixelView& view) : pixels_(view) {
+  factor_ = reductionTo(kLongest, view);
+  picture_ = reducedFrame(view, factor_);
+}
+
+LatticeSearch::LatticeSearch(const PixelView& view, const LatticeMap& given, GivenLattice use)
+    : LatticeSearch(view) {
+  given_ = given;
+  use_ = use;
+}
+
+bool LatticeSearch::advance() {
+  switch (stage_) {
+    case Stage::kReduce:
+      reduce();
+      break;
+    case Stage::kFlatten:
+      flatten(picture_, kLightSpread * std::min(picture_.width, picture_.height));
+      stage_ = Stage::kLevels;
+      break;
+    case Stage::kLevels:
+      addLevel();
+      break;
+    case Stage::kVote:
+      vote();
+      break;
+    case Stage::kAlign:
+      align();
+      break;
+    case Stage::kSmallestCell:
+      findSmallestCell();
+      break;
+    case Stage::kLargerCell: {
+      Aligned& best = aligned_.front();
+      best.view = withLargerCell(levels_, {best.view, best.is_stripes}).view;
+      beginFit(best.view, lastStages());
+      stage_ = Stage::kMeasure;
+      break;
+    }
+    case Stage::kMeasure:
+      measure();
+      break;
+    case Stage::kDone:
+      return false;
+  }
+  return stage_ != Stage::kDone;
+}
+
+double LatticeSearch::fraction() const {
+  // Shares of the time, as measured on pictures of 12 million pixels.
+  const double votes = votes_ ? static_cast<double>(part_) / part_end_ : 0;
+  const double aligned = static_cast<double>(hypothesis_) / kHypotheses;
+  switch (stage_) {
+    case Stage::kReduce:
+      return 0.15 * row_ / std::max(1, picture_.height);
+    case Stage::kFlatten:
+    case Stage::kLevels:
+      return 0.2;
+    case Stage::kVote:
+      return 0.2 + 0.35 * votes;
+    case Stage::kAlign:
+      return 0.55 + 0.25 * std::min(1.0, aligned);
+    case Stage::kSmallestCell:
+    case Stage::kLargerCell:
+      return 0.85;
+    case Stage::kMeasure:
+      return 0.9;
+    case Stage::kDone:
+      break;
+  }
+  return 1;
+}
+
+void LatticeSearch::reduce() {
+  if (std::min(picture_.width, picture_.height) < 32) {
+    result_ =
+        Error{Failure::kPicture,
+              "the picture is too small to see a print: it needs 32 pixels each way at least"};
+    stage_ = Stage::kDone;
+    return;
+  }
+  const int to = std::min(picture_.height, row_ + kRowsAtOnce);
+  reduceRows(pixels_, factor_, row_, to, picture_);
+  row_ = to;
+  if (row_ == picture_.height) stage_ = Stage::kFlatten;
+}
+
+void LatticeSearch::addLevel() {
+  levels_.push_back(ChannelImage::of(picture_));
+  if (std::max(picture_.width, picture_.height) >= kSmallestLevel) {
+    picture_ = halved(picture_);
+    return;
+  }
+  picture_ = {};
+  if (given_) {
+    aligned_.push_back({TiltedLattice::of(*given_)});
+    if (use_ == GivenLattice::kAlign) beginFit(aligned_.front().view, alignStages());
+    stage_ = Stage::kMeasure;
+    return;
+  }
+  votes_.emplace(levels_);
+  part_end_ = TiltVotes::kUsual;
+  stage_ = Stage::kVote;
+}
+
+void LatticeSearch::vote() {
+  votes_->vote(part_);
+  if (++part_ < part_end_) return;
+  hypotheses_ = votes_->ranked();
+  hypothesis_ = 0;
+  stage_ = Stage::kAlign;
+}
+
+void LatticeSearch::beginFit(const TiltedLattice& start, const std::vector<FitStage>& stages) {
+  fit_.emplace(levels_, start, stages);
+}
+
+void LatticeSearch::align() {
+  if (fit_) {
+    if (fit_->advance()) return;
+    keepAligned();
+    fit_.reset();
+    ++hypothesis_;
+    return;
+  }
+  if (hypothesis_ < std::min<std::size_t>(kHypotheses, hypotheses_.size())) {
+    beginFit(hypotheses_[hypothesis_].view, alignStages());
+    return;
+  }
+  chooseBest();
+}
+
+Agreement LatticeSearch::agreement(const TiltedLattice& view) const {
+  return agreementOf(sampleCopies(levelFor(levels_, view, kAgreementSamples), view,
+                                  visibleCells(view, kAgreementReach), kAgreementSamples, false));
+}
+
+void LatticeSearch::keepAligned() {
+  const LatticeHypothesis& hypothesis = hypotheses_[hypothesis_];
+  const FittedLattice& fitted = fit_->result();
+  const double change = areaOf(fitted.view) / areaOf(hypothesis.view);
+  if (!(change < kMostChange && change > 1 / kMostChange)) return;
+  aligned_.push_back(
+      {fitted.view, hypothesis.is_stripes, agreement(fitted.view).explained, fitted.uncertainty});
+}
+
+void LatticeSearch::chooseBest() {
+  std::stable_sort(aligned_.begin(), aligned_.end(),
+                   [](const auto& a, const auto& b) { return a.explained > b.explained; });
+  if ((aligned_.empty() || aligned_.front().explained < kWellExplained) &&
+      part_end_ < votes_->count()) {
+    part_end_ = votes_->count();
+    stage_ = Stage::kVote;
+    return;
+  }
+  if (aligned_.empty() || aligned_.front().explained < kNothing) {
+    finish();
+    return;
+  }
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < aligned_.size(); ++i) {
+    const bool is_as_good = aligned_[i].explained > aligned_.front().explained - kAsGood;
+    if (is_as_good && areaOf(aligned_[i].view) < 0.9 * areaOf(aligned_[best].view)) best = i;
+  }
+  std::swap(aligned_.front(), aligned_[best]);
+  beginFit(aligned_.front().view, cellStages());
+  stage_ = Stage::kSmallestCell;
+}
+
+void LatticeSearch::findSmallestCell() {
+  if (fit_ && fit_->advance()) return;
+  Aligned& best = aligned_.front();
+  best.view = fit_->result().view;
+  const Copies copies =
+      sampleCopies(levelFor(levels_, best.view, kAgreementSamples), best.view,
+                   visibleCells(best.view, kAgreementReach), kAgreementSamples, false);
+  best.is_stripes = false;
+  if (const auto stripes = asStripes(copies, best.view)) {
+    best.is_stripes = true;
+    best.view = *stripes;
+  }
+  const CellChoice smallest = withSmallestCell(levels_, {best.view, best.is_stripes});
+  best.view = smallest.view;
+  stage_ = Stage::kLargerCell;
+}
+
+void LatticeSearch::measure() {
+  if (fit_ && fit_->advance()) return;
+  Aligned& best = aligned_.front();
+  if (fit_) {
+    const double change = areaOf(fit_->result().view) / areaOf(best.view);
+    if (change < kMostChange && change > 1 / kMostChange) {
+      best.view = fit_->result().view;
+      best.uncertainty = fit_->result().uncertainty;
+    }
+  }
+  best.explained = agreement(best.view).explained;
+  finish();
+}
+
+double LatticeSearch::repeatsOf(const Aligned& aligned) const {
+  const Vec2 seen = repeatsSeen(aligned.view);
+  return aligned.is_stripes ? seen.x() : seen.minCoeff();
+}
+
+void LatticeSearch::finish() {
+  stage_ = Stage::kDone;
+  for (const Aligned& aligned : aligned_) {
+    if (candidates_.size() == kCandidates || aligned.explained < kNothing) continue;
+    const bool is_new =
+        std::none_of(candidates_.begin(), candidates_.end(), [&](const auto& other) {
+          return isSameLattice(TiltedLattice::of(other.map), aligned.view, kSameCandidate);
+        });
+    if (is_new) candidates_.push_back(readingOf(aligned));
+  }
+  if (given_) {
+    result_ = readingOf(aligned_.front());
+    return;
+  }
+  if (candidates_.empty()) {
+    result_ = whyNoRepeat(levels_, votes_->bestOfMiddle());
+    return;
+  }
+  const Aligned& best = aligned_.front();
+  const Copies copies =
+      sampleCopies(levelFor(levels_, best.view, kAgreementSamples), best.view,
+                   visibleCells(best.view, kAgreementReach), kAgreementSamples, false);
+  if (const auto error = whyRefused(agreementOf(copies), CopyDifferences(copies), repeatsOf(best)))
+    result_ = *error;
+  else
+    result_ = candidates_.front();
+}
+
+LatticeReading LatticeSearch::readingOf(const Aligned& aligned) const {
+  TiltedLattice view = aligned.view;
+  if (!given_) {
+    if (!aligned.is_stripes) {
+      const auto reduced = lagrangeReduced(view.basis.col(0), view.basis.col(1));
+      view.basis << reduced[0], reduced[1];
+    }
+    // Counter-clockwise as it is looked at, where y runs down.
+    if (view.basis.determinant() > 0) view.basis.col(1) *= -1;
+  }
+  LatticeReading reading;
+  reading.map = view.map();
+  reading.explained = aligned.explained;
+  reading.copies = wholeCells(view);
+  reading.uncertainty = kCreasesAlike * (aligned.is_stripes ? aligned.uncertainty.x()
+                                                            : aligned.uncertainty.maxCoeff());
+  reading.confidence = aligned.explained >= kSure            ? Confidence::kSure
+                       : aligned.explained >= kWellExplained ? Confidence::kLikely
+                                                             : Confidence::kUncertain;
+  reading.is_stripes = aligned.is_stripes;
+  return reading;
+}
+
+}  // namespace seamwise

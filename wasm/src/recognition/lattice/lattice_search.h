@@ -1,0 +1,89 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/outcome.h"
+#include "recognition/base/lattice_reading.h"
+#include "recognition/base/picture.h"
+#include "recognition/lattice/lattice_fit.h"
+#include "recognition/lattice/tilt_votes.h"
+
+namespace seamwise {
+
+/// What a lattice that somebody gives is: a guess to be aligned, or the answer.
+enum class GivenLattice : std::uint8_t { kAlign, kKeep };
+
+/// Finds the lattice of the print on a picture, step by step: the picture is reduced, its light
+/// taken away; its autocorrelation, as if the cloth were tilted this way and that, votes for
+/// lattices; these are aligned, and the best one is tested for smaller and larger cells.
+class LatticeSearch {
+ public:
+  explicit LatticeSearch(const PixelView& view);
+  /// Begins at a lattice that the user gave, whose basis and origin the result keeps: it is moved
+  /// by what aligning it says, or by nothing, and refused in no case.
+  LatticeSearch(const PixelView& view, const LatticeMap& given, GivenLattice use);
+
+  /// One step, of some 10 ms; false when nothing is left to do.
+  bool advance();
+  double fraction() const;  ///< 0 to 1
+
+  /// Once all is done. Errors: kPicture, one sentence that says what is wrong with the picture and
+  /// what would help.
+  const Outcome<LatticeReading>& result() const { return *result_; }
+  /// The best lattices, at most three, the result first: for the user to choose from when the
+  /// result is uncertain or an error.
+  const std::vector<LatticeReading>& candidates() const { return candidates_; }
+
+ private:
+  enum class Stage : std::uint8_t {
+    kReduce,
+    kFlatten,
+    kLevels,
+    kVote,
+    kAlign,
+    kSmallestCell,
+    kLargerCell,
+    kMeasure,
+    kDone,
+  };
+  struct Aligned {
+    TiltedLattice view;
+    bool is_stripes = false;
+    double explained = 0;
+    Vec2 uncertainty = Vec2::Zero();
+  };
+
+  void reduce();
+  void addLevel();
+  void vote();
+  void align();
+  void beginFit(const TiltedLattice& start, const std::vector<FitStage>& stages);
+  bool stepFit();
+  void keepAligned();
+  void chooseBest();
+  void findSmallestCell();
+  void measure();
+  void finish();
+  Agreement agreement(const TiltedLattice& view) const;
+  LatticeReading readingOf(const Aligned& aligned) const;
+  double repeatsOf(const Aligned& aligned) const;
+
+  PixelView pixels_;
+  std::optional<LatticeMap> given_;
+  GivenLattice use_ = GivenLattice::kAlign;
+  Stage stage_ = Stage::kReduce;
+  int factor_ = 1, row_ = 0;
+  Picture picture_;
+  std::vector<ChannelImage> levels_;
+  std::optional<TiltVotes> votes_;
+  int part_ = 0, part_end_ = 0;
+  std::vector<LatticeHypothesis> hypotheses_;
+  std::size_t hypothesis_ = 0;
+  std::optional<LatticeFit> fit_;
+  std::vector<Aligned> aligned_;  ///< the best first once one is chosen
+  std::optional<Outcome<LatticeReading>> result_;
+  std::vector<LatticeReading> candidates_;
+};
+
+}  // namespace seamwise

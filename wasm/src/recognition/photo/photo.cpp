@@ -1,0 +1,202 @@
+#include "recognition/photo/photo.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recognition/tile/tile_reading.h"
+#include "tuning/photo.h"
+
+namespace seamwise {
+namespace {
+
+Mat2 matrixOf(const std::array<int, 4>& m) { return (Mat2() << m[0], m[1], m[2], m[3]).finished(); }
+
+/// The nearest cell that a lattice of this type has.
+Mat2 constrained(LatticeType type, const Mat2& gram) {
+  const double both = std::sqrt(gram(0, 0) * gram(1, 1));
+  Mat2 exact = gram;
+  switch (type) {
+    case LatticeType::kOblique:
+      break;
+    case LatticeType::kRectangular:
+      exact(0, 1) = exact(1, 0) = 0;
+      break;
+    case LatticeType::kRhombic:
+      exact(0, 0) = exact(1, 1) = (gram(0, 0) + gram(1, 1)) / 2;
+      break;
+    case LatticeType::kSquare:
+      exact << both, 0, 0, both;
+      break;
+    case LatticeType::kHexagonal:
+      exact << both, both / 2, both / 2, both;
+      break;
+  }
+  return exact;
+}
+
+}  // namespace
+
+Photo::Photo(const PixelView& pixels, const PhotoSettings& settings)
+    : pixels_(pixels), settings_(settings) {
+  if (settings.is_tile) return;
+  search_ = settings.lattice
+                ? std::make_unique<LatticeSearch>(pixels, *settings.lattice, settings.use)
+                : std::make_unique<LatticeSearch>(pixels);
+}
+
+bool Photo::advance() {
+  if (error_ || stage_ == PhotoStage::kDone) return false;
+  switch (stage_) {
+    case PhotoStage::kRepeat:
+      if (settings_.is_tile) {
+        readWholeTile();
+      } else if (!search()) {
+        stage_ = PhotoStage::kLight;
+      }
+      break;
+    case PhotoStage::kLight:
+      if (!fitFields()) stage_ = PhotoStage::kSymmetry;
+      break;
+    case PhotoStage::kSymmetry:
+      if (!meanCopies()) identify();
+      break;
+    case PhotoStage::kDone:
+      break;
+  }
+  return !error_ && stage_ != PhotoStage::kDone;
+}
+
+double Photo::fraction() const {
+  switch (stage_) {
+    case PhotoStage::kRepeat:
+      return search_ ? PhotoTuning::kSearchShare * search_->fraction() : 0;
+    case PhotoStage::kLight:
+      return PhotoTuning::kSearchShare + (fit_ ? PhotoTuning::kFieldsShare * fit_->fraction() : 0);
+    case PhotoStage::kSymmetry:
+      return PhotoTuning::kSearchShare + PhotoTuning::kFieldsShare +
+             (mean_ ? PhotoTuning::kMeanShare * mean_->fraction() : 0);
+    case PhotoStage::kDone:
+      break;
+  }
+  return 1;
+}
+
+void Photo::fail(const Error& error) { error_ = error; }
+
+void Photo::readWholeTile() {
+  auto reading = readTile(pixels_);
+  if (!reading.ok()) return fail(reading.error());
+  lattice_ = reading.value().lattice;
+  cell_ = reading.value().cell;
+  groups_ = std::move(reading).value().groups;
+  identify();
+}
+
+bool Photo::search() {
+  if (search_->advance()) return true;
+  const auto& result = search_->result();
+  if (!result.ok()) {
+    fail(result.error());
+    return false;
+  }
+  lattice_ = result.value();
+  if (lattice_.confidence == Confidence::kUncertain) {
+    const auto& all = search_->candidates();
+    for (std::size_t k = 1; k < all.size(); ++k) others_.push_back(all[k].map);
+  }
+  search_.reset();
+  fit_ = std::make_unique<CopyFieldsFit>(pixels_, lattice_.map, curve_);
+  return false;
+}
+
+bool Photo::fitFields() {
+  if (fit_->advance()) return true;
+  const CopyFields& fields = fit_->fields();
+  differing_ = fields.regions;
+  if (fields.unevenness > PhotoTuning::kUneven) {
+    Error error{Failure::kPicture, "The cloth does not lie flat; smooth it out and take another."};
+    error.reason = "uneven";
+    fail(error);
+    return false;
+  }
+  if (fields.unevenness > CopyFields::kFlat) notes_.push_back(PhotoNote::kUneven);
+  if (!differing_.empty()) notes_.push_back(PhotoNote::kDiffers);
+  CellGrid grid;
+  grid.columns = grid.rows = PhotoTuning::kSamples;
+  const ReducedPixels& reduced = fit_->reduced();
+  mean_ = std::make_unique<CellMean>(reduced.view(), reduced.factor(), lattice_.map, fields, grid,
+                                     settings_.flatten, curve_);
+  return false;
+}
+
+bool Photo::meanCopies() {
+  if (mean_->advance(PhotoTuning::kSamplesAtOnce)) return true;
+  MetricHints camera;
+  camera.f35 = settings_.hints.f35;
+  const auto metric = measured(lattice_.map, camera);
+  if (!metric.ok()) {
+    fail(metric.error());
+    return false;
+  }
+  const MetricReading& shape = metric.value();
+  const double tolerance =
+      std::max(PhotoTuning::kLeastTolerance,
+               PhotoTuning::kErrors *
+                   std::max({shape.aspect_error, shape.angle_error, lattice_.uncertainty}));
+  cell_ = mean_->picture();
+  groups_ = readGroups(cell_, shape.gram, tolerance);
+  return false;
+}
+
+Outcome<MetricReading> Photo::measured(const LatticeMap& map, const MetricHints& hints) const {
+  LatticeReading reading = lattice_;
+  reading.map = map;
+  return readMetric(reading, pixels_.width, pixels_.height, hints);
+}
+
+/// The Gram matrix of the best group's w1 and w2, as it was measured. Lengths of both may tell that
+/// the cell is none that the group has: then a smaller one is the best.
+Outcome<Mat2> Photo::shapeOfBest() {
+  const GroupVerdict& best = groups_.groups[groups_.best];
+  const auto metric = measured(mapOf(best), settings_.hints);
+  if (!metric.ok()) return metric.error();
+  const MetricReading& reading = metric.value();
+  is_scaled_ = reading.scaled;
+  if (reading.source == MetricSource::kAssumedFocalLength &&
+      reading.aspect_error > PhotoTuning::kWorthSaying) {
+    notes_.push_back(PhotoNote::kAssumedFocalLength);
+  }
+  if (reading.source != MetricSource::kTwoLengths || groups_.stripes) return reading.gram;
+  const Mat2 back = matrixOf(best.basis).inverse();
+  const Mat2 gram = back.transpose() * reading.gram * back;
+  groups_ = readGroups(cell_, gram, std::max(PhotoTuning::kMeasured, 2 * reading.length_error));
+  const Mat2 basis = matrixOf(groups_.groups[groups_.best].basis);
+  return Mat2(basis.transpose() * gram * basis);
+}
+
+void Photo::identify() {
+  if (error_) return;
+  const auto shape = shapeOfBest();
+  if (!shape.ok()) return fail(shape.error());
+  const GroupVerdict& best = groups_.groups[groups_.best];
+  Mat2 gram = constrained(best.group->lattice, shape.value());
+  if (groups_.stripes) {
+    const double across = std::sqrt(gram.determinant() / gram(1, 1));
+    const double along = is_scaled_ ? PhotoTuning::kAlongStripe : across * PhotoTuning::kStripeSide;
+    gram << across * across, 0, 0, along * along;
+  }
+  vectors_ = placedLattice(mapOf(best), gram, 0);
+  stage_ = PhotoStage::kDone;
+}
+
+LatticeMap Photo::mapOf(const GroupVerdict& verdict) const {
+  return lattice_.map.rebased(matrixOf(verdict.basis), verdict.origin);
+}
+
+Confidence Photo::confidence() const {
+  const Confidence worst = std::max(lattice_.confidence, groups_.confidence);
+  const bool is_flat = std::find(notes_.begin(), notes_.end(), PhotoNote::kUneven) == notes_.end();
+  return is_flat ? worst : std::max(worst, Confidence::kLikely);
+}
+
+}  // namespace seamwise

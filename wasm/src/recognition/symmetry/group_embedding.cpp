@@ -1,0 +1,120 @@
+#include "recognition/symmetry/group_embedding.h"
+
+#include <algorithm>
+
+namespace seamwise {
+namespace {
+
+IntegerMatrix integerProduct(const IntegerMatrix& a, const IntegerMatrix& b) {
+  return {a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3],  //
+          a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]};
+}
+
+/// Of determinant 1.
+IntegerMatrix integerInverse(const IntegerMatrix& m) { return {m[3], -m[1], -m[2], m[0]}; }
+
+Mat2 gramIn(const Mat2& gram, const IntegerMatrix& basis) {
+  const Mat2 b = (Mat2() << basis[0], basis[1], basis[2], basis[3]).finished();
+  return b.transpose() * gram * b;
+}
+
+/// The change to a basis of shortest vectors (Lagrange), determinant +1.
+IntegerMatrix reducingBasis(const Mat2& gram) {
+  IntegerMatrix basis{1, 0, 0, 1};
+  // each step shortens the basis or ends; the limit holds whatever the numbers are
+  for (int step = 0; step < 64; ++step) {
+    Mat2 g = gramIn(gram, basis);
+    const int times = static_cast<int>(std::round(g(0, 1) / g(0, 0)));
+    basis = integerProduct(basis, {1, -times, 0, 1});
+    g = gramIn(gram, basis);
+    if (g(1, 1) >= g(0, 0) * (1 - 1e-9)) break;
+    basis = integerProduct(basis, {0, -1, 1, 0});  // (w1, w2) -> (w2, -w1)
+  }
+  return basis;
+}
+
+bool isOfLatticeType(LatticeType type, const Mat2& gram, double tolerance) {
+  const double product = std::sqrt(gram(0, 0) * gram(1, 1));
+  const double cosine = gram(0, 1) / product;
+  const bool equal = std::abs(gram(0, 0) - gram(1, 1)) <= 2 * tolerance * product;
+  const bool upright = std::abs(cosine) <= tolerance;
+  switch (type) {
+    case LatticeType::kOblique:
+      return true;
+    case LatticeType::kRectangular:
+      return upright;
+    case LatticeType::kRhombic:
+      return equal;
+    case LatticeType::kSquare:
+      return equal && upright;
+    case LatticeType::kHexagonal:
+      return equal && std::abs(std::acos(cosine) - kPi / 3) <= tolerance;
+  }
+  return false;
+}
+
+/// Elements of the group with basis B, as they are in coordinates of the lattice: B M B^-1, B a.
+std::vector<LatticeElement> elementsIn(const std::vector<LatticeElement>& own,
+                                       const IntegerMatrix& basis) {
+  const IntegerMatrix back = integerInverse(basis);
+  const auto fraction = [](double x) { return x - std::floor(x); };
+  std::vector<LatticeElement> elements;
+  for (const LatticeElement& e : own) {
+    elements.push_back({integerProduct(integerProduct(basis, e.m), back),
+                        {fraction(basis[0] * e.a[0] + basis[1] * e.a[1]),
+                         fraction(basis[2] * e.a[0] + basis[3] * e.a[1])}});
+  }
+  std::sort(elements.begin(), elements.end(), [](const LatticeElement& a, const LatticeElement& b) {
+    return a.m != b.m ? a.m < b.m : a.a < b.a;
+  });
+  return elements;
+}
+
+bool areSameElements(const std::vector<LatticeElement>& a, const std::vector<LatticeElement>& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (a[k].m != b[k].m || a[k].a != b[k].a) return false;  // shifts are whole numbers of halves
+  }
+  return true;
+}
+
+/// How far a basis is from the one that is given.
+int basisChange(const IntegerMatrix& b) {
+  return std::abs(b[0] - 1) + std::abs(b[1]) + std::abs(b[2]) + std::abs(b[3] - 1);
+}
+
+}  // namespace
+
+Mat2 reducingMatrix(const Mat2& gram) {
+  const IntegerMatrix b = reducingBasis(gram);
+  return (Mat2() << b[0], b[1], b[2], b[3]).finished();
+}
+
+std::vector<GroupEmbedding> embeddingsOf(const GroupData& group, const Mat2& gram,
+                                         double tolerance) {
+  if (group.lattice == LatticeType::kOblique) return {{{1, 0, 0, 1}, cosets(group)}};
+  const std::vector<LatticeElement> own = cosets(group);
+  const IntegerMatrix reducing = reducingBasis(gram);
+  const Mat2 reduced = gramIn(gram, reducing);
+  std::vector<GroupEmbedding> found;
+  // from a reduced basis the convention's vectors are sums of at most two of each
+  constexpr int kMost = 2;
+  for (int code = 0; code < 5 * 5 * 5 * 5; ++code) {
+    const IntegerMatrix change{code % 5 - kMost, code / 5 % 5 - kMost, code / 25 % 5 - kMost,
+                               code / 125 - kMost};
+    if (change[0] * change[3] - change[1] * change[2] != 1) continue;
+    if (!isOfLatticeType(group.lattice, gramIn(reduced, change), tolerance)) continue;
+    const IntegerMatrix basis = integerProduct(reducing, change);
+    GroupEmbedding embedding{basis, elementsIn(own, basis)};
+    const auto same = std::find_if(found.begin(), found.end(), [&](const GroupEmbedding& other) {
+      return areSameElements(other.elements, embedding.elements);
+    });
+    if (same == found.end()) {
+      found.push_back(std::move(embedding));
+    } else if (basisChange(basis) < basisChange(same->basis)) {
+      *same = std::move(embedding);
+    }
+  }
+  return found;
+}
+
+}  // namespace seamwise

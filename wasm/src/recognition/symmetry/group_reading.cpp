@@ -1,0 +1,154 @@
+#include "recognition/symmetry/group_reading.h"
+
+#include <algorithm>
+
+#include "recognition/symmetry/symmetry_tests.h"
+#include "tuning/group_reading.h"
+
+namespace seamwise {
+namespace {
+
+using Tuning = GroupReadingTuning;
+
+SymmetryVerdict verdictOn(const SymmetryResidual& residual) {
+  if (residual.rho <= Tuning::kHasShare && residual.worst <= Tuning::kHasWorst) {
+    return SymmetryVerdict::kHas;
+  }
+  const bool breaks =
+      residual.rho >= Tuning::kHasNotShare || residual.worst >= Tuning::kHasNotWorst;
+  return breaks ? SymmetryVerdict::kHasNot : SymmetryVerdict::kAlmost;
+}
+
+GroupVerdict testedGroup(const GroupData& group, const std::vector<GroupEmbedding>& embeddings,
+                         SymmetryTests& tests) {
+  GroupVerdict verdict;
+  verdict.group = &group;
+  const GroupEmbedding* best = nullptr;
+  double least = 0;
+  for (const GroupEmbedding& embedding : embeddings) {
+    const Vec2 origin = tests.bestOrigin(embedding);
+    const double missed = tests.missedBy(embedding, origin);
+    if (best != nullptr && missed >= least - 1e-6) continue;
+    best = &embedding;
+    least = missed;
+    verdict.origin = origin;
+    verdict.basis = embedding.basis;
+  }
+  if (best == nullptr) return verdict;
+  const SymmetryResidual residual = tests.residual(*best, verdict.origin);
+  verdict.rho = residual.rho;
+  verdict.worst = residual.worst;
+  verdict.verdict = verdictOn(residual);
+  return verdict;
+}
+
+/// The direction along which the cell looks the same, as whole numbers of w1 and w2; (0, 0) if it
+/// is no stripe.
+std::array<int, 2> stripeOf(const CellSpectrum& cell) {
+  constexpr int kMost = 3;
+  const double pattern = 1 - cell.noiseEnergy() / std::max(1e-12, cell.energy());
+  for (int h1 = 0; h1 <= kMost; ++h1) {
+    for (int h2 = h1 == 0 ? 1 : -kMost; h2 <= kMost; ++h2) {
+      const bool isMultiple = (h1 % 2 == 0 && h2 % 2 == 0) || (h1 % 3 == 0 && h2 % 3 == 0) ||
+                              (h1 == 0 && h2 != 1) || (h2 == 0 && h1 != 1);
+      if (isMultiple) continue;
+      if (cell.shareAlong(h1, h2) >= (1 - Tuning::kStripeShare) * pattern) return {-h2, h1};
+    }
+  }
+  return {0, 0};
+}
+
+/// w1 across the stripes as steeply as the lattice has it, w2 along them.
+IntegerMatrix stripeBasis(const std::array<int, 2>& along, const Mat2& gram) {
+  const Vec2 w2(along[0], along[1]);
+  IntegerMatrix best{};
+  double least = 0;
+  constexpr int kMost = 4;
+  for (int i = -kMost; i <= kMost; ++i) {
+    for (int j = -kMost; j <= kMost; ++j) {
+      if (i * along[1] - j * along[0] != 1) continue;
+      const double slant = std::abs(Vec2(i, j).dot(gram * w2));
+      if (best == IntegerMatrix{} || slant < least) {
+        best = {i, along[0], j, along[1]};
+        least = slant;
+      }
+    }
+  }
+  return best;
+}
+
+int indexOf(const std::vector<GroupVerdict>& groups, std::string_view name) {
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    if (groups[k].group->name == name) return static_cast<int>(k);
+  }
+  return 0;
+}
+
+/// A stripe has any length along itself, so that a right angle is always to be had: pm holds, and
+/// pmm where a half turn does.
+void readStripes(GroupReading& reading, const std::array<int, 2>& along, const Mat2& gram) {
+  reading.stripes = true;
+  const GroupVerdict half_turn = reading.groups[indexOf(reading.groups, "p2")];
+  for (const std::string_view name : {"pm", "pmm"}) {
+    GroupVerdict& verdict = reading.groups[indexOf(reading.groups, name)];
+    verdict.basis = stripeBasis(along, gram);
+    verdict.origin = half_turn.origin;
+    const bool is_even = name == "pmm";
+    verdict.rho = is_even ? half_turn.rho : 0;
+    verdict.worst = is_even ? half_turn.worst : 0;
+    verdict.verdict = is_even ? half_turn.verdict : SymmetryVerdict::kHas;
+  }
+  const bool is_even = half_turn.verdict == SymmetryVerdict::kHas;
+  reading.best = indexOf(reading.groups, is_even ? "pmm" : "pm");
+}
+
+/// The largest group that is there; of groups of one order, the one that fits best.
+int largestOf(const std::vector<GroupVerdict>& groups) {
+  int best = 0;
+  for (std::size_t k = 1; k < groups.size(); ++k) {
+    if (groups[k].verdict != SymmetryVerdict::kHas) continue;
+    const int more = groups[k].group->order - groups[best].group->order;
+    if (more > 0 || (more == 0 && groups[k].rho < groups[best].rho)) best = static_cast<int>(k);
+  }
+  return best;
+}
+
+Confidence confidenceIn(const GroupReading& reading) {
+  const GroupVerdict& best = reading.groups[reading.best];
+  bool is_almost_more = false;
+  for (const GroupVerdict& other : reading.groups) {
+    is_almost_more |=
+        other.verdict == SymmetryVerdict::kAlmost && other.group->order > best.group->order;
+  }
+  const bool is_clear =
+      best.rho <= Tuning::kHasShare / 2 && best.worst <= 2 * Tuning::kHasWorst / 3;
+  if (is_clear && !is_almost_more) return Confidence::kSure;
+  return is_clear || !is_almost_more ? Confidence::kLikely : Confidence::kUncertain;
+}
+
+}  // namespace
+
+GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolerance) {
+  const CellSpectrum spectrum(cell, gram);
+  SymmetryTests tests(spectrum);
+  GroupReading reading;
+  for (const GroupData& group : wallpaperGroups()) {
+    reading.groups.push_back(testedGroup(group, embeddingsOf(group, gram, tolerance), tests));
+  }
+  const auto along = stripeOf(spectrum);
+  if (along != std::array<int, 2>{0, 0}) {
+    readStripes(reading, along, gram);
+  } else {
+    reading.best = largestOf(reading.groups);
+  }
+  const auto has_half_turn = [](const LatticeElement& e) {
+    return e.m == IntegerMatrix{-1, 0, 0, -1};
+  };
+  const auto elements = cosets(*reading.groups[reading.best].group);
+  reading.one_way = std::none_of(elements.begin(), elements.end(), has_half_turn);
+  const bool is_plain = spectrum.energy() < Tuning::kPlainEnergy * spectrum.noiseEnergy();
+  reading.confidence = is_plain ? Confidence::kUncertain : confidenceIn(reading);
+  return reading;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+
+#include "recognition/tile/tile_reading.h"
+
+namespace seamwise {
+namespace {
+
+/// Luminance of a pixel of a picture that repeats edge to edge, on white. [0, 1]
+std::array<float, 3> tileColour(const PixelView& tile, int x, int y) {
+  const int column = ((x % tile.width) + tile.width) % tile.width;
+  const int row = ((y % tile.height) + tile.height) % tile.height;
+  const std::uint8_t* const from =
+      tile.rgba.data() + 4 * (static_cast<std::size_t>(row) * tile.width + column);
+  const float opaque = from[3] / 255.0f;
+  std::array<float, 3> colour{};
+  for (int c = 0; c < 3; ++c) colour[c] = opaque * from[c] / 255.0f + 1 - opaque;
+  return colour;
+}
+
+/// Standard deviation of one colour's noise: what neighbouring pixels differ by beyond a slope, in
+/// the calmer half of places. Motifs with sharp sides and flat areas have none. [0, 1]
+double tileNoise(const PixelView& tile) {
+  constexpr int kMost = 40000;
+  const std::size_t count = static_cast<std::size_t>(tile.width) * tile.height;
+  const std::size_t stride = std::max<std::size_t>(1, count / kMost) | 1;
+  std::vector<float> bends;
+  for (std::size_t p = 0; p < count; p += stride) {
+    const int x = static_cast<int>(p % tile.width), y = static_cast<int>(p / tile.width);
+    const float middle = tileColour(tile, x, y)[1];
+    const float left = tileColour(tile, x - 1, y)[1], right = tileColour(tile, x + 1, y)[1];
+    bends.push_back(std::abs(left - 2 * middle + right));
+  }
+  const auto median = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
+  std::nth_element(bends.begin(), median, bends.end());
+  // of a normal distribution, whose second differences have 6 times its variance
+  return *median / (0.6745 * std::sqrt(6.0));
+}
+
+}  // namespace
+
+CellPicture tileCell(const PixelView& tile, const LatticeMap& map, int n) {
+  const Vec2 origin = map({0, 0}), w1 = map({1, 0}) - origin, w2 = map({0, 1}) - origin;
+  const double longer = std::max(w1.norm(), w2.norm());
+  const int times = std::clamp(static_cast<int>(std::ceil(longer / n)), 1, 64);
+  CellPicture cell;
+  cell.n = n;
+  for (auto& plane : cell.planes) plane.resize(static_cast<std::size_t>(n) * n);
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      std::array<float, 3> sum{};
+      for (int s = 0; s < times * times; ++s) {
+        const double u = (i + (s % times + 0.5) / times - 0.5) / n;
+        const double v = (j + (s / times + 0.5) / times - 0.5) / n;
+        const Vec2 p = origin + u * w1 + v * w2 - Vec2(0.5, 0.5);
+        const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
+        const auto right = static_cast<float>(p.x() - x), below = static_cast<float>(p.y() - y);
+        const auto a = tileColour(tile, x, y), b = tileColour(tile, x + 1, y);
+        const auto c = tileColour(tile, x, y + 1), d = tileColour(tile, x + 1, y + 1);
+        for (int k = 0; k < 3; ++k) {
+          sum[k] += (1 - below) * ((1 - right) * a[k] + right * b[k]) +
+                    below * ((1 - right) * c[k] + right * d[k]);
+        }
+      }
+      for (int k = 0; k < 3; ++k) {
+        cell.planes[k][static_cast<std::size_t>(j) * n + i] =
+            sum[k] / static_cast<float>(times * times);
+      }
+    }
+  }
+  // squares of the opponent channels' coefficients, and pixels that a sample is the mean of
+  constexpr double kChannelGain = 1.0 / 3 + 0.49 * 2 + 0.49 * 1.5;
+  const double pixels = std::max(1.0, std::abs(cross(w1, w2)) / (static_cast<double>(n) * n));
+  const double deviation = tileNoise(tile);
+  cell.noise.assign(static_cast<std::size_t>(n) * n,
+                    static_cast<float>(kChannelGain * deviation * deviation / pixels));
+  return cell;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,171 @@
+#include "recognition/tile/tile_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tuning/tile_reading.h"
+
+namespace seamwise {
+namespace {
+
+using Tuning = TileReadingTuning;
+
+/// Columns of pixels, or rows: red, green and blue in turn on white. [0, 255]
+class PixelLines {
+ public:
+  PixelLines(const PixelView& view, bool columns) : view_(view), columns_(columns) {}
+  int count() const { return columns_ ? view_.width : view_.height; }
+  int length() const { return columns_ ? view_.height : view_.width; }
+  std::vector<float> at(int line) const {
+    std::vector<float> values(3 * static_cast<std::size_t>(length()));
+    for (int k = 0; k < length(); ++k) {
+      const std::size_t pixel = columns_ ? static_cast<std::size_t>(k) * view_.width + line
+                                         : static_cast<std::size_t>(line) * view_.width + k;
+      const std::uint8_t* const from = view_.rgba.data() + 4 * pixel;
+      const float opaque = from[3] / 255.0f;
+      for (int c = 0; c < 3; ++c) values[3 * k + c] = opaque * from[c] + 255 * (1 - opaque);
+    }
+    return values;
+  }
+
+ private:
+  const PixelView& view_;
+  bool columns_;
+};
+
+/// Values along a closed line softened by a Gaussian, `stride` of them side by side.
+std::vector<float> softenedLine(const std::vector<float>& values, double width, int stride) {
+  const int n = static_cast<int>(values.size()) / stride;
+  const int reach = static_cast<int>(std::ceil(3 * width));
+  std::vector<float> kernel(2 * reach + 1), out(values.size(), 0.0f);
+  float sum = 0;
+  for (int k = -reach; k <= reach; ++k) {
+    sum += kernel[k + reach] = static_cast<float>(std::exp(-k * k / (2 * width * width)));
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int k = -reach; k <= reach; ++k) {
+      const int from = (((i + k) % n) + n) % n;
+      for (int c = 0; c < stride; ++c) {
+        out[stride * i + c] += kernel[k + reach] / sum * values[stride * from + c];
+      }
+    }
+  }
+  return out;
+}
+
+/// How far what a line shows lies aside on the next one, in pixels at each of its pixels, and how
+/// surely: the sum of squares of the change along the line [255^2].
+struct StepAside {
+  std::vector<float> by, weight;
+};
+
+StepAside stepAside(const std::vector<float>& from, const std::vector<float>& to) {
+  const int n = static_cast<int>(from.size()) / 3;
+  std::vector<float> product(n, 0.0f), square(n, 0.0f);
+  for (int i = 0; i < n; ++i) {
+    const int next = 3 * ((i + 1) % n), last = 3 * ((i + n - 1) % n);
+    for (int c = 0; c < 3; ++c) {
+      const float slope = (from[next + c] - from[last + c] + to[next + c] - to[last + c]) / 4;
+      product[i] += (to[3 * i + c] - from[3 * i + c]) * slope;
+      square[i] += slope * slope;
+    }
+  }
+  StepAside step{softenedLine(product, Tuning::kStepWindow, 1),
+                 softenedLine(square, Tuning::kStepWindow, 1)};
+  for (int i = 0; i < n; ++i) step.by[i] = -step.by[i] / (step.weight[i] + 1);
+  return step;
+}
+
+/// Whether lines of motifs step aside across the border as though `missing` lines of pixels were
+/// cut away, rather than none.
+bool isCutShort(const PixelLines& lines, TileEdge& edge) {
+  const int count = lines.count(), n = lines.length();
+  const auto line = [&](int k) { return softenedLine(lines.at(k), Tuning::kLineSoftening, 3); };
+  const std::vector<float> before = line(count - 2), last = line(count - 1), first = line(0),
+                           after = line(1);
+  const StepAside in = stepAside(before, last), across = stepAside(last, first),
+                  out = stepAside(first, after);
+  double whole = 0, cut = 0, most = 0;
+  for (int i = 0; i < n; ++i) {
+    if (std::min({in.weight[i], across.weight[i], out.weight[i]}) < Tuning::kLeastSlope) continue;
+    const double step = (in.by[i] + out.by[i]) / 2;
+    if (std::abs(step) > Tuning::kMostStep) continue;
+    const double spread = Tuning::kStepSpread + std::abs(in.by[i] - out.by[i]);
+    const auto missed = [&](double by) {
+      const double ratio = (across.by[i] - by) / spread;
+      return std::min(Tuning::kMostMissed, ratio * ratio);
+    };
+    const double one = missed(step), other = missed(2 * step);
+    whole += one;
+    cut += other;
+    if (one - other > most) {
+      most = one - other;
+      edge.differs_at = (i + 0.5) / n;
+    }
+  }
+  return whole - cut > Tuning::kCutEvidence;
+}
+
+/// Change from one line to another: of all of it, as at the side of a stripe, and what single
+/// pixels change by beyond that, on average. [0, 255]
+struct LineStep {
+  double whole = 0, beyond = 0;
+  int most_at = 0;
+};
+
+LineStep lineStep(const std::vector<float>& from, const std::vector<float>& to) {
+  const int n = static_cast<int>(from.size()) / 3;
+  std::array<double, 3> mean{};
+  for (int k = 0; k < 3 * n; ++k) mean[k % 3] += (to[k] - from[k]) / n;
+  LineStep step;
+  double most = -1;
+  for (int i = 0; i < n; ++i) {
+    double square = 0;
+    for (int c = 0; c < 3; ++c) {
+      const double d = to[3 * i + c] - from[3 * i + c] - mean[c];
+      square += d * d;
+    }
+    step.beyond += std::sqrt(square / 3) / n;
+    if (square > most) {
+      most = square;
+      step.most_at = i;
+    }
+  }
+  step.whole = std::sqrt((mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]) / 3);
+  return step;
+}
+
+/// Whether colours change more across the border than anywhere within. What is sharp may lie
+/// between two lines of pixels, so every other one is compared.
+bool breaksOff(const PixelLines& lines, TileEdge& edge) {
+  const int count = lines.count();
+  const LineStep border = lineStep(lines.at(count - 1), lines.at(0));
+  edge.differs_at = (border.most_at + 0.5) / lines.length();
+  std::vector<double> beyond;
+  double whole = 0;
+  for (int k = 0; k + 2 < count; ++k) {
+    const LineStep step = lineStep(lines.at(k), lines.at(k + 2));
+    beyond.push_back(step.beyond);
+    whole = std::max(whole, step.whole);
+  }
+  std::sort(beyond.begin(), beyond.end());
+  const double greatest = beyond.back(), usual = beyond[beyond.size() / 2];
+  const double allowed = greatest > Tuning::kStraight * usual ? Tuning::kSharp : Tuning::kSteady;
+  return border.whole > Tuning::kLeastLine + Tuning::kSharp * whole ||
+         border.beyond > Tuning::kLeastBeyond + allowed * greatest;
+}
+
+TileEdge comparedEdge(const PixelLines& lines) {
+  TileEdge edge;
+  if (lines.count() < 4) return edge;
+  edge.meets = !breaksOff(lines, edge) && !isCutShort(lines, edge);
+  return edge;
+}
+
+}  // namespace
+
+TileEdge leftMeetsRight(const PixelView& tile) { return comparedEdge(PixelLines(tile, true)); }
+
+TileEdge topMeetsBottom(const PixelView& tile) { return comparedEdge(PixelLines(tile, false)); }
+
+}  // namespace seamwise

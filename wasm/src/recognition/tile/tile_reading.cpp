@@ -1,0 +1,167 @@
+#include "recognition/tile/tile_reading.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "recognition/symmetry/symmetry_tests.h"
+#include "recognition/tile/tile_edges.h"
+#include "tuning/group_reading.h"
+#include "tuning/tile_reading.h"
+
+namespace seamwise {
+namespace {
+
+/// A lattice that holds that of whole cells: its basis as columns, in whole shares of a cell.
+struct FinerLattice {
+  int shares = 1;  ///< of w1 and w2
+  std::array<int, 4> basis{1, 0, 0, 1};
+
+  Mat2 matrix() const {
+    return (Mat2() << basis[0], basis[1], basis[2], basis[3]).finished() / shares;
+  }
+  bool isWhole() const { return std::abs(matrix().determinant()) > 1 - 1e-9; }
+};
+
+/// The lattice that whole cells and a k-th of the vector (a, b) generate.
+FinerLattice latticeWith(int k, int a, int b) {
+  // columns (k, 0), (a, b) by Euclid to (g, y), (0, z)
+  std::array<int, 2> one{k, 0}, two{a, b};
+  while (two[0] != 0) {
+    const int times = one[0] / two[0];
+    one = {one[0] - times * two[0], one[1] - times * two[1]};
+    std::swap(one, two);
+  }
+  if (one[0] < 0) one = {-one[0], -one[1]};
+  const int z = std::gcd(two[1], k);
+  return {k, {one[0], 0, ((one[1] % z) + z) % z, z}};
+}
+
+/// The smallest k for which k times a vector is whole, to within what is read of a correlation.
+int orderOfShift(const Vec2& shift, double error) {
+  constexpr int kMost = 64;
+  for (int k = 1; k <= kMost; ++k) {
+    const Vec2 multiple = k * shift;
+    const Vec2 off = multiple - multiple.array().round().matrix();
+    if (off.cwiseAbs().maxCoeff() <= k * error) return k;
+  }
+  return 0;
+}
+
+/// Shifts at which a correlation has a maximum of almost the whole energy, the shortest first.
+std::vector<Vec2> likelyShifts(const std::vector<float>& values, int fine, double least,
+                               const Mat2& gram) {
+  std::vector<Vec2> shifts;
+  for (int j = 0; j < fine; ++j) {
+    for (int i = 0; i < fine; ++i) {
+      const float value = values[j * fine + i];
+      if ((i == 0 && j == 0) || value < least) continue;
+      bool greatest = true;
+      for (int dj = -1; dj <= 1; ++dj) {
+        for (int di = -1; di <= 1; ++di) {
+          greatest &= value >= values[(j + dj + fine) % fine * fine + (i + di + fine) % fine];
+        }
+      }
+      const Vec2 shift(i > fine / 2 ? i - fine : i, j > fine / 2 ? j - fine : j);
+      if (greatest) shifts.push_back(shift / fine);
+    }
+  }
+  std::sort(shifts.begin(), shifts.end(),
+            [&gram](const Vec2& a, const Vec2& b) { return a.dot(gram * a) < b.dot(gram * b); });
+  return shifts;
+}
+
+/// A smaller cell inside: the shortest shift that lays the cell on itself, and what it generates.
+/// Whole cells if there is none.
+FinerLattice smallerCell(const CellPicture& cell, const Mat2& gram) {
+  const CellSpectrum spectrum(cell, gram);
+  const SymmetryTests tests(spectrum);
+  const IntegerMatrix identity{1, 0, 0, 1};
+  const int fine = 2 * cell.n;
+  const auto values = spectrum.correlation(identity);
+  const double least = (1 - GroupReadingTuning::kHasNotShare) * spectrum.energy();
+  int tries = 0;
+  for (const Vec2& shift : likelyShifts(values, fine, least, gram)) {
+    const int order = orderOfShift(shift, 1.0 / fine);
+    if (order < 2) continue;
+    const Vec2 exact = (order * shift).array().round().matrix() / order;
+    const SymmetryResidual residual = tests.residual(identity, exact);
+    if (residual.rho <= GroupReadingTuning::kHasShare &&
+        residual.worst <= GroupReadingTuning::kHasWorst) {
+      return latticeWith(order, static_cast<int>(std::lround(order * exact.x())),
+                         static_cast<int>(std::lround(order * exact.y())));
+    }
+    if (++tries == TileReadingTuning::kMostShifts) break;
+  }
+  return {};
+}
+
+Mat2 gramOfMap(const LatticeMap& map) {
+  Mat2 sides = map.homography.topLeftCorner<2, 2>();
+  return sides.transpose() * sides;
+}
+
+/// Samples along a side: even, so that halves of the cell are samples, and no more than its pixels.
+int samplesFor(const Mat2& gram) {
+  const double pixels = std::sqrt(std::max(gram(0, 0), gram(1, 1)));
+  return std::clamp(2 * static_cast<int>(std::lround(pixels / 2)), TileReadingTuning::kLeastSamples,
+                    TileReadingTuning::kMostSamples);
+}
+
+std::string percentOf(double share) {
+  return std::to_string(static_cast<int>(std::lround(100 * share)));
+}
+
+Error openEdge(bool sides, double at) {
+  const std::string which = sides ? "left and right" : "top and bottom";
+  const std::string where = percentOf(at) + (sides ? " % of the way down" : " % of the way across");
+  return {Failure::kNotAPrint,
+          "the picture's edges do not meet: " + which + " differ here (" + where +
+              "): give the whole repeat, or a photo that shows several",
+          -1, -1};
+}
+
+}  // namespace
+
+Outcome<TileReading> readTile(const PixelView& tile) {
+  if (std::min(tile.width, tile.height) < TileReadingTuning::kLeastPixels) {
+    return Error{Failure::kNotAPrint,
+                 "the picture has only " + std::to_string(tile.width) + " x " +
+                     std::to_string(tile.height) + " pixels: give one of at least " +
+                     std::to_string(TileReadingTuning::kLeastPixels) + " each way",
+                 -1, -1};
+  }
+  const TileEdge across = leftMeetsRight(tile), up = topMeetsBottom(tile);
+  if (!across.meets) return openEdge(true, across.differs_at);
+  if (!up.meets) return openEdge(false, up.differs_at);
+
+  TileReading reading;
+  LatticeMap& map = reading.lattice.map;
+  const double width = tile.width, height = tile.height;
+  map.homography << width, 0, 0, 0, -height, height, 0, 0, 1;
+  map.middle = Vec2(width, height) / 2;
+  map.radius = std::max(width, height) / 2;
+  for (int copies = 1;;) {
+    reading.gram = gramOfMap(map);
+    const Mat2 reduced = reducingMatrix(reading.gram);
+    map = map.rebased(reduced, Vec2::Zero());
+    reading.gram = gramOfMap(map);
+    reading.cell = tileCell(tile, map, samplesFor(reading.gram));
+    const FinerLattice smaller = smallerCell(reading.cell, reading.gram);
+    reading.lattice.copies = copies;
+    if (smaller.isWhole() || copies >= TileReadingTuning::kMostCopies) break;
+    map = map.rebased(smaller.matrix(), Vec2::Zero());
+    copies = static_cast<int>(std::lround(copies / smaller.matrix().determinant()));
+  }
+  reading.lattice.explained = 1;
+  reading.lattice.confidence = Confidence::kSure;
+  // sides are whole numbers of pixels, whatever the lattice is
+  const double rounding = TileReadingTuning::kRounding / std::min(width, height);
+  reading.lattice.uncertainty = rounding;
+  reading.groups =
+      readGroups(reading.cell, reading.gram, std::max(rounding, TileReadingTuning::kTolerance));
+  return reading;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,182 @@
+import {basename, dirname, extname, join} from 'node:path';
+
+import type {
+  PhotoNote,
+  PhotoReading,
+  PhotoSettings,
+  PhotoStage,
+  RepeatsMeasured,
+} from '../model/photo.js';
+import type {Print} from '../model/print.js';
+import {titleOfFile} from '../model/piece-names.js';
+import {failureOf, SolverError} from '../model/failure.js';
+import {readBytes} from '../node/files.js';
+import {printFromPixels, type PrintFromPixels} from '../node/index.js';
+import {pictureIn, pictureLimit, pngOf} from '../node/picture-files.js';
+import {parseArguments, UsageError, type Arguments} from './base/arguments.js';
+import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
+import {print, remark, StatusLine} from './base/terminal.js';
+
+const grammar = {
+  files: ['the picture'],
+  valued: ['--f35', '--measure', '--between', '--out'],
+  repeated: ['--measure'],
+  switches: ['--tile', '--symmetrise', '--json'],
+};
+
+/** `photo`: a print read off a photograph or scan of its cloth. */
+export async function photo(words: readonly string[]): Promise<void> {
+  const args = parseArguments(words, grammar);
+  const [path = ''] = args.files;
+  const settings = settingsOf(args);
+  const outFile = args.value('--out');
+  const tileFile = outFile === undefined ? undefined : tileBeside(outFile);
+  checkDistinct({'--out': outFile, 'its picture': tileFile});
+  for (const file of [outFile, tileFile]) {
+    if (file !== undefined) await checkWritable(file, [path]);
+  }
+  const {pixels, f35} = await pictureIn(await readBytes(path, pictureLimit), path);
+  const known = {...(f35 !== undefined && {f35}), ...settings};
+  const found = await timed(path, () => read(pixels, known, args.has('--symmetrise')));
+  if (outFile !== undefined && tileFile !== undefined) {
+    await writeWhole(tileFile, await pngOf(found.tile));
+    await writeWhole(outFile, printText(found.print, outFile, tileFile));
+  }
+  report(path, found.reading, args.has('--json'));
+}
+
+const status = new StatusLine();
+
+const stages: Readonly<Record<PhotoStage, string>> = {
+  repeat: 'Looking for the repeat',
+  light: 'Evening out the light',
+  symmetry: 'Comparing symmetries',
+  tile: 'Making the cell',
+};
+
+const read = (
+  pixels: Parameters<typeof printFromPixels>[0],
+  settings: PhotoSettings,
+  symmetrise: boolean,
+): Promise<PrintFromPixels> =>
+  printFromPixels(
+    pixels,
+    {...settings, symmetrise},
+    {
+      onProgress: ({stage, fraction}) => {
+        status.write(`${stages[stage]}, ${Math.floor(100 * fraction)} %`);
+      },
+    },
+  );
+
+/** Names the file that is at fault. */
+async function timed(path: string, work: () => Promise<PrintFromPixels>): Promise<PrintFromPixels> {
+  try {
+    return await work();
+  } catch (error) {
+    if (!(error instanceof SolverError) || error.code === 'internal') throw error;
+    throw new SolverError({...failureOf(error), message: `${path}: ${error.message}`});
+  } finally {
+    status.clear();
+  }
+}
+
+const numberIn = (text: string | undefined): number =>
+  text === undefined || text.trim() === '' ? NaN : Number(text);
+
+const isLength = (cm: number): boolean => cm >= 0.1 && cm <= 10_000;
+
+/** @throws {UsageError} */
+function settingsOf(args: Arguments): PhotoSettings {
+  const f35 = args.value('--f35');
+  if (f35 !== undefined && !(numberIn(f35) >= 5 && numberIn(f35) <= 2000)) {
+    throw new UsageError(`--f35 is '${f35}', but must be a focal length from 5 to 2000 mm.`);
+  }
+  const measured = new Map(args.values('--measure').map(measureOf));
+  if (measured.size < args.values('--measure').length) {
+    throw new UsageError('--measure gives one vector twice; give w1 and w2 once each.');
+  }
+  const [w1, w2] = [measured.get('w1'), measured.get('w2')];
+  const between = args.value('--between');
+  return {
+    ...(f35 !== undefined && {f35: numberIn(f35)}),
+    ...(w1 && {w1Measured: w1}),
+    ...(w2 && {w2Measured: w2}),
+    ...(between !== undefined && {between: betweenOf(between)}),
+    ...(args.has('--tile') && {isTile: true}),
+  };
+}
+
+/** As in `w1=10/98.5`. @throws {UsageError} */
+function measureOf(text: string): readonly [string, RepeatsMeasured] {
+  const [, vector, count, length] = /^(w[12])=([^/]+)\/(.+)$/.exec(text) ?? [];
+  const measured = {repeats: numberIn(count), cm: numberIn(length)};
+  const {repeats, cm} = measured;
+  if (vector === undefined || !(repeats > 0 && repeats <= 10_000) || !isLength(cm)) {
+    throw new UsageError(
+      `--measure is '${text}', but must be w1 or w2 = repeats / cm, as in w1=10/98.5.`,
+    );
+  }
+  return [vector, measured];
+}
+
+/** As in `120,80,1020,95=30`. @throws {UsageError} */
+function betweenOf(text: string): NonNullable<PhotoSettings['between']> {
+  const [points = '', length] = text.split('=');
+  const [x1 = NaN, y1 = NaN, x2 = NaN, y2 = NaN, ...rest] = points.split(',').map(numberIn);
+  const cm = numberIn(length);
+  const apart = Math.hypot(x2 - x1, y2 - y1);
+  if (rest.length > 0 || !isLength(cm) || !(apart >= 1 && Number.isFinite(apart))) {
+    throw new UsageError(
+      `--between is '${text}', but must be two points in pixels and their distance in cm, as in 120,80,1020,95=30.`,
+    );
+  }
+  return {from: [x1, y1], to: [x2, y2], cm};
+}
+
+/** @throws {UsageError} */
+function tileBeside(outFile: string): string {
+  if (extname(outFile).toLowerCase() !== '.json') {
+    throw new UsageError(`${outFile} would hold JSON; name a file ending in .json.`);
+  }
+  return join(dirname(outFile), `${basename(outFile, extname(outFile))}.png`);
+}
+
+const printText = (found: Print, outFile: string, tileFile: string): string =>
+  `${JSON.stringify({...found, title: titleOfFile(outFile), image: basename(tileFile)}, null, 2)}\n`;
+
+function report(path: string, reading: PhotoReading, isJson: boolean): void {
+  if (isJson) {
+    print(JSON.stringify(plainReading(reading)));
+    return;
+  }
+  const {group, w1, w2, copies, confidence, latticeUncertainty, notes} = reading;
+  const size =
+    w1 && w2
+      ? `${cmOf(w1)} x ${cmOf(w2)} cm (+-${(100 * latticeUncertainty).toFixed(2)} %)`
+      : 'size unknown: --measure w1=REPEATS/CM';
+  print(`${path}: ${group}, ${size}, ${copies} copies, ${confidence}`);
+  notes.forEach((note) => {
+    remark(sentences[note]);
+  });
+}
+
+const sentences: Readonly<Record<PhotoNote, string>> = {
+  uneven: 'The cloth does not lie quite flat; smooth it out and take another for an exact size.',
+  differs: 'Parts of the picture differ from all other copies of the print; they are left out.',
+  focalLength:
+    'The camera is unknown, so that height against width is known to a few per cent only; measure both w1 and w2.',
+};
+
+const cmOf = ([x, y]: readonly [number, number]): string => Math.hypot(x, y).toFixed(2);
+
+/** What programs are told. */
+function plainReading({map, groups, ...reading}: PhotoReading): object {
+  const {width, height, w1Px, w2Px, originPx, w1, w2, group, confidence} = reading;
+  const {latticeUncertainty, oneWay, stripes, copies, explained, notes} = reading;
+  return {
+    ...{width, height, homography: map.homography, lens: map.lens, w1Px, w2Px, originPx, w1, w2},
+    ...{group, groups: groups.map(({name, rho, worst, verdict}) => ({name, rho, worst, verdict}))},
+    ...{confidence, latticeUncertainty, oneWay, stripes, copies, explained, notes},
+  };
+}

@@ -1,0 +1,147 @@
+/**
+ * A print read off a photograph or scan of its cloth. Pixels are those of the upright picture: x to the right, y down,
+ * pixel (x, y) between (x, y) and (x + 1, y + 1). Lattice coordinates (u, v) are those of u w1 + v w2.
+ */
+import type {Point} from './geometry.js';
+import type {GroupName} from './print.js';
+
+/** Upright pixels: red, green, blue, opacity, a byte each, row by row from the top. */
+export interface PhotoPixels {
+  readonly width: number;
+  readonly height: number;
+  readonly data: Uint8Array | Uint8ClampedArray;
+}
+
+/** Row by row: (u, v, 1) to pixels, up to a factor. */
+export type Homography = readonly [
+  ...(readonly [number, number, number]),
+  ...(readonly [number, number, number]),
+  ...(readonly [number, number, number]),
+];
+
+/** x = lens(H (u, v, 1)): lens(y) = c + (1 + k |y - c|^2 / r^2) (y - c), c the picture's middle, r half its longer side. */
+export interface PhotoMap {
+  readonly homography: Homography;
+  readonly lens: number;
+}
+
+/** What somebody knows of a photograph beside its pixels. */
+export interface PhotoSettings {
+  /** Focal length of the camera, as on film of 36 mm. */
+  readonly f35?: number;
+  /** The picture is seamless: one cell of the print, or several. */
+  readonly isTile?: boolean;
+  /** So many repeats along a vector of the lattice measure so many cm. */
+  readonly w1Measured?: RepeatsMeasured;
+  readonly w2Measured?: RepeatsMeasured;
+  /** Two points of the picture that lie so far apart on the cloth. */
+  readonly between?: PointsMeasured;
+  /** Where the cells lie, as far as somebody knows; it is mended unless `keepsLattice`. */
+  readonly lattice?: PhotoMap;
+  readonly keepsLattice?: boolean;
+  /** How much of the light's unevenness is taken away, 0 to 1; 1 unless said otherwise. */
+  readonly flatten?: number;
+}
+
+export interface RepeatsMeasured {
+  readonly repeats: number;
+  readonly cm: number;
+}
+
+export interface PointsMeasured {
+  readonly from: Point;
+  readonly to: Point;
+  readonly cm: number;
+}
+
+export const symmetryVerdicts = ['has', 'almost', 'has not', 'cannot'] as const;
+/** `cannot`: no lattice of that shape has the group. */
+export type SymmetryVerdict = (typeof symmetryVerdicts)[number];
+
+export const photoConfidences = ['sure', 'likely', 'uncertain'] as const;
+export type PhotoConfidence = (typeof photoConfidences)[number];
+
+/** What one of the groups would be on the print that was read. */
+export interface PhotoGroup {
+  readonly name: GroupName;
+  /** Share of the pattern's energy that breaks it; and the greatest such share at one place. */
+  readonly rho: number;
+  readonly worst: number;
+  readonly verdict: SymmetryVerdict;
+  /** Where its cells lie: its w1, w2 and its origin. */
+  readonly map: PhotoMap;
+}
+
+export const photoStages = ['repeat', 'light', 'symmetry', 'tile'] as const;
+export type PhotoStage = (typeof photoStages)[number];
+
+export interface PhotoProgress {
+  readonly stage: PhotoStage;
+  /** Of the whole, 0 to 1. */
+  readonly fraction: number;
+}
+
+export interface PhotoHooks {
+  readonly signal?: AbortSignal;
+  readonly onProgress?: (progress: PhotoProgress) => void;
+}
+
+/**
+ * `uneven`: creases move the print by more than cloth does that lies flat; `differs`: parts of the picture differ from all other
+ * copies; `focalLength`: proportions are known no better than the camera is.
+ */
+export const photoNotes = ['uneven', 'differs', 'focalLength'] as const;
+export type PhotoNote = (typeof photoNotes)[number];
+
+export interface PhotoReading {
+  readonly width: number;
+  readonly height: number;
+  /** Of the group that it has. */
+  readonly map: PhotoMap;
+  /** The map's vectors and origin at the picture's middle. */
+  readonly w1Px: Point;
+  readonly w2Px: Point;
+  readonly originPx: Point;
+  /** As the print has them, +y along the warp; null until a length is known. [cm] */
+  readonly w1: Point | null;
+  readonly w2: Point | null;
+  /** The same, longer or shorter by a factor that nobody knows: |w1| is 1. */
+  readonly shape: readonly [Point, Point];
+  readonly group: GroupName;
+  /** All 17, in their usual order. */
+  readonly groups: readonly PhotoGroup[];
+  readonly confidence: PhotoConfidence;
+  /** Standard error of the lengths of w1 and w2, as a share. */
+  readonly latticeUncertainty: number;
+  readonly oneWay: boolean;
+  readonly stripes: boolean;
+  /** Cells that are seen whole. */
+  readonly copies: number;
+  /** Share of the picture's variance that the other copies foretell. */
+  readonly explained: number;
+  /** Other lattices that it may be, where that is uncertain. */
+  readonly others: readonly PhotoMap[];
+  /** Of the picture, where copies differ: creases, dirt. */
+  readonly differing: readonly (readonly Point[])[];
+  /** What somebody should know. */
+  readonly notes: readonly PhotoNote[];
+}
+
+/** A clean picture of the print's cell, as prints have it. */
+export interface PhotoTileSettings {
+  readonly map: PhotoMap;
+  /** Symmetries that are made exact; none, unless said otherwise. */
+  readonly symmetrise?: GroupName;
+  readonly flatten?: number;
+  /** Of w1 and w2, in proportion. */
+  readonly shape: readonly [Point, Point];
+}
+
+export interface PhotoRequest extends PhotoSettings {
+  /** A file is decoded by who answers. */
+  readonly picture: PhotoPixels | Blob;
+}
+
+export interface PhotoTileRequest extends PhotoTileSettings {
+  readonly picture: PhotoPixels | Blob;
+}

@@ -1,0 +1,31 @@
+/** Stored pixels as their picture stands upright. */
+import type {PhotoPixels} from '../model/photo.js';
+
+/** Per orientation of EXIF: whether rows and columns change places, then which of them run backwards. */
+const orders: Readonly<Record<number, readonly [boolean, boolean, boolean]>> = {
+  2: [false, true, false],
+  3: [false, true, true],
+  4: [false, false, true],
+  5: [true, false, false],
+  6: [true, true, false],
+  7: [true, true, true],
+  8: [true, false, true],
+};
+
+/** @param orientation as EXIF counts it, 1 to 8; others count as 1 */
+export function upright(pixels: PhotoPixels, orientation: number): PhotoPixels {
+  const order = orders[orientation];
+  if (!order) return pixels;
+  const [isTransposed, isBackward, isUpsideDown] = order;
+  const {width, height, data} = pixels;
+  const [across, down] = isTransposed ? [height, width] : [width, height];
+  const from = new Uint32Array(data.slice().buffer);
+  const to = new Uint32Array(across * down);
+  for (let y = 0; y < down; y++) {
+    for (let x = 0; x < across; x++) {
+      const [right, below] = [isBackward ? across - 1 - x : x, isUpsideDown ? down - 1 - y : y];
+      to[y * across + x] = from[isTransposed ? right * width + below : below * width + right] ?? 0;
+    }
+  }
+  return {width: across, height: down, data: new Uint8Array(to.buffer)};
+}

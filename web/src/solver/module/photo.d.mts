@@ -1,0 +1,96 @@
+/**
+ * The module that reads prints off pictures as Embind shows it. Everything of type EmbindObject lives on the module's heap until
+ * `delete()`; nothing outside this folder's neighbours should have to know that. Places are in pixels of the upright picture, lengths
+ * in cm, maps ten numbers: a homography row by row, and the lens.
+ */
+import type {EmbindObject, ModuleFailure, ModuleSettings} from './module.js';
+
+export interface ModulePhotoRequest {
+  readonly width: number;
+  readonly height: number;
+  /** Red, green, blue, opacity, row by row from the top. */
+  readonly pixels: Uint8Array;
+  /** Focal length, as on film of 36 mm; NaN where nobody knows. */
+  readonly f35: number;
+  /** The picture is seamless: one cell, or several. */
+  readonly isTile: boolean;
+  /** Lengths of w1 and w2; NaN where nobody knows. */
+  readonly w1Cm: number;
+  readonly w2Cm: number;
+  /** x, y, x, y, cm: two points and how far they lie apart on the cloth; empty where nobody knows. */
+  readonly between: Float64Array;
+  /** A map to begin with, to be mended unless `keepsLattice`; empty to look for one. */
+  readonly lattice: Float64Array;
+  readonly keepsLattice: boolean;
+  /** Share of the light's unevenness that is taken away. */
+  readonly flatten: number;
+}
+
+export interface ModulePhotoGroup {
+  readonly name: string;
+  readonly rho: number;
+  readonly worst: number;
+  readonly verdict: string;
+  readonly map: Float64Array;
+}
+
+export interface ModulePhotoReport {
+  readonly group: string;
+  readonly groups: readonly ModulePhotoGroup[];
+  /** w1x, w1y, w2x, w2y as prints have them; |w1| is 1 unless `isScaled`. */
+  readonly vectors: Float64Array;
+  readonly isScaled: boolean;
+  readonly confidence: string;
+  readonly uncertainty: number;
+  readonly oneWay: boolean;
+  readonly stripes: boolean;
+  readonly copies: number;
+  readonly explained: number;
+  /** Maps of other lattices. */
+  readonly others: readonly Float64Array[];
+  /** Polygons where copies differ, each flat. */
+  readonly differing: readonly Float64Array[];
+  readonly notes: readonly string[];
+}
+
+export interface ModulePhoto extends EmbindObject {
+  failure(): ModuleFailure | null;
+  /** One step of some milliseconds; false when nothing is left to do. */
+  advance(): boolean;
+  stage(): string;
+  fraction(): number;
+  report(): ModulePhotoReport;
+}
+
+export interface ModulePhotoTileRequest {
+  readonly width: number;
+  readonly height: number;
+  readonly pixels: Uint8Array;
+  readonly map: Float64Array;
+  /** A group whose symmetries are made exact; empty for none. */
+  readonly group: string;
+  readonly flatten: number;
+  /** w1x, w1y, w2x, w2y in proportion. */
+  readonly vectors: Float64Array;
+}
+
+export interface ModuleTile {
+  /** Along w1, and along w2, which is up. */
+  readonly width: number;
+  readonly height: number;
+  readonly pixels: Uint8Array;
+}
+
+export interface ModulePhotoTile extends EmbindObject {
+  failure(): ModuleFailure | null;
+  advance(): boolean;
+  fraction(): number;
+  tile(): ModuleTile;
+}
+
+export interface PhotoModule {
+  readonly Photo: new (request: ModulePhotoRequest) => ModulePhoto;
+  readonly PhotoTile: new (request: ModulePhotoTileRequest) => ModulePhotoTile;
+}
+
+export default function createPhoto(settings?: ModuleSettings): Promise<PhotoModule>;

@@ -1,0 +1,40 @@
+/** A picture's pixels, upright, decoded off the page's thread where the request is answered there. */
+import {SolverError} from '../../model/failure.js';
+import type {PhotoPixels} from '../../model/photo.js';
+
+/** Larger pictures are read as smaller ones: nothing finer helps, and phones have not the memory. [px] */
+const longestSide = 4096;
+
+/** @throws {SolverError} for what cannot be decoded */
+export async function decoded(picture: PhotoPixels | Blob): Promise<PhotoPixels> {
+  if (!(picture instanceof Blob)) return picture;
+  const bitmap = await bitmapOf(picture);
+  try {
+    const {width, height} = bitmap;
+    const scale = Math.min(1, longestSide / Math.max(width, height));
+    const [across, down] = [Math.round(scale * width), Math.round(scale * height)];
+    const context = new OffscreenCanvas(across, down).getContext('2d', {willReadFrequently: true});
+    if (!context) throw new Error('There is no canvas to decode pictures on.');
+    context.imageSmoothingQuality = 'high';
+    context.fillStyle = 'white';
+    context.fillRect(0, 0, across, down);
+    context.drawImage(bitmap, 0, 0, across, down);
+    return context.getImageData(0, 0, across, down);
+  } finally {
+    bitmap.close();
+  }
+}
+
+async function bitmapOf(picture: Blob): Promise<ImageBitmap> {
+  try {
+    return await createImageBitmap(picture, {
+      imageOrientation: 'from-image',
+      colorSpaceConversion: 'default',
+    });
+  } catch {
+    throw new SolverError({
+      code: 'not-an-image',
+      message: 'The picture cannot be read; save it as JPEG or PNG.',
+    });
+  }
+}

@@ -1,0 +1,144 @@
+/** Prints read off pictures, in slices. */
+import {groupNames} from '../../model/print.js';
+import {vectorsAtMiddle} from '../../model/photo-map.js';
+import {
+  photoConfidences,
+  photoNotes,
+  photoStages,
+  symmetryVerdicts,
+  type Homography,
+  type PhotoGroup,
+  type PhotoHooks,
+  type PhotoMap,
+  type PhotoPixels,
+  type PhotoReading,
+  type PhotoSettings,
+  type PhotoTileSettings,
+} from '../../model/photo.js';
+import type {Point} from '../../model/geometry.js';
+import {runInSlices, stepsFor, type Pace} from '../answers/slices.js';
+import type {
+  ModulePhoto,
+  ModulePhotoGroup,
+  ModulePhotoRequest,
+  ModulePhotoTile,
+  ModulePhotoTileRequest,
+} from '../module/photo.mjs';
+import {toError} from '../seamwise/failures.js';
+
+const flat = (points: readonly Point[]): Float64Array => Float64Array.from(points.flat());
+
+const mapNumbers = ({homography, lens}: PhotoMap): Float64Array =>
+  Float64Array.of(...homography, lens);
+
+const bytesOf = ({data}: PhotoPixels): Uint8Array =>
+  new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+
+const oneRepeat = (measured: PhotoSettings['w1Measured']): number =>
+  measured ? measured.cm / measured.repeats : NaN;
+
+export const photoModuleRequest = (
+  pixels: PhotoPixels,
+  settings: PhotoSettings,
+): ModulePhotoRequest => ({
+  ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
+  f35: settings.f35 ?? NaN,
+  isTile: settings.isTile ?? false,
+  w1Cm: oneRepeat(settings.w1Measured),
+  w2Cm: oneRepeat(settings.w2Measured),
+  between: settings.between
+    ? Float64Array.of(...settings.between.from, ...settings.between.to, settings.between.cm)
+    : new Float64Array(),
+  lattice: settings.lattice ? mapNumbers(settings.lattice) : new Float64Array(),
+  keepsLattice: settings.keepsLattice ?? false,
+  flatten: settings.flatten ?? 1,
+});
+
+export const photoTileModuleRequest = (
+  pixels: PhotoPixels,
+  {map, symmetrise, flatten = 1, shape}: PhotoTileSettings,
+): ModulePhotoTileRequest => ({
+  ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
+  ...{map: mapNumbers(map), group: symmetrise ?? '', flatten, vectors: flat(shape)},
+});
+
+const mapOf = (numbers: Float64Array): PhotoMap => ({
+  homography: Array.from(numbers.subarray(0, 9)) as unknown as Homography,
+  lens: numbers[9] ?? 0,
+});
+
+const pointsOf = (numbers: Float64Array): readonly Point[] =>
+  Array.from({length: numbers.length / 2}, (_, k) => [
+    numbers[2 * k] ?? NaN,
+    numbers[2 * k + 1] ?? NaN,
+  ]);
+
+/** What a module names, as one of the names that there are. */
+function known<T extends string>(names: readonly T[], name: string): T {
+  const found = names.find((one) => one === name);
+  if (found === undefined) throw new Error(`The module names '${name}', which nobody knows.`);
+  return found;
+}
+
+const groupOf = ({name, rho, worst, verdict, map}: ModulePhotoGroup): PhotoGroup => ({
+  name: known(groupNames, name),
+  ...{rho, worst, verdict: known(symmetryVerdicts, verdict), map: mapOf(map)},
+});
+
+/** @throws {SolverError} where no print is found; what `runInSlices` throws */
+export async function runPhoto(
+  photo: ModulePhoto,
+  {width, height}: PhotoPixels,
+  hooks: PhotoHooks,
+  pace: Pace,
+): Promise<PhotoReading> {
+  const advance = (): boolean => {
+    const more = photo.advance();
+    const failure = photo.failure();
+    if (failure) throw toError(failure);
+    return more;
+  };
+  const work = (milliseconds: number): boolean => {
+    const more = stepsFor(milliseconds, advance);
+    hooks.onProgress?.({stage: known(photoStages, photo.stage()), fraction: photo.fraction()});
+    return more;
+  };
+  await runInSlices(work, pace, hooks.signal);
+  const {group, groups, vectors, isScaled, uncertainty, others, differing, ...report} =
+    photo.report();
+  const read = groups.map(groupOf);
+  const own = read.find(({name}) => name === group);
+  if (!own) throw new Error('A print has a group.');
+  const [w1 = [1, 0], w2 = [0, 1]] = pointsOf(vectors);
+  const unit = 1 / Math.hypot(...w1);
+  const scaled = ([x, y]: Point): Point => [unit * x, unit * y];
+  const {oneWay, stripes, copies, explained} = report;
+  return {
+    ...{width, height, map: own.map, ...vectorsAtMiddle(own.map, {width, height})},
+    ...{w1: isScaled ? w1 : null, w2: isScaled ? w2 : null, shape: [scaled(w1), scaled(w2)]},
+    ...{group: own.name, groups: read, latticeUncertainty: uncertainty},
+    confidence: known(photoConfidences, report.confidence),
+    ...{oneWay, stripes, copies, explained},
+    notes: report.notes.map((note) => known(photoNotes, note)),
+    others: others.map(mapOf),
+    differing: differing.map(pointsOf),
+  };
+}
+
+/** @throws {SolverError}; what `runInSlices` throws */
+export async function runPhotoTile(
+  tile: ModulePhotoTile,
+  hooks: PhotoHooks,
+  pace: Pace,
+): Promise<PhotoPixels> {
+  const work = (milliseconds: number): boolean => {
+    const more = stepsFor(milliseconds, () => tile.advance());
+    const failure = tile.failure();
+    if (failure) throw toError(failure);
+    hooks.onProgress?.({stage: 'tile', fraction: tile.fraction()});
+    return more;
+  };
+  await runInSlices(work, pace, hooks.signal);
+  const {width, height, pixels} = tile.tile();
+  return {width, height, data: pixels};
+}
