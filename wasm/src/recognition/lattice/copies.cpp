@@ -77,6 +77,18 @@ Vec2 repeatsSeen(const TiltedLattice& view) {
   return most;
 }
 
+int wholeCells(const TiltedLattice& view) {
+  constexpr double kFarthest = 30;  // cells from the middle
+  int count = 0;
+  for (const auto& cell : visibleCells(view, kFarthest)) {
+    bool is_whole = true;
+    for (int k = 0; k < 16; ++k)
+      is_whole = is_whole && isInside(view, Vec2(cell[0] + (k % 4) / 3.0, cell[1] + (k / 4) / 3.0));
+    count += is_whole ? 1 : 0;
+  }
+  return count;
+}
+
 Copies sampleCopies(const ChannelImage& image, const TiltedLattice& view, CellList cells, int n,
                     bool with_slopes) {
   Copies copies;
