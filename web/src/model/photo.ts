@@ -93,6 +93,13 @@ export interface PhotoHooks {
 export const photoNotes = ['uneven', 'differs', 'focalLength'] as const;
 export type PhotoNote = (typeof photoNotes)[number];
 
+/** Why no print can be read off a picture. */
+export const photoFaults = [
+  ...(['plain', 'noRepeat', 'fewRepeats', 'twoPrints', 'changes'] as const),
+  ...(['blurred', 'moire', 'uneven', 'edges', 'small'] as const),
+] as const;
+export type PhotoFault = (typeof photoFaults)[number];
+
 export interface PhotoReading {
   readonly width: number;
   readonly height: number;

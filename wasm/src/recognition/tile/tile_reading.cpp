@@ -138,7 +138,7 @@ std::string percentOf(double share) {
 Error openEdge(bool sides, double at) {
   const std::string which = sides ? "left and right" : "top and bottom";
   const std::string where = percentOf(at) + (sides ? " % of the way down" : " % of the way across");
-  return {Failure::kNotAPrint,
+  return {Failure::kPicture,
           "the picture's edges do not meet: " + which + " differ here (" + where +
               "): give the whole repeat, or a photo that shows several",
           -1, -1};
@@ -147,7 +147,7 @@ Error openEdge(bool sides, double at) {
 Error missingLine(bool sides) {
   const std::string which = sides ? "left and right" : "top and bottom";
   const std::string line = sides ? "column" : "row";
-  return {Failure::kNotAPrint,
+  return {Failure::kPicture,
           "the picture's edges do not meet: " + which + " differ here, as though one " + line +
               " of pixels were cut away: give the whole repeat, or a photo that shows several",
           -1, -1};
@@ -205,7 +205,7 @@ MissedTile readSeamless(const SeamlessTile& tile) {
 
 Outcome<TileReading> readTile(const PixelView& tile) {
   if (std::min(tile.width, tile.height) < TileReadingTuning::kLeastPixels) {
-    return Error{Failure::kNotAPrint,
+    return Error{Failure::kPicture,
                  "the picture has only " + std::to_string(tile.width) + " x " +
                      std::to_string(tile.height) + " pixels: give one of at least " +
                      std::to_string(TileReadingTuning::kLeastPixels) + " each way",

@@ -15,7 +15,7 @@ struct TileReading {
   GroupReading groups;
 };
 
-/// Errors: kNotAPrint, one sentence that says which edges do not meet, and where, or that the
+/// Errors: kPicture, one sentence that says which edges do not meet, and where, or that the
 /// picture is too small.
 Outcome<TileReading> readTile(const PixelView& tile);
 
