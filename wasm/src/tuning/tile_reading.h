@@ -10,28 +10,25 @@ struct TileReadingTuning {
   /// shows is followed to the next. [px]
   static constexpr double kLineSoftening = 1, kStepWindow = 2;
   /// Mean square change along a line without which nothing can be followed.
-  static constexpr double kLeastSlope = 4;
+  static constexpr double kLeastSlope = 1.3;
   /// Steps aside up to which they can be followed; error of one. [px]
   static constexpr double kMostStep = 3, kStepSpread = 0.05;
   /// Greatest square error of one place, in units of its spread.
   static constexpr double kMostMissed = 9;
-  /// How much less the sum of such squares has to be for a cut: by what, how many times, and that
-  /// many times more than at so many lines within. Of 1,291 borders of the sample prints, shifted
-  /// by chance, none was called a cut; of 857 that a line was cut from, all but those of straight
-  /// bands, 834 were.
-  static constexpr double kCutEvidence = 15, kCutRatio = 1.3, kCutBeyond = 1.2;
+  /// How much less the sum of such squares has to be for a cut: by what, by how many times the root
+  /// of both sums, and how many times more than at so many lines within. Of 1,291 borders of the
+  /// sample prints, shifted by chance, none is called a cut; of 857 that a line was cut from, all
+  /// but those of straight bands, 830 are.
+  static constexpr double kCutEvidence = 20, kCutSurely = 3.5, kCutBeyond = 1.2;
   static constexpr int kLinesWithin = 16;
 
   // --- more than that
 
   /// What nobody sees, of all of a line and beyond.
   static constexpr double kLeastLine = 12, kLeastBeyond = 3;
-  /// The greatest step at a border, as a share of the greatest within. Flowers and leaves change
-  /// steadily, and are cut by a border that changes half as much again; squares and bands may well
-  /// begin and end at it.
-  static constexpr double kSteady = 0.6, kSharp = 1.1;
-  /// Beyond so many times the usual step, the greatest one is that of something straight.
-  static constexpr double kStraight = 5;
+  /// The greatest step at a border, as a share of the greatest within. Between any two lines of the
+  /// sample prints what changes beyond was 0.88 of it at most.
+  static constexpr double kGreatestLine = 1.1, kGreatestBeyond = 0.95;
 
   // --- the cell
 

@@ -119,14 +119,22 @@ FinerLattice smallerCell(const CellPicture& cell, const Mat2& gram, double& miss
   return {};
 }
 
-Mat2 gramOfMap(const LatticeMap& map) {
-  Mat2 sides = map.homography.topLeftCorner<2, 2>();
-  return sides.transpose() * sides;
+/// Gram matrix of a lattice on a tile whose sides have one.
+Mat2 gramOn(const SeamlessTile& tile, const Mat2& sides, const LatticeMap& map) {
+  const Mat2 shares = Vec2(1.0 / tile.width(), -1.0 / tile.height()).asDiagonal() *
+                      map.homography.topLeftCorner<2, 2>();
+  return shares.transpose() * sides * shares;
+}
+
+Mat2 squarePixels(const SeamlessTile& tile) {
+  const double width = tile.width(), height = tile.height();
+  return Vec2(width * width, height * height).asDiagonal();
 }
 
 /// Samples along a side: even, so that halves of the cell are samples, and no more than its pixels.
-int samplesFor(const Mat2& gram) {
-  const double pixels = std::sqrt(std::max(gram(0, 0), gram(1, 1)));
+int samplesFor(const LatticeMap& map) {
+  const Mat2 w = map.homography.topLeftCorner<2, 2>();
+  const double pixels = std::max(w.col(0).norm(), w.col(1).norm());
   return std::clamp(2 * static_cast<int>(std::lround(pixels / 2)), TileReadingTuning::kLeastSamples,
                     TileReadingTuning::kMostSamples);
 }
@@ -141,7 +149,7 @@ Error openEdge(bool sides, double at) {
   return {Failure::kPicture,
           "the picture's edges do not meet: " + which + " differ here (" + where +
               "): give the whole repeat, or a photo that shows several",
-          -1, -1};
+          -1, -1, "edges"};
 }
 
 Error missingLine(bool sides) {
@@ -150,17 +158,22 @@ Error missingLine(bool sides) {
   return {Failure::kPicture,
           "the picture's edges do not meet: " + which + " differ here, as though one " + line +
               " of pixels were cut away: give the whole repeat, or a photo that shows several",
-          -1, -1};
+          -1, -1, "edges"};
 }
 
 /// A reading, and the greatest share of energy by which its symmetries miss.
 struct MissedTile {
   TileReading reading;
   double missed = 0;
+  bool square_pixels = true;
 
   /// How many symmetries lie in the picture.
   int symmetries() const {
     return reading.lattice.copies * reading.groups.groups[reading.groups.best].group->order;
+  }
+  bool isHexagonal() const {
+    const GroupReading& groups = reading.groups;
+    return groups.groups[groups.best].group->lattice == LatticeType::kHexagonal;
   }
   bool isMendedBy(const MissedTile& other) const {
     if (other.reading.groups.stripes) return false;
@@ -171,7 +184,7 @@ struct MissedTile {
 };
 
 /// The reading of a tile whose edges meet.
-MissedTile readSeamless(const SeamlessTile& tile) {
+MissedTile readSeamless(const SeamlessTile& tile, const Mat2& sides) {
   MissedTile found;
   TileReading& reading = found.reading;
   LatticeMap& map = reading.lattice.map;
@@ -180,9 +193,9 @@ MissedTile readSeamless(const SeamlessTile& tile) {
   map.middle = Vec2(width, height) / 2;
   map.radius = std::max(width, height) / 2;
   for (int copies = 1;;) {
-    map = map.rebased(reducingMatrix(gramOfMap(map)), Vec2::Zero());
-    reading.gram = gramOfMap(map);
-    reading.cell = tileCell(tile, map, samplesFor(reading.gram));
+    map = map.rebased(reducingMatrix(gramOn(tile, sides, map)), Vec2::Zero());
+    reading.gram = gramOn(tile, sides, map);
+    reading.cell = tileCell(tile, map, samplesFor(map));
     reading.lattice.copies = copies;
     const FinerLattice smaller = smallerCell(reading.cell, reading.gram, found.missed);
     if (smaller.isWhole() || copies >= TileReadingTuning::kMostCopies) break;
@@ -201,25 +214,41 @@ MissedTile readSeamless(const SeamlessTile& tile) {
   return found;
 }
 
+/// Of square pixels; or, where thirds of a turn speak for it, with the sides of a hexagonal cell.
+MissedTile readWithoutSides(const SeamlessTile& tile) {
+  MissedTile found = readSeamless(tile, squarePixels(tile));
+  if (tile.width() != tile.height()) return found;
+  for (const double cosine : {0.5, -0.5}) {
+    const Mat2 hexagonal =
+        (Mat2() << 1, cosine, cosine, 1).finished() * tile.width() * tile.width();
+    MissedTile other = readSeamless(tile, hexagonal);
+    if (!other.isHexagonal() || other.symmetries() <= found.symmetries()) continue;
+    found = std::move(other);
+    found.square_pixels = false;
+  }
+  return found;
+}
+
 }  // namespace
 
-Outcome<TileReading> readTile(const PixelView& tile) {
+Outcome<TileReading> readTile(const PixelView& tile, const std::optional<Mat2>& sides) {
   if (std::min(tile.width, tile.height) < TileReadingTuning::kLeastPixels) {
     return Error{Failure::kPicture,
                  "the picture has only " + std::to_string(tile.width) + " x " +
                      std::to_string(tile.height) + " pixels: give one of at least " +
                      std::to_string(TileReadingTuning::kLeastPixels) + " each way",
-                 -1, -1};
+                 -1, -1, "small"};
   }
   const TileEdge across = leftMeetsRight(tile), up = topMeetsBottom(tile);
   if (!across.meets) return openEdge(true, across.differs_at);
   if (!up.meets) return openEdge(false, up.differs_at);
 
-  MissedTile found = readSeamless({tile});
-  if (!found.reading.groups.stripes) {
-    for (const bool sides : {true, false}) {
-      const MissedTile mended = readSeamless({tile, sides ? 1 : 0, sides ? 0 : 1});
-      if (found.isMendedBy(mended)) return missingLine(sides);
+  MissedTile found = sides ? readSeamless({tile}, *sides) : readWithoutSides({tile});
+  // where the sides are given, a line less does not change the lattice's type
+  if (!sides && !found.reading.groups.stripes && found.square_pixels) {
+    for (const bool is_column : {true, false}) {
+      const SeamlessTile more{tile, is_column ? 1 : 0, is_column ? 0 : 1};
+      if (found.isMendedBy(readSeamless(more, squarePixels(more)))) return missingLine(is_column);
     }
   }
   return std::move(found.reading);
