@@ -17,6 +17,8 @@ constexpr double kDoubtful = 0.5;
 /// Overlaps up to this are none where pieces need keep no gap: ten times what rounding makes of
 /// lines that touch. Long edges would share some square millimetres otherwise. [cm]
 constexpr double kCommon = 1e-5;
+/// How near rough parts have to come for such overlaps to be looked for. [cm]
+constexpr double kHidden = 1e-3;
 
 struct HalfPlane {
   Vec2 normal;  ///< outward, of length 1
@@ -231,6 +233,9 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
              up = static_cast<float>(board.up.norm());
   Unions across(rows_, columns_), upwards(columns_, rows_);
   const double room = most_gap - kTouching;
+  // without a gap, rough parts that are a hair smaller hide overlaps that long edges show
+  const bool is_tight = spacing.is_exact && room <= 0;
+  Unions near(is_tight ? rows_ : 0, columns_);
   for (const Polyline& a : first.parts) {
     for (const Polyline& b : second.parts) {
       const Polyline sum = convexDifference(a, b);
@@ -239,6 +244,9 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
       for (int j = held.rows.lo; j <= held.rows.hi; ++j)
         across.add(j - row0_,
                    stretchIn(sides, room, offset + board.shift({column0_, j}), board.along));
+      for (int j = held.rows.lo; is_tight && j <= held.rows.hi; ++j)
+        near.add(j - row0_, stretchIn(sides, most_gap + kHidden,
+                                      offset + board.shift({column0_, j}), board.along));
       for (int i = held.columns.lo; i <= held.columns.hi; ++i)
         upwards.add(i - column0_,
                     stretchIn(sides, room, offset + board.shift({i, row0_}), board.up));
@@ -246,17 +254,16 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
   }
   across.merge();
   upwards.merge();
+  near.merge();
   stride_ = spacing.stride;
   block_rows_ = (rows_ + stride_ - 1) / stride_;
   block_columns_ = (columns_ + stride_ - 1) / stride_;
   depths_.resize(static_cast<std::size_t>(stride_) * stride_ * block_rows_ * block_columns_);
   const double doubtful = kDoubtful + 2 * most_gap;
-  // without a gap, rough parts that are a hair smaller hide overlaps that long edges show
-  const bool is_tight = spacing.is_exact && room <= 0;
   for (int j = 0; j < rows_; ++j) {
     for (int i = 0; i < columns_; ++i) {
       const float depth = std::min(across.inside(j, i) * along, upwards.inside(i, j) * up);
-      if (depth < 0 && !is_tight) continue;
+      if (depth < 0 && !(is_tight && near.inside(j, i) >= 0)) continue;
       if (spacing.is_exact && depth < doubtful) {
         const Vec2 d = offset + board.shift({column0_ + i, row0_ + j});
         if (areApart(first, second, d, gapAt(d))) continue;
