@@ -87,14 +87,14 @@ bool expectSame(const NestingProblem& problem, double longest, const std::string
 
 TEST(TallPieces, LieSideBySideAsShortAsInAnyLayout) {
   int found = 0;
-  for (int k = 0; k < 120; ++k) found += expectSame(longPieces(k), 27, std::to_string(k)) ? 1 : 0;
-  EXPECT_GT(found, 40);
-  EXPECT_LT(found, 110);
+  for (int k = 0; k < 90; ++k) found += expectSame(longPieces(k), 27, std::to_string(k)) ? 1 : 0;
+  EXPECT_GT(found, 25);
+  EXPECT_LT(found, 80);
 }
 
 TEST(TallPieces, LieSideBySideFromACutWithFlawsAndPins) {
   int found = 0;
-  for (int k = 0; k < 120; ++k) {
+  for (int k = 0; k < 90; ++k) {
     NestingProblem problem = longPieces(k);
     Random random(900 + k);
     problem.start = random.between(0, 4);
@@ -107,22 +107,22 @@ TEST(TallPieces, LieSideBySideFromACutWithFlawsAndPins) {
     }
     found += expectSame(problem, 27, std::to_string(k)) ? 1 : 0;
   }
-  EXPECT_GT(found, 30);
-  EXPECT_LT(found, 110);
+  EXPECT_GT(found, 20);
+  EXPECT_LT(found, 80);
 }
 
 TEST(TallPieces, KeepTheNapOfTheirGarments) {
   int found = 0;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 40; ++k) {
     NestingProblem problem = longPieces(k);
     problem.nap = Nap::kGarment;
     found += expectSame(problem, 27, std::to_string(k)) ? 1 : 0;
   }
-  EXPECT_GT(found, 16);
-  EXPECT_LT(found, 55);
+  EXPECT_GT(found, 10);
+  EXPECT_LT(found, 38);
 }
 
-TEST(MarkerProof, IsOfAllWaysThatGarmentsWithANapMayBeTurned) {
+TEST(TallPieces, AreProvenInAllWaysThatTheirGarmentsMayBeTurned) {
   int proven = 0;
   for (int k = 0; k < 12; ++k) {
     NestingProblem problem = longPieces(k);
@@ -151,7 +151,7 @@ TEST(MarkerProof, IsOfAllWaysThatGarmentsWithANapMayBeTurned) {
   EXPECT_GE(proven, 10);
 }
 
-TEST(MarkerProof, IsMadeWithPiecesThatArePinned) {
+TEST(TallPieces, AreProvenBesidePins) {
   NestingProblem problem = longPieces(0);
   problem.start = 0.5;
   problem.pieces[3].pin = RigidMotion{0.3, {10.3, 1.7}};
