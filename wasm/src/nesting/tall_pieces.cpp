@@ -7,11 +7,11 @@
 namespace seamwise {
 namespace {
 
-constexpr std::size_t kMost = 8, kLeast = 3;  ///< pieces; sets are many
-constexpr double kAbove = 1e-3;               ///< cm by which no two go above each other at least
-constexpr double kSameMiddle = 1e-6;          // cm
-constexpr int kNowhere = -(1 << 28);          ///< a column
-constexpr double kReads = 2;                  ///< a run of rows takes as long as this many
+constexpr std::size_t kMostTall = 8, kFewestTall = 3;  ///< pieces; sets are many
+constexpr double kAbove = 1e-3;        ///< cm by which no two go above each other at least
+constexpr double kSameMiddle = 1e-6;   // cm
+constexpr int kNoColumn = -(1 << 28);  ///< as a column
+constexpr double kReadsOfRun = 2;      ///< a run of rows takes as long as this many
 
 }  // namespace
 
@@ -26,7 +26,7 @@ TallPieces::TallPieces(const PiecesOnBoard& pieces, const SearchSlots& slots,
   };
   for (const int item : order) {
     const bool is_tall = items_.empty() || height(items_.back()) + height(item) > length + kAbove;
-    if (!is_tall || items_.size() == kMost) break;
+    if (!is_tall || items_.size() == kMostTall) break;
     // of equal pieces the first lies left of the others
     unsigned before = 0;
     for (std::size_t k = 0; k < items_.size(); ++k)
@@ -34,7 +34,7 @@ TallPieces::TallPieces(const PiecesOnBoard& pieces, const SearchSlots& slots,
     items_.push_back(item);
     before_.push_back(before);
   }
-  if (items_.size() < kLeast) items_.clear();
+  if (items_.size() < kFewestTall) items_.clear();
   least_.resize(slots.reaches.size());
   for (const int a : items_) {
     for (const int b : items_) {
@@ -67,14 +67,14 @@ int TallPieces::lastColumn(const DotsLeft& left, int slot, int row, int limit) c
   const SearchSlot& at = slots_.slots[slot];
   std::uint64_t bits = left.bits[at.row0 + row];
   const int last = limit - at.column(row);
-  if (last < 0) return kNowhere;
+  if (last < 0) return kNoColumn;
   if (last < 63) bits &= (std::uint64_t{2} << last) - 1;
-  return bits == 0 ? kNowhere : at.column(row) + std::bit_width(bits) - 1;
+  return bits == 0 ? kNoColumn : at.column(row) + std::bit_width(bits) - 1;
 }
 
 int TallPieces::limitOf(unsigned set, const DotsLeft& left, int slot, int row,
                         double* reads) const {
-  int limit = kNowhere;
+  int limit = kNoColumn;
   for (std::size_t k = 0; k < items_.size(); ++k) {
     if ((set >> k & 1) == 0) continue;
     for (const int next : slots_.of[items_[k]]) {
@@ -86,24 +86,24 @@ int TallPieces::limitOf(unsigned set, const DotsLeft& left, int slot, int row,
       const int* least = least_[slots_.pair(slot, next)].data();
       for (int j = lo; j <= hi; ++j)
         limit = std::max(limit, limits[row0 + j] - least[j - row - reach.lo]);
-      *reads += kReads;
+      *reads += kReadsOfRun;
     }
   }
   return limit;
 }
 
 bool TallPieces::setLimits(const DotsLeft& left, double* reads) {
-  limits_.assign(left.bits.size() << items_.size(), kNowhere);
+  limits_.assign(left.bits.size() << items_.size(), kNoColumn);
   bool any = false;
   for (unsigned set = 0; set < all(); ++set) {
     for (std::size_t k = 0; k < items_.size(); ++k) {
       if (set >> k & 1) continue;
       for (const int s : slots_.of[items_[k]]) {
         for (int j = left.rows[s].lo; j <= left.rows[s].hi; ++j) {
-          const int limit = set == 0 ? -kNowhere : limitOf(set, left, s, j, reads);
+          const int limit = set == 0 ? -kNoColumn : limitOf(set, left, s, j, reads);
           const int last = lastColumn(left, s, j, limit);
           limits_[set * left.bits.size() + slots_.slots[s].row0 + j] = last;
-          any = any || (last != kNowhere && (set | 1U << k) == all());
+          any = any || (last != kNoColumn && (set | 1U << k) == all());
         }
       }
     }
@@ -129,7 +129,7 @@ void TallPieces::addNext(const DotsLeft& left, const SlotDot* last, unsigned lai
       }
       for (int j = rows.lo; j <= rows.hi; ++j) {
         const int to = limits_[rest * left.bits.size() + slot.row0 + j];
-        int from = kNowhere;
+        int from = kNoColumn;
         if (last != nullptr) {
           const int row = j - last->dot.j - slots_.reach(last->slot, s).lo;
           from = last->dot.i + least_[slots_.pair(last->slot, s)][row];
