@@ -25,25 +25,35 @@ Copies copiesOf(const std::vector<ChannelImage>& levels, const TiltedLattice& vi
                       false);
 }
 
-bool isCell(const ChannelImage& image, const CellChoice& choice) {
+/// The same lattice in its shortest basis; of stripes as it is.
+CellChoice withShortBasis(CellChoice choice) {
+  if (choice.is_stripes) return choice;
   const auto reduced = lagrangeReduced(choice.view.basis.col(0), choice.view.basis.col(1));
-  const double shortest = choice.is_stripes ? choice.view.basis.col(0).norm() : reduced[0].norm();
-  if (shortest * choice.view.radius * image.scale < kShortestSide) return false;
-  return choice.is_stripes || shortest > kFlattest * reduced[1].norm();
+  choice.view.basis << reduced[0], reduced[1];
+  return choice;
+}
+
+bool isCell(const ChannelImage& image, const CellChoice& choice) {
+  const Vec2 first = choice.view.basis.col(0), second = choice.view.basis.col(1);
+  if (first.norm() * choice.view.radius * image.scale < kShortestSide) return false;
+  return choice.is_stripes || first.norm() > kFlattest * second.norm();
 }
 
 std::optional<CellChoice> smaller(const std::vector<ChannelImage>& levels, const CellChoice& choice,
                                   double explained) {
-  for (const int index : {2, 3}) {
+  for (const int index : {2, 3, 5}) {
     for (const Mat2& m : largerCells(index)) {
       if (choice.is_stripes && m(1, 1) != 1) continue;
       // Transposed: of the lattices that have this one as a part, not of its parts.
-      const CellChoice finer{choice.view.rebased(m.transpose().inverse()), choice.is_stripes};
+      const CellChoice finer =
+          withShortBasis({choice.view.rebased(m.transpose().inverse()), choice.is_stripes});
       if (!isCell(levels[0], finer)) continue;
       const Copies copies = copiesOf(levels, finer.view, kCoarse);
       if (agreementOf(copies).explained < explained - kMostLost) continue;
-      if (!isSplit(splitEvidence(CopyDifferences(copies), Mat2::Identity(), m.transpose(),
-                                 finer.view.basis)))
+      // The lattice as it was, in the smaller one's basis.
+      const Mat2 larger = (finer.view.basis.inverse() * choice.view.basis).array().round().matrix();
+      if (!isSplit(
+              splitEvidence(CopyDifferences(copies), Mat2::Identity(), larger, finer.view.basis)))
         return finer;
     }
   }
@@ -53,6 +63,7 @@ std::optional<CellChoice> smaller(const std::vector<ChannelImage>& levels, const
 }  // namespace
 
 CellChoice withSmallestCell(const std::vector<ChannelImage>& levels, CellChoice choice) {
+  choice = withShortBasis(choice);
   const double explained = agreementOf(copiesOf(levels, choice.view, kCoarse)).explained;
   for (int round = 0; round < kMostRounds; ++round) {
     const auto finer = smaller(levels, choice, explained);
@@ -81,7 +92,7 @@ CellChoice withLargerCell(const std::vector<ChannelImage>& levels, CellChoice ch
     lattice = lattice * best;
   }
   choice.view = choice.view.rebased(lattice);
-  return choice;
+  return withShortBasis(choice);
 }
 
 }  // namespace seamwise

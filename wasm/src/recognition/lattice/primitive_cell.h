@@ -12,7 +12,7 @@ struct CellChoice {
 };
 
 /// The same print's lattice with a smaller cell as long as there is one beside which the larger is
-/// not needed, two or three times smaller at a time.
+/// not needed, two, three or five times smaller at a time.
 CellChoice withSmallestCell(const std::vector<ChannelImage>& levels, CellChoice choice);
 
 /// The same with a cell up to six times larger, where copies side by side differ by more than
