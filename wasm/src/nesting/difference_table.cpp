@@ -243,10 +243,7 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
   }
   across.merge();
   upwards.merge();
-  stride_ = spacing.stride;
-  block_rows_ = (rows_ + stride_ - 1) / stride_;
-  block_columns_ = (columns_ + stride_ - 1) / stride_;
-  depths_.resize(static_cast<std::size_t>(stride_) * stride_ * block_rows_ * block_columns_);
+  depths_.resize(static_cast<std::size_t>(rows_) * columns_);
   const double doubtful = kDoubtful + 2 * most_gap;
   for (int j = 0; j < rows_; ++j) {
     for (int i = 0; i < columns_; ++i) {
@@ -265,9 +262,7 @@ DifferenceTable DifferenceTable::reversed() const {
   DifferenceTable other = *this;
   other.row0_ = -(row0_ + rows_ - 1);
   other.column0_ = -(column0_ + columns_ - 1);
-  for (int j = 0; j < rows_; ++j)
-    for (int i = 0; i < columns_; ++i)
-      other.depths_[place(j, i)] = depths_[place(rows_ - 1 - j, columns_ - 1 - i)];
+  std::reverse(other.depths_.begin(), other.depths_.end());
   return other;
 }
 
