@@ -14,7 +14,7 @@ namespace {
 /// shows.
 constexpr double kShortestStep = 0.15, kUsualStep = 0.5;  // cm
 constexpr double kCells = 16e6;
-constexpr double kLeastShare = 0.1;  ///< of these, where there is less effort to use them
+constexpr double kLeastShare = 0.1, kMostShare = 4;  ///< of these, by the effort there is to use them
 /// Boards of more columns are searched, not proven, and too near to touching is not looked into.
 constexpr int kFineColumns = 64;
 constexpr double kOnEdge = 1e-5;  ///< cm by which pieces may reach beyond a window
@@ -75,7 +75,7 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
     for (const PlacedShape& b : placed_)
       cells +=
           tableCells(shapes_[a.shape], shapes_[b.shape], Board::square(kUsualStep), spacing_.gap);
-  const double most = kCells * std::clamp(problem.effort, kLeastShare, 1.0);
+  const double most = kCells * std::clamp(problem.effort, kLeastShare, kMostShare);
   board_ = boardOf(std::max(kShortestStep, kUsualStep * std::sqrt(cells / most)));
   is_fine_ = problem.width / board_.along.x() > kFineColumns;
   is_whole_ = !ignores_print &&

@@ -13,9 +13,9 @@ namespace {
 
 /// How far outlines may grow: differences this close to touching are looked into exactly on boards
 /// of few dots, and cost length on boards of many. Half of it makes twice the convex parts.
-constexpr double kGrowth = 0.04;  // cm
+constexpr double kGrowth = 0.02;  // cm
 /// The same where outlines curve inwards: every corner there makes a convex part.
-constexpr double kInwardGrowth = 0.12;  // cm
+constexpr double kInwardGrowth = 0.05;  // cm
 
 struct Corner {
   Vec2 at;
