@@ -18,7 +18,7 @@ constexpr int kFirstStep = 16, kStep = 2;  ///< of a descent in dots, until one 
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 constexpr double kEvaluationReads = 40;  ///< what looking at a dot takes, in reads; measured
-constexpr double kLookupReads = 80;     ///< and what reading a table there takes
+constexpr double kLookupReads = 80;      ///< and what reading a table there takes
 
 constexpr std::size_t kLanes = 4, kBox = 4 * kLanes;
 using Ints __attribute__((vector_size(16))) = int;
@@ -136,16 +136,18 @@ LayoutSearch::Found LayoutSearch::leastOfSome(int item) {
       chosen[k] = {{ways[n], dot}, score};
       turns[k] = n;
     };
-    if (now.way == ways[n] && domain.has(now.dot)) look(now.dot);
-    for (int k = 0; k < kAnywhere; k += count) look(dotOf(domain));
-    if (now.way < 0) continue;
     const Shape& shape = pieces_.shape(placed);
     const Vec2 size = kNearby * (shape.high - shape.low);
     const int across = 1 + static_cast<int>(size.x() / pieces_.board().along.x()),
               up = 1 + static_cast<int>(size.y() / pieces_.board().up.y());
-    for (int k = 0; k < kNear; k += count) {
-      const Dot off{random_.below(2 * across + 1) - across, random_.below(2 * up + 1) - up};
-      if (domain.has(now.dot + off)) look(now.dot + off);
+    for (int k = now.way < 0 ? kNear : -1; k < kNear + kAnywhere; k += k < 0 ? 1 : count) {
+      Dot dot = now.dot;
+      if (k < 0 && now.way != ways[n]) continue;
+      if (k >= kNear)
+        dot = dotOf(domain);
+      else if (k >= 0)
+        dot = dot + Dot{random_.below(2 * across + 1) - across, random_.below(2 * up + 1) - up};
+      if (domain.has(dot)) look(dot);
     }
   }
   Found best{{}, kNowhere};

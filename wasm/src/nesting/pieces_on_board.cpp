@@ -14,12 +14,15 @@ namespace {
 /// shows.
 constexpr double kShortestStep = 0.15, kUsualStep = 0.5;  // cm
 constexpr double kCells = 16e6;
-constexpr double kLeastShare = 0.1, kMostShare = 4;  ///< of these, by the effort there is to use them
+constexpr double kLeastShare = 0.1,
+                 kMostShare = 4;  ///< of these, by the effort there is to use them
 /// Boards of more columns are searched, not proven, and too near to touching is not looked into.
 constexpr int kFineColumns = 64;
 constexpr double kOnEdge = 1e-5;  ///< cm by which pieces may reach beyond a window
 
-bool isMultiple(double angle, double of) { return std::abs(std::remainder(angle, of)) < 1e-6; }
+bool isMultiple(double angle, double of) {
+  return std::abs(angle - of * std::nearbyint(angle / of)) < 1e-6;
+}
 
 struct Turn {
   Mat2 linear;
