@@ -128,21 +128,31 @@ struct Stretch {
   float from, to;
 };
 
-/// The part of the line start + s * step that lies within all half planes, each moved outwards.
-Stretch stretchIn(const std::vector<HalfPlane>& sides, double outwards, const Vec2& start,
-                  const Vec2& step) {
-  double from = -1e6, to = 1e6;
+/// Calls add(k, stretch) for each of the lines start + k * next + s * step: its part that lies
+/// within all half planes, each moved outwards.
+template <class Add>
+void stretchesIn(const std::vector<HalfPlane>& sides, double outwards, const Vec2& start,
+                 const Vec2& step, const Vec2& next, const DotRun& lines, Add add) {
+  // per side: the s at which the line k = 0 crosses it, and what that grows by from line to line
+  std::vector<double> lower, upper, level;
   for (const HalfPlane& side : sides) {
-    const double by = side.normal.dot(step);
-    const double room = side.at + outwards - side.normal.dot(start);
-    if (by > 1e-12)
-      to = std::min(to, room / by);
-    else if (by < -1e-12)
-      from = std::max(from, room / by);
-    else if (room < 0)
-      to = -1e6;
+    const double by = side.normal.dot(step), room = side.at + outwards - side.normal.dot(start);
+    const bool is_level = std::abs(by) <= 1e-12;
+    const double share = is_level ? 1 : 1 / by;
+    std::vector<double>& ends = is_level ? level : by > 0 ? upper : lower;
+    ends.push_back(room * share);
+    ends.push_back(-side.normal.dot(next) * share);
   }
-  return {static_cast<float>(from), static_cast<float>(to)};
+  for (int k = lines.lo; k <= lines.hi; ++k) {
+    double from = -1e6, to = 1e6;
+    for (std::size_t n = 0; n < lower.size(); n += 2)
+      from = std::max(from, lower[n] + k * lower[n + 1]);
+    for (std::size_t n = 0; n < upper.size(); n += 2)
+      to = std::min(to, upper[n] + k * upper[n + 1]);
+    for (std::size_t n = 0; n < level.size(); n += 2)
+      if (level[n] + k * level[n + 1] < 0) to = -1e6;
+    add(k, Stretch{static_cast<float>(from), static_cast<float>(to)});
+  }
 }
 
 struct Cells {
@@ -241,24 +251,24 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
       const Polyline sum = convexDifference(a, b);
       const std::vector<HalfPlane> sides = halfPlanes(sum);
       const Cells held = cellsOf(extentOf(sum, most_gap), offset, board);
-      for (int j = held.rows.lo; j <= held.rows.hi; ++j)
-        across.add(j - row0_,
-                   stretchIn(sides, room, offset + board.shift({column0_, j}), board.along));
-      for (int j = held.rows.lo; is_tight && j <= held.rows.hi; ++j)
-        near.add(j - row0_, stretchIn(sides, most_gap + kHidden,
-                                      offset + board.shift({column0_, j}), board.along));
-      for (int i = held.columns.lo; i <= held.columns.hi; ++i)
-        upwards.add(i - column0_,
-                    stretchIn(sides, room, offset + board.shift({i, row0_}), board.up));
+      const Vec2 start = offset + board.shift({column0_, row0_});
+      stretchesIn(sides, room, start, board.along, board.up,
+                  {held.rows.lo - row0_, held.rows.hi - row0_},
+                  [&](int j, const Stretch& stretch) { across.add(j, stretch); });
+      stretchesIn(sides, room, start, board.up, board.along,
+                  {held.columns.lo - column0_, held.columns.hi - column0_},
+                  [&](int i, const Stretch& stretch) { upwards.add(i, stretch); });
+      if (is_tight) {
+        stretchesIn(sides, most_gap + kHidden, start, board.along, board.up,
+                    {held.rows.lo - row0_, held.rows.hi - row0_},
+                    [&](int j, const Stretch& stretch) { near.add(j, stretch); });
+      }
     }
   }
   across.merge();
   upwards.merge();
   near.merge();
-  stride_ = spacing.stride;
-  block_rows_ = (rows_ + stride_ - 1) / stride_;
-  block_columns_ = (columns_ + stride_ - 1) / stride_;
-  depths_.resize(static_cast<std::size_t>(stride_) * stride_ * block_rows_ * block_columns_);
+  depths_.resize(static_cast<std::size_t>(rows_) * columns_);
   const double doubtful = kDoubtful + 2 * most_gap;
   for (int j = 0; j < rows_; ++j) {
     for (int i = 0; i < columns_; ++i) {
@@ -278,9 +288,7 @@ DifferenceTable DifferenceTable::reversed() const {
   DifferenceTable other = *this;
   other.row0_ = -(row0_ + rows_ - 1);
   other.column0_ = -(column0_ + columns_ - 1);
-  for (int j = 0; j < rows_; ++j)
-    for (int i = 0; i < columns_; ++i)
-      other.depths_[place(j, i)] = depths_[place(rows_ - 1 - j, columns_ - 1 - i)];
+  std::reverse(other.depths_.begin(), other.depths_.end());
   return other;
 }
 
