@@ -34,6 +34,7 @@ void LayoutSearch::closeUp(double by) {
     if (bottomOf(item) > cut && !pieces_.items()[item].is_pinned) places_[item].dot.j -= down;
 }
 
+/// Goes on from there; what lies beyond the window is brought back.
 void LayoutSearch::takeUp(const std::vector<LayPlace>& places) {
   places_ = places;
   for (int item = 0; item < count_; ++item) place(item, places_[item]);

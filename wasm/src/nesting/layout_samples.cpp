@@ -30,11 +30,6 @@ Ints intsFrom(const int* numbers) {
   return ints;
 }
 
-bool isEmpty(const Domain& domain) {
-  return std::all_of(domain.runs.begin(), domain.runs.end(),
-                     [](const DotRun& run) { return run.empty(); });
-}
-
 }  // namespace
 
 LayoutSearch::Neighbours LayoutSearch::neighboursOf(int item, int placed) const {
@@ -124,7 +119,7 @@ LayoutSearch::Found LayoutSearch::leastOfSome(int item) {
   for (int n = 0; n < count; ++n) {
     const int placed = pieces_.items()[item].ways[ways[n]].placed;
     const Domain& domain = domains_[placed];
-    if (isEmpty(domain)) continue;
+    if (domain.empty()) continue;
     neighbours[n] = neighboursOf(item, placed);
     const auto look = [&](Dot dot) {
       std::size_t k = kDescents;

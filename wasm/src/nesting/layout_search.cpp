@@ -44,8 +44,8 @@ LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uin
   };
   for (int by = 0; by < 3; ++by) {
     // largest first; what is pinned is there already
-    sortBy(order, [&](int item) { return -size(item, by); });
-    sortBy(order, [&](int item) { return pieces.items()[item].is_pinned ? 0 : 1; });
+    sortBy(order,
+           [&](int item) { return pieces.items()[item].is_pinned ? -1e9 : -size(item, by); });
     orders_.push_back(order);
   }
 }
@@ -101,9 +101,7 @@ void LayoutSearch::offer(const LaidPieces& layout) {
 
 bool LayoutSearch::hasPlace(int item) const {
   return std::any_of(ways_[item].begin(), ways_[item].end(), [&](int way) {
-    const Domain& domain = domains_[pieces_.items()[item].ways[way].placed];
-    return std::any_of(domain.runs.begin(), domain.runs.end(),
-                       [](const DotRun& run) { return !run.empty(); });
+    return !domains_[pieces_.items()[item].ways[way].placed].empty();
   });
 }
 
@@ -142,22 +140,19 @@ void LayoutSearch::place(int item, const LayPlace& place) {
 bool LayoutSearch::begin() {
   const double most = std::max(best_->length() - kShorter, 0.0);
   const double target = std::min(most, best_->length() * (1 - shrink_));
-  std::vector<double> from = beginnings_;
-  const int first = random_.below(static_cast<int>(from.size()));
-  std::rotate(from.begin(), from.begin() + first, from.end());
-  if (random_.uniform() < 0.5) from.insert(from.begin(), beginning_);
-  for (const double bottom : from) {
+  const std::size_t count = beginnings_.size();
+  const std::size_t first = random_.below(static_cast<int>(count));
+  // before all others, half the time, the one that is the best's
+  const std::size_t before = random_.uniform() < 0.5 ? 1 : 0;
+  for (std::size_t k = 0; k < count + before; ++k) {
+    const double bottom = k < before ? beginning_ : beginnings_[(first + k - before) % count];
     setWindow(bottom, target);
     bool all = true;
     for (int item = 0; item < count_ && all; ++item) all = hasPlace(item);
     if (!all) continue;
     places_ = best_->places;
     if (pieces_.isFine()) closeUp(best_->length() - target);
-    for (int item = 0; item < count_; ++item) place(item, places_[item]);
-    for (int item = 0; item < count_; ++item) {
-      const int placed = pieces_.items()[item].ways[places_[item].way].placed;
-      if (!domains_[placed].has(places_[item].dot)) place(item, leastOverlap(item).place);
-    }
+    takeUp(places_);
     std::fill(weights_.begin(), weights_.end(), 1.0f);
     least_total_ = least_of_target_ = std::numeric_limits<double>::infinity();
     idle_ = returns_ = 0;

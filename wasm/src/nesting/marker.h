@@ -101,8 +101,7 @@ class Marker {
   std::unique_ptr<LayoutSearch> free_search_;
   double free_length_ = 0;
   std::size_t width_ = 0;
-  std::unique_ptr<LayoutSearch> width_search_;
-  std::optional<LaidPieces> narrower_;  ///< what was found for the width before
+  std::unique_ptr<LayoutSearch> width_search_, narrower_;  ///< the latter of the width before
   std::vector<double> width_lengths_;
   double reads_ = 0;  ///< of this call of advance
 };

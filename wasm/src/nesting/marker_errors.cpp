@@ -67,10 +67,7 @@ void Marker::fail() {
       const LayCloth cloth = clothOf(width, phase);
       const Window window{cloth.left, cloth.right, 0, 1000};
       for (const LayWay& way : pieces_.items()[item].ways) {
-        const Domain domain = pieces_.domain(way.placed, window, cloth.origin);
-        if (std::none_of(domain.runs.begin(), domain.runs.end(),
-                         [](const DotRun& run) { return !run.empty(); }))
-          continue;
+        if (pieces_.domain(way.placed, window, cloth.origin).empty()) continue;
         error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
                                               centimetres(problem_.width) +
                                               "; the cloth has to be at least " + atLeast(width) +

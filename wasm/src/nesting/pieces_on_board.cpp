@@ -54,6 +54,10 @@ bool isSame(const Polyline& a, const Polyline& b) {
 
 }  // namespace
 
+bool Domain::empty() const {
+  return std::all_of(runs.begin(), runs.end(), [](const DotRun& run) { return run.empty(); });
+}
+
 PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
     : spacing_{problem.gap, ignores_print ? 0 : problem.repeat_tolerance, false},
       ignores_print_(ignores_print) {

@@ -20,6 +20,7 @@ struct Domain {
   std::vector<DotRun> runs;  ///< per row its columns
   DotRun rows() const { return {first, first + static_cast<int>(runs.size()) - 1}; }
   const DotRun& row(int j) const { return runs[j - first]; }
+  bool empty() const;  ///< no row has a dot
   bool has(Dot dot) const {
     return dot.j >= first && dot.j <= rows().hi && dot.i >= row(dot.j).lo && dot.i <= row(dot.j).hi;
   }
