@@ -2,7 +2,17 @@
 import type {Point} from '@/model/geometry.js';
 
 /** Row by row. */
-export type Matrix3 = readonly [number, number, number, number, number, number, number, number, number];
+export type Matrix3 = readonly [
+  number,
+  number,
+  number,
+  number,
+  number,
+  number,
+  number,
+  number,
+  number,
+];
 
 /** Where lattice coordinates (u, v) lie on the upright picture: lens(H (u, v, 1)); y down. [px] */
 export interface LatticeView {
@@ -34,20 +44,22 @@ export interface Pose {
 export const product = (a: Matrix3, b: Matrix3): Matrix3 => {
   const cell = (row: number, column: number): number =>
     [0, 1, 2].reduce((sum, k) => sum + (a[3 * row + k] ?? 0) * (b[3 * k + column] ?? 0), 0);
+  // prettier-ignore
   return [
     cell(0, 0), cell(0, 1), cell(0, 2),
     cell(1, 0), cell(1, 1), cell(1, 2),
     cell(2, 0), cell(2, 1), cell(2, 2),
-  ]; // prettier-ignore
+  ];
 };
 
 export const inverse = ([a, b, c, d, e, f, g, h, i]: Matrix3): Matrix3 => {
   const det = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
+  // prettier-ignore
   return [
     (e * i - f * h) / det, (c * h - b * i) / det, (b * f - c * e) / det,
     (f * g - d * i) / det, (a * i - c * g) / det, (c * d - a * f) / det,
     (d * h - e * g) / det, (b * g - a * h) / det, (a * e - b * d) / det,
-  ]; // prettier-ignore
+  ];
 };
 
 export function applied(m: Matrix3, [x, y]: Point): Point {
@@ -61,17 +73,19 @@ function rotation({tilt, axis, turn}: Pose): Matrix3 {
   const y = Math.sin(axis);
   const c = Math.cos(tilt);
   const s = Math.sin(tilt);
+  // prettier-ignore
   const tilted: Matrix3 = [
     c + x * x * (1 - c), x * y * (1 - c), y * s,
     x * y * (1 - c), c + y * y * (1 - c), -x * s,
     -y * s, x * s, c,
-  ]; // prettier-ignore
+  ];
   // y down: counter-clockwise as seen is a negative angle
+  // prettier-ignore
   const turned: Matrix3 = [
     Math.cos(turn), Math.sin(turn), 0,
     -Math.sin(turn), Math.cos(turn), 0,
     0, 0, 1,
-  ]; // prettier-ignore
+  ];
   return product(tilted, turned);
 }
 
@@ -80,11 +94,12 @@ export function homographyOf(pose: Pose, w1: Point, w2: Point): Matrix3 {
   const f = (pose.f35 / 36) * Math.max(pose.width, pose.height);
   const away = f / pose.pxPerCm;
   const [u, v] = pose.middle;
+  // prettier-ignore
   const onCloth: Matrix3 = [
     w1[0], w2[0], -(u * w1[0] + v * w2[0]),
     -w1[1], -w2[1], u * w1[1] + v * w2[1],
     0, 0, 1,
-  ]; // prettier-ignore
+  ];
   const r = rotation(pose);
   const placed: Matrix3 = [r[0], r[1], 0, r[3], r[4], 0, r[6], r[7], away];
   const k: Matrix3 = [f, 0, pose.width / 2, 0, f, pose.height / 2, 0, 0, 1];
@@ -98,19 +113,25 @@ export function scaled(m: Matrix3): Matrix3 {
 }
 
 /** How far from the middle a ray would land without the lens, over how far it does, by its squared radius on the picture. */
-export function unlensed({lens, lensRadius}: LatticeView): (squared: number) => number {
-  if (lens === 0) return () => 1;
+export function unlensed({lens, lensRadius}: LatticeView, squared: number): number {
+  if (lens === 0 || squared === 0) return 1;
   const k = lens / (lensRadius * lensRadius);
+  const r = Math.sqrt(squared);
+  let flat = r;
+  for (let pass = 0; pass < 8; pass++) {
+    flat -= (flat + k * flat ** 3 - r) / (1 + 3 * k * flat * flat);
+  }
+  return flat / r;
+}
+
+/** The same from a table, for every pixel of a picture. */
+export function unlensedTable(view: LatticeView): (squared: number) => number {
+  if (view.lens === 0) return () => 1;
   const steps = 1024;
-  const most = 2 * lensRadius * lensRadius; // the corners
-  const table = Float64Array.from({length: steps + 2}, (_, i) => {
-    const r = Math.sqrt((most * i) / steps);
-    let flat = r;
-    for (let pass = 0; pass < 20; pass++) {
-      flat -= (flat + k * flat ** 3 - r) / (1 + 3 * k * flat * flat);
-    }
-    return r === 0 ? 1 : flat / r;
-  });
+  const most = 2 * view.lensRadius * view.lensRadius; // the corners
+  const table = Float64Array.from({length: steps + 2}, (_, i) =>
+    unlensed(view, (most * i) / steps),
+  );
   return (squared) => {
     const place = (squared / most) * steps;
     const i = Math.min(steps, Math.floor(place));
@@ -124,7 +145,7 @@ export function repeatsAt(h: Matrix3, at: Point): readonly [Point, Point] {
   const [u, v] = applied(inverse(h), at);
   const w = h[6] * u + h[7] * v + h[8];
   const column = (k: 0 | 1): Point => [
-    ((h[k] ?? 0) - at[0] * (h[6 + k] ?? 0)) / w,
+    (h[k] - at[0] * (h[6 + k] ?? 0)) / w,
     ((h[3 + k] ?? 0) - at[1] * (h[6 + k] ?? 0)) / w,
   ];
   return [column(0), column(1)];

@@ -23,6 +23,9 @@ export interface PrintTruth extends LatticeView {
   readonly broken: number;
   /** True where `broken` is below 6 %: then "almost" is no mistake. */
   readonly near: boolean;
+  /** Of a tile, the picture's edges on the cloth, to the right and up. [cm] */
+  readonly right?: Point;
+  readonly up?: Point;
 }
 
 /** What is written for every case. */

@@ -1,9 +1,8 @@
 /** Cloth as light comes from it: the print through the view, with folds, weave and lamps. */
 import type {Point} from '@/model/geometry.js';
 
-import {inverse, repeatsAt, unlensed, type LatticeView} from './camera.js';
+import {inverse, repeatsAt, unlensedTable, type LatticeView} from './camera.js';
 import {halved, type Cell, type Print} from './drawn-print.js';
-import type {Ink} from './inks.js';
 import type {Creases} from './creases.js';
 import {darkPicture, type LightPicture} from './pixels.js';
 
@@ -46,9 +45,18 @@ export function samplerOf(full: Cell, size: number): Sampler {
     const w10 = s * (1 - t);
     const w01 = (1 - s) * t;
     const w11 = s * t;
-    out[0] = w00 * (red[k00] ?? 0) + w10 * (red[k10] ?? 0) + w01 * (red[k01] ?? 0) + w11 * (red[k11] ?? 0);
-    out[1] = w00 * (green[k00] ?? 0) + w10 * (green[k10] ?? 0) + w01 * (green[k01] ?? 0) + w11 * (green[k11] ?? 0);
-    out[2] = w00 * (blue[k00] ?? 0) + w10 * (blue[k10] ?? 0) + w01 * (blue[k01] ?? 0) + w11 * (blue[k11] ?? 0);
+    out[0] =
+      w00 * (red[k00] ?? 0) + w10 * (red[k10] ?? 0) + w01 * (red[k01] ?? 0) + w11 * (red[k11] ?? 0);
+    out[1] =
+      w00 * (green[k00] ?? 0) +
+      w10 * (green[k10] ?? 0) +
+      w01 * (green[k01] ?? 0) +
+      w11 * (green[k11] ?? 0);
+    out[2] =
+      w00 * (blue[k00] ?? 0) +
+      w10 * (blue[k10] ?? 0) +
+      w01 * (blue[k01] ?? 0) +
+      w11 * (blue[k11] ?? 0);
   };
 }
 
@@ -79,7 +87,7 @@ function seenWeave({strength, waves}: Weave, pixel: number): number {
   return perPixel < 0.5 ? strength * (1 - perPixel) : 0;
 }
 
-/** @param cloth what is seen at lattice coordinates @param colours of light at each pixel */
+/** @param cloth what is seen at lattice coordinates */
 export function clothPicture(
   cloth: Sampler,
   view: LatticeView,
@@ -89,7 +97,7 @@ export function clothPicture(
   const picture = darkPicture(width, height);
   const [red, green, blue] = picture.planes;
   const [a, b, c, d, e, f, g, h, i] = inverse(view.homography);
-  const factor = unlensed(view);
+  const factor = unlensedTable(view);
   const [cx, cy] = view.lensMiddle;
   const pixel = pixelShare(view, width, height);
   const weave = look.weave ? seenWeave(look.weave, pixel) : 0;
@@ -132,7 +140,9 @@ export function clothPicture(
 }
 
 /** What a print's cloth shows. */
-export const printSampler = (print: Print, view: LatticeView, width: number, height: number): Sampler =>
-  samplerOf(print.cell, pixelShare(view, width, height));
-
-export type {Ink};
+export const printSampler = (
+  print: Print,
+  view: LatticeView,
+  width: number,
+  height: number,
+): Sampler => samplerOf(print.cell, pixelShare(view, width, height));

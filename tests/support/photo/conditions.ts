@@ -13,6 +13,8 @@ export interface Conditions {
   readonly turn: number;
   /** Repeats across the picture's longer side, of the length of the square of the cell's area. */
   readonly repeats: number;
+  /** No cell takes more than one such part of the shorter side: a repeat must be seen twice. */
+  readonly cellsShown: number;
   /** k of the lens, at half the longer side. */
   readonly lens: number;
   /** Greatest displacement by creases, as a share of a repeat. */
@@ -41,6 +43,7 @@ function scan(chance: Chance): Conditions {
     axis: 0,
     turn: chance.whole(0, 3) * 90 * degrees + chance.between(-2, 2) * degrees,
     repeats: chance.between(2.8, 6),
+    cellsShown: 2.4,
     lens: 0,
     creases: chance.between(0, 0.001),
     lamps: {least: chance.between(0.95, 0.99), vignette: 0, cast: castOf(0.03, chance)},
@@ -62,6 +65,7 @@ function normal(chance: Chance): Conditions {
     axis: chance.between(0, 2 * Math.PI),
     turn: chance.between(0, 2 * Math.PI),
     repeats: chance.between(2.7, 7),
+    cellsShown: 2.4,
     lens: chance.between(-0.01, 0.01),
     creases: chance.between(0, 0.005),
     lamps: {
@@ -87,6 +91,7 @@ function hard(chance: Chance): Conditions {
     axis: chance.between(0, 2 * Math.PI),
     turn: chance.between(0, 2 * Math.PI),
     repeats: chance.between(2.7, 8),
+    cellsShown: 2.4,
     lens: chance.between(-0.04, 0.04),
     creases: chance.between(0.003, 0.015),
     lamps: {

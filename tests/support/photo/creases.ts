@@ -52,7 +52,13 @@ export function solved(rows: number[][], right: number[]): number[] {
 }
 
 /** @param most greatest displacement, as a share of a repeat */
-export function creases(h: Matrix3, width: number, height: number, most: number, chance: Chance): Creases {
+export function creases(
+  h: Matrix3,
+  width: number,
+  height: number,
+  most: number,
+  chance: Chance,
+): Creases {
   const back = inverse(h);
   const longer = Math.max(width, height);
   const waves: Wave[] = Array.from({length: 7}, () => {

@@ -12,6 +12,8 @@ export interface Patch {
   /** Of the outline's middle, in lattice coordinates. */
   readonly at: Point;
   readonly ink: Ink;
+  /** By whose symmetries it is repeated, on the same w1, w2; the design's, if not given. */
+  readonly group?: GroupName;
 }
 
 export interface Design {
@@ -48,8 +50,7 @@ type Placing = (i: number, j: number) => number;
 const placings = (group: GroupName, n: number): readonly Placing[] =>
   elementsOf(group).map(({m: [a, b, c, d], a: [x, y]}) => {
     const mask = n - 1; // n is a power of two
-    return (i, j) =>
-      ((c * i + d * j + y * n) & mask) * n + ((a * i + b * j + x * n) & mask);
+    return (i, j) => ((c * i + d * j + y * n) & mask) * n + ((a * i + b * j + x * n) & mask);
   });
 
 /** How much of each sample the patch and its images cover, as a union: so it is exactly symmetric. */
@@ -109,10 +110,9 @@ class Cover {
 /** @param n samples along either side, a power of two */
 export function drawn(design: Design, n: number): Print {
   const cell = emptyCell(n, design.ground);
-  const to = placings(design.group, n);
   const cover = new Cover(n);
   for (const patch of design.patches) {
-    cover.add(patch, design, to);
+    cover.add(patch, design, placings(patch.group ?? design.group, n));
     cover.print(cell, patch.ink);
   }
   return {group: design.group, w1: design.w1, w2: design.w2, cell};

@@ -39,6 +39,12 @@ export function rawOf({width, height, data}: Rgba): Buffer {
   return Buffer.concat([head, Buffer.from(data.buffer, data.byteOffset, data.byteLength)]);
 }
 
+/** What `rawOf` wrote. */
+export function fromRaw(bytes: Buffer): Rgba {
+  const data = new Uint8ClampedArray(bytes.subarray(8));
+  return {width: bytes.readInt32LE(0), height: bytes.readInt32LE(4), data};
+}
+
 export type Orientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8;
 
 /** The pixels as a camera stores them that says `orientation`: turned or mirrored, so that its tag undoes it. */

@@ -5,7 +5,7 @@ import type {Point} from '@/model/geometry.js';
 import type {Chance} from './chance.js';
 import {drawn, type Design, type Patch, type Print} from './drawn-print.js';
 import {elementsOf, shapeOf, type Shape} from './group-elements.js';
-import {palette} from './inks.js';
+import {palette, type Ink} from './inks.js';
 import {blob, disc, flower, leaf, placed, stroke, type Outline} from './outlines.js';
 import {nearSymmetries, SymmetryShares} from './symmetry-shares.js';
 
@@ -13,8 +13,8 @@ import {nearSymmetries, SymmetryShares} from './symmetry-shares.js';
 const likeness = 0.05;
 /** A print is without a symmetry that breaks at least this share of its energy. */
 export const clearlyBroken = 0.06;
-/** Below this one cannot tell; between, the print is `near`. */
-const barelyBroken = 0.02;
+/** Below this nobody can tell; between the two the print almost has the symmetry. */
+export const barelyBroken = 0.02;
 
 /** w1 along +x, counter-clockwise. [cm] */
 export function randomLattice(shape: Shape, chance: Chance): readonly [Point, Point] {
@@ -57,11 +57,19 @@ function motif(size: number, chance: Chance): Outline {
   const kind = chance.next();
   if (kind < 0.3) return blob(size * 0.75, chance);
   if (kind < 0.6) return leaf(size * 1.5, size * 0.35, chance.between(-0.5, 0.5));
-  if (kind < 0.85) return stroke(size * 2, size * chance.between(0.12, 0.3), chance.between(-0.6, 0.6));
+  if (kind < 0.85)
+    return stroke(size * 2, size * chance.between(0.12, 0.3), chance.between(-0.6, 0.6));
   return flower(size * 1.1, chance.whole(4, 7), chance);
 }
 
-function patchesOf(w1: Point, w2: Point, order: number, chance: Chance, inks: Design['patches'][number]['ink'][]): readonly Patch[] {
+/** Motifs by chance; @param order of the group, which multiplies them */
+export function randomPatches(
+  w1: Point,
+  w2: Point,
+  order: number,
+  chance: Chance,
+  inks: readonly Ink[],
+): readonly Patch[] {
   const area = w1[0] * w2[1] - w1[1] * w2[0];
   const count = Math.max(4, Math.round(chance.between(14, 44) / order));
   const size = Math.sqrt(area / (order * count)) * chance.between(0.45, 0.8);
@@ -93,20 +101,16 @@ export interface RandomPrint extends Print {
   readonly broken: number;
 }
 
-/**
- * @param n samples along a side of the cell, a power of two, 256 at least
- * @param near one that almost has a symmetry it lacks: 2-6 % of its energy break it
- */
-export function floralPrint(group: GroupName, chance: Chance, n: number, near = false): RandomPrint {
+/** @param n samples along a side of the cell, a power of two, 256 at least */
+export function floralPrint(group: GroupName, chance: Chance, n: number): RandomPrint {
   const order = elementsOf(group).length;
   for (let attempt = 0; attempt < 400; attempt++) {
     const [w1, w2] = latticeFor(group, chance);
     const {ground, inks} = palette(chance);
-    const patches = patchesOf(w1, w2, order, chance, [...inks]);
+    const patches = randomPatches(w1, w2, order, chance, inks);
     const design: Design = {group, w1, w2, ground, patches};
     const broken = leastBroken(drawn(design, 128));
-    const wanted = near ? broken >= barelyBroken && broken < clearlyBroken : broken >= clearlyBroken;
-    if (wanted) return {...drawn(design, n), broken};
+    if (broken >= clearlyBroken) return {...drawn(design, n), broken};
   }
-  throw new RangeError(`no print of ${group} breaks what it lacks as wanted`);
+  throw new RangeError(`no print of ${group} breaks what it lacks`);
 }

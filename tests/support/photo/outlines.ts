@@ -34,7 +34,9 @@ export function blob(radius: number, chance: Chance): Outline {
   const steps = 256;
   const radii = Float64Array.from({length: steps + 1}, (_, i) => {
     const angle = (2 * Math.PI * i) / steps;
-    return radius * waves.reduce((r, {k, size, phase}) => r + size * Math.cos(k * angle + phase), 1);
+    return (
+      radius * waves.reduce((r, {k, size, phase}) => r + size * Math.cos(k * angle + phase), 1)
+    );
   });
   return {
     reach: Math.max(...radii),

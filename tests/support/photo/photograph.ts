@@ -20,12 +20,9 @@ export interface Photograph {
 /** The two vectors by which what is photographed is laid out. [cm] */
 export type Sides = Pick<Print, 'w1' | 'w2'>;
 
-/** No cell takes more than this share of the shorter side, so that 2.2 are seen. */
-const leastShown = 2.4;
-
 export function viewOf(
   {w1, w2}: Sides,
-  {f35, tilt, axis, turn, repeats, lens}: Conditions,
+  {f35, tilt, axis, turn, repeats, cellsShown, lens}: Conditions,
   [width, height]: readonly [number, number],
   chance: Chance,
 ): LatticeView {
@@ -33,7 +30,10 @@ export function viewOf(
   const longest = Math.max(Math.hypot(...w1), Math.hypot(...w2));
   const longer = Math.max(width, height);
   const shorter = Math.min(width, height);
-  const pxPerCm = Math.min(longer / (repeats * Math.sqrt(area)), shorter / (leastShown * longest));
+  const pxPerCm = Math.min(
+    longer / (repeats * Math.sqrt(area)),
+    cellsShown > 0 ? shorter / (cellsShown * longest) : Infinity,
+  );
   const middle: Point = [chance.next(), chance.next()];
   const pose = {width, height, f35, tilt, axis, turn, pxPerCm, middle};
   return {
@@ -66,9 +66,10 @@ export async function photographed(
   const {pixels, left, top} = cut(whole, conditions.crop, chance);
   return {
     pixels: await throughJpeg(pixels, conditions.quality),
-    view: left === 0 && top === 0 && pixels.width === width && pixels.height === height
-      ? view
-      : moved(view, left, top),
+    view:
+      left === 0 && top === 0 && pixels.width === width && pixels.height === height
+        ? view
+        : moved(view, left, top),
   };
 }
 
@@ -92,7 +93,11 @@ function picture(
   });
 }
 
-function cut(whole: Rgba, share: number, chance: Chance): {pixels: Rgba; left: number; top: number} {
+function cut(
+  whole: Rgba,
+  share: number,
+  chance: Chance,
+): {pixels: Rgba; left: number; top: number} {
   if (share >= 1) return {pixels: whole, left: 0, top: 0};
   const w = Math.round(whole.width * share);
   const h = Math.round(whole.height * share);
@@ -103,11 +108,12 @@ function cut(whole: Rgba, share: number, chance: Chance): {pixels: Rgba; left: n
 
 function moved(view: LatticeView, left: number, top: number): LatticeView {
   const h = view.homography;
+  // prettier-ignore
   const homography: Matrix3 = [
     h[0] - left * h[6], h[1] - left * h[7], h[2] - left * h[8],
     h[3] - top * h[6], h[4] - top * h[7], h[5] - top * h[8],
     h[6], h[7], h[8],
-  ]; // prettier-ignore
+  ];
   return {
     ...view,
     homography,

@@ -40,7 +40,13 @@ export function rgba({width, height, planes}: LightPicture): Rgba {
 }
 
 /** Pixels of a rectangle that lies inside. */
-export function cropped({width, data}: Rgba, left: number, top: number, w: number, h: number): Rgba {
+export function cropped(
+  {width, data}: Rgba,
+  left: number,
+  top: number,
+  w: number,
+  h: number,
+): Rgba {
   const out = new Uint8ClampedArray(4 * w * h);
   for (let y = 0; y < h; y++) {
     const from = 4 * ((top + y) * width + left);

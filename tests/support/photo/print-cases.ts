@@ -1,16 +1,21 @@
 /** Photographs of prints in the 17 groups. */
 import type {GroupName} from '@/model/print.js';
 
-import type {CaseHead, PhotoCase} from './case.js';
+import type {CaseHead, PhotoCase, PrintTruth} from './case.js';
 import {Chance} from './chance.js';
-import {conditionsOf, type PhotoLevel} from './conditions.js';
+import {conditionsOf, type Conditions, type PhotoLevel} from './conditions.js';
 import type {Print} from './drawn-print.js';
-import {clearlyBroken, floralPrint} from './floral-prints.js';
+import {clearlyBroken, floralPrint, type RandomPrint} from './floral-prints.js';
 import {originNear, photographOf, type Photograph} from './photograph.js';
+import {almostPrint, isStripe, specialPrints} from './special-prints.js';
 
 /** Samples along a side of a cell: as many as the greatest repeat of a picture has pixels. */
 export const samplesFor = (longerSide: number): number =>
   2 ** Math.max(8, Math.ceil(Math.log2(longerSide / 2.4)));
+
+export interface PrintCase extends PhotoCase {
+  readonly truth: CaseHead & PrintTruth;
+}
 
 /** @param broken least share of its energy by which the print breaks what it lacks */
 export function printCase(
@@ -18,7 +23,7 @@ export function printCase(
   {pixels, view}: Photograph,
   {group, w1, w2, cell}: Print,
   broken: number,
-): PhotoCase {
+): PrintCase {
   const {width, height} = pixels;
   return {
     truth: {
@@ -41,17 +46,49 @@ export function printCase(
 
 export interface PrintCaseAsked {
   readonly name: string;
-  readonly group: GroupName;
   readonly level: PhotoLevel;
   readonly seed: number;
+  /** [px] */
   readonly size: readonly [number, number];
 }
 
-export async function floralCase({name, group, level, seed, size}: PrintCaseAsked): Promise<PhotoCase> {
-  const chance = new Chance(seed);
-  const print = floralPrint(group, chance.branch(), samplesFor(Math.max(...size)));
+/** Takes the picture of a print as the level has it. */
+async function taken(
+  {name, level, seed, size}: PrintCaseAsked,
+  kind: string,
+  print: RandomPrint,
+  chance: Chance,
+): Promise<PhotoCase> {
   const conditions = conditionsOf(level, chance.branch());
-  const photograph = await photographOf(print, conditions, size, chance.branch());
+  const framed = isStripe(kind) ? acrossStripes(conditions, print) : conditions;
+  const photograph = await photographOf(print, framed, size, chance.branch());
   const f35 = level === 'scan' || conditions.crop < 1 ? null : conditions.f35;
-  return printCase({name, level, kind: 'floral', seed, f35}, photograph, print, print.broken);
+  return printCase({name, level, kind, seed, f35}, photograph, print, print.broken);
+}
+
+/** Repeats are those across the stripes: along them they have no length of their own. */
+const acrossStripes = (conditions: Conditions, {w1, w2}: Print): Conditions => ({
+  ...conditions,
+  repeats: conditions.repeats * Math.sqrt(Math.hypot(...w1) / Math.hypot(...w2)),
+});
+
+export function floralCase(asked: PrintCaseAsked, group: GroupName): Promise<PhotoCase> {
+  const chance = new Chance(asked.seed);
+  const print = floralPrint(group, chance.branch(), samplesFor(Math.max(...asked.size)));
+  return taken(asked, 'floral', print, chance);
+}
+
+/** @param kind of `specialPrints` */
+export function specialCase(asked: PrintCaseAsked, kind: string): Promise<PhotoCase> {
+  const chance = new Chance(asked.seed);
+  const make = specialPrints[kind];
+  if (!make) throw new RangeError(`no print of the kind ${kind}`);
+  return taken(asked, kind, make(chance.branch(), samplesFor(Math.max(...asked.size))), chance);
+}
+
+/** @param number which of the pairs of groups that `almostPrint` knows */
+export function almostCase(asked: PrintCaseAsked, number: number): Promise<PhotoCase> {
+  const chance = new Chance(asked.seed);
+  const print = almostPrint(number, chance.branch(), samplesFor(Math.max(...asked.size)));
+  return taken(asked, 'almost', print, chance);
 }

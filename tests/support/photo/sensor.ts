@@ -23,7 +23,8 @@ function filtered(
       for (let r = 1; r <= reach; r++) {
         const before = inside ? r : Math.min(r, place);
         const after = inside ? r : Math.min(r, last - place);
-        sum += (kernel[r] ?? 0) * ((plane[k - before * step] ?? 0) + (plane[k + after * step] ?? 0));
+        sum +=
+          (kernel[r] ?? 0) * ((plane[k - before * step] ?? 0) + (plane[k + after * step] ?? 0));
       }
       out[k] = sum;
     }
@@ -40,7 +41,10 @@ function gaussian(sigma: number): readonly number[] {
   return half.map((w) => w / total);
 }
 
-const mapped = (picture: LightPicture, of: (plane: Float32Array) => Float32Array): LightPicture => ({
+const mapped = (
+  picture: LightPicture,
+  of: (plane: Float32Array) => Float32Array,
+): LightPicture => ({
   ...picture,
   planes: [of(picture.planes[0]), of(picture.planes[1]), of(picture.planes[2])],
 });

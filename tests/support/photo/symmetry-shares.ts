@@ -42,7 +42,9 @@ function wavesOf({n, planes}: Cell): readonly Spectrum[] {
   const channels = [0, 1, 2].map(() => new Float64Array(coarse * coarse));
   for (let j = 0; j < coarse; j++) {
     for (let i = 0; i < coarse; i++) {
-      const [r = 0, g = 0, b = 0] = planes.map((plane) => toGamma(plane[j * step * n + i * step] ?? 0));
+      const [r = 0, g = 0, b = 0] = planes.map((plane) =>
+        toGamma(plane[j * step * n + i * step] ?? 0),
+      );
       [(r + g + b) / 3, 0.7 * (r - b), 0.7 * (g - (r + b) / 2)].forEach((value, c) => {
         const channel = channels[c];
         if (channel) channel[j * coarse + i] = value;
@@ -56,8 +58,7 @@ function wavesOf({n, planes}: Cell): readonly Spectrum[] {
   });
 }
 
-const at = (kx: number, ky: number): number =>
-  (ky & (coarse - 1)) * coarse + (kx & (coarse - 1));
+const at = (kx: number, ky: number): number => (ky & (coarse - 1)) * coarse + (kx & (coarse - 1));
 
 /** What shares of a cell's energy are broken by a matrix, at each of 128 x 128 shifts. */
 export class SymmetryShares {

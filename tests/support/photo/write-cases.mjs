@@ -1,14 +1,21 @@
 // Writes synthetic photographs of prints whose truth is known:
-//   node tests/support/photo/write-cases.mjs FOLDER SEED NORMALS
+//   node tests/support/photo/write-cases.mjs FOLDER SEED NORMALS [PART ...]
+// NORMALS: how many of each group at the level `normal`. PART: normal scan hard special almost decoy tile, which are
+// all that is made without one, and large: five of 12 megapixels, as JPEG files.
 import {fileURLToPath} from 'node:url';
 
 import {runnerImport} from 'vite';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
-const [folder = 'out/cases', seed = '1', normals = '3'] = process.argv.slice(2);
+const [folder = 'out/cases', seed = '1', normals = '3', ...parts] = process.argv.slice(2);
 
 const {module} = await runnerImport(at('write-cases.ts'), {
   configFile: false,
   resolve: {alias: {'@/': at('../../../web/src/')}},
 });
-await module.writeCases(folder, Number(seed), Number(normals));
+await module.writeCases(
+  folder,
+  Number(seed),
+  Number(normals),
+  parts.length > 0 ? parts : undefined,
+);

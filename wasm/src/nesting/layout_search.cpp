@@ -14,10 +14,9 @@ namespace {
 constexpr std::size_t kMostBeginnings = 24;
 constexpr double kShorter = 0.01;  ///< cm by which a shorter layout is shorter at least
 constexpr double kFirstShrink = 0.01, kMostShrink = 0.03, kLeastShrink = 2e-3;
-constexpr int kDoublings = 8;    ///< of the height in which pieces are laid one by one
-constexpr int kMostTaken = 4;    ///< pieces that are laid again at once
-constexpr int kIdleSweeps = 40;  ///< without less overlap, before something else is tried
-constexpr int kRestarts = 6;     ///< before a target less far is
+constexpr int kDoublings = 8;       ///< of the height in which pieces are laid one by one
+constexpr float kMostWeight = 1e9;  ///< sums of weighted depths stay finite
+constexpr double kMuchLess = 0.98;  ///< of the least overlap so far
 
 }  // namespace
 
@@ -160,42 +159,12 @@ bool LayoutSearch::begin() {
       if (!domains_[placed].has(places_[item].dot)) place(item, leastOverlap(item).place);
     }
     std::fill(weights_.begin(), weights_.end(), 1.0f);
-    least_total_ = std::numeric_limits<double>::infinity();
-    idle_ = 0;
+    least_total_ = least_of_target_ = std::numeric_limits<double>::infinity();
+    idle_ = returns_ = 0;
     is_under_way_ = true;
     return true;
   }
   return false;
-}
-
-/// Moves all that lies above some piece's lower end down, so that pieces overlap only there.
-void LayoutSearch::closeUp(double by) {
-  const int down = static_cast<int>(std::ceil(by / pieces_.board().up.y()));
-  const auto bottomOf = [&](int item) {
-    const int placed = pieces_.items()[item].ways[places_[item].way].placed;
-    return pieces_.bottomAt(placed, places_[item].dot, cloth_.origin);
-  };
-  const double cut = bottomOf(random_.below(count_));
-  for (int item = 0; item < count_; ++item)
-    if (bottomOf(item) > cut && !pieces_.items()[item].is_pinned) places_[item].dot.j -= down;
-}
-
-/// Goes on from elsewhere: pieces change places, or some are taken off and laid again.
-void LayoutSearch::restart() {
-  idle_ = 0;
-  least_total_ = std::numeric_limits<double>::infinity();
-  std::fill(weights_.begin(), weights_.end(), 1.0f);
-  const int few = 2 + random_.below(std::clamp(count_ / 3, 1, kMostTaken));
-  places_ = least_places_;
-  for (int item = 0; item < count_; ++item) place(item, places_[item]);
-  std::vector<int> taken;
-  for (int k = 0; k < few; ++k) {
-    const int item = random_.below(count_);
-    if (places_[item].way < 0 || pieces_.items()[item].is_pinned) continue;
-    place(item, {});
-    taken.push_back(item);
-  }
-  for (const int item : taken) place(item, leastOverlap(item).place);
 }
 
 double LayoutSearch::total() const {
@@ -228,7 +197,7 @@ void LayoutSearch::reweigh() {
   if (most <= 0) return;
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const float depth = overlaps_[k];
-    weights_[k] = depth > 0 ? weights_[k] * (1.2f + 0.8f * depth / most)
+    weights_[k] = depth > 0 ? std::min(kMostWeight, weights_[k] * (1.2f + 0.8f * depth / most))
                             : std::max(1.0f, weights_[k] * 0.95f);
   }
 }
@@ -258,14 +227,11 @@ bool LayoutSearch::improve() {
   ++idle_;
   if (left < least_total_) {
     idle_ = 0;
+    if (left < kMuchLess * least_total_) returns_ = 0;
     least_total_ = left;
     least_places_ = places_;
   }
-  if (idle_ < kIdleSweeps) return true;
-  if (++restarts_ < kRestarts) {
-    restart();
-    return true;
-  }
+  if (!isGivenUp()) return true;
   is_under_way_ = false;  // another height to begin at, and a target less far
   shrinkLess();
   return true;

@@ -57,8 +57,9 @@ void Marker::fail() {
     return;
   }
   if (!problem_.flaws.empty()) {
-    error_ =
-        Error{Failure::kOptions, piece.name + " finds no place between the flaws of the cloth."};
+    error_ = Error{
+        Failure::kOptions,
+        piece.name + " finds no place between the flaws of the cloth; take cloth that has fewer."};
     return;
   }
   for (double width = problem_.width; width < problem_.width + kMostWider; width += kWider) {

@@ -52,6 +52,7 @@ void Marker::layWidths() {
     width_search_ = std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed);
     // what goes onto narrower cloth goes onto this, too
     if (width >= problem_.width) width_search_->offer(*best_);
+    if (narrower_ && width >= problem_.widths[width_ - 1]) width_search_->offer(*narrower_);
   }
   const double before = width_search_->reads();
   bool more = width_search_->construct();
@@ -61,6 +62,7 @@ void Marker::layWidths() {
   reads_ += width_search_->reads() - before + 1;
   if (more) return;
   const auto& found = width_search_->best();
+  narrower_ = found;
   const bool is_same = std::abs(width - problem_.width) < 1e-9;
   width_lengths_.push_back(is_same ? length()
                            : found ? roundedUp(found->length())

@@ -67,8 +67,6 @@ class PiecesOnBoard {
   bool isFine() const { return is_fine_; }
   /// It has all dots that the print allows.
   bool isWhole() const { return is_whole_; }
-  /// Of the dots that a search looks at first; 1 where there are few.
-  int stride() const { return spacing_.stride; }
 
   /// Makes the next table. @returns its dots; 0 when there is none left to make
   double makeTable();

@@ -128,9 +128,9 @@ double LatticeSearch::fraction() const {
 
 void LatticeSearch::reduce() {
   if (std::min(picture_.width, picture_.height) < 32) {
-    result_ =
-        Error{Failure::kPicture,
-              "the picture is too small to see a print: it needs 32 pixels each way at least"};
+    result_ = Error{Failure::kPicture,
+                    "the picture is too small to see a print: it needs 32 pixels each way at least",
+                    -1, -1, "small"};
     stage_ = Stage::kDone;
     return;
   }

@@ -18,7 +18,10 @@ constexpr double kManyCells = 0.15;                  // share of all
 constexpr double kExplained = 0.6;                   // below it, a print's copies differ too much
 constexpr double kNeighboursDiffer = 0.15;  // of their variance, where only far copies differ
 
-Error fault(const char* sentence) { return {Failure::kPicture, sentence}; }
+/// @param reason   as web/src/model/photo.ts lists them
+Error fault(const char* reason, const char* sentence) {
+  return {Failure::kPicture, sentence, -1, -1, reason};
+}
 
 double varianceOf(const ChannelImage& image) {
   double sum = 0;
@@ -58,26 +61,31 @@ Error whyNoRepeat(const std::vector<ChannelImage>& levels, double local) {
   const double variance = varianceOf(levels[coarse]);
   if (finePeriod(levels[0]) > kMoire) {
     return fault(
+        "moire",
         "the weave makes a strong moire on the picture: photograph the cloth from a little closer "
         "or farther away");
   }
   if (variance < kPlain) {
     return fault(
+        "plain",
         "no print was found, the cloth looks plain: photograph it in brighter light from one side, "
         "or choose a plain colour instead");
   }
   if (coarse + 1 < levels.size() &&
       variance - varianceOf(levels[coarse + 1]) < kBlurred * variance) {
     return fault(
+        "blurred",
         "no repeat was found, the picture is blurred: hold the camera still and let it focus on "
         "the cloth");
   }
   if (local > kLocal) {
     return fault(
+        "uneven",
         "the print repeats in the middle of the picture only, the cloth does not lie flat: smooth "
         "it out and photograph it again");
   }
   return fault(
+      "noRepeat",
       "no repeat was found: step back until three repeats are seen each way, and photograph the "
       "cloth flat and from above");
 }
@@ -93,17 +101,20 @@ std::optional<Error> whyRefused(const Agreement& agreement, const CopyDifference
   }
   if (agreeing > kManyCells * all && disagreeing > kManyCells * all) {
     return fault(
+        "twoPrints",
         "a part of the picture shows another print or none: cut the picture to the part with the "
         "print that is wanted");
   }
   if (seen < kLeastRepeats) {
-    return fault("fewer than 2.2 repeats are seen: step back until three repeats are seen");
+    return fault("fewRepeats",
+                 "fewer than 2.2 repeats are seen: step back until three repeats are seen");
   }
   const auto* right = differences.at(1, 0);
   const auto* below = differences.at(0, 1);
   if (agreement.explained < kExplained && right != nullptr && below != nullptr &&
       std::max(right->mean, below->mean) < kNeighboursDiffer * 2 * agreement.variance) {
     return fault(
+        "changes",
         "the print changes along the cloth: photograph a part in which all repeats are alike");
   }
   return std::nullopt;

@@ -195,10 +195,13 @@ SymmetryResidual SymmetryTests::residual(const IntegerMatrix& m, const Vec2& a) 
       const double allowed = place.noise + kLeft * steepness + amplitude * place.samples;
       const double left = place.displaced(moved) / 2 - allowed;
       total += left;
+      result.raw += place.dd / 2;
       result.worst = std::max(result.worst, left / (place.samples * energy));
     }
   }
-  result.rho = std::max(0.0, total / (static_cast<double>(n) * n * energy));
+  const double scale = static_cast<double>(n) * n * energy;
+  result.rho = std::max(0.0, total / scale);
+  result.raw /= scale;
   return result;
 }
 
@@ -210,6 +213,7 @@ SymmetryResidual SymmetryTests::residual(const GroupEmbedding& embedding,
     const SymmetryResidual one = residual(e.m, shiftAbout(e, origin));
     furthest.rho = std::max(furthest.rho, one.rho);
     furthest.worst = std::max(furthest.worst, one.worst);
+    furthest.raw = std::max(furthest.raw, one.raw);
   }
   return furthest;
 }
