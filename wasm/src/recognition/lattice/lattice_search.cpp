@@ -6,7 +6,7 @@
 #include "recognition/lattice/channels.h"
 #include "recognition/lattice/picture_faults.h"
 #include "recognition/lattice/primitive_cell.h"
-#include "recognition/lattice/stripes.h"
+#include "recognition/lattice/lattice_stripes.h"
 #include "wallpaper/lattice.h"
 
 namespace seamwise {

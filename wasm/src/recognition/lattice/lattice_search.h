@@ -24,6 +24,9 @@ class LatticeSearch {
   /// by what aligning it says, or by nothing, and refused in no case.
   LatticeSearch(const PixelView& view, const LatticeMap& given, GivenLattice use);
 
+  LatticeSearch(const LatticeSearch&) = delete;  // its parts refer to each other
+  LatticeSearch& operator=(const LatticeSearch&) = delete;
+
   /// One step, of some 10 ms; false when nothing is left to do.
   bool advance();
   double fraction() const;  ///< 0 to 1

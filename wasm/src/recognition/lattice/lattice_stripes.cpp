@@ -1,4 +1,4 @@
-#include "recognition/lattice/stripes.h"
+#include "recognition/lattice/lattice_stripes.h"
 
 #include <Eigen/LU>
 #include <cmath>
