@@ -9,14 +9,14 @@
 namespace seamwise {
 namespace {
 
-using Tuning = GroupReadingTuning;
+using SymmetryTuning = GroupReadingTuning;
 
 SymmetryVerdict verdictOn(const SymmetryResidual& residual) {
-  if (residual.rho <= Tuning::kHasShare && residual.worst <= Tuning::kHasWorst) {
+  if (residual.rho <= SymmetryTuning::kHasShare && residual.worst <= SymmetryTuning::kHasWorst) {
     return SymmetryVerdict::kHas;
   }
-  const bool breaks =
-      residual.rho >= Tuning::kHasNotShare || residual.worst >= Tuning::kHasNotWorst;
+  const bool breaks = residual.rho >= SymmetryTuning::kHasNotShare ||
+                      residual.worst >= SymmetryTuning::kHasNotWorst;
   return breaks ? SymmetryVerdict::kHasNot : SymmetryVerdict::kAlmost;
 }
 
@@ -89,7 +89,7 @@ Confidence confidenceIn(const GroupReading& reading) {
         other.verdict == SymmetryVerdict::kAlmost && other.group->order > best.group->order;
   }
   const bool is_clear =
-      best.rho <= Tuning::kHasShare / 2 && best.worst <= 2 * Tuning::kHasWorst / 3;
+      best.rho <= SymmetryTuning::kHasShare / 2 && best.worst <= 2 * SymmetryTuning::kHasWorst / 3;
   if (is_clear && !is_almost_more) return Confidence::kSure;
   return is_clear || !is_almost_more ? Confidence::kLikely : Confidence::kUncertain;
 }
@@ -114,7 +114,7 @@ GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolera
   };
   const auto elements = cosets(*reading.groups[reading.best].group);
   reading.one_way = std::none_of(elements.begin(), elements.end(), has_half_turn);
-  const bool is_plain = spectrum.energy() < Tuning::kPlainEnergy * spectrum.noiseEnergy();
+  const bool is_plain = spectrum.energy() < SymmetryTuning::kPlainEnergy * spectrum.noiseEnergy();
   reading.confidence = is_plain ? Confidence::kUncertain : confidenceIn(reading);
   return reading;
 }

@@ -8,7 +8,7 @@
 namespace seamwise {
 namespace {
 
-using Tuning = TileReadingTuning;
+using EdgeTuning = TileReadingTuning;
 
 /// Columns of pixels, or rows: red, green and blue in turn on white. [0, 255]
 class PixelLines {
@@ -75,8 +75,8 @@ StepAside stepAside(const std::vector<float>& from, const std::vector<float>& to
     product[i] = (to[i] - from[i]) * slope;
     square[i] = slope * slope;
   }
-  StepAside step{softenedLine(product, Tuning::kStepWindow),
-                 softenedLine(square, Tuning::kStepWindow)};
+  StepAside step{softenedLine(product, EdgeTuning::kStepWindow),
+                 softenedLine(square, EdgeTuning::kStepWindow)};
   for (int i = 0; i < n; ++i) step.by[i] = -step.by[i] / (step.weight[i] + 1);
   return step;
 }
@@ -88,11 +88,13 @@ struct StepErrors {
   double whole = 0, cut = 0;
   double most_at = 0;  ///< where the first exceeds the other most, as a share of the line
 
-  double ratio() const { return (whole + Tuning::kCutEvidence) / (cut + Tuning::kCutEvidence); }
+  double ratio() const {
+    return (whole + EdgeTuning::kUsualErrors) / (cut + EdgeTuning::kUsualErrors);
+  }
   bool speakForCut() const {
     const double evidence = whole - cut;
-    return evidence > Tuning::kCutEvidence &&
-           evidence > Tuning::kCutSurely * std::sqrt(whole + cut);
+    return evidence > EdgeTuning::kCutEvidence &&
+           evidence > EdgeTuning::kCutSurely * std::sqrt(whole + cut);
   }
 };
 
@@ -100,7 +102,7 @@ struct StepErrors {
 StepErrors stepErrors(const PixelLines& lines, int at) {
   const int count = lines.count(), n = lines.length();
   const auto line = [&](int k) {
-    return softenedLine(lines.lumaAt((k + count) % count), Tuning::kLineSoftening);
+    return softenedLine(lines.lumaAt((k + count) % count), EdgeTuning::kLineSoftening);
   };
   const std::vector<float> before = line(at - 1), last = line(at), first = line(at + 1),
                            after = line(at + 2);
@@ -109,13 +111,14 @@ StepErrors stepErrors(const PixelLines& lines, int at) {
   StepErrors errors;
   double most = 0;
   for (int i = 0; i < n; ++i) {
-    if (std::min({in.weight[i], across.weight[i], out.weight[i]}) < Tuning::kLeastSlope) continue;
+    if (std::min({in.weight[i], across.weight[i], out.weight[i]}) < EdgeTuning::kLeastSlope)
+      continue;
     const double step = (in.by[i] + out.by[i]) / 2;
-    if (std::abs(step) > Tuning::kMostStep) continue;
-    const double spread = Tuning::kStepSpread + std::abs(in.by[i] - out.by[i]);
+    if (std::abs(step) > EdgeTuning::kMostStep) continue;
+    const double spread = EdgeTuning::kStepSpread + std::abs(in.by[i] - out.by[i]);
     const auto missed = [&](double by) {
       const double ratio = (across.by[i] - by) / spread;
-      return std::min(Tuning::kMostMissed, ratio * ratio);
+      return std::min(EdgeTuning::kMostMissed, ratio * ratio);
     };
     const double one = missed(step), other = missed(2 * step);
     errors.whole += one;
@@ -135,9 +138,9 @@ bool isCutShort(const PixelLines& lines, TileEdge& edge) {
   const StepErrors border = stepErrors(lines, count - 1);
   edge.differs_at = border.most_at;
   if (!border.speakForCut()) return false;
-  for (int k = 1; k <= Tuning::kLinesWithin; ++k) {
-    const StepErrors within = stepErrors(lines, k * count / (Tuning::kLinesWithin + 1));
-    if (border.ratio() < Tuning::kCutBeyond * within.ratio()) return false;
+  for (int k = 1; k <= EdgeTuning::kLinesWithin; ++k) {
+    const StepErrors within = stepErrors(lines, k * count / (EdgeTuning::kLinesWithin + 1));
+    if (border.ratio() < EdgeTuning::kCutBeyond * within.ratio()) return false;
   }
   return true;
 }
@@ -183,8 +186,8 @@ bool breaksOff(const PixelLines& lines, TileEdge& edge) {
     greatest.beyond = std::max(greatest.beyond, step.beyond);
     greatest.whole = std::max(greatest.whole, step.whole);
   }
-  return border.whole > Tuning::kLeastLine + Tuning::kGreatestLine * greatest.whole ||
-         border.beyond > Tuning::kLeastBeyond + Tuning::kGreatestBeyond * greatest.beyond;
+  return border.whole > EdgeTuning::kLeastLine + EdgeTuning::kGreatestLine * greatest.whole ||
+         border.beyond > EdgeTuning::kLeastBeyond + EdgeTuning::kGreatestBeyond * greatest.beyond;
 }
 
 TileEdge comparedEdge(const PixelLines& lines) {
