@@ -23,7 +23,8 @@ std::vector<Mat2> largerCells(int index) {
   std::vector<Mat2> cells;
   for (int a = 1; a <= index; ++a) {
     if (index % a != 0) continue;
-    for (int b = 0; b < a; ++b) cells.push_back((Mat2() << a, b, 0, index / a).finished());
+    const int d = index / a;
+    for (int b = 0; b < a; ++b) cells.push_back((Mat2() << a, b, 0, d).finished());
   }
   return cells;
 }

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "recognition/lattice/channels.h"
+#include "recognition/lattice/lattice_stripes.h"
 #include "recognition/lattice/picture_faults.h"
 #include "recognition/lattice/primitive_cell.h"
-#include "recognition/lattice/lattice_stripes.h"
 #include "wallpaper/lattice.h"
 
 namespace seamwise {

@@ -66,7 +66,8 @@ CellPicture tileCell(const SeamlessTile& tile, const LatticeMap& map, int n) {
       std::array<float, 3> sum{};
       for (int s = 0; s < times * times; ++s) {
         const double u = (i + (s % times + 0.5) / times - 0.5) / n;
-        const double v = (j + (s / times + 0.5) / times - 0.5) / n;
+        const int row = s / times;
+        const double v = (j + (row + 0.5) / times - 0.5) / n;
         const Vec2 p = origin + u * w1 + v * w2 - Vec2(0.5, 0.5);
         const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
         const auto right = static_cast<float>(p.x() - x), below = static_cast<float>(p.y() - y);
