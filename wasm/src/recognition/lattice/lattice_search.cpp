@@ -20,7 +20,8 @@ constexpr int kHypotheses = 6;          // that are aligned; the right one was n
 constexpr double kWellExplained = 0.6;  // no other tilt is tried. Prints have 0.9, other things 0.5
 constexpr double kNothing = 0.3;        // explained by chance; no repeat
 constexpr double kAsGood = 0.04;        // explained less, by a smaller cell that is preferred
-constexpr double kSure = 0.8;
+// Drawn prints have 0.95 and more; motifs on a lattice, each turned as it came, had up to 0.68.
+constexpr double kSure = 0.85, kLikely = 0.75;
 constexpr double kMostChange = 1.6;    // of the cell's area by alignment; beyond, it ran away
 constexpr double kReach = 20;          // cells from the middle that are aligned
 constexpr double kAgreementReach = 8;  // and compared
@@ -302,9 +303,9 @@ LatticeReading LatticeSearch::readingOf(const Aligned& aligned) const {
   reading.copies = wholeCells(view);
   reading.uncertainty = kCreasesAlike * (aligned.is_stripes ? aligned.uncertainty.x()
                                                             : aligned.uncertainty.maxCoeff());
-  reading.confidence = aligned.explained >= kSure            ? Confidence::kSure
-                       : aligned.explained >= kWellExplained ? Confidence::kLikely
-                                                             : Confidence::kUncertain;
+  reading.confidence = aligned.explained >= kSure     ? Confidence::kSure
+                       : aligned.explained >= kLikely ? Confidence::kLikely
+                                                      : Confidence::kUncertain;
   reading.is_stripes = aligned.is_stripes;
   return reading;
 }
