@@ -53,7 +53,8 @@ float LayoutSearch::scoreAt(const Neighbours& neighbours, Dot dot, float most) {
   float sum = 0;
   const Ints i = {dot.i, dot.i, dot.i, dot.i}, j = {dot.j, dot.j, dot.j, dot.j};
   const std::size_t size = neighbours.boxes.size();
-  reads_ += kEvaluationReads + 5 * static_cast<double>(size / kBox);
+  const std::size_t boxes = size / kBox;
+  reads_ += kEvaluationReads + 5 * static_cast<double>(boxes);
   for (std::size_t first = 0; first < size && sum < most; first += kBox) {
     const int* box = neighbours.boxes.data() + first;
     const Ints in = (intsFrom(box) <= i) & (intsFrom(box + kLanes) <= j) &
