@@ -1,0 +1,127 @@
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+
+import {printFromPixels} from 'seamwise/node';
+import {afterAll, beforeAll, describe, expect, it} from 'vitest';
+
+import {seamwise} from '../support/command-line.js';
+import {decoyCases} from '../support/photo/decoy-cases.js';
+import {jpegOf, pngOf, stored, withExif} from '../support/photo/files.js';
+import {judge, type PhotoAnswer} from '../support/photo/judge.js';
+import {floralCase} from '../support/photo/print-cases.js';
+import type {PhotoCase} from '../support/photo/case.js';
+import {cutTileCase, tileCase} from '../support/photo/tile-cases.js';
+
+const size = [720, 540] as const;
+let folder = '';
+let photographed: PhotoCase;
+const file = (name: string) => join(folder, name);
+const photo = (...words: string[]) => seamwise('photo', ...words);
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
+  photographed = await floralCase({name: 'roses', level: 'normal', seed: 401, size}, 'pmg');
+  const {pixels, truth} = photographed;
+  const lying = await jpegOf(stored(pixels, 6), 90);
+  writeFileSync(file('roses.jpg'), withExif(lying, 6, truth.f35 ?? 26));
+});
+
+afterAll(() => {
+  rmSync(folder, {recursive: true});
+});
+
+describe('a photograph', () => {
+  it('is a print of its lattice, group and size, beside a clean picture of its cell', async () => {
+    const {truth} = photographed;
+    if (!truth.homography) throw new Error('The case has a print.');
+    const length = Math.hypot(...truth.w1);
+    const words = ['--measure', `w1=10/${10 * length}`, '--out', file('roses.json')];
+    const {code, out, err} = await photo(file('roses.jpg'), ...words, '--json');
+    expect({code, err}).toEqual({code: 0, err: ''});
+    const answer = JSON.parse(out) as PhotoAnswer;
+    const {print} = judge(truth, answer);
+    expect(print).toMatchObject({primitive: true, exactGroup: true, falseClaim: false});
+    expect(print?.latticeError).toBeLessThan(0.003);
+    expect(print?.scaleError).toBeLessThan(0.006);
+    expect(answer.confidence).not.toBe('uncertain');
+    const written: unknown = JSON.parse(readFileSync(file('roses.json'), 'utf8'));
+    expect(written).toMatchObject({format: 'seamwise-print/1', group: 'pmg', image: 'roses.png'});
+    expect(written).not.toHaveProperty('unscaled');
+    expect(readFileSync(file('roses.png')).subarray(1, 4).toString()).toBe('PNG');
+  });
+
+  it('is one in proportion only while nobody has measured it', async () => {
+    const {code, out} = await photo(file('roses.jpg'), '--out', file('loose.json'));
+    expect(code).toBe(0);
+    expect(out).toMatch(/roses\.jpg: pmg, size unknown: --measure w1=REPEATS\/CM, \d+ copies/);
+    expect(JSON.parse(readFileSync(file('loose.json'), 'utf8'))).toMatchObject({unscaled: true});
+  });
+
+  it('is read alike by the function, which can be stopped', async () => {
+    const {pixels} = photographed;
+    const {reading, tile, print} = await printFromPixels(pixels, {symmetrise: true});
+    expect(reading.group).toBe('pmg');
+    expect(tile.data).toHaveLength(4 * tile.width * tile.height);
+    expect(print.unscaled).toBe(true);
+    const signal = AbortSignal.timeout(30);
+    await expect(printFromPixels(pixels, {}, {signal})).rejects.toThrow(/timeout/i);
+  });
+});
+
+it('takes a seamless picture as cells, and refuses one that is cut', async () => {
+  const whole = await tileCase('tile', 'p4g', 2, 77);
+  writeFileSync(file('tile.png'), await pngOf(whole.pixels));
+  const {code, out} = await photo(file('tile.png'), '--tile', '--json');
+  expect(code).toBe(0);
+  expect(judge(whole.truth, JSON.parse(out) as PhotoAnswer).print).toMatchObject({
+    exactGroup: true,
+    falseClaim: false,
+  });
+  const cut = await cutTileCase('cut', 'cmm', 78);
+  writeFileSync(file('cut.png'), await pngOf(cut.pixels));
+  const refused = await photo(file('cut.png'), '--tile');
+  expect(refused.code).toBe(2);
+  expect(refused.err).toMatch(/^seamwise: \S+cut\.png: the picture's edges do not meet: /);
+});
+
+describe('what is no print', () => {
+  it('is refused with one sentence', async () => {
+    const decoys = decoyCases(900, size);
+    for (const k of [0, 8]) {
+      const decoy = await decoys[k]?.();
+      if (!decoy) throw new Error('There is no such decoy.');
+      writeFileSync(file('decoy.png'), await pngOf(decoy.pixels));
+      const {code, out, err} = await photo(file('decoy.png'), '--json');
+      if (code === 0) expect(JSON.parse(out)).toMatchObject({confidence: 'uncertain'});
+      else expect(err).toMatch(/^seamwise: \S+decoy\.png: [^\n]+: [^\n]+\n$/);
+      expect([0, 2]).toContain(code);
+    }
+  });
+
+  it.each([
+    ['text', 'words.txt', /words\.txt is no PNG, JPEG or WebP; save it as one of these\.\n$/],
+    ['half a file', 'half.jpg', /half\.jpg is damaged; save it again\.\n$/],
+    ['a missing one', 'none.png', /none\.png/],
+  ])('%s', async (_, name, sentence) => {
+    writeFileSync(file('words.txt'), 'cloth');
+    writeFileSync(file('half.jpg'), readFileSync(file('roses.jpg')).subarray(0, 4000));
+    const {code, err} = await photo(file(name));
+    expect(code).toBe(2);
+    expect(err).toMatch(sentence);
+  });
+
+  it.each([
+    [['--measure', 'w3=10/98.5'], /--measure is 'w3=10\/98\.5', but must be w1 or w2/],
+    [['--measure', 'w1=0/98.5'], /--measure is 'w1=0\/98\.5'/],
+    [['--measure', 'w1=1/8', '--measure', 'w1=1/9'], /--measure gives one vector twice/],
+    [['--between', '1,2,3=4'], /--between is '1,2,3=4', but must be two points/],
+    [['--between', '5,5,5,5=4'], /--between is '5,5,5,5=4'/],
+    [['--f35', 'wide'], /--f35 is 'wide', but must be a focal length/],
+    [['--out', 'print.png'], /print\.png would hold JSON/],
+  ])('flags: %j', async (words, sentence) => {
+    const {code, err} = await photo(file('roses.jpg'), ...words);
+    expect(code).toBe(2);
+    expect(err).toMatch(sentence);
+  });
+});
