@@ -20,6 +20,9 @@ export async function loadWorn(): Promise<void> {
   defineWorn();
 }
 
+/** Loads what makes prints of photographs. @throws {Error} where it cannot be had */
+export const loadPhoto = () => import('./photo/define-photo.js');
+
 /** Loads what shows the pieces on their cloth. @throws {Error} where it cannot be had */
 export async function loadCloth(): Promise<void> {
   const {defineCloth} = await import('./cloth/define-cloth.js');

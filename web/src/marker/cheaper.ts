@@ -3,10 +3,9 @@ import {combined, onPiece, onPrint, type Point} from '../model/geometry.js';
 import type {CheaperLay, LayPlan} from '../model/lay-plan.js';
 import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
 import {signedArea} from '../model/polyline.js';
-import type {Print} from '../model/print.js';
 import {printDistance, type Repeat} from '../model/wallpaper.js';
 import type {MarkerGarment} from './pieces.js';
-import {markerOrder, type MarkerOrder} from './problem.js';
+import {markerOrder, type LaidPrint, type MarkerOrder} from './problem.js';
 import type {MarkerSettings} from './settings.js';
 
 /** Each is looked at for so long, as a share of the time for the plan. */
@@ -26,7 +25,7 @@ type Lay = (problem: MarkerProblem, hooks: MarkerHooks) => Promise<MarkerAnswer>
 interface Laid {
   readonly garments: readonly MarkerGarment[];
   readonly settings: MarkerSettings;
-  readonly print: Pick<Print, 'oneWay'> | undefined;
+  readonly print: LaidPrint | undefined;
   readonly plan: LayPlan;
 }
 

@@ -20,6 +20,7 @@ export interface OwnPicture extends Omit<PrintTile, 'turnedDeg'> {
   readonly size: RepeatSize;
   /** Counter-clockwise. [degrees] */
   readonly turnDeg: number;
+  readonly unscaled?: boolean;
 }
 
 type Measured = Pick<DesignPrint, 'size' | 'turnDeg' | 'tile'>;
@@ -44,11 +45,10 @@ export function cellSize({tile}: Pick<Measured, 'tile'>, size: RepeatSize): Repe
   return tile.turnedDeg === 0 ? upright : swapped(upright);
 }
 
-/** The same picture, of another size on the cloth, as its group demands it. [cm] */
-export const resized = (print: DesignPrint, size: RepeatSize): DesignPrint => ({
-  ...print,
-  size: coupledSize(print.group, cellSize(print, size)),
-});
+/** The same picture, of a size on the cloth that is known from then on, as its group demands it. [cm] */
+export function resized({unscaled, ...print}: DesignPrint, size: RepeatSize): DesignPrint {
+  return {...print, size: coupledSize(print.group, cellSize(print, size))};
+}
 
 /** The turn of the picture that was opened, above -180 degrees, up to 180. */
 export function tileTurn({turnDeg, tile}: Pick<Measured, 'turnDeg' | 'tile'>): number {
@@ -63,6 +63,7 @@ export const pictureIn = (print: DesignPrint): OwnPicture => ({
   repeat: print.tile?.repeat ?? 'straight',
   size: tileSize(print),
   turnDeg: tileTurn(print),
+  ...(print.unscaled && {unscaled: true}),
 });
 
 /** The inverse of `tileTurn`. */

@@ -3,6 +3,7 @@ import {problemOfStored} from '../model/design-problem.js';
 import {onPrint} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {Problem, SolveHooks} from '../model/problem.js';
+import {checkScaled} from '../model/scaled.js';
 import {resultText, sha256Of} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
 import {
@@ -65,6 +66,7 @@ export async function orderWith(
   const garment = await textAt(design.garment, name, read, hooks.signal);
   const printText = await textAt(design.print, name, read, hooks.signal);
   const print = printOfStored(design, printText);
+  checkScaled({title: design.print.url, ...print});
   const result = await solve(problemOfStored(design, {garment, print: printText}), {
     ...hooks,
     names: {garment: design.garment.url, print: design.print.url, symmetry: name, options: name},

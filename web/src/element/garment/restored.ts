@@ -26,5 +26,7 @@ function changed(print: DesignPrint, stored: StoredDesign['print']): DesignPrint
     oneWay = print.oneWay,
     cell = print.cell,
   } = stored;
-  return {...print, group, size, turnDeg, oneWay, cell};
+  const {unscaled, ...measured} = print;
+  const known = stored.size ? measured : print;
+  return {...known, group, size, turnDeg, oneWay, cell};
 }
