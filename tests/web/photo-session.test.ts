@@ -9,6 +9,7 @@ import {
   groupOf,
   isMisfit,
   measuresOf,
+  scaledStep,
   stepOf,
   tileSettings,
 } from '@/editor/photo/photo-step.js';
@@ -184,6 +185,16 @@ describe('the print', () => {
     const chosen = {...step, chosen: 'p2' as const};
     expect(stepOf(read('p1'), chosen).chosen).toBe('p2');
     expect(stepOf(read('p1'), {...step, chosen: 'p6m'}).chosen).toBeUndefined();
+  });
+
+  it('lies on a smaller copy of its photograph as on the photograph itself', () => {
+    const between = {from: [90, 60], to: [450, 300], cm: 17} as const;
+    const half = scaledStep({...step, between}, {width: 450, height: 300});
+    expect(measuresOf(half)).toEqual(measuresOf({...step, between}));
+    expect(pixelOf(half.reading.map, half.reading, [2, 1])[0]).toBeCloseTo(
+      pixelOf(map, size, [2, 1])[0] / 2,
+      6,
+    );
   });
 
   it('turns by quarters, up to 180 degrees', () => {

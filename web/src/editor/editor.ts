@@ -143,7 +143,7 @@ export class Editor extends WorkbenchElement {
   /** Makes a print of a photograph, on a sheet of its own. */
   async #toPhoto({detail}: PhotoWanted): Promise<void> {
     try {
-      const {openPhoto} = await loadPhoto();
+      const openPhoto = await loadPhoto();
       await openPhoto(this.workbench, this.renderRoot, detail ?? undefined);
     } catch (error) {
       this.workbench.say({tone: 'error', text: toFailure(error).message});

@@ -21,7 +21,10 @@ export async function loadWorn(): Promise<void> {
 }
 
 /** Loads what makes prints of photographs. @throws {Error} where it cannot be had */
-export const loadPhoto = () => import('./photo/define-photo.js');
+export async function loadPhoto() {
+  const {openPhoto} = await import('./photo/define-photo.js');
+  return openPhoto;
+}
 
 /** Loads what shows the pieces on their cloth. @throws {Error} where it cannot be had */
 export async function loadCloth(): Promise<void> {

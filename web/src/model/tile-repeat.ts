@@ -46,9 +46,11 @@ export function cellSize({tile}: Pick<Measured, 'tile'>, size: RepeatSize): Repe
 }
 
 /** The same picture, of a size on the cloth that is known from then on, as its group demands it. [cm] */
-export function resized({unscaled, ...print}: DesignPrint, size: RepeatSize): DesignPrint {
-  return {...print, size: coupledSize(print.group, cellSize(print, size))};
-}
+export const resized = (print: DesignPrint, size: RepeatSize): DesignPrint => ({
+  ...print,
+  size: coupledSize(print.group, cellSize(print, size)),
+  ...(print.unscaled && {unscaled: false}),
+});
 
 /** The turn of the picture that was opened, above -180 degrees, up to 180. */
 export function tileTurn({turnDeg, tile}: Pick<Measured, 'turnDeg' | 'tile'>): number {

@@ -13,11 +13,12 @@ import {kindOf} from '../print/read-picture.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {dialogStyle} from './dialog-style.js';
+import {keepPhoto, keptPhoto} from './kept-photos.js';
 import type {PhotoSize} from './lattice-lines.js';
 import {cellPicture, pngOf} from './photo-picture.js';
 import {PhotoSession} from './photo-session.js';
 import type {Moved, Overlays, TwoPoints} from './photo-stage.js';
-import {groupIn, groupOf, measuresOf} from './photo-step.js';
+import {groupIn, groupOf, measuresOf, type PhotoStep} from './photo-step.js';
 
 /** Kinds that browsers decode; of others it is said what they are. */
 const decodable: ReadonlySet<string> = new Set(['png', 'jpeg', 'webp', 'avif', 'gif', 'bmp']);
@@ -64,6 +65,13 @@ export class PhotoDialog extends WorkbenchElement {
     const dialog = this.renderRoot.querySelector('dialog');
     if (!dialog?.open) dialog?.showModal();
     if (given) await this.#take(given.picture, given.name);
+    else if (!this.session) await this.#again();
+  }
+
+  /** What was read may be taken without a closer look. */
+  get #isSure(): boolean {
+    const {state, step} = this.session ?? {};
+    return state?.kind === 'done' && step?.reading.confidence !== 'uncertain';
   }
 
   protected get words(): PhotoTexts {
@@ -72,11 +80,11 @@ export class PhotoDialog extends WorkbenchElement {
   }
 
   protected override updated(): void {
-    const isDone = this.session?.state.kind === 'done';
-    if (!isDone || this.#isLed) return;
+    if (this.#isLed || !this.#isSure) return;
     this.#isLed = true;
     const at = focused();
-    const isLost = !at || at === document.body || at.localName === 'dialog';
+    const isLost =
+      !at || at === document.body || at.localName === 'dialog' || !!at.closest('header');
     if (isLost) this.renderRoot.querySelector<HTMLElement>('footer .primary')?.focus();
   }
 
@@ -241,6 +249,14 @@ export class PhotoDialog extends WorkbenchElement {
         >
           ${words.alignHand}
         </button>
+        <button
+          class="outlined"
+          @click=${() => {
+            this.hand = undefined;
+          }}
+        >
+          ${this.texts.app.cancel}
+        </button>
       </div>`;
     }
     switch (state.kind) {
@@ -326,7 +342,7 @@ export class PhotoDialog extends WorkbenchElement {
     void this.#take(file, file.name);
   }
 
-  async #take(picture: Blob, name: string): Promise<void> {
+  async #take(picture: Blob, name: string, step?: PhotoStep): Promise<void> {
     this.#forget();
     this.name = name.replace(/\.[^.]*$/, '');
     const address = URL.createObjectURL(picture);
@@ -353,7 +369,16 @@ export class PhotoDialog extends WorkbenchElement {
     }
     this.size = {width: image.naturalWidth, height: image.naturalHeight};
     this.session = new PhotoSession(this.workbench.solver, picture);
-    void this.session.begin();
+    if (step) this.session.resume(step);
+    else void this.session.begin();
+  }
+
+  /** The photograph that the present print was made of, as it was left. */
+  async #again(): Promise<void> {
+    const {image = ''} = this.workbench.design?.print ?? {};
+    const kept = image.startsWith('data:') ? await keptPhoto(image) : undefined;
+    if (!kept || this.#address !== undefined) return;
+    await this.#take(kept.picture, kept.name, kept.step);
   }
 
   async #use(session: PhotoSession): Promise<void> {
@@ -368,6 +393,7 @@ export class PhotoDialog extends WorkbenchElement {
       if (this.session !== session) return;
       this.workbench.doubtful = undefined;
       this.workbench.change({print: {title: this.name || this.words.title, ...measures, image}});
+      void keepPhoto(image, {picture: session.picture, name: this.name, step});
       this.#close();
     } catch (error) {
       this.trouble = toFailure(error).message;
@@ -389,8 +415,7 @@ export class PhotoDialog extends WorkbenchElement {
       else session.undo();
     }
     const isPressed = target?.matches('button, a') ?? false;
-    const isReady = session.step !== undefined && !this.hand && session.state.kind === 'done';
-    if (event.key === 'Enter' && !isPressed && isReady) void this.#use(session);
+    if (event.key === 'Enter' && !isPressed && !this.hand && this.#isSure) void this.#use(session);
   };
 
   readonly #close = (): void => {

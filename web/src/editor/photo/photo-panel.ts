@@ -80,12 +80,16 @@ export class PhotoPanel extends PhotoElement {
 
   #found({reading}: PhotoStep): TemplateResult {
     const {words, session} = this;
-    const {confidence, others, notes, group, copies} = reading;
+    const {confidence, others, notes, group} = reading;
     return html`<section aria-label=${words.title}>
-      <p role="status">
-        <b>${words.found(group, copies)}</b>
-        ${confidence === 'sure' ? nothing : words.confidences[confidence]}
-      </p>
+      ${
+        confidence === 'uncertain'
+          ? html`<p class="error" role="alert">${words.confidences.uncertain}</p>`
+          : html`<p role="status">
+              <b>${words.found(group)}</b>
+              ${confidence === 'likely' ? words.confidences.likely : nothing}
+            </p>`
+      }
       ${notes.map((note) => html`<p class="soft">${words.notes[note]}</p>`)}
       ${
         others.length === 0

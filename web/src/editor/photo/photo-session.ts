@@ -15,7 +15,7 @@ import {toFailure} from '../../workbench/latest-solve.js';
 import {Observable} from '../../workbench/observable.js';
 import {stepOf, tileSettings, type PhotoStep} from './photo-step.js';
 
-export type PhotoState =
+type PhotoState =
   | {readonly kind: 'reading'; readonly stage: PhotoStage; readonly fraction: number}
   | {readonly kind: 'done' | 'cancelled'}
   | {readonly kind: 'failed'; readonly failure: Failure};
@@ -152,27 +152,29 @@ export class PhotoSession extends Observable {
 
   async #read(settings: PhotoSettings): Promise<void> {
     const {signal} = this.#reads.begin();
+    const isOver = (): boolean => signal.aborted;
     this.#become({kind: 'reading', stage: 'repeat', fraction: 0});
     try {
-      const f35 = await focalLengthOf(this.picture);
-      if (signal.aborted) return;
+      // a photograph that was kept does not say it any more
+      const f35 = this.step?.f35 ?? (await focalLengthOf(this.picture));
+      if (isOver()) return;
       const reading = await this.#solver.photo(
         {...settings, ...(f35 !== undefined && {f35}), picture: this.picture},
         {
           signal,
           onProgress: ({stage, fraction}) => {
-            if (signal.aborted) return;
+            if (isOver()) return;
             this.#state = {kind: 'reading', stage, fraction};
             this.changedOften();
           },
         },
       );
-      if (signal.aborted) return;
-      const next = stepOf(reading, this.step);
+      if (isOver()) return;
+      const next = stepOf(reading, this.step, f35);
       this.#history = this.#history ? stepped(this.#history, next) : begun(next);
       this.#become({kind: 'done'});
     } catch (error) {
-      if (!signal.aborted) this.#become({kind: 'failed', failure: toFailure(error)});
+      if (!isOver()) this.#become({kind: 'failed', failure: toFailure(error)});
     }
   }
 }

@@ -212,7 +212,7 @@ export class PhotoStage extends LitElement {
       return `${x.toFixed(1)} ${y.toFixed(1)}`;
     };
     const path = `M${from.join(' ')}L${to.join(' ')}M${side(1)}L${to.join(' ')}L${side(-1)}`;
-    const away = 1.5 * this.#unit;
+    const away = 3 * this.#unit;
     return svg`<path class="arrow casing" d=${path}></path><path class="arrow ${name}" d=${path}></path>
       <text
         class=${name}

@@ -1,7 +1,7 @@
 /** What somebody has decided about the print on a photograph, and the print that makes. */
 import type {DesignPrint} from '../../model/design.js';
 import {combined, minus, norm, type Point} from '../../model/geometry.js';
-import {latticeOf, pixelOf} from '../../model/photo-map.js';
+import {latticeOf, pixelOf, vectorsAtMiddle} from '../../model/photo-map.js';
 import type {
   PhotoGroup,
   PhotoMap,
@@ -19,6 +19,8 @@ import {alongStripe, turnsOver} from '../print/choices.js';
 /** What undo steps through. */
 export interface PhotoStep {
   readonly reading: PhotoReading;
+  /** Focal length of the camera, as on film of 36 mm, where its file says it. */
+  readonly f35: number | undefined;
   /** Another group than the one that was found. */
   readonly chosen: GroupName | undefined;
   /** Counter-clockwise, of the print against the photograph as it was read. */
@@ -35,7 +37,7 @@ export interface PhotoStep {
 }
 
 /** As it was read, with what had been decided before. */
-export function stepOf(reading: PhotoReading, before?: PhotoStep): PhotoStep {
+export function stepOf(reading: PhotoReading, before?: PhotoStep, f35?: number): PhotoStep {
   const {chosen} = before ?? {};
   const isPossible = reading.groups.some(
     ({name, verdict}) => name === chosen && verdict !== 'cannot',
@@ -44,7 +46,33 @@ export function stepOf(reading: PhotoReading, before?: PhotoStep): PhotoStep {
     ...{quarterTurns: 0, oneWay: undefined, isExact: false, flatten: 1},
     ...{w1Measured: undefined, w2Measured: undefined, between: undefined},
     ...before,
-    ...{reading, chosen: isPossible ? chosen : undefined},
+    ...{reading, f35, chosen: isPossible ? chosen : undefined},
+  };
+}
+
+/** The same step on the same photograph in another size. */
+export function scaledStep(
+  step: PhotoStep,
+  {width, height}: {readonly width: number; readonly height: number},
+): PhotoStep {
+  const {reading, between} = step;
+  const [across, down] = [width / reading.width, height / reading.height];
+  const at = ([x, y]: Point): Point => [across * x, down * y];
+  const seen = ({homography: [a, b, c, d, e, f, ...rest], lens}: PhotoMap): PhotoMap => ({
+    homography: [across * a, across * b, across * c, down * d, down * e, down * f, ...rest],
+    lens,
+  });
+  const map = seen(reading.map);
+  return {
+    ...step,
+    reading: {
+      ...reading,
+      ...{width, height, map, ...vectorsAtMiddle(map, {width, height})},
+      groups: reading.groups.map((group) => ({...group, map: seen(group.map)})),
+      others: reading.others.map(seen),
+      differing: reading.differing.map((ring) => ring.map(at)),
+    },
+    between: between && {...between, from: at(between.from), to: at(between.to)},
   };
 }
 

@@ -26,7 +26,6 @@ function changed(print: DesignPrint, stored: StoredDesign['print']): DesignPrint
     oneWay = print.oneWay,
     cell = print.cell,
   } = stored;
-  const {unscaled, ...measured} = print;
-  const known = stored.size ? measured : print;
-  return {...known, group, size, turnDeg, oneWay, cell};
+  const isMeasured = print.unscaled && stored.size !== undefined;
+  return {...print, group, size, turnDeg, oneWay, cell, ...(isMeasured && {unscaled: false})};
 }

@@ -24,10 +24,11 @@ export const photo: PhotoTexts = {
   byHand: 'Zelle selbst zeichnen',
   hand: 'Die Ecke und beide Pfeile auf einen Rapport des Drucks ziehen, danach:',
   alignHand: 'Den Rapport von hier aus suchen',
-  found: (group, copies) => `Gefunden: ${group}, ${copies} Rapporte zu sehen.`,
+  found: (group) => `Gefunden: ${group}.`,
   confidences: {
     likely: 'Wahrscheinlich stimmt es; bitte die Probe mit dem Stoff vergleichen.',
-    uncertain: 'Das ist unsicher: bitte das Richtige wählen oder die Ecken verschieben.',
+    uncertain:
+      'Kein Rapport ist sicher: bitte das Richtige wählen, die Ecken verschieben oder ein anderes Foto mit drei Rapporten in beide Richtungen nehmen.',
   },
   others: 'Oder ist es einer von diesen?',
   other: (number) => `Rapport ${number}`,

@@ -24,10 +24,11 @@ export const photo = {
   byHand: 'Draw the cell by hand',
   hand: 'Drag the corner and both arrows onto one repeat of the print, then:',
   alignHand: 'Find the repeat from here',
-  found: (group: string, copies: number) => `Found: ${group}, ${copies} repeats seen.`,
+  found: (group: string) => `Found: ${group}.`,
   confidences: {
     likely: 'It is likely, but compare the swatch with your cloth.',
-    uncertain: 'It is uncertain: choose what is right, or move the corners.',
+    uncertain:
+      'No repeat is certain: choose what is right, move the corners, or take another photo with three repeats in both directions.',
   },
   others: 'Or is it one of these?',
   other: (number: number) => `Repeat ${number}`,

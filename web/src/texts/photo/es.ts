@@ -24,10 +24,11 @@ export const photo: PhotoTexts = {
   byHand: 'Dibujar la celda a mano',
   hand: 'Arrastra la esquina y las dos flechas hasta una repetición del estampado, y después:',
   alignHand: 'Buscar la repetición desde aquí',
-  found: (group, copies) => `Encontrado: ${group}, se ven ${copies} repeticiones.`,
+  found: (group) => `Encontrado: ${group}.`,
   confidences: {
     likely: 'Es probable, pero compara la muestra con tu tela.',
-    uncertain: 'No es seguro: elige lo correcto, o mueve las esquinas.',
+    uncertain:
+      'Ninguna repetición es segura: elige lo correcto, mueve las esquinas, o haz otra foto con tres repeticiones en ambas direcciones.',
   },
   others: '¿O es una de estas?',
   other: (number) => `Repetición ${number}`,

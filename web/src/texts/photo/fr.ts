@@ -24,10 +24,11 @@ export const photo: PhotoTexts = {
   byHand: 'Dessiner la maille',
   hand: 'Tirez le coin et les deux flèches sur un rapport de l’imprimé, puis :',
   alignHand: 'Chercher le rapport à partir d’ici',
-  found: (group, copies) => `Trouvé : ${group}, ${copies} rapports visibles.`,
+  found: (group) => `Trouvé : ${group}.`,
   confidences: {
     likely: 'C’est probable, mais comparez l’échantillon à votre tissu.',
-    uncertain: 'C’est incertain : choisissez ce qui est juste, ou déplacez les coins.',
+    uncertain:
+      'Aucun rapport n’est sûr : choisissez ce qui est juste, déplacez les coins, ou prenez une autre photo avec trois rapports dans les deux sens.',
   },
   others: 'Ou est-ce l’un de ceux-ci ?',
   other: (number) => `Rapport ${number}`,

@@ -24,10 +24,11 @@ export const photo: PhotoTexts = {
   byHand: 'Disegna la cella a mano',
   hand: 'Trascina l’angolo e le due frecce su un rapporto della stampa, poi:',
   alignHand: 'Cerca il rapporto da qui',
-  found: (group, copies) => `Trovato: ${group}, si vedono ${copies} rapporti.`,
+  found: (group) => `Trovato: ${group}.`,
   confidences: {
     likely: 'È probabile, ma confronta il campione con la tua stoffa.',
-    uncertain: 'È incerto: scegli quello giusto, o sposta gli angoli.',
+    uncertain:
+      'Nessun rapporto è certo: scegli quello giusto, sposta gli angoli, o scatta un’altra foto con tre rapporti nei due sensi.',
   },
   others: 'O è uno di questi?',
   other: (number) => `Rapporto ${number}`,
