@@ -2,6 +2,7 @@
 import type {GarmentTitle, PanelMarks} from '../model/garment-marks.js';
 import {angleOf, onPiece, onPrint, wrapped, type Alignment, type Point} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
+import {checkScaled} from '../model/scaled.js';
 import type {Pattern} from '../model/result.js';
 import type {SheetPlace} from '../model/sheet-place.js';
 import {layOut, type Layout} from '../layout/layout.js';
@@ -158,6 +159,7 @@ function cutPieces(
  * Sheets of the pieces of a result, with all that a maker wants to find on them, by the width to height that a sheet comes
  * near to.
  * @param print none of plain cloth alone
+ * @throws {SolverError} for a print of unknown size
  */
 export function sheetsOf(
   result: SolvedPattern,
@@ -165,6 +167,7 @@ export function sheetsOf(
   marks: CuttingMarks,
   options: SheetOptions,
 ): (aspect: number) => CutSheet {
+  if (print) checkScaled(print);
   const {plain = []} = options;
   const {title, size, panels} = marks;
   const cuts = cutPieces(result, print, marks, options);

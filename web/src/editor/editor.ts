@@ -9,10 +9,11 @@ import type {ShortcutId} from './commands/shortcuts.js';
 import {WorkbenchElement} from './base/workbench-element.js';
 import type {SeamLens} from './lens/lens.js';
 import type {ClothPane} from './cloth/cloth-pane.js';
-import {loadCloth, loadLaterParts, loadWorn} from './load-later-parts.js';
+import {loadCloth, loadLaterParts, loadPhoto, loadWorn} from './load-later-parts.js';
 import {defineParts} from './parts.js';
 import type {LensCursor} from './pattern/marks.js';
 import type {PatternPane} from './pattern/pattern-pane.js';
+import type {PhotoWanted} from './print/print-files.js';
 import type {WornPane} from './worn/worn-pane.js';
 import {register} from './base/register.js';
 import type {KeyMap} from './shell/key-map.js';
@@ -86,6 +87,7 @@ export class Editor extends WorkbenchElement {
       this.addEventListener(type, () => void loadLaterParts(), {once: true, passive: true});
     }
     this.addEventListener('sw-lens-wanted', () => void this.#toLens());
+    this.addEventListener('sw-photo-wanted', (event) => void this.#toPhoto(event as PhotoWanted));
     this.addEventListener('sw-grain-wanted', () => {
       const {pattern} = this;
       if (pattern?.tools.active !== 'grain') pattern?.tools.toggle('grain');
@@ -136,6 +138,16 @@ export class Editor extends WorkbenchElement {
     const map = this.renderRoot.querySelector<KeyMap>('sw-key-map');
     await map?.updateComplete;
     map?.open();
+  }
+
+  /** Makes a print of a photograph, on a sheet of its own. */
+  async #toPhoto({detail}: PhotoWanted): Promise<void> {
+    try {
+      const openPhoto = await loadPhoto();
+      await openPhoto(this.workbench, this.renderRoot, detail ?? undefined);
+    } catch (error) {
+      this.workbench.say({tone: 'error', text: toFailure(error).message});
+    }
   }
 
   /** Where it is narrow, the lens is on a sheet. */

@@ -20,6 +20,12 @@ export async function loadWorn(): Promise<void> {
   defineWorn();
 }
 
+/** Loads what makes prints of photographs. @throws {Error} where it cannot be had */
+export async function loadPhoto() {
+  const {openPhoto} = await import('./photo/define-photo.js');
+  return openPhoto;
+}
+
 /** Loads what shows the pieces on their cloth. @throws {Error} where it cannot be had */
 export async function loadCloth(): Promise<void> {
   const {defineCloth} = await import('./cloth/define-cloth.js');

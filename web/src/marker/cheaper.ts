@@ -3,11 +3,10 @@ import {combined, onPiece, onPrint, type Point} from '../model/geometry.js';
 import type {CheaperLay, LayPlan} from '../model/lay-plan.js';
 import type {MarkerAnswer, MarkerHooks} from '../model/marker.js';
 import {signedArea} from '../model/polyline.js';
-import type {Print} from '../model/print.js';
 import {printDistance, type Repeat} from '../model/wallpaper.js';
 import {cheaperDesign, type SolveDesign} from './designs.js';
 import type {MarkerGarment} from './pieces.js';
-import {markerOrder, type MarkerOrder} from './problem.js';
+import {markerOrder, type LaidPrint, type MarkerOrder} from './problem.js';
 import type {MarkerSettings} from './settings.js';
 import {hasShiftsToTry, layShifted, unlessFailed, type Lay} from './shifted.js';
 
@@ -33,7 +32,7 @@ export interface CheaperMeans {
 interface Laid {
   readonly garments: readonly MarkerGarment[];
   readonly settings: MarkerSettings;
-  readonly print: Pick<Print, 'oneWay'> | undefined;
+  readonly print: LaidPrint | undefined;
   readonly plan: LayPlan;
 }
 

@@ -4,6 +4,7 @@ import {distance, norm, rotated} from '../model/geometry.js';
 import {layNote, type LayNote} from '../model/lay-note.js';
 import type {MarkerProblem} from '../model/marker.js';
 import type {Print} from '../model/print.js';
+import {checkScaled, type PrintScale} from '../model/scaled.js';
 import type {Repeat} from '../model/wallpaper.js';
 import {laidPieces, type MarkerGarment, type PieceOfMarker} from './pieces.js';
 import {acrossRepeat, equalShifts, hasHalfTurn, warpRepeat} from './repeats.js';
@@ -20,6 +21,9 @@ export interface MarkerOrder {
   /** What people should know. */
   readonly notes: readonly LayNote[];
 }
+
+/** What is to be known of a print besides its repeat. */
+export type LaidPrint = Pick<Print, 'oneWay'> & PrintScale;
 
 const usualAllowance = 1;
 const usualHem = 3;
@@ -92,8 +96,10 @@ function notesOf(
 export function markerOrder(
   garments: readonly MarkerGarment[],
   asked: MarkerSettings,
-  {oneWay = false}: Pick<Print, 'oneWay'> = {},
+  cloth: LaidPrint = {},
 ): MarkerOrder {
+  checkScaled(cloth);
+  const {oneWay = false} = cloth;
   const settings = checkedSettings(asked);
   const {allowanceCm = usualAllowance, hemCm = asked.allowanceCm ?? usualHem} = settings;
   const {copies, phaseCm, plies, ignoresPrint, flaws, nap = oneWay ? 'one-way' : 'none'} = settings;

@@ -107,7 +107,7 @@ export const repeatFields = {
 };
 
 /** The repeat of a print, without its picture. */
-export const printMeasures = shape(repeatFields);
+export const printMeasures = shape(repeatFields, {unscaled: flag});
 
 /** Decisions that a file may leave out. */
 export const optionalFields = {names: recordOf(pieceName), fabric: oneOf(fabricNames)};

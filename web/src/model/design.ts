@@ -37,6 +37,8 @@ export interface DesignPrint {
   readonly turnDeg: number;
   readonly oneWay: boolean;
   readonly cell: PrintCell;
+  /** Its size is in proportion only, until somebody measures it. */
+  readonly unscaled?: boolean;
   /** Where the picture of one cell is: a URL, or a `data:` URL when it is the user's own. */
   readonly image: string;
   /** Which of the prints that come with the page, if it is one. */
@@ -118,7 +120,8 @@ export const decidedOf = ({
 });
 
 /** The print as solver and views take it. */
-export function printOf({group, size, turnDeg, oneWay, cell, title, image}: DesignPrint): Print {
+export function printOf(print: DesignPrint): Print {
+  const {group, size, turnDeg, oneWay, cell, title, image, unscaled} = print;
   const [w1, w2] = latticeVectors(group, size, turnDeg, cell);
-  return {title, group, w1, w2, oneWay, cell, image};
+  return {title, group, w1, w2, oneWay, cell, image, ...(unscaled && {unscaled})};
 }

@@ -49,6 +49,8 @@ export const pageFailureCodes = [
   'not-an-image',
   /** A file is not the one that a design was made with. */
   'file-changed',
+  /** Of a print whose size nobody has measured, nothing is cut. */
+  'unscaled',
 ] as const;
 
 export type FailureCode = keyof typeof failureCodes | (typeof pageFailureCodes)[number];

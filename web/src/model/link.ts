@@ -20,7 +20,10 @@ export type LinkedGarment =
   {readonly sample: NonNullable<DesignGarment['sample']>} | Pick<DesignGarment, 'name' | 'text'>;
 
 /** Of a picture that was made of one that somebody opened, only that one is carried. */
-export type LinkedPrint = Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell'> &
+export type LinkedPrint = Pick<
+  DesignPrint,
+  'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled'
+> &
   (
     | {readonly sample: NonNullable<DesignPrint['sample']>}
     | Pick<DesignPrint, 'title' | 'image'>
@@ -74,11 +77,11 @@ const isSample = (print: DesignPrint): print is DesignPrint & {sample: object} =
 /** "#...", of whatever length. @param title what its owner calls it */
 export async function linkOf(design: Design, title?: string): Promise<string> {
   const {garment: own, print: shown} = design;
-  const {group, size, turnDeg, oneWay, cell, tile} = shown;
+  const {group, size, turnDeg, oneWay, cell, tile, unscaled} = shown;
   const project: LinkedProject = {
     garment: own.sample ? {sample: own.sample} : {name: own.name, text: own.text},
     print: {
-      ...{group, size, turnDeg, oneWay, cell},
+      ...{group, size, turnDeg, oneWay, cell, ...(unscaled && {unscaled})},
       ...(isSample(shown)
         ? {sample: shown.sample}
         : {title: shown.title, ...(tile ? {tile} : {image: shown.image})}),

@@ -155,6 +155,7 @@ export function printOfStored({print}: Pick<FiledDesign, 'print'>, content: stri
     ...(hasNewLattice(print) && {group, w1: settled(w1), w2: settled(w2)}),
     ...(oneWay !== undefined && {oneWay}),
     ...(cell !== undefined && {cell}),
+    ...(size && {unscaled: false}), // somebody has measured it
   };
 }
 

@@ -20,6 +20,7 @@ export interface OwnPicture extends Omit<PrintTile, 'turnedDeg'> {
   readonly size: RepeatSize;
   /** Counter-clockwise. [degrees] */
   readonly turnDeg: number;
+  readonly unscaled?: boolean;
 }
 
 type Measured = Pick<DesignPrint, 'size' | 'turnDeg' | 'tile'>;
@@ -44,10 +45,11 @@ export function cellSize({tile}: Pick<Measured, 'tile'>, size: RepeatSize): Repe
   return tile.turnedDeg === 0 ? upright : swapped(upright);
 }
 
-/** The same picture, of another size on the cloth, as its group demands it. [cm] */
+/** The same picture, of a size on the cloth that is known from then on, as its group demands it. [cm] */
 export const resized = (print: DesignPrint, size: RepeatSize): DesignPrint => ({
   ...print,
   size: coupledSize(print.group, cellSize(print, size)),
+  ...(print.unscaled && {unscaled: false}),
 });
 
 /** The turn of the picture that was opened, above -180 degrees, up to 180. */
@@ -63,6 +65,7 @@ export const pictureIn = (print: DesignPrint): OwnPicture => ({
   repeat: print.tile?.repeat ?? 'straight',
   size: tileSize(print),
   turnDeg: tileTurn(print),
+  ...(print.unscaled && {unscaled: true}),
 });
 
 /** The inverse of `tileTurn`. */

@@ -4,18 +4,17 @@ import type {SolveDesign} from '../marker/designs.js';
 import {foldedOrder} from '../marker/fold.js';
 import type {MarkerGarment} from '../marker/pieces.js';
 import {layPlan} from '../marker/plan.js';
-import {markerOrder} from '../marker/problem.js';
+import {markerOrder, type LaidPrint} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
 import {layShifted, type Lay} from '../marker/shifted.js';
 import {failureOf, SolverError} from '../model/failure.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import type {MarkerHooks} from '../model/marker.js';
-import type {Print} from '../model/print.js';
 import type {SolveResult} from '../model/result.js';
 
 export interface NodeMarkerSettings extends MarkerSettings {
   /** The print that the results were solved with, for what they do not repeat of it: whether it has an upside. */
-  readonly print?: Pick<Print, 'oneWay'>;
+  readonly print?: LaidPrint;
 }
 
 /** How to follow the search for a layout and how to end it early. */

@@ -7,6 +7,7 @@ import {onPrint} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
 import type {LayPlan} from '../model/lay-plan.js';
 import type {SolveHooks} from '../model/problem.js';
+import {checkScaled} from '../model/scaled.js';
 import {resultText, sha256Of} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
 import {
@@ -73,6 +74,7 @@ export async function orderWith(
   const garment = await textAt(design.garment, name, read, hooks.signal);
   const printText = await textAt(design.print, name, read, hooks.signal);
   const print = printOfStored(design, printText);
+  checkScaled({title: design.print.url, ...print});
   const result = await solver.solve(problemOfStored(design, {garment, print: printText}), {
     ...hooks,
     names: {garment: design.garment.url, print: design.print.url, symmetry: name, options: name},

@@ -2,6 +2,7 @@
 import type {ClothTexts} from './cloth/en.js';
 import type {Texts} from './en.js';
 import type {SewTexts} from './sew/en.js';
+import type {PhotoTexts} from './photo/en.js';
 import type {WornTexts} from './worn/en.js';
 
 type Some<T> = T extends (...given: never) => string
@@ -12,8 +13,10 @@ type Some<T> = T extends (...given: never) => string
       ? T
       : {readonly [Name in keyof T]?: Some<T[Name]>};
 
-/** Any of the texts, by their names in `texts/en`, `texts/worn`, `texts/sew` and `texts/cloth`; a plain sentence may stand for one with figures in it. */
-export type Messages = Some<Texts & {worn: WornTexts; sew: SewTexts; cloth: ClothTexts}>;
+/** Any of the texts, by their names in `texts/en`, `texts/worn`, `texts/sew`, `texts/cloth` and `texts/photo`; a plain sentence may stand for one with figures in it. */
+export type Messages = Some<
+  Texts & {worn: WornTexts; sew: SewTexts; cloth: ClothTexts; photo: PhotoTexts}
+>;
 
 /** What is of another kind than the text in its place is left out. */
 export const withMessages = <T>(texts: T, messages: Messages): T => merged(texts, messages) as T;

@@ -45,6 +45,8 @@ export function spokenFailure(
       return failures.noWasm(message);
     case 'worker-blocked':
       return failures.noWorker(message);
+    case 'unscaled':
+      return texts.print.unscaled;
     default:
       return message;
   }

@@ -31,6 +31,7 @@ export class NumberField extends LitElement {
     typed: {state: true},
   };
   declare label: string;
+  /** NaN for none. */
   declare value: number;
   declare least: number;
   declare most: number;
@@ -91,7 +92,7 @@ export class NumberField extends LitElement {
           inputmode=${this.fractions ? 'text' : 'decimal'}
           autocomplete="off"
           step=${this.fractions ? nothing : this.step}
-          aria-valuenow=${this.fractions ? this.value : nothing}
+          aria-valuenow=${this.fractions && !Number.isNaN(this.value) ? this.value : nothing}
           aria-valuetext=${this.fractions ? this.#shown : nothing}
           .value=${live(this.typed ?? this.#shown)}
           aria-invalid=${isWrong ? 'true' : nothing}
@@ -113,6 +114,7 @@ export class NumberField extends LitElement {
   }
 
   get #shown(): string {
+    if (Number.isNaN(this.value)) return ''; // nobody has said it yet
     return this.fractions
       ? fractionOrNumber(this.value, this.digits)
       : String(Number(this.value.toFixed(this.digits)) + 0);

@@ -5,6 +5,7 @@ import type {SolveResult} from '../../model/result.js';
 import type {AllowanceRule} from '../../cutting/allowances.js';
 import type {CuttingMarks, SheetOptions} from '../../cutting/lay-sheet.js';
 import type {PrintWithTile} from '../../picture/cloth.js';
+import {textsOf} from '../../texts/texts.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {embeddedTile} from './cell-picture.js';
 
@@ -16,13 +17,14 @@ export interface CutMaterial {
   readonly options: SheetOptions;
 }
 
-/** Undefined before there is an answer. @throws {Error} when the print's picture cannot be read */
+/** Undefined before there is an answer. @throws {Error} for a print of unknown size, and when its picture cannot be read */
 export async function cutMaterial(
   {design, garment, result, preferences}: Workbench,
   rule: AllowanceRule,
 ): Promise<CutMaterial | undefined> {
   if (!design || !garment || !result) return undefined;
-  const {units, language: locale} = preferences;
+  const {units, language: locale, messages} = preferences;
+  if (design.print.unscaled) throw new Error(textsOf(locale, messages).print.unscaled);
   const {image} = design.print;
   const tile = image === noPicture ? undefined : await embeddedTile(image);
   return {

@@ -2,14 +2,16 @@
 import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {TileRepeat} from '../../model/print-tile.js';
+import {blobOf} from '../../recognition/data-url.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import type {DoubtfulPicture} from '../../workbench/state.js';
 import {edgesPath, markedTile, markedTileStyle} from './marked-tile.js';
 import {closedRepeats, openPairs, printOfPicture} from './own-print.js';
+import type {PhotoOfCloth} from './print-files.js';
 import {remedies} from './remedies.js';
 
-/** Fires `another` when somebody would rather choose another file. */
+/** Fires `another` when somebody would rather choose another file, `photo` with a `PhotoOfCloth` when it is one. */
 export class DoubtfulTile extends WorkbenchElement {
   static override properties = {...WorkbenchElement.properties, repeats: {state: true}};
   /** Ways to repeat it in which it does meet them. */
@@ -64,6 +66,15 @@ export class DoubtfulTile extends WorkbenchElement {
             }}
           >
             ${texts.remedy.another}
+          </button>
+          <button
+            class="outlined"
+            @click=${() => {
+              const detail = {picture: blobOf(own.image), name: own.title};
+              this.dispatchEvent(new CustomEvent<PhotoOfCloth>('photo', {detail}));
+            }}
+          >
+            ${texts.remedy.photo}
           </button>
           <button @click=${() => this.#take(doubtful, 'straight')}>${texts.remedy.anyway}</button>
         </div>

@@ -44,6 +44,7 @@ export class FileSizeNote extends WorkbenchElement {
     const {said} = this;
     if (!print || said?.image !== pictureIn(print).image) return nothing;
     const texts = this.texts.print;
+    if (print.unscaled) return html`<p class="soft">${texts.unscaled}</p>`;
     const {width} = tileSize(print);
     if (!said.size) {
       const isGuess = Math.abs(width - firstWidth) < same;

@@ -129,6 +129,7 @@ async function asFound(
     turnDeg: cellTurn({tile}, own.turnDeg),
     image: await pictureOfTile(tile),
     ...(!isAsOpened && {tile}),
+    ...(own.unscaled && {unscaled: true}),
   };
 }
 

@@ -73,7 +73,16 @@ export async function openPrint(workbench: Workbench, file: File): Promise<void>
 
 /** @throws {Error} */
 export function printFrom(text: string, name: string, words: Words): DesignPrint {
-  const {title, group, w1, w2, cell = 'primitive', oneWay = false, image} = read(text, name, words);
+  const {
+    title,
+    group,
+    w1,
+    w2,
+    cell = 'primitive',
+    oneWay = false,
+    image,
+    unscaled,
+  } = read(text, name, words);
   const repeat = repeatOf({group, w1, w2, cell});
   const again = latticeVectors(group, repeat.size, repeat.turnDeg, cell);
   const off = Math.max(distance(w1, again[0]), distance(w2, again[1]));
@@ -83,7 +92,7 @@ export function printFrom(text: string, name: string, words: Words): DesignPrint
   }
   return {
     title: typeof title === 'string' ? title : name.replace(/\.[^.]*$/, ''),
-    ...{group, ...repeat, oneWay, cell},
+    ...{group, ...repeat, oneWay, cell, ...(unscaled && {unscaled})},
     image: image?.startsWith('data:image/') ? image : noPicture,
   };
 }

@@ -10,3 +10,12 @@ export const printFiles = `.json,${pictureEndings.map((ending) => `.${ending}`).
 export class OpenEdgesError extends Error {
   override readonly name = 'OpenEdgesError';
 }
+
+/** A picture that a print is to be read off, and what it is called. */
+export interface PhotoOfCloth {
+  readonly picture: Blob;
+  readonly name: string;
+}
+
+/** Asks whoever shows the print's panel to make a print of a photograph. */
+export type PhotoWanted = CustomEvent<PhotoOfCloth | null>;

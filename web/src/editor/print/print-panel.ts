@@ -8,7 +8,7 @@ import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Samples} from '../../workbench/samples.js';
-import {OpenEdgesError, printFiles} from './print-files.js';
+import {OpenEdgesError, printFiles, type PhotoOfCloth} from './print-files.js';
 
 export class PrintPanel extends WorkbenchElement {
   static override properties = {
@@ -50,12 +50,24 @@ export class PrintPanel extends WorkbenchElement {
         />
         <button class="outlined" @click=${this.#choose}>${icon.open} ${texts.open}</button>
       </header>
+      <button
+        class="outlined"
+        aria-haspopup="dialog"
+        @click=${() => {
+          this.#photo();
+        }}
+      >
+        ${icon.camera} ${texts.photo}
+      </button>
       ${this.problem ? html`<p class="error" role="alert">${this.problem}</p>` : nothing}
       ${
         workbench.doubtful?.beside === workbench.design.print
           ? html`<sw-doubtful-tile
               .workbench=${workbench}
               @another=${this.#choose}
+              @photo=${({detail}: CustomEvent<PhotoOfCloth>) => {
+                this.#photo(detail);
+              }}
             ></sw-doubtful-tile>`
           : nothing
       }
@@ -71,6 +83,11 @@ export class PrintPanel extends WorkbenchElement {
     return html`<p>${this.texts.print.own(print.title)}</p>
       <sw-tile-report .workbench=${workbench}></sw-tile-report>
       ${isPicture ? html`<sw-tile-repeat .workbench=${workbench}></sw-tile-repeat>` : nothing}`;
+  }
+
+  #photo(detail?: PhotoOfCloth): void {
+    const how = {detail, bubbles: true, composed: true};
+    this.dispatchEvent(new CustomEvent('sw-photo-wanted', how));
   }
 
   readonly #choose = (): void => {

@@ -36,7 +36,7 @@ export async function looksLikePicture(file: File): Promise<boolean> {
 }
 
 /** What a file is by its first bytes; undefined for what is no picture and no document. */
-export const kindOf = async (file: File): Promise<FileKind | undefined> =>
+export const kindOf = async (file: Blob): Promise<FileKind | undefined> =>
   fileKind(new Uint8Array(await file.slice(0, beginning).arrayBuffer()));
 
 /** @throws {Error} with one sentence that says what the file is, and what to do */

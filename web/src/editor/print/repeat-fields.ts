@@ -184,7 +184,7 @@ export class RepeatFields extends WorkbenchElement {
     const {format} = this;
     return html`<sw-number-field
       .label=${label(name)}
-      .value=${value / cm}
+      .value=${this.workbench.design?.print.unscaled ? NaN : value / cm}
       .subject=${this.workbench.design?.print.image}
       .least=${leastRepeat / cm}
       .most=${mostRepeat / cm}

@@ -9,11 +9,16 @@ import {imageCell} from '../../model/wallpaper.js';
 const bareCloth = '#f1ede3';
 const hasPicture = (image: string): boolean => image !== '' && image !== noPicture;
 
-/** How much a swatch shows: the longer of w1, w2 fits this often across. */
-const repeats = 2.4;
+/** How much a swatch usually shows: the longer of w1, w2 fits this often across. */
+const usualRepeats = 2.4;
 
 /** @param id of its own among the swatches of one element */
-export function swatch(id: string, print: Print, image = print.image ?? ''): TemplateResult {
+export function swatch(
+  id: string,
+  print: Print,
+  image = print.image ?? '',
+  repeats = usualRepeats,
+): TemplateResult {
   const [a, b] = imageCell(print);
   const [width, height] = [norm(a), norm(b)];
   const side = repeats * Math.max(norm(print.w1), norm(print.w2));

@@ -36,11 +36,11 @@ export class ClothLayer {
       garment: Design['garment'],
       options: Design['options'],
       names: Design['names'],
-      oneWay: boolean,
+      print: Design['print'],
       widthCm: number,
       selvedgeCm: number,
     ): LaidAnswer => ({
-      ...{result, garment, options, oneWay, widthCm, selvedgeCm},
+      ...{result, garment, options, print, widthCm, selvedgeCm},
       ...(names && {names}),
     }),
   );
@@ -117,7 +117,7 @@ export class ClothLayer {
     const {result, workbench} = session;
     if (clothWidth === null || !result || !workbench.design) return undefined;
     const {garment, options, names, print} = workbench.design;
-    return this.#answerOf(result, garment, options, names, print.oneWay, clothWidth, selvedge);
+    return this.#answerOf(result, garment, options, names, print, clothWidth, selvedge);
   }
 
   #begin(answer: LaidAnswer): Laying {

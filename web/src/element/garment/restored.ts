@@ -26,5 +26,6 @@ function changed(print: DesignPrint, stored: StoredDesign['print']): DesignPrint
     oneWay = print.oneWay,
     cell = print.cell,
   } = stored;
-  return {...print, group, size, turnDeg, oneWay, cell};
+  const isMeasured = print.unscaled && stored.size !== undefined;
+  return {...print, group, size, turnDeg, oneWay, cell, ...(isMeasured && {unscaled: false})};
 }

@@ -153,12 +153,12 @@ export function printFrom(
   }
   const file = checked(text, place);
   const worn = wanted === undefined ? undefined : colourwayOf(file, wanted);
-  const {title, group, oneWay = false, cell = 'primitive'} = file;
+  const {title, group, oneWay = false, cell = 'primitive', unscaled} = file;
   const image = worn?.image ?? file.image;
   const base = place?.url ?? document.baseURI;
   return {
     title: typeof title === 'string' ? title : group,
-    ...{group, oneWay, cell, ...repeatOf(file)},
+    ...{group, oneWay, cell, ...repeatOf(file), ...(unscaled && {unscaled})},
     image: image && URL.canParse(image, base) ? new URL(image, base).href : noPicture,
     file: {text, ...(place && {place}), ...(worn && {colourway: worn.name})},
   };

@@ -43,6 +43,7 @@ export const print: PrintTexts = {
   print: {
     title: 'Muster',
     open: 'Muster öffnen',
+    photo: 'Foto vom Stoff',
     own: (title) => `Eigenes Muster: ${title}`,
     group: 'Ornamentgruppe',
     stripes: 'Streifen',
@@ -69,6 +70,8 @@ export const print: PrintTexts = {
     unasked: 'Viele Programme schreiben diese Zahl von sich aus: zur Sicherheit nachmessen.',
     sizeUnknown:
       'Die Datei sagt nicht, wie groß gedruckt wird: bitte messen oder eine Größe eingeben.',
+    unscaled:
+      'Die Größe dieses Drucks ist unbekannt: vor dem Zuschneiden bitte messen oder eine Größe eingeben.',
     measure: {
       open: 'Im Bild messen',
       how: 'Zwei Punkte anklicken, deren Abstand bekannt ist, oder mit den Pfeiltasten verschieben.',
@@ -132,6 +135,7 @@ export const print: PrintTexts = {
       halfDrop: 'Es hat halben Versatz',
       brick: 'Es ist ein Ziegelverband',
       mirror: 'Spiegeln',
+      photo: 'Es ist ein Foto von Stoff',
       another: 'Anderes wählen',
       anyway: 'Trotzdem nehmen',
     },

@@ -36,6 +36,7 @@ export const print = {
   print: {
     title: 'Print',
     open: 'Open print',
+    photo: 'Photo of your cloth',
     own: (title: string) => `Your own: ${title}`,
     group: 'Wallpaper group',
     stripes: 'Stripes',
@@ -62,6 +63,7 @@ export const print = {
       `As large as the file says: ${resolution}, ${size} wide`,
     unasked: 'Many programs write this number by themselves: measure to be sure.',
     sizeUnknown: 'The file does not say how large it is printed: measure it, or enter a size.',
+    unscaled: 'The size of this print is unknown: measure it or enter a size before you cut.',
     measure: {
       open: 'Measure on the picture',
       how: 'Click two points whose distance you know, or move them with the arrow keys.',
@@ -126,6 +128,7 @@ export const print = {
       halfDrop: 'It is a half-drop',
       brick: 'It is a brick repeat',
       mirror: 'Mirror it',
+      photo: 'It is a photo of cloth',
       another: 'Choose another',
       anyway: 'Use it anyway',
     },

@@ -38,6 +38,7 @@ export const print: PrintTexts = {
   print: {
     title: 'Estampado',
     open: 'Abrir estampado',
+    photo: 'Foto de tu tela',
     own: (title) => `El tuyo: ${title}`,
     group: 'Grupo de simetría',
     stripes: 'Rayas',
@@ -63,6 +64,7 @@ export const print: PrintTexts = {
     backToFile: (resolution, size) => `Como dice el archivo: ${resolution}, ${size} de ancho`,
     unasked: 'Muchos programas escriben este número por su cuenta: mide para estar seguro.',
     sizeUnknown: 'El archivo no dice a qué tamaño se imprime: mídelo, o escribe un tamaño.',
+    unscaled: 'No se sabe el tamaño de este estampado: mídelo o escribe un tamaño antes de cortar.',
     measure: {
       open: 'Medir en la imagen',
       how: 'Haz clic en dos puntos cuya distancia conozcas, o muévelos con las flechas.',
@@ -126,6 +128,7 @@ export const print: PrintTexts = {
       halfDrop: 'Es de medio salto',
       brick: 'Es de ladrillo',
       mirror: 'Ponerlo en espejo',
+      photo: 'Es una foto de tela',
       another: 'Elegir otro',
       anyway: 'Usarlo de todos modos',
     },

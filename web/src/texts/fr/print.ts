@@ -39,6 +39,7 @@ export const print: PrintTexts = {
   print: {
     title: 'Imprimé',
     open: 'Ouvrir un imprimé',
+    photo: 'Photo de votre tissu',
     own: (title) => `Le vôtre : ${title}`,
     group: 'Groupe de symétrie',
     stripes: 'Rayures',
@@ -65,6 +66,8 @@ export const print: PrintTexts = {
     unasked: 'Bien des programmes écrivent ce nombre d’eux-mêmes : mesurez pour être sûr.',
     sizeUnknown:
       'Le fichier ne dit pas à quelle taille il s’imprime : mesurez, ou saisissez une taille.',
+    unscaled:
+      'La taille de cet imprimé est inconnue : mesurez-la, ou saisissez une taille, avant de couper.',
     measure: {
       open: 'Mesurer sur l’image',
       how: 'Cliquez sur deux points dont vous connaissez la distance, ou déplacez-les avec les flèches.',
@@ -129,6 +132,7 @@ export const print: PrintTexts = {
       halfDrop: 'C’est un rapport sauté',
       brick: 'C’est un rapport en briques',
       mirror: 'Mettre en miroir',
+      photo: 'C’est une photo de tissu',
       another: 'En choisir un autre',
       anyway: 'Prendre quand même',
     },

@@ -38,6 +38,7 @@ export const print: PrintTexts = {
   print: {
     title: 'Stampa',
     open: 'Apri stampa',
+    photo: 'Foto della tua stoffa',
     own: (title) => `La tua: ${title}`,
     group: 'Gruppo di simmetria',
     stripes: 'Righe',
@@ -63,6 +64,8 @@ export const print: PrintTexts = {
     backToFile: (resolution, size) => `Come dice il file: ${resolution}, largo ${size}`,
     unasked: 'Molti programmi scrivono da sé questo numero: misura per esserne sicuro.',
     sizeUnknown: 'Il file non dice a che misura si stampa: misurala, o inseriscine una.',
+    unscaled:
+      'La misura di questa stampa non è nota: misurala, o inseriscine una, prima di tagliare.',
     measure: {
       open: 'Misura sull’immagine',
       how: 'Fai clic su due punti di cui conosci la distanza, o spostali con le frecce.',
@@ -126,6 +129,7 @@ export const print: PrintTexts = {
       halfDrop: 'È a mezzo salto',
       brick: 'È a mattoni',
       mirror: 'Mettila a specchio',
+      photo: 'È una foto di stoffa',
       another: 'Scegline un’altra',
       anyway: 'Usala comunque',
     },

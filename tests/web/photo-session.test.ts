@@ -1,0 +1,258 @@
+/** A photograph on its way to a print, without a page: readings, corrections, lengths, and what undo takes back. */
+import {describe, expect, it, vi} from 'vitest';
+
+import {boxOf, cellLines, nodesOf} from '@/editor/photo/lattice-lines.js';
+import {PhotoSession} from '@/editor/photo/photo-session.js';
+import {movedNode} from '@/editor/photo/photo-stage.js';
+import {
+  cellOf,
+  groupOf,
+  isMisfit,
+  measuresOf,
+  scaledStep,
+  stepOf,
+  tileSettings,
+} from '@/editor/photo/photo-step.js';
+import {axesOf, centresOf, marksOn} from '@/editor/photo/symmetry-marks.js';
+import {SolverError} from '@/model/failure.js';
+import {pixelOf, rebased, vectorsAtMiddle} from '@/model/photo-map.js';
+import {groupNames, type GroupName} from '@/model/print.js';
+import type {PhotoMap, PhotoReading, PhotoRequest, PhotoTileRequest} from '@/model/photo.js';
+
+const size = {width: 900, height: 600};
+
+/** Cells of 100 x 80 px, seen aslant. */
+const map: PhotoMap = {homography: [100, 10, 420, 8, -80, 310, 1e-2, -2e-2, 1], lens: 0.01};
+
+const read = (group: GroupName, of = map, more: Partial<PhotoReading> = {}): PhotoReading => ({
+  ...size,
+  map: of,
+  ...vectorsAtMiddle(of, size),
+  ...{w1: null, w2: null, group},
+  shape: [
+    [1, 0],
+    [0, 0.8],
+  ],
+  groups: groupNames.map((name) => ({
+    ...{name, rho: name === group ? 0 : 0.3, worst: 0.1, map: of},
+    verdict: name === group || name === 'p1' ? 'has' : name === 'p6m' ? 'cannot' : 'has not',
+  })),
+  ...{confidence: 'sure', latticeUncertainty: 0.001, oneWay: false, stripes: false},
+  ...{copies: 30, explained: 0.95, others: [], differing: [], notes: []},
+  ...more,
+});
+
+const picture = new Blob([new Uint8Array(64)]);
+
+/** What the solver is asked, to be answered by hand. */
+function solver() {
+  const asked: {
+    request: PhotoRequest;
+    answer: (reading: PhotoReading) => void;
+    fail: (e: Error) => void;
+  }[] = [];
+  const tiles: PhotoTileRequest[] = [];
+  return {
+    asked,
+    tiles,
+    photo: (request: PhotoRequest, {signal}: {signal?: AbortSignal} = {}) =>
+      new Promise<PhotoReading>((answer, fail) => {
+        asked.push({request, answer, fail});
+        signal?.addEventListener('abort', () => {
+          fail(signal.reason as Error);
+        });
+      }),
+    photoTile: (request: PhotoTileRequest) => {
+      tiles.push(request);
+      return Promise.resolve({width: 2, height: 2, data: new Uint8ClampedArray(16)});
+    },
+  };
+}
+
+async function opened(reading = read('pmm')) {
+  const made = solver();
+  const session = new PhotoSession(made, picture);
+  void session.begin();
+  await vi.waitFor(() => {
+    expect(made.asked).toHaveLength(1);
+  });
+  made.asked[0]?.answer(reading);
+  await vi.waitFor(() => {
+    expect(session.state.kind).toBe('done');
+  });
+  return {...made, session};
+}
+
+describe('a session', () => {
+  it('reads the picture, and mends the lattice that somebody moved as a step of its own', async () => {
+    const {session, asked} = await opened();
+    expect(session.step && groupOf(session.step)).toBe('pmm');
+    const moved = movedNode(map, size, [0, 0], [1, 0], [530, 330]);
+    void session.align(moved);
+    await vi.waitFor(() => {
+      expect(asked).toHaveLength(2);
+    });
+    expect(asked[1]?.request).toMatchObject({lattice: moved, picture});
+    expect(asked[1]?.request).not.toHaveProperty('keepsLattice');
+    asked[1]?.answer(read('p2', moved));
+    await vi.waitFor(() => {
+      expect(session.step?.reading.map).toEqual(moved);
+    });
+    expect(session.undo()).toBe(true);
+    expect(session.step?.reading.map).toEqual(map);
+    expect(session.redo()).toBe(true);
+    expect(session.step?.reading.group).toBe('p2');
+    expect(session.redo()).toBe(false);
+  });
+
+  it('keeps what was read when a correction is ended or fails, and says why', async () => {
+    const {session, asked} = await opened();
+    void session.align(map, true);
+    await vi.waitFor(() => {
+      expect(asked).toHaveLength(2);
+    });
+    expect(asked[1]?.request.keepsLattice).toBe(true);
+    session.cancel();
+    expect(session.state.kind).toBe('done');
+    expect(session.canUndo).toBe(false);
+    void session.align(map);
+    await vi.waitFor(() => {
+      expect(asked).toHaveLength(3);
+    });
+    asked[2]?.fail(new SolverError({code: 'picture', message: 'No repeat was found.'}));
+    await vi.waitFor(() => {
+      expect(session.state).toMatchObject({
+        kind: 'failed',
+        failure: {message: 'No repeat was found.'},
+      });
+    });
+    expect(session.step?.reading.group).toBe('pmm');
+  });
+
+  it('makes a tile once for what decides about it, and another for another light', async () => {
+    const {session, tiles} = await opened();
+    await Promise.all([session.tile(), session.tile()]);
+    session.change({quarterTurns: 1});
+    await session.tile();
+    expect(tiles).toHaveLength(1);
+    session.change({flatten: 0.5, isExact: true});
+    await session.tile();
+    expect(tiles).toHaveLength(2);
+    expect(tiles[1]).toMatchObject({flatten: 0.5, symmetrise: 'pmm'});
+  });
+});
+
+describe('the print', () => {
+  const step = stepOf(read('pmm'));
+
+  it('is of unknown size until a length is measured, along either vector or between two points', () => {
+    expect(measuresOf(step)).toMatchObject({unscaled: true, size: {width: 10, height: 8}});
+    const tape = {repeats: 10, cm: 62.5};
+    expect(measuresOf({...step, w1Measured: tape})).toMatchObject({size: {width: 6.25, height: 5}});
+    expect(measuresOf({...step, w1Measured: tape})).not.toHaveProperty('unscaled');
+    expect(measuresOf({...step, w2Measured: tape}).size.height).toBeCloseTo(6.25, 3);
+    const both = {...step, w1Measured: tape, w2Measured: {repeats: 4, cm: 20.4}};
+    expect(measuresOf(both).size).toMatchObject({width: 6.25, height: 5.1});
+    // three repeats across and two up, as they lie on the photograph
+    const between = {from: pixelOf(map, size, [-1, 1]), to: pixelOf(map, size, [2, -1]), cm: 17};
+    expect(measuresOf({...step, between}).size.width).toBeCloseTo(17 / Math.hypot(3, 1.6), 3);
+  });
+
+  it('has the vectors of the group that somebody chooses, and says when lengths do not fit it', () => {
+    const reading = read('pmm', map, {
+      shape: [
+        [1, 0],
+        [0, 1],
+      ],
+    });
+    // the rhombic cell of the same lattice twice as fine: its vectors are half diagonals
+    const rhombic = rebased(map, [
+      [0.5, -0.5],
+      [0.5, 0.5],
+    ]);
+    const groups = reading.groups.map((one) => (one.name === 'cmm' ? {...one, map: rhombic} : one));
+    const chosen = {...stepOf({...reading, groups}), chosen: 'cmm' as const};
+    expect(cellOf(chosen).w1[0]).toBeCloseTo(0.5, 9);
+    expect(cellOf(chosen).w1[1]).toBeCloseTo(-0.5, 9);
+    expect(measuresOf(chosen)).toMatchObject({cell: 'rectangular', size: {width: 10, height: 10}});
+    expect(tileSettings(chosen).map).toBe(rhombic);
+    const measured = {...chosen, w1Measured: {repeats: 1, cm: 11}};
+    expect(isMisfit(measured)).toBe(false);
+    expect(isMisfit({...measured, w2Measured: {repeats: 1, cm: 11.2}})).toBe(true);
+  });
+
+  it('keeps a chosen group over the next reading, unless that lattice cannot have it', () => {
+    const chosen = {...step, chosen: 'p2' as const};
+    expect(stepOf(read('p1'), chosen).chosen).toBe('p2');
+    expect(stepOf(read('p1'), {...step, chosen: 'p6m'}).chosen).toBeUndefined();
+  });
+
+  it('lies on a smaller copy of its photograph as on the photograph itself', () => {
+    const between = {from: [90, 60], to: [450, 300], cm: 17} as const;
+    const half = scaledStep({...step, between}, {width: 450, height: 300});
+    expect(measuresOf(half)).toEqual(measuresOf({...step, between}));
+    expect(pixelOf(half.reading.map, half.reading, [2, 1])[0]).toBeCloseTo(
+      pixelOf(map, size, [2, 1])[0] / 2,
+      6,
+    );
+  });
+
+  it('turns by quarters, up to 180 degrees', () => {
+    const turns = [0, 1, 2, 3].map((quarterTurns) => measuresOf({...step, quarterTurns}).turnDeg);
+    expect(turns).toEqual([0, 90, 180, -90]);
+  });
+});
+
+describe('the lattice over the photograph', () => {
+  it('follows a node that is moved: its place is where it was put, and the base stays', () => {
+    const base = [1, 2] as const;
+    for (const node of [
+      [2, 2],
+      [1, 3],
+      [4, -1],
+    ] as const) {
+      const moved = movedNode(map, size, base, node, [333, 222]);
+      pixelOf(moved, size, node).forEach((value, k) => {
+        expect(value).toBeCloseTo([333, 222][k] ?? 0, 3);
+      });
+      expect(pixelOf(moved, size, base)[0]).toBeCloseTo(pixelOf(map, size, base)[0], 3);
+    }
+    const shifted = movedNode(map, size, base, base, [333, 222]);
+    expect(pixelOf(shifted, size, base)[1]).toBeCloseTo(222, 3);
+  });
+
+  it('shows all of the picture, and nodes that lie on it', () => {
+    const {least, most} = boxOf(map, size);
+    expect(least[0]).toBeLessThan(-3);
+    expect(most[1]).toBeGreaterThan(2);
+    const lines = most[0] - least[0] + 1 + (most[1] - least[1] + 1);
+    expect(cellLines(map, size).split('M').length - 1).toBe(lines);
+    const nodes = nodesOf(map, size);
+    expect(nodes.length).toBeGreaterThan(20);
+    expect(nodes.every((node) => pixelOf(map, size, node)[0] <= size.width)).toBe(true);
+  });
+
+  /** Mirrors, glides, and centres of turns in one cell, by the International Tables. */
+  it.each([
+    ['p1', 0, 0, ''],
+    ['p2', 0, 0, '2222'],
+    ['pm', 2, 0, ''],
+    ['pg', 0, 2, ''],
+    ['cm', 1, 1, ''],
+    ['pmm', 4, 0, '2222'],
+    ['pgg', 0, 4, '2222'],
+    ['p4', 0, 0, '2244'],
+    ['p4m', 6, 2, '2244'],
+    ['p4g', 2, 6, '2244'],
+    ['p3', 0, 0, '333'],
+    ['p6', 0, 0, '222336'],
+    ['p6m', 6, 6, '222336'],
+  ] as const)('marks the symmetries of %s', (group, mirrors, glides, orders) => {
+    const axes = axesOf(group);
+    expect(axes.filter(({isMirror}) => isMirror)).toHaveLength(mirrors);
+    expect(axes.filter(({isMirror}) => !isMirror)).toHaveLength(glides);
+    const found = centresOf(group).map(({order}) => order);
+    expect(found.sort().join('')).toBe(orders);
+    expect(marksOn(group, map, size).mirrors !== '').toBe(mirrors > 0);
+  });
+});

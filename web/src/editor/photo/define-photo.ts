@@ -1,0 +1,28 @@
+/** What makes prints of photographs: loaded by whoever asks for it. */
+import {registerAll} from '../base/register.js';
+import type {Workbench} from '../../workbench/workbench.js';
+import type {PhotoOfCloth} from '../print/print-files.js';
+import {PhotoDialog} from './photo-dialog.js';
+import {PhotoPanel} from './photo-panel.js';
+import {PhotoStage} from './photo-stage.js';
+import {PhotoSwatch} from './photo-swatch.js';
+
+const tag = 'sw-photo';
+
+/** Opens the sheet, with a picture where there is one. */
+export async function openPhoto(
+  workbench: Workbench,
+  root: HTMLElement | DocumentFragment,
+  given?: PhotoOfCloth,
+): Promise<void> {
+  registerAll({
+    [tag]: PhotoDialog,
+    'sw-photo-stage': PhotoStage,
+    'sw-photo-panel': PhotoPanel,
+    'sw-photo-swatch': PhotoSwatch,
+  });
+  const dialog = root.querySelector<PhotoDialog>(tag) ?? new PhotoDialog();
+  dialog.workbench = workbench;
+  if (!dialog.isConnected) root.append(dialog);
+  await dialog.open(given);
+}

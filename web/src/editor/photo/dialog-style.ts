@@ -1,0 +1,125 @@
+import {css} from 'lit';
+
+export const dialogStyle = css`
+  dialog {
+    width: min(80rem, calc(100vw - 2rem));
+    max-width: none;
+    max-height: calc(100dvh - 2rem);
+    padding: 0;
+    overflow: hidden;
+    border: 1px solid var(--sw-line);
+    border-radius: calc(2 * var(--sw-radius));
+    background: var(--sw-paper);
+    color: var(--sw-ink);
+    box-shadow: 0 12px 48px light-dark(rgb(38 40 44 / 0.24), rgb(0 0 0 / 0.6));
+  }
+  dialog[open] {
+    display: grid;
+    grid-template-rows: auto minmax(0, 1fr) auto;
+  }
+  dialog::backdrop {
+    background: rgb(20 21 24 / 0.4);
+  }
+  header,
+  footer {
+    display: flex;
+    align-items: center;
+    gap: var(--sw-space-2);
+    padding: var(--sw-space-3) var(--sw-space-4);
+  }
+  header {
+    border-bottom: 1px solid var(--sw-line);
+  }
+  h2 {
+    flex: 1;
+    font-size: var(--sw-text-large);
+  }
+  footer {
+    flex-wrap: wrap;
+    justify-content: end;
+    border-top: 1px solid var(--sw-line);
+  }
+  footer .error {
+    flex-basis: 100%;
+  }
+  .name {
+    display: flex;
+    flex: 1 1 12rem;
+    align-items: center;
+    gap: var(--sw-space-2);
+  }
+  .name input {
+    min-width: 0;
+    color: var(--sw-ink);
+  }
+  .intake {
+    display: grid;
+    gap: var(--sw-space-3);
+    padding: var(--sw-space-6) var(--sw-space-4);
+  }
+  .row {
+    display: flex;
+    flex-wrap: wrap;
+    gap: var(--sw-space-2);
+  }
+  .body {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) 22rem;
+    min-height: 0;
+  }
+  sw-photo-stage {
+    padding: var(--sw-space-3);
+    background: var(--sw-ground);
+    --stage-height: calc(100dvh - 11rem);
+  }
+  .side {
+    display: grid;
+    align-content: start;
+    gap: var(--sw-space-3);
+    padding: var(--sw-space-4);
+    overflow-y: auto;
+    border-left: 1px solid var(--sw-line);
+  }
+  .note {
+    display: grid;
+    gap: var(--sw-space-2);
+    padding: var(--sw-space-3);
+    border-radius: var(--sw-radius);
+    background: var(--sw-tint);
+  }
+  progress {
+    width: 100%;
+    accent-color: var(--sw-accent);
+  }
+  @media not (pointer: coarse) {
+    .camera {
+      display: none;
+    }
+  }
+  @media (width < 48rem) {
+    dialog {
+      width: 100vw;
+      height: 100dvh;
+      max-height: none;
+      margin: 0;
+      border: 0;
+      border-radius: 0;
+    }
+    .body {
+      grid-template-columns: minmax(0, 1fr);
+      grid-template-rows: auto minmax(0, 1fr);
+    }
+    sw-photo-stage {
+      padding: 0;
+      --stage-height: 38dvh;
+    }
+    .side {
+      border-left: 0;
+      border-top: 1px solid var(--sw-line);
+    }
+    header,
+    footer {
+      padding: var(--sw-space-2) var(--sw-space-3);
+    }
+  }
+`;

@@ -1,0 +1,95 @@
+/** Photographs that prints were made of, kept in this browser beside the projects, and in no design. */
+import {fieldOf} from '../../model/read.js';
+import {scaledStep, type PhotoStep} from './photo-step.js';
+
+/** A photograph with all that was decided about it. */
+interface KeptPhoto {
+  readonly picture: Blob;
+  readonly name: string;
+  readonly step: PhotoStep;
+}
+
+interface PhotoRecord extends KeptPhoto {
+  /** The SHA-256 of the print's picture. */
+  readonly key: string;
+  /** [ms since 1970] */
+  readonly kept: number;
+}
+
+/** Longest side. [px] */
+const longest = 2048;
+/** Older ones are forgotten. */
+const most = 20;
+const store = 'photos';
+
+async function keyOf(image: string): Promise<string> {
+  const digest = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(image));
+  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+const answerOf = <T>(request: IDBRequest<T>): Promise<T> =>
+  new Promise((resolve, reject) => {
+    request.onsuccess = () => {
+      resolve(request.result);
+    };
+    request.onerror = () => {
+      reject(request.error ?? new Error('The database is broken.'));
+    };
+  });
+
+async function inStore<T>(
+  mode: IDBTransactionMode,
+  work: (photos: IDBObjectStore) => Promise<T>,
+): Promise<T> {
+  const opening = indexedDB.open('seamwise-photos', 1);
+  opening.onupgradeneeded = () => {
+    opening.result.createObjectStore(store, {keyPath: 'key'}).createIndex('kept', 'kept');
+  };
+  const database = await answerOf(opening);
+  try {
+    return await work(database.transaction(store, mode).objectStore(store));
+  } finally {
+    database.close();
+  }
+}
+
+/** The same photograph, small enough to be kept, and the step in its pixels. */
+async function small({picture, name, step}: KeptPhoto): Promise<KeptPhoto> {
+  const {width, height} = step.reading;
+  const scale = Math.min(1, longest / Math.max(width, height));
+  const bitmap = await createImageBitmap(picture, {
+    ...{imageOrientation: 'from-image', resizeQuality: 'high'},
+    resizeWidth: Math.round(scale * width),
+    resizeHeight: Math.round(scale * height),
+  });
+  const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+  canvas.getContext('2d')?.drawImage(bitmap, 0, 0);
+  bitmap.close();
+  const written = await canvas.convertToBlob({type: 'image/jpeg', quality: 0.92});
+  return {picture: written, name, step: scaledStep(step, canvas)};
+}
+
+/** @param image the picture of the print that was made; where the browser keeps nothing, nothing is kept */
+export async function keepPhoto(image: string, photo: KeptPhoto): Promise<void> {
+  try {
+    const [key, kept] = await Promise.all([keyOf(image), small(photo)]);
+    await inStore('readwrite', async (photos) => {
+      await answerOf(photos.put({...kept, key, kept: Date.now()} satisfies PhotoRecord));
+      const keys = await answerOf(photos.index('kept').getAllKeys());
+      await Promise.all(keys.slice(0, -most).map((old) => answerOf(photos.delete(old))));
+    });
+  } catch {
+    // it can be opened again from its file
+  }
+}
+
+/** What a print was made of, if that is kept. */
+export async function keptPhoto(image: string): Promise<KeptPhoto | undefined> {
+  try {
+    const key = await keyOf(image);
+    const found: unknown = await inStore('readonly', (photos) => answerOf(photos.get(key)));
+    return fieldOf(found, 'picture') instanceof Blob ? (found as PhotoRecord) : undefined;
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,14 @@
+/** What the parts of the photograph's sheet have in common. */
+import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
+import {WorkbenchElement} from '../base/workbench-element.js';
+import type {PhotoSession} from './photo-session.js';
+
+export abstract class PhotoElement extends WorkbenchElement {
+  static override properties = {...WorkbenchElement.properties, session: {attribute: false}};
+  declare session: PhotoSession;
+
+  protected get words(): PhotoTexts {
+    const {language, messages} = this.workbench.preferences;
+    return photoTexts(language, messages);
+  }
+}

@@ -1,0 +1,180 @@
+/** A photograph on its way to a print: what was read of it, what somebody changed about that, and its tile. */
+import type {Failure} from '../../model/failure.js';
+import {begun, redone, stepped, undone, type History} from '../../model/history.js';
+import type {
+  PhotoMap,
+  PhotoPixels,
+  PhotoSettings,
+  PhotoStage,
+  RepeatsMeasured,
+} from '../../model/photo.js';
+import {exifTags} from '../../recognition/exif.js';
+import type {SolverService} from '../../solver/service.js';
+import {NewestTask} from '../../workbench/background-task.js';
+import {toFailure} from '../../workbench/latest-solve.js';
+import {Observable} from '../../workbench/observable.js';
+import {stepOf, tileSettings, type PhotoStep} from './photo-step.js';
+
+type PhotoState =
+  | {readonly kind: 'reading'; readonly stage: PhotoStage; readonly fraction: number}
+  | {readonly kind: 'done' | 'cancelled'}
+  | {readonly kind: 'failed'; readonly failure: Failure};
+
+/** Cameras write what they say of a picture before its pixels. [bytes] */
+const head = 256 * 1024;
+
+/** The focal length that the file says, as on film of 36 mm. */
+async function focalLengthOf(picture: Blob): Promise<number | undefined> {
+  const view = new DataView(await picture.slice(0, head).arrayBuffer());
+  try {
+    return view.getUint16(0) === 0xffd8 ? exifTags(view).f35 : undefined;
+  } catch {
+    return undefined; // it ends too early: whoever decodes it says so
+  }
+}
+
+interface Made {
+  readonly key: string;
+  readonly pixels: Promise<PhotoPixels>;
+}
+
+export class PhotoSession extends Observable {
+  readonly picture: Blob;
+  readonly #solver: Pick<SolverService, 'photo' | 'photoTile'>;
+  readonly #reads = new NewestTask();
+  readonly #tiles = new NewestTask();
+  #state: PhotoState = {kind: 'cancelled'};
+  #history: History<PhotoStep> | undefined;
+  #made: Made | undefined;
+
+  constructor(solver: Pick<SolverService, 'photo' | 'photoTile'>, picture: Blob) {
+    super();
+    this.#solver = solver;
+    this.picture = picture;
+  }
+
+  get state(): PhotoState {
+    return this.#state;
+  }
+
+  /** Undefined until something was read. */
+  get step(): PhotoStep | undefined {
+    return this.#history?.present;
+  }
+
+  get canUndo(): boolean {
+    return (this.#history?.past.length ?? 0) > 0;
+  }
+
+  get canRedo(): boolean {
+    return (this.#history?.future.length ?? 0) > 0;
+  }
+
+  /** Looks for the print; a step of its own where something was read before. */
+  begin(): Promise<void> {
+    return this.#read({});
+  }
+
+  /** As it was left before. */
+  resume(step: PhotoStep): void {
+    this.#history = begun(step);
+    this.#become({kind: 'done'});
+  }
+
+  /** Begins at a lattice, which is mended unless `keeps`. */
+  align(lattice: PhotoMap, keeps = false): Promise<void> {
+    return this.#read({lattice, ...(keeps && {keepsLattice: true})});
+  }
+
+  /** Ends what is under way; what was read before stays. */
+  cancel(): void {
+    if (this.#state.kind !== 'reading') return;
+    this.#reads.stop();
+    this.#become({kind: this.step ? 'done' : 'cancelled'});
+  }
+
+  change(change: Partial<Omit<PhotoStep, 'reading'>>): void {
+    if (!this.#history) return;
+    this.#reads.stop();
+    this.#history = stepped(this.#history, {...this.#history.present, ...change});
+    this.#become({kind: 'done'});
+  }
+
+  /** How long so many repeats are: what two points measured counts no more. */
+  measure(vector: 'w1' | 'w2', measured: RepeatsMeasured | undefined): void {
+    this.change({[`${vector}Measured`]: measured, between: undefined});
+  }
+
+  undo(): boolean {
+    return this.#travel(undone);
+  }
+
+  redo(): boolean {
+    return this.#travel(redone);
+  }
+
+  /** The print's cell as it is now, made once. @throws {SolverError}; an `AbortError` once another is asked for */
+  tile(): Promise<PhotoPixels> {
+    const {step} = this;
+    if (!step) throw new Error('There is nothing to make a tile of.');
+    const settings = tileSettings(step);
+    const key = JSON.stringify(settings);
+    if (this.#made?.key === key) return this.#made.pixels;
+    const {signal} = this.#tiles.begin();
+    const pixels = this.#solver.photoTile({...settings, picture: this.picture}, {signal});
+    const made = {key, pixels};
+    this.#made = made;
+    pixels.catch(() => {
+      if (this.#made === made) this.#made = undefined; // to be tried again
+    });
+    return pixels;
+  }
+
+  override dispose(): void {
+    super.dispose();
+    this.#reads.stop();
+    this.#tiles.stop();
+  }
+
+  #travel(way: (history: History<PhotoStep>) => History<PhotoStep> | undefined): boolean {
+    const history = this.#history && way(this.#history);
+    if (!history) return false;
+    this.#reads.stop();
+    this.#history = history;
+    this.#become({kind: 'done'});
+    return true;
+  }
+
+  #become(state: PhotoState): void {
+    this.#state = state;
+    this.changed();
+  }
+
+  async #read(settings: PhotoSettings): Promise<void> {
+    const {signal} = this.#reads.begin();
+    const isOver = (): boolean => signal.aborted;
+    this.#become({kind: 'reading', stage: 'repeat', fraction: 0});
+    try {
+      // a photograph that was kept does not say it any more
+      const f35 = this.step?.f35 ?? (await focalLengthOf(this.picture));
+      if (isOver()) return;
+      const reading = await this.#solver.photo(
+        {...settings, ...(f35 !== undefined && {f35}), picture: this.picture},
+        {
+          signal,
+          onProgress: ({stage, fraction}) => {
+            if (isOver()) return;
+            this.#state = {kind: 'reading', stage, fraction};
+            this.changedOften();
+          },
+        },
+      );
+      if (isOver()) return;
+      const next = stepOf(reading, this.step, f35);
+      this.#history = this.#history ? stepped(this.#history, next) : begun(next);
+      this.#become({kind: 'done'});
+    } catch (error) {
+      if (!isOver()) this.#become({kind: 'failed', failure: toFailure(error)});
+    }
+  }
+}

@@ -1,0 +1,189 @@
+/** What somebody has decided about the print on a photograph, and the print that makes. */
+import type {DesignPrint} from '../../model/design.js';
+import {combined, minus, norm, type Point} from '../../model/geometry.js';
+import {latticeOf, pixelOf, vectorsAtMiddle} from '../../model/photo-map.js';
+import type {
+  PhotoGroup,
+  PhotoMap,
+  PhotoReading,
+  PhotoTileSettings,
+  PointsMeasured,
+  RepeatsMeasured,
+} from '../../model/photo.js';
+import type {GroupName} from '../../model/print.js';
+import {repeatOf} from '../../model/repeat.js';
+import {latticeType} from '../../model/wallpaper.js';
+import {assumedWidth} from '../../recognition/photo-print.js';
+import {alongStripe, turnsOver} from '../print/choices.js';
+
+/** What undo steps through. */
+export interface PhotoStep {
+  readonly reading: PhotoReading;
+  /** Focal length of the camera, as on film of 36 mm, where its file says it. */
+  readonly f35: number | undefined;
+  /** Another group than the one that was found. */
+  readonly chosen: GroupName | undefined;
+  /** Counter-clockwise, of the print against the photograph as it was read. */
+  readonly quarterTurns: number;
+  /** Whether it has an upside, where somebody says so. */
+  readonly oneWay: boolean | undefined;
+  /** The symmetries of the group are made exact. */
+  readonly isExact: boolean;
+  /** How much of the light's unevenness is taken away, 0 to 1. */
+  readonly flatten: number;
+  readonly w1Measured: RepeatsMeasured | undefined;
+  readonly w2Measured: RepeatsMeasured | undefined;
+  readonly between: PointsMeasured | undefined;
+}
+
+/** As it was read, with what had been decided before. */
+export function stepOf(reading: PhotoReading, before?: PhotoStep, f35?: number): PhotoStep {
+  const {chosen} = before ?? {};
+  const isPossible = reading.groups.some(
+    ({name, verdict}) => name === chosen && verdict !== 'cannot',
+  );
+  return {
+    ...{quarterTurns: 0, oneWay: undefined, isExact: false, flatten: 1},
+    ...{w1Measured: undefined, w2Measured: undefined, between: undefined},
+    ...before,
+    ...{reading, f35, chosen: isPossible ? chosen : undefined},
+  };
+}
+
+/** The same step on the same photograph in another size. */
+export function scaledStep(
+  step: PhotoStep,
+  {width, height}: {readonly width: number; readonly height: number},
+): PhotoStep {
+  const {reading, between} = step;
+  const [across, down] = [width / reading.width, height / reading.height];
+  const at = ([x, y]: Point): Point => [across * x, down * y];
+  const seen = ({homography: [a, b, c, d, e, f, ...rest], lens}: PhotoMap): PhotoMap => ({
+    homography: [across * a, across * b, across * c, down * d, down * e, down * f, ...rest],
+    lens,
+  });
+  const map = seen(reading.map);
+  return {
+    ...step,
+    reading: {
+      ...reading,
+      ...{width, height, map, ...vectorsAtMiddle(map, {width, height})},
+      groups: reading.groups.map((group) => ({...group, map: seen(group.map)})),
+      others: reading.others.map(seen),
+      differing: reading.differing.map((ring) => ring.map(at)),
+    },
+    between: between && {...between, from: at(between.from), to: at(between.to)},
+  };
+}
+
+export const groupOf = ({chosen, reading}: PhotoStep): GroupName => chosen ?? reading.group;
+
+export function groupIn(step: PhotoStep): PhotoGroup {
+  const group = step.reading.groups.find(({name}) => name === groupOf(step));
+  if (!group) throw new Error('A reading judges all groups.');
+  return group;
+}
+
+export const isOneWay = (step: PhotoStep): boolean => step.oneWay ?? !turnsOver(groupOf(step));
+
+/** The vectors of a map as the print has them, in the reading's proportions. */
+function shapeOf({reading}: PhotoStep, map: PhotoMap): readonly [Point, Point] {
+  const middle = latticeOf(map, reading, [reading.width / 2, reading.height / 2]);
+  const [u, v] = [Math.round(middle[0]), Math.round(middle[1])];
+  const at = (i: number, j: number): Point =>
+    latticeOf(reading.map, reading, pixelOf(map, reading, [u + i, v + j]));
+  const base = at(0, 0);
+  const vector = (i: number, j: number): Point => {
+    const [s, t] = minus(at(i, j), base);
+    return combined(reading.shape, s, t);
+  };
+  return [vector(1, 0), vector(0, 1)];
+}
+
+const times = ([x, y]: Point, factor: number): Point => [factor * x, factor * y];
+
+const oneRepeat = (measured: RepeatsMeasured | undefined): number | undefined =>
+  measured && measured.cm / measured.repeats;
+
+interface PhotoCell {
+  readonly w1: Point;
+  readonly w2: Point;
+  /** Its lengths are cm; otherwise |w1| is about 1. */
+  readonly isScaled: boolean;
+}
+
+/** w1 and w2 of the group that is shown. */
+export function cellOf(step: PhotoStep): PhotoCell {
+  const [w1, w2] = shapeOf(step, groupIn(step).map);
+  const [first, second] = [oneRepeat(step.w1Measured), oneRepeat(step.w2Measured)];
+  const [across, up] = [
+    first === undefined ? undefined : first / norm(w1),
+    second === undefined ? undefined : second / norm(w2),
+  ];
+  const other = across ?? up ?? byPoints(step);
+  return {
+    w1: times(w1, across ?? other ?? 1),
+    w2: times(w2, up ?? other ?? 1),
+    isScaled: other !== undefined,
+  };
+}
+
+/** cm in the unit of the reading's shape. */
+function byPoints({reading, between}: PhotoStep): number | undefined {
+  if (!between) return undefined;
+  const [s, t] = minus(
+    latticeOf(reading.map, reading, between.to),
+    latticeOf(reading.map, reading, between.from),
+  );
+  const apart = norm(combined(reading.shape, s, t));
+  return apart > 0 ? between.cm / apart : undefined;
+}
+
+/** Sides that the group wants equal, and that measure otherwise by more than a tape errs. */
+export function isMisfit(step: PhotoStep): boolean {
+  const isEqualSided = ['square', 'rhombic', 'hexagonal'].includes(latticeType(groupOf(step)));
+  if (!isEqualSided || !step.w1Measured || !step.w2Measured) return false;
+  const {w1, w2} = cellOf(step);
+  return Math.abs(norm(w1) / norm(w2) - 1) > 0.005;
+}
+
+const rounded = (value: number): number => Math.round(1000 * value) / 1000 + 0;
+
+/** Above -180, up to 180. */
+const wrappedTurn = (degrees: number): number => {
+  const turn = ((degrees % 360) + 360) % 360;
+  return turn > 180 ? turn - 360 : turn;
+};
+
+/** The print without its picture; lengths are rounded to what somebody could measure. */
+export function measuresOf(
+  step: PhotoStep,
+): Pick<DesignPrint, 'group' | 'size' | 'turnDeg' | 'oneWay' | 'cell' | 'unscaled'> {
+  const group = groupOf(step);
+  const {w1, w2, isScaled} = cellOf(step);
+  const factor = isScaled ? 1 : assumedWidth;
+  const {size, turnDeg} = repeatOf({group, w1: times(w1, factor), w2: times(w2, factor)});
+  const {width, height, angleDeg} = size;
+  const isStriped = step.reading.stripes && ['pm', 'pmm'].includes(group);
+  return {
+    group,
+    size: {
+      width: rounded(width),
+      height: rounded(isStriped ? Math.min(height, alongStripe) : height),
+      angleDeg: rounded(angleDeg),
+    },
+    turnDeg: wrappedTurn(rounded(turnDeg) + 90 * step.quarterTurns),
+    oneWay: isOneWay(step),
+    cell: ['rhombic', 'hexagonal'].includes(latticeType(group)) ? 'rectangular' : 'primitive',
+    ...(!isScaled && {unscaled: true}),
+  };
+}
+
+/** What the tile of the print is made by. */
+export function tileSettings(step: PhotoStep): PhotoTileSettings {
+  const {name, map} = groupIn(step);
+  return {
+    ...{map, shape: shapeOf(step, map), flatten: step.flatten},
+    ...(step.isExact && name !== 'p1' && {symmetrise: name}),
+  };
+}

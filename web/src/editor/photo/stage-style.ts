@@ -1,0 +1,113 @@
+import {css} from 'lit';
+
+export const stageStyle = css`
+  :host {
+    display: grid;
+    place-items: center;
+    min-width: 0;
+    min-height: 0;
+  }
+  .frame {
+    position: relative;
+    width: min(100%, calc(var(--stage-height, 70dvh) * var(--shape, 1)));
+    overflow: hidden;
+    touch-action: none;
+    user-select: none;
+    -webkit-user-select: none;
+  }
+  img,
+  svg {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    height: 100%;
+  }
+  .busy svg,
+  .busy .handle {
+    opacity: 0.5;
+  }
+  path {
+    fill: none;
+    vector-effect: non-scaling-stroke;
+    stroke-linejoin: round;
+  }
+  .casing {
+    stroke: rgb(255 255 255 / 0.55);
+    stroke-width: 3;
+  }
+  .cells {
+    stroke: #143a63;
+    stroke-width: 1;
+  }
+  .dot {
+    fill: #143a63;
+    stroke: #fff;
+    vector-effect: non-scaling-stroke;
+  }
+  .mirrors {
+    stroke: #c22318;
+    stroke-width: 1.5;
+  }
+  .glides {
+    stroke: #c22318;
+    stroke-width: 1.5;
+    stroke-dasharray: 5 4;
+  }
+  .centre {
+    fill: #c22318;
+    stroke: #fff;
+  }
+  .differing {
+    fill: rgb(194 35 24 / 0.3);
+    stroke: #c22318;
+  }
+  .arrow {
+    stroke-width: 2.5;
+    stroke-linecap: round;
+  }
+  .arrow.casing {
+    stroke: #fff;
+    stroke-width: 5;
+  }
+  .arrow.w1,
+  .arrow.w2 {
+    stroke: #0b5fb3;
+  }
+  text {
+    fill: #0b5fb3;
+    stroke: #fff;
+    stroke-width: 4px;
+    paint-order: stroke;
+    vector-effect: non-scaling-stroke;
+    font-weight: 700;
+    text-anchor: middle;
+    dominant-baseline: central;
+  }
+  .ruler {
+    stroke: #c22318;
+    stroke-width: 2;
+  }
+  .handle {
+    position: absolute;
+    width: 2.75rem;
+    height: 2.75rem;
+    min-height: 0;
+    margin: -1.375rem;
+    padding: 0;
+    border-radius: 50%;
+    cursor: move;
+    touch-action: none;
+  }
+  .handle::before {
+    content: '';
+    width: 0.8rem;
+    height: 0.8rem;
+    border: 2px solid #0b5fb3;
+    border-radius: 50%;
+    background: rgb(255 255 255 / 0.6);
+    box-shadow: 0 0 0 2px #fff;
+  }
+  .handle[data-handle^='end']::before {
+    border-color: #c22318;
+  }
+`;

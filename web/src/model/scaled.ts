@@ -1,0 +1,15 @@
+/** Prints whose size nobody has measured: they may be placed, but nothing is cut by them. */
+import {SolverError} from './failure.js';
+import type {Print} from './print.js';
+
+export type PrintScale = Pick<Print, 'title' | 'unscaled'>;
+
+/** @throws {SolverError} `unscaled`, for a print whose lengths are in proportion only */
+export function checkScaled({title, unscaled}: PrintScale): void {
+  if (!unscaled) return;
+  const which = title === undefined ? 'this print' : `the print '${title}'`;
+  throw new SolverError({
+    code: 'unscaled',
+    message: `The size of ${which} is unknown, so that nothing can be cut by it; measure a repeat, and give its w1 and w2 in cm, without 'unscaled'.`,
+  });
+}

@@ -1,0 +1,18 @@
+/** What is said of a print on a photograph: loaded with what shows it, in all languages. */
+import {photo as de} from './photo/de.js';
+import {photo as en, type PhotoTexts} from './photo/en.js';
+import {photo as es} from './photo/es.js';
+import {photo as fr} from './photo/fr.js';
+import {photo as it} from './photo/it.js';
+import {withMessages, type Messages} from './messages.js';
+import type {Language} from './preferences.js';
+
+export type {PhotoTexts} from './photo/en.js';
+
+const tables: Readonly<Record<Language, PhotoTexts>> = {en, de, fr, es, it};
+
+/** The words of a language, but for those that somebody gives themselves. */
+export function photoTexts(language: Language, messages?: Messages): PhotoTexts {
+  const own = tables[language];
+  return messages?.photo ? withMessages({photo: own}, {photo: messages.photo}).photo : own;
+}

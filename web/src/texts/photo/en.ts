@@ -1,0 +1,77 @@
+/** In English: a print read off a photograph. */
+import type {PhotoNote, PhotoStage, SymmetryVerdict} from '../../model/photo.js';
+
+export const photo = {
+  title: 'Photo of your cloth',
+  intake:
+    'Lay the cloth flat and photograph it from above, so that three repeats or more are seen in both directions. Choose the picture, drop it here, or paste it.',
+  stays: 'It stays on this device.',
+  choose: 'Choose a picture',
+  camera: 'Take a photo',
+  another: 'Another picture',
+  photo: 'Photo of the cloth',
+  nodes: ['Corner of the cell', 'End of w1', 'End of w2'] as readonly string[],
+  ends: ['First measured point', 'Second measured point'] as readonly string[],
+  stages: {
+    repeat: 'Looking for the repeat',
+    light: 'Evening out the light',
+    symmetry: 'Comparing symmetries',
+    tile: 'Making the cell',
+  } satisfies Record<PhotoStage, string> as Record<PhotoStage, string>,
+  reading: (stage: string, percent: string) => `${stage}, ${percent}`,
+  cancelled: 'Stopped.',
+  again: 'Look again',
+  byHand: 'Draw the cell by hand',
+  hand: 'Drag the corner and both arrows onto one repeat of the print, then:',
+  alignHand: 'Find the repeat from here',
+  found: (group: string) => `Found: ${group}.`,
+  confidences: {
+    likely: 'It is likely, but compare the swatch with your cloth.',
+    uncertain:
+      'No repeat is certain: choose what is right, move the corners, or take another photo with three repeats in both directions.',
+  },
+  others: 'Or is it one of these?',
+  other: (number: number) => `Repeat ${number}`,
+  notes: {
+    uneven: 'The cloth does not lie quite flat.',
+    differs: 'Red areas differ from all other copies, and are left out.',
+    focalLength: 'Measure along w1 and w2: proportions are uncertain without both.',
+  } satisfies Record<PhotoNote, string> as Record<PhotoNote, string>,
+  lattice: 'Repeat',
+  how: 'Drag corners, or move them with the arrow keys: the repeat follows the print near them. With Alt it stays as you place it.',
+  twice: (vector: string) => `${vector} twice as long`,
+  half: (vector: string) => `${vector} half as long`,
+  halfDrop: 'Half-drop',
+  group: 'Symmetry',
+  verdicts: {
+    has: 'has',
+    almost: 'almost',
+    'has not': 'has not',
+    cannot: 'cannot on this repeat',
+  } satisfies Record<SymmetryVerdict, string> as Record<SymmetryVerdict, string>,
+  foundOne: 'found',
+  breaks: (group: string) => `Where it breaks ${group}`,
+  exact: 'Make the symmetries exact',
+  show: 'Show',
+  overlays: {cells: 'Cells', axes: 'Mirrors and turns', differing: 'Copies that differ'},
+  flatten: 'Flatten the light',
+  swatch: 'Swatch, 3 repeats wide',
+  making: 'Making the swatch …',
+  size: 'Size',
+  unknown:
+    'Size unknown: measure at least one of these with a tape. You can align the print before, but not cut.',
+  repeatsAlong: (vector: string) => `Repeats along ${vector}`,
+  measure: (unit: string) => `measure (${unit})`,
+  between: 'Or measure between two points of the photo',
+  distance: (unit: string) => `Distance between them (${unit})`,
+  measures: (width: string, height: string) => `One repeat is ${width} × ${height}.`,
+  misfit: (w1: string, w2: string, group: string) =>
+    `Your cloth measures ${w1} along w1 and ${w2} along w2, but ${group} needs equal sides: choose a symmetry without that, or measure again.`,
+  cloth: 'On the cloth',
+  turn: 'Turn by 90°',
+  warp: (turn: string) => `The print is turned by ${turn}; the length of the cloth runs upwards.`,
+  name: 'Name',
+  use: 'Use this print',
+};
+
+export type PhotoTexts = typeof photo;
