@@ -30,6 +30,15 @@ const garment = (page: Page): Locator => page.locator('#product seamwise-garment
 const price = (page: Page): Locator => page.locator('#price');
 const readSample = (path: string): Promise<Uint8Array> => readFile(join(samples, path));
 
+/** Laying takes seconds, and a busy machine several times that. */
+const patient = {timeout: 60_000};
+
+/** Once it is known. */
+async function priceTold(page: Page): Promise<string> {
+  await expect.poll(() => price(page).textContent(), patient).toMatch(/^€/);
+  return (await price(page).textContent()) ?? '';
+}
+
 /** The design that the page would sell, and the sha256 of what it shows. */
 const shown = async (page: Page): Promise<{readonly design: string; readonly sha256: string}> => {
   const {value, result} = await garment(page).evaluate((element: SeamwiseGarment) => ({
@@ -72,9 +81,9 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
   await solvedAnew(page, before.design);
   const sold = await shown(page);
   expect(sold.sha256).not.toBe(before.sha256);
-  const cost = await price(page).textContent();
-  await page.getByRole('button', {name: 'Add to cart'}).click();
-  await page.waitForURL(/\/cart\//);
+  const cost = await priceTold(page);
+  await page.getByRole('button', {name: 'Add to cart'}).click(patient);
+  await page.waitForURL(/\/cart\//, patient);
   await page.reload();
   expect(await page.locator('.total').textContent()).toContain(cost);
   expect(await page.locator('.line').textContent()).toContain('Snow crystal, Mist');
@@ -139,21 +148,23 @@ it('shows the garment as it is worn, its pieces when asked, and the worn one aga
   expect(await poster.isVisible()).toBe(false);
 });
 
-it('says how much cloth it cuts, as soon as that is known', async () => {
+it('asks for the cloth that it cuts, in steps of 5 cm, as soon as that is known', async () => {
   const page = await open(`${shop}garment/tee`);
   const length = page.locator('#length');
-  const patient = {timeout: 60_000};
   const said = /^Cut from (\d\.\d\d) m of cloth, 140 cm wide\.$/;
-  await expect.poll(() => length.textContent(), patient).toMatch(said);
-  const metres = Number(said.exec((await length.textContent()) ?? '')?.[1]);
-  const centimetres = await garment(page).evaluate(
-    (element: SeamwiseGarment) => element.clothLengthCm,
-  );
-  expect(metres).toBeCloseTo((centimetres ?? 0) / 100, 2);
+  const centimetres = async (): Promise<number> =>
+    (await garment(page).evaluate((element: SeamwiseGarment) => element.clothLengthCm)) ?? 0;
+  const sold = async (): Promise<number> => {
+    await expect.poll(() => length.textContent(), patient).toMatch(said);
+    const metres = Number(said.exec((await length.textContent()) ?? '')?.[1]);
+    expect(100 * metres).toBeCloseTo(5 * Math.ceil((await centimetres()) / 5), 6);
+    await expect.poll(() => price(page).textContent()).toBe(`€${(34 * metres).toFixed(2)}`);
+    return centimetres();
+  };
+  const first = await sold();
   await page.getByText('XL', {exact: true}).click();
-  await expect.poll(() => length.textContent(), patient).toBe('');
-  await expect.poll(() => length.textContent(), patient).toMatch(said);
-  expect(Number(said.exec((await length.textContent()) ?? '')?.[1])).toBeGreaterThan(metres);
+  await expect.poll(() => price(page).textContent(), patient).toBe('…');
+  expect(await sold()).toBeGreaterThan(first);
 });
 
 it('can be walked by keys alone', async () => {
@@ -200,7 +211,7 @@ it('can be walked by keys alone', async () => {
   expect(print.size?.width).toBeGreaterThan(7); // the file's own
   await tabTo(/^Add to cart$/);
   await page.keyboard.press('Enter');
-  await page.waitForURL(/\/cart\//);
+  await page.waitForURL(/\/cart\//, patient);
   await tabTo(/^Six-gore skirt, S$/);
   await page.keyboard.press('Enter');
   await page.waitForURL(/line=/);
@@ -216,8 +227,8 @@ it.each(['light', 'dark'] as const)('keeps nobody out, in %s colours', async (co
   await page.getByRole('button', {name: 'Place the print yourself'}).click();
   await garment(page).locator('sw-place-bar').waitFor();
   expect(await barriers(page, all)).toEqual([]);
-  await page.getByRole('button', {name: 'Add to cart'}).click();
-  await page.waitForURL(/\/cart\//);
+  await page.getByRole('button', {name: 'Add to cart'}).click(patient);
+  await page.waitForURL(/\/cart\//, patient);
   expect(await barriers(page, all)).toEqual([]);
 });
 
@@ -249,9 +260,9 @@ it('adds to the cart what is still being solved, as soon as it is there', async 
     await route.continue();
   });
   await page.goto(`${shop}garment/tee?size=xs&print=check`);
-  await page.getByRole('button', {name: 'Add to cart'}).click();
+  await page.getByRole('button', {name: 'Add to cart'}).click(patient);
   deliver?.();
-  await page.waitForURL(/\/cart\//);
+  await page.waitForURL(/\/cart\//, patient);
   expect(await page.locator('.line').textContent()).toContain('Tee, XS');
 });
 
@@ -339,19 +350,27 @@ it('keeps a thousand carts in little memory, and forgets the oldest when there a
 it('has its own price, and no other files than its own', async () => {
   const page = await open(`${shop}garment/tee`);
   await solved(page);
+  const told = await priceTold(page);
+  const cents = Math.round(100 * Number(told.slice(1)));
   const {design} = await shown(page);
-  const body = JSON.stringify({...(JSON.parse(design) as object), price: '€0.01'});
-  const answer = await fetch(`${shop}estimate`, {method: 'POST', body});
-  const told = (await answer.json()) as {readonly price: string; readonly pieces: string};
-  expect(told.price).toBe(await price(page).textContent());
-  const area = await garment(page).evaluate((element: SeamwiseGarment) =>
-    (element.result?.pieces ?? [])
-      .flatMap(({rest, triangles}) => triangles.map((corners) => corners.map((k) => rest[k])))
-      .reduce((sum, [a = [0, 0], b = [0, 0], c = [0, 0]]) => {
-        return sum + ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
-      }, 0),
-  );
-  expect(Number(told.pieces)).toBeCloseTo(area / 1e4, 2);
+  const post = (fields: Record<string, string>): Promise<Response> =>
+    fetch(`${shop}cart`, {
+      ...{method: 'POST', redirect: 'manual', body: new URLSearchParams(fields)},
+    });
+  const cheap = await post({design, cents: '1'});
+  expect(cheap.status).toBe(400);
+  expect(await cheap.text()).toContain(`m of cloth and costs ${told}, which is not what you were`);
+  const other = {...(JSON.parse(design) as object), result: '0'.repeat(64)};
+  const unlike = await post({design: JSON.stringify(other), cents: String(cents)});
+  expect(await unlike.text()).toContain('This is not what our pages show');
+  const taken = await post({design, cents: String(cents)});
+  expect(taken.status).toBe(303);
+  const cart = await fetch(new URL(taken.headers.get('location') ?? '', shop));
+  expect(await cart.text()).toContain(`<strong>${told}</strong>`);
+  // the length is that of the package on its own
+  const read = (url: string): Promise<Uint8Array> => readSample(new URL(url).pathname);
+  const {plan} = await order(design, {read, cloth: {widthCm: 140, selvedgeCm: 0}});
+  expect(cents).toBe(170 * Math.ceil((plan?.lengthCm ?? 0) / 5));
   for (const path of [
     'server.mjs',
     'seamwise/..%2f..%2fpackage.json',

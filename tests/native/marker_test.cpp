@@ -144,6 +144,32 @@ TEST(Marker, IsTheSameWhereverAnAlignmentsRepeatIsCountedFromAndHoweverPiecesAre
   }
 }
 
+TEST(Marker, LaysPiecesAnywhereWhereThePrintDoesNotMatter) {
+  for (unsigned seed = 20; seed < 24; ++seed) {
+    NestingProblem problem = someProblem(tiles(), 8, 50, seed);
+    problem.ignores_print = true;
+    problem.effort = 0.05;
+    const auto marker = laid(problem);
+    ASSERT_TRUE(marker);
+    expectValid(problem, *marker);
+  }
+}
+
+TEST(Marker, TakesTheSameWithoutThePrintWhateverOfItAPieceShows) {
+  NestingProblem problem = someProblem(tiles(), 6, 50, 9);
+  problem.ignores_print = true;
+  problem.effort = 0.05;
+  const auto before = laid(problem);
+  Random random(10);
+  for (NestingPiece& piece : problem.pieces) {
+    const double turn = random.between(0, 1) < 0.5 ? 0 : kPi;
+    piece.alignment = {turn, {random.between(-9, 9), random.between(-9, 9)}, false};
+  }
+  const auto after = laid(problem);
+  ASSERT_TRUE(before && after);
+  EXPECT_EQ(after->length(), before->length());
+}
+
 TEST(Marker, GivesTheSamePlanTwice) {
   NestingProblem problem = someProblem(tiles(), 6, 50, 11);
   problem.phases = {0, 2.5};

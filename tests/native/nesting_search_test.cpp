@@ -1,97 +1,21 @@
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "marker_samples.h"
-#include "nesting/complete_search.h"
 #include "nesting/layout_search.h"
+#include "nesting_enumeration.h"
 
 namespace seamwise {
 namespace {
 
-using testing::boundsOf;
 using testing::box;
+using testing::completely;
+using testing::Enumeration;
 using testing::expectValid;
 using testing::groupOf;
+using testing::kNowhere;
 using testing::laid;
-using testing::moved;
 using testing::pieceOf;
 using testing::Random;
-using testing::shifted;
-
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
-
-/// The shortest of all layouts, by trying all places of all pieces, one by one.
-class Enumeration {
- public:
-  /// @param longest   that a layout is looked for up to. [cm]
-  Enumeration(const NestingProblem& problem, double longest)
-      : problem_(problem), best_(longest), placed_(problem.pieces.size()) {
-    const WallpaperGroup& group = problem.group;
-    for (const NestingPiece& piece : problem.pieces) {
-      places_.emplace_back();
-      const RigidMotion to_print = piece.alignment.inverse();
-      for (const Element& e : group.elements()) {
-        if (e.mirrored || std::abs(std::sin(e.angle)) > 1e-9) continue;  // half turns
-        Polyline ring;
-        for (const Vec2& p : piece.outline)
-          ring.emplace_back(e(to_print(p)) + Vec2(problem.phases[0], problem.start.value_or(0)));
-        addPlaces(ring, longest);
-      }
-    }
-    search(0, kNowhere, -kNowhere);
-  }
-  double length() const { return best_; }
-
- private:
-  void addPlaces(const Polyline& ring, double longest) {
-    const auto [low, high] = boundsOf(ring);
-    for (int i = -60; i <= 60; ++i) {
-      for (int j = -60; j <= 60; ++j) {
-        const Vec2 by = i * problem_.group.w1() + j * problem_.group.w2();
-        const double bottom = low.y() + by.y();
-        if (low.x() + by.x() < problem_.selvedge - 1e-6 ||
-            high.x() + by.x() > problem_.width - problem_.selvedge + 1e-6)
-          continue;
-        // without a cut that is fixed the first piece lies within the first two repeats of 8 cm
-        const double least = problem_.start ? 0 : places_.size() == 1 ? 0 : -longest;
-        const double most = problem_.start ? longest : places_.size() == 1 ? 16 : longest + 16;
-        if (bottom > least - 1e-6 && bottom < most) places_.back().push_back(shifted(ring, by));
-      }
-    }
-  }
-
-  void search(std::size_t k, double bottom, double top) {
-    if (k == places_.size()) {
-      best_ = top - bottom;
-      return;
-    }
-    for (std::size_t n = 0; n < places_[k].size(); ++n) {
-      const auto [low, high] = boundsOf(places_[k][n]);
-      const double from = problem_.start ? 0 : std::min(bottom, low.y());
-      const double to = std::max(top, high.y());
-      if (to - from >= best_ - 1e-6) continue;
-      bool is_free = true;
-      for (std::size_t other = 0; other < k && is_free; ++other) is_free = areFree(other, k, n);
-      placed_[k] = n;
-      if (is_free) search(k + 1, from, to);
-    }
-  }
-
-  bool areFree(std::size_t other, std::size_t k, std::size_t n) {
-    const auto [at, is_new] = free_.try_emplace({other, placed_[other], k, n}, false);
-    if (is_new)
-      at->second =
-          testing::areApart(places_[other][placed_[other]], places_[k][n], problem_.gap, kTouching);
-    return at->second;
-  }
-
-  const NestingProblem& problem_;
-  double best_;
-  std::vector<std::vector<Polyline>> places_;  ///< per piece its outlines there
-  std::vector<std::size_t> placed_;
-  std::map<std::array<std::size_t, 4>, bool> free_;
-};
 
 WallpaperGroup someGroup(int k) {
   switch (k % 6) {
@@ -126,28 +50,6 @@ NestingProblem fewPieces(int k) {
   problem.phases = {random.between(0, 9)};
   problem.effort = 0.003;
   return problem;
-}
-
-/// What the search that looks at all layouts finds, in steps to ever shorter ones. [cm]
-double completely(const NestingProblem& problem, double longest) {
-  PiecesOnBoard pieces(problem, false);
-  while (pieces.makeTable()) continue;
-  LayCloth cloth;
-  cloth.left = problem.selvedge;
-  cloth.right = problem.width - problem.selvedge;
-  cloth.is_fixed = problem.start.has_value();
-  cloth.origin = {problem.phases[0], problem.start.value_or(0)};
-  double best = kNowhere;
-  for (double target = longest; target > 0; target = best - 1e-4) {
-    CompleteSearch search(pieces, cloth, target);
-    EXPECT_TRUE(search.canProve());
-    if (!search.canProve()) return kNowhere;
-    while (search.step(1e4)) continue;
-    if (!search.found()) return best;
-    EXPECT_LE(search.found()->length(), target + 1e-5);
-    best = search.found()->length();
-  }
-  return best;
 }
 
 TEST(CompleteSearch, FindsTheShortestOfAllLayouts) {

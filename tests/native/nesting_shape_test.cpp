@@ -38,6 +38,15 @@ double depthIn(const Polyline& convex, const Vec2& p) {
   return least;
 }
 
+TEST(Shape, IsTheSameWhicheverWayRoundItIsGiven) {
+  const Polyline ring = {{0, 0}, {6, 0}, {6, 5}, {3, 2}, {0, 5}};
+  const Shape shape = shapeOf(ring, Mat2::Identity());
+  const Shape other = shapeOf({ring.rbegin(), ring.rend()}, Mat2::Identity());
+  EXPECT_GT(other.area, 0);
+  EXPECT_EQ(other.area, shape.area);
+  EXPECT_EQ(other.parts.size(), shape.parts.size());
+}
+
 TEST(ConvexParts, CoverThePolygonAlsoAlongTheirDiagonals) {
   for (const Polyline& ring : somePolygons(1)) {
     const auto parts = convexParts(ring, kOverlap);

@@ -67,6 +67,17 @@ TEST(DifferenceTable, IsFreeWherePolygonsAreAGapApartAndOnlyThere) {
   EXPECT_GT(forbidden, 300);
 }
 
+TEST(DifferenceTable, LetsLongEdgesTouchWithoutAGapButNotOverlapByAHair) {
+  const Polyline band = {{0, 0}, {60, 0}, {60, 4}, {0, 4}};
+  for (const double hair : {0.0, 1e-4, 1e-3}) {
+    const Board board = Board::ofLattice({70, 0}, {0, 4 - hair}, 0.5);
+    const DifferenceTable table(asShape(band), asShape(band), Vec2::Zero(), board, {0, 0, true});
+    EXPECT_EQ(table.depth({0, 1}) == 0, hair == 0) << hair;
+    EXPECT_EQ(table.depth({0, -1}) == 0, hair == 0) << hair;
+    EXPECT_EQ(table.depth({1, 0}), 0);
+  }
+}
+
 TEST(DifferenceTable, OnFineBoardsForbidsAllOverlapsAndHardlyMore) {
   Random random(2);
   for (int times = 0; times < 4; ++times) {

@@ -20,7 +20,7 @@ const mostForStandalone = 530 * kilobyte;
 /** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
 const mostForDrape = 107 * kilobyte;
 /** The module that lays pieces on cloth, which is fetched only for that. [bytes] */
-const mostForMarker = 48 * kilobyte;
+const mostForMarker = 46 * kilobyte;
 
 let all: Packed;
 let remove: (() => Promise<void>) | undefined;

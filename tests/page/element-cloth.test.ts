@@ -157,3 +157,19 @@ it('lays outside the document for who waits, until they do no more', async () =>
   expect([aborted, cancelled]).toEqual(['AbortError', 'AbortError']);
   expect(await page.locator('seamwise-garment').count()).toBe(0);
 });
+
+it('keeps nothing in the browser of what is said of the cloth in its editor', async () => {
+  const {page, put} = await openPage();
+  await put(tee.replace('alt=', 'mode="edit" alt='));
+  const editor = page.locator('seamwise-garment sw-editor');
+  await editor.getByRole('button', {name: 'Cloth', exact: true}).click();
+  const panel = page.locator('sw-cloth-panel');
+  const facts = () => panel.locator('.facts').innerText();
+  await expect.poll(facts, patient).toMatch(/long/);
+  await panel.locator('select.width').selectOption('115');
+  await expect
+    .poll(() => page.locator('sw-cloth .pane').getAttribute('data-state'), patient)
+    .toBe('done');
+  await expect.poll(() => panel.locator('select.width').inputValue()).toBe('115');
+  expect(await page.evaluate(() => localStorage.length)).toBe(0);
+});

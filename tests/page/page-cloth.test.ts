@@ -5,7 +5,7 @@ import {expect, it} from 'vitest';
 import type {SeamwisePage} from '@/app/page.js';
 import type {LayPlan} from '@/model/lay-plan.js';
 import {barriers} from '../support/barriers.js';
-import {button, saved, showSample, solved, usePage} from '../support/page.js';
+import {button, saved, savedCut, showSample, solved, usePage} from '../support/page.js';
 
 const openPage = usePage();
 
@@ -172,6 +172,54 @@ it('keeps pieces off a flaw that is drawn, until it is removed', async () => {
     .getByRole('button', {name: /^Remove: Flaw 1/})
     .click();
   await expect.poll(() => panel(page).locator('.flaws').count()).toBe(0);
+});
+
+it('cuts as many garments as are asked for, with the allowances of cutting files', async () => {
+  const page = await openCloth();
+  const allowances = () => panel(page).locator('.allowances').innerText();
+  await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 3 cm/);
+  const before = await bought(page);
+  const garments = panel(page).getByLabel('Garments');
+  await garments.fill('2');
+  await garments.press('Enter');
+  await expect.poll(() => pane(page).locator('.piece').count(), {timeout: 60_000}).toBe(8);
+  await laid(page);
+  await expect.poll(() => rowOf(page, 'Front 2').count()).toBe(1);
+  expect(await bought(page)).not.toBe(before);
+  await panel(page).getByRole('button', {name: 'Change'}).click();
+  const hem = panel(page).getByLabel('Hem (cm)');
+  await hem.fill('5');
+  await hem.press('Enter');
+  await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 5 cm/);
+  await laid(page);
+  await page.keyboard.press('Control+Shift+S');
+  const dialog = page.locator('sw-cut-dialog').getByRole('dialog');
+  await expect.poll(() => dialog.getByLabel('Hem (cm)').inputValue()).toBe('5');
+  await dialog.getByLabel('Seam allowance (cm)').fill('2');
+  await dialog.getByLabel('Seam allowance (cm)').press('Enter');
+  await savedCut(page, 'SVG');
+  await expect.poll(allowances).toMatch(/^Seam allowance 2 cm, hems 5 cm/);
+  await laid(page);
+  await expect.poll(() => button(page, 'Undo').getAttribute('title')).toBe('Undo: cloth');
+  await button(page, 'Undo').click();
+  await expect.poll(allowances).toMatch(/^Seam allowance 1 cm, hems 5 cm/);
+});
+
+it('takes a piece off the cloth, until it is packed again', async () => {
+  const page = await openCloth();
+  await rowOf(page, 'Sleeve left').focus();
+  await page.keyboard.press('Delete');
+  await expect.poll(() => pane(page).locator('.piece').count()).toBe(3);
+  await expect
+    .poll(() => status(page))
+    .toBe('Sleeve left is off the cloth; packing brings it back.');
+  await expect.poll(() => rowOf(page, 'Sleeve left').textContent()).toMatch(/not on the cloth/);
+  await expect
+    .poll(() => button(page, 'Undo').getAttribute('title'))
+    .toBe('Undo: taking off the cloth');
+  await pane(page).getByRole('button', {name: 'Pack again'}).click();
+  await laid(page);
+  await expect.poll(() => pane(page).locator('.piece').count()).toBe(4);
 });
 
 it('says that the plan is of the design before, and lays the new one', async () => {

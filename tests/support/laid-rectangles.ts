@@ -82,7 +82,15 @@ export function planOf(
     ...{format: 'seamwise-layplan/1', print: at(results, 0).print, widthCm, printOrigin},
     ...{selvedgeCm: 1, gapCm: 0.2, allowanceCm: allowance, lengthCm, placements, unplaced: []},
     useShare: sum(placements.map(({cut}) => ringArea(cut))) / (widthCm * lengthCm),
-    ...{boundCm: lengthCm, proven: true, freeLengthCm: null, widths: [], cheaper: [], notes: []},
+    ...{
+      boundCm: lengthCm,
+      proven: true,
+      freeLengthCm: null,
+      widths: [],
+      cheaper: [],
+      notes: [],
+      noteDetails: [],
+    },
     phases: printOrigin ? [{phaseCm: printOrigin[0], lengthCm}] : [],
     ...more,
   };

@@ -114,9 +114,9 @@ describe('says in one sentence', () => {
     [
       'how many plies there are',
       ['--width=90', '--plies=0'],
-      'plies is 0, but must be a whole number from 1',
+      "--plies is '0', but must be a whole number from 1 to 1000.",
     ],
-    ['how many copies there are', ['--width=90', '--copies=300'], 'copies is 300'],
+    ['how many copies there are', ['--width=90', '--copies=300'], "--copies is '300'"],
     [
       'that it is too much',
       ['--width=90', '--copies=100', 'LONG', 'LONG'],
@@ -124,7 +124,7 @@ describe('says in one sentence', () => {
     ],
     ['which naps there are', ['--width=90', '--nap=up'], 'must be one of none, garment, one-way.'],
     ['what may shift', ['--width=90', '--shift=all'], 'must be one of kept, component.'],
-    ['that efforts are at least 1', ['--width=90', '--effort=-1'], "--effort is '-1'"],
+    ['which efforts there are', ['--width=90', '--effort=-1'], 'a number from 0 to 1000.'],
     [
       'that one garment is not two',
       ['--width=90', '--garment=x', 'LONG'],
@@ -185,6 +185,16 @@ describe('says in one sentence', () => {
       "odd.json is not a whole result file (seamwise-result/1): 'design.options.grain'",
     );
   });
+});
+
+it('has results tell of other placings where that is asked for', async () => {
+  const words = ['align', file('long.json'), '--print', file('checks.json'), '--no-times'];
+  expect((await seamwise(...words, '--out', file('usual.json'))).code).toBe(0);
+  expect((await seamwise(...words, '--others', '--out', file('others.json'))).code).toBe(0);
+  const {otherAlignments, ...usual} = read('others.json') as SolveResult;
+  expect(usual).toEqual(read('usual.json'));
+  for (const {pieces} of otherAlignments ?? []) expect(pieces).toHaveLength(2);
+  expect(Array.isArray(otherAlignments)).toBe(true);
 });
 
 it('lays the jobs of a batch that ask for it, beside their results', async () => {

@@ -179,7 +179,7 @@ describe('folded cloth', () => {
     expect(await refusal(single, 2)).toBe('');
     const wide = {...usual, widthCm: 50, copies: 2, fold: true};
     await expect(marker([single], wide)).rejects.toThrow(
-      /^On half of folded cloth: front is 32.0 cm/,
+      /^front is 32.0 cm wide, .* between selvedge and fold; folded cloth has to be at least 66.2 cm wide/,
     );
   });
 });

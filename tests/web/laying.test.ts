@@ -8,6 +8,8 @@ import type {Alignment} from '@/model/geometry.js';
 import type {MarkerAnswer, MarkerHooks, MarkerLayout, MarkerProblem} from '@/model/marker.js';
 import type {SolveResult} from '@/model/result.js';
 import type {SolverService} from '@/solver/service.js';
+import {preferencesFor, type Preferences} from '@/texts/preferences.js';
+import {storedCloth, withCloth} from '@/workbench/cloth-choices.js';
 import {Laying} from '@/workbench/laying.js';
 import {bareCloth, newDesign} from '@/workbench/samples.js';
 import type {Workbench} from '@/workbench/workbench.js';
@@ -44,6 +46,12 @@ interface Asked {
 
 const settled = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 5));
 
+// without pauses, however busy the machine is
+vi.mock('@/solver/answers/slices.js', async (original) => ({
+  ...(await original<typeof import('@/solver/answers/slices.js')>()),
+  besideThePage: {slice: Infinity, pause: () => Promise.resolve()},
+}));
+
 function atWork(at: {design: Design | undefined; result: SolveResult | undefined}) {
   const asked: Asked[] = [];
   const marker = vi.fn<SolverService['marker']>(
@@ -59,9 +67,17 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
       }),
   );
   const listeners = new Set<() => void>();
+  let preferences = preferencesFor('en');
   const source = {
     solver: {marker} as unknown as SolverService,
     garment: document,
+    get preferences() {
+      return preferences;
+    },
+    prefer: (change: Partial<Preferences>) => {
+      preferences = {...preferences, ...change};
+      for (const listener of [...listeners]) listener();
+    },
     get design() {
       return at.design;
     },
@@ -75,7 +91,7 @@ function atWork(at: {design: Design | undefined; result: SolveResult | undefined
   } as unknown as Workbench;
   const laying = new Laying(source);
   return {
-    ...{laying, asked, listeners},
+    ...{laying, asked, listeners, source},
     become: (next: Partial<typeof at>) => {
       Object.assign(at, next);
       for (const listener of [...listeners]) listener();
@@ -213,6 +229,76 @@ describe('pieces on their cloth', () => {
     expect(asked[1]?.hooks.signal?.aborted).toBe(true);
     asked[1]?.hooks.onLayout?.(layout);
     expect(laying.pieces[0]?.place).toEqual(placed(22, 3));
+  });
+
+  it('have the allowances of cutting files, and are laid anew with others', async () => {
+    const {laying, asked, source} = await laidOut();
+    const reach = (k: number): number =>
+      Math.min(...(asked[k]?.problem.pieces[0]?.outline.map(([, y]) => y) ?? []));
+    expect(reach(0)).toBeCloseTo(-3); // a hem
+    source.prefer({allowances: {hemCm: 5}});
+    await settled();
+    expect(asked).toHaveLength(2);
+    expect(reach(1)).toBeCloseTo(-5);
+    expect(laying.choices).toMatchObject({allowanceCm: 1, hemCm: 5});
+    asked[1]?.answer();
+    await settled();
+    source.prefer({theme: 'dark'});
+    expect(laying.undo()).toBe(true);
+    expect(source.preferences.allowances).toEqual({});
+    laying.choose({allowanceCm: 1.5});
+    expect(source.preferences.allowances).toEqual({allowanceCm: 1.5});
+    await settled();
+    expect(asked).toHaveLength(3);
+  });
+
+  it('are as many as garments are cut, of the next design too', async () => {
+    const {laying, asked, become} = await laidOut();
+    laying.choose({copies: 3});
+    await settled();
+    expect(asked[1]?.problem.pieces).toHaveLength(6);
+    asked[1]?.answer({places: [...Array(6).keys()].map((k) => placed(10 * k, 3))});
+    await settled();
+    expect(laying.names.filter((name) => name === 'left_half')).toHaveLength(3);
+    become({result: other});
+    await settled();
+    expect(asked[2]?.problem.pieces).toHaveLength(6);
+  });
+
+  it('have offers that stay with the plan while its pieces are moved', async () => {
+    const {laying, asked} = await laidOut();
+    laying.choose({phaseCm: 2});
+    await settled();
+    asked[1]?.answer({phaseLengthsCm: [8]});
+    await settled();
+    laying.move(1, placed(12, 13)); // while offers are sought
+    for (let k = 2; k < asked.length; k++) {
+      asked[k]?.answer({lengthCm: 5});
+      await settled();
+    }
+    expect(laying.isMoved).toBe(true);
+    expect(laying.step?.plan?.cheaper.map(({kind, lengthCm}) => [kind, lengthCm])).toEqual([
+      ['phase', 5],
+      ['shift', 5],
+    ]);
+    expect([laying.undo(), laying.step?.plan?.cheaper.length]).toEqual([true, 2]);
+  });
+
+  it('are remembered with their print, the newest last, and no more than can be told apart', () => {
+    const {print} = design;
+    const chosen = {...storedCloth(print, preferencesFor('en')), widthCm: 115, copies: 4};
+    const named = (k: number) => ({...print, title: `print ${k}`});
+    let preferences = preferencesFor('en');
+    for (let k = 0; k < 45; k++) {
+      preferences = {...preferences, ...withCloth(named(k), chosen, preferences)};
+    }
+    expect(Object.keys(preferences.cloths ?? {})).toHaveLength(40);
+    expect(storedCloth(named(44), preferences)).toMatchObject({widthCm: 115, copies: 1});
+    // what is damaged counts for nothing
+    const cloths = {[named(1).title]: {widthCm: -3, gapCm: 'x', isOneWay: true}};
+    expect(storedCloth(named(1), {...preferences, cloths})).toMatchObject({
+      ...{widthCm: 140, gapCm: 0.2, isOneWay: true},
+    });
   });
 
   it('are not looked for any more when nobody looks', async () => {

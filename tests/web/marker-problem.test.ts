@@ -1,5 +1,7 @@
 import {describe, expect, it} from 'vitest';
 
+import {cutRings, cutRingSteps} from '@/marker/cut-rings.js';
+import {saidNote} from '@/marker/draw/note-texts.js';
 import {layPlan} from '@/marker/plan.js';
 import {markerOrder} from '@/marker/problem.js';
 import type {MarkerGarment} from '@/marker/pieces.js';
@@ -14,6 +16,7 @@ import {
   type Alignment,
   type Point,
 } from '@/model/geometry.js';
+import type {LayNote} from '@/model/lay-note.js';
 import type {MarkerAnswer} from '@/model/marker.js';
 import {boxOf, signedArea} from '@/model/polyline.js';
 import {groupNames, type GroupName} from '@/model/print.js';
@@ -30,6 +33,8 @@ const result = (more: Partial<SolveResult> = {}): SolveResult => ({
 
 const orderOf = (garment: Partial<MarkerGarment> = {}, settings: Partial<MarkerSettings> = {}) =>
   markerOrder([{result: result(), ...garment}], {widthCm: 140, ...settings});
+
+const saidOf = (notes: readonly LayNote[]): string => notes.map((note) => saidNote(note)).join();
 
 const lattices: Readonly<Record<ReturnType<typeof latticeType>, readonly [Point, Point]>> = {
   oblique: [
@@ -58,6 +63,28 @@ const repeatOf = (group: GroupName): Repeat => {
   const [w1, w2] = lattices[latticeType(group)];
   return {group, w1, w2};
 };
+
+describe('cut lines', () => {
+  const rule = {allowanceCm: 1, hemCm: 3};
+  const count = (laid: MarkerGarment, asked: typeof rule): number =>
+    [...cutRingSteps(laid, asked)].length;
+
+  it('are made piece by piece, so that a page goes on meanwhile, and each once', () => {
+    const laid = {result: result()};
+    expect(count(laid, rule)).toBeGreaterThanOrEqual(2 * laid.result.pieces.length);
+    expect(count(laid, rule)).toBe(0);
+    expect(cutRings(laid, rule)).toBe(cutRings({...laid}, {...rule}));
+    expect(count(laid, {...rule, hemCm: 5})).toBeGreaterThan(0);
+    const [, outline = []] = cutRings(laid, {...rule, hemCm: 5}).rings.values();
+    expect(boxOf(outline).low[1]).toBeCloseTo(-5);
+  });
+
+  it('are those of printed pieces, whose names messages say with their file', () => {
+    const plain = {result: result(), options: {plain: ['left_half']}};
+    expect([...cutRings(plain, rule).rings.keys()]).toEqual([1]);
+    expect(cutRings(plain, rule).ownAllowances).toBe('none');
+  });
+});
 
 describe('shifts after which a print fits as well', () => {
   it.each(groupNames)('of %s keep its group', (group) => {
@@ -216,7 +243,9 @@ describe('a problem', () => {
   it('leaves pieces of plain cloth out, and says so', () => {
     const {pieces, notes} = orderOf({options: {plain: ['left_half']}});
     expect(pieces.map(({piece}) => piece)).toEqual(['right_half']);
-    expect(notes).toEqual(['Pieces of plain cloth are not laid on the print: left_half.']);
+    expect(notes.map((note) => saidNote(note))).toEqual([
+      'Pieces of plain cloth are not laid on the print: left_half.',
+    ]);
     expect(() => orderOf({options: {plain: ['left_half', 'right_half']}})).toThrow(
       /^All pieces are of plain cloth/,
     );
@@ -256,11 +285,11 @@ describe('a problem', () => {
   it('rounds lengths of several plies where the print comes again', () => {
     const {problem, notes} = orderOf({}, {plies: 3});
     expect(problem.wholeRepeats).toBe(true);
-    expect(notes.join()).toContain('3 plies is a whole number of repeats long, of 10.00 cm');
+    expect(saidOf(notes)).toContain('3 plies is a whole number of repeats long, of 10.00 cm');
     const print = {...plainPrint, w1: [8, 1], w2: [-Math.SQRT2, 9]} as const;
     const turned = orderOf({result: result({print})}, {plies: 3});
     expect(turned.problem.wholeRepeats).toBe(false);
-    expect(turned.notes.join()).toContain('never comes again along the cloth');
+    expect(saidOf(turned.notes)).toContain('never comes again along the cloth');
   });
 
   it('counts flaws from the cut', () => {
@@ -272,7 +301,7 @@ describe('a problem', () => {
       ],
     ];
     expect(orderOf({}, {flaws}).problem.startCm).toBe(0);
-    expect(orderOf({}, {flaws}).notes.join()).toContain('counted from the cut');
+    expect(saidOf(orderOf({}, {flaws}).notes)).toContain('counted from the cut');
     const told = orderOf({}, {flaws, startCm: 3});
     expect(told.problem.startCm).toBe(3);
     expect(told.notes).toEqual([]);
@@ -376,7 +405,6 @@ describe('a plan', () => {
     ],
     phaseLengthsCm: [9, 8.3, 8.02, 8.3, null, 9.1, 8.3, 8.3],
     widthLengthsCm: [null, 9, 9, 8, 8, 8],
-    notes: ['Said by the search.'],
   };
   const plan = layPlan(order, answer);
 
@@ -411,7 +439,6 @@ describe('a plan', () => {
 
   it('says what the place of the print is worth', () => {
     expect(plan.notes).toEqual([
-      'Said by the search.',
       expect.stringMatching(
         /^7 to 10 cm, by where the print starts at the selvedge; measure it\.$/,
       ),
@@ -424,7 +451,7 @@ describe('a plan', () => {
     expect(told.printOrigin).toEqual([2.5, 3]);
     expect(told.placements[0]?.translation).toEqual([3, 1.01]);
     const free = layPlan(orderOf({}, {ignoresPrint: true}), answer);
-    expect(free).toMatchObject({printOrigin: null, phases: [], notes: ['Said by the search.']});
+    expect(free).toMatchObject({printOrigin: null, phases: [], notes: []});
   });
 
   it('lists what found no place', () => {

@@ -109,14 +109,12 @@ val MarkerHandle::layout() const {
 }
 
 val MarkerHandle::report() const {
-  val value = val::object(), notes = val::array();
+  val value = val::object();
   value.set("bound", marker_->bound());
   value.set("proven", marker_->isProven());
   value.set("freeLength", marker_->freeLength());
   value.set("phaseLengths", copied(marker_->phaseLengths()));
   value.set("widthLengths", copied(marker_->widthLengths()));
-  for (const std::string& note : marker_->notes()) notes.call<void>("push", note);
-  value.set("notes", notes);
   return value;
 }
 

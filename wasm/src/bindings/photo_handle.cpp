@@ -151,9 +151,14 @@ PhotoTileHandle::PhotoTileHandle(const val& request) : bytes_(bytesOf(request["p
     error_ = noPicture();
     return;
   }
+  PhotoTileSettings settings;
   const Mat2 vectors = (Mat2() << w[0], w[2], w[1], w[3]).finished();
-  tile_ = std::make_unique<PhotoTile>(*view, mapOf(map, *view), vectors.transpose() * vectors,
-                                      photoNumber(request, "flatten"));
+  settings.map = mapOf(map, *view);
+  settings.gram = vectors.transpose() * vectors;
+  settings.is_tile = request["isTile"].as<bool>();
+  settings.flatten = photoNumber(request, "flatten");
+  settings.group = findGroup(request["group"].as<std::string>());
+  tile_ = std::make_unique<PhotoTile>(*view, settings);
 }
 
 val PhotoTileHandle::tile() const {

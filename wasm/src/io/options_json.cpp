@@ -112,9 +112,26 @@ OpenEdges readOpenEdges(const JsonValue& json, const Place& place) {
 Outcome<SolveOptions> read(const JsonValue& document, const Garment& garment, const Place& place) {
   object(document, place, "content");
   onlyKnown(document, place,
-            {"$schema", "format", "maxChangeCm", "edgeLengthCm", "alpha", "continuousOnly",
-             "averageSeamShapes", "starts", "clipTargets", "grain", "pins", "weights", "unmatched",
-             "plain", "matches", "proof", "locked", "openEdges", "effort"});
+            {"$schema",
+             "format",
+             "maxChangeCm",
+             "edgeLengthCm",
+             "alpha",
+             "continuousOnly",
+             "averageSeamShapes",
+             "starts",
+             "clipTargets",
+             "grain",
+             "pins",
+             "weights",
+             "unmatched",
+             "plain",
+             "matches",
+             "proof",
+             "locked",
+             "openEdges",
+             "effort",
+             "otherAlignments"});
   checkFormat(document, place, "seamwise-options", 1);
   for (const auto& [key, value] : document.members())
     if (value.isNull())
@@ -137,6 +154,7 @@ Outcome<SolveOptions> read(const JsonValue& document, const Garment& garment, co
   if (const JsonValue starts = document.find("starts"))
     options.starts = integer(starts, place, "'starts'");
   if (document.find("clipTargets")) options.clip_targets = flag("clipTargets");
+  if (document.find("otherAlignments")) options.other_alignments = flag("otherAlignments");
   if (const JsonValue grain = document.find("grain")) readGrain(grain, garment, place, &options);
   if (const JsonValue pins = document.find("pins")) readPins(pins, garment, place, &options);
   if (const JsonValue weights = document.find("weights"))

@@ -206,6 +206,14 @@ std::string writeResult(const Result& r) {
   writePrinted(out, r, &r);
   out.field("drafted", r.drafted);
   out.field("search", r.search);
+  if (r.others)
+    out.list("otherAlignments", *r.others, [&](const OtherAlignment& other) {
+      out.openObject();
+      out.field("pieces", other.pieces);
+      out.field("placedCm", other.placed);
+      out.field("expectedCm", other.expected);
+      out.close();
+    });
   out.key("metrics");
   out.openObject();
   out.field("method", methodName(r.method));

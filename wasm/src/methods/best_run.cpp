@@ -14,14 +14,9 @@
 #include "tuning/shaping.h"
 
 namespace seamwise {
-namespace {
-
-/// How far an outline vertex may move. [cm]
-double reachOf(const SolveOptions& options) {
+double BestRun::reachOf(const SolveOptions& options) {
   return std::min(options.max_change_cm, ShapingTuning::kMostReach);
 }
-
-}  // namespace
 
 double BestRun::slackOf(const SolveOptions& options) {
   return SearchTuning::kSlack * reachOf(options);
@@ -109,6 +104,13 @@ std::vector<FittingStart> BestRun::bestPredicted(std::size_t count) const {
   for (const auto& [mismatch, k] : by_mismatch)
     if (starts.size() < count) starts.push_back({answers[k]});
   return starts;
+}
+
+std::vector<Alignments> BestRun::compared() const {
+  std::vector<Alignments> all;
+  for (const auto* few : {&searching_.atRest(), &searching_.underSlack()})
+    for (const Alignments& leaders : *few) all.push_back(match_.expanded(leaders));
+  return all;
 }
 
 /// Begins fitting with the best few answers under slack and, where it differs, with the search's

@@ -22,6 +22,8 @@ class BestRun : public Run {
           const MatchRules& rules, std::vector<Alignments> offered, std::vector<Alignments> starts,
           SearchMemo& searches, std::shared_ptr<FittingPlans>& plans);
 
+  /// How far an outline vertex may move. [cm]
+  static double reachOf(const SolveOptions& options);
   /// How much a mismatch may be for shapes to take it up: two sides that may each move by the
   /// greatest change meet across somewhat less than twice it. [cm]
   static double slackOf(const SolveOptions& options);
@@ -31,6 +33,7 @@ class BestRun : public Run {
   double fraction() const override;
   const Alignments& alignment() const override { return alignment_; }
   const Alignments& search() const override { return search_result_; }
+  std::vector<Alignments> compared() const override;
   double searchBound() const override { return searching_.bound() * of_bound_; }
   double searchCost() const override { return costAtRest(search_result_); }
   /// What the pieces as drafted cost where they are laid, by the seams' weights. [cm2]

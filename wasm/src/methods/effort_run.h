@@ -29,6 +29,7 @@ class EffortRun : public Run {
   }
   const Alignments& alignment() const override { return best().alignment(); }
   const Alignments& search() const override { return best().search(); }
+  std::vector<Alignments> compared() const override { return best().compared(); }
   double searchBound() const override;
   double searchCost() const override { return best_requested_->costAtRest(best().search()); }
   AlignmentSearch* searching() override { return run_ ? run_->searching() : nullptr; }

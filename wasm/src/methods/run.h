@@ -18,6 +18,8 @@ class Run {
   virtual double fraction() const = 0;              ///< 0..1, monotone
   virtual const Alignments& alignment() const = 0;  ///< of the pieces; the best so far
   virtual const Alignments& search() const = 0;     ///< where the alignment search ended
+  /// Once it has ended: the best few that the searches have compared, of all pieces.
+  virtual std::vector<Alignments> compared() const { return {}; }
   /// No alignment at rest costs less than this share of search(): 1 when it is proven the best, 0
   /// when nothing is known.
   virtual double searchBound() const { return 0; }

@@ -158,7 +158,8 @@ void SearchStage::end(const SearchMemo::Outcome& outcome) {
   ++current_;
   if (search.slack > 0) return;
   at_rest_ = current_ - 1;
-  best_ = under_slack_[0];
+  few_at_rest_ = under_slack_;
+  best_ = few_at_rest_[0];
   bound_ = outcome.bound;
   perfect_ = match_.cost(best_) < SearchTuning::kPerfectCost;
 }

@@ -42,6 +42,8 @@ class SearchStage {
 
   /// The best alignments of the leaders so far, with pins; once it has ended, the best at rest.
   const Alignments& best() const { return best_; }
+  /// The best few alignments of the leaders at rest, once it has ended, the very best first.
+  const std::vector<Alignments>& atRest() const { return few_at_rest_; }
   /// The best few alignments of the leaders under slack, the very best first; the one at rest when
   /// nothing has to move.
   const std::vector<Alignments>& underSlack() const { return under_slack_; }
@@ -74,7 +76,7 @@ class SearchStage {
   std::unique_ptr<AlignmentSearch> searching_;
   std::optional<SearchMemo::Inputs> inputs_;  ///< of the search at work
   Alignments best_;
-  std::vector<Alignments> under_slack_;
+  std::vector<Alignments> few_at_rest_, under_slack_;
   /// By each search: its best and what it watched, of the pieces on its own print.
   std::vector<std::vector<Alignments>> found_;
   bool perfect_ = false;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/sort_by.h"
+
 namespace seamwise {
 namespace {
 
@@ -19,96 +21,111 @@ CompleteSearch::CompleteSearch(const PiecesOnBoard& pieces, const LayCloth& clot
   const bool is_level = pieces.board().along.y() == 0;
   if (pieces.isFine() || !pieces.isWhole() || !is_level || !(pieces.period() || cloth.is_fixed))
     return;
-  const auto ways = allowedWays(pieces, cloth);
-  slots_of_.resize(ways.size());
-  int tallest = 0;
-  double height = 0;
-  for (std::size_t item = 0; item < ways.size(); ++item) {
-    for (const int way : ways[item]) {
-      const int placed = pieces.items()[item].ways[way].placed;
-      const double low = pieces.bottomAt(placed, {0, 0}, cloth.origin);
-      const double high = pieces.topAt(placed, {0, 0}, cloth.origin);
-      slots_of_[item].push_back(static_cast<int>(slots_.size()));
-      slots_.push_back({static_cast<int>(item), way, placed, low, high});
-      if (high - low <= height) continue;
-      height = high - low;
-      tallest = static_cast<int>(item);
-    }
-  }
-  bits_.resize(static_cast<std::size_t>(pieces.placedCount()) * pieces.placedCount());
-  places_.resize(ways.size());
-  failures_.assign(ways.size(), 1);
   // the tallest piece begins within one repeat; where it lies limits the others by pairs alone
   const double repeat = cloth.is_fixed ? 0 : *pieces.period();
-  const Window window = cloth.is_fixed ? Window{cloth.left, cloth.right, 0, length}
-                                       : Window{cloth.left, cloth.right, -length, repeat + length};
-  can_prove_ = setRows(window);
-  if (!can_prove_ || rows_.empty()) return;
-  Level level = root(window);
-  const int first = cloth.is_fixed ? nextItem(level) : tallest;
-  if (first < 0) return;
-  for (const Value& value : valuesOf(level, first)) {
-    const double bottom = slots_[value.slot].low + value.dot.j * pieces.board().up.y();
-    if (cloth.is_fixed || (bottom > -kSameHeight && bottom < repeat - kSameHeight))
-      level.values.push_back(value);
-  }
-  levels_.push_back(std::move(level));
+  const double below = cloth.is_fixed ? 0 : length;
+  can_prove_ = setSlots({cloth.left, cloth.right, -below, repeat + length});
+  if (!can_prove_) return;
+  bits_.resize(static_cast<std::size_t>(pieces.placedCount()) * pieces.placedCount());
+  places_.resize(slots_.of.size());
+  failures_.assign(slots_.of.size(), 1);
+  levels_.resize(slots_.of.size());
+  order_ = likely_ = tallestFirst();
+  begin();
 }
 
-/// The rows of a window and the domains in it; false when a row does not go into a word.
-bool CompleteSearch::setRows(const Window& window) {
-  rows_ = {std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
-  for (const Slot& slot : slots_) {
-    domains_.push_back(pieces_.domain(slot.placed, window, cloth_.origin));
-    if (domains_.back().runs.empty()) continue;
-    rows_.lo = std::min(rows_.lo, domains_.back().rows().lo);
-    rows_.hi = std::max(rows_.hi, domains_.back().rows().hi);
-  }
-  if (rows_.empty()) return true;
-  bases_.assign(rows_.size(), std::numeric_limits<int>::max());
-  std::vector<int> ends(rows_.size(), std::numeric_limits<int>::min());
-  for (const Domain& domain : domains_) {
-    for (int j = domain.first; j <= domain.rows().hi; ++j) {
-      if (domain.row(j).empty()) continue;
-      bases_[j - rows_.lo] = std::min(bases_[j - rows_.lo], domain.row(j).lo);
-      ends[j - rows_.lo] = std::max(ends[j - rows_.lo], domain.row(j).hi);
+/// The ways of all items in a window; false when a row of dots does not go into a word.
+bool CompleteSearch::setSlots(const Window& window) {
+  const double up = pieces_.board().up.y();
+  const auto ways = allowedWays(pieces_, cloth_);
+  slots_.of.resize(ways.size());
+  for (std::size_t item = 0; item < ways.size(); ++item) {
+    for (const int way : ways[item]) {
+      const int placed = pieces_.items()[item].ways[way].placed;
+      SearchSlot slot;
+      slot.item = static_cast<int>(item);
+      slot.way = way;
+      slot.placed = placed;
+      slot.low = pieces_.bottomAt(placed, {0, 0}, cloth_.origin);
+      slot.high = pieces_.topAt(placed, {0, 0}, cloth_.origin);
+      slot.middle =
+          pieces_.at(placed, {0, 0}, cloth_.origin).x() + pieces_.shape(placed).middle().x();
+      slot.domain = pieces_.domain(placed, window, cloth_.origin);
+      slot.row0 = static_cast<std::ptrdiff_t>(dots_.size()) - slot.domain.first;
+      const auto flaws = pieces_.flawTables(placed, cloth_.origin);
+      for (int j = slot.domain.first; j <= slot.domain.rows().hi; ++j) {
+        const DotRun& run = slot.domain.row(j);
+        if (run.size() > kBits) return false;
+        std::uint64_t bits = 0;
+        for (int i = run.lo; i <= run.hi; ++i) {
+          const bool is_flawed =
+              std::any_of(flaws.begin(), flaws.end(), [&](const DifferenceTable& flaw) {
+                return flaw.depth({i, j}) > 0;
+              });
+          if (!is_flawed) bits |= std::uint64_t{1} << (i - run.lo);
+        }
+        dots_.push_back(bits);
+      }
+      slots_.of[item].push_back(static_cast<int>(slots_.slots.size()));
+      slots_.slots.push_back(std::move(slot));
     }
   }
-  for (int j = 0; j < rows_.size(); ++j)
-    if (ends[j] >= bases_[j] && ends[j] - bases_[j] >= kBits) return false;
+  for (const SearchSlot& from : slots_.slots)
+    for (const SearchSlot& to : slots_.slots)
+      slots_.reaches.push_back(
+          {static_cast<int>(std::ceil((from.high - length_ - to.low - kSameHeight) / up)),
+           static_cast<int>(std::floor((from.low + length_ - to.high + kSameHeight) / up))});
   return true;
 }
 
-CompleteSearch::Level CompleteSearch::root(const Window& window) const {
-  Level level;
-  level.domains.assign(slots_.size() * rows_.size(), 0);
-  level.bottom = window.bottom;
-  level.top = window.top;
-  for (std::size_t s = 0; s < slots_.size(); ++s) {
-    if (slots_[s].high - slots_[s].low > length_ + kSameHeight) continue;
-    const auto flaws = pieces_.flawTables(slots_[s].placed, cloth_.origin);
-    for (int j = domains_[s].first; j <= domains_[s].rows().hi; ++j) {
-      const DotRun& run = domains_[s].row(j);
-      for (int i = run.lo; i <= run.hi; ++i) {
-        const bool is_flawed =
-            std::any_of(flaws.begin(), flaws.end(), [&](const DifferenceTable& flaw) {
-              return flaw.depth({i, j}) > 0;
-            });
-        if (!is_flawed)
-          level.domains[rowAt(static_cast<int>(s), j)] |= std::uint64_t{1}
-                                                          << (i - bases_[j - rows_.lo]);
-      }
+std::vector<int> CompleteSearch::tallestFirst() const {
+  std::vector<int> order;
+  for (std::size_t item = 0; item < slots_.of.size(); ++item)
+    order.push_back(static_cast<int>(item));
+  sortBy(order, [&](int item) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int s : slots_.of[item])
+      least = std::min(least, slots_.slots[s].high - slots_.slots[s].low);
+    return -least;
+  });
+  return order;
+}
+
+void CompleteSearch::begin() {
+  Level& level = levels_.front();
+  level.left.bits = dots_;
+  level.counts.assign(places_.size(), 0);
+  for (std::size_t s = 0; s < slots_.slots.size(); ++s) {
+    const SearchSlot& slot = slots_.slots[s];
+    const bool is_in = slot.high - slot.low < length_ + kSameHeight;
+    level.left.rows.push_back(is_in ? slot.domain.rows() : DotRun{});
+    DotRun& rows = level.left.rows.back();
+    if (!cloth_.is_fixed && slot.item == order_.front()) {
+      const double up = pieces_.board().up.y();
+      const auto rowFrom = [&](double height) {
+        return static_cast<int>(std::ceil((height - kSameHeight - slot.low) / up));
+      };
+      rows = {std::max(rows.lo, rowFrom(0)), std::min(rows.hi, rowFrom(*pieces_.period()) - 1)};
     }
+    for (int j = rows.lo; j <= rows.hi; ++j)
+      level.counts[slot.item] += std::popcount(level.left.bits[slot.row0 + j]);
   }
-  return level;
+  if (std::any_of(level.counts.begin(), level.counts.end(), [](int n) { return n == 0; })) return;
+  tall_.emplace(pieces_, slots_, order_, length_);
+  depth_ = 1;
+  if (!cloth_.is_fixed)
+    setValues(&level, order_.front(), 0);
+  else if (!setNext(&level, nullptr))
+    depth_ = 0;
 }
 
 std::uint64_t CompleteSearch::BitTable::window(int row, int start) const {
-  const std::uint64_t* words_of = bits.data() + static_cast<std::ptrdiff_t>(row - rows.lo) * words;
-  const auto word = [&](int k) { return k >= 0 && k < words ? words_of[k] : 0; };
-  const int first = start >= 0 ? start / kBits : -((kBits - 1 - start) / kBits);
-  const int off = start - first * kBits;
-  return off == 0 ? word(first) : word(first) >> off | word(first + 1) << (kBits - off);
+  const int from = start + kBits;
+  if (from <= 0 || from >= (words - 1) * kBits) return 0;
+  const std::uint64_t* word =
+      bits.data() + static_cast<std::ptrdiff_t>(row - rows.lo) * words + from / kBits;
+  const int off = from % kBits;
+  return word[0] >> off | word[1] << 1 << (kBits - 1 - off);
 }
 
 const CompleteSearch::BitTable& CompleteSearch::bitsOf(int first, int second) {
@@ -118,133 +135,143 @@ const CompleteSearch::BitTable& CompleteSearch::bitsOf(int first, int second) {
   const DotRun columns = table.columns();
   bits.rows = table.rows();
   bits.column = columns.lo;
-  bits.words = (columns.size() + kBits - 1) / kBits;
+  bits.words = (columns.size() + kBits - 1) / kBits + 2;
   bits.bits.resize(static_cast<std::size_t>(bits.words) * bits.rows.size());
   for (int j = bits.rows.lo; j <= bits.rows.hi; ++j)
     for (int k = 0; k < columns.size(); ++k)
       if (table.depth({columns.lo + k, j}) > 0)
-        bits.bits[static_cast<std::size_t>(j - bits.rows.lo) * bits.words + k / kBits] |=
+        bits.bits[static_cast<std::size_t>(j - bits.rows.lo) * bits.words + 1 + k / kBits] |=
             std::uint64_t{1} << (k % kBits);
   return bits;
 }
 
-std::vector<CompleteSearch::Value> CompleteSearch::valuesOf(const Level& level, int item) const {
-  std::vector<Value> values;
-  for (int j = rows_.lo; j <= rows_.hi; ++j) {
-    for (const int slot : slots_of_[item]) {
-      for (std::uint64_t bits = level.domains[rowAt(slot, j)]; bits != 0; bits &= bits - 1)
-        values.push_back({item, slot, {bases_[j - rows_.lo] + std::countr_zero(bits), j}});
-    }
+/// All dots of a piece. @param order   of the pieces that lie side by side, as it is already
+void CompleteSearch::setValues(Level* level, int item, unsigned order) const {
+  level->values.clear();
+  level->next = 0;
+  level->is_of_one = true;
+  for (const int s : slots_.of[item]) {
+    const SearchSlot& slot = slots_.slots[s];
+    for (int j = level->left.rows[s].lo; j <= level->left.rows[s].hi; ++j)
+      for (std::uint64_t bits = level->left.bits[slot.row0 + j]; bits != 0; bits &= bits - 1)
+        level->values.push_back({s, {slot.column(j) + std::countr_zero(bits), j}, order});
   }
-  return values;
 }
 
-int CompleteSearch::dotsOf(const Level& level, int item) const {
-  int count = 0;
-  for (const int slot : slots_of_[item]) {
-    const std::uint64_t* rows = level.domains.data() + rowAt(slot, rows_.lo);
-    for (int j = 0; j < rows_.size(); ++j) count += std::popcount(rows[j]);
+/// Chooses what is tried at a level. False when pieces that lie side by side find no room.
+/// @param last   placed of these; nothing at their beginning
+bool CompleteSearch::setNext(Level* level, const SlotDot* last) {
+  // where the cut is not fixed, the tallest is placed before the order is asked for
+  const unsigned laid = cloth_.is_fixed ? 0 : 1;
+  const unsigned order = last == nullptr ? 0 : last->order;
+  if (tall_->empty() || (order | laid) == tall_->all()) {
+    setValues(level, nextItem(*level), tall_->all());
+    return true;
   }
-  return count;
+  if (last == nullptr && !tall_->setLimits(level->left, &reads_)) return false;
+  level->values.clear();
+  level->next = 0;
+  level->is_of_one = false;
+  tall_->addNext(level->left, last, laid, &level->values);
+  return true;
 }
 
-/// The item to be placed next: that with the fewest dots by how often it ran out of them; -1 when
-/// one has none.
+/// The item to be placed next: that with the fewest dots by how often it ran out of them.
 int CompleteSearch::nextItem(const Level& level) const {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t item = 0; item < places_.size(); ++item) {
-    if (places_[item].way >= 0) continue;
-    const int count = dotsOf(level, static_cast<int>(item));
-    if (count == 0) return -1;
-    if (count / failures_[item] >= least) continue;
-    least = count / failures_[item];
+    if (places_[item].way >= 0 || level.counts[item] / failures_[item] >= least) continue;
+    least = level.counts[item] / failures_[item];
     best = static_cast<int>(item);
   }
   return best;
 }
 
 /// Every layout with the item there has been looked at, and so with an equal item.
-void CompleteSearch::removeLike(Level* level, const Value& value) const {
-  const int like = pieces_.items()[value.item].like;
-  const std::uint64_t bit = std::uint64_t{1} << (value.dot.i - bases_[value.dot.j - rows_.lo]);
-  for (std::size_t s = 0; s < slots_.size(); ++s)
-    if (pieces_.items()[slots_[s].item].like == like &&
-        slots_[s].placed == slots_[value.slot].placed)
-      level->domains[rowAt(static_cast<int>(s), value.dot.j)] &= ~bit;
+void CompleteSearch::removeLike(Level* level, const SlotDot& value) const {
+  const SearchSlot& at = slots_.slots[value.slot];
+  const int like = pieces_.items()[at.item].like;
+  const std::uint64_t bit = std::uint64_t{1} << (value.dot.i - at.column(value.dot.j));
+  for (const SearchSlot& slot : slots_.slots)
+    if (pieces_.items()[slot.item].like == like && slot.placed == at.placed)
+      level->left.bits[slot.row0 + value.dot.j] &= ~bit;
+}
+
+/// Whether both may lie so, by which way pieces of one garment have to point.
+bool CompleteSearch::mayPoint(const SearchSlot& slot, const SearchSlot& other) const {
+  const LayItem &a = pieces_.items()[slot.item], &b = pieces_.items()[other.item];
+  return !cloth_.is_by_garment || a.garment != b.garment ||
+         a.ways[slot.way].is_up == b.ways[other.way].is_up;
 }
 
 /// Takes from an item the dots that a placed piece covers, or that lie too far from it; false when
 /// none is left.
-bool CompleteSearch::leaves(Level* level, const Value& value, int item) {
-  bool any = false;
-  for (const int s : slots_of_[item]) {
-    const Slot& slot = slots_[s];
-    const BitTable& bits = bitsOf(slots_[value.slot].placed, slot.placed);
-    std::uint64_t* rows = level->domains.data() + rowAt(s, rows_.lo);
-    reads_ += rows_.size();
-    for (int j = rows_.lo; j <= rows_.hi; ++j) {
-      std::uint64_t& row = rows[j - rows_.lo];
-      if (row == 0) continue;
-      const double up = j * pieces_.board().up.y();
-      if (slot.low + up < level->bottom - kSameHeight ||
-          slot.high + up > level->top + kSameHeight) {
-        row = 0;
-        continue;
-      }
+bool CompleteSearch::leaves(Level* level, const SlotDot& value, int item) {
+  const SearchSlot& at = slots_.slots[value.slot];
+  int count = 0;
+  for (const int s : slots_.of[item]) {
+    const SearchSlot& slot = slots_.slots[s];
+    const BitTable& table = bitsOf(at.placed, slot.placed);
+    const DotRun& reach = slots_.reach(value.slot, s);
+    DotRun& in = level->left.rows[s];
+    in = {std::max(in.lo, value.dot.j + reach.lo), std::min(in.hi, value.dot.j + reach.hi)};
+    if (!mayPoint(at, slot)) in = {};
+    std::uint64_t* rows = level->left.bits.data() + slot.row0;
+    reads_ += in.size();
+    for (int j = in.lo; j <= in.hi; ++j) {
+      if (rows[j] == 0) continue;
       const int of = j - value.dot.j;
-      if (of >= bits.rows.lo && of <= bits.rows.hi)
-        row &= ~bits.window(of, bases_[j - rows_.lo] - value.dot.i - bits.column);
-      any = any || row != 0;
+      if (of >= table.rows.lo && of <= table.rows.hi)
+        rows[j] &= ~table.window(of, slot.column(j) - value.dot.i - table.column);
+      count += std::popcount(rows[j]);
     }
   }
-  return any;
+  level->counts[item] = count;
+  return count > 0;
 }
 
 /// Goes one level down, unless that leaves some piece without a dot.
-void CompleteSearch::place(const Value& value) {
-  const Slot& slot = slots_[value.slot];
-  const double up = value.dot.j * pieces_.board().up.y();
-  Level next;
-  next.domains = levels_.back().domains;
-  next.bottom = std::max(levels_.back().bottom, slot.high + up - length_);
-  next.top = std::min(levels_.back().top, slot.low + up + length_);
-  places_[value.item] = {slot.way, value.dot};
-  bool is_open = false;
-  for (std::size_t item = 0; item < places_.size(); ++item) {
-    if (places_[item].way >= 0) continue;
-    is_open = true;
-    if (leaves(&next, value, static_cast<int>(item))) continue;
-    ++failures_[item];
-    places_[value.item] = {};
-    return;
-  }
-  if (!is_open) {
+void CompleteSearch::place(const SlotDot& value) {
+  const SearchSlot& at = slots_.slots[value.slot];
+  places_[at.item] = {at.way, value.dot};
+  if (depth_ == levels_.size()) {
     LaidPieces layout{places_};
     measure(pieces_, cloth_, &layout);
     found_ = layout;
     return;
   }
-  next.values = valuesOf(next, nextItem(next));
-  placed_.push_back(value.item);
-  levels_.push_back(std::move(next));
+  Level& next = levels_[depth_];
+  next.left = levels_[depth_ - 1].left;
+  next.counts = levels_[depth_ - 1].counts;
+  for (auto item = likely_.begin(); item != likely_.end(); ++item) {
+    if (places_[*item].way >= 0 || leaves(&next, value, *item)) continue;
+    ++failures_[*item];
+    std::rotate(likely_.begin(), item, item + 1);
+    return;
+  }
+  for (const int s : slots_.of[at.item]) next.left.rows[s] = {};
+  next.left.rows[value.slot] = {value.dot.j, value.dot.j};
+  next.left.bits[at.row0 + value.dot.j] = std::uint64_t{1}
+                                          << (value.dot.i - at.column(value.dot.j));
+  if (setNext(&next, value.order != 0 ? &value : nullptr)) ++depth_;
 }
 
 bool CompleteSearch::step(double reads) {
   const double end = reads_ + reads;
   while (reads_ < end && !found_) {
-    if (levels_.empty()) return false;
+    if (depth_ == 0) return false;
     reads_ += 1;
-    Level& level = levels_.back();
-    if (level.next > 0) removeLike(&level, level.values[level.next - 1]);
-    if (level.next == level.values.size()) {
-      levels_.pop_back();
-      if (placed_.empty()) continue;
-      places_[placed_.back()] = {};
-      placed_.pop_back();
-      continue;
+    Level& level = levels_[depth_ - 1];
+    if (level.next > 0) {
+      const SlotDot& tried = level.values[level.next - 1];
+      places_[slots_.slots[tried.slot].item] = {};
+      if (level.is_of_one) removeLike(&level, tried);
     }
-    place(level.values[level.next++]);
+    if (level.next == level.values.size())
+      --depth_;
+    else
+      place(level.values[level.next++]);
   }
   return !found_;
 }

@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "nesting/layout.h"
+#include "nesting/tall_pieces.h"
 
 namespace seamwise {
 
 /// Looks through all layouts of at most a given length, step by step: one piece after the other,
-/// that with the fewest dots left first, where pieces that ran out of dots before count more, with
-/// the dots that each leaves to the others as bits. Layouts that differ by whole repeats, or by
+/// with the dots that each leaves to the others as bits. Pieces that have to lie side by side come
+/// first, from left to right, as long as all find room; then that with the fewest dots left, where
+/// pieces that ran out of dots before count more. Layouts that differ by whole repeats, or by
 /// which of two equal pieces lies where, are looked at once.
 class CompleteSearch {
  public:
@@ -30,54 +32,45 @@ class CompleteSearch {
   struct BitTable {
     DotRun rows;
     int column = 0;  ///< of bit 0
-    int words = 0;   ///< of a row
+    int words = 0;   ///< of a row, the first and the last of them empty
     std::vector<std::uint64_t> bits;
     std::uint64_t window(int row, int start) const;
   };
-  struct Value {
-    int item = -1, slot = -1;
-    Dot dot;
-  };
-  /// A piece has been chosen, whose dots are tried one by one.
+  /// A piece has been chosen, or the next of those side by side is to be: dots tried one by one.
   struct Level {
-    std::vector<std::uint64_t> domains;  ///< per slot its rows
-    double bottom, top;                  ///< between which all pieces have to lie. [cm]
-    std::vector<Value> values;
+    DotsLeft left;
+    std::vector<int> counts;  ///< per item of its dots, where it is not placed
+    std::vector<SlotDot> values;
     std::size_t next = 0;
-  };
-  /// A way of an item.
-  struct Slot {
-    int item, way, placed;
-    double low, high;  ///< of the piece in row 0. [cm]
+    bool is_of_one = true;  ///< all values are of one piece
   };
 
-  bool setRows(const Window& window);
-  Level root(const Window& window) const;
-  void place(const Value& value);
-  bool leaves(Level* level, const Value& value, int item);
-  void removeLike(Level* level, const Value& value) const;
-  std::vector<Value> valuesOf(const Level& level, int item) const;
-  int dotsOf(const Level& level, int item) const;
+  bool setSlots(const Window& window);
+  std::vector<int> tallestFirst() const;
+  void begin();
+  void place(const SlotDot& value);
+  bool mayPoint(const SearchSlot& slot, const SearchSlot& other) const;
+  bool leaves(Level* level, const SlotDot& value, int item);
+  bool setNext(Level* level, const SlotDot* last);
+  void setValues(Level* level, int item, unsigned order) const;
+  void removeLike(Level* level, const SlotDot& value) const;
   int nextItem(const Level& level) const;
   const BitTable& bitsOf(int first, int second);
-  std::size_t rowAt(int slot, int j) const {
-    return static_cast<std::size_t>(slot) * rows_.size() + (j - rows_.lo);
-  }
 
   const PiecesOnBoard& pieces_;
   LayCloth cloth_;
   double length_;
   bool can_prove_ = false;
-  std::vector<Slot> slots_;
-  std::vector<std::vector<int>> slots_of_;  ///< per item
-  DotRun rows_;
-  std::vector<Domain> domains_;  ///< per slot
-  std::vector<int> bases_;       ///< per row the column of bit 0
+  SearchSlots slots_;
+  std::vector<std::uint64_t> dots_;  ///< all
+  std::vector<int> order_;           ///< items, the tallest first
+  std::optional<TallPieces> tall_;
   std::vector<BitTable> bits_;
-  std::vector<Level> levels_;
+  std::vector<Level> levels_;  ///< per piece
+  std::size_t depth_ = 0;      ///< of these, in use
   std::vector<LayPlace> places_;
   std::vector<double> failures_;  ///< per item, how often it ran out of dots, and 1
-  std::vector<int> placed_;       ///< items, in order
+  std::vector<int> likely_;       ///< items, that which ran out of dots last first
   std::optional<LaidPieces> found_;
   double reads_ = 0;
 };

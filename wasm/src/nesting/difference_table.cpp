@@ -14,6 +14,11 @@ namespace {
 constexpr double kUnit = 0.01;  ///< of a depth. [cm]
 /// Depths below which rough parts and full outlines may disagree: both outlines grow. [cm]
 constexpr double kDoubtful = 0.5;
+/// Overlaps up to this are none where pieces need keep no gap: ten times what rounding makes of
+/// lines that touch. Long edges would share some square millimetres otherwise. [cm]
+constexpr double kCommon = 1e-5;
+/// How near rough parts have to come for such overlaps to be looked for. [cm]
+constexpr double kHidden = 1e-3;
 
 struct HalfPlane {
   Vec2 normal;  ///< outward, of length 1
@@ -53,7 +58,7 @@ bool edgesCross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 /// Whether p lies deeper in the polygon than touching allows.
 bool isDeepIn(const Polyline& ring, const Vec2& p) {
-  return contains(ring, p) && outlineDistance(ring, p) > kTouching;
+  return contains(ring, p) && outlineDistance(ring, p) > kCommon;
 }
 
 /// Whether a corner or the middle of an edge of `points` + shift lies deep in the polygon.
@@ -69,7 +74,7 @@ bool reachesInto(const Polyline& ring, const Vec2& low, const Vec2& high, const 
   return false;
 }
 
-/// Whether two full outlines, the second shifted, keep a distance. Overlaps of kTouching do.
+/// Whether two full outlines, the second shifted, keep a distance. Overlaps of kCommon do.
 bool areApart(const Shape& first, const Shape& second, const Vec2& shift, double gap) {
   const double room = std::max(gap - kTouching, 0.0);
   const Polyline &p = first.ring, &q = second.ring;
@@ -85,7 +90,7 @@ bool areApart(const Shape& first, const Shape& second, const Vec2& shift, double
       const double distance =
           std::min(std::min(segmentDistance(a, b, c), segmentDistance(a, b, d)),
                    std::min(segmentDistance(c, d, a), segmentDistance(c, d, b)));
-      if (edgesCross(a, b, c, d) ? distance > kTouching || room > 0 : distance < room) return false;
+      if (edgesCross(a, b, c, d) ? distance > kCommon || room > 0 : distance < room) return false;
     }
   }
   // lines that keep a distance do not cross: one outline holds the other, or neither does
@@ -123,21 +128,31 @@ struct Stretch {
   float from, to;
 };
 
-/// The part of the line start + s * step that lies within all half planes, each moved outwards.
-Stretch stretchIn(const std::vector<HalfPlane>& sides, double outwards, const Vec2& start,
-                  const Vec2& step) {
-  double from = -1e6, to = 1e6;
+/// Calls add(k, stretch) for each of the lines start + k * next + s * step: its part that lies
+/// within all half planes, each moved outwards.
+template <class Add>
+void stretchesIn(const std::vector<HalfPlane>& sides, double outwards, const Vec2& start,
+                 const Vec2& step, const Vec2& next, const DotRun& lines, Add add) {
+  // per side: the s at which the line k = 0 crosses it, and what that grows by from line to line
+  std::vector<double> lower, upper, level;
   for (const HalfPlane& side : sides) {
-    const double by = side.normal.dot(step);
-    const double room = side.at + outwards - side.normal.dot(start);
-    if (by > 1e-12)
-      to = std::min(to, room / by);
-    else if (by < -1e-12)
-      from = std::max(from, room / by);
-    else if (room < 0)
-      to = -1e6;
+    const double by = side.normal.dot(step), room = side.at + outwards - side.normal.dot(start);
+    const bool is_level = std::abs(by) <= 1e-12;
+    const double share = is_level ? 1 : 1 / by;
+    std::vector<double>& ends = is_level ? level : by > 0 ? upper : lower;
+    ends.push_back(room * share);
+    ends.push_back(-side.normal.dot(next) * share);
   }
-  return {static_cast<float>(from), static_cast<float>(to)};
+  for (int k = lines.lo; k <= lines.hi; ++k) {
+    double from = -1e6, to = 1e6;
+    for (std::size_t n = 0; n < lower.size(); n += 2)
+      from = std::max(from, lower[n] + k * lower[n + 1]);
+    for (std::size_t n = 0; n < upper.size(); n += 2)
+      to = std::min(to, upper[n] + k * upper[n + 1]);
+    for (std::size_t n = 0; n < level.size(); n += 2)
+      if (level[n] + k * level[n + 1] < 0) to = -1e6;
+    add(k, Stretch{static_cast<float>(from), static_cast<float>(to)});
+  }
 }
 
 struct Cells {
@@ -228,35 +243,43 @@ DifferenceTable::DifferenceTable(const Shape& first, const Shape& second, const 
              up = static_cast<float>(board.up.norm());
   Unions across(rows_, columns_), upwards(columns_, rows_);
   const double room = most_gap - kTouching;
+  // without a gap, rough parts that are a hair smaller hide overlaps that long edges show
+  const bool is_tight = spacing.is_exact && room <= 0;
+  Unions near(is_tight ? rows_ : 0, columns_);
   for (const Polyline& a : first.parts) {
     for (const Polyline& b : second.parts) {
       const Polyline sum = convexDifference(a, b);
       const std::vector<HalfPlane> sides = halfPlanes(sum);
       const Cells held = cellsOf(extentOf(sum, most_gap), offset, board);
-      for (int j = held.rows.lo; j <= held.rows.hi; ++j)
-        across.add(j - row0_,
-                   stretchIn(sides, room, offset + board.shift({column0_, j}), board.along));
-      for (int i = held.columns.lo; i <= held.columns.hi; ++i)
-        upwards.add(i - column0_,
-                    stretchIn(sides, room, offset + board.shift({i, row0_}), board.up));
+      const Vec2 start = offset + board.shift({column0_, row0_});
+      stretchesIn(sides, room, start, board.along, board.up,
+                  {held.rows.lo - row0_, held.rows.hi - row0_},
+                  [&](int j, const Stretch& stretch) { across.add(j, stretch); });
+      stretchesIn(sides, room, start, board.up, board.along,
+                  {held.columns.lo - column0_, held.columns.hi - column0_},
+                  [&](int i, const Stretch& stretch) { upwards.add(i, stretch); });
+      if (is_tight) {
+        stretchesIn(sides, most_gap + kHidden, start, board.along, board.up,
+                    {held.rows.lo - row0_, held.rows.hi - row0_},
+                    [&](int j, const Stretch& stretch) { near.add(j, stretch); });
+      }
     }
   }
   across.merge();
   upwards.merge();
-  stride_ = spacing.stride;
-  block_rows_ = (rows_ + stride_ - 1) / stride_;
-  block_columns_ = (columns_ + stride_ - 1) / stride_;
-  depths_.resize(static_cast<std::size_t>(stride_) * stride_ * block_rows_ * block_columns_);
+  near.merge();
+  depths_.resize(static_cast<std::size_t>(rows_) * columns_);
   const double doubtful = kDoubtful + 2 * most_gap;
   for (int j = 0; j < rows_; ++j) {
     for (int i = 0; i < columns_; ++i) {
       const float depth = std::min(across.inside(j, i) * along, upwards.inside(i, j) * up);
-      if (depth < 0) continue;
+      if (depth < 0 && !(is_tight && near.inside(j, i) >= 0)) continue;
       if (spacing.is_exact && depth < doubtful) {
         const Vec2 d = offset + board.shift({column0_ + i, row0_ + j});
         if (areApart(first, second, d, gapAt(d))) continue;
       }
-      depths_[place(j, i)] = static_cast<std::uint16_t>(std::min(1 + depth / kUnit, 60000.0));
+      depths_[place(j, i)] =
+          static_cast<std::uint16_t>(std::min(1 + std::max(depth, 0.0f) / kUnit, 60000.0));
     }
   }
 }
@@ -265,9 +288,7 @@ DifferenceTable DifferenceTable::reversed() const {
   DifferenceTable other = *this;
   other.row0_ = -(row0_ + rows_ - 1);
   other.column0_ = -(column0_ + columns_ - 1);
-  for (int j = 0; j < rows_; ++j)
-    for (int i = 0; i < columns_; ++i)
-      other.depths_[place(j, i)] = depths_[place(rows_ - 1 - j, columns_ - 1 - i)];
+  std::reverse(other.depths_.begin(), other.depths_.end());
   return other;
 }
 

@@ -12,7 +12,6 @@ struct Spacing {
   double gap = 0;
   double repeat_tolerance = 0;  ///< pieces d apart may come nearer by this share of d
   bool is_exact = false;  ///< near-touching differences are decided on full outlines, not on parts
-  int stride = 1;         ///< of the dots that are looked at together
 };
 
 /// For two shapes on a board: how deep they overlap by the difference n of their places (the
@@ -33,22 +32,15 @@ class DifferenceTable {
     const int j = n.j - row0_, i = n.i - column0_;
     return j >= 0 && j < rows_ && i >= 0 && i < columns_ ? depths_[place(j, i)] : 0;
   }
-  /// Depths of every stride-th dot of a row, from (i, j) on, which must be in the table. They lie
-  /// one after the other.
+  /// Depths of a row's dots, from (i, j) on, which must be in the table.
   const std::uint16_t* from(Dot n) const {
     return depths_.data() + place(n.j - row0_, n.i - column0_);
   }
 
  private:
-  /// Dots that are `stride` apart lie side by side: rows and columns by their rest, then in order.
-  std::size_t place(int j, int i) const {
-    const int block = (j % stride_) * stride_ + i % stride_;
-    return (static_cast<std::size_t>(block) * block_rows_ + j / stride_) * block_columns_ +
-           i / stride_;
-  }
+  std::size_t place(int j, int i) const { return static_cast<std::size_t>(j) * columns_ + i; }
 
   int row0_ = 0, rows_ = 0, column0_ = 0, columns_ = 0;
-  int stride_ = 1, block_rows_ = 0, block_columns_ = 0;
   std::vector<std::uint16_t> depths_;
 };
 

@@ -24,6 +24,7 @@ struct LayCloth {
   Vec2 origin = Vec2::Zero();    ///< of the print, and so of the board. [cm]
   bool is_fixed = false;         ///< the cut is at 0; else it is wherever the layout begins
   std::vector<int> turned_down;  ///< per garment 1 or 0, where its pieces have to point one way
+  bool is_by_garment = false;    ///< which of these is open, but all pieces of one have to agree
 };
 
 /// The layout's ends. @param is_fixed  it begins at 0 wherever its pieces do

@@ -12,13 +12,8 @@
 namespace seamwise {
 namespace {
 
-constexpr float kFlawWeight = 1000;   ///< nothing is worth lying on a flaw
-constexpr int kRowReads = 30;         ///< what beginning a row takes, in reads; measured
-constexpr double kLookupReads = 12;   ///< and what reading a single dot takes
-constexpr std::size_t kDescents = 6;  ///< from the best dots that were looked at
-
-int floorDiv(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
-int ceilDiv(int a, int b) { return -floorDiv(-a, b); }
+constexpr float kFlawWeight = 1000;  ///< nothing is worth lying on a flaw
+constexpr int kRowReads = 30;        ///< what beginning a row takes, in reads; measured
 
 using Floats = Lanes<float>::Vector;
 
@@ -60,9 +55,9 @@ std::vector<LayoutSearch::Other> LayoutSearch::othersOf(int item, int placed, bo
   return others;
 }
 
+/// Scores of a row's dots.
 void LayoutSearch::scoreRow(const std::vector<Other>& others, int j, const DotRun& run) {
   scores_.assign(run.size(), 0);
-  const int stride = pieces_.stride();
   for (const Other& other : others) {
     const DifferenceTable& table = *other.table;
     const int row = j - other.dot.j;
@@ -70,144 +65,38 @@ void LayoutSearch::scoreRow(const std::vector<Other>& others, int j, const DotRu
     const DotRun columns = table.columns();
     const int lo = std::max(run.lo, other.dot.i + columns.lo);
     const int hi = std::min(run.hi, other.dot.i + columns.hi);
-    for (int first = lo; first <= std::min(hi, lo + stride - 1); ++first) {
-      const std::uint16_t* depths = table.from({first - other.dot.i, row});
-      for (int i = first, k = 0; i <= hi; i += stride, ++k)
-        scores_[i - run.lo] += other.weight * static_cast<float>(depths[k]);
-    }
-    if (hi >= lo) reads_ += 2 * (hi - lo) + kRowReads;
+    if (hi < lo) continue;
+    addWeighted(table.from({lo - other.dot.i, row}), hi - lo + 1, other.weight,
+                scores_.data() + (lo - run.lo));
+    reads_ += hi - lo + 1 + kRowReads;
   }
   reads_ += run.size() + kRowReads;
 }
 
-/// Scores of all dots of a domain's box whose rows and columns leave the rests of `phase`.
-void LayoutSearch::scoreSome(const std::vector<Other>& others, const Domain& domain, Dot phase) {
-  const int stride = pieces_.stride();
-  constexpr int kFar = 1 << 29;
-  DotRun box{kFar, -kFar};
-  for (const DotRun& run : domain.runs) {
-    if (run.empty()) continue;
-    box.lo = std::min(box.lo, run.lo);
-    box.hi = std::max(box.hi, run.hi);
-  }
-  // dot = stride * number + rest
-  const auto numbers = [&](const DotRun& run, int rest) {
-    return DotRun{ceilDiv(run.lo - rest, stride), floorDiv(run.hi - rest, stride)};
-  };
-  some_columns_ = numbers(box, phase.i);
-  some_rows_ = numbers(domain.rows(), phase.j);
-  const std::size_t width = some_columns_.size();
-  scores_.assign(width * some_rows_.size(), 0);
-  for (const Other& other : others) {
-    const DifferenceTable& table = *other.table;
-    const Dot off = phase - other.dot;  // difference = stride * number + off
-    DotRun columns = numbers(table.columns(), off.i), rows = numbers(table.rows(), off.j);
-    columns = {std::max(columns.lo, some_columns_.lo), std::min(columns.hi, some_columns_.hi)};
-    rows = {std::max(rows.lo, some_rows_.lo), std::min(rows.hi, some_rows_.hi)};
-    if (columns.empty()) continue;
-    for (int j = rows.lo; j <= rows.hi; ++j) {
-      addWeighted(table.from({stride * columns.lo + off.i, stride * j + off.j}), columns.size(),
-                  other.weight,
-                  scores_.data() + (j - some_rows_.lo) * width + (columns.lo - some_columns_.lo));
-      reads_ += columns.size() + kRowReads;
-    }
-  }
-  reads_ += static_cast<double>(scores_.size()) + kRowReads;
-}
-
-float LayoutSearch::scoreAt(const std::vector<Other>& others, Dot dot) {
-  float sum = 0;
-  for (const Other& other : others)
-    sum += other.weight * static_cast<float>(other.table->depth(dot - other.dot));
-  reads_ += kLookupReads * static_cast<double>(others.size());
-  return sum;
-}
-
-/// From dots that were looked at to a better one between them.
-void LayoutSearch::descend(const std::vector<Other>& others, const Domain& domain, Found* found) {
-  for (int step = pieces_.stride() / 2; step > 0 && found->score > 0;) {
-    Found best = *found;
-    for (int j = -step; j <= step; j += step) {
-      for (int i = -step; i <= step; i += step) {
-        const Dot dot = found->place.dot + Dot{i, j};
-        if ((i == 0 && j == 0) || !domain.has(dot)) continue;
-        const float score = scoreAt(others, dot);
-        if (score < best.score) best = {{found->place.way, dot}, score};
-      }
-    }
-    if (best.score == found->score) step /= 2;
-    *found = best;
-  }
-}
-
 LayoutSearch::Found LayoutSearch::leastOverlap(int item) {
   if (pieces_.items()[item].is_pinned) return {places_[item], 0};
+  if (pieces_.isFine()) return leastOfSome(item);
   Found best{{}, std::numeric_limits<float>::infinity()};
-  const int stride = pieces_.stride();
   int ties = 0;
   for (const int way : ways_[item]) {
     const int placed = pieces_.items()[item].ways[way].placed;
     const Domain& domain = domains_[placed];
     const std::vector<Other> others = othersOf(item, placed, true);
-    const Dot phase{random_.below(stride), random_.below(stride)};
-    scoreSome(others, domain, phase);
-    std::vector<std::pair<double, std::size_t>> rows;
-    for (int n = some_rows_.lo; n <= some_rows_.hi; ++n) {
-      const DotRun& run = domain.row(stride * n + phase.j);
-      const int lo = ceilDiv(run.lo - phase.i, stride), hi = floorDiv(run.hi - phase.i, stride);
-      if (hi < lo) continue;
-      const float* scores = scores_.data() +
-                            static_cast<std::size_t>(n - some_rows_.lo) * some_columns_.size() +
-                            (lo - some_columns_.lo);
-      const int count = hi - lo + 1;
-      const float least = leastOf(scores, count);
-      if (stride == 1 && least > best.score) continue;
-      const int equal = static_cast<int>(std::count(scores, scores + count, least));
+    for (int j = domain.first; j <= domain.rows().hi; ++j) {
+      const DotRun& run = domain.row(j);
+      if (run.empty()) continue;
+      scoreRow(others, j, run);
+      const float* scores = scores_.data();
+      const float least = leastOf(scores, run.size());
+      if (least > best.score) continue;
+      const int equal = static_cast<int>(std::count(scores, scores + run.size(), least));
       int nth = equal == 1 ? 0 : random_.below(equal);
       int k = 0;
       while (scores[k] != least || nth-- > 0) ++k;
-      const Found found{{way, {stride * (lo + k) + phase.i, stride * n + phase.j}}, least};
       if (least < best.score) ties = 0;
-      if (least <= best.score) {
-        ties += equal;
-        if (random_.below(ties) < equal) best = found;
-      }
-      if (stride > 1) {
-        candidates_.push_back(found);
-        rows.emplace_back(least, candidates_.size() - 1);
-      }
+      ties += equal;
+      if (random_.below(ties) < equal) best = {{way, {run.lo + k, j}}, least};
     }
-    if (stride == 1 || best.score == 0) {
-      candidates_.clear();
-      continue;
-    }
-    sortKeyed(rows);
-    for (std::size_t k = 0; k < std::min(rows.size(), kDescents); ++k) {
-      Found found = candidates_[rows[k].second];
-      descend(others, domain, &found);
-      if (found.score >= best.score) continue;
-      best = found;
-      ties = 1;
-    }
-    candidates_.clear();
-  }
-  return best.place.way >= 0 ? best : leastBetween(item);
-}
-
-/// The same where domains are so small that they lie between the dots that are looked at.
-LayoutSearch::Found LayoutSearch::leastBetween(int item) {
-  Found best{{}, std::numeric_limits<float>::infinity()};
-  for (const int way : ways_[item]) {
-    const int placed = pieces_.items()[item].ways[way].placed;
-    const Domain& domain = domains_[placed];
-    const auto run = std::find_if(domain.runs.begin(), domain.runs.end(),
-                                  [](const DotRun& one) { return !one.empty(); });
-    if (run == domain.runs.end()) continue;
-    const std::vector<Other> others = othersOf(item, placed, true);
-    const Dot dot{run->lo, domain.first + static_cast<int>(run - domain.runs.begin())};
-    Found found{{way, dot}, scoreAt(others, dot)};
-    descend(others, domain, &found);
-    if (found.score < best.score) best = found;
   }
   return best;
 }

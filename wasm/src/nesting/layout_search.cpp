@@ -14,10 +14,9 @@ namespace {
 constexpr std::size_t kMostBeginnings = 24;
 constexpr double kShorter = 0.01;  ///< cm by which a shorter layout is shorter at least
 constexpr double kFirstShrink = 0.01, kMostShrink = 0.03, kLeastShrink = 2e-3;
-constexpr int kDoublings = 8;    ///< of the height in which pieces are laid one by one
-constexpr int kMostTaken = 4;    ///< pieces that are laid again at once
-constexpr int kIdleSweeps = 40;  ///< without less overlap, before something else is tried
-constexpr int kRestarts = 6;     ///< before a target less far is
+constexpr int kDoublings = 8;       ///< of the height in which pieces are laid one by one
+constexpr float kMostWeight = 1e9;  ///< sums of weighted depths stay finite
+constexpr double kMuchLess = 0.98;  ///< of the least overlap so far
 
 }  // namespace
 
@@ -45,8 +44,8 @@ LayoutSearch::LayoutSearch(const PiecesOnBoard& pieces, LayCloth cloth, std::uin
   };
   for (int by = 0; by < 3; ++by) {
     // largest first; what is pinned is there already
-    sortBy(order, [&](int item) { return -size(item, by); });
-    sortBy(order, [&](int item) { return pieces.items()[item].is_pinned ? 0 : 1; });
+    sortBy(order,
+           [&](int item) { return pieces.items()[item].is_pinned ? -1e9 : -size(item, by); });
     orders_.push_back(order);
   }
 }
@@ -102,9 +101,7 @@ void LayoutSearch::offer(const LaidPieces& layout) {
 
 bool LayoutSearch::hasPlace(int item) const {
   return std::any_of(ways_[item].begin(), ways_[item].end(), [&](int way) {
-    const Domain& domain = domains_[pieces_.items()[item].ways[way].placed];
-    return std::any_of(domain.runs.begin(), domain.runs.end(),
-                       [](const DotRun& run) { return !run.empty(); });
+    return !domains_[pieces_.items()[item].ways[way].placed].empty();
   });
 }
 
@@ -143,59 +140,26 @@ void LayoutSearch::place(int item, const LayPlace& place) {
 bool LayoutSearch::begin() {
   const double most = std::max(best_->length() - kShorter, 0.0);
   const double target = std::min(most, best_->length() * (1 - shrink_));
-  std::vector<double> from = beginnings_;
-  const int first = random_.below(static_cast<int>(from.size()));
-  std::rotate(from.begin(), from.begin() + first, from.end());
-  if (random_.uniform() < 0.5) from.insert(from.begin(), beginning_);
-  for (const double bottom : from) {
+  const std::size_t count = beginnings_.size();
+  const std::size_t first = random_.below(static_cast<int>(count));
+  // before all others, half the time, the one that is the best's
+  const std::size_t before = random_.uniform() < 0.5 ? 1 : 0;
+  for (std::size_t k = 0; k < count + before; ++k) {
+    const double bottom = k < before ? beginning_ : beginnings_[(first + k - before) % count];
     setWindow(bottom, target);
     bool all = true;
     for (int item = 0; item < count_ && all; ++item) all = hasPlace(item);
     if (!all) continue;
     places_ = best_->places;
     if (pieces_.isFine()) closeUp(best_->length() - target);
-    for (int item = 0; item < count_; ++item) place(item, places_[item]);
-    for (int item = 0; item < count_; ++item) {
-      const int placed = pieces_.items()[item].ways[places_[item].way].placed;
-      if (!domains_[placed].has(places_[item].dot)) place(item, leastOverlap(item).place);
-    }
+    takeUp(places_);
     std::fill(weights_.begin(), weights_.end(), 1.0f);
-    least_total_ = std::numeric_limits<double>::infinity();
-    idle_ = 0;
+    least_total_ = least_of_target_ = std::numeric_limits<double>::infinity();
+    idle_ = returns_ = 0;
     is_under_way_ = true;
     return true;
   }
   return false;
-}
-
-/// Moves all that lies above some piece's lower end down, so that pieces overlap only there.
-void LayoutSearch::closeUp(double by) {
-  const int down = static_cast<int>(std::ceil(by / pieces_.board().up.y()));
-  const auto bottomOf = [&](int item) {
-    const int placed = pieces_.items()[item].ways[places_[item].way].placed;
-    return pieces_.bottomAt(placed, places_[item].dot, cloth_.origin);
-  };
-  const double cut = bottomOf(random_.below(count_));
-  for (int item = 0; item < count_; ++item)
-    if (bottomOf(item) > cut && !pieces_.items()[item].is_pinned) places_[item].dot.j -= down;
-}
-
-/// Goes on from elsewhere: pieces change places, or some are taken off and laid again.
-void LayoutSearch::restart() {
-  idle_ = 0;
-  least_total_ = std::numeric_limits<double>::infinity();
-  std::fill(weights_.begin(), weights_.end(), 1.0f);
-  const int few = 2 + random_.below(std::clamp(count_ / 3, 1, kMostTaken));
-  places_ = least_places_;
-  for (int item = 0; item < count_; ++item) place(item, places_[item]);
-  std::vector<int> taken;
-  for (int k = 0; k < few; ++k) {
-    const int item = random_.below(count_);
-    if (places_[item].way < 0 || pieces_.items()[item].is_pinned) continue;
-    place(item, {});
-    taken.push_back(item);
-  }
-  for (const int item : taken) place(item, leastOverlap(item).place);
 }
 
 double LayoutSearch::total() const {
@@ -228,7 +192,7 @@ void LayoutSearch::reweigh() {
   if (most <= 0) return;
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const float depth = overlaps_[k];
-    weights_[k] = depth > 0 ? weights_[k] * (1.2f + 0.8f * depth / most)
+    weights_[k] = depth > 0 ? std::min(kMostWeight, weights_[k] * (1.2f + 0.8f * depth / most))
                             : std::max(1.0f, weights_[k] * 0.95f);
   }
 }
@@ -258,14 +222,11 @@ bool LayoutSearch::improve() {
   ++idle_;
   if (left < least_total_) {
     idle_ = 0;
+    if (left < kMuchLess * least_total_) returns_ = 0;
     least_total_ = left;
     least_places_ = places_;
   }
-  if (idle_ < kIdleSweeps) return true;
-  if (++restarts_ < kRestarts) {
-    restart();
-    return true;
-  }
+  if (!isGivenUp()) return true;
   is_under_way_ = false;  // another height to begin at, and a target less far
   shrinkLess();
   return true;

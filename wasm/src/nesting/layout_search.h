@@ -39,6 +39,12 @@ class LayoutSearch {
     Dot dot;
     float weight;
   };
+  /// All that a piece must not lie on, for looking up single dots: where the table of each ends on
+  /// the board, four at a time, first columns, first rows, last columns, last rows.
+  struct Neighbours {
+    std::vector<Other> others;
+    std::vector<int> boxes;
+  };
   struct Found {
     LayPlace place;
     float score;
@@ -48,14 +54,18 @@ class LayoutSearch {
   bool begin();
   void closeUp(double by);
   void restart();
+  void swapTwo();
+  void takeUp(const std::vector<LayPlace>& places);
+  bool isGivenUp();
   void sweep();
   std::vector<Other> othersOf(int item, int placed, bool weighted) const;
   void scoreRow(const std::vector<Other>& others, int j, const DotRun& run);
-  void scoreSome(const std::vector<Other>& others, const Domain& domain, Dot phase);
-  float scoreAt(const std::vector<Other>& others, Dot dot);
-  void descend(const std::vector<Other>& others, const Domain& domain, Found* found);
   Found leastOverlap(int item);
-  Found leastBetween(int item);
+  Neighbours neighboursOf(int item, int placed) const;
+  float scoreAt(const Neighbours& neighbours, Dot dot, float most);
+  void descend(const Neighbours& neighbours, const Domain& domain, int step, Found* found);
+  Dot dotOf(const Domain& domain);
+  Found leastOfSome(int item);
   std::optional<LayPlace> lowest(int item);
   float overlap(int a, int b) const;
   void place(int item, const LayPlace& place);
@@ -84,17 +94,15 @@ class LayoutSearch {
   std::vector<LayPlace> places_;
   std::vector<float> weights_, overlaps_;  ///< of pairs, both ways
   std::vector<float> flaw_overlaps_;       ///< per item
-  std::vector<float> scores_;              ///< of a row, or of some dots of a domain
-  std::vector<Found> candidates_;          ///< the best of each row of them
-  DotRun some_rows_, some_columns_;        ///< of these, in strides
+  std::vector<float> scores_;              ///< of a row
 
   std::optional<LaidPieces> best_;
   double beginning_ = 0;  ///< of the best
   double shrink_;         ///< of the next target, as a share
   bool is_under_way_ = false;
-  int idle_ = 0, restarts_ = 0;
-  double least_total_ = 0;
-  std::vector<LayPlace> least_places_;
+  int idle_ = 0, returns_ = 0, restarts_ = 0;
+  double least_total_ = 0, least_of_target_ = 0;
+  std::vector<LayPlace> least_places_, least_places_of_target_;
   double reads_ = 0;
 };
 

@@ -47,7 +47,6 @@ class Marker {
   /// Per phase and per width of the problem; not a number where a piece finds no place. [cm]
   std::vector<double> phaseLengths() const;
   const std::vector<double>& widthLengths() const { return width_lengths_; }
-  const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   /// A way that the print and the nap may lie, among which the best is chosen.
@@ -65,7 +64,9 @@ class Marker {
   void lay();
   void keepBest();
   void beginProof();
+  LayCloth clothOfProof() const;
   bool beginNextProof();
+  void take(const LaidPieces& found);
   void prove();
   void layFree();
   void layWidths();
@@ -100,9 +101,8 @@ class Marker {
   std::unique_ptr<LayoutSearch> free_search_;
   double free_length_ = 0;
   std::size_t width_ = 0;
-  std::unique_ptr<LayoutSearch> width_search_;
+  std::unique_ptr<LayoutSearch> width_search_, narrower_;  ///< the latter of the width before
   std::vector<double> width_lengths_;
-  std::vector<std::string> notes_;
   double reads_ = 0;  ///< of this call of advance
 };
 

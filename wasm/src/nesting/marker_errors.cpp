@@ -57,8 +57,9 @@ void Marker::fail() {
     return;
   }
   if (!problem_.flaws.empty()) {
-    error_ =
-        Error{Failure::kOptions, piece.name + " finds no place between the flaws of the cloth."};
+    error_ = Error{
+        Failure::kOptions,
+        piece.name + " finds no place between the flaws of the cloth; take cloth that has fewer."};
     return;
   }
   for (double width = problem_.width; width < problem_.width + kMostWider; width += kWider) {
@@ -66,10 +67,7 @@ void Marker::fail() {
       const LayCloth cloth = clothOf(width, phase);
       const Window window{cloth.left, cloth.right, 0, 1000};
       for (const LayWay& way : pieces_.items()[item].ways) {
-        const Domain domain = pieces_.domain(way.placed, window, cloth.origin);
-        if (std::none_of(domain.runs.begin(), domain.runs.end(),
-                         [](const DotRun& run) { return !run.empty(); }))
-          continue;
+        if (pieces_.domain(way.placed, window, cloth.origin).empty()) continue;
         error_ = Error{Failure::kOptions, "On this repeat " + piece.name + " fits nowhere across " +
                                               centimetres(problem_.width) +
                                               "; the cloth has to be at least " + atLeast(width) +

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "nesting/marker.h"
 #include "tuning/nesting.h"
@@ -52,6 +53,8 @@ void Marker::layWidths() {
     width_search_ = std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed);
     // what goes onto narrower cloth goes onto this, too
     if (width >= problem_.width) width_search_->offer(*best_);
+    if (narrower_ && narrower_->best() && width >= problem_.widths[width_ - 1])
+      width_search_->offer(*narrower_->best());
   }
   const double before = width_search_->reads();
   bool more = width_search_->construct();
@@ -65,7 +68,7 @@ void Marker::layWidths() {
   width_lengths_.push_back(is_same ? length()
                            : found ? roundedUp(found->length())
                                    : std::numeric_limits<double>::quiet_NaN());
-  width_search_.reset();
+  narrower_ = std::move(width_search_);
   ++width_;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 
 #include "nesting/marker.h"
 #include "tuning/nesting.h"
@@ -16,10 +17,18 @@ constexpr double kLessLength = 0.01;   ///< cm
 
 }  // namespace
 
+/// As it is, but for garments that may be turned.
+LayCloth Marker::clothOfProof() const {
+  LayCloth cloth = best_search_->cloth();
+  cloth.is_by_garment = problem_.nap == Nap::kGarment;
+  cloth.turned_down.clear();
+  return cloth;
+}
+
 void Marker::beginProof() {
   stage_ = Stage::kDone;
   if (problem_.effort == 0) return;
-  const LayCloth& cloth = best_search_->cloth();
+  const LayCloth cloth = clothOfProof();
   double tallest = 0;
   const auto ways = allowedWays(pieces_, cloth);
   for (std::size_t k = 0; k < ways.size(); ++k) {
@@ -40,7 +49,6 @@ void Marker::beginProof() {
 /// best, as long as that has not been tried in vain; then, that nothing is shorter than what lies
 /// between the bound and the best.
 bool Marker::beginNextProof() {
-  if (naps().size() > 1) return false;  // the proof would be of one of them
   const double all = NestingTuning::kProofRows * problem_.effort;
   const bool is_first = proofs_ == 0 || best_->length() < tried_length_ - kLessLength;
   const bool is_worth = proofs_ < kMostProofs && best_->length() - bound_ > kWorthProving;
@@ -52,9 +60,34 @@ bool Marker::beginNextProof() {
                               : best_->length() - kLessLength;
   proof_target_ = is_first ? shortest : (bound_ + best_->length()) / 2;
   proof_work_ = (is_first ? kProofOfBest : kOtherProof) * all;
-  proof_ = std::make_unique<CompleteSearch>(pieces_, best_search_->cloth(), proof_target_);
+  proof_ = std::make_unique<CompleteSearch>(pieces_, clothOfProof(), proof_target_);
   ++proofs_;
   return proof_->canProve();
+}
+
+/// Takes a shorter layout for the best, to go on from by the garments' turns that it has.
+void Marker::take(const LaidPieces& found) {
+  LayCloth cloth = best_search_->cloth();
+  for (std::size_t k = 0; k < found.places.size() && !cloth.turned_down.empty(); ++k) {
+    const LayItem& item = pieces_.items()[k];
+    cloth.turned_down[item.garment] = item.ways[found.places[k].way].is_up ? 0 : 1;
+  }
+  const auto variantOf = [&](auto is_it) {
+    return std::find_if(variants_.begin(), variants_.end(), is_it);
+  };
+  auto variant = variantOf([&](const Variant& other) {
+    const LayCloth& its = other.search->cloth();
+    return its.origin == cloth.origin && its.turned_down == cloth.turned_down;
+  });
+  if (variant == variants_.end()) {
+    const auto best =
+        variantOf([&](const Variant& other) { return other.search.get() == best_search_; });
+    variants_.push_back(
+        {best->phase, std::make_unique<LayoutSearch>(pieces_, cloth, problem_.seed), false});
+    variant = variants_.end() - 1;
+  }
+  variant->search->offer(found);
+  keepBest();
 }
 
 void Marker::prove() {
@@ -70,9 +103,7 @@ void Marker::prove() {
   if (more && proof_->reads() < proof_work_) return;
   const bool is_open = more;
   if (const auto& found = proof_->found()) {
-    for (const Variant& variant : variants_)
-      if (variant.search.get() == best_search_) variant.search->offer(*found);
-    keepBest();
+    take(*found);
     is_searched_ = false;
     if (is_of_best_) --proofs_;  // begins anew, below the shorter one
   } else if (!is_open) {

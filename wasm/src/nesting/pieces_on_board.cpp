@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace seamwise {
 namespace {
@@ -13,13 +14,15 @@ namespace {
 /// shows.
 constexpr double kShortestStep = 0.15, kUsualStep = 0.5;  // cm
 constexpr double kCells = 16e6;
-constexpr double kLeastShare = 0.1;  ///< of these, where there is less effort to use them
+constexpr double kLeastShare = 0.1,
+                 kMostShare = 4;  ///< of these, by the effort there is to use them
 /// Boards of more columns are searched, not proven, and too near to touching is not looked into.
 constexpr int kFineColumns = 64;
-constexpr int kStride = 4;        ///< on fine boards: the depth of overlaps is smooth over 2 cm
 constexpr double kOnEdge = 1e-5;  ///< cm by which pieces may reach beyond a window
 
-bool isMultiple(double angle, double of) { return std::abs(std::remainder(angle, of)) < 1e-6; }
+bool isMultiple(double angle, double of) {
+  return std::abs(angle - of * std::nearbyint(angle / of)) < 1e-6;
+}
 
 struct Turn {
   Mat2 linear;
@@ -51,8 +54,12 @@ bool isSame(const Polyline& a, const Polyline& b) {
 
 }  // namespace
 
+bool Domain::empty() const {
+  return std::all_of(runs.begin(), runs.end(), [](const DotRun& run) { return run.empty(); });
+}
+
 PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
-    : spacing_{problem.gap, ignores_print ? 0 : problem.repeat_tolerance, false, 1},
+    : spacing_{problem.gap, ignores_print ? 0 : problem.repeat_tolerance, false},
       ignores_print_(ignores_print) {
   const WallpaperGroup& group = problem.group;
   const auto boardOf = [&](double step) {
@@ -75,13 +82,12 @@ PiecesOnBoard::PiecesOnBoard(const NestingProblem& problem, bool ignores_print)
     for (const PlacedShape& b : placed_)
       cells +=
           tableCells(shapes_[a.shape], shapes_[b.shape], Board::square(kUsualStep), spacing_.gap);
-  const double most = kCells * std::clamp(problem.effort, kLeastShare, 1.0);
+  const double most = kCells * std::clamp(problem.effort, kLeastShare, kMostShare);
   board_ = boardOf(std::max(kShortestStep, kUsualStep * std::sqrt(cells / most)));
   is_fine_ = problem.width / board_.along.x() > kFineColumns;
   is_whole_ = !ignores_print &&
               cross(board_.along, board_.up) < 1.5 * std::abs(cross(group.w1(), group.w2()));
   spacing_.is_exact = !is_fine_;
-  spacing_.stride = is_fine_ ? kStride : 1;
   for (const Polyline& flaw : problem.flaws)
     flaws_.push_back(seamwise::shapeOf(flaw, Mat2::Identity()));
   for (std::size_t k = 0; k < items_.size(); ++k) {
@@ -125,7 +131,12 @@ void PiecesOnBoard::addWays(const NestingPiece& piece, const NestingProblem& pro
   const Mat2 back = piece.alignment.linear().transpose();
   std::vector<Vec2> shifts = {Vec2::Zero()};
   if (!ignores_print_) shifts.insert(shifts.end(), piece.shifts.begin(), piece.shifts.end());
-  for (const Turn& turn : turnsOf(problem, ignores_print_, piece.turns)) {
+  std::vector<Turn> turns = turnsOf(problem, ignores_print_, piece.turns);
+  if (ignores_print_) {  // upright first, however the print turns it: the search is the same
+    const Vec2 head = turns.front().linear * back * piece.up;
+    if (head.y() < -1e-6 || (head.y() < 1e-6 && head.x() < 0)) std::swap(turns[0], turns[1]);
+  }
+  for (const Turn& turn : turns) {
     LayWay way;
     way.linear = turn.linear * back;
     way.angle = wrapAngle(turn.angle - piece.alignment.angle);
@@ -191,7 +202,7 @@ std::vector<DifferenceTable> PiecesOnBoard::flawTables(int placed, const Vec2& o
   std::vector<DifferenceTable> tables;
   for (const Shape& flaw : flaws_)
     tables.emplace_back(flaw, shape(placed), origin + placed_[placed].offset, board_,
-                        Spacing{0, 0, spacing_.is_exact, spacing_.stride});
+                        Spacing{0, 0, spacing_.is_exact});
   return tables;
 }
 

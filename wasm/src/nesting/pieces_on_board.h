@@ -20,6 +20,7 @@ struct Domain {
   std::vector<DotRun> runs;  ///< per row its columns
   DotRun rows() const { return {first, first + static_cast<int>(runs.size()) - 1}; }
   const DotRun& row(int j) const { return runs[j - first]; }
+  bool empty() const;  ///< no row has a dot
   bool has(Dot dot) const {
     return dot.j >= first && dot.j <= rows().hi && dot.i >= row(dot.j).lo && dot.i <= row(dot.j).hi;
   }
@@ -67,8 +68,6 @@ class PiecesOnBoard {
   bool isFine() const { return is_fine_; }
   /// It has all dots that the print allows.
   bool isWhole() const { return is_whole_; }
-  /// Of the dots that a search looks at first; 1 where there are few.
-  int stride() const { return spacing_.stride; }
 
   /// Makes the next table. @returns its dots; 0 when there is none left to make
   double makeTable();

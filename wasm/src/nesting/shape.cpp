@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "geometry/polygon.h"
+#include "geometry/predicates.h"
 #include "nesting/convex_parts.h"
 
 namespace seamwise {
@@ -13,9 +14,9 @@ namespace {
 
 /// How far outlines may grow: differences this close to touching are looked into exactly on boards
 /// of few dots, and cost length on boards of many. Half of it makes twice the convex parts.
-constexpr double kGrowth = 0.04;  // cm
+constexpr double kGrowth = 0.02;  // cm
 /// The same where outlines curve inwards: every corner there makes a convex part.
-constexpr double kInwardGrowth = 0.12;  // cm
+constexpr double kInwardGrowth = 0.05;  // cm
 
 struct Corner {
   Vec2 at;
@@ -25,6 +26,24 @@ struct Corner {
 double heightAbove(const Vec2& from, const Vec2& to, const Vec2& p) {
   const Vec2 along = to - from;
   return std::abs(cross(along, p - from)) / std::max(along.norm(), 1e-12);
+}
+
+/// Whether two edges that are no neighbours meet. (`findCrossing` is for outlines of any length,
+/// and takes more room in a module than all of this file.)
+bool meetsItself(const Polyline& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &a = ring[i], &b = ring[(i + 1) % n];
+    for (std::size_t j = i + 2; j < n && j + 1 < n + i; ++j) {
+      const Vec2 &c = ring[j], &d = ring[(j + 1) % n];
+      const bool are_boxes_apart = (a.cwiseMax(b).array() < c.cwiseMin(d).array()).any() ||
+                                   (c.cwiseMax(d).array() < a.cwiseMin(b).array()).any();
+      if (!are_boxes_apart && orientation(a, b, c) * orientation(a, b, d) <= 0 &&
+          orientation(c, d, a) * orientation(c, d, b) <= 0)
+        return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -69,7 +88,7 @@ Polyline simplifiedOutwards(const Polyline& polygon, double most, double most_in
   }
   Polyline simple;
   for (const Corner& corner : left) simple.push_back(corner.at);
-  return findCrossing(simple) ? polygon : simple;
+  return meetsItself(simple) ? polygon : simple;
 }
 
 Shape shapeOf(const Polyline& outline, const Mat2& turn) {
@@ -85,6 +104,10 @@ Shape shapeOf(const Polyline& outline, const Mat2& turn) {
     shape.high = shape.high.cwiseMax(p);
   }
   shape.area = signedArea(shape.ring);
+  if (shape.area < 0) {  // flaws are given either way round
+    std::reverse(shape.ring.begin(), shape.ring.end());
+    shape.area = -shape.area;
+  }
   shape.parts = convexParts(simplifiedOutwards(shape.ring, kGrowth, kInwardGrowth), 2 * kTouching);
   double largest = 0;
   for (const Polyline& part : shape.parts) {

@@ -56,6 +56,9 @@ struct SolveOptions {
   /// may be enough.
   std::optional<double> proof;
 
+  /// Whether the result tells of other alignments that fit about as well.
+  bool other_alignments = false;
+
   /// Empty when usable, else one sentence that names the field.
   std::string problem() const;
 };

@@ -49,6 +49,13 @@ struct PrintedPattern : MismatchTotals {
   std::vector<Note> notes;
 };
 
+/// Where all pieces may lie instead, with about as good a fit.
+struct OtherAlignment {
+  std::vector<Alignment> pieces;
+  double placed = 0;    ///< mean mismatch of the pieces as drafted. [cm]
+  double expected = 0;  ///< the same once they are shaped, as a guess. [cm]
+};
+
 /// What a solve found; written as seamwise-result/1.
 struct Result : PrintedPattern {
   std::vector<Alignment> drafted;    ///< how a cutter lays the pieces as drafted
@@ -57,6 +64,7 @@ struct Result : PrintedPattern {
   std::vector<Alignment> search;  ///< where the alignment search ended, before anything deformed
   double search_bound = 0;        ///< no alignment at rest costs less than this share of `search`
   double search_cost = 0;  ///< of the pieces as drafted at `search`, by the seams' weights. [cm2]
+  std::optional<std::vector<OtherAlignment>> others;  ///< where they were asked for
   double max_moved_cm = 0;
   int iterations = 0;      ///< of the deformation
   int factorisations = 0;  ///< sparse LDLT factorisations

@@ -13,6 +13,7 @@
 #include "methods/proof_run.h"
 #include "problem/placing_rules.h"
 #include "problem/prepare_symmetric.h"
+#include "solve/other_alignments.h"
 #include "solve/remarks.h"
 #include "solve/seam_figures.h"
 #include "tuning/progress.h"
@@ -191,6 +192,10 @@ Outcome<Result> Solver::finish() {
   const WallpaperGroup joining = state_->match->joining();
   if (result.continuous) measure(joining, &*result.continuous);
   result.drafted = state_->drafted;
+  if (problem.options.other_alignments)
+    result.others =
+        otherAlignments(joining, result.pattern, rest, {result.alignment, result.search},
+                        run.compared(), BestRun::reachOf(problem.options));
   fillSeamFigures(joining, *state_->match, problem.options.locked, result);
   result.max_moved_cm = greatestMovement(result.pattern, result.shapes);
   if (problem.options.max_change_cm >= kLeastChange)

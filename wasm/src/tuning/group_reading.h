@@ -22,7 +22,7 @@ struct GroupReadingTuning {
   // --- what a group may miss by
 
   /// Share of energy, and share at the worst place, up to which a symmetry is there.
-  static constexpr double kHasShare = 0.02, kHasWorst = 0.4;
+  static constexpr double kHasShare = 0.015, kHasWorst = 0.45;
   /// The same from which it is not.
   static constexpr double kHasNotShare = 0.06, kHasNotWorst = 0.8;
   /// Share of energy that may vary along a stripe.

@@ -3,9 +3,10 @@ import {isDeepStrictEqual} from 'node:util';
 
 import {repeatOf} from 'seamwise';
 import manifest from 'seamwise/package.json' with {type: 'json'};
-import {FileError, prepare, printOfStored, readStoredDesign, problemOfStored} from 'seamwise/node';
+import {FileError, order, readStoredDesign} from 'seamwise/node';
 
 import {garmentPath, printPath, sizes} from './catalogue.mjs';
+import {centsFor, metresFor, money} from './price.mjs';
 
 /** Of the solver that the pages are served with, and that the workshop solves with. */
 const {version} = manifest;
@@ -13,9 +14,6 @@ const {version} = manifest;
 /** What is said about a design that the shop does not take. */
 export class Refused extends Error {}
 
-/** Of the pieces' area, for what is lost between them. */
-export const waste = 0.3;
-export const centsPerM2 = 2600;
 /** A print may be made so much smaller or larger than it was drawn. */
 const [least, most] = [0.25, 4];
 
@@ -103,41 +101,27 @@ function colourwayOf({print: {colourway}}, {colourways}) {
   return worn;
 }
 
-/** Areas by the garment's path: they do not depend on the print. */
-const areas = new Map();
-
-/** @returns areas in m², and the price in cents, which the browser has no part in */
-export async function estimate({design, print}, catalogue) {
-  const garment = catalogue.files.get(design.garment.url).bytes.toString();
-  const text = catalogue.files.get(design.print.url).bytes.toString();
-  const area =
-    areas.get(design.garment.url) ??
-    prepare(problemOfStored(design, {garment, print: text})).then(({pieces}) =>
-      pieces.reduce((sum, piece) => sum + areaOf(piece), 0),
+/**
+ * The design solved and laid on its cloth here, from the shop's own files: the browser has no part in its price.
+ * @param shownCents what its page has shown, if it has shown a price
+ * @returns how much cloth it is cut from, and what that costs
+ * @throws {Refused} where the customer was shown another garment or another price
+ */
+export async function priced({design, print}, shownCents, catalogue, signal) {
+  const {reproduced, plan} = await order(design, {
+    read: (url) => Promise.resolve(catalogue.files.get(url).bytes),
+    cloth: clothOf(print),
+    signal,
+  });
+  if (!reproduced) throw new Refused('This is not what our pages show; please choose it again.');
+  const cents = centsFor(plan.lengthCm);
+  if (shownCents !== undefined && shownCents !== cents) {
+    throw new Refused(
+      `This takes ${metresFor(plan.lengthCm).toFixed(2)} m of cloth and costs ${money(cents)}, which is not what you were shown; please choose it again.`,
     );
-  areas.set(design.garment.url, area);
-  const {w1, w2} = printOfStored(design, text);
-  const repeat = Math.max(Math.hypot(...w1), Math.hypot(...w2));
-  const piecesM2 = (await area) / 1e4;
-  const clothM2 = piecesM2 * (1 + waste) + (repeat * print.fabric.usableWidthCm) / 1e4;
-  return {piecesM2, clothM2, cents: Math.round(clothM2 * centsPerM2)};
+  }
+  return {lengthCm: plan.lengthCm, cents};
 }
 
-/** Of a meshed piece. [cm²] */
-const areaOf = ({rest, triangles}) =>
-  triangles.reduce((sum, corners) => {
-    const [[ax, ay], [bx, by], [cx, cy]] = corners.map((vertex) => rest[vertex]);
-    return sum + ((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)) / 2;
-  }, 0);
-
-/** The design that the product page begins with, as far as its price needs it. */
-export function plainDesign(garment, size, print) {
-  return {
-    print,
-    design: {
-      garment: {url: garmentPath(garment.name, size)},
-      print: {url: printPath(print.name)},
-      ...{symmetry: 'auto', method: 'best', options: {}, seed: 1},
-    },
-  };
-}
+/** A bolt of a print, as `cloth-width` and `selvedge` of the page have it; of no other width is anything asked. */
+const clothOf = ({fabric}) => ({widthCm: fabric.usableWidthCm, selvedgeCm: 0, widthsCm: []});

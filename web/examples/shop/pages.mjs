@@ -1,6 +1,6 @@
 // The shop's pages. Whatever stands in `${}` is text, and is written as such, unless `html` made it.
 import {printPath, sizes} from './catalogue.mjs';
-import {centsPerM2, waste} from './designs.mjs';
+import {centsPerMetre, metresFor, money, stepCm} from './price.mjs';
 
 class Html {
   constructor(text) {
@@ -18,10 +18,7 @@ const written = (value) => {
 
 const html = ({raw}, ...values) => new Html(String.raw({raw}, ...values.map(written)));
 
-const euros = new Intl.NumberFormat('en-IE', {style: 'currency', currency: 'EUR'});
-export const money = (cents) => euros.format(cents / 100);
-
-const priceRule = `${money(centsPerM2)} per m² of cloth: the pieces, ${100 * waste} % for what is lost between them, and one repeat of the print over the whole width to match it`;
+const priceRule = `${money(centsPerMetre)} per metre of cloth, cut off the bolt in steps of ${stepCm} cm`;
 
 /** An address of the shop, which keeps the cart. */
 const to = (path, cart, more = {}) =>
@@ -86,7 +83,7 @@ export const shelfPage = (offers, cart) =>
       </section>
       <ul class="shelf">
         ${offers.map(
-          ({garment, print, from}) =>
+          ({garment, print}) =>
             html`<li class="card">
               <a href="${to(`/garment/${garment.name}`, cart)}">
                 <seamwise-garment
@@ -99,14 +96,14 @@ export const shelfPage = (offers, cart) =>
                 <h2>${garment.title}</h2></a
               >
               <p>${garment.line}</p>
-              <p class="quiet">In ${print.title}, from about ${money(from.cents)}</p>
+              <p class="quiet">In ${print.title}, ${money(centsPerMetre)} per metre of cloth</p>
             </li>`,
         )}
       </ul>`,
   );
 
 /** @param lineId of the line of the cart that is changed here */
-export const productPage = ({catalogue, garment, chosen, cost, cart, lineId}) =>
+export const productPage = ({catalogue, garment, chosen, cents, cart, lineId}) =>
   layout(
     garment.title,
     cart,
@@ -185,16 +182,12 @@ export const productPage = ({catalogue, garment, chosen, cost, cart, lineId}) =>
               )}
             </fieldset>`,
         )}
-        <section class="price" aria-label="Price">
-          <p>
-            <span class="quiet">Estimate</span> <strong id="price">${money(cost.cents)}</strong>
-          </p>
-          <p class="quiet">
-            <span id="pieces">${cost.piecesM2.toFixed(2)}</span> m² of pieces,
-            <span id="cloth">${cost.clothM2.toFixed(2)}</span> m² of cloth. ${priceRule}.
-          </p>
-          <p class="quiet" id="length"></p>
+        <section class="price" aria-label="Price" aria-live="polite">
+          <p><strong id="price">${cents === undefined ? '…' : money(cents)}</strong></p>
+          <p class="quiet" id="length">Its pieces are being laid on the cloth.</p>
+          <p class="quiet">${priceRule}.</p>
         </section>
+        <input type="hidden" name="cents" />
         <input type="hidden" name="cart" value="${cart?.id}" /><input
           type="hidden"
           name="line"
@@ -224,14 +217,16 @@ const swatch = (field, value, title, {raster}, isChosen) =>
 export function cartPage(cart) {
   const total = cart.lines.reduce((sum, {cents}) => sum + cents, 0);
   const lines = cart.lines.map((line) => {
-    const {lineId, garment, size, print, colourway, cents} = line;
+    const {lineId, garment, size, print, colourway, lengthCm, cents} = line;
     const at = `/cart/${cart.id}/${lineId}`;
     const what = `${garment.title}, ${size.toUpperCase()}`;
     return html`<li class="line">
       <img src="/prints/${colourway.raster}" alt="" width="96" height="96" />
       <div class="what">
         <h2><a href="${to(`/garment/${garment.name}`, cart, {line: lineId})}">${what}</a></h2>
-        <p class="quiet">${print.title}, ${colourway.name}</p>
+        <p class="quiet">
+          ${print.title}, ${colourway.name}, ${metresFor(lengthCm).toFixed(2)} m of cloth
+        </p>
       </div>
       <p class="cost">${money(cents)}</p>
       <div class="deeds">
@@ -250,7 +245,7 @@ export function cartPage(cart) {
   const filled = html`<ul class="lines">
       ${lines}
     </ul>
-    <p class="total"><span>Estimate</span> <strong>${money(total)}</strong></p>
+    <p class="total"><span>Total</span> <strong>${money(total)}</strong></p>
     <p class="quiet">${priceRule}. This address is your cart: keep it to come back.</p>`;
   const empty = html`<p>Nothing in it yet.</p>`;
   return layout(

@@ -12,8 +12,8 @@ import {FileError, order, SolverError, writeStoredDesign} from 'seamwise/node';
 
 import {Carts} from './carts.mjs';
 import {openCatalogue, sizes} from './catalogue.mjs';
-import {acceptDesign, estimate, plainDesign, Refused} from './designs.mjs';
-import {cartPage, messagePage, money, productPage, shelfPage} from './pages.mjs';
+import {acceptDesign, priced, Refused} from './designs.mjs';
+import {cartPage, messagePage, productPage, shelfPage} from './pages.mjs';
 
 const policy =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; " +
@@ -23,6 +23,7 @@ const types = {
   '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
+  '.mjs': 'text/javascript; charset=utf-8',
   '.json': 'application/json; charset=utf-8',
   '.png': 'image/png',
   '.svg': 'image/svg+xml',
@@ -55,17 +56,20 @@ class HttpError extends Error {
 
 const missing = () => new HttpError(404, 'There is no such page here.');
 
-/** What there is, each with a function from the request, and the parts of its path, to the answer. */
+/** What there is, each with a function from the request, and the parts of its path, to the answer or its promise. */
 const routes = [
   ['GET', /^\/$/, shelf],
   ['GET', /^\/garment\/([\w-]+)$/, product],
-  ['POST', /^\/estimate$/, price],
   ['POST', /^\/cart$/, addToCart],
   ['GET', /^\/cart\/([\w-]+)$/, cart],
   ['GET', /^\/cart\/([\w-]+)\/([\w-]+)\/design\.json$/, lineDesign],
   ['POST', /^\/cart\/([\w-]+)\/([\w-]+)\/order$/, orderFile],
   ['POST', /^\/cart\/([\w-]+)\/([\w-]+)\/remove$/, removeLine],
-  ['GET', /^\/(shop\.js|(?:shop|product|cart)\.css)$/, (_, name) => file(here(name), name)],
+  [
+    'GET',
+    /^\/(shop\.js|price\.mjs|(?:shop|product|cart)\.css)$/,
+    (_, name) => file(here(name), name),
+  ],
   ['GET', /^\/seamwise\/([\w.-]+)$/, (_, name) => file(join(standalone, name), name)],
   ['GET', /^(\/(?:garments|prints)\/[\w-]+\.\w+|\/icon\.svg)$/, (_, path) => sample(path)],
 ];
@@ -84,18 +88,15 @@ function sample(path) {
   return {status: 200, type: extname(path), body: found.bytes};
 }
 
-async function shelf({query}) {
-  const offers = catalogue.garments.map(async (garment) => {
-    const print = catalogue.prints.find(({name}) => name === garment.print);
-    const [from] = await Promise.all(sizes.map((size) => priceOf(garment, size, print)));
-    return {garment, print, from};
-  });
-  return page(shelfPage(await Promise.all(offers), cartFor(query.get('cart'))));
+function shelf({query}) {
+  const offers = catalogue.garments.map((garment) => ({
+    garment,
+    print: catalogue.prints.find(({name}) => name === garment.print),
+  }));
+  return page(shelfPage(offers, cartFor(query.get('cart'))));
 }
 
-const priceOf = (garment, size, print) => estimate(plainDesign(garment, size, print), catalogue);
-
-async function product({query}, name) {
+function product({query}, name) {
   const garment = catalogue.garments.find((one) => one.name === name);
   if (!garment) throw missing();
   const inCart = cartFor(query.get('cart'));
@@ -103,13 +104,8 @@ async function product({query}, name) {
   const line = lineId === null ? undefined : lineOf(inCart?.id, lineId);
   if (line && line.garment !== garment) throw missing();
   const chosen = line ?? choiceIn(query, garment);
-  const priced = line
-    ? {...line, design: JSON.parse(line.design)}
-    : plainDesign(garment, chosen.size, chosen.print);
-  const cost = await estimate(priced, catalogue);
-  return page(
-    productPage({catalogue, garment, chosen, cost, cart: inCart, lineId: line && lineId}),
-  );
+  const shown = {catalogue, garment, chosen, cents: line?.cents};
+  return page(productPage({...shown, cart: inCart, lineId: line && lineId}));
 }
 
 /** What the address asks for, as far as there is such a thing. */
@@ -124,24 +120,13 @@ function choiceIn(query, garment) {
   };
 }
 
-async function price({request, host}) {
-  const line = acceptDesign(await bodyOf(request), catalogue, host);
-  const cost = await estimate(line, catalogue);
-  return json(
-    JSON.stringify({
-      price: money(cost.cents),
-      pieces: cost.piecesM2.toFixed(2),
-      cloth: cost.clothM2.toFixed(2),
-    }),
-  );
-}
-
-async function addToCart({request, host}) {
+async function addToCart({request, host, signal}) {
   const form = new URLSearchParams(await bodyOf(request));
   const line = acceptDesign(form.get('design') ?? '', catalogue, host);
-  const {cents} = await estimate(line, catalogue);
+  const shown = form.get('cents') || undefined;
+  const cost = await priced(line, shown && Number(shown), catalogue, within(signal));
   const design = writeStoredDesign(line.design);
-  const id = carts.put(form.get('cart'), form.get('line'), {...line, design, cents});
+  const id = carts.put(form.get('cart'), form.get('line'), {...line, design, ...cost});
   return seeOther(`/cart/${id}`);
 }
 
@@ -166,14 +151,14 @@ function lineDesign(_, id, lineId) {
   return json(lineOf(id, lineId).design);
 }
 
+/** As long as the customer waits, and no longer than anybody should. */
+const within = (signal) => AbortSignal.any([signal, AbortSignal.timeout(patience)]);
+
 /** What the workshop cuts by: the design solved again here, from the shop's own files. */
 async function orderFile({signal}, id, lineId) {
   const {design, garment, size} = lineOf(id, lineId);
   const read = (url) => Promise.resolve(catalogue.files.get(url).bytes);
-  const {text} = await order(design, {
-    read,
-    signal: AbortSignal.any([signal, AbortSignal.timeout(patience)]),
-  });
+  const {text} = await order(design, {read, signal: within(signal)});
   const name = `${garment.name}-${size}-${JSON.parse(design).result.slice(0, 8)}.json`;
   return json(text, {'Content-Disposition': `attachment; filename="${name}"`});
 }
@@ -215,7 +200,7 @@ function refusal(error) {
   if (error instanceof FileError || error instanceof SolverError) {
     return page(messagePage('The workshop cannot make this', error.message), 422);
   }
-  console.error(error);
+  if (error.name !== 'AbortError') console.error(error); // else the customer has left
   return page(messagePage('Our fault', 'Something broke here; please try again.'), 500);
 }
 

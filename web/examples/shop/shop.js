@@ -1,5 +1,6 @@
 // The product page: what is chosen goes to the element, and what the element says to the page.
 // Everything works by the element's public attributes, events and methods.
+import {centsFor, metresFor, money} from './price.mjs';
 
 const form = document.querySelector('#product');
 if (form) sell(form);
@@ -45,26 +46,15 @@ function sell(form) {
     if (garment.state === 'error') say('The print is not on the pieces yet.');
   }
 
-  let asking = new AbortController();
-
-  /** The price is the server's; a later question makes an earlier answer worthless. */
-  async function askPrice() {
-    asking.abort();
-    asking = new AbortController();
-    const {signal} = asking;
-    const headers = {'Content-Type': 'application/json'};
-    try {
-      const response = await fetch('/estimate', {
-        ...{method: 'POST', headers, body: garment.value, signal},
-      });
-      if (!response.ok) throw new Error('This design has no price; please choose again.');
-      const {price, pieces, cloth} = await response.json();
-      find('price').textContent = price;
-      find('pieces').textContent = pieces;
-      find('cloth').textContent = cloth;
-    } catch (error) {
-      if (!signal.aborted) complain(error);
-    }
+  /** What the cloth costs; of the design before it was another. */
+  function tellPrice() {
+    const {clothLengthCm: lengthCm, clothWidth} = garment;
+    const isKnown = lengthCm !== null;
+    form.elements.cents.value = isKnown ? centsFor(lengthCm) : '';
+    find('price').textContent = isKnown ? money(centsFor(lengthCm)) : '…';
+    find('length').textContent = isKnown
+      ? `Cut from ${metresFor(lengthCm).toFixed(2)} m of cloth, ${clothWidth} cm wide.`
+      : 'Its pieces are being laid on the cloth.';
   }
 
   form.addEventListener('change', (event) => {
@@ -77,7 +67,7 @@ function sell(form) {
     problem.hidden = true;
   });
   garment.addEventListener('progress', ({detail: {phase, fraction}}) => {
-    find('length').textContent = '';
+    tellPrice();
     const quarter = Math.floor(4 * fraction) * 25;
     const what = phase === 'alignment' ? 'The print finds its place' : 'The seams are made to meet';
     say(`${what}, ${quarter} %`);
@@ -85,12 +75,8 @@ function sell(form) {
   garment.addEventListener('solve', ({detail: {metrics}}) => {
     const share = Math.round(100 * (1 - metrics.fit / metrics.fitRandom));
     say(`The print meets ${share} % better than if it lay as it fell.`);
-    void askPrice();
   });
-  garment.addEventListener('cloth', ({detail: {widthCm, lengthCm}}) => {
-    find('length').textContent =
-      `Cut from ${(lengthCm / 100).toFixed(2)} m of cloth, ${widthCm} cm wide.`;
-  });
+  garment.addEventListener('cloth', tellPrice);
   garment.addEventListener('error', ({detail}) => {
     complain(detail);
   });
@@ -115,13 +101,13 @@ function sell(form) {
     show({isFlat: isPlacing, isPlacing});
   });
 
-  // pressed early, the button waits for the print
+  // pressed early, the button waits for the print and for its price
   form.addEventListener('submit', async (event) => {
-    if (garment.value !== '') return;
+    if (garment.value !== '' && garment.clothLengthCm !== null) return;
     event.preventDefault();
     add.setAttribute('aria-disabled', 'true');
     try {
-      await garment.solve();
+      await garment.layPlan();
       form.requestSubmit(add);
     } catch (error) {
       complain(error);

@@ -29,7 +29,7 @@ const grammar = {
     ...['--print', '--symmetry', '--method', '--options', '--max-change', '--effort', '--seed'],
     ...['--out', '--design'],
   ],
-  switches: ['--json', '--no-times', '--no-remedies'],
+  switches: ['--json', '--no-times', '--no-remedies', '--others'],
 };
 
 /** `align`: solves a garment and prints its figures. */
@@ -44,7 +44,7 @@ export async function align(words: readonly string[]): Promise<void> {
   const optionsFile = args.value('--options');
   const decided = {
     maxChangeCm: lengthCm(args, '--max-change', optionLimits.maxChangeCm[1]),
-    effort: factor(args, '--effort', optionLimits.effort[1]),
+    effort: factor(args, '--effort', optionLimits.effort),
   };
   const outFile = args.value('--out');
   const designFile = args.value('--design');
@@ -69,7 +69,11 @@ export async function align(words: readonly string[]): Promise<void> {
     symmetry: symmetryFile,
     options: optionsFile ?? 'options',
   };
-  const {result, found} = await solved(given, names, !exact && !args.has('--no-remedies'));
+  const wants = {
+    remedies: !exact && !args.has('--no-remedies'),
+    others: args.has('--others'),
+  };
+  const {result, found} = await solved(given, names, wants);
   if (outFile !== undefined) {
     await writeWhole(outFile, exact ? resultText(result) : await openable(given, result, found));
   }
@@ -106,21 +110,30 @@ interface Solved {
 }
 
 /** Shows how far it is, and looks for remedies if they are wanted. */
-async function solved(given: Aligned, names: ProblemNames, wantsMore: boolean): Promise<Solved> {
+async function solved(
+  given: Aligned,
+  names: ProblemNames,
+  wants: {readonly remedies: boolean; readonly others: boolean},
+): Promise<Solved> {
   const progress = new ProgressLine();
   const problem = {
     ...given,
     garment: textOf(given.garment.bytes),
     print: textOf(given.print.bytes),
   };
+  // what is asked of this result alone is no part of its design
+  const others = wants.others ? {otherAlignments: true} : {};
   try {
-    const result = await solve(problem, {
-      onProgress: (step) => {
-        progress.show(step);
+    const result = await solve(
+      {...problem, options: withDecided(given.options, others)},
+      {
+        onProgress: (step) => {
+          progress.show(step);
+        },
+        names,
       },
-      names,
-    });
-    if (!wantsMore) return {result};
+    );
+    if (!wants.remedies) return {result};
     progress.write('Looking for remedies');
     return {result, found: await remedies(problem, result, {names})};
   } finally {

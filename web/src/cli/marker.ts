@@ -27,14 +27,14 @@ import {checkDistinct, checkWritable, writeWhole} from './base/files.js';
 import {
   layCounts,
   layLengths,
-  layLimit,
+  layRange,
   laySettings,
   shifts,
   type LayWish,
 } from './base/lay-wish.js';
 import {readRaster, readTile} from './base/print-files.js';
 import {print, remark, StatusLine} from './base/terminal.js';
-import {garmentOf, optionsIn, parsed, readClothOf, readResult} from './result-file.js';
+import {garmentOf, optionsIn, parsed, problemIn, readClothOf, readResult} from './result-file.js';
 
 type Content = string | Uint8Array;
 
@@ -149,18 +149,20 @@ async function readLaid(file: string, {printFile, garmentFile, isOnly}: LaidFile
       `${file} does not hold its design, so all its edges get the same allowance; name the garment with --garment FILE.`,
     );
   }
+  const problem = result.otherAlignments && problemIn(result, file, cloth);
   const garment: MarkerGarment = {
     result,
     ...(!isOnly && {name: file}),
     ...(held && {garment: held.garment}),
     ...{options: optionsIn(result, file), names: chosenNames(result.design)},
+    ...(problem && {problem}),
   };
   return {cloth, garment};
 }
 
 /** @throws {UsageError} */
 function wishOf(args: Arguments): LayWish {
-  const width = lengthCm(args, '--width', layLimit('width'));
+  const width = lengthCm(args, '--width', layRange('width')[1]);
   if (width === undefined) throw new UsageError('--width CM, how wide the cloth is, is missing.');
   const given = <K extends string>(names: readonly K[], read: (name: K) => number | undefined) =>
     Object.fromEntries(
@@ -172,12 +174,12 @@ function wishOf(args: Arguments): LayWish {
   const place = args.value('--phase');
   const nap = choice(args, '--nap', naps);
   const shift = choice(args, '--shift', shifts);
-  const effort = args.value('--effort') === '0' ? 0 : factor(args, '--effort', layLimit('effort'));
+  const effort = factor(args, '--effort', layRange('effort'));
   return {
     width,
-    ...given(layLengths, (name) => lengthCm(args, `--${name}`, layLimit(name))),
-    ...given(layCounts, (name) => wholeNumber(args, `--${name}`)),
-    ...(place !== 'any' && given(['phase'], () => lengthCm(args, '--phase', layLimit('phase')))),
+    ...given(layLengths, (name) => lengthCm(args, `--${name}`, layRange(name)[1])),
+    ...given(layCounts, (name) => wholeNumber(args, `--${name}`, layRange(name))),
+    ...(place !== 'any' && given(['phase'], () => lengthCm(args, '--phase', layRange('phase')[1]))),
     ...(nap && {nap}),
     ...(shift && {shift}),
     ...(effort !== undefined && {effort}),
@@ -205,6 +207,7 @@ const stages: Readonly<Record<MarkerProgress['stage'], string>> = {
   prove: 'Looking for a proof',
   free: 'Laying without the print',
   widths: 'Laying on other widths',
+  shifts: 'Moving the print under pieces',
   done: 'Laid',
 };
 
@@ -245,15 +248,19 @@ function report(args: Arguments, plan: LayPlan, milliseconds: number): void {
 }
 
 function cheaperWords({lengthCm: length}: LayPlan, offer: CheaperLay): string {
-  const {kind, lengthCm, phaseCm = 0, pieces = []} = offer;
+  const {kind, lengthCm, phaseCm = 0, pieces = [], design} = offer;
   const names = [...new Set(pieces)].join(', ');
+  const [mean, instead] = [design?.meanCm ?? 0, design?.insteadOfCm ?? 0].map(millimetres);
   const how = {
-    phase: `the print starts ${cm(phaseCm)} from the left edge`,
-    shift: `the print may move under ${names}, which no seam matches`,
-    unmatched: `the print need not match on ${names}`,
+    phase: `if the print starts ${cm(phaseCm)} from the left edge`,
+    shift: `if the print may move under ${names}, where it fits as well`,
+    unmatched: `if the print need not match on ${names}`,
+    design: `with another placing that fits as well: ${mean} instead of ${instead} mm on average; the plan has its pins`,
   };
-  return `${cm(length - lengthCm)} less if ${how[kind]}.`;
+  return `${cm(length - lengthCm)} less ${how[kind]}.`;
 }
+
+const millimetres = (length: number): string => (10 * length).toFixed(1);
 
 const cm = (length: number): string => `${length.toFixed(1)} cm`;
 

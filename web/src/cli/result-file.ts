@@ -1,5 +1,6 @@
 /** A result file as a picture is drawn of it. It may have been written, or changed, by anybody. */
-import {decisionFields, readAlignment} from '../model/design-reader.js';
+import {problemFor} from '../model/design-problem.js';
+import {decisionFields, decisions, readAlignment} from '../model/design-reader.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import {distance, norm, type Point} from '../model/geometry.js';
 import type {SolveOptions} from '../model/options.js';
@@ -19,6 +20,7 @@ import {
   wholeNumber,
   type Read,
 } from '../model/read.js';
+import type {Problem} from '../model/problem.js';
 import type {SolveResult} from '../model/result.js';
 import {readBytes, readText, resultLimit, textOf} from '../node/files.js';
 import {readGarment} from '../node/index.js';
@@ -39,6 +41,10 @@ const below =
   (count: number): Read<number> =>
   (value, at) =>
     wholeNumber(value, at) < count ? Number(value) : fail(at, `a number below ${count}`);
+
+const otherAlignment = shape({
+  ...{pieces: listOf(readAlignment), placedCm: finite, expectedCm: finite},
+});
 
 function piece(value: unknown, at: string): void {
   const {rest, shape: after} = shape({rest: listOf(point), shape: listOf(point)})(value, at);
@@ -88,7 +94,7 @@ function asResult(value: unknown, path: string): ResultFile {
         print: shape({group: oneOf(groupNames), w1: point, w2: point}),
         metrics: shape({maxMovedCm: finite}),
       },
-      {drafted: listOf(readAlignment)},
+      {drafted: listOf(readAlignment), otherAlignments: listOf(otherAlignment)},
     )(value, '');
     if (pieces.length === 0) throw complain('');
     checkSeams(fieldOf(value, 'seams'), pieces.length);
@@ -105,6 +111,22 @@ export function optionsIn({design}: ResultFile, path: string): SolveOptions {
   const options = fieldOf(design, 'options');
   try {
     return options === undefined ? {} : decisionFields.options(options, 'design.options');
+  } catch (error) {
+    if (error instanceof Malformed) throw damaged(path, `: ${error.message}`);
+    throw error;
+  }
+}
+
+/** What it answers, on its print; undefined where it does not hold its design. @throws {UsageError} naming the file */
+export function problemIn(
+  {design}: ResultFile,
+  path: string,
+  {group, w1, w2, oneWay = false}: Print,
+): Problem | undefined {
+  const garment = fieldOf(fieldOf(design, 'garment'), 'text');
+  if (typeof garment !== 'string') return undefined;
+  try {
+    return problemFor(decisions(design, 'design'), garment, {group, w1, w2, oneWay});
   } catch (error) {
     if (error instanceof Malformed) throw damaged(path, `: ${error.message}`);
     throw error;

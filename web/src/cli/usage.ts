@@ -14,6 +14,7 @@ seamwise align GARMENT.json --print PRINT.json [flags]
     --no-times                  writes what equal runs give equal bytes of: times are 0, and
                                 design and notes, which name files, are left out
     --no-remedies               does not look for what would make seams meet that stay off
+    --others                    tells of other placings that fit about as well, for marker
     --design DESIGN.json        writes what was solved as a design that can be ordered
 
 seamwise order DESIGN.json [flags]
@@ -113,7 +114,7 @@ seamwise marker RESULT.json [RESULT.json ...] --print PRINT.json --width CM [fla
     --phase CM|any              from the left edge to an origin of the print; any, the default, tries several
     --start CM                  from the cut to an origin of the print; default: the cloth is cut anywhere
     --nap one-way|garment|none  heads up; or all of a garment the same way; default none, or one-way as the print is
-    --shift kept|component      component: the print may move under pieces that no seam matches, where it fits as well
+    --shift kept|component      component: the print may move under all pieces that seams join, where it fits as well
     --plies N                   layers cut at once: lengths are whole repeats, so that all start alike
     --flaws FILE.json           polygons on the cloth, [[[x, y], ...], ...], where no piece may lie
     --fold                      lengthwise, cut through both plies: for pieces with mirror images, on prints that mirror

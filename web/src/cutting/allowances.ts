@@ -25,6 +25,13 @@ export interface AllowanceRule {
   readonly hemCm?: number;
 }
 
+/** How many edges have a width of their own. */
+export type OwnShare = 'none' | 'some' | 'all';
+
+/** @param held whether each edge has one */
+export const ownShare = (held: readonly boolean[]): OwnShare =>
+  !held.includes(true) ? 'none' : held.includes(false) ? 'some' : 'all';
+
 /** A drawn cut line that is further off belongs to something else. */
 const greatestWidth = 12;
 /** Ends of seams within these angles are cut across. */

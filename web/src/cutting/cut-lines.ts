@@ -1,4 +1,5 @@
 /** Where the pieces of a garment are sewn and cut, as far as its file and a rule say it. Lengths in cm. */
+import {drained} from '../model/drained.js';
 import type {PanelMarks} from '../model/garment-marks.js';
 import type {Point} from '../model/geometry.js';
 import {readable} from '../model/piece-names.js';
@@ -17,18 +18,29 @@ interface CutLines {
   readonly cut: readonly (readonly (readonly Point[])[])[];
 }
 
-/** @param panels what the garment's file says of its pieces, by name */
-export function cutLinesOf(
+/**
+ * Takes some ten milliseconds a step.
+ * @param panels what the garment's file says of its pieces, by name
+ */
+export function* cutLineSteps(
   result: Pick<SolveResult, 'pieces' | 'seams'>,
   panels: ReadonlyMap<string, PanelMarks>,
   rule: AllowanceRule,
-): CutLines {
+): Generator<undefined, CutLines> {
   const marks = result.pieces.map(({name}) => panels.get(name) ?? {label: readable(name)});
   const garment = garmentEdges(result, (name) => panels.get(name)?.drafted);
+  yield;
   const allowances = allowancesOf(garment, result.pieces, marks, rule);
+  yield;
   const loops = result.pieces.map((_, k) => allowedLoops(garment, k));
-  return {
-    ...{marks, garment, allowances, loops},
-    cut: loops.map((all) => cutLine(all, allowances)),
-  };
+  const cut: (readonly (readonly Point[])[])[] = [];
+  for (const all of loops) {
+    yield;
+    cut.push(cutLine(all, allowances));
+  }
+  return {marks, garment, allowances, loops, cut};
 }
+
+/** The same at once. */
+export const cutLinesOf = (...asked: Parameters<typeof cutLineSteps>): CutLines =>
+  drained(cutLineSteps(...asked));

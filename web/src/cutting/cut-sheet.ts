@@ -3,6 +3,7 @@
  * on the sheet, y up, from its lower left corner, but for widths of lines and sizes of letters, which are in mm.
  */
 import type {Alignment, Point} from '../model/geometry.js';
+import type {OwnShare} from './allowances.js';
 
 export type CutLayer = 'print' | 'cut' | 'sew' | 'marks' | 'matches' | 'words';
 
@@ -100,7 +101,7 @@ export interface CutSheet {
   readonly title?: string;
   readonly size?: string;
   /** How many edges have an allowance that the garment says, and not whoever cuts it. */
-  readonly ownAllowances: 'none' | 'some' | 'all';
+  readonly ownAllowances: OwnShare;
   /** What a maker has to know, a sentence each. */
   readonly facts: readonly string[];
 }

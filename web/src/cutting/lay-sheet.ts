@@ -8,6 +8,7 @@ import type {SheetPlace} from '../model/sheet-place.js';
 import {layOut, type Layout} from '../layout/layout.js';
 import {placementsIn, type Placements} from '../layout/on-body.js';
 import {seamLetters} from '../scene/seam-letters.js';
+import {ownShare} from './allowances.js';
 import {cutPiece, type CutPiece} from './cut-piece.js';
 import {cutLinesOf} from './cut-lines.js';
 import type {CutSheet, LaidPiece} from './cut-sheet.js';
@@ -154,9 +155,6 @@ function cutPieces(
   return cuts.map((cut, k) => ({...cut, ticks: ticks[k] ?? []}));
 }
 
-const shareOf = (held: readonly boolean[]): CutSheet['ownAllowances'] =>
-  !held.includes(true) ? 'none' : held.includes(false) ? 'some' : 'all';
-
 /**
  * Sheets of the pieces of a result, with all that a maker wants to find on them, by the width to height that a sheet comes
  * near to.
@@ -180,7 +178,7 @@ export function sheetsOf(
     const {places, width, height} = laidOut(result, cuts, placementsIn(panels), aspect);
     return {
       ...{widthCm: width, heightCm: height, heading, facts},
-      ownAllowances: shareOf(cuts.flatMap(({allowances}) => allowances.map(({isOwn}) => isOwn))),
+      ownAllowances: ownShare(cuts.flatMap(({allowances}) => allowances.map(({isOwn}) => isOwn))),
       ...(title !== undefined && {title}),
       ...(size !== undefined && {size}),
       pieces: cuts.map((piece, k) => {

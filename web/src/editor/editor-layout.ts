@@ -1,5 +1,7 @@
 import {css} from 'lit';
 
+import {framed} from './style/tool-group.js';
+
 /**
  * By the width of the editor itself, wherever it stands. `--sw-editor-height` is how high it is. The pattern is
  * always in sight: what scrolls stands beside it, or where that is too narrow, below it.
@@ -81,10 +83,7 @@ export const editorLayout = css`
   .views {
     display: flex;
     gap: 1px;
-    padding: 2px;
-    border: 1px solid var(--sw-line);
-    border-radius: calc(var(--sw-radius) + 2px);
-    background: var(--sw-paper);
+    ${framed}
   }
   .views button {
     min-height: calc(var(--sw-target) - 6px); /* as high as what is beside it */

@@ -40,6 +40,7 @@ export {placeUnder} from './style/place-under.js';
 export {tokens} from './style/tokens.js';
 export {lengthUnit, type NumberField} from './controls/number-field.js';
 export * from '../texts/preferences.js';
+export * from '../workbench/allowances.js';
 export * from '../workbench/samples.js';
 export * from '../workbench/workbench.js';
 export {toFailure} from '../workbench/latest-solve.js';

@@ -73,7 +73,7 @@ export class SeamwiseGarment extends AttributeElement {
   #isDrawn = false;
   /** Gives back what others may need, unless it is put into the document again soon. */
   readonly #rest = new Rest(
-    () => !this.isConnected && !this.#session.isAwaited && !this.#cloth.isAwaited(),
+    () => !this.isConnected && !this.#session.isAwaited && !this.#cloth.layer?.isAwaited,
     () => {
       this.#cloth.layer?.pause();
       this.#offers.stop();
@@ -115,16 +115,21 @@ export class SeamwiseGarment extends AttributeElement {
       this.#session,
     );
     this.#answering = new Answering(this.#session, this.#beginning, this.#speech);
-    this.#cloth = new Cloth({
-      ...{element: this, session: this.#session, texts: () => this.#texts, emit},
-    });
+    const lost = (error: unknown): SolverError =>
+      new SolverError({
+        code: 'network',
+        message: this.#texts.garment.noTools(asError(error).message),
+      });
+    this.#cloth = new Cloth(
+      {element: this, session: this.#session, texts: () => this.#texts, emit},
+      lost,
+    );
     this.#modes = new Modes(
       () => {
         this.#present();
       },
       (error) => {
-        const message = this.#texts.garment.noTools(asError(error).message);
-        this.#session.report(new SolverError({code: 'network', message}));
+        this.#session.report(lost(error));
       },
     );
     this.addEventListener('invalid', () => {
@@ -207,7 +212,13 @@ export class SeamwiseGarment extends AttributeElement {
    */
   async layPlan({signal}: {readonly signal?: AbortSignal} = {}): Promise<LayPlan> {
     signal?.throwIfAborted();
-    return this.#needed(() => this.#cloth.plan(() => this.solve(signal && {signal}), signal));
+    return this.#needed(async () => {
+      if (this.clothWidth === null) {
+        throw new SolverError({code: 'options', message: this.#texts.garment.noCloth});
+      }
+      const layer = await this.#cloth.load();
+      return layer.plan(() => this.solve(signal && {signal}), signal);
+    });
   }
 
   /** Ends what is under way; what is shown stays. */

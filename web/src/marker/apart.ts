@@ -24,8 +24,13 @@ const band = (ring: Pick<Ring, 'low'>, y: number): number =>
 /** Of two points of a grid with as much room, the one nearer to the middle is taken: a share of how far it is. */
 const pull = 0.05;
 
+/** How far a point is inside is told by so many points of the line, at the most: it is no matter of millimetres. */
+const mostTold = 64;
+
 /** The point of a grid that is furthest from the line, inside of it. */
-function innerOf(points: readonly Point[], {low, high}: Box): Point {
+function innerOf(all: readonly Point[], {low, high}: Box): Point {
+  const every = Math.ceil(all.length / mostTold);
+  const points = all.filter((_, k) => k % every === 0);
   const middle = between(low, high, 0.5);
   let [best, room]: [Point, number] = [points[0] ?? low, -Infinity];
   for (let i = 1; i < tries; i++) {
@@ -36,7 +41,7 @@ function innerOf(points: readonly Point[], {low, high}: Box): Point {
       ];
       if (!isInside(points, at)) continue;
       const apart = distanceTo(points, at) - pull * distance(at, middle);
-      if (apart > room) [best, room] = [at, apart];
+      if (apart > room && isInside(all, at)) [best, room] = [at, apart];
     }
   }
   return best;
@@ -50,7 +55,13 @@ export function ringOf(points: readonly Point[]): Ring {
     const last = band(box, Math.max(from[1], to[1]));
     for (let b = band(box, Math.min(from[1], to[1])); b <= last; b++) bands[b]?.push(k);
   });
-  return {...box, points, inner: innerOf(points, box), bands};
+  let inner: Point | undefined;
+  return {
+    ...{...box, points, bands},
+    get inner() {
+      return (inner ??= innerOf(points, box)); // sought only where somebody asks
+    },
+  };
 }
 
 /** Of a point from an edge, squared. */

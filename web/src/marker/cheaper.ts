@@ -1,12 +1,14 @@
-/** What would take less cloth and costs no seam its print: offered, never done unasked. Lengths in cm. */
+/** What would take less cloth: offered, never done unasked. Lengths in cm. */
 import {combined, onPiece, onPrint, type Point} from '../model/geometry.js';
 import type {CheaperLay, LayPlan} from '../model/lay-plan.js';
-import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
+import type {MarkerAnswer, MarkerHooks} from '../model/marker.js';
 import {signedArea} from '../model/polyline.js';
 import {printDistance, type Repeat} from '../model/wallpaper.js';
+import {cheaperDesign, type SolveDesign} from './designs.js';
 import type {MarkerGarment} from './pieces.js';
 import {markerOrder, type LaidPrint, type MarkerOrder} from './problem.js';
 import type {MarkerSettings} from './settings.js';
+import {hasShiftsToTry, layShifted, unlessFailed, type Lay} from './shifted.js';
 
 /** Each is looked at for so long, as a share of the time for the plan. */
 const effortShare = 0.25;
@@ -20,7 +22,12 @@ const steps = 3;
 /** A piece lies on its print that misses it by less. */
 const onIt = 1e-3;
 
-type Lay = (problem: MarkerProblem, hooks: MarkerHooks) => Promise<MarkerAnswer>;
+/** What the questions are answered with. */
+export interface CheaperMeans {
+  readonly lay: Lay;
+  /** Without it no other design is looked at. */
+  readonly solve?: SolveDesign;
+}
 
 interface Laid {
   readonly garments: readonly MarkerGarment[];
@@ -34,6 +41,12 @@ const anyShifts = ({w1, w2}: Repeat): readonly Point[] =>
   Array.from({length: steps * steps - 1}, (_, k) =>
     combined([w1, w2], ((k + 1) % steps) / steps, Math.floor((k + 1) / steps) / steps),
   );
+
+/** Wherever the print starts at the left edge. */
+const withoutPhase = (settings: MarkerSettings): MarkerSettings => ({
+  widthCm: settings.widthCm,
+  ...Object.fromEntries(Object.entries(settings).filter(([name]) => name !== 'phaseCm')),
+});
 
 /** Names of the pieces that do not lie on the print as the seams ask for. */
 function moved({problem, pieces}: MarkerOrder, {places, printOrigin}: MarkerAnswer): string[] {
@@ -67,56 +80,72 @@ function withSmallUnmatched(order: MarkerOrder): MarkerOrder | undefined {
 /** The shortest first. @param lay seeks the layout of a problem */
 export async function cheaperLays(
   {garments, settings, print, plan}: Laid,
-  lay: Lay,
+  {lay, solve}: CheaperMeans,
   hooks: Pick<MarkerHooks, 'signal'> = {},
 ): Promise<readonly CheaperLay[]> {
   const {printOrigin, lengthCm: length} = plan;
   const {effort = 1, phaseCm, shift = 'kept', ignoresPrint = false, fold = false} = settings;
   if (!printOrigin || ignoresPrint || fold || effort === 0 || plan.unplaced.length > 0) return [];
-  const anywhere = Object.fromEntries(
-    Object.entries(settings).filter(([name]) => name !== 'phaseCm'),
-  ) as unknown as MarkerSettings;
-  const quick = {effort: effort * effortShare, widthsCm: []};
-  const orderFor = (changed: MarkerSettings): MarkerOrder => {
-    const order = markerOrder(garments, {...changed, ...quick}, print);
+  const quick = (share: number) => ({effort: effort * share, widthsCm: []});
+  const orderOf = (
+    laid: readonly MarkerGarment[],
+    changed: MarkerSettings,
+    share = effortShare,
+  ): MarkerOrder => {
+    const order = markerOrder(laid, {...changed, ...quick(share)}, print);
     return {...order, problem: {...order.problem, alsoFree: false}};
   };
   const here = {...settings, phaseCm: printOrigin[0]};
-  const tried: (() => Promise<CheaperLay | undefined>)[] = [];
-  const tries = (
-    order: MarkerOrder | undefined,
-    told: (answer: MarkerAnswer) => CheaperLay,
-  ): void => {
-    if (!order) return;
-    tried.push(async () => {
-      // on such cloth, it may be that some piece finds no place
-      const answer = await lay(order.problem, hooks).catch((error: unknown) => {
-        hooks.signal?.throwIfAborted();
-        if (error instanceof Error) return undefined;
-        throw error;
-      });
-      return answer && answer.lengthCm < length - leastSaving ? told(answer) : undefined;
-    });
-  };
+  const {signal} = hooks;
+  const isWorthIt = (answer: MarkerAnswer | undefined): answer is MarkerAnswer =>
+    answer !== undefined && answer.lengthCm < length - leastSaving;
+  const laid = (order: MarkerOrder) => unlessFailed(lay(order.problem, hooks), signal);
+
+  const offers: CheaperLay[] = [];
   if (phaseCm !== undefined) {
-    tries(orderFor(anywhere), ({lengthCm, printOrigin: [x]}) => ({
-      ...{kind: 'phase', lengthCm, phaseCm: x},
-    }));
+    const answer = await laid(orderOf(garments, withoutPhase(settings)));
+    if (isWorthIt(answer)) {
+      const {lengthCm, printOrigin: origin} = answer;
+      offers.push({kind: 'phase', lengthCm, phaseCm: origin[0]});
+    }
   }
   if (shift === 'kept') {
-    const order = orderFor({...here, shift: 'component'});
-    const isLoose = order.problem.pieces.some(({shifts}) => shifts.length > 0);
-    tries(isLoose ? order : undefined, (answer) => ({
-      ...{kind: 'shift', lengthCm: answer.lengthCm, pieces: moved(order, answer)},
-    }));
+    const order = orderOf(garments, {...settings, shift: 'component'});
+    const answer = await shiftedAnswer(order, here.phaseCm, {lay}, hooks);
+    if (isWorthIt(answer)) {
+      const {lengthCm} = answer;
+      offers.push({kind: 'shift', lengthCm, pieces: moved(order, answer)});
+    }
   }
-  const unmatched = withSmallUnmatched(orderFor(here));
-  tries(unmatched, (answer) => ({
-    kind: 'unmatched',
-    lengthCm: answer.lengthCm,
-    pieces: unmatched ? moved(unmatched, answer) : [],
-  }));
-  const offers: CheaperLay[] = [];
-  for (const offer of tried) offers.push(...[await offer()].filter((one) => one !== undefined));
+  const unmatched = withSmallUnmatched(orderOf(garments, here));
+  const answer = unmatched && (await laid(unmatched));
+  if (unmatched && isWorthIt(answer)) {
+    const {lengthCm} = answer;
+    offers.push({kind: 'unmatched', lengthCm, pieces: moved(unmatched, answer)});
+  }
+  const design =
+    solve &&
+    (await cheaperDesign(
+      {
+        ...{garments, lengthCm: length, leastSaving, share: effortShare, lay, solve},
+        orderOf: (changed, share) => orderOf(changed, settings, share),
+      },
+      hooks,
+    ));
+  if (design) offers.push(design);
   return offers.sort((one, other) => one.lengthCm - other.lengthCm);
+}
+
+/** With the print moved under loose pieces and under joined ones; undefined where there are none, or no place. */
+async function shiftedAnswer(
+  order: MarkerOrder,
+  phaseCm: number,
+  {lay}: Pick<CheaperMeans, 'lay'>,
+  hooks: Pick<MarkerHooks, 'signal'>,
+): Promise<MarkerAnswer | undefined> {
+  const isLoose = order.problem.pieces.some(({shifts}) => shifts.length > 0);
+  if (!isLoose && !hasShiftsToTry(order)) return undefined;
+  const problem = {...order.problem, phasesCm: [phaseCm]};
+  const first = await unlessFailed(lay(problem, hooks), hooks.signal);
+  return first && (await layShifted(order, first, lay, hooks)).answer;
 }

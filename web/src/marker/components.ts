@@ -27,11 +27,23 @@ function components({
   return [...groups.values()];
 }
 
-/** Pieces that nothing holds to the print where they are: those alone, but for one where all are alone. */
-export function loosePieces(joined: Joined, printed: readonly number[]): ReadonlySet<number> {
-  const groups = components(joined)
+/** What of the print on a garment's pieces may move, and with what. Pieces are meant by their numbers. */
+interface Movable {
+  /** Each by itself: nothing holds it to the print where it is. */
+  readonly loose: ReadonlySet<number>;
+  /** Only together; the one of most pieces first. */
+  readonly joined: readonly (readonly number[])[];
+}
+
+/** Pieces alone are loose, but for one where all are alone. */
+export function movablePieces(garment: Joined, printed: readonly number[]): Movable {
+  const groups = components(garment)
     .map((group) => group.filter((k) => printed.includes(k)))
     .filter((group) => group.length > 0)
     .sort((one, other) => other.length - one.length);
-  return new Set(groups.slice(1).flatMap((group) => (group.length === 1 ? group : [])));
+  const isLoose = (group: readonly number[], n: number): boolean => n > 0 && group.length === 1;
+  return {
+    loose: new Set(groups.filter(isLoose).flat()),
+    joined: groups.filter((group, n) => !isLoose(group, n)),
+  };
 }

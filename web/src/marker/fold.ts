@@ -10,11 +10,13 @@ import {
   type MirrorMap,
   type Point,
 } from '../model/geometry.js';
+import {layNote} from '../model/lay-note.js';
 import type {LaidPlacement, LayPlan} from '../model/lay-plan.js';
 import {mirrorLines} from '../model/mirror-lines.js';
 import {signedArea} from '../model/polyline.js';
 import type {SolveResult} from '../model/result.js';
 import type {Repeat} from '../model/wallpaper.js';
+import {leastExtents} from './extents.js';
 import {cutPairs, type CutPair} from './pairs.js';
 import type {MarkerOrder} from './problem.js';
 import {acrossRepeat} from './repeats.js';
@@ -80,6 +82,23 @@ function mirroredPlace({angle, translation}: Alignment, map: MirrorMap): Alignme
   };
 }
 
+/** @throws {SolverError} naming a piece that is wider than a ply, and how wide the cloth has to be */
+function checkWidths({problem}: MarkerOrder, spreadOf: (width: number) => number): void {
+  const {widthCm, selvedgeCm} = problem;
+  for (const piece of problem.pieces) {
+    const least = leastExtents(piece, problem)[0];
+    const room = widthCm - 2 * selvedgeCm;
+    if (least <= room + 1e-5) continue;
+    const [wide, between, whole] = [least, room, spreadOf(least + 2 * selvedgeCm)];
+    throw wrong(
+      `${piece.name} is ${upwards(wide)} cm wide, more than the ${Math.max(0, between).toFixed(1)} cm between selvedge and fold; folded cloth has to be at least ${upwards(whole)} cm wide.`,
+    );
+  }
+}
+
+/** To the next millimetre. */
+const upwards = (cm: number): string => (Math.ceil(10 * cm - 1e-4) / 10).toFixed(1);
+
 /**
  * An order for folded cloth: half of its pieces, on half of the cloth.
  * @param phaseCm of the print's origin from the left edge of the cloth spread; undefined where that is open
@@ -102,7 +121,8 @@ export function foldedOrder(
   const across = ([x, y]: Point): Point => [2 * foldCm - x, y];
   const half: MarkerOrder = {
     ...order,
-    pieces: pairs.flatMap(({first}) => pieces[first] ?? []),
+    // the lower ply mirrors the print where it is
+    ...{components: [], pieces: pairs.flatMap(({first}) => pieces[first] ?? [])},
     problem: {
       ...problem,
       pieces: pairs.flatMap(({first}) => {
@@ -117,11 +137,9 @@ export function foldedOrder(
       ),
       widthsCm: phaseCm === undefined ? problem.widthsCm.map((width) => halfOf(width / 2)) : [],
     },
-    notes: [
-      ...order.notes,
-      `The cloth is folded ${foldCm.toFixed(1)} cm from its left edge, face to face, and both plies are cut at once.`,
-    ],
+    notes: [...order.notes, layNote('folded', {lengthsCm: [foldCm]})],
   };
+  checkWidths(half, spreadOf);
   return {
     order: half,
     spread: (plan) => {

@@ -33,11 +33,17 @@ function passThrough({from: a, to: b}: Step, {from: c, to: d}: Step): boolean {
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-/** Where a closed line crosses itself: the start of the first step that does. */
+/** Where a closed line crosses itself: the start of a step that does. */
 export function selfCrossing(ring: readonly Point[]): Point | undefined {
   const steps = ring.map((from, k) => stepOf(from, ring[(k + 1) % ring.length] ?? from));
-  // most pairs are far apart, and there are many
-  const crosses = (step: Step, k: number): boolean =>
-    steps.some((other, n) => n > k + 1 && !isApart(step, other) && passThrough(step, other));
-  return steps.find(crosses)?.from;
+  // from left to right, so that each meets only those that begin before it ends
+  const sorted = [...steps].sort((one, other) => one.low[0] - other.low[0]);
+  for (const [k, step] of sorted.entries()) {
+    for (let n = k + 1; n < sorted.length; n++) {
+      const other = sorted[n];
+      if (!other || other.low[0] > step.high[0]) break;
+      if (!isApart(step, other) && passThrough(step, other)) return step.from;
+    }
+  }
+  return undefined;
 }

@@ -1,6 +1,6 @@
 /** Pieces that are cut at once from both plies of folded cloth: each with its mirror image. Lengths in cm, angles in radians. */
 import {SolverError} from '../model/failure.js';
-import type {MirrorMap, Point} from '../model/geometry.js';
+import {rotated, type MirrorMap, type Point} from '../model/geometry.js';
 import {inverse, mirrors} from '../model/mirror-images.js';
 import type {LaidTurns, MarkerPiece} from '../model/marker.js';
 import {distanceTo} from '../model/polyline.js';
@@ -56,6 +56,13 @@ function keepsGrain(one: MarkerPiece, other: MarkerPiece, map: MirrorMap): boole
   return step === 0 || Math.abs(turn - step * Math.round(turn / step)) < sameTurn;
 }
 
+/** Whether both pieces have their heads the same way, wherever the first one lies. */
+function keepsUpside(one: MarkerPiece, other: MarkerPiece, map: MirrorMap): boolean {
+  const angle = -one.alignment.angle;
+  const rise = rotated(one.up, angle)[1] * rotated(other.up, -angle - map.angle)[1];
+  return rise >= 0;
+}
+
 /** @throws {SolverError} where one is not the mirror image of the other, as it is cut or in its print */
 function checkMirrored({problem}: MarkerOrder, {first, second, map}: CutPair): void {
   const [one, other] = [problem.pieces[first], problem.pieces[second]];
@@ -67,10 +74,15 @@ function checkMirrored({problem}: MarkerOrder, {first, second, map}: CutPair): v
       `${named} are not cut as mirror images, so the plies of folded cloth cannot be cut at once; lay them on single cloth.`,
     );
   }
-  const {print, ignoresPrint} = problem;
+  const {print, ignoresPrint, nap} = problem;
   if (!ignoresPrint && !mirrors(print, map, one.alignment, other.alignment)) {
     throw wrong(
       `${named} do not show each other's mirror image of the print, as the plies of folded cloth do; lay them on single cloth.`,
+    );
+  }
+  if (nap !== 'none' && !keepsUpside(one, other, map)) {
+    throw wrong(
+      `On the lower ply of folded cloth, the mirror image of '${one.name}' would lie upside down, against the nap; lay it on single cloth.`,
     );
   }
   if (!keepsGrain(one, other, map)) {

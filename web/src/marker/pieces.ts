@@ -1,30 +1,15 @@
 /** The pieces of solved garments as they are laid on cloth. Lengths in cm, angles in radians. */
 import type {AllowanceRule} from '../cutting/allowances.js';
-import {cutLinesOf} from '../cutting/cut-lines.js';
-import {decidedOf} from '../model/design.js';
-import {SolverError} from '../model/failure.js';
-import type {GarmentDocument, GarmentPiece} from '../model/garment-document.js';
-import {panelMarks, type PanelMarks} from '../model/garment-marks.js';
+import type {GarmentPiece} from '../model/garment-document.js';
+import type {PanelMarks} from '../model/garment-marks.js';
 import {dot, radians, towards, type Point} from '../model/geometry.js';
 import type {LaidTurns, MarkerPiece, Nap} from '../model/marker.js';
 import type {GrainLock, SolveOptions} from '../model/options.js';
-import type {PieceNames} from '../model/piece-names.js';
-import type {ResultPiece, SolveResult} from '../model/result.js';
-import {loosePieces} from './components.js';
-import {outerRing, selfCrossing} from './outline.js';
+import type {ResultPiece} from '../model/result.js';
+import {movablePieces} from './components.js';
+import {calledIn, cutRings, type MarkerGarment} from './cut-rings.js';
 
-/** A solved garment, and what is known of it besides. */
-export interface MarkerGarment {
-  readonly result: SolveResult;
-  /** What messages call it: the name of its file. */
-  readonly name?: string;
-  /** What the garment's file says of its pieces: allowances, grain, how many of each are cut. */
-  readonly garment?: GarmentDocument;
-  /** What it was solved with: grain rules, and pieces of plain cloth. */
-  readonly options?: Pick<SolveOptions, 'grain' | 'plain'>;
-  /** What pieces are called, where that was chosen. */
-  readonly names?: PieceNames;
-}
+export type {MarkerGarment} from './cut-rings.js';
 
 /** Which piece of which garment lies where a problem has one. */
 export interface PieceOfMarker {
@@ -42,6 +27,8 @@ interface Laying extends AllowanceRule {
 
 interface LaidOf extends PieceOfMarker {
   readonly asked: Omit<MarkerPiece, 'garment'>;
+  /** Of a piece whose print moves only with that of others: which of these. */
+  readonly component?: number;
 }
 
 const turnsBy: Readonly<Record<GrainLock, LaidTurns>> = {
@@ -76,22 +63,6 @@ function upOf(
   return turns === 'half' && Math.abs(dot(warp, grain)) < leastRise ? warp : grain;
 }
 
-/** Of the cut lines' rings, the outer ones. @throws {SolverError} naming a piece that cannot be laid */
-function ringOf(cut: readonly (readonly Point[])[], name: string, piece: number): readonly Point[] {
-  const ring = outerRing(cut);
-  if (!ring) {
-    const message = `Piece '${name}' has no cut line; correct its outline.`;
-    throw new SolverError({code: 'outlineOpen', message, piece});
-  }
-  const crossing = selfCrossing(ring);
-  if (crossing) {
-    const [x, y] = crossing.map((part) => part.toFixed(1));
-    const message = `The cut line of piece '${name}' crosses itself near (${x}, ${y}); change its outline or its allowance.`;
-    throw new SolverError({code: 'outlineSelfIntersects', message, piece});
-  }
-  return ring;
-}
-
 /** Of all pieces of a garment together: each has to be compared with all others. */
 const mostShifts = 60;
 
@@ -108,36 +79,33 @@ function thinned<T>(all: readonly T[], most: number): readonly T[] {
  * @throws {SolverError} naming a piece whose cut line crosses itself
  */
 export function laidPieces(
-  {result: solved, name: file, garment, options = {}, names}: MarkerGarment,
+  laid: MarkerGarment,
   result: number,
   {nap, shifts, ...rule}: Laying,
 ): readonly Omit<LaidOf, 'copy'>[] {
-  const {plain = []} = options;
-  const decided = decidedOf({options, ...(names && {names})});
-  const {marks, cut} = cutLinesOf(solved, garment ? panelMarks(garment, decided) : new Map(), rule);
-  const printed = [...solved.pieces.keys()].filter(
-    (k) => !plain.includes(solved.pieces[k]?.name ?? ''),
-  );
-  const loose = loosePieces(solved, printed);
-  return printed.flatMap((k) => {
+  const {result: solved, options = {}} = laid;
+  const {marks, rings} = cutRings(laid, rule);
+  const {loose, joined} = movablePieces(solved, [...rings.keys()]);
+  return [...rings].flatMap(([k, outline]) => {
     const {[k]: piece} = solved.pieces;
     const {[k]: mark = {label: ''}} = marks;
     if (!piece) return [];
-    const called = file === undefined ? piece.name : `${piece.name} of ${file}`;
     const quantity = mark.drafted?.quantity ?? 1;
     const lock = lockOf(options, mark.drafted, piece.name) ?? 'on';
     // what stands on its head is turned back by half a turn, and by no other
     const turns = nap === 'one-way' ? 'half' : turnsBy[lock];
     const asked = {
-      name: called,
-      outline: ringOf(cut[k] ?? [], called, k),
+      name: calledIn(laid, piece.name),
+      outline,
       alignment: piece.alignment,
       turns,
       up: upOf(piece, mark, turns),
       shifts: loose.has(k) ? thinned(shifts, mostShifts / loose.size) : [],
     };
+    const component = joined.findIndex((group) => group.includes(k));
     return Array.from({length: quantity}, (_, nth) => ({
       ...{result, piece: piece.name, asked},
+      ...(component >= 0 && {component}),
       ...(quantity > 1 && {nth}),
     }));
   });

@@ -1,8 +1,10 @@
 /** The answer about a layout as a plan that people and programs read. Lengths in cm. */
 import {minus, onPiece, plus, type Alignment, type Point} from '../model/geometry.js';
+import {layNote, type LayNote} from '../model/lay-note.js';
 import type {LaidPlacement, LayPlan, PhaseLength, WidthLength} from '../model/lay-plan.js';
 import type {MarkerAnswer, MarkerLayout} from '../model/marker.js';
 import {boxOf, signedArea} from '../model/polyline.js';
+import {saidNote} from './draw/note-texts.js';
 import type {MarkerOrder} from './problem.js';
 
 /** Phases differ by less only by rounding. */
@@ -32,24 +34,17 @@ function cutOff(placements: readonly LaidPlacement[], down: number): readonly La
   }));
 }
 
-/** To the next centimetre; what is a hair longer than one is none more. */
-const whole = (length: number): number => Math.ceil(length - 0.05);
-
-/** "121 to 136 cm" */
-export function rangeNote(phases: readonly PhaseLength[]): readonly string[] {
+/** What the place of the print is worth. */
+function phaseNotes(phases: readonly PhaseLength[]): readonly LayNote[] {
   const known = phases.flatMap(({lengthCm}) => lengthCm ?? []);
   const [least, most] = [Math.min(...known), Math.max(...known)];
   const nowhere = phases.length - known.length;
   return [
     ...(known.length > 1 && most - least > sameLength
-      ? [
-          `${whole(least)} to ${whole(most)} cm, by where the print starts at the selvedge; measure it.`,
-        ]
+      ? [layNote('phaseRange', {lengthsCm: [least, most]})]
       : []),
     ...(known.length > 0 && nowhere > 0
-      ? [
-          `At ${nowhere} of ${phases.length} places where the print may start at the selvedge, not all pieces fit on the cloth.`,
-        ]
+      ? [layNote('phaseNowhere', {counts: [nowhere, phases.length]})]
       : []),
   ];
 }
@@ -89,6 +84,7 @@ export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
     const isThis = Math.abs(phaseCm - x) < samePhase;
     return {phaseCm, lengthCm: isThis ? lengthCm : (layout.phaseLengthsCm?.[k] ?? null)};
   });
+  const details = [...notes, ...(ignoresPrint || !layout.phaseLengthsCm ? [] : phaseNotes(phases))];
   return {
     ...{format: 'seamwise-layplan/1', print: problem.print},
     ...{widthCm, selvedgeCm, gapCm, allowanceCm, lengthCm},
@@ -103,11 +99,8 @@ export function layPlan(order: MarkerOrder, layout: Layout): LayPlan {
     phases: ignoresPrint ? [] : phases,
     widths: widthsOf(order, layout, lengthCm),
     cheaper: [],
-    notes: [
-      ...notes,
-      ...(layout.notes ?? []),
-      ...(ignoresPrint || !layout.phaseLengthsCm ? [] : rangeNote(phases)),
-    ],
+    notes: details.map((note) => saidNote(note)),
+    noteDetails: details,
   };
 }
 

@@ -1,6 +1,7 @@
 /** Solved garments as one problem: which pieces lie on which cloth, and how. Lengths in cm. */
 import {SolverError} from '../model/failure.js';
 import {distance, norm, rotated} from '../model/geometry.js';
+import {layNote, type LayNote} from '../model/lay-note.js';
 import type {MarkerProblem} from '../model/marker.js';
 import type {Print} from '../model/print.js';
 import {checkScaled, type PrintScale} from '../model/scaled.js';
@@ -14,9 +15,11 @@ export interface MarkerOrder {
   readonly problem: MarkerProblem;
   /** Of each piece of the problem, which it is. */
   readonly pieces: readonly PieceOfMarker[];
+  /** Numbers of pieces whose print moves only together; of each garment those of most pieces first. */
+  readonly components: readonly (readonly number[])[];
   readonly allowanceCm: number;
-  /** What people should know, one sentence each. */
-  readonly notes: readonly string[];
+  /** What people should know. */
+  readonly notes: readonly LayNote[];
 }
 
 /** What is to be known of a print besides its repeat. */
@@ -68,31 +71,22 @@ function checkUpright({print, pieces, nap, ignoresPrint}: MarkerProblem): void {
 
 function notesOf(
   garments: readonly MarkerGarment[],
-  {plies = 1, startCm, flaws = []}: MarkerSettings,
+  {plies = 1, startCm, flaws = [], fold = false, shift}: MarkerSettings,
   repeat: number | undefined,
-): readonly string[] {
+): readonly LayNote[] {
   const plain = garments.flatMap(({result, options}) =>
     result.pieces.flatMap(({name}) => (options?.plain?.includes(name) ? [name] : [])),
   );
-  const names = [...new Set(plain)].join(', ');
-  return [
-    ...(plain.length > 0 ? [`Pieces of plain cloth are not laid on the print: ${names}.`] : []),
-    ...(plies > 1 && repeat === undefined
-      ? [
-          'This print never comes again along the cloth, so no length makes all plies start alike: lay them one by one.',
-        ]
-      : []),
-    ...(plies > 1 && repeat !== undefined
-      ? [
-          `Each of the ${plies} plies is a whole number of repeats long, of ${repeat.toFixed(2)} cm, so that all start alike.`,
-        ]
-      : []),
-    ...(flaws.length > 0 && startCm === undefined
-      ? [
-          'Flaws are counted from the cut, where the print is taken to start; say how far from it the print starts if it does not.',
-        ]
-      : []),
+  const known: readonly (LayNote | false)[] = [
+    plain.length > 0 && layNote('plainPieces', {pieces: [...new Set(plain)]}),
+    plies > 1 &&
+      (repeat === undefined
+        ? layNote('pliesUnlike')
+        : layNote('pliesWhole', {counts: [plies], lengthsCm: [repeat]})),
+    flaws.length > 0 && startCm === undefined && layNote('flawsFromCut'),
+    fold && shift === 'component' && layNote('foldKeepsPrint'),
   ];
+  return known.filter((note) => note !== false);
 }
 
 /**
@@ -138,6 +132,7 @@ export function markerOrder(
   };
   checkUpright(problem);
   return {
+    components: componentsOf(laid),
     problem,
     pieces: laid.map(({result, copy, piece, nth}) => ({
       ...{result, copy, piece},
@@ -146,6 +141,19 @@ export function markerOrder(
     allowanceCm,
     notes: notesOf(garments, settings, repeat),
   };
+}
+
+/** Numbers of pieces by what their print moves with: garment by garment, as `movablePieces` orders them. */
+function componentsOf(
+  laid: readonly {readonly garment: number; readonly component?: number}[],
+): readonly (readonly number[])[] {
+  const groups = new Map<number, number[]>();
+  for (const [k, {garment, component}] of laid.entries()) {
+    if (component === undefined) continue;
+    const key = garment * laid.length + component;
+    groups.set(key, [...(groups.get(key) ?? []), k]);
+  }
+  return [...groups].sort(([one], [other]) => one - other).map(([, group]) => group);
 }
 
 const phasesOf = (phase: number | undefined, repeat: number): readonly number[] =>

@@ -53,6 +53,12 @@ export function acrossRepeat(repeat: Repeat, isStartFixed = false): number {
 const freeStep = 0.5;
 const mostShifts = 400;
 
+/** Whether a print may be moved by as little as one likes, along an axis or anywhere, and meet itself as before. */
+export function movesFreely(repeat: Repeat): boolean {
+  const [, other, third] = printElements(repeat);
+  return !other || (!third && determinant(other) < 0);
+}
+
 /** In how many steps of equal length each vector of the lattice is gone through for shifts. */
 function stepsOf({w1, w2, ...repeat}: Repeat): readonly [number, number] {
   const elements = printElements({w1, w2, ...repeat});
@@ -84,6 +90,25 @@ export function equalShifts(repeat: Repeat): readonly Point[] {
     const [i, j] = [Math.floor((k + 1) / n), (k + 1) % n];
     return combined([w1, w2], i / m, j / n);
   }).filter((v) => turns.every((turn) => norm(reduced(repeat, minus(v, apply(turn, v)))) < near));
+}
+
+/** How far apart two shifts are, less whole repeats. */
+export const shiftsApart = (repeat: Repeat, one: Point, other: Point): number =>
+  norm(reduced(repeat, minus(one, other)));
+
+/** The same, but of so many at most those that are furthest from none and from each other. */
+export function spreadShifts(repeat: Repeat, most: number): readonly Point[] {
+  const all = equalShifts(repeat);
+  const chosen: Point[] = [];
+  const room = all.map((v) => shiftsApart(repeat, v, [0, 0]));
+  while (chosen.length < Math.min(most, all.length)) {
+    const next = all[room.indexOf(Math.max(...room))] ?? [0, 0];
+    chosen.push(next);
+    for (const [k, v] of all.entries()) {
+      room[k] = Math.min(room[k] ?? 0, shiftsApart(repeat, v, next));
+    }
+  }
+  return chosen;
 }
 
 /** Whether the print shows the same when it is turned upside down. */

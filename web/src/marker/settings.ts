@@ -2,6 +2,8 @@
 import {SolverError} from '../model/failure.js';
 import type {Point} from '../model/geometry.js';
 import {naps, type Nap} from '../model/marker.js';
+import {signedArea} from '../model/polyline.js';
+import {selfCrossing} from './outline.js';
 
 export interface MarkerSettings {
   /** Of the cloth, between its edges. */
@@ -91,9 +93,13 @@ function checkNumbers(settings: Given): void {
 
 function checkFlaws(flaws: Given['flaws']): void {
   for (const [k, flaw] of flaws.entries()) {
-    if (flaw.length >= 3 && flaw.flat().every(Number.isFinite)) continue;
+    const isPolygon =
+      flaw.length >= 3 && flaw.flat().every(Number.isFinite) && Math.abs(signedArea(flaw)) > 0;
+    if (isPolygon && !selfCrossing(flaw)) continue;
     throw wrong(
-      `Flaw ${k + 1} is no polygon; give at least three points, x from the left edge and y from the cut, in cm.`,
+      isPolygon
+        ? `The line around flaw ${k + 1} crosses itself; give its points in order around it.`
+        : `Flaw ${k + 1} is no polygon; give at least three points that are not in a row, x from the left edge and y from the cut, in cm.`,
     );
   }
 }

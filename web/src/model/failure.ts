@@ -1,4 +1,5 @@
 import type {SymmetryReason} from './notes.js';
+import type {PhotoFault} from './photo.js';
 
 /** Why a solve could not deliver, as the core counts it. Names and numbers only ever grow: both are part of the API. */
 export const failureCodes = {
@@ -63,8 +64,8 @@ export interface Failure {
   readonly piece: number | null;
   /** Number of the seam in the garment, if one is to blame. */
   readonly seam: number | null;
-  /** Why a symmetry that was asked for cannot hold. */
-  readonly reason?: SymmetryReason;
+  /** Why a symmetry that was asked for cannot hold, or no print be read off a picture. */
+  readonly reason?: SymmetryReason | PhotoFault;
 }
 
 /** The one error the solver throws for what it was given. */
@@ -73,7 +74,7 @@ export class SolverError extends Error implements Failure {
   readonly code: FailureCode;
   readonly piece: number | null;
   readonly seam: number | null;
-  declare readonly reason?: SymmetryReason;
+  declare readonly reason?: SymmetryReason | PhotoFault;
 
   constructor(failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>) {
     super(failure.message);

@@ -1,5 +1,6 @@
 /** Pieces laid on a bolt of printed cloth, as `seamwise-layplan/1`: x across from the left edge, y along the warp from the cut. [cm] */
-import type {Point} from './geometry.js';
+import type {Alignment, Point} from './geometry.js';
+import type {LayNote} from './lay-note.js';
 import type {GroupName} from './print.js';
 
 /** A piece on the cloth, face up. */
@@ -28,14 +29,29 @@ export interface WidthLength {
   readonly lengthCm: number | null;
 }
 
-/** A change of the placing that costs no fit, and what it saves. */
+/** A change of the placing that costs no fit to speak of, and what it would take then. */
 export interface CheaperLay {
-  readonly kind: 'phase' | 'shift' | 'unmatched';
+  /**
+   * The print starts elsewhere; it moves under pieces where it fits as well; it need not match on pieces; or all pieces of
+   * a result lie as in another design that fits as well.
+   */
+  readonly kind: 'phase' | 'shift' | 'unmatched' | 'design';
   readonly lengthCm: number;
-  /** Of the print under the pieces that move, and which those are. */
-  readonly shift?: Point;
-  readonly pieces?: readonly string[];
+  /** Of `phase`: from the left edge to an origin of the print. */
   readonly phaseCm?: number;
+  /** Of `shift` and `unmatched`: names of the pieces that show another part of the print. */
+  readonly pieces?: readonly string[];
+  readonly design?: CheaperDesign;
+}
+
+/** Another design of a result. */
+export interface CheaperDesign {
+  readonly result: number;
+  /** By name where its pieces lie: as `pins` of the options they are that design. */
+  readonly pins: Readonly<Record<string, Alignment>>;
+  /** By how much the print misses at the seams on average, and in the design that is laid. [cm] */
+  readonly meanCm: number;
+  readonly insteadOfCm: number;
 }
 
 export interface LayPlan {
@@ -72,4 +88,6 @@ export interface LayPlan {
   readonly widths: readonly WidthLength[];
   readonly cheaper: readonly CheaperLay[];
   readonly notes: readonly string[];
+  /** What each of them says, as code and values. */
+  readonly noteDetails: readonly LayNote[];
 }

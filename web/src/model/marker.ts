@@ -77,10 +77,9 @@ export interface MarkerAnswer extends MarkerLayout {
   /** Per phase and per width of the problem; null where a piece finds no place. */
   readonly phaseLengthsCm: readonly (number | null)[];
   readonly widthLengthsCm: readonly (number | null)[];
-  readonly notes: readonly string[];
 }
 
-export type MarkerStage = 'tables' | 'lay' | 'prove' | 'free' | 'widths' | 'done';
+export type MarkerStage = 'tables' | 'lay' | 'prove' | 'free' | 'widths' | 'shifts' | 'done';
 
 export interface MarkerProgress {
   readonly stage: MarkerStage;

@@ -57,6 +57,8 @@ export interface SolveOptions {
   readonly effort?: number;
   /** Work for a proof of the alignment, as a multiple of the search's. Default: a little, where that may do. */
   readonly proof?: number;
+  /** Whether the result tells of other alignments that fit about as well. Default false. */
+  readonly otherAlignments?: boolean;
 }
 
 /** All of a piece, or edges of its outline by their number in the garment file. */

@@ -93,6 +93,13 @@ export interface PhotoHooks {
 export const photoNotes = ['uneven', 'differs', 'focalLength'] as const;
 export type PhotoNote = (typeof photoNotes)[number];
 
+/** Why no print can be read off a picture. */
+export const photoFaults = [
+  ...(['plain', 'noRepeat', 'fewRepeats', 'twoPrints', 'changes'] as const),
+  ...(['blurred', 'moire', 'uneven', 'edges', 'small'] as const),
+] as const;
+export type PhotoFault = (typeof photoFaults)[number];
+
 export interface PhotoReading {
   readonly width: number;
   readonly height: number;
@@ -130,6 +137,7 @@ export interface PhotoReading {
 /** A clean picture of the print's cell, as prints have it. */
 export interface PhotoTileSettings {
   readonly map: PhotoMap;
+  readonly isTile?: boolean;
   /** Symmetries that are made exact; none, unless said otherwise. */
   readonly symmetrise?: GroupName;
   readonly flatten?: number;

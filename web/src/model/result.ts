@@ -150,6 +150,15 @@ export interface Proof {
   readonly searchCost: number;
 }
 
+/** Where all pieces may lie instead: another design that fits about as well, once its pieces are shaped for it. */
+export interface OtherAlignment {
+  /** As pins of a solve they are that design. */
+  readonly pieces: readonly Alignment[];
+  /** Mean mismatch of the pieces as drafted, and what shaping is expected to leave of it. [cm] */
+  readonly placedCm: number;
+  readonly expectedCm: number;
+}
+
 /** A solved pattern, as `seamwise-result/1`. Lengths in cm, angles in radians. */
 export interface SolveResult {
   readonly format: 'seamwise-result/1';
@@ -169,6 +178,8 @@ export interface SolveResult {
   readonly drafted?: readonly Alignment[];
   /** Each piece's alignment when the alignment search ended. */
   readonly search: readonly Alignment[];
+  /** Where they were asked for: what is expected to fit best first. */
+  readonly otherAlignments?: readonly OtherAlignment[];
   readonly metrics: Metrics;
   /** What was dropped or assumed, one sentence each. */
   readonly notes: readonly string[];

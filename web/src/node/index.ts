@@ -6,8 +6,9 @@ import type {Drape, DrapeSettings} from '../model/drape.js';
 import type {Garment} from '../model/garment.js';
 import type {GarmentDocument} from '../model/garment-document.js';
 import type {LayPlan} from '../model/lay-plan.js';
+import type {MarkerHooks, MarkerProblem} from '../model/marker.js';
 import type {PhotoHooks, PhotoPixels} from '../model/photo.js';
-import type {Problem} from '../model/problem.js';
+import type {Problem, SolveHooks} from '../model/problem.js';
 import type {MeshedPattern, Proof, SolveResult} from '../model/result.js';
 import type {StoredDesign} from '../model/stored-design.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/symmetries.js';
@@ -157,14 +158,14 @@ export async function remedies(
 }
 
 /**
- * Solves a stored design again, from the very files that it was made with.
+ * Solves a stored design again, from the very files that it was made with, and lays it on `cloth` where that is given.
  * @param design an object, or its JSON text
  * @throws {FileError} when the design is damaged, or when a file cannot be read or is another one;
  *   {SolverError} for a bad garment or print; the signal's reason, when it fires
  */
 export async function order(design: StoredDesign | string, hooks: OrderHooks = {}): Promise<Order> {
   const {orderWith} = await import('./order.js');
-  return orderWith(solve, design, hooks);
+  return orderWith(solver, design, hooks);
 }
 
 /**
@@ -203,7 +204,11 @@ export async function marker(
   hooks: MarkerPlanHooks = {},
 ): Promise<LayPlan> {
   const {markerWith} = await import('./marker.js');
-  return markerWith((problem, all) => solver.marker(problem, all), results, settings, hooks);
+  const means = {
+    lay: (problem: MarkerProblem, all: MarkerHooks) => solver.marker(problem, all),
+    solve: (problem: Problem, all: SolveHooks) => solve(problem, all),
+  };
+  return markerWith(means, results, settings, hooks);
 }
 
 /** Files of a lay plan: drawn small with its tables, at true scale for a plotter, and as DXF for cutters. */

@@ -1,13 +1,15 @@
 /** Pieces of results laid on cloth, as a plan. */
 import {cheaperLays} from '../marker/cheaper.js';
+import type {SolveDesign} from '../marker/designs.js';
 import {foldedOrder} from '../marker/fold.js';
 import type {MarkerGarment} from '../marker/pieces.js';
 import {layPlan} from '../marker/plan.js';
 import {markerOrder, type LaidPrint} from '../marker/problem.js';
 import type {MarkerSettings} from '../marker/settings.js';
+import {layShifted, type Lay} from '../marker/shifted.js';
 import {failureOf, SolverError} from '../model/failure.js';
 import type {LayPlan} from '../model/lay-plan.js';
-import type {MarkerAnswer, MarkerHooks, MarkerProblem} from '../model/marker.js';
+import type {MarkerHooks} from '../model/marker.js';
 import type {SolveResult} from '../model/result.js';
 
 export interface NodeMarkerSettings extends MarkerSettings {
@@ -21,12 +23,9 @@ export interface MarkerPlanHooks extends Pick<MarkerHooks, 'signal' | 'onProgres
   readonly onLayout?: (plan: LayPlan) => void;
 }
 
-/** Seeks the layout of a problem. */
-type Lay = (problem: MarkerProblem, hooks: MarkerHooks) => Promise<MarkerAnswer>;
-
 /** @throws as `marker` does */
 export async function markerWith(
-  lay: Lay,
+  {lay, solve}: {readonly lay: Lay; readonly solve: SolveDesign},
   results: readonly (SolveResult | MarkerGarment)[],
   {print, ...settings}: NodeMarkerSettings,
   {onLayout, ...hooks}: MarkerPlanHooks,
@@ -37,15 +36,15 @@ export async function markerWith(
   const solved = garments.map(({result}) => result);
   const folded = settings.fold ? foldedOrder(whole, solved, settings.phaseCm) : undefined;
   const order = folded?.order ?? whole;
-  const planOf = (layout: Parameters<typeof layPlan>[1]): LayPlan => {
-    const plan = layPlan(order, layout);
+  const planOf = (layout: Parameters<typeof layPlan>[1], of = order): LayPlan => {
+    const plan = layPlan(of, layout);
     return folded?.spread(plan) ?? plan;
   };
   const explained = (error: unknown): never => {
     if (!folded || !(error instanceof SolverError) || error.code !== 'options') throw error;
     throw new SolverError({
       ...failureOf(error),
-      message: `On half of folded cloth: ${error.message}`,
+      message: `For one ply of folded cloth, from its edge to the fold: ${error.message}`,
     });
   };
   const answer = await lay(order.problem, {
@@ -56,8 +55,11 @@ export async function markerWith(
       },
     }),
   }).catch(explained);
-  const plan = planOf(answer);
+  const shifted =
+    settings.shift === 'component' ? await layShifted(order, answer, lay, hooks) : {order, answer};
+  const plan = planOf(shifted.answer, shifted.order);
   const {signal} = hooks;
   const laid = {garments, settings, print, plan};
-  return {...plan, cheaper: await cheaperLays(laid, lay, {...(signal && {signal})})};
+  const cheaper = await cheaperLays(laid, {lay, solve}, {...(signal && {signal})});
+  return {...plan, cheaper};
 }

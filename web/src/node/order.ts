@@ -1,8 +1,12 @@
-/** An order: a stored design, solved again from the files that it names. */
+/** An order: a stored design, solved again from the files that it names, and laid on the cloth that it is cut from. */
+import {layPlan} from '../marker/plan.js';
+import {markerOrder} from '../marker/problem.js';
+import type {MarkerSettings} from '../marker/settings.js';
 import {problemOfStored} from '../model/design-problem.js';
 import {onPrint} from '../model/geometry.js';
 import type {Print} from '../model/print.js';
-import type {Problem, SolveHooks} from '../model/problem.js';
+import type {LayPlan} from '../model/lay-plan.js';
+import type {SolveHooks} from '../model/problem.js';
 import {checkScaled} from '../model/scaled.js';
 import {resultText, sha256Of} from '../model/result-text.js';
 import type {SolveResult} from '../model/result.js';
@@ -15,7 +19,7 @@ import {
 import type {StoredFile} from '../model/stored-file.js';
 import {FileError} from '../model/versioned-file.js';
 import {printDistance} from '../model/wallpaper.js';
-import type {NamedSolveHooks} from '../solver/requests/texts.js';
+import type {SolverService} from '../solver/service.js';
 import {addressFrom, folderOf, readAddress, type ReadingLimits} from './addresses.js';
 import {textOf} from './files.js';
 
@@ -31,6 +35,8 @@ export interface OrderHooks extends SolveHooks, ReadingLimits {
   readonly within?: readonly URL[];
   /** What messages call the design. Default 'design'. */
   readonly name?: string;
+  /** A bolt of the print to lay the answer on, too. */
+  readonly cloth?: MarkerSettings;
 }
 
 export interface Order {
@@ -49,13 +55,15 @@ export interface Order {
    * symmetries; null when the design's alignments are not those of the garment's pieces. [cm]
    */
   readonly differenceCm: number | null;
+  /** How the answer lies on `cloth`, as `layPlan()` of the element tells it; absent where none was asked for. */
+  readonly plan?: LayPlan;
 }
 
-type Solve = (problem: Problem, hooks: NamedSolveHooks) => Promise<SolveResult>;
+type OrderSolver = Pick<SolverService, 'solve' | 'garment' | 'marker'>;
 
 /** @throws as `order` does */
 export async function orderWith(
-  solve: Solve,
+  solver: OrderSolver,
   stored: StoredDesign | string,
   hooks: OrderHooks,
 ): Promise<Order> {
@@ -67,7 +75,7 @@ export async function orderWith(
   const printText = await textAt(design.print, name, read, hooks.signal);
   const print = printOfStored(design, printText);
   checkScaled({title: design.print.url, ...print});
-  const result = await solve(problemOfStored(design, {garment, print: printText}), {
+  const result = await solver.solve(problemOfStored(design, {garment, print: printText}), {
     ...hooks,
     names: {garment: design.garment.url, print: design.print.url, symmetry: name, options: name},
   });
@@ -77,7 +85,21 @@ export async function orderWith(
     ...{design, garment, print, result, reproduced},
     text: reproduced ? production : production.replace('{', '{"reproduced":false,'),
     differenceCm: greatestDifference(design, result),
+    ...(hooks.cloth && {plan: await planOf(solver, {design, garment, print, result}, hooks)}),
   };
+}
+
+/** @throws {SolverError} for cloth on which the answer cannot lie */
+async function planOf(
+  solver: OrderSolver,
+  {design, garment, print, result}: Pick<Order, 'design' | 'garment' | 'print' | 'result'>,
+  {cloth = {widthCm: 0}, signal}: OrderHooks,
+): Promise<LayPlan> {
+  const ending = signal && {signal};
+  const document = await solver.garment(garment, {name: design.garment.url, ...ending});
+  const laid = {result, garment: document, options: design.options};
+  const order = markerOrder([laid], cloth, print);
+  return layPlan(order, await solver.marker(order.problem, ending));
 }
 
 function readerFrom({base, ...limits}: OrderHooks): NonNullable<OrderHooks['read']> {

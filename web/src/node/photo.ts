@@ -51,6 +51,7 @@ export async function printWith(
   const tile = await photoTile(
     {
       ...{picture: pixels, map: reading.map, shape: reading.shape},
+      ...(settings.isTile && {isTile: true}),
       ...(settings.flatten !== undefined && {flatten: settings.flatten}),
       ...(symmetrise && isSymmetric(reading) && {symmetrise: reading.group}),
     },

@@ -1,8 +1,11 @@
-/** What somebody has said of the cloth that a print is on, and of how pieces keep apart: remembered by the browser. */
+/** What somebody has said of the cloth that a print is on, and of how pieces keep apart: remembered with their preferences. */
 import type {DesignPrint} from '../model/design.js';
 import {fieldOf} from '../model/read.js';
+import type {ChosenAllowances, Preferences} from '../texts/preferences.js';
+import {allowancesIn, greatestAllowance, withAllowances} from './allowances.js';
 
-export interface ClothChoices {
+/** As it is remembered with the print. */
+interface KeptChoices {
   /** Between its edges. [cm] */
   readonly widthCm: number;
   /** Along each edge, where nothing is cut. [cm] */
@@ -15,6 +18,11 @@ export interface ClothChoices {
   readonly phaseCm: number | null;
 }
 
+export interface ClothChoices extends KeptChoices, ChosenAllowances {
+  /** How many garments are cut from it. */
+  readonly copies: number;
+}
+
 /** As cloth is sold. [cm] */
 export const usualWidths: readonly number[] = [90, 110, 115, 140, 150, 160];
 
@@ -24,9 +32,12 @@ export const clothLimits = {
   selvedgeCm: [0, 10],
   gapCm: [0, 5],
   phaseCm: [0, 400],
+  allowanceCm: [0, greatestAllowance],
+  hemCm: [0, greatestAllowance],
+  copies: [1, 20],
 } as const;
 
-const usual: ClothChoices = {
+const usual: KeptChoices = {
   widthCm: 140,
   selvedgeCm: 1,
   gapCm: 0.2,
@@ -34,7 +45,6 @@ const usual: ClothChoices = {
   phaseCm: null,
 };
 
-const key = 'seamwise.cloth';
 /** Prints that are remembered; the oldest is forgotten first. */
 const most = 40;
 
@@ -44,7 +54,7 @@ const nameOf = ({sample, title}: DesignPrint): string => sample?.name ?? title;
 const isLength = (value: unknown, [least, greatest]: readonly [number, number]): boolean =>
   typeof value === 'number' && value >= least && value <= greatest;
 
-const isRight: {readonly [Name in keyof ClothChoices]: (value: unknown) => boolean} = {
+const isRight: {readonly [Name in keyof KeptChoices]: (value: unknown) => boolean} = {
   widthCm: (value) => isLength(value, clothLimits.widthCm),
   selvedgeCm: (value) => isLength(value, clothLimits.selvedgeCm),
   gapCm: (value) => isLength(value, clothLimits.gapCm),
@@ -52,20 +62,11 @@ const isRight: {readonly [Name in keyof ClothChoices]: (value: unknown) => boole
   phaseCm: (value) => value === null || isLength(value, clothLimits.phaseCm),
 };
 
-function allStored(): readonly (readonly [name: string, choices: unknown])[] {
-  try {
-    const stored: unknown = JSON.parse(localStorage.getItem(key) ?? '{}');
-    return typeof stored === 'object' && stored !== null ? Object.entries(stored) : [];
-  } catch {
-    return []; // nothing can be stored here, or something else was
-  }
-}
-
 /** What was chosen last for a print, as far as it is understood; else the width of the cloth before, and the rest as it is usual. */
-export function storedCloth(print: DesignPrint): ClothChoices {
-  const all = allStored();
+export function storedCloth(print: DesignPrint, preferences: Preferences): ClothChoices {
+  const all = Object.entries(preferences.cloths ?? {});
   const own = all.find(([name]) => name === nameOf(print))?.[1];
-  const known = (names: readonly (keyof ClothChoices)[], from: unknown): Partial<ClothChoices> =>
+  const known = (names: readonly (keyof KeptChoices)[], from: unknown): Partial<KeptChoices> =>
     Object.fromEntries(
       names.flatMap((name) => {
         const value = fieldOf(from, name);
@@ -73,20 +74,23 @@ export function storedCloth(print: DesignPrint): ClothChoices {
       }),
     );
   return {
-    ...usual,
+    ...{...usual, copies: 1, ...allowancesIn(preferences)},
     ...known(['widthCm', 'gapCm'], all.at(-1)?.[1]),
     ...known(['widthCm', 'selvedgeCm', 'gapCm', 'isOneWay', 'phaseCm'], own),
   };
 }
 
-/** The newest comes last. */
-export function keepCloth(print: DesignPrint, choices: ClothChoices): void {
+/** What is to be remembered. */
+export function withCloth(
+  print: DesignPrint,
+  {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm, ...rest}: ClothChoices,
+  preferences: Preferences,
+): Pick<Preferences, 'cloths' | 'allowances'> {
   const name = nameOf(print);
-  const others = allStored().filter(([one]) => one !== name);
-  try {
-    const kept = [...others, [name, choices] as const].slice(-most);
-    localStorage.setItem(key, JSON.stringify(Object.fromEntries(kept)));
-  } catch {
-    // a browser that stores nothing still lays the pieces
-  }
+  const others = Object.entries(preferences.cloths ?? {}).filter(([one]) => one !== name);
+  const kept: KeptChoices = {widthCm, selvedgeCm, gapCm, isOneWay, phaseCm};
+  return {
+    ...withAllowances(rest, preferences),
+    cloths: Object.fromEntries([...others, [name, kept] as const].slice(-most)),
+  };
 }

@@ -1,18 +1,17 @@
 /** The answer to the present design laid on cloth: for as long as somebody looks at it, with what is moved there by hand. */
-import {movedPlan, placesIn} from '../marker/moved-plan.js';
-import type {Bolt, LaidPiece} from '../marker/places.js';
-import {layPlan} from '../marker/plan.js';
-import type {MarkerOrder} from '../marker/problem.js';
-import {printOf, type Design, type DesignPrint} from '../model/design.js';
+import {placesIn} from '../marker/moved-plan.js';
+import type {Bolt} from '../marker/places.js';
+import type {DesignPrint} from '../model/design.js';
 import type {Failure} from '../model/failure.js';
 import type {Alignment} from '../model/geometry.js';
-import {amended, begun, redone, stepped, undone, type History} from '../model/history.js';
+import {amended, mapped, redone, stepped, undone, type History} from '../model/history.js';
 import type {LayPlan} from '../model/lay-plan.js';
-import type {MarkerAnswer, MarkerLayout} from '../model/marker.js';
 import type {SolveResult} from '../model/result.js';
-import {keepCloth, storedCloth, type ClothChoices} from './cloth-choices.js';
-import {askedOf, noPins, offersFor, orderOf, type Flaw, type LayStep} from './lay-step.js';
-import {lastOf} from './last-of.js';
+import {allowancesIn} from './allowances.js';
+import {storedCloth, withCloth, type ClothChoices} from './cloth-choices.js';
+import {ClothWork, type PieceOnCloth} from './cloth-work.js';
+import {laid, offersFor, ownAllowancesOf, type ToLay} from './lay-run.js';
+import {noPins, type Flaw, type LayStep} from './lay-step.js';
 import {toFailure} from './latest-solve.js';
 import {Observable} from './observable.js';
 import type {Workbench} from './workbench.js';
@@ -23,35 +22,18 @@ type LayingState =
   | {readonly kind: 'laying'; readonly fraction: number}
   | {readonly kind: 'failed'; readonly failure: Failure};
 
-/** One design on its cloth. */
-interface Work {
-  readonly result: SolveResult;
-  readonly print: DesignPrint;
-  /** Undefined where it cannot be laid at all. */
-  order: MarkerOrder | undefined;
-  history: History<LayStep>;
-}
-
-/** A piece on the cloth. */
-export interface PieceOnCloth extends LaidPiece {
-  /** Among all that are laid. */
-  readonly number: number;
-  /** By the garment's file. */
-  readonly name: string;
-}
-
 type Source = Pick<
   Workbench,
-  'design' | 'garment' | 'result' | 'subscribe' | 'solver' | 'preferences'
+  'design' | 'garment' | 'result' | 'subscribe' | 'solver' | 'preferences' | 'prefer'
 >;
 
 export class Laying extends Observable {
   readonly #source: Source;
   /** What is shown, and what takes its place once there is something of it. */
-  #work: Work | undefined;
-  #next: Work | undefined;
+  #work: ClothWork | undefined;
+  #next: ClothWork | undefined;
   /** Of answers that somebody may come back to. */
-  readonly #known = new WeakMap<SolveResult, Work>();
+  readonly #known = new WeakMap<SolveResult, ClothWork>();
   #state: LayingState = {kind: 'waiting'};
   #running: AbortController | undefined;
   #viewers = 0;
@@ -68,13 +50,13 @@ export class Laying extends Observable {
 
   /** Undefined until something is laid. */
   get step(): LayStep | undefined {
-    return this.#work?.history.present;
+    return this.#work?.step;
   }
 
   /** What is shown is laid of another answer than the present one. */
   get isStale(): boolean {
     const {result, design} = this.#source;
-    return this.#work !== undefined && !isOf(this.#work, result, design);
+    return this.#work !== undefined && !this.#work.isOf(result, design);
   }
 
   /** What there is to be taken back; undefined for nothing, as where another design is to be laid. */
@@ -84,33 +66,18 @@ export class Laying extends Observable {
 
   /** The plan with the pieces as they lie now. */
   get plan(): LayPlan | undefined {
-    const {order} = this.#work ?? {};
-    const {plan, places = []} = this.step ?? {};
-    return order && plan && this.#planOf(order, plan, places);
+    return this.#work?.plan;
   }
-
-  readonly #planOf = lastOf(movedPlan);
 
   /** Somebody has moved pieces since they were laid. */
   get isMoved(): boolean {
-    const {order} = this.#work ?? {};
-    const {plan, places = []} = this.step ?? {};
-    return order !== undefined && plan !== undefined && areMoved(placesIn(order, plan), places);
+    return this.#work?.isMoved ?? false;
   }
 
   /** All that have a place. */
   get pieces(): readonly PieceOnCloth[] {
-    const {order} = this.#work ?? {};
-    return order ? this.#piecesOf(order, this.step?.places ?? []) : [];
+    return this.#work?.pieces ?? [];
   }
-
-  readonly #piecesOf = lastOf(
-    ({pieces, problem}: MarkerOrder, places: LayStep['places']): readonly PieceOnCloth[] =>
-      pieces.flatMap(({piece: name}, number) => {
-        const [place, piece] = [places[number], problem.pieces[number]];
-        return place && piece ? [{number, name, place, piece}] : [];
-      }),
-  );
 
   /** Names of all that are laid, by their numbers. */
   get names(): readonly string[] {
@@ -119,20 +86,8 @@ export class Laying extends Observable {
 
   /** The cloth that is shown; undefined until something is laid. */
   get bolt(): Bolt | undefined {
-    const {print} = this.#work ?? {};
-    return this.step?.plan && print && this.#boltOf(this.step.plan, this.step, print);
+    return this.#work?.bolt;
   }
-
-  readonly #boltOf = lastOf(
-    ({printOrigin}: LayPlan, {choices, flaws}: LayStep, print: DesignPrint): Bolt => {
-      const {widthCm, selvedgeCm, gapCm, isOneWay} = choices;
-      const repeat = printOf(print);
-      return {
-        ...{repeat, origin: printOrigin ?? [0, 0], widthCm, selvedgeCm, gapCm, flaws},
-        isOneWay: isOneWay || repeat.oneWay === true,
-      };
-    },
-  );
 
   /** What the print is on that is shown. */
   get print(): DesignPrint | undefined {
@@ -141,15 +96,21 @@ export class Laying extends Observable {
 
   /** As it is shown, or about to be. */
   get choices(): ClothChoices | undefined {
-    const {design} = this.#source;
+    const {design, preferences} = this.#source;
     const work = this.#next ?? this.#work;
-    return work?.history.present.choices ?? (design && storedCloth(design.print));
+    return work?.step.choices ?? (design && storedCloth(design.print, preferences));
+  }
+
+  /** Which of the garment's edges have allowances of their own, as far as something is laid. */
+  get ownAllowances(): ReturnType<typeof ownAllowancesOf> {
+    const toLay = this.#work?.order && this.#toLay(this.#work);
+    return toLay && !this.isStale ? ownAllowancesOf(toLay) : 'none';
   }
 
   /** Shows what there is, and lays from now on. @returns what ends that */
   show(): () => void {
     this.#viewers += 1;
-    this.#end ??= this.#source.subscribe(['history', 'solving'], () => {
+    this.#end ??= this.#source.subscribe(['history', 'solving', 'preferences'], () => {
       this.#follow();
     });
     this.#follow();
@@ -180,12 +141,11 @@ export class Laying extends Observable {
   /** Cloth or rules are others, so that nothing stays where it is. */
   choose(change: Partial<ClothChoices>): void {
     const {choices} = this;
-    const {design} = this.#source;
-    if (!choices || !design) return;
+    if (!choices) return;
     const next = {...choices, ...change};
     if (JSON.stringify(next) === JSON.stringify(choices)) return;
-    keepCloth(design.print, next);
     this.#change({choices: next, pins: noPins}, true);
+    this.#remember(next);
   }
 
   setFlaws(flaws: readonly Flaw[]): void {
@@ -195,6 +155,18 @@ export class Laying extends Observable {
   move(number: number, place: Alignment): void {
     const {places = []} = this.step ?? {};
     this.#change({places: places.map((one, k) => (k === number ? place : one))}, false);
+  }
+
+  /** Takes a piece off the cloth, until it is laid anew. */
+  remove(number: number): void {
+    const {places = [], pins = noPins} = this.step ?? {};
+    this.#change(
+      {
+        places: places.map((one, k) => (k === number ? undefined : one)),
+        pins: new Set([...pins].filter((pin) => pin !== number)),
+      },
+      false,
+    );
   }
 
   togglePin(number: number): void {
@@ -217,19 +189,25 @@ export class Laying extends Observable {
     if (!this.#work || !history) return false;
     this.#stop();
     this.#work.history = history;
-    keepCloth(this.#work.print, history.present.choices);
     this.#settle(history.present);
+    this.#remember(history.present.choices);
     return true;
+  }
+
+  #remember(choices: ClothChoices): void {
+    const {design, preferences} = this.#source;
+    if (design) this.#source.prefer(withCloth(design.print, choices, preferences));
   }
 
   /** @param packs the pieces are laid anew, as a part of the step */
   #change(change: Partial<LayStep>, packs: boolean): void {
     const work = this.#next ?? this.#work;
-    if (!work || !isOf(work, this.#source.result, this.#source.design)) return;
-    this.#stop();
-    const {history} = work;
-    const next = {...history.present, ...change, failure: undefined};
-    work.history = history.present.plan ? stepped(history, next) : amended(history, next);
+    if (!work?.isOf(this.#source.result, this.#source.design)) return;
+    // offers are those of the plan, wherever its pieces are moved meanwhile
+    if (packs || this.#state.kind === 'laying') this.#stop();
+    const {history, step} = work;
+    const next = {...step, ...change, failure: undefined};
+    work.history = step.plan ? stepped(history, next) : amended(history, next);
     if (packs) void this.#run(work);
     else this.#become({kind: 'done'});
   }
@@ -257,87 +235,65 @@ export class Laying extends Observable {
       return;
     }
     const work = this.#next ?? this.#work;
-    if (work && isOf(work, result, design) && this.#state.kind !== 'waiting') return;
+    if (!work?.isOf(result, design) || this.#state.kind === 'waiting') this.#begin(result, work);
+    // cutting files are made with the same allowances
+    this.choose(allowancesIn(this.#source.preferences));
+  }
+
+  /** Shows what is known of an answer, or lays it. @param before what is shown */
+  #begin(result: SolveResult, before: ClothWork | undefined): void {
+    const {design, preferences} = this.#source;
+    if (!design) return;
     this.#stop();
     const known = this.#known.get(result);
-    if (known?.print === design.print && known.history.present.plan) {
+    if (known?.isOf(result, design) && known.step.plan) {
       this.#next = undefined;
       this.#work = known;
-      this.#settle(known.history.present);
+      this.#settle(known.step);
       return;
     }
-    // flaws are those of a bolt, whatever is cut from it
-    const {flaws = [], plan} = work?.print === design.print ? work.history.present : {};
-    const choices = storedCloth(design.print);
-    this.#next = {
-      ...{result, print: design.print, order: undefined},
-      history: begun({
-        choices,
-        flaws,
-        pins: noPins,
-        places: [],
-        failure: undefined,
-        plan: flaws.length > 0 ? plan : undefined,
-      }),
-    };
+    const choices = storedCloth(design.print, preferences);
+    this.#next = ClothWork.after(before, result, design.print, choices);
     this.#known.set(result, this.#next);
     void this.#run(this.#next);
   }
 
-  #offer(work: Work, plan: LayPlan, cheaper: LayPlan['cheaper']): void {
-    const {present} = work.history;
-    if (present.plan !== plan || cheaper.length === 0) return;
-    work.history = amended(work.history, {...present, plan: {...plan, cheaper}});
-    this.changed();
+  #toLay({result, step}: ClothWork): ToLay | undefined {
+    const {garment, design} = this.#source;
+    return garment && design && {design, garment, result, step};
   }
 
-  async #run(work: Work): Promise<void> {
-    const {garment, design} = this.#source;
-    if (!garment || !design) return;
+  async #run(work: ClothWork): Promise<void> {
+    const toLay = this.#toLay(work);
+    if (!toLay) return;
+    const {step} = toLay;
+    const {solver} = this.#source;
     const running = new AbortController();
     this.#running = running;
     this.#become({kind: 'laying', fraction: 0});
-    const step = work.history.present;
-    const isOver = (): boolean => running.signal.aborted;
     try {
-      await new Promise((resolve) => setTimeout(resolve)); // what is shown of it comes first
-      if (isOver()) return;
-      const toLay = {design, garment, result: work.result, choices: step.choices};
-      const order = orderOf(toLay);
-      const problem = askedOf(order.problem, step);
-      const take = (layout: MarkerLayout & Partial<MarkerAnswer>): void => {
-        const plan = layPlan({...order, problem}, layout);
-        work.order = order;
-        work.history = amended(work.history, {...step, plan, places: placesIn(order, plan)});
-        this.#work = work;
-        this.#next = undefined;
-      };
-      const answer = await this.#source.solver.marker(problem, {
+      await laid(toLay, solver, {
         signal: running.signal,
-        onProgress: ({fraction}) => {
-          if (isOver()) return;
+        onProgress: (fraction) => {
           this.#state = {kind: 'laying', fraction};
           this.changedOften();
         },
-        onLayout: (layout) => {
-          if (isOver()) return;
-          take(layout);
-          this.changed();
+        onPlan: (order, plan) => {
+          const isFirst = this.#work !== work;
+          work.order = order;
+          work.history = amended(work.history, {...step, plan, places: placesIn(order, plan)});
+          this.#work = work;
+          this.#next = undefined;
+          if (isFirst) this.changed();
+          else this.changedOften();
         },
       });
-      if (isOver()) return;
-      take(answer);
       this.#become({kind: 'done'});
-      const {plan} = work.history.present;
-      // of a bolt that lies there, nothing is to be chosen any more
-      if (plan && problem.startCm === undefined) {
-        const cheaper = await offersFor(toLay, plan, this.#source.solver, running.signal);
-        if (isOver()) return;
-        this.#offer(work, plan, cheaper);
-      }
+      const {plan} = work.step;
+      if (plan) this.#offer(work, plan, await offersFor(toLay, plan, solver, running.signal));
       this.#running = undefined;
     } catch (error) {
-      if (isOver()) return;
+      if (running.signal.aborted) return;
       this.#running = undefined;
       const failure = toFailure(error);
       const places = work.order?.pieces.map(() => undefined) ?? [];
@@ -345,13 +301,17 @@ export class Laying extends Observable {
       this.#become({kind: 'failed', failure});
     }
   }
+
+  /** The plan is that of all steps in which its pieces were moved since. */
+  #offer(work: ClothWork, plan: LayPlan, cheaper: LayPlan['cheaper']): void {
+    if (cheaper.length === 0) return;
+    const offering = {...plan, cheaper};
+    work.history = mapped(work.history, (step) =>
+      step.plan === plan ? {...step, plan: offering} : step,
+    );
+    this.changed();
+  }
 }
-
-const isOf = (work: Work, result: SolveResult | undefined, design: Design | undefined): boolean =>
-  work.result === result && work.print === design?.print;
-
-const areMoved = (laid: LayStep['places'], places: LayStep['places']): boolean =>
-  JSON.stringify(laid) !== JSON.stringify(places);
 
 const known = new WeakMap<Source, Laying>();
 

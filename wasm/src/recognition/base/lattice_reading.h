@@ -19,6 +19,9 @@ struct LatticeReading {
   /// Standard error of the lengths of w1, w2, as a share.
   double uncertainty = 0;
   Confidence confidence = Confidence::kUncertain;
+  /// The print is the same all along w2, whose length then says nothing; across, w1 leads from one
+  /// repeat to the next.
+  bool is_stripes = false;
 };
 
 }  // namespace seamwise

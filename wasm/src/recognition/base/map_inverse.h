@@ -23,4 +23,7 @@ Mat2 derivative(const LatticeMap& map, const Vec2& u);
 /// The side of the square as large as the cell at the picture's middle. [px]
 double cellSize(const LatticeMap& map);
 
+/// The longer of w1 and w2 at the picture's middle. [px]
+double longerRepeat(const LatticeMap& map);
+
 }  // namespace seamwise

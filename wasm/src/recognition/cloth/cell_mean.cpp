@@ -8,11 +8,26 @@
 namespace seamwise {
 
 namespace {
-/// Samples between which places and light are interpolated: fields bend over hundreds of them.
-constexpr int kPart = 8;
-constexpr float kLeastWeight = 1e-3f;
+/// Parts of a row between which places and light are interpolated: fields bend over a third of it.
+constexpr int kRowParts = 32;
+constexpr int kShortestPart = 4, kLongestPart = 32;  // samples
+constexpr float kLeastCopyWeight = 1e-3f;
 constexpr double kEqualLengths = 0.01;
-constexpr int kMultiple = 12;  // of halves, thirds, quarters and sixths of the cell
+constexpr int kTileMultiple = 12;  // of halves, thirds, quarters and sixths of the cell
+
+// sRGB: linear light is ((code + 0.055) / 1.055)^2.4 for codes above the toe, below which it is
+// proportional to them.
+constexpr float kSrgbGamma = 2.4f, kSrgbOffset = 0.055f, kSrgbToe = 0.04045f;
+
+/// Coded colours with their linear light multiplied by gains^2.4. Exact above the toe, since there
+/// code + 0.055 is multiplied by `gains`; below, goes on straight to black.
+PixelLanes underLight(const PixelLanes& code, const PixelLanes& gains) {
+  const PixelLanes lit = (code + kSrgbOffset) * gains - kSrgbOffset;
+  const PixelLanes dark =
+      code * (((kSrgbToe + kSrgbOffset) * gains - kSrgbOffset) * (1 / kSrgbToe));
+  return least(greatest(code < kSrgbToe ? dark : lit, PixelLanes{0, 0, 0, 0}),
+               PixelLanes{1, 1, 1, 1});
+}
 }  // namespace
 
 CellGrid nativeGrid(const LatticeMap& map, const Mat2& gram, const Mat2& basis, const Vec2& origin,
@@ -25,7 +40,7 @@ CellGrid nativeGrid(const LatticeMap& map, const Mat2& gram, const Mat2& basis, 
   const double shrink = std::min(1.0, longest / (px * std::max(along, up)));
   const auto whole = [&](double length) {
     const double n = px * shrink * length;
-    const int multiple = n >= 4 * kMultiple ? kMultiple : 1;
+    const int multiple = n >= 4 * kTileMultiple ? kTileMultiple : 1;
     return std::max(1, static_cast<int>(std::lround(n / multiple)) * multiple);
   };
   CellGrid grid;
@@ -38,16 +53,15 @@ CellGrid nativeGrid(const LatticeMap& map, const Mat2& gram, const Mat2& basis, 
 }
 
 CellMean::CellMean(const PixelView& pixels, int factor, const LatticeMap& map,
-                   const CopyFields& fields, const CellGrid& grid, double flatten,
-                   const SrgbCurve& curve)
+                   const CopyFields& fields, const CellGrid& grid, double flatten)
     : pixels_(pixels),
       scale_(1.0 / factor),
       map_(map.rebased(grid.basis, grid.origin)),
       fields_(fields),
       grid_(grid),
       flatten_(static_cast<float>(flatten)),
-      curve_(curve),
       cells_(map_, pixels.width * factor, pixels.height * factor),
+      part_(std::clamp(grid.columns / kRowParts, kShortestPart, kLongestPart)),
       copies_(static_cast<std::size_t>(grid.columns) * cells_.across * cells_.up),
       counts_(grid.columns) {
   const std::size_t size = static_cast<std::size_t>(grid.columns) * grid.rows;
@@ -83,17 +97,17 @@ CellMean::Knot CellMean::knotAt(double column, double row, int cell_u, int cell_
   fields_.weight.at(x, y, &knot.weight);
   knot.x = static_cast<float>((p.x() + shift[0]) * scale_);
   knot.y = static_cast<float>((p.y() + shift[1]) * scale_);
-  for (int c = 0; c < 3; ++c) knot.gains[c] = std::exp(-flatten_ * light[c]);
+  for (int c = 0; c < 3; ++c) knot.gains[c] = std::exp(-flatten_ / kSrgbGamma * light[c]);
   return knot;
 }
 
 int CellMean::addCopy(int cell_u, int cell_v) {
   int looked_at = 0;
   Knot from = knotAt(0, row_, cell_u, cell_v);
-  for (int first = 0; first < grid_.columns; first += kPart) {
-    const Knot to = knotAt(first + kPart, row_, cell_u, cell_v);
+  for (int first = 0; first < grid_.columns; first += part_) {
+    const Knot to = knotAt(first + part_, row_, cell_u, cell_v);
     if (from.seen && to.seen) {
-      const int end = std::min(first + kPart, grid_.columns);
+      const int end = std::min(first + part_, grid_.columns);
       addPart(from, to, first, end);
       looked_at += end - first;
     }
@@ -106,16 +120,15 @@ int CellMean::addCopy(int cell_u, int cell_v) {
 void CellMean::addPart(const Knot& from, const Knot& to, int first, int end) {
   const std::size_t most = static_cast<std::size_t>(cells_.across) * cells_.up;
   for (int i = first; i < end; ++i) {
-    const float t = static_cast<float>(i - first) * (1.0f / kPart);
+    const float t = static_cast<float>(i - first) / static_cast<float>(part_);
     const float weight = from.weight + t * (to.weight - from.weight);
-    if (weight < kLeastWeight) continue;
+    if (weight < kLeastCopyWeight) continue;
     PixelLanes value = {0, 0, 0, 0};
     if (!bicubic(pixels_, from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), &value))
       continue;
     const PixelLanes gains = from.gains + t * (to.gains - from.gains);
-    PixelLanes colour = {0, 0, 0, weight};
-    for (int c = 0; c < 3; ++c)
-      colour[c] = curve_.code(curve_.linear(value[c] * (1 / 255.0f)) * gains[c]);
+    PixelLanes colour = underLight(value * (1 / 255.0f), gains);
+    colour[3] = weight;
     copies_[i * most + counts_[i]++] = colour;
   }
 }
@@ -123,7 +136,7 @@ void CellMean::addPart(const Knot& from, const Knot& to, int first, int end) {
 void CellMean::agree() {
   const std::size_t most = static_cast<std::size_t>(cells_.across) * cells_.up;
   for (int i = 0; i < grid_.columns; ++i) {
-    const AgreedColour agreed = agreedColour(copies_.data() + i * most, counts_[i], &scratch_);
+    const AgreedColour agreed = agreedColour(copies_.data() + i * most, counts_[i]);
     const std::size_t k = static_cast<std::size_t>(row_) * grid_.columns + i;
     for (int c = 0; c < 3; ++c) planes_[c][k] = agreed.colour[c];
     noise_[k] = agreed.noise;
@@ -140,8 +153,8 @@ std::vector<std::uint8_t> imageBytes(int columns, int rows,
     for (int i = 0; i < columns; ++i, to += 4) {
       const std::size_t from = static_cast<std::size_t>(j) * columns + i;
       for (int c = 0; c < 3; ++c)
-        rgba[to + c] =
-            static_cast<std::uint8_t>(std::clamp(planes[c][from], 0.0f, 1.0f) * 255.0f + 0.5f);
+        rgba[to + c] = static_cast<std::uint8_t>(
+            std::lround(std::clamp(planes[c][from], 0.0f, 1.0f) * 255.0f));
     }
   }
   return rgba;

@@ -9,7 +9,6 @@
 #include "recognition/cloth/lattice_canvas.h"
 #include "recognition/cloth/pixels.h"
 #include "recognition/cloth/robust_mean.h"
-#include "recognition/cloth/srgb.h"
 
 namespace seamwise {
 
@@ -37,7 +36,7 @@ class CellMean {
   /// @param pixels   `factor` times smaller than the whole picture
   /// @param flatten  share of the light's differences that is taken away, 0 to 1
   CellMean(const PixelView& pixels, int factor, const LatticeMap& map, const CopyFields& fields,
-           const CellGrid& grid, double flatten, const SrgbCurve& curve);
+           const CellGrid& grid, double flatten);
   /// Goes on for about that many samples of the picture; false when nothing is left to do.
   bool advance(int samples);
   double fraction() const { return static_cast<double>(row_) / grid_.rows; }
@@ -52,8 +51,8 @@ class CellMean {
  private:
   /// What is interpolated along a row of samples.
   struct Knot {
-    float x, y;  ///< px of the pixels
-    PixelLanes gains;
+    float x, y;        ///< px of the pixels
+    PixelLanes gains;  ///< of coded values, see `lit`
     float weight;
     bool seen;
   };
@@ -68,12 +67,11 @@ class CellMean {
   const CopyFields& fields_;
   CellGrid grid_;
   float flatten_;
-  const SrgbCurve& curve_;
   SeenCells cells_;
+  int part_;  ///< samples between which places and light are interpolated
   int row_ = 0;
   std::vector<PixelLanes> copies_;  ///< of the row, `most` for each sample
   std::vector<int> counts_;         ///< per sample of the row
-  std::vector<float> scratch_;
   std::array<std::vector<float>, 3> planes_;
   std::vector<float> noise_;
 };

@@ -4,28 +4,29 @@
 #include <cmath>
 
 #include "recognition/base/map_inverse.h"
+#include "recognition/cloth/differing.h"
 
 namespace seamwise {
 
 namespace {
 
-constexpr double kReducedCell = 160;     // px of a cell's side, at least where the picture has them
-constexpr int kFewest = 16, kMost = 64;  // samples of a cell's side for registration
-constexpr double kMostSamples = 500'000;   // of all cells
-constexpr double kPixelsPerSample = 1.2;   // of the picture that is sampled, at least
-constexpr int kCoarseCell = 20;            // samples of a cell's side that creases leave alone
-constexpr int kLightCell = 16;             // samples of a cell's side for the light
+constexpr double kReducedCell = 160;  // px of a cell's side, at least where the picture has them
+constexpr int kFewestPerCell = 16, kMostPerCell = 64;  // samples of a cell's side for registration
+constexpr double kMostCopySamples = 500'000;           // of all cells
+constexpr double kPixelsPerSample = 1.2;               // of the picture that is sampled, at least
+constexpr int kCoarsePerCell = 20;         // samples of a cell's side that creases leave alone
+constexpr int kLightPerCell = 16;          // samples of a cell's side for the light
 constexpr int kPixelsPerStep = 2'000'000;  // read when a picture is made smaller
 
-int factorFor(double cell_size, double wanted) {
+int reductionFor(double cell_size, double wanted) {
   return std::max(1, static_cast<int>(cell_size / wanted));
 }
 
-int samplesFor(const PixelView& pixels, double cell_size) {
+int samplesPerCell(const PixelView& pixels, double cell_size) {
   const double cells =
       static_cast<double>(pixels.width) * pixels.height / (cell_size * cell_size) + 1;
-  const double most = std::min(std::sqrt(kMostSamples / cells), cell_size / 2);
-  return std::clamp(static_cast<int>(most) / 8 * 8, kFewest, kMost);
+  const double most = std::min(std::sqrt(kMostCopySamples / cells), cell_size / 2);
+  return std::clamp(static_cast<int>(most) / 8 * 8, kFewestPerCell, kMostPerCell);
 }
 
 }  // namespace
@@ -35,20 +36,22 @@ CopyFieldsFit::CopyFieldsFit(const PixelView& pixels, const LatticeMap& map, con
       map_(map),
       curve_(curve),
       cell_size_(cellSize(map)),
-      samples_(samplesFor(pixels, cell_size_)),
-      reduced_(pixels, factorFor(cell_size_, kReducedCell)) {}
+      samples_(samplesPerCell(pixels, cell_size_)),
+      reduced_(pixels, reductionFor(cell_size_, kReducedCell)) {}
 
 bool CopyFieldsFit::advance() {
   switch (stage_) {
     case Stage::kReduce:
       if (reduced_.advance(kPixelsPerStep)) return true;
       fine_ = std::make_unique<ReducedPixels>(
-          reduced_.view(), factorFor(cell_size_ / reduced_.factor(), samples_ * kPixelsPerSample));
+          reduced_.view(),
+          reductionFor(cell_size_ / reduced_.factor(), samples_ * kPixelsPerSample));
       stage_ = Stage::kReduceFine;
       return true;
     case Stage::kReduceFine:
       if (fine_->advance(kPixelsPerStep)) return true;
-      coarse_ = std::make_unique<ReducedPixels>(fine_->view(), factorFor(samples_, kCoarseCell));
+      coarse_ =
+          std::make_unique<ReducedPixels>(fine_->view(), reductionFor(samples_, kCoarsePerCell));
       stage_ = Stage::kReduceCoarse;
       return true;
     case Stage::kReduceCoarse:
@@ -77,7 +80,7 @@ double CopyFieldsFit::fraction() const { return static_cast<double>(stage_) / 5;
 void CopyFieldsFit::beginLight() {
   const int width = pixels_.width, height = pixels_.height;
   const SmoothField flat(2, width, height, std::max(width, height));
-  LatticeCanvas canvas = latticeCanvas(map_, width, height, std::min(kLightCell, samples_));
+  LatticeCanvas canvas = latticeCanvas(map_, width, height, std::min(kLightPerCell, samples_));
   sampleCanvas(coarse_->view(), reduced_.factor() * fine_->factor() * coarse_->factor(), flat,
                &canvas);
   light_ = std::make_unique<LightFit>(std::move(canvas), curve_, width, height, cell_size_);
@@ -95,9 +98,8 @@ void CopyFieldsFit::beginShift() {
 
 void CopyFieldsFit::finish() {
   fields_.shift = registration_->shift();
-  fields_.unevenness = registration_->rms() / cell_size_;
-  fields_.weight = SmoothField(1, pixels_.width, pixels_.height, cell_size_);
-  std::fill(fields_.weight.nodes.begin(), fields_.weight.nodes.end(), 1.0f);
+  fields_.unevenness = registration_->rms() / longerRepeat(map_);
+  findDiffering(*registration_, cell_size_, &fields_);
   registration_.reset();
 }
 

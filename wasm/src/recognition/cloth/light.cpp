@@ -7,11 +7,11 @@ namespace seamwise {
 
 namespace {
 constexpr int kLightRounds = 14;          // later ones change the field by less than 0.1 %
-constexpr int kPlainRounds = 3;           // before errors are weighted by their size
-constexpr double kNodesAcross = 10;       // of the longer side; lamps and lenses vary no faster
+constexpr int kPlainLightRounds = 3;      // before errors are weighted by their size
+constexpr double kLightNodesAcross = 10;  // of the longer side; lamps and lenses vary no faster
 constexpr float kLightStiffness = 0.02f;  // of a node's mean weight
-constexpr float kDark = 0.02f;            // linear light in which noise is as large as the signal
-constexpr float kGlare = 0.98f;           // coded values above are cut off by the camera
+constexpr float kNoisyLight = 0.02f;      // linear light in which noise is as large as the signal
+constexpr float kGlareCode = 0.98f;       // coded values above are cut off by the camera
 constexpr float kLightTail = 3;           // errors beyond so many mean errors count little
 }  // namespace
 
@@ -19,17 +19,17 @@ LightFit::LightFit(LatticeCanvas canvas, const SrgbCurve& curve, int width, int 
                    double cell_size)
     : canvas_(std::move(canvas)) {
   const double longer = std::max(width, height);
-  field_ =
-      SmoothField(3, width, height,
-                  std::clamp(cell_size / 2, longer / (2 * kNodesAcross), longer / kNodesAcross));
+  field_ = SmoothField(
+      3, width, height,
+      std::clamp(cell_size / 2, longer / (2 * kLightNodesAcross), longer / kLightNodesAcross));
   for (int c = 0; c < 3; ++c) {
     std::vector<float>& plane = canvas_.planes[c];
     weights_[c].resize(plane.size());
     for (std::size_t k = 0; k < plane.size(); ++k) {
       const float code = plane[k], light = curve.linear(code);
-      plane[k] = std::log(std::max(light, kDark / 16));
-      const float trust = light * light / (light * light + kDark * kDark);
-      weights_[c][k] = canvas_.seen[k] && code < kGlare ? trust : 0.0f;
+      plane[k] = std::log(std::max(light, kNoisyLight / 16));
+      const float trust = light * light / (light * light + kNoisyLight * kNoisyLight);
+      weights_[c][k] = canvas_.seen[k] && code < kGlareCode ? trust : 0.0f;
     }
   }
 }
@@ -71,14 +71,14 @@ void LightFit::fit(int channel) {
   double weight = 0;
   for (std::size_t k = 0; k < rest.size(); ++k) {
     if (weights[k] == 0) continue;
-    const float size = round_ < kPlainRounds ? 0 : rest[k] / tail;
+    const float size = round_ < kPlainLightRounds ? 0 : rest[k] / tail;
     const SplineShares shares(field_, canvas_.x[k], canvas_.y[k]);
     const float w = weights[k] / (1 + size * size);
     sums.add(shares, w, 1, 0, 0, rest[k], 0, field_.columns);
     weight += w;
   }
   const float mean = static_cast<float>(weight) / static_cast<float>(sums.a11.size());
-  stepField(sums, kLightStiffness * mean, channel, channel, &field_);
+  stepField(sums, {kLightStiffness * mean, 0}, channel, channel, &field_);
 }
 
 void LightFit::center() {

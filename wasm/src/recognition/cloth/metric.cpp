@@ -9,25 +9,28 @@ namespace seamwise {
 
 namespace {
 
-constexpr double kFilm = 36;          // longer side of 35 mm film. [mm]
+constexpr double kFilmSide = 36;      // longer side of 35 mm film. [mm]
 constexpr double kUsualFocus = 0.75;  // of phones, over the longer side: 24 to 30 mm
-constexpr double kUsualError = 0.2;   // of that, as a share
-constexpr double kFileError = 0.02;   // of f35, whole mm, as a share
+constexpr double kUsualError = 0.3;   // of that: 24 to 35 mm
+/// Errors of the optical axis, over the longer side: of a whole picture, of one maybe cut out.
+constexpr double kFileMiddle = 0.005, kAnyMiddle = 0.1;
+constexpr double kFileError = 0.02;  // of f35, whole mm, as a share
 /// Change of scale from a picture's middle to its border, over the lattice's error, up to which
 /// there is no perspective; and at least as a share: a tilt of half a degree.
 constexpr double kSurely = 4, kNoPerspective = 0.004;
 constexpr double kPointing = 1;  // error of a point that somebody sets. [px]
 constexpr double kTape = 0.001;  // error of a measured length, as a share
+constexpr double kEqualSides = 0.01, kRightAngle = 0.02;   // shares; a cosine
 constexpr double kShortestFocus = 0.3, kLongestFocus = 6;  // over the longer side
 constexpr int kFocusSteps = 40;
 
-double angleOf(const Mat2& gram) {
+double gramAngle(const Mat2& gram) {
   return std::acos(std::clamp(gram(0, 1) / std::sqrt(gram(0, 0) * gram(1, 1)), -1.0, 1.0));
 }
 
-double aspectOf(const Mat2& gram) { return std::sqrt(gram(1, 1) / gram(0, 0)); }
+double gramAspect(const Mat2& gram) { return std::sqrt(gram(1, 1) / gram(0, 0)); }
 
-double areaOf(const Mat2& gram) {
+double gramArea(const Mat2& gram) {
   return std::sqrt(std::max(gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(0, 1), 1e-300));
 }
 
@@ -40,12 +43,12 @@ Mat2 gramFor(const Mat3& h, const Vec2& middle, double f) {
     ray(2, c) = f * h(2, c);
   }
   const Mat2 gram = ray.transpose() * ray;
-  return gram / areaOf(gram);
+  return gram / gramArea(gram);
 }
 
 /// How much scale changes from the middle to the border: the share by which the map's denominator
 /// does, over half the longer side.
-double perspective(const LatticeMap& map, int longer) {
+double scaleChange(const LatticeMap& map, int longer) {
   const Vec2 u = MapInverse(map)(map.middle);
   const Mat3& h = map.homography;
   const double depth = h(2, 0) * u.x() + h(2, 1) * u.y() + h(2, 2);
@@ -58,24 +61,24 @@ double perspective(const LatticeMap& map, int longer) {
 
 /// The focal length near `likely` for which the cell's sides have the measured ratio, if any does.
 double focusFor(const Mat3& h, const Vec2& middle, double longer, double likely, double aspect) {
-  double best = likely, least = std::abs(std::log(aspectOf(gramFor(h, middle, likely)) / aspect));
+  double best = likely, least = std::abs(std::log(gramAspect(gramFor(h, middle, likely)) / aspect));
   for (int k = 0; k <= kFocusSteps; ++k) {
     const double share = static_cast<double>(k) / kFocusSteps;
     const double f = longer * kShortestFocus * std::pow(kLongestFocus / kShortestFocus, share);
-    const double off = std::abs(std::log(aspectOf(gramFor(h, middle, f)) / aspect));
+    const double off = std::abs(std::log(gramAspect(gramFor(h, middle, f)) / aspect));
     if (off < least) least = off, best = f;
   }
   return best;
 }
 
-Error impossible(const char* message) {
+Error badHint(const char* message) {
   Error error;
   error.code = Failure::kOptions;
   error.message = message;
   return error;
 }
 
-void scaleBy(double factor, double error, MetricReading* reading) {
+void scaleMetric(double factor, double error, MetricReading* reading) {
   reading->gram *= factor * factor;
   reading->scaled = true;
   reading->length_error = error;
@@ -88,18 +91,18 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
   const auto& [first, second] = hints.lengths;
   for (const std::optional<double>& length : hints.lengths)
     if (length && !(*length > 0 && *length < 1e4))
-      return impossible("a measured repeat has to be longer than 0 cm and shorter than 100 m");
+      return badHint("a measured repeat has to be longer than 0 cm and shorter than 100 m");
   if (hints.f35 && !(*hints.f35 > 3 && *hints.f35 < 3000))
-    return impossible("a focal length on 35 mm film lies between 3 and 3000 mm; leave it out");
+    return badHint("a focal length on 35 mm film lies between 3 and 3000 mm; leave it out");
   const Mat3& h = reading.map.homography;
   const Vec2& middle = reading.map.middle;
   const double longer = std::max(width, height);
   MetricReading metric;
   double f = kUsualFocus * longer, f_error = kUsualError;
   if (hints.f35) {
-    f = *hints.f35 / kFilm * longer, f_error = kFileError;
+    f = *hints.f35 / kFilmSide * longer, f_error = kFileError;
     metric.source = MetricSource::kFocalLength;
-  } else if (perspective(reading.map, static_cast<int>(longer)) <
+  } else if (scaleChange(reading.map, static_cast<int>(longer)) <
              std::max(kNoPerspective, kSurely * reading.uncertainty)) {
     f_error = 0;
   } else {
@@ -112,38 +115,48 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
   }
   // What a scan's third row says is noise.
   metric.gram = gramFor(h, middle, scan ? 0 : f);
-  const Mat2 nearer = gramFor(h, middle, f * (1 - f_error));
-  const Mat2 farther = gramFor(h, middle, f * (1 + f_error));
-  const double half_aspect = scan ? 0 : std::log(aspectOf(farther) / aspectOf(nearer)) / 2;
-  const double half_angle = scan ? 0 : (angleOf(farther) - angleOf(nearer)) / 2;
-  metric.aspect_error = std::hypot(half_aspect, reading.uncertainty * std::sqrt(2.0));
-  metric.angle_error = std::hypot(half_angle, reading.uncertainty);
+  double aspect_squares = 2 * reading.uncertainty * reading.uncertainty;
+  double angle_squares = reading.uncertainty * reading.uncertainty;
+  const auto vary = [&](const Vec2& off, double share) {
+    const Mat2 other = gramFor(h, middle + longer * off, f * (1 + share));
+    aspect_squares += std::pow(std::log(gramAspect(other) / gramAspect(metric.gram)), 2);
+    angle_squares += std::pow(gramAngle(other) - gramAngle(metric.gram), 2);
+  };
+  if (!scan) {
+    vary(Vec2::Zero(), -f_error);
+    // A picture without a focal length may be cut out of one.
+    const double off = hints.f35 ? kFileMiddle : kAnyMiddle;
+    vary(Vec2(off, 0), 0);
+    vary(Vec2(0, off), 0);
+  }
+  metric.aspect_error = std::sqrt(aspect_squares);
+  metric.angle_error = std::sqrt(angle_squares);
   if (first && second) {
-    const double angle = angleOf(metric.gram), product = *first * *second * std::cos(angle);
+    const double angle = gramAngle(metric.gram), product = *first * *second * std::cos(angle);
     metric.gram << *first * *first, product, product, *second * *second;
     metric.aspect_error = kTape * std::sqrt(2.0);
-    scaleBy(1, kTape, &metric);
+    scaleMetric(1, kTape, &metric);
   } else if (first || second) {
     const int k = first ? 0 : 1;
-    scaleBy((first ? *first : *second) / std::sqrt(metric.gram(k, k)),
-            std::hypot(kTape, metric.aspect_error / 2), &metric);
+    scaleMetric((first ? *first : *second) / std::sqrt(metric.gram(k, k)),
+                std::hypot(kTape, metric.aspect_error / 2), &metric);
   } else if (hints.span) {
     const MapInverse inverse(reading.map);
     const Vec2 u = inverse(hints.span->to) - inverse(hints.span->from);
     const double apart = std::sqrt(std::max(u.dot(metric.gram * u), 0.0));
     const double px = (hints.span->to - hints.span->from).norm();
     if (!(hints.span->length > 0 && hints.span->length < 1e4 && px > 4 * kPointing))
-      return impossible(
+      return badHint(
           "two points on the photo have to lie more than 4 px apart, and their distance on the "
           "cloth between 0 cm and 100 m");
-    scaleBy(hints.span->length / apart,
-            std::hypot(std::sqrt(2.0) * kPointing / px, metric.aspect_error / 2), &metric);
+    scaleMetric(hints.span->length / apart,
+                std::hypot(std::sqrt(2.0) * kPointing / px, metric.aspect_error / 2), &metric);
   }
   return metric;
 }
 
 std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram, int quarters) {
-  const double along = std::sqrt(gram(0, 0)), area = areaOf(gram);
+  const double along = std::sqrt(gram(0, 0)), area = gramArea(gram);
   Mat2 w;  // w1 along x
   w << along, gram(0, 1) / along, 0, area / along;
   const Mat2 seen = derivative(map, MapInverse(map)(map.middle));
@@ -152,8 +165,16 @@ std::array<Vec2, 2> placedLattice(const LatticeMap& map, const Mat2& gram, int q
   const Vec2 up = w * Vec2(seen(0, 1) / det, -seen(0, 0) / det);
   const double turn = kPi / 2 - directionOf(up);
   double nearest = kPi, snap = 0;
-  const Vec2 candidates[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
-  for (const Vec2& u : candidates) {
+  const double longer = std::max(along, std::sqrt(gram(1, 1)));
+  const bool rhombic = std::abs(gramAspect(gram) - 1) < kEqualSides;
+  const double cosine = std::abs(std::cos(gramAngle(gram)));
+  for (const Vec2& u : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1), Vec2(1, -1)}) {
+    const bool diagonal = u.prod() != 0;
+    if (rhombic && cosine > kRightAngle && std::abs(cosine - 0.5) > kRightAngle) {
+      if (!diagonal) continue;  // the rectangle that is centred
+    } else if (diagonal && (w * u).norm() > longer * (1 + kEqualSides)) {
+      continue;  // six directions of hexagons, two of rectangles
+    }
     const double angle = directionOf(rotation(turn) * (w * u));
     const double edge = std::nearbyint(angle / (kPi / 2)) * (kPi / 2);
     if (std::abs(edge - angle) >= nearest - 1e-6) continue;

@@ -53,8 +53,9 @@ Outcome<MetricReading> readMetric(const LatticeReading& reading, int width, int 
                                   const MetricHints& hints);
 
 /// w1 and w2 as a print has them, w2 counter-clockwise, +y the warp. The warp is taken to run
-/// upwards on the picture, and exactly along or across the one of w1, w2, w1 + w2 and w1 - w2 that
-/// lies nearest to the picture's edges at its middle.
+/// upwards on the picture, at its middle, and exactly along or across that direction of the lattice
+/// which lies nearest to one of the picture's edges: of w1 and w2, of the diagonals instead if both
+/// are equally long, and of all three shortest ones of a hexagonal lattice.
 /// @param map      of this basis
 /// @param gram     of this basis
 /// @param quarters counter-clockwise turns by 90 degrees of what the cloth shows

@@ -6,11 +6,9 @@ namespace seamwise {
 
 namespace {
 
-void cubicShares(float t, float* shares) {
-  shares[0] = 0.5f * t * (-1 + t * (2 - t));
-  shares[1] = 1 + 0.5f * t * t * (-5 + 3 * t);
-  shares[2] = 0.5f * t * (1 + t * (4 - 3 * t));
-  shares[3] = 0.5f * t * t * (t - 1);
+PixelLanes pixelShares(float t) {
+  return PixelLanes{0.5f * t * (-1 + t * (2 - t)), 1 + 0.5f * t * t * (-5 + 3 * t),
+                    0.5f * t * (1 + t * (4 - 3 * t)), 0.5f * t * t * (t - 1)};
 }
 
 }  // namespace
@@ -73,19 +71,26 @@ bool bicubic(const PixelView& pixels, float x, float y, PixelLanes* value) {
         t < static_cast<float>(pixels.height - 2)))
     return bilinear(pixels, x, y, value);
   const int i = static_cast<int>(s), j = static_cast<int>(t);
-  float across[4], down[4];
-  cubicShares(s - static_cast<float>(i), across);
-  cubicShares(t - static_cast<float>(j), down);
+  const PixelLanes across = pixelShares(s - static_cast<float>(i));
+  const PixelLanes down = pixelShares(t - static_cast<float>(j));
   const std::size_t stride = static_cast<std::size_t>(pixels.width) * 4;
   const std::uint8_t* p =
       pixels.rgba.data() + stride * (j - 1) + 4 * static_cast<std::size_t>(i - 1);
-  PixelLanes sum = {0, 0, 0, 0};
-  for (const float share : down) {
-    sum += share * (across[0] * internal::pixelAt(p) + across[1] * internal::pixelAt(p + 4) +
-                    across[2] * internal::pixelAt(p + 8) + across[3] * internal::pixelAt(p + 12));
-    p += stride;
+  // A lane for each of four pixels, a sum for each colour.
+  using Codes __attribute__((vector_size(16))) = std::uint32_t;
+  using Numbers __attribute__((vector_size(16))) = std::int32_t;
+  PixelLanes red = {0, 0, 0, 0}, green = red, blue = red;
+  for (int k = 0; k < 4; ++k, p += stride) {
+    Codes codes;
+    std::memcpy(&codes, p, sizeof codes);
+    const float share = down[k];
+    red += share * __builtin_convertvector((Numbers)(codes & 255), PixelLanes);
+    green += share * __builtin_convertvector((Numbers)((codes >> 8) & 255), PixelLanes);
+    blue += share * __builtin_convertvector((Numbers)((codes >> 16) & 255), PixelLanes);
   }
-  *value = sum;
+  red *= across, green *= across, blue *= across;
+  *value = PixelLanes{red[0] + red[1] + red[2] + red[3], green[0] + green[1] + green[2] + green[3],
+                      blue[0] + blue[1] + blue[2] + blue[3], 0};
   return true;
 }
 

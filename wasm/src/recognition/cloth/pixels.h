@@ -46,7 +46,7 @@ inline PixelLanes pixelAt(const std::uint8_t* rgba) {
 bool bilinear(const PixelView& pixels, float x, float y, PixelLanes* value);
 
 /// The same between 4 x 4 pixels by cubics that pass through them [Catmull and Rom 1974], which
-/// keeps fine detail; at the border, where there are no 4 x 4, between four.
+/// keeps fine detail, without opacity; at the border, where there are no 4 x 4, between four.
 bool bicubic(const PixelView& pixels, float x, float y, PixelLanes* value);
 
 }  // namespace seamwise

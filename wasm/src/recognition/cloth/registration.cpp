@@ -6,15 +6,16 @@
 namespace seamwise {
 
 namespace {
-constexpr int kCoarseRounds = 3, kRounds = 8;
-constexpr double kNodesPerCell = 3;
-constexpr double kMostNodesAcross = 72;  // of the longer side
-constexpr float kStiffness = 0.05f;      // of a node's mean curvature
-constexpr float kTail = 3;               // errors beyond so many mean errors count little
+constexpr int kCoarseShiftRounds = 3, kShiftRounds = 8;
+constexpr double kShiftNodesPerCell = 3;
+constexpr double kMostShiftNodesAcross = 72;  // of the longer side
+constexpr float kShiftStiffness = 0.05f;      // of a node's mean curvature
+constexpr float kShiftSize = 0.003f;          // of it; along stripes nothing else holds a node
+constexpr float kShiftTail = 3;               // errors beyond so many mean errors count little
 
 /// The derivatives of a function on the picture by x and by y, of those by u and by v at sample k.
-struct PictureGradient {
-  PictureGradient(const LatticeCanvas& canvas, int column, int row) {
+struct PictureSlopes {
+  PictureSlopes(const LatticeCanvas& canvas, int column, int row) {
     const int left = column > 0 ? 1 : 0, right = column + 1 < canvas.columns() ? 1 : 0;
     const int down = row > 0 ? 1 : 0, up = row + 1 < canvas.rows() ? 1 : 0;
     const int k = row * canvas.columns() + column;
@@ -43,7 +44,8 @@ CopyRegistration::CopyRegistration(LatticeCanvas canvas, const PixelView& pixels
       coarse_factor_(coarse_factor),
       curve_(curve),
       shift_(2, width, height,
-             std::max(cell_size / kNodesPerCell, std::max(width, height) / kMostNodesAcross)) {
+             std::max(cell_size / kShiftNodesPerCell,
+                      std::max(width, height) / kMostShiftNodesAcross)) {
   for (std::vector<float>& gains : gains_) gains.resize(canvas_.size());
   float values[3];
   for (std::size_t k = 0; k < canvas_.size(); ++k) {
@@ -56,14 +58,14 @@ CopyRegistration::CopyRegistration(LatticeCanvas canvas, const PixelView& pixels
 bool CopyRegistration::advance() {
   sample();
   average();
-  if (++round_ > kRounds) return false;  // the last round shows what the field has become
+  if (++round_ > kShiftRounds) return false;  // the last round shows what the field has become
   step();
   center();
   return true;
 }
 
 void CopyRegistration::sample() {
-  const bool coarse = round_ < kCoarseRounds;
+  const bool coarse = round_ < kCoarseShiftRounds;
   sampleCanvas(coarse ? coarse_ : pixels_, coarse ? coarse_factor_ : factor_, shift_, &canvas_);
   for (int c = 0; c < 3; ++c) {
     std::vector<float>& plane = canvas_.planes[c];
@@ -99,7 +101,7 @@ void CopyRegistration::step() {
       ++used;
     }
   }
-  const float tail = kTail * static_cast<float>(errors / used) + 1e-6f;
+  const float tail = kShiftTail * static_cast<float>(errors / used) + 1e-6f;
   FieldSums sums(shift_);
   for (int b = 0, k = 0; b < canvas_.rows(); ++b) {
     const std::size_t row = static_cast<std::size_t>(b % n) * n;
@@ -108,7 +110,7 @@ void CopyRegistration::step() {
     for (int a = 0; a < canvas_.columns(); ++a, ++k) {
       const std::size_t place = row + a % n;
       if (!canvas_.seen[k] || count_[place] < 2) continue;
-      const PictureGradient to(canvas_, a, b);
+      const PictureSlopes to(canvas_, a, b);
       const SplineShares shares(shift_, canvas_.x[k], canvas_.y[k]);
       // Of the others: a copy is not to hold itself back.
       const float others = count_[place] / (count_[place] - 1);
@@ -133,8 +135,8 @@ void CopyRegistration::step() {
   }
   double curvature = 0;
   for (std::size_t k = 0; k < sums.a11.size(); ++k) curvature += sums.a11[k] + sums.a22[k];
-  const double mean = curvature / (2 * static_cast<double>(sums.a11.size()));
-  stepField(sums, kStiffness * static_cast<float>(mean), 0, 1, &shift_);
+  const float mean = static_cast<float>(curvature) / (2 * static_cast<float>(sums.a11.size()));
+  stepField(sums, {kShiftStiffness * mean, kShiftSize * mean}, 0, 1, &shift_);
 }
 
 void CopyRegistration::center() {

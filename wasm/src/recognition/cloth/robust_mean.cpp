@@ -7,19 +7,38 @@ namespace seamwise {
 
 namespace {
 
-/// Distances from the median up to which colours count, over the median distance: 4.7 standard
+/// Distances from the median up to which colours count, over the mean distance: 4.7 standard
 /// deviations of noise that is normal in three colours.
-constexpr float kReach = 4.7f / 1.54f;
-/// Added to the median distance: a step and a half of 8 bits.
-constexpr float kStep = 1.5f / 255;
+constexpr float kOutlierReach = 4.7f / 1.6f;
+/// Added to the mean distance: a step and a half of 8 bits.
+constexpr float kCodeStep = 1.5f / 255;
+/// Colours of which the median is taken; of more, so many at equal steps.
+constexpr int kMedianOf = 15;
 
-float median(std::vector<float>* values, int count) {
-  const auto middle = values->begin() + count / 2;
-  std::nth_element(values->begin(), middle, values->begin() + count);
-  return *middle;
+PixelLanes greatestColour(const PixelLanes* colours, int count) {
+  PixelLanes most = colours[0];
+  for (int k = 1; k < count; ++k) most = greatest(most, colours[k]);
+  return most;
 }
 
-float squaredLength(const PixelLanes& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+/// The median of each lane.
+PixelLanes medianColour(const PixelLanes* colours, int count) {
+  PixelLanes sorted[kMedianOf];
+  const int n = std::min(count, kMedianOf);
+  for (int k = 0; k < n; ++k) sorted[k] = colours[k * count / n];
+  // The greatest go to the end, one after the other, until the middle is known.
+  for (int end = n - 1; end >= n / 2; --end) {
+    PixelLanes most = sorted[0];
+    for (int k = 1; k <= end; ++k) {
+      sorted[k - 1] = least(most, sorted[k]);
+      most = greatest(most, sorted[k]);
+    }
+    sorted[end] = most;
+  }
+  return n % 2 == 1 ? sorted[n / 2] : 0.5f * (sorted[n / 2] + greatestColour(sorted, n / 2));
+}
+
+float colourSquares(const PixelLanes& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
 /// The sum of the squares of the opponent channels of a difference.
 float opponentSquares(const PixelLanes& d) {
@@ -30,20 +49,16 @@ float opponentSquares(const PixelLanes& d) {
 
 }  // namespace
 
-AgreedColour agreedColour(PixelLanes* colours, int count, std::vector<float>* scratch) {
+AgreedColour agreedColour(PixelLanes* colours, int count) {
   AgreedColour agreed;
   if (count == 0) return agreed;
   if (count > 2) {
-    if (scratch->size() < static_cast<std::size_t>(count)) scratch->resize(count);
-    PixelLanes center = {0, 0, 0, 0};
-    for (int c = 0; c < 3; ++c) {
-      for (int k = 0; k < count; ++k) (*scratch)[k] = colours[k][c];
-      center[c] = median(scratch, count);
-    }
-    for (int k = 0; k < count; ++k) (*scratch)[k] = squaredLength(colours[k] - center);
-    const float reach = kReach * (std::sqrt(median(scratch, count)) + kStep);
+    const PixelLanes center = medianColour(colours, count);
+    float distance = 0;
+    for (int k = 0; k < count; ++k) distance += std::sqrt(colourSquares(colours[k] - center));
+    const float reach = kOutlierReach * (distance / static_cast<float>(count) + kCodeStep);
     for (int k = 0; k < count; ++k) {
-      const float far = squaredLength(colours[k] - center) / (reach * reach);
+      const float far = colourSquares(colours[k] - center) / (reach * reach);
       colours[k][3] *= far < 1 ? (1 - far) * (1 - far) : 0.0f;
     }
   }

@@ -1,6 +1,4 @@
 #pragma once
-#include <vector>
-
 #include "recognition/cloth/pixels.h"
 
 namespace seamwise {
@@ -14,8 +12,8 @@ struct AgreedColour {
 };
 
 /// Mean of colours with weights in the fourth lane, those far from their median counting less or
-/// nothing [Tukey's biweight], the scale being the median distance. Two colours have no outlier.
-/// Takes time like their number. The colours are put into another order.
-AgreedColour agreedColour(PixelLanes* colours, int count, std::vector<float>* scratch);
+/// nothing [Tukey's biweight], the scale being the mean distance from it: up to a third of them may
+/// lie anywhere. Two colours have no outlier. Takes time like their number. Weights are changed.
+AgreedColour agreedColour(PixelLanes* colours, int count);
 
 }  // namespace seamwise

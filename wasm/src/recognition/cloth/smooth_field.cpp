@@ -7,11 +7,11 @@ namespace seamwise {
 
 namespace {
 
-constexpr int kSolveSteps = 60;           // conjugate gradients; errors fall below 1e-3 of the step
-constexpr float kSolved = 1e-8f;          // of the residual's square
-constexpr float kLeastCurvature = 1e-6f;  // keeps what nothing observes from being singular
+constexpr int kFieldSolveSteps = 60;   // conjugate gradients; errors fall below 1e-3 of the step
+constexpr float kFieldSolved = 1e-8f;  // of the residual's square
+constexpr float kLeastFieldCurvature = 1e-6f;  // keeps what nothing observes from being singular
 
-void splineShares(float t, float* shares) {
+void cubicSplineShares(float t, float* shares) {
   const float s = 1 - t;
   shares[0] = s * s * s / 6;
   shares[1] = (4 - 6 * t * t + 3 * t * t * t) / 6;
@@ -20,8 +20,8 @@ void splineShares(float t, float* shares) {
 }
 
 /// Adds stiffness times the derivative of (x1 - 2 x2 + x3)^2 / 2.
-void addSecond(const float* x, float stiffness, std::size_t a, std::size_t b, std::size_t c,
-               float* out) {
+void addSecondDifference(const float* x, float stiffness, std::size_t a, std::size_t b,
+                         std::size_t c, float* out) {
   const float bend = stiffness * (x[a] - 2 * x[b] + x[c]);
   out[a] += bend;
   out[b] -= 2 * bend;
@@ -33,8 +33,8 @@ void addBending(const float* x, int columns, int rows, float stiffness, float* o
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * columns + i;
-      if (i + 2 < columns) addSecond(x, stiffness, k, k + 1, k + 2, out);
-      if (j + 2 < rows) addSecond(x, stiffness, k, k + columns, k + 2 * columns, out);
+      if (i + 2 < columns) addSecondDifference(x, stiffness, k, k + 1, k + 2, out);
+      if (j + 2 < rows) addSecondDifference(x, stiffness, k, k + columns, k + 2 * columns, out);
       if (i + 1 >= columns || j + 1 >= rows) continue;
       const float twist = 2 * stiffness * (x[k] - x[k + 1] - x[k + columns] + x[k + columns + 1]);
       out[k] += twist;
@@ -45,22 +45,23 @@ void addBending(const float* x, int columns, int rows, float stiffness, float* o
   }
 }
 
-double dot(const std::vector<float>& a, const std::vector<float>& b) {
+double dotOf(const std::vector<float>& a, const std::vector<float>& b) {
   double sum = 0;
   for (std::size_t k = 0; k < a.size(); ++k) sum += static_cast<double>(a[k]) * b[k];
   return sum;
 }
 
-/// (A + stiffness bending) x of both channels, one after the other in x.
-void apply(const FieldSums& sums, float stiffness, int columns, int rows,
-           const std::vector<float>& x, std::vector<float>* out) {
+/// (A + bending + size) x of both channels, one after the other in x.
+void applyNormal(const FieldSums& sums, const FieldCost& cost, int columns, int rows,
+                 const std::vector<float>& x, std::vector<float>* out) {
   const std::size_t n = sums.a11.size();
+  const float least = cost.size + kLeastFieldCurvature;
   for (std::size_t k = 0; k < n; ++k) {
-    (*out)[k] = (sums.a11[k] + kLeastCurvature) * x[k] + sums.a12[k] * x[n + k];
-    (*out)[n + k] = sums.a12[k] * x[k] + (sums.a22[k] + kLeastCurvature) * x[n + k];
+    (*out)[k] = (sums.a11[k] + least) * x[k] + sums.a12[k] * x[n + k];
+    (*out)[n + k] = sums.a12[k] * x[k] + (sums.a22[k] + least) * x[n + k];
   }
-  addBending(x.data(), columns, rows, stiffness, out->data());
-  addBending(x.data() + n, columns, rows, stiffness, out->data() + n);
+  addBending(x.data(), columns, rows, cost.bending, out->data());
+  addBending(x.data() + n, columns, rows, cost.bending, out->data() + n);
 }
 
 }  // namespace
@@ -79,8 +80,8 @@ SplineShares::SplineShares(const SmoothField& field, float x, float y) {
   const int i = std::min(static_cast<int>(s), field.columns - 4);
   const int j = std::min(static_cast<int>(t), field.rows - 4);
   first = j * field.columns + i;
-  splineShares(s - static_cast<float>(i), across);
-  splineShares(t - static_cast<float>(j), down);
+  cubicSplineShares(s - static_cast<float>(i), across);
+  cubicSplineShares(t - static_cast<float>(j), down);
 }
 
 void SmoothField::at(float x, float y, float* values) const {
@@ -115,28 +116,28 @@ void FieldSums::add(const SplineShares& at, float weight, float xx, float xy, fl
   }
 }
 
-void stepField(const FieldSums& sums, float stiffness, int c1, int c2, SmoothField* field) {
+void stepField(const FieldSums& sums, const FieldCost& cost, int c1, int c2, SmoothField* field) {
   const std::size_t n = sums.a11.size();
   std::vector<float> x(2 * n), now(2 * n), residual(2 * n), direction, image(2 * n);
   for (std::size_t k = 0; k < n; ++k) {
     now[k] = -field->nodes[k * field->channels + c1];
     now[n + k] = -field->nodes[k * field->channels + c2];
-    residual[k] = sums.g1[k];
-    residual[n + k] = sums.g2[k];
+    residual[k] = sums.g1[k] + cost.size * now[k];
+    residual[n + k] = sums.g2[k] + cost.size * now[n + k];
   }
-  addBending(now.data(), field->columns, field->rows, stiffness, residual.data());
-  addBending(now.data() + n, field->columns, field->rows, stiffness, residual.data() + n);
+  addBending(now.data(), field->columns, field->rows, cost.bending, residual.data());
+  addBending(now.data() + n, field->columns, field->rows, cost.bending, residual.data() + n);
   direction = residual;
-  double squared = dot(residual, residual);
-  const double enough = squared * kSolved;
-  for (int step = 0; step < kSolveSteps && squared > enough; ++step) {
-    apply(sums, stiffness, field->columns, field->rows, direction, &image);
-    const float along = static_cast<float>(squared / std::max(dot(direction, image), 1e-30));
+  double squared = dotOf(residual, residual);
+  const double enough = squared * kFieldSolved;
+  for (int step = 0; step < kFieldSolveSteps && squared > enough; ++step) {
+    applyNormal(sums, cost, field->columns, field->rows, direction, &image);
+    const float along = static_cast<float>(squared / std::max(dotOf(direction, image), 1e-30));
     for (std::size_t k = 0; k < 2 * n; ++k) {
       x[k] += along * direction[k];
       residual[k] -= along * image[k];
     }
-    const double next = dot(residual, residual);
+    const double next = dotOf(residual, residual);
     const float keep = static_cast<float>(next / squared);
     for (std::size_t k = 0; k < 2 * n; ++k) direction[k] = residual[k] + keep * direction[k];
     squared = next;

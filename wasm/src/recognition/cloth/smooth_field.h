@@ -38,9 +38,14 @@ struct FieldSums {
            int columns);
 };
 
-/// One step of a regularised fit: adds to channels c1 and c2 what minimises the sums' squares plus
-/// `stiffness` times the field's squared second differences. Where nothing was observed, the field
-/// goes on as smoothly as it can.
-void stepField(const FieldSums& sums, float stiffness, int c1, int c2, SmoothField* field);
+/// What a fit of a field costs besides its errors.
+struct FieldCost {
+  float bending = 0;  ///< times squared second differences of nodes
+  float size = 0;     ///< times squared nodes
+};
+
+/// One step of a regularised fit: adds to channels c1 and c2 what minimises the sums' squares and
+/// that cost. Where nothing was observed, the field goes on as smoothly as it can.
+void stepField(const FieldSums& sums, const FieldCost& cost, int c1, int c2, SmoothField* field);
 
 }  // namespace seamwise

@@ -4,30 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wallpaper/lattice.h"
+
 namespace seamwise {
 namespace {
 
 using Pixel = ChannelImage::Pixel;
 
-constexpr int kPlaces = 12;  // along a cell
+constexpr double kLeastSeen = 0.3;  // of a cell that pairs must show before they count; chosen
 
 float energy(const Pixel& pixel) {
   return pixel[0] * pixel[0] + pixel[1] * pixel[1] + pixel[2] * pixel[2];
 }
-
-int modulo(int a, int n) { return (a % n + n) % n; }
-
-/// Which of the classes of the larger cell a cell belongs to.
-int classOf(const std::array<int, 2>& cell, const Mat2& larger) {
-  const int a = static_cast<int>(larger(0, 0)), b = static_cast<int>(larger(0, 1));
-  const int d = static_cast<int>(larger(1, 1));
-  const int row = modulo(cell[1], d);
-  return row * a + modulo(cell[0] - b * ((cell[1] - row) / d), a);
-}
-
-struct PlaceSums {
-  double between = 0, within = 0, between_freedom = 0, within_freedom = 0;
-};
 
 }  // namespace
 
@@ -35,80 +23,137 @@ std::vector<Mat2> largerCells(int index) {
   std::vector<Mat2> cells;
   for (int a = 1; a <= index; ++a) {
     if (index % a != 0) continue;
-    for (int b = 0; b < a; ++b) cells.push_back((Mat2() << a, b, 0, index / a).finished());
+    const int d = index / a;
+    for (int b = 0; b < a; ++b) cells.push_back((Mat2() << a, b, 0, d).finished());
   }
   return cells;
 }
 
-SplitEvidence splitEvidence(const Copies& copies, const Mat2& larger) {
-  const int classes = static_cast<int>(std::lround(larger.determinant()));
+CopyDifferences::CopyDifferences(const Copies& copies) {
+  const int n = copies.n;
   const std::size_t samples = copies.samples();
-  std::vector<float> sums(4 * samples * classes), counts(samples * classes);
-  std::vector<int> class_of(copies.cells.size());
-  for (std::size_t c = 0; c < copies.cells.size(); ++c)
-    class_of[c] = classOf(copies.cells[c], larger);
-  std::size_t at = 0;
-  std::vector<float> squares(samples);
-  for (std::size_t c = 0; c < copies.cells.size(); ++c) {
-    for (std::size_t s = 0; s < samples; ++s, ++at) {
-      if (copies.weights[at] == 0) continue;
-      const std::size_t i = s * classes + class_of[c];
-      const Pixel value = loaded(&copies.values[4 * at]);
-      const Pixel sum = loaded(&sums[4 * i]) + value;
-      std::memcpy(&sums[4 * i], &sum, sizeof sum);
-      counts[i] += 1;
-      squares[s] += energy(value);
-    }
-  }
-  std::array<PlaceSums, kPlaces * kPlaces> places{};
-  PlaceSums all;
-  Pixel total = Pixel{};
-  double count = 0, power = 0;
+  std::vector<int> place_of(samples);
   for (std::size_t s = 0; s < samples; ++s) {
-    Pixel sum = Pixel{};
-    double n = 0, of_means = 0, seen = 0, repeated = 0;
-    for (int k = 0; k < classes; ++k) {
-      const std::size_t i = s * classes + k;
-      if (counts[i] == 0) continue;
-      const Pixel class_sum = loaded(&sums[4 * i]);
-      sum += class_sum, n += counts[i], ++seen;
-      of_means += energy(class_sum) / counts[i];
-      repeated += counts[i] - 1;
-    }
-    if (n < 2) continue;
-    total += sum, count += n;
-    const double of_mean = energy(sum) / n;
-    power += of_mean;
-    const int x = static_cast<int>(s) % copies.n, y = static_cast<int>(s) / copies.n;
-    PlaceSums& place = places[(y * kPlaces / copies.n) * kPlaces + x * kPlaces / copies.n];
-    for (PlaceSums* to : {&place, &all}) {
-      to->between += of_means - of_mean, to->between_freedom += seen - 1;
-      to->within += squares[s] - of_means, to->within_freedom += repeated;
+    const int x = static_cast<int>(s) % n, y = static_cast<int>(s) / n;
+    place_of[s] = (y * kPlaces / n) * kPlaces + x * kPlaces / n;
+  }
+  constexpr int kColumns = 2 * kReach + 1;
+  shifts_.resize(kColumns * (kReach + 1));
+  std::vector<std::array<float, kPlaces * kPlaces>> counts(shifts_.size());
+  for (auto& count : counts) count.fill(0);
+  for (std::size_t a = 0; a < copies.cells.size(); ++a) {
+    for (std::size_t b = 0; b < copies.cells.size(); ++b) {
+      const int i = copies.cells[b][0] - copies.cells[a][0];
+      const int j = copies.cells[b][1] - copies.cells[a][1];
+      if (j < 0 || (j == 0 && i <= 0) || j > kReach || std::abs(i) > kReach) continue;
+      const std::size_t shift = j * kColumns + i + kReach;
+      for (std::size_t s = 0; s < samples; ++s) {
+        const std::size_t first = a * samples + s, second = b * samples + s;
+        if (copies.weights[first] == 0 || copies.weights[second] == 0) continue;
+        shifts_[shift].places[place_of[s]] +=
+            energy(loaded(&copies.values[4 * first]) - loaded(&copies.values[4 * second]));
+        counts[shift][place_of[s]] += 1;
+      }
     }
   }
+  for (std::size_t shift = 0; shift < shifts_.size(); ++shift) {
+    Difference& difference = shifts_[shift];
+    int seen = 0;
+    for (std::size_t p = 0; p < difference.places.size(); ++p) {
+      const float count = counts[shift][p];
+      difference.places[p] = count > 0 ? difference.places[p] / count : -1;
+      if (count == 0) continue;
+      difference.mean += difference.places[p], ++seen;
+    }
+    difference.mean /= std::max(1, seen);
+    difference.share = static_cast<double>(seen) / (kPlaces * kPlaces);
+  }
+  const CopiesMean mean = meanOf(copies);
+  Pixel sum = Pixel{};
+  double squares = 0, count = 0;
+  for (std::size_t s = 0; s < samples; ++s) {
+    if (mean.weights[s] == 0) continue;
+    const Pixel value = loaded(&mean.values[4 * s]);
+    sum += value, squares += energy(value), ++count;
+  }
+  if (count > 0) pattern_ = (squares - energy(sum) / count) / count;
+}
+
+const CopyDifferences::Difference* CopyDifferences::at(int i, int j) const {
+  if (j < 0 || (j == 0 && i < 0)) i = -i, j = -j;
+  if (j > kReach || std::abs(i) > kReach) return nullptr;
+  const Difference& difference = shifts_[j * (2 * kReach + 1) + i + kReach];
+  return difference.share >= kLeastSeen ? &difference : nullptr;
+}
+
+SplitEvidence splitEvidence(const CopyDifferences& differences, const Mat2& lattice,
+                            const Mat2& larger, const Mat2& basis) {
+  const auto whole = [](const Mat2& m, const Vec2& v) { return Vec2((m * v).array().round()); };
+  const auto at = [&](const Vec2& shift) {
+    return differences.at(static_cast<int>(std::lround(shift.x())),
+                          static_cast<int>(std::lround(shift.y())));
+  };
+  // Copies that the larger cell lays on each other: its two shortest vectors.
+  const Mat2 own = lattice * larger;
+  const Mat2 seen = basis * own;
+  const auto reduced = lagrangeReduced(seen.col(0), seen.col(1));
+  const Mat2 back = basis.inverse();
+  const auto* first = at(whole(back, reduced[0]));
+  const auto* second = at(whole(back, reduced[1]));
   SplitEvidence evidence;
-  if (count == 0 || all.within_freedom < 1 || all.between_freedom < 1) return evidence;
-  const double pattern = (power - energy(total) / count) / count;
-  const double noise = all.within / all.within_freedom;
-  evidence.within = noise;
-  evidence.pairs = static_cast<int>(all.within_freedom / static_cast<double>(samples) * 100);
-  const double between = all.between / all.between_freedom;
-  evidence.ratio = noise > 0 ? between / noise : 0;
-  // A difference of the means is seen in n copies: per copy it is that part of the energy.
-  evidence.share = (all.between - noise * all.between_freedom) / count / pattern;
-  const double of_place = count / (kPlaces * kPlaces);
-  for (const PlaceSums& place : places) {
-    if (place.between_freedom < 1) continue;
-    const double own =
-        std::max(noise, place.within_freedom > 0 ? place.within / place.within_freedom : 0);
-    const double excess = place.between - 4 * own * place.between_freedom;
-    evidence.worst = std::max(evidence.worst, excess / of_place / pattern);
+  if (first == nullptr || second == nullptr) return evidence;
+  evidence.within = std::max(first->mean, second->mean);
+  // Those that it does not: per class the shortest, none longer than the longer of the two.
+  const int index = static_cast<int>(std::lround(std::abs(larger.determinant())));
+  const Mat2 own_inverse = own.inverse();
+  std::vector<std::array<double, 2>> of_class;  // key, length
+  std::vector<const CopyDifferences::Difference*> shortest;
+  for (int j = -CopyDifferences::kReach; j <= CopyDifferences::kReach; ++j) {
+    for (int i = -CopyDifferences::kReach; i <= CopyDifferences::kReach; ++i) {
+      const Vec2 shift = lattice * Vec2(i, j);
+      const auto* difference = at(shift);
+      if (difference == nullptr) continue;
+      const double length = (basis * shift).norm();
+      if (length > reduced[1].norm() * 1.001) continue;
+      Vec2 rest = own_inverse * shift;
+      rest -= Vec2((rest.array() + 1e-6).floor());
+      const double key = std::lround(rest.x() * 5040) * 10000.0 + std::lround(rest.y() * 5040);
+      if (key == 0) continue;
+      std::size_t k = 0;
+      while (k < of_class.size() && of_class[k][0] != key) ++k;
+      if (k == of_class.size()) {
+        of_class.push_back({key, length});
+        shortest.push_back(difference);
+      } else if (length < of_class[k][1]) {
+        of_class[k][1] = length;
+        shortest[k] = difference;
+      }
+    }
+  }
+  if (static_cast<int>(shortest.size()) < index - 1) return evidence;
+  double between = 0;
+  std::array<double, CopyDifferences::kPlaces * CopyDifferences::kPlaces> places{};
+  std::array<int, CopyDifferences::kPlaces * CopyDifferences::kPlaces> counts{};
+  for (const auto* difference : shortest) {
+    between += difference->mean / static_cast<double>(shortest.size());
+    for (std::size_t p = 0; p < places.size(); ++p)
+      if (difference->places[p] >= 0) places[p] += difference->places[p], ++counts[p];
+  }
+  evidence.ratio = evidence.within > 0 ? between / evidence.within : 0;
+  evidence.share = (between - evidence.within) / (2 * differences.pattern());
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    if (counts[p] == 0 || first->places[p] < 0 || second->places[p] < 0) continue;
+    const double here = std::max({static_cast<double>(first->places[p]),
+                                  static_cast<double>(second->places[p]), evidence.within});
+    const double excess = places[p] / counts[p] - 2 * here;
+    evidence.worst = std::max(evidence.worst, excess / (2 * differences.pattern()));
   }
   return evidence;
 }
 
 bool isSplit(const SplitEvidence& evidence) {
-  return (evidence.ratio > 3 && evidence.share > 0.005) || evidence.worst > 0.1;
+  return (evidence.ratio > 2 && evidence.share > 0.01) ||
+         (evidence.ratio > 1.1 && evidence.worst > 0.3);
 }
 
 }  // namespace seamwise

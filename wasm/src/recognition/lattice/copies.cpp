@@ -50,8 +50,9 @@ CellList visibleCells(const TiltedLattice& view, double reach) {
   for (int j = static_cast<int>(std::floor(low.y())); j < high.y(); ++j) {
     for (int i = static_cast<int>(std::floor(low.x())); i < high.x(); ++i) {
       bool is_seen = false;
-      for (int k = 0; k < 9; ++k)
-        is_seen = is_seen || isInside(view, Vec2(i + (k % 3) / 2.0, j + (k / 3) / 2.0));
+      for (const double v : {0.0, 0.5, 1.0})
+        for (const double u : {0.0, 0.5, 1.0})
+          is_seen = is_seen || isInside(view, Vec2(i + u, j + v));
       if (is_seen) cells.push_back({i, j});
     }
   }
@@ -75,6 +76,19 @@ Vec2 repeatsSeen(const TiltedLattice& view) {
     }
   }
   return most;
+}
+
+int wholeCells(const TiltedLattice& view) {
+  constexpr double kFarthest = 30;  // cells from the middle
+  int count = 0;
+  for (const auto& cell : visibleCells(view, kFarthest)) {
+    bool is_whole = true;
+    for (int v = 0; v < 4; ++v)
+      for (int u = 0; u < 4; ++u)
+        is_whole = is_whole && isInside(view, Vec2(cell[0] + u / 3.0, cell[1] + v / 3.0));
+    count += is_whole ? 1 : 0;
+  }
+  return count;
 }
 
 Copies sampleCopies(const ChannelImage& image, const TiltedLattice& view, CellList cells, int n,

@@ -16,6 +16,9 @@ CellList visibleCells(const TiltedLattice& view, double reach);
 /// How many whole cells a straight line along w1 and one along w2 cross on the picture at most.
 Vec2 repeatsSeen(const TiltedLattice& view);
 
+/// How many cells are seen whole, but for what a grid of 4 x 4 places overlooks.
+int wholeCells(const TiltedLattice& view);
+
 /// All copies of a cell as they are seen through a map: n x n samples each, at (i + 1/2) / n.
 struct Copies {
   int n = 0;

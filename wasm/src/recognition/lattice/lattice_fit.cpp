@@ -10,18 +10,13 @@ constexpr double kTiltSpread = 0.2;    // tangent of 15 degrees at an f of 24 mm
 constexpr double kLensSpread = 0.015;  // lenses of telephones; chosen
 constexpr double kPatchSamples = 20;   // that vary together because of blur and folds; measured
 constexpr double kLargestStep = 0.1;   // of the basis, as a share; chosen
-constexpr int kMostFitted = 60000;  // of all copies; more would take longer and measure no better
+constexpr int kLeastSamples = 8;       // along a cell
+constexpr int kMostFitted = 40000;     // samples of all copies; more would measure no better
 
-/// Per sample: the derivative of one channel with respect to the unknowns, from its slopes.
-struct SampleGeometry {
-  float u, v;  ///< lattice coordinates
-  float qx, qy, px, py, z, bend, square;
-};
-
-/// x of A x = b by Cholesky's method, A symmetric and positive definite, of the first n unknowns;
-/// `inverse` receives the inverse of A.
-bool solveNormal(const std::array<std::array<double, 7>, 7>& a, int n,
-                 std::array<std::array<double, 7>, 7>& inverse) {
+/// The inverse of the first n rows and columns of A, symmetric and positive definite, by
+/// Cholesky's method; false where it is not so.
+bool invertNormal(const std::array<std::array<double, 7>, 7>& a, int n,
+                  std::array<std::array<double, 7>, 7>& inverse) {
   std::array<std::array<double, 7>, 7> l{};
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
@@ -157,54 +152,57 @@ const ChannelImage& levelFor(const std::vector<ChannelImage>& levels, const Tilt
   return levels[level];
 }
 
-FittedLattice fitLattice(const std::vector<ChannelImage>& levels, const TiltedLattice& start,
-                         const FitStage& stage) {
-  FittedLattice fitted{start};
-  const int count = static_cast<int>(stage.unknowns);
-  for (int k = 0; k < stage.steps && !fitted.has_converged; ++k) {
-    TiltedLattice& view = fitted.view;
-    CellList cells = visibleCells(view, stage.reach);
-    const double room = std::sqrt(static_cast<double>(kMostFitted) /
-                                  static_cast<double>(std::max<std::size_t>(1, cells.size())));
-    const int n = std::clamp(static_cast<int>(room), 8, stage.n);
-    const double most = std::max(std::abs(cells.front()[0]), std::abs(cells.back()[1])) + 1.0;
-    Copies copies = sampleCopies(levelFor(levels, view, n), view, std::move(cells), n, true);
-    downweigh(copies);
-    FitStep step = linearised(copies, view);
-    const double variance = step.sum / std::max(1.0, step.count);
-    // What is known beforehand, so that what a picture does not show stays as it is.
-    const double unit = variance * kPatchSamples;
-    if (!(unit > 0)) return fitted;
-    const double basis_unit = unit / view.basis.squaredNorm();
-    for (int i = 0; i < 4; ++i) step.normal[i][i] += basis_unit;
-    for (int i = 4; i < 6; ++i) {
-      step.normal[i][i] += unit / (kTiltSpread * kTiltSpread);
-      step.gradient[i] += view.tilt[i - 4] * unit / (kTiltSpread * kTiltSpread);
-    }
-    step.normal[6][6] += unit / (kLensSpread * kLensSpread);
-    step.gradient[6] += view.lens * unit / (kLensSpread * kLensSpread);
-    std::array<std::array<double, 7>, 7> inverse{};
-    if (!solveNormal(step.normal, count, inverse)) return fitted;
-    std::array<double, 7> move{};
-    for (int i = 0; i < count; ++i)
-      for (int j = 0; j < count; ++j) move[i] -= inverse[i][j] * step.gradient[j];
-    const Mat2 change = (Mat2() << move[0], move[1], move[2], move[3]).finished();
-    const Mat2 relative = view.basis.inverse() * change;
-    const double size = relative.norm() + 0.5 * Vec2(move[4], move[5]).norm();
-    const double damp = std::min(1.0, kLargestStep / size);
-    for (int column = 0; column < 2; ++column) {
-      const Vec2 w = view.basis.col(column);
-      double along = 0;
-      for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) along += w[i] * w[j] * inverse[2 * i + column][2 * j + column];
-      fitted.uncertainty[column] = std::sqrt(along * unit) / w.squaredNorm();
-    }
-    view.basis += damp * change;
-    view.tilt += damp * Vec2(move[4], move[5]);
-    view.lens += damp * move[6];
-    fitted.has_converged = size * most * n < 0.02;
+bool LatticeFit::advance() {
+  if (stage_ == stages_.size()) return false;
+  const FitStage& stage = stages_[stage_];
+  const bool goes_on = step(stage);
+  if (++step_ == stage.steps || !goes_on) ++stage_, step_ = 0;
+  return stage_ < stages_.size();
+}
+
+/// One step; false when the next would not move anything.
+bool LatticeFit::step(const FitStage& stage) {
+  TiltedLattice& view = fitted_.view;
+  CellList cells = visibleCells(view, stage.reach);
+  if (cells.empty()) return false;
+  const double room =
+      std::sqrt(static_cast<double>(kMostFitted) / static_cast<double>(cells.size()));
+  const int n = std::clamp(static_cast<int>(room), kLeastSamples, stage.n);
+  const double most = std::max(std::abs(cells.front()[1]), std::abs(cells.back()[1])) + 1.0;
+  Copies copies = sampleCopies(levelFor(levels_, view, n), view, std::move(cells), n, true);
+  downweigh(copies);
+  FitStep step = linearised(copies, view);
+  // What is known beforehand, so that what a picture does not show stays as it is.
+  const double unit = step.sum / std::max(1.0, step.count) * kPatchSamples;
+  if (!(unit > 0)) return false;
+  for (int i = 0; i < 4; ++i) step.normal[i][i] += unit / view.basis.squaredNorm();
+  for (int i = 4; i < 6; ++i) {
+    step.normal[i][i] += unit / (kTiltSpread * kTiltSpread);
+    step.gradient[i] += view.tilt[i - 4] * unit / (kTiltSpread * kTiltSpread);
   }
-  return fitted;
+  step.normal[6][6] += unit / (kLensSpread * kLensSpread);
+  step.gradient[6] += view.lens * unit / (kLensSpread * kLensSpread);
+  std::array<std::array<double, 7>, 7> inverse{};
+  const int count = static_cast<int>(stage.unknowns);
+  if (!invertNormal(step.normal, count, inverse)) return false;
+  std::array<double, 7> move{};
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j) move[i] -= inverse[i][j] * step.gradient[j];
+  const Mat2 change = (Mat2() << move[0], move[1], move[2], move[3]).finished();
+  const Vec2 tilt_change(move[4], move[5]);
+  const double size = (view.basis.inverse() * change).norm() + tilt_change.norm() / 2;
+  const double damp = size > kLargestStep ? kLargestStep / size : 1;
+  for (int column = 0; column < 2; ++column) {
+    const Vec2 w = view.basis.col(column);
+    double along = 0;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) along += w[i] * w[j] * inverse[2 * i + column][2 * j + column];
+    fitted_.uncertainty[column] = std::sqrt(along * unit) / w.squaredNorm();
+  }
+  view.basis += damp * change;
+  view.tilt += damp * tilt_change;
+  view.lens += damp * move[6];
+  return size * most * n > 0.02;
 }
 
 }  // namespace seamwise

@@ -33,17 +33,34 @@ struct FitStage {
   int steps;  ///< at most
 };
 
-/// Standard errors of |w1| and |w2| as shares of them.
 struct FittedLattice {
   TiltedLattice view;
-  Vec2 uncertainty = Vec2::Zero();
-  bool has_converged = false;
+  Vec2 uncertainty = Vec2::Zero();  ///< standard errors of |w1|, |w2| as shares of them
 };
 
-/// Fits with steps until they move the farthest copy by less than 0.01 of a sample.
-/// @param levels   the picture at falling sizes, each half the one before
-FittedLattice fitLattice(const std::vector<ChannelImage>& levels, const TiltedLattice& start,
-                         const FitStage& stage);
+/// Fits a view in some stages, step by step, until steps move the farthest copy by less than 0.02
+/// of a sample.
+class LatticeFit {
+ public:
+  /// @param levels   the picture at falling sizes, each half the one before; outlive this, as
+  /// @param stages   do
+  LatticeFit(const std::vector<ChannelImage>& levels, const TiltedLattice& start,
+             const std::vector<FitStage>& stages)
+      : levels_(levels), stages_(stages), fitted_{start} {}
+
+  /// One step of Gauss-Newton; false when nothing is left to do.
+  bool advance();
+  const FittedLattice& result() const { return fitted_; }
+
+ private:
+  bool step(const FitStage& stage);
+
+  const std::vector<ChannelImage>& levels_;
+  const std::vector<FitStage>& stages_;
+  FittedLattice fitted_;
+  std::size_t stage_ = 0;
+  int step_ = 0;
+};
 
 /// Which of the levels to sample cells of `view` on, n to a side.
 const ChannelImage& levelFor(const std::vector<ChannelImage>& levels, const TiltedLattice& view,

@@ -7,7 +7,7 @@
 #include "recognition/base/lattice_reading.h"
 #include "recognition/base/picture.h"
 #include "recognition/lattice/lattice_fit.h"
-#include "recognition/lattice/tilted_planes.h"
+#include "recognition/lattice/tilt_votes.h"
 
 namespace seamwise {
 
@@ -16,14 +16,18 @@ enum class GivenLattice : std::uint8_t { kAlign, kKeep };
 
 /// Finds the lattice of the print on a picture, step by step: the picture is reduced, its light
 /// taken away; its autocorrelation, as if the cloth were tilted this way and that, votes for
-/// lattices; these are aligned, and the best one is tested for larger and smaller cells.
+/// lattices; these are aligned, and the best one is tested for smaller and larger cells.
 class LatticeSearch {
  public:
   explicit LatticeSearch(const PixelView& view);
-  /// Begins at a lattice that the user gave.
+  /// Begins at a lattice that the user gave, whose basis and origin the result keeps: it is moved
+  /// by what aligning it says, or by nothing, and refused in no case.
   LatticeSearch(const PixelView& view, const LatticeMap& given, GivenLattice use);
 
-  /// One step, about 30 ms in WebAssembly at most; false when nothing is left to do.
+  LatticeSearch(const LatticeSearch&) = delete;  // its parts refer to each other
+  LatticeSearch& operator=(const LatticeSearch&) = delete;
+
+  /// One step, of some 10 ms; false when nothing is left to do.
   bool advance();
   double fraction() const;  ///< 0 to 1
 
@@ -41,42 +45,46 @@ class LatticeSearch {
     kLevels,
     kVote,
     kAlign,
-    kCells,
+    kSmallestCell,
+    kLargerCell,
     kMeasure,
-    kDone
+    kDone,
   };
-  struct Hypothesis {
+  struct Aligned {
     TiltedLattice view;
-    double score = 0;  ///< of the vote
     bool is_stripes = false;
-    double explained = 0;  ///< once aligned
+    double explained = 0;
     Vec2 uncertainty = Vec2::Zero();
   };
 
   void reduce();
-  void addLevels();
+  void addLevel();
   void vote();
-  void addHypothesis(Hypothesis hypothesis);
-  void beginAlignment();
   void align();
-  void testCells();
+  void beginFit(const TiltedLattice& start, const std::vector<FitStage>& stages);
+  bool stepFit();
+  void keepAligned();
+  void chooseBest();
+  void findSmallestCell();
   void measure();
   void finish();
-  LatticeReading readingOf(const Hypothesis& hypothesis) const;
+  Agreement agreement(const TiltedLattice& view) const;
+  LatticeReading readingOf(const Aligned& aligned) const;
+  double repeatsOf(const Aligned& aligned) const;
 
-  PixelView view_;
+  PixelView pixels_;
   std::optional<LatticeMap> given_;
   GivenLattice use_ = GivenLattice::kAlign;
   Stage stage_ = Stage::kReduce;
-  int factor_ = 1;
-  int row_ = 0;
+  int factor_ = 1, row_ = 0;
   Picture picture_;
   std::vector<ChannelImage> levels_;
-  std::array<std::array<float, 3>, 2> axes_{};
-  std::size_t part_ = 0, part_end_ = 0;
-  std::vector<Hypothesis> hypotheses_;  ///< those voted for
-  std::vector<Hypothesis> aligned_;
-  std::size_t next_ = 0;
+  std::optional<TiltVotes> votes_;
+  int part_ = 0, part_end_ = 0;
+  std::vector<LatticeHypothesis> hypotheses_;
+  std::size_t hypothesis_ = 0;
+  std::optional<LatticeFit> fit_;
+  std::vector<Aligned> aligned_;  ///< the best first once one is chosen
   std::optional<Outcome<LatticeReading>> result_;
   std::vector<LatticeReading> candidates_;
 };

@@ -60,7 +60,7 @@ WeightedPlanes tiltedPlanes(const ChannelImage& image,
   std::array<float, kTable + 1> sines{};
   for (int k = 0; k <= kTable; ++k) sines[k] = static_cast<float>(std::sin(kPi * k / kTable));
   const auto window = [&](float p, double side) {
-    const float at = (p / static_cast<float>(side) + 1) * (kTable / 2);
+    const float at = (p / static_cast<float>(side) + 1) * (kTable / 2.0F);
     return at > 0 && at < kTable ? sines[static_cast<int>(at)] : 0.0F;
   };
   const float tx = static_cast<float>(part.tilt.x()), ty = static_cast<float>(part.tilt.y());

@@ -114,9 +114,8 @@ bool Photo::fitFields() {
   const CopyFields& fields = fit_->fields();
   differing_ = fields.regions;
   if (fields.unevenness > PhotoTuning::kUneven) {
-    Error error{Failure::kPicture, "The cloth does not lie flat; smooth it out and take another."};
-    error.reason = "uneven";
-    fail(error);
+    fail({Failure::kPicture, "the cloth does not lie flat: smooth it out and photograph it again",
+          -1, -1, "uneven"});
     return false;
   }
   if (fields.unevenness > CopyFields::kFlat) notes_.push_back(PhotoNote::kUneven);
@@ -125,7 +124,7 @@ bool Photo::fitFields() {
   grid.columns = grid.rows = PhotoTuning::kSamples;
   const ReducedPixels& reduced = fit_->reduced();
   mean_ = std::make_unique<CellMean>(reduced.view(), reduced.factor(), lattice_.map, fields, grid,
-                                     settings_.flatten, curve_);
+                                     settings_.flatten);
   return false;
 }
 

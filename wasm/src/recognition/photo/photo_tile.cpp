@@ -1,29 +1,71 @@
 #include "recognition/photo/photo_tile.h"
 
+#include "recognition/symmetry/print_cell.h"
+#include "recognition/tile/tile_cell.h"
 #include "tuning/photo.h"
 
 namespace seamwise {
 
-PhotoTile::PhotoTile(const PixelView& pixels, const LatticeMap& map, const Mat2& gram,
-                     double flatten)
-    : pixels_(pixels), map_(map), gram_(gram), flatten_(flatten), fit_(pixels, map, curve_) {}
+PhotoTile::PhotoTile(const PixelView& pixels, const PhotoTileSettings& settings)
+    : pixels_(pixels),
+      settings_(settings),
+      grid_(nativeGrid(settings.map, settings.gram, Mat2::Identity(), Vec2::Zero(),
+                       PhotoTuning::kLongestTile)) {
+  if (!settings.is_tile) fit_ = std::make_unique<CopyFieldsFit>(pixels, settings.map, curve_);
+}
 
 bool PhotoTile::advance() {
-  if (mean_) return mean_->advance(PhotoTuning::kSamplesAtOnce);
-  if (fit_.advance()) return true;
-  const CellGrid grid =
-      nativeGrid(map_, gram_, Mat2::Identity(), Vec2::Zero(), PhotoTuning::kLongestTile);
-  mean_ = std::make_unique<CellMean>(pixels_, 1, map_, fit_.fields(), grid, flatten_, curve_);
+  if (symmetry_) {
+    if (symmetry_->advance(PhotoTuning::kSamplesAtOnce)) return true;
+    planes_ = symmetry_->planes();
+    return false;
+  }
+  if (settings_.is_tile) {
+    sampleTile();
+    return symmetrise(std::move(planes_));
+  }
+  if (mean_) {
+    if (mean_->advance(PhotoTuning::kSamplesAtOnce)) return true;
+    return symmetrise(mean_->planes());
+  }
+  if (fit_->advance()) return true;
+  mean_ = std::make_unique<CellMean>(pixels_, 1, settings_.map, fit_->fields(), grid_,
+                                     settings_.flatten);
+  return true;
+}
+
+void PhotoTile::sampleTile() {
+  const int samples = std::max(columns(), rows());
+  const CellPicture cell = tileCell({pixels_}, settings_.map, samples);
+  const Picture picture = printPicture(cell, Mat2::Identity(), Vec2::Zero(), columns(), rows());
+  for (int c = 0; c < 3; ++c) {
+    const std::vector<float>& from = picture.planes[c];
+    std::vector<float>& to = planes_[c];
+    for (int row = rows() - 1; row >= 0; --row)
+      to.insert(to.end(), from.begin() + row * columns(), from.begin() + (row + 1) * columns());
+  }
+}
+
+/// Whether there is more to do.
+bool PhotoTile::symmetrise(std::array<std::vector<float>, 3> planes) {
+  if (settings_.group == nullptr) {
+    planes_ = std::move(planes);
+    return false;
+  }
+  symmetry_ =
+      std::make_unique<TileSymmetry>(std::move(planes), columns(), rows(), *settings_.group);
   return true;
 }
 
 double PhotoTile::fraction() const {
-  constexpr double kFit = 0.4;
-  return mean_ ? kFit + (1 - kFit) * mean_->fraction() : kFit * fit_.fraction();
+  constexpr double kFit = 0.4, kMean = 0.5;
+  if (symmetry_) return kFit + kMean + (1 - kFit - kMean) * symmetry_->fraction();
+  if (mean_) return kFit + kMean * mean_->fraction();
+  return fit_ ? kFit * fit_->fraction() : 0;
 }
 
 std::vector<std::uint8_t> PhotoTile::image() const {
-  return imageBytes(columns(), rows(), mean_->planes());
+  return imageBytes(columns(), rows(), planes_);
 }
 
 }  // namespace seamwise

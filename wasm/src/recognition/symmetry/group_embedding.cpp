@@ -59,6 +59,7 @@ std::vector<LatticeElement> elementsIn(const std::vector<LatticeElement>& own,
   const IntegerMatrix back = integerInverse(basis);
   const auto fraction = [](double x) { return x - std::floor(x); };
   std::vector<LatticeElement> elements;
+  elements.reserve(own.size());
   for (const LatticeElement& e : own) {
     elements.push_back({integerProduct(integerProduct(basis, e.m), back),
                         {fraction(basis[0] * e.a[0] + basis[1] * e.a[1]),

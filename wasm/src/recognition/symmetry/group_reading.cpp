@@ -2,20 +2,21 @@
 
 #include <algorithm>
 
+#include "recognition/symmetry/stripes.h"
 #include "recognition/symmetry/symmetry_tests.h"
 #include "tuning/group_reading.h"
 
 namespace seamwise {
 namespace {
 
-using Tuning = GroupReadingTuning;
+using SymmetryTuning = GroupReadingTuning;
 
 SymmetryVerdict verdictOn(const SymmetryResidual& residual) {
-  if (residual.rho <= Tuning::kHasShare && residual.worst <= Tuning::kHasWorst) {
+  if (residual.rho <= SymmetryTuning::kHasShare && residual.worst <= SymmetryTuning::kHasWorst) {
     return SymmetryVerdict::kHas;
   }
-  const bool breaks =
-      residual.rho >= Tuning::kHasNotShare || residual.worst >= Tuning::kHasNotWorst;
+  const bool breaks = residual.rho >= SymmetryTuning::kHasNotShare ||
+                      residual.worst >= SymmetryTuning::kHasNotWorst;
   return breaks ? SymmetryVerdict::kHasNot : SymmetryVerdict::kAlmost;
 }
 
@@ -38,43 +39,9 @@ GroupVerdict testedGroup(const GroupData& group, const std::vector<GroupEmbeddin
   const SymmetryResidual residual = tests.residual(*best, verdict.origin);
   verdict.rho = residual.rho;
   verdict.worst = residual.worst;
+  verdict.raw = residual.raw;
   verdict.verdict = verdictOn(residual);
   return verdict;
-}
-
-/// The direction along which the cell looks the same, as whole numbers of w1 and w2; (0, 0) if it
-/// is no stripe.
-std::array<int, 2> stripeOf(const CellSpectrum& cell) {
-  constexpr int kMost = 3;
-  const double pattern = 1 - cell.noiseEnergy() / std::max(1e-12, cell.energy());
-  for (int h1 = 0; h1 <= kMost; ++h1) {
-    for (int h2 = h1 == 0 ? 1 : -kMost; h2 <= kMost; ++h2) {
-      const bool isMultiple = (h1 % 2 == 0 && h2 % 2 == 0) || (h1 % 3 == 0 && h2 % 3 == 0) ||
-                              (h1 == 0 && h2 != 1) || (h2 == 0 && h1 != 1);
-      if (isMultiple) continue;
-      if (cell.shareAlong(h1, h2) >= (1 - Tuning::kStripeShare) * pattern) return {-h2, h1};
-    }
-  }
-  return {0, 0};
-}
-
-/// w1 across the stripes as steeply as the lattice has it, w2 along them.
-IntegerMatrix stripeBasis(const std::array<int, 2>& along, const Mat2& gram) {
-  const Vec2 w2(along[0], along[1]);
-  IntegerMatrix best{};
-  double least = 0;
-  constexpr int kMost = 4;
-  for (int i = -kMost; i <= kMost; ++i) {
-    for (int j = -kMost; j <= kMost; ++j) {
-      if (i * along[1] - j * along[0] != 1) continue;
-      const double slant = std::abs(Vec2(i, j).dot(gram * w2));
-      if (best == IntegerMatrix{} || slant < least) {
-        best = {i, along[0], j, along[1]};
-        least = slant;
-      }
-    }
-  }
-  return best;
 }
 
 int indexOf(const std::vector<GroupVerdict>& groups, std::string_view name) {
@@ -96,6 +63,7 @@ void readStripes(GroupReading& reading, const std::array<int, 2>& along, const M
     const bool is_even = name == "pmm";
     verdict.rho = is_even ? half_turn.rho : 0;
     verdict.worst = is_even ? half_turn.worst : 0;
+    verdict.raw = is_even ? half_turn.raw : 0;
     verdict.verdict = is_even ? half_turn.verdict : SymmetryVerdict::kHas;
   }
   const bool is_even = half_turn.verdict == SymmetryVerdict::kHas;
@@ -121,7 +89,7 @@ Confidence confidenceIn(const GroupReading& reading) {
         other.verdict == SymmetryVerdict::kAlmost && other.group->order > best.group->order;
   }
   const bool is_clear =
-      best.rho <= Tuning::kHasShare / 2 && best.worst <= 2 * Tuning::kHasWorst / 3;
+      best.rho <= SymmetryTuning::kHasShare / 2 && best.worst <= 2 * SymmetryTuning::kHasWorst / 3;
   if (is_clear && !is_almost_more) return Confidence::kSure;
   return is_clear || !is_almost_more ? Confidence::kLikely : Confidence::kUncertain;
 }
@@ -136,7 +104,7 @@ GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolera
     reading.groups.push_back(testedGroup(group, embeddingsOf(group, gram, tolerance), tests));
   }
   const auto along = stripeOf(spectrum);
-  if (along != std::array<int, 2>{0, 0}) {
+  if (isStripe(along)) {
     readStripes(reading, along, gram);
   } else {
     reading.best = largestOf(reading.groups);
@@ -146,7 +114,7 @@ GroupReading readGroups(const CellPicture& cell, const Mat2& gram, double tolera
   };
   const auto elements = cosets(*reading.groups[reading.best].group);
   reading.one_way = std::none_of(elements.begin(), elements.end(), has_half_turn);
-  const bool is_plain = spectrum.energy() < Tuning::kPlainEnergy * spectrum.noiseEnergy();
+  const bool is_plain = spectrum.energy() < SymmetryTuning::kPlainEnergy * spectrum.noiseEnergy();
   reading.confidence = is_plain ? Confidence::kUncertain : confidenceIn(reading);
   return reading;
 }

@@ -22,6 +22,7 @@ struct GroupVerdict {
   /// Share of the pattern's energy that breaks it, noise taken away; and the greatest such share at
   /// one of 24 x 24 places. Of the worst of its elements.
   double rho = 0, worst = 0;
+  double raw = 0;  ///< as rho, noise and displacements not taken away
   SymmetryVerdict verdict = SymmetryVerdict::kCannot;
 };
 

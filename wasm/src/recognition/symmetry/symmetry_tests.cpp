@@ -9,7 +9,7 @@
 namespace seamwise {
 namespace {
 
-using Tuning = GroupReadingTuning;
+using SymmetryTuning = GroupReadingTuning;
 
 int moduloIndex(int k, int n) { return ((k % n) + n) % n; }
 
@@ -34,7 +34,7 @@ struct PlaceSums {
 /// creases displace it. [samples]
 Vec2 displacementOf(const PlaceSums& sums, const Mat2& gram, int n, double variance) {
   const Mat2 metric = gram / (n * n);  // of a displacement in samples
-  constexpr double kLimit = Tuning::kDisplacement * Tuning::kDisplacement;
+  constexpr double kLimit = SymmetryTuning::kDisplacement * SymmetryTuning::kDisplacement;
   const Mat2 system = sums.gradients() + variance / kLimit * metric;
   Vec2 x = -system.inverse() * Vec2(sums.d1, sums.d2);
   const double square = x.dot(metric * x) / (4 * kLimit);
@@ -152,7 +152,7 @@ double SymmetryTests::missedBy(const GroupEmbedding& embedding, const Vec2& orig
 }
 
 SymmetryResidual SymmetryTests::residual(const IntegerMatrix& m, const Vec2& a) const {
-  const int n = cell_.n(), places = std::min(Tuning::kPlaces, n / 2);
+  const int n = cell_.n(), places = std::min(SymmetryTuning::kPlaces, n / 2);
   const CellSpectrum::Planes image = cell_.image(m, a);
   std::vector<PlaceSums> sums(static_cast<std::size_t>(places) * places);
   for (int j = 0; j < n; ++j) {
@@ -174,8 +174,9 @@ SymmetryResidual SymmetryTests::residual(const IntegerMatrix& m, const Vec2& a) 
     }
   }
   const double energy = patternEnergy();
-  constexpr double kLeft = Tuning::kLeftDisplacement * Tuning::kLeftDisplacement / 2;
-  const double amplitude = Tuning::kLeftAmplitude * Tuning::kLeftAmplitude * energy;
+  constexpr double kLeft =
+      SymmetryTuning::kLeftDisplacement * SymmetryTuning::kLeftDisplacement / 2;
+  const double amplitude = SymmetryTuning::kLeftAmplitude * SymmetryTuning::kLeftAmplitude * energy;
   const Mat2 inverse = cell_.gram().inverse() * (n * n);
   SymmetryResidual result;
   double total = 0;
@@ -195,10 +196,13 @@ SymmetryResidual SymmetryTests::residual(const IntegerMatrix& m, const Vec2& a) 
       const double allowed = place.noise + kLeft * steepness + amplitude * place.samples;
       const double left = place.displaced(moved) / 2 - allowed;
       total += left;
+      result.raw += place.dd / 2;
       result.worst = std::max(result.worst, left / (place.samples * energy));
     }
   }
-  result.rho = std::max(0.0, total / (static_cast<double>(n) * n * energy));
+  const double scale = static_cast<double>(n) * n * energy;
+  result.rho = std::max(0.0, total / scale);
+  result.raw /= scale;
   return result;
 }
 
@@ -210,6 +214,7 @@ SymmetryResidual SymmetryTests::residual(const GroupEmbedding& embedding,
     const SymmetryResidual one = residual(e.m, shiftAbout(e, origin));
     furthest.rho = std::max(furthest.rho, one.rho);
     furthest.worst = std::max(furthest.worst, one.worst);
+    furthest.raw = std::max(furthest.raw, one.raw);
   }
   return furthest;
 }

@@ -12,6 +12,7 @@ namespace seamwise {
 struct SymmetryResidual {
   double rho = 0;    ///< of the whole cell
   double worst = 0;  ///< of the worst of the places
+  double raw = 0;    ///< of the whole cell, nothing taken away
 };
 
 /// Compares a cell with its images under symmetries of its lattice.

@@ -1,32 +1,47 @@
+#include "recognition/tile/tile_cell.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "recognition/tile/tile_reading.h"
 
 namespace seamwise {
 namespace {
 
-/// Luminance of a pixel of a picture that repeats edge to edge, on white. [0, 1]
-std::array<float, 3> tileColour(const PixelView& tile, int x, int y) {
-  const int column = ((x % tile.width) + tile.width) % tile.width;
-  const int row = ((y % tile.height) + tile.height) % tile.height;
+std::array<float, 3> onWhite(const PixelView& pixels, int column, int row) {
   const std::uint8_t* const from =
-      tile.rgba.data() + 4 * (static_cast<std::size_t>(row) * tile.width + column);
+      pixels.rgba.data() + 4 * (static_cast<std::size_t>(row) * pixels.width + column);
   const float opaque = from[3] / 255.0f;
   std::array<float, 3> colour{};
   for (int c = 0; c < 3; ++c) colour[c] = opaque * from[c] / 255.0f + 1 - opaque;
   return colour;
 }
 
+/// The line of pixels that stands for a place along a side, and the other one where the place is
+/// that of a line which is put in.
+std::array<int, 2> linesAt(int place, int pixels, int more) {
+  const int all = pixels + more;
+  const int wrapped = ((place % all) + all) % all;
+  return wrapped < pixels ? std::array{wrapped, wrapped} : std::array{pixels - 1, 0};
+}
+
+/// A pixel of a tile that repeats edge to edge, on white. [0, 1]
+std::array<float, 3> tileColour(const SeamlessTile& tile, int x, int y) {
+  const auto columns = linesAt(x, tile.pixels.width, tile.more_columns);
+  const auto rows = linesAt(y, tile.pixels.height, tile.more_rows);
+  const auto one = onWhite(tile.pixels, columns[0], rows[0]);
+  if (columns[0] == columns[1] && rows[0] == rows[1]) return one;
+  const auto other = onWhite(tile.pixels, columns[1], rows[1]);
+  return {(one[0] + other[0]) / 2, (one[1] + other[1]) / 2, (one[2] + other[2]) / 2};
+}
+
 /// Standard deviation of one colour's noise: what neighbouring pixels differ by beyond a slope, in
 /// the calmer half of places. Motifs with sharp sides and flat areas have none. [0, 1]
-double tileNoise(const PixelView& tile) {
+double tileNoise(const SeamlessTile& tile) {
   constexpr int kMost = 40000;
-  const std::size_t count = static_cast<std::size_t>(tile.width) * tile.height;
+  const std::size_t count = static_cast<std::size_t>(tile.width()) * tile.height();
   const std::size_t stride = std::max<std::size_t>(1, count / kMost) | 1;
   std::vector<float> bends;
   for (std::size_t p = 0; p < count; p += stride) {
-    const int x = static_cast<int>(p % tile.width), y = static_cast<int>(p / tile.width);
+    const int x = static_cast<int>(p % tile.width()), y = static_cast<int>(p / tile.width());
     const float middle = tileColour(tile, x, y)[1];
     const float left = tileColour(tile, x - 1, y)[1], right = tileColour(tile, x + 1, y)[1];
     bends.push_back(std::abs(left - 2 * middle + right));
@@ -39,7 +54,7 @@ double tileNoise(const PixelView& tile) {
 
 }  // namespace
 
-CellPicture tileCell(const PixelView& tile, const LatticeMap& map, int n) {
+CellPicture tileCell(const SeamlessTile& tile, const LatticeMap& map, int n) {
   const Vec2 origin = map({0, 0}), w1 = map({1, 0}) - origin, w2 = map({0, 1}) - origin;
   const double longer = std::max(w1.norm(), w2.norm());
   const int times = std::clamp(static_cast<int>(std::ceil(longer / n)), 1, 64);
@@ -51,7 +66,8 @@ CellPicture tileCell(const PixelView& tile, const LatticeMap& map, int n) {
       std::array<float, 3> sum{};
       for (int s = 0; s < times * times; ++s) {
         const double u = (i + (s % times + 0.5) / times - 0.5) / n;
-        const double v = (j + (s / times + 0.5) / times - 0.5) / n;
+        const int row = s / times;
+        const double v = (j + (row + 0.5) / times - 0.5) / n;
         const Vec2 p = origin + u * w1 + v * w2 - Vec2(0.5, 0.5);
         const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
         const auto right = static_cast<float>(p.x() - x), below = static_cast<float>(p.y() - y);

@@ -8,7 +8,7 @@
 namespace seamwise {
 namespace {
 
-using Tuning = TileReadingTuning;
+using EdgeTuning = TileReadingTuning;
 
 /// Columns of pixels, or rows: red, green and blue in turn on white. [0, 255]
 class PixelLines {
@@ -27,15 +27,25 @@ class PixelLines {
     }
     return values;
   }
+  /// The luma of JPEG (Rec. 601) alone: files that halve the resolution of colours displace these
+  /// where the picture ends.
+  std::vector<float> lumaAt(int line) const {
+    const std::vector<float> colours = at(line);
+    std::vector<float> luma(length());
+    for (int k = 0; k < length(); ++k) {
+      luma[k] = 0.299f * colours[3 * k] + 0.587f * colours[3 * k + 1] + 0.114f * colours[3 * k + 2];
+    }
+    return luma;
+  }
 
  private:
   const PixelView& view_;
   bool columns_;
 };
 
-/// Values along a closed line softened by a Gaussian, `stride` of them side by side.
-std::vector<float> softenedLine(const std::vector<float>& values, double width, int stride) {
-  const int n = static_cast<int>(values.size()) / stride;
+/// Values along a closed line softened by a Gaussian.
+std::vector<float> softenedLine(const std::vector<float>& values, double width) {
+  const int n = static_cast<int>(values.size());
   const int reach = static_cast<int>(std::ceil(3 * width));
   std::vector<float> kernel(2 * reach + 1), out(values.size(), 0.0f);
   float sum = 0;
@@ -44,10 +54,7 @@ std::vector<float> softenedLine(const std::vector<float>& values, double width, 
   }
   for (int i = 0; i < n; ++i) {
     for (int k = -reach; k <= reach; ++k) {
-      const int from = (((i + k) % n) + n) % n;
-      for (int c = 0; c < stride; ++c) {
-        out[stride * i + c] += kernel[k + reach] / sum * values[stride * from + c];
-      }
+      out[i] += kernel[k + reach] / sum * values[(((i + k) % n) + n) % n];
     }
   }
   return out;
@@ -60,50 +67,82 @@ struct StepAside {
 };
 
 StepAside stepAside(const std::vector<float>& from, const std::vector<float>& to) {
-  const int n = static_cast<int>(from.size()) / 3;
-  std::vector<float> product(n, 0.0f), square(n, 0.0f);
+  const int n = static_cast<int>(from.size());
+  std::vector<float> product(n), square(n);
   for (int i = 0; i < n; ++i) {
-    const int next = 3 * ((i + 1) % n), last = 3 * ((i + n - 1) % n);
-    for (int c = 0; c < 3; ++c) {
-      const float slope = (from[next + c] - from[last + c] + to[next + c] - to[last + c]) / 4;
-      product[i] += (to[3 * i + c] - from[3 * i + c]) * slope;
-      square[i] += slope * slope;
-    }
+    const int next = (i + 1) % n, last = (i + n - 1) % n;
+    const float slope = (from[next] - from[last] + to[next] - to[last]) / 4;
+    product[i] = (to[i] - from[i]) * slope;
+    square[i] = slope * slope;
   }
-  StepAside step{softenedLine(product, Tuning::kStepWindow, 1),
-                 softenedLine(square, Tuning::kStepWindow, 1)};
+  StepAside step{softenedLine(product, EdgeTuning::kStepWindow),
+                 softenedLine(square, EdgeTuning::kStepWindow)};
   for (int i = 0; i < n; ++i) step.by[i] = -step.by[i] / (step.weight[i] + 1);
   return step;
 }
 
-/// Whether lines of motifs step aside across the border as though `missing` lines of pixels were
-/// cut away, rather than none.
-bool isCutShort(const PixelLines& lines, TileEdge& edge) {
+/// By how much what lines show steps aside from one line to the next, against what it does on both
+/// sides of the two: square errors of the same step and of twice that, which a line cut away
+/// between the two would leave.
+struct StepErrors {
+  double whole = 0, cut = 0;
+  double most_at = 0;  ///< where the first exceeds the other most, as a share of the line
+
+  double ratio() const {
+    return (whole + EdgeTuning::kUsualErrors) / (cut + EdgeTuning::kUsualErrors);
+  }
+  bool speakForCut() const {
+    const double evidence = whole - cut;
+    return evidence > EdgeTuning::kCutEvidence &&
+           evidence > EdgeTuning::kCutSurely * std::sqrt(whole + cut);
+  }
+};
+
+/// Of the lines `at` and the next one, round the border.
+StepErrors stepErrors(const PixelLines& lines, int at) {
   const int count = lines.count(), n = lines.length();
-  const auto line = [&](int k) { return softenedLine(lines.at(k), Tuning::kLineSoftening, 3); };
-  const std::vector<float> before = line(count - 2), last = line(count - 1), first = line(0),
-                           after = line(1);
+  const auto line = [&](int k) {
+    return softenedLine(lines.lumaAt((k + count) % count), EdgeTuning::kLineSoftening);
+  };
+  const std::vector<float> before = line(at - 1), last = line(at), first = line(at + 1),
+                           after = line(at + 2);
   const StepAside in = stepAside(before, last), across = stepAside(last, first),
                   out = stepAside(first, after);
-  double whole = 0, cut = 0, most = 0;
+  StepErrors errors;
+  double most = 0;
   for (int i = 0; i < n; ++i) {
-    if (std::min({in.weight[i], across.weight[i], out.weight[i]}) < Tuning::kLeastSlope) continue;
+    if (std::min({in.weight[i], across.weight[i], out.weight[i]}) < EdgeTuning::kLeastSlope)
+      continue;
     const double step = (in.by[i] + out.by[i]) / 2;
-    if (std::abs(step) > Tuning::kMostStep) continue;
-    const double spread = Tuning::kStepSpread + std::abs(in.by[i] - out.by[i]);
+    if (std::abs(step) > EdgeTuning::kMostStep) continue;
+    const double spread = EdgeTuning::kStepSpread + std::abs(in.by[i] - out.by[i]);
     const auto missed = [&](double by) {
       const double ratio = (across.by[i] - by) / spread;
-      return std::min(Tuning::kMostMissed, ratio * ratio);
+      return std::min(EdgeTuning::kMostMissed, ratio * ratio);
     };
     const double one = missed(step), other = missed(2 * step);
-    whole += one;
-    cut += other;
+    errors.whole += one;
+    errors.cut += other;
     if (one - other > most) {
       most = one - other;
-      edge.differs_at = (i + 0.5) / n;
+      errors.most_at = (i + 0.5) / n;
     }
   }
-  return whole - cut > Tuning::kCutEvidence;
+  return errors;
+}
+
+/// Whether motifs step aside across the border as though a line of pixels were cut away there, and
+/// do so nowhere within.
+bool isCutShort(const PixelLines& lines, TileEdge& edge) {
+  const int count = lines.count();
+  const StepErrors border = stepErrors(lines, count - 1);
+  edge.differs_at = border.most_at;
+  if (!border.speakForCut()) return false;
+  for (int k = 1; k <= EdgeTuning::kLinesWithin; ++k) {
+    const StepErrors within = stepErrors(lines, k * count / (EdgeTuning::kLinesWithin + 1));
+    if (border.ratio() < EdgeTuning::kCutBeyond * within.ratio()) return false;
+  }
+  return true;
 }
 
 /// Change from one line to another: of all of it, as at the side of a stripe, and what single
@@ -141,18 +180,14 @@ bool breaksOff(const PixelLines& lines, TileEdge& edge) {
   const int count = lines.count();
   const LineStep border = lineStep(lines.at(count - 1), lines.at(0));
   edge.differs_at = (border.most_at + 0.5) / lines.length();
-  std::vector<double> beyond;
-  double whole = 0;
+  LineStep greatest;
   for (int k = 0; k + 2 < count; ++k) {
     const LineStep step = lineStep(lines.at(k), lines.at(k + 2));
-    beyond.push_back(step.beyond);
-    whole = std::max(whole, step.whole);
+    greatest.beyond = std::max(greatest.beyond, step.beyond);
+    greatest.whole = std::max(greatest.whole, step.whole);
   }
-  std::sort(beyond.begin(), beyond.end());
-  const double greatest = beyond.back(), usual = beyond[beyond.size() / 2];
-  const double allowed = greatest > Tuning::kStraight * usual ? Tuning::kSharp : Tuning::kSteady;
-  return border.whole > Tuning::kLeastLine + Tuning::kSharp * whole ||
-         border.beyond > Tuning::kLeastBeyond + allowed * greatest;
+  return border.whole > EdgeTuning::kLeastLine + EdgeTuning::kGreatestLine * greatest.whole ||
+         border.beyond > EdgeTuning::kLeastBeyond + EdgeTuning::kGreatestBeyond * greatest.beyond;
 }
 
 TileEdge comparedEdge(const PixelLines& lines) {

@@ -5,7 +5,9 @@
 #include <numeric>
 #include <string>
 
+#include "recognition/symmetry/stripes.h"
 #include "recognition/symmetry/symmetry_tests.h"
+#include "recognition/tile/tile_cell.h"
 #include "recognition/tile/tile_edges.h"
 #include "tuning/group_reading.h"
 #include "tuning/tile_reading.h"
@@ -72,11 +74,31 @@ std::vector<Vec2> likelyShifts(const std::vector<float>& values, int fine, doubl
   return shifts;
 }
 
+bool isRepeat(const SymmetryResidual& residual) {
+  return residual.rho <= GroupReadingTuning::kHasShare &&
+         residual.worst <= GroupReadingTuning::kHasWorst;
+}
+
+/// Of a stripe, the smallest share of its basis vector across that lays it on itself.
+FinerLattice smallerStripe(const std::array<int, 2>& along, const SymmetryTests& tests,
+                           const Mat2& gram) {
+  const IntegerMatrix basis = stripeBasis(along, gram);
+  for (int k = TileReadingTuning::kMostStripes; k > 1; --k) {
+    const Vec2 shift = Vec2(basis[0], basis[2]) / k;
+    if (isRepeat(tests.residual(IntegerMatrix{1, 0, 0, 1}, shift)))
+      return latticeWith(k, basis[0], basis[2]);
+  }
+  return {};
+}
+
 /// A smaller cell inside: the shortest shift that lays the cell on itself, and what it generates.
 /// Whole cells if there is none.
-FinerLattice smallerCell(const CellPicture& cell, const Mat2& gram) {
+/// @param missed   raised to the share of energy by which that shift misses
+FinerLattice smallerCell(const CellPicture& cell, const Mat2& gram, double& missed) {
   const CellSpectrum spectrum(cell, gram);
   const SymmetryTests tests(spectrum);
+  const auto along = stripeOf(spectrum);
+  if (isStripe(along)) return smallerStripe(along, tests, gram);
   const IntegerMatrix identity{1, 0, 0, 1};
   const int fine = 2 * cell.n;
   const auto values = spectrum.correlation(identity);
@@ -87,8 +109,8 @@ FinerLattice smallerCell(const CellPicture& cell, const Mat2& gram) {
     if (order < 2) continue;
     const Vec2 exact = (order * shift).array().round().matrix() / order;
     const SymmetryResidual residual = tests.residual(identity, exact);
-    if (residual.rho <= GroupReadingTuning::kHasShare &&
-        residual.worst <= GroupReadingTuning::kHasWorst) {
+    if (isRepeat(residual)) {
+      missed = std::max(missed, residual.raw);
       return latticeWith(order, static_cast<int>(std::lround(order * exact.x())),
                          static_cast<int>(std::lround(order * exact.y())));
     }
@@ -97,14 +119,22 @@ FinerLattice smallerCell(const CellPicture& cell, const Mat2& gram) {
   return {};
 }
 
-Mat2 gramOfMap(const LatticeMap& map) {
-  Mat2 sides = map.homography.topLeftCorner<2, 2>();
-  return sides.transpose() * sides;
+/// Gram matrix of a lattice on a tile whose sides have one.
+Mat2 gramOn(const SeamlessTile& tile, const Mat2& sides, const LatticeMap& map) {
+  const Mat2 shares = Vec2(1.0 / tile.width(), -1.0 / tile.height()).asDiagonal() *
+                      map.homography.topLeftCorner<2, 2>();
+  return shares.transpose() * sides * shares;
+}
+
+Mat2 squarePixels(const SeamlessTile& tile) {
+  const double width = tile.width(), height = tile.height();
+  return Vec2(width * width, height * height).asDiagonal();
 }
 
 /// Samples along a side: even, so that halves of the cell are samples, and no more than its pixels.
-int samplesFor(const Mat2& gram) {
-  const double pixels = std::sqrt(std::max(gram(0, 0), gram(1, 1)));
+int samplesFor(const LatticeMap& map) {
+  const Mat2 w = map.homography.topLeftCorner<2, 2>();
+  const double pixels = std::max(w.col(0).norm(), w.col(1).norm());
   return std::clamp(2 * static_cast<int>(std::lround(pixels / 2)), TileReadingTuning::kLeastSamples,
                     TileReadingTuning::kMostSamples);
 }
@@ -116,52 +146,112 @@ std::string percentOf(double share) {
 Error openEdge(bool sides, double at) {
   const std::string which = sides ? "left and right" : "top and bottom";
   const std::string where = percentOf(at) + (sides ? " % of the way down" : " % of the way across");
-  return {Failure::kNotAPrint,
+  return {Failure::kPicture,
           "the picture's edges do not meet: " + which + " differ here (" + where +
               "): give the whole repeat, or a photo that shows several",
-          -1, -1};
+          -1, -1, "edges"};
+}
+
+Error missingLine(bool sides) {
+  const std::string which = sides ? "left and right" : "top and bottom";
+  const std::string line = sides ? "column" : "row";
+  return {Failure::kPicture,
+          "the picture's edges do not meet: " + which + " differ here, as though one " + line +
+              " of pixels were cut away: give the whole repeat, or a photo that shows several",
+          -1, -1, "edges"};
+}
+
+/// A reading, and the greatest share of energy by which its symmetries miss.
+struct MissedTile {
+  TileReading reading;
+  double missed = 0;
+  bool square_pixels = true;
+
+  /// How many symmetries lie in the picture.
+  int symmetries() const {
+    return reading.lattice.copies * reading.groups.groups[reading.groups.best].group->order;
+  }
+  bool isHexagonal() const {
+    const GroupReading& groups = reading.groups;
+    return groups.groups[groups.best].group->lattice == LatticeType::kHexagonal;
+  }
+  bool isMendedBy(const MissedTile& other) const {
+    if (other.reading.groups.stripes) return false;
+    if (other.symmetries() != symmetries()) return other.symmetries() > symmetries();
+    return missed > TileReadingTuning::kLeastMissed &&
+           other.missed < TileReadingTuning::kMended * missed;
+  }
+};
+
+/// The reading of a tile whose edges meet.
+MissedTile readSeamless(const SeamlessTile& tile, const Mat2& sides) {
+  MissedTile found;
+  TileReading& reading = found.reading;
+  LatticeMap& map = reading.lattice.map;
+  const double width = tile.width(), height = tile.height();
+  map.homography << width, 0, 0, 0, -height, height, 0, 0, 1;
+  map.middle = Vec2(width, height) / 2;
+  map.radius = std::max(width, height) / 2;
+  for (int copies = 1;;) {
+    map = map.rebased(reducingMatrix(gramOn(tile, sides, map)), Vec2::Zero());
+    reading.gram = gramOn(tile, sides, map);
+    reading.cell = tileCell(tile, map, samplesFor(map));
+    reading.lattice.copies = copies;
+    const FinerLattice smaller = smallerCell(reading.cell, reading.gram, found.missed);
+    if (smaller.isWhole() || copies >= TileReadingTuning::kMostCopies) break;
+    map = map.rebased(smaller.matrix(), Vec2::Zero());
+    copies = static_cast<int>(std::lround(copies / smaller.matrix().determinant()));
+  }
+  // sides are whole numbers of pixels, whatever the lattice is
+  const double rounding = TileReadingTuning::kRounding / std::min(width, height);
+  reading.lattice.explained = 1;
+  reading.lattice.uncertainty = rounding;
+  reading.lattice.confidence = Confidence::kSure;
+  reading.groups =
+      readGroups(reading.cell, reading.gram, std::max(rounding, TileReadingTuning::kTolerance));
+  const GroupVerdict& best = reading.groups.groups[reading.groups.best];
+  found.missed = std::max(found.missed, best.raw);
+  return found;
+}
+
+/// Of square pixels; or, where thirds of a turn speak for it, with the sides of a hexagonal cell.
+MissedTile readWithoutSides(const SeamlessTile& tile) {
+  MissedTile found = readSeamless(tile, squarePixels(tile));
+  if (tile.width() != tile.height()) return found;
+  for (const double cosine : {0.5, -0.5}) {
+    const Mat2 hexagonal =
+        (Mat2() << 1, cosine, cosine, 1).finished() * tile.width() * tile.width();
+    MissedTile other = readSeamless(tile, hexagonal);
+    if (!other.isHexagonal() || other.symmetries() <= found.symmetries()) continue;
+    found = std::move(other);
+    found.square_pixels = false;
+  }
+  return found;
 }
 
 }  // namespace
 
-Outcome<TileReading> readTile(const PixelView& tile) {
+Outcome<TileReading> readTile(const PixelView& tile, const std::optional<Mat2>& sides) {
   if (std::min(tile.width, tile.height) < TileReadingTuning::kLeastPixels) {
-    return Error{Failure::kNotAPrint,
+    return Error{Failure::kPicture,
                  "the picture has only " + std::to_string(tile.width) + " x " +
                      std::to_string(tile.height) + " pixels: give one of at least " +
                      std::to_string(TileReadingTuning::kLeastPixels) + " each way",
-                 -1, -1};
+                 -1, -1, "small"};
   }
   const TileEdge across = leftMeetsRight(tile), up = topMeetsBottom(tile);
   if (!across.meets) return openEdge(true, across.differs_at);
   if (!up.meets) return openEdge(false, up.differs_at);
 
-  TileReading reading;
-  LatticeMap& map = reading.lattice.map;
-  const double width = tile.width, height = tile.height;
-  map.homography << width, 0, 0, 0, -height, height, 0, 0, 1;
-  map.middle = Vec2(width, height) / 2;
-  map.radius = std::max(width, height) / 2;
-  for (int copies = 1;;) {
-    reading.gram = gramOfMap(map);
-    const Mat2 reduced = reducingMatrix(reading.gram);
-    map = map.rebased(reduced, Vec2::Zero());
-    reading.gram = gramOfMap(map);
-    reading.cell = tileCell(tile, map, samplesFor(reading.gram));
-    const FinerLattice smaller = smallerCell(reading.cell, reading.gram);
-    reading.lattice.copies = copies;
-    if (smaller.isWhole() || copies >= TileReadingTuning::kMostCopies) break;
-    map = map.rebased(smaller.matrix(), Vec2::Zero());
-    copies = static_cast<int>(std::lround(copies / smaller.matrix().determinant()));
+  MissedTile found = sides ? readSeamless({tile}, *sides) : readWithoutSides({tile});
+  // where the sides are given, a line less does not change the lattice's type
+  if (!sides && !found.reading.groups.stripes && found.square_pixels) {
+    for (const bool is_column : {true, false}) {
+      const SeamlessTile more{tile, is_column ? 1 : 0, is_column ? 0 : 1};
+      if (found.isMendedBy(readSeamless(more, squarePixels(more)))) return missingLine(is_column);
+    }
   }
-  reading.lattice.explained = 1;
-  reading.lattice.confidence = Confidence::kSure;
-  // sides are whole numbers of pixels, whatever the lattice is
-  const double rounding = TileReadingTuning::kRounding / std::min(width, height);
-  reading.lattice.uncertainty = rounding;
-  reading.groups =
-      readGroups(reading.cell, reading.gram, std::max(rounding, TileReadingTuning::kTolerance));
-  return reading;
+  return std::move(found.reading);
 }
 
 }  // namespace seamwise

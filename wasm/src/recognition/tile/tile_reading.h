@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "base/outcome.h"
 #include "recognition/base/cell_picture.h"
 #include "recognition/base/lattice_reading.h"
@@ -7,19 +9,19 @@
 
 namespace seamwise {
 
-/// A picture that repeats edge to edge, read as one cell or several of a print: pixels are square.
+/// A picture that repeats edge to edge, read as one cell or several of a print.
 struct TileReading {
   LatticeReading lattice;  ///< of the smallest cell inside, its origin in the lower left corner
   CellPicture cell;        ///< of that cell
-  Mat2 gram = Mat2::Identity();  ///< of its w1, w2. [px^2]
+  Mat2 gram = Mat2::Identity();  ///< of its w1, w2, in units of `sides`
   GroupReading groups;
 };
 
-/// Errors: kNotAPrint, one sentence that says which edges do not meet, and where, or that the
+/// Pixels are taken to be square, unless it is said what sides the picture has, or it is a square
+/// whose thirds of a turn show that its sides are those of a hexagonal cell.
+/// @param sides   Gram matrix of the sides to the right and up, where they are known [any unit]
+/// Errors: kPicture, one sentence that says which edges do not meet, and where, or that the
 /// picture is too small.
-Outcome<TileReading> readTile(const PixelView& tile);
-
-/// The cell of a tile's lattice with n x n samples, from the pixels that lie around each.
-CellPicture tileCell(const PixelView& tile, const LatticeMap& map, int n);
+Outcome<TileReading> readTile(const PixelView& tile, const std::optional<Mat2>& sides = {});
 
 }  // namespace seamwise

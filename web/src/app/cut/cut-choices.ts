@@ -1,4 +1,10 @@
 /** How somebody wants to cut, remembered by the browser. */
+import {
+  allowancesIn,
+  withAllowances,
+  type ChosenAllowances,
+  type Workbench,
+} from '../../editor/index.js';
 import {fieldOf} from '../../model/read.js';
 import type {Units} from '../../model/units.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
@@ -10,40 +16,31 @@ export const papers: readonly string[] = [
   ...['a4', 'letter', 'a3', 'legal', 'tabloid', 'a2', 'a1', 'a0', '36in', 'projector'],
 ];
 
-export interface CutChoices {
+interface FileChoices {
   readonly file: CutFileKind;
   /** By its name in `paper/papers`. */
   readonly paper: string;
-  /** [cm] */
-  readonly allowanceCm: number;
-  readonly hemCm: number;
   /** `full`: pieces in their print; `outline`: their lines alone. */
   readonly ink: 'full' | 'outline';
 }
 
-/** More than any hem. [cm] */
-export const greatestAllowance = 10;
+/** The allowances are those of the pieces on their cloth, too. */
+export interface CutChoices extends FileChoices, ChosenAllowances {}
 
 const key = 'seamwise.cut';
 
-/** What most patterns have, in centimetres or in inches that are on a ruler. */
-const usual: Readonly<Record<Units, CutChoices>> = {
-  cm: {file: 'pdf', paper: 'a4', allowanceCm: 1, hemCm: 3, ink: 'full'},
-  inch: {file: 'pdf', paper: 'letter', allowanceCm: 0.375 * 2.54, hemCm: 1.25 * 2.54, ink: 'full'},
+const usual: Readonly<Record<Units, FileChoices>> = {
+  cm: {file: 'pdf', paper: 'a4', ink: 'full'},
+  inch: {file: 'pdf', paper: 'letter', ink: 'full'},
 };
 
-const isLength = (value: unknown): boolean =>
-  typeof value === 'number' && value >= 0 && value <= greatestAllowance;
+const isRight: {readonly [Name in keyof FileChoices]: (value: unknown) => boolean} = {
+  file: (value) => (cutFileKinds as readonly unknown[]).includes(value),
+  paper: (value) => (papers as readonly unknown[]).includes(value),
+  ink: (value) => value === 'full' || value === 'outline',
+};
 
-/** What was chosen last, as far as it is understood; the rest as it is usual. */
-export function storedChoices(units: Units): CutChoices {
-  const isRight: {readonly [Name in keyof CutChoices]: (value: unknown) => boolean} = {
-    file: (value) => (cutFileKinds as readonly unknown[]).includes(value),
-    paper: (value) => (papers as readonly unknown[]).includes(value),
-    allowanceCm: isLength,
-    hemCm: isLength,
-    ink: (value) => value === 'full' || value === 'outline',
-  };
+function storedFileChoices(units: Units): FileChoices {
   try {
     const stored: unknown = JSON.parse(localStorage.getItem(key) ?? '{}');
     const known = Object.entries(isRight)
@@ -55,14 +52,23 @@ export function storedChoices(units: Units): CutChoices {
   }
 }
 
+/** What was chosen last, as far as it is understood; the rest as it is usual. */
+export const storedChoices = ({preferences}: Workbench): CutChoices => ({
+  ...storedFileChoices(preferences.units),
+  ...allowancesIn(preferences),
+});
+
 /** What is as it is usual is not stored: it follows the units. */
-export function keepChoices(choices: CutChoices, units: Units): void {
-  const chosen = Object.entries(choices).filter(
-    ([name, value]) => value !== usual[units][name as keyof CutChoices],
+export function keepChoices(choices: CutChoices, workbench: Workbench): void {
+  const {units} = workbench.preferences;
+  const {file, paper, ink} = choices;
+  const chosen = Object.entries({file, paper, ink}).filter(
+    ([name, value]) => value !== usual[units][name as keyof FileChoices],
   );
   try {
     localStorage.setItem(key, JSON.stringify(Object.fromEntries(chosen)));
   } catch {
     // a browser that stores nothing still makes the file
   }
+  workbench.prefer(withAllowances(choices, workbench.preferences));
 }

@@ -46,7 +46,7 @@ export class CutDialog extends WorkbenchElement {
   #life = new AbortController();
 
   async open(): Promise<void> {
-    this.choices = storedChoices(this.workbench.preferences.units);
+    this.choices = storedChoices(this.workbench);
     this.#laid = undefined;
     this.plan = undefined;
     this.isRenewed = false;
@@ -196,7 +196,7 @@ export class CutDialog extends WorkbenchElement {
     await this.#doing('file', async (signal) => {
       const content = await cutFile(this.workbench, choices, signal);
       const {file} = choices;
-      keepChoices(choices, this.workbench.preferences.units);
+      keepChoices(choices, this.workbench);
       this.save(file === 'svg' ? 'cut.svg' : file, new Blob([content], {type: types[file]}));
       this.#close();
     });

@@ -1,13 +1,13 @@
 /** What may be chosen before pieces are cut. */
 import {html, nothing, type TemplateResult} from 'lit';
 
-import {lengthUnit} from '../../editor/index.js';
+import {greatestAllowance, lengthUnit} from '../../editor/index.js';
 import type {Units} from '../../model/units.js';
 import {paperOf} from '../../paper/papers.js';
 import type {CutTexts} from '../../texts/cut-texts.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
-import {cutFileKinds, greatestAllowance, papers, type CutChoices} from './cut-choices.js';
+import {cutFileKinds, papers, type CutChoices} from './cut-choices.js';
 import type {CutPlan} from './cut-job.js';
 
 interface Shown {

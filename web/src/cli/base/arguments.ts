@@ -92,22 +92,32 @@ export function choice<T extends string>(
   return found;
 }
 
-/** The flag's value as a whole number from 0 to 4294967295. @throws {UsageError} */
-export function wholeNumber(args: Arguments, flag: string): number | undefined {
+/** The flag's value as a whole number in a range. @throws {UsageError} */
+export function wholeNumber(
+  args: Arguments,
+  flag: string,
+  [least, most]: readonly [number, number] = [0, 0xffffffff],
+): number | undefined {
   const value = args.value(flag);
   if (value === undefined) return undefined;
-  if (!/^\d{1,10}$/.test(value) || Number(value) > 0xffffffff) {
-    throw new UsageError(`${flag} is '${value}', but must be a whole number from 0 to 4294967295.`);
+  if (!/^\d{1,10}$/.test(value) || Number(value) < least || Number(value) > most) {
+    throw new UsageError(
+      `${flag} is '${value}', but must be a whole number from ${least} to ${most}.`,
+    );
   }
   return Number(value);
 }
 
-/** The flag's value as a number from 1 to `most`. @throws {UsageError} */
-export function factor(args: Arguments, flag: string, most: number): number | undefined {
+/** The flag's value as a number in a range. @throws {UsageError} */
+export function factor(
+  args: Arguments,
+  flag: string,
+  [least, most]: readonly [number, number],
+): number | undefined {
   const value = args.value(flag);
   if (value === undefined) return undefined;
-  if (!/^\d{1,6}(\.\d{1,6})?$/.test(value) || Number(value) < 1 || Number(value) > most) {
-    throw new UsageError(`${flag} is '${value}', but must be a number from 1 to ${String(most)}.`);
+  if (!/^\d{1,6}(\.\d{1,6})?$/.test(value) || Number(value) < least || Number(value) > most) {
+    throw new UsageError(`${flag} is '${value}', but must be a number from ${least} to ${most}.`);
   }
   return Number(value);
 }

@@ -37,11 +37,12 @@ const limitsOf = {
   ...{width: markerLimits.widthCm, selvedge: markerLimits.selvedgeCm, gap: markerLimits.gapCm},
   ...{phase: markerLimits.phaseCm, start: markerLimits.startCm},
   ...{allowance: markerLimits.allowanceCm, hem: markerLimits.hemCm},
+  ...{copies: markerLimits.copies, plies: markerLimits.plies, seed: markerLimits.seed},
   effort: markerLimits.effort,
 };
 
-/** The greatest that a length, or the effort, may be. */
-export const layLimit = (name: keyof typeof limitsOf): number => limitsOf[name][1];
+/** What a length, a number or the effort may be. */
+export const layRange = (name: keyof typeof limitsOf): readonly [number, number] => limitsOf[name];
 
 const within = (name: keyof typeof limitsOf): Read<number> =>
   number(limitsOf[name][0], limitsOf[name][1]);

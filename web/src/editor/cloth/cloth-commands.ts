@@ -12,6 +12,7 @@ interface CommandedCloth {
   walk(step: 1 | -1): void;
   turn(): void;
   togglePin(): void;
+  takeOff(): void;
   pack(): void;
   toggleFlawTool(): void;
 }
@@ -70,6 +71,12 @@ export function clothCommands(
       ...{id: 'pin laid piece', title: words.pin, key: 'P', words: commands.also.keep},
       run: () => {
         cloth.togglePin();
+      },
+    },
+    {
+      ...{id: 'take laid piece off', title: words.takeOff, key: 'Delete'},
+      run: () => {
+        cloth.takeOff();
       },
     },
     {

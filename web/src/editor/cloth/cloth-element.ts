@@ -1,6 +1,7 @@
 /** What the parts of the cloth's view have in common. */
 import {clothTexts, type ClothTexts} from '../../texts/cloth-texts.js';
-import {layingOf, type Laying, type PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
+import {layingOf, type Laying} from '../../workbench/laying.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
 
 export abstract class ClothElement extends WorkbenchElement {

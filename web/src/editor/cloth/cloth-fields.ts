@@ -1,6 +1,7 @@
-/** What is said of the cloth: its width, its edges, which way up, and where its print starts. */
+/** What is said of the cloth and of what is cut from it: width and edges, how many garments, allowances, where the print starts, which way up. */
 import {html, nothing, type TemplateResult} from 'lit';
 
+import type {OwnShare} from '../../cutting/allowances.js';
 import {clothLimits, usualWidths, type ClothChoices} from '../../workbench/cloth-choices.js';
 import type {Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/cloth-texts.js';
@@ -14,6 +15,9 @@ interface Fields {
   readonly startCm: number | undefined;
   /** Somebody wants to enter a width of their own. */
   readonly hasOwnWidth: boolean;
+  /** Somebody wants to change the allowances. */
+  readonly hasAllowances: boolean;
+  readonly ownAllowances: OwnShare;
   /** The print looks different upside down. */
   readonly isOneWay: boolean;
   readonly units: Units;
@@ -22,15 +26,21 @@ interface Fields {
   readonly words: ClothTexts;
   readonly choose: (change: Partial<ClothChoices>) => void;
   readonly askOwnWidth: () => void;
+  readonly askAllowances: () => void;
 }
 
 const other = 'other';
 
 const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
 
+type Length = Exclude<keyof typeof clothLimits, 'copies'>;
+
+/** What the arrow keys add, where it is not half a unit. */
+const fineSteps: Partial<Record<Length, number>> = {gapCm: 0.1, allowanceCm: 0.1, hemCm: 0.1};
+
 function lengthField(
   {units, format, texts, choices, choose}: Fields,
-  name: keyof typeof clothLimits,
+  name: Length,
   label: (unit: string) => string,
 ): TemplateResult {
   const {name: unit, cm} = lengthUnit[units];
@@ -40,8 +50,8 @@ function lengthField(
     .value=${(choices[name] ?? 0) / cm}
     .least=${least / cm}
     .most=${most / cm}
-    .step=${name === 'gapCm' ? 0.1 : 0.5}
-    .digits=${units === 'inch' ? 3 : 1}
+    .step=${fineSteps[name] ?? 0.5}
+    .digits=${units === 'inch' ? 3 : 2}
     .fractions=${units === 'inch'}
     .wrong=${texts.controls.between(format.length(least), format.length(most))}
     @entered=${({detail}: CustomEvent<number>) => {
@@ -50,29 +60,67 @@ function lengthField(
   ></sw-number-field>`;
 }
 
-function widthField(fields: Fields): TemplateResult {
-  const {choices, format, words, choose, hasOwnWidth, askOwnWidth} = fields;
+function widthFields(fields: Fields): TemplateResult {
+  const {choices, format, words, texts, choose, hasOwnWidth, askOwnWidth} = fields;
   const isOwn = hasOwnWidth || !usualWidths.includes(choices.widthCm);
-  return html`<label>
-      ${words.width}
-      <select
-        class="width"
-        @change=${(event: Event) => {
-          const value = chosen(event);
-          if (value === other) askOwnWidth();
-          else choose({widthCm: Number(value)});
+  const [fewest, most] = clothLimits.copies;
+  return html`<div class="pair">
+      <label>
+        ${words.width}
+        <select
+          class="width"
+          @change=${(event: Event) => {
+            const value = chosen(event);
+            if (value === other) askOwnWidth();
+            else choose({widthCm: Number(value)});
+          }}
+        >
+          ${usualWidths.map(
+            (width) =>
+              html`<option value=${width} .selected=${!isOwn && width === choices.widthCm}>
+                ${format.length(width)}
+              </option>`,
+          )}
+          <option value=${other} .selected=${isOwn}>${words.otherWidth}</option>
+        </select>
+      </label>
+      <sw-number-field
+        class="copies"
+        .label=${words.copies}
+        .value=${choices.copies}
+        .least=${fewest}
+        .most=${most}
+        .digits=${0}
+        .wrong=${texts.controls.between(String(fewest), String(most))}
+        @entered=${({detail}: CustomEvent<number>) => {
+          choose({copies: Math.round(detail)});
         }}
-      >
-        ${usualWidths.map(
-          (width) =>
-            html`<option value=${width} .selected=${!isOwn && width === choices.widthCm}>
-              ${format.length(width)}
-            </option>`,
-        )}
-        <option value=${other} .selected=${isOwn}>${words.otherWidth}</option>
-      </select>
-    </label>
+      ></sw-number-field>
+    </div>
     ${isOwn ? lengthField(fields, 'widthCm', words.widthIn) : nothing}`;
+}
+
+/** The allowances are those of cutting files, too; a pattern that has its own takes those. */
+function allowanceFields(fields: Fields): TemplateResult {
+  const {choices, format, words, ownAllowances, hasAllowances, askAllowances} = fields;
+  if (ownAllowances === 'all')
+    return html`<p class="soft allowances">${words.ownAllowances.all}</p>`;
+  const said = words.allowances(format.length(choices.allowanceCm), format.length(choices.hemCm));
+  return html`<p class="soft allowances">
+      ${said}
+      <button class="link" aria-expanded=${hasAllowances} @click=${askAllowances}>
+        ${words.changeAllowances}
+      </button>
+      ${ownAllowances === 'some' ? html`<br />${words.ownAllowances.some}` : nothing}
+    </p>
+    ${
+      hasAllowances
+        ? html`<div class="pair">
+            ${lengthField(fields, 'allowanceCm', words.allowance)}
+            ${lengthField(fields, 'hemCm', words.hem)}
+          </div>`
+        : nothing
+    }`;
 }
 
 function phaseField(fields: Fields): TemplateResult {
@@ -100,12 +148,12 @@ function phaseField(fields: Fields): TemplateResult {
 export function clothFields(fields: Fields): TemplateResult {
   const {choices, words, choose, isOneWay} = fields;
   return html`<div class="fields">
-    ${widthField(fields)}
-    <div class="beside">
+    ${widthFields(fields)}
+    <div class="pair">
       ${lengthField(fields, 'selvedgeCm', words.selvedge)}
       ${lengthField(fields, 'gapCm', words.gap)}
     </div>
-    ${phaseField(fields)}
+    ${allowanceFields(fields)} ${phaseField(fields)}
     <div>
       <label class="inline">
         <input
@@ -119,7 +167,7 @@ export function clothFields(fields: Fields): TemplateResult {
         />
         ${words.oneWay}
       </label>
-      <p id="nap" class="soft note">${words.oneWayNote}</p>
+      <p id="nap" class="soft note">${isOneWay ? words.oneWayPrint : words.oneWayNote}</p>
     </div>
   </div>`;
 }

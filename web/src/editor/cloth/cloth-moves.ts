@@ -9,7 +9,7 @@ import {
   type Bolt,
 } from '../../marker/places.js';
 import {wrapped, type Alignment, type Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import {placesOf} from './piece-drag.js';
 
 export const ways: Readonly<Record<string, Point>> = {

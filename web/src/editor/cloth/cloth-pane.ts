@@ -20,6 +20,7 @@ import {clothStyle} from './cloth-style.js';
 import {conflicts, conflictWords, placeWords, roundedLength} from './cloth-words.js';
 import {layStepWords} from './lay-step-words.js';
 import {margin, type SheetFrame} from './sheet-frame.js';
+import {sheetStyle} from './sheet-style.js';
 
 const zooms = {least: 1, most: 12} as const;
 /** Cloth that is shown beyond what is used. [cm] */
@@ -29,7 +30,7 @@ const leastLength = 50;
 /** Long cloth is shown at this share of the scale at which its width fills the view, at the least. */
 const leastShare = 0.6;
 export class ClothPane extends PieceActions {
-  static override styles = [controls, clothStyle];
+  static override styles = [controls, clothStyle, sheetStyle];
   readonly #conflictsOf = lastOf(conflicts);
   readonly #pointing = new ClothPointing(this);
   #observer: ResizeObserver | undefined;
@@ -179,8 +180,9 @@ export class ClothPane extends PieceActions {
   }
 
   get #conflicts(): ReadonlyMap<number, string> {
-    const {pieces, bolt} = this.laying;
-    return bolt ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
+    const {pieces, bolt, isMoved} = this.laying;
+    // what is laid keeps apart
+    return bolt && isMoved ? this.#conflictsOf(pieces, bolt, this.labelOf, this.words) : new Map();
   }
 
   /** As large as there is room for, and as somebody has zoomed. */

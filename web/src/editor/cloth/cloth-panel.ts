@@ -1,9 +1,10 @@
 /** Beside the cloth: what there is to buy, what cloth it is, and the pieces as a list. */
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
-import type {LayPlan} from '../../model/lay-plan.js';
+import type {CheaperDesign, LayPlan} from '../../model/lay-plan.js';
 import type {LayStep} from '../../workbench/lay-step.js';
-import {rangeNote} from '../../marker/plan.js';
+import {saidNote} from '../../marker/draw/note-texts.js';
+import {planTextsIn} from '../../texts/plan-texts.js';
 import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
@@ -21,6 +22,7 @@ export class ClothPanel extends ClothElement {
     selected: {attribute: false},
     conflicts: {attribute: false},
     hasOwnWidth: {state: true},
+    hasAllowances: {state: true},
   };
   static override styles = [controls, section, panelStyle];
   /** The number of a piece. */
@@ -28,11 +30,13 @@ export class ClothPanel extends ClothElement {
   /** Why pieces do not lie well, by their numbers. */
   declare conflicts: ReadonlyMap<number, string>;
   declare protected hasOwnWidth: boolean;
+  declare protected hasAllowances: boolean;
 
   constructor() {
     super();
     this.conflicts = new Map();
     this.hasOwnWidth = false;
+    this.hasAllowances = false;
   }
 
   /** What is selected elsewhere comes into sight. */
@@ -56,9 +60,7 @@ export class ClothPanel extends ClothElement {
     const {words, format, laying} = this;
     const {units} = this.workbench.preferences;
     const {lengthCm, useShare, boundCm, proven, phases} = plan;
-    const notes = plan.notes.filter((note) => !rangeNote(phases).includes(note));
     const isDone = laying.state.kind === 'done';
-    const laid = laying.step?.plan ?? plan;
     return html`<h2 class="buy">${words.buy(soldLength(lengthCm, units, words, format))}</h2>
       <ul class="facts">
         <li>${words.used(format.length(lengthCm), format.percent(useShare))}</li>
@@ -68,10 +70,29 @@ export class ClothPanel extends ClothElement {
             ? html`<li>${words.bound(format.length(boundCm))}</li>`
             : nothing
         }
-        ${laying.isMoved ? html`<li>${words.moved}</li>` : nothing} ${this.#cost(laid)}
-        ${this.#range(phases)} ${laying.isMoved ? nothing : this.#offers(laid)}
-        ${notes.map((note) => html`<li>${note}</li>`)}
+        ${
+          laying.isMoved
+            ? html`<li>${words.moved}</li>` // all else is of the plan before
+            : html`${this.#cost(plan)} ${this.#range(phases)} ${this.#offers(plan)}`
+        }
+        ${this.#notes(plan).map((note) => html`<li>${note}</li>`)}
       </ul>`;
+  }
+
+  /** What is not said by the figures already. */
+  #notes({noteDetails}: LayPlan): readonly string[] {
+    const {format, workbench} = this;
+    const {notes} = planTextsIn(workbench.preferences.language);
+    const length = (cm: number): string => format.length(cm);
+    const range = (least: number, most: number) => [length(least), length(most)] as const;
+    return noteDetails
+      .filter(({code}) => code !== 'phaseRange' && code !== 'phaseNowhere')
+      .map((note) =>
+        saidNote(note, notes, {
+          ...{length, rounded: length, range, count: (count) => format.number(count)},
+          name: (piece) => this.nameOf(piece),
+        }),
+      );
   }
 
   #cost({lengthCm, freeLengthCm}: LayPlan): TemplateResult | typeof nothing {
@@ -103,12 +124,29 @@ export class ClothPanel extends ClothElement {
   /** What would take less cloth. */
   #offers({lengthCm, cheaper}: LayPlan): readonly TemplateResult[] {
     const {words, format} = this;
-    return cheaper.map(({kind, lengthCm: length, phaseCm = 0, pieces = []}) => {
+    return cheaper.flatMap(({kind, lengthCm: length, phaseCm = 0, pieces = [], design}) => {
       const saving = format.length(lengthCm - length);
       const names = [...new Set(pieces)].map((name) => this.nameOf(name)).join(', ');
+      if (kind === 'design') return design ? [this.#designOffer(saving, design)] : [];
       const how = {phase: format.length(phaseCm), shift: names, unmatched: names};
-      return html`<li class="offer">${words.less[kind](saving, how[kind])}</li>`;
+      return [html`<li class="offer">${words.less[kind](saving, how[kind])}</li>`];
     });
+  }
+
+  /** Taking it is a step of the design, which undo takes back. */
+  #designOffer(saving: string, {pins, meanCm, insteadOfCm}: CheaperDesign): TemplateResult {
+    const {words, format, workbench} = this;
+    const [mean, instead] = [meanCm, insteadOfCm].map((cm) => format.fine(cm));
+    const take = (): void => {
+      const {options} = workbench.design ?? {};
+      if (options) workbench.change({options: {...options, pins}});
+    };
+    return html`<li class="offer">
+      ${words.lessDesign(saving, mean ?? '', instead ?? '')}
+      <button class="link" ?disabled=${this.laying.isStale} @click=${take}>
+        ${words.takeDesign}
+      </button>
+    </li>`;
   }
 
   #fields(): TemplateResult | typeof nothing {
@@ -121,12 +159,17 @@ export class ClothPanel extends ClothElement {
       ...{texts: this.texts, words: this.words, hasOwnWidth: this.hasOwnWidth},
       startCm: plan?.printOrigin?.[0],
       isOneWay: design.print.oneWay,
+      hasAllowances: this.hasAllowances,
+      ownAllowances: laying.ownAllowances,
       choose: (change) => {
         if (change.widthCm !== undefined) this.hasOwnWidth = false;
         laying.choose(change);
       },
       askOwnWidth: () => {
         this.hasOwnWidth = true;
+      },
+      askAllowances: () => {
+        this.hasAllowances = !this.hasAllowances;
       },
     });
   }

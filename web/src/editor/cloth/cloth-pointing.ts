@@ -1,7 +1,7 @@
 /** Pieces dragged over their cloth, and flaws drawn on it. */
 import type {Bolt} from '../../marker/places.js';
 import {minus, type Alignment, type Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import type {Dragged} from './cloth-sheet.js';
 import {FlawTool} from './flaw-tool.js';
 import {PieceDrag} from './piece-drag.js';

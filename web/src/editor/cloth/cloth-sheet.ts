@@ -7,7 +7,7 @@ import {imageCell} from '../../model/wallpaper.js';
 import {norm, onPiece, plus, type Alignment, type Point} from '../../model/geometry.js';
 import type {Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/cloth-texts.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import {
   closed,
   frameSize,
@@ -202,6 +202,7 @@ const target = ({target: line, inWay}: Dragged): TemplateResult =>
 /** The places that it has. */
 function dots({dots: all}: Dragged, frame: SheetFrame): TemplateResult {
   const d = all
+    .filter(([, y]) => y < frame.lengthCm) // of the cloth that is shown
     .map((dot) => {
       const [x, y] = onSheet(dot);
       return `M${x.toFixed(0)} ${y.toFixed(0)}h0`;

@@ -13,7 +13,7 @@ import {boxOf} from '../../model/polyline.js';
 import {fractionOrNumber, type Units} from '../../model/units.js';
 import type {ClothTexts} from '../../texts/cloth-texts.js';
 import type {Format} from '../../texts/format.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 
 /** Steps in which cloth is sold: 5 cm, an eighth of a yard. */
 const soldCm = 5;

@@ -30,14 +30,19 @@ export const panelStyle = css`
   .fields select {
     color: var(--sw-ink);
   }
-  .beside {
+  .pair {
     display: grid;
     grid-template-columns: repeat(2, minmax(0, 1fr));
     align-items: end;
-    gap: var(--sw-space-2);
+    gap: var(--sw-space-3) var(--sw-space-2);
   }
   .note {
     margin-left: calc(1rem + var(--sw-space-2));
+  }
+  @media (pointer: coarse), (width < 40rem) {
+    .note {
+      margin-left: calc(1.5rem + var(--sw-space-2)); /* below what its box says */
+    }
   }
   table {
     width: 100%;

@@ -2,7 +2,7 @@
 import type {PropertyValues} from 'lit';
 
 import type {Alignment, Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import {sameTarget} from '../../workbench/state.js';
 import type {Target} from '../../workbench/workbench.js';
 import {ClothElement} from './cloth-element.js';
@@ -40,6 +40,14 @@ export abstract class PieceActions extends ClothElement {
     const place = placeTurned(pieces, piece, bolt, takes);
     if (place) this.move(piece, place);
     else this.say(this.words.cannotTurn(this.labelOf(piece)));
+  }
+
+  takeOff(): void {
+    const piece = this.selectedPiece;
+    if (!piece || !this.isReady) return;
+    this.laying.remove(piece.number);
+    this.choose(undefined);
+    this.say(this.words.takenOff(this.labelOf(piece)));
   }
 
   togglePin(): void {

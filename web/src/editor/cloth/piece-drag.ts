@@ -10,7 +10,7 @@ import {
   type LaidPiece,
 } from '../../marker/places.js';
 import {minus, plus, type Alignment, type Point} from '../../model/geometry.js';
-import type {PieceOnCloth} from '../../workbench/laying.js';
+import type {PieceOnCloth} from '../../workbench/cloth-work.js';
 import type {Dragged} from './cloth-sheet.js';
 
 /** Places of a piece at the turn that it has. @param k its index */

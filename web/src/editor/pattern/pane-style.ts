@@ -1,6 +1,9 @@
 import {css} from 'lit';
 
+import {toolGroup} from '../style/tool-group.js';
+
 export const paneStyle = css`
+  ${toolGroup}
   :host {
     display: grid;
     grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
@@ -94,14 +97,9 @@ export const paneStyle = css`
     flex: 1 1 16rem;
   }
   .view {
-    display: flex;
     flex: none;
-    gap: 1px;
+    flex-wrap: nowrap;
     margin-left: auto;
-    padding: 2px;
-    border: 1px solid var(--sw-line);
-    border-radius: calc(var(--sw-radius) + 2px);
-    background: var(--sw-paper);
   }
   .view button {
     width: var(--sw-target);

@@ -225,7 +225,7 @@ export class PatternPane extends PatternDrawing {
                 <sw-legend .workbench=${workbench}></sw-legend><slot name="hint"></slot>
               </div>`
         }
-        <div class="view" role="group" aria-label=${pattern.view}>
+        <div class="group view" role="group" aria-label=${pattern.view}>
           ${places ? nothing : this.#comparing()}
           ${this.#button(pattern.zoomOut, icon.minus, () => this.view?.zoomBy(1 / 1.4), 'zoom')}
           ${this.#button(pattern.fit, icon.fit, () => this.view?.fit(), places ? '' : 'zoom')}

@@ -4,6 +4,7 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
+import {toolGroup, wordlessTools} from '../style/tool-group.js';
 import type {PatternTools} from './pattern-tools.js';
 
 export class Toolbar extends WorkbenchElement {
@@ -12,27 +13,14 @@ export class Toolbar extends WorkbenchElement {
 
   static override styles = [
     controls,
+    toolGroup,
     css`
       :host {
         display: flex;
         margin-right: var(--sw-views-room, 0); /* of what lies over it */
       }
-      .tools {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 2px;
-        padding: 2px;
-        border: 1px solid var(--sw-line);
-        border-radius: calc(var(--sw-radius) + 2px);
-        background: var(--sw-paper);
-      }
-      .tools button {
-        flex: none;
-        padding: 0 var(--sw-space-2);
-      }
       /* long words take two lines rather than a row of their own */
-      .tools .all {
+      .group .all {
         flex: 1 1 5.5rem;
         justify-content: start;
         max-width: max-content;
@@ -41,30 +29,20 @@ export class Toolbar extends WorkbenchElement {
         white-space: normal;
       }
       @container (48rem <= width < 90rem) {
-        .tools .all {
+        .group .all {
           flex: none;
           white-space: nowrap;
         }
       }
       /* the pictures say it where there is no room for words */
       @container (width < 90rem) {
-        .tools {
+        .group {
           flex-wrap: nowrap;
         }
-        .tools .all {
+        .group .all {
           flex-basis: auto;
         }
-        .tool {
-          width: var(--sw-target);
-          padding: 0;
-        }
-        .tool span {
-          position: absolute;
-          width: 1px;
-          height: 1px;
-          overflow: hidden;
-          clip-path: inset(50%);
-        }
+        ${wordlessTools}
       }
     `,
   ];
@@ -73,7 +51,7 @@ export class Toolbar extends WorkbenchElement {
     const {symmetry} = this.texts;
     return html`
       <div
-        class="tools"
+        class="group"
         role="toolbar"
         aria-label=${symmetry.tools}
         @keydown=${(event: KeyboardEvent) => {

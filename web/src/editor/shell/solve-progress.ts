@@ -3,10 +3,12 @@ import {css, html, nothing, type TemplateResult} from 'lit';
 
 import {WorkbenchElement} from '../base/workbench-element.js';
 import {controls} from '../style/controls.js';
+import {progressLine} from '../style/progress-line.js';
 
 export class SolveProgress extends WorkbenchElement {
   static override styles = [
     controls,
+    progressLine,
     css`
       :host {
         position: relative;
@@ -16,24 +18,10 @@ export class SolveProgress extends WorkbenchElement {
         text-align: right;
       }
       progress {
-        position: absolute;
         inset: auto 0 -5px auto;
-        appearance: none;
-        width: 100%;
-        height: 3px;
-        border: 0;
         border-radius: 2px;
         overflow: hidden;
         background: color-mix(in srgb, var(--sw-ink) 10%, transparent);
-      }
-      progress::-webkit-progress-bar {
-        background: transparent;
-      }
-      progress::-webkit-progress-value {
-        background: var(--sw-accent);
-      }
-      progress::-moz-progress-bar {
-        background: var(--sw-accent);
       }
       progress[hidden] {
         display: block;

@@ -2,8 +2,10 @@
 import type {Design} from '../../model/design.js';
 import type {LayPlan} from '../../model/lay-plan.js';
 import type {SolveResult} from '../../model/result.js';
+import {unlessAborted} from '../../solver/answers/unless-aborted.js';
 import {lastOf} from '../../workbench/last-of.js';
 import type {Emit} from './announcer.js';
+import {asError} from './as-error.js';
 import type {AttributeElement} from './attribute-element.js';
 import {layOnCloth, type LaidAnswer} from './lay-on-cloth.js';
 import type {GarmentSession} from './session.js';
@@ -14,9 +16,6 @@ export interface ClothOwner {
   readonly session: GarmentSession;
   readonly texts: () => Texts;
   readonly emit: Emit;
-  readonly report: (error: unknown) => void;
-  /** Whether a promise of a plan has not been kept yet. */
-  readonly isAwaited: () => boolean;
 }
 
 interface Laying {
@@ -46,9 +45,15 @@ export class ClothLayer {
     }),
   );
   #laying: Laying | undefined;
+  #waiting = 0;
 
   constructor(owner: ClothOwner) {
     this.#owner = owner;
+  }
+
+  /** Whether a promise of a plan has not been kept yet. */
+  get isAwaited(): boolean {
+    return this.#waiting > 0;
   }
 
   /** For the answer that is shown; null until it is laid. */
@@ -62,9 +67,9 @@ export class ClothLayer {
     const answer = this.#answer;
     if (answer === this.#laying?.answer) return;
     this.#end();
-    const {element, session, isAwaited} = this.#owner;
+    const {element, session} = this.#owner;
     const isFinal = element.isConnected && !session.workbench.isHeld;
-    if (answer && (isFinal || isAwaited())) this.#laying = this.#begin(answer);
+    if (answer && (isFinal || this.isAwaited)) this.#laying = this.#begin(answer);
   }
 
   /** Ends what is under way, until somebody needs the element again. What is laid is kept. */
@@ -82,7 +87,16 @@ export class ClothLayer {
   }
 
   /** @param solve resolves when there is an answer to lay @throws as the element's `layPlan` does */
-  async plan(solve: () => Promise<unknown>): Promise<LayPlan> {
+  async plan(solve: () => Promise<unknown>, signal: AbortSignal | undefined): Promise<LayPlan> {
+    this.#waiting += 1;
+    try {
+      return await unlessAborted(this.#plan(solve), signal);
+    } finally {
+      this.#waiting -= 1;
+    }
+  }
+
+  async #plan(solve: () => Promise<unknown>): Promise<LayPlan> {
     if (this.#laying?.hasFailed) this.#end();
     for (;;) {
       await solve();
@@ -108,7 +122,7 @@ export class ClothLayer {
 
   #begin(answer: LaidAnswer): Laying {
     const ending = new AbortController();
-    const {emit, report, session} = this.#owner;
+    const {emit, session} = this.#owner;
     const plan = layOnCloth(session.workbench, answer, ending.signal);
     const laying: Laying = {answer, ending, plan, lengthCm: null, hasFailed: false};
     plan.then(
@@ -120,7 +134,7 @@ export class ClothLayer {
       (error: unknown) => {
         if (ending.signal.aborted) return;
         laying.hasFailed = true;
-        report(error);
+        session.report(asError(error));
       },
     );
     return laying;

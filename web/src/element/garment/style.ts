@@ -1,6 +1,9 @@
 import {css} from 'lit';
 
+import {progressLine} from '../../editor/style/progress-line.js';
+
 export const garmentStyle = css`
+  ${progressLine}
   :host {
     display: block;
     position: relative;
@@ -71,24 +74,6 @@ export const garmentStyle = css`
   ::slotted([slot='poster']) {
     max-width: 100%;
     max-height: 100%;
-  }
-  progress {
-    position: absolute;
-    inset: auto 0 0;
-    appearance: none;
-    width: 100%;
-    height: 3px;
-    border: 0;
-    background: transparent;
-  }
-  progress::-webkit-progress-bar {
-    background: transparent;
-  }
-  progress::-webkit-progress-value {
-    background: var(--sw-accent);
-  }
-  progress::-moz-progress-bar {
-    background: var(--sw-accent);
   }
   .message {
     position: absolute;

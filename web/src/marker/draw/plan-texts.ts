@@ -1,5 +1,7 @@
 /** In English: what stands on a lay plan. Lengths come as words, with their units. */
 
+import {noteTexts} from './note-texts.js';
+
 export const planTexts = {
   title: (scale: number) => `Lay plan 1 : ${scale}`,
   length: 'Length',
@@ -14,6 +16,8 @@ export const planTexts = {
   share: (share: string) => `${share} %`,
   cloth: (width: string, selvedge: string, gap: string, allowance: string) =>
     `Cloth ${width} wide, selvedges ${selvedge}, ${gap} between pieces, allowance ${allowance}; single layer, face up.`,
+  folded: (width: string, selvedge: string, gap: string, allowance: string, fold: string) =>
+    `Cloth ${width} wide, selvedges ${selvedge}, ${gap} between pieces, allowance ${allowance}; folded lengthwise ${fold} from the left edge, face to face, shown spread.`,
   print: (name: string, across: string, along: string) =>
     `${name}: the ring is on a corner of its repeat, ${across} from the left edge, ${along} from the start.`,
   plain: 'The print is not regarded: pieces lie anywhere.',
@@ -31,6 +35,7 @@ export const planTexts = {
   widths: 'Other cloth',
   width: 'Width',
   none: '–',
+  notes: noteTexts,
 };
 
 export type PlanTexts = typeof planTexts;

@@ -1,7 +1,9 @@
 /** Figures of a lay plan as people read them. */
 import type {Point} from '../../model/geometry.js';
 import type {LayPlan} from '../../model/lay-plan.js';
+import {readable} from '../../model/piece-names.js';
 import {fractionOrNumber, formatLength, type Units} from '../../model/units.js';
+import {saidNote, type NoteFormat} from './note-texts.js';
 import {planTexts, type PlanTexts} from './plan-texts.js';
 
 export interface PlanWordsOptions {
@@ -97,7 +99,7 @@ export function figuresOf(
 
 /** A sentence each. @param ring a corner of the print's repeat; none where the print does not matter */
 export function factsOf(
-  {widthCm, selvedgeCm, gapCm, allowanceCm, unplaced, notes}: LayPlan,
+  {widthCm, selvedgeCm, gapCm, allowanceCm, foldCm, unplaced, noteDetails}: LayPlan,
   {texts, length}: PlanWords,
   {
     printName,
@@ -109,10 +111,16 @@ export function factsOf(
     readonly nameOf: (piece: LayPlan['unplaced'][number]) => string;
   },
 ): readonly string[] {
+  const [width, selvedge, gap, allowance] = [widthCm, selvedgeCm, gapCm, allowanceCm].map(length);
+  const cloth = [width ?? '', selvedge ?? '', gap ?? '', allowance ?? ''] as const;
+  const format: NoteFormat = {
+    ...{length, rounded: length, count: String, name: readable},
+    range: (least, most) => [length(least), length(most)],
+  };
   return [
-    texts.cloth(length(widthCm), length(selvedgeCm), length(gapCm), length(allowanceCm)),
+    foldCm === undefined ? texts.cloth(...cloth) : texts.folded(...cloth, length(foldCm)),
     ring ? texts.print(printName, length(ring[0]), length(ring[1])) : texts.plain,
     ...(unplaced.length > 0 ? [texts.unplaced(unplaced.map(nameOf).join(', '))] : []),
-    ...notes,
+    ...noteDetails.map((note) => saidNote(note, texts.notes, format)),
   ];
 }

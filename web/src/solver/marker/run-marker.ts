@@ -87,12 +87,11 @@ export async function runMarker(
     return more;
   };
   await runInSlices(work, pace, hooks.signal);
-  const {bound, proven, freeLength, phaseLengths, widthLengths, notes} = marker.report();
+  const {bound, proven, freeLength, phaseLengths, widthLengths} = marker.report();
   return {
     ...layoutOf(marker.layout()),
     ...{boundCm: bound, proven, freeLengthCm: freeLength === 0 ? null : freeLength},
     phaseLengthsCm: lengthsOf(phaseLengths),
     widthLengthsCm: lengthsOf(widthLengths),
-    notes,
   };
 }

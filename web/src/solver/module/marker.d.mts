@@ -78,7 +78,6 @@ export interface ModuleMarkerReport {
   /** Per phase and per width of the request; NaN where a piece finds no place. */
   readonly phaseLengths: Float64Array;
   readonly widthLengths: Float64Array;
-  readonly notes: readonly string[];
 }
 
 /** A layout that is sought step by step. After any call, `failure()` says whether it went wrong. */

@@ -67,6 +67,7 @@ export interface ModulePhotoTileRequest {
   readonly height: number;
   readonly pixels: Uint8Array;
   readonly map: Float64Array;
+  readonly isTile: boolean;
   /** A group whose symmetries are made exact; empty for none. */
   readonly group: string;
   readonly flatten: number;

@@ -56,10 +56,10 @@ export const photoModuleRequest = (
 
 export const photoTileModuleRequest = (
   pixels: PhotoPixels,
-  {map, symmetrise, flatten = 1, shape}: PhotoTileSettings,
+  {map, isTile = false, symmetrise, flatten = 1, shape}: PhotoTileSettings,
 ): ModulePhotoTileRequest => ({
   ...{width: pixels.width, height: pixels.height, pixels: bytesOf(pixels)},
-  ...{map: mapNumbers(map), group: symmetrise ?? '', flatten, vectors: flat(shape)},
+  ...{map: mapNumbers(map), isTile, group: symmetrise ?? '', flatten, vectors: flat(shape)},
 });
 
 const mapOf = (numbers: Float64Array): PhotoMap => ({

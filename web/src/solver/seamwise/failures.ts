@@ -1,5 +1,6 @@
 import {failureCode, SolverError} from '../../model/failure.js';
 import {symmetryReasons} from '../../model/notes.js';
+import {photoFaults} from '../../model/photo.js';
 import {documentValue} from '../json/document.js';
 import type {ModuleFailure} from '../module/module.js';
 import type {ModuleDocument} from '../module/seamwise.mjs';
@@ -11,7 +12,7 @@ export function valueOf({document, failure}: ModuleDocument): unknown {
 }
 
 export function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
-  const why = symmetryReasons.find((known) => known === reason);
+  const why = [...symmetryReasons, ...photoFaults].find((known) => known === reason);
   return new SolverError({
     code: failureCode(code),
     message,

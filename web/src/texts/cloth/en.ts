@@ -10,7 +10,7 @@ function ordinal(n: number): string {
 export const cloth = {
   label: 'Cloth with the pieces on it',
   description:
-    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all.',
+    'Arrow keys move the selected piece to the next free place, with Alt to the next place even where others lie; R turns it, P pins it, Delete takes it off, N and Shift N go from piece to piece, plus and minus zoom, 0 shows all.',
   panel: 'Cloth',
   /** What there is to buy. */
   buy: (length: string) => `Buy ${length}`,
@@ -23,7 +23,7 @@ export const cloth = {
   costs: (length: string) => `The print costs ${length}`,
   costsNothing: 'The print costs no cloth',
   range: (least: string, most: string) =>
-    `${least} to ${most}, by where the print starts; measure it.`,
+    `${least} to ${most}, depending on where the print starts: measure it.`,
   rangeNowhere: (nowhere: number, all: number) =>
     `At ${nowhere} of ${all} places where the print may start, not all pieces fit.`,
   /** What would take less cloth. */
@@ -35,13 +35,26 @@ export const cloth = {
     unmatched: (saving: string, pieces: string) =>
       `${saving} less if the print need not match on ${pieces}`,
   },
+  lessDesign: (saving: string, mean: string, instead: string) =>
+    `${saving} less with another placing in the print that fits as well: off by ${mean} instead of ${instead} on average`,
+  takeDesign: 'Place it so',
   width: 'Cloth width',
   otherWidth: 'Other …',
   widthIn: (unit: string) => `Cloth width (${unit})`,
   selvedge: (unit: string) => `Selvedge (${unit})`,
   gap: (unit: string) => `Between pieces (${unit})`,
+  copies: 'Garments',
+  allowances: (seam: string, hem: string) => `Seam allowance ${seam}, hems ${hem}`,
+  changeAllowances: 'Change',
+  allowance: (unit: string) => `Seam allowance (${unit})`,
+  hem: (unit: string) => `Hem (${unit})`,
+  ownAllowances: {
+    all: 'The pattern has its own allowances on all edges.',
+    some: 'The pattern has its own allowances on some edges.',
+  },
   oneWay: 'All pieces one way up',
   oneWayNote: 'For velvet and other cloth with a nap.',
+  oneWayPrint: 'This print has a right way up.',
   phase: 'Print starts at the selvedge',
   phases: {unknown: 'Unknown', known: 'Measured'},
   phaseIn: (unit: string) => `From the left edge to a corner of the repeat (${unit})`,
@@ -57,7 +70,9 @@ export const cloth = {
     `${ordinal(across)} repeat from the left, ${ordinal(along)} from the start`,
   atLength: (left: string, start: string) => `${left} from the left, ${start} from the start`,
   turned: (degrees: string) => `turned ${degrees}°`,
-  noPlace: 'no place found',
+  noPlace: 'not on the cloth',
+  takeOff: 'Take off the cloth',
+  takenOff: (piece: string) => `${piece} is off the cloth; packing brings it back.`,
   pinned: 'pinned',
   pin: 'Pin',
   unpin: 'Unpin',
@@ -97,6 +112,7 @@ export const cloth = {
   steps: {
     move: 'move on the cloth',
     turn: 'turn on the cloth',
+    remove: 'taking off the cloth',
     pin: 'pin on the cloth',
     pack: 'packing',
     flaw: 'flaw',

@@ -1,4 +1,5 @@
 /** Auf Deutsch: was vor dem Zuschneiden gefragt wird. */
+import {cloth} from '../cloth/de.js';
 import type {CutTexts} from './en.js';
 
 export const cutting: CutTexts = {
@@ -14,8 +15,8 @@ export const cutting: CutTexts = {
   paper: 'Papier',
   roll: 'Rolle, 36 Zoll',
   projector: 'Projektor',
-  allowance: (unit) => `Nahtzugabe (${unit})`,
-  hem: (unit) => `Saum (${unit})`,
+  allowance: cloth.allowance,
+  hem: cloth.hem,
   print: 'Den Druck auf die Teile zeichnen',
   map: 'Wie die Seiten liegen',
   sheetMap: 'Wie die Teile liegen',
@@ -23,10 +24,7 @@ export const cutting: CutTexts = {
   each: (paper, size) => `${paper}, ${size}`,
   sheet: (size) => `Bogen ${size}`,
   extent: (width, height) => `${width} × ${height}`,
-  ownAllowances: {
-    all: 'Der Schnitt hat an allen Kanten eigene Zugaben.',
-    some: 'Der Schnitt hat an manchen Kanten eigene Zugaben.',
-  },
+  ownAllowances: cloth.ownAllowances,
   waiting: 'Das Muster wird noch ausgerichtet …',
   unsolved: 'Es gibt noch kein Ergebnis: zuerst das Muster ausrichten.',
   renewed: 'Das Ergebnis ist ein anderes geworden: dies ist das neue.',

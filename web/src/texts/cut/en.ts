@@ -1,4 +1,5 @@
 /** In English: what is asked before pieces are cut. */
+import {cloth} from '../cloth/en.js';
 
 export const cutting = {
   title: 'Cut',
@@ -13,8 +14,8 @@ export const cutting = {
   paper: 'Paper',
   roll: 'Roll, 36 in',
   projector: 'Projector',
-  allowance: (unit: string) => `Seam allowance (${unit})`,
-  hem: (unit: string) => `Hem (${unit})`,
+  allowance: cloth.allowance,
+  hem: cloth.hem,
   print: 'Draw the print on the pieces',
   map: 'How the pages lie',
   sheetMap: 'How the pieces lie',
@@ -22,10 +23,7 @@ export const cutting = {
   each: (paper: string, size: string) => `${paper}, ${size}`,
   sheet: (size: string) => `Sheet ${size}`,
   extent: (width: string, height: string) => `${width} × ${height}`,
-  ownAllowances: {
-    all: 'The pattern has its own allowances on all edges.',
-    some: 'The pattern has its own allowances on some edges.',
-  },
+  ownAllowances: cloth.ownAllowances,
   waiting: 'Waiting for the print to be aligned …',
   unsolved: 'There is no answer to cut: align the print first.',
   renewed: 'The answer has changed: this is the new one.',

@@ -1,4 +1,5 @@
 /** En español: lo que se pregunta antes de cortar. */
+import {cloth} from '../cloth/es.js';
 import type {CutTexts} from './en.js';
 
 export const cutting: CutTexts = {
@@ -14,8 +15,8 @@ export const cutting: CutTexts = {
   paper: 'Papel',
   roll: 'Rollo, 36 pulgadas',
   projector: 'Proyector',
-  allowance: (unit) => `Margen de costura (${unit})`,
-  hem: (unit) => `Dobladillo (${unit})`,
+  allowance: cloth.allowance,
+  hem: cloth.hem,
   print: 'Dibujar el estampado en las piezas',
   map: 'Cómo van las páginas',
   sheetMap: 'Cómo van las piezas',
@@ -23,10 +24,7 @@ export const cutting: CutTexts = {
   each: (paper, size) => `${paper}, ${size}`,
   sheet: (size) => `Hoja ${size}`,
   extent: (width, height) => `${width} × ${height}`,
-  ownAllowances: {
-    all: 'El patrón tiene márgenes propios en todos los bordes.',
-    some: 'El patrón tiene márgenes propios en algunos bordes.',
-  },
+  ownAllowances: cloth.ownAllowances,
   waiting: 'El estampado todavía se está alineando…',
   unsolved: 'Aún no hay nada que cortar: alinea primero el estampado.',
   renewed: 'El resultado ha cambiado: este es el nuevo.',

@@ -1,4 +1,5 @@
 /** En français : ce qui est demandé avant la coupe. */
+import {cloth} from '../cloth/fr.js';
 import type {CutTexts} from './en.js';
 
 export const cutting: CutTexts = {
@@ -14,8 +15,8 @@ export const cutting: CutTexts = {
   paper: 'Papier',
   roll: 'Rouleau, 36 pouces',
   projector: 'Projecteur',
-  allowance: (unit) => `Marge de couture (${unit})`,
-  hem: (unit) => `Ourlet (${unit})`,
+  allowance: cloth.allowance,
+  hem: cloth.hem,
   print: 'Dessiner l’imprimé sur les pièces',
   map: 'Disposition des pages',
   sheetMap: 'Disposition des pièces',
@@ -23,10 +24,7 @@ export const cutting: CutTexts = {
   each: (paper, size) => `${paper}, ${size}`,
   sheet: (size) => `Feuille ${size}`,
   extent: (width, height) => `${width} × ${height}`,
-  ownAllowances: {
-    all: 'Le patron a ses propres marges sur tous les bords.',
-    some: 'Le patron a ses propres marges sur certains bords.',
-  },
+  ownAllowances: cloth.ownAllowances,
   waiting: 'L’imprimé est encore en cours d’alignement…',
   unsolved: 'Rien à couper encore : alignez d’abord l’imprimé.',
   renewed: 'Le résultat a changé : voici le nouveau.',

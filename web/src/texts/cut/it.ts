@@ -1,4 +1,5 @@
 /** In italiano: ciò che si chiede prima del taglio. */
+import {cloth} from '../cloth/it.js';
 import type {CutTexts} from './en.js';
 
 export const cutting: CutTexts = {
@@ -14,8 +15,8 @@ export const cutting: CutTexts = {
   paper: 'Carta',
   roll: 'Rotolo, 36 pollici',
   projector: 'Proiettore',
-  allowance: (unit) => `Margine di cucitura (${unit})`,
-  hem: (unit) => `Orlo (${unit})`,
+  allowance: cloth.allowance,
+  hem: cloth.hem,
   print: 'Disegnare la stampa sui pezzi',
   map: 'Come stanno le pagine',
   sheetMap: 'Come stanno i pezzi',
@@ -23,10 +24,7 @@ export const cutting: CutTexts = {
   each: (paper, size) => `${paper}, ${size}`,
   sheet: (size) => `Foglio ${size}`,
   extent: (width, height) => `${width} × ${height}`,
-  ownAllowances: {
-    all: 'Il cartamodello ha margini propri su tutti i bordi.',
-    some: 'Il cartamodello ha margini propri su alcuni bordi.',
-  },
+  ownAllowances: cloth.ownAllowances,
   waiting: 'La stampa è ancora in corso di allineamento…',
   unsolved: 'Non c’è ancora nulla da tagliare: allinea prima la stampa.',
   renewed: 'Il risultato è cambiato: questo è quello nuovo.',

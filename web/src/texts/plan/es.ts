@@ -15,6 +15,8 @@ export const plan: PlanTexts = {
   share: (share) => `${share} %`,
   cloth: (width, selvedge, gap, allowance) =>
     `Tela de ${width} de ancho, orillos de ${selvedge}, ${gap} entre las piezas, margen de costura de ${allowance}; una sola capa, con el derecho hacia arriba.`,
+  folded: (width, selvedge, gap, allowance, fold) =>
+    `Tela de ${width} de ancho, orillos de ${selvedge}, ${gap} entre las piezas, margen de costura de ${allowance}; doblada a lo largo a ${fold} del borde izquierdo, derecho con derecho, mostrada desplegada.`,
   print: (name, across, along) =>
     `${name}: el anillo está en una esquina de la repetición, a ${across} del borde izquierdo, a ${along} del inicio.`,
   plain: 'El estampado no se tiene en cuenta: las piezas van en cualquier sitio.',
@@ -32,4 +34,22 @@ export const plan: PlanTexts = {
   widths: 'En otros anchos',
   width: 'Ancho',
   none: '–',
+  notes: {
+    plainPieces: ({pieces}) =>
+      `Las piezas de tela lisa no se colocan sobre el estampado: ${pieces}.`,
+    pliesUnlike: () =>
+      'Este estampado nunca se repite a lo largo de la tela, así que con ningún largo empiezan igual todas las capas: colócalas una a una.',
+    pliesWhole: ({counts: [plies], lengths: [repeat]}) =>
+      `Cada una de las ${plies} capas mide un número entero de repeticiones de ${repeat}, para que todas empiecen igual.`,
+    flawsFromCut: () =>
+      'Los defectos se cuentan desde el corte, donde se supone que empieza el estampado; si no, indica a qué distancia empieza.',
+    folded: ({rounded: [edge]}) =>
+      `La tela está doblada a ${edge} del borde izquierdo, derecho con derecho, y las dos capas se cortan a la vez.`,
+    foldKeepsPrint: () =>
+      'En tela doblada el estampado no se desplaza bajo ninguna pieza, porque la capa de abajo muestra su imagen reflejada.',
+    phaseRange: ({range: [least, most]}) =>
+      `De ${least} a ${most}, según dónde empiece el estampado en el orillo; mídelo.`,
+    phaseNowhere: ({counts: [nowhere, all]}) =>
+      `En ${nowhere} de ${all} inicios posibles del estampado no caben todas las piezas en la tela.`,
+  },
 };

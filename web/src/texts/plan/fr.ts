@@ -15,6 +15,8 @@ export const plan: PlanTexts = {
   share: (share) => `${share} %`,
   cloth: (width, selvedge, gap, allowance) =>
     `Tissu de ${width} de large, lisières de ${selvedge}, ${gap} entre les pièces, marge de couture de ${allowance} ; simple épaisseur, endroit vers le haut.`,
+  folded: (width, selvedge, gap, allowance, fold) =>
+    `Tissu de ${width} de large, lisières de ${selvedge}, ${gap} entre les pièces, marge de couture de ${allowance} ; plié dans la longueur à ${fold} du bord gauche, endroit contre endroit, montré déplié.`,
   print: (name, across, along) =>
     `${name} : l’anneau est sur un coin du raccord, à ${across} du bord gauche, à ${along} du début.`,
   plain: 'Il n’est pas tenu compte de l’imprimé : les pièces sont posées n’importe où.',
@@ -32,4 +34,22 @@ export const plan: PlanTexts = {
   widths: 'Sur d’autres largeurs',
   width: 'Largeur',
   none: '–',
+  notes: {
+    plainPieces: ({pieces}) =>
+      `Les pièces en tissu uni ne sont pas placées sur l’imprimé : ${pieces}.`,
+    pliesUnlike: () =>
+      'Cet imprimé ne se répète jamais dans la longueur, aucune longueur ne fait donc commencer tous les plis de la même façon : placez-les un par un.',
+    pliesWhole: ({counts: [plies], lengths: [repeat]}) =>
+      `Chacune des ${plies} épaisseurs mesure un nombre entier de raccords de ${repeat}, pour que toutes commencent de la même façon.`,
+    flawsFromCut: () =>
+      'Les défauts se comptent depuis la coupe, où l’imprimé est censé commencer ; sinon, indiquez à quelle distance il commence.',
+    folded: ({rounded: [edge]}) =>
+      `Le tissu est plié à ${edge} du bord gauche, endroit contre endroit, et les deux épaisseurs sont coupées ensemble.`,
+    foldKeepsPrint: () =>
+      'Sur tissu plié, l’imprimé n’est décalé sous aucune pièce, car l’épaisseur du dessous en montre l’image en miroir.',
+    phaseRange: ({range: [least, most]}) =>
+      `De ${least} à ${most}, selon où l’imprimé commence à la lisière ; mesurez-le.`,
+    phaseNowhere: ({counts: [nowhere, all]}) =>
+      `Pour ${nowhere} des ${all} débuts possibles de l’imprimé, toutes les pièces ne tiennent pas sur le tissu.`,
+  },
 };

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "photo_samples.h"
+#include "recognition/base/map_inverse.h"
+#include "recognition/cloth/coin.h"
+
+namespace seamwise::testing {
+namespace {
+
+CameraView closeUp() {
+  CameraView view;
+  view.width = 480;
+  view.height = 360;
+  view.f = 450;
+  view.tilt = 0.25;
+  view.turn = 0.4;
+  return view;
+}
+
+const Vec2 kMiddle(2, 1);  // of the object. [cm]
+
+/// A wavy print with something grey on it, where `covers` says, of cm from its middle.
+template <class Covers>
+Photo withObject(Covers&& covers) {
+  const CameraView view = closeUp();
+  const MapInverse inverse(view.map());
+  const auto print = [&](const Vec2& u) {
+    const Vec2 off = u.x() * view.w1 + u.y() * view.w2 - kMiddle;
+    return covers(off) ? std::array<double, 3>{0.75, 0.73, 0.7} : wavyPrint(u);
+  };
+  return photographed(
+      480, 360, print, inverse, [](const Vec2&) { return 1.0; }, 0.01);
+}
+
+Outcome<FoundObject> found(const Photo& photo, int object, const Vec2& beside) {
+  const CameraView view = closeUp();
+  Mat2 w, gram;
+  w.col(0) = view.w1;
+  w.col(1) = view.w2;
+  gram = w.transpose() * w / 9;  // in units of 3 cm
+  const double area = cross(view.w1, view.w2);
+  const Vec2 p = kMiddle + beside;
+  const Vec2 u(cross(p, view.w2) / area, cross(view.w1, p) / area);
+  return findObject(photo.view(), view.map(), gram, knownObjects()[object], view.map()(u));
+}
+
+TEST(PhotoCoin, ACoinTellsTheScaleUnderTilt) {
+  const Photo photo = withObject([](const Vec2& off) { return off.norm() < 2.325 / 2; });
+  for (const Vec2& beside : {Vec2(0, 0), Vec2(0.3, -0.2)}) {
+    const Outcome<FoundObject> coin = found(photo, 0, beside);
+    ASSERT_TRUE(coin.ok());
+    EXPECT_NEAR(coin.value().scale, 3, 0.03);
+    EXPECT_LT(coin.value().error, 0.015);
+  }
+}
+
+TEST(PhotoCoin, ARingWithinIsNotTakenForTheRim) {
+  const Photo photo = withObject([](const Vec2& off) {
+    return off.norm() < 2.575 / 2 && (off.norm() > 0.95 || off.norm() < 0.85);
+  });
+  const Outcome<FoundObject> coin = found(photo, 1, Vec2(0.1, 0.1));
+  ASSERT_TRUE(coin.ok());
+  EXPECT_NEAR(coin.value().scale, 3, 0.03);
+}
+
+TEST(PhotoCoin, ACardMayLieTurned) {
+  const Photo photo = withObject([](const Vec2& off) {
+    const Vec2 p = rotation(-0.6) * off;
+    return std::abs(p.x()) < 8.56 / 2 && std::abs(p.y()) < 5.398 / 2;
+  });
+  const Outcome<FoundObject> card = found(photo, 4, Vec2(0.5, 0.4));
+  ASSERT_TRUE(card.ok());
+  EXPECT_NEAR(card.value().scale, 3, 0.03);
+  EXPECT_EQ(card.value().outline.size(), 4u);
+}
+
+TEST(PhotoCoin, PlainClothHasNone) {
+  const Photo photo = photographed(
+      480, 360,
+      [](const Vec2&) {
+        return std::array<double, 3>{0.4, 0.4, 0.4};
+      },
+      [](const Vec2& p) { return p; }, [](const Vec2&) { return 1.0; }, 0.005);
+  const Outcome<FoundObject> coin = found(photo, 0, Vec2(0, 0));
+  ASSERT_FALSE(coin.ok());
+  EXPECT_NE(coin.error().message.find("no coin"), std::string::npos);
+}
+
+TEST(PhotoCoin, ItsScaleBecomesTheMetrics) {
+  MetricReading metric;
+  metric.gram << 2, 0, 0, 8;
+  FoundObject object;
+  object.scale = 3;
+  object.error = 0.01;
+  const MetricReading scaled = scaledByObject(metric, object);
+  EXPECT_TRUE(scaled.scaled);
+  EXPECT_EQ(scaled.gram(1, 1), 72);
+  EXPECT_DOUBLE_EQ(scaled.length_error, 0.01);
+}
+
+}  // namespace
+}  // namespace seamwise::testing

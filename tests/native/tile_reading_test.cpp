@@ -1,0 +1,143 @@
+#include "recognition/tile/tile_reading.h"
+
+#include <gtest/gtest.h>
+
+#include "cell_samples.h"
+#include "print_samples.h"
+#include "recognition/symmetry/print_cell.h"
+
+namespace seamwise {
+namespace {
+
+using testing::CellView;
+using testing::drawnCell;
+using testing::sampleGroup;
+using testing::samplePrint;
+using Chance = seamwise::Random;
+
+/// Pixels of a tile, and what reads them.
+struct TilePixels {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+  PixelView view() const { return {width, height, rgba}; }
+};
+
+/// The mean of 4 x 4 of its pixels each.
+TilePixels pixelsOf(const Picture& fine) {
+  constexpr int kTimes = 4;
+  TilePixels tile{fine.width / kTimes, fine.height / kTimes, {}};
+  for (int y = 0; y < tile.height; ++y) {
+    for (int x = 0; x < tile.width; ++x) {
+      for (const auto& plane : fine.planes) {
+        float sum = 0;
+        for (int k = 0; k < kTimes * kTimes; ++k) {
+          sum += plane[(y * kTimes + k / kTimes) * fine.width + x * kTimes + k % kTimes];
+        }
+        tile.rgba.push_back(static_cast<std::uint8_t>(std::lround(255 * sum / kTimes / kTimes)));
+      }
+      tile.rgba.push_back(255);
+    }
+  }
+  return tile;
+}
+
+/// Part of a tile that is repeated edge to edge, turned by quarters.
+TilePixels partOf(const TilePixels& tile, int x0, int y0, int width, int height) {
+  TilePixels part{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const int at = (y + y0) % tile.height * tile.width + (x + x0) % tile.width;
+      part.rgba.insert(part.rgba.end(), tile.rgba.begin() + 4 * at, tile.rgba.begin() + 4 * at + 4);
+    }
+  }
+  return part;
+}
+
+TilePixels turned(const TilePixels& tile) {
+  TilePixels out{tile.height, tile.width, std::vector<std::uint8_t>(tile.rgba.size())};
+  for (int y = 0; y < tile.height; ++y) {
+    for (int x = 0; x < tile.width; ++x) {
+      const int to = x * tile.height + (tile.height - 1 - y);
+      std::copy_n(tile.rgba.begin() + 4 * (y * tile.width + x), 4, out.rgba.begin() + 4 * to);
+    }
+  }
+  return out;
+}
+
+/// A rectangle of a group's print, about `pixels` wide, that repeats edge to edge.
+TilePixels tileOf(const GroupData& group, int pixels, unsigned seed) {
+  Chance chance(seed);
+  const WallpaperGroup sample = sampleGroup(group);
+  CellView view;
+  view.origin = {0.23, 0.41};
+  const CellPicture cell = drawnCell(samplePrint(sample, chance), view, 4);
+  Mat2 sides = Mat2::Identity();
+  if (group.lattice == LatticeType::kRhombic) sides << 1, -1, 1, 1;
+  if (group.lattice == LatticeType::kHexagonal) sides << 1, -1, 0, 2;
+  const Mat2 basis = (Mat2() << sample.w1(), sample.w2()).finished() * sides;
+  const double ratio = basis.col(1).norm() / basis.col(0).norm();
+  const int rows = static_cast<int>(std::lround(ratio * pixels));
+  return pixelsOf(printPicture(cell, sides, Vec2::Zero(), 4 * pixels, 4 * rows));
+}
+
+std::string_view bestName(const TileReading& reading) {
+  return reading.groups.groups[reading.groups.best].group->name;
+}
+
+class ReadTile : public ::testing::TestWithParam<GroupData> {};
+INSTANTIATE_TEST_SUITE_P(TileReading, ReadTile, ::testing::ValuesIn(wallpaperGroups()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST_P(ReadTile, HasItsGroupWhereverItBeginsAndHoweverItIsTurned) {
+  const TilePixels tile = tileOf(GetParam(), 96, 4);
+  const TilePixels moved = turned(partOf(tile, 17, 40, tile.width, tile.height));
+  const auto reading = readTile(moved.view());
+  ASSERT_TRUE(reading.ok()) << reading.error().message;
+  EXPECT_EQ(bestName(reading.value()), GetParam().name);
+  const bool is_centred =
+      GetParam().lattice == LatticeType::kRhombic || GetParam().lattice == LatticeType::kHexagonal;
+  EXPECT_EQ(reading.value().lattice.copies, is_centred ? 2 : 1);
+  const double area = moved.width * moved.height / (is_centred ? 2.0 : 1.0);
+  EXPECT_NEAR(std::sqrt(reading.value().gram.determinant()), area, 1e-6 * area);
+}
+
+TEST(TileReading, FindsTheCellOfAPictureOfSeveral) {
+  const TilePixels tile = tileOf(*findGroup("pgg"), 48, 8);
+  const auto reading = readTile(partOf(tile, 5, 9, 3 * tile.width, 2 * tile.height).view());
+  ASSERT_TRUE(reading.ok()) << reading.error().message;
+  EXPECT_EQ(reading.value().lattice.copies, 6);
+  EXPECT_EQ(bestName(reading.value()), "pgg");
+}
+
+TEST(TileReading, NamesTheEdgesThatDoNotMeet) {
+  const TilePixels tile = tileOf(*findGroup("p2"), 120, 6);
+  const auto narrow = readTile(partOf(tile, 31, 12, tile.width - 1, tile.height).view());
+  ASSERT_FALSE(narrow.ok());
+  EXPECT_NE(narrow.error().message.find("left and right differ here"), std::string::npos);
+  const auto low = readTile(partOf(tile, 31, 12, tile.width, tile.height - 1).view());
+  ASSERT_FALSE(low.ok());
+  EXPECT_NE(low.error().message.find("top and bottom differ here"), std::string::npos);
+  const auto half = readTile(partOf(tile, 31, 12, tile.width / 2, tile.height).view());
+  EXPECT_FALSE(half.ok());
+}
+
+TEST(TileReading, FindsALineCutFromWhereMotifsAreMirrored) {
+  // edges go on into each other there, but quarter turns no longer fit
+  CellView view;
+  Chance chance(2);
+  const CellPicture cell = drawnCell(samplePrint(sampleGroup(*findGroup("p4m")), chance), view, 4);
+  const TilePixels tile = pixelsOf(printPicture(cell, Mat2::Identity(), Vec2::Zero(), 480, 480));
+  ASSERT_TRUE(readTile(tile.view()).ok());
+  EXPECT_FALSE(readTile(partOf(tile, 0, 0, 119, 120).view()).ok());
+}
+
+TEST(TileReading, AsksForMorePixels) {
+  const TilePixels tile = tileOf(*findGroup("p1"), 96, 6);
+  const auto reading = readTile(partOf(tile, 0, 0, 5, 96).view());
+  ASSERT_FALSE(reading.ok());
+  EXPECT_EQ(reading.error().message,
+            "the picture has only 5 x 96 pixels: give one of at least 8 each way");
+}
+
+}  // namespace
+}  // namespace seamwise

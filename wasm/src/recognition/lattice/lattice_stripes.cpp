@@ -1,0 +1,57 @@
+#include "recognition/lattice/lattice_stripes.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace seamwise {
+namespace {
+
+// Slopes along stripes, squared, over those across: 0.001 to 0.008 on stripes that were drawn
+// (noise), 0.05 and more on plaids whose weft is faint.
+constexpr double kMostAlong = 0.02;
+constexpr double kLeastPeriod = 0.15;  // of the longer vector: below it a vector leads along
+
+/// The greatest length of which both are multiples, within `tolerance`.
+double commonDivisor(double a, double b, double tolerance) {
+  while (b > tolerance) {
+    const double rest = std::abs(a - std::round(a / b) * b);
+    a = b;
+    b = rest;
+  }
+  return a;
+}
+
+}  // namespace
+
+std::optional<TiltedLattice> asStripes(const Copies& copies, const TiltedLattice& view) {
+  const CopiesMean mean = meanOf(copies);
+  const int n = copies.n;
+  Mat2 slopes = Mat2::Zero();  // in lattice coordinates
+  for (int b = 0; b < n; ++b) {
+    for (int a = 0; a < n; ++a) {
+      const int here = b * n + a, right = b * n + (a + 1) % n, below = ((b + 1) % n) * n + a;
+      if (mean.weights[here] < 1.5F || mean.weights[right] < 1.5F || mean.weights[below] < 1.5F)
+        continue;
+      for (int c = 0; c < 3; ++c) {
+        const double value = mean.values[4 * here + c];
+        const Vec2 slope(mean.values[4 * right + c] - value, mean.values[4 * below + c] - value);
+        slopes += slope * slope.transpose();
+      }
+    }
+  }
+  const Mat2 inverse = view.basis.inverse();
+  const Mat2 tensor = inverse.transpose() * slopes * inverse;
+  const double half = tensor.trace() / 2;
+  const double spread = std::hypot((tensor(0, 0) - tensor(1, 1)) / 2, tensor(0, 1));
+  if (!(half - spread < kMostAlong * (half + spread))) return std::nullopt;
+  const Vec2 across = unit(std::atan2(2 * tensor(0, 1), tensor(0, 0) - tensor(1, 1)) / 2);
+  const double first = std::abs(across.dot(view.basis.col(0)));
+  const double second = std::abs(across.dot(view.basis.col(1)));
+  const double longer = std::max(first, second);
+  const double period = commonDivisor(longer, std::min(first, second), kLeastPeriod * longer);
+  TiltedLattice stripes = view;
+  stripes.basis << period * across, period * perp(across);
+  return stripes;
+}
+
+}  // namespace seamwise

@@ -1,0 +1,96 @@
+#include "recognition/lattice/tilt_votes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recognition/lattice/lattice_vote.h"
+
+namespace seamwise {
+namespace {
+
+constexpr int kLongestPart = 330;       // of a part that is autocorrelated. [pixels]
+constexpr double kShortestPixels = 6;   // of a repeat; below it lies the weave. [pixels]
+constexpr double kShiftReach = 0.55;    // of the shifts, in widths and heights of the part
+constexpr double kLeastMeeting = 0.04;  // of the weights at a shift
+constexpr double kMiddle = 0.5;         // of width and height
+constexpr int kLatticesOfEach = 3;
+constexpr double kSame = 0.06;  // of w1 and w2, of lattices voted for twice
+
+/// Tangents of tilts times half the longer side over the focal length: 0.13 is 10 degrees at 24 mm
+/// and 20 at 50, 0.36 is 25 at 24 mm. A correlation finds lattices 0.07 away from its own.
+std::vector<TiltedPart> allParts() {
+  std::vector<TiltedPart> parts{{Vec2::Zero(), 1}, {Vec2::Zero(), kMiddle}, {Vec2::Zero(), 0.25}};
+  const auto addRing = [&](double tilt, int count, double from) {
+    for (int k = 0; k < count; ++k) parts.push_back({tilt * unit(2 * kPi * (k + from) / count), 1});
+  };
+  addRing(0.13, 6, 0);
+  addRing(0.25, 12, 0.5);
+  addRing(0.36, 14, 0);
+  return parts;
+}
+
+}  // namespace
+
+bool isSameLattice(const TiltedLattice& a, const TiltedLattice& b, double tolerance) {
+  const Mat2 index = a.basis.inverse() * b.basis;
+  const Mat2 whole = index.array().round();
+  if (std::abs(std::abs(whole.determinant()) - 1) > 0.5) return false;
+  const Mat2 difference = a.basis * whole - b.basis;
+  return difference.col(0).norm() < tolerance * b.basis.col(0).norm() &&
+         difference.col(1).norm() < tolerance * b.basis.col(1).norm();
+}
+
+TiltVotes::TiltVotes(const std::vector<ChannelImage>& levels)
+    : levels_(levels), parts_(allParts()) {
+  std::size_t level = 0;
+  while (level + 1 < levels.size() &&
+         std::max(levels[level].width, levels[level].height) > kLongestPart)
+    ++level;
+  axes_ = principalAxes(levels[level]);
+}
+
+void TiltVotes::vote(int k) {
+  const TiltedPart& part = parts_[k];
+  std::size_t level = 0;
+  while (level + 1 < levels_.size() &&
+         part.share * std::max(levels_[level].width, levels_[level].height) > kLongestPart)
+    ++level;
+  const ChannelImage& image = levels_[level];
+  const Autocorrelation correlation = autocorrelation(
+      tiltedPlanes(image, axes_, part), static_cast<int>(kShiftReach * part.share * image.width),
+      static_cast<int>(kShiftReach * part.share * image.height), kLeastMeeting);
+  std::vector<VotedLattice> voted = voteStripes(correlation, kShortestPixels);
+  for (const VotedLattice& lattice : voteLattices(correlation, kShortestPixels, kLatticesOfEach))
+    voted.push_back(lattice);
+  LatticeHypothesis hypothesis;
+  TiltedLattice& view = hypothesis.view;
+  view.middle = Vec2(image.width, image.height) / (2 * image.scale);
+  view.radius = view.middle.maxCoeff();
+  view.tilt = part.tilt;
+  for (const VotedLattice& lattice : voted) {
+    view.basis << lattice.basis[0], lattice.basis[1];
+    view.basis /= view.radius * image.scale;
+    hypothesis.score = lattice.score;
+    hypothesis.is_stripes = lattice.is_stripes;
+    add(hypothesis);
+    if (part.share == kMiddle) best_of_middle_ = std::max(best_of_middle_, lattice.score);
+  }
+}
+
+void TiltVotes::add(const LatticeHypothesis& hypothesis) {
+  for (LatticeHypothesis& other : hypotheses_) {
+    if (!isSameLattice(other.view, hypothesis.view, kSame)) continue;
+    if (hypothesis.score > other.score) other = hypothesis;
+    return;
+  }
+  hypotheses_.push_back(hypothesis);
+}
+
+std::vector<LatticeHypothesis> TiltVotes::ranked() const {
+  std::vector<LatticeHypothesis> ranked = hypotheses_;
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  return ranked;
+}
+
+}  // namespace seamwise

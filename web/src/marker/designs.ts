@@ -1,0 +1,116 @@
+/** Other designs of a result that fit as well, laid on the same cloth. Lengths in cm. */
+import type {CheaperDesign, CheaperLay} from '../model/lay-plan.js';
+import type {MarkerHooks} from '../model/marker.js';
+import type {SolveOptions} from '../model/options.js';
+import type {Problem} from '../model/problem.js';
+import type {OtherAlignment, SolveResult} from '../model/result.js';
+import type {MarkerGarment} from './pieces.js';
+import type {MarkerOrder} from './problem.js';
+import {unlessFailed, type Lay} from './shifted.js';
+
+/** What solves a design: `solve`, wherever it runs. */
+export type SolveDesign = (
+  problem: Problem,
+  hooks: Pick<MarkerHooks, 'signal'>,
+) => Promise<SolveResult>;
+
+/** A design fits as well whose print misses by no more than this share beyond, or by so much. */
+const asGood = 0.1;
+const asGoodCm = 0.01;
+/** As many are laid, each with this share of the time for the plan, with the pieces' outlines as they are. */
+const mostLaid = 16;
+const roughShare = 0.05;
+/** Of those the shortest are solved, and laid once more. */
+const mostSolved = 3;
+/** Solving moves outlines, so that a rough layout is off by about as much. */
+const roughError = 1;
+
+type Pins = CheaperDesign['pins'];
+
+/** How they lie, by name: what a solve is told to keep. */
+const pinsOf = ({pieces}: SolveResult, {pieces: at}: OtherAlignment): Pins =>
+  Object.fromEntries(
+    pieces.flatMap(({name}, k) => {
+      const alignment = at[k];
+      return alignment ? [[name, alignment]] : [];
+    }),
+  );
+
+/** The order with the pieces of one garment where they lie in another design of it. */
+function placedAs(
+  order: MarkerOrder,
+  {result: {pieces}}: MarkerGarment,
+  which: number,
+  {pieces: at}: OtherAlignment,
+): MarkerOrder {
+  const byName = new Map(pieces.map(({name}, k) => [name, at[k]]));
+  const placed = order.problem.pieces.map((piece, k) => {
+    const {result, piece: name} = order.pieces[k] ?? {};
+    const alignment = result === which && name !== undefined ? byName.get(name) : undefined;
+    return alignment ? {...piece, alignment} : piece;
+  });
+  return {...order, problem: {...order.problem, pieces: placed}};
+}
+
+const meanOf = ({metrics}: SolveResult): number => metrics.localCm?.final ?? Infinity;
+
+/** The same garment with other options. */
+export function withOptions(problem: Problem, changed: SolveOptions): Problem {
+  const {options = {}} = problem;
+  const given = typeof options === 'string' ? (JSON.parse(options) as SolveOptions) : options;
+  return {...problem, options: {...given, ...changed}};
+}
+
+interface Offered {
+  readonly garments: readonly MarkerGarment[];
+  /** Of the plan. */
+  readonly lengthCm: number;
+  /** Shorter by less is no saving. */
+  readonly leastSaving: number;
+  /** @param share of the effort for the plan */
+  readonly orderOf: (garments: readonly MarkerGarment[], share: number) => MarkerOrder;
+  readonly share: number;
+  readonly lay: Lay;
+  readonly solve: SolveDesign;
+}
+
+/** The shortest that fits as well as the design that is laid, solved and laid to be sure; undefined for none. */
+export async function cheaperDesign(
+  {garments, lengthCm, leastSaving, orderOf, share, lay, solve}: Offered,
+  {signal}: Pick<MarkerHooks, 'signal'>,
+): Promise<CheaperLay | undefined> {
+  const hooks = signal ? {signal} : {};
+  const lengthOf = async ({problem}: MarkerOrder): Promise<number> => {
+    const laid = await unlessFailed(lay(problem, hooks), signal);
+    return laid?.lengthCm ?? Infinity;
+  };
+  const rough: {readonly which: number; readonly other: OtherAlignment; readonly length: number}[] =
+    [];
+  for (const [which, garment] of garments.entries()) {
+    const {result, others = result.otherAlignments ?? [], problem} = garment;
+    if (!problem || others.length === 0) continue;
+    const order = orderOf(garments, roughShare);
+    for (const other of others.slice(0, mostLaid)) {
+      const length = await lengthOf(placedAs(order, garment, which, other));
+      if (length < lengthCm - leastSaving + roughError) rough.push({which, other, length});
+    }
+  }
+  rough.sort((one, other) => one.length - other.length);
+  let best: CheaperLay | undefined;
+  for (const {which, other} of rough.slice(0, mostSolved)) {
+    const garment = garments[which];
+    if (!garment?.problem) continue;
+    const pins = pinsOf(garment.result, other);
+    const asked = withOptions(garment.problem, {pins, otherAlignments: false});
+    const solved = await unlessFailed(solve(asked, hooks), signal);
+    if (!solved) continue;
+    const [meanCm, insteadOfCm] = [meanOf(solved), meanOf(garment.result)];
+    if (!(meanCm <= insteadOfCm * (1 + asGood) + asGoodCm)) continue;
+    const changed = garments.map((one, g) => (g === which ? {...one, result: solved} : one));
+    const length = await lengthOf(orderOf(changed, share));
+    if (length >= Math.min(lengthCm - leastSaving, best?.lengthCm ?? Infinity)) continue;
+    const design = {result: which, pins, meanCm, insteadOfCm};
+    best = {kind: 'design', lengthCm: length, design};
+  }
+  return best;
+}

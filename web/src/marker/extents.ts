@@ -1,0 +1,17 @@
+/** How much room a piece takes at the least, however it may be turned. Lengths in cm. */
+import type {MarkerProblem} from '../model/marker.js';
+import {turnedRing, turnsOf, type LayablePiece} from './places.js';
+
+/** Across the cloth and along it; each by the turn that suits it best. */
+export function leastExtents(
+  piece: LayablePiece,
+  {print, widthCm, selvedgeCm, nap}: MarkerProblem,
+): readonly [across: number, along: number] {
+  const bolt = {repeat: print, origin: [0, 0], widthCm, selvedgeCm, gapCm: 0, flaws: []} as const;
+  const turns = turnsOf(piece, {...bolt, isOneWay: nap === 'one-way'});
+  const extents = turns.map(({angle}) => {
+    const {low, high} = turnedRing(piece.outline, angle);
+    return [high[0] - low[0], high[1] - low[1]] as const;
+  });
+  return [Math.min(...extents.map(([x]) => x)), Math.min(...extents.map(([, y]) => y))];
+}

@@ -1,0 +1,33 @@
+/** How wide seams and hems are cut: the same for cutting files and for the pieces on their cloth. */
+import type {Units} from '../model/units.js';
+import type {ChosenAllowances, Preferences} from '../texts/preferences.js';
+
+type Chosen = Pick<Preferences, 'units' | 'allowances'>;
+
+/** More than any hem. [cm] */
+export const greatestAllowance = 10;
+
+/** What most patterns have, in centimetres or in inches that are on a ruler. */
+const usual: Readonly<Record<Units, ChosenAllowances>> = {
+  cm: {allowanceCm: 1, hemCm: 3},
+  inch: {allowanceCm: 0.375 * 2.54, hemCm: 1.25 * 2.54},
+};
+
+export const allowancesIn = ({units, allowances}: Chosen): ChosenAllowances => ({
+  ...usual[units],
+  ...allowances,
+});
+
+/** What is as it is usual is not remembered: it follows the units. */
+export function withAllowances(
+  chosen: ChosenAllowances,
+  {units}: Chosen,
+): Pick<Preferences, 'allowances'> {
+  const {allowanceCm, hemCm} = chosen;
+  return {
+    allowances: {
+      ...(allowanceCm !== usual[units].allowanceCm && {allowanceCm}),
+      ...(hemCm !== usual[units].hemCm && {hemCm}),
+    },
+  };
+}
