@@ -57,7 +57,7 @@ export class PrintPanel extends WorkbenchElement {
           this.#photo();
         }}
       >
-        ${icon.camera} ${texts.photo}
+        ${texts.photo}
       </button>
       ${this.problem ? html`<p class="error" role="alert">${this.problem}</p>` : nothing}
       ${

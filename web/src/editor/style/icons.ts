@@ -64,9 +64,6 @@ export const icon = {
   movement: drawn(
     svg`<path d="M3 13 13 3M8.5 3H13v4.5"/><path d="M3 3v4M3 3h4" stroke-dasharray="1 2.5"/>`,
   ),
-  camera: drawn(
-    svg`<path d="M2.5 5h2.5l1-1.5h4L11 5h2.5v7.5h-11z"/><circle cx="8" cy="8.5" r="2.3"/>`,
-  ),
   cloth: drawn(svg`<path d="M3 3.5c2-1 3.5 1 5 0s3-1 5 0v9c-2-1-3.5-1-5 0s-3 1-5 0z"/>`),
   before: drawn(svg`<path d="M8 2v12M2.5 4.5h3M2.5 8h3M2.5 11.5h3"/><path d="M10.5 4.5h3v7h-3"/>`),
   locked: drawn(svg`<path d="M4 7.5h8v6H4zM5.5 7.5V5a2.5 2.5 0 0 1 5 0v2.5"/>`),
