@@ -19,7 +19,7 @@ export function chance(seed: number): () => number {
   };
 }
 
-export interface RandomLay {
+interface RandomLay {
   readonly settings: MarkerSettings;
   /** What a judge has to be told beside the plan. */
   readonly rules: PlanRules;

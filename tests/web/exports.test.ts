@@ -74,6 +74,14 @@ for (const [file, text] of texts) {
   }
 }
 
+// scripts that Vite compiles for those who run them
+for (const [file, text] of texts) {
+  for (const [, path = ''] of text.matchAll(/\brunnerImport\(at\('([^']+)'\)/g)) {
+    const target = imported(file, `./${path}`);
+    if (target !== undefined) wanted.get(target)?.add('*');
+  }
+}
+
 function exportsOf(text: string): string[] {
   const declared = text.matchAll(
     /^export\s+(?:declare\s+)?(?:abstract\s+)?(?:async\s+)?(?:class|interface|type|function\*?|const|let|enum)\s+(\w+)/gm,

@@ -72,7 +72,7 @@ export const bandKinds = [
   'half-uneven-plaid',
   'half-alike-check',
 ] as const;
-export type BandKind = (typeof bandKinds)[number];
+type BandKind = (typeof bandKinds)[number];
 
 interface Woven {
   readonly group: GroupName;

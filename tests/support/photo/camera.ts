@@ -25,7 +25,7 @@ export interface LatticeView {
   readonly lensRadius: number;
 }
 
-export interface Pose {
+interface Pose {
   readonly width: number;
   readonly height: number;
   /** Focal length for 35 mm film: the frame's longer side is 36 mm. */
@@ -41,7 +41,7 @@ export interface Pose {
   readonly middle: Point;
 }
 
-export const product = (a: Matrix3, b: Matrix3): Matrix3 => {
+const product = (a: Matrix3, b: Matrix3): Matrix3 => {
   const cell = (row: number, column: number): number =>
     [0, 1, 2].reduce((sum, k) => sum + (a[3 * row + k] ?? 0) * (b[3 * k + column] ?? 0), 0);
   // prettier-ignore

@@ -8,7 +8,7 @@ import {toGamma} from './inks.js';
 import type {PhotoLevel} from './conditions.js';
 import type {Rgba} from './pixels.js';
 
-export type Level = PhotoLevel | 'decoy' | 'tile';
+type Level = PhotoLevel | 'decoy' | 'tile';
 
 /** What a case's entry in cases.json says of its print; lengths in cm. */
 export interface PrintTruth extends LatticeView {

@@ -67,14 +67,14 @@ export function pixelShare(view: LatticeView, width: number, height: number): nu
 }
 
 /** Twill: threads run along a diagonal of w1 and its normal. */
-export interface Weave {
+interface Weave {
   /** How much lighter and darker threads are, as a share. */
   readonly strength: number;
   /** Waves across a repeat, along u and v. */
   readonly waves: Point;
 }
 
-export interface ClothLook {
+interface ClothLook {
   readonly creases: Creases | undefined;
   readonly weave: Weave | undefined;
   /** Light at a pixel, per colour. */

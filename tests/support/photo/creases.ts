@@ -32,7 +32,7 @@ const projective = (u: number, v: number): readonly (readonly [number, number])[
 ];
 
 /** Solves a symmetric system in place, by elimination. */
-export function solved(rows: number[][], right: number[]): number[] {
+function solved(rows: number[][], right: number[]): number[] {
   const n = right.length;
   const cell = (i: number, j: number): number => rows[i]?.[j] ?? 0;
   for (let k = 0; k < n; k++) {

@@ -7,7 +7,7 @@
 import type {GroupName} from '@/model/print.js';
 
 /** (u, v) -> (m0 u + m1 v + a0, m2 u + m3 v + a1); of the shift only its part modulo 1 counts. */
-export interface Element {
+interface Element {
   readonly m: readonly [number, number, number, number];
   readonly a: readonly [number, number];
 }

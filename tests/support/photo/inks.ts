@@ -10,7 +10,7 @@ export const toGamma = (x: number): number =>
   x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
 
 /** From gamma-coded red, green, blue in [0, 1]. */
-export const ink = (r: number, g: number, b: number): Ink => [
+const ink = (r: number, g: number, b: number): Ink => [
   toLinear(r),
   toLinear(g),
   toLinear(b),
@@ -25,7 +25,7 @@ export function inkOf(hue: number, saturation: number, value: number): Ink {
   return ink(part(5), part(3), part(1));
 }
 
-export interface Palette {
+interface Palette {
   readonly ground: Ink;
   readonly inks: readonly Ink[];
 }

@@ -6,7 +6,7 @@ import {elementsOf} from './group-elements.js';
 
 export type Basis = readonly [Point, Point];
 
-export interface ClaimedGroup {
+interface ClaimedGroup {
   readonly group: GroupName;
   /** The claimed w1, w2 as columns in the print's lattice coordinates, row by row, determinant 1. */
   readonly basis: readonly [number, number, number, number];
@@ -14,7 +14,7 @@ export interface ClaimedGroup {
   readonly origin: Point;
 }
 
-export interface Agreement {
+interface Agreement {
   /** Every claimed symmetry is one of the print, about some origin. */
   readonly holds: boolean;
   /** From the nearest such origin, in square roots of the cell's area. */

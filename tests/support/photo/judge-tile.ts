@@ -39,7 +39,7 @@ function sampled(
   return planes;
 }
 
-export interface TileAnswer {
+interface TileAnswer {
   readonly pixels: Rgba;
   /** Columns: the picture's edge to the right and its edge up, in the answer's w1, w2; row by row. */
   readonly sides: readonly [number, number, number, number];

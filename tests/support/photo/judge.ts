@@ -28,7 +28,7 @@ export interface Verdict {
   readonly print: PrintVerdict | undefined;
 }
 
-export interface PrintVerdict {
+interface PrintVerdict {
   /** The basis found spans exactly the print's lattice. */
   readonly primitive: boolean;
   /** Cells of the print in the cell found; below 1 a translation is claimed that the print lacks. */
@@ -63,7 +63,7 @@ function within([a, b]: Basis, other: Basis): readonly number[] {
 }
 
 /** Where a pixel's ray would land without the lens. */
-export function flattened(view: LatticeView, [x, y]: Point): Point {
+function flattened(view: LatticeView, [x, y]: Point): Point {
   const dx = x - view.lensMiddle[0];
   const dy = y - view.lensMiddle[1];
   const factor = unlensed(view, dx * dx + dy * dy);

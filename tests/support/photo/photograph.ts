@@ -20,7 +20,7 @@ export interface Photograph {
 /** The two vectors by which what is photographed is laid out. [cm] */
 export type Sides = Pick<Print, 'w1' | 'w2'>;
 
-export function viewOf(
+function viewOf(
   {w1, w2}: Sides,
   {f35, tilt, axis, turn, repeats, cellsShown, lens}: Conditions,
   [width, height]: readonly [number, number],

@@ -10,7 +10,7 @@ import {originNear, photographOf, type Photograph} from './photograph.js';
 import {almostPrint, isStripe, specialPrints} from './special-prints.js';
 
 /** Samples along a side of a cell: as many as the greatest repeat of a picture has pixels. */
-export const samplesFor = (longerSide: number): number =>
+const samplesFor = (longerSide: number): number =>
   2 ** Math.max(8, Math.ceil(Math.log2(longerSide / 2.4)));
 
 export interface PrintCase extends PhotoCase {
@@ -44,7 +44,7 @@ export function printCase(
   };
 }
 
-export interface PrintCaseAsked {
+interface PrintCaseAsked {
   readonly name: string;
   readonly level: PhotoLevel;
   readonly seed: number;

@@ -5,7 +5,7 @@ import type {Cell} from './drawn-print.js';
 import {transform, type Spectrum} from './fourier.js';
 import {toGamma} from './inks.js';
 
-export type Matrix = readonly [number, number, number, number];
+type Matrix = readonly [number, number, number, number];
 
 /** Frequencies above this many waves a cell are left out: no photograph shows them sharply. */
 const finest = 24;

@@ -78,7 +78,7 @@ const parts = {
   almost: (seed: number) => almosts(8, seed + 70_000),
   large: (seed: number) => large(seed + 60_000),
 } as const;
-export type Part = keyof typeof parts;
+type Part = keyof typeof parts;
 const usualParts: readonly Part[] = [
   'normal',
   'scan',

@@ -93,7 +93,7 @@ export function equalShifts(repeat: Repeat): readonly Point[] {
 }
 
 /** How far apart two shifts are, less whole repeats. */
-export const shiftsApart = (repeat: Repeat, one: Point, other: Point): number =>
+const shiftsApart = (repeat: Repeat, one: Point, other: Point): number =>
   norm(reduced(repeat, minus(one, other)));
 
 /** The same, but of so many at most those that are furthest from none and from each other. */

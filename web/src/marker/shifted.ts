@@ -13,7 +13,7 @@ import {movesFreely, spreadShifts} from './repeats.js';
 export type Lay = (problem: MarkerProblem, hooks: MarkerHooks) => Promise<MarkerAnswer>;
 
 /** By how much the print is moved under the pieces of each component of an order. */
-export type ComponentShifts = readonly Point[];
+type ComponentShifts = readonly Point[];
 
 /** Each layout that is tried takes so long, as a share of the time for the plan. */
 const effortShare = 0.05;
@@ -25,7 +25,7 @@ const mostOfOne = 12;
 const sameLength = 0.05;
 
 /** The order with the print moved. */
-export function shiftedOrder(order: MarkerOrder, shifts: ComponentShifts): MarkerOrder {
+function shiftedOrder(order: MarkerOrder, shifts: ComponentShifts): MarkerOrder {
   const pieces = [...order.problem.pieces];
   for (const [c, group] of order.components.entries()) {
     const by = shifts[c] ?? [0, 0];

@@ -1,24 +1,21 @@
 /** What there is to know of a lay plan besides its figures. The names only ever grow: they are part of the API. */
-export const layNoteCodes = [
+export type LayNoteCode =
   /** `pieces` are cut from other cloth. */
-  'plainPieces',
+  | 'plainPieces'
   /** No length makes plies start alike. */
-  'pliesUnlike',
+  | 'pliesUnlike'
   /** Of how many plies (`counts`) each is whole repeats (`lengthsCm`) long. */
-  'pliesWhole',
+  | 'pliesWhole'
   /** Nobody has said how far from the cut the print starts. */
-  'flawsFromCut',
+  | 'flawsFromCut'
   /** How far from the left edge (`lengthsCm`) the cloth is folded. */
-  'folded',
+  | 'folded'
   /** On folded cloth no print is moved. */
-  'foldKeepsPrint',
+  | 'foldKeepsPrint'
   /** From the least to the most (`lengthsCm`), by where the print starts. */
-  'phaseRange',
+  | 'phaseRange'
   /** At how many of how many places (`counts`) of the print not all pieces fit. */
-  'phaseNowhere',
-] as const;
-
-export type LayNoteCode = (typeof layNoteCodes)[number];
+  | 'phaseNowhere';
 
 /** What one of the sentences in `notes` says, for who writes it in another language. */
 export interface LayNote {

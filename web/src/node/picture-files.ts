@@ -9,7 +9,7 @@ import {fileKind, isWhole, type FileKind} from '../recognition/file-kind.js';
 import {upright} from '../recognition/upright.js';
 
 /** Upright, and what its camera says of it. */
-export interface PictureFile {
+interface PictureFile {
   readonly pixels: PhotoPixels;
   readonly f35?: number;
 }

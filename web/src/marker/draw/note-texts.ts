@@ -13,7 +13,7 @@ export interface NoteWords {
   readonly counts: readonly string[];
 }
 
-export type NoteTexts = Readonly<Record<LayNoteCode, (words: NoteWords) => string>>;
+type NoteTexts = Readonly<Record<LayNoteCode, (words: NoteWords) => string>>;
 
 export const noteTexts: NoteTexts = {
   plainPieces: ({pieces}) => `Pieces of plain cloth are not laid on the print: ${pieces}.`,

@@ -1,6 +1,9 @@
 /** In English: what stands on a lay plan. Lengths come as words, with their units. */
+import type {LayNoteCode} from '../../model/lay-note.js';
+import {noteTexts, type NoteWords} from './note-texts.js';
 
-import {noteTexts} from './note-texts.js';
+/** Per code of a note its sentence. */
+const notes: Readonly<Record<LayNoteCode, (words: NoteWords) => string>> = noteTexts;
 
 export const planTexts = {
   title: (scale: number) => `Lay plan 1 : ${scale}`,
@@ -35,7 +38,7 @@ export const planTexts = {
   widths: 'Other cloth',
   width: 'Width',
   none: '–',
-  notes: noteTexts,
+  notes,
 };
 
 export type PlanTexts = typeof planTexts;
