@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "photo_samples.h"
+#include "recognition/base/map_inverse.h"
 #include "recognition/cloth/cell_mean.h"
 #include "recognition/cloth/copy_fields_fit.h"
-#include "recognition/base/map_inverse.h"
 #include "recognition/cloth/tile_symmetry.h"
 
 namespace seamwise::testing {

@@ -10,11 +10,7 @@ export const toGamma = (x: number): number =>
   x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
 
 /** From gamma-coded red, green, blue in [0, 1]. */
-const ink = (r: number, g: number, b: number): Ink => [
-  toLinear(r),
-  toLinear(g),
-  toLinear(b),
-];
+const ink = (r: number, g: number, b: number): Ink => [toLinear(r), toLinear(g), toLinear(b)];
 
 /** @param hue in turns @param value the greatest of the three, gamma-coded */
 export function inkOf(hue: number, saturation: number, value: number): Ink {
