@@ -14,9 +14,9 @@ import {packed, type Packed} from '../support/packed.js';
 
 const kilobyte = 1000;
 /** Compressed as a whole, as the registry sends it; three is not in it. [bytes] */
-const mostForPackage = 1130 * kilobyte;
+const mostForPackage = 1165 * kilobyte;
 /** The scripts for pages without a bundler, three and Lit included, the solver's module not. [bytes] */
-const mostForStandalone = 530 * kilobyte;
+const mostForStandalone = 565 * kilobyte;
 /** The module that drapes, which only pages fetch that show a garment worn. [bytes] */
 const mostForDrape = 107 * kilobyte;
 /** The module that lays pieces on cloth, which is fetched only for that. [bytes] */

@@ -12,6 +12,7 @@ import {
   type Editor,
   type GarmentChoice,
   type PatternPane,
+  type PhotoKeeper,
   type Samples,
   type WornPane,
   type ClothPane,
@@ -26,6 +27,12 @@ import type {ProjectList} from './projects/project-list.js';
 import type {Projects} from './projects/projects.js';
 import type {SaveMenu} from './save-menu.js';
 import {savePicture, saveProject, saveResult} from './save.js';
+
+/** Photographs that prints were made of stay in this browser. */
+const keptPhotos = async (): Promise<PhotoKeeper> => {
+  const {keepPhoto, keptPhoto} = await import('./storage/kept-photos.js');
+  return {keep: keepPhoto, kept: keptPhoto};
+};
 
 export class SeamwisePage extends WorkbenchElement {
   static override properties = {
@@ -114,7 +121,12 @@ export class SeamwisePage extends WorkbenchElement {
       <button class="primary skip" @click=${() => this.#editor?.toPattern()}>
         ${app.toPattern}
       </button>
-      <sw-editor .workbench=${workbench} .samples=${samples} .commands=${this.#keyed}>
+      <sw-editor
+        .workbench=${workbench}
+        .samples=${samples}
+        .commands=${this.#keyed}
+        .photos=${keptPhotos}
+      >
         <h1 slot="start">${app.name}</h1>
         <sw-project-list
           slot="start"

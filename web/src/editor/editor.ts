@@ -25,6 +25,7 @@ import {sameTarget} from '../workbench/state.js';
 import type {Target} from '../workbench/workbench.js';
 import {editorKeys, isFree, type KeyCommands} from './editor-keys.js';
 import {editorLayout} from './editor-layout.js';
+import type {PhotoKeeper} from './photo/photo-keeper.js';
 import {KeptHeight} from './kept-height.js';
 
 type Sheet = 'print' | 'cutting' | 'fit' | 'lists';
@@ -45,6 +46,7 @@ export class Editor extends WorkbenchElement {
     ...WorkbenchElement.properties,
     samples: {attribute: false},
     commands: {attribute: false},
+    photos: {attribute: false},
     shows: {attribute: false},
     sheet: {state: true},
   };
@@ -52,6 +54,8 @@ export class Editor extends WorkbenchElement {
   declare samples: Samples | undefined;
   /** What a page adds that has keys of its own. */
   declare commands: KeyCommands;
+  /** What keeps the photographs that prints are made of, where a page stores anything. */
+  declare photos: (() => Promise<PhotoKeeper>) | undefined;
   declare shows: EditorView;
   /** What is open below the pattern where there is no room beside it. */
   declare protected sheet: Sheet | undefined;
@@ -144,7 +148,11 @@ export class Editor extends WorkbenchElement {
   async #toPhoto({detail}: PhotoWanted): Promise<void> {
     try {
       const openPhoto = await loadPhoto();
-      await openPhoto(this.workbench, this.renderRoot, detail ?? undefined);
+      const keeper = await this.photos?.();
+      await openPhoto(this.workbench, this.renderRoot, {
+        ...(detail && {given: detail}),
+        ...(keeper && {keeper}),
+      });
     } catch (error) {
       this.workbench.say({tone: 'error', text: toFailure(error).message});
     }

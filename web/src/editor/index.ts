@@ -27,6 +27,7 @@ export {patternCommands} from './pattern/pattern-commands.js';
 export {missing} from './print/choices.js';
 export {pictureOfTile} from './print/own-print.js';
 export {kindOf, looksLikePicture} from './print/read-picture.js';
+export type {PhotoKeeper} from './photo/photo-keeper.js';
 export {remedied} from './remedies/apply.js';
 export {improvementOffer} from './remedies/keep-improving.js';
 export {remedyWords} from './remedies/stays-off.js';

@@ -3,6 +3,7 @@ import {registerAll} from '../base/register.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import type {PhotoOfCloth} from '../print/print-files.js';
 import {PhotoDialog} from './photo-dialog.js';
+import type {PhotoKeeper} from './photo-keeper.js';
 import {PhotoPanel} from './photo-panel.js';
 import {PhotoStage} from './photo-stage.js';
 import {PhotoSwatch} from './photo-swatch.js';
@@ -13,7 +14,7 @@ const tag = 'sw-photo';
 export async function openPhoto(
   workbench: Workbench,
   root: HTMLElement | DocumentFragment,
-  given?: PhotoOfCloth,
+  {given, keeper}: {readonly given?: PhotoOfCloth; readonly keeper?: PhotoKeeper},
 ): Promise<void> {
   registerAll({
     [tag]: PhotoDialog,
@@ -23,6 +24,7 @@ export async function openPhoto(
   });
   const dialog = root.querySelector<PhotoDialog>(tag) ?? new PhotoDialog();
   dialog.workbench = workbench;
+  dialog.keeper = keeper;
   if (!dialog.isConnected) root.append(dialog);
   await dialog.open(given);
 }

@@ -13,7 +13,7 @@ import {kindOf} from '../print/read-picture.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
 import {dialogStyle} from './dialog-style.js';
-import {keepPhoto, keptPhoto} from './kept-photos.js';
+import type {PhotoKeeper} from './photo-keeper.js';
 import type {PhotoSize} from './lattice-lines.js';
 import {cellPicture, pngOf} from './photo-picture.js';
 import {PhotoSession} from './photo-session.js';
@@ -49,6 +49,7 @@ export class PhotoDialog extends WorkbenchElement {
   /** What went wrong with the picture, or with taking it. */
   declare protected trouble: string | undefined;
   declare protected isTaking: boolean;
+  keeper: PhotoKeeper | undefined;
   #address: string | undefined;
   /** The focus went to what takes the print, once. */
   #isLed = false;
@@ -376,7 +377,7 @@ export class PhotoDialog extends WorkbenchElement {
   /** The photograph that the present print was made of, as it was left. */
   async #again(): Promise<void> {
     const {image = ''} = this.workbench.design?.print ?? {};
-    const kept = image.startsWith('data:') ? await keptPhoto(image) : undefined;
+    const kept = image.startsWith('data:') ? await this.keeper?.kept(image) : undefined;
     if (!kept || this.#address !== undefined) return;
     await this.#take(kept.picture, kept.name, kept.step);
   }
@@ -393,7 +394,7 @@ export class PhotoDialog extends WorkbenchElement {
       if (this.session !== session) return;
       this.workbench.doubtful = undefined;
       this.workbench.change({print: {title: this.name || this.words.title, ...measures, image}});
-      void keepPhoto(image, {picture: session.picture, name: this.name, step});
+      void this.keeper?.keep(image, {picture: session.picture, name: this.name, step});
       this.#close();
     } catch (error) {
       this.trouble = toFailure(error).message;

@@ -1,13 +1,7 @@
 /** Photographs that prints were made of, kept in this browser beside the projects, and in no design. */
+import type {KeptPhoto} from '../../editor/photo/photo-keeper.js';
+import {scaledStep} from '../../editor/photo/photo-step.js';
 import {fieldOf} from '../../model/read.js';
-import {scaledStep, type PhotoStep} from './photo-step.js';
-
-/** A photograph with all that was decided about it. */
-interface KeptPhoto {
-  readonly picture: Blob;
-  readonly name: string;
-  readonly step: PhotoStep;
-}
 
 interface PhotoRecord extends KeptPhoto {
   /** The SHA-256 of the print's picture. */
