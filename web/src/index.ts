@@ -7,6 +7,7 @@ export type * from './model/garment.js';
 export * from './model/garment-document.js';
 export {garmentFile} from './model/garment-file.js';
 export {garmentTitle, type GarmentTitle} from './model/garment-marks.js';
+export type {LayNote, LayNoteCode} from './model/lay-note.js';
 export type * from './model/lay-plan.js';
 export * from './model/marker.js';
 export type * from './model/options.js';
