@@ -2,7 +2,7 @@
 import {html, nothing, type TemplateResult} from 'lit';
 
 import type {Failure} from '../../model/failure.js';
-import type {PhotoMap} from '../../model/photo.js';
+import {photoFaults, type PhotoMap} from '../../model/photo.js';
 import {dataUrlOf} from '../../recognition/data-url.js';
 import {photoTexts, type PhotoTexts} from '../../texts/photo-texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
@@ -290,9 +290,10 @@ export class PhotoDialog extends WorkbenchElement {
     }
   }
 
-  /** The core's sentences are as they come. */
-  #said(failure: Failure): string {
-    return failure.code === 'not-an-image' && this.trouble ? this.trouble : failure.message;
+  #said({code, reason, message}: Failure): string {
+    if (code === 'not-an-image' && this.trouble) return this.trouble;
+    const fault = photoFaults.find((known) => known === reason);
+    return fault ? this.words.faults[fault] : message;
   }
 
   #foot(session: PhotoSession, size: PhotoSize): TemplateResult {

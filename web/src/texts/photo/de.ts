@@ -18,6 +18,27 @@ export const photo: PhotoTexts = {
     symmetry: 'Symmetrien werden verglichen',
     tile: 'Die Zelle entsteht',
   },
+  faults: {
+    plain:
+      'Kein Muster gefunden, der Stoff wirkt einfarbig: bitte in hellerem Licht von einer Seite fotografieren.',
+    noRepeat:
+      'Kein Rapport gefunden: bitte zurücktreten, bis in beiden Richtungen drei Rapporte zu sehen sind, und den Stoff flach und von oben fotografieren.',
+    fewRepeats:
+      'Zu wenige Rapporte sind zu sehen: bitte zurücktreten, bis es in beiden Richtungen drei sind.',
+    twoPrints:
+      'Ein Teil des Bildes zeigt ein anderes Muster oder keines: bitte das Bild auf das gewünschte Muster zuschneiden.',
+    changes:
+      'Das Muster ändert sich über den Stoff: bitte eine Stelle fotografieren, an der alle Rapporte gleich sind.',
+    blurred:
+      'Das Bild ist unscharf: bitte die Kamera ruhig halten und auf den Stoff scharf stellen lassen.',
+    moire:
+      'Das Gewebe erzeugt ein Moiré im Bild: bitte den Stoff aus etwas kleinerem oder größerem Abstand fotografieren.',
+    uneven: 'Der Stoff liegt nicht flach: bitte glatt streichen und noch einmal fotografieren.',
+    edges:
+      'Die Ränder des Bildes schließen nicht aneinander an: bitte den ganzen Rapport angeben oder ein Foto, das mehrere zeigt.',
+    small:
+      'Das Bild ist zu klein: bitte eines mit mindestens 32 Pixeln in beiden Richtungen wählen.',
+  },
   reading: (stage, percent) => `${stage}, ${percent}`,
   cancelled: 'Angehalten.',
   again: 'Noch einmal suchen',

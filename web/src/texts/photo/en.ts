@@ -1,5 +1,5 @@
 /** In English: a print read off a photograph. */
-import type {PhotoNote, PhotoStage, SymmetryVerdict} from '../../model/photo.js';
+import type {PhotoFault, PhotoNote, PhotoStage, SymmetryVerdict} from '../../model/photo.js';
 
 export const photo = {
   title: 'Photo of your cloth',
@@ -18,6 +18,22 @@ export const photo = {
     symmetry: 'Comparing symmetries',
     tile: 'Making the cell',
   } satisfies Record<PhotoStage, string> as Record<PhotoStage, string>,
+  faults: {
+    plain:
+      'No print was found, the cloth looks plain: photograph it in brighter light from one side.',
+    noRepeat:
+      'No repeat was found: step back until three repeats are seen each way, and photograph the cloth flat and from above.',
+    fewRepeats: 'Too few repeats are seen: step back until there are three each way.',
+    twoPrints:
+      'A part of the picture shows another print, or none: cut the picture to the print that is wanted.',
+    changes: 'The print changes along the cloth: photograph a part in which all repeats are alike.',
+    blurred: 'The picture is blurred: hold the camera still, and let it focus on the cloth.',
+    moire:
+      'The weave makes a moiré on the picture: photograph the cloth from a little closer or farther away.',
+    uneven: 'The cloth does not lie flat: smooth it out and photograph it again.',
+    edges: 'The picture’s edges do not meet: give the whole repeat, or a photo that shows several.',
+    small: 'The picture is too small: give one of 32 pixels each way at least.',
+  } satisfies Record<PhotoFault, string> as Record<PhotoFault, string>,
   reading: (stage: string, percent: string) => `${stage}, ${percent}`,
   cancelled: 'Stopped.',
   again: 'Look again',

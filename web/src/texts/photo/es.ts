@@ -18,6 +18,23 @@ export const photo: PhotoTexts = {
     symmetry: 'Comparando simetrías',
     tile: 'Componiendo la celda',
   },
+  faults: {
+    plain:
+      'No se encontró ningún estampado, la tela parece lisa: fotografíala con luz más clara desde un lado.',
+    noRepeat:
+      'No se encontró ningún rapport: aléjate hasta que se vean tres en cada dirección, y fotografía la tela plana y desde arriba.',
+    fewRepeats: 'Se ven muy pocos rapports: aléjate hasta que haya tres en cada dirección.',
+    twoPrints:
+      'Una parte de la imagen muestra otro estampado, o ninguno: recorta la imagen al estampado que quieres.',
+    changes:
+      'El estampado cambia a lo largo de la tela: fotografía una parte en la que todos los rapports sean iguales.',
+    blurred: 'La imagen está borrosa: mantén quieta la cámara y deja que enfoque la tela.',
+    moire:
+      'El tejido produce un muaré en la imagen: fotografía la tela un poco más de cerca o de lejos.',
+    uneven: 'La tela no está plana: alísala y fotografíala de nuevo.',
+    edges: 'Los bordes de la imagen no casan: da el rapport entero, o una foto que muestre varios.',
+    small: 'La imagen es demasiado pequeña: da una de al menos 32 píxeles en cada dirección.',
+  },
   reading: (stage, percent) => `${stage}, ${percent}`,
   cancelled: 'Detenido.',
   again: 'Buscar de nuevo',

@@ -18,6 +18,26 @@ export const photo: PhotoTexts = {
     symmetry: 'Comparaison des symétries',
     tile: 'Composition de la maille',
   },
+  faults: {
+    plain:
+      'Aucun motif trouvé, le tissu semble uni : photographiez-le sous une lumière plus vive, venant d’un côté.',
+    noRepeat:
+      'Aucun rapport trouvé : reculez jusqu’à voir trois rapports dans chaque sens, et photographiez le tissu à plat et d’en haut.',
+    fewRepeats:
+      'Trop peu de rapports sont visibles : reculez jusqu’à en voir trois dans chaque sens.',
+    twoPrints:
+      'Une partie de l’image montre un autre motif, ou aucun : recadrez l’image sur le motif voulu.',
+    changes:
+      'Le motif change le long du tissu : photographiez une partie où tous les rapports sont semblables.',
+    blurred:
+      'L’image est floue : tenez l’appareil immobile et laissez-le faire la mise au point sur le tissu.',
+    moire:
+      'Le tissage crée un moiré sur l’image : photographiez le tissu d’un peu plus près ou d’un peu plus loin.',
+    uneven: 'Le tissu n’est pas à plat : lissez-le et photographiez-le de nouveau.',
+    edges:
+      'Les bords de l’image ne se rejoignent pas : donnez le rapport entier, ou une photo qui en montre plusieurs.',
+    small: 'L’image est trop petite : donnez-en une d’au moins 32 pixels dans chaque sens.',
+  },
   reading: (stage, percent) => `${stage}, ${percent}`,
   cancelled: 'Arrêté.',
   again: 'Chercher à nouveau',

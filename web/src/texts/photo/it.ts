@@ -18,6 +18,26 @@ export const photo: PhotoTexts = {
     symmetry: 'Confronto delle simmetrie',
     tile: 'Composizione della cella',
   },
+  faults: {
+    plain:
+      'Nessuna stampa trovata, la stoffa sembra in tinta unita: fotografala con una luce più chiara da un lato.',
+    noRepeat:
+      'Nessun rapporto trovato: allontanati finché se ne vedono tre in ogni direzione, e fotografa la stoffa in piano e dall’alto.',
+    fewRepeats:
+      'Si vedono troppo pochi rapporti: allontanati finché ce ne sono tre in ogni direzione.',
+    twoPrints:
+      'Una parte dell’immagine mostra un’altra stampa, o nessuna: ritaglia l’immagine sulla stampa voluta.',
+    changes:
+      'La stampa cambia lungo la stoffa: fotografa una parte in cui tutti i rapporti sono uguali.',
+    blurred:
+      'L’immagine è sfocata: tieni ferma la fotocamera e lasciala mettere a fuoco sulla stoffa.',
+    moire:
+      'L’armatura crea un effetto moiré nell’immagine: fotografa la stoffa da un po’ più vicino o più lontano.',
+    uneven: 'La stoffa non è distesa: lisciala e fotografala di nuovo.',
+    edges:
+      'I bordi dell’immagine non combaciano: dai il rapporto intero, o una foto che ne mostri diversi.',
+    small: 'L’immagine è troppo piccola: danne una di almeno 32 pixel in ogni direzione.',
+  },
   reading: (stage, percent) => `${stage}, ${percent}`,
   cancelled: 'Fermato.',
   again: 'Cerca di nuovo',
