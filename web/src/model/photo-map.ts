@@ -32,7 +32,7 @@ export function latticeOf({homography, lens}: PhotoMap, {width, height}: Size, a
   return [(c1 * b2 - c2 * b1) / whole, (a1 * c2 - a2 * c1) / whole];
 }
 
-/** Three steps leave less than 1e-6 px of lenses of 5 %. */
+/** By iteration: twelve steps leave less than 1e-5 px of lenses of 4 %, as the tests have it. */
 function withoutLens(lens: number, radius: number, [x, y]: Point): Point {
   let factor = 1;
   for (let k = 0; k < 12 && lens !== 0; k++) {

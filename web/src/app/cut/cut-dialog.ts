@@ -6,7 +6,7 @@ import type {SolveResult} from '../../model/result.js';
 import type {CutTexts} from '../../texts/cut-texts.js';
 import {keepChoices, storedChoices, type CutChoices} from './cut-choices.js';
 import {cutFile, cutPlan, type CutPlan} from './cut-job.js';
-import {sheetDialog} from '../style/sheet-dialog.js';
+import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {cutSettings} from './cut-settings.js';
 import {cutStyle} from './cut-style.js';
 import {pageMap} from './page-map.js';

@@ -5,7 +5,7 @@ import {controls, WorkbenchElement, icon} from '../../editor/index.js';
 import type {FileUnit} from '../../model/garment-document.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 import {chosenAlso, type PieceChoice} from './choices.js';
-import {sheetDialog} from '../style/sheet-dialog.js';
+import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {importStyle} from './import-style.js';
 import {pieceChoice, ruler, type ShownChoices} from './piece-choice.js';
 import {WorkerComplaint} from '../worker/ask.js';

@@ -12,6 +12,7 @@ import type {PhotoOfCloth} from '../print/print-files.js';
 import {kindOf} from '../print/read-picture.js';
 import {controls} from '../style/controls.js';
 import {icon} from '../style/icons.js';
+import {sheetDialog} from '../style/sheet-dialog.js';
 import {dialogStyle} from './dialog-style.js';
 import type {PhotoKeeper} from './photo-keeper.js';
 import type {PhotoSize} from './lattice-lines.js';
@@ -35,7 +36,7 @@ export class PhotoDialog extends WorkbenchElement {
     trouble: {state: true},
     isTaking: {state: true},
   };
-  static override styles = [controls, dialogStyle];
+  static override styles = [controls, sheetDialog, dialogStyle];
   /** Undefined until there is a picture. */
   declare protected session: PhotoSession | undefined;
   /** Of the picture as the browser shows it. */

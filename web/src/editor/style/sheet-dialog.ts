@@ -1,4 +1,4 @@
-/** What the dialogs that open and cut patterns have in common: a head, a body beside its settings, a foot. */
+/** What the dialogs have in common that open and cut patterns, and that read photographs: a head, a body beside its settings, a foot. */
 import {css} from 'lit';
 
 export const sheetDialog = css`
