@@ -54,6 +54,7 @@ std::vector<OtherAlignment> otherAlignments(const WallpaperGroup& group, const P
   double best = std::numeric_limits<double>::infinity();
   for (const Alignments& pieces : at) best = std::min(best, expected(pieces));
   std::vector<OtherAlignment> others;
+  others.reserve(found.size());
   for (const Alignments& pieces : found)
     others.push_back({pieces, meanMismatch(localMismatches(group, pattern, rest, pieces), lengths),
                       expected(pieces)});
