@@ -20,7 +20,8 @@ struct CopyFields {
   SmoothField shift;
   /// One channel: how much a copy counts, from its sharpness; 0 in differing regions.
   SmoothField weight;
-  /// Root mean square of the shift, as a share of the longer of w1 and w2.
+  /// Root mean square of the shift, as a share of the longer of w1 and w2, or of an eighth of what
+  /// is seen where that is longer: cloth gives by a share of its length, however small its print.
   double unevenness = 0;
   std::vector<DifferingRegion> regions;
   /// Share of what is seen of the cloth that lies in them.

@@ -16,6 +16,7 @@ constexpr double kMostCopySamples = 500'000;           // of all cells
 constexpr double kPixelsPerSample = 1.2;               // of the picture that is sampled, at least
 constexpr int kCoarsePerCell = 20;         // samples of a cell's side that creases leave alone
 constexpr int kLightPerCell = 16;          // samples of a cell's side for the light
+constexpr double kUsualRepeats = 8;        // seen at most where cloth is judged by its repeat
 constexpr int kPixelsPerStep = 2'000'000;  // read when a picture is made smaller
 
 int reductionFor(double cell_size, double wanted) {
@@ -98,7 +99,12 @@ void CopyFieldsFit::beginShift() {
 
 void CopyFieldsFit::finish() {
   fields_.shift = registration_->shift();
-  fields_.unevenness = registration_->rms() / longerRepeat(map_);
+  const double repeat = longerRepeat(map_);
+  const double most_cells =
+      std::max(registration_->canvas().cells_u, registration_->canvas().cells_v);
+  const double seen =
+      std::min<double>(std::max(pixels_.width, pixels_.height), most_cells * repeat);
+  fields_.unevenness = registration_->rms() / std::max(repeat, seen / kUsualRepeats);
   findDiffering(*registration_, cell_size_, &fields_);
   registration_.reset();
 }

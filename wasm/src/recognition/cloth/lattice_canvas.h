@@ -9,7 +9,8 @@
 
 namespace seamwise {
 
-/// The whole and cut cells of a lattice that a picture shows: those from first on.
+/// The whole and cut cells of a lattice that a picture shows, around its middle where it shows very
+/// many: those from first on.
 struct SeenCells {
   SeenCells(const LatticeMap& map, int width, int height);
   int first_u, first_v, across, up;
