@@ -71,6 +71,7 @@ class LatticeSearch {
   Agreement agreement(const TiltedLattice& view) const;
   LatticeReading readingOf(const Aligned& aligned) const;
   double repeatsOf(const Aligned& aligned) const;
+  bool mayBeMuchSmaller(const Aligned& best) const;
 
   PixelView pixels_;
   std::optional<LatticeMap> given_;
